@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/coordinates.h"
+#include "interpreter/dialects/fanuc/evaluate.h"
+#include "interpreter/dialects/fanuc/failure.h"
+#include "interpreter/dialects/fanuc/g_codes.h"
+#include "interpreter/dialects/fanuc/offsets.h"
+#include "interpreter/dialects/fanuc/parameters.h"
+#include "interpreter/dialects/fanuc/profile.h"
+#include "interpreter/dialects/fanuc/variables.h"
+#include "interpreter/dialects/fanuc/word_values.h"
+#include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/observer.h"
+#include "machine/port/machine_port.h"
+
+namespace g31::fanuc {
+
+/// What stays in force from block to block.
+struct Modal {
+  /// By group; the power-on state of MB 0.1: G00 G17 G90 G94 G21 G40 G49 G80 G98 G54 G64.
+  std::array<GNumber, kGroupCount> group{};
+  double feed = 0.0;  ///< in the unit in force per minute; 0: none was ever given
+  /// The last word of each letter, as #4102 to #4120 show it.
+  std::array<double, 26> words{};  ///< by letter - A
+  [[nodiscard]] double& word(char letter) { return words[static_cast<std::size_t>(letter - 'A')]; }
+  int length_offset = 0;   ///< H in force
+  int additional_system = 0;  ///< P of G54.1, 0 in G54..G59
+
+  Modal();
+  [[nodiscard]] bool incremental() const { return group[3].whole == 91; }
+};
+
+/// The whole state of a running control.  One per run; nothing is global.
+struct Control {
+  Control(const Profile& chosen, machine::MachinePort& machine, runtime::Observer& listener,
+          SystemVariables& system);
+
+  const Profile& profile;
+  Parameters parameters;
+  machine::MachinePort& port;
+  runtime::Observer& observer;
+
+  Variables variables;
+  Evaluator evaluator;
+  Modal modal;
+  Coordinates coordinates;
+  OffsetTable offsets;
+  WordScale scale;
+  std::set<int> block_skip;
+  std::map<int, int> macro_calls_g;  ///< G number to program
+  std::set<int> expected_tools;      ///< numbers of the sheet's tool table; empty: anything goes
+  std::set<int> expected_systems;    ///< likewise for work offsets, as Coordinates counts them
+
+  AxisPositions q_W_skip = AxisPositions::Zero();  ///< #5061.., tool offset included; mm, deg
+  double timer_offset_ms = 0.0;                    ///< #3001 = simulated time + this
+  int single_block_control = 0;                    ///< #3003
+  int override_control = 0;                        ///< #3004
+  std::optional<AxisPositions> q_M_intermediate;   ///< of the last G28
+
+  std::vector<source::Diagnostic> diagnostics;
+
+  /// The last skip move, if it ended without a signal and nobody has asked for its result yet.
+  std::optional<source::Location> silent_skip;
+
+  /// Somebody relies on a skip move that had no signal: the warning that it deserves.
+  /// A silent skip move that is followed by another one is a protected positioning move.
+  void report_silent_skip();
+
+  /// Takes over parameters and what they change.
+  void apply(const Parameters& given);
+
+  /// mm of a value in the unit in force, and back.
+  [[nodiscard]] double to_mm(double value) const { return value * scale.mm_per_unit(); }
+  [[nodiscard]] double from_mm(double mm) const { return mm / scale.mm_per_unit(); }
+};
+
+}  // namespace g31::fanuc

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <map>
+
+#include "machine/units/axis_positions.h"
+
+namespace g31::fanuc {
+
+/// Work coordinates of the control: offsets, shifts and the programmed point; mm and deg throughout.
+///
+/// machine = programmed + shift + tool offset, where shift = external + selected system + G52 + G92
+/// (MB-145).  Changing a shift moves nothing: the programmed point is re-read in the new system.
+/// Changing the tool offset moves nothing either; the next move takes it along (MB-295).
+class Coordinates {
+ public:
+  static constexpr int kSystems = 6;       ///< G54..G59
+  static constexpr int kAdditional = 300;  ///< G54.1 P1..P300
+
+  Coordinates() { systems_.fill(AxisPositions::Zero()); }
+
+  /// Which system: 0 external, 1..6 G54..G59, 6+P for G54.1 P.
+  [[nodiscard]] const AxisPositions& system(int which) const;
+  void set_system(int which, int axis, double value);
+
+  void select(int which);
+  [[nodiscard]] int selected() const { return selected_; }
+
+  void set_local_shift(int axis, double value);
+  /// G92: from now on the programmed point reads `value` on this axis.
+  void declare(int axis, double value);
+
+  void set_tool_offset(const AxisPositions& offset) { tool_offset_ = offset; }
+  [[nodiscard]] const AxisPositions& tool_offset() const { return tool_offset_; }
+
+  [[nodiscard]] const AxisPositions& shift() const { return shift_; }
+  [[nodiscard]] const AxisPositions& programmed() const { return q_W_programmed_; }
+
+  /// Machine coordinates of a programmed point.
+  [[nodiscard]] AxisPositions to_machine(const AxisPositions& q_W) const {
+    return q_W + shift_ + tool_offset_;
+  }
+  /// Work coordinates with the tool offset still in them (#5041, #5061).
+  [[nodiscard]] AxisPositions to_work(const AxisPositions& q_M) const { return q_M - shift_; }
+
+  /// A programmed move has ended at its end point.
+  void arrived_at_programmed(const AxisPositions& q_W) { q_W_programmed_ = q_W; }
+  /// The axes stand at a machine position that no block programmed (skip, reference point).
+  void arrived_at_machine(const AxisPositions& q_M) {
+    q_W_programmed_ = q_M - shift_ - tool_offset_;
+  }
+
+ private:
+  void refresh();
+
+  std::array<AxisPositions, kSystems + 1> systems_;
+  std::map<int, AxisPositions> additional_;
+  int selected_ = 1;
+  AxisPositions local_shift_ = AxisPositions::Zero();
+  AxisPositions declared_shift_ = AxisPositions::Zero();
+  AxisPositions tool_offset_ = AxisPositions::Zero();
+  AxisPositions shift_ = AxisPositions::Zero();
+  AxisPositions q_W_programmed_ = AxisPositions::Zero();
+};
+
+}  // namespace g31::fanuc

@@ -1,0 +1,307 @@
+#include "interpreter/dialects/fanuc/evaluate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/angles.h"
+#include "machine/base/contract.h"
+
+namespace g31::fanuc {
+namespace {
+
+using syntax::Operator;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kSmallSine = 1e-8;  // 6004.1 MFZ
+
+Cell truth(bool value) {
+  return Cell(value ? 1.0 : 0.0);
+}
+
+/// Comparisons; vacant differs from 0 only for EQ and NE (MB-086, MB-087).
+Cell compare(Operator op, Cell a, Cell b) {
+  const double x = a.or_zero();
+  const double y = b.or_zero();
+  switch (op) {
+    case Operator::Equal:
+      return truth(equal(a, b));
+    case Operator::NotEqual:
+      return truth(!equal(a, b));
+    case Operator::Greater:
+      return truth(x > y);
+    case Operator::Less:
+      return truth(x < y);
+    case Operator::GreaterEqual:
+      return truth(x >= y);
+    case Operator::LessEqual:
+      return truth(x <= y);
+    case Operator::Add:
+    case Operator::Subtract:
+    case Operator::Multiply:
+    case Operator::Divide:
+    case Operator::Modulo:
+    case Operator::And:
+    case Operator::Or:
+    case Operator::Xor:
+      break;
+  }
+  contract_violated("only comparisons compare", __FILE__, __LINE__);
+}
+
+/// 16 -> 0x16: the BCD digits of an integer, or nullopt for what has none.
+std::optional<double> to_bcd(double value) {
+  const double whole = std::round(value);
+  if (whole < 0.0 || whole > 99'999'999.0) {
+    return std::nullopt;
+  }
+  auto rest = static_cast<std::uint64_t>(whole);
+  std::uint64_t digits = 0;
+  for (int shift = 0; rest != 0; shift += 4, rest /= 10) {
+    digits |= (rest % 10) << shift;
+  }
+  return static_cast<double>(digits);
+}
+
+std::optional<double> from_bcd(double value) {
+  const double whole = std::round(value);
+  if (whole < 0.0 || whole > 4294967295.0) {
+    return std::nullopt;
+  }
+  std::uint64_t result = 0;
+  std::uint64_t scale = 1;
+  for (auto rest = static_cast<std::uint64_t>(whole); rest != 0; rest >>= 4, scale *= 10) {
+    if ((rest & 15) > 9) {
+      return std::nullopt;
+    }
+    result += (rest & 15) * scale;
+  }
+  return static_cast<double>(result);
+}
+
+}  // namespace
+
+std::int32_t variable_number(double index) {
+  const double rounded = std::round(index);
+  return std::abs(rounded) < 1e9 ? static_cast<std::int32_t>(rounded) : -1;
+}
+
+std::optional<EvaluationFault> Evaluator::take_fault() {
+  std::optional<EvaluationFault> taken;
+  taken.swap(fault_);
+  return taken;
+}
+
+Cell Evaluator::fail(AlarmId id, std::string detail) {
+  fault_ = EvaluationFault{id, {}, std::move(detail)};
+  return {};
+}
+
+Cell Evaluator::read(std::int32_t number) {
+  const auto value = variables_.read(number);
+  if (!value) {
+    return fail(value.error(), fmt::format("#{} cannot be read", number));
+  }
+  return value.value();
+}
+
+bool Evaluator::condition(const CompiledProgram& program, syntax::Index code) {
+  return evaluate(program, code).or_zero() != 0.0;
+}
+
+Cell Evaluator::evaluate(const CompiledProgram& program, syntax::Index code, double round_to) {
+  std::array<Cell, kExpressionStack> stack;
+  std::size_t top = 0;  // stack[1..top] are in use
+  for (const Op* op = &program.ops[code];; ++op) {
+    switch (op->code) {
+      case OpCode::Constant:
+        stack[++top] = Cell(op->constant);
+        continue;
+      case OpCode::Vacant:
+        stack[++top] = Cell();
+        continue;
+      case OpCode::Local:
+        stack[++top] = variables_.local(op->number);
+        continue;
+      case OpCode::Common:
+        stack[++top] = variables_.common(op->number);
+        continue;
+      case OpCode::Numbered:
+        stack[++top] = read(op->number);
+        break;
+      case OpCode::Indirect:
+        stack[top] = read(variable_number(stack[top].or_zero()));
+        break;
+      case OpCode::Negate:
+        stack[top] = stack[top].is_vacant() ? Cell() : Cell(-stack[top].raw());
+        continue;
+      case OpCode::Binary:
+        --top;
+        stack[top] = binary(*op, stack[top], stack[top + 1]);
+        break;
+      case OpCode::Call:
+        stack[top] = function(*op, stack[top].or_zero(), round_to);
+        break;
+      case OpCode::Call2:
+        --top;
+        stack[top] = function_of_two(*op, stack[top].or_zero(), stack[top + 1].or_zero());
+        break;
+      case OpCode::End:
+        return stack[top];
+    }
+    if (fault_) {
+      fault_->where = program.op_spans[static_cast<std::size_t>(op - program.ops.data())];
+      return {};
+    }
+  }
+}
+
+Cell Evaluator::arithmetic(double result) {
+  const double size = std::abs(result);
+  const bool fits = size <= rules_.largest_result && (size >= rules_.smallest_result || size == 0.0);
+  return fits ? Cell(result) : fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", result));
+}
+
+Cell Evaluator::binary(const Op& op, Cell a, Cell b) {
+  switch (op.op) {
+    case Operator::Add:
+      return arithmetic(a.or_zero() + b.or_zero());
+    case Operator::Subtract:
+      return arithmetic(a.or_zero() - b.or_zero());
+    case Operator::Multiply:
+      return arithmetic(a.or_zero() * b.or_zero());
+    case Operator::Divide:
+      if (b.or_zero() == 0.0) {
+        return fail(AlarmId::DivisionByZero, b.is_vacant() ? "the divisor is vacant" : "the divisor is 0");
+      }
+      return arithmetic(a.or_zero() / b.or_zero());
+    case Operator::Modulo:
+    case Operator::And:
+    case Operator::Or:
+    case Operator::Xor:
+      return integer_operation(op.op, a.or_zero(), b.or_zero());
+    case Operator::Equal:
+    case Operator::NotEqual:
+    case Operator::Greater:
+    case Operator::Less:
+    case Operator::GreaterEqual:
+    case Operator::LessEqual:
+      return compare(op.op, a, b);
+  }
+  contract_violated("every operator has a meaning", __FILE__, __LINE__);
+}
+
+/// MOD AND OR XOR: both operands rounded to 32-bit integers (MB-067 to MB-069).
+Cell Evaluator::integer_operation(Operator op, double a, double b) {
+  const double x = std::round(a);
+  const double y = std::round(b);
+  constexpr double kLimit = 2147483648.0;
+  const bool fits = x >= -kLimit && x < 2.0 * kLimit && y >= -kLimit && y < 2.0 * kLimit;
+  if (!fits) {
+    return fail(AlarmId::IntegerOverflow, "an operand does not fit 32 bits");
+  }
+  if (op == Operator::Modulo) {
+    return y == 0.0 ? fail(AlarmId::DivisionByZero, "the divisor of MOD is 0")
+                    : Cell(std::fmod(x, y) + 0.0);
+  }
+  const auto left = static_cast<std::int32_t>(static_cast<std::int64_t>(x));
+  const auto right = static_cast<std::int32_t>(static_cast<std::int64_t>(y));
+  if (op == Operator::And) {
+    return Cell(static_cast<double>(left & right));
+  }
+  return Cell(static_cast<double>(op == Operator::Or ? left | right : left ^ right));
+}
+
+Cell Evaluator::trigonometric(FunctionId id, double argument) {
+  double result = id == FunctionId::COS ? cosine_deg(argument) : sine_deg(argument);
+  if (id == FunctionId::TAN) {
+    const double cosine = cosine_deg(argument);
+    if (cosine == 0.0) {
+      return fail(AlarmId::DivisionByZero, fmt::format("TAN[{}]", argument));
+    }
+    result /= cosine;
+  }
+  return Cell(rules_.clear_small_sines && std::abs(result) <= kSmallSine ? 0.0 : result);
+}
+
+Cell Evaluator::rounding_function(FunctionId id, double argument, double round_to) {
+  if (id == FunctionId::ROUND) {
+    // The guard absorbs the binary error of decimal fractions: 1.2345/0.001 counts as 1234.5.
+    const double scaled = argument / round_to;
+    const double guard = std::abs(scaled) * 4.0 * std::numeric_limits<double>::epsilon();
+    return Cell(round_to == 1.0 ? std::round(argument)
+                                : std::round(scaled + std::copysign(guard, scaled)) * round_to);
+  }
+  const double whole = std::trunc(argument);
+  const bool is_whole = whole == argument;
+  return Cell(id == FunctionId::FIX || is_whole ? whole : whole + std::copysign(1.0, argument));
+}
+
+Cell Evaluator::function(const Op& op, double argument, double round_to) {
+  const auto id = static_cast<FunctionId>(op.function);
+  if (!rules_.has_series_30i_functions && info(id).in_16i == InSeries16i::No) {
+    return fail(AlarmId::ImproperCommand, fmt::format("this control has no {}", info(id).name));
+  }
+  switch (id) {
+    case FunctionId::SIN:
+    case FunctionId::COS:
+    case FunctionId::TAN:
+      return trigonometric(id, argument);
+    case FunctionId::ASIN:
+    case FunctionId::ACOS: {
+      if (std::abs(argument) > 1.0) {
+        return fail(AlarmId::ArcusArgument, fmt::format("the argument is {}", argument));
+      }
+      const double angle =
+          (id == FunctionId::ASIN ? std::asin(argument) : std::acos(argument)) * kDegrees;
+      return Cell(angle < 0.0 && !rules_.signed_angles ? angle + 360.0 : angle);
+    }
+    case FunctionId::ATAN:
+      return Cell(std::atan(argument) * kDegrees);
+    case FunctionId::SQRT:
+      return argument < 0.0 ? fail(AlarmId::IllegalArgument, fmt::format("SQRT of {}", argument))
+                            : Cell(std::sqrt(argument));
+    case FunctionId::ABS:
+      return Cell(std::abs(argument));
+    case FunctionId::ROUND:
+    case FunctionId::FIX:
+    case FunctionId::FUP:
+      return rounding_function(id, argument, round_to);
+    case FunctionId::LN:
+      return argument <= 0.0 ? fail(AlarmId::IllegalArgument, fmt::format("LN of {}", argument))
+                             : Cell(std::log(argument));
+    case FunctionId::EXP:
+      return arithmetic(std::exp(argument));
+    case FunctionId::BIN:
+    case FunctionId::BCD: {
+      const auto result = id == FunctionId::BIN ? from_bcd(argument) : to_bcd(argument);
+      return result ? Cell(*result)
+                    : fail(AlarmId::IllegalArgument, fmt::format("{}[{}]", info(id).name, argument));
+    }
+    case FunctionId::ADP:
+      return Cell(argument);
+    case FunctionId::POW:
+      break;
+  }
+  contract_violated("POW has two arguments", __FILE__, __LINE__);
+}
+
+Cell Evaluator::function_of_two(const Op& op, double a, double b) {
+  const auto id = static_cast<FunctionId>(op.function);
+  if (id == FunctionId::POW) {
+    if (!rules_.has_series_30i_functions) {
+      return fail(AlarmId::ImproperCommand, "this control has no POW");
+    }
+    const double power = std::pow(a, b);
+    return power != power ? fail(AlarmId::IllegalArgument, fmt::format("POW[{},{}]", a, b))
+                          : arithmetic(power);
+  }
+  const double angle = std::atan2(a + 0.0, b + 0.0) * kDegrees;
+  return Cell(angle < 0.0 && !rules_.signed_angles ? angle + 360.0 : angle);
+}
+
+}  // namespace g31::fanuc

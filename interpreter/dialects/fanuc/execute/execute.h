@@ -1,0 +1,58 @@
+#pragma once
+
+#include "interpreter/dialects/fanuc/control.h"
+#include "interpreter/dialects/fanuc/failure.h"
+#include "interpreter/dialects/fanuc/word_values.h"
+#include "interpreter/source/location.h"
+
+namespace g31::fanuc {
+
+/// One NC block at work: its words and the G codes found in them.
+struct NcBlock {
+  const BlockWords& words;
+  source::Location where;
+  const GCode* one_shot = nullptr;  ///< the last code of group 0
+  bool has_axis_word = false;
+};
+
+/// Executes an NC block that is no call: modal codes, offsets, then its motion or one-shot code.
+MaybeFailure execute_block(Control& control, const BlockWords& words, source::Location where);
+
+// One function per GAction that does more than set its group; each stands in a file of its own.
+
+MaybeFailure execute_motion(Control& control, const NcBlock& block);        // motion.cc
+MaybeFailure execute_arc(Control& control, const NcBlock& block);           // arc.cc
+MaybeFailure execute_machine_move(Control& control, const NcBlock& block);  // motion.cc
+MaybeFailure execute_skip(Control& control, const NcBlock& block);          // skip.cc
+MaybeFailure execute_dwell(Control& control, const NcBlock& block);         // dwell.cc
+MaybeFailure execute_reference(Control& control, const NcBlock& block);     // reference.cc
+MaybeFailure execute_set_data(Control& control, const NcBlock& block);      // set_data.cc
+MaybeFailure execute_local_shift(Control& control, const NcBlock& block);   // offsets.cc
+MaybeFailure execute_set_position(Control& control, const NcBlock& block);  // offsets.cc
+MaybeFailure select_work_offset(Control& control, const BlockWords& words,
+                                GNumber code);                               // offsets.cc
+MaybeFailure select_tool_length(Control& control, const BlockWords& words);  // offsets.cc
+
+// What several of them share.
+
+/// The programmed end point of the block: absolute or incremental axis words on the present one.
+AxisPositions programmed_end(const Control& control, const NcBlock& block);
+
+/// Moves to a machine position and tells the observer; `g` is how the document names the move.
+MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Traverse traverse,
+                     int g);
+
+/// The feed in mm/min in force, or why there is none.
+Result<double, Failure> feed_in_force(const Control& control);
+
+/// A fault of the machine as the end of the program.
+Failure from_fault(const machine::MachineFault& fault);
+
+/// A failure at a word.
+Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail);
+
+/// A word whose value is an integer (M S T D H N O L P): a literal must have no point, a computed
+/// one is rounded (MB-025, MB-026).
+Result<int, Failure> integer_of(const EvaluatedWord& word);
+
+}  // namespace g31::fanuc

@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/execute.h"
+
+namespace g31::fanuc {
+namespace {
+
+constexpr int kToolAxis = 2;  // Z: the spindle of a vertical machining centre
+
+Failure missing(source::DiagnosticId row, std::string what) {
+  Failure failure;
+  failure.status = runtime::Status::Setup;
+  failure.alarm_number = static_cast<int>(row);
+  failure.detail = std::move(what);
+  return failure;
+}
+
+}  // namespace
+
+/// G54 to G59, G54.1 Pn, G54 Pn (MB-292, MB-293).
+MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumber code) {
+  int which = code.whole - 53;
+  control.modal.additional_system = 0;
+  const EvaluatedWord* const p = words.find('P');
+  if (code == GNumber{54, 1} || (code.whole == 54 && p != nullptr)) {
+    const auto number = p != nullptr ? integer_of(*p) : Result<int, Failure>(1);
+    if (!number) {
+      return number.error();
+    }
+    if (number.value() < 1 || number.value() > Coordinates::kAdditional) {
+      return at_word(AlarmId::IllegalOffsetNumber, *p, "G54.1 has P1 to P300");
+    }
+    which = Coordinates::kSystems + number.value();
+    control.modal.additional_system = number.value();
+    control.modal.group[14] = {54, 1};
+  }
+  if (!control.expected_systems.empty() && !control.expected_systems.contains(which)) {
+    return missing(source::DiagnosticId::SetupMissingOffset,
+                   which <= Coordinates::kSystems
+                       ? to_text(code)
+                       : fmt::format("G54.1 P{}", which - Coordinates::kSystems));
+  }
+  control.coordinates.select(which);
+  return std::nullopt;
+}
+
+/// G43, G44, G49, and H while one of the first two is in force (MB-295, MB-296).
+MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
+  const int code = control.modal.group[8].whole;
+  if (const EvaluatedWord* const h = words.find('H')) {
+    const auto number = integer_of(*h);
+    if (!number) {
+      return number.error();
+    }
+    if (number.value() < 0 || number.value() > OffsetTable::kLargest) {
+      return at_word(AlarmId::IllegalOffsetNumber, *h, "H is 0 to 999");
+    }
+    control.modal.length_offset = number.value();
+  }
+  AxisPositions q_offset = AxisPositions::Zero();
+  const int number = control.modal.length_offset;
+  if (code != 49 && number != 0) {
+    if (!control.expected_tools.empty() && !control.expected_tools.contains(number) &&
+        !control.offsets.has(number)) {
+      return missing(source::DiagnosticId::SetupMissingTool, fmt::format("H{}", number));
+    }
+    const runtime::ToolEntry entry = control.offsets.get(number);
+    const double length = entry.length_mm + entry.length_wear_mm;
+    q_offset[kToolAxis] = code == 43 ? length : -length;
+  }
+  control.coordinates.set_tool_offset(q_offset);
+  return std::nullopt;
+}
+
+/// G52: the named axes take this shift, in every work system (MB-290).
+MaybeFailure execute_local_shift(Control& control, const NcBlock& block) {
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
+      control.coordinates.set_local_shift(
+          static_cast<int>(axis),
+          axis < 3 ? control.scale.length_mm(*word) : control.scale.angle_deg(*word));
+    }
+  }
+  return std::nullopt;
+}
+
+/// G92: the named axes read these values from now on (MB-294).
+MaybeFailure execute_set_position(Control& control, const NcBlock& block) {
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
+      control.coordinates.declare(
+          static_cast<int>(axis),
+          axis < 3 ? control.scale.length_mm(*word) : control.scale.angle_deg(*word));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/execute.h"
+
+namespace g31::fanuc {
+namespace {
+
+/// What `G10 L..` sets in the tool offset table (MB-257, MB-258).
+struct OffsetForm {
+  int l;
+  double runtime::ToolEntry::*field;
+};
+
+constexpr OffsetForm kOffsetForms[] = {{1, &runtime::ToolEntry::length_wear_mm},
+                                       {10, &runtime::ToolEntry::length_mm},
+                                       {11, &runtime::ToolEntry::length_wear_mm},
+                                       {12, &runtime::ToolEntry::radius_mm},
+                                       {13, &runtime::ToolEntry::radius_wear_mm}};
+
+MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const OffsetForm& form) {
+  const EvaluatedWord* const p = block.words.find('P');
+  const EvaluatedWord* const r = block.words.find('R');
+  if (p == nullptr || r == nullptr) {
+    Failure failure;
+    failure.id = p == nullptr ? AlarmId::IllegalPInG10 : AlarmId::IllegalValueInG10;
+    failure.detail = p == nullptr ? "P is missing" : "R is missing";
+    return failure;
+  }
+  const auto number = integer_of(*p);
+  if (!number) {
+    return number.error();
+  }
+  if (number.value() < 1 || number.value() > OffsetTable::kLargest) {
+    return at_word(AlarmId::IllegalPInG10, *p, "P is 1 to 999");
+  }
+  runtime::ToolEntry entry = control.offsets.get(number.value());
+  const double before = control.modal.incremental() ? entry.*form.field : 0.0;
+  entry.*form.field = before + control.scale.length_mm(*r);
+  control.offsets.set(number.value(), entry);
+  return std::nullopt;
+}
+
+/// G10 L2 P0..P6 and L20 P1..P300; axes that are not named keep their value.
+MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
+  const EvaluatedWord* const p = block.words.find('P');
+  const auto number = p != nullptr ? integer_of(*p) : Result<int, Failure>(l == 2 ? 0 : 1);
+  if (!number) {
+    return number.error();
+  }
+  const int lowest = l == 2 ? 0 : 1;
+  const int highest = l == 2 ? Coordinates::kSystems : Coordinates::kAdditional;
+  if (number.value() < lowest || number.value() > highest) {
+    return at_word(AlarmId::IllegalPInG10, *p, fmt::format("P is {} to {}", lowest, highest));
+  }
+  const int which = number.value() + (l == 2 ? 0 : Coordinates::kSystems);
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
+      const double value = axis < 3 ? control.scale.length_mm(*word) : control.scale.angle_deg(*word);
+      const int index = static_cast<int>(axis);
+      const double before =
+          control.modal.incremental() ? control.coordinates.system(which)[index] : 0.0;
+      control.coordinates.set_system(which, index, before + value);
+    }
+  }
+  control.expected_systems.insert(which);
+  return std::nullopt;
+}
+
+}  // namespace
+
+MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
+  const EvaluatedWord* const word = block.words.find('L');
+  const auto l = word != nullptr ? integer_of(*word) : Result<int, Failure>(1);
+  if (!l) {
+    return l.error();
+  }
+  if (l.value() == 2 || l.value() == 20) {
+    return set_work_offset(control, block, l.value());
+  }
+  for (const OffsetForm& form : kOffsetForms) {
+    if (form.l == l.value()) {
+      return set_tool_offset(control, block, form);
+    }
+  }
+  return at_word(AlarmId::IllegalPInG10, *word, fmt::format("G10 has no L{} here", l.value()));
+}
+
+}  // namespace g31::fanuc

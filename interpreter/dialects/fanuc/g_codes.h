@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace g31::fanuc {
+
+/// What a G code makes the control do; the interpreter has one function for each.
+enum class GAction : std::uint8_t {
+  Modal,  ///< only sets its group
+  Motion,
+  Dwell,
+  SetData,
+  ToReference,
+  Skip,
+  ToolLength,
+  LocalShift,
+  MachineMove,
+  WorkOffset,
+  MacroCall,
+  SetPosition,
+};
+
+/// A G number as it is written: 54.1 is {54, 1}.
+struct GNumber {
+  std::int16_t whole = 0;
+  std::int8_t tenth = 0;
+  friend bool operator==(GNumber, GNumber) = default;
+  [[nodiscard]] double value() const { return whole + tenth / 10.0; }
+};
+
+/// "G54.1"
+std::string to_text(GNumber number);
+
+/// The G number of a word's value; nullopt when it is negative, too large or has more decimals.
+std::optional<GNumber> g_number(double value);
+
+/// One row of g_codes.def.
+struct GCode {
+  GNumber number;
+  int group;  ///< n of #4000+n, 0: one-shot
+  GAction action;
+  std::string_view text;
+};
+
+inline constexpr int kGroupCount = 32;
+
+/// All rows, rising.
+std::span<const GCode> g_codes();
+
+/// The row of a number, or nullptr: alarm 010.
+const GCode* find_g_code(GNumber number);
+
+}  // namespace g31::fanuc

@@ -1,0 +1,455 @@
+#include "interpreter/dialects/fanuc/parse.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/parse_expression.h"
+#include "machine/base/contract.h"
+
+namespace g31::fanuc {
+namespace {
+
+using syntax::Block;
+using syntax::BlockKind;
+using syntax::Index;
+using syntax::kNone;
+using syntax::ShortSpan;
+using syntax::ValueForm;
+using syntax::Word;
+
+constexpr std::int64_t kLargestInteger = 99'999'999;
+
+/// Reads the blocks of a tape one by one.
+class Parser {
+ public:
+  explicit Parser(std::string_view text)
+      : scanner_(text), expressions_(scanner_, tree_) {}
+
+  syntax::Tree run() {
+    skip_leader();
+    while (!scanner_.at_end_of_text() && scanner_.text()[scanner_.position()] != '%') {
+      block();
+      scanner_.skip_block();
+    }
+    close_program();
+    return std::move(tree_);
+  }
+
+ private:
+  void skip_leader();
+  void block();
+  bool program_number(Block& block);
+  void head(Block& block);
+  void body(Block& block);
+  void assignment(Block& block);
+  void words(Block& block);
+  bool word();
+  void word_value(Word& word);
+  void keyword(Block& block);
+  void if_statement(Block& block);
+  void while_statement(Block& block);
+  void then_statement(Block& block);
+  void jump(Block& block);
+  int loop_number();
+  Index condition();
+  std::optional<std::int32_t> integer(const char* what);
+  void expect_end(Block& block);
+  void open_program(std::int32_t number, ShortSpan name);
+  void close_program();
+  void settle(Block& block, std::uint32_t begin);
+
+  bool failed() const { return expressions_.error().has_value(); }
+  void fail(AlarmId id, std::string message) { expressions_.fail(id, std::move(message)); }
+
+  syntax::Tree tree_;
+  Scanner scanner_;
+  ExpressionParser expressions_;
+};
+
+void Parser::skip_leader() {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (scanner_.text().starts_with(kByteOrderMark)) {
+    scanner_.rewind(static_cast<std::uint32_t>(kByteOrderMark.size()));
+  }
+  const std::uint32_t begin = scanner_.position();
+  while (!scanner_.at_end_of_text() && scanner_.peek() == '\n') {
+    scanner_.skip_block();
+  }
+  if (!scanner_.at_end_of_text() && scanner_.peek() == '%') {
+    scanner_.skip_block();
+  } else {
+    scanner_.rewind(begin);
+  }
+}
+
+void Parser::open_program(std::int32_t number, ShortSpan name) {
+  close_program();
+  syntax::Program program;
+  program.number = number;
+  program.first_block = static_cast<Index>(tree_.blocks.size());
+  program.name = name;
+  tree_.programs.push_back(program);
+}
+
+void Parser::close_program() {
+  if (!tree_.programs.empty()) {
+    syntax::Program& last = tree_.programs.back();
+    last.block_count = static_cast<Index>(tree_.blocks.size()) - last.first_block;
+  }
+}
+
+void Parser::block() {
+  if (scanner_.peek() == '\n' && tree_.programs.empty()) {
+    return;
+  }
+  const std::uint32_t begin = scanner_.position();
+  Block block;
+  block.span = {begin, begin};
+  if (!program_number(block) && tree_.programs.empty()) {
+    open_program(0, {begin, begin});
+  }
+  block.first_word = static_cast<Index>(tree_.words.size());
+  head(block);
+  if (block.kind != BlockKind::Bad) {
+    body(block);
+  }
+  settle(block, begin);
+}
+
+/// Gives the block its span and its error, and appends it (an IF THEN goes before its statement).
+void Parser::settle(Block& block, std::uint32_t begin) {
+  const std::uint32_t end = scanner_.position();
+  if (failed()) {
+    block.kind = BlockKind::Bad;
+    block.number = static_cast<std::int32_t>(tree_.errors.size());
+    block.word_count = 0;
+    tree_.words.resize(block.first_word);
+    tree_.errors.push_back(*expressions_.error());
+  }
+  expressions_.forget_error();
+  block.span = {begin, end};
+  tree_.blocks.push_back(block);
+}
+
+bool Parser::program_number(Block& block) {
+  const char next = scanner_.peek();
+  if (next != 'O' && next != ':') {
+    return false;
+  }
+  const std::uint32_t begin = scanner_.position();
+  scanner_.step();
+  const auto number = integer("a program number is O and 1 to 8 digits");
+  if (!number) {
+    block.kind = BlockKind::Bad;
+    if (tree_.programs.empty()) {
+      open_program(0, {begin, begin});
+    }
+    return true;
+  }
+  open_program(*number, {begin, scanner_.position()});
+  return true;
+}
+
+std::optional<std::int32_t> Parser::integer(const char* what) {
+  const auto found = scanner_.number();
+  if (!found || found->has_point) {
+    fail(found ? AlarmId::IllegalPoint : AlarmId::NoDataAfterAddress, what);
+    return std::nullopt;
+  }
+  if (found->value > static_cast<double>(kLargestInteger)) {
+    fail(AlarmId::TooManyDigits, what);
+    return std::nullopt;
+  }
+  return static_cast<std::int32_t>(found->value);
+}
+
+/// `/n` and `N..` in either order.
+void Parser::head(Block& block) {
+  for (;;) {
+    if (scanner_.accept('/')) {
+      const char digit = scanner_.peek();
+      block.skip_switch = 1;
+      if (digit >= '1' && digit <= '9') {
+        block.skip_switch = static_cast<std::uint8_t>(digit - '0');
+        scanner_.step();
+      } else if (digit == '#') {
+        fail(AlarmId::IllegalAddress, "the number of a block skip is a digit, not a variable");
+        return;
+      }
+    } else if (scanner_.peek() == 'N' && block.sequence < 0) {
+      scanner_.step();
+      const auto number = integer("a sequence number is N and digits, without variables");
+      if (!number) {
+        block.kind = BlockKind::Bad;
+        return;
+      }
+      block.sequence = *number;
+    } else {
+      return;
+    }
+  }
+}
+
+void Parser::body(Block& block) {
+  if (failed()) {
+    return;
+  }
+  const char next = scanner_.peek();
+  if (next == '\n') {
+    return;
+  }
+  if (next == '#') {
+    assignment(block);
+    return;
+  }
+  if (next < 'A' || next > 'Z') {
+    fail(AlarmId::AddressNotFound,
+         next >= '0' && next <= '9'
+             ? "a block begins with an address letter, here is a digit (0 in place of the letter O?)"
+             : fmt::format("'{}' cannot begin a word", next));
+    return;
+  }
+  const std::uint32_t begin = scanner_.position();
+  scanner_.step();
+  const char second = scanner_.peek();
+  scanner_.rewind(begin);
+  if (second >= 'A' && second <= 'Z') {
+    keyword(block);
+  } else {
+    words(block);
+  }
+}
+
+void Parser::assignment(Block& block) {
+  block.kind = BlockKind::Assign;
+  block.target = expressions_.variable();
+  if (failed()) {
+    return;
+  }
+  if (!scanner_.accept('=')) {
+    fail(AlarmId::ExpressionFormat, "= is expected after the variable");
+    return;
+  }
+  scanner_.forget_comment();
+  block.value = expressions_.expression();
+  if (!failed()) {
+    scanner_.peek();
+    block.text = scanner_.last_comment();
+    expect_end(block);
+  }
+}
+
+void Parser::expect_end(Block& block) {
+  const char next = scanner_.peek();
+  if (next == '\n') {
+    return;
+  }
+  const bool starts_word = next >= 'A' && next <= 'Z';
+  fail(starts_word || next == '#' ? AlarmId::MixedStatement : AlarmId::ExpressionFormat,
+       fmt::format("the statement ends before '{}'", next));
+  block.kind = BlockKind::Bad;
+}
+
+void Parser::words(Block& block) {
+  block.kind = BlockKind::Nc;
+  while (!failed() && word()) {
+  }
+  block.word_count = static_cast<Index>(tree_.words.size()) - block.first_word;
+}
+
+bool Parser::word() {
+  const char letter = scanner_.peek();
+  if (letter == '\n') {
+    return false;
+  }
+  const std::uint32_t begin = scanner_.position();
+  if (letter == '/') {
+    fail(AlarmId::IllegalAddress, "a block skip / stands at the beginning of a block");
+    return false;
+  }
+  if (letter == '#') {
+    fail(AlarmId::MixedStatement, "a macro statement needs a block of its own");
+    return false;
+  }
+  if (letter < 'A' || letter > 'Z') {
+    fail(AlarmId::IllegalAddress, fmt::format("'{}' is no address letter", letter));
+    return false;
+  }
+  scanner_.step();
+  Word word;
+  word.letter = letter;
+  word_value(word);
+  if (failed()) {
+    return false;
+  }
+  word.span = {begin, scanner_.position()};
+  tree_.words.push_back(word);
+  return true;
+}
+
+void Parser::word_value(Word& word) {
+  char next = scanner_.peek();
+  const bool negative = next == '-';
+  if (next == '-' || next == '+') {
+    scanner_.step();
+    next = scanner_.peek();
+  }
+  if (next == '#' || next == '[') {
+    word.form = ValueForm::Computed;
+    word.expr = next == '#' ? expressions_.variable() : expressions_.bracketed();
+    if (negative && word.expr != kNone) {
+      syntax::Expr negate;
+      negate.kind = syntax::ExprKind::Negate;
+      negate.a = word.expr;
+      negate.span = tree_.exprs[word.expr].span;
+      word.expr = expressions_.add(negate);
+    }
+    return;
+  }
+  const auto number = scanner_.number();
+  if (!number) {
+    const bool is_mixed = next >= 'A' && next <= 'Z';
+    fail(is_mixed ? AlarmId::MixedStatement : AlarmId::NoDataAfterAddress,
+         fmt::format("{} needs a number, a #variable or [an expression]", word.letter));
+    return;
+  }
+  word.form = number->has_point ? ValueForm::Decimal : ValueForm::Integer;
+  word.digits = number->digits;
+  word.number = negative ? -number->value : number->value;
+}
+
+void Parser::keyword(Block& block) {
+  const std::uint32_t begin = scanner_.position();
+  if (scanner_.accept_word("IF")) {
+    if_statement(block);
+  } else if (scanner_.accept_word("WHILE") || scanner_.accept_word("WH")) {
+    while_statement(block);
+  } else if (scanner_.accept_word("DO")) {
+    block.kind = BlockKind::Do;
+    block.number = loop_number();
+  } else if (scanner_.accept_word("END") || scanner_.accept_word("EN")) {
+    block.kind = BlockKind::End;
+    block.number = loop_number();
+  } else if (scanner_.peek() == 'G') {
+    jump(block);
+    block.kind = BlockKind::Goto;
+  } else {
+    const std::string name(scanner_.letters());
+    expressions_.fail_at(AlarmId::AddressNotFound, {begin, scanner_.position()},
+                         fmt::format("{} is neither a statement of Custom Macro B nor words", name));
+  }
+  if (!failed()) {
+    expect_end(block);
+  }
+}
+
+void Parser::jump(Block& block) {
+  if (!scanner_.accept_word("GOTO") && !scanner_.accept_word("GO")) {
+    fail(AlarmId::StatementFormat, "GOTO is expected here");
+    return;
+  }
+  const char next = scanner_.peek();
+  if (next == '#' || next == '[') {
+    block.value = next == '#' ? expressions_.variable() : expressions_.bracketed();
+    return;
+  }
+  scanner_.peek();
+  const std::uint32_t begin = scanner_.position();
+  const bool negative = scanner_.accept('-');
+  const auto number = scanner_.number();
+  if (!number) {
+    fail(AlarmId::StatementFormat, "GOTO needs a sequence number, a #variable or [an expression]");
+    return;
+  }
+  syntax::Expr target;
+  target.number = negative ? -number->value : number->value;
+  target.span = {begin, scanner_.position()};
+  block.value = expressions_.add(target);
+}
+
+Index Parser::condition() {
+  if (scanner_.peek() != '[') {
+    fail(AlarmId::StatementFormat, "a condition in brackets is expected here");
+    return kNone;
+  }
+  return expressions_.bracketed();
+}
+
+void Parser::if_statement(Block& block) {
+  block.condition = condition();
+  if (failed()) {
+    return;
+  }
+  if (scanner_.accept_word("THEN") || scanner_.accept_word("TH")) {
+    block.kind = BlockKind::IfThen;
+    then_statement(block);
+    return;
+  }
+  block.kind = BlockKind::IfGoto;
+  jump(block);
+}
+
+/// The statement behind THEN becomes a block of its own, right behind this one.
+void Parser::then_statement(Block& block) {
+  scanner_.peek();
+  const std::uint32_t begin = scanner_.position();
+  block.span.end = begin;
+  const std::size_t place = tree_.blocks.size();
+  tree_.blocks.push_back(block);
+  Block statement;
+  statement.first_word = block.first_word;
+  if (scanner_.peek() == '\n') {
+    fail(AlarmId::StatementFormat, "a macro statement is expected after THEN");
+  } else {
+    body(statement);
+    if (!failed() && statement.kind == BlockKind::Nc) {
+      expressions_.fail_at(AlarmId::StatementFormat, {begin, scanner_.position()},
+                           "THEN takes a macro statement, no NC words");
+    }
+  }
+  statement.span = {begin, scanner_.position()};
+  if (failed()) {
+    tree_.blocks.pop_back();
+    return;
+  }
+  tree_.blocks[place] = block;
+  block = statement;
+}
+
+void Parser::while_statement(Block& block) {
+  block.condition = condition();
+  if (failed()) {
+    return;
+  }
+  if (!scanner_.accept_word("DO")) {
+    fail(AlarmId::StatementFormat, "DO and a loop number are expected after the condition");
+    return;
+  }
+  block.kind = BlockKind::While;
+  block.number = loop_number();
+}
+
+int Parser::loop_number() {
+  scanner_.peek();
+  const std::uint32_t begin = scanner_.position();
+  const auto number = scanner_.number();
+  if (!number || number->has_point || number->value < 1.0 || number->value > 3.0) {
+    expressions_.fail_at(AlarmId::IllegalLoopNumber, {begin, std::max(begin + 1, scanner_.position())},
+                         "a loop number is 1, 2 or 3");
+    return 0;
+  }
+  return static_cast<int>(number->value);
+}
+
+}  // namespace
+
+syntax::Tree parse(std::string_view text) {
+  G31_EXPECTS(text.size() < std::numeric_limits<std::uint32_t>::max());
+  return Parser(text).run();
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,249 @@
+#include "interpreter/dialects/fanuc/runner.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "machine/base/contract.h"
+
+namespace g31::fanuc {
+namespace {
+
+using syntax::BlockKind;
+using syntax::kNone;
+
+/// How many blocks pass between two looks at the clock.
+constexpr std::uint64_t kBlocksPerClockLook = 8192;
+
+}  // namespace
+
+Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
+               runtime::Observer& observer)
+    : library_(library), control_(profile, port, observer, system_) {
+  system_.attach(control_);
+}
+
+runtime::Outcome Runner::run(const runtime::Budget& budget) {
+  const CompiledProgram* const main = library_.main_program();
+  runtime::Outcome outcome;
+  if (main == nullptr) {
+    outcome.status = runtime::Status::SyntaxError;
+    outcome.diagnostics.push_back(make_diagnostic(source::DiagnosticId::NoProgramInFile, {}));
+    return outcome;
+  }
+  for (const syntax::SyntaxError& error : reachable_errors(*main)) {
+    const AlarmInfo& row = info(static_cast<AlarmId>(error.error));
+    outcome.status = runtime::Status::SyntaxError;
+    outcome.diagnostics.push_back(
+        {source::Severity::Error,
+         std::to_string(number_of(static_cast<AlarmId>(error.error), control_.profile.alarm_numbers)),
+         {main->file, error.where.widened()},
+         fmt::format("{}: {}", row.text, error.message),
+         std::string(row.remedy),
+         {}});
+  }
+  if (outcome.status == runtime::Status::SyntaxError) {
+    return outcome;
+  }
+  start(*main);
+  if (const MaybeFailure failure = loop(budget)) {
+    outcome = outcome_of(*failure);
+  } else if (spent_) {
+    outcome.status = runtime::Status::Budget;
+    control_.diagnostics.push_back(make_diagnostic(*spent_, location_of(frame())));
+  } else {
+    control_.report_silent_skip();
+  }
+  outcome.diagnostics = control_.diagnostics;
+  outcome.blocks = blocks_;
+  return outcome;
+}
+
+void Runner::start(const CompiledProgram& main) {
+  frames_.assign(1, Frame{&main, 0, 0, CallKind::Main, 0});
+  control_.modal.word('O') = main.number;
+  control_.coordinates.arrived_at_machine(control_.port.position());
+  started_ = std::chrono::steady_clock::now();
+}
+
+bool Runner::over_budget(const runtime::Budget& budget) {
+  if (blocks_ >= budget.blocks) {
+    spent_ = source::DiagnosticId::BudgetBlocks;
+    return true;
+  }
+  if (blocks_ % kBlocksPerClockLook == 0) {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - started_;
+    if (passed.count() > budget.wall_seconds) {
+      spent_ = source::DiagnosticId::BudgetTime;
+      return true;
+    }
+  }
+  return false;
+}
+
+MaybeFailure Runner::loop(const runtime::Budget& budget) {
+  while (!ended_) {
+    Frame& now = frames_.back();
+    if (now.step >= now.program->steps.size()) {
+      if (auto failure = end_of_program()) {
+        return failure;
+      }
+      continue;
+    }
+    if (over_budget(budget)) {
+      return std::nullopt;
+    }
+    ++blocks_;
+    now.current = now.step;
+    const Step& next = now.program->steps[now.step++];
+    if (next.skip_switch != 0 && control_.block_skip.contains(next.skip_switch)) {
+      continue;
+    }
+    if (auto failure = step(next)) {
+      return failure;
+    }
+  }
+  return std::nullopt;
+}
+
+MaybeFailure Runner::end_of_program() {
+  Failure failure;
+  failure.id = AlarmId::EndOfRecord;
+  failure.detail = fmt::format("{} ends without M30, M02 or M99", name_of(*frame().program));
+  return failure;
+}
+
+MaybeFailure Runner::step(const Step& step) {
+  switch (step.kind) {
+    case BlockKind::Empty:
+    case BlockKind::Do:
+      return std::nullopt;
+    case BlockKind::Nc:
+      return nc_block(step);
+    case BlockKind::Assign:
+      return assign(step);
+    case BlockKind::Goto:
+      return jump(step);
+    case BlockKind::IfGoto:
+    case BlockKind::IfThen:
+    case BlockKind::While:
+      return branch(step);
+    case BlockKind::End:
+      frame().step = step.jump;
+      return std::nullopt;
+    case BlockKind::Output:
+    case BlockKind::SetNames:
+      contract_violated("the parser makes no such blocks", __FILE__, __LINE__);
+    case BlockKind::Bad: {
+      const syntax::SyntaxError& error =
+          frame().program->errors[static_cast<std::size_t>(step.number)];
+      Failure failure;
+      failure.id = static_cast<AlarmId>(error.error);
+      failure.where = error.where;
+      failure.detail = error.message;
+      failure.status = runtime::Status::SyntaxError;
+      return failure;
+    }
+  }
+  contract_violated("every kind of block has a meaning", __FILE__, __LINE__);
+}
+
+MaybeFailure Runner::branch(const Step& step) {
+  const bool holds = control_.evaluator.condition(*frame().program, step.condition);
+  if (control_.evaluator.failed()) {
+    return from_evaluation();
+  }
+  if (step.kind == BlockKind::IfGoto) {
+    return holds ? jump(step) : std::nullopt;
+  }
+  if (!holds) {
+    frame().step = step.jump;
+  }
+  return std::nullopt;
+}
+
+MaybeFailure Runner::jump(const Step& step) {
+  if (step.jump != kNone) {
+    frame().step = step.jump;
+    return std::nullopt;
+  }
+  const CompiledProgram& program = *frame().program;
+  const Cell target = control_.evaluator.evaluate(program, step.value);
+  if (control_.evaluator.failed()) {
+    return from_evaluation();
+  }
+  const double rounded = std::round(target.or_zero());
+  Failure failure;
+  failure.where = program.op_spans[step.value];
+  if (rounded < 1.0 || rounded > control_.profile.largest_sequence) {
+    failure.id = AlarmId::IllegalJump;
+    failure.detail = fmt::format("GOTO {}", rounded);
+    return failure;
+  }
+  const auto found = program.find_label(static_cast<std::int32_t>(rounded), frame().current);
+  if (!found) {
+    failure.id = AlarmId::JumpNotFound;
+    failure.detail = fmt::format("{} has no N{}", name_of(program), rounded);
+    return failure;
+  }
+  frame().step = *found;
+  return std::nullopt;
+}
+
+MaybeFailure Runner::assign(const Step& step) {
+  const CompiledProgram& program = *frame().program;
+  std::int32_t number = step.number;
+  if (step.target_kind == OpCode::Indirect) {
+    const Cell index = control_.evaluator.evaluate(program, step.target);
+    if (control_.evaluator.failed()) {
+      return from_evaluation();
+    }
+    number = variable_number(index.or_zero());
+  }
+  const Cell value = control_.evaluator.evaluate(program, step.value);
+  if (control_.evaluator.failed()) {
+    return from_evaluation();
+  }
+  if (step.target_kind == OpCode::Common) {
+    control_.variables.set_common(number, value);
+    return std::nullopt;
+  }
+  if (step.target_kind == OpCode::Local) {
+    control_.variables.set_local(number, value);
+    return std::nullopt;
+  }
+  if (const auto refused = control_.variables.write(number, value)) {
+    Failure failure;
+    failure.id = *refused;
+    failure.where = program.tree->blocks[step.block].span;
+    failure.detail = fmt::format("#{} cannot be written", number);
+    return failure;
+  }
+  return assigned_system_variable(number, value.or_zero());
+}
+
+/// What an assignment to #3000 or #3006 sets off, with the comment behind it as text.
+MaybeFailure Runner::assigned_system_variable(int number, double value) {
+  if (number != 3000 && number != 3006) {
+    return std::nullopt;
+  }
+  const CompiledProgram& program = *frame().program;
+  const syntax::Block& block = program.tree->blocks[program.steps[frame().current].block];
+  const std::string text(program.file->text().substr(block.text.begin,
+                                                     block.text.end - block.text.begin));
+  if (number == 3006) {
+    control_.observer.on_stop({"#3006", text, location(block.span)});
+    return std::nullopt;
+  }
+  Failure failure;
+  failure.id = AlarmId::MacroAlarm;
+  failure.where = block.span;
+  failure.alarm_text = text.empty() ? std::string(info(AlarmId::MacroAlarm).text) : text;
+  failure.alarm_number = info(AlarmId::MacroAlarm).number_16i + nearest_integer(value);
+  if (value < 0.0 || nearest_integer(value) > control_.profile.largest_alarm) {
+    failure.detail = fmt::format("#3000 takes 0 to {}", control_.profile.largest_alarm);
+  }
+  return failure;
+}
+
+}  // namespace g31::fanuc

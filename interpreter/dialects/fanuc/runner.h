@@ -1,0 +1,86 @@
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/control.h"
+#include "interpreter/dialects/fanuc/control_variables.h"
+#include "interpreter/dialects/fanuc/library.h"
+#include "interpreter/runtime/outcome.h"
+
+namespace g31::fanuc {
+
+enum class CallKind {
+  Main,
+  Subprogram,  ///< M98: shares the caller's locals
+  Macro,       ///< G65: locals of its own
+  CodeMacro,   ///< by a G code; in it the same codes are ordinary (MB-208)
+};
+
+/// One level of the call stack.
+struct Frame {
+  const CompiledProgram* program = nullptr;
+  syntax::Index step = 0;  ///< the next to execute
+  syntax::Index current = 0;
+  CallKind kind = CallKind::Main;
+  int repeats_left = 0;
+};
+
+/// Steps through compiled programs: statements, jumps and calls.  NC blocks go to execute/.
+class Runner {
+ public:
+  Runner(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
+         runtime::Observer& observer);
+
+  runtime::Outcome run(const runtime::Budget& budget);
+  Control& control() { return control_; }
+
+ private:
+  // runner.cc: the loop
+  void start(const CompiledProgram& main);
+  MaybeFailure loop(const runtime::Budget& budget);
+  MaybeFailure step(const Step& step);
+  MaybeFailure assign(const Step& step);
+  MaybeFailure assigned_system_variable(int number, double value);
+  MaybeFailure jump(const Step& step);
+  MaybeFailure branch(const Step& step);
+  MaybeFailure end_of_program();
+  bool over_budget(const runtime::Budget& budget);
+
+  // runner_words.cc: NC blocks and calls
+  MaybeFailure nc_block(const Step& step);
+  MaybeFailure evaluate_words(const Step& step);
+  MaybeFailure macro_call(const EvaluatedWord& code);
+  MaybeFailure code_call(const EvaluatedWord& code, int program);
+  MaybeFailure subprogram_call();
+  MaybeFailure return_from_call();
+  MaybeFailure program_stop(int m, source::Location where);
+  MaybeFailure enter(const CompiledProgram& program, CallKind kind, int repeats);
+  MaybeFailure pass_arguments(const EvaluatedWord* code);
+  Result<const CompiledProgram*, Failure> called_program(const EvaluatedWord& p);
+  Result<int, Failure> repeats() const;
+  [[nodiscard]] int levels(CallKind a, CallKind b) const;
+  [[nodiscard]] bool code_calls_allowed() const;
+
+  // runner_failure.cc: what became of it
+  Failure from_evaluation();
+  runtime::Outcome outcome_of(const Failure& failure);
+  [[nodiscard]] source::Location location(syntax::ShortSpan span) const;
+  [[nodiscard]] source::Location location_of(const Frame& frame) const;
+  [[nodiscard]] std::vector<runtime::CallSite> call_stack() const;
+  static std::string name_of(const CompiledProgram& program);
+
+  Frame& frame() { return frames_.back(); }
+
+  ProgramLibrary& library_;
+  ControlVariables system_;
+  Control control_;
+  std::vector<Frame> frames_;
+  BlockWords words_;
+  std::uint64_t blocks_ = 0;
+  bool ended_ = false;
+  std::optional<source::DiagnosticId> spent_;
+  std::chrono::steady_clock::time_point started_;
+};
+
+}  // namespace g31::fanuc

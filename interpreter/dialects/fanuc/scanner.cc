@@ -1,0 +1,131 @@
+#include "interpreter/dialects/fanuc/scanner.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+namespace g31::fanuc {
+namespace {
+
+constexpr char upper(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+constexpr bool is_letter(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+
+/// Powers of ten that a double holds exactly.
+constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/// Up to this many digits mantissa and power of ten are exact, so one division rounds once.
+constexpr int kExactDigits = 15;
+
+}  // namespace
+
+char Scanner::peek() {
+  while (at_ < text_.size()) {
+    const char c = text_[at_];
+    if (c == ' ' || c == '\t' || c == '\r' || c == '\0') {
+      ++at_;
+    } else if (c == '(') {
+      skip_comment();
+    } else if (c == ')' && comment_.end != 0) {
+      ++at_;  // ends a comment nested in the last one: comments do not nest, but people write so
+    } else {
+      return upper(c);
+    }
+  }
+  return '\n';
+}
+
+void Scanner::skip_comment() {
+  const std::size_t begin = at_ + 1;
+  const std::size_t end = std::min(text_.find_first_of(")\n", begin), text_.size());
+  comment_ = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  at_ = end < text_.size() && text_[end] == ')' ? end + 1 : end;
+}
+
+bool Scanner::accept(char expected) {
+  if (peek() != expected) {
+    return false;
+  }
+  step();
+  return true;
+}
+
+void Scanner::skip_block() {
+  at_ = std::min(text_.find('\n', at_), text_.size());
+  if (at_ < text_.size()) {
+    ++at_;
+  }
+  comment_ = {};
+}
+
+std::optional<ScannedNumber> Scanner::number() {
+  const char first = peek();
+  if (!is_digit(first) && first != '.') {
+    return std::nullopt;
+  }
+  const std::size_t begin = at_;
+  ScannedNumber found;
+  std::uint64_t mantissa = 0;
+  int digits = 0;
+  int decimals = 0;
+  for (char c = first; is_digit(c) || (c == '.' && !found.has_point); c = peek()) {
+    step();
+    if (c == '.') {
+      found.has_point = true;
+      continue;
+    }
+    ++digits;
+    decimals += found.has_point ? 1 : 0;
+    mantissa = digits <= kExactDigits ? mantissa * 10 + static_cast<std::uint64_t>(c - '0') : 0;
+  }
+  if (digits == 0) {
+    rewind(static_cast<std::uint32_t>(begin));
+    return std::nullopt;
+  }
+  found.digits = static_cast<std::uint8_t>(std::min(digits, 255));
+  if (digits <= kExactDigits) {
+    found.value = static_cast<double>(mantissa) / kPowersOfTen[decimals];
+    return found;
+  }
+  std::string plain;
+  for (const char c : text_.substr(begin, at_ - begin)) {
+    if (is_digit(c) || c == '.') {
+      plain.push_back(c);
+    }
+  }
+  std::from_chars(plain.data(), plain.data() + plain.size(), found.value);
+  return found;
+}
+
+std::string_view Scanner::letters() {
+  std::size_t count = 0;
+  for (char c = peek(); is_letter(c) && count < sizeof letters_; c = peek()) {
+    letters_[count++] = c;
+    step();
+  }
+  return {letters_, count};
+}
+
+bool Scanner::accept_word(std::string_view word) {
+  const std::uint32_t begin = position();
+  for (const char expected : word) {
+    if (peek() != expected) {
+      rewind(begin);
+      return false;
+    }
+    step();
+  }
+  return true;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "interpreter/syntax/tree.h"
+
+namespace g31::fanuc {
+
+/// A number as it is written, without sign.
+struct ScannedNumber {
+  double value = 0.0;
+  std::uint8_t digits = 0;  ///< digits written, capped at 255
+  bool has_point = false;
+};
+
+/// A cursor over the text of one file, one block (line) at a time.  Blanks, tabs, CR and NUL count
+/// for nothing outside comments (MB-008), comments are stepped over and remembered.
+class Scanner {
+ public:
+  /// @param text must outlive the scanner and be shorter than 4 GiB
+  explicit Scanner(std::string_view text) : text_(text) {}
+
+  [[nodiscard]] std::uint32_t position() const { return static_cast<std::uint32_t>(at_); }
+  [[nodiscard]] bool at_end_of_text() const { return at_ >= text_.size(); }
+
+  /// The next character that counts, or '\n' at the end of the block; letters as upper case.
+  char peek();
+
+  /// Steps over the character that peek() showed.
+  void step() { ++at_; }
+
+  /// Steps over `expected` if it is next.
+  bool accept(char expected);
+
+  /// Steps over the rest of the block and its line end.
+  void skip_block();
+  /// Moves back to a place that position() gave.
+  void rewind(std::uint32_t position) { at_ = position; }
+
+  /// A number without sign, or nullopt where none begins.
+  std::optional<ScannedNumber> number();
+
+  /// The run of letters that begins here, upper case, at most 8 of them; empty where none begins.
+  std::string_view letters();
+
+  /// Steps over `word` if the next letters begin with it.
+  bool accept_word(std::string_view word);
+
+  /// The last comment stepped over in this block, without its parentheses; empty span if none.
+  [[nodiscard]] syntax::ShortSpan last_comment() const { return comment_; }
+  void forget_comment() { comment_ = {}; }
+
+  [[nodiscard]] std::string_view text() const { return text_; }
+
+ private:
+  void skip_comment();
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  syntax::ShortSpan comment_;
+  char letters_[8] = {};
+};
+
+}  // namespace g31::fanuc

@@ -1,0 +1,147 @@
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/session.h"
+#include "interpreter/dialects/fanuc/runner.h"
+
+namespace g31::fanuc {
+namespace {
+
+/// "#500" -> 500.
+std::optional<int> variable_in_name(std::string_view name) {
+  int number = 0;
+  if (name.size() < 2 || name[0] != '#') {
+    return std::nullopt;
+  }
+  const auto end = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  const bool whole = end.ec == std::errc() && end.ptr == name.data() + name.size();
+  return whole ? std::optional(number) : std::nullopt;
+}
+
+/// Which system "G54".."G59", "EXT", "G54.1 P1" names, as Coordinates counts them.
+std::optional<int> system_in_name(std::string_view name) {
+  constexpr std::string_view kAdditional = "G54.1 P";
+  if (name == "EXT") {
+    return 0;
+  }
+  if (name.starts_with(kAdditional)) {
+    const auto digits = name.substr(kAdditional.size());
+    int p = 0;
+    const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), p);
+    const bool legal = end.ec == std::errc() && end.ptr == digits.data() + digits.size() && p >= 1 &&
+                       p <= Coordinates::kAdditional;
+    return legal ? std::optional(Coordinates::kSystems + p) : std::nullopt;
+  }
+  if (name.size() == 3 && name.starts_with("G5") && name[2] >= '4' && name[2] <= '9') {
+    return name[2] - '3';
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> configure_offsets(Control& control, const runtime::ControlSetup& setup) {
+  std::vector<std::string> refused;
+  for (const auto& [name, q_offset] : setup.work_offsets) {
+    const auto system = system_in_name(name);
+    if (!system) {
+      refused.push_back(fmt::format("work offset {}: this control has EXT, G54 to G59, G54.1 Pn", name));
+      continue;
+    }
+    for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+      control.coordinates.set_system(*system, axis, q_offset[axis]);
+    }
+    control.expected_systems.insert(*system);
+  }
+  for (const auto& [number, entry] : setup.tools) {
+    if (number < 1 || number > OffsetTable::kLargest) {
+      refused.push_back(fmt::format("tool {}: offset numbers are 1 to {}", number, OffsetTable::kLargest));
+      continue;
+    }
+    control.offsets.set(number, entry);
+    control.expected_tools.insert(number);
+  }
+  return refused;
+}
+
+/// Parameters 6050 to 6059 name the G codes that call O9010 to O9019 (MB-207).
+void configure_calls(Control& control, const runtime::ControlSetup& setup,
+                     std::vector<std::string>& refused) {
+  for (int i = 0; i < 10; ++i) {
+    const double g = control.parameters.value(6050 + i);
+    if (g > 0.0) {
+      control.macro_calls_g[nearest_integer(g)] = 9010 + i;
+    }
+  }
+  for (const auto& [code, program] : setup.macro_calls) {
+    int number = 0;
+    const auto end = std::from_chars(code.data() + 1, code.data() + code.size(), number);
+    if (code.size() < 2 || code[0] != 'G' || end.ptr != code.data() + code.size()) {
+      refused.push_back(fmt::format("macro call {}: write G and a whole number", code));
+      continue;
+    }
+    control.macro_calls_g[number] = program;
+  }
+}
+
+}  // namespace
+
+Session::Session(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
+                 runtime::Observer& observer)
+    : runner_(std::make_unique<Runner>(profile, library, port, observer)) {}
+
+Session::~Session() = default;
+
+std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) {
+  std::vector<std::string> refused;
+  auto parameters = Parameters::from(setup.parameters);
+  if (!parameters) {
+    refused.push_back(fmt::format("parameter {}: write NUMBER or NUMBER.BIT", parameters.error()));
+    return refused;
+  }
+  Control& control = runner_->control();
+  control.apply(parameters.value());
+  if (!setup.increment.empty()) {
+    control.scale.set_increment_system(setup.increment);
+  }
+  control.block_skip = setup.block_skip;
+  refused = configure_offsets(control, setup);
+  configure_calls(control, setup, refused);
+  for (const auto& [name, value] : setup.variables) {
+    const auto number = variable_in_name(name);
+    const Cell cell = value ? Cell(*value) : Cell();
+    if (!number || control.variables.write(*number, cell).has_value()) {
+      refused.push_back(fmt::format("variable {}: cannot be set on this control", name));
+    }
+  }
+  return refused;
+}
+
+runtime::Outcome Session::run(const runtime::Budget& budget) {
+  return runner_->run(budget);
+}
+
+Result<Cell, std::string> Session::variable(const std::string& name) {
+  const auto number = variable_in_name(name);
+  if (!number) {
+    return fmt::format("{} is no variable of this control: write # and a number", name);
+  }
+  const auto value = runner_->control().variables.read(*number);
+  if (!value) {
+    return fmt::format("{} cannot be read on this control", name);
+  }
+  return value.value();
+}
+
+std::map<std::string, double> Session::permanent_variables() const {
+  std::map<std::string, double> kept;
+  for (int number = kFirstPermanent; number < kCommonEnd; ++number) {
+    const Cell value = runner_->control().variables.common(number);
+    if (!value.is_vacant()) {
+      kept.emplace(fmt::format("#{}", number), value.raw());
+    }
+  }
+  return kept;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,33 @@
+#include "interpreter/dialects/fanuc/variables.h"
+
+namespace g31::fanuc {
+
+Result<Cell, AlarmId> Variables::read(std::int32_t number) {
+  if (number == 0) {
+    return Cell();
+  }
+  if (is_local(number)) {
+    return local(number);
+  }
+  if (is_common(number)) {
+    return common(number);
+  }
+  return system_.read(number);
+}
+
+std::optional<AlarmId> Variables::write(std::int32_t number, Cell value) {
+  if (number == 0) {
+    return AlarmId::WriteProtected;
+  }
+  if (is_local(number)) {
+    set_local(number, value);
+    return std::nullopt;
+  }
+  if (is_common(number)) {
+    set_common(number, value);
+    return std::nullopt;
+  }
+  return system_.write(number, value);
+}
+
+}  // namespace g31::fanuc

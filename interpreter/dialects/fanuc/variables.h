@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/alarms.h"
+#include "interpreter/dialects/fanuc/variable_ranges.h"
+#include "interpreter/runtime/cell.h"
+#include "machine/base/result.h"
+
+namespace g31::fanuc {
+
+using runtime::Cell;
+
+/// The system variables of a running control, by number.
+class SystemVariables {
+ public:
+  SystemVariables() = default;
+  SystemVariables(const SystemVariables&) = delete;
+  SystemVariables& operator=(const SystemVariables&) = delete;
+  virtual ~SystemVariables() = default;
+  virtual Result<Cell, AlarmId> read(std::int32_t number) = 0;
+  /// @returns why it cannot be written, or nullopt when it was
+  virtual std::optional<AlarmId> write(std::int32_t number, Cell value) = 0;
+};
+
+/// All variables that a program sees: locals by call level, commons, and system variables behind
+/// SystemVariables.
+class Variables {
+ public:
+  explicit Variables(SystemVariables& system) : system_(system) { locals_.emplace_back(); }
+
+  /// Any number; a fault for numbers the control does not have or does not let read.
+  Result<Cell, AlarmId> read(std::int32_t number);
+  std::optional<AlarmId> write(std::int32_t number, Cell value);
+
+  /// @pre is_local(number)
+  [[nodiscard]] Cell local(std::int32_t number) const {
+    return locals_.back()[static_cast<std::size_t>(number)];
+  }
+  void set_local(std::int32_t number, Cell value) {
+    locals_.back()[static_cast<std::size_t>(number)] = value;
+  }
+
+  /// @pre is_common(number)
+  [[nodiscard]] Cell common(std::int32_t number) const {
+    return commons_[static_cast<std::size_t>(number)];
+  }
+  void set_common(std::int32_t number, Cell value) {
+    commons_[static_cast<std::size_t>(number)] = value;
+  }
+
+  /// A macro call: all locals of the new level are vacant.
+  void push_level() { locals_.emplace_back(); }
+  void pop_level() { locals_.pop_back(); }
+
+ private:
+  using Locals = std::array<Cell, kLocalCount + 1>;
+
+  SystemVariables& system_;
+  std::vector<Locals> locals_;
+  std::array<Cell, kCommonEnd> commons_;
+};
+
+}  // namespace g31::fanuc

@@ -1,0 +1,52 @@
+#include "interpreter/dialects/fanuc/word_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace g31::fanuc {
+namespace {
+
+/// How far a decimal fraction may stand off its count: a few ulp of the scaled number.
+double guard(double scaled) {
+  return std::max(1.0, std::abs(scaled)) * 8.0 * std::numeric_limits<double>::epsilon();
+}
+
+}  // namespace
+
+double round_to_counts(double value, double counts) {
+  const double scaled = value * counts;
+  return std::round(scaled + std::copysign(guard(scaled), scaled)) / counts;
+}
+
+int nearest_integer(double value) {
+  return static_cast<int>(std::round(std::clamp(value, -2e9, 2e9)));
+}
+
+void WordScale::set_increment_system(std::string_view name) {
+  const double factor = name == "IS-A" ? 0.1 : name == "IS-C" ? 10.0 : 1.0;
+  counts_per_mm = 1000.0 * factor;
+  counts_per_inch = 10000.0 * factor;
+  counts_per_degree = 1000.0 * factor;
+}
+
+double WordScale::scaled(const EvaluatedWord& word, double counts) const {
+  switch (word.form) {
+    case syntax::ValueForm::Integer:
+      return calculator_point ? word.number : word.number / counts;
+    case syntax::ValueForm::Decimal: {
+      const double on_grid = round_to_counts(word.number, counts);
+      if (excess_decimals == ExcessDecimals::Round ||
+          std::abs(on_grid - word.number) * counts <= guard(word.number * counts)) {
+        return on_grid;
+      }
+      return std::trunc(word.number * counts) / counts;
+    }
+    case syntax::ValueForm::Computed:
+    case syntax::ValueForm::None:
+      break;
+  }
+  return round_to_counts(word.number, counts);
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "interpreter/source/location.h"
+
+namespace g31::runtime {
+
+/// One level of the NC call stack: which program called, and where.
+struct CallSite {
+  std::string program;  ///< "O6001"
+  source::Location where;
+};
+
+/// Why the control stopped the program.
+struct Alarm {
+  int number = 0;        ///< as in the result document: without letters
+  std::string text;      ///< what the control shows
+  source::Location where;
+  std::string detail;    ///< what exactly is wrong here; may be empty
+  std::string remedy;    ///< what would be right; may be empty
+  std::vector<CallSite> calls;  ///< innermost first
+};
+
+}  // namespace g31::runtime

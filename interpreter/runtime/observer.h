@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/source/location.h"
+#include "machine/port/machine_port.h"
+
+namespace g31::runtime {
+
+/// One executed motion or dwell, as the result document lists it.
+struct MoveEvent {
+  int g = 0;                 ///< 0, 1, 2, 3, 31, or 4 for a dwell
+  AxisPositions q_M_to;      ///< where the axes ended, machine coordinates
+  double feed_mm_min = 0.0;  ///< 0 for rapid
+  double seconds = 0.0;      ///< only for g = 4
+};
+
+/// One skip move and what became of it.
+struct TouchEvent {
+  std::string_view block;  ///< the measuring word: "G31", "MEAS"
+  source::Location where;
+  bool triggered = false;
+  AxisPositions q_M_commanded;
+  AxisPositions q_M_latched;
+  AxisPositions q_M_stopped;
+  std::optional<machine::Contact> contact;
+  double feed_mm_min = 0.0;
+};
+
+/// A programmed stop: #3006, M00, M01.
+struct StopEvent {
+  std::string kind;
+  std::string text;
+  source::Location where;
+};
+
+/// Hears what a running program does, in order.  Whoever runs the program decides what becomes of
+/// it: a document, a trace, a line on the terminal.  Every function may be left as it is.
+class Observer {
+ public:
+  Observer() = default;
+  Observer(const Observer&) = delete;
+  Observer& operator=(const Observer&) = delete;
+  virtual ~Observer() = default;
+
+  virtual void on_move(const MoveEvent&) {}
+  virtual void on_touch(const TouchEvent&) {}
+  virtual void on_stop(const StopEvent&) {}
+  /// Bytes for the printer port (DPRNT) or the operator (MSG).
+  virtual void on_output(std::string_view) {}
+};
+
+}  // namespace g31::runtime

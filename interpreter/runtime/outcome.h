@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/runtime/alarm.h"
+#include "interpreter/runtime/cell.h"
+#include "interpreter/source/diagnostic.h"
+
+namespace g31::runtime {
+
+/// How a run ended.
+enum class Status {
+  Completed,
+  Alarm,        ///< `alarm` says which
+  Collision,    ///< something touched that must not, or a soft limit
+  Setup,        ///< the set-up sheet does not fit the program
+  Budget,       ///< blocks or time spent
+  SyntaxError,  ///< refused before the first block
+};
+
+/// How long a run may last.
+struct Budget {
+  std::uint64_t blocks = 50'000'000;
+  double wall_seconds = 600.0;
+};
+
+/// What a run left behind.
+struct Outcome {
+  Status status = Status::Completed;
+  std::optional<Alarm> alarm;
+  std::vector<source::Diagnostic> diagnostics;  ///< in order; the reason of the end is the last
+  std::uint64_t blocks = 0;
+};
+
+}  // namespace g31::runtime

@@ -1,0 +1,97 @@
+#include "interpreter/source/diagnostic.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "machine/base/contract.h"
+
+namespace g31::source {
+namespace {
+
+constexpr auto kRows = std::to_array<DiagnosticInfo>({
+#define DIAGNOSTIC(name, code, severity, text, remedy) {code, Severity::severity, text, remedy},
+#include "interpreter/source/diagnostics.def"
+#undef DIAGNOSTIC
+});
+
+/// Longest piece of a source line that is shown.
+constexpr std::size_t kShownColumns = 120;
+
+std::string_view name_of(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      return "error";
+  }
+  contract_violated("every Severity has a name", __FILE__, __LINE__);
+}
+
+std::string printable(std::string_view text) {
+  std::string shown(text);
+  for (char& c : shown) {
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7F) {
+      c = c == '\t' ? ' ' : '?';
+    }
+  }
+  return shown;
+}
+
+/// The source line and the marker under it.
+std::string excerpt(const Location& where) {
+  const LineColumn start = where.file->line_column(where.span.begin);
+  const std::string_view whole = where.file->line(start.line);
+  const std::size_t before = static_cast<std::size_t>(start.column) - 1;
+  const std::size_t cut = before > kShownColumns / 2 ? before - kShownColumns / 2 : 0;
+  const std::size_t from = whole.size() > kShownColumns ? std::min(cut, whole.size()) : 0;
+  const std::string_view line = whole.substr(from, kShownColumns);
+
+  const std::size_t column = before - std::min(from, before);
+  const std::size_t room = line.size() > column ? line.size() - column : 1;
+  const std::size_t width = where.span.end - where.span.begin;
+  const std::size_t tildes = std::clamp<std::size_t>(width, 1, room) - 1;
+  return fmt::format("{:5} | {}\n{:5} | {}^{}\n", start.line, printable(line), "",
+                     std::string(column, ' '), std::string(tildes, '~'));
+}
+
+std::string place(const Location& where) {
+  if (where.file == nullptr) {
+    return {};
+  }
+  const LineColumn start = where.file->line_column(where.span.begin);
+  return fmt::format("{}:{}:{}: ", where.file->name(), start.line, start.column);
+}
+
+}  // namespace
+
+const DiagnosticInfo& info(DiagnosticId id) {
+  return kRows.at(static_cast<std::size_t>(id));
+}
+
+Diagnostic make_diagnostic(DiagnosticId id, Location where, std::string_view detail) {
+  const DiagnosticInfo& row = info(id);
+  return {row.severity, std::string(row.code), where, fmt::format(fmt::runtime(row.text), detail),
+          std::string(row.remedy), {}};
+}
+
+std::string render_text(const Diagnostic& diagnostic) {
+  std::string text = fmt::format("{}{}: {} [{}]\n", place(diagnostic.where),
+                                 name_of(diagnostic.severity), diagnostic.message, diagnostic.code);
+  if (diagnostic.where.file != nullptr) {
+    text += excerpt(diagnostic.where);
+  }
+  if (!diagnostic.remedy.empty()) {
+    text += fmt::format("{:5} = {}\n", "", diagnostic.remedy);
+  }
+  for (const Note& note : diagnostic.notes) {
+    text += fmt::format("{}note: {}\n", place(note.where), note.message);
+  }
+  return text;
+}
+
+}  // namespace g31::source

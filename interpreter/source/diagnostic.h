@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/source/location.h"
+
+namespace g31::source {
+
+enum class Severity { Note, Warning, Error };
+
+/// One line that belongs to a diagnostic: the call that led to it, the place of an earlier label.
+struct Note {
+  Location where;
+  std::string message;
+};
+
+/// A problem in the user's program: data, not an exception and not a printed line.  Whoever runs
+/// the program decides whether it becomes text, JSON, SARIF or a squiggle.
+struct Diagnostic {
+  Severity severity = Severity::Error;
+  std::string code;     ///< the control's alarm number, or a row of diagnostics.def
+  Location where;       ///< without a file: the message stands alone
+  std::string message;  ///< one line, no final full stop
+  std::string remedy;   ///< what would be right; may be empty
+  std::vector<Note> notes;
+};
+
+/// Rows of diagnostics.def: what g31 itself says, beside the alarms of the controls.
+enum class DiagnosticId {
+#define DIAGNOSTIC(name, code, severity, text, remedy) name,
+#include "interpreter/source/diagnostics.def"
+#undef DIAGNOSTIC
+};
+
+/// The fixed part of a message: the row of diagnostics.def.
+struct DiagnosticInfo {
+  std::string_view code;
+  Severity severity;
+  std::string_view text;  ///< fmt format with one {} per detail, or none
+  std::string_view remedy;
+};
+
+const DiagnosticInfo& info(DiagnosticId id);
+
+/// A diagnostic of row `id`; `detail` fills the row's {}.
+Diagnostic make_diagnostic(DiagnosticId id, Location where, std::string_view detail = {});
+
+/// The compiler-style form: `file:line:col: error: text [CODE]`, the line, a marker under it, the
+/// remedy and the notes.  Long lines are cut around the marker; control characters show as `?`.
+std::string render_text(const Diagnostic& diagnostic);
+
+}  // namespace g31::source

@@ -1,0 +1,125 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/source/source_file.h"
+
+namespace g31::syntax {
+
+/// The tree of one file, flat: nodes of a kind stand in one vector and know each other by index.
+/// Parsing a million blocks is then a few appends per block, and freeing them is free.
+using Index = std::uint32_t;
+inline constexpr Index kNone = ~Index{0};
+
+/// 32-bit offsets: half the size of source::Span where millions are kept.
+struct ShortSpan {
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  [[nodiscard]] source::Span widened() const { return {begin, end}; }
+};
+
+enum class Operator : std::uint8_t {
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  Modulo,
+  And,
+  Or,
+  Xor,
+  Equal,
+  NotEqual,
+  Greater,
+  Less,
+  GreaterEqual,
+  LessEqual,
+};
+
+enum class ExprKind : std::uint8_t {
+  Number,    ///< `number`
+  Variable,  ///< #`a`, where a is the expression of the number
+  Negate,    ///< -`a`
+  Binary,    ///< `a` op `b`
+  Call,      ///< function `function` of `a`, or of `a` and `b`
+};
+
+struct Expr {
+  ExprKind kind = ExprKind::Number;
+  Operator op = Operator::Add;
+  std::uint8_t function = 0;  ///< row of the dialect's function table
+  Index a = kNone;
+  Index b = kNone;
+  double number = 0.0;
+  ShortSpan span;
+};
+
+/// How a word's value was written; decides what a number without a point means.
+enum class ValueForm : std::uint8_t { None, Integer, Decimal, Computed };
+
+/// An address letter and its value.
+struct Word {
+  char letter = 0;
+  ValueForm form = ValueForm::None;
+  std::uint8_t digits = 0;  ///< digits written, leading and trailing zeros too
+  double number = 0.0;      ///< Integer and Decimal
+  Index expr = kNone;       ///< Computed
+  ShortSpan span;
+};
+
+enum class BlockKind : std::uint8_t {
+  Empty,    ///< only N, comments or nothing
+  Nc,       ///< words
+  Assign,   ///< `target` = `value`
+  Goto,     ///< GOTO `value`
+  IfGoto,   ///< IF `condition` GOTO `value`
+  IfThen,   ///< IF `condition` THEN: the next block of the vector is the statement
+  While,    ///< WHILE `condition` DO `number`
+  Do,       ///< DO `number`
+  End,      ///< END `number`
+  Output,   ///< POPEN, PCLOS, DPRNT, BPRNT; `number` is the row, `text` the format
+  SetNames, ///< SETVN
+  Bad,      ///< not to be understood; `number` is the row of the error
+};
+
+struct Block {
+  BlockKind kind = BlockKind::Empty;
+  std::uint8_t skip_switch = 0;  ///< 0: none; n for /n
+  std::int32_t sequence = -1;    ///< N number, -1: none
+  std::int32_t number = 0;
+  Index first_word = 0;
+  Index word_count = 0;
+  Index target = kNone;
+  Index value = kNone;
+  Index condition = kNone;
+  ShortSpan text;  ///< format of an output statement, or the comment behind an assignment
+  ShortSpan span;  ///< without the line end
+};
+
+/// A program of the file: a run of blocks.
+struct Program {
+  std::int32_t number = 0;  ///< 0: the file begins without O
+  Index first_block = 0;
+  Index block_count = 0;
+  ShortSpan name;  ///< `O9010`
+};
+
+/// Why a block could not be understood: the dialect's error row, place, and words for people.
+struct SyntaxError {
+  int error = 0;
+  ShortSpan where;
+  std::string message;
+};
+
+/// Everything that the parser found in one file.
+struct Tree {
+  std::vector<Program> programs;
+  std::vector<Block> blocks;
+  std::vector<Word> words;
+  std::vector<Expr> exprs;
+  std::vector<SyntaxError> errors;
+};
+
+}  // namespace g31::syntax

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "machine/units/point.h"
+
+namespace g31::machine {
+
+/// Where two bodies met.
+struct Contact {
+  Point p_M_point;   ///< mm, machine frame: the point of touch on the part
+  Point n_M;         ///< unit surface normal of the part there, pointing to the ball centre
+  std::string part;  ///< name of the part from the set-up sheet
+};
+
+}  // namespace g31::machine

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "machine/base/result.h"
+#include "machine/port/contact.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::machine {
+
+enum class Traverse { Rapid, Feed };
+
+/// A straight move of all axes to an end point.
+struct LinearMove {
+  AxisPositions q_M_end = AxisPositions::Zero();  ///< mm and deg, machine coordinates
+  Traverse traverse = Traverse::Rapid;
+  double feed_mm_min = 0.0;  ///< > 0 with Traverse::Feed; a rapid takes the machine's own rates
+};
+
+enum class Turn { Clockwise, Counterclockwise };
+
+/// An arc at feed in the plane of two linear axes; the other axes go along in proportion (helix).
+///
+/// Clockwise as seen when first_axis points right and second_axis up.  A start and an end that
+/// coincide in the plane make a full circle.
+struct ArcMove {
+  AxisPositions q_M_end = AxisPositions::Zero();  ///< mm and deg, machine coordinates
+  int first_axis = 0;                             ///< storage indices of the plane
+  int second_axis = 1;
+  double centre_first = 0.0;   ///< mm, machine coordinate of the centre along first_axis
+  double centre_second = 0.0;  ///< mm, machine coordinate of the centre along second_axis
+  Turn turn = Turn::Clockwise;
+  double feed_mm_min = 0.0;  ///< > 0, along the arc
+};
+
+/// The skip signal rose during the move; the axes have stopped past the touch by the overtravel.
+struct Touched {
+  AxisPositions q_M_latched;       ///< what the control stored, trigger delay included
+  AxisPositions q_M_stopped;       ///< where the axes came to rest
+  std::optional<Contact> contact;  ///< where the ball touched; none for a signal without a part
+};
+
+/// The whole distance was travelled without a signal.
+struct NoTouch {};
+
+/// The signal was already high when the move was to begin; nothing moved.
+struct AlreadyTouching {
+  std::optional<Contact> contact;
+};
+
+using SkipOutcome = std::variant<Touched, NoTouch, AlreadyTouching>;
+
+enum class FaultKind { SoftLimit, Collision, StylusOverDeflected };
+
+/// Why a machine refused or broke off a move.  The *dialect* turns a soft limit into its own alarm
+/// number; a collision ends the run.
+struct MachineFault {
+  FaultKind kind;
+  std::string what;                 ///< one line for people: axis and limit, or the bodies
+  AxisPositions q_M_at;             ///< where the axes were
+  std::optional<Contact> contact;   ///< for a collision: where the bodies met
+};
+
+/// Everything a running NC program may ask of a machine, and nothing else.
+///
+/// The interpreter knows only this header.  `machine/sim` implements it with axes and time;
+/// `tests/support/recording_machine.h` implements it with a list of lines.
+/// Each call completes before the next: look-ahead is the interpreter's business.
+class MachinePort {
+ public:
+  MachinePort() = default;
+  MachinePort(const MachinePort&) = delete;
+  MachinePort& operator=(const MachinePort&) = delete;
+  virtual ~MachinePort() = default;
+
+  /// Moves and returns the reached position (the commanded end).  A move that meets a fault ends
+  /// where the fault is.
+  virtual Result<AxisPositions, MachineFault> move(const LinearMove& move) = 0;
+
+  /// Moves along an arc and returns the reached position (the commanded end).
+  virtual Result<AxisPositions, MachineFault> move(const ArcMove& move) = 0;
+
+  /// Moves until the skip signal rises (G31, MEAS).  "No touch" is an outcome, not a fault:
+  /// whether it is an alarm depends on the dialect and on the program.
+  virtual Result<SkipOutcome, MachineFault> move_until_skip(const LinearMove& move) = 0;
+
+  /// Lets simulated time pass.  @param seconds >= 0
+  virtual void dwell(double seconds) = 0;
+
+  /// Present position of all axes in machine coordinates, as the control's encoders read it.
+  [[nodiscard]] virtual AxisPositions position() const = 0;
+
+  /// Simulated seconds since the start of the program.
+  [[nodiscard]] virtual double time_s() const = 0;
+};
+
+}  // namespace g31::machine

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "machine/port/contact.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::machine {
+
+/// A straight sweep of all axes; fractions 0..1 of it are what the answers below speak of.
+struct Sweep {
+  AxisPositions q_M_from;
+  AxisPositions q_M_to;  ///< not equal to q_M_from
+};
+
+/// The skip signal: where on the sweep it is caused, and how late the control sees it.
+struct SkipTrigger {
+  double fraction = 0.0;           ///< 0..1 of the sweep, where the probe's contact opens
+  bool on_at_start = false;        ///< the signal is already high before the move
+  double delay_s = 0.0;            ///< from the opening to the latch; the axes go on meanwhile
+  std::optional<Contact> contact;  ///< none for a signal that no part caused
+};
+
+/// Something touches that must not.
+struct Obstacle {
+  double fraction = 0.0;  ///< 0..1 of the sweep
+  std::string what;       ///< "stylus ball touches ring": for people
+  Contact contact;
+};
+
+/// The world around the tool, as the machine asks about it: *what does this sweep meet first?*
+///
+/// `probe/sensor` answers with the stylus ball and the part meshes; a test answers from a script.
+class Surroundings {
+ public:
+  Surroundings() = default;
+  Surroundings(const Surroundings&) = delete;
+  Surroundings& operator=(const Surroundings&) = delete;
+  virtual ~Surroundings() = default;
+
+  /// The skip signal of a skip move along the sweep; nullopt: no signal on the whole way.
+  /// Called once per skip move, in order: random models and scripts count these calls.
+  virtual std::optional<SkipTrigger> first_trigger(const Sweep& sweep) = 0;
+
+  /// The first forbidden touch of an ordinary move; nullopt: the way is free.  A sweep that leaves
+  /// a contact in which the last skip move ended is free.
+  virtual std::optional<Obstacle> first_collision(const Sweep& sweep) = 0;
+};
+
+}  // namespace g31::machine

@@ -1,0 +1,102 @@
+#include "machine/sim/arc_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "machine/base/contract.h"
+
+namespace g31::machine {
+namespace {
+
+constexpr double kQuarterRad = 0.5 * std::numbers::pi;
+constexpr double kFullRad = 2.0 * std::numbers::pi;
+
+bool is_linear_axis(int axis) {
+  return axis >= 0 && axis < 3;
+}
+
+/// From a direction to another, turning one way: in (0, 2 pi] or [-2 pi, 0).
+double turn_between(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Turn turn) {
+  const double shorter = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+  if (turn == Turn::Counterclockwise) {
+    return shorter > 0.0 ? shorter : shorter + kFullRad;
+  }
+  return shorter < 0.0 ? shorter : shorter - kFullRad;
+}
+
+}  // namespace
+
+ArcPath::ArcPath(const AxisPositions& q_M_from, const ArcMove& arc)
+    : q_M_from_(q_M_from),
+      q_M_to_(arc.q_M_end),
+      displacement_(arc.q_M_end - q_M_from),
+      first_axis_(arc.first_axis),
+      second_axis_(arc.second_axis),
+      centre_first_(arc.centre_first),
+      centre_second_(arc.centre_second) {
+  G31_EXPECTS(is_linear_axis(first_axis_) && is_linear_axis(second_axis_));
+  G31_EXPECTS(first_axis_ != second_axis_);
+  const Eigen::Vector2d centre(centre_first_, centre_second_);
+  const Eigen::Vector2d from =
+      Eigen::Vector2d(q_M_from[first_axis_], q_M_from[second_axis_]) - centre;
+  const Eigen::Vector2d to = Eigen::Vector2d(q_M_to_[first_axis_], q_M_to_[second_axis_]) - centre;
+  radius_from_ = from.norm();
+  radius_to_ = to.norm();
+  angle_from_rad_ = std::atan2(from.y(), from.x());
+  if ((to - from).norm() < kFullCircleGapMm) {
+    turned_rad_ = arc.turn == Turn::Counterclockwise ? kFullRad : -kFullRad;
+  } else {
+    turned_rad_ = turn_between(from, to, arc.turn);
+  }
+}
+
+double ArcPath::length() const {
+  return std::hypot(radius() * turned_rad_, radius_to_ - radius_from_);
+}
+
+AxisPositions ArcPath::at(double fraction) const {
+  G31_EXPECTS(fraction >= 0.0);
+  if (fraction >= 1.0) {
+    return q_M_to_;
+  }
+  if (fraction == 0.0) {
+    return q_M_from_;
+  }
+  AxisPositions q_M = q_M_from_ + fraction * displacement_;
+  const double radius = radius_from_ + fraction * (radius_to_ - radius_from_);
+  const double angle_rad = angle_from_rad_ + fraction * turned_rad_;
+  q_M[first_axis_] = centre_first_ + radius * std::cos(angle_rad);
+  q_M[second_axis_] = centre_second_ + radius * std::sin(angle_rad);
+  return q_M;
+}
+
+AxisBox ArcPath::bounds() const {
+  AxisBox box{q_M_from_.cwiseMin(q_M_to_), q_M_from_.cwiseMax(q_M_to_)};
+  const double low_rad = std::min(angle_from_rad_, angle_from_rad_ + turned_rad_);
+  const double high_rad = std::max(angle_from_rad_, angle_from_rad_ + turned_rad_);
+  const int first_quarter = static_cast<int>(std::ceil(low_rad / kQuarterRad));
+  for (int quarter = first_quarter; quarter * kQuarterRad < high_rad; ++quarter) {
+    const double fraction = (quarter * kQuarterRad - angle_from_rad_) / turned_rad_;
+    const double radius = radius_from_ + fraction * (radius_to_ - radius_from_) - kFullCircleGapMm;
+    // Multiples of a right angle have exact directions; cos and sin would round them.
+    const int direction = (quarter % 4 + 4) % 4;
+    const int axis = direction % 2 == 0 ? first_axis_ : second_axis_;
+    const double centre = direction % 2 == 0 ? centre_first_ : centre_second_;
+    if (direction < 2) {
+      box.q_M_max[axis] = std::max(box.q_M_max[axis], centre + radius);
+    } else {
+      box.q_M_min[axis] = std::min(box.q_M_min[axis], centre - radius);
+    }
+  }
+  return box;
+}
+
+int ArcPath::chord_count() const {
+  // A chord over the angle t is r (1 - cos(t / 2)) from its arc, at most r t^2 / 8.
+  const double radius = std::max(radius_from_, radius_to_);
+  const double chords = std::abs(turned_rad_) * std::sqrt(radius / (8.0 * kChordErrorMm));
+  return static_cast<int>(std::clamp(std::ceil(chords), 4.0, double{kMostChords}));
+}
+
+}  // namespace g31::machine

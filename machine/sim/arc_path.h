@@ -1,0 +1,68 @@
+#pragma once
+
+#include "machine/port/machine_port.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::machine {
+
+/// The two corners of a box in the space of all axes.
+struct AxisBox {
+  AxisPositions q_M_min;
+  AxisPositions q_M_max;
+};
+
+/// An arc in the plane of two linear axes; the other axes go along in proportion to the angle.
+///
+/// Where start and end are not equally far from the centre, the radius changes in proportion too.
+class ArcPath {
+ public:
+  /// @param arc  the plane is two different axes of X Y Z; all numbers finite
+  ArcPath(const AxisPositions& q_M_from, const ArcMove& arc);
+
+  [[nodiscard]] const AxisPositions& to() const { return q_M_to_; }
+  [[nodiscard]] const AxisPositions& displacement() const { return displacement_; }
+  [[nodiscard]] int first_axis() const { return first_axis_; }
+  [[nodiscard]] int second_axis() const { return second_axis_; }
+
+  /// rad, counterclockwise positive.  A full circle where start and end are, in the plane, closer
+  /// than kFullCircleGapMm.
+  [[nodiscard]] double turned_rad() const { return turned_rad_; }
+
+  /// mm, halfway along the arc.
+  [[nodiscard]] double radius() const { return 0.5 * (radius_from_ + radius_to_); }
+
+  /// mm in the plane, what the feed counts: the helix axes come on top, as on a control.
+  [[nodiscard]] double length() const;
+
+  /// The point at a fraction 0..1 of the arc; from 1 on exactly the end.
+  [[nodiscard]] AxisPositions at(double fraction) const;
+
+  /// What the arc covers on each axis: both ends and where it crosses an axis direction.  Those
+  /// crossings are taken kFullCircleGapMm short, so that rounding never breaks a travel limit.
+  [[nodiscard]] AxisBox bounds() const;
+
+  /// Into how many equal chords to cut the arc so that none is further from it than kChordErrorMm;
+  /// 4 at least, so that a tiny full circle goes somewhere, and kMostChords at most.
+  [[nodiscard]] int chord_count() const;
+
+ private:
+  AxisPositions q_M_from_;
+  AxisPositions q_M_to_;
+  AxisPositions displacement_;
+  int first_axis_;
+  int second_axis_;
+  double centre_first_;
+  double centre_second_;
+  double radius_from_;
+  double radius_to_;
+  double angle_from_rad_;
+  double turned_rad_;
+};
+
+/// Far below the least increment of any control (1e-6 mm), far above the rounding of coordinates.
+inline constexpr double kFullCircleGapMm = 1e-9;
+
+inline constexpr double kChordErrorMm = 0.001;
+inline constexpr int kMostChords = 10'000;
+
+}  // namespace g31::machine

@@ -1,0 +1,64 @@
+#include "machine/sim/axis_dynamics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "machine/base/contract.h"
+
+namespace g31::machine {
+namespace {
+
+constexpr double kSecondsPerMinute = 60.0;
+
+}  // namespace
+
+AxisDynamics::AxisDynamics(const MachineSetup& setup) {
+  // An absent axis never moves, so it never limits: 0 / infinity is 0.
+  rapid_per_s_.setConstant(std::numeric_limits<double>::infinity());
+  acceleration_per_s2_ = rapid_per_s_;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const AxisSetup& axis = setup.axes[i];
+    if (axis.present) {
+      G31_EXPECTS(axis.rapid_per_min > 0.0 && std::isfinite(axis.rapid_per_min));
+      G31_EXPECTS(axis.acceleration_per_s2 > 0.0 && std::isfinite(axis.acceleration_per_s2));
+      const auto row = static_cast<Eigen::Index>(i);
+      rapid_per_s_[row] = axis.rapid_per_min / kSecondsPerMinute;
+      acceleration_per_s2_[row] = axis.acceleration_per_s2;
+    }
+  }
+}
+
+MotionProfile AxisDynamics::profile(const StraightPath& path, const LinearMove& move) const {
+  G31_EXPECTS(path.moves());
+  const AxisPositions way = path.displacement().cwiseAbs();
+  const double fastest = path.length() / way.cwiseQuotient(rapid_per_s_).maxCoeff();
+  const double acceleration = path.length() / way.cwiseQuotient(acceleration_per_s2_).maxCoeff();
+  const double speed = move.traverse == Traverse::Rapid
+                           ? fastest
+                           : std::min(fastest, move.feed_mm_min / kSecondsPerMinute);
+  return MotionProfile(path.length(), speed, acceleration);
+}
+
+MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) const {
+  G31_EXPECTS(path.length() > 0.0);
+  const int first = path.first_axis();
+  const int second = path.second_axis();
+  const double in_plane =
+      std::min(acceleration_per_s2_[first], acceleration_per_s2_[second]) / std::numbers::sqrt2;
+
+  AxisPositions helix = path.displacement().cwiseAbs();
+  helix[first] = helix[second] = 0.0;
+  // x / 0 is infinity: a flat arc has no helix axis that could limit it.
+  const double helix_speed = path.length() / helix.cwiseQuotient(rapid_per_s_).maxCoeff();
+  const double helix_acceleration =
+      path.length() / helix.cwiseQuotient(acceleration_per_s2_).maxCoeff();
+
+  const double speed =
+      std::min({feed_mm_min / kSecondsPerMinute, rapid_per_s_[first], rapid_per_s_[second],
+                std::sqrt(in_plane * path.radius()), helix_speed});
+  return MotionProfile(path.length(), speed, std::min(in_plane, helix_acceleration));
+}
+
+}  // namespace g31::machine

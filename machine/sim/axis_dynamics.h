@@ -1,0 +1,38 @@
+#pragma once
+
+#include "machine/port/machine_port.h"
+#include "machine/sim/arc_path.h"
+#include "machine/sim/machine_setup.h"
+#include "machine/sim/motion_profile.h"
+#include "machine/sim/straight_path.h"
+
+namespace g31::machine {
+
+/// How fast the axes may go, and what speed and acceleration a path has because of it.
+class AxisDynamics {
+ public:
+  /// Rates and accelerations of the axes that are present must be > 0.
+  explicit AxisDynamics(const MachineSetup& setup);
+
+  /// The motion of a move along a path: all axes start and end together.
+  ///
+  /// A rapid goes as fast as the slowest axis allows; a feed goes with move.feed_mm_min along
+  /// path.length(), but no faster than that: a control, too, clamps a feed that an axis cannot
+  /// follow.  The acceleration is the greatest at which no axis exceeds its own.
+  /// @param path  path.moves(); only axes that are present move
+  [[nodiscard]] MotionProfile profile(const StraightPath& path, const LinearMove& move) const;
+
+  /// The motion along an arc: the feed, clamped so that no axis of the plane exceeds its rapid rate
+  /// in any direction, no helix axis its own, and no axis its acceleration.  Half of what the plane
+  /// can give (in squares) goes along the arc, half towards the centre, so that braking in a
+  /// bend is always possible.
+  /// @param path  path.length() > 0; only axes that are present move
+  /// @param feed_mm_min  > 0, along path.length()
+  [[nodiscard]] MotionProfile profile(const ArcPath& path, double feed_mm_min) const;
+
+ private:
+  AxisPositions rapid_per_s_;
+  AxisPositions acceleration_per_s2_;
+};
+
+}  // namespace g31::machine

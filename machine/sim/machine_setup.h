@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <string>
+
+#include "machine/units/axis_positions.h"
+
+namespace g31::machine {
+
+/// One axis of the simulated machine; mm, s for linear axes, deg, s for rotary ones.
+struct AxisSetup {
+  bool present = false;
+  double travel_min = -std::numeric_limits<double>::infinity();  ///< soft limit, machine coordinate
+  double travel_max = std::numeric_limits<double>::infinity();
+  double rapid_per_min = 20000.0;       ///< mm/min or deg/min, > 0
+  double acceleration_per_s2 = 2000.0;  ///< mm/s^2 or deg/s^2, > 0
+  double home = 0.0;                    ///< reference point, machine coordinate
+};
+
+/// How the axes come to rest when the control latches the skip signal.
+enum class Stopping {
+  Braking,  ///< with the acceleration of the path, from the latch on
+  Ideal,    ///< at the latch, in no time: no overtravel, no servo lag
+};
+
+/// X, Y and Z without travel limits.  A function, not a lambda in the initialiser below: there g++
+/// 12 leaves the last elements zero.
+inline std::array<AxisSetup, kAxisCount> three_linear_axes() {
+  std::array<AxisSetup, kAxisCount> axes;
+  axes.fill(AxisSetup{});
+  axes[0].present = axes[1].present = axes[2].present = true;
+  return axes;
+}
+
+/// What the set-up sheet says about the machine.  The default is an ideal three-axis machine
+/// without travel limits.
+struct MachineSetup {
+  std::string name = "ideal three-axis machine";
+  std::array<AxisSetup, kAxisCount> axes = three_linear_axes();
+  AxisPositions q_M_start = AxisPositions::Zero();
+  Stopping stopping = Stopping::Braking;
+};
+
+}  // namespace g31::machine

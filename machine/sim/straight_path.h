@@ -1,0 +1,39 @@
+#pragma once
+
+#include "machine/units/axis_positions.h"
+
+namespace g31::machine {
+
+/// A straight line in the space of all axes, travelled by all of them together.
+class StraightPath {
+ public:
+  /// @param q_M_from, q_M_to  mm and deg, machine coordinates; finite
+  StraightPath(const AxisPositions& q_M_from, const AxisPositions& q_M_to);
+
+  /// Both ends, machine coordinates, exactly as given.
+  [[nodiscard]] const AxisPositions& from() const { return q_M_from_; }
+  [[nodiscard]] const AxisPositions& to() const { return q_M_to_; }
+  [[nodiscard]] const AxisPositions& displacement() const { return displacement_; }
+
+  /// Whether any axis has a way to go at all.
+  [[nodiscard]] bool moves() const { return q_M_from_ != q_M_to_; }
+
+  /// What a vector feed counts: mm over X Y Z where they move, degrees over A B C where only these
+  /// do.  Linear ways below kLeastFeedLengthMm beside a turning axis are rounding, not a move.
+  [[nodiscard]] double length() const { return length_; }
+
+  /// The point at a fraction 0..1 of the path; from 1 on exactly the end.  Never outside the box
+  /// between start and end; axes that do not move keep their exact coordinates.
+  [[nodiscard]] AxisPositions at(double fraction) const;
+
+ private:
+  AxisPositions q_M_from_;
+  AxisPositions q_M_to_;
+  AxisPositions displacement_;
+  double length_;
+};
+
+/// Far below the least increment of any control (1e-6 mm), far above the rounding of coordinates.
+inline constexpr double kLeastFeedLengthMm = 1e-9;
+
+}  // namespace g31::machine

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "machine/sim/machine_setup.h"
+
+namespace g31::machine {
+
+/// The soft limits of all axes.  An axis that the machine does not have may not leave its start.
+///
+/// On a straight move every axis is furthest out at an end, so the end point alone decides.
+class TravelLimits {
+ public:
+  explicit TravelLimits(const MachineSetup& setup);
+
+  /// Whether a position lies within the travel of every axis; the limits themselves do.
+  [[nodiscard]] bool contain(const AxisPositions& q_M) const {
+    return (q_M.array() >= min_.array()).all() && (q_M.array() <= max_.array()).all();
+  }
+
+  /// Why a position is outside, for people: the first such axis in the order X Y Z A B C, the
+  /// position asked for and the limit.  @param q_M  mm and deg, not contained
+  [[nodiscard]] std::string violation(const AxisPositions& q_M) const;
+
+ private:
+  AxisPositions min_;
+  AxisPositions max_;
+  std::array<bool, kAxisCount> present_;
+};
+
+}  // namespace g31::machine

@@ -1,0 +1,137 @@
+#include "parts/artefacts/artefact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "machine/base/nearest_name.h"
+#include "parts/artefacts/ring_gauge.h"
+
+namespace g31::parts {
+namespace {
+
+constexpr std::optional<double> kComputed = std::nullopt;
+
+constexpr auto kShapes = std::to_array<Shape>({
+#define SHAPE(name, make, text) {#name, text},
+#define SHAPE_SIZE(shape, name, default_mm, text)
+#include "parts/artefacts/shapes.def"
+#undef SHAPE
+#undef SHAPE_SIZE
+});
+
+constexpr auto kSizes = std::to_array<ShapeSize>({
+#define SHAPE(name, make, text)
+#define SHAPE_SIZE(shape, name, default_mm, text) {#shape, #name, default_mm, text},
+#include "parts/artefacts/shapes.def"
+#undef SHAPE
+#undef SHAPE_SIZE
+});
+
+using Sizes = std::map<std::string, double>;
+
+Result<Mesh, std::string> make_ring(const Sizes& sizes) {
+  constexpr double kDefaultWallsMm = 40.0;
+  RingGauge ring;
+  ring.bore_mm = sizes.at("bore");
+  const auto outer = sizes.find("outer_diameter");
+  ring.outer_diameter_mm = outer != sizes.end() ? outer->second : ring.bore_mm + kDefaultWallsMm;
+  ring.height_mm = sizes.at("height");
+  ring.sagitta_mm = sizes.at("sagitta");
+  return ring_gauge_mesh(ring);
+}
+
+using Maker = Result<Mesh, std::string> (*)(const Sizes&);
+
+constexpr auto kMakers = std::to_array<Maker>({
+#define SHAPE(name, make, text) &make,
+#define SHAPE_SIZE(shape, name, default_mm, text)
+#include "parts/artefacts/shapes.def"
+#undef SHAPE
+#undef SHAPE_SIZE
+});
+
+/// "; did you mean 'ring'?" or the list of what there is.
+std::string advice(std::string_view unknown, const std::vector<std::string_view>& known) {
+  if (const auto nearest = nearest_name(unknown, known)) {
+    return "; did you mean '" + std::string(*nearest) + "'?";
+  }
+  std::string list = "; known are";
+  for (const std::string_view name : known) {
+    list += (name == known.front() ? " '" : ", '") + std::string(name) + "'";
+  }
+  return list;
+}
+
+std::vector<std::string_view> shape_names() {
+  std::vector<std::string_view> names;
+  for (const Shape& shape : kShapes) {
+    names.push_back(shape.name);
+  }
+  return names;
+}
+
+std::vector<std::string_view> size_names(std::string_view shape) {
+  std::vector<std::string_view> names;
+  for (const ShapeSize& size : kSizes) {
+    if (size.shape == shape) {
+      names.push_back(size.name);
+    }
+  }
+  return names;
+}
+
+/// nullopt, or what is wrong with the given sizes.
+std::optional<std::string> why_wrong(const PartSetup& part) {
+  const std::vector<std::string_view> known = size_names(part.shape);
+  for (const auto& [name, value] : part.sizes) {
+    if (std::ranges::find(known, name) == known.end()) {
+      return "shape '" + part.shape + "' has no size '" + name + "'" + advice(name, known);
+    }
+    if (!std::isfinite(value) || value <= 0.0) {
+      return "size '" + name + "' must be a number of mm greater than 0";
+    }
+  }
+  return std::nullopt;
+}
+
+Sizes with_defaults(const PartSetup& part) {
+  Sizes sizes = part.sizes;
+  for (const ShapeSize& size : kSizes) {
+    if (size.shape == part.shape && size.default_mm) {
+      sizes.try_emplace(std::string(size.name), *size.default_mm);
+    }
+  }
+  return sizes;
+}
+
+}  // namespace
+
+std::span<const Shape> shapes() {
+  return kShapes;
+}
+
+std::span<const ShapeSize> shape_sizes() {
+  return kSizes;
+}
+
+Result<Mesh, std::string> make_artefact(const PartSetup& part) {
+  const std::string who = "part '" + part.name + "': ";
+  const auto row = std::ranges::find(kShapes, std::string_view(part.shape), &Shape::name);
+  if (row == kShapes.end()) {
+    return who + "there is no shape '" + part.shape + "'" + advice(part.shape, shape_names());
+  }
+  if (const auto wrong = why_wrong(part)) {
+    return who + *wrong;
+  }
+  const Maker make = kMakers[static_cast<std::size_t>(row - kShapes.begin())];
+  const Result<Mesh, std::string> made = make(with_defaults(part));
+  if (!made) {
+    return who + made.error();
+  }
+  return made;
+}
+
+}  // namespace g31::parts

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "machine/base/result.h"
+#include "parts/artefacts/part_setup.h"
+#include "parts/geometry/mesh.h"
+
+namespace g31::parts {
+
+/// One size of a shape, a row of shapes.def.
+struct ShapeSize {
+  std::string_view shape;
+  std::string_view name;
+  std::optional<double> default_mm;  ///< none: worked out from the other sizes, see text
+  std::string_view text;
+};
+
+/// One shape, a row of shapes.def.
+struct Shape {
+  std::string_view name;
+  std::string_view text;
+};
+
+/// All shapes and all their sizes, in the order of shapes.def.
+std::span<const Shape> shapes();
+std::span<const ShapeSize> shape_sizes();
+
+/// Makes the mesh of the part's `shape` with its `sizes`, in the part frame P.
+///
+/// Error: one line that names the part and says what is wrong: unknown shape or size (with the
+/// nearest known name), a size that is not a positive number, sizes that do not fit each other.
+Result<Mesh, std::string> make_artefact(const PartSetup& part);
+
+}  // namespace g31::parts

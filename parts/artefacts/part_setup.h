@@ -1,0 +1,21 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "machine/units/point.h"
+
+namespace g31::parts {
+
+/// One `[[part]]` of the set-up sheet.  Either `file` (an absolute or resolved path to a mesh) or
+/// `shape` (a parametric artefact with its `sizes`) is given, never both.
+struct PartSetup {
+  std::string name;
+  std::string file;
+  std::string shape;  ///< "ring", ...; the table of shapes is artefacts/shapes.def
+  std::map<std::string, double> sizes;  ///< mm; the names a shape takes stand in its row
+  Point p_M_at = Point::Zero();         ///< machine coordinates of the part's origin
+  Point rotate_deg = Point::Zero();     ///< about X, then Y, then Z (fixed axes)
+};
+
+}  // namespace g31::parts

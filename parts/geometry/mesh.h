@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "machine/units/point.h"
+
+namespace g31::parts {
+
+/// A triangle mesh in the part frame P, mm, double throughout.  May be open, unoriented or contain
+/// slivers; nothing is assumed but that indices lie inside `vertices` and coordinates are finite.
+struct Mesh {
+  std::vector<Point> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+}  // namespace g31::parts

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <limits>
+
+#include "parts/geometry/bvh.h"
+#include "probe/contact/contact_triangle.h"
+
+namespace g31::probe {
+
+/// The answer "no contact" of sweep_triangle.
+inline constexpr double kNoContact = std::numeric_limits<double>::infinity();
+
+/// A pass that misses by less than this touches: exact tangency is a contact, and a line cannot be
+/// computed better than this at 1e4 mm.
+inline constexpr double kTangencyMm = 1e-12;
+
+/// How far a ball moves along the path until it touches the triangle, mm; kNoContact if it does
+/// not.
+///
+/// Closed form, the path of the centre against the triangle offset by the radius: offset plane,
+/// edge cylinders, vertex spheres, in the form of closest approach.  The start must be free or in
+/// touch; from a start inside, the answer is 0 or kNoContact, whether it goes deeper or not.
+/// The offset triangle is convex: after a first contact that is left again there is no second one.
+///
+/// @param path    of the ball centre, length >= 0
+/// @param radius  mm, > 0
+/// Accuracy: |distance - radius| <= 1e-12 mm at the contact for coordinates up to 1e3 mm.
+double sweep_triangle(const parts::Path& path, const ContactTriangle& triangle, double radius);
+
+}  // namespace g31::probe

@@ -1,0 +1,43 @@
+#include "probe/sensor/scripted_signals.h"
+
+#include <utility>
+
+#include "machine/base/contract.h"
+
+namespace g31::probe {
+
+ScriptedSignals::ScriptedSignals(std::vector<SkipSignal> signals) : signals_(std::move(signals)) {
+  for (const SkipSignal& signal : signals_) {
+    G31_EXPECTS(signal.axis >= 0 && signal.axis < static_cast<int>(kAxisCount));
+  }
+}
+
+std::optional<machine::SkipTrigger> ScriptedSignals::first_trigger(const machine::Sweep& sweep) {
+  if (used_ == signals_.size()) {
+    return std::nullopt;
+  }
+  const SkipSignal& signal = signals_[used_++];
+  const double from = sweep.q_M_from[signal.axis];
+  const double to = sweep.q_M_to[signal.axis];
+  if (!signal.at || from == to) {
+    return std::nullopt;
+  }
+  const double way = to - from;
+  const double way_to_signal = *signal.at - from;
+  machine::SkipTrigger trigger;
+  if (way_to_signal == 0.0 || (way_to_signal < 0.0) != (way < 0.0)) {
+    trigger.on_at_start = true;
+    return trigger;
+  }
+  if (way_to_signal / way > 1.0) {
+    return std::nullopt;
+  }
+  trigger.fraction = way_to_signal / way;
+  return trigger;
+}
+
+std::optional<machine::Obstacle> ScriptedSignals::first_collision(const machine::Sweep&) {
+  return std::nullopt;
+}
+
+}  // namespace g31::probe

@@ -1,0 +1,128 @@
+#include "parts/artefacts/artefact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "parts/artefacts/ring_gauge.h"
+#include "tests/probe/test_meshes.h"
+
+namespace g31::parts {
+namespace {
+
+PartSetup part(const std::string& shape, std::map<std::string, double> sizes) {
+  PartSetup setup;
+  setup.name = "gauge";
+  setup.shape = shape;
+  setup.sizes = std::move(sizes);
+  return setup;
+}
+
+TEST(RingGauge, IsAClosedSolidOfTheRightVolume) {
+  const RingGauge kRings[] = {{}, {10.0, 12.0, 3.0, 1e-3}, {1.0, 300.0, 50.0, 0.01}};
+  for (const RingGauge& ring : kRings) {
+    const auto made = ring_gauge_mesh(ring);
+    ASSERT_TRUE(made.ok());
+    EXPECT_TRUE(testing::is_closed_and_oriented(made.value()));
+    const double exact =
+        std::numbers::pi / 4.0 * ring.height_mm *
+        (ring.outer_diameter_mm * ring.outer_diameter_mm - ring.bore_mm * ring.bore_mm);
+    const double tolerance =
+        std::numbers::pi * ring.outer_diameter_mm * ring.height_mm * ring.sagitta_mm;
+    EXPECT_NEAR(testing::enclosed_volume(made.value()), exact, tolerance);
+  }
+}
+
+TEST(RingGauge, FacetsAreTangentAndCornersStayWithinTheSagitta) {
+  const RingGauge ring{39.996, 79.996, 20.0, 50e-6};
+  const Mesh mesh = ring_gauge_mesh(ring).value();
+  EXPECT_EQ(mesh.triangles.size() % 32, 0U) << "eight triangles a facet, facets in fours";
+  bool has_facet_on_plus_x = false;
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point& a = mesh.vertices[t[i]];
+      const Point& b = mesh.vertices[t[(i + 1) % 3]];
+      const double radius = std::hypot(a.x(), a.y());
+      const double nominal = 0.5 * (radius < 30.0 ? ring.bore_mm : ring.outer_diameter_mm);
+      EXPECT_GE(radius, nominal);
+      EXPECT_LE(radius, nominal + ring.sagitta_mm * (1.0 + 1e-9));
+      EXPECT_TRUE(a.z() == 0.0 || a.z() == -ring.height_mm);
+      const bool is_level_side = a.z() == b.z() && (a - b).norm() < 1.0;
+      if (is_level_side) {
+        EXPECT_NEAR((0.5 * (a + b)).head<2>().norm(), nominal, 1e-13);
+        // Exactly on the nominal radius, not nearly: the measured bore has no excuse left.
+        has_facet_on_plus_x |= a.x() == 19.998 && b.x() == 19.998 && a.y() == -b.y();
+      }
+    }
+  }
+  EXPECT_TRUE(has_facet_on_plus_x);
+}
+
+TEST(MakeArtefact, FillsInTheDefaults) {
+  const Mesh by_default = make_artefact(part("ring", {})).value();
+  const Mesh by_hand =
+      make_artefact(
+          part("ring", {{"bore", 39.996}, {"outer_diameter", 39.996 + 40.0}, {"height", 20.0}}))
+          .value();
+  EXPECT_EQ(by_default.vertices, by_hand.vertices);
+  // outer_diameter follows the bore
+  const Mesh wide = make_artefact(part("ring", {{"bore", 100.0}, {"sagitta", 0.01}})).value();
+  double farthest = 0.0;
+  for (const Point& p : wide.vertices) {
+    farthest = std::max(farthest, p.head<2>().norm());
+  }
+  EXPECT_NEAR(farthest, 70.0, 0.01);
+}
+
+TEST(MakeArtefact, SaysWhatIsWrongAndWhatWouldBeRight) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  struct Case {
+    const char* name;
+    PartSetup setup;
+    const char* error;
+  };
+  const Case kCases[] = {
+      {"shape misspelt", part("rign", {}),
+       "part 'gauge': there is no shape 'rign'; did you mean 'ring'?"},
+      {"shape unheard of", part("dodecahedron", {}),
+       "part 'gauge': there is no shape 'dodecahedron'; known are 'ring'"},
+      {"size misspelt", part("ring", {{"hieght", 3.0}}),
+       "part 'gauge': shape 'ring' has no size 'hieght'; did you mean 'height'?"},
+      {"size unheard of", part("ring", {{"colour", 3.0}}),
+       "part 'gauge': shape 'ring' has no size 'colour'; known are 'bore', 'outer_diameter', "
+       "'height', 'sagitta'"},
+      {"size 0", part("ring", {{"bore", 0.0}}),
+       "part 'gauge': size 'bore' must be a number of mm greater than 0"},
+      {"negative size", part("ring", {{"height", -1.0}}),
+       "part 'gauge': size 'height' must be a number of mm greater than 0"},
+      {"not a number", part("ring", {{"height", nan}}),
+       "part 'gauge': size 'height' must be a number of mm greater than 0"},
+      {"bore as wide as the ring", part("ring", {{"bore", 50.0}, {"outer_diameter", 50.0}}),
+       "part 'gauge': the bore of a ring must be smaller than its outer_diameter"},
+      {"absurd sagitta", part("ring", {{"sagitta", 1e-30}}),
+       "part 'gauge': the sagitta of the ring is too small: it would take more than 100000 facets"},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    const auto made = make_artefact(c.setup);
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error(), c.error);
+  }
+}
+
+TEST(Shapes, EverySizeBelongsToAShape) {
+  for (const ShapeSize& size : shape_sizes()) {
+    EXPECT_TRUE(std::any_of(shapes().begin(), shapes().end(), [&](const Shape& shape) {
+      return shape.name == size.shape;
+    })) << size.name;
+  }
+}
+
+}  // namespace
+}  // namespace g31::parts

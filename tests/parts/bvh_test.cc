@@ -1,0 +1,117 @@
+#include "parts/geometry/bvh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/probe/test_meshes.h"
+
+namespace g31::parts {
+namespace {
+
+using testing::any_direction;
+using testing::between;
+using testing::point_between;
+
+bool contains(const Box& box, double reach, const Point& p) {
+  double squared = 0.0;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const double outside = std::max({box.min[i] - p[i], p[i] - box.max[i], 0.0});
+    squared += outside * outside;
+  }
+  return std::sqrt(squared) <= reach;
+}
+
+/// Whether some of many points of the path lies within reach of the box: never true where it should
+/// not be.
+bool surely_met(const Box& box, double reach, const Path& path) {
+  for (int i = 0; i <= 200; ++i) {
+    if (contains(box, reach, path.from + path.direction * (path.length * i / 200.0))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<Box> awkward_boxes(std::uint64_t seed, std::size_t count) {
+  std::mt19937_64 random(seed);
+  std::vector<Box> boxes(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point centre = i % 5 == 0 ? Point(1.0, 2.0, 3.0) : point_between(random, -10.0, 10.0);
+    boxes[i].include(centre);
+    if (i % 3 != 0) {
+      boxes[i].include(centre + point_between(random, 0.0, 3.0));
+    }
+  }
+  return boxes;
+}
+
+TEST(Bvh, HoldsEveryBoxOnce) {
+  for (const std::size_t count : {0U, 1U, 2U, 3U, 7U, 100U, 5000U}) {
+    const Bvh tree(awkward_boxes(count, count));
+    std::vector<std::uint32_t> order(tree.order().begin(), tree.order().end());
+    std::ranges::sort(order);
+    ASSERT_EQ(order.size(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(order[i], i);
+    }
+  }
+}
+
+TEST(Bvh, VisitsEveryBoxNearAPointOrOnAPath) {
+  const std::vector<Box> boxes = awkward_boxes(1, 600);
+  const Bvh tree(boxes);
+  std::mt19937_64 random(2);
+  std::size_t met = 0;
+  std::size_t visits = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double reach = between(random, 0.0, 2.0);
+    const Point direction = i % 3 == 0 ? Point(Point::Unit(i % 2)) : any_direction(random);
+    const Path path{point_between(random, -15.0, 15.0), direction, between(random, 0.0, 30.0)};
+    std::vector<bool> near(boxes.size());
+    std::vector<bool> along(boxes.size());
+    tree.visit_near(path.from, reach, [&](std::uint32_t slot) { near[tree.order()[slot]] = true; });
+    tree.visit_along(path, reach + 1e-9, [&](std::uint32_t slot) {
+      along[tree.order()[slot]] = true;
+      ++visits;
+      return path.length;
+    });
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      EXPECT_TRUE(near[k] || !contains(boxes[k], reach, path.from));
+      const bool wanted = surely_met(boxes[k], reach, path);
+      EXPECT_TRUE(along[k] || !wanted);
+      met += wanted ? 1 : 0;
+    }
+  }
+  EXPECT_GT(met, 500U);
+  EXPECT_LT(visits, 4 * met) << "the tree should spare the boxes that are out of reach";
+}
+
+TEST(Bvh, DoesNotWalkBehindTheLimit) {
+  std::vector<Box> boxes(1000);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    boxes[i].include(Point(static_cast<double>(i), 0.0, 0.0));
+  }
+  const Bvh tree(boxes);
+  int visits = 0;
+  tree.visit_along({Point(-5.0, 0.0, 0.0), Point::UnitX(), 2000.0}, 0.1, [&](std::uint32_t slot) {
+    ++visits;
+    return 5.0 + tree.order()[slot];
+  });
+  EXPECT_LE(visits, 4);
+}
+
+TEST(Bvh, TriangleBoxesEncloseTheirVertices) {
+  const Mesh mesh = testing::box_mesh({3.0, 2.0, 1.0});
+  const std::vector<Box> boxes = triangle_boxes(mesh);
+  ASSERT_EQ(boxes.size(), 12U);
+  EXPECT_EQ(boxes[0].min, Point(0, 0, 0));
+  EXPECT_EQ(boxes[0].max, Point(3, 2, 0));
+}
+
+}  // namespace
+}  // namespace g31::parts

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "machine/port/machine_port.h"
+
+namespace g31::testing {
+
+/// A machine that only writes down what it was asked: the readable half of every golden file.
+///
+///   move 12.500 0.000 -5.000 rapid          X Y Z in mm; a rotary axis follows when it is not 0:
+///   skip 20.000 0.000 -5.000 A30.000 F300
+///   arc cw 10.000 0.000 0.000 centre X5.000 Y0.000 F300
+///   dwell 0.5
+///
+/// Touches come from a script, in order: latched and stopped are both the scripted position, the
+/// contact is empty.  After the script's end every skip move is a NoTouch.  Nothing takes time.
+class RecordingMachine final : public machine::MachinePort {
+ public:
+  explicit RecordingMachine(std::vector<AxisPositions> touches = {},
+                            const AxisPositions& q_M_start = AxisPositions::Zero())
+      : touches_(std::move(touches)), q_M_(q_M_start) {}
+
+  Result<AxisPositions, machine::MachineFault> move(const machine::LinearMove& move) override {
+    log_.push_back(line("move", move));
+    q_M_ = move.q_M_end;
+    return q_M_;
+  }
+
+  Result<AxisPositions, machine::MachineFault> move(const machine::ArcMove& arc) override {
+    log_.push_back(fmt::format(
+        "arc {}{} centre {}{} {}{} F{:.6g}", arc.turn == machine::Turn::Clockwise ? "cw" : "ccw",
+        axes(arc.q_M_end), letter(arc.first_axis), three_decimals(arc.centre_first),
+        letter(arc.second_axis), three_decimals(arc.centre_second), arc.feed_mm_min));
+    q_M_ = arc.q_M_end;
+    return q_M_;
+  }
+
+  Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(
+      const machine::LinearMove& move) override {
+    log_.push_back(line("skip", move));
+    if (next_ == touches_.size()) {
+      q_M_ = move.q_M_end;
+      return machine::SkipOutcome(machine::NoTouch{});
+    }
+    q_M_ = touches_[next_++];
+    return machine::SkipOutcome(machine::Touched{q_M_, q_M_, std::nullopt});
+  }
+
+  void dwell(double seconds) override { log_.push_back(fmt::format("dwell {:.6g}", seconds)); }
+
+  [[nodiscard]] AxisPositions position() const override { return q_M_; }
+  [[nodiscard]] double time_s() const override { return 0.0; }
+
+  [[nodiscard]] const std::vector<std::string>& log() const { return log_; }
+
+ private:
+  static std::string line(const char* verb, const machine::LinearMove& move) {
+    return verb + axes(move.q_M_end) +
+           (move.traverse == machine::Traverse::Rapid ? std::string(" rapid")
+                                                      : fmt::format(" F{:.6g}", move.feed_mm_min));
+  }
+
+  static std::string axes(const AxisPositions& q_M) {
+    std::string text;
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+      const std::string number = three_decimals(q_M[static_cast<Eigen::Index>(i)]);
+      if (i < 3) {
+        text += " " + number;
+      } else if (number != "0.000") {
+        text += fmt::format(" {}{}", kAxisLetters[i], number);
+      }
+    }
+    return text;
+  }
+
+  static char letter(int axis) { return kAxisLetters[static_cast<std::size_t>(axis)]; }
+
+  static std::string three_decimals(double number) {
+    std::string text = fmt::format("{:.3f}", number);
+    return text == "-0.000" ? "0.000" : text;
+  }
+
+  std::vector<AxisPositions> touches_;
+  std::size_t next_ = 0;
+  AxisPositions q_M_;
+  std::vector<std::string> log_;
+};
+
+}  // namespace g31::testing

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "tools/setup/setup_error.h"
+#include "tools/setup/toml_reader.h"
+
+namespace g31::setup {
+
+/// Every key of keys.def once, [machine] in place; the part files are written by the tests.
+inline constexpr const char* kEveryKey = R"([control]
+profile = "fanuc-16i"
+increment = "IS-C"
+block_skip = [1, 9]
+variables_file = "v55.vars"
+[parameters]
+"6001.1" = 1
+"6001.0" = false
+"6001.7" = true
+"3410" = 0.01
+"05114" = -7
+[macro_calls]
+G100 = 9010
+M06 = 99999999
+[variables]
+"#515" = 6.0
+"#0516" = ""
+R1 = -2
+"_OVR[0]" = 0.25
+"$P_UIFR[1, X, TR]" = 17
+[start]
+X = 1.0
+Y = 2
+Z = 3.5
+C = 45.0
+[work_offsets.G59]
+X = 250.0
+B = 30.0
+[work_offsets.EXT]
+[work_offsets."G54.1 P12"]
+Z = -1.0
+[work_offsets.G505]
+Y = 8.0
+[tools.99]
+length = 120.0
+radius = 3.0
+length_wear = 0.02
+radius_wear = -0.01
+[tools.0]
+[machine]
+file = "base.toml"
+name = "V55"
+stopping = "ideal"
+[machine.axes.X]
+travel = [-10, 900.0]
+rapid = 48000
+acceleration = 5000.0
+home = 0.5
+[machine.axes.B]
+[probe]
+ball_diameter = 5.9
+length = 119.5
+eccentricity = [0.02, -0.03]
+trigger_delay_s = 0.001
+repeatability_mm = 0.0005
+[[part]]
+name = "mesh"
+file = "ring.stl"
+at = [250.0, -180, -300.0]
+rotate_deg = [0.0, 10.0, 90.0]
+[[part]]
+shape = "ring"
+bore = 50.0
+[[part]]
+file = "ring.stl"
+[[skip_signal]]
+axis = "Y"
+at = 10.0
+[[skip_signal]]
+axis = "C"
+[[skip_signal]]
+)";
+
+/// A folder of set-up sheets that goes away with the test.
+class SetupSheets : public ::testing::Test {
+ protected:
+  SetupSheets() {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::temp_directory_path() /
+              ("g31_setup_" + std::string(test->name()) + "_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  ~SetupSheets() override {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  SetupSheets(const SetupSheets&) = delete;
+  SetupSheets& operator=(const SetupSheets&) = delete;
+
+  /// Writes a file of the folder and returns its whole path.
+  [[nodiscard]] std::string write(const std::string& name, const std::string& text) const {
+    const std::filesystem::path path = folder_ / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path, std::ios::binary) << text;
+    return path.string();
+  }
+
+  [[nodiscard]] std::string path_of(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+
+  [[nodiscard]] Result<Job, SetupErrors> read(const std::vector<std::string>& sheets) const {
+    std::vector<std::string> paths;
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+      paths.push_back(write("sheet" + std::to_string(i + 1) + ".toml", sheets[i]));
+    }
+    return read_job(paths);
+  }
+
+  /// All errors as text, files named from the folder on; "" when there are none.
+  [[nodiscard]] std::string errors_of(const Result<Job, SetupErrors>& result) const {
+    std::string text;
+    if (!result) {
+      for (const SetupError& error : result.error()) {
+        text += render(error);
+      }
+    }
+    const std::string prefix = folder_.string() + "/";
+    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix)) {
+      text.erase(at, prefix.size());
+    }
+    return text;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace g31::setup

@@ -1,0 +1,296 @@
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/tools/setup_sheets.h"
+#include "tools/setup/keys.h"
+#include "tools/setup/toml_reader.h"
+
+namespace g31::setup {
+namespace {
+
+class SetupReader : public SetupSheets {
+ protected:
+  SetupReader() {
+    static_cast<void>(write("ring.stl", "solid ring\nendsolid ring\n"));
+    static_cast<void>(write("base.toml", ""));
+  }
+  /// The job, or the default one with a failure that shows the errors.
+  [[nodiscard]] Job job(const std::vector<std::string>& sheets) const {
+    const auto result = read(sheets);
+    EXPECT_EQ(errors_of(result), "");
+    return result ? result.value() : Job{};
+  }
+};
+
+TEST_F(SetupReader, EmptySheetsGiveTheDefaultJob) {
+  const std::vector<std::vector<std::string>> kCases = {{}, {""}, {"# nothing\n", "\n"}};
+  for (const auto& sheets : kCases) {
+    SCOPED_TRACE(sheets.size());
+    const Job read = job(sheets);
+    EXPECT_EQ(read.control.profile, "");
+    EXPECT_TRUE(read.control.parameters.empty() && read.control.variables.empty());
+    EXPECT_TRUE(read.control.tools.empty() && read.control.work_offsets.empty());
+    EXPECT_EQ(read.machine.name, "ideal three-axis machine");
+    EXPECT_EQ(read.machine.stopping, machine::Stopping::Braking);
+    EXPECT_TRUE(read.machine.axes[2].present && !read.machine.axes[3].present);
+    EXPECT_FALSE(read.probe.has_value());
+    EXPECT_TRUE(read.parts.empty());
+    EXPECT_FALSE(read.skip_signals.has_value());
+  }
+}
+
+TEST_F(SetupReader, TheSheetOfTheTestHasEveryKeyOfTheTable) {
+  const std::string sheet = kEveryKey;
+  for (const KeyRow& row : key_rows()) {
+    if (row.name_form == NameForm::Exact) {
+      EXPECT_NE(sheet.find("\n" + std::string(row.name) + " = "), std::string::npos) << row.name;
+    }
+  }
+}
+
+TEST_F(SetupReader, ControlKeysArrive) {
+  const runtime::ControlSetup control = job({kEveryKey}).control;
+  EXPECT_EQ(control.profile, "fanuc-16i");
+  EXPECT_EQ(control.increment, "IS-C");
+  EXPECT_EQ(control.block_skip, (std::set<int>{1, 9}));
+  EXPECT_EQ(control.variables_file, path_of("v55.vars"));
+  EXPECT_EQ(control.parameters,
+            (std::map<std::string, double>{
+                {"6001.0", 0.0}, {"6001.1", 1.0}, {"6001.7", 1.0}, {"3410", 0.01}, {"5114", -7}}));
+  EXPECT_EQ(control.macro_calls, (std::map<std::string, int>{{"G100", 9010}, {"M6", 99999999}}));
+  EXPECT_EQ(control.variables,
+            (std::map<std::string, std::optional<double>>{{"#515", 6.0},
+                                                          {"#516", std::nullopt},
+                                                          {"R1", -2.0},
+                                                          {"_OVR[0]", 0.25},
+                                                          {"$P_UIFR[1,X,TR]", 17.0}}));
+}
+
+TEST_F(SetupReader, OffsetsAndToolsArrive) {
+  const runtime::ControlSetup control = job({kEveryKey}).control;
+  ASSERT_EQ(control.work_offsets.size(), 4U);
+  EXPECT_EQ(control.work_offsets.at("G59"),
+            (AxisPositions() << 250.0, 0.0, 0.0, 0.0, 30.0, 0.0).finished());
+  EXPECT_EQ(control.work_offsets.at("EXT"), AxisPositions::Zero());
+  EXPECT_EQ(control.work_offsets.at("G54.1 P12")[2], -1.0);
+  EXPECT_EQ(control.work_offsets.at("G505")[1], 8.0);
+  ASSERT_EQ(control.tools.size(), 2U);
+  EXPECT_EQ(control.tools.at(0).length_mm, 0.0);
+  EXPECT_EQ(control.tools.at(99).length_mm, 120.0);
+  EXPECT_EQ(control.tools.at(99).radius_mm, 3.0);
+  EXPECT_EQ(control.tools.at(99).length_wear_mm, 0.02);
+  EXPECT_EQ(control.tools.at(99).radius_wear_mm, -0.01);
+}
+
+TEST_F(SetupReader, MachineKeysArrive) {
+  const machine::MachineSetup machine = job({kEveryKey}).machine;
+  EXPECT_EQ(machine.name, "V55");
+  EXPECT_EQ(machine.stopping, machine::Stopping::Ideal);
+  EXPECT_EQ(machine.q_M_start, (AxisPositions() << 1.0, 2.0, 3.5, 0.0, 0.0, 45.0).finished());
+  EXPECT_EQ(machine.axes[0].travel_min, -10.0);
+  EXPECT_EQ(machine.axes[0].travel_max, 900.0);
+  EXPECT_EQ(machine.axes[0].rapid_per_min, 48000.0);
+  EXPECT_EQ(machine.axes[0].acceleration_per_s2, 5000.0);
+  EXPECT_EQ(machine.axes[0].home, 0.5);
+  EXPECT_TRUE(machine.axes[1].present) << "an axis of the ideal machine stays without its table";
+  EXPECT_EQ(machine.axes[1].travel_max, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(machine.axes[3].present);
+  EXPECT_TRUE(machine.axes[4].present) << "[machine.axes.B] adds the axis";
+}
+
+TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
+  const Job read = job({kEveryKey});
+  ASSERT_TRUE(read.probe.has_value());
+  EXPECT_EQ(read.probe->ball_diameter_mm, 5.9);
+  EXPECT_EQ(read.probe->length_mm, 119.5);
+  EXPECT_EQ(read.probe->eccentricity_mm, (std::array<double, 2>{0.02, -0.03}));
+  EXPECT_EQ(read.probe->trigger_delay_s, 0.001);
+  EXPECT_EQ(read.probe->repeatability_mm, 0.0005);
+
+  ASSERT_EQ(read.parts.size(), 3U);
+  EXPECT_EQ(read.parts[0].name, "mesh");
+  EXPECT_EQ(read.parts[0].file, path_of("ring.stl"));
+  EXPECT_EQ(read.parts[0].p_M_at, Point(250.0, -180.0, -300.0));
+  EXPECT_EQ(read.parts[0].rotate_deg, Point(0.0, 10.0, 90.0));
+  EXPECT_EQ(read.parts[1].name, "ring") << "a part without a name is called after its shape";
+  EXPECT_EQ(read.parts[1].shape, "ring");
+  EXPECT_EQ(read.parts[1].file, "");
+  EXPECT_EQ(read.parts[1].sizes, (std::map<std::string, double>{{"bore", 50.0}}));
+  EXPECT_EQ(read.parts[2].name, "ring") << "or after its file";
+
+  ASSERT_TRUE(read.skip_signals && read.skip_signals->size() == 3U);
+  EXPECT_EQ(read.skip_signals->at(0).axis, 1);
+  EXPECT_EQ(read.skip_signals->at(0).at, 10.0);
+  EXPECT_EQ(read.skip_signals->at(1).axis, 5);
+  EXPECT_EQ(read.skip_signals->at(1).at, std::nullopt);
+  EXPECT_EQ(read.skip_signals->at(2).at, std::nullopt);
+}
+
+TEST_F(SetupReader, EveryExampleOfTheTableIsASheet) {
+  static_cast<void>(write("v55.toml", "name = \"V55\"\n"));
+  for (const KeyRow& row : key_rows()) {
+    SCOPED_TRACE(row.example);
+    std::string sheet = std::string(row_of(row.section).example) + "\n";
+    if (row.section == SectionId::Part && row.id != KeyId::PartFile && row.id != KeyId::PartShape) {
+      sheet += "shape = \"ring\"\n";
+    }
+    if (row.id == KeyId::SkipSignalAt) {
+      sheet += "axis = \"X\"\n";
+    }
+    EXPECT_EQ(errors_of(read({sheet + std::string(row.example) + "\n"})), "");
+    EXPECT_FALSE(row.text.empty());
+  }
+}
+
+TEST_F(SetupReader, LaterSheetsWinKeyByKey) {
+  const Job read = job({R"([control]
+profile = "fanuc-16i"
+increment = "IS-B"
+[variables]
+"#100" = 1
+"#101" = 2
+[tools.1]
+length = 100.0
+radius = 5.0
+[machine.axes.X]
+travel = [0, 10]
+rapid = 100
+[[part]]
+shape = "ring"
+[[part]]
+file = "is_not_there.stl"
+[[skip_signal]]
+)",
+                        R"([control]
+profile = "haas"
+[variables]
+"#0101" = ""
+[tools.01]
+radius = 6.0
+[tools.2]
+[machine.axes.X]
+rapid = 200
+[probe]
+[[part]]
+name = "the only one"
+file = "ring.stl"
+)",
+                        "part = []\n[variables]\n\"#102\" = 7\n"});
+  EXPECT_EQ(read.control.profile, "haas");
+  EXPECT_EQ(read.control.increment, "IS-B");
+  EXPECT_EQ(read.control.variables, (std::map<std::string, std::optional<double>>{
+                                        {"#100", 1.0}, {"#101", std::nullopt}, {"#102", 7.0}}));
+  EXPECT_EQ(read.control.tools.at(1).length_mm, 100.0);
+  EXPECT_EQ(read.control.tools.at(1).radius_mm, 6.0);
+  EXPECT_EQ(read.control.tools.count(2), 1U);
+  EXPECT_EQ(read.machine.axes[0].travel_max, 10.0);
+  EXPECT_EQ(read.machine.axes[0].rapid_per_min, 200.0);
+  EXPECT_TRUE(read.probe.has_value());
+  EXPECT_TRUE(read.parts.empty()) << "a list is replaced as a whole, also by an empty one";
+  EXPECT_EQ(read.skip_signals->size(), 1U) << "a list that is not given stays";
+}
+
+TEST_F(SetupReader, MachineFileIsReadFirstWhereverItsKeysStand) {
+  for (const std::string header : {"", "[machine]\n"}) {
+    SCOPED_TRACE(header);
+    const std::string axes = header.empty() ? "[axes.X]\n" : "[machine.axes.X]\n";
+    static_cast<void>(write("machines/v55.toml", header + "name = \"V55\"\nstopping = \"ideal\"\n" +
+                                                     axes + "travel = [0, 900]\nrapid = 100\n"));
+    const Job read =
+        job({"[machine]\nfile = \"machines/v55.toml\"\nname = \"ours\"\n[machine.axes.X]\nrapid = "
+             "7\n"});
+    EXPECT_EQ(read.machine.name, "ours");
+    EXPECT_EQ(read.machine.stopping, machine::Stopping::Ideal);
+    EXPECT_EQ(read.machine.axes[0].travel_max, 900.0);
+    EXPECT_EQ(read.machine.axes[0].rapid_per_min, 7.0);
+  }
+}
+
+TEST_F(SetupReader, SkipSignalsStopIdeallyUnlessTheSheetSaysOtherwise) {
+  using machine::Stopping;
+  struct Case {
+    const char* sheet;
+    Stopping stopping;
+  };
+  const Case kCases[] = {
+      {"", Stopping::Braking},
+      {"[probe]\n", Stopping::Braking},
+      {"[[skip_signal]]\n", Stopping::Ideal},
+      {"skip_signal = []\n", Stopping::Ideal},
+      {"[machine]\nstopping = \"braking\"\n[[skip_signal]]\n", Stopping::Braking},
+      {"[machine]\nstopping = \"ideal\"\n", Stopping::Ideal},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.sheet);
+    EXPECT_EQ(job({c.sheet}).machine.stopping, c.stopping);
+  }
+}
+
+TEST_F(SetupReader, RelativePathsStartAtTheFolderOfTheirSheet) {
+  static_cast<void>(write("a/meshes/ring.stl", ""));
+  static_cast<void>(write("b/v.toml", "name = \"B\"\n"));
+  const std::string first =
+      write("a/one.toml",
+            "[control]\nvariables_file = \"../x.vars\"\n[[part]]\nfile = \"meshes/ring.stl\"\n");
+  const std::string second = write("b/two.toml", "[machine]\nfile = \"v.toml\"\n");
+  const std::vector<std::string> paths = {first, second};
+  const auto result = read_job(paths);
+  ASSERT_EQ(errors_of(result), "");
+  EXPECT_EQ(result.value().control.variables_file, path_of("a/../x.vars"));
+  EXPECT_EQ(result.value().parts.at(0).file, path_of("a/meshes/ring.stl"));
+  EXPECT_EQ(result.value().machine.name, "B");
+
+  const std::string absolute = path_of("a/meshes/ring.stl");
+  EXPECT_EQ(job({"[[part]]\nfile = \"" + absolute + "\"\n"}).parts.at(0).file, absolute);
+}
+
+TEST_F(SetupReader, TheSheetOfTheManualIsRead) {
+  static_cast<void>(write("v55.toml", "[axes.Z]\ntravel = [-560.0, 0.0]\n"));
+  const Job read = job({R"([control]
+profile = "fanuc-16i"
+increment = "IS-B"            # IS-A, IS-B, IS-C
+block_skip = [1]              # switches that are ON, 1..9
+variables_file = "v55.vars"   # non-volatile variables, read at the start and saved at the end
+
+[parameters]                  # control parameters, bit as NUMBER.BIT
+"6001.1" = 1
+"3410" = 0.01
+[macro_calls]                 # G code to program, what parameters 6050.. do
+G100 = 9010
+[variables]
+"#515" = 6.0
+[start]                       # machine position at the start
+X = 0.0
+Y = 0.0
+Z = 0.0
+[work_offsets.G59]
+X = 250.0
+Y = -180.0
+Z = -300.0
+[tools.99]                    # H99 / T99
+length = 120.0
+radius = 3.0
+
+[machine]
+file = "v55.toml"             # or the keys in place; without it an ideal three-axis machine
+[probe]
+ball_diameter = 6.0
+length = 120.0
+trigger_delay_s = 0.0
+repeatability_mm = 0.0
+[[part]]
+name = "ring"
+file = "ring.stl"             # any mesh that assimp reads; or shape = "ring" with its sizes
+at = [250.0, -180.0, -300.0]  # machine coordinates of the part's origin
+rotate_deg = [0.0, 0.0, 0.0]
+)"});
+  EXPECT_EQ(read.machine.axes[2].travel_min, -560.0);
+  EXPECT_EQ(read.parts.at(0).p_M_at, Point(250.0, -180.0, -300.0));
+  EXPECT_EQ(read.control.work_offsets.at("G59")[1], -180.0);
+}
+
+}  // namespace
+}  // namespace g31::setup

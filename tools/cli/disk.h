@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/source/file_system.h"
+
+namespace g31::cli {
+
+/// The real disk.
+class Disk final : public source::FileSystem {
+ public:
+  std::optional<std::string> read(const std::string& path) override;
+  std::vector<std::string> list(const std::string& folder) override;
+};
+
+/// Writes a file under a temporary name beside it and renames it, so that nobody ever sees half of
+/// it.  @returns why it could not be written; nullopt: it was
+std::optional<std::string> write_whole_file(const std::string& path, std::string_view text);
+
+}  // namespace g31::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace g31::cli {
+
+/// Rows of exit_codes.def.
+enum class ExitCode {
+#define EXIT_CODE(name, code, text) name = (code),
+#include "tools/cli/exit_codes.def"
+#undef EXIT_CODE
+};
+
+struct ExitCodeRow {
+  ExitCode code;
+  std::string_view text;
+};
+
+std::span<const ExitCodeRow> exit_codes();
+
+}  // namespace g31::cli

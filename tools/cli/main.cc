@@ -1,0 +1,49 @@
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "tools/cli/exit_code.h"
+#include "tools/cli/run_command.h"
+#include "tools/cli/run_options.h"
+
+namespace {
+
+using g31::cli::ExitCode;
+
+std::string exit_code_help() {
+  std::string text = "Exit codes:\n";
+  for (const auto& row : g31::cli::exit_codes()) {
+    text += fmt::format("  {:2}  {}\n", static_cast<int>(row.code), row.text);
+  }
+  return text;
+}
+
+ExitCode dispatch(int argc, char** argv) {
+  CLI::App app("g31 runs touch-probe NC programs on a simulated machine.", "g31");
+  app.set_version_flag("--version", "g31 " G31_VERSION);
+  app.require_subcommand(1);
+  app.footer(exit_code_help());
+  g31::cli::RunOptions run;
+  CLI::App* const run_app = g31::cli::add_run_command(app, run);
+  run_app->footer(g31::cli::run_examples() + exit_code_help());
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? ExitCode::Completed : ExitCode::BadUsage;
+  }
+  return run_command(run);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return static_cast<int>(dispatch(argc, argv));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "g31: defect: %s\n", error.what());
+    return static_cast<int>(ExitCode::Defect);
+  }
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "tools/cli/run_command.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace g31::cli {
+
+/// Adds `run` and its options; parsing fills `options`.
+CLI::App* add_run_command(CLI::App& app, RunOptions& options);
+
+/// Examples for the help text.
+std::string run_examples();
+
+}  // namespace g31::cli

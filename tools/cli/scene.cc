@@ -1,0 +1,48 @@
+#include "tools/cli/scene.h"
+
+#include <utility>
+#include <vector>
+
+#include "parts/artefacts/artefact.h"
+#include "parts/geometry/placement.h"
+#include "parts/import/mesh_file.h"
+#include "probe/sensor/scripted_signals.h"
+#include "probe/sensor/touch_probe.h"
+
+namespace g31::cli {
+namespace {
+
+Result<std::vector<probe::ProbedPart>, std::string> build_parts(const setup::Job& job) {
+  std::vector<probe::ProbedPart> built;
+  for (const parts::PartSetup& part : job.parts) {
+    auto mesh_P = part.shape.empty() ? parts::read_mesh_file(part.file) : parts::make_artefact(part);
+    if (!mesh_P) {
+      return mesh_P.error();
+    }
+    built.push_back({part.name, parts::placed_mesh(mesh_P.value(), {part.p_M_at, part.rotate_deg})});
+  }
+  return built;
+}
+
+}  // namespace
+
+Result<Scene, std::string> build_scene(const setup::Job& job, std::uint64_t seed) {
+  Scene scene;
+  if (job.skip_signals) {
+    scene.surroundings = std::make_unique<probe::ScriptedSignals>(*job.skip_signals);
+  } else {
+    const auto parts = build_parts(job);
+    if (!parts) {
+      return parts.error();
+    }
+    if (job.probe) {
+      scene.surroundings =
+          std::make_unique<probe::TouchProbe>(*job.probe, parts.value(), seed);
+    }
+  }
+  scene.machine =
+      std::make_unique<machine::MachiningCentre>(job.machine, scene.surroundings.get());
+  return scene;
+}
+
+}  // namespace g31::cli

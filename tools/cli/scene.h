@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "machine/base/result.h"
+#include "machine/port/surroundings.h"
+#include "machine/sim/machining_centre.h"
+#include "tools/setup/job.h"
+
+namespace g31::cli {
+
+/// The simulated machine with what stands around its tool.
+struct Scene {
+  std::unique_ptr<machine::Surroundings> surroundings;  ///< null: nothing can be touched
+  std::unique_ptr<machine::MachiningCentre> machine;
+};
+
+/// Builds machine, probe and parts of a set-up.  @returns why a part cannot be made or read
+Result<Scene, std::string> build_scene(const setup::Job& job, std::uint64_t seed);
+
+}  // namespace g31::cli

@@ -1,0 +1,38 @@
+# Two functions, so that a folder's CMakeLists.txt is a list of facts and nothing else.
+#
+#   g31_library(g31_fanuc SOURCES compare.cc system_variables.cc DEPENDS g31_runtime)
+#   g31_test(NAME fanuc_test SOURCES ... DEPENDS g31_fanuc)
+
+add_library(g31_warnings INTERFACE)
+target_compile_options(g31_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast
+  -Wnon-virtual-dtor -Woverloaded-virtual -Wimplicit-fallthrough -Wswitch-enum
+  # g++ 12 sees overlapping copies in any "text" + std::string (GCC bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  # One rounding per operation on every compiler: results must not depend on fused multiply-add.
+  -ffp-contract=off
+  $<$<BOOL:${G31_WERROR}>:-Werror>)
+
+function(g31_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  if(arg_SOURCES)
+    add_library(${name} STATIC ${arg_SOURCES})
+    target_link_libraries(${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS} g31_warnings)
+    target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+    target_compile_features(${name} PUBLIC cxx_std_20)
+  else()
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE ${arg_DEPENDS})
+    target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR})
+    target_compile_features(${name} INTERFACE cxx_std_20)
+  endif()
+endfunction()
+
+function(g31_test)
+  cmake_parse_arguments(arg "" "NAME" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${arg_NAME} ${arg_SOURCES})
+  target_link_libraries(${arg_NAME} PRIVATE ${arg_DEPENDS} g31_warnings GTest::gtest_main)
+  target_include_directories(${arg_NAME} PRIVATE ${PROJECT_SOURCE_DIR})
+  # Tests run in the source folder: golden files and parts are named by their repository path.
+  gtest_discover_tests(${arg_NAME} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+endfunction()

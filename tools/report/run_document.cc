@@ -1,0 +1,160 @@
+#include "tools/report/run_document.h"
+
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "machine/base/contract.h"
+
+namespace g31::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json array_of(const Point& p) {
+  return Json::array({p.x(), p.y(), p.z()});
+}
+
+/// X Y Z, and the rotary axes where one of them is not 0.
+Json array_of(const AxisPositions& q) {
+  Json list = array_of(linear_axes(q));
+  if (!q.tail<3>().isZero(0.0)) {
+    for (Eigen::Index axis = 3; axis < q.size(); ++axis) {
+      list.push_back(q[axis]);
+    }
+  }
+  return list;
+}
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+void add_place(Json& object, const source::Location& where) {
+  if (where.file == nullptr) {
+    return;
+  }
+  const source::LineColumn start = where.file->line_column(where.span.begin);
+  object["file"] = file_name(where.file->name());
+  object["line"] = start.line;
+  object["column"] = start.column;
+}
+
+Json alarm_json(const runtime::Alarm& alarm) {
+  Json object = {{"number", alarm.number}, {"text", alarm.text}};
+  add_place(object, alarm.where);
+  if (!alarm.detail.empty()) {
+    object["detail"] = alarm.detail;
+  }
+  object["calls"] = Json::array();
+  for (const runtime::CallSite& call : alarm.calls) {
+    Json site = {{"program", call.program}};
+    add_place(site, call.where);
+    object["calls"].push_back(std::move(site));
+  }
+  return object;
+}
+
+Json move_json(const runtime::MoveEvent& move) {
+  Json object = {{"g", move.g}, {"to", array_of(move.q_M_to)}};
+  if (move.g == 4) {
+    object["t"] = move.seconds;
+  } else if (move.feed_mm_min > 0.0) {
+    object["feed"] = move.feed_mm_min;
+  }
+  return object;
+}
+
+Json touch_json(const runtime::TouchEvent& touch) {
+  Json object = {{"block", touch.block}};
+  add_place(object, touch.where);
+  object["triggered"] = touch.triggered;
+  object["commanded"] = array_of(touch.q_M_commanded);
+  object["latched"] = array_of(touch.q_M_latched);
+  object["stopped"] = array_of(touch.q_M_stopped);
+  object["contact"] = touch.contact ? array_of(touch.contact->p_M_point) : Json();
+  object["normal"] = touch.contact ? array_of(touch.contact->n_M) : Json();
+  object["part"] = touch.contact ? Json(touch.contact->part) : Json();
+  object["feed"] = touch.feed_mm_min;
+  return object;
+}
+
+const char* severity_name(source::Severity severity) {
+  switch (severity) {
+    case source::Severity::Note:
+      return "note";
+    case source::Severity::Warning:
+      return "warning";
+    case source::Severity::Error:
+      return "error";
+  }
+  contract_violated("every severity has a name", __FILE__, __LINE__);
+}
+
+Json diagnostic_json(const source::Diagnostic& diagnostic) {
+  Json object = {{"severity", severity_name(diagnostic.severity)},
+                 {"code", diagnostic.code},
+                 {"message", diagnostic.message}};
+  add_place(object, diagnostic.where);
+  return object;
+}
+
+template <typename Events, typename Convert>
+Json list_of(const Events& events, Convert convert) {
+  Json list = Json::array();
+  for (const auto& event : events) {
+    list.push_back(convert(event));
+  }
+  return list;
+}
+
+}  // namespace
+
+const char* status_name(runtime::Status status) {
+  switch (status) {
+    case runtime::Status::Completed:
+      return "completed";
+    case runtime::Status::Alarm:
+    case runtime::Status::SyntaxError:
+      return "alarm";
+    case runtime::Status::Collision:
+      return "collision";
+    case runtime::Status::Setup:
+      return "setup";
+    case runtime::Status::Budget:
+      return "budget";
+  }
+  contract_violated("every status has a name", __FILE__, __LINE__);
+}
+
+std::string run_document(const RunResult& result, const RunRecorder& recorder) {
+  Json document = {{"schema", "g31.run/1"},
+                   {"program", file_name(result.program)},
+                   {"control", result.control},
+                   {"seed", result.seed},
+                   {"status", status_name(result.outcome.status)}};
+  document["alarm"] = result.outcome.alarm ? alarm_json(*result.outcome.alarm) : Json();
+  document["variables"] = Json::object();
+  for (const auto& [name, value] : result.variables) {
+    document["variables"][name] = value.is_vacant() ? Json() : Json(value.raw());
+  }
+  document["output"] = recorder.output();
+  document["files"] = Json::object();
+  document["stops"] = list_of(recorder.stops(), [](const runtime::StopEvent& stop) {
+    Json object = {{"kind", stop.kind}, {"text", stop.text}};
+    add_place(object, stop.where);
+    return object;
+  });
+  if (recorder.what().moves == RecordWhat::Keep::Yes) {
+    document["moves"] = list_of(recorder.moves(), move_json);
+  }
+  if (recorder.what().touches == RecordWhat::Keep::Yes) {
+    document["touches"] = list_of(recorder.touches(), touch_json);
+  }
+  document["diagnostics"] = list_of(result.outcome.diagnostics, diagnostic_json);
+  document["blocks"] = result.outcome.blocks;
+  document["machine_time_s"] = result.machine_time_s;
+  return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace g31::report

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interpreter/runtime/cell.h"
+#include "interpreter/runtime/outcome.h"
+#include "tools/report/run_recorder.h"
+
+namespace g31::report {
+
+/// Everything that the result document of one run tells.
+struct RunResult {
+  std::string program;  ///< file name of the main program, without folder
+  std::string control;
+  std::uint64_t seed = 0;
+  runtime::Outcome outcome;
+  std::vector<std::pair<std::string, runtime::Cell>> variables;  ///< in the order asked for
+  double machine_time_s = 0.0;
+};
+
+/// The JSON text of schema `g31.run/1` (docs: the command-line contract), ending in a line break.
+/// Bytes that are no UTF-8 in program texts are replaced by U+FFFD.
+std::string run_document(const RunResult& result, const RunRecorder& recorder);
+
+/// The `status` of the document: "completed", "alarm", "collision", "setup" or "budget".
+const char* status_name(runtime::Status status);
+
+}  // namespace g31::report

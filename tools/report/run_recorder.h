@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/runtime/observer.h"
+
+namespace g31::report {
+
+/// What of a run is kept; moves and touches can be millions.
+struct RecordWhat {
+  enum class Keep { No, Yes };
+  Keep moves = Keep::No;
+  Keep touches = Keep::No;
+};
+
+/// Keeps what a running program does, for the result document.
+class RunRecorder : public runtime::Observer {
+ public:
+  explicit RunRecorder(RecordWhat what) : what_(what) {}
+
+  void on_move(const runtime::MoveEvent& event) override {
+    if (what_.moves == RecordWhat::Keep::Yes) {
+      moves_.push_back(event);
+    }
+  }
+  void on_touch(const runtime::TouchEvent& event) override {
+    if (what_.touches == RecordWhat::Keep::Yes) {
+      touches_.push_back(event);
+    }
+  }
+  void on_stop(const runtime::StopEvent& event) override { stops_.push_back(event); }
+  void on_output(std::string_view text) override { output_ += text; }
+
+  [[nodiscard]] const RecordWhat& what() const { return what_; }
+  [[nodiscard]] const std::vector<runtime::MoveEvent>& moves() const { return moves_; }
+  [[nodiscard]] const std::vector<runtime::TouchEvent>& touches() const { return touches_; }
+  [[nodiscard]] const std::vector<runtime::StopEvent>& stops() const { return stops_; }
+  [[nodiscard]] const std::string& output() const { return output_; }
+
+ private:
+  RecordWhat what_;
+  std::vector<runtime::MoveEvent> moves_;
+  std::vector<runtime::TouchEvent> touches_;
+  std::vector<runtime::StopEvent> stops_;
+  std::string output_;
+};
+
+}  // namespace g31::report

@@ -1,0 +1,245 @@
+#include "tools/setup/check_value.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "machine/base/contract.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::setup {
+namespace {
+
+/// Every whole number up to 2^53 is a double of its own.
+constexpr std::int64_t kLargestExact = std::int64_t{1} << 53;
+
+using Checked = Result<SheetValue, ValueProblem>;
+
+std::string_view words_for(ValueType type) {
+  switch (type) {
+    case ValueType::Text:
+    case ValueType::Path:
+      return "a string";
+    case ValueType::Number:
+      return "a number";
+    case ValueType::NumberOrFlag:
+      return "a number, true or false";
+    case ValueType::NumberOrVacant:
+      return "a number, or \"\" for vacant";
+    case ValueType::WholeNumber:
+      return "a whole number";
+    case ValueType::WholeNumbers:
+      return "an array of whole numbers";
+    case ValueType::TwoNumbers:
+      return "an array of two numbers";
+    case ValueType::ThreeNumbers:
+      return "an array of three numbers";
+  }
+  contract_violated("every ValueType has words", __FILE__, __LINE__);
+}
+
+std::string_view words_for(Limit limit) {
+  switch (limit) {
+    case Limit::Any:
+      return "";
+    case Limit::Positive:
+      return "greater than 0";
+    case Limit::NotNegative:
+      return "0 or more";
+    case Limit::Bit:
+      return "0 or 1";
+    case Limit::SwitchNumber:
+      return "a list of numbers 1 to 9";
+    case Limit::ProgramNumber:
+      return "1 to 99999999";
+    case Limit::Rising:
+      return "two numbers, the first below the second";
+    case Limit::NotEmpty:
+      return "a string that is not empty";
+    case Limit::IncrementSystem:
+      return "\"IS-A\", \"IS-B\" or \"IS-C\"";
+    case Limit::StoppingKind:
+      return "\"braking\" or \"ideal\"";
+    case Limit::AxisLetter:
+      return "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\"";
+  }
+  contract_violated("every Limit has words", __FILE__, __LINE__);
+}
+
+bool number_within(Limit limit, double number) {
+  switch (limit) {
+    case Limit::Positive:
+      return number > 0.0;
+    case Limit::NotNegative:
+      return number >= 0.0;
+    case Limit::Bit:
+      return number == 0.0 || number == 1.0;
+    case Limit::SwitchNumber:
+      return number >= 1.0 && number <= 9.0;
+    case Limit::ProgramNumber:
+      return number >= 1.0 && number <= 99999999.0;
+    case Limit::Any:
+    case Limit::Rising:
+    case Limit::NotEmpty:
+    case Limit::IncrementSystem:
+    case Limit::StoppingKind:
+    case Limit::AxisLetter:
+      return true;
+  }
+  contract_violated("every Limit judges numbers", __FILE__, __LINE__);
+}
+
+bool text_within(Limit limit, const std::string& text) {
+  switch (limit) {
+    case Limit::NotEmpty:
+      return !text.empty();
+    case Limit::IncrementSystem:
+      return text == "IS-A" || text == "IS-B" || text == "IS-C";
+    case Limit::StoppingKind:
+      return text == "braking" || text == "ideal";
+    case Limit::AxisLetter:
+      return text.size() == 1 && axis_index(text.front()) >= 0;
+    case Limit::Any:
+    case Limit::Positive:
+    case Limit::NotNegative:
+    case Limit::Bit:
+    case Limit::SwitchNumber:
+    case Limit::ProgramNumber:
+    case Limit::Rising:
+      return true;
+  }
+  contract_violated("every Limit judges texts", __FILE__, __LINE__);
+}
+
+bool within(Limit limit, const SheetValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    return number_within(limit, *number);
+  }
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    return text_within(limit, *text);
+  }
+  if (const auto* list = std::get_if<std::vector<double>>(&value)) {
+    if (limit == Limit::Rising) {
+      return list->at(0) < list->at(1);
+    }
+    return std::ranges::all_of(*list, [&](double n) { return number_within(limit, n); });
+  }
+  return true;
+}
+
+std::string shown(const SheetValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    return fmt::format("{}", *number);
+  }
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    return fmt::format("\"{}\"", *text);
+  }
+  if (const auto* list = std::get_if<std::vector<double>>(&value)) {
+    return fmt::format("[{}]", fmt::join(*list, ", "));
+  }
+  return "\"\"";
+}
+
+ValueProblem wrong_type(const Node& node, ValueType type) {
+  return {SetupErrorId::WrongType, kind_of(node), std::string(words_for(type))};
+}
+
+/// A finite number; `type` says whether it must be whole and what an error asks for.
+Result<double, ValueProblem> number_from(const Node& node, ValueType type) {
+  if (const auto* whole = std::get_if<std::int64_t>(&node.value)) {
+    if (*whole > kLargestExact || *whole < -kLargestExact) {
+      return ValueProblem{SetupErrorId::OutOfRange, fmt::format("{}", *whole),
+                          fmt::format("{} at most in size", kLargestExact)};
+    }
+    return static_cast<double>(*whole);
+  }
+  const bool must_be_whole = type == ValueType::WholeNumber || type == ValueType::WholeNumbers;
+  const auto* number = std::get_if<double>(&node.value);
+  if (number == nullptr || must_be_whole) {
+    return wrong_type(node, type);
+  }
+  if (!std::isfinite(*number)) {
+    return ValueProblem{SetupErrorId::OutOfRange, fmt::format("{}", *number), "a finite number"};
+  }
+  return *number;
+}
+
+/// An array of numbers; of `count` where that is given.
+Checked list_from(const Node& node, ValueType type, std::optional<std::size_t> count) {
+  const auto* array = std::get_if<Array>(&node.value);
+  if (array == nullptr) {
+    return wrong_type(node, type);
+  }
+  std::vector<double> list;
+  for (const Node& element : *array) {
+    const auto number = number_from(element, type);
+    if (!number) {
+      ValueProblem problem = number.error();
+      if (problem.id == SetupErrorId::WrongType) {
+        problem.is = fmt::format("an array that holds {}", problem.is);
+      }
+      return problem;
+    }
+    list.push_back(number.value());
+  }
+  if (count && list.size() != *count) {
+    return ValueProblem{SetupErrorId::WrongType, fmt::format("an array of {}", list.size()),
+                        std::string(words_for(type))};
+  }
+  return SheetValue(list);
+}
+
+Checked number_value(const Node& node, ValueType type) {
+  const auto number = number_from(node, type);
+  return number ? Checked(SheetValue(number.value())) : Checked(number.error());
+}
+
+Checked typed_value(const Node& node, ValueType type) {
+  const auto* text = std::get_if<std::string>(&node.value);
+  const auto* flag = std::get_if<bool>(&node.value);
+  switch (type) {
+    case ValueType::Text:
+    case ValueType::Path:
+      return text != nullptr ? Checked(SheetValue(*text)) : Checked(wrong_type(node, type));
+    case ValueType::NumberOrFlag:
+      return flag != nullptr ? Checked(SheetValue(*flag ? 1.0 : 0.0)) : number_value(node, type);
+    case ValueType::NumberOrVacant:
+      return text != nullptr && text->empty() ? Checked(SheetValue()) : number_value(node, type);
+    case ValueType::Number:
+    case ValueType::WholeNumber:
+      return number_value(node, type);
+    case ValueType::WholeNumbers:
+      return list_from(node, type, std::nullopt);
+    case ValueType::TwoNumbers:
+      return list_from(node, type, 2);
+    case ValueType::ThreeNumbers:
+      return list_from(node, type, 3);
+  }
+  contract_violated("every ValueType is read", __FILE__, __LINE__);
+}
+
+}  // namespace
+
+std::string kind_of(const Node& node) {
+  constexpr auto kKinds = std::to_array<std::string_view>(
+      {"a true-or-false value", "a whole number", "a number with a decimal point", "a string",
+       "a date or time", "an array", "a table"});
+  static_assert(kKinds.size() == std::variant_size_v<decltype(Node::value)>);
+  return std::string(kKinds.at(node.value.index()));
+}
+
+Checked checked_value(const Node& node, ValueType type, Limit limit) {
+  Checked value = typed_value(node, type);
+  if (value && !within(limit, value.value())) {
+    return ValueProblem{SetupErrorId::OutOfRange, shown(value.value()),
+                        std::string(words_for(limit))};
+  }
+  return value;
+}
+
+}  // namespace g31::setup

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "machine/base/result.h"
+#include "tools/setup/document.h"
+#include "tools/setup/keys.h"
+#include "tools/setup/setup_error.h"
+
+namespace g31::setup {
+
+/// A checked value: vacant, a number or flag, a text, or a list of numbers.  Numbers are finite.
+using SheetValue = std::variant<std::monostate, double, std::string, std::vector<double>>;
+
+/// Why a value is refused, in the words of "KEY is ..., it should be ...".
+struct ValueProblem {
+  SetupErrorId id = SetupErrorId::WrongType;
+  std::string is;
+  std::string should_be;
+};
+
+/// The value of a node as `type` and `limit` want it.
+///
+/// Whole numbers become doubles; those beyond 2^53 in size are refused, so none is rounded.
+Result<SheetValue, ValueProblem> checked_value(const Node& node, ValueType type, Limit limit);
+
+/// "a string", "a table": what an error calls a value.
+std::string kind_of(const Node& node);
+
+}  // namespace g31::setup

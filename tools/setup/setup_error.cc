@@ -1,0 +1,149 @@
+#include "tools/setup/setup_error.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+#include <utility>
+
+#include <fmt/args.h>
+#include <fmt/format.h>
+
+namespace g31::setup {
+namespace {
+
+struct Row {
+  std::string_view code;
+  std::string_view text;
+};
+
+constexpr auto kRows = std::to_array<Row>({
+#define SETUP_ERROR(name, code, text) {code, text},
+#include "tools/setup/setup_errors.def"
+#undef SETUP_ERROR
+});
+
+/// Longest piece of a source line that is shown, in characters.
+constexpr std::size_t kShownColumns = 120;
+
+/// Longest detail of a message, in bytes.
+constexpr std::size_t kLongestDetail = 400;
+
+const Row& row_of(SetupErrorId id) {
+  return kRows.at(static_cast<std::size_t>(id));
+}
+
+/// How many bytes the UTF-8 character at the start of `text` has; 0 when it is not UTF-8.
+std::size_t character_bytes(std::string_view text) {
+  const auto first = static_cast<unsigned char>(text.front());
+  std::size_t count = 0;
+  if (first < 0x80) {
+    count = 1;
+  } else if (first >= 0xC2 && first < 0xE0) {
+    count = 2;
+  } else if (first >= 0xE0 && first < 0xF0) {
+    count = 3;
+  } else if (first >= 0xF0 && first < 0xF5) {
+    count = 4;
+  }
+  if (count == 0 || count > text.size()) {
+    return 0;
+  }
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  return std::ranges::all_of(text.substr(1, count - 1), continues) ? count : 0;
+}
+
+/// The characters of a line, fit to be shown.
+std::vector<std::string> shown_characters(std::string_view line) {
+  std::vector<std::string> characters;
+  while (!line.empty()) {
+    const std::size_t bytes = character_bytes(line);
+    const auto first = static_cast<unsigned char>(line.front());
+    if (first == '\t') {
+      characters.emplace_back(" ");
+    } else if (bytes == 0 || first < 0x20 || first == 0x7F) {
+      characters.emplace_back("?");
+    } else {
+      characters.emplace_back(line.substr(0, bytes));
+    }
+    line.remove_prefix(std::max<std::size_t>(bytes, 1));
+  }
+  return characters;
+}
+
+/// A detail of a message: one line of bounded length, whatever a sheet put into it.
+std::string shortened(std::string_view detail) {
+  const std::vector<std::string> characters = shown_characters(detail.substr(0, kLongestDetail));
+  std::string text;
+  for (const std::string& character : characters) {
+    text += character;
+  }
+  return detail.size() > kLongestDetail ? text + "..." : text;
+}
+
+/// The source line and the caret under it.
+std::string excerpt(const SetupError& error) {
+  const std::vector<std::string> characters = shown_characters(error.source_line);
+  const auto column = static_cast<std::size_t>(std::max(error.column, 1)) - 1;
+  const std::size_t before = std::min(column, characters.size());
+  const bool cut = characters.size() > kShownColumns && before > kShownColumns / 2;
+  const std::size_t from = cut ? before - kShownColumns / 2 : 0;
+  const std::size_t until = std::min(characters.size(), from + kShownColumns);
+  std::string line;
+  for (std::size_t i = from; i < until; ++i) {
+    line += characters[i];
+  }
+  return fmt::format("{:5} | {}\n{:5} | {}^\n", error.line, line, "",
+                     std::string(before - from, ' '));
+}
+
+}  // namespace
+
+std::string_view code_of(SetupErrorId id) {
+  return row_of(id).code;
+}
+
+std::string message_of(SetupErrorId id, std::initializer_list<std::string_view> details) {
+  fmt::dynamic_format_arg_store<fmt::format_context> store;
+  for (const std::string_view detail : details) {
+    store.push_back(shortened(detail));
+  }
+  return fmt::vformat(row_of(id).text, store);
+}
+
+std::string render(const SetupError& error) {
+  if (error.line <= 0) {
+    return fmt::format("{}: error: {} [{}]\n", error.file, error.message, error.code);
+  }
+  std::string text = fmt::format("{}:{}:{}: error: {} [{}]\n{}", error.file, error.line,
+                                 error.column, error.message, error.code, excerpt(error));
+  if (!error.remedy.empty()) {
+    text += fmt::format("{:5} = {}\n", "", error.remedy);
+  }
+  return text;
+}
+
+void ErrorList::add(SetupErrorId id, const Location& where,
+                    std::initializer_list<std::string_view> details, std::string remedy) {
+  add(where.document->order,
+      {where.document->path, where.line, where.column, message_of(id, details),
+       std::string(code_of(id)), std::string(where.document->line(where.line)), std::move(remedy)});
+}
+
+void ErrorList::add(std::size_t order, SetupError error) {
+  items_.push_back({order, std::move(error)});
+}
+
+SetupErrors ErrorList::in_file_order() const {
+  std::vector<Item> sorted = items_;
+  std::ranges::stable_sort(sorted, {}, [](const Item& item) {
+    return std::tuple(item.order, item.error.line, item.error.column);
+  });
+  SetupErrors errors;
+  errors.reserve(sorted.size());
+  for (Item& item : sorted) {
+    errors.push_back(std::move(item.error));
+  }
+  return errors;
+}
+
+}  // namespace g31::setup

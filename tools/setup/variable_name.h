@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace g31::setup {
+
+/// The one spelling of the name of an NC variable as sheets, `--set` and `--print` take it, or
+/// nullopt when it is none.
+///
+/// `#` and a number of at most 9 digits or a name, or a name that begins with a letter, `_` or `$`;
+/// both may end with indices in square brackets.  Numbers of `#`, of `R` and of indices lose their
+/// leading zeros (`#0100` is `#100`), spaces go.  Letters stay as they are: which dialect knows the
+/// name is not decided here.
+std::optional<std::string> normal_variable_name(std::string_view text);
+
+}  // namespace g31::setup
