@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <utility>
-
-#include <assimp/IOStream.hpp>
 
 namespace g31::parts {
 namespace {
@@ -72,12 +71,15 @@ char MemoryFileSystem::getOsSeparator() const {
 }
 
 Assimp::IOStream* MemoryFileSystem::Open(const char* name, const char*) {
-  // assimp's interface wants a bare pointer and gives it back to Close.
-  return Exists(name) ? new MemoryFile(bytes_) : nullptr;
+  if (!Exists(name)) {
+    return nullptr;
+  }
+  open_.push_back(std::make_unique<MemoryFile>(bytes_));
+  return open_.back().get();
 }
 
 void MemoryFileSystem::Close(Assimp::IOStream* file) {
-  delete file;
+  std::erase_if(open_, [&](const auto& open) { return open.get() == file; });
 }
 
 }  // namespace g31::parts

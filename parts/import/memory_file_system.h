@@ -1,7 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <vector>
 
+#include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 
 namespace g31::parts {
@@ -24,6 +27,8 @@ class MemoryFileSystem final : public Assimp::IOSystem {
  private:
   std::string name_;
   std::string bytes_;
+  /// Kept here and not by assimp: a reader that gives up does not always close its file.
+  std::vector<std::unique_ptr<Assimp::IOStream>> open_;
 };
 
 }  // namespace g31::parts

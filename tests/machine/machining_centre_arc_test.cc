@@ -39,14 +39,14 @@ double trapezoid_s(double length) {
 TEST(MachiningCentreArc, TakesItsTimeAndReachesTheEnd) {
   struct Case {
     const char* name;
-    ArcMove arc;
     double length;
+    ArcMove arc;
   };
   const Case kCases[] = {
-      {"quarter", arc_to(axes(0, 100, 0), Turn::Counterclockwise), 50 * kPi},
-      {"three quarters", arc_to(axes(0, 100, 0), Turn::Clockwise), 150 * kPi},
-      {"full circle", arc_to(axes(100, 0, 0), Turn::Clockwise), 200 * kPi},
-      {"helix: the feed counts the arc", arc_to(axes(100, 0, -5), Turn::Clockwise), 200 * kPi},
+      {"quarter", 50 * kPi, arc_to(axes(0, 100, 0), Turn::Counterclockwise)},
+      {"three quarters", 150 * kPi, arc_to(axes(0, 100, 0), Turn::Clockwise)},
+      {"full circle", 200 * kPi, arc_to(axes(100, 0, 0), Turn::Clockwise)},
+      {"helix: the feed counts the arc", 200 * kPi, arc_to(axes(100, 0, -5), Turn::Clockwise)},
   };
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
@@ -116,15 +116,34 @@ TEST(MachiningCentreArc, AsksTheWorldChordByChord) {
   }
 }
 
+TEST(MachiningCentreArc, NeverAsksAboutASweepThatGoesNowhere) {
+  // So far out doubles are 1.2e-7 mm apart, and the four chords of this quarter are shorter.
+  const double far = 1e9;
+  const double next = std::nextafter(far, 2e9);
+  MachineSetup setup;
+  setup.q_M_start = axes(next, far, 0);
+  ArcMove arc = arc_to(axes(far, next, 0), Turn::Counterclockwise);
+  arc.centre_first = far;
+  arc.centre_second = far;
+  ScriptedSurroundings world;
+  MachiningCentre centre(setup, &world);
+  ASSERT_TRUE(centre.move(arc).ok());
+  EXPECT_FALSE(world.move_sweeps().empty());
+  for (const Sweep& sweep : world.move_sweeps()) {
+    EXPECT_NE(sweep.q_M_from, sweep.q_M_to);
+  }
+}
+
 TEST(MachiningCentreArc, StopsAtAnObstacle) {
   const ArcMove arc = arc_to(axes(-100, 0, 0), Turn::Counterclockwise);
   ScriptedSurroundings counting;
   MachiningCentre free_centre(at_three_o_clock(), &counting);
   ASSERT_TRUE(free_centre.move(arc).ok());
-  const std::size_t chords = counting.move_sweeps().size();
+  const std::size_t all = counting.move_sweeps().size();
 
-  // An obstacle at the end of the chord that ends after a quarter of the chords.
-  ScriptedSurroundings::Obstacles obstacles(chords / 4);
+  // Free until the obstacle at the end of some chord, about a quarter of the way.
+  const std::size_t travelled = all / 4;
+  ScriptedSurroundings::Obstacles obstacles(travelled);
   obstacles.back() =
       Obstacle{1.0, "ball touches bore", {Point(0, 100, 0), Point(0, -1, 0), "bore"}};
   ScriptedSurroundings world({}, obstacles);
@@ -134,7 +153,7 @@ TEST(MachiningCentreArc, StopsAtAnObstacle) {
   ASSERT_FALSE(reached.ok());
   EXPECT_EQ(reached.error().kind, FaultKind::Collision);
   EXPECT_EQ(reached.error().contact->part, "bore");
-  const double share = static_cast<double>(chords / 4) / static_cast<double>(chords);
+  const double share = static_cast<double>(travelled) / static_cast<double>(all);
   const AxisPositions q_M_expected =
       axes(100 * std::cos(kPi * share), 100 * std::sin(kPi * share), 0);
   EXPECT_LT((centre.position() - q_M_expected).norm(), 1e-12);

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -64,6 +65,66 @@ std::string binary_stl(const Mesh& mesh) {
   return bytes;
 }
 
+void append_bytes(std::string& bytes, std::uint16_t value) {
+  bytes += static_cast<char>(value & 0xffU);
+  bytes += static_cast<char>(value >> 8U);
+}
+
+std::uint32_t crc32(std::string_view bytes) {
+  std::uint32_t crc = 0xffffffffU;
+  for (const char c : bytes) {
+    crc ^= static_cast<std::uint8_t>(c);
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xedb88320U : 0U);
+    }
+  }
+  return ~crc;
+}
+
+/// A zip archive of stored, not packed files.
+std::string zip(const std::vector<std::pair<std::string, std::string>>& files) {
+  std::string archive;
+  std::string directory;
+  const auto word = [](unsigned value) { return static_cast<std::uint16_t>(value); };
+  for (const auto& [name, text] : files) {
+    std::string common;
+    for (const unsigned value : {20U, 0U, 0U, 0U, 0x21U}) {
+      append_bytes(common, word(value));
+    }
+    append_bytes(common, crc32(text));
+    append_bytes(common, static_cast<std::uint32_t>(text.size()));
+    append_bytes(common, static_cast<std::uint32_t>(text.size()));
+    append_bytes(common, static_cast<std::uint16_t>(name.size()));
+    append_bytes(common, word(0));
+    const auto offset = static_cast<std::uint32_t>(archive.size());
+    archive += "PK\x03\x04" + common + name + text;
+    directory += "PK\x01\x02";
+    append_bytes(directory, word(20));
+    directory += common + std::string(10, '\0');
+    append_bytes(directory, offset);
+    directory += name;
+  }
+  const auto start = static_cast<std::uint32_t>(archive.size());
+  archive += directory + "PK\x05\x06" + std::string(4, '\0');
+  append_bytes(archive, static_cast<std::uint16_t>(files.size()));
+  append_bytes(archive, static_cast<std::uint16_t>(files.size()));
+  append_bytes(archive, static_cast<std::uint32_t>(directory.size()));
+  append_bytes(archive, start);
+  append_bytes(archive, word(0));
+  return archive;
+}
+
+/// A corner of 10 x 10 x 12.5 mm, moved by 100 mm along X by its build item.
+std::string corner_3mf() {
+  return zip(
+      {{"[Content_Types].xml",
+        R"(<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>)"},
+       {"_rels/.rels",
+        R"(<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)"},
+       {"3D/3dmodel.model",
+        R"(<?xml version="1.0"?><model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources><object id="1" type="model"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="10" y="0" z="0"/><vertex x="0" y="10" z="0"/><vertex x="0" y="0" z="12.5"/></vertices><triangles><triangle v1="0" v2="2" v3="1"/><triangle v1="0" v2="1" v3="3"/><triangle v1="1" v2="2" v3="3"/><triangle v1="2" v2="0" v3="3"/></triangles></mesh></object></resources><build><item objectid="1" transform="1 0 0 0 1 0 0 0 1 100 0 0"/></build></model>)"}});
+}
+
 constexpr std::string_view kObj =
     "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 5 5 7.25\n"
     "f 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
@@ -92,6 +153,7 @@ TEST_F(MeshFile, ReadsWhatWasWritten) {
       {"ASCII STL, open", write("open.stl", kAsciiStl), 4, 2, 0.0},
       {"OBJ with a quadrangle", write("pyramid.obj", kObj), 5, 6, 725.0 / 3.0},
       {"PLY", write("corner.ply", kPly), 4, 4, 1250.0 / 6.0},
+      {"3MF", write("corner.3mf", corner_3mf()), 4, 4, 1250.0 / 6.0},
   };
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
@@ -104,6 +166,19 @@ TEST_F(MeshFile, ReadsWhatWasWritten) {
       EXPECT_NEAR(testing::enclosed_volume(read.value()), c.volume, 1e-9);
     }
   }
+}
+
+TEST_F(MeshFile, AppliesTheTransformOfA3mfItem) {
+  const auto read = read_mesh_file(write("moved.3mf", corner_3mf()));
+  ASSERT_TRUE(read.ok()) << read.error();
+  Point low = read.value().vertices[0];
+  Point high = low;
+  for (const Point& p : read.value().vertices) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  EXPECT_EQ(low, Point(100, 0, 0));
+  EXPECT_EQ(high, Point(110, 10, 12.5));
 }
 
 TEST_F(MeshFile, KeepsARingGaugeWithinFloat32) {

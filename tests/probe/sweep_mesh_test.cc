@@ -44,12 +44,15 @@ Point awkward_direction(const parts::Mesh& mesh, std::mt19937_64& random) {
   const Point ab = mesh.vertices[t[1]] - mesh.vertices[t[0]];
   const Point ac = mesh.vertices[t[2]] - mesh.vertices[t[0]];
   Point direction = any_direction(random);
+  const double along_ab = between(random, -1.0, 1.0);
+  const double along_ac = between(random, -1.0, 1.0);
+  const double tilt = std::pow(10.0, between(random, -16.0, -1.0));
   switch (random() % 4) {
     case 0:
       direction = ab;
       break;
     case 1:
-      direction = between(random, -1.0, 1.0) * ab + between(random, -1.0, 1.0) * ac;
+      direction = along_ab * ab + along_ac * ac;
       break;
     case 2:
       direction = Point::Unit(static_cast<Eigen::Index>(random() % 3));
@@ -62,7 +65,7 @@ Point awkward_direction(const parts::Mesh& mesh, std::mt19937_64& random) {
   }
   direction.normalize();
   if (random() % 2 == 0) {
-    direction += std::pow(10.0, between(random, -16.0, -1.0)) * any_direction(random);
+    direction += tilt * any_direction(random);
   }
   return direction.normalized();
 }

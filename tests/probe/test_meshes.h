@@ -97,8 +97,10 @@ inline parts::Mesh slivers(std::uint64_t seed, std::uint32_t count) {
   parts::Mesh mesh;
   for (std::uint32_t i = 0; i < count; ++i) {
     const Point a = point_between(random, -20.0, 20.0);
-    const Point along = between(random, 0.1, 30.0) * any_direction(random);
-    const Point aside = any_direction(random) * std::pow(10.0, between(random, -14.0, -3.0));
+    const double length = between(random, 0.1, 30.0);
+    const double height = std::pow(10.0, between(random, -14.0, -3.0));
+    const Point along = length * any_direction(random);
+    const Point aside = height * any_direction(random);
     mesh.vertices.push_back(a);
     mesh.vertices.push_back(i % 11 == 0 ? a : Point(a + along));
     mesh.vertices.push_back(i % 7 == 0 ? a : Point(a + between(random, -0.2, 1.2) * along + aside));
