@@ -46,7 +46,7 @@ Result<Mesh, std::string> make_ring(const Sizes& sizes) {
 using Maker = Result<Mesh, std::string> (*)(const Sizes&);
 
 constexpr auto kMakers = std::to_array<Maker>({
-#define SHAPE(name, make, text) &make,
+#define SHAPE(name, make, text) (make),
 #define SHAPE_SIZE(shape, name, default_mm, text)
 #include "parts/artefacts/shapes.def"
 #undef SHAPE
@@ -66,10 +66,8 @@ std::string advice(std::string_view unknown, const std::vector<std::string_view>
 }
 
 std::vector<std::string_view> shape_names() {
-  std::vector<std::string_view> names;
-  for (const Shape& shape : kShapes) {
-    names.push_back(shape.name);
-  }
+  std::vector<std::string_view> names(kShapes.size());
+  std::ranges::transform(kShapes, names.begin(), &Shape::name);
   return names;
 }
 
@@ -127,7 +125,7 @@ Result<Mesh, std::string> make_artefact(const PartSetup& part) {
     return who + *wrong;
   }
   const Maker make = kMakers[static_cast<std::size_t>(row - kShapes.begin())];
-  const Result<Mesh, std::string> made = make(with_defaults(part));
+  Result<Mesh, std::string> made = make(with_defaults(part));
   if (!made) {
     return who + made.error();
   }

@@ -79,8 +79,8 @@ Result<Mesh, std::string> ring_gauge_mesh(const RingGauge& ring) {
   for (std::size_t i = 0; i < facets; ++i) {
     mesh.vertices.push_back(inside[i]);
     mesh.vertices.push_back(outside[i]);
-    mesh.vertices.push_back(outside[i] + down);
-    mesh.vertices.push_back(inside[i] + down);
+    mesh.vertices.emplace_back(outside[i] + down);
+    mesh.vertices.emplace_back(inside[i] + down);
   }
   // Around the cross-section: top face, outside, bottom face, bore.
   const auto vertex = [&](std::size_t i, std::size_t corner) {

@@ -133,7 +133,10 @@ class Approach {
       }
       s += std::sqrt(squared) - reach_;
     }
-    return s <= far ? s : kNever;
+    if (s > far) {
+      return kNever;
+    }
+    return s;
   }
 
  private:

@@ -32,7 +32,7 @@ CosSin cos_sin_deg(double angle_deg) {
 
 }  // namespace
 
-Eigen::Matrix3d rotation_MP(const Placement& placement) {
+Eigen::Matrix3d rotation_to_machine(const Placement& placement) {
   const auto [cx, sx] = cos_sin_deg(placement.rotate_deg.x());
   const auto [cy, sy] = cos_sin_deg(placement.rotate_deg.y());
   const auto [cz, sz] = cos_sin_deg(placement.rotate_deg.z());
@@ -48,7 +48,7 @@ Eigen::Matrix3d rotation_MP(const Placement& placement) {
 Mesh placed_mesh(const Mesh& mesh_P, const Placement& placement) {
   Mesh mesh_M = mesh_P;
   const bool turned = (placement.rotate_deg.array() != 0.0).any();
-  const Eigen::Matrix3d R_MP = rotation_MP(placement);
+  const Eigen::Matrix3d R_MP = rotation_to_machine(placement);
   for (Point& vertex : mesh_M.vertices) {
     const Point turned_vertex = turned ? Point(R_MP * vertex) : vertex;
     vertex = turned_vertex + placement.p_M_at;

@@ -15,7 +15,7 @@ struct Placement {
 
 /// The rotation that takes directions in P to directions in M.  Multiples of 90 degrees are exact:
 /// their entries are 0 and +-1.
-Eigen::Matrix3d rotation_MP(const Placement& placement);
+Eigen::Matrix3d rotation_to_machine(const Placement& placement);
 
 /// The mesh in the machine frame.  Without rotation the shape is not touched by arithmetic: only
 /// p_M_at is added (one rounding a coordinate), and at the origin nothing changes at all.

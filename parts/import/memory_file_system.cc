@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
-#include <memory>
 #include <stdexcept>
 #include <utility>
+
+#include <assimp/IOStream.hpp>
 
 namespace g31::parts {
 namespace {
@@ -40,8 +41,8 @@ class MemoryFile final : public Assimp::IOStream {
     return aiReturn_SUCCESS;
   }
 
-  std::size_t Tell() const override { return here_; }
-  std::size_t FileSize() const override { return bytes_.size(); }
+  [[nodiscard]] std::size_t Tell() const override { return here_; }
+  [[nodiscard]] std::size_t FileSize() const override { return bytes_.size(); }
   void Flush() override {}
 
  private:
@@ -71,15 +72,12 @@ char MemoryFileSystem::getOsSeparator() const {
 }
 
 Assimp::IOStream* MemoryFileSystem::Open(const char* name, const char*) {
-  if (!Exists(name)) {
-    return nullptr;
-  }
-  open_.push_back(std::make_unique<MemoryFile>(bytes_));
-  return open_.back().get();
+  // A bare pointer, because assimp owns it: some readers give it to Close, others delete it.
+  return Exists(name) ? new MemoryFile(bytes_) : nullptr;
 }
 
 void MemoryFileSystem::Close(Assimp::IOStream* file) {
-  std::erase_if(open_, [&](const auto& open) { return open.get() == file; });
+  delete file;
 }
 
 }  // namespace g31::parts

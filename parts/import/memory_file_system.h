@@ -1,10 +1,7 @@
 #pragma once
 
-#include <memory>
 #include <string>
-#include <vector>
 
-#include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 
 namespace g31::parts {
@@ -19,16 +16,14 @@ class MemoryFileSystem final : public Assimp::IOSystem {
  public:
   MemoryFileSystem(std::string name, std::string bytes);
 
-  bool Exists(const char* name) const override;
-  char getOsSeparator() const override;
+  [[nodiscard]] bool Exists(const char* name) const override;
+  [[nodiscard]] char getOsSeparator() const override;
   Assimp::IOStream* Open(const char* name, const char* mode) override;
   void Close(Assimp::IOStream* file) override;
 
  private:
   std::string name_;
   std::string bytes_;
-  /// Kept here and not by assimp: a reader that gives up does not always close its file.
-  std::vector<std::unique_ptr<Assimp::IOStream>> open_;
 };
 
 }  // namespace g31::parts

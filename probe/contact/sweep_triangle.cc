@@ -116,7 +116,9 @@ double sweep_triangle(const parts::Path& path, const ContactTriangle& triangle, 
     }
     found_on_face =
         plane.s < kNoContact && triangle.is_above_or_below(path.from + plane.s * path.direction);
-    first = found_on_face ? plane.s : kNoContact;
+    if (found_on_face) {
+      first = plane.s;
+    }
   }
   // Before it crosses the offset plane a ball touches no edge either: a face contact is the first.
   for (std::size_t i = 0; i < 3 && !found_on_face; ++i) {
@@ -124,7 +126,10 @@ double sweep_triangle(const parts::Path& path, const ContactTriangle& triangle, 
                                 ? sweep_capsule(path, triangle, i, radius)
                                 : sweep_sphere(path, triangle.vertices[i], radius));
   }
-  return first <= path.length + kTangencyMm ? std::min(first, path.length) : kNoContact;
+  if (first > path.length + kTangencyMm) {
+    return kNoContact;
+  }
+  return std::min(first, path.length);
 }
 
 }  // namespace g31::probe

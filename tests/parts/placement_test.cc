@@ -36,14 +36,14 @@ TEST(PlacedMesh, TurnsAboutFixedXThenYThenZThenShifts) {
   }
 }
 
-TEST(RotationMP, AgreesWithQuaternions) {
+TEST(RotationToMachine, AgreesWithQuaternions) {
   for (int i = 0; i < 200; ++i) {
     const Point angles(-400.0 + 3.7 * i, 123.4 - 5.1 * i, 7.7 * i);
     const auto about = [&](Eigen::Index axis) {
       return Eigen::AngleAxisd(angles[axis] * std::numbers::pi / 180.0, Point::Unit(axis));
     };
     const Eigen::Matrix3d expected = (about(2) * about(1) * about(0)).toRotationMatrix();
-    EXPECT_NEAR((rotation_MP({Point::Zero(), angles}) - expected).norm(), 0.0, 1e-13);
+    EXPECT_NEAR((rotation_to_machine({Point::Zero(), angles}) - expected).norm(), 0.0, 1e-13);
   }
 }
 

@@ -10,6 +10,9 @@ namespace {
 constexpr int kNumbersPerSystem = 20;
 constexpr double kMsPerHour = 3.6e6;
 
+/// What a system variable takes at most: far beyond any machine, and every sum of them is finite.
+constexpr double kLargestValue = 4'294'967'295.0;
+
 using Id = SystemVariableId;
 
 /// The work offset (as Coordinates counts them) and the axis that a number of the row means.
@@ -160,6 +163,9 @@ std::optional<AlarmId> ControlVariables::write(std::int32_t number, Cell value) 
     return AlarmId::WriteProtected;
   }
   const double plain = value.or_zero();
+  if (std::abs(plain) > kLargestValue) {
+    return AlarmId::IllegalOffsetValue;
+  }
   if (is_tool_offset(row->id)) {
     return set_tool_offset(*row, number, plain);
   }

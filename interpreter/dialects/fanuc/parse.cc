@@ -176,9 +176,6 @@ void Parser::head(Block& block) {
       if (digit >= '1' && digit <= '9') {
         block.skip_switch = static_cast<std::uint8_t>(digit - '0');
         scanner_.step();
-      } else if (digit == '#') {
-        fail(AlarmId::IllegalAddress, "the number of a block skip is a digit, not a variable");
-        return;
       }
     } else if (scanner_.peek() == 'N' && block.sequence < 0) {
       scanner_.step();

@@ -17,6 +17,9 @@ constexpr std::array<std::uint8_t, 26> kArgumentVariable = {
 
 constexpr int kLargestRepeat = 9999;
 
+/// No address of any control takes more (MB-032); it keeps positions and times finite, too.
+constexpr double kLargestWord = 999'999'999.0;
+
 /// Letters whose plain integer argument means least increments (MB-196).
 bool counts_increments(char letter) {
   return std::string_view("ABCIJKQRUVWXYZ").find(letter) != std::string_view::npos;
@@ -44,6 +47,10 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
       evaluated.number = value.raw();
     } else if (word.digits > control_.profile.digit_limit) {
       return at_word(AlarmId::TooManyDigits, evaluated, fmt::format("{} digits", word.digits));
+    }
+    if (std::abs(evaluated.number) > kLargestWord) {
+      return at_word(AlarmId::TooManyDigits, evaluated,
+                     fmt::format("{} is {:g}, beyond every address", word.letter, evaluated.number));
     }
     words_.add(evaluated);
   }
