@@ -9,7 +9,7 @@
 namespace g31::probe {
 namespace {
 
-/// Boxes are grown by this beyond the radius: far more than roundoff, far less than matters.
+/// The tree is asked for this much beyond the radius: far more than roundoff, hardly any work.
 constexpr double kBoxMarginMm = 1e-8;
 
 /// A shorter move has no direction; only the overlap at its start counts.

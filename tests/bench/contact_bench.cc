@@ -70,4 +70,3 @@ BENCHMARK(build)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
-BENCHMARK_MAIN();

@@ -79,4 +79,3 @@ BENCHMARK(move_along_arc);
 }  // namespace
 }  // namespace g31::machine
 
-BENCHMARK_MAIN();

@@ -27,370 +27,371 @@ class SetupErrorText : public SetupSheets {
   }
 };
 
-TEST_F(SetupErrorText, NameTheKeyThatWasProbablyMeant) {
-  const Case kCases[] = {
-      {"an unknown section", "contrl = 1\n",
-       R"(sheet1.toml:1:1: error: unknown key contrl in the sheet, did you mean control? [SET103]
+const Case kNameTheKeyThatWasProbablyMeant[] = {
+    {"an unknown section", "contrl = 1\n",
+     R"(sheet1.toml:1:1: error: unknown key contrl in the sheet, did you mean control? [SET103]
     1 | contrl = 1
       | ^
 )"},
-      {"an unknown section far from all", "zebra = 2\n",
-       R"(sheet1.toml:1:1: error: unknown key zebra in the sheet, which takes control, parameters, macro_calls, variables, start, work_offsets, tools, machine, probe, part, skip_signal [SET103]
+    {"an unknown section far from all", "zebra = 2\n",
+     R"(sheet1.toml:1:1: error: unknown key zebra in the sheet, which takes control, parameters, macro_calls, variables, start, work_offsets, tools, machine, probe, part, skip_signal [SET103]
     1 | zebra = 2
       | ^
 )"},
-      {"a section that is a number", "probe = 5\n",
-       R"(sheet1.toml:1:9: error: probe is a whole number, it should be a table [SET104]
+    {"a section that is a number", "probe = 5\n",
+     R"(sheet1.toml:1:9: error: probe is a whole number, it should be a table [SET104]
     1 | probe = 5
       |         ^
       = for example: [probe]
 )"},
-      {"[part] instead of [[part]]", "[part]\nshape = \"ring\"\n",
-       R"(sheet1.toml:1:1: error: part is a table, it should be an array of tables [SET104]
+    {"[part] instead of [[part]]", "[part]\nshape = \"ring\"\n",
+     R"(sheet1.toml:1:1: error: part is a table, it should be an array of tables [SET104]
     1 | [part]
       | ^
       = for example: [[part]]
 )"},
-      {"a list of numbers instead of tables", "skip_signal = [1]\n",
-       R"(sheet1.toml:1:16: error: skip_signal is a whole number, it should be a table [SET104]
+    {"a list of numbers instead of tables", "skip_signal = [1]\n",
+     R"(sheet1.toml:1:16: error: skip_signal is a whole number, it should be a table [SET104]
     1 | skip_signal = [1]
       |                ^
       = for example: [[skip_signal]]
 )"},
-      {"a named section without tables", "tools = 1\n",
-       R"(sheet1.toml:1:9: error: tools is a whole number, it should be a table [SET104]
+    {"a named section without tables", "tools = 1\n",
+     R"(sheet1.toml:1:9: error: tools is a whole number, it should be a table [SET104]
     1 | tools = 1
       |         ^
       = for example: [tools.99]
 )"},
-      {"a named table that is a number", "[tools]\n7 = 120.0\n",
-       R"(sheet1.toml:2:5: error: tools.7 is a number with a decimal point, it should be a table [SET104]
+    {"a named table that is a number", "[tools]\n7 = 120.0\n",
+     R"(sheet1.toml:2:5: error: tools.7 is a number with a decimal point, it should be a table [SET104]
     2 | 7 = 120.0
       |     ^
       = for example: [tools.99]
 )"},
-      {"a misspelt key", "[probe]\nbal_diameter = 6.0\n",
-       R"(sheet1.toml:2:1: error: unknown key bal_diameter in [probe], did you mean ball_diameter? [SET103]
+    {"a misspelt key", "[probe]\nbal_diameter = 6.0\n",
+     R"(sheet1.toml:2:1: error: unknown key bal_diameter in [probe], did you mean ball_diameter? [SET103]
     2 | bal_diameter = 6.0
       | ^
 )"},
-      {"an unknown key far from all", "[control]\nwombat = 1\n",
-       R"(sheet1.toml:2:1: error: unknown key wombat in [control], which takes profile, increment, block_skip, variables_file [SET103]
+    {"an unknown key far from all", "[control]\nwombat = 1\n",
+     R"(sheet1.toml:2:1: error: unknown key wombat in [control], which takes profile, increment, block_skip, variables_file [SET103]
     2 | wombat = 1
       | ^
 )"},
-      {"an unknown key in a named table", "[tools.99]\nlenght = 3\n",
-       R"(sheet1.toml:2:1: error: unknown key lenght in [tools.99], did you mean length? [SET103]
+    {"an unknown key in a named table", "[tools.99]\nlenght = 3\n",
+     R"(sheet1.toml:2:1: error: unknown key lenght in [tools.99], did you mean length? [SET103]
     2 | lenght = 3
       | ^
 )"},
-      {"an axis that is none", "[work_offsets.G59]\nQ = 1\n",
-       R"(sheet1.toml:2:1: error: unknown key Q in [work_offsets.G59], which takes X, Y, Z, A, B and C [SET103]
+    {"an axis that is none", "[work_offsets.G59]\nQ = 1\n",
+     R"(sheet1.toml:2:1: error: unknown key Q in [work_offsets.G59], which takes X, Y, Z, A, B and C [SET103]
     2 | Q = 1
       | ^
 )"},
-      {"a lower-case axis", "[start]\nx = 1\n",
-       R"(sheet1.toml:2:1: error: unknown key x in [start], which takes X, Y, Z, A, B and C [SET103]
+    {"a lower-case axis", "[start]\nx = 1\n",
+     R"(sheet1.toml:2:1: error: unknown key x in [start], which takes X, Y, Z, A, B and C [SET103]
     2 | x = 1
       | ^
 )"},
-      {"a work offset that is none", "[work_offsets.G60]\n",
-       R"(sheet1.toml:1:15: error: unknown key G60 in [work_offsets], which takes G54 to G59, EXT, "G54.1 Pn", "G154 Pn" and G505 to G599 [SET103]
+    {"a work offset that is none", "[work_offsets.G60]\n",
+     R"(sheet1.toml:1:15: error: unknown key G60 in [work_offsets], which takes G54 to G59, EXT, "G54.1 Pn", "G154 Pn" and G505 to G599 [SET103]
     1 | [work_offsets.G60]
       |               ^
 )"},
-      {"a misspelt work offset", "[work_offsets.EXTT]\n",
-       R"(sheet1.toml:1:15: error: unknown key EXTT in [work_offsets], did you mean EXT? [SET103]
+    {"a misspelt work offset", "[work_offsets.EXTT]\n",
+     R"(sheet1.toml:1:15: error: unknown key EXTT in [work_offsets], did you mean EXT? [SET103]
     1 | [work_offsets.EXTT]
       |               ^
 )"},
-      {"a tool below zero", "[tools.-1]\n",
-       R"(sheet1.toml:1:8: error: unknown key -1 in [tools], which takes whole numbers 0 to 99999999 [SET103]
+    {"a tool below zero", "[tools.-1]\n",
+     R"(sheet1.toml:1:8: error: unknown key -1 in [tools], which takes whole numbers 0 to 99999999 [SET103]
     1 | [tools.-1]
       |        ^
 )"},
-      {"a machine axis that is none", "[machine.axes.U]\n",
-       R"(sheet1.toml:1:15: error: unknown key U in [machine.axes], which takes X, Y, Z, A, B and C [SET103]
+    {"a machine axis that is none", "[machine.axes.U]\n",
+     R"(sheet1.toml:1:15: error: unknown key U in [machine.axes], which takes X, Y, Z, A, B and C [SET103]
     1 | [machine.axes.U]
       |               ^
 )"},
-      {"a misspelt [machine.axes]", "[machine.axis.X]\n",
-       R"(sheet1.toml:1:10: error: unknown key axis in [machine], did you mean axes? [SET103]
+    {"a misspelt [machine.axes]", "[machine.axis.X]\n",
+     R"(sheet1.toml:1:10: error: unknown key axis in [machine], did you mean axes? [SET103]
     1 | [machine.axis.X]
       |          ^
 )"},
-      {"a parameter bit without quotes", "[parameters]\n6001.1 = 1\n",
-       R"(sheet1.toml:2:1: error: parameters.6001 is a table, it should be a number, true or false [SET104]
+    {"a parameter bit without quotes", "[parameters]\n6001.1 = 1\n",
+     R"(sheet1.toml:2:1: error: parameters.6001 is a table, it should be a number, true or false [SET104]
     2 | 6001.1 = 1
       | ^
       = for example: "6001.1" = 1
 )"},
-      {"a parameter bit above 7", "[parameters]\n\"6001.8\" = 1\n",
-       R"(sheet1.toml:2:1: error: unknown key "6001.8" in [parameters], which takes NUMBER or NUMBER.BIT [SET103]
+    {"a parameter bit above 7", "[parameters]\n\"6001.8\" = 1\n",
+     R"(sheet1.toml:2:1: error: unknown key "6001.8" in [parameters], which takes NUMBER or NUMBER.BIT [SET103]
     2 | "6001.8" = 1
       | ^
 )"},
-      {"a parameter bit that is 2", "[parameters]\n\"6001.2\" = 2\n",
-       R"(sheet1.toml:2:12: error: parameters."6001.2" is 2, it should be 0 or 1 [SET105]
+    {"a parameter bit that is 2", "[parameters]\n\"6001.2\" = 2\n",
+     R"(sheet1.toml:2:12: error: parameters."6001.2" is 2, it should be 0 or 1 [SET105]
     2 | "6001.2" = 2
       |            ^
 )"},
-      {"a code that calls nothing", "[macro_calls]\nT1 = 5\n",
-       R"(sheet1.toml:2:1: error: unknown key T1 in [macro_calls], which takes G and a number or M and a number [SET103]
+    {"a code that calls nothing", "[macro_calls]\nT1 = 5\n",
+     R"(sheet1.toml:2:1: error: unknown key T1 in [macro_calls], which takes G and a number or M and a number [SET103]
     2 | T1 = 5
       | ^
 )"},
-      {"a name that is no variable", "[variables]\n\"5 0\" = 1\n",
-       R"(sheet1.toml:2:1: error: unknown key "5 0" in [variables], which takes names of variables like #500, R1 or _OVR[0] [SET103]
+    {"a name that is no variable", "[variables]\n\"5 0\" = 1\n",
+     R"(sheet1.toml:2:1: error: unknown key "5 0" in [variables], which takes names of variables like #500, R1 or _OVR[0] [SET103]
     2 | "5 0" = 1
       | ^
 )"},
-  };
-  for (const Case& c : kCases) {
+};
+
+TEST_F(SetupErrorText, NameTheKeyThatWasProbablyMeant) {
+  for (const Case& c : kNameTheKeyThatWasProbablyMeant) {
     expect_text(c);
   }
 }
 
-TEST_F(SetupErrorText, SayWhatAValueIsAndWhatItShouldBe) {
-  const Case kCases[] = {
-      {"a string for a name", "[control]\nprofile = 7\n",
-       R"(sheet1.toml:2:11: error: control.profile is a whole number, it should be a string [SET104]
+const Case kSayWhatAValueIsAndWhatItShouldBe[] = {
+    {"a string for a name", "[control]\nprofile = 7\n",
+     R"(sheet1.toml:2:11: error: control.profile is a whole number, it should be a string [SET104]
     2 | profile = 7
       |           ^
       = for example: profile = "fanuc-16i"
 )"},
-      {"a number for a variable", "[variables]\n\"#500\" = \"abc\"\n",
-       R"(sheet1.toml:2:10: error: variables."#500" is a string, it should be a number, or "" for vacant [SET104]
+    {"a number for a variable", "[variables]\n\"#500\" = \"abc\"\n",
+     R"(sheet1.toml:2:10: error: variables."#500" is a string, it should be a number, or "" for vacant [SET104]
     2 | "#500" = "abc"
       |          ^
       = for example: "#515" = 6.0
 )"},
-      {"a number for a parameter", "[parameters]\n\"3410\" = \"x\"\n",
-       R"(sheet1.toml:2:10: error: parameters.3410 is a string, it should be a number, true or false [SET104]
+    {"a number for a parameter", "[parameters]\n\"3410\" = \"x\"\n",
+     R"(sheet1.toml:2:10: error: parameters.3410 is a string, it should be a number, true or false [SET104]
     2 | "3410" = "x"
       |          ^
       = for example: "6001.1" = 1
 )"},
-      {"a whole number for a program", "[macro_calls]\nG65 = 1.5\n",
-       R"(sheet1.toml:2:7: error: macro_calls.G65 is a number with a decimal point, it should be a whole number [SET104]
+    {"a whole number for a program", "[macro_calls]\nG65 = 1.5\n",
+     R"(sheet1.toml:2:7: error: macro_calls.G65 is a number with a decimal point, it should be a whole number [SET104]
     2 | G65 = 1.5
       |       ^
       = for example: G100 = 9010
 )"},
-      {"a date for a number", "[machine.axes.X]\nhome = 1979-05-27\n",
-       R"(sheet1.toml:2:8: error: machine.axes.X.home is a date or time, it should be a number [SET104]
+    {"a date for a number", "[machine.axes.X]\nhome = 1979-05-27\n",
+     R"(sheet1.toml:2:8: error: machine.axes.X.home is a date or time, it should be a number [SET104]
     2 | home = 1979-05-27
       |        ^
       = for example: home = 0.0
 )"},
-      {"whole numbers for the switches", "[control]\nblock_skip = [1.5]\n",
-       R"(sheet1.toml:2:14: error: control.block_skip is an array that holds a number with a decimal point, it should be an array of whole numbers [SET104]
+    {"whole numbers for the switches", "[control]\nblock_skip = [1.5]\n",
+     R"(sheet1.toml:2:14: error: control.block_skip is an array that holds a number with a decimal point, it should be an array of whole numbers [SET104]
     2 | block_skip = [1.5]
       |              ^
       = for example: block_skip = [1]
 )"},
-      {"a switch that is no list", "[control]\nblock_skip = 1\n",
-       R"(sheet1.toml:2:14: error: control.block_skip is a whole number, it should be an array of whole numbers [SET104]
+    {"a switch that is no list", "[control]\nblock_skip = 1\n",
+     R"(sheet1.toml:2:14: error: control.block_skip is a whole number, it should be an array of whole numbers [SET104]
     2 | block_skip = 1
       |              ^
       = for example: block_skip = [1]
 )"},
-      {"two numbers, not one", "[machine.axes.Y]\ntravel = [5]\n",
-       R"(sheet1.toml:2:10: error: machine.axes.Y.travel is an array of 1, it should be an array of two numbers [SET104]
+    {"two numbers, not one", "[machine.axes.Y]\ntravel = [5]\n",
+     R"(sheet1.toml:2:10: error: machine.axes.Y.travel is an array of 1, it should be an array of two numbers [SET104]
     2 | travel = [5]
       |          ^
       = for example: travel = [0.0, 900.0]
 )"},
-      {"two numbers, not a flag", "[machine.axes.Y]\ntravel = [true, 1]\n",
-       R"(sheet1.toml:2:10: error: machine.axes.Y.travel is an array that holds a true-or-false value, it should be an array of two numbers [SET104]
+    {"two numbers, not a flag", "[machine.axes.Y]\ntravel = [true, 1]\n",
+     R"(sheet1.toml:2:10: error: machine.axes.Y.travel is an array that holds a true-or-false value, it should be an array of two numbers [SET104]
     2 | travel = [true, 1]
       |          ^
       = for example: travel = [0.0, 900.0]
 )"},
-      {"three numbers, not two", "[[part]]\nshape = \"ring\"\nat = [1, 2]\n",
-       R"(sheet1.toml:3:6: error: part.at is an array of 2, it should be an array of three numbers [SET104]
+    {"three numbers, not two", "[[part]]\nshape = \"ring\"\nat = [1, 2]\n",
+     R"(sheet1.toml:3:6: error: part.at is an array of 2, it should be an array of three numbers [SET104]
     3 | at = [1, 2]
       |      ^
       = for example: at = [250.0, -180.0, -300.0]
 )"},
-      {"a switch out of range", "[control]\nblock_skip = [0, 12]\n",
-       R"(sheet1.toml:2:14: error: control.block_skip is [0, 12], it should be a list of numbers 1 to 9 [SET105]
+    {"a switch out of range", "[control]\nblock_skip = [0, 12]\n",
+     R"(sheet1.toml:2:14: error: control.block_skip is [0, 12], it should be a list of numbers 1 to 9 [SET105]
     2 | block_skip = [0, 12]
       |              ^
 )"},
-      {"an increment system that is none", "[control]\nincrement = \"IS-D\"\n",
-       R"(sheet1.toml:2:13: error: control.increment is "IS-D", it should be "IS-A", "IS-B" or "IS-C" [SET105]
+    {"an increment system that is none", "[control]\nincrement = \"IS-D\"\n",
+     R"(sheet1.toml:2:13: error: control.increment is "IS-D", it should be "IS-A", "IS-B" or "IS-C" [SET105]
     2 | increment = "IS-D"
       |             ^
 )"},
-      {"a program number of 0", "[macro_calls]\nG100 = 0\n",
-       R"(sheet1.toml:2:8: error: macro_calls.G100 is 0, it should be 1 to 99999999 [SET105]
+    {"a program number of 0", "[macro_calls]\nG100 = 0\n",
+     R"(sheet1.toml:2:8: error: macro_calls.G100 is 0, it should be 1 to 99999999 [SET105]
     2 | G100 = 0
       |        ^
 )"},
-      {"travel that does not rise", "[machine.axes.X]\ntravel = [5, 5]\n",
-       R"(sheet1.toml:2:10: error: machine.axes.X.travel is [5, 5], it should be two numbers, the first below the second [SET105]
+    {"travel that does not rise", "[machine.axes.X]\ntravel = [5, 5]\n",
+     R"(sheet1.toml:2:10: error: machine.axes.X.travel is [5, 5], it should be two numbers, the first below the second [SET105]
     2 | travel = [5, 5]
       |          ^
 )"},
-      {"a rapid traverse of 0", "[machine.axes.X]\nrapid = 0\n",
-       R"(sheet1.toml:2:9: error: machine.axes.X.rapid is 0, it should be greater than 0 [SET105]
+    {"a rapid traverse of 0", "[machine.axes.X]\nrapid = 0\n",
+     R"(sheet1.toml:2:9: error: machine.axes.X.rapid is 0, it should be greater than 0 [SET105]
     2 | rapid = 0
       |         ^
 )"},
-      {"an acceleration below 0", "[machine.axes.X]\nacceleration = -2.5\n",
-       R"(sheet1.toml:2:16: error: machine.axes.X.acceleration is -2.5, it should be greater than 0 [SET105]
+    {"an acceleration below 0", "[machine.axes.X]\nacceleration = -2.5\n",
+     R"(sheet1.toml:2:16: error: machine.axes.X.acceleration is -2.5, it should be greater than 0 [SET105]
     2 | acceleration = -2.5
       |                ^
 )"},
-      {"a way of stopping that is none", "[machine]\nstopping = \"slow\"\n",
-       R"(sheet1.toml:2:12: error: machine.stopping is "slow", it should be "braking" or "ideal" [SET105]
+    {"a way of stopping that is none", "[machine]\nstopping = \"slow\"\n",
+     R"(sheet1.toml:2:12: error: machine.stopping is "slow", it should be "braking" or "ideal" [SET105]
     2 | stopping = "slow"
       |            ^
 )"},
-      {"a ball of no size", "[probe]\nball_diameter = 0.0\n",
-       R"(sheet1.toml:2:17: error: probe.ball_diameter is 0, it should be greater than 0 [SET105]
+    {"a ball of no size", "[probe]\nball_diameter = 0.0\n",
+     R"(sheet1.toml:2:17: error: probe.ball_diameter is 0, it should be greater than 0 [SET105]
     2 | ball_diameter = 0.0
       |                 ^
 )"},
-      {"a length that is not finite", "[probe]\nlength = inf\n",
-       R"(sheet1.toml:2:10: error: probe.length is inf, it should be a finite number [SET105]
+    {"a length that is not finite", "[probe]\nlength = inf\n",
+     R"(sheet1.toml:2:10: error: probe.length is inf, it should be a finite number [SET105]
     2 | length = inf
       |          ^
 )"},
-      {"a delay before the touch", "[probe]\ntrigger_delay_s = -0.1\n",
-       R"(sheet1.toml:2:19: error: probe.trigger_delay_s is -0.1, it should be 0 or more [SET105]
+    {"a delay before the touch", "[probe]\ntrigger_delay_s = -0.1\n",
+     R"(sheet1.toml:2:19: error: probe.trigger_delay_s is -0.1, it should be 0 or more [SET105]
     2 | trigger_delay_s = -0.1
       |                   ^
 )"},
-      {"a repeatability below 0", "[probe]\nrepeatability_mm = -1\n",
-       R"(sheet1.toml:2:20: error: probe.repeatability_mm is -1, it should be 0 or more [SET105]
+    {"a repeatability below 0", "[probe]\nrepeatability_mm = -1\n",
+     R"(sheet1.toml:2:20: error: probe.repeatability_mm is -1, it should be 0 or more [SET105]
     2 | repeatability_mm = -1
       |                    ^
 )"},
-      {"a list that is not finite", "[probe]\neccentricity = [0, nan]\n",
-       R"(sheet1.toml:2:16: error: probe.eccentricity is nan, it should be a finite number [SET105]
+    {"a list that is not finite", "[probe]\neccentricity = [0, nan]\n",
+     R"(sheet1.toml:2:16: error: probe.eccentricity is nan, it should be a finite number [SET105]
     2 | eccentricity = [0, nan]
       |                ^
 )"},
-      {"a whole number too large for a double", "[variables]\n\"#2\" = 9223372036854775807\n",
-       R"(sheet1.toml:2:8: error: variables."#2" is 9223372036854775807, it should be 9007199254740992 at most in size [SET105]
+    {"a whole number too large for a double", "[variables]\n\"#2\" = 9223372036854775807\n",
+     R"(sheet1.toml:2:8: error: variables."#2" is 9223372036854775807, it should be 9007199254740992 at most in size [SET105]
     2 | "#2" = 9223372036854775807
       |        ^
 )"},
-      {"an axis of a signal that is none", "[[skip_signal]]\naxis = \"W\"\n",
-       R"(sheet1.toml:2:8: error: skip_signal.axis is "W", it should be "X", "Y", "Z", "A", "B" or "C" [SET105]
+    {"an axis of a signal that is none", "[[skip_signal]]\naxis = \"W\"\n",
+     R"(sheet1.toml:2:8: error: skip_signal.axis is "W", it should be "X", "Y", "Z", "A", "B" or "C" [SET105]
     2 | axis = "W"
       |        ^
 )"},
-  };
-  for (const Case& c : kCases) {
+};
+
+TEST_F(SetupErrorText, SayWhatAValueIsAndWhatItShouldBe) {
+  for (const Case& c : kSayWhatAValueIsAndWhatItShouldBe) {
     expect_text(c);
   }
 }
 
-TEST_F(SetupErrorText, StandAtTheirPlace) {
-  const Case kCases[] = {
-      {"an empty path", "[control]\nvariables_file = \"\"\n",
-       R"(sheet1.toml:2:18: error: control.variables_file is "", it should be a string that is not empty [SET105]
+const Case kStandAtTheirPlace[] = {
+    {"an empty path", "[control]\nvariables_file = \"\"\n",
+     R"(sheet1.toml:2:18: error: control.variables_file is "", it should be a string that is not empty [SET105]
     2 | variables_file = ""
       |                  ^
 )"},
-      {"a part of nothing", "[[part]]\nname = \"air\"\n",
-       R"(sheet1.toml:1:1: error: a part needs either file or shape, this one has none [SET106]
+    {"a part of nothing", "[[part]]\nname = \"air\"\n",
+     R"(sheet1.toml:1:1: error: a part needs either file or shape, this one has none [SET106]
     1 | [[part]]
       | ^
       = for example: file = "ring.stl"
 )"},
-      {"a part of two things", "[[part]]\nfile = \"ring.stl\"\nshape = \"ring\"\n",
-       R"(sheet1.toml:1:1: error: a part needs either file or shape, this one has both [SET106]
+    {"a part of two things", "[[part]]\nfile = \"ring.stl\"\nshape = \"ring\"\n",
+     R"(sheet1.toml:1:1: error: a part needs either file or shape, this one has both [SET106]
     1 | [[part]]
       | ^
       = for example: file = "ring.stl"
 )"},
-      {"a misspelt size of a shape", "[[part]]\nshape = \"ring\"\nboree = 5\n",
-       R"(sheet1.toml:3:1: error: unknown key boree in [[part]], did you mean bore? [SET103]
+    {"a misspelt size of a shape", "[[part]]\nshape = \"ring\"\nboree = 5\n",
+     R"(sheet1.toml:3:1: error: unknown key boree in [[part]], did you mean bore? [SET103]
     3 | boree = 5
       | ^
 )"},
-      {"a size below 0", "[[part]]\nshape = \"ring\"\nbore = -1\n",
-       R"(sheet1.toml:3:8: error: part.bore is -1, it should be greater than 0 [SET105]
+    {"a size below 0", "[[part]]\nshape = \"ring\"\nbore = -1\n",
+     R"(sheet1.toml:3:8: error: part.bore is -1, it should be greater than 0 [SET105]
     3 | bore = -1
       |        ^
 )"},
-      {"a size of a file", "[[part]]\nfile = \"ring.stl\"\nbore = 3\n",
-       R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, shape, at, rotate_deg [SET103]
+    {"a size of a file", "[[part]]\nfile = \"ring.stl\"\nbore = 3\n",
+     R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, shape, at, rotate_deg [SET103]
     3 | bore = 3
       | ^
 )"},
-      {"a mesh that is not there", "[[part]]\nfile = \"meshes/nix.stl\"\n",
-       R"(sheet1.toml:2:8: error: there is no file meshes/nix.stl [SET107]
+    {"a mesh that is not there", "[[part]]\nfile = \"meshes/nix.stl\"\n",
+     R"(sheet1.toml:2:8: error: there is no file meshes/nix.stl [SET107]
     2 | file = "meshes/nix.stl"
       |        ^
       = paths start at the folder of the sheet
 )"},
-      {"a machine file that is not there", "[machine]\nfile = \"nix.toml\"\n",
-       R"(sheet1.toml:2:8: error: there is no file nix.toml [SET107]
+    {"a machine file that is not there", "[machine]\nfile = \"nix.toml\"\n",
+     R"(sheet1.toml:2:8: error: there is no file nix.toml [SET107]
     2 | file = "nix.toml"
       |        ^
       = paths start at the folder of the sheet
 )"},
-      {"a tool given in two spellings", "[tools.5]\nlength = 1\n[tools.05]\nlength = 2\n",
-       R"(sheet1.toml:3:8: error: tools.5 is given twice in this sheet [SET108]
+    {"a tool given in two spellings", "[tools.5]\nlength = 1\n[tools.05]\nlength = 2\n",
+     R"(sheet1.toml:3:8: error: tools.5 is given twice in this sheet [SET108]
     3 | [tools.05]
       |        ^
 )"},
-      {"a variable given in two spellings", "[variables]\n\"#1\" = 1\n\"#01\" = 2\n",
-       R"(sheet1.toml:3:1: error: variables."#01" is given twice in this sheet [SET108]
+    {"a variable given in two spellings", "[variables]\n\"#1\" = 1\n\"#01\" = 2\n",
+     R"(sheet1.toml:3:1: error: variables."#01" is given twice in this sheet [SET108]
     3 | "#01" = 2
       | ^
 )"},
-      {"a signal without axis", "[[skip_signal]]\nat = 3\n",
-       R"(sheet1.toml:1:1: error: a skip signal with at needs its axis [SET109]
+    {"a signal without axis", "[[skip_signal]]\nat = 3\n",
+     R"(sheet1.toml:1:1: error: a skip signal with at needs its axis [SET109]
     1 | [[skip_signal]]
       | ^
       = for example: axis = "X"
 )"},
-      {"not TOML: an open array", "x = [1\n[a]\n",
-       R"(sheet1.toml:2:1: error: this is not TOML: Error while parsing array: expected comma or closing ']', saw '[' [SET102]
+    {"not TOML: an open array", "x = [1\n[a]\n",
+     R"(sheet1.toml:2:1: error: this is not TOML: Error while parsing array: expected comma or closing ']', saw '[' [SET102]
     2 | [a]
       | ^
 )"},
-      {"not TOML: a key twice", "[probe]\nlength = 1\nlength = 2\n",
-       R"(sheet1.toml:3:10: error: this is not TOML: Error while parsing key-value pair: cannot redefine existing integer 'length' [SET102]
+    {"not TOML: a key twice", "[probe]\nlength = 1\nlength = 2\n",
+     R"(sheet1.toml:3:10: error: this is not TOML: Error while parsing key-value pair: cannot redefine existing integer 'length' [SET102]
     3 | length = 2
       |          ^
 )"},
-      {"not TOML: a key of too many parts",
-       "[a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a]\n",
-       R"(sheet1.toml:1:67: error: this is not TOML: a key of more than 32 parts [SET102]
+    {"not TOML: a key of too many parts",
+     "[a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a]\n",
+     R"(sheet1.toml:1:67: error: this is not TOML: a key of more than 32 parts [SET102]
     1 | [a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a]
       |                                                                   ^
 )"},
-      {"bytes that are not UTF-8", "[control]\nprofile = \"\xff\x01\"\n",
-       R"(sheet1.toml:2:11: error: this is not TOML: Encountered invalid utf-8 sequence [SET102]
+    {"bytes that are not UTF-8", "[control]\nprofile = \"\xff\x01\"\n",
+     R"(sheet1.toml:2:11: error: this is not TOML: Encountered invalid utf-8 sequence [SET102]
     2 | profile = "??"
       |           ^
 )"},
-      {"characters of several bytes before the place", "\"\xc3\xa4\" = { \"\xc3\xb6\" = 1, b = \n",
-       R"(sheet1.toml:1:22: error: this is not TOML: Error while parsing key-value pair: expected value, saw '\n' [SET102]
+    {"characters of several bytes before the place", "\"\xc3\xa4\" = { \"\xc3\xb6\" = 1, b = \n",
+     R"(sheet1.toml:1:22: error: this is not TOML: Error while parsing key-value pair: expected value, saw '\n' [SET102]
     1 | "ä" = { "ö" = 1, b = 
       |                      ^
 )"},
-      {"a line break in a name", "\"a\\nb\" = 1\n",
-       R"(sheet1.toml:1:1: error: unknown key "a?b" in the sheet, which takes control, parameters, macro_calls, variables, start, work_offsets, tools, machine, probe, part, skip_signal [SET103]
+    {"a line break in a name", "\"a\\nb\" = 1\n",
+     R"(sheet1.toml:1:1: error: unknown key "a?b" in the sheet, which takes control, parameters, macro_calls, variables, start, work_offsets, tools, machine, probe, part, skip_signal [SET103]
     1 | "a\nb" = 1
       | ^
 )"},
-      {"a carriage return at the end of the line", "zebr = 1\r\n",
-       R"(sheet1.toml:1:1: error: unknown key zebr in the sheet, which takes control, parameters, macro_calls, variables, start, work_offsets, tools, machine, probe, part, skip_signal [SET103]
+    {"a carriage return at the end of the line", "zebr = 1\r\n",
+     R"(sheet1.toml:1:1: error: unknown key zebr in the sheet, which takes control, parameters, macro_calls, variables, start, work_offsets, tools, machine, probe, part, skip_signal [SET103]
     1 | zebr = 1
       | ^
 )"},
-      {"errors of a sheet in the order of its lines",
-       "[probe]\nlength = \"long\"\nball_diameter = -1\n[control]\nprofil = \"\"\nincrement = "
-       "\"\"\n",
-       R"(sheet1.toml:2:10: error: probe.length is a string, it should be a number [SET104]
+    {"errors of a sheet in the order of its lines",
+     "[probe]\nlength = \"long\"\nball_diameter = -1\n[control]\nprofil = \"\"\nincrement = "
+     "\"\"\n",
+     R"(sheet1.toml:2:10: error: probe.length is a string, it should be a number [SET104]
     2 | length = "long"
       |          ^
       = for example: length = 120.0
@@ -404,8 +405,10 @@ sheet1.toml:6:13: error: control.increment is "", it should be "IS-A", "IS-B" or
     6 | increment = ""
       |             ^
 )"},
-  };
-  for (const Case& c : kCases) {
+};
+
+TEST_F(SetupErrorText, StandAtTheirPlace) {
+  for (const Case& c : kStandAtTheirPlace) {
     expect_text(c);
   }
 }

@@ -36,3 +36,11 @@ function(g31_test)
   # Tests run in the source folder: golden files and parts are named by their repository path.
   gtest_discover_tests(${arg_NAME} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 endfunction()
+
+# One program of Google Benchmark cases; never run by ctest: times are for reading, not for failing.
+function(g31_bench)
+  cmake_parse_arguments(arg "" "NAME" "SOURCES;DEPENDS" ${ARGN})
+  add_executable(${arg_NAME} ${arg_SOURCES})
+  target_link_libraries(${arg_NAME} PRIVATE ${arg_DEPENDS} g31_warnings benchmark::benchmark_main)
+  target_include_directories(${arg_NAME} PRIVATE ${PROJECT_SOURCE_DIR})
+endfunction()
