@@ -69,4 +69,3 @@ void build(benchmark::State& state) {
 BENCHMARK(build)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-
