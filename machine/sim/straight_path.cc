@@ -30,9 +30,9 @@ AxisPositions StraightPath::at(double fraction) const {
   if (fraction >= 1.0) {
     return q_M_to_;
   }
-  // Clamped because from + f * (to - from) may round to a hair beyond the end.
-  const AxisPositions q_M = q_M_from_ + fraction * displacement_;
-  return q_M.cwiseMin(q_M_from_.cwiseMax(q_M_to_)).cwiseMax(q_M_from_.cwiseMin(q_M_to_));
+  // Cannot overshoot: a fraction below 1 takes at least one spacing of doubles off the
+  // displacement, whose own rounding is at most half of one.
+  return q_M_from_ + fraction * displacement_;
 }
 
 }  // namespace g31::machine

@@ -228,7 +228,7 @@ ExitCode run_command(const RunOptions& options) {
   }
   const auto scene = build_scene(job, options.seed);
   if (!scene) {
-    return refuse(refusal(ExitCode::Setup, scene.error()));
+    return refuse({ExitCode::Setup, setup::render(scene.error())});
   }
   using Keep = report::RecordWhat::Keep;
   EchoingRecorder recorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No},

@@ -12,12 +12,24 @@
 namespace g31::cli {
 namespace {
 
-Result<std::vector<probe::ProbedPart>, std::string> build_parts(const setup::Job& job) {
+setup::SetupError unusable(const setup::SheetPlace& place, std::string why) {
+  return {place.file,
+          place.line,
+          place.column,
+          setup::message_of(setup::SetupErrorId::PartUnusable, {why}),
+          std::string(setup::code_of(setup::SetupErrorId::PartUnusable)),
+          place.source_line,
+          {}};
+}
+
+Result<std::vector<probe::ProbedPart>, setup::SetupError> build_parts(const setup::Job& job) {
   std::vector<probe::ProbedPart> built;
-  for (const parts::PartSetup& part : job.parts) {
-    auto mesh_P = part.shape.empty() ? parts::read_mesh_file(part.file) : parts::make_artefact(part);
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    const parts::PartSetup& part = job.parts[i];
+    const auto mesh_P =
+        part.shape.empty() ? parts::read_mesh_file(part.file) : parts::make_artefact(part);
     if (!mesh_P) {
-      return mesh_P.error();
+      return unusable(job.part_places[i], mesh_P.error());
     }
     built.push_back({part.name, parts::placed_mesh(mesh_P.value(), {part.p_M_at, part.rotate_deg})});
   }
@@ -26,7 +38,7 @@ Result<std::vector<probe::ProbedPart>, std::string> build_parts(const setup::Job
 
 }  // namespace
 
-Result<Scene, std::string> build_scene(const setup::Job& job, std::uint64_t seed) {
+Result<Scene, setup::SetupError> build_scene(const setup::Job& job, std::uint64_t seed) {
   Scene scene;
   if (job.skip_signals) {
     scene.surroundings = std::make_unique<probe::ScriptedSignals>(*job.skip_signals);

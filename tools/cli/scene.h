@@ -8,6 +8,7 @@
 #include "machine/port/surroundings.h"
 #include "machine/sim/machining_centre.h"
 #include "tools/setup/job.h"
+#include "tools/setup/setup_error.h"
 
 namespace g31::cli {
 
@@ -17,7 +18,8 @@ struct Scene {
   std::unique_ptr<machine::MachiningCentre> machine;
 };
 
-/// Builds machine, probe and parts of a set-up.  @returns why a part cannot be made or read
-Result<Scene, std::string> build_scene(const setup::Job& job, std::uint64_t seed);
+/// Builds machine, probe and parts of a set-up.  @returns why a part cannot be made or read, with
+/// the place in the sheet
+Result<Scene, setup::SetupError> build_scene(const setup::Job& job, std::uint64_t seed);
 
 }  // namespace g31::cli

@@ -173,6 +173,16 @@ parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
   return part;
 }
 
+/// Where the sheet names what the part is made of.
+SheetPlace place_of_body(const SheetTable& table) {
+  const Keys keys(table);
+  const Entry* const file = keys.find(KeyId::PartFile);
+  const Entry* const body = file != nullptr ? file : keys.find(KeyId::PartShape);
+  const Location& where = body != nullptr ? body->where : table.where;
+  return {where.document->path, where.line, where.column,
+          std::string(where.document->line(where.line))};
+}
+
 probe::SkipSignal skip_signal_from(const SheetTable& table) {
   const Keys keys(table);
   probe::SkipSignal signal;
@@ -203,6 +213,7 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
   if (const auto parts = sheet.lists.find(SectionId::Part); parts != sheet.lists.end()) {
     for (const SheetTable& table : parts->second) {
       job.parts.push_back(part_from(table, errors));
+      job.part_places.push_back(place_of_body(table));
     }
   }
   if (const auto list = sheet.lists.find(SectionId::SkipSignal); list != sheet.lists.end()) {

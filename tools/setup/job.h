@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "interpreter/runtime/control_setup.h"
@@ -10,12 +11,21 @@
 
 namespace g31::setup {
 
+/// A place in a set-up sheet, for messages about what is found out only later.
+struct SheetPlace {
+  std::string file;
+  int line = 0;    ///< from 1
+  int column = 0;  ///< from 1
+  std::string source_line;
+};
+
 /// A whole set-up sheet as plain structs, one per library.
 struct Job {
   runtime::ControlSetup control;
   machine::MachineSetup machine;
   std::optional<probe::ProbeSetup> probe;  ///< none: no probe in the spindle
   std::vector<parts::PartSetup> parts;
+  std::vector<SheetPlace> part_places;  ///< one per part: its file or shape
   /// Signals of the skip moves in order; given (even empty) means: instead of a probe.
   std::optional<std::vector<probe::SkipSignal>> skip_signals;
 };
