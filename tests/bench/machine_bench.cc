@@ -78,4 +78,3 @@ BENCHMARK(move_along_arc);
 
 }  // namespace
 }  // namespace g31::machine
-

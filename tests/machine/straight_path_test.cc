@@ -42,7 +42,7 @@ TEST(StraightPath, PointsStayBetweenStartAndEnd) {
   for (int i = 0; i < 100'000; ++i) {
     const AxisPositions q_M_from = AxisPositions::NullaryExpr([&] { return coordinate(random); });
     // Ends near 0 have the finest spacing of doubles: there the rounding of from + f * (to - from)
-    // shows, and with f next to 1 it overshoots.
+    // with f next to 1 would show.
     AxisPositions q_M_to = AxisPositions::NullaryExpr([&] { return 1e-3 * coordinate(random); });
     q_M_to[i % 6] = q_M_from[i % 6];
     const StraightPath path(q_M_from, q_M_to);

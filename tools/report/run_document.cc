@@ -91,6 +91,21 @@ const char* severity_name(source::Severity severity) {
   contract_violated("every severity has a name", __FILE__, __LINE__);
 }
 
+/// Bytes of the printer port as text: each byte is the code point of its value.
+std::string bytes_as_text(const std::string& bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      text.push_back(c);
+    } else {
+      text.push_back(static_cast<char>(0xC0 | (byte >> 6)));
+      text.push_back(static_cast<char>(0x80 | (byte & 0x3F)));
+    }
+  }
+  return text;
+}
+
 Json diagnostic_json(const source::Diagnostic& diagnostic) {
   Json object = {{"severity", severity_name(diagnostic.severity)},
                  {"code", diagnostic.code},
@@ -138,7 +153,7 @@ std::string run_document(const RunResult& result, const RunRecorder& recorder) {
   for (const auto& [name, value] : result.variables) {
     document["variables"][name] = value.is_vacant() ? Json() : Json(value.raw());
   }
-  document["output"] = recorder.output();
+  document["output"] = bytes_as_text(recorder.output());
   document["files"] = Json::object();
   document["stops"] = list_of(recorder.stops(), [](const runtime::StopEvent& stop) {
     Json object = {{"kind", stop.kind}, {"text", stop.text}};

@@ -60,6 +60,7 @@ struct Control {
   std::set<int> expected_systems;    ///< likewise for work offsets, as Coordinates counts them
 
   AxisPositions q_W_skip = AxisPositions::Zero();  ///< #5061.., tool offset included; mm, deg
+  bool printer_open = false;                       ///< between POPEN and PCLOS
   double timer_offset_ms = 0.0;                    ///< #3001 = simulated time + this
   int single_block_control = 0;                    ///< #3003
   int override_control = 0;                        ///< #3004

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/output_format.h"
 #include "interpreter/dialects/fanuc/parse_expression.h"
 #include "machine/base/contract.h"
 
@@ -54,6 +55,7 @@ class Parser {
   void while_statement(Block& block);
   void then_statement(Block& block);
   void jump(Block& block);
+  void output_statement(Block& block, OutputStatement statement);
   int loop_number();
   Index condition();
   std::optional<std::int32_t> integer(const char* what);
@@ -336,12 +338,49 @@ void Parser::keyword(Block& block) {
     block.kind = BlockKind::Goto;
   } else {
     const std::string name(scanner_.letters());
+    if (const auto statement = find_output_statement(name)) {
+      output_statement(block, *statement);
+      return;
+    }
     expressions_.fail_at(AlarmId::AddressNotFound, {begin, scanner_.position()},
                          fmt::format("{} is neither a statement of Custom Macro B nor words", name));
   }
   if (!failed()) {
     expect_end(block);
   }
+}
+
+/// The format stays text: it has a syntax of its own, in which ( ) and blanks are no comment.
+void Parser::output_statement(Block& block, OutputStatement statement) {
+  block.kind = BlockKind::Output;
+  block.number = static_cast<std::int32_t>(statement);
+  if (info(statement).has_format == HasFormat::No) {
+    expect_end(block);
+    return;
+  }
+  if (scanner_.peek() != '[') {
+    fail(AlarmId::OutputFormat, "a format in brackets is expected here");
+    return;
+  }
+  const std::uint32_t begin = scanner_.position() + 1;
+  std::uint32_t end = begin;
+  int depth = 1;
+  for (const char c : scanner_.text().substr(begin)) {
+    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    if (depth == 0 || c == '\n') {
+      break;
+    }
+    ++end;
+  }
+  block.text = {begin, end};
+  const auto items = parse_output_format(scanner_.text().substr(begin, end - begin));
+  if (depth != 0 || !items) {
+    expressions_.fail_at(AlarmId::OutputFormat, {begin - 1, end},
+                         depth != 0 ? "this [ has no ]" : items.error());
+    return;
+  }
+  scanner_.rewind(end + 1);
+  expect_end(block);
 }
 
 void Parser::jump(Block& block) {

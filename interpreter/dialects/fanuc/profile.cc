@@ -8,9 +8,21 @@ namespace {
 
 constexpr auto kRows = std::to_array<Profile>({
 #define PROFILE(name, numbers, decimals, digits, largest, smallest, sequence, macros, subs, alarm, \
-                functions_30i)                                                                     \
-  {name,     AlarmNumbers::numbers, ExcessDecimals::decimals, digits, largest, smallest,           \
-   sequence, macros,                subs,                     alarm,  functions_30i},
+                functions_30i, needs_popen, overflow, plus_sign)                                   \
+  {name,                                                                                           \
+   AlarmNumbers::numbers,                                                                          \
+   ExcessDecimals::decimals,                                                                       \
+   digits,                                                                                         \
+   largest,                                                                                        \
+   smallest,                                                                                       \
+   sequence,                                                                                       \
+   macros,                                                                                         \
+   subs,                                                                                           \
+   alarm,                                                                                          \
+   functions_30i,                                                                                  \
+   needs_popen,                                                                                    \
+   {OutputStyle::LeadingZeros::Blank, OutputStyle::Overflow::overflow,                             \
+    OutputStyle::PlusSign::plus_sign}},
 #include "interpreter/dialects/fanuc/profiles.def"
 #undef PROFILE
 });

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "interpreter/dialects/fanuc/alarms.h"
+#include "interpreter/dialects/fanuc/output_format.h"
 
 namespace g31::fanuc {
 
@@ -23,6 +24,8 @@ struct Profile {
   int subprogram_levels;   ///< M98 (MB-224)
   int largest_alarm;       ///< n of #3000=n (MB-123)
   bool has_series_30i_functions;
+  bool printing_needs_popen;  ///< DPRNT without POPEN is an alarm (MB-374)
+  OutputStyle output;         ///< of DPRNT with 6001.1 = 0
 };
 
 /// All profiles, in the order of the documentation.

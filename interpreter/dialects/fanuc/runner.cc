@@ -132,6 +132,7 @@ MaybeFailure Runner::step(const Step& step) {
       frame().step = step.jump;
       return std::nullopt;
     case BlockKind::Output:
+      return output(step);
     case BlockKind::SetNames:
       contract_violated("the parser makes no such blocks", __FILE__, __LINE__);
     case BlockKind::Bad: {

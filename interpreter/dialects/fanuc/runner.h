@@ -44,6 +44,7 @@ class Runner {
   MaybeFailure assigned_system_variable(int number, double value);
   MaybeFailure jump(const Step& step);
   MaybeFailure branch(const Step& step);
+  MaybeFailure output(const Step& step);  // runner_output.cc
   MaybeFailure end_of_program();
   bool over_budget(const runtime::Budget& budget);
 
