@@ -50,6 +50,7 @@ struct Expr {
   ExprKind kind = ExprKind::Number;
   Operator op = Operator::Add;
   std::uint8_t function = 0;  ///< row of the dialect's function table
+  std::uint8_t digits = 0;    ///< Number: digits written, leading and trailing zeros too
   Index a = kNone;
   Index b = kNone;
   double number = 0.0;

@@ -1,7 +1,8 @@
-# Two functions, so that a folder's CMakeLists.txt is a list of facts and nothing else.
+# Three functions, so that a folder's CMakeLists.txt is a list of facts and nothing else.
 #
 #   g31_library(g31_fanuc SOURCES compare.cc system_variables.cc DEPENDS g31_runtime)
 #   g31_test(NAME fanuc_test SOURCES ... DEPENDS g31_fanuc)
+#   g31_bench(NAME g31_bench SOURCES ... DEPENDS g31_fanuc)
 
 add_library(g31_warnings INTERFACE)
 target_compile_options(g31_warnings INTERFACE
@@ -34,7 +35,9 @@ function(g31_test)
   target_link_libraries(${arg_NAME} PRIVATE ${arg_DEPENDS} g31_warnings GTest::gtest_main)
   target_include_directories(${arg_NAME} PRIVATE ${PROJECT_SOURCE_DIR})
   # Tests run in the source folder: golden files and parts are named by their repository path.
-  gtest_discover_tests(${arg_NAME} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  # They are listed when ctest starts, not while the build keeps every core busy.
+  gtest_discover_tests(${arg_NAME} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+    DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
 endfunction()
 
 # One program of Google Benchmark cases; never run by ctest: times are for reading, not for failing.

@@ -1,6 +1,7 @@
 # Installs what is missing on Debian 12; to be sourced.  Nothing is called when nothing is missing.
 #
-#   g31_install_packages LOGFILE
+#   g31_install_packages LOGFILE    apt's own words go to LOGFILE, and to the screen when it fails
+#   g31_build PRESET [TARGET...]    configures quietly and builds
 
 G31_PACKAGES=(
   g++ cmake ninja-build python3
@@ -10,34 +11,53 @@ G31_PACKAGES=(
 )
 
 g31_missing_packages() {
-  local package
+  local installed package
+  # dpkg-query fails when one of them is unknown to it; the others are listed all the same.
+  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' "${G31_PACKAGES[@]}" 2>/dev/null || true)
   for package in "${G31_PACKAGES[@]}"; do
-    if ! dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed'; then
-      printf '%s ' "$package"
+    if ! grep -qxF "$package installed" <<<"$installed"; then
+      echo "$package"
     fi
   done
 }
 
 g31_install_packages() {
-  local log=$1 missing as_root=()
-  missing=$(g31_missing_packages)
-  if [ -z "$missing" ]; then
+  local log=$1 missing by_hand as_root=()
+  mapfile -t missing < <(g31_missing_packages)
+  if [ "${#missing[@]}" -eq 0 ]; then
     return 0
+  fi
+  by_hand="apt-get update && apt-get install -y --no-install-recommends ${missing[*]}"
+  if ! command -v apt-get >/dev/null; then
+    echo "g31 is built on Debian 12; apt-get is not here, and these of its packages are missing: ${missing[*]}" >&2
+    return 1
   fi
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null; then
-      echo "These packages are missing, and neither root nor sudo is at hand: $missing" >&2
-      echo "Ask an administrator for: apt-get install $missing" >&2
+      echo "These packages are missing, and neither root nor sudo is at hand: ${missing[*]}" >&2
+      echo "Ask an administrator for: $by_hand" >&2
       return 1
     fi
     as_root=(sudo)
   fi
-  echo "Installing: $missing"
-  # shellcheck disable=SC2086  # the list is words on purpose
+  echo "Installing: ${missing[*]}"
   if ! { "${as_root[@]}" apt-get update &&
          "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-           apt-get install -y --no-install-recommends $missing; } >"$log" 2>&1; then
+           apt-get -o DPkg::Lock::Timeout=300 install -y --no-install-recommends "${missing[@]}"
+       } >"$log" 2>&1 </dev/null; then
     cat "$log" >&2
+    echo "The packages could not be installed.  By hand, as root: $by_hand" >&2
     return 1
   fi
+}
+
+g31_build() {
+  local preset=$1 target targets=()
+  shift
+  for target in "$@"; do
+    targets+=(--target "$target")
+  done
+  cmake --preset "$preset" >"build/configure-$preset.log" 2>&1 ||
+    { cat "build/configure-$preset.log" >&2; return 1; }
+  cmake --build --preset "$preset" --parallel "$(nproc)" "${targets[@]}"
 }

@@ -1,6 +1,8 @@
 #include "interpreter/dialects/fanuc/compile.h"
 
 #include <algorithm>
+#include <cmath>
+#include <ranges>
 
 #include "interpreter/dialects/fanuc/variable_ranges.h"
 #include "machine/base/contract.h"
@@ -16,8 +18,16 @@ using syntax::Index;
 using syntax::kNone;
 using syntax::Operator;
 
+/// Sequence numbers up to here exist on every control; the run judges larger ones (MB-172).
+constexpr double kAlwaysInRange = 99'999.0;
+
 bool is_comparison(const Expr& expr) {
   return expr.kind == ExprKind::Binary && expr.op >= Operator::Equal;
+}
+
+/// #12 and #[12.5]: the number of the variable, rounded as a computed one is (MB-099).
+std::int32_t literal_variable(const Expr& number) {
+  return static_cast<std::int32_t>(std::round(std::min(number.number, 1e9)));
 }
 
 class Compiler {
@@ -53,6 +63,7 @@ class Compiler {
   Index code(Index expr);
   Index condition_code(const Block& block, Step& step);
   void emit(Index expr);
+  void emit_chain(Index index);
   void emit_variable(const Expr& expr);
   void push(const Op& op, syntax::ShortSpan span);
   void mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::string message);
@@ -60,6 +71,8 @@ class Compiler {
   const syntax::Tree& tree_;
   const syntax::Program& program_;
   CompiledProgram out_;
+  Index condition_ = kNone;  ///< the comparison that IF or WHILE asks for
+  std::optional<syntax::ShortSpan> misplaced_comparison_;
 };
 
 void Compiler::mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::string message) {
@@ -108,19 +121,19 @@ void Compiler::step(Index block_index) {
       break;
     }
   }
+  if (misplaced_comparison_) {
+    mark_bad(step, AlarmId::ExpressionFormat, *misplaced_comparison_,
+             "a comparison is no number; it stands in IF and WHILE only");
+    misplaced_comparison_.reset();
+  }
   out_.steps.push_back(step);
 }
 
 void Compiler::assign(const Block& block, Step& step) {
   const Expr& target = tree_.exprs[block.target];
   const Expr& number = tree_.exprs[target.a];
-  if (is_comparison(tree_.exprs[block.value])) {
-    mark_bad(step, AlarmId::ExpressionFormat, tree_.exprs[block.value].span,
-             "a comparison is no number; it stands in IF and WHILE only");
-    return;
-  }
   if (number.kind == ExprKind::Number) {
-    step.number = static_cast<std::int32_t>(std::min(number.number, 1e9));
+    step.number = literal_variable(number);
     step.target_kind = variable_kind(step.number);
   } else {
     step.target_kind = OpCode::Indirect;
@@ -144,6 +157,7 @@ Index Compiler::condition_code(const Block& block, Step& step) {
              "a condition compares two values with EQ NE GT LT GE or LE");
     return kNone;
   }
+  condition_ = block.condition;
   return code(block.condition);
 }
 
@@ -163,13 +177,35 @@ void Compiler::emit_variable(const Expr& expr) {
   const Expr& number = tree_.exprs[expr.a];
   Op op;
   if (number.kind == ExprKind::Number) {
-    op.number = static_cast<std::int32_t>(std::min(number.number, 1e9));
+    op.number = literal_variable(number);
     op.code = variable_kind(op.number);
   } else {
     emit(expr.a);
     op.code = OpCode::Indirect;
   }
   push(op, expr.span);
+}
+
+/// 1+2+3... is a tree as deep as it is long: its left side is walked in a loop, as no stack is as
+/// deep as a hostile line is long.
+void Compiler::emit_chain(Index index) {
+  std::vector<Index> chain;
+  Index left = index;
+  for (; tree_.exprs[left].kind == ExprKind::Binary; left = tree_.exprs[left].a) {
+    chain.push_back(left);
+  }
+  emit(left);
+  for (const Index place : std::views::reverse(chain)) {
+    const Expr& expr = tree_.exprs[place];
+    emit(expr.b);
+    if (is_comparison(expr) && place != condition_) {
+      misplaced_comparison_ = expr.span;
+    }
+    Op op;
+    op.code = OpCode::Binary;
+    op.op = expr.op;
+    push(op, expr.span);
+  }
 }
 
 void Compiler::emit(Index index) {
@@ -179,6 +215,7 @@ void Compiler::emit(Index index) {
     case ExprKind::Number:
       op.code = OpCode::Constant;
       op.constant = expr.number;
+      op.number = expr.digits;
       break;
     case ExprKind::Variable:
       emit_variable(expr);
@@ -188,11 +225,8 @@ void Compiler::emit(Index index) {
       op.code = OpCode::Negate;
       break;
     case ExprKind::Binary:
-      emit(expr.a);
-      emit(expr.b);
-      op.code = OpCode::Binary;
-      op.op = expr.op;
-      break;
+      emit_chain(index);
+      return;
     case ExprKind::Call:
       emit(expr.a);
       op.function = expr.function;
@@ -219,26 +253,35 @@ void Compiler::link_then() {
 }
 
 void Compiler::link_loops() {
-  std::vector<Index> open;
+  struct Loop {
+    Index step;
+    std::int32_t number;
+  };
+  std::vector<Loop> open;
   for (Index i = 0; i < out_.steps.size(); ++i) {
     Step& step = out_.steps[i];
     if (step.kind == BlockKind::While || step.kind == BlockKind::Do) {
-      open.push_back(i);
+      const bool is_open = std::ranges::find(open, step.number, &Loop::number) != open.end();
+      open.push_back({i, step.number});
+      if (is_open) {
+        mark_bad(step, AlarmId::EndMissing, tree_.blocks[step.block].span,
+                 "a loop of this number is open already");
+      }
     } else if (step.kind == BlockKind::End) {
-      if (open.empty() || out_.steps[open.back()].number != step.number) {
+      if (open.empty() || open.back().number != step.number) {
         const AlarmId id = open.empty() ? AlarmId::DoMissing : AlarmId::EndMissing;
         mark_bad(step, id, tree_.blocks[step.block].span,
                  open.empty() ? "this END has no DO" : "this END closes another loop than the innermost");
         continue;
       }
-      step.jump = open.back();
-      out_.steps[open.back()].jump = i + 1;
+      step.jump = open.back().step;
+      out_.steps[open.back().step].jump = i + 1;
       open.pop_back();
     }
   }
-  for (const Index i : open) {
-    mark_bad(out_.steps[i], AlarmId::EndMissing, tree_.blocks[out_.steps[i].block].span,
-             "this DO has no END");
+  for (const Loop& loop : open) {
+    Step& step = out_.steps[loop.step];
+    mark_bad(step, AlarmId::EndMissing, tree_.blocks[step.block].span, "this DO has no END");
   }
 }
 
@@ -249,8 +292,8 @@ void Compiler::link_jumps() {
       continue;
     }
     const Op& target = out_.ops[step.value];
-    if (target.code == OpCode::Constant && out_.ops[step.value + 1].code == OpCode::End &&
-        target.constant < 1e9) {
+    const bool in_range = target.constant >= 1.0 && target.constant <= kAlwaysInRange;
+    if (target.code == OpCode::Constant && out_.ops[step.value + 1].code == OpCode::End && in_range) {
       const auto found = out_.find_label(static_cast<std::int32_t>(target.constant), i);
       step.jump = found.value_or(kNone);
     }

@@ -30,7 +30,7 @@ struct Op {
   OpCode code = OpCode::End;
   syntax::Operator op = syntax::Operator::Add;
   std::uint8_t function = 0;
-  std::int32_t number = 0;
+  std::int32_t number = 0;  ///< of a variable; Constant: how many digits were written
   double constant = 0.0;
 };
 

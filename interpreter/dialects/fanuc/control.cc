@@ -9,6 +9,7 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   EvaluationRules rules;
   rules.largest_result = profile.largest_result;
   rules.smallest_result = profile.smallest_result;
+  rules.digit_limit = profile.digit_limit;
   rules.signed_angles = parameters.bit(6004, 0);
   rules.clear_small_sines = parameters.bit(6004, 1);
   rules.has_series_30i_functions = profile.has_series_30i_functions;

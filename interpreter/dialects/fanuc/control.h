@@ -55,7 +55,9 @@ struct Control {
   OffsetTable offsets;
   WordScale scale;
   std::set<int> block_skip;
-  std::map<int, int> macro_calls_g;  ///< G number to program
+  std::map<int, int> macro_calls_g;       ///< G number to macro program
+  std::map<int, int> macro_calls_m;       ///< M number to macro program
+  std::map<int, int> subprogram_calls_m;  ///< M number to subprogram
   std::set<int> expected_tools;      ///< numbers of the sheet's tool table; empty: anything goes
   std::set<int> expected_systems;    ///< likewise for work offsets, as Coordinates counts them
 

@@ -120,7 +120,11 @@ Cell Evaluator::evaluate(const CompiledProgram& program, syntax::Index code, dou
     switch (op->code) {
       case OpCode::Constant:
         stack[++top] = Cell(op->constant);
-        continue;
+        if (op->number <= rules_.digit_limit) {
+          continue;
+        }
+        fail(AlarmId::TooManyDigits, fmt::format("{} digits", op->number));
+        break;
       case OpCode::Vacant:
         stack[++top] = Cell();
         continue;

@@ -24,6 +24,9 @@ using syntax::Word;
 
 constexpr std::int64_t kLargestInteger = 99'999'999;
 
+/// IF THEN IF THEN...: more of them in one block is no program, but would fill the stack.
+constexpr int kThenLimit = 10;
+
 /// Reads the blocks of a tape one by one.
 class Parser {
  public:
@@ -70,6 +73,7 @@ class Parser {
   syntax::Tree tree_;
   Scanner scanner_;
   ExpressionParser expressions_;
+  int then_depth_ = 0;
 };
 
 void Parser::skip_leader() {
@@ -133,6 +137,7 @@ void Parser::settle(Block& block, std::uint32_t begin) {
     tree_.errors.push_back(*expressions_.error());
   }
   expressions_.forget_error();
+  then_depth_ = 0;
   block.span = {begin, end};
   tree_.blocks.push_back(block);
 }
@@ -438,8 +443,11 @@ void Parser::then_statement(Block& block) {
   tree_.blocks.push_back(block);
   Block statement;
   statement.first_word = block.first_word;
+  statement.skip_switch = block.skip_switch;
   if (scanner_.peek() == '\n') {
     fail(AlarmId::StatementFormat, "a macro statement is expected after THEN");
+  } else if (++then_depth_ > kThenLimit) {
+    fail(AlarmId::StatementFormat, "too many THEN in one block");
   } else {
     body(statement);
     if (!failed() && statement.kind == BlockKind::Nc) {

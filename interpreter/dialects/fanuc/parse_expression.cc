@@ -154,6 +154,7 @@ Index ExpressionParser::number() {
   Expr node;
   node.kind = ExprKind::Number;
   node.number = found->value;
+  node.digits = found->digits;
   node.span = {begin, scanner_.position()};
   return add(node);
 }

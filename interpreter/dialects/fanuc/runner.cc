@@ -60,7 +60,7 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
 }
 
 void Runner::start(const CompiledProgram& main) {
-  frames_.assign(1, Frame{&main, 0, 0, CallKind::Main, 0});
+  frames_.assign(1, Frame{&main, 0, 0, CallKind::Main, CalledBy::Program, 0, {}});
   control_.modal.word('O') = main.number;
   control_.coordinates.arrived_at_machine(control_.port.position());
   started_ = std::chrono::steady_clock::now();

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "interpreter/dialects/fanuc/control.h"
@@ -14,7 +16,26 @@ enum class CallKind {
   Main,
   Subprogram,  ///< M98: shares the caller's locals
   Macro,       ///< G65: locals of its own
-  CodeMacro,   ///< by a G code; in it the same codes are ordinary (MB-208)
+};
+
+/// What called a program; in one that a code called, such codes are ordinary (MB-208).
+enum class CalledBy { Program, Code };
+
+/// G66 or G66.1 in force.
+struct ModalCall {
+  const CompiledProgram* program = nullptr;
+  int repeats = 1;
+  bool every_block = false;              ///< G66.1: each NC block becomes a call
+  std::vector<EvaluatedWord> arguments;  ///< of the block that set it
+};
+
+/// How a program is entered.
+struct Entry {
+  const CompiledProgram* program = nullptr;
+  CallKind kind = CallKind::Macro;
+  CalledBy by = CalledBy::Program;
+  int repeats = 1;
+  syntax::Index first_step = 0;
 };
 
 /// One level of the call stack.
@@ -23,7 +44,11 @@ struct Frame {
   syntax::Index step = 0;  ///< the next to execute
   syntax::Index current = 0;
   CallKind kind = CallKind::Main;
+  CalledBy by = CalledBy::Program;
   int repeats_left = 0;
+  /// Modal calls that motion in this program sets off, the last first; inside a modal call the outer
+  /// ones are left (MB-204).
+  std::vector<std::shared_ptr<const ModalCall>> modal_calls;
 };
 
 /// Steps through compiled programs: statements, jumps and calls.  NC blocks go to execute/.
@@ -48,19 +73,28 @@ class Runner {
   MaybeFailure end_of_program();
   bool over_budget(const runtime::Budget& budget);
 
-  // runner_words.cc: NC blocks and calls
+  // runner_words.cc: NC blocks
   MaybeFailure nc_block(const Step& step);
   MaybeFailure evaluate_words(const Step& step);
-  MaybeFailure macro_call(const EvaluatedWord& code);
-  MaybeFailure code_call(const EvaluatedWord& code, int program);
-  MaybeFailure subprogram_call();
-  MaybeFailure return_from_call();
+  MaybeFailure plain_block(source::Location where);
   MaybeFailure program_stop(int m, source::Location where);
-  MaybeFailure enter(const CompiledProgram& program, CallKind kind, int repeats);
-  MaybeFailure pass_arguments(const EvaluatedWord* code);
+
+  // runner_calls.cc: which word calls what
+  Result<bool, Failure> call_in_block();
+  MaybeFailure macro_call(const EvaluatedWord& code);
+  MaybeFailure set_modal_call(const EvaluatedWord& code);
+  MaybeFailure cancel_modal_call(const EvaluatedWord& code);
+  MaybeFailure modal_call();
+  MaybeFailure every_block_call();
+  MaybeFailure code_macro(const EvaluatedWord& code, int program);
+  MaybeFailure code_subprogram(const EvaluatedWord& code, int program);
+  MaybeFailure subprogram_call(const EvaluatedWord& m);
+  MaybeFailure return_from_call();
+  MaybeFailure enter(const Entry& entry);
+  MaybeFailure pass_arguments(std::span<const EvaluatedWord> arguments);
   Result<const CompiledProgram*, Failure> called_program(const EvaluatedWord& p);
   Result<int, Failure> repeats() const;
-  [[nodiscard]] int levels(CallKind a, CallKind b) const;
+  [[nodiscard]] int levels(CallKind kind) const;
   [[nodiscard]] bool code_calls_allowed() const;
 
   // runner_failure.cc: what became of it

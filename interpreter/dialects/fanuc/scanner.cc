@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <string>
 
 namespace g31::fanuc {
@@ -103,7 +104,11 @@ std::optional<ScannedNumber> Scanner::number() {
       plain.push_back(c);
     }
   }
-  std::from_chars(plain.data(), plain.data() + plain.size(), found.value);
+  const auto end = std::from_chars(plain.data(), plain.data() + plain.size(), found.value);
+  if (end.ec == std::errc::result_out_of_range) {
+    const bool is_large = plain.find_first_not_of('0') < plain.find('.');
+    found.value = is_large ? std::numeric_limits<double>::max() : 0.0;
+  }
   return found;
 }
 

@@ -64,23 +64,32 @@ std::vector<std::string> configure_offsets(Control& control, const runtime::Cont
   return refused;
 }
 
-/// Parameters 6050 to 6059 name the G codes that call O9010 to O9019 (MB-207).
+/// Parameters 6050 to 6059 name the G codes that call macros O9010 to O9019, 6080 to 6089 the M codes
+/// of macros O9020 to O9029, 6071 to 6079 the M codes of subprograms O9001 to O9009 (MB-207 to MB-210).
 void configure_calls(Control& control, const runtime::ControlSetup& setup,
                      std::vector<std::string>& refused) {
   for (int i = 0; i < 10; ++i) {
-    const double g = control.parameters.value(6050 + i);
-    if (g > 0.0) {
-      control.macro_calls_g[nearest_integer(g)] = 9010 + i;
+    const auto add = [&](std::map<int, int>& calls, int parameter, int program) {
+      const double code = control.parameters.value(parameter);
+      if (code > 0.0) {
+        calls[nearest_integer(code)] = program;
+      }
+    };
+    add(control.macro_calls_g, 6050 + i, 9010 + i);
+    add(control.macro_calls_m, 6080 + i, 9020 + i);
+    if (i > 0) {
+      add(control.subprogram_calls_m, 6070 + i, 9000 + i);
     }
   }
   for (const auto& [code, program] : setup.macro_calls) {
     int number = 0;
     const auto end = std::from_chars(code.data() + 1, code.data() + code.size(), number);
-    if (code.size() < 2 || code[0] != 'G' || end.ptr != code.data() + code.size()) {
-      refused.push_back(fmt::format("macro call {}: write G and a whole number", code));
+    const bool known = code.size() >= 2 && (code[0] == 'G' || code[0] == 'M');
+    if (!known || end.ptr != code.data() + code.size()) {
+      refused.push_back(fmt::format("macro call {}: write G or M and a whole number", code));
       continue;
     }
-    control.macro_calls_g[number] = program;
+    (code[0] == 'G' ? control.macro_calls_g : control.macro_calls_m)[number] = program;
   }
 }
 

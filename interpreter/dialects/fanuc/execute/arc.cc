@@ -70,9 +70,6 @@ Result<Centre, Failure> centre_of(const Control& control, const NcBlock& block, 
   Centre centre;
   const EvaluatedWord* const i = block.words.find(plane.first_centre);
   const EvaluatedWord* const j = block.words.find(plane.second_centre);
-  if (i == nullptr && j == nullptr) {
-    return arc_failure(AlarmId::NoCircle, "neither R nor a centre is given");
-  }
   centre.first = i != nullptr ? control.scale.length_mm(*i) : 0.0;
   centre.second = j != nullptr ? control.scale.length_mm(*j) : 0.0;
   const double start_radius = std::hypot(centre.first, centre.second);
@@ -86,12 +83,29 @@ Result<Centre, Failure> centre_of(const Control& control, const NcBlock& block, 
   return centre;
 }
 
+/// Neither R nor a centre: alarm 022 with 3403.5 = 1, else a straight line (MB-305).
+MaybeFailure arc_without_centre(Control& control, const AxisPositions& q_W_end) {
+  if (control.parameters.bit(3403, 5)) {
+    return arc_failure(AlarmId::NoCircle, "neither R nor a centre is given");
+  }
+  if (auto failure = move_to(control, control.coordinates.to_machine(q_W_end),
+                             machine::Traverse::Feed, 1)) {
+    return failure;
+  }
+  control.coordinates.arrived_at_programmed(q_W_end);
+  return std::nullopt;
+}
+
 }  // namespace
 
 /// G02, G03 in the plane in force; a third axis makes a helix (MB-302 to MB-305).
 MaybeFailure execute_arc(Control& control, const NcBlock& block) {
   const Plane plane = plane_in_force(control);
   const AxisPositions q_W_end = programmed_end(control, block);
+  if (!block.words.has('R') && !block.words.has(plane.first_centre) &&
+      !block.words.has(plane.second_centre)) {
+    return arc_without_centre(control, q_W_end);
+  }
   const AxisPositions q_travel = q_W_end - control.coordinates.programmed();
   const auto centre = centre_of(control, block, plane, q_travel);
   if (!centre) {
