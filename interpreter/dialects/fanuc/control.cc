@@ -13,7 +13,30 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   rules.signed_angles = parameters.bit(6004, 0);
   rules.clear_small_sines = parameters.bit(6004, 1);
   rules.has_series_30i_functions = profile.has_series_30i_functions;
+  rules.logic_operands = profile.logic_operands;
   return rules;
+}
+
+/// The rows that the control has: memories A and B take the place of C, and parameter 6000.3 turns
+/// the numbers of C round, which leaves no room for the old work offset numbers (MB-122).
+VariableGroups variable_groups(const Profile& profile, const Parameters& parameters,
+                               OffsetMemory memory) {
+  using enum VariableGroup;
+  const VariableGroups groups = profile.variables;
+  if (!groups.meets({OffsetsC})) {
+    return groups;
+  }
+  switch (memory) {
+    case OffsetMemory::A:
+      return groups.without(OffsetsC).with(OffsetsA);
+    case OffsetMemory::B:
+      return groups.without(OffsetsC).with(OffsetsB);
+    case OffsetMemory::C:
+      break;
+  }
+  return parameters.bit(6000, 3)
+             ? groups.without(OffsetsC).without(LegacyOffsets).with(OffsetsCTurned)
+             : groups;
 }
 
 }  // namespace
@@ -34,6 +57,7 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
       port(machine),
       observer(listener),
       variables(system),
+      system_variables(chosen.variables),
       evaluator(variables, rules_of(chosen, {})) {
   scale.excess_decimals = profile.excess_decimals;
 }
@@ -49,6 +73,23 @@ void Control::apply(const Parameters& given) {
   parameters = given;
   evaluator.set_rules(rules_of(profile, parameters));
   scale.calculator_point = parameters.bit(3401, 0);
+  variables.protect(nearest_integer(parameters.value(6031)),
+                    nearest_integer(parameters.value(6032, -1.0)));
+  choose_system_variables();
+}
+
+void Control::set_offset_memory(OffsetMemory memory) {
+  offsets.set_memory(memory);
+  choose_system_variables();
+}
+
+void Control::choose_system_variables() {
+  system_variables = SystemVariableIndex(variable_groups(profile, parameters, offsets.memory()));
+}
+
+void Control::set_unit(LengthUnit unit) {
+  modal.group[6] = {static_cast<std::int16_t>(unit == LengthUnit::Inch ? 20 : 21), 0};
+  scale.unit = unit;
 }
 
 }  // namespace g31::fanuc

@@ -166,8 +166,10 @@ Cell Evaluator::evaluate(const CompiledProgram& program, syntax::Index code, dou
 
 Cell Evaluator::arithmetic(double result) {
   const double size = std::abs(result);
-  const bool fits = size <= rules_.largest_result && (size >= rules_.smallest_result || size == 0.0);
-  return fits ? Cell(result) : fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", result));
+  const bool fits =
+      size <= rules_.largest_result && (size >= rules_.smallest_result || size == 0.0);
+  return fits ? Cell(result)
+              : fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", result));
 }
 
 Cell Evaluator::binary(const Op& op, Cell a, Cell b) {
@@ -180,7 +182,8 @@ Cell Evaluator::binary(const Op& op, Cell a, Cell b) {
       return arithmetic(a.or_zero() * b.or_zero());
     case Operator::Divide:
       if (b.or_zero() == 0.0) {
-        return fail(AlarmId::DivisionByZero, b.is_vacant() ? "the divisor is vacant" : "the divisor is 0");
+        return fail(AlarmId::DivisionByZero,
+                    b.is_vacant() ? "the divisor is vacant" : "the divisor is 0");
       }
       return arithmetic(a.or_zero() / b.or_zero());
     case Operator::Modulo:
@@ -199,10 +202,11 @@ Cell Evaluator::binary(const Op& op, Cell a, Cell b) {
   contract_violated("every operator has a meaning", __FILE__, __LINE__);
 }
 
-/// MOD AND OR XOR: both operands rounded to 32-bit integers (MB-067 to MB-069).
+/// MOD AND OR XOR: both operands made 32-bit integers (MB-067 to MB-069, MB-363).
 Cell Evaluator::integer_operation(Operator op, double a, double b) {
-  const double x = std::round(a);
-  const double y = std::round(b);
+  const bool truncates = rules_.logic_operands == LogicOperands::Truncate && op != Operator::Modulo;
+  const double x = truncates ? std::trunc(a) : std::round(a);
+  const double y = truncates ? std::trunc(b) : std::round(b);
   constexpr double kLimit = 2147483648.0;
   const bool fits = x >= -kLimit && x < 2.0 * kLimit && y >= -kLimit && y < 2.0 * kLimit;
   if (!fits) {
@@ -283,8 +287,9 @@ Cell Evaluator::function(const Op& op, double argument, double round_to) {
     case FunctionId::BIN:
     case FunctionId::BCD: {
       const auto result = id == FunctionId::BIN ? from_bcd(argument) : to_bcd(argument);
-      return result ? Cell(*result)
-                    : fail(AlarmId::IllegalArgument, fmt::format("{}[{}]", info(id).name, argument));
+      return result
+                 ? Cell(*result)
+                 : fail(AlarmId::IllegalArgument, fmt::format("{}[{}]", info(id).name, argument));
     }
     case FunctionId::ADP:
       return Cell(argument);

@@ -17,6 +17,8 @@ class Parameters {
 
   [[nodiscard]] double value(int number, double otherwise = 0.0) const;
   [[nodiscard]] bool bit(int number, int bit) const;
+  void set_value(int number, double value) { values_[number] = value; }
+  void set_bit(int number, int bit, bool on) { bits_[{number, bit}] = on; }
 
  private:
   std::map<int, double> values_;

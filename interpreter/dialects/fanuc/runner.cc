@@ -34,13 +34,13 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
   for (const syntax::SyntaxError& error : reachable_errors(*main)) {
     const AlarmInfo& row = info(static_cast<AlarmId>(error.error));
     outcome.status = runtime::Status::SyntaxError;
-    outcome.diagnostics.push_back(
-        {source::Severity::Error,
-         std::to_string(number_of(static_cast<AlarmId>(error.error), control_.profile.alarm_numbers)),
-         {main->file, error.where.widened()},
-         fmt::format("{}: {}", row.text, error.message),
-         std::string(row.remedy),
-         {}});
+    outcome.diagnostics.push_back({source::Severity::Error,
+                                   std::to_string(number_of(static_cast<AlarmId>(error.error),
+                                                            control_.profile.alarm_numbers)),
+                                   {main->file, error.where.widened()},
+                                   fmt::format("{}: {}", row.text, error.message),
+                                   std::string(row.remedy),
+                                   {}});
   }
   if (outcome.status == runtime::Status::SyntaxError) {
     return outcome;
@@ -205,7 +205,7 @@ MaybeFailure Runner::assign(const Step& step) {
   if (control_.evaluator.failed()) {
     return from_evaluation();
   }
-  if (step.target_kind == OpCode::Common) {
+  if (step.target_kind == OpCode::Common && !control_.variables.is_protected(number)) {
     control_.variables.set_common(number, value);
     return std::nullopt;
   }
@@ -230,8 +230,8 @@ MaybeFailure Runner::assigned_system_variable(int number, double value) {
   }
   const CompiledProgram& program = *frame().program;
   const syntax::Block& block = program.tree->blocks[program.steps[frame().current].block];
-  const std::string text(program.file->text().substr(block.text.begin,
-                                                     block.text.end - block.text.begin));
+  const std::string text(
+      program.file->text().substr(block.text.begin, block.text.end - block.text.begin));
   if (number == 3006) {
     control_.observer.on_stop({"#3006", text, location(block.span)});
     return std::nullopt;
@@ -240,9 +240,15 @@ MaybeFailure Runner::assigned_system_variable(int number, double value) {
   failure.id = AlarmId::MacroAlarm;
   failure.where = block.span;
   failure.alarm_text = text.empty() ? std::string(info(AlarmId::MacroAlarm).text) : text;
-  failure.alarm_number = info(AlarmId::MacroAlarm).number_16i + nearest_integer(value);
-  if (value < 0.0 || nearest_integer(value) > control_.profile.largest_alarm) {
-    failure.detail = fmt::format("#3000 takes 0 to {}", control_.profile.largest_alarm);
+  const MacroAlarmRule& rule = control_.profile.macro_alarm;
+  const int n = nearest_integer(value);
+  const bool plain = rule.has_plain_numbers && control_.parameters.bit(6008, 1);
+  const bool adds = rule.number == MacroAlarmRule::Number::BasePlusValue;
+  failure.alarm_number = plain ? n : rule.base + (adds ? n : 0);
+  if (n < rule.smallest || n > rule.largest) {
+    failure.detail = fmt::format("#3000 takes {} to {}", rule.smallest, rule.largest);
+  } else if (!adds) {
+    failure.detail = fmt::format("number {}", n);
   }
   return failure;
 }
