@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -49,18 +50,21 @@ class Evaluator {
   void set_rules(const EvaluationRules& rules) { rules_ = rules; }
 
  private:
-  Cell binary(const Op& op, Cell a, Cell b);
-  Cell arithmetic(double result);
-  Cell integer_operation(syntax::Operator op, double a, double b);
+  Cell rare_operation(const Op& op, Cell a, Cell b, double round_to);
+  [[nodiscard]] bool is_in_range(double result) const;
+  Cell in_range(double result);
+  Cell integer_operation(OpCode op, double a, double b);
   Cell function(const Op& op, double argument, double round_to);
   Cell trigonometric(FunctionId id, double argument);
   Cell rounding_function(FunctionId id, double argument, double round_to);
   Cell function_of_two(const Op& op, double a, double b);
   Cell read(std::int32_t number);
+  Cell at(const CompiledProgram& program, const Op& op);
   Cell fail(AlarmId id, std::string detail);
 
   Variables& variables_;
   EvaluationRules rules_;
+  std::array<Cell, kTemporaryCount> temporaries_;
   std::optional<EvaluationFault> fault_;
 };
 

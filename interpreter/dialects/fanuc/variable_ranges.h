@@ -2,8 +2,6 @@
 
 #include <cstdint>
 
-#include "interpreter/dialects/fanuc/compile.h"
-
 namespace g31::fanuc {
 
 inline constexpr std::int32_t kLocalCount = 33;     ///< #1..#33
@@ -19,17 +17,6 @@ constexpr bool is_local(std::int32_t number) {
 constexpr bool is_common(std::int32_t number) {
   return (number >= kFirstCommon && number < 200) ||
          (number >= kFirstPermanent && number < kCommonEnd);
-}
-
-/// Which operation reads the variable of this number.
-constexpr OpCode variable_kind(std::int32_t number) {
-  if (number == 0) {
-    return OpCode::Vacant;
-  }
-  if (is_local(number)) {
-    return OpCode::Local;
-  }
-  return is_common(number) ? OpCode::Common : OpCode::Numbered;
 }
 
 }  // namespace g31::fanuc

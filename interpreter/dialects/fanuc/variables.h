@@ -65,6 +65,11 @@ class Variables {
     commons_[static_cast<std::size_t>(number)] = value;
   }
 
+  /// The locals of this call level and the commons, by variable number.  The locals stay where they
+  /// are until the level changes.
+  [[nodiscard]] const Cell* locals() const { return locals_.back().data(); }
+  [[nodiscard]] const Cell* commons() const { return commons_.data(); }
+
   /// A macro call: all locals of the new level are vacant.
   void push_level() { locals_.emplace_back(); }
   void pop_level() { locals_.pop_back(); }
