@@ -10,8 +10,8 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   rules.largest_result = profile.largest_result;
   rules.smallest_result = profile.smallest_result;
   rules.digit_limit = profile.digit_limit;
-  rules.signed_angles = parameters.bit(6004, 0);
-  rules.clear_small_sines = parameters.bit(6004, 1);
+  rules.signed_angles = parameters.is_on(ParameterId::SignedAngles);
+  rules.clear_small_sines = parameters.is_on(ParameterId::ClearSmallSines);
   rules.has_series_30i_functions = profile.has_series_30i_functions;
   rules.logic_operands = profile.logic_operands;
   return rules;
@@ -34,7 +34,7 @@ VariableGroups variable_groups(const Profile& profile, const Parameters& paramet
     case OffsetMemory::C:
       break;
   }
-  return parameters.bit(6000, 3)
+  return parameters.is_on(ParameterId::OffsetsTurned)
              ? groups.without(OffsetsC).without(LegacyOffsets).with(OffsetsCTurned)
              : groups;
 }
@@ -72,9 +72,9 @@ void Control::report_silent_skip() {
 void Control::apply(const Parameters& given) {
   parameters = given;
   evaluator.set_rules(rules_of(profile, parameters));
-  scale.calculator_point = parameters.bit(3401, 0);
-  variables.protect(nearest_integer(parameters.value(6031)),
-                    nearest_integer(parameters.value(6032, -1.0)));
+  scale.calculator_point = parameters.is_on(ParameterId::CalculatorPoint);
+  variables.protect(nearest_integer(parameters.get(ParameterId::FirstProtected)),
+                    nearest_integer(parameters.get(ParameterId::LastProtected)));
   choose_system_variables();
 }
 

@@ -54,6 +54,10 @@ Result<OutputItem, std::string> take_variable(std::string_view& text) {
 
 }  // namespace
 
+std::span<const OutputStatementInfo> output_statements() {
+  return kRows;
+}
+
 const OutputStatementInfo& info(OutputStatement statement) {
   return kRows.at(static_cast<std::size_t>(statement));
 }

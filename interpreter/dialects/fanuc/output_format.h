@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,9 @@ struct OutputStatementInfo {
   HasFormat has_format;
   std::string_view text;
 };
+
+/// All rows.
+std::span<const OutputStatementInfo> output_statements();
 
 const OutputStatementInfo& info(OutputStatement statement);
 

@@ -79,7 +79,7 @@ constexpr Profile meldas() {
   profile.modal_layout = meldas_modal_layout();
   profile.variables = {Basic, OffsetsMeldas, ExternalOffset, SkipWithOffset, ExecutingModal};
   profile.skip_feed = SkipFeed::OneBlock;
-  profile.skip_feed_parameter = 1174;
+  profile.skip_feed_parameter = ParameterId::SkipFeed;
   return profile;
 }
 

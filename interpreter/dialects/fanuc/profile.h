@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "interpreter/dialects/fanuc/alarms.h"
 #include "interpreter/dialects/fanuc/g_codes.h"
 #include "interpreter/dialects/fanuc/output_format.h"
+#include "interpreter/dialects/fanuc/parameters.h"
 #include "interpreter/dialects/fanuc/system_variables.h"
 
 namespace g31::fanuc {
@@ -97,7 +99,7 @@ struct Profile {
 
   // G31
   SkipFeed skip_feed = SkipFeed::Modal;
-  int skip_feed_parameter = 0;  ///< feed of G31 without F; 0: none (MB-334)
+  std::optional<ParameterId> skip_feed_parameter;  ///< feed of G31 without F (MB-334)
 
   // DPRNT and BPRNT
   OutputRule output;

@@ -281,7 +281,7 @@ MaybeFailure Runner::assigned_system_variable(int number, double value) {
   failure.alarm_text = text.empty() ? std::string(info(AlarmId::MacroAlarm).text) : text;
   const MacroAlarmRule& rule = control_.profile.macro_alarm;
   const int n = nearest_integer(value);
-  const bool plain = rule.has_plain_numbers && control_.parameters.bit(6008, 1);
+  const bool plain = rule.has_plain_numbers && control_.parameters.is_on(ParameterId::PlainAlarmNumber);
   const bool adds = rule.number == MacroAlarmRule::Number::BasePlusValue;
   failure.alarm_number = plain ? n : rule.base + (adds ? n : 0);
   if (n < rule.smallest || n > rule.largest) {

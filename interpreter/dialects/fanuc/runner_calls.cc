@@ -93,7 +93,7 @@ Result<bool, Failure> Runner::call_in_block() {
       if (sub != control_.subprogram_calls_m.end() && code_calls_allowed()) {
         return done(code_subprogram(word, sub->second));
       }
-    } else if (word.letter == 'T' && control_.parameters.bit(6001, 5) && code_calls_allowed()) {
+    } else if (word.letter == 'T' && control_.parameters.is_on(ParameterId::ToolCalls) && code_calls_allowed()) {
       control_.variables.set_common(kTCallVariable, Cell(code));
       return done(code_subprogram(word, kTCallProgram));
     }
@@ -306,7 +306,7 @@ Result<const CompiledProgram*, Failure> Runner::called_program(const EvaluatedWo
 /// Sets the locals of the level just entered.  I J K may come again: then they belong to the next
 /// triple (specification II, MB-192, MB-194), unless parameter 6008.7 says specification I only.
 MaybeFailure Runner::pass_arguments(std::span<const EvaluatedWord> arguments) {
-  const bool triples = !control_.parameters.bit(6008, 7);
+  const bool triples = !control_.parameters.is_on(ParameterId::OneTriple);
   int triple = 0;
   char last_of_triple = 'A';
   for (const EvaluatedWord& word : arguments) {

@@ -9,7 +9,7 @@ namespace {
 
 OutputStyle style_of(const Control& control) {
   OutputStyle style = control.profile.output.style;
-  if (control.parameters.bit(6001, 1)) {
+  if (control.parameters.is_on(ParameterId::PrintOmitsZeros)) {
     style.leading_zeros = OutputStyle::LeadingZeros::Omit;
   }
   return style;
@@ -66,7 +66,7 @@ MaybeFailure Runner::output(const Step& step) {
     }
     line += *bytes;
   }
-  line += control_.parameters.bit(6001, 4) ? "\n\r" : "\n";
+  line += control_.parameters.is_on(ParameterId::PrintReturns) ? "\n\r" : "\n";
   control_.observer.on_output(line);
   return std::nullopt;
 }

@@ -73,16 +73,16 @@ std::vector<std::string> configure_offsets(Control& control, const runtime::Cont
 void configure_calls(Control& control, const runtime::ControlSetup& setup,
                      std::vector<std::string>& refused) {
   for (int i = 0; i < 10; ++i) {
-    const auto add = [&](std::map<int, int>& calls, int parameter, int program) {
-      const double code = control.parameters.value(parameter);
+    const auto add = [&](std::map<int, int>& calls, ParameterId parameter, int index, int program) {
+      const double code = control.parameters.get(parameter, index);
       if (code > 0.0) {
         calls[nearest_integer(code)] = program;
       }
     };
-    add(control.macro_calls_g, 6050 + i, 9010 + i);
-    add(control.macro_calls_m, 6080 + i, 9020 + i);
+    add(control.macro_calls_g, ParameterId::MacroGCode, i, 9010 + i);
+    add(control.macro_calls_m, ParameterId::MacroMCode, i, 9020 + i);
     if (i > 0) {
-      add(control.subprogram_calls_m, 6070 + i, 9000 + i);
+      add(control.subprogram_calls_m, ParameterId::SubprogramMCode, i - 1, 9000 + i);
     }
   }
   for (const auto& [code, program] : setup.macro_calls) {

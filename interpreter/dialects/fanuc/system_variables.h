@@ -139,6 +139,10 @@ struct SystemVariable {
   std::string_view text;
 };
 
+/// Work offsets stand in runs of 20 numbers, one run a system, one number an axis (MB-145).
+inline constexpr int kNumbersPerSystem = 20;
+inline constexpr int kFirstWorkOffset = 5201;  ///< the external one; G54 to G59 follow
+
 /// All rows of all controls, rising by their first number.
 std::span<const SystemVariable> system_variables();
 

@@ -39,8 +39,8 @@ runtime::TouchEvent event_of(Control& control, const NcBlock& block, const SkipO
 
 /// mm/min: F of the block, else the parameter that some controls have, else the feed in force.
 Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) {
-  const int number = control.profile.skip_feed_parameter;
-  const double preset = number != 0 ? control.parameters.value(number) : 0.0;
+  const auto parameter = control.profile.skip_feed_parameter;
+  const double preset = parameter ? control.parameters.get(*parameter) : 0.0;
   if (!block.words.has('F') && preset > 0.0) {
     return preset;
   }

@@ -4,10 +4,8 @@
 namespace g31::fanuc::system {
 namespace {
 
-constexpr int kNumbersPerSystem = 20;
 constexpr int kNumbersPerLegacyAxis = 100;
 constexpr int kFirstLegacy = 2500;
-constexpr int kFirstWorkOffset = 5201;  // the external one; G54 to G59 follow
 
 /// What a tool offset variable shows: a field, times 2 where the control keeps diameters.
 struct EntryView {

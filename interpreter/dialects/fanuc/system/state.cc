@@ -13,16 +13,19 @@ constexpr double kTimerWrap = 2147483648.0;  // ms (MB-125)
 /// A bit of #3005 and the parameter that holds it (MB-129).
 struct Setting {
   int bit;
-  int parameter;
-  int parameter_bit;
+  ParameterId parameter;
 };
-constexpr Setting kSettings[] = {{0, 0, 0}, {1, 0, 1}, {5, 0, 5}, {9, 1, 1}};
+constexpr Setting kSettings[] = {{0, ParameterId::VerticalParity},
+                                 {1, ParameterId::IsoCode},
+                                 {5, ParameterId::SequenceInsertion},
+                                 {9, ParameterId::TapeFormat}};
 constexpr int kInchBit = 1 << 2;
 
 constexpr int kAliasDistance = 10000;
 
-int parts_parameter(const Place& place) {
-  return place.row.shows == Shows::PartsCount ? 6711 : 6713;
+ParameterId parts_parameter(const Place& place) {
+  return place.row.shows == Shows::PartsCount ? ParameterId::PartsCount
+                                              : ParameterId::PartsRequired;
 }
 
 }  // namespace
@@ -67,8 +70,7 @@ WriteResult write_override(Control& control, const Place&, Cell value) {
 ReadResult read_settings(Control& control, const Place&) {
   int settings = control.scale.unit == LengthUnit::Inch ? kInchBit : 0;
   for (const Setting& setting : kSettings) {
-    settings |=
-        control.parameters.bit(setting.parameter, setting.parameter_bit) ? 1 << setting.bit : 0;
+    settings |= control.parameters.is_on(setting.parameter) ? 1 << setting.bit : 0;
   }
   return Cell(settings);
 }
@@ -77,8 +79,7 @@ ReadResult read_settings(Control& control, const Place&) {
 WriteResult write_settings(Control& control, const Place&, Cell value) {
   const int settings = nearest_integer(value.or_zero());
   for (const Setting& setting : kSettings) {
-    control.parameters.set_bit(setting.parameter, setting.parameter_bit,
-                               (settings >> setting.bit & 1) != 0);
+    control.parameters.switch_to(setting.parameter, (settings >> setting.bit & 1) != 0);
   }
   control.set_unit((settings & kInchBit) != 0 ? LengthUnit::Inch : LengthUnit::Millimetre);
   return std::nullopt;
@@ -128,11 +129,11 @@ ReadResult read_constant(Control&, const Place& place) {
 }
 
 ReadResult read_parts(Control& control, const Place& place) {
-  return Cell(control.parameters.value(parts_parameter(place)));
+  return Cell(control.parameters.get(parts_parameter(place)));
 }
 
 WriteResult write_parts(Control& control, const Place& place, Cell value) {
-  control.parameters.set_value(parts_parameter(place), value.or_zero());
+  control.parameters.set(parts_parameter(place), value.or_zero());
   return std::nullopt;
 }
 
