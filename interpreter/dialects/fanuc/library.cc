@@ -66,7 +66,7 @@ void ProgramLibrary::add_folder(const std::string& folder) {
 const CompiledProgram* ProgramLibrary::compiled(File& file, std::size_t which) {
   auto& slot = file.compiled[which];
   if (slot == nullptr) {
-    slot = std::make_unique<CompiledProgram>(compile(*file.source, file.tree, which));
+    slot = std::make_unique<CompiledProgram>(compile(*file.source, file.tree, which, *profile_));
   }
   return slot.get();
 }

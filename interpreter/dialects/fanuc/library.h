@@ -18,6 +18,9 @@ class ProgramLibrary {
   /// @param files  must outlive the library
   explicit ProgramLibrary(source::FileSystem& files) : files_(files) {}
 
+  /// Programs are compiled for this control; to be called before any is asked for.
+  void compile_for(const Profile& profile) { profile_ = &profile; }
+
   /// Reads a file and makes its programs callable; nullptr when it cannot be read.
   const source::SourceFile* add_file(const std::string& path);
 
@@ -50,6 +53,7 @@ class ProgramLibrary {
   File* load(const std::string& path);
 
   source::FileSystem& files_;
+  const Profile* profile_ = &profiles().front();
   std::vector<std::unique_ptr<File>> loaded_;
   std::vector<Folder> folders_;
   std::map<int, const CompiledProgram*> known_;
