@@ -94,14 +94,16 @@ bool Runner::fast_step(const Step& step, Frame& now) {
       now.step = step.jump;
       return true;
     case BlockKind::Assign: {
-      if (step.target_kind != TargetKind::Common && step.target_kind != TargetKind::Local) {
+      const bool is_common = step.target_kind == TargetKind::Common &&
+                             !control_.variables.is_protected(step.number);
+      if (!is_common && step.target_kind != TargetKind::Local) {
         return false;
       }
       const Cell value = evaluator.evaluate(*now.program, step.value);
       if (evaluator.failed()) [[unlikely]] {
         return true;
       }
-      if (step.target_kind == TargetKind::Common) {
+      if (is_common) {
         control_.variables.set_common(step.number, value);
       } else {
         control_.variables.set_local(step.number, value);
@@ -314,9 +316,15 @@ MaybeFailure Runner::assigned_system_variable(int number, double value) {
   failure.id = AlarmId::MacroAlarm;
   failure.where = block.span;
   failure.alarm_text = text.empty() ? std::string(info(AlarmId::MacroAlarm).text) : text;
-  failure.alarm_number = info(AlarmId::MacroAlarm).number_16i + nearest_integer(value);
-  if (value < 0.0 || nearest_integer(value) > control_.profile.largest_alarm) {
-    failure.detail = fmt::format("#3000 takes 0 to {}", control_.profile.largest_alarm);
+  const MacroAlarmRule& rule = control_.profile.macro_alarm;
+  const int n = nearest_integer(value);
+  const bool plain = rule.has_plain_numbers && control_.parameters.is_on(ParameterId::PlainAlarmNumber);
+  const bool adds = rule.number == MacroAlarmRule::Number::BasePlusValue;
+  failure.alarm_number = plain ? n : rule.base + (adds ? n : 0);
+  if (n < rule.smallest || n > rule.largest) {
+    failure.detail = fmt::format("#3000 takes {} to {}", rule.smallest, rule.largest);
+  } else if (!adds) {
+    failure.detail = fmt::format("number {}", n);
   }
   return failure;
 }
