@@ -8,6 +8,7 @@
 #include "parts/geometry/bvh.h"
 #include "parts/geometry/mesh.h"
 #include "probe/contact/contact_triangle.h"
+#include "probe/contact/sweep_triangle.h"
 
 namespace g31::probe {
 
@@ -77,6 +78,18 @@ class MeshSweeper {
     std::uint32_t slot = 0;
   };
 
+  /// What to test where the centre meets a patch of the offset surface: 4 bits of Features, then 28
+  /// of the triangle's slot.
+  class Patch {
+   public:
+    Patch(Features features, std::uint32_t slot) : bits_(features << 28U | slot) {}
+    [[nodiscard]] Features features() const { return bits_ >> 28U; }
+    [[nodiscard]] std::uint32_t slot() const { return bits_ & 0x0FFF'FFFFU; }
+
+   private:
+    std::uint32_t bits_;
+  };
+
   /// The deepest touch of the ball at rest.
   [[nodiscard]] std::optional<Touch> touch_at(const Point& p_M_centre) const;
 
@@ -84,15 +97,18 @@ class MeshSweeper {
   /// it as is not in touch already.  To meet *that* ball is to go deeper.
   [[nodiscard]] double free_radius(std::uint32_t slot, const Point& p_M_from) const;
 
-  /// @param starts_in_touch  touch_at(path.from) found something: free_radius matters
-  [[nodiscard]] std::optional<Meeting> first_meeting(const parts::Path& path,
-                                                     bool starts_in_touch) const;
+  /// From a free start.
+  [[nodiscard]] std::optional<Meeting> first_meeting(const parts::Path& path) const;
+  /// From a start in touch: free_radius matters.
+  [[nodiscard]] std::optional<Meeting> first_meeting_leaving(const parts::Path& path) const;
   [[nodiscard]] SweepHit hit_at(SweepStatus status, const parts::Path& path,
                                 const Meeting& meeting) const;
 
   double radius_;
-  parts::Bvh tree_;
-  std::vector<ContactTriangle> triangles_;  ///< in slot order of the tree
+  parts::Bvh tree_;                         ///< of the triangles
+  std::vector<ContactTriangle> triangles_;  ///< in slot order of tree_
+  parts::Bvh patch_tree_;                   ///< of the offset surface
+  std::vector<Patch> patches_;              ///< in slot order of patch_tree_
 };
 
 /// Five times the worst error seen; tests/probe/sweep_mesh_test.cc holds it against quadruple
