@@ -1,17 +1,12 @@
 #include "probe/contact/sweep_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "machine/base/contract.h"
 #include "probe/contact/offset_patches.h"
-#include "probe/contact/sweep_triangle.h"
 
 namespace g31::probe {
 namespace {
-
-/// The tree is asked for this much beyond the radius: far more than roundoff, hardly any work.
-constexpr double kBoxMarginMm = 1e-8;
 
 /// A shorter move has no direction; only the overlap at its start counts.
 constexpr double kShortestMoveMm = 1e-12;
@@ -37,22 +32,23 @@ std::vector<parts::Box> boxes_of(const std::vector<OffsetPatch>& patches) {
   return boxes;
 }
 
+parts::Mesh in_slot_order(const parts::Mesh& mesh, const ContactMesh& slots) {
+  parts::Mesh ordered{mesh.vertices, {}};
+  ordered.triangles.reserve(mesh.triangles.size());
+  for (std::uint32_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+    ordered.triangles.push_back(mesh.triangles[slots.index_of(slot)]);
+  }
+  return ordered;
+}
+
 }  // namespace
 
 MeshSweeper::MeshSweeper(const parts::Mesh& mesh_M, double ball_radius)
-    : radius_(ball_radius), tree_(parts::triangle_boxes(mesh_M)) {
+    : radius_(ball_radius), mesh_(mesh_M) {
   G31_EXPECTS(std::isfinite(ball_radius) && ball_radius > 0.0);
   G31_EXPECTS(mesh_M.triangles.size() < kMostTriangles);
-  triangles_.reserve(mesh_M.triangles.size());
-  parts::Mesh in_slot_order{mesh_M.vertices, {}};
-  in_slot_order.triangles.reserve(mesh_M.triangles.size());
-  for (const std::uint32_t index : tree_.order()) {
-    const auto& corners = mesh_M.triangles[index];
-    in_slot_order.triangles.push_back(corners);
-    triangles_.emplace_back(mesh_M.vertices[corners[0]], mesh_M.vertices[corners[1]],
-                            mesh_M.vertices[corners[2]]);
-  }
-  const std::vector<OffsetPatch> patches = offset_patches(in_slot_order, triangles_, radius_);
+  const std::vector<OffsetPatch> patches =
+      offset_patches(in_slot_order(mesh_M, mesh_), mesh_.triangles(), radius_);
   patch_tree_ = parts::Bvh(boxes_of(patches));
   patches_.reserve(patches.size());
   for (const std::uint32_t index : patch_tree_.order()) {
@@ -62,16 +58,24 @@ MeshSweeper::MeshSweeper(const parts::Mesh& mesh_M, double ball_radius)
 
 SweepHit MeshSweeper::sweep(const Point& p_M_from, const Point& p_M_to) const {
   const parts::Path path = path_between(p_M_from, p_M_to);
-  const std::optional<Touch> start = touch_at(p_M_from);
+  const std::optional<Touch> start = mesh_.nearest_within(p_M_from, radius_ + kTouchBandMm);
   if (start && start->distance < radius_ - kTouchBandMm) {
     return hit_at(SweepStatus::StartInContact, path, {0.0, start->slot});
   }
-  std::optional<Meeting> first = start ? first_meeting_leaving(path) : first_meeting(path);
+  if (path.length == 0.0) {
+    return {};
+  }
+  if (!start) {
+    const std::optional<Meeting> first = first_meeting(path);
+    return first ? hit_at(SweepStatus::Contact, path, *first) : SweepHit{};
+  }
+  std::optional<Meeting> first = first_meeting_leaving(path, start->distance, kLeaveExactly);
   if (!first) {
     return {};
   }
   // In touch from the start and going in: the contact is here, not where the band is used up.
-  if (start && free_radius(first->slot, p_M_from) < radius_) {
+  const ContactTriangle& triangle = mesh_.triangles()[first->slot];
+  if (nearest_of(triangle, p_M_from).distance <= radius_ + kTouchBandMm) {
     first->s = 0.0;
   }
   return hit_at(SweepStatus::Contact, path, *first);
@@ -79,39 +83,22 @@ SweepHit MeshSweeper::sweep(const Point& p_M_from, const Point& p_M_to) const {
 
 SweepHit MeshSweeper::first_contact_leaving(const Point& p_M_from, const Point& p_M_to) const {
   const parts::Path path = path_between(p_M_from, p_M_to);
+  if (path.length == 0.0) {
+    return {};
+  }
+  const std::optional<Touch> start = mesh_.nearest_within(p_M_from, radius_ + kTouchBandMm);
   const std::optional<Meeting> first =
-      touch_at(p_M_from) ? first_meeting_leaving(path) : first_meeting(path);
+      start ? first_meeting_leaving(path, start->distance, kLeaveFreely) : first_meeting(path);
   return first ? hit_at(SweepStatus::Contact, path, *first) : SweepHit{};
 }
 
-std::optional<MeshSweeper::Touch> MeshSweeper::touch_at(const Point& p_M_centre) const {
-  std::optional<Touch> deepest;
-  double reach = radius_ + kTouchBandMm;
-  tree_.visit_near(p_M_centre, reach + kBoxMarginMm, [&](std::uint32_t slot) {
-    const double distance = nearest_of(triangles_[slot], p_M_centre).distance;
-    if (distance < reach || (!deepest && distance == reach)) {
-      deepest = Touch{slot, distance};
-      reach = distance;
-    }
-    return reach + kBoxMarginMm;
-  });
-  return deepest;
-}
-
-double MeshSweeper::free_radius(std::uint32_t slot, const Point& p_M_from) const {
-  const double distance = nearest_of(triangles_[slot], p_M_from).distance;
-  return distance <= radius_ + kTouchBandMm ? std::min(distance, radius_) - kTouchBandMm : radius_;
-}
-
-std::optional<MeshSweeper::Meeting> MeshSweeper::first_meeting(const parts::Path& path) const {
+std::optional<Meeting> MeshSweeper::first_meeting(const parts::Path& path) const {
   std::optional<Meeting> first;
-  if (path.length == 0.0) {
-    return first;
-  }
   parts::Path rest = path;
   patch_tree_.visit_along(path, kBoxMarginMm, [&](std::uint32_t i) {
     const Patch patch = patches_[i];
-    const double s = sweep_triangle(rest, triangles_[patch.slot()], patch.features(), radius_);
+    const double s =
+        sweep_triangle(rest, mesh_.triangles()[patch.slot()], patch.features(), radius_);
     if (s < rest.length || (!first && s == rest.length)) {
       first = Meeting{s, patch.slot()};
       rest.length = s;
@@ -121,22 +108,19 @@ std::optional<MeshSweeper::Meeting> MeshSweeper::first_meeting(const parts::Path
   return first;
 }
 
-std::optional<MeshSweeper::Meeting> MeshSweeper::first_meeting_leaving(
-    const parts::Path& path) const {
-  std::optional<Meeting> first;
-  if (path.length == 0.0) {
-    return first;
+std::optional<Meeting> MeshSweeper::first_meeting_leaving(const parts::Path& path,
+                                                          double start_distance,
+                                                          const LeavingRule& rule) const {
+  const Leaving leaving = leave_contact(mesh_, path, radius_, start_distance, rule);
+  if (leaving.stop || leaving.free_from >= path.length) {
+    return leaving.stop;
   }
-  parts::Path rest = path;
-  tree_.visit_along(path, radius_ + kBoxMarginMm, [&](std::uint32_t slot) {
-    const double radius = free_radius(slot, path.from);
-    const double s = radius > 0.0 ? sweep_triangle(rest, triangles_[slot], radius) : kNoContact;
-    if (s < rest.length || (!first && s == rest.length)) {
-      first = Meeting{s, slot};
-      rest.length = s;
-    }
-    return rest.length;
-  });
+  const double s = leaving.free_from;
+  std::optional<Meeting> first =
+      first_meeting({path.from + s * path.direction, path.direction, path.length - s});
+  if (first) {
+    first->s += s;
+  }
   return first;
 }
 
@@ -146,12 +130,16 @@ SweepHit MeshSweeper::hit_at(SweepStatus status, const parts::Path& path,
   hit.status = status;
   hit.s = meeting.s;
   hit.p_M_centre = path.from + meeting.s * path.direction;
-  const Nearest nearest = nearest_of(triangles_[meeting.slot], hit.p_M_centre);
+  const Nearest nearest = nearest_of(mesh_.triangles()[meeting.slot], hit.p_M_centre);
   hit.p_M_point = nearest.point;
   hit.n_M = nearest.normal;
-  hit.triangle = tree_.order()[meeting.slot];
+  hit.triangle = mesh_.index_of(meeting.slot);
   hit.cos_incidence = -path.direction.dot(nearest.normal);
   return hit;
+}
+
+std::size_t MeshSweeper::memory_bytes() const {
+  return mesh_.memory_bytes() + patch_tree_.memory_bytes() + patches_.capacity() * sizeof(Patch);
 }
 
 }  // namespace g31::probe
