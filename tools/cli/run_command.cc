@@ -130,7 +130,7 @@ Result<Prepared, Refusal> prepare(const RunOptions& options) {
 
 std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOptions& options) {
   for (const std::string& program : options.programs) {
-    if (library.add_file(program) == nullptr) {
+    if (library.add_file(program) == fanuc::ProgramLibrary::Added::Unreadable) {
       return refusal(ExitCode::BadUsage, fmt::format("cannot read the program {}", program));
     }
   }

@@ -37,10 +37,11 @@ std::int32_t literal_variable(const Expr& number) {
 
 class Compiler {
  public:
-  Compiler(const source::SourceFile& file, const syntax::Tree& tree, const syntax::Program& program,
-           const Profile& profile)
-      : tree_(tree), program_(program), profile_(profile) {
-    out_.number = program.number;
+  Compiler(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
+           const Profile& profile, Extent extent)
+      : tree_(tree), program_(tree.programs.at(which)), profile_(profile) {
+    out_.extent = extent;
+    out_.number = program_.number;
     out_.file = &file;
     out_.tree = &tree;
     out_.constants.emplace_back();
@@ -56,8 +57,10 @@ class Compiler {
     }
     link_then();
     link_loops();
-    std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
-    link_jumps();
+    if (out_.extent == Extent::Whole) {
+      std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
+      link_jumps();
+    }
     return std::move(out_);
   }
 
@@ -382,8 +385,8 @@ std::optional<Index> CompiledProgram::find_label(std::int32_t sequence, Index fr
 }
 
 CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
-                        const Profile& profile) {
-  return Compiler(file, tree, tree.programs.at(which), profile).run();
+                        const Profile& profile, Extent extent) {
+  return Compiler(file, tree, which, profile, extent).run();
 }
 
 }  // namespace g31::fanuc

@@ -35,13 +35,18 @@ class Parser {
  public:
   explicit Parser(std::string_view text) : scanner_(text), expressions_(scanner_, tree_) {}
 
-  syntax::Tree run() {
-    skip_leader();
+  syntax::Tree run(TextBegins begins) {
+    if (begins == TextBegins::AtFile) {
+      skip_leader();
+    } else {
+      open_program(0, {});
+    }
     while (!scanner_.at_end_of_text() && scanner_.text()[scanner_.position()] != '%') {
       block();
       scanner_.skip_block();
     }
     close_program();
+    tree_.end = scanner_.position();
     return std::move(tree_);
   }
 
@@ -326,6 +331,7 @@ void Parser::word_value(Word& word) {
   }
   word.form = number->has_point ? ValueForm::Decimal : ValueForm::Integer;
   word.digits = number->digits;
+  word.decimals = number->decimals;
   word.number = negative ? -number->value : number->value;
 }
 
@@ -496,9 +502,9 @@ int Parser::loop_number() {
 
 }  // namespace
 
-syntax::Tree parse(std::string_view text) {
+syntax::Tree parse(std::string_view text, TextBegins begins) {
   G31_EXPECTS(text.size() < std::numeric_limits<std::uint32_t>::max());
-  return Parser(text).run();
+  return Parser(text).run(begins);
 }
 
 }  // namespace g31::fanuc

@@ -374,6 +374,11 @@ MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
   if (p == nullptr && q == nullptr) {
     return at_word(AlarmId::CallWithoutProgram, m, fmt::format("M{} without P", m.number));
   }
+  if (p == nullptr) {
+    if (auto failure = keep_whole(frame())) {
+      return failure;
+    }
+  }
   Entry entry{frame().program, CallKind::Subprogram, CalledBy::Program, times.value()};
   if (p != nullptr) {
     const auto number = integer_of(*p);
@@ -431,6 +436,9 @@ MaybeFailure Runner::return_from_call() {
     return std::nullopt;
   }
   if (now.kind == CallKind::Main) {
+    if (auto failure = keep_whole(now)) {
+      return failure;
+    }
     now.step = 0;
   } else {
     if (now.kind == CallKind::Macro) {
@@ -446,12 +454,8 @@ MaybeFailure Runner::return_from_call() {
   if (!sequence) {
     return sequence.error();
   }
-  const auto found = frame().program->find_label(sequence.value(), frame().current);
-  if (!found) {
-    return at_word(AlarmId::SequenceNotFound, *p, fmt::format("no N{}", sequence.value()));
-  }
-  frame().step = *found;
-  return std::nullopt;
+  return go_to(frame(), sequence.value(),
+               at_word(AlarmId::SequenceNotFound, *p, fmt::format("no N{}", sequence.value())));
 }
 
 }  // namespace g31::fanuc

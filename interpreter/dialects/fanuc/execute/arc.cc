@@ -72,8 +72,8 @@ Result<Centre, Failure> centre_of(const Control& control, const NcBlock& block, 
   const EvaluatedWord* const j = block.words.find(plane.second_centre);
   centre.first = i != nullptr ? control.scale.length_mm(*i) : 0.0;
   centre.second = j != nullptr ? control.scale.length_mm(*j) : 0.0;
-  const double start_radius = std::hypot(centre.first, centre.second);
-  const double end_radius = std::hypot(along - centre.first, across - centre.second);
+  const double start_radius = Eigen::Vector2d(centre.first, centre.second).norm();
+  const double end_radius = Eigen::Vector2d(along - centre.first, across - centre.second).norm();
   const double tolerance = control.parameters.get(ParameterId::ArcTolerance);
   if (tolerance > 0.0 && std::abs(start_radius - end_radius) > tolerance) {
     return arc_failure(AlarmId::ArcRadiusTolerance,
