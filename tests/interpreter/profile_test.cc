@@ -77,6 +77,12 @@ TEST(Profile, HasItsLoops) {
   }
 }
 
+TEST(Profile, TakesExpressionsWithoutBracketsOrNot) {
+  EXPECT_EQ(ControlRun("fanuc-16i", "#1=5\nG0X#1+10").alarm(), 9);
+  ControlRun meldas("meldas", "#1=5\nG0X#1+10*2Y-#1+1Z[#1]-7");
+  EXPECT_EQ(meldas.machine().log(), (std::vector<std::string>{"move 25.000 -4.000 -2.000 rapid"}));
+}
+
 /// DO1 DO2 ... each leaving after one round.
 std::string nested_loops(int depth) {
   std::string program;

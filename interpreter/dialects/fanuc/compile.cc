@@ -67,7 +67,7 @@ class Compiler {
  private:
   void step(Index block_index);
   void assign(const Block& block, Step& step);
-  void nc_words(const Block& block);
+  void nc_words(const Block& block, Step& step);
   void link_then();
   void link_loops();
   void judge_loop(Step& step, std::size_t depth);
@@ -115,7 +115,7 @@ void Compiler::step(Index block_index) {
     case BlockKind::SetNames:
       break;
     case BlockKind::Nc:
-      nc_words(block);
+      nc_words(block, step);
       break;
     case BlockKind::Assign:
       assign(block, step);
@@ -166,11 +166,16 @@ void Compiler::assign(const Block& block, Step& step) {
   step.value = code(block.value);
 }
 
-void Compiler::nc_words(const Block& block) {
+void Compiler::nc_words(const Block& block, Step& step) {
   for (Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
     const syntax::Word& word = tree_.words[i];
     out_.word_code.resize(i - out_.first_word, kNone);
     out_.word_code.push_back(word.form == syntax::ValueForm::Computed ? code(word.expr) : kNone);
+    if (word.is_bare && !profile_.has_bare_expressions && step.kind != BlockKind::Bad) {
+      mark_bad(
+          step, AlarmId::IllegalAddress, word.span,
+          fmt::format("an expression after {} needs brackets: {}[...]", word.letter, word.letter));
+    }
   }
 }
 

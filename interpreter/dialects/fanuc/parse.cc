@@ -320,6 +320,11 @@ void Parser::word_value(Word& word) {
       negate.span = tree_.exprs[word.expr].span;
       word.expr = expressions_.add(negate);
     }
+    if (word.expr != kNone &&
+        std::string_view("+-*").find(scanner_.peek()) != std::string_view::npos) {
+      word.is_bare = true;
+      word.expr = expressions_.continued(word.expr);
+    }
     return;
   }
   const auto number = scanner_.number();
