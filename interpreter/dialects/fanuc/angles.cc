@@ -30,8 +30,18 @@ double by_quarter(double degrees, int quarter) {
   }
 }
 
+/// Below this whole turns are exact numbers, and so is the rest: both are multiples of the last
+/// digit of `degrees`.
+constexpr double kExactTurns = 1e15;
+
+/// The same angle within about one turn, exactly.
+double within_a_turn(double degrees) {
+  return std::abs(degrees) < kExactTurns ? degrees - 360.0 * std::trunc(degrees / 360.0)
+                                         : std::fmod(degrees, 360.0);
+}
+
 double sine_from(double degrees, int quarters) {
-  const double reduced = std::abs(degrees) < 360.0 ? degrees : std::fmod(degrees, 360.0);
+  const double reduced = within_a_turn(degrees);
   const double quarter = std::round(reduced / 90.0);
   const double rest = reduced - 90.0 * quarter;
   const int turn = static_cast<int>(quarter) + quarters;

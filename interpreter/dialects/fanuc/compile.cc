@@ -21,6 +21,9 @@ using syntax::Operator;
 /// Sequence numbers up to here exist on every control; the run judges larger ones (MB-172).
 constexpr double kAlwaysInRange = 99'999.0;
 
+/// Numbers of so many digits are taken by every control; the run judges longer ones (MB-027).
+constexpr int kDigitsOfEveryControl = 8;
+
 bool is_comparison(const Expr& expr) {
   return expr.kind == ExprKind::Binary && expr.op >= Operator::Equal;
 }
@@ -32,24 +35,30 @@ std::int32_t literal_variable(const Expr& number) {
 
 class Compiler {
  public:
-  Compiler(const source::SourceFile& file, const syntax::Tree& tree, const syntax::Program& program)
-      : tree_(tree), program_(program) {
-    out_.number = program.number;
+  Compiler(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
+           Extent extent)
+      : tree_(tree), program_(tree.programs.at(which)) {
+    out_.extent = extent;
+    out_.number = program_.number;
     out_.file = &file;
     out_.tree = &tree;
+    out_.constants.emplace_back();
   }
 
   CompiledProgram run() {
     const Index end = program_.first_block + program_.block_count;
     out_.steps.reserve(program_.block_count);
-    out_.first_word = end > program_.first_block ? tree_.blocks[program_.first_block].first_word : 0;
+    out_.first_word =
+        end > program_.first_block ? tree_.blocks[program_.first_block].first_word : 0;
     for (Index i = program_.first_block; i < end; ++i) {
       step(i);
     }
     link_then();
     link_loops();
-    std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
-    link_jumps();
+    if (out_.extent == Extent::Whole) {
+      std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
+      link_jumps();
+    }
     return std::move(out_);
   }
 
@@ -62,10 +71,12 @@ class Compiler {
   void link_jumps();
   Index code(Index expr);
   Index condition_code(const Block& block, Step& step);
-  void emit(Index expr);
-  void emit_chain(Index index);
-  void emit_variable(const Expr& expr);
-  void push(const Op& op, syntax::ShortSpan span);
+  Operand emit(Index expr);
+  Operand emit_chain(Index index);
+  Operand emit_variable(const Expr& expr);
+  Operand emit_call(const Expr& expr);
+  Operand constant(double number);
+  Operand push(Op op, std::size_t result, syntax::ShortSpan span);
   void mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::string message);
 
   const syntax::Tree& tree_;
@@ -73,6 +84,7 @@ class Compiler {
   CompiledProgram out_;
   Index condition_ = kNone;  ///< the comparison that IF or WHILE asks for
   std::optional<syntax::ShortSpan> misplaced_comparison_;
+  std::size_t temporaries_ = 0;  ///< how many hold results that are still to be used
 };
 
 void Compiler::mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::string message) {
@@ -134,9 +146,11 @@ void Compiler::assign(const Block& block, Step& step) {
   const Expr& number = tree_.exprs[target.a];
   if (number.kind == ExprKind::Number) {
     step.number = literal_variable(number);
-    step.target_kind = variable_kind(step.number);
+    step.target_kind = is_local(step.number)    ? TargetKind::Local
+                       : is_common(step.number) ? TargetKind::Common
+                                                : TargetKind::Numbered;
   } else {
-    step.target_kind = OpCode::Indirect;
+    step.target_kind = TargetKind::Computed;
     step.target = code(target.a);
   }
   step.value = code(block.value);
@@ -163,81 +177,111 @@ Index Compiler::condition_code(const Block& block, Step& step) {
 
 Index Compiler::code(Index expr) {
   const auto begin = static_cast<Index>(out_.ops.size());
-  emit(expr);
-  push({}, tree_.exprs[expr].span);
+  temporaries_ = 0;
+  Op end;
+  end.code = OpCode::End;
+  end.a = emit(expr);
+  push(end, 0, tree_.exprs[expr].span);
   return begin;
 }
 
-void Compiler::push(const Op& op, syntax::ShortSpan span) {
+/// Appends an operation; its result is temporary `result`, which frees those behind it.
+Operand Compiler::push(Op op, std::size_t result, syntax::ShortSpan span) {
+  G31_EXPECTS(result < kTemporaryCount);
+  op.result = static_cast<std::uint8_t>(result);
   out_.ops.push_back(op);
   out_.op_spans.push_back(span);
+  temporaries_ = result + 1;
+  return {Bank::Temporaries, static_cast<std::int32_t>(result)};
 }
 
-void Compiler::emit_variable(const Expr& expr) {
+Operand Compiler::constant(double number) {
+  out_.constants.emplace_back(number);
+  return {Bank::Constants, static_cast<std::int32_t>(out_.constants.size() - 1)};
+}
+
+Operand Compiler::emit_variable(const Expr& expr) {
   const Expr& number = tree_.exprs[expr.a];
+  const std::size_t result = temporaries_;
   Op op;
+  op.code = OpCode::Read;
   if (number.kind == ExprKind::Number) {
-    op.number = literal_variable(number);
-    op.code = variable_kind(op.number);
+    const std::int32_t variable = literal_variable(number);
+    if (variable == 0) {
+      return {};
+    }
+    if (is_local(variable) || is_common(variable)) {
+      return {is_local(variable) ? Bank::Locals : Bank::Commons, variable};
+    }
+    op.a = constant(variable);
   } else {
-    emit(expr.a);
-    op.code = OpCode::Indirect;
+    op.a = emit(expr.a);
   }
-  push(op, expr.span);
+  return push(op, result, expr.span);
 }
 
 /// 1+2+3... is a tree as deep as it is long: its left side is walked in a loop, as no stack is as
 /// deep as a hostile line is long.
-void Compiler::emit_chain(Index index) {
+Operand Compiler::emit_chain(Index index) {
   std::vector<Index> chain;
   Index left = index;
   for (; tree_.exprs[left].kind == ExprKind::Binary; left = tree_.exprs[left].a) {
     chain.push_back(left);
   }
-  emit(left);
+  const std::size_t result = temporaries_;
+  Operand value = emit(left);
   for (const Index place : std::views::reverse(chain)) {
     const Expr& expr = tree_.exprs[place];
-    emit(expr.b);
     if (is_comparison(expr) && place != condition_) {
       misplaced_comparison_ = expr.span;
     }
     Op op;
-    op.code = OpCode::Binary;
-    op.op = expr.op;
-    push(op, expr.span);
+    op.code = operation_of(expr.op);
+    op.a = value;
+    op.b = emit(expr.b);
+    value = push(op, result, expr.span);
   }
+  return value;
 }
 
-void Compiler::emit(Index index) {
+Operand Compiler::emit_call(const Expr& expr) {
+  const std::size_t result = temporaries_;
+  Op op;
+  op.code = OpCode::Call;
+  op.function = expr.function;
+  op.a = emit(expr.a);
+  if (expr.b != kNone) {
+    op.code = OpCode::CallOfTwo;
+    op.b = emit(expr.b);
+  }
+  return push(op, result, expr.span);
+}
+
+Operand Compiler::emit(Index index) {
   const Expr& expr = tree_.exprs[index];
+  const std::size_t result = temporaries_;
   Op op;
   switch (expr.kind) {
     case ExprKind::Number:
-      op.code = OpCode::Constant;
-      op.constant = expr.number;
-      op.number = expr.digits;
-      break;
-    case ExprKind::Variable:
-      emit_variable(expr);
-      return;
-    case ExprKind::Negate:
-      emit(expr.a);
-      op.code = OpCode::Negate;
-      break;
-    case ExprKind::Binary:
-      emit_chain(index);
-      return;
-    case ExprKind::Call:
-      emit(expr.a);
-      op.function = expr.function;
-      op.code = OpCode::Call;
-      if (expr.b != kNone) {
-        emit(expr.b);
-        op.code = OpCode::Call2;
+      if (expr.digits > kDigitsOfEveryControl) {
+        op.code = OpCode::DigitLimit;
+        op.function = expr.digits;
+        push(op, result, expr.span);
+        temporaries_ = result;
       }
-      break;
+      return constant(expr.number);
+    case ExprKind::Variable:
+      return emit_variable(expr);
+    case ExprKind::Negate:
+      op.code = OpCode::Negate;
+      op.a = emit(expr.a);
+      return push(op, result, expr.span);
+    case ExprKind::Binary:
+      return emit_chain(index);
+    case ExprKind::Call:
+      return emit_call(expr);
   }
-  push(op, expr.span);
+  contract_violated("every kind of expression is emitted", __FILE__, __LINE__);
 }
 
 void Compiler::link_then() {
@@ -271,7 +315,8 @@ void Compiler::link_loops() {
       if (open.empty() || open.back().number != step.number) {
         const AlarmId id = open.empty() ? AlarmId::DoMissing : AlarmId::EndMissing;
         mark_bad(step, id, tree_.blocks[step.block].span,
-                 open.empty() ? "this END has no DO" : "this END closes another loop than the innermost");
+                 open.empty() ? "this END has no DO"
+                              : "this END closes another loop than the innermost");
         continue;
       }
       step.jump = open.back().step;
@@ -292,9 +337,12 @@ void Compiler::link_jumps() {
       continue;
     }
     const Op& target = out_.ops[step.value];
-    const bool in_range = target.constant >= 1.0 && target.constant <= kAlwaysInRange;
-    if (target.code == OpCode::Constant && out_.ops[step.value + 1].code == OpCode::End && in_range) {
-      const auto found = out_.find_label(static_cast<std::int32_t>(target.constant), i);
+    if (target.code != OpCode::End || target.a.bank != Bank::Constants) {
+      continue;
+    }
+    const double sequence = out_.constants[static_cast<std::size_t>(target.a.place)].or_zero();
+    if (sequence >= 1.0 && sequence <= kAlwaysInRange) {
+      const auto found = out_.find_label(static_cast<std::int32_t>(sequence), i);
       step.jump = found.value_or(kNone);
     }
   }
@@ -311,9 +359,9 @@ std::optional<Index> CompiledProgram::find_label(std::int32_t sequence, Index fr
   return behind != same.end() ? behind->step : same.front().step;
 }
 
-CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree,
-                        std::size_t which) {
-  return Compiler(file, tree, tree.programs.at(which)).run();
+CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
+                        Extent extent) {
+  return Compiler(file, tree, which, extent).run();
 }
 
 }  // namespace g31::fanuc

@@ -14,8 +14,6 @@
 namespace g31::fanuc {
 namespace {
 
-using syntax::Operator;
-
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kSmallSine = 1e-8;  // 6004.1 MFZ
 
@@ -23,34 +21,21 @@ Cell truth(bool value) {
   return Cell(value ? 1.0 : 0.0);
 }
 
-/// Comparisons; vacant differs from 0 only for EQ and NE (MB-086, MB-087).
-Cell compare(Operator op, Cell a, Cell b) {
+double add_subtract_multiply(OpCode code, double a, double b) {
+  return code == OpCode::Add ? a + b : code == OpCode::Subtract ? a - b : a * b;
+}
+
+/// Vacant differs from 0 only for EQ and NE (MB-086, MB-087).
+bool compare(OpCode code, Cell a, Cell b) {
   const double x = a.or_zero();
   const double y = b.or_zero();
-  switch (op) {
-    case Operator::Equal:
-      return truth(equal(a, b));
-    case Operator::NotEqual:
-      return truth(!equal(a, b));
-    case Operator::Greater:
-      return truth(x > y);
-    case Operator::Less:
-      return truth(x < y);
-    case Operator::GreaterEqual:
-      return truth(x >= y);
-    case Operator::LessEqual:
-      return truth(x <= y);
-    case Operator::Add:
-    case Operator::Subtract:
-    case Operator::Multiply:
-    case Operator::Divide:
-    case Operator::Modulo:
-    case Operator::And:
-    case Operator::Or:
-    case Operator::Xor:
-      break;
+  if (code == OpCode::Equal || code == OpCode::NotEqual) {
+    return equal(a, b) == (code == OpCode::Equal);
   }
-  contract_violated("only comparisons compare", __FILE__, __LINE__);
+  if (code == OpCode::Greater || code == OpCode::GreaterEqual) {
+    return code == OpCode::Greater ? x > y : x >= y;
+  }
+  return code == OpCode::Less ? x < y : x <= y;
 }
 
 /// 16 -> 0x16: the BCD digits of an integer, or nullopt for what has none.
@@ -113,111 +98,112 @@ bool Evaluator::condition(const CompiledProgram& program, syntax::Index code) {
   return evaluate(program, code).or_zero() != 0.0;
 }
 
-Cell Evaluator::evaluate(const CompiledProgram& program, syntax::Index code, double round_to) {
-  std::array<Cell, kExpressionStack> stack;
-  std::size_t top = 0;  // stack[1..top] are in use
-  for (const Op* op = &program.ops[code];; ++op) {
-    switch (op->code) {
-      case OpCode::Constant:
-        stack[++top] = Cell(op->constant);
-        if (op->number <= rules_.digit_limit) {
-          continue;
-        }
-        fail(AlarmId::TooManyDigits, fmt::format("{} digits", op->number));
-        break;
-      case OpCode::Vacant:
-        stack[++top] = Cell();
-        continue;
-      case OpCode::Local:
-        stack[++top] = variables_.local(op->number);
-        continue;
-      case OpCode::Common:
-        stack[++top] = variables_.common(op->number);
-        continue;
-      case OpCode::Numbered:
-        stack[++top] = read(op->number);
-        break;
-      case OpCode::Indirect:
-        stack[top] = read(variable_number(stack[top].or_zero()));
-        break;
-      case OpCode::Negate:
-        stack[top] = stack[top].is_vacant() ? Cell() : Cell(-stack[top].raw());
-        continue;
-      case OpCode::Binary:
-        --top;
-        stack[top] = binary(*op, stack[top], stack[top + 1]);
-        break;
-      case OpCode::Call:
-        stack[top] = function(*op, stack[top].or_zero(), round_to);
-        break;
-      case OpCode::Call2:
-        --top;
-        stack[top] = function_of_two(*op, stack[top].or_zero(), stack[top + 1].or_zero());
-        break;
-      case OpCode::End:
-        return stack[top];
-    }
-    if (fault_) {
-      fault_->where = program.op_spans[static_cast<std::size_t>(op - program.ops.data())];
-      return {};
-    }
-  }
-}
-
-Cell Evaluator::arithmetic(double result) {
+bool Evaluator::is_in_range(double result) const {
   const double size = std::abs(result);
-  const bool fits = size <= rules_.largest_result && (size >= rules_.smallest_result || size == 0.0);
-  return fits ? Cell(result) : fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", result));
+  return size <= rules_.largest_result && (size >= rules_.smallest_result || size == 0.0);
 }
 
-Cell Evaluator::binary(const Op& op, Cell a, Cell b) {
-  switch (op.op) {
-    case Operator::Add:
-      return arithmetic(a.or_zero() + b.or_zero());
-    case Operator::Subtract:
-      return arithmetic(a.or_zero() - b.or_zero());
-    case Operator::Multiply:
-      return arithmetic(a.or_zero() * b.or_zero());
-    case Operator::Divide:
-      if (b.or_zero() == 0.0) {
-        return fail(AlarmId::DivisionByZero, b.is_vacant() ? "the divisor is vacant" : "the divisor is 0");
+Cell Evaluator::in_range(double result) {
+  return is_in_range(result)
+             ? Cell(result)
+             : fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", result));
+}
+
+// The hot loop of macro programs.
+Cell Evaluator::evaluate(const CompiledProgram& program, syntax::Index code, double round_to) {
+  const Cell* const banks[] = {program.constants.data(), variables_.locals(), variables_.commons(),
+                               temporaries_.data()};
+  for (const Op* op = &program.ops[code];; ++op) {
+    const Cell a = banks[static_cast<std::size_t>(op->a.bank)][op->a.place];
+    if (op->code == OpCode::End) {
+      return a;
+    }
+    const Cell b = banks[static_cast<std::size_t>(op->b.bank)][op->b.place];
+    Cell& result = temporaries_[op->result];
+    if (op->code <= OpCode::Multiply) {
+      const double number = add_subtract_multiply(op->code, a.or_zero(), b.or_zero());
+      if (!is_in_range(number)) [[unlikely]] {
+        fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", number));
+        return at(program, *op);
       }
-      return arithmetic(a.or_zero() / b.or_zero());
-    case Operator::Modulo:
-    case Operator::And:
-    case Operator::Or:
-    case Operator::Xor:
-      return integer_operation(op.op, a.or_zero(), b.or_zero());
-    case Operator::Equal:
-    case Operator::NotEqual:
-    case Operator::Greater:
-    case Operator::Less:
-    case Operator::GreaterEqual:
-    case Operator::LessEqual:
-      return compare(op.op, a, b);
+      result = Cell(number);
+    } else if (op->code >= OpCode::Equal && op->code <= OpCode::LessEqual) {
+      result = truth(compare(op->code, a, b));
+    } else {
+      result = rare_operation(*op, a, b, round_to);
+      if (fault_) [[unlikely]] {
+        return at(program, *op);
+      }
+    }
   }
-  contract_violated("every operator has a meaning", __FILE__, __LINE__);
 }
 
-/// MOD AND OR XOR: both operands rounded to 32-bit integers (MB-067 to MB-069).
-Cell Evaluator::integer_operation(Operator op, double a, double b) {
-  const double x = std::round(a);
-  const double y = std::round(b);
+/// Gives the fault its place.
+Cell Evaluator::at(const CompiledProgram& program, const Op& op) {
+  fault_->where = program.op_spans[static_cast<std::size_t>(&op - program.ops.data())];
+  return {};
+}
+
+Cell Evaluator::rare_operation(const Op& op, Cell a, Cell b, double round_to) {
+  switch (op.code) {
+    case OpCode::Divide:
+      if (b.or_zero() == 0.0) {
+        return fail(AlarmId::DivisionByZero,
+                    b.is_vacant() ? "the divisor is vacant" : "the divisor is 0");
+      }
+      return in_range(a.or_zero() / b.or_zero());
+    case OpCode::Negate:
+      return a.is_vacant() ? Cell() : Cell(-a.raw());
+    case OpCode::Read:
+      return read(variable_number(a.or_zero()));
+    case OpCode::Call:
+      return function(op, a.or_zero(), round_to);
+    case OpCode::CallOfTwo:
+      return function_of_two(op, a.or_zero(), b.or_zero());
+    case OpCode::DigitLimit:
+      return op.function <= rules_.digit_limit
+                 ? Cell()
+                 : fail(AlarmId::TooManyDigits, fmt::format("{} digits", op.function));
+    case OpCode::Modulo:
+    case OpCode::And:
+    case OpCode::Or:
+    case OpCode::Xor:
+      return integer_operation(op.code, a.or_zero(), b.or_zero());
+    case OpCode::Add:
+    case OpCode::Subtract:
+    case OpCode::Multiply:
+    case OpCode::Equal:
+    case OpCode::NotEqual:
+    case OpCode::Greater:
+    case OpCode::Less:
+    case OpCode::GreaterEqual:
+    case OpCode::LessEqual:
+    case OpCode::End:
+      break;
+  }
+  contract_violated("evaluate() does the frequent operations itself", __FILE__, __LINE__);
+}
+
+/// MOD AND OR XOR: both operands made 32-bit integers (MB-067 to MB-069, MB-363).
+Cell Evaluator::integer_operation(OpCode op, double a, double b) {
+  const bool truncates = rules_.logic_operands == LogicOperands::Truncate && op != OpCode::Modulo;
+  const double x = truncates ? std::trunc(a) : std::round(a);
+  const double y = truncates ? std::trunc(b) : std::round(b);
   constexpr double kLimit = 2147483648.0;
   const bool fits = x >= -kLimit && x < 2.0 * kLimit && y >= -kLimit && y < 2.0 * kLimit;
   if (!fits) {
     return fail(AlarmId::IntegerOverflow, "an operand does not fit 32 bits");
   }
-  if (op == Operator::Modulo) {
+  if (op == OpCode::Modulo) {
     return y == 0.0 ? fail(AlarmId::DivisionByZero, "the divisor of MOD is 0")
                     : Cell(std::fmod(x, y) + 0.0);
   }
   const auto left = static_cast<std::int32_t>(static_cast<std::int64_t>(x));
   const auto right = static_cast<std::int32_t>(static_cast<std::int64_t>(y));
-  if (op == Operator::And) {
+  if (op == OpCode::And) {
     return Cell(static_cast<double>(left & right));
   }
-  return Cell(static_cast<double>(op == Operator::Or ? left | right : left ^ right));
+  return Cell(static_cast<double>(op == OpCode::Or ? left | right : left ^ right));
 }
 
 Cell Evaluator::trigonometric(FunctionId id, double argument) {
@@ -279,12 +265,13 @@ Cell Evaluator::function(const Op& op, double argument, double round_to) {
       return argument <= 0.0 ? fail(AlarmId::IllegalArgument, fmt::format("LN of {}", argument))
                              : Cell(std::log(argument));
     case FunctionId::EXP:
-      return arithmetic(std::exp(argument));
+      return in_range(std::exp(argument));
     case FunctionId::BIN:
     case FunctionId::BCD: {
       const auto result = id == FunctionId::BIN ? from_bcd(argument) : to_bcd(argument);
-      return result ? Cell(*result)
-                    : fail(AlarmId::IllegalArgument, fmt::format("{}[{}]", info(id).name, argument));
+      return result
+                 ? Cell(*result)
+                 : fail(AlarmId::IllegalArgument, fmt::format("{}[{}]", info(id).name, argument));
     }
     case FunctionId::ADP:
       return Cell(argument);
@@ -302,7 +289,7 @@ Cell Evaluator::function_of_two(const Op& op, double a, double b) {
     }
     const double power = std::pow(a, b);
     return power != power ? fail(AlarmId::IllegalArgument, fmt::format("POW[{},{}]", a, b))
-                          : arithmetic(power);
+                          : in_range(power);
   }
   const double angle = std::atan2(a + 0.0, b + 0.0) * kDegrees;
   return Cell(angle < 0.0 && !rules_.signed_angles ? angle + 360.0 : angle);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
 #include "interpreter/dialects/fanuc/compile.h"
 #include "interpreter/dialects/fanuc/functions.h"
+#include "interpreter/dialects/fanuc/profile.h"
 #include "interpreter/dialects/fanuc/variables.h"
 
 namespace g31::fanuc {
@@ -13,10 +15,11 @@ namespace g31::fanuc {
 struct EvaluationRules {
   double largest_result = 1e47;
   double smallest_result = 1e-29;
-  int digit_limit = 12;             ///< digits of a number (MB-027)
-  bool signed_angles = false;       ///< 6004.0 NAT: ATAN -180..180, ASIN -90..90
-  bool clear_small_sines = false;   ///< 6004.1 MFZ: SIN COS TAN up to 1e-8 become 0
+  int digit_limit = 12;            ///< digits of a number (MB-027)
+  bool signed_angles = false;      ///< 6004.0 NAT: ATAN -180..180, ASIN -90..90
+  bool clear_small_sines = false;  ///< 6004.1 MFZ: SIN COS TAN up to 1e-8 become 0
   bool has_series_30i_functions = false;
+  LogicOperands logic_operands = LogicOperands::Round;
 };
 
 /// Why an expression has no value.
@@ -47,18 +50,21 @@ class Evaluator {
   void set_rules(const EvaluationRules& rules) { rules_ = rules; }
 
  private:
-  Cell binary(const Op& op, Cell a, Cell b);
-  Cell arithmetic(double result);
-  Cell integer_operation(syntax::Operator op, double a, double b);
+  Cell rare_operation(const Op& op, Cell a, Cell b, double round_to);
+  [[nodiscard]] bool is_in_range(double result) const;
+  Cell in_range(double result);
+  Cell integer_operation(OpCode op, double a, double b);
   Cell function(const Op& op, double argument, double round_to);
   Cell trigonometric(FunctionId id, double argument);
   Cell rounding_function(FunctionId id, double argument, double round_to);
   Cell function_of_two(const Op& op, double a, double b);
   Cell read(std::int32_t number);
+  Cell at(const CompiledProgram& program, const Op& op);
   Cell fail(AlarmId id, std::string detail);
 
   Variables& variables_;
   EvaluationRules rules_;
+  std::array<Cell, kTemporaryCount> temporaries_;
   std::optional<EvaluationFault> fault_;
 };
 

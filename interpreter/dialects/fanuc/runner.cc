@@ -1,5 +1,6 @@
 #include "interpreter/dialects/fanuc/runner.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -34,13 +35,13 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
   for (const syntax::SyntaxError& error : reachable_errors(*main)) {
     const AlarmInfo& row = info(static_cast<AlarmId>(error.error));
     outcome.status = runtime::Status::SyntaxError;
-    outcome.diagnostics.push_back(
-        {source::Severity::Error,
-         std::to_string(number_of(static_cast<AlarmId>(error.error), control_.profile.alarm_numbers)),
-         {main->file, error.where.widened()},
-         fmt::format("{}: {}", row.text, error.message),
-         std::string(row.remedy),
-         {}});
+    outcome.diagnostics.push_back({source::Severity::Error,
+                                   std::to_string(number_of(static_cast<AlarmId>(error.error),
+                                                            control_.profile.alarm_numbers)),
+                                   {main->file, error.where.widened()},
+                                   fmt::format("{}: {}", row.text, error.message),
+                                   std::string(row.remedy),
+                                   {}});
   }
   if (outcome.status == runtime::Status::SyntaxError) {
     return outcome;
@@ -66,17 +67,69 @@ void Runner::start(const CompiledProgram& main) {
   started_ = std::chrono::steady_clock::now();
 }
 
+/// Judges the budget, and says at which block to do so again.
 bool Runner::over_budget(const runtime::Budget& budget) {
   if (blocks_ >= budget.blocks) {
     spent_ = source::DiagnosticId::BudgetBlocks;
     return true;
   }
-  if (blocks_ % kBlocksPerClockLook == 0) {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - started_;
-    if (passed.count() > budget.wall_seconds) {
-      spent_ = source::DiagnosticId::BudgetTime;
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - started_;
+  if (passed.count() > budget.wall_seconds) {
+    spent_ = source::DiagnosticId::BudgetTime;
+    return true;
+  }
+  next_look_ = std::min(blocks_ + kBlocksPerClockLook, budget.blocks);
+  return false;
+}
+
+/// Statements that touch nothing but variables: the hot loop of a macro program.
+/// @returns whether the step was one of them; the evaluator knows of a fault
+bool Runner::fast_step(const Step& step, Frame& now) {
+  Evaluator& evaluator = control_.evaluator;
+  switch (step.kind) {
+    case BlockKind::Empty:
+    case BlockKind::Do:
+      return true;
+    case BlockKind::End:
+      now.step = step.jump;
+      return true;
+    case BlockKind::Assign: {
+      const bool is_common = step.target_kind == TargetKind::Common &&
+                             !control_.variables.is_protected(step.number);
+      if (!is_common && step.target_kind != TargetKind::Local) {
+        return false;
+      }
+      const Cell value = evaluator.evaluate(*now.program, step.value);
+      if (evaluator.failed()) [[unlikely]] {
+        return true;
+      }
+      if (is_common) {
+        control_.variables.set_common(step.number, value);
+      } else {
+        control_.variables.set_local(step.number, value);
+      }
       return true;
     }
+    case BlockKind::IfGoto:
+      if (step.jump == kNone) {
+        return false;
+      }
+      if (evaluator.condition(*now.program, step.condition)) {
+        now.step = step.jump;
+      }
+      return true;
+    case BlockKind::IfThen:
+    case BlockKind::While:
+      if (!evaluator.condition(*now.program, step.condition)) {
+        now.step = step.jump;
+      }
+      return true;
+    case BlockKind::Goto:
+    case BlockKind::Nc:
+    case BlockKind::Output:
+    case BlockKind::SetNames:
+    case BlockKind::Bad:
+      return false;
   }
   return false;
 }
@@ -85,12 +138,12 @@ MaybeFailure Runner::loop(const runtime::Budget& budget) {
   while (!ended_) {
     Frame& now = frames_.back();
     if (now.step >= now.program->steps.size()) {
-      if (auto failure = end_of_program()) {
+      if (auto failure = behind_last_step()) {
         return failure;
       }
       continue;
     }
-    if (over_budget(budget)) {
+    if (blocks_ >= next_look_ && over_budget(budget)) {
       return std::nullopt;
     }
     ++blocks_;
@@ -99,68 +152,76 @@ MaybeFailure Runner::loop(const runtime::Budget& budget) {
     if (next.skip_switch != 0 && control_.block_skip.contains(next.skip_switch)) {
       continue;
     }
-    if (auto failure = step(next)) {
+    if (fast_step(next, now)) {
+      if (control_.evaluator.failed()) [[unlikely]] {
+        return from_evaluation();
+      }
+    } else if (auto failure = rare_step(next)) {
       return failure;
     }
   }
   return std::nullopt;
 }
 
-MaybeFailure Runner::end_of_program() {
+/// Goes on in the next window of a long program, or says that the program has no end.
+MaybeFailure Runner::behind_last_step() {
+  const CompiledProgram& program = *frame().program;
+  const auto points_here = [&program](const source::Location& where) {
+    return where.file == program.file;
+  };
+  if (std::ranges::any_of(control_.diagnostics, points_here, &source::Diagnostic::where) ||
+      (control_.silent_skip && points_here(*control_.silent_skip))) {
+    library_.keep_text();
+  }
+  if (const auto next = library_.behind(program)) {
+    frame().program = next->program;
+    frame().step = next->step;
+    return std::nullopt;
+  }
   Failure failure;
   failure.id = AlarmId::EndOfRecord;
-  failure.detail = fmt::format("{} ends without M30, M02 or M99", name_of(*frame().program));
+  failure.detail = fmt::format("{} ends without M30, M02 or M99", name_of(program));
   return failure;
 }
 
-MaybeFailure Runner::step(const Step& step) {
+MaybeFailure Runner::rare_step(const Step& step) {
   switch (step.kind) {
-    case BlockKind::Empty:
-    case BlockKind::Do:
-      return std::nullopt;
     case BlockKind::Nc:
       return nc_block(step);
     case BlockKind::Assign:
       return assign(step);
     case BlockKind::Goto:
       return jump(step);
-    case BlockKind::IfGoto:
-    case BlockKind::IfThen:
-    case BlockKind::While:
-      return branch(step);
-    case BlockKind::End:
-      frame().step = step.jump;
-      return std::nullopt;
+    case BlockKind::IfGoto: {
+      const bool holds = control_.evaluator.condition(*frame().program, step.condition);
+      if (control_.evaluator.failed()) {
+        return from_evaluation();
+      }
+      return holds ? jump(step) : std::nullopt;
+    }
     case BlockKind::Output:
       return output(step);
+    case BlockKind::Bad:
+      return bad_block(step);
     case BlockKind::SetNames:
-      contract_violated("the parser makes no such blocks", __FILE__, __LINE__);
-    case BlockKind::Bad: {
-      const syntax::SyntaxError& error =
-          frame().program->errors[static_cast<std::size_t>(step.number)];
-      Failure failure;
-      failure.id = static_cast<AlarmId>(error.error);
-      failure.where = error.where;
-      failure.detail = error.message;
-      failure.status = runtime::Status::SyntaxError;
-      return failure;
-    }
+    case BlockKind::Empty:
+    case BlockKind::Do:
+    case BlockKind::End:
+    case BlockKind::IfThen:
+    case BlockKind::While:
+      break;
   }
-  contract_violated("every kind of block has a meaning", __FILE__, __LINE__);
+  contract_violated("fast_step does these", __FILE__, __LINE__);
 }
 
-MaybeFailure Runner::branch(const Step& step) {
-  const bool holds = control_.evaluator.condition(*frame().program, step.condition);
-  if (control_.evaluator.failed()) {
-    return from_evaluation();
-  }
-  if (step.kind == BlockKind::IfGoto) {
-    return holds ? jump(step) : std::nullopt;
-  }
-  if (!holds) {
-    frame().step = step.jump;
-  }
-  return std::nullopt;
+MaybeFailure Runner::bad_block(const Step& step) {
+  const syntax::SyntaxError& error = frame().program->errors[static_cast<std::size_t>(step.number)];
+  Failure failure;
+  failure.id = static_cast<AlarmId>(error.error);
+  failure.where = error.where;
+  failure.detail = error.message;
+  failure.status = runtime::Status::SyntaxError;
+  return failure;
 }
 
 MaybeFailure Runner::jump(const Step& step) {
@@ -181,20 +242,43 @@ MaybeFailure Runner::jump(const Step& step) {
     failure.detail = fmt::format("GOTO {}", rounded);
     return failure;
   }
-  const auto found = program.find_label(static_cast<std::int32_t>(rounded), frame().current);
-  if (!found) {
-    failure.id = AlarmId::JumpNotFound;
-    failure.detail = fmt::format("{} has no N{}", name_of(program), rounded);
+  failure.id = AlarmId::JumpNotFound;
+  failure.detail = fmt::format("{} has no N{}", name_of(program), rounded);
+  return go_to(frame(), nearest_integer(rounded), std::move(failure));
+}
+
+/// A jump is ahead: the whole program must be known.
+MaybeFailure Runner::keep_whole(Frame& frame) {
+  const auto here = library_.in_whole({frame.program, frame.current});
+  if (!here) {
+    Failure failure;
+    failure.id = AlarmId::SequenceNotFound;
+    failure.detail = "a program file with jumps must be shorter than 4 GiB";
     return failure;
   }
-  frame().step = *found;
+  frame.program = here->program;
+  frame.step += here->step - frame.current;
+  frame.current = here->step;
+  return std::nullopt;
+}
+
+/// The frame goes on at N `sequence`; `missing` is what it means when there is no such block.
+MaybeFailure Runner::go_to(Frame& frame, int sequence, Failure missing) {
+  if (auto failure = keep_whole(frame)) {
+    return failure;
+  }
+  const auto found = frame.program->find_label(sequence, frame.current);
+  if (!found) {
+    return missing;
+  }
+  frame.step = *found;
   return std::nullopt;
 }
 
 MaybeFailure Runner::assign(const Step& step) {
   const CompiledProgram& program = *frame().program;
   std::int32_t number = step.number;
-  if (step.target_kind == OpCode::Indirect) {
+  if (step.target_kind == TargetKind::Computed) {
     const Cell index = control_.evaluator.evaluate(program, step.target);
     if (control_.evaluator.failed()) {
       return from_evaluation();
@@ -204,14 +288,6 @@ MaybeFailure Runner::assign(const Step& step) {
   const Cell value = control_.evaluator.evaluate(program, step.value);
   if (control_.evaluator.failed()) {
     return from_evaluation();
-  }
-  if (step.target_kind == OpCode::Common) {
-    control_.variables.set_common(number, value);
-    return std::nullopt;
-  }
-  if (step.target_kind == OpCode::Local) {
-    control_.variables.set_local(number, value);
-    return std::nullopt;
   }
   if (const auto refused = control_.variables.write(number, value)) {
     Failure failure;
@@ -230,8 +306,8 @@ MaybeFailure Runner::assigned_system_variable(int number, double value) {
   }
   const CompiledProgram& program = *frame().program;
   const syntax::Block& block = program.tree->blocks[program.steps[frame().current].block];
-  const std::string text(program.file->text().substr(block.text.begin,
-                                                     block.text.end - block.text.begin));
+  const std::string text(
+      program.file->text().substr(block.text.begin, block.text.end - block.text.begin));
   if (number == 3006) {
     control_.observer.on_stop({"#3006", text, location(block.span)});
     return std::nullopt;
@@ -240,9 +316,15 @@ MaybeFailure Runner::assigned_system_variable(int number, double value) {
   failure.id = AlarmId::MacroAlarm;
   failure.where = block.span;
   failure.alarm_text = text.empty() ? std::string(info(AlarmId::MacroAlarm).text) : text;
-  failure.alarm_number = info(AlarmId::MacroAlarm).number_16i + nearest_integer(value);
-  if (value < 0.0 || nearest_integer(value) > control_.profile.largest_alarm) {
-    failure.detail = fmt::format("#3000 takes 0 to {}", control_.profile.largest_alarm);
+  const MacroAlarmRule& rule = control_.profile.macro_alarm;
+  const int n = nearest_integer(value);
+  const bool plain = rule.has_plain_numbers && control_.parameters.is_on(ParameterId::PlainAlarmNumber);
+  const bool adds = rule.number == MacroAlarmRule::Number::BasePlusValue;
+  failure.alarm_number = plain ? n : rule.base + (adds ? n : 0);
+  if (n < rule.smallest || n > rule.largest) {
+    failure.detail = fmt::format("#3000 takes {} to {}", rule.smallest, rule.largest);
+  } else if (!adds) {
+    failure.detail = fmt::format("number {}", n);
   }
   return failure;
 }

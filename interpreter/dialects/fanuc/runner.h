@@ -46,8 +46,8 @@ struct Frame {
   CallKind kind = CallKind::Main;
   CalledBy by = CalledBy::Program;
   int repeats_left = 0;
-  /// Modal calls that motion in this program sets off, the last first; inside a modal call the outer
-  /// ones are left (MB-204).
+  /// Modal calls that motion in this program sets off, the last first; inside a modal call the
+  /// outer ones are left (MB-204).
   std::vector<std::shared_ptr<const ModalCall>> modal_calls;
 };
 
@@ -64,13 +64,16 @@ class Runner {
   // runner.cc: the loop
   void start(const CompiledProgram& main);
   MaybeFailure loop(const runtime::Budget& budget);
-  MaybeFailure step(const Step& step);
+  bool fast_step(const Step& step, Frame& now);
+  MaybeFailure rare_step(const Step& step);
+  MaybeFailure bad_block(const Step& step);
   MaybeFailure assign(const Step& step);
   MaybeFailure assigned_system_variable(int number, double value);
   MaybeFailure jump(const Step& step);
-  MaybeFailure branch(const Step& step);
   MaybeFailure output(const Step& step);  // runner_output.cc
-  MaybeFailure end_of_program();
+  MaybeFailure behind_last_step();
+  MaybeFailure keep_whole(Frame& frame);
+  MaybeFailure go_to(Frame& frame, int sequence, Failure missing);
   bool over_budget(const runtime::Budget& budget);
 
   // runner_words.cc: NC blocks
@@ -113,6 +116,7 @@ class Runner {
   std::vector<Frame> frames_;
   BlockWords words_;
   std::uint64_t blocks_ = 0;
+  std::uint64_t next_look_ = 0;  ///< at which block the budget is judged again
   bool ended_ = false;
   std::optional<source::DiagnosticId> spent_;
   std::chrono::steady_clock::time_point started_;

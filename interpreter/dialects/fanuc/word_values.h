@@ -14,6 +14,7 @@ namespace g31::fanuc {
 struct EvaluatedWord {
   char letter = 0;
   syntax::ValueForm form = syntax::ValueForm::Integer;
+  std::uint8_t decimals = 0;  ///< Decimal: digits behind the point
   double number = 0.0;
   syntax::ShortSpan span;
 };
@@ -47,10 +48,10 @@ enum class LengthUnit : std::uint8_t { Millimetre, Inch };
 
 /// How the control reads the number of a word: least increment, decimal point, unit in force.
 struct WordScale {
-  double counts_per_mm = 1000.0;    ///< least increments in a millimetre (IS-B)
+  double counts_per_mm = 1000.0;  ///< least increments in a millimetre (IS-B)
   double counts_per_inch = 10000.0;
   double counts_per_degree = 1000.0;
-  bool calculator_point = false;    ///< 3401.0: a number without point counts mm
+  bool calculator_point = false;  ///< 3401.0: a number without point counts mm
   ExcessDecimals excess_decimals = ExcessDecimals::Truncate;
   LengthUnit unit = LengthUnit::Millimetre;
 
@@ -81,8 +82,8 @@ struct WordScale {
   [[nodiscard]] double scaled(const EvaluatedWord& word, double counts) const;
 };
 
-/// Rounds to a multiple of 1/counts, halves away from zero.  The scaled value is judged with a small
-/// guard, so that 1.2345 at 1000 counts is 1.235 though its double lies below (MB-023).
+/// Rounds to a multiple of 1/counts, halves away from zero.  The scaled value is judged with a
+/// small guard, so that 1.2345 at 1000 counts is 1.235 though its double lies below (MB-023).
 double round_to_counts(double value, double counts);
 
 /// Nearest integer of a computed integer word; halves away from zero (MB-026).
