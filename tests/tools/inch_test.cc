@@ -32,7 +32,7 @@ TEST(Inches, MovesAndTouchesCarryTheUnitInForce) {
 
 TEST(Inches, RoundInAWordRoundsToTheLeastIncrementInInches) {
   // 27/32 = 0.84375 in, at 0.0001 in 0.8438
-  const auto run = run_text("#101=27/32\nG20 G0 X[ROUND[#101]]\nM30\n");
+  const auto run = run_text("#101=27/32\nG20\nG0 X[ROUND[#101]]\nM30\n");
   EXPECT_DOUBLE_EQ(run.document["moves"][0]["to"][0], 0.8438) << run.errors;
 }
 
