@@ -45,6 +45,12 @@ void Control::report_silent_skip() {
   }
 }
 
+void Control::warn_once(source::DiagnosticId id, source::Location where, std::string_view detail) {
+  if (warned_.insert(id).second) {
+    diagnostics.push_back(make_diagnostic(id, where, detail));
+  }
+}
+
 void Control::apply(const Parameters& given) {
   parameters = given;
   evaluator.set_rules(rules_of(profile, parameters));

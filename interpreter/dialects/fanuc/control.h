@@ -8,15 +8,18 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/dialects/fanuc/canned_cycles.h"
 #include "interpreter/dialects/fanuc/coordinates.h"
 #include "interpreter/dialects/fanuc/evaluate.h"
 #include "interpreter/dialects/fanuc/failure.h"
 #include "interpreter/dialects/fanuc/g_codes.h"
 #include "interpreter/dialects/fanuc/offsets.h"
 #include "interpreter/dialects/fanuc/parameters.h"
+#include "interpreter/dialects/fanuc/polar.h"
 #include "interpreter/dialects/fanuc/profile.h"
 #include "interpreter/dialects/fanuc/variables.h"
 #include "interpreter/dialects/fanuc/word_values.h"
+#include "interpreter/dialects/fanuc/work_transform.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
 #include "machine/port/machine_port.h"
@@ -31,11 +34,19 @@ struct Modal {
   /// The last word of each letter, as #4102 to #4120 show it.
   std::array<double, 26> words{};  ///< by letter - A
   [[nodiscard]] double& word(char letter) { return words[static_cast<std::size_t>(letter - 'A')]; }
-  int length_offset = 0;   ///< H in force
+  int length_offset = 0;      ///< H in force
   int additional_system = 0;  ///< P of G54.1, 0 in G54..G59
 
   Modal();
   [[nodiscard]] bool incremental() const { return group[3].whole == 91; }
+  [[nodiscard]] Plane plane() const { return plane_of(group[2]); }
+};
+
+/// What the blocks from G10 to G11 are (MB-260).
+enum class DataInput {
+  None,
+  Parameters,  ///< G10 L50: N and R, or N P and R
+  ToolLife     ///< G10 L3: not simulated
 };
 
 /// The whole state of a running control.  One per run; nothing is global.
@@ -58,15 +69,19 @@ struct Control {
   std::map<int, int> macro_calls_g;       ///< G number to macro program
   std::map<int, int> macro_calls_m;       ///< M number to macro program
   std::map<int, int> subprogram_calls_m;  ///< M number to subprogram
-  std::set<int> expected_tools;      ///< numbers of the sheet's tool table; empty: anything goes
-  std::set<int> expected_systems;    ///< likewise for work offsets, as Coordinates counts them
+  std::set<int> expected_tools;    ///< numbers of the sheet's tool table; empty: anything goes
+  std::set<int> expected_systems;  ///< likewise for work offsets, as Coordinates counts them
 
   AxisPositions q_W_skip = AxisPositions::Zero();  ///< #5061.., tool offset included; mm, deg
   bool printer_open = false;                       ///< between POPEN and PCLOS
   double timer_offset_ms = 0.0;                    ///< #3001 = simulated time + this
   int single_block_control = 0;                    ///< #3003
   int override_control = 0;                        ///< #3004
-  std::optional<AxisPositions> q_M_intermediate;   ///< of the last G28
+  TransformStages transforms;                      ///< G51.1, G51, G68
+  std::optional<PolarCoordinates> polar;           ///< G16
+  CycleData cycle;                                 ///< of the canned cycle in force
+  AxisPositions q_L_intermediate = AxisPositions::Zero();  ///< of the last G28 or G30 of each axis
+  DataInput data_input = DataInput::None;
 
   std::vector<source::Diagnostic> diagnostics;
 
@@ -77,12 +92,18 @@ struct Control {
   /// A silent skip move that is followed by another one is a protected positioning move.
   void report_silent_skip();
 
+  /// Warns of something that g31 does not simulate, at its first place only.
+  void warn_once(source::DiagnosticId id, source::Location where, std::string_view detail = {});
+
   /// Takes over parameters and what they change.
   void apply(const Parameters& given);
 
   /// mm of a value in the unit in force, and back.
   [[nodiscard]] double to_mm(double value) const { return value * scale.mm_per_unit(); }
   [[nodiscard]] double from_mm(double mm) const { return mm / scale.mm_per_unit(); }
+
+ private:
+  std::set<source::DiagnosticId> warned_;
 };
 
 }  // namespace g31::fanuc

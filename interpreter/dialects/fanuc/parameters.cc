@@ -1,6 +1,9 @@
 #include "interpreter/dialects/fanuc/parameters.h"
 
 #include <charconv>
+#include <cmath>
+
+#include "machine/units/axis_positions.h"
 
 namespace g31::fanuc {
 
@@ -15,6 +18,10 @@ Result<Parameters, std::string> Parameters::from(const std::map<std::string, dou
     }
     if (after.ptr == end) {
       parameters.values_[number] = value;
+      continue;
+    }
+    if (*after.ptr == '.' && after.ptr + 2 == end && axis_index(after.ptr[1]) >= 0) {
+      parameters.set_axis_value(number, axis_index(after.ptr[1]), value);
       continue;
     }
     int bit = -1;
@@ -35,6 +42,38 @@ double Parameters::value(int number, double otherwise) const {
 bool Parameters::bit(int number, int bit) const {
   const auto found = bits_.find({number, bit});
   return found != bits_.end() && found->second;
+}
+
+double Parameters::axis_value(int number, int axis) const {
+  const auto found = axis_values_.find({number, axis});
+  return found != axis_values_.end() ? found->second : value(number);
+}
+
+bool Parameters::selects(int number) const {
+  for (int i = 0; i < 8; ++i) {
+    if (bit(number, i)) {
+      return true;
+    }
+  }
+  return value(number) != 0.0;
+}
+
+void Parameters::set(int number, double value) {
+  constexpr int kBits = 8;
+  values_[number] = value;
+  double rest = value;
+  bool bits[kBits] = {};
+  for (bool& bit : bits) {
+    const double digit = std::fmod(rest, 10.0);
+    if (digit != 0.0 && digit != 1.0) {
+      return;
+    }
+    bit = digit == 1.0;
+    rest = (rest - digit) / 10.0;
+  }
+  for (int bit = 0; bit < kBits && rest == 0.0; ++bit) {
+    bits_[{number, bit}] = bits[bit];
+  }
 }
 
 }  // namespace g31::fanuc

@@ -37,8 +37,9 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
       return at_word(AlarmId::TooManyDigits, evaluated, fmt::format("{} digits", word.digits));
     }
     if (std::abs(evaluated.number) > kLargestWord) {
-      return at_word(AlarmId::TooManyDigits, evaluated,
-                     fmt::format("{} is {:g}, beyond every address", word.letter, evaluated.number));
+      return at_word(
+          AlarmId::TooManyDigits, evaluated,
+          fmt::format("{} is {:g}, beyond every address", word.letter, evaluated.number));
     }
     words_.add(evaluated);
   }
@@ -52,6 +53,7 @@ MaybeFailure Runner::nc_block(const Step& step) {
   const syntax::Block& block = frame().program->tree->blocks[step.block];
   if (block.sequence >= 0) {
     control_.modal.word('N') = block.sequence;
+    words_.set_sequence(block.sequence);
   }
   const auto called = call_in_block();
   if (!called) {

@@ -24,7 +24,11 @@ class BlockWords {
   void clear() {
     words_.clear();
     present_ = 0;
+    sequence_ = 0;
   }
+  /// N of the block; 0: it has none.
+  void set_sequence(int number) { sequence_ = number; }
+  [[nodiscard]] int sequence() const { return sequence_; }
   void add(const EvaluatedWord& word) {
     const int letter = word.letter - 'A';
     last_[static_cast<std::size_t>(letter)] = static_cast<std::uint16_t>(words_.size());
@@ -41,16 +45,17 @@ class BlockWords {
   std::vector<EvaluatedWord> words_;
   std::array<std::uint16_t, 26> last_{};
   std::uint32_t present_ = 0;
+  int sequence_ = 0;
 };
 
 enum class LengthUnit : std::uint8_t { Millimetre, Inch };
 
 /// How the control reads the number of a word: least increment, decimal point, unit in force.
 struct WordScale {
-  double counts_per_mm = 1000.0;    ///< least increments in a millimetre (IS-B)
+  double counts_per_mm = 1000.0;  ///< least increments in a millimetre (IS-B)
   double counts_per_inch = 10000.0;
   double counts_per_degree = 1000.0;
-  bool calculator_point = false;    ///< 3401.0: a number without point counts mm
+  bool calculator_point = false;  ///< 3401.0: a number without point counts mm
   ExcessDecimals excess_decimals = ExcessDecimals::Truncate;
   LengthUnit unit = LengthUnit::Millimetre;
 
@@ -81,8 +86,8 @@ struct WordScale {
   [[nodiscard]] double scaled(const EvaluatedWord& word, double counts) const;
 };
 
-/// Rounds to a multiple of 1/counts, halves away from zero.  The scaled value is judged with a small
-/// guard, so that 1.2345 at 1000 counts is 1.235 though its double lies below (MB-023).
+/// Rounds to a multiple of 1/counts, halves away from zero.  The scaled value is judged with a
+/// small guard, so that 1.2345 at 1000 counts is 1.235 though its double lies below (MB-023).
 double round_to_counts(double value, double counts);
 
 /// Nearest integer of a computed integer word; halves away from zero (MB-026).
