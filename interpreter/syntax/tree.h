@@ -64,8 +64,9 @@ enum class ValueForm : std::uint8_t { None, Integer, Decimal, Computed };
 struct Word {
   char letter = 0;
   ValueForm form = ValueForm::None;
-  std::uint8_t digits = 0;  ///< digits written, leading and trailing zeros too
-  double number = 0.0;      ///< Integer and Decimal
+  std::uint8_t digits = 0;    ///< digits written, leading and trailing zeros too
+  std::uint8_t decimals = 0;  ///< those behind the point
+  double number = 0.0;        ///< Integer and Decimal
   Index expr = kNone;       ///< Computed
   ShortSpan span;
 };
@@ -121,6 +122,7 @@ struct Tree {
   std::vector<Word> words;
   std::vector<Expr> exprs;
   std::vector<SyntaxError> errors;
+  std::uint32_t end = 0;  ///< where reading ended: the end of the text, or a `%` before it
 };
 
 }  // namespace g31::syntax

@@ -26,30 +26,25 @@ Json array_of(const AxisPositions& q) {
   return list;
 }
 
-std::string file_name(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
-
-void add_place(Json& object, const source::Location& where) {
-  if (where.file == nullptr) {
+void add_place(Json& object, const Place& place) {
+  if (place.file.empty()) {
     return;
   }
-  const source::LineColumn start = where.file->line_column(where.span.begin);
-  object["file"] = file_name(where.file->name());
-  object["line"] = start.line;
-  object["column"] = start.column;
+  object["file"] = place.file;
+  object["line"] = place.line;
+  object["column"] = place.column;
 }
 
 Json alarm_json(const runtime::Alarm& alarm) {
   Json object = {{"number", alarm.number}, {"text", alarm.text}};
-  add_place(object, alarm.where);
+  add_place(object, place_of(alarm.where));
   if (!alarm.detail.empty()) {
     object["detail"] = alarm.detail;
   }
   object["calls"] = Json::array();
   for (const runtime::CallSite& call : alarm.calls) {
     Json site = {{"program", call.program}};
-    add_place(site, call.where);
+    add_place(site, place_of(call.where));
     object["calls"].push_back(std::move(site));
   }
   return object;
@@ -65,9 +60,10 @@ Json move_json(const runtime::MoveEvent& move) {
   return object;
 }
 
-Json touch_json(const runtime::TouchEvent& touch) {
+Json touch_json(const Recorded<runtime::TouchEvent>& recorded) {
+  const runtime::TouchEvent& touch = recorded.event;
   Json object = {{"block", touch.block}};
-  add_place(object, touch.where);
+  add_place(object, recorded.place);
   object["triggered"] = touch.triggered;
   object["commanded"] = array_of(touch.q_M_commanded);
   object["latched"] = array_of(touch.q_M_latched);
@@ -110,7 +106,7 @@ Json diagnostic_json(const source::Diagnostic& diagnostic) {
   Json object = {{"severity", severity_name(diagnostic.severity)},
                  {"code", diagnostic.code},
                  {"message", diagnostic.message}};
-  add_place(object, diagnostic.where);
+  add_place(object, place_of(diagnostic.where));
   return object;
 }
 
@@ -144,7 +140,7 @@ const char* status_name(runtime::Status status) {
 
 std::string run_document(const RunResult& result, const RunRecorder& recorder) {
   Json document = {{"schema", "g31.run/1"},
-                   {"program", file_name(result.program)},
+                   {"program", std::filesystem::path(result.program).filename().string()},
                    {"control", result.control},
                    {"seed", result.seed},
                    {"status", status_name(result.outcome.status)}};
@@ -155,9 +151,9 @@ std::string run_document(const RunResult& result, const RunRecorder& recorder) {
   }
   document["output"] = bytes_as_text(recorder.output());
   document["files"] = Json::object();
-  document["stops"] = list_of(recorder.stops(), [](const runtime::StopEvent& stop) {
-    Json object = {{"kind", stop.kind}, {"text", stop.text}};
-    add_place(object, stop.where);
+  document["stops"] = list_of(recorder.stops(), [](const Recorded<runtime::StopEvent>& stop) {
+    Json object = {{"kind", stop.event.kind}, {"text", stop.event.text}};
+    add_place(object, stop.place);
     return object;
   });
   if (recorder.what().moves == RecordWhat::Keep::Yes) {

@@ -35,9 +35,11 @@ std::int32_t literal_variable(const Expr& number) {
 
 class Compiler {
  public:
-  Compiler(const source::SourceFile& file, const syntax::Tree& tree, const syntax::Program& program)
-      : tree_(tree), program_(program) {
-    out_.number = program.number;
+  Compiler(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
+           Extent extent)
+      : tree_(tree), program_(tree.programs.at(which)) {
+    out_.extent = extent;
+    out_.number = program_.number;
     out_.file = &file;
     out_.tree = &tree;
     out_.constants.emplace_back();
@@ -53,8 +55,10 @@ class Compiler {
     }
     link_then();
     link_loops();
-    std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
-    link_jumps();
+    if (out_.extent == Extent::Whole) {
+      std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
+      link_jumps();
+    }
     return std::move(out_);
   }
 
@@ -355,9 +359,9 @@ std::optional<Index> CompiledProgram::find_label(std::int32_t sequence, Index fr
   return behind != same.end() ? behind->step : same.front().step;
 }
 
-CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree,
-                        std::size_t which) {
-  return Compiler(file, tree, tree.programs.at(which)).run();
+CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
+                        Extent extent) {
+  return Compiler(file, tree, which, extent).run();
 }
 
 }  // namespace g31::fanuc

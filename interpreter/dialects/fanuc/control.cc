@@ -5,15 +5,43 @@
 namespace g31::fanuc {
 namespace {
 
+/// 6050 to 6059 name the G codes that call macros O9010 to O9019, 6080 to 6089 the M codes of
+/// macros O9020 to O9029, 6071 to 6079 the M codes of subprograms O9001 to O9009 (MB-207 to
+/// MB-210).
+constexpr int kCallParameters = 10;
+
 EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   EvaluationRules rules;
   rules.largest_result = profile.largest_result;
   rules.smallest_result = profile.smallest_result;
   rules.digit_limit = profile.digit_limit;
-  rules.signed_angles = parameters.bit(6004, 0);
-  rules.clear_small_sines = parameters.bit(6004, 1);
+  rules.signed_angles = parameters.is_on(ParameterId::SignedAngles);
+  rules.clear_small_sines = parameters.is_on(ParameterId::ClearSmallSines);
   rules.has_series_30i_functions = profile.has_series_30i_functions;
+  rules.logic_operands = profile.logic_operands;
   return rules;
+}
+
+/// The rows that the control has: memories A and B take the place of C, and parameter 6000.3 turns
+/// the numbers of C round, which leaves no room for the old work offset numbers (MB-122).
+VariableGroups variable_groups(const Profile& profile, const Parameters& parameters,
+                               OffsetMemory memory) {
+  using enum VariableGroup;
+  const VariableGroups groups = profile.variables;
+  if (!groups.meets({OffsetsC})) {
+    return groups;
+  }
+  switch (memory) {
+    case OffsetMemory::A:
+      return groups.without(OffsetsC).with(OffsetsA);
+    case OffsetMemory::B:
+      return groups.without(OffsetsC).with(OffsetsB);
+    case OffsetMemory::C:
+      break;
+  }
+  return parameters.is_on(ParameterId::OffsetsTurned)
+             ? groups.without(OffsetsC).without(LegacyOffsets).with(OffsetsCTurned)
+             : groups;
 }
 
 }  // namespace
@@ -34,6 +62,7 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
       port(machine),
       observer(listener),
       variables(system),
+      system_variables(chosen.variables),
       evaluator(variables, rules_of(chosen, {})) {
   scale.excess_decimals = profile.excess_decimals;
 }
@@ -51,10 +80,49 @@ void Control::warn_once(source::DiagnosticId id, source::Location where, std::st
   }
 }
 
+void Control::turn_calls_over(const Parameters& before) {
+  for (int i = 0; i < kCallParameters; ++i) {
+    const auto turn_over = [&](std::map<int, int>& calls, ParameterId id, int index, int program) {
+      const double old_code = before.get(id, index);
+      const double code = parameters.get(id, index);
+      if (code != old_code) {
+        calls.erase(nearest_integer(old_code));
+      }
+      if (code > 0.0) {
+        calls[nearest_integer(code)] = program;
+      }
+    };
+    turn_over(macro_calls_g, ParameterId::MacroGCode, i, 9010 + i);
+    turn_over(macro_calls_m, ParameterId::MacroMCode, i, 9020 + i);
+    if (i > 0) {
+      turn_over(subprogram_calls_m, ParameterId::SubprogramMCode, i - 1, 9000 + i);
+    }
+  }
+}
+
 void Control::apply(const Parameters& given) {
+  const Parameters before = parameters;
   parameters = given;
+  turn_calls_over(before);
   evaluator.set_rules(rules_of(profile, parameters));
-  scale.calculator_point = parameters.bit(3401, 0);
+  scale.calculator_point = parameters.is_on(ParameterId::CalculatorPoint);
+  variables.protect(nearest_integer(parameters.get(ParameterId::FirstProtected)),
+                    nearest_integer(parameters.get(ParameterId::LastProtected)));
+  choose_system_variables();
+}
+
+void Control::set_offset_memory(OffsetMemory memory) {
+  offsets.set_memory(memory);
+  choose_system_variables();
+}
+
+void Control::choose_system_variables() {
+  system_variables = SystemVariableIndex(variable_groups(profile, parameters, offsets.memory()));
+}
+
+void Control::set_unit(LengthUnit unit) {
+  modal.group[6] = {static_cast<std::int16_t>(unit == LengthUnit::Inch ? 20 : 21), 0};
+  scale.unit = unit;
 }
 
 }  // namespace g31::fanuc

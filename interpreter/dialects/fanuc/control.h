@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/dialects/fanuc/calendar.h"
 #include "interpreter/dialects/fanuc/canned_cycles.h"
 #include "interpreter/dialects/fanuc/coordinates.h"
 #include "interpreter/dialects/fanuc/evaluate.h"
@@ -17,6 +18,8 @@
 #include "interpreter/dialects/fanuc/parameters.h"
 #include "interpreter/dialects/fanuc/polar.h"
 #include "interpreter/dialects/fanuc/profile.h"
+#include "interpreter/dialects/fanuc/signals.h"
+#include "interpreter/dialects/fanuc/system_variables.h"
 #include "interpreter/dialects/fanuc/variables.h"
 #include "interpreter/dialects/fanuc/word_values.h"
 #include "interpreter/dialects/fanuc/work_transform.h"
@@ -60,6 +63,7 @@ struct Control {
   runtime::Observer& observer;
 
   Variables variables;
+  SystemVariableIndex system_variables;
   Evaluator evaluator;
   Modal modal;
   Coordinates coordinates;
@@ -72,15 +76,22 @@ struct Control {
   std::set<int> expected_tools;    ///< numbers of the sheet's tool table; empty: anything goes
   std::set<int> expected_systems;  ///< likewise for work offsets, as Coordinates counts them
 
-  AxisPositions q_W_skip = AxisPositions::Zero();  ///< #5061.., tool offset included; mm, deg
-  bool printer_open = false;                       ///< between POPEN and PCLOS
-  double timer_offset_ms = 0.0;                    ///< #3001 = simulated time + this
-  int single_block_control = 0;                    ///< #3003
-  int override_control = 0;                        ///< #3004
-  TransformStages transforms;                      ///< G51.1, G51, G68
-  std::optional<PolarCoordinates> polar;           ///< G16
-  CycleData cycle;                                 ///< of the canned cycle in force
-  AxisPositions q_L_intermediate = AxisPositions::Zero();  ///< of the last G28 or G30 of each axis
+  AxisPositions q_W_skip = AxisPositions::Zero();       ///< #5061.., tool offset included; mm, deg
+  AxisPositions q_skip_offset = AxisPositions::Zero();  ///< the tool offset in it
+  bool printer_open = false;                            ///< between POPEN and PCLOS
+  PmcSignals signals;                                   ///< #1000.., #1100..
+  Calendar calendar;                                    ///< #3011, #3012
+  double timer_offset_ms = 0.0;                         ///< #3001 = simulated time + this
+  double hours_offset = 0.0;                            ///< #3002 likewise
+  int single_block_control = 0;                         ///< #3003
+  int override_control = 0;                             ///< #3004
+  int mirror_state = 0;                                 ///< #3007
+  int restart_state = 0;                                ///< #3008
+  TransformStages transforms;                           ///< G51.1, G51, G68
+  std::optional<PolarCoordinates> polar;                ///< G16
+  CycleData cycle;                                      ///< of the canned cycle in force
+  /// Of the last G28 or G30 of each axis.
+  AxisPositions q_L_intermediate = AxisPositions::Zero();
   DataInput data_input = DataInput::None;
 
   std::vector<source::Diagnostic> diagnostics;
@@ -97,12 +108,27 @@ struct Control {
 
   /// Takes over parameters and what they change.
   void apply(const Parameters& given);
+  /// Tool offset memory A, B or C, and with it the numbers of the offset variables.
+  void set_offset_memory(OffsetMemory memory);
+  /// G20, G21
+  void set_unit(LengthUnit unit);
 
   /// mm of a value in the unit in force, and back.
   [[nodiscard]] double to_mm(double value) const { return value * scale.mm_per_unit(); }
   [[nodiscard]] double from_mm(double mm) const { return mm / scale.mm_per_unit(); }
+  /// A coordinate of an axis as variables show it, and back: linear axes in the unit in force.
+  [[nodiscard]] double shown(int axis, double value) const {
+    return is_linear(axis) ? from_mm(value) : value;
+  }
+  [[nodiscard]] double stored(int axis, double value) const {
+    return is_linear(axis) ? to_mm(value) : value;
+  }
 
  private:
+  static bool is_linear(int axis) { return axis < 3; }
+  void choose_system_variables();
+  void turn_calls_over(const Parameters& before);
+
   std::set<source::DiagnosticId> warned_;
 };
 

@@ -34,6 +34,7 @@ class Coordinates {
 
   /// G52
   void set_local_shift(int axis, double value);
+  [[nodiscard]] const AxisPositions& local_shift() const { return local_shift_; }
   /// G92: from now on the programmed point reads `value` on this axis.
   void declare(int axis, double value);
   /// G92.1: the axis has no G52 and no G92 any more.

@@ -1,11 +1,51 @@
 #include "interpreter/dialects/fanuc/parameters.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
-#include "machine/units/axis_positions.h"
+#include "machine/base/contract.h"
 
 namespace g31::fanuc {
+namespace {
+
+constexpr auto kRows = std::to_array<ParameterInfo>({
+#define BIT_PARAMETER(name, number, bit, text) {number, number, bit, "", 0.0, text},
+#define VALUE_PARAMETER(name, first, last, unit, initial, text) \
+  {first, last, std::nullopt, unit, initial, text},
+#include "interpreter/dialects/fanuc/parameters.def"
+#undef VALUE_PARAMETER
+#undef BIT_PARAMETER
+});
+
+consteval bool rising() {
+  for (std::size_t i = 1; i < kRows.size(); ++i) {
+    const bool same_number = kRows[i].first == kRows[i - 1].last;
+    if (kRows[i].first < kRows[i - 1].last ||
+        (same_number && kRows[i].bit.value_or(0) <= kRows[i - 1].bit.value_or(0))) {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(rising(), "parameters.def: rows must rise");
+
+}  // namespace
+
+std::span<const ParameterInfo> parameter_rows() {
+  return kRows;
+}
+
+const ParameterInfo& info(ParameterId id) {
+  return kRows.at(static_cast<std::size_t>(id));
+}
+
+const ParameterInfo* find_parameter(int number) {
+  const auto* const row = std::ranges::find_if(
+      kRows, [&](const ParameterInfo& r) { return r.first <= number && number <= r.last; });
+  return row != kRows.end() ? row : nullptr;
+}
 
 Result<Parameters, std::string> Parameters::from(const std::map<std::string, double>& entries) {
   Parameters parameters;
@@ -34,6 +74,51 @@ Result<Parameters, std::string> Parameters::from(const std::map<std::string, dou
   return parameters;
 }
 
+bool Parameters::is_on(ParameterId id) const {
+  const ParameterInfo& row = info(id);
+  G31_EXPECTS(row.bit.has_value());
+  return bit(row.first, *row.bit);
+}
+
+double Parameters::get(ParameterId id, int index) const {
+  const ParameterInfo& row = info(id);
+  G31_EXPECTS(!row.bit && index >= 0 && index <= row.last - row.first);
+  return value(row.first + index, row.initial);
+}
+
+double Parameters::get_for_axis(ParameterId id, int index, int axis) const {
+  const auto found = axis_values_.find({info(id).first + index, axis});
+  return found != axis_values_.end() ? found->second : get(id, index);
+}
+
+bool Parameters::has_signal(ParameterId id, int index) const {
+  const int number = info(id).first + index;
+  for (int i = 0; i < 8; ++i) {
+    if (bit(number, i)) {
+      return true;
+    }
+  }
+  return get(id, index) != 0.0;
+}
+
+void Parameters::switch_to(ParameterId id, bool on) {
+  const ParameterInfo& row = info(id);
+  G31_EXPECTS(row.bit.has_value());
+  set_bit(row.first, *row.bit, on);
+}
+
+void Parameters::set(ParameterId id, double value) {
+  G31_EXPECTS(!info(id).bit);
+  set_value(info(id).first, value);
+}
+
+void Parameters::set_reference(const AxisPositions& q_M) {
+  const int number = info(ParameterId::ReferencePoint).first;
+  for (int axis = 0; axis < static_cast<int>(kAxisCount) && !values_.contains(number); ++axis) {
+    axis_values_.try_emplace({number, axis}, q_M[axis]);
+  }
+}
+
 double Parameters::value(int number, double otherwise) const {
   const auto found = values_.find(number);
   return found != values_.end() ? found->second : otherwise;
@@ -44,36 +129,23 @@ bool Parameters::bit(int number, int bit) const {
   return found != bits_.end() && found->second;
 }
 
-double Parameters::axis_value(int number, int axis) const {
-  const auto found = axis_values_.find({number, axis});
-  return found != axis_values_.end() ? found->second : value(number);
-}
-
-bool Parameters::selects(int number) const {
-  for (int i = 0; i < 8; ++i) {
-    if (bit(number, i)) {
-      return true;
-    }
+bool Parameters::enter(int number, double value) {
+  const ParameterInfo* const row = find_parameter(number);
+  if (row == nullptr || !row->bit) {
+    set_value(number, value);
+    return true;
   }
-  return value(number) != 0.0;
-}
-
-void Parameters::set(int number, double value) {
   constexpr int kBits = 8;
-  values_[number] = value;
   double rest = value;
-  bool bits[kBits] = {};
-  for (bool& bit : bits) {
+  for (int bit = 0; bit < kBits; ++bit) {
     const double digit = std::fmod(rest, 10.0);
     if (digit != 0.0 && digit != 1.0) {
-      return;
+      return false;
     }
-    bit = digit == 1.0;
+    set_bit(number, bit, digit == 1.0);
     rest = (rest - digit) / 10.0;
   }
-  for (int bit = 0; bit < kBits && rest == 0.0; ++bit) {
-    bits_[{number, bit}] = bits[bit];
-  }
+  return rest == 0.0;
 }
 
 }  // namespace g31::fanuc

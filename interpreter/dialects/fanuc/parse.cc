@@ -30,16 +30,20 @@ constexpr int kThenLimit = 10;
 /// Reads the blocks of a tape one by one.
 class Parser {
  public:
-  explicit Parser(std::string_view text)
-      : scanner_(text), expressions_(scanner_, tree_) {}
+  explicit Parser(std::string_view text) : scanner_(text), expressions_(scanner_, tree_) {}
 
-  syntax::Tree run() {
-    skip_leader();
+  syntax::Tree run(TextBegins begins) {
+    if (begins == TextBegins::AtFile) {
+      skip_leader();
+    } else {
+      open_program(0, {});
+    }
     while (!scanner_.at_end_of_text() && scanner_.text()[scanner_.position()] != '%') {
       block();
       scanner_.skip_block();
     }
     close_program();
+    tree_.end = scanner_.position();
     return std::move(tree_);
   }
 
@@ -211,10 +215,11 @@ void Parser::body(Block& block) {
     return;
   }
   if (next < 'A' || next > 'Z') {
-    fail(AlarmId::AddressNotFound,
-         next >= '0' && next <= '9'
-             ? "a block begins with an address letter, here is a digit (0 in place of the letter O?)"
-             : fmt::format("'{}' cannot begin a word", next));
+    fail(
+        AlarmId::AddressNotFound,
+        next >= '0' && next <= '9'
+            ? "a block begins with an address letter, here is a digit (0 in place of the letter O?)"
+            : fmt::format("'{}' cannot begin a word", next));
     return;
   }
   const std::uint32_t begin = scanner_.position();
@@ -323,6 +328,7 @@ void Parser::word_value(Word& word) {
   }
   word.form = number->has_point ? ValueForm::Decimal : ValueForm::Integer;
   word.digits = number->digits;
+  word.decimals = number->decimals;
   word.number = negative ? -number->value : number->value;
 }
 
@@ -347,8 +353,9 @@ void Parser::keyword(Block& block) {
       output_statement(block, *statement);
       return;
     }
-    expressions_.fail_at(AlarmId::AddressNotFound, {begin, scanner_.position()},
-                         fmt::format("{} is neither a statement of Custom Macro B nor words", name));
+    expressions_.fail_at(
+        AlarmId::AddressNotFound, {begin, scanner_.position()},
+        fmt::format("{} is neither a statement of Custom Macro B nor words", name));
   }
   if (!failed()) {
     expect_end(block);
@@ -482,7 +489,8 @@ int Parser::loop_number() {
   const std::uint32_t begin = scanner_.position();
   const auto number = scanner_.number();
   if (!number || number->has_point || number->value < 1.0 || number->value > 3.0) {
-    expressions_.fail_at(AlarmId::IllegalLoopNumber, {begin, std::max(begin + 1, scanner_.position())},
+    expressions_.fail_at(AlarmId::IllegalLoopNumber,
+                         {begin, std::max(begin + 1, scanner_.position())},
                          "a loop number is 1, 2 or 3");
     return 0;
   }
@@ -491,9 +499,9 @@ int Parser::loop_number() {
 
 }  // namespace
 
-syntax::Tree parse(std::string_view text) {
+syntax::Tree parse(std::string_view text, TextBegins begins) {
   G31_EXPECTS(text.size() < std::numeric_limits<std::uint32_t>::max());
-  return Parser(text).run();
+  return Parser(text).run(begins);
 }
 
 }  // namespace g31::fanuc

@@ -19,11 +19,11 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
   const CompiledProgram& program = *frame().program;
   const syntax::Block& block = program.tree->blocks[step.block];
   words_.clear();
-  const double increment = control_.scale.mm_per_unit() / control_.scale.length_counts();
   for (syntax::Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
     const syntax::Word& word = program.tree->words[i];
-    EvaluatedWord evaluated{word.letter, word.form, word.number, word.span};
+    EvaluatedWord evaluated{word.letter, word.form, word.decimals, word.number, word.span};
     if (word.form == ValueForm::Computed) {
+      const double increment = control_.scale.mm_per_unit() / control_.scale.length_counts();
       const Cell value = control_.evaluator.evaluate(
           program, program.word_code[i - program.first_word], increment);
       if (control_.evaluator.failed()) {

@@ -14,6 +14,7 @@ namespace g31::fanuc {
 struct EvaluatedWord {
   char letter = 0;
   syntax::ValueForm form = syntax::ValueForm::Integer;
+  std::uint8_t decimals = 0;  ///< Decimal: digits behind the point
   double number = 0.0;
   syntax::ShortSpan span;
 };

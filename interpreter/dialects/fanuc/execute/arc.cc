@@ -8,14 +8,9 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr int kRadiusTolerance = 3410;
-constexpr double kUsualTolerance = 0.01;  // mm, of parameter 3410
+constexpr double kChordTolerance = 0.01;  // mm, of an end farther away than twice R
 
 using machine::Turn;
-
-double tolerance(const Control& control) {
-  return control.parameters.value(kRadiusTolerance, kUsualTolerance);
-}
 
 Eigen::Vector2d in_plane(const AxisPositions& q, const Plane& plane) {
   return {q[plane.first], q[plane.second]};
@@ -30,13 +25,13 @@ struct Arc {
 };
 
 /// The centre of an arc given by R: the shorter way round for R > 0, the longer for R < 0 (MB-302).
-Result<Eigen::Vector2d, Failure> centre_by_radius(const Arc& arc, double radius, double tolerance) {
+Result<Eigen::Vector2d, Failure> centre_by_radius(const Arc& arc, double radius) {
   const Eigen::Vector2d start = in_plane(arc.q_W_start, arc.plane);
   const Eigen::Vector2d travel = in_plane(arc.q_W_end, arc.plane) - start;
   const double chord = travel.norm();
   const double half = chord / 2.0;
   const double size = std::abs(radius);
-  if (half > size + tolerance) {
+  if (half > size + kChordTolerance) {
     return block_failure(
         AlarmId::ArcRadiusTolerance,
         fmt::format("the end is {:.4f} away, more than twice R {:.4f}", chord, size));
@@ -60,7 +55,7 @@ Result<Eigen::Vector2d, Failure> centre_by_distances(const Control& control, con
   const Eigen::Vector2d centre = in_plane(control.coordinates.programmed(), plane) + from_start;
   const double start_radius = from_start.norm();
   const double end_radius = (in_plane(q_L_end, plane) - centre).norm();
-  const double most = tolerance(control);
+  const double most = control.parameters.get(ParameterId::ArcTolerance);
   if (most > 0.0 && std::abs(start_radius - end_radius) > most) {
     return block_failure(AlarmId::ArcRadiusTolerance,
                          fmt::format("the radius is {:.4f} at the start and {:.4f} at the end",
@@ -76,7 +71,7 @@ Result<Eigen::Vector2d, Failure> centre_of(const Control& control, const NcBlock
   if (const EvaluatedWord* const r = block.words.find('R')) {
     const double stretch =
         std::max(transform.stretch(arc.plane.first), transform.stretch(arc.plane.second));
-    return centre_by_radius(arc, control.scale.length_mm(*r) * stretch, tolerance(control));
+    return centre_by_radius(arc, control.scale.length_mm(*r) * stretch);
   }
   const auto centre = centre_by_distances(control, block, arc.plane, q_L_end);
   if (!centre) {
@@ -132,7 +127,7 @@ MaybeFailure move_unequally_scaled(Control& control, const Arc& arc,
   const Eigen::Vector2d to_end = in_plane(arc.q_W_end, arc.plane) - centre;
   const double radius = (in_plane(arc.q_W_start, arc.plane) - centre).norm();
   const double stretched = to_end.norm();
-  if (stretched == 0.0 || std::abs(stretched - radius) <= kUsualTolerance) {
+  if (stretched == 0.0 || std::abs(stretched - radius) <= kChordTolerance) {
     return move_along(control, arc, centre);
   }
   const Eigen::Vector2d on_arc = centre + to_end * (radius / stretched);
@@ -174,7 +169,7 @@ MaybeFailure execute_arc(Control& control, const NcBlock& block) {
   const bool by_radius = block.words.has('R');
   const bool has_centre =
       block.words.has(plane.first_centre) || block.words.has(plane.second_centre);
-  if (!by_radius && !has_centre && control.parameters.bit(3403, 5)) {
+  if (!by_radius && !has_centre && control.parameters.is_on(ParameterId::ArcNeedsRadius)) {
     return block_failure(AlarmId::NoCircle, "neither R nor a centre is given");
   }
   const AxisPositions q_L_start = control.coordinates.programmed();

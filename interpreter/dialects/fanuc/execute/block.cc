@@ -104,6 +104,7 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   if (control.data_input != DataInput::None) {
     return execute_data_block(control, words);
   }
+  const double feed_before = control.modal.feed;
   const auto codes = take_words(control, words);
   if (!codes) {
     return codes.error();
@@ -125,7 +126,11 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
     block.code = codes.value().one_shot;
   }
   if (block.code != nullptr) {
-    return execute_action(control, block);
+    auto failure = execute_action(control, block);
+    if (block.code->action == GAction::Skip && control.profile.skip_feed == SkipFeed::OneBlock) {
+      control.modal.feed = feed_before;
+    }
+    return failure;
   }
   if (in_canned_cycle(control)) {
     return execute_canned_cycle(control, block);

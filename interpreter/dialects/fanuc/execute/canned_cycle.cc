@@ -7,20 +7,12 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr int kChipBreakRetract = 5114;  // mm, of G73
-constexpr int kPeckClearance = 5115;     // mm above the last depth, of G83
-constexpr int kCycleBits = 5101;
-constexpr int kAxisByPlane = 0;       // bit: G17 G18 G19 choose the drilling axis; 0: it is Z
-constexpr int kShiftNegative = 4;     // bit: the shift goes to the negative side
-constexpr int kShiftAlongSecond = 5;  // bit: the shift goes along the second axis of the plane
-constexpr int kFormatBits = 1;        // parameter
-constexpr int kSeries15Format = 1;    // bit: L repeats, not K
 constexpr int kMostRepeats = 9999;
 constexpr double kMostPecks = 1e6;  // no machine lives to see more
 
 /// The plane that a cycle positions in; its third axis drills.
 Plane cycle_plane(const Control& control) {
-  const bool by_plane = control.parameters.bit(kCycleBits, kAxisByPlane);
+  const bool by_plane = control.parameters.is_on(ParameterId::DrillAcrossPlane);
   return by_plane ? control.modal.plane() : plane_of({17, 0});
 }
 
@@ -131,7 +123,8 @@ MaybeFailure Hole::peck() {
 /// Between two pecks: out and, with G83, in again.  @param done  depth so far below R
 MaybeFailure Hole::draw_back(double done, double sign) {
   const bool full = cycle_.feeding == CannedCycle::Feeding::FullRetract;
-  const double way = unscaled(control_.parameters.value(full ? kPeckClearance : kChipBreakRetract));
+  const double way = unscaled(
+      control_.parameters.get(full ? ParameterId::PeckClearance : ParameterId::ChipBreakRetract));
   if (full) {
     if (auto failure = rapid(data_.r)) {
       return failure;
@@ -151,8 +144,8 @@ MaybeFailure Hole::dwell() {
 /// The shift of G76 and G87, in machine coordinates: the spindle stands still where it was
 /// oriented, however the program is turned.
 AxisPositions Hole::shift() const {
-  const bool second = control_.parameters.bit(kCycleBits, kShiftAlongSecond);
-  const bool negative = control_.parameters.bit(kCycleBits, kShiftNegative);
+  const bool second = control_.parameters.is_on(ParameterId::ShiftAlongSecond);
+  const bool negative = control_.parameters.is_on(ParameterId::ShiftNegative);
   AxisPositions q_M_shift = AxisPositions::Zero();
   q_M_shift[second ? plane_.second : plane_.first] = negative ? -data_.q : data_.q;
   return q_M_shift;
@@ -221,7 +214,7 @@ MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plan
 }
 
 Result<int, Failure> repeats_of(const Control& control, const NcBlock& block) {
-  const char letter = control.parameters.bit(kFormatBits, kSeries15Format) ? 'L' : 'K';
+  const char letter = control.parameters.is_on(ParameterId::TapeFormat) ? 'L' : 'K';
   const EvaluatedWord* const word = block.words.find(letter);
   if (word == nullptr) {
     return 1;

@@ -1,5 +1,7 @@
 #include "interpreter/dialects/fanuc/execute/codes.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
@@ -72,7 +74,7 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
 MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& codes) {
   const auto number = g_number(word.number);
   const GCode* const code = number ? find_g_code(*number) : nullptr;
-  if (code == nullptr) {
+  if (code == nullptr || std::ranges::count(control.profile.missing_g_codes, *number) != 0) {
     return at_word(AlarmId::ImproperGCode, word,
                    fmt::format("the control has no G{}", word.number));
   }
@@ -93,7 +95,7 @@ double feed_of(const Control& control, const EvaluatedWord& word) {
   if (!counts) {
     return word.number;
   }
-  const double per_mm = control.parameters.bit(1405, 1) ? 1000.0 : 100.0;
+  const double per_mm = control.parameters.is_on(ParameterId::FineFeedPerTurn) ? 1000.0 : 100.0;
   return word.number / (control.scale.unit == LengthUnit::Inch ? per_mm * 100.0 : per_mm);
 }
 

@@ -14,6 +14,15 @@ bool ends_input(const BlockWords& words) {
   return g != nullptr && g->number == kEndOfInput;
 }
 
+/// R as the parameter's unit has it: lengths without a point count least increments (MB-262).
+double entered_value(const Control& control, int number, const EvaluatedWord& r) {
+  const ParameterInfo* const row = find_parameter(number);
+  if (row != nullptr && row->unit == "mm") {
+    return control.scale.length_mm(r);
+  }
+  return row != nullptr && row->unit == "deg" ? control.scale.angle_deg(r) : r.number;
+}
+
 /// N.. R.., or N.. P.. R.. with P the number of the axis (MB-260).
 MaybeFailure set_parameter(Control& control, const BlockWords& words) {
   for (const EvaluatedWord& word : words.all()) {
@@ -28,15 +37,16 @@ MaybeFailure set_parameter(Control& control, const BlockWords& words) {
     return block_failure(AlarmId::DataInputFormat,
                          r == nullptr ? "R is missing" : "N is missing: the parameter's number");
   }
+  const double value = entered_value(control, words.sequence(), *r);
   Parameters parameters = control.parameters;
   if (p != nullptr) {
     const auto axis = integer_of(*p);
     if (!axis || axis.value() < 1 || axis.value() > static_cast<int>(kAxisCount)) {
       return at_word(AlarmId::DataInputFormat, *p, "P is the number of an axis");
     }
-    parameters.set_axis_value(words.sequence(), axis.value() - 1, r->number);
-  } else {
-    parameters.set(words.sequence(), r->number);
+    parameters.set_axis_value(words.sequence(), axis.value() - 1, value);
+  } else if (!parameters.enter(words.sequence(), value)) {
+    return at_word(AlarmId::DataInputFormat, *r, "R is eight digits 0 or 1, bit 7 first");
   }
   control.apply(parameters);
   return std::nullopt;

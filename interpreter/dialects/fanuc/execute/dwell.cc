@@ -3,9 +3,8 @@
 namespace g31::fanuc {
 namespace {
 
-/// Parameter 3405.1: under G95 a dwell counts turns of the spindle.
 bool counts_turns(const Control& control) {
-  return control.modal.group[5].whole == 95 && control.parameters.bit(3405, 1);
+  return control.modal.group[5].whole == 95 && control.parameters.is_on(ParameterId::DwellInTurns);
 }
 
 }  // namespace

@@ -7,14 +7,12 @@
 namespace g31::fanuc {
 namespace {
 
-/// Parameters of the reference points, mm or deg for each axis: 1240 the first, 1241 the second...
-constexpr int kReferenceParameter = 1240;
-
 /// How far an axis may stand off its reference point and still be on it.
 constexpr double kOnReference = 1e-6;
 
+/// mm or deg, machine coordinates.  @param which  1 to 4
 double reference_point(const Control& control, int which, int axis) {
-  return control.parameters.axis_value(kReferenceParameter + which - 1, axis);
+  return control.parameters.get_for_axis(ParameterId::ReferencePoint, which - 1, axis);
 }
 
 Result<int, Failure> which_reference(const NcBlock& block) {

@@ -36,10 +36,9 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
   if (number.value() < 1 || number.value() > OffsetTable::kLargest) {
     return at_word(AlarmId::IllegalPInG10, *p, "P is 1 to 999");
   }
-  runtime::ToolEntry entry = control.offsets.get(number.value());
+  const runtime::ToolEntry entry = control.offsets.get(number.value());
   const double before = control.modal.incremental() ? entry.*form.field : 0.0;
-  entry.*form.field = before + control.scale.length_mm(*r);
-  control.offsets.set(number.value(), entry);
+  control.offsets.set_field(number.value(), form.field, before + control.scale.length_mm(*r));
   return std::nullopt;
 }
 

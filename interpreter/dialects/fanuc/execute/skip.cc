@@ -43,8 +43,6 @@ enum class SkipKind {
   TorqueLimit,  ///< P98: only the torque limit of the axis would, which nothing here reaches
 };
 
-constexpr int kSignalParameter = 6202;  // of P1; P2 to P4 follow
-
 int axes_named(const BlockWords& words) {
   int count = 0;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -69,7 +67,7 @@ Result<SkipKind, Failure> skip_kind(const Control& control, const NcBlock& block
     return number.value() == 98 ? SkipKind::TorqueLimit : SkipKind::Signal;
   }
   const bool selects = number.value() >= 1 && number.value() <= 4 &&
-                       control.parameters.selects(kSignalParameter + number.value() - 1);
+                       control.parameters.has_signal(ParameterId::SkipSignals, number.value() - 1);
   if (!selects) {
     return at_word(AlarmId::SkipSignalSelect, *p, fmt::format("P{}", number.value()));
   }
@@ -85,7 +83,24 @@ MaybeFailure execute_torque_skip(Control& control, const NcBlock& block) {
   }
   control.coordinates.arrived_at_programmed(q_L_end);
   control.q_W_skip = control.coordinates.to_work(q_M_end);
+  control.q_skip_offset = control.coordinates.tool_offset();
   return std::nullopt;
+}
+
+/// mm/min: F of the block, else the parameter that some controls have, else the feed in force.
+Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) {
+  const auto parameter = control.profile.skip_feed_parameter;
+  const double preset = parameter ? control.parameters.get(*parameter) : 0.0;
+  if (!block.words.has('F') && preset > 0.0) {
+    return preset;
+  }
+  auto feed = feed_in_force(control);
+  if (!feed && control.profile.skip_feed == SkipFeed::OneBlock) {
+    Failure failure;
+    failure.id = AlarmId::NoSkipFeed;
+    return failure;
+  }
+  return feed;
 }
 
 }  // namespace
@@ -105,7 +120,7 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   if (!control.coordinates.transform().is_identity()) {
     control.warn_once(source::DiagnosticId::SkipInTurnedPlane, block.where);
   }
-  const auto feed = feed_in_force(control);
+  const auto feed = skip_feed(control, block);
   if (!feed) {
     return feed.error();
   }
@@ -124,6 +139,7 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   event.q_M_commanded = move.q_M_end;
   event.feed_mm_min = move.feed_mm_min;
   control.q_W_skip = control.coordinates.to_work(event.q_M_latched);
+  control.q_skip_offset = control.coordinates.tool_offset();
   if (event.triggered) {
     control.coordinates.arrived_at_machine(event.q_M_stopped);
   } else {

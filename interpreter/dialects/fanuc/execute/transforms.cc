@@ -5,12 +5,6 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr int kPlainRotation = 5410;   // deg, of G68 without R
-constexpr int kPlainScale = 5411;      // thousandths, of G51 without P
-constexpr int kPlainAxisScale = 5421;  // thousandths, of an axis without I J K
-constexpr int kScalingBits = 5400;
-constexpr int kIncrementalAngle = 0;  // bit: G91 makes R of G68 incremental
-constexpr int kScaleByAxis = 6;       // bit: G51 takes I J K
 constexpr double kThousandth = 0.001;
 
 void apply(Control& control) {
@@ -32,13 +26,13 @@ Result<double, Failure> scale_factor(const Control& control, const EvaluatedWord
 Result<Point, Failure> scale_factors(const Control& control, const NcBlock& block) {
   constexpr char kAxisFactors[] = {'I', 'J', 'K'};
   const BlockWords& words = block.words;
-  const bool by_axis = control.parameters.bit(kScalingBits, kScaleByAxis) &&
+  const bool by_axis = control.parameters.is_on(ParameterId::ScaleByAxis) &&
                        (words.has('I') || words.has('J') || words.has('K'));
   Point factors;
   for (int axis = 0; axis < 3; ++axis) {
-    const int parameter = by_axis ? kPlainAxisScale : kPlainScale;
+    const ParameterId usual = by_axis ? ParameterId::UsualAxisScale : ParameterId::UsualScale;
     double& factor = factors[axis];
-    factor = control.parameters.value(parameter, 1.0 / kThousandth) * kThousandth;
+    factor = control.parameters.get_for_axis(usual, 0, axis) * kThousandth;
     if (const EvaluatedWord* const word = words.find(by_axis ? kAxisFactors[axis] : 'P')) {
       const auto given = scale_factor(control, *word);
       if (!given) {
@@ -111,13 +105,13 @@ MaybeFailure execute_rotation(Control& control, const NcBlock& block) {
     return (named ? q_W_named : q_W_present)[axis];
   };
   const EvaluatedWord* const r = block.words.find('R');
-  double angle_deg =
-      r != nullptr ? control.scale.angle_deg(*r) : control.parameters.value(kPlainRotation);
+  double angle_deg = r != nullptr ? control.scale.angle_deg(*r)
+                                  : control.parameters.get(ParameterId::UsualRotation);
   if (before.reverses_turns(plane)) {
     angle_deg = -angle_deg;
   }
   const bool adds = control.modal.incremental() && control.transforms.rotation &&
-                    control.parameters.bit(kScalingBits, kIncrementalAngle);
+                    control.parameters.is_on(ParameterId::IncrementalAngle);
   if (adds) {
     angle_deg += control.transforms.rotation->angle_deg;
   }
