@@ -15,10 +15,15 @@ bool is_fence(const GCode& code, const Profile& profile) {
   switch (code.action) {
     case GAction::Skip:
     case GAction::MachineMove:
+    case GAction::CheckReference:
     case GAction::ToReference:
+    case GAction::FromReference:
     case GAction::SetData:
+    case GAction::EndData:
     case GAction::LocalShift:
     case GAction::SetPosition:
+    case GAction::PresetSystem:
+    case GAction::StrokeCheck:
       return true;
     case GAction::WorkOffset:
       return code.number.tenth != 0;
@@ -26,9 +31,21 @@ bool is_fence(const GCode& code, const Profile& profile) {
       return profile.dwell_is_fence;
     case GAction::Modal:
       return code.number.whole == 20 || code.number.whole == 21;
+    case GAction::NoEffect:
     case GAction::Motion:
     case GAction::ToolLength:
     case GAction::MacroCall:
+    case GAction::PolarOn:
+    case GAction::PolarOff:
+    case GAction::Mirror:
+    case GAction::MirrorOff:
+    case GAction::Scaling:
+    case GAction::ScalingOff:
+    case GAction::Rotation:
+    case GAction::RotationOff:
+    case GAction::CannedCycle:
+    case GAction::CycleOff:
+    case GAction::SurfaceSpeed:
       return false;
   }
   contract_violated("every action is a fence or none", __FILE__, __LINE__);
