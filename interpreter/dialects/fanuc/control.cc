@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace g31::fanuc {
 namespace {
 
@@ -69,6 +71,13 @@ void Control::report_silent_skip() {
   }
 }
 
+void Control::report_read_ahead(const SystemVariable& row, std::int32_t number) {
+  const source::Location where = here();
+  if (const auto report = lookahead.judge(row, where, number)) {
+    diagnostics.push_back(make_diagnostic(*report, where, fmt::format("#{}", number)));
+  }
+}
+
 void Control::apply(const Parameters& given) {
   parameters = given;
   evaluator.set_rules(rules_of(profile, parameters));
@@ -90,6 +99,7 @@ void Control::choose_system_variables() {
 void Control::set_unit(LengthUnit unit) {
   modal.group[6] = {static_cast<std::int16_t>(unit == LengthUnit::Inch ? 20 : 21), 0};
   scale.unit = unit;
+  observer.on_length_unit(unit);
 }
 
 }  // namespace g31::fanuc

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -13,6 +14,7 @@
 #include "interpreter/dialects/fanuc/evaluate.h"
 #include "interpreter/dialects/fanuc/failure.h"
 #include "interpreter/dialects/fanuc/g_codes.h"
+#include "interpreter/dialects/fanuc/lookahead.h"
 #include "interpreter/dialects/fanuc/offsets.h"
 #include "interpreter/dialects/fanuc/parameters.h"
 #include "interpreter/dialects/fanuc/profile.h"
@@ -78,6 +80,7 @@ struct Control {
   int restart_state = 0;                                ///< #3008
   std::optional<AxisPositions> q_M_intermediate;        ///< of the last G28
 
+  Lookahead lookahead;
   std::vector<source::Diagnostic> diagnostics;
 
   /// The last skip move, if it ended without a signal and nobody has asked for its result yet.
@@ -86,6 +89,12 @@ struct Control {
   /// Somebody relies on a skip move that had no signal: the warning that it deserves.
   /// A silent skip move that is followed by another one is a protected positioning move.
   void report_silent_skip();
+
+  /// Where the program is now, for reports from inside an expression.
+  std::function<source::Location()> here;
+
+  /// A system variable is read ahead of the motion: the report that it deserves.
+  void report_read_ahead(const SystemVariable& row, std::int32_t number);
 
   /// Takes over parameters and what they change.
   void apply(const Parameters& given);

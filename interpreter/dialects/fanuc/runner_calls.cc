@@ -169,7 +169,7 @@ MaybeFailure Runner::set_modal_call(const EvaluatedWord& code) {
 
 MaybeFailure Runner::cancel_modal_call(const EvaluatedWord& code) {
   auto& calls = frame().modal_calls;
-  if (calls.empty() && control_.profile.has_series_30i_functions) {  // the 16i ignores it (MB-206)
+  if (calls.empty() && control_.profile.lone_cancel_is_alarm) {
     return at_word(AlarmId::NoModalCall, code, "G67 without G66");
   }
   if (!calls.empty()) {
@@ -272,7 +272,7 @@ MaybeFailure Runner::code_subprogram(const EvaluatedWord& code, int program_numb
       others.add(word);
     }
   }
-  if (auto failure = execute_block(control_, others, location_of(frame()))) {
+  if (auto failure = execute(others, location_of(frame()))) {
     return failure;
   }
   return enter({program, CallKind::Subprogram, CalledBy::Code, 1});
@@ -412,7 +412,7 @@ MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
       others.add(word);
     }
   }
-  if (auto failure = execute_block(control_, others, location_of(frame()))) {
+  if (auto failure = execute(others, location_of(frame()))) {
     return failure;
   }
   return entry.repeats == 0 ? std::nullopt : enter(entry);

@@ -101,7 +101,9 @@ void configure_calls(Control& control, const runtime::ControlSetup& setup,
 
 Session::Session(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
                  runtime::Observer& observer)
-    : runner_(std::make_unique<Runner>(profile, library, port, observer)) {}
+    : runner_(std::make_unique<Runner>(profile, library, port, observer)) {
+  library.compile_for(profile);
+}
 
 Session::~Session() = default;
 
@@ -119,6 +121,7 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   }
   control.set_offset_memory(setup.offset_memory);
   control.block_skip = setup.block_skip;
+  control.lookahead.set_depth(setup.lookahead_blocks);
   refused = configure_offsets(control, setup);
   configure_calls(control, setup, refused);
   for (const auto& [name, value] : setup.variables) {

@@ -108,8 +108,10 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
       return failure;
     }
   }
-  control.scale.unit =
-      control.modal.group[6].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;
+  const auto unit = control.modal.group[6].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;
+  if (unit != control.scale.unit) {
+    control.set_unit(unit);
+  }
   if (codes.work_offset != nullptr) {
     if (auto failure = select_work_offset(control, words, codes.work_offset->number)) {
       return failure;
