@@ -68,6 +68,7 @@ struct Word {
   std::uint8_t decimals = 0;  ///< those behind the point
   double number = 0.0;        ///< Integer and Decimal
   Index expr = kNone;       ///< Computed
+  bool is_bare = false;     ///< Computed: X#1+10, an expression without brackets
   ShortSpan span;
 };
 

@@ -50,28 +50,44 @@ Json alarm_json(const runtime::Alarm& alarm) {
   return object;
 }
 
-Json move_json(const runtime::MoveEvent& move) {
-  Json object = {{"g", move.g}, {"to", array_of(move.q_M_to)}};
+/// Positions of a program in inches are shown in inches: an object says so with `unit`.
+AxisPositions shown(AxisPositions q, LengthUnit unit) {
+  q.head<3>() /= mm_per(unit);
+  return q;
+}
+
+void add_unit(Json& object, LengthUnit unit) {
+  if (unit == LengthUnit::Inch) {
+    object["unit"] = "inch";
+  }
+}
+
+Json move_json(const Recorded<runtime::MoveEvent>& recorded) {
+  const runtime::MoveEvent& move = recorded.event;
+  Json object = {{"g", move.g}, {"to", array_of(shown(move.q_M_to, recorded.unit))}};
   if (move.g == 4) {
     object["t"] = move.seconds;
   } else if (move.feed_mm_min > 0.0) {
-    object["feed"] = move.feed_mm_min;
+    object["feed"] = move.feed_mm_min / mm_per(recorded.unit);
   }
+  add_unit(object, recorded.unit);
   return object;
 }
 
 Json touch_json(const Recorded<runtime::TouchEvent>& recorded) {
   const runtime::TouchEvent& touch = recorded.event;
+  const double mm = mm_per(recorded.unit);
   Json object = {{"block", touch.block}};
   add_place(object, recorded.place);
   object["triggered"] = touch.triggered;
-  object["commanded"] = array_of(touch.q_M_commanded);
-  object["latched"] = array_of(touch.q_M_latched);
-  object["stopped"] = array_of(touch.q_M_stopped);
-  object["contact"] = touch.contact ? array_of(touch.contact->p_M_point) : Json();
+  object["commanded"] = array_of(shown(touch.q_M_commanded, recorded.unit));
+  object["latched"] = array_of(shown(touch.q_M_latched, recorded.unit));
+  object["stopped"] = array_of(shown(touch.q_M_stopped, recorded.unit));
+  object["contact"] = touch.contact ? array_of(Point(touch.contact->p_M_point / mm)) : Json();
   object["normal"] = touch.contact ? array_of(touch.contact->n_M) : Json();
   object["part"] = touch.contact ? Json(touch.contact->part) : Json();
-  object["feed"] = touch.feed_mm_min;
+  object["feed"] = touch.feed_mm_min / mm;
+  add_unit(object, recorded.unit);
   return object;
 }
 

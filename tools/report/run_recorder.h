@@ -30,6 +30,7 @@ template <typename Event>
 struct Recorded {
   Event event;
   Place place;
+  LengthUnit unit = LengthUnit::Millimetre;  ///< in force when it happened
 };
 
 /// Keeps what a running program does, for the result document.
@@ -39,21 +40,22 @@ class RunRecorder : public runtime::Observer {
 
   void on_move(const runtime::MoveEvent& event) override {
     if (what_.moves == RecordWhat::Keep::Yes) {
-      moves_.push_back(event);
+      moves_.push_back({event, {}, unit_});
     }
   }
   void on_touch(const runtime::TouchEvent& event) override {
     if (what_.touches == RecordWhat::Keep::Yes) {
-      touches_.push_back({event, place_of(event.where)});
+      touches_.push_back({event, place_of(event.where), unit_});
     }
   }
   void on_stop(const runtime::StopEvent& event) override {
-    stops_.push_back({event, place_of(event.where)});
+    stops_.push_back({event, place_of(event.where), unit_});
   }
+  void on_length_unit(LengthUnit unit) override { unit_ = unit; }
   void on_output(std::string_view text) override { output_ += text; }
 
   [[nodiscard]] const RecordWhat& what() const { return what_; }
-  [[nodiscard]] const std::vector<runtime::MoveEvent>& moves() const { return moves_; }
+  [[nodiscard]] const std::vector<Recorded<runtime::MoveEvent>>& moves() const { return moves_; }
   [[nodiscard]] const std::vector<Recorded<runtime::TouchEvent>>& touches() const {
     return touches_;
   }
@@ -62,7 +64,8 @@ class RunRecorder : public runtime::Observer {
 
  private:
   RecordWhat what_;
-  std::vector<runtime::MoveEvent> moves_;
+  LengthUnit unit_ = LengthUnit::Millimetre;
+  std::vector<Recorded<runtime::MoveEvent>> moves_;
   std::vector<Recorded<runtime::TouchEvent>> touches_;
   std::vector<Recorded<runtime::StopEvent>> stops_;
   std::string output_;

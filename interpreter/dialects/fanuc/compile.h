@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "interpreter/dialects/fanuc/alarms.h"
+#include "interpreter/dialects/fanuc/profile.h"
 #include "interpreter/runtime/cell.h"
 #include "interpreter/source/source_file.h"
 #include "interpreter/syntax/tree.h"
@@ -118,9 +119,10 @@ struct CompiledProgram {
                                                         syntax::Index from) const;
 };
 
-/// Compiles program `which` of the tree.  The file and the tree must outlive the result.
+/// Compiles program `which` of the tree for a control; what that control lacks becomes an error.
+/// The file and the tree must outlive the result.
 CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
-                        Extent extent = Extent::Whole);
+                        const Profile& profile, Extent extent = Extent::Whole);
 
 /// The errors of the blocks that the program can reach from its first one, in order of place.
 /// Unreachable nonsense is none of the control's business, nor of ours.

@@ -123,6 +123,7 @@ void Control::choose_system_variables() {
 void Control::set_unit(LengthUnit unit) {
   modal.group[6] = {static_cast<std::int16_t>(unit == LengthUnit::Inch ? 20 : 21), 0};
   scale.unit = unit;
+  observer.on_length_unit(unit);
 }
 
 }  // namespace g31::fanuc

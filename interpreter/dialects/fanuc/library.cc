@@ -80,14 +80,14 @@ void ProgramLibrary::add_folder(const std::string& folder) {
 const CompiledProgram* ProgramLibrary::compiled(File& file, std::size_t which) {
   auto& slot = file.compiled[which];
   if (slot == nullptr) {
-    slot = std::make_unique<CompiledProgram>(compile(*file.source, file.tree, which));
+    slot = std::make_unique<CompiledProgram>(compile(*file.source, file.tree, which, *profile_));
   }
   return slot.get();
 }
 
 const CompiledProgram* ProgramLibrary::main_program() {
   if (windows_ != nullptr) {
-    if (const CompiledProgram* const first = windows_->next()) {
+    if (const CompiledProgram* const first = windows_->next(*profile_)) {
       main_number_ = first->number;
       return first;
     }
@@ -115,7 +115,7 @@ std::optional<ProgramPlace> ProgramLibrary::behind(const CompiledProgram& progra
     return std::nullopt;
   }
   const auto steps = static_cast<syntax::Index>(program.steps.size());
-  if (const CompiledProgram* const next = windows_->next()) {
+  if (const CompiledProgram* const next = windows_->next(*profile_)) {
     return ProgramPlace{next, 0};
   }
   if (windows_->must_be_whole()) {

@@ -26,6 +26,9 @@ class ProgramLibrary {
   /// @param files  must outlive the library
   explicit ProgramLibrary(source::FileSystem& files) : files_(files) {}
 
+  /// Programs are compiled for this control; to be called before any is asked for.
+  void compile_for(const Profile& profile) { profile_ = &profile; }
+
   enum class Added { Yes, Unreadable };
 
   /// Makes the programs of a file callable.
@@ -73,6 +76,7 @@ class ProgramLibrary {
   const CompiledProgram* find_in_main(int number);
 
   source::FileSystem& files_;
+  const Profile* profile_ = &profiles().front();
   std::vector<std::unique_ptr<File>> loaded_;
   std::vector<Folder> folders_;
   std::vector<std::string> further_files_;

@@ -24,6 +24,9 @@ using syntax::Word;
 
 constexpr std::int64_t kLargestInteger = 99'999'999;
 
+/// No control has loops of larger numbers; most have fewer (LoopRule).
+constexpr double kLargestLoopNumber = 127.0;
+
 /// IF THEN IF THEN...: more of them in one block is no program, but would fill the stack.
 constexpr int kThenLimit = 10;
 
@@ -317,6 +320,11 @@ void Parser::word_value(Word& word) {
       negate.span = tree_.exprs[word.expr].span;
       word.expr = expressions_.add(negate);
     }
+    if (word.expr != kNone &&
+        std::string_view("+-*").find(scanner_.peek()) != std::string_view::npos) {
+      word.is_bare = true;
+      word.expr = expressions_.continued(word.expr);
+    }
     return;
   }
   const auto number = scanner_.number();
@@ -488,10 +496,10 @@ int Parser::loop_number() {
   scanner_.peek();
   const std::uint32_t begin = scanner_.position();
   const auto number = scanner_.number();
-  if (!number || number->has_point || number->value < 1.0 || number->value > 3.0) {
+  if (!number || number->has_point || number->value < 1.0 || number->value > kLargestLoopNumber) {
     expressions_.fail_at(AlarmId::IllegalLoopNumber,
                          {begin, std::max(begin + 1, scanner_.position())},
-                         "a loop number is 1, 2 or 3");
+                         "a loop number is an integer from 1");
     return 0;
   }
   return static_cast<int>(number->value);

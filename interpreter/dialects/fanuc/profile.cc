@@ -51,6 +51,7 @@ constexpr Profile fanuc_30i() {
   profile.has_series_30i_functions = true;
   profile.largest_sequence = 99999999;
   profile.calls = {5, 10, 15};
+  profile.lone_cancel_is_alarm = true;
   profile.macro_alarm.largest = 4095;
   profile.macro_alarm.text_length = 31;
   profile.macro_alarm.has_plain_numbers = true;
@@ -71,6 +72,7 @@ constexpr Profile meldas() {
   profile.loops = {127, 27};
   profile.has_bare_expressions = true;
   profile.calls = {4, 8, 8};
+  profile.lone_cancel_is_alarm = true;
   profile.start_letter = 'H';
   profile.macro_alarm.number = MacroAlarmRule::Number::Base;
   profile.macro_alarm.base = 277;
@@ -97,6 +99,8 @@ constexpr Profile haas() {
   Profile profile = fanuc_16i();
   profile.name = "haas";
   profile.text = "Haas";
+  profile.largest_result = std::numeric_limits<double>::max();
+  profile.smallest_result = 0.0;
   profile.logic_operands = LogicOperands::Truncate;
   profile.macro_alarm.base = 1000;
   profile.macro_alarm.largest = 999;

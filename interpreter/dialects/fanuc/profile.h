@@ -88,6 +88,7 @@ struct Profile {
 
   // Calls
   CallLevels calls;
+  bool lone_cancel_is_alarm = false;  ///< G67 without G66 (MB-206)
   char start_letter = 'Q';  ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
 
   // #3000 and the system variables

@@ -44,7 +44,7 @@ bool ProgramWindows::can_be_split(const Window& window) const {
   return window.tree.programs.size() == 1 && std::ranges::none_of(window.tree.blocks, is_loop);
 }
 
-const CompiledProgram* ProgramWindows::next() {
+const CompiledProgram* ProgramWindows::next(const Profile& profile) {
   const bool is_first = window_ == nullptr;
   if (!is_first && window_->tree.end < window_->source->text().size()) {
     return nullptr;  // a % ended the program
@@ -60,7 +60,7 @@ const CompiledProgram* ProgramWindows::next() {
   window->tree =
       parse(window->source->text(), is_first ? TextBegins::AtFile : TextBegins::InProgram);
   if (window->tree.programs.size() == 1) {
-    window->program = compile(*window->source, window->tree, 0, Extent::Window);
+    window->program = compile(*window->source, window->tree, 0, profile, Extent::Window);
   }
   if (!can_be_split(*window)) {
     must_be_whole_ = true;

@@ -24,9 +24,9 @@ class ProgramWindows {
   /// @param files  must outlive the windows
   ProgramWindows(source::FileSystem& files, std::string path, std::uint64_t bytes);
 
-  /// The next window, which ends the life of the one before; nullptr when there is none, or when
-  /// the text cannot be split (see must_be_whole).
-  const CompiledProgram* next();
+  /// The next window, compiled for a control, which ends the life of the one before; nullptr when
+  /// there is none, or when the text cannot be split (see must_be_whole).
+  const CompiledProgram* next(const Profile& profile);
 
   /// A loop or a further program was found: windows do not show where they end.
   [[nodiscard]] bool must_be_whole() const { return must_be_whole_; }

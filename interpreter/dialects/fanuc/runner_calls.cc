@@ -169,7 +169,7 @@ MaybeFailure Runner::set_modal_call(const EvaluatedWord& code) {
 
 MaybeFailure Runner::cancel_modal_call(const EvaluatedWord& code) {
   auto& calls = frame().modal_calls;
-  if (calls.empty() && control_.profile.has_series_30i_functions) {  // the 16i ignores it (MB-206)
+  if (calls.empty() && control_.profile.lone_cancel_is_alarm) {
     return at_word(AlarmId::NoModalCall, code, "G67 without G66");
   }
   if (!calls.empty()) {

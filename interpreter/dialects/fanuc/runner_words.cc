@@ -23,7 +23,7 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
     const syntax::Word& word = program.tree->words[i];
     EvaluatedWord evaluated{word.letter, word.form, word.decimals, word.number, word.span};
     if (word.form == ValueForm::Computed) {
-      const double increment = control_.scale.mm_per_unit() / control_.scale.length_counts();
+      const double increment = 1.0 / control_.scale.length_counts();
       const Cell value = control_.evaluator.evaluate(
           program, program.word_code[i - program.first_word], increment);
       if (control_.evaluator.failed()) {

@@ -72,21 +72,24 @@ std::optional<ScannedNumber> Scanner::number() {
   }
   const std::size_t begin = at_;
   ScannedNumber found;
-  std::uint64_t mantissa = 0;
+  std::uint64_t mantissa = 0;  // of no use beyond kExactDigits
   int digits = 0;
   int decimals = 0;
-  for (char c = first;;) {
-    if (is_digit(c)) {
+  for (char c = first;; c = peek()) {
+    const int before = digits;
+    for (; at_ < text_.size() && is_digit(text_[at_]); ++at_) {
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(text_[at_] - '0');
       ++digits;
-      decimals += found.has_point ? 1 : 0;
-      mantissa = digits <= kExactDigits ? mantissa * 10 + static_cast<std::uint64_t>(c - '0') : 0;
-    } else if (c == '.' && !found.has_point) {
-      found.has_point = true;
-    } else {
+    }
+    decimals += found.has_point ? digits - before : 0;
+    if (digits != before) {
+      continue;
+    }
+    if (c != '.' || found.has_point) {
       break;
     }
+    found.has_point = true;
     step();
-    c = peek();
   }
   if (digits == 0) {
     rewind(static_cast<std::uint32_t>(begin));

@@ -85,7 +85,9 @@ void configure_calls(Control& control, const runtime::ControlSetup& setup,
 
 Session::Session(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
                  runtime::Observer& observer)
-    : runner_(std::make_unique<Runner>(profile, library, port, observer)) {}
+    : runner_(std::make_unique<Runner>(profile, library, port, observer)) {
+  library.compile_for(profile);
+}
 
 Session::~Session() = default;
 

@@ -7,6 +7,7 @@
 
 #include "interpreter/dialects/fanuc/profile.h"
 #include "interpreter/syntax/tree.h"
+#include "machine/units/length_unit.h"
 
 namespace g31::fanuc {
 
@@ -49,8 +50,6 @@ class BlockWords {
   int sequence_ = 0;
 };
 
-enum class LengthUnit : std::uint8_t { Millimetre, Inch };
-
 /// How the control reads the number of a word: least increment, decimal point, unit in force.
 struct WordScale {
   double counts_per_mm = 1000.0;  ///< least increments in a millimetre (IS-B)
@@ -63,7 +62,7 @@ struct WordScale {
   /// "IS-A" (0.01 mm), "IS-B" (0.001 mm) or "IS-C" (0.0001 mm).
   void set_increment_system(std::string_view name);
 
-  [[nodiscard]] double mm_per_unit() const { return unit == LengthUnit::Inch ? 25.4 : 1.0; }
+  [[nodiscard]] double mm_per_unit() const { return mm_per(unit); }
   [[nodiscard]] double length_counts() const {
     return unit == LengthUnit::Inch ? counts_per_inch : counts_per_mm;
   }

@@ -9,8 +9,10 @@ namespace {
 
 std::string macro_alarm_text(const MacroAlarmRule& rule) {
   return rule.number == MacroAlarmRule::Number::BasePlusValue
-             ? fmt::format("alarm {} + n, n {} to {}", rule.base, rule.smallest, rule.largest)
-             : fmt::format("alarm {}, n {} to {}", rule.base, rule.smallest, rule.largest);
+             ? fmt::format("alarm {} + n, n {} to {}, text of {} characters", rule.base,
+                           rule.smallest, rule.largest, rule.text_length)
+             : fmt::format("alarm {}, n {} to {}, text of {} characters", rule.base, rule.smallest,
+                           rule.largest, rule.text_length);
 }
 
 std::string missing_codes(const Profile& profile) {
@@ -31,6 +33,9 @@ Entry entry_of(const Profile& profile) {
        {"sequence numbers", fmt::format("1 to {}", profile.largest_sequence)},
        {"loops",
         fmt::format("DO 1 to {}, {} deep", profile.loops.largest_number, profile.loops.nesting)},
+       {"alarms", fmt::format("{}{:03} is division by zero", profile.alarm_prefix,
+                              number_of(AlarmId::DivisionByZero, profile.alarm_numbers))},
+       {"X#1+10 without brackets", profile.has_bare_expressions ? "yes" : "no"},
        {"IF [] THEN", profile.has_then ? "yes" : "no"},
        {"calls", fmt::format("{} macros, {} subprograms, {} together deep", profile.calls.macros,
                              profile.calls.subprograms, profile.calls.together)},

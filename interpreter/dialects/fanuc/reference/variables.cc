@@ -31,7 +31,7 @@ constexpr UserRange kUserRanges[] = {
      "local to a macro call; G65 passes its arguments in them, the rest is null; M98 shares them"},
     {{kFirstCommon, kLastVolatile},
      "common variable",
-     "common to all programs; null after power on and, unless parameter 6001.6 is 1, after reset"},
+     "common to all programs; null after power on and after reset"},
     {{kFirstPermanent, kCommonEnd - 1},
      "common variable",
      "common to all programs, kept over power off; the set-up sheet's variables_file holds them"}};
