@@ -87,7 +87,7 @@ void Control::report_read_ahead(const SystemVariable& row, std::int32_t number) 
 }
 
 void Control::warn_once(source::DiagnosticId id, source::Location where, std::string_view detail) {
-  if (warned_.insert(id).second) {
+  if (warned_.emplace(id, detail).second) {
     diagnostics.push_back(make_diagnostic(id, where, detail));
   }
 }
@@ -97,9 +97,10 @@ void Control::turn_calls_over(const Parameters& before) {
     const auto turn_over = [&](std::map<int, int>& calls, ParameterId id, int index, int program) {
       const double old_code = before.get(id, index);
       const double code = parameters.get(id, index);
-      if (code != old_code) {
-        calls.erase(nearest_integer(old_code));
+      if (code == old_code) {
+        return;
       }
+      calls.erase(nearest_integer(old_code));
       if (code > 0.0) {
         calls[nearest_integer(code)] = program;
       }

@@ -160,6 +160,11 @@ bool Parameters::bit(int number, int bit) const {
   return found != bits_.end() && found->second;
 }
 
+void Parameters::set_value(int number, double value) {
+  values_[number] = value;
+  std::erase_if(axis_values_, [&](const auto& entry) { return entry.first.first == number; });
+}
+
 bool Parameters::enter(int number, double value) {
   const ParameterInfo* const row = find_parameter(number);
   if (row == nullptr || !row->bit) {

@@ -65,7 +65,8 @@ class Parameters {
   // By number; `otherwise` where nothing sets it.
   [[nodiscard]] double value(int number, double otherwise = 0.0) const;
   [[nodiscard]] bool bit(int number, int bit) const;
-  void set_value(int number, double value) { values_[number] = value; }
+  /// For all axes, where it has one for each.
+  void set_value(int number, double value);
   void set_axis_value(int number, int axis, double value) { axis_values_[{number, axis}] = value; }
   /// What G10 L50 writes: where the number is one of bits, the digits are bits 7 to 0.
   /// @returns whether the control takes such a value
