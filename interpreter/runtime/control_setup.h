@@ -18,15 +18,20 @@ struct ToolEntry {
   double radius_wear_mm = 0.0;
 };
 
+/// How much a control keeps for one tool offset number: one value for all (A), geometry and wear
+/// (B), both of length and of radius (C).
+enum class OffsetMemory { A, B, C };
+
 /// The state of a control before the program starts, as a set-up sheet describes it.  Plain data:
 /// each dialect takes what it knows and reports names it does not.
 struct ControlSetup {
-  std::string profile;                             ///< "" = chosen by content and file ending
-  std::string increment;                           ///< "IS-A", "IS-B", "IS-C" or "" = profile's
-  std::set<int> block_skip;                        ///< switches that are on, 1..9
-  std::string variables_file;                      ///< non-volatile variables; "" = none
-  std::map<std::string, double> parameters;        ///< "6001.1" is bit 1 of 6001, "3410" a value
-  std::map<std::string, int> macro_calls;          ///< "G100" -> 9010
+  std::string profile;    ///< "" = chosen by content and file ending
+  std::string increment;  ///< "IS-A", "IS-B", "IS-C" or "" = profile's
+  OffsetMemory offset_memory = OffsetMemory::C;
+  std::set<int> block_skip;                  ///< switches that are on, 1..9
+  std::string variables_file;                ///< non-volatile variables; "" = none
+  std::map<std::string, double> parameters;  ///< "6001.1" is bit 1 of 6001, "3410" a value
+  std::map<std::string, int> macro_calls;    ///< "G100" -> 9010
   /// "#515" -> 6.0; nullopt is vacant.  A string value is for dialects that have strings.
   std::map<std::string, std::optional<double>> variables;
   std::map<std::string, AxisPositions> work_offsets;  ///< "G54".."G59", "EXT", "G54.1 P1"

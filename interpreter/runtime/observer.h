@@ -7,6 +7,7 @@
 
 #include "interpreter/source/location.h"
 #include "machine/port/machine_port.h"
+#include "machine/units/length_unit.h"
 
 namespace g31::runtime {
 
@@ -39,6 +40,7 @@ struct StopEvent {
 
 /// Hears what a running program does, in order.  Whoever runs the program decides what becomes of
 /// it: a document, a trace, a line on the terminal.  Every function may be left as it is.
+/// The places in events hold during the call only.
 class Observer {
  public:
   Observer() = default;
@@ -48,6 +50,8 @@ class Observer {
 
   virtual void on_move(const MoveEvent&) {}
   virtual void on_touch(const TouchEvent&) {}
+  /// G20 and G21, G70 and G71: what lengths count from here on; millimetres at first.
+  virtual void on_length_unit(LengthUnit) {}
   virtual void on_stop(const StopEvent&) {}
   /// Bytes for the printer port (DPRNT) or the operator (MSG).
   virtual void on_output(std::string_view) {}

@@ -69,6 +69,10 @@ std::string place(const Location& where) {
 
 }  // namespace
 
+std::span<const DiagnosticInfo> diagnostics() {
+  return kRows;
+}
+
 const DiagnosticInfo& info(DiagnosticId id) {
   return kRows.at(static_cast<std::size_t>(id));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,9 @@ struct DiagnosticInfo {
   std::string_view text;  ///< fmt format with one {} per detail, or none
   std::string_view remedy;
 };
+
+/// All rows.
+std::span<const DiagnosticInfo> diagnostics();
 
 const DiagnosticInfo& info(DiagnosticId id);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,14 @@ class FileSystem {
 
   /// The whole file, or nullopt when it cannot be read.
   virtual std::optional<std::string> read(const std::string& path) = 0;
+
+  /// How many bytes the file has; nullopt when it cannot be known, and then it is read whole.
+  virtual std::optional<std::uint64_t> size(const std::string& path);
+
+  /// The bytes from `offset`, at most `length` of them, fewer only at the end of the file; nullopt
+  /// when they cannot be read.
+  virtual std::optional<std::string> read_part(const std::string& path, std::uint64_t offset,
+                                               std::size_t length);
 
   /// Names (without folder) of the regular files in a folder, sorted; empty when it cannot be read.
   virtual std::vector<std::string> list(const std::string& folder) = 0;

@@ -64,9 +64,11 @@ enum class ValueForm : std::uint8_t { None, Integer, Decimal, Computed };
 struct Word {
   char letter = 0;
   ValueForm form = ValueForm::None;
-  std::uint8_t digits = 0;  ///< digits written, leading and trailing zeros too
-  double number = 0.0;      ///< Integer and Decimal
+  std::uint8_t digits = 0;    ///< digits written, leading and trailing zeros too
+  std::uint8_t decimals = 0;  ///< those behind the point
+  double number = 0.0;        ///< Integer and Decimal
   Index expr = kNone;       ///< Computed
+  bool is_bare = false;     ///< Computed: X#1+10, an expression without brackets
   ShortSpan span;
 };
 
@@ -121,6 +123,7 @@ struct Tree {
   std::vector<Word> words;
   std::vector<Expr> exprs;
   std::vector<SyntaxError> errors;
+  std::uint32_t end = 0;  ///< where reading ended: the end of the text, or a `%` before it
 };
 
 }  // namespace g31::syntax

@@ -52,7 +52,9 @@ ArcPath::ArcPath(const AxisPositions& q_M_from, const ArcMove& arc)
 }
 
 double ArcPath::length() const {
-  return std::hypot(radius() * turned_rad_, radius_to_ - radius_from_);
+  const double around = radius() * turned_rad_;
+  const double outwards = radius_to_ - radius_from_;
+  return std::sqrt(around * around + outwards * outwards);
 }
 
 AxisPositions ArcPath::at(double fraction) const {

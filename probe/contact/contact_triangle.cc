@@ -23,12 +23,12 @@ Nearest nearest_of_edges(const ContactTriangle& triangle, const Point& p) {
   Nearest nearest;
   nearest.distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < 3; ++i) {
-    const Point from_vertex = p - triangle.vertices[i];
-    const double along = from_vertex.dot(triangle.edges[i]);
-    const bool past_end = along >= triangle.lengths[i];
+    const ContactEdge edge = triangle.edge(i);
+    const double along = (p - edge.start).dot(edge.direction);
+    const bool past_end = along >= edge.length;
     const Point point = past_end       ? triangle.vertices[(i + 1) % 3]
-                        : along <= 0.0 ? triangle.vertices[i]
-                                       : Point(triangle.vertices[i] + along * triangle.edges[i]);
+                        : along <= 0.0 ? edge.start
+                                       : Point(edge.start + along * edge.direction);
     const Point offset = p - point;
     const double distance = offset.norm();
     if (distance < nearest.distance) {
@@ -40,7 +40,7 @@ Nearest nearest_of_edges(const ContactTriangle& triangle, const Point& p) {
   if (nearest.distance > 0.0) {
     nearest.normal /= nearest.distance;
   } else {
-    nearest.normal = triangle.is_sliver ? Point(Point::UnitZ()) : triangle.normal;
+    nearest.normal = triangle.is_sliver() ? Point(Point::UnitZ()) : triangle.normal;
   }
   return nearest;
 }
@@ -54,31 +54,39 @@ Point accurate_cross(const Point& a, const Point& b) {
 }
 
 ContactTriangle::ContactTriangle(const Point& a, const Point& b, const Point& c)
-    : vertices{a, b, c}, lengths{}, normal(Point::Zero()) {
+    : vertices{a, b, c}, normal(Point::Zero()) {
   std::array<Point, 3> sides;
+  std::array<double, 3> lengths{};
   for (std::size_t i = 0; i < 3; ++i) {
     sides[i] = vertices[(i + 1) % 3] - vertices[i];
-    const double length = sides[i].norm();
-    lengths[i] = length < kVanishingEdgeMm ? 0.0 : length;
-    edges[i] = length < kVanishingEdgeMm ? Point(Point::Zero()) : Point(sides[i] / length);
+    lengths[i] = sides[i].norm();
   }
   // The two sides that are not the longest one carry the least error into their cross product.
   const auto longest =
       static_cast<std::size_t>(std::ranges::max_element(lengths) - lengths.begin());
   const Point cross = accurate_cross(sides[(longest + 1) % 3], sides[(longest + 2) % 3]);
   const double twice_area = cross.norm();
-  is_sliver = !(twice_area >= kSliverHeightMm * lengths[longest]) || lengths[longest] == 0.0;
-  if (!is_sliver) {
+  if (lengths[longest] >= kVanishingEdgeMm && twice_area >= kSliverHeightMm * lengths[longest]) {
     normal = cross / twice_area;
   }
 }
 
+ContactEdge ContactTriangle::edge(std::size_t i) const {
+  const Point side = vertices[(i + 1) % 3] - vertices[i];
+  const double length = side.norm();
+  if (length < kVanishingEdgeMm) {
+    return {vertices[i], Point::Zero(), 0.0};
+  }
+  return {vertices[i], side / length, length};
+}
+
 bool ContactTriangle::is_above_or_below(const Point& p) const {
-  if (is_sliver) {
+  if (is_sliver()) {
     return false;
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    if ((p - vertices[i]).dot(normal.cross(edges[i])) < 0.0) {
+    const Point side = vertices[(i + 1) % 3] - vertices[i];
+    if ((p - vertices[i]).dot(normal.cross(side)) < 0.0) {
       return false;
     }
   }

@@ -15,16 +15,25 @@ Point accurate_cross(const Point& a, const Point& b);
 /// radius r then stands too low by at most (height / 2)^2 / (2 r): 2.5e-11 mm at r = 0.5 mm.
 inline constexpr double kSliverHeightMm = 1e-5;
 
-/// A triangle with all that its contact with a ball needs, mm.  Both sides count: the order of
-/// the vertices does not matter.
+/// One edge of a triangle.
+struct ContactEdge {
+  Point start;
+  Point direction;      ///< unit vector; 0 for a vanishing edge
+  double length = 0.0;  ///< mm; 0 for a vanishing edge
+};
+
+/// A triangle ready for contact with a ball, mm, in 96 bytes.  Both sides count: the order of the
+/// vertices does not matter.
 struct ContactTriangle {
   std::array<Point, 3> vertices;
-  std::array<Point, 3> edges;     ///< unit vector from vertex i to i + 1; 0 for a vanishing edge
-  std::array<double, 3> lengths;  ///< of the edges, mm
-  Point normal;                   ///< unit vector; 0 for a sliver
-  bool is_sliver = false;
+  Point normal;  ///< unit vector; 0 for a sliver
 
   ContactTriangle(const Point& a, const Point& b, const Point& c);
+
+  [[nodiscard]] bool is_sliver() const { return normal == Point::Zero(); }
+
+  /// From vertex i to i + 1.
+  [[nodiscard]] ContactEdge edge(std::size_t i) const;
 
   /// Whether p, or its foot on the plane, lies inside or on the border.  Never for a sliver.
   [[nodiscard]] bool is_above_or_below(const Point& p) const;

@@ -1,19 +1,18 @@
 #include "probe/contact/sweep_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "machine/base/contract.h"
-#include "probe/contact/sweep_triangle.h"
+#include "probe/contact/offset_patches.h"
 
 namespace g31::probe {
 namespace {
 
-/// The tree is asked for this much beyond the radius: far more than roundoff, hardly any work.
-constexpr double kBoxMarginMm = 1e-8;
-
 /// A shorter move has no direction; only the overlap at its start counts.
 constexpr double kShortestMoveMm = 1e-12;
+
+/// What a Patch can number.
+constexpr std::size_t kMostTriangles = 1U << 28U;
 
 parts::Path path_between(const Point& from, const Point& to) {
   const Point travel = to - from;
@@ -24,31 +23,59 @@ parts::Path path_between(const Point& from, const Point& to) {
   return {from, travel / length, length};
 }
 
+std::vector<parts::Box> boxes_of(const std::vector<OffsetPatch>& patches) {
+  std::vector<parts::Box> boxes;
+  boxes.reserve(patches.size());
+  for (const OffsetPatch& patch : patches) {
+    boxes.push_back(patch.box);
+  }
+  return boxes;
+}
+
+parts::Mesh in_slot_order(const parts::Mesh& mesh, const ContactMesh& slots) {
+  parts::Mesh ordered{mesh.vertices, {}};
+  ordered.triangles.reserve(mesh.triangles.size());
+  for (std::uint32_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+    ordered.triangles.push_back(mesh.triangles[slots.index_of(slot)]);
+  }
+  return ordered;
+}
+
 }  // namespace
 
 MeshSweeper::MeshSweeper(const parts::Mesh& mesh_M, double ball_radius)
-    : radius_(ball_radius), tree_(parts::triangle_boxes(mesh_M)) {
+    : radius_(ball_radius), mesh_(mesh_M) {
   G31_EXPECTS(std::isfinite(ball_radius) && ball_radius > 0.0);
-  triangles_.reserve(mesh_M.triangles.size());
-  for (const std::uint32_t index : tree_.order()) {
-    const auto& corners = mesh_M.triangles[index];
-    triangles_.emplace_back(mesh_M.vertices[corners[0]], mesh_M.vertices[corners[1]],
-                            mesh_M.vertices[corners[2]]);
+  G31_EXPECTS(mesh_M.triangles.size() < kMostTriangles);
+  const std::vector<OffsetPatch> patches =
+      offset_patches(in_slot_order(mesh_M, mesh_), mesh_.triangles(), radius_);
+  patch_tree_ = parts::Bvh(boxes_of(patches));
+  patches_.reserve(patches.size());
+  for (const std::uint32_t index : patch_tree_.order()) {
+    patches_.emplace_back(patches[index].features, patches[index].triangle);
   }
 }
 
 SweepHit MeshSweeper::sweep(const Point& p_M_from, const Point& p_M_to) const {
   const parts::Path path = path_between(p_M_from, p_M_to);
-  const std::optional<Touch> start = touch_at(p_M_from);
+  const std::optional<Touch> start = mesh_.nearest_within(p_M_from, radius_ + kTouchBandMm);
   if (start && start->distance < radius_ - kTouchBandMm) {
     return hit_at(SweepStatus::StartInContact, path, {0.0, start->slot});
   }
-  std::optional<Meeting> first = first_meeting(path, start.has_value());
+  if (path.length == 0.0) {
+    return {};
+  }
+  if (!start) {
+    const std::optional<Meeting> first = first_meeting(path);
+    return first ? hit_at(SweepStatus::Contact, path, *first) : SweepHit{};
+  }
+  std::optional<Meeting> first = first_meeting_leaving(path, start->distance, kLeaveExactly);
   if (!first) {
     return {};
   }
   // In touch from the start and going in: the contact is here, not where the band is used up.
-  if (start && free_radius(first->slot, p_M_from) < radius_) {
+  const ContactTriangle& triangle = mesh_.triangles()[first->slot];
+  if (nearest_of(triangle, p_M_from).distance <= radius_ + kTouchBandMm) {
     first->s = 0.0;
   }
   return hit_at(SweepStatus::Contact, path, *first);
@@ -56,42 +83,44 @@ SweepHit MeshSweeper::sweep(const Point& p_M_from, const Point& p_M_to) const {
 
 SweepHit MeshSweeper::first_contact_leaving(const Point& p_M_from, const Point& p_M_to) const {
   const parts::Path path = path_between(p_M_from, p_M_to);
-  const std::optional<Meeting> first = first_meeting(path, touch_at(p_M_from).has_value());
+  if (path.length == 0.0) {
+    return {};
+  }
+  const std::optional<Touch> start = mesh_.nearest_within(p_M_from, radius_ + kTouchBandMm);
+  const std::optional<Meeting> first =
+      start ? first_meeting_leaving(path, start->distance, kLeaveFreely) : first_meeting(path);
   return first ? hit_at(SweepStatus::Contact, path, *first) : SweepHit{};
 }
 
-std::optional<MeshSweeper::Touch> MeshSweeper::touch_at(const Point& p_M_centre) const {
-  std::optional<Touch> deepest;
-  tree_.visit_near(p_M_centre, radius_ + kBoxMarginMm, [&](std::uint32_t slot) {
-    const double distance = nearest_of(triangles_[slot], p_M_centre).distance;
-    if (distance <= radius_ + kTouchBandMm && (!deepest || distance < deepest->distance)) {
-      deepest = Touch{slot, distance};
-    }
-  });
-  return deepest;
-}
-
-double MeshSweeper::free_radius(std::uint32_t slot, const Point& p_M_from) const {
-  const double distance = nearest_of(triangles_[slot], p_M_from).distance;
-  return distance <= radius_ + kTouchBandMm ? std::min(distance, radius_) - kTouchBandMm : radius_;
-}
-
-std::optional<MeshSweeper::Meeting> MeshSweeper::first_meeting(const parts::Path& path,
-                                                               bool starts_in_touch) const {
+std::optional<Meeting> MeshSweeper::first_meeting(const parts::Path& path) const {
   std::optional<Meeting> first;
-  if (path.length == 0.0) {
-    return first;
-  }
   parts::Path rest = path;
-  tree_.visit_along(path, radius_ + kBoxMarginMm, [&](std::uint32_t slot) {
-    const double radius = starts_in_touch ? free_radius(slot, path.from) : radius_;
-    const double s = radius > 0.0 ? sweep_triangle(rest, triangles_[slot], radius) : kNoContact;
+  patch_tree_.visit_along(path, kBoxMarginMm, [&](std::uint32_t i) {
+    const Patch patch = patches_[i];
+    const double s =
+        sweep_triangle(rest, mesh_.triangles()[patch.slot()], patch.features(), radius_);
     if (s < rest.length || (!first && s == rest.length)) {
-      first = Meeting{s, slot};
+      first = Meeting{s, patch.slot()};
       rest.length = s;
     }
     return rest.length;
   });
+  return first;
+}
+
+std::optional<Meeting> MeshSweeper::first_meeting_leaving(const parts::Path& path,
+                                                          double start_distance,
+                                                          const LeavingRule& rule) const {
+  const Leaving leaving = leave_contact(mesh_, path, radius_, start_distance, rule);
+  if (leaving.stop || leaving.free_from >= path.length) {
+    return leaving.stop;
+  }
+  const double s = leaving.free_from;
+  std::optional<Meeting> first =
+      first_meeting({path.from + s * path.direction, path.direction, path.length - s});
+  if (first) {
+    first->s += s;
+  }
   return first;
 }
 
@@ -101,12 +130,16 @@ SweepHit MeshSweeper::hit_at(SweepStatus status, const parts::Path& path,
   hit.status = status;
   hit.s = meeting.s;
   hit.p_M_centre = path.from + meeting.s * path.direction;
-  const Nearest nearest = nearest_of(triangles_[meeting.slot], hit.p_M_centre);
+  const Nearest nearest = nearest_of(mesh_.triangles()[meeting.slot], hit.p_M_centre);
   hit.p_M_point = nearest.point;
   hit.n_M = nearest.normal;
-  hit.triangle = tree_.order()[meeting.slot];
+  hit.triangle = mesh_.index_of(meeting.slot);
   hit.cos_incidence = -path.direction.dot(nearest.normal);
   return hit;
+}
+
+std::size_t MeshSweeper::memory_bytes() const {
+  return mesh_.memory_bytes() + patch_tree_.memory_bytes() + patches_.capacity() * sizeof(Patch);
 }
 
 }  // namespace g31::probe

@@ -39,10 +39,12 @@ Point cross_for_sweep(const Point& u, const Point& e) {
 double sweep_capsule(const Path& path, const ContactTriangle& triangle, std::size_t i,
                      double radius) {
   constexpr double kParallelSquared = 1e-30;
-  const Point& start = triangle.vertices[i];
-  const Point& end = triangle.vertices[(i + 1) % 3];
-  const Point& edge = triangle.edges[i];
-  const Point to_start = start - path.from;
+  const ContactEdge side = triangle.edge(i);
+  if (side.length == 0.0) {
+    return sweep_sphere(path, side.start, radius);
+  }
+  const Point& edge = side.direction;
+  const Point to_start = side.start - path.from;
   const Point across = cross_for_sweep(path.direction, edge);
   const double sine_squared = across.squaredNorm();
   double entry = 0.0;
@@ -65,10 +67,10 @@ double sweep_capsule(const Path& path, const ContactTriangle& triangle, std::siz
   }
   const double along = std::max(0.0, entry) * path.direction.dot(edge) - to_start.dot(edge);
   if (along < 0.0) {
-    return sweep_sphere(path, start, radius);
+    return sweep_sphere(path, side.start, radius);
   }
-  if (along > triangle.lengths[i]) {
-    return sweep_sphere(path, end, radius);
+  if (along > side.length) {
+    return sweep_sphere(path, triangle.vertices[(i + 1) % 3], radius);
   }
   // Beside the edge and already inside its cylinder: in touch, so it matters only where it goes.
   if (entry <= 0.0) {
@@ -106,10 +108,11 @@ PlaneEntry sweep_plane(const Path& path, const ContactTriangle& triangle, double
 
 }  // namespace
 
-double sweep_triangle(const parts::Path& path, const ContactTriangle& triangle, double radius) {
+double sweep_triangle(const Path& path, const ContactTriangle& triangle, Features features,
+                      double radius) {
   double first = kNoContact;
   bool found_on_face = false;
-  if (!triangle.is_sliver) {
+  if ((features & kFace) != 0 && !triangle.is_sliver()) {
     const PlaneEntry plane = sweep_plane(path, triangle, radius);
     if (!plane.reachable) {
       return kNoContact;
@@ -122,14 +125,18 @@ double sweep_triangle(const parts::Path& path, const ContactTriangle& triangle, 
   }
   // Before it crosses the offset plane a ball touches no edge either: a face contact is the first.
   for (std::size_t i = 0; i < 3 && !found_on_face; ++i) {
-    first = std::min(first, triangle.lengths[i] > 0.0
-                                ? sweep_capsule(path, triangle, i, radius)
-                                : sweep_sphere(path, triangle.vertices[i], radius));
+    if ((features & edge_feature(i)) != 0) {
+      first = std::min(first, sweep_capsule(path, triangle, i, radius));
+    }
   }
   if (first > path.length + kTangencyMm) {
     return kNoContact;
   }
   return std::min(first, path.length);
+}
+
+double sweep_triangle(const Path& path, const ContactTriangle& triangle, double radius) {
+  return sweep_triangle(path, triangle, kAllFeatures, radius);
 }
 
 }  // namespace g31::probe

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 
-#include "parts/geometry/bvh.h"
+#include "parts/geometry/box.h"
 #include "probe/contact/contact_triangle.h"
 
 namespace g31::probe {
@@ -13,6 +15,17 @@ inline constexpr double kNoContact = std::numeric_limits<double>::infinity();
 /// A pass that misses by less than this touches: exact tangency is a contact, and a line cannot be
 /// computed better than this at 1e4 mm.
 inline constexpr double kTangencyMm = 1e-12;
+
+/// Some of the face and the three edges of a triangle, one bit each; an edge has its ends with it.
+using Features = std::uint32_t;
+
+inline constexpr Features kFace = 1;
+inline constexpr Features kAllFeatures = 15;
+
+/// Of the edge from vertex i to i + 1.
+constexpr Features edge_feature(std::size_t i) {
+  return 2U << i;
+}
 
 /// How far a ball moves along the path until it touches the triangle, mm; kNoContact if it does
 /// not.
@@ -26,5 +39,9 @@ inline constexpr double kTangencyMm = 1e-12;
 /// @param radius  mm, > 0
 /// Accuracy: |distance - radius| <= 1e-12 mm at the contact for coordinates up to 1e3 mm.
 double sweep_triangle(const parts::Path& path, const ContactTriangle& triangle, double radius);
+
+/// The same, looking for contacts with some features only.
+double sweep_triangle(const parts::Path& path, const ContactTriangle& triangle, Features features,
+                      double radius);
 
 }  // namespace g31::probe

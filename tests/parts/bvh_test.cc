@@ -74,7 +74,10 @@ TEST(Bvh, VisitsEveryBoxNearAPointOrOnAPath) {
     const Path path{point_between(random, -15.0, 15.0), direction, between(random, 0.0, 30.0)};
     std::vector<bool> near(boxes.size());
     std::vector<bool> along(boxes.size());
-    tree.visit_near(path.from, reach, [&](std::uint32_t slot) { near[tree.order()[slot]] = true; });
+    tree.visit_near(path.from, reach, [&](std::uint32_t slot) {
+      near[tree.order()[slot]] = true;
+      return reach;
+    });
     tree.visit_along(path, reach + 1e-9, [&](std::uint32_t slot) {
       along[tree.order()[slot]] = true;
       ++visits;

@@ -109,6 +109,90 @@ inline parts::Mesh slivers(std::uint64_t seed, std::uint32_t count) {
   return mesh;
 }
 
+/// The same shape with some triangles turned over.
+inline parts::Mesh turned_at_random(parts::Mesh mesh, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  for (auto& triangle : mesh.triangles) {
+    if (random() % 2 == 0) {
+      std::swap(triangle[0], triangle[1]);
+    }
+  }
+  return mesh;
+}
+
+/// The same shape, each triangle with vertices of its own, as STL has it.
+inline parts::Mesh unshared(const parts::Mesh& mesh) {
+  parts::Mesh own;
+  for (const auto& triangle : mesh.triangles) {
+    const auto first = static_cast<std::uint32_t>(own.vertices.size());
+    for (const std::uint32_t vertex : triangle) {
+      own.vertices.push_back(mesh.vertices[vertex]);
+    }
+    own.triangles.push_back({first, first + 1, first + 2});
+  }
+  return own;
+}
+
+/// With a hole where every n-th triangle was.
+inline parts::Mesh without_every(const parts::Mesh& mesh, std::size_t n) {
+  parts::Mesh open{mesh.vertices, {}};
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (i % n != 0) {
+      open.triangles.push_back(mesh.triangles[i]);
+    }
+  }
+  return open;
+}
+
+/// Each vertex moved by up to `amount` mm along each axis: dents, saddles and ridges.
+inline parts::Mesh shaken(parts::Mesh mesh, double amount, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  for (Point& vertex : mesh.vertices) {
+    vertex += point_between(random, -amount, amount);
+  }
+  return mesh;
+}
+
+inline parts::Mesh moved_by(parts::Mesh mesh, const Point& way) {
+  for (Point& vertex : mesh.vertices) {
+    vertex += way;
+  }
+  return mesh;
+}
+
+/// Two crowns of `spokes` triangles, one around a peak, one around a flat middle.
+inline parts::Mesh spiked_fan(double radius, std::uint32_t spokes) {
+  parts::Mesh mesh;
+  for (const double peak : {radius, 0.0}) {
+    const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.emplace_back(0.0, 0.0, peak - (peak > 0.0 ? 0.0 : radius));
+    for (std::uint32_t i = 0; i < spokes; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / spokes;
+      const double height = peak > 0.0 && i % 2 == 0 ? 3.0 : 0.0;
+      mesh.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                                 height - (peak > 0.0 ? 0.0 : radius));
+      mesh.triangles.push_back({middle, middle + 1 + i, middle + 1 + (i + 1) % spokes});
+    }
+  }
+  return mesh;
+}
+
+/// `leaves` square sheets that share one edge along Z, half a turn of them.
+inline parts::Mesh book(double size, std::uint32_t leaves) {
+  parts::Mesh mesh;
+  mesh.vertices = {{0.0, 0.0, 0.0}, {0.0, 0.0, size}};
+  for (std::uint32_t i = 0; i < leaves; ++i) {
+    const double angle = std::numbers::pi * i / leaves;
+    const Point out(size * std::cos(angle), size * std::sin(angle), 0.0);
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(out);
+    mesh.vertices.push_back(out + size * Point::UnitZ());
+    mesh.triangles.push_back({0, first, 1});
+    mesh.triangles.push_back({1, first, first + 1});
+  }
+  return mesh;
+}
+
 /// How often each edge is used in each direction: a mesh is closed and consistently oriented when
 /// every directed edge stands against exactly one opposite one.
 inline bool is_closed_and_oriented(const parts::Mesh& mesh) {

@@ -17,6 +17,7 @@ namespace g31::setup {
 inline constexpr const char* kEveryKey = R"([control]
 profile = "fanuc-16i"
 increment = "IS-C"
+offset_memory = "B"
 block_skip = [1, 9]
 variables_file = "v55.vars"
 [parameters]

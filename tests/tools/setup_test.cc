@@ -55,6 +55,7 @@ TEST_F(SetupReader, ControlKeysArrive) {
   const runtime::ControlSetup control = job({kEveryKey}).control;
   EXPECT_EQ(control.profile, "fanuc-16i");
   EXPECT_EQ(control.increment, "IS-C");
+  EXPECT_EQ(control.offset_memory, runtime::OffsetMemory::B);
   EXPECT_EQ(control.block_skip, (std::set<int>{1, 9}));
   EXPECT_EQ(control.variables_file, path_of("v55.vars"));
   EXPECT_EQ(control.parameters,

@@ -8,30 +8,46 @@
 #include <fstream>
 #include <iterator>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace g31::cli {
 
 namespace fs = std::filesystem;
 
-std::optional<std::string> Disk::read(const std::string& path) {
+std::optional<std::uint64_t> Disk::size(const std::string& path) {
   std::error_code error;
-  if (fs::is_directory(path, error)) {
+  if (!fs::is_regular_file(path, error)) {
     return std::nullopt;
   }
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    return std::nullopt;
-  }
-  std::string text;
   const auto size = fs::file_size(path, error);
-  if (!error) {
-    text.reserve(size);
+  return error ? std::nullopt : std::optional<std::uint64_t>(size);
+}
+
+std::optional<std::string> Disk::read(const std::string& path) {
+  if (const auto known = size(path)) {
+    return read_part(path, 0, static_cast<std::size_t>(*known));
   }
-  text.assign(std::istreambuf_iterator<char>(in), {});
+  std::error_code error;
+  std::ifstream in(path, std::ios::binary);
+  if (!in || fs::is_directory(path, error)) {
+    return std::nullopt;
+  }
+  // A pipe or a device: nobody knows how much will come.
+  std::string text(std::istreambuf_iterator<char>(in), {});
   return in.bad() ? std::nullopt : std::optional(std::move(text));
+}
+
+std::optional<std::string> Disk::read_part(const std::string& path, std::uint64_t offset,
+                                           std::size_t length) {
+  std::ifstream in(path, std::ios::binary);
+  std::string part(length, '\0');
+  if (!in.seekg(static_cast<std::streamoff>(offset)) ||
+      (!in.read(part.data(), static_cast<std::streamsize>(length)) && !in.eof())) {
+    return std::nullopt;
+  }
+  part.resize(static_cast<std::size_t>(in.gcount()));
+  return part;
 }
 
 std::vector<std::string> Disk::list(const std::string& folder) {

@@ -13,6 +13,9 @@ namespace g31::cli {
 class Disk final : public source::FileSystem {
  public:
   std::optional<std::string> read(const std::string& path) override;
+  std::optional<std::uint64_t> size(const std::string& path) override;
+  std::optional<std::string> read_part(const std::string& path, std::uint64_t offset,
+                                       std::size_t length) override;
   std::vector<std::string> list(const std::string& folder) override;
 };
 

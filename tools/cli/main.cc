@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "tools/cli/exit_code.h"
+#include "tools/cli/explain_command.h"
+#include "tools/cli/explain_options.h"
 #include "tools/cli/run_command.h"
 #include "tools/cli/run_options.h"
 
@@ -29,12 +31,15 @@ ExitCode dispatch(int argc, char** argv) {
   g31::cli::RunOptions run;
   CLI::App* const run_app = g31::cli::add_run_command(app, run);
   run_app->footer(g31::cli::run_examples() + exit_code_help());
+  g31::cli::ExplainOptions explain;
+  CLI::App* const explain_app = g31::cli::add_explain_command(app, explain);
+  explain_app->footer(g31::cli::explain_examples() + exit_code_help());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ExitCode::Completed : ExitCode::BadUsage;
   }
-  return run_command(run);
+  return explain_app->parsed() ? explain_command(explain) : run_command(run);
 }
 
 }  // namespace

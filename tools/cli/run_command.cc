@@ -10,7 +10,7 @@
 #include "interpreter/dialects/fanuc/session.h"
 #include "interpreter/source/diagnostic.h"
 #include "machine/base/contract.h"
-#include "machine/base/nearest_name.h"
+#include "tools/cli/chosen_profile.h"
 #include "tools/cli/disk.h"
 #include "tools/cli/scene.h"
 #include "tools/cli/shipped.h"
@@ -23,8 +23,6 @@
 
 namespace g31::cli {
 namespace {
-
-constexpr std::string_view kDefaultControl = "fanuc-16i";
 
 /// Why a run cannot begin.
 struct Refusal {
@@ -63,18 +61,11 @@ Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
   const std::string name = !options.control.empty()         ? options.control
                            : !job.control.profile.empty() ? job.control.profile
                                                           : std::string(kDefaultControl);
-  if (const fanuc::Profile* const profile = fanuc::find_profile(name)) {
-    return profile;
+  const auto profile = profile_named(name);
+  if (!profile) {
+    return refusal(ExitCode::Setup, profile.error());
   }
-  std::vector<std::string_view> known;
-  for (const fanuc::Profile& profile : fanuc::profiles()) {
-    known.push_back(profile.name);
-  }
-  const auto nearest = nearest_name(name, known);
-  return refusal(ExitCode::Setup,
-                 fmt::format("unknown control '{}'{}; known: {}", name,
-                             nearest ? fmt::format(", did you mean '{}'?", *nearest) : "",
-                             fmt::join(known, ", ")));
+  return profile.value();
 }
 
 /// `--set` after the variables file, the sheets' [variables] between them.
@@ -139,7 +130,7 @@ Result<Prepared, Refusal> prepare(const RunOptions& options) {
 
 std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOptions& options) {
   for (const std::string& program : options.programs) {
-    if (library.add_file(program) == nullptr) {
+    if (library.add_file(program) == fanuc::ProgramLibrary::Added::Unreadable) {
       return refusal(ExitCode::BadUsage, fmt::format("cannot read the program {}", program));
     }
   }

@@ -26,56 +26,68 @@ Json array_of(const AxisPositions& q) {
   return list;
 }
 
-std::string file_name(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
-
-void add_place(Json& object, const source::Location& where) {
-  if (where.file == nullptr) {
+void add_place(Json& object, const Place& place) {
+  if (place.file.empty()) {
     return;
   }
-  const source::LineColumn start = where.file->line_column(where.span.begin);
-  object["file"] = file_name(where.file->name());
-  object["line"] = start.line;
-  object["column"] = start.column;
+  object["file"] = place.file;
+  object["line"] = place.line;
+  object["column"] = place.column;
 }
 
 Json alarm_json(const runtime::Alarm& alarm) {
   Json object = {{"number", alarm.number}, {"text", alarm.text}};
-  add_place(object, alarm.where);
+  add_place(object, place_of(alarm.where));
   if (!alarm.detail.empty()) {
     object["detail"] = alarm.detail;
   }
   object["calls"] = Json::array();
   for (const runtime::CallSite& call : alarm.calls) {
     Json site = {{"program", call.program}};
-    add_place(site, call.where);
+    add_place(site, place_of(call.where));
     object["calls"].push_back(std::move(site));
   }
   return object;
 }
 
-Json move_json(const runtime::MoveEvent& move) {
-  Json object = {{"g", move.g}, {"to", array_of(move.q_M_to)}};
+/// Positions of a program in inches are shown in inches: an object says so with `unit`.
+AxisPositions shown(AxisPositions q, LengthUnit unit) {
+  q.head<3>() /= mm_per(unit);
+  return q;
+}
+
+void add_unit(Json& object, LengthUnit unit) {
+  if (unit == LengthUnit::Inch) {
+    object["unit"] = "inch";
+  }
+}
+
+Json move_json(const Recorded<runtime::MoveEvent>& recorded) {
+  const runtime::MoveEvent& move = recorded.event;
+  Json object = {{"g", move.g}, {"to", array_of(shown(move.q_M_to, recorded.unit))}};
   if (move.g == 4) {
     object["t"] = move.seconds;
   } else if (move.feed_mm_min > 0.0) {
-    object["feed"] = move.feed_mm_min;
+    object["feed"] = move.feed_mm_min / mm_per(recorded.unit);
   }
+  add_unit(object, recorded.unit);
   return object;
 }
 
-Json touch_json(const runtime::TouchEvent& touch) {
+Json touch_json(const Recorded<runtime::TouchEvent>& recorded) {
+  const runtime::TouchEvent& touch = recorded.event;
+  const double mm = mm_per(recorded.unit);
   Json object = {{"block", touch.block}};
-  add_place(object, touch.where);
+  add_place(object, recorded.place);
   object["triggered"] = touch.triggered;
-  object["commanded"] = array_of(touch.q_M_commanded);
-  object["latched"] = array_of(touch.q_M_latched);
-  object["stopped"] = array_of(touch.q_M_stopped);
-  object["contact"] = touch.contact ? array_of(touch.contact->p_M_point) : Json();
+  object["commanded"] = array_of(shown(touch.q_M_commanded, recorded.unit));
+  object["latched"] = array_of(shown(touch.q_M_latched, recorded.unit));
+  object["stopped"] = array_of(shown(touch.q_M_stopped, recorded.unit));
+  object["contact"] = touch.contact ? array_of(Point(touch.contact->p_M_point / mm)) : Json();
   object["normal"] = touch.contact ? array_of(touch.contact->n_M) : Json();
   object["part"] = touch.contact ? Json(touch.contact->part) : Json();
-  object["feed"] = touch.feed_mm_min;
+  object["feed"] = touch.feed_mm_min / mm;
+  add_unit(object, recorded.unit);
   return object;
 }
 
@@ -110,7 +122,7 @@ Json diagnostic_json(const source::Diagnostic& diagnostic) {
   Json object = {{"severity", severity_name(diagnostic.severity)},
                  {"code", diagnostic.code},
                  {"message", diagnostic.message}};
-  add_place(object, diagnostic.where);
+  add_place(object, place_of(diagnostic.where));
   return object;
 }
 
@@ -144,7 +156,7 @@ const char* status_name(runtime::Status status) {
 
 std::string run_document(const RunResult& result, const RunRecorder& recorder) {
   Json document = {{"schema", "g31.run/1"},
-                   {"program", file_name(result.program)},
+                   {"program", std::filesystem::path(result.program).filename().string()},
                    {"control", result.control},
                    {"seed", result.seed},
                    {"status", status_name(result.outcome.status)}};
@@ -155,9 +167,9 @@ std::string run_document(const RunResult& result, const RunRecorder& recorder) {
   }
   document["output"] = bytes_as_text(recorder.output());
   document["files"] = Json::object();
-  document["stops"] = list_of(recorder.stops(), [](const runtime::StopEvent& stop) {
-    Json object = {{"kind", stop.kind}, {"text", stop.text}};
-    add_place(object, stop.where);
+  document["stops"] = list_of(recorder.stops(), [](const Recorded<runtime::StopEvent>& stop) {
+    Json object = {{"kind", stop.event.kind}, {"text", stop.event.text}};
+    add_place(object, stop.place);
     return object;
   });
   if (recorder.what().moves == RecordWhat::Keep::Yes) {

@@ -16,6 +16,23 @@ struct RecordWhat {
   Keep touches = Keep::No;
 };
 
+/// A place in words: events know theirs only while they are heard.
+struct Place {
+  std::string file;  ///< name without folder; empty: no place
+  int line = 0;
+  int column = 0;
+};
+
+/// @param where  its file may be gone later
+Place place_of(const source::Location& where);
+
+template <typename Event>
+struct Recorded {
+  Event event;
+  Place place;
+  LengthUnit unit = LengthUnit::Millimetre;  ///< in force when it happened
+};
+
 /// Keeps what a running program does, for the result document.
 class RunRecorder : public runtime::Observer {
  public:
@@ -23,28 +40,34 @@ class RunRecorder : public runtime::Observer {
 
   void on_move(const runtime::MoveEvent& event) override {
     if (what_.moves == RecordWhat::Keep::Yes) {
-      moves_.push_back(event);
+      moves_.push_back({event, {}, unit_});
     }
   }
   void on_touch(const runtime::TouchEvent& event) override {
     if (what_.touches == RecordWhat::Keep::Yes) {
-      touches_.push_back(event);
+      touches_.push_back({event, place_of(event.where), unit_});
     }
   }
-  void on_stop(const runtime::StopEvent& event) override { stops_.push_back(event); }
+  void on_stop(const runtime::StopEvent& event) override {
+    stops_.push_back({event, place_of(event.where), unit_});
+  }
+  void on_length_unit(LengthUnit unit) override { unit_ = unit; }
   void on_output(std::string_view text) override { output_ += text; }
 
   [[nodiscard]] const RecordWhat& what() const { return what_; }
-  [[nodiscard]] const std::vector<runtime::MoveEvent>& moves() const { return moves_; }
-  [[nodiscard]] const std::vector<runtime::TouchEvent>& touches() const { return touches_; }
-  [[nodiscard]] const std::vector<runtime::StopEvent>& stops() const { return stops_; }
+  [[nodiscard]] const std::vector<Recorded<runtime::MoveEvent>>& moves() const { return moves_; }
+  [[nodiscard]] const std::vector<Recorded<runtime::TouchEvent>>& touches() const {
+    return touches_;
+  }
+  [[nodiscard]] const std::vector<Recorded<runtime::StopEvent>>& stops() const { return stops_; }
   [[nodiscard]] const std::string& output() const { return output_; }
 
  private:
   RecordWhat what_;
-  std::vector<runtime::MoveEvent> moves_;
-  std::vector<runtime::TouchEvent> touches_;
-  std::vector<runtime::StopEvent> stops_;
+  LengthUnit unit_ = LengthUnit::Millimetre;
+  std::vector<Recorded<runtime::MoveEvent>> moves_;
+  std::vector<Recorded<runtime::TouchEvent>> touches_;
+  std::vector<Recorded<runtime::StopEvent>> stops_;
   std::string output_;
 };
 

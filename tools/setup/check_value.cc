@@ -63,6 +63,8 @@ std::string_view words_for(Limit limit) {
       return "a string that is not empty";
     case Limit::IncrementSystem:
       return "\"IS-A\", \"IS-B\" or \"IS-C\"";
+    case Limit::OffsetMemory:
+      return "\"A\", \"B\" or \"C\"";
     case Limit::StoppingKind:
       return "\"braking\" or \"ideal\"";
     case Limit::AxisLetter:
@@ -87,6 +89,7 @@ bool number_within(Limit limit, double number) {
     case Limit::Rising:
     case Limit::NotEmpty:
     case Limit::IncrementSystem:
+    case Limit::OffsetMemory:
     case Limit::StoppingKind:
     case Limit::AxisLetter:
       return true;
@@ -100,6 +103,8 @@ bool text_within(Limit limit, const std::string& text) {
       return !text.empty();
     case Limit::IncrementSystem:
       return text == "IS-A" || text == "IS-B" || text == "IS-C";
+    case Limit::OffsetMemory:
+      return text == "A" || text == "B" || text == "C";
     case Limit::StoppingKind:
       return text == "braking" || text == "ideal";
     case Limit::AxisLetter:

@@ -57,9 +57,20 @@ Point point_from(const Keys& keys, KeyId id) {
   return {list.at(0), list.at(1), list.at(2)};
 }
 
+/// @pre "A", "B" or "C"
+runtime::OffsetMemory offset_memory_from(const std::string& name) {
+  if (name == "A") {
+    return runtime::OffsetMemory::A;
+  }
+  return name == "B" ? runtime::OffsetMemory::B : runtime::OffsetMemory::C;
+}
+
 void fill_control(runtime::ControlSetup& control, const Keys& keys) {
   control.profile = keys.get(KeyId::ControlProfile, control.profile);
   control.increment = keys.get(KeyId::ControlIncrement, control.increment);
+  if (const Entry* const memory = keys.find(KeyId::ControlOffsetMemory)) {
+    control.offset_memory = offset_memory_from(std::get<std::string>(memory->value));
+  }
   control.variables_file = keys.get(KeyId::ControlVariablesFile, control.variables_file);
   for (const double number : keys.get(KeyId::ControlBlockSkip, std::vector<double>{})) {
     control.block_skip.insert(static_cast<int>(number));

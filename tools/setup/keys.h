@@ -63,6 +63,7 @@ enum class Limit {
   Rising,         ///< the first below the second
   NotEmpty,
   IncrementSystem,
+  OffsetMemory,
   StoppingKind,
   AxisLetter,
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <ranges>
 
+#include <fmt/format.h>
+
 #include "interpreter/dialects/fanuc/variable_ranges.h"
 #include "machine/base/contract.h"
 
@@ -35,9 +37,11 @@ std::int32_t literal_variable(const Expr& number) {
 
 class Compiler {
  public:
-  Compiler(const source::SourceFile& file, const syntax::Tree& tree, const syntax::Program& program)
-      : tree_(tree), program_(program) {
-    out_.number = program.number;
+  Compiler(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
+           const Profile& profile, Extent extent)
+      : tree_(tree), program_(tree.programs.at(which)), profile_(profile) {
+    out_.extent = extent;
+    out_.number = program_.number;
     out_.file = &file;
     out_.tree = &tree;
     out_.constants.emplace_back();
@@ -53,17 +57,20 @@ class Compiler {
     }
     link_then();
     link_loops();
-    std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
-    link_jumps();
+    if (out_.extent == Extent::Whole) {
+      std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
+      link_jumps();
+    }
     return std::move(out_);
   }
 
  private:
   void step(Index block_index);
   void assign(const Block& block, Step& step);
-  void nc_words(const Block& block);
+  void nc_words(const Block& block, Step& step);
   void link_then();
   void link_loops();
+  void judge_loop(Step& step, std::size_t depth);
   void link_jumps();
   Index code(Index expr);
   Index condition_code(const Block& block, Step& step);
@@ -77,6 +84,7 @@ class Compiler {
 
   const syntax::Tree& tree_;
   const syntax::Program& program_;
+  const Profile& profile_;
   CompiledProgram out_;
   Index condition_ = kNone;  ///< the comparison that IF or WHILE asks for
   std::optional<syntax::ShortSpan> misplaced_comparison_;
@@ -107,7 +115,7 @@ void Compiler::step(Index block_index) {
     case BlockKind::SetNames:
       break;
     case BlockKind::Nc:
-      nc_words(block);
+      nc_words(block, step);
       break;
     case BlockKind::Assign:
       assign(block, step);
@@ -120,6 +128,12 @@ void Compiler::step(Index block_index) {
       step.value = code(block.value);
       break;
     case BlockKind::IfThen:
+      step.condition = condition_code(block, step);
+      if (!profile_.has_then) {
+        mark_bad(step, AlarmId::StatementFormat, block.span,
+                 "this control has no THEN, only IF [...] GOTO");
+      }
+      break;
     case BlockKind::While:
       step.condition = condition_code(block, step);
       break;
@@ -152,11 +166,16 @@ void Compiler::assign(const Block& block, Step& step) {
   step.value = code(block.value);
 }
 
-void Compiler::nc_words(const Block& block) {
+void Compiler::nc_words(const Block& block, Step& step) {
   for (Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
     const syntax::Word& word = tree_.words[i];
     out_.word_code.resize(i - out_.first_word, kNone);
     out_.word_code.push_back(word.form == syntax::ValueForm::Computed ? code(word.expr) : kNone);
+    if (word.is_bare && !profile_.has_bare_expressions && step.kind != BlockKind::Bad) {
+      mark_bad(
+          step, AlarmId::IllegalAddress, word.span,
+          fmt::format("an expression after {} needs brackets: {}[...]", word.letter, word.letter));
+    }
   }
 }
 
@@ -292,6 +311,19 @@ void Compiler::link_then() {
   }
 }
 
+/// Loops that this control does not know by number, or not so deep (MB-179, MB-339, MB-371).
+void Compiler::judge_loop(Step& step, std::size_t depth) {
+  const LoopRule& rule = profile_.loops;
+  const syntax::ShortSpan where = tree_.blocks[step.block].span;
+  if (step.number > rule.largest_number) {
+    mark_bad(step, AlarmId::IllegalLoopNumber, where,
+             fmt::format("a loop number is 1 to {}", rule.largest_number));
+  } else if (depth > static_cast<std::size_t>(rule.nesting)) {
+    mark_bad(step, AlarmId::IllegalLoopNumber, where,
+             fmt::format("loops nest at most {} deep", rule.nesting));
+  }
+}
+
 void Compiler::link_loops() {
   struct Loop {
     Index step;
@@ -306,6 +338,8 @@ void Compiler::link_loops() {
       if (is_open) {
         mark_bad(step, AlarmId::EndMissing, tree_.blocks[step.block].span,
                  "a loop of this number is open already");
+      } else {
+        judge_loop(step, open.size());
       }
     } else if (step.kind == BlockKind::End) {
       if (open.empty() || open.back().number != step.number) {
@@ -355,9 +389,9 @@ std::optional<Index> CompiledProgram::find_label(std::int32_t sequence, Index fr
   return behind != same.end() ? behind->step : same.front().step;
 }
 
-CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree,
-                        std::size_t which) {
-  return Compiler(file, tree, tree.programs.at(which)).run();
+CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
+                        const Profile& profile, Extent extent) {
+  return Compiler(file, tree, which, profile, extent).run();
 }
 
 }  // namespace g31::fanuc

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "interpreter/dialects/fanuc/alarms.h"
+#include "interpreter/dialects/fanuc/profile.h"
 #include "interpreter/runtime/cell.h"
 #include "interpreter/source/source_file.h"
 #include "interpreter/syntax/tree.h"
@@ -93,8 +94,13 @@ struct Label {
   syntax::Index step = 0;
 };
 
+/// A window is a run of blocks of a program too long to be kept whole.  Its jumps are not linked:
+/// only the whole program knows where they lead.
+enum class Extent : std::uint8_t { Whole, Window };
+
 /// One O program, compiled.
 struct CompiledProgram {
+  Extent extent = Extent::Whole;
   std::int32_t number = 0;
   const source::SourceFile* file = nullptr;
   const syntax::Tree* tree = nullptr;
@@ -113,9 +119,10 @@ struct CompiledProgram {
                                                         syntax::Index from) const;
 };
 
-/// Compiles program `which` of the tree.  The file and the tree must outlive the result.
-CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree,
-                        std::size_t which);
+/// Compiles program `which` of the tree for a control; what that control lacks becomes an error.
+/// The file and the tree must outlive the result.
+CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
+                        const Profile& profile, Extent extent = Extent::Whole);
 
 /// The errors of the blocks that the program can reach from its first one, in order of place.
 /// Unreachable nonsense is none of the control's business, nor of ours.

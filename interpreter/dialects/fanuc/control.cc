@@ -10,10 +10,33 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   rules.largest_result = profile.largest_result;
   rules.smallest_result = profile.smallest_result;
   rules.digit_limit = profile.digit_limit;
-  rules.signed_angles = parameters.bit(6004, 0);
-  rules.clear_small_sines = parameters.bit(6004, 1);
+  rules.signed_angles = parameters.is_on(ParameterId::SignedAngles);
+  rules.clear_small_sines = parameters.is_on(ParameterId::ClearSmallSines);
   rules.has_series_30i_functions = profile.has_series_30i_functions;
+  rules.logic_operands = profile.logic_operands;
   return rules;
+}
+
+/// The rows that the control has: memories A and B take the place of C, and parameter 6000.3 turns
+/// the numbers of C round, which leaves no room for the old work offset numbers (MB-122).
+VariableGroups variable_groups(const Profile& profile, const Parameters& parameters,
+                               OffsetMemory memory) {
+  using enum VariableGroup;
+  const VariableGroups groups = profile.variables;
+  if (!groups.meets({OffsetsC})) {
+    return groups;
+  }
+  switch (memory) {
+    case OffsetMemory::A:
+      return groups.without(OffsetsC).with(OffsetsA);
+    case OffsetMemory::B:
+      return groups.without(OffsetsC).with(OffsetsB);
+    case OffsetMemory::C:
+      break;
+  }
+  return parameters.is_on(ParameterId::OffsetsTurned)
+             ? groups.without(OffsetsC).without(LegacyOffsets).with(OffsetsCTurned)
+             : groups;
 }
 
 }  // namespace
@@ -34,6 +57,7 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
       port(machine),
       observer(listener),
       variables(system),
+      system_variables(chosen.variables),
       evaluator(variables, rules_of(chosen, {})) {
   scale.excess_decimals = profile.excess_decimals;
 }
@@ -48,7 +72,25 @@ void Control::report_silent_skip() {
 void Control::apply(const Parameters& given) {
   parameters = given;
   evaluator.set_rules(rules_of(profile, parameters));
-  scale.calculator_point = parameters.bit(3401, 0);
+  scale.calculator_point = parameters.is_on(ParameterId::CalculatorPoint);
+  variables.protect(nearest_integer(parameters.get(ParameterId::FirstProtected)),
+                    nearest_integer(parameters.get(ParameterId::LastProtected)));
+  choose_system_variables();
+}
+
+void Control::set_offset_memory(OffsetMemory memory) {
+  offsets.set_memory(memory);
+  choose_system_variables();
+}
+
+void Control::choose_system_variables() {
+  system_variables = SystemVariableIndex(variable_groups(profile, parameters, offsets.memory()));
+}
+
+void Control::set_unit(LengthUnit unit) {
+  modal.group[6] = {static_cast<std::int16_t>(unit == LengthUnit::Inch ? 20 : 21), 0};
+  scale.unit = unit;
+  observer.on_length_unit(unit);
 }
 
 }  // namespace g31::fanuc

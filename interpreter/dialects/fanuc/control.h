@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/dialects/fanuc/calendar.h"
 #include "interpreter/dialects/fanuc/coordinates.h"
 #include "interpreter/dialects/fanuc/evaluate.h"
 #include "interpreter/dialects/fanuc/failure.h"
@@ -15,6 +16,8 @@
 #include "interpreter/dialects/fanuc/offsets.h"
 #include "interpreter/dialects/fanuc/parameters.h"
 #include "interpreter/dialects/fanuc/profile.h"
+#include "interpreter/dialects/fanuc/signals.h"
+#include "interpreter/dialects/fanuc/system_variables.h"
 #include "interpreter/dialects/fanuc/variables.h"
 #include "interpreter/dialects/fanuc/word_values.h"
 #include "interpreter/runtime/control_setup.h"
@@ -31,7 +34,7 @@ struct Modal {
   /// The last word of each letter, as #4102 to #4120 show it.
   std::array<double, 26> words{};  ///< by letter - A
   [[nodiscard]] double& word(char letter) { return words[static_cast<std::size_t>(letter - 'A')]; }
-  int length_offset = 0;   ///< H in force
+  int length_offset = 0;      ///< H in force
   int additional_system = 0;  ///< P of G54.1, 0 in G54..G59
 
   Modal();
@@ -49,6 +52,7 @@ struct Control {
   runtime::Observer& observer;
 
   Variables variables;
+  SystemVariableIndex system_variables;
   Evaluator evaluator;
   Modal modal;
   Coordinates coordinates;
@@ -58,15 +62,21 @@ struct Control {
   std::map<int, int> macro_calls_g;       ///< G number to macro program
   std::map<int, int> macro_calls_m;       ///< M number to macro program
   std::map<int, int> subprogram_calls_m;  ///< M number to subprogram
-  std::set<int> expected_tools;      ///< numbers of the sheet's tool table; empty: anything goes
-  std::set<int> expected_systems;    ///< likewise for work offsets, as Coordinates counts them
+  std::set<int> expected_tools;    ///< numbers of the sheet's tool table; empty: anything goes
+  std::set<int> expected_systems;  ///< likewise for work offsets, as Coordinates counts them
 
-  AxisPositions q_W_skip = AxisPositions::Zero();  ///< #5061.., tool offset included; mm, deg
-  bool printer_open = false;                       ///< between POPEN and PCLOS
-  double timer_offset_ms = 0.0;                    ///< #3001 = simulated time + this
-  int single_block_control = 0;                    ///< #3003
-  int override_control = 0;                        ///< #3004
-  std::optional<AxisPositions> q_M_intermediate;   ///< of the last G28
+  AxisPositions q_W_skip = AxisPositions::Zero();       ///< #5061.., tool offset included; mm, deg
+  AxisPositions q_skip_offset = AxisPositions::Zero();  ///< the tool offset in it
+  bool printer_open = false;                            ///< between POPEN and PCLOS
+  PmcSignals signals;                                   ///< #1000.., #1100..
+  Calendar calendar;                                    ///< #3011, #3012
+  double timer_offset_ms = 0.0;                         ///< #3001 = simulated time + this
+  double hours_offset = 0.0;                            ///< #3002 likewise
+  int single_block_control = 0;                         ///< #3003
+  int override_control = 0;                             ///< #3004
+  int mirror_state = 0;                                 ///< #3007
+  int restart_state = 0;                                ///< #3008
+  std::optional<AxisPositions> q_M_intermediate;        ///< of the last G28
 
   std::vector<source::Diagnostic> diagnostics;
 
@@ -79,10 +89,25 @@ struct Control {
 
   /// Takes over parameters and what they change.
   void apply(const Parameters& given);
+  /// Tool offset memory A, B or C, and with it the numbers of the offset variables.
+  void set_offset_memory(OffsetMemory memory);
+  /// G20, G21
+  void set_unit(LengthUnit unit);
 
   /// mm of a value in the unit in force, and back.
   [[nodiscard]] double to_mm(double value) const { return value * scale.mm_per_unit(); }
   [[nodiscard]] double from_mm(double mm) const { return mm / scale.mm_per_unit(); }
+  /// A coordinate of an axis as variables show it, and back: linear axes in the unit in force.
+  [[nodiscard]] double shown(int axis, double value) const {
+    return is_linear(axis) ? from_mm(value) : value;
+  }
+  [[nodiscard]] double stored(int axis, double value) const {
+    return is_linear(axis) ? to_mm(value) : value;
+  }
+
+ private:
+  static bool is_linear(int axis) { return axis < 3; }
+  void choose_system_variables();
 };
 
 }  // namespace g31::fanuc

@@ -1,185 +1,128 @@
 #include "interpreter/dialects/fanuc/control_variables.h"
 
+#include <array>
 #include <cmath>
 
-#include "machine/base/contract.h"
+#include "interpreter/dialects/fanuc/system/access.h"
 
 namespace g31::fanuc {
 namespace {
 
-constexpr int kNumbersPerSystem = 20;
-constexpr double kMsPerHour = 3.6e6;
-
 /// What a system variable takes at most: far beyond any machine, and every sum of them is finite.
 constexpr double kLargestValue = 4'294'967'295.0;
 
-using Id = SystemVariableId;
-
-/// The work offset (as Coordinates counts them) and the axis that a number of the row means.
-struct OffsetPlace {
-  int system;
-  int axis;
+/// How one kind of system variable is read and written; nullptr where no row of it lets one.
+struct Accessor {
+  Shows shows;
+  system::ReadResult (*read)(Control&, const system::Place&);
+  system::WriteResult (*write)(Control&, const system::Place&, Cell);
 };
 
-OffsetPlace offset_place(const SystemVariable& row, std::int32_t number) {
-  const int index = number - row.first;
-  const int first = row.id == Id::ExternalOffset ? 0
-                    : row.id == Id::WorkOffset   ? 1
-                                                 : Coordinates::kSystems + 1;
-  return {first + index / kNumbersPerSystem, index % kNumbersPerSystem};
-}
+using namespace system;
 
-bool is_work_offset(Id id) {
-  return id == Id::ExternalOffset || id == Id::WorkOffset || id == Id::AdditionalLow ||
-         id == Id::AdditionalHigh;
-}
+constexpr auto kAccessors = std::to_array<Accessor>({
+    {Shows::InputBit, read_input_bit, write_input_bit},
+    {Shows::InputBits, read_input_bits, write_input_bits},
+    {Shows::InputWord, read_input_word, write_input_word},
+    {Shows::OutputBit, read_output_bit, write_output_bit},
+    {Shows::OutputBits, read_output_bits, write_output_bits},
+    {Shows::OutputWord, read_output_word, write_output_word},
+    {Shows::LengthGeometry, read_tool_entry, write_tool_entry},
+    {Shows::LengthWear, read_tool_entry, write_tool_entry},
+    {Shows::RadiusGeometry, read_tool_entry, write_tool_entry},
+    {Shows::RadiusWear, read_tool_entry, write_tool_entry},
+    {Shows::DiameterGeometry, read_tool_entry, write_tool_entry},
+    {Shows::DiameterWear, read_tool_entry, write_tool_entry},
+    {Shows::LegacyOffset, read_work_offset, write_work_offset},
+    {Shows::MacroAlarm, nullptr, write_nothing},  // the runner stops the program
+    {Shows::Timer, read_timer, write_timer},
+    {Shows::CycleHours, read_hours, write_hours},
+    {Shows::SingleBlock, read_single_block, write_single_block},
+    {Shows::Override, read_override, write_override},
+    {Shows::Settings, read_settings, write_settings},
+    {Shows::MessageStop, nullptr, write_nothing},
+    {Shows::MirrorState, read_mirror, write_mirror},
+    {Shows::RestartState, read_restart, write_restart},
+    {Shows::Date, read_date, write_date},
+    {Shows::TimeOfDay, read_time_of_day, write_time_of_day},
+    {Shows::Null, read_constant, nullptr},
+    {Shows::Pi, read_constant, nullptr},
+    {Shows::Euler, read_constant, nullptr},
+    {Shows::PartsCount, read_parts, write_parts},
+    {Shows::PartsRequired, read_parts, write_parts},
+    {Shows::ModalGroup, read_modal_group, nullptr},
+    {Shows::ModalWord, read_modal_word, nullptr},
+    {Shows::BlockEnd, read_block_end, nullptr},
+    {Shows::MachinePosition, read_machine_position, nullptr},
+    {Shows::WorkPosition, read_work_position, nullptr},
+    {Shows::SkipPosition, read_skip_position, nullptr},
+    {Shows::SkipTipPosition, read_skip_tip, nullptr},
+    {Shows::ToolOffset, read_tool_offset, nullptr},
+    {Shows::ServoDeviation, read_nothing_left, nullptr},
+    {Shows::HandleInterrupt, read_nothing_left, nullptr},
+    {Shows::DistanceToGo, read_nothing_left, nullptr},
+    {Shows::SkipDetected, read_skip_position, nullptr},
+    {Shows::WorkOffset, read_work_offset, write_work_offset},
+    {Shows::LocalShift, read_local_shift, write_local_shift},
+    {Shows::AdditionalOffset, read_work_offset, write_work_offset},
+    {Shows::CommonAlias, read_alias, write_alias},
+});
 
-bool is_tool_offset(Id id) {
-  return id == Id::LengthWear || id == Id::LengthGeometry || id == Id::LengthWearLong ||
-         id == Id::LengthGeometryLong || id == Id::RadiusWear || id == Id::RadiusGeometry;
-}
-
-/// The field of an offset entry that a row shows.
-double runtime::ToolEntry::*field_of(Id id) {
-  if (id == Id::LengthWear || id == Id::LengthWearLong) {
-    return &runtime::ToolEntry::length_wear_mm;
+consteval bool in_order_of_shows() {
+  for (std::size_t i = 0; i < kAccessors.size(); ++i) {
+    if (static_cast<std::size_t>(kAccessors[i].shows) != i) {
+      return false;
+    }
   }
-  if (id == Id::RadiusWear) {
-    return &runtime::ToolEntry::radius_wear_mm;
-  }
-  return id == Id::RadiusGeometry ? &runtime::ToolEntry::radius_mm : &runtime::ToolEntry::length_mm;
+  return kAccessors.size() == static_cast<std::size_t>(Shows::CommonAlias) + 1;
 }
+static_assert(in_order_of_shows(), "kAccessors: one row for each Shows, in its order");
 
-/// The letter that #4102 to #4120 show, in alphabetical places: 4102 B ... 4120 T.
-char modal_letter(std::int32_t number) {
-  return static_cast<char>('A' + (number - 4101));
+const Accessor& accessor_of(const SystemVariable& row) {
+  return kAccessors[static_cast<std::size_t>(row.shows)];
 }
 
 }  // namespace
 
 Result<Cell, AlarmId> ControlVariables::read(std::int32_t number) {
-  const SystemVariable* const row = find_system_variable(number);
+  const SystemVariable* const row = control_->system_variables.find(number);
   if (row == nullptr) {
     return AlarmId::IllegalVariable;
   }
   if (row->access == Access::Write) {
     return AlarmId::ReadProtected;
   }
-  const Control& control = *control_;
-  if (is_tool_offset(row->id)) {
-    return Cell(control.from_mm(tool_offset(*row, number)));
-  }
-  if (row->id == Id::ModalGroup) {
-    return Cell(control.modal.group[static_cast<std::size_t>(number - 4000)].value());
-  }
-  if (row->id == Id::ModalWord) {
-    return Cell(read_modal(number));
-  }
-  if (row->id == Id::Timer || row->id == Id::CycleHours) {
-    const double ms = control.port.time_s() * 1000.0 + control.timer_offset_ms;
-    return Cell(row->id == Id::Timer ? std::floor(ms) : control.port.time_s() * 1000.0 / kMsPerHour);
-  }
-  if (row->id == Id::SingleBlock || row->id == Id::Override) {
-    return Cell(row->id == Id::SingleBlock ? control.single_block_control : control.override_control);
-  }
-  if (is_work_offset(row->id)) {
-    const OffsetPlace place = offset_place(*row, number);
-    if (place.axis >= static_cast<int>(kAxisCount)) {
-      return AlarmId::IllegalVariable;
-    }
-    return Cell(control.from_mm(control.coordinates.system(place.system)[place.axis]));
-  }
-  return read_axis(*row, number - row->first);
-}
-
-Result<Cell, AlarmId> ControlVariables::read_axis(const SystemVariable& row, int axis) const {
-  if (axis >= static_cast<int>(kAxisCount)) {
-    return AlarmId::IllegalVariable;
-  }
-  const Control& control = *control_;
-  const auto shown = [&](const AxisPositions& q) {
-    return Cell(axis < 3 ? control.from_mm(q[axis]) : q[axis]);
-  };
-  if (row.id == Id::BlockEnd) {
-    return shown(control.coordinates.programmed());
-  }
-  if (row.id == Id::MachinePosition) {
-    return shown(control.port.position());
-  }
-  if (row.id == Id::WorkPosition) {
-    return shown(control.coordinates.to_work(control.port.position()));
-  }
-  if (row.id == Id::SkipPosition) {
-    control_->report_silent_skip();
-    return shown(control.q_W_skip);
-  }
-  G31_EXPECTS(row.id == Id::ToolOffset);
-  return shown(control.coordinates.tool_offset());
-}
-
-double ControlVariables::read_modal(std::int32_t number) const {
-  if (number == 4109) {
-    return control_->modal.feed;
-  }
-  if (number == 4111) {
-    return control_->modal.length_offset;
-  }
-  if (number == 4130) {
-    return control_->modal.additional_system;
-  }
-  return control_->modal.word(modal_letter(number));
-}
-
-double ControlVariables::tool_offset(const SystemVariable& row, std::int32_t number) const {
-  return control_->offsets.get(number - row.first + 1).*field_of(row.id);
-}
-
-std::optional<AlarmId> ControlVariables::set_tool_offset(const SystemVariable& row,
-                                                         std::int32_t number, double value) {
-  const int entry_number = number - row.first + 1;
-  runtime::ToolEntry entry = control_->offsets.get(entry_number);
-  entry.*field_of(row.id) = control_->to_mm(value);
-  control_->offsets.set(entry_number, entry);
-  return std::nullopt;
-}
-
-std::optional<AlarmId> ControlVariables::set_work_offset(const SystemVariable& row,
-                                                         std::int32_t number, double value) {
-  const OffsetPlace place = offset_place(row, number);
-  if (place.axis >= static_cast<int>(kAxisCount)) {
-    return AlarmId::IllegalVariable;
-  }
-  control_->coordinates.set_system(place.system, place.axis,
-                                   place.axis < 3 ? control_->to_mm(value) : value);
-  return std::nullopt;
+  return accessor_of(*row).read(*control_, {*row, number});
 }
 
 std::optional<AlarmId> ControlVariables::write(std::int32_t number, Cell value) {
-  const SystemVariable* const row = find_system_variable(number);
+  const SystemVariable* const row = control_->system_variables.find(number);
   if (row == nullptr) {
     return AlarmId::IllegalVariable;
   }
-  if (row->access == Access::Read) {
+  if (row->access == Access::Read || row->access == Access::Input) {
     return AlarmId::WriteProtected;
   }
-  const double plain = value.or_zero();
-  if (std::abs(plain) > kLargestValue) {
+  return store(*row, number, value);
+}
+
+std::optional<AlarmId> ControlVariables::preset(std::int32_t number, Cell value) {
+  const SystemVariable* const row = control_->system_variables.find(number);
+  if (row == nullptr) {
+    return AlarmId::IllegalVariable;
+  }
+  if (row->access == Access::Read || row->access == Access::Write) {
+    return AlarmId::WriteProtected;
+  }
+  return store(*row, number, value);
+}
+
+std::optional<AlarmId> ControlVariables::store(const SystemVariable& row, std::int32_t number,
+                                               Cell value) {
+  if (std::abs(value.or_zero()) > kLargestValue) {
     return AlarmId::IllegalOffsetValue;
   }
-  if (is_tool_offset(row->id)) {
-    return set_tool_offset(*row, number, plain);
-  }
-  if (is_work_offset(row->id)) {
-    return set_work_offset(*row, number, plain);
-  }
-  if (row->id == Id::Timer) {
-    control_->timer_offset_ms = plain - control_->port.time_s() * 1000.0;
-  } else if (row->id == Id::SingleBlock) {
-    control_->single_block_control = nearest_integer(plain);
-  } else if (row->id == Id::Override) {
-    control_->override_control = nearest_integer(plain);
-  }
-  return std::nullopt;
+  return accessor_of(row).write(*control_, {row, number}, value);
 }
 
 }  // namespace g31::fanuc

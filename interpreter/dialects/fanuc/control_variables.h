@@ -13,15 +13,10 @@ class ControlVariables final : public SystemVariables {
 
   Result<Cell, AlarmId> read(std::int32_t number) override;
   std::optional<AlarmId> write(std::int32_t number, Cell value) override;
+  std::optional<AlarmId> preset(std::int32_t number, Cell value) override;
 
  private:
-  [[nodiscard]] Result<Cell, AlarmId> read_axis(const SystemVariable& row, int axis) const;
-  [[nodiscard]] double read_modal(std::int32_t number) const;
-  [[nodiscard]] double tool_offset(const SystemVariable& row, std::int32_t number) const;
-  std::optional<AlarmId> set_tool_offset(const SystemVariable& row, std::int32_t number,
-                                         double value);
-  std::optional<AlarmId> set_work_offset(const SystemVariable& row, std::int32_t number,
-                                         double value);
+  std::optional<AlarmId> store(const SystemVariable& row, std::int32_t number, Cell value);
 
   Control* control_ = nullptr;
 };

@@ -7,7 +7,8 @@
 
 namespace g31::fanuc {
 
-/// Work coordinates of the control: offsets, shifts and the programmed point; mm and deg throughout.
+/// Work coordinates of the control: offsets, shifts and the programmed point; mm and deg
+/// throughout.
 ///
 /// machine = programmed + shift + tool offset, where shift = external + selected system + G52 + G92
 /// (MB-145).  Changing a shift moves nothing: the programmed point is re-read in the new system.
@@ -27,6 +28,7 @@ class Coordinates {
   [[nodiscard]] int selected() const { return selected_; }
 
   void set_local_shift(int axis, double value);
+  [[nodiscard]] const AxisPositions& local_shift() const { return local_shift_; }
   /// G92: from now on the programmed point reads `value` on this axis.
   void declare(int axis, double value);
 

@@ -184,10 +184,11 @@ Cell Evaluator::rare_operation(const Op& op, Cell a, Cell b, double round_to) {
   contract_violated("evaluate() does the frequent operations itself", __FILE__, __LINE__);
 }
 
-/// MOD AND OR XOR: both operands rounded to 32-bit integers (MB-067 to MB-069).
+/// MOD AND OR XOR: both operands made 32-bit integers (MB-067 to MB-069, MB-363).
 Cell Evaluator::integer_operation(OpCode op, double a, double b) {
-  const double x = std::round(a);
-  const double y = std::round(b);
+  const bool truncates = rules_.logic_operands == LogicOperands::Truncate && op != OpCode::Modulo;
+  const double x = truncates ? std::trunc(a) : std::round(a);
+  const double y = truncates ? std::trunc(b) : std::round(b);
   constexpr double kLimit = 2147483648.0;
   const bool fits = x >= -kLimit && x < 2.0 * kLimit && y >= -kLimit && y < 2.0 * kLimit;
   if (!fits) {

@@ -6,6 +6,7 @@
 
 #include "interpreter/dialects/fanuc/compile.h"
 #include "interpreter/dialects/fanuc/functions.h"
+#include "interpreter/dialects/fanuc/profile.h"
 #include "interpreter/dialects/fanuc/variables.h"
 
 namespace g31::fanuc {
@@ -18,6 +19,7 @@ struct EvaluationRules {
   bool signed_angles = false;      ///< 6004.0 NAT: ATAN -180..180, ASIN -90..90
   bool clear_small_sines = false;  ///< 6004.1 MFZ: SIN COS TAN up to 1e-8 become 0
   bool has_series_30i_functions = false;
+  LogicOperands logic_operands = LogicOperands::Round;
 };
 
 /// Why an expression has no value.

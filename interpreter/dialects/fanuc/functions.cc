@@ -26,6 +26,10 @@ static_assert(first_two_letters_differ(), "functions.def: abbreviations would be
 
 }  // namespace
 
+std::span<const FunctionInfo> functions() {
+  return kRows;
+}
+
 const FunctionInfo& info(FunctionId id) {
   return kRows.at(static_cast<std::size_t>(id));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace g31::fanuc {
@@ -21,6 +22,9 @@ struct FunctionInfo {
   InSeries16i in_16i;
   std::string_view text;
 };
+
+/// All rows.
+std::span<const FunctionInfo> functions();
 
 const FunctionInfo& info(FunctionId id);
 

@@ -45,9 +45,23 @@ ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
   return loaded_.back().get();
 }
 
-const source::SourceFile* ProgramLibrary::add_file(const std::string& path) {
-  const File* const file = load(path);
-  return file != nullptr ? file->source.get() : nullptr;
+ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
+  const bool is_main = main_path_.empty();
+  if (is_main) {
+    main_path_ = path;
+    main_bytes_ = files_.size(path).value_or(0);
+    if (main_bytes_ > kWholeFileBytes) {
+      windows_ = std::make_unique<ProgramWindows>(files_, path, main_bytes_);
+      return Added::Yes;
+    }
+  }
+  if (load(path) == nullptr) {
+    return Added::Unreadable;
+  }
+  if (!is_main) {
+    further_files_.push_back(path);
+  }
+  return Added::Yes;
 }
 
 void ProgramLibrary::add_folder(const std::string& folder) {
@@ -66,16 +80,27 @@ void ProgramLibrary::add_folder(const std::string& folder) {
 const CompiledProgram* ProgramLibrary::compiled(File& file, std::size_t which) {
   auto& slot = file.compiled[which];
   if (slot == nullptr) {
-    slot = std::make_unique<CompiledProgram>(compile(*file.source, file.tree, which));
+    slot = std::make_unique<CompiledProgram>(compile(*file.source, file.tree, which, *profile_));
   }
   return slot.get();
 }
 
 const CompiledProgram* ProgramLibrary::main_program() {
-  if (loaded_.empty()) {
+  if (windows_ != nullptr) {
+    if (const CompiledProgram* const first = windows_->next(*profile_)) {
+      main_number_ = first->number;
+      return first;
+    }
+  }
+  return whole_main();
+}
+
+const CompiledProgram* ProgramLibrary::whole_main() {
+  File* const loaded = main_path_.empty() ? nullptr : load(main_path_);
+  if (loaded == nullptr) {
     return nullptr;
   }
-  File& file = *loaded_.front();
+  File& file = *loaded;
   const auto& programs = file.tree.programs;
   // An O number without blocks before the real program is what some editors leave behind.
   const auto real = std::ranges::find_if(programs, [](const auto& p) { return p.block_count > 1; });
@@ -83,6 +108,36 @@ const CompiledProgram* ProgramLibrary::main_program() {
     return compiled(file, static_cast<std::size_t>(real - programs.begin()));
   }
   return programs.empty() ? nullptr : compiled(file, 0);
+}
+
+std::optional<ProgramPlace> ProgramLibrary::behind(const CompiledProgram& program) {
+  if (program.extent == Extent::Whole) {
+    return std::nullopt;
+  }
+  const auto steps = static_cast<syntax::Index>(program.steps.size());
+  if (const CompiledProgram* const next = windows_->next(*profile_)) {
+    return ProgramPlace{next, 0};
+  }
+  if (windows_->must_be_whole()) {
+    return in_whole({&program, steps});
+  }
+  return std::nullopt;
+}
+
+std::optional<ProgramPlace> ProgramLibrary::in_whole(const ProgramPlace& place) {
+  if (place.program->extent == Extent::Whole) {
+    return place;
+  }
+  const CompiledProgram* const whole = whole_main();
+  return whole != nullptr
+             ? std::optional(ProgramPlace{whole, windows_->steps_before() + place.step})
+             : std::nullopt;
+}
+
+void ProgramLibrary::keep_text() {
+  if (windows_ != nullptr) {
+    windows_->keep_text();
+  }
 }
 
 const CompiledProgram* ProgramLibrary::find_in(File& file, int number) {
@@ -117,15 +172,26 @@ const CompiledProgram* ProgramLibrary::find_in(Folder& folder, int number) {
   return nullptr;
 }
 
+const CompiledProgram* ProgramLibrary::find_in_main(int number) {
+  const bool is_long = windows_ != nullptr;
+  if (is_long && !main_has_further_) {
+    main_has_further_ = has_further_programs(files_, main_path_, main_bytes_);
+  }
+  if (is_long && !*main_has_further_ && main_number_ != number) {
+    return nullptr;
+  }
+  File* const file = main_path_.empty() ? nullptr : load(main_path_);
+  return file != nullptr ? find_in(*file, number) : nullptr;
+}
+
 const CompiledProgram* ProgramLibrary::find(int number) {
   const auto known = known_.find(number);
   if (known != known_.end()) {
     return known->second;
   }
-  const CompiledProgram* found = nullptr;
-  const std::size_t given = loaded_.size();
-  for (std::size_t i = 0; i < given && found == nullptr; ++i) {
-    found = find_in(*loaded_[i], number);
+  const CompiledProgram* found = find_in_main(number);
+  for (std::size_t i = 0; i < further_files_.size() && found == nullptr; ++i) {
+    found = find_in(*load(further_files_[i]), number);
   }
   for (std::size_t i = 0; i < folders_.size() && found == nullptr; ++i) {
     found = find_in(folders_[i], number);

@@ -54,6 +54,10 @@ Result<OutputItem, std::string> take_variable(std::string_view& text) {
 
 }  // namespace
 
+std::span<const OutputStatementInfo> output_statements() {
+  return kRows;
+}
+
 const OutputStatementInfo& info(OutputStatement statement) {
   return kRows.at(static_cast<std::size_t>(statement));
 }
@@ -94,6 +98,26 @@ Result<std::vector<OutputItem>, std::string> parse_output_format(std::string_vie
   return items;
 }
 
+std::optional<std::string> refused_by(const OutputRule& rule,
+                                      const std::vector<OutputItem>& items) {
+  int variables = 0;
+  for (const OutputItem& item : items) {
+    if (item.variable < 0) {
+      continue;
+    }
+    ++variables;
+    const int digits = item.integer_places + item.decimals;
+    if (digits < rule.fewest_digits || digits > rule.most_digits) {
+      return fmt::format("#{}[{}{}]: the places together are {} to {}", item.variable,
+                         item.integer_places, item.decimals, rule.fewest_digits, rule.most_digits);
+    }
+  }
+  if (rule.most_variables != 0 && variables > rule.most_variables) {
+    return fmt::format("{} variables, this control takes {}", variables, rule.most_variables);
+  }
+  return std::nullopt;
+}
+
 std::string decimal_text(double value, int integer_places, int decimals, const OutputStyle& style) {
   const double magnitude = round_to_counts(std::abs(value), kPowersOfTen[decimals]);
   std::string digits = fmt::format("{:.{}f}", magnitude, decimals);
@@ -119,7 +143,8 @@ std::string decimal_text(double value, int integer_places, int decimals, const O
 }
 
 std::optional<std::string> binary_text(double value, int decimals) {
-  const double scaled = std::round(round_to_counts(value, kPowersOfTen[decimals]) * kPowersOfTen[decimals]);
+  const double scaled =
+      std::round(round_to_counts(value, kPowersOfTen[decimals]) * kPowersOfTen[decimals]);
   if (scaled < -2147483648.0 || scaled > 2147483647.0) {
     return std::nullopt;
   }

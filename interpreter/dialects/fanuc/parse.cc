@@ -24,22 +24,29 @@ using syntax::Word;
 
 constexpr std::int64_t kLargestInteger = 99'999'999;
 
+/// No control has loops of larger numbers; most have fewer (LoopRule).
+constexpr double kLargestLoopNumber = 127.0;
+
 /// IF THEN IF THEN...: more of them in one block is no program, but would fill the stack.
 constexpr int kThenLimit = 10;
 
 /// Reads the blocks of a tape one by one.
 class Parser {
  public:
-  explicit Parser(std::string_view text)
-      : scanner_(text), expressions_(scanner_, tree_) {}
+  explicit Parser(std::string_view text) : scanner_(text), expressions_(scanner_, tree_) {}
 
-  syntax::Tree run() {
-    skip_leader();
+  syntax::Tree run(TextBegins begins) {
+    if (begins == TextBegins::AtFile) {
+      skip_leader();
+    } else {
+      open_program(0, {});
+    }
     while (!scanner_.at_end_of_text() && scanner_.text()[scanner_.position()] != '%') {
       block();
       scanner_.skip_block();
     }
     close_program();
+    tree_.end = scanner_.position();
     return std::move(tree_);
   }
 
@@ -211,10 +218,11 @@ void Parser::body(Block& block) {
     return;
   }
   if (next < 'A' || next > 'Z') {
-    fail(AlarmId::AddressNotFound,
-         next >= '0' && next <= '9'
-             ? "a block begins with an address letter, here is a digit (0 in place of the letter O?)"
-             : fmt::format("'{}' cannot begin a word", next));
+    fail(
+        AlarmId::AddressNotFound,
+        next >= '0' && next <= '9'
+            ? "a block begins with an address letter, here is a digit (0 in place of the letter O?)"
+            : fmt::format("'{}' cannot begin a word", next));
     return;
   }
   const std::uint32_t begin = scanner_.position();
@@ -312,6 +320,11 @@ void Parser::word_value(Word& word) {
       negate.span = tree_.exprs[word.expr].span;
       word.expr = expressions_.add(negate);
     }
+    if (word.expr != kNone &&
+        std::string_view("+-*").find(scanner_.peek()) != std::string_view::npos) {
+      word.is_bare = true;
+      word.expr = expressions_.continued(word.expr);
+    }
     return;
   }
   const auto number = scanner_.number();
@@ -323,6 +336,7 @@ void Parser::word_value(Word& word) {
   }
   word.form = number->has_point ? ValueForm::Decimal : ValueForm::Integer;
   word.digits = number->digits;
+  word.decimals = number->decimals;
   word.number = negative ? -number->value : number->value;
 }
 
@@ -347,8 +361,9 @@ void Parser::keyword(Block& block) {
       output_statement(block, *statement);
       return;
     }
-    expressions_.fail_at(AlarmId::AddressNotFound, {begin, scanner_.position()},
-                         fmt::format("{} is neither a statement of Custom Macro B nor words", name));
+    expressions_.fail_at(
+        AlarmId::AddressNotFound, {begin, scanner_.position()},
+        fmt::format("{} is neither a statement of Custom Macro B nor words", name));
   }
   if (!failed()) {
     expect_end(block);
@@ -481,9 +496,10 @@ int Parser::loop_number() {
   scanner_.peek();
   const std::uint32_t begin = scanner_.position();
   const auto number = scanner_.number();
-  if (!number || number->has_point || number->value < 1.0 || number->value > 3.0) {
-    expressions_.fail_at(AlarmId::IllegalLoopNumber, {begin, std::max(begin + 1, scanner_.position())},
-                         "a loop number is 1, 2 or 3");
+  if (!number || number->has_point || number->value < 1.0 || number->value > kLargestLoopNumber) {
+    expressions_.fail_at(AlarmId::IllegalLoopNumber,
+                         {begin, std::max(begin + 1, scanner_.position())},
+                         "a loop number is an integer from 1");
     return 0;
   }
   return static_cast<int>(number->value);
@@ -491,9 +507,9 @@ int Parser::loop_number() {
 
 }  // namespace
 
-syntax::Tree parse(std::string_view text) {
+syntax::Tree parse(std::string_view text, TextBegins begins) {
   G31_EXPECTS(text.size() < std::numeric_limits<std::uint32_t>::max());
-  return Parser(text).run();
+  return Parser(text).run(begins);
 }
 
 }  // namespace g31::fanuc

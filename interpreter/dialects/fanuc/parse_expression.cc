@@ -83,8 +83,15 @@ Index ExpressionParser::expression() {
   return left;
 }
 
+Index ExpressionParser::continued(Index first) {
+  return sum_from(product_from(first));
+}
+
 Index ExpressionParser::sum() {
-  Index left = product();
+  return sum_from(product());
+}
+
+Index ExpressionParser::sum_from(Index left) {
   while (left != kNone) {
     const auto op = accept_operator(scanner_, kSums);
     if (!op) {
@@ -96,7 +103,10 @@ Index ExpressionParser::sum() {
 }
 
 Index ExpressionParser::product() {
-  Index left = operand();
+  return product_from(operand());
+}
+
+Index ExpressionParser::product_from(Index left) {
   while (left != kNone) {
     const auto op = accept_operator(scanner_, kProducts);
     if (!op) {
@@ -181,7 +191,8 @@ bool ExpressionParser::close_bracket(std::uint32_t opened_at) {
     if (next == '\n') {
       fail_at(AlarmId::ExpressionFormat, {opened_at, opened_at + 1}, "this [ has no ]");
     } else {
-      fail(AlarmId::ExpressionFormat, fmt::format("an operator or ] is expected here, not '{}'", next));
+      fail(AlarmId::ExpressionFormat,
+           fmt::format("an operator or ] is expected here, not '{}'", next));
     }
     return false;
   }

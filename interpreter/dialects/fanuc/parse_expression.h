@@ -19,6 +19,9 @@ class ExpressionParser {
   /// The expression that begins here; kNone after an error, which is then in error().
   syntax::Index expression();
 
+  /// The expression that goes on behind its first operand: `+10` of `#1+10`; kNone after an error.
+  syntax::Index continued(syntax::Index first);
+
   /// `[expression]`; kNone after an error.
   syntax::Index bracketed();
 
@@ -37,7 +40,9 @@ class ExpressionParser {
 
  private:
   syntax::Index sum();
+  syntax::Index sum_from(syntax::Index left);
   syntax::Index product();
+  syntax::Index product_from(syntax::Index left);
   syntax::Index operand();
   syntax::Index primary();
   syntax::Index function();

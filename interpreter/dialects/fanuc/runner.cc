@@ -94,14 +94,16 @@ bool Runner::fast_step(const Step& step, Frame& now) {
       now.step = step.jump;
       return true;
     case BlockKind::Assign: {
-      if (step.target_kind != TargetKind::Common && step.target_kind != TargetKind::Local) {
+      const bool is_common = step.target_kind == TargetKind::Common &&
+                             !control_.variables.is_protected(step.number);
+      if (!is_common && step.target_kind != TargetKind::Local) {
         return false;
       }
       const Cell value = evaluator.evaluate(*now.program, step.value);
       if (evaluator.failed()) [[unlikely]] {
         return true;
       }
-      if (step.target_kind == TargetKind::Common) {
+      if (is_common) {
         control_.variables.set_common(step.number, value);
       } else {
         control_.variables.set_local(step.number, value);
@@ -136,7 +138,7 @@ MaybeFailure Runner::loop(const runtime::Budget& budget) {
   while (!ended_) {
     Frame& now = frames_.back();
     if (now.step >= now.program->steps.size()) {
-      if (auto failure = end_of_program()) {
+      if (auto failure = behind_last_step()) {
         return failure;
       }
       continue;
@@ -161,10 +163,24 @@ MaybeFailure Runner::loop(const runtime::Budget& budget) {
   return std::nullopt;
 }
 
-MaybeFailure Runner::end_of_program() {
+/// Goes on in the next window of a long program, or says that the program has no end.
+MaybeFailure Runner::behind_last_step() {
+  const CompiledProgram& program = *frame().program;
+  const auto points_here = [&program](const source::Location& where) {
+    return where.file == program.file;
+  };
+  if (std::ranges::any_of(control_.diagnostics, points_here, &source::Diagnostic::where) ||
+      (control_.silent_skip && points_here(*control_.silent_skip))) {
+    library_.keep_text();
+  }
+  if (const auto next = library_.behind(program)) {
+    frame().program = next->program;
+    frame().step = next->step;
+    return std::nullopt;
+  }
   Failure failure;
   failure.id = AlarmId::EndOfRecord;
-  failure.detail = fmt::format("{} ends without M30, M02 or M99", name_of(*frame().program));
+  failure.detail = fmt::format("{} ends without M30, M02 or M99", name_of(program));
   return failure;
 }
 
@@ -226,13 +242,36 @@ MaybeFailure Runner::jump(const Step& step) {
     failure.detail = fmt::format("GOTO {}", rounded);
     return failure;
   }
-  const auto found = program.find_label(static_cast<std::int32_t>(rounded), frame().current);
-  if (!found) {
-    failure.id = AlarmId::JumpNotFound;
-    failure.detail = fmt::format("{} has no N{}", name_of(program), rounded);
+  failure.id = AlarmId::JumpNotFound;
+  failure.detail = fmt::format("{} has no N{}", name_of(program), rounded);
+  return go_to(frame(), nearest_integer(rounded), std::move(failure));
+}
+
+/// A jump is ahead: the whole program must be known.
+MaybeFailure Runner::keep_whole(Frame& frame) {
+  const auto here = library_.in_whole({frame.program, frame.current});
+  if (!here) {
+    Failure failure;
+    failure.id = AlarmId::SequenceNotFound;
+    failure.detail = "a program file with jumps must be shorter than 4 GiB";
     return failure;
   }
-  frame().step = *found;
+  frame.program = here->program;
+  frame.step += here->step - frame.current;
+  frame.current = here->step;
+  return std::nullopt;
+}
+
+/// The frame goes on at N `sequence`; `missing` is what it means when there is no such block.
+MaybeFailure Runner::go_to(Frame& frame, int sequence, Failure missing) {
+  if (auto failure = keep_whole(frame)) {
+    return failure;
+  }
+  const auto found = frame.program->find_label(sequence, frame.current);
+  if (!found) {
+    return missing;
+  }
+  frame.step = *found;
   return std::nullopt;
 }
 
@@ -277,9 +316,15 @@ MaybeFailure Runner::assigned_system_variable(int number, double value) {
   failure.id = AlarmId::MacroAlarm;
   failure.where = block.span;
   failure.alarm_text = text.empty() ? std::string(info(AlarmId::MacroAlarm).text) : text;
-  failure.alarm_number = info(AlarmId::MacroAlarm).number_16i + nearest_integer(value);
-  if (value < 0.0 || nearest_integer(value) > control_.profile.largest_alarm) {
-    failure.detail = fmt::format("#3000 takes 0 to {}", control_.profile.largest_alarm);
+  const MacroAlarmRule& rule = control_.profile.macro_alarm;
+  const int n = nearest_integer(value);
+  const bool plain = rule.has_plain_numbers && control_.parameters.is_on(ParameterId::PlainAlarmNumber);
+  const bool adds = rule.number == MacroAlarmRule::Number::BasePlusValue;
+  failure.alarm_number = plain ? n : rule.base + (adds ? n : 0);
+  if (n < rule.smallest || n > rule.largest) {
+    failure.detail = fmt::format("#3000 takes {} to {}", rule.smallest, rule.largest);
+  } else if (!adds) {
+    failure.detail = fmt::format("number {}", n);
   }
   return failure;
 }

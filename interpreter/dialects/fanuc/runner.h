@@ -71,7 +71,9 @@ class Runner {
   MaybeFailure assigned_system_variable(int number, double value);
   MaybeFailure jump(const Step& step);
   MaybeFailure output(const Step& step);  // runner_output.cc
-  MaybeFailure end_of_program();
+  MaybeFailure behind_last_step();
+  MaybeFailure keep_whole(Frame& frame);
+  MaybeFailure go_to(Frame& frame, int sequence, Failure missing);
   bool over_budget(const runtime::Budget& budget);
 
   // runner_words.cc: NC blocks

@@ -93,7 +93,7 @@ Result<bool, Failure> Runner::call_in_block() {
       if (sub != control_.subprogram_calls_m.end() && code_calls_allowed()) {
         return done(code_subprogram(word, sub->second));
       }
-    } else if (word.letter == 'T' && control_.parameters.bit(6001, 5) && code_calls_allowed()) {
+    } else if (word.letter == 'T' && control_.parameters.is_on(ParameterId::ToolCalls) && code_calls_allowed()) {
       control_.variables.set_common(kTCallVariable, Cell(code));
       return done(code_subprogram(word, kTCallProgram));
     }
@@ -169,7 +169,7 @@ MaybeFailure Runner::set_modal_call(const EvaluatedWord& code) {
 
 MaybeFailure Runner::cancel_modal_call(const EvaluatedWord& code) {
   auto& calls = frame().modal_calls;
-  if (calls.empty() && control_.profile.has_series_30i_functions) {  // the 16i ignores it (MB-206)
+  if (calls.empty() && control_.profile.lone_cancel_is_alarm) {
     return at_word(AlarmId::NoModalCall, code, "G67 without G66");
   }
   if (!calls.empty()) {
@@ -306,7 +306,7 @@ Result<const CompiledProgram*, Failure> Runner::called_program(const EvaluatedWo
 /// Sets the locals of the level just entered.  I J K may come again: then they belong to the next
 /// triple (specification II, MB-192, MB-194), unless parameter 6008.7 says specification I only.
 MaybeFailure Runner::pass_arguments(std::span<const EvaluatedWord> arguments) {
-  const bool triples = !control_.parameters.bit(6008, 7);
+  const bool triples = !control_.parameters.is_on(ParameterId::OneTriple);
   int triple = 0;
   char last_of_triple = 'A';
   for (const EvaluatedWord& word : arguments) {
@@ -342,12 +342,15 @@ int Runner::levels(CallKind kind) const {
 
 MaybeFailure Runner::enter(const Entry& entry) {
   const bool is_macro = entry.kind == CallKind::Macro;
-  const int limit = is_macro ? control_.profile.macro_levels : control_.profile.subprogram_levels;
-  if (levels(entry.kind) >= limit) {
+  const CallLevels& most = control_.profile.calls;
+  const int limit = is_macro ? most.macros : most.subprograms;
+  const bool together = static_cast<int>(frames_.size()) > most.together;
+  if (levels(entry.kind) >= limit || together) {
     Failure failure;
     failure.id = is_macro ? AlarmId::MacroNesting : AlarmId::NestedTooDeep;
-    failure.detail =
-        fmt::format("{} nest at most {} deep", is_macro ? "macros" : "subprograms", limit);
+    failure.detail = together ? fmt::format("calls nest at most {} deep", most.together)
+                              : fmt::format("{} nest at most {} deep",
+                                            is_macro ? "macros" : "subprograms", limit);
     return failure;
   }
   if (is_macro) {
@@ -363,13 +366,18 @@ MaybeFailure Runner::enter(const Entry& entry) {
 /// M98 P L Q, M198 P: motion of the block first, then the call (MB-213 to MB-217, MB-222).
 MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
   const EvaluatedWord* const p = words_.find('P');
-  const EvaluatedWord* const q = words_.find('Q');
+  const EvaluatedWord* const q = words_.find(control_.profile.start_letter);
   const auto times = repeats();
   if (!times) {
     return times.error();
   }
   if (p == nullptr && q == nullptr) {
     return at_word(AlarmId::CallWithoutProgram, m, fmt::format("M{} without P", m.number));
+  }
+  if (p == nullptr) {
+    if (auto failure = keep_whole(frame())) {
+      return failure;
+    }
   }
   Entry entry{frame().program, CallKind::Subprogram, CalledBy::Program, times.value()};
   if (p != nullptr) {
@@ -399,7 +407,8 @@ MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
   }
   BlockWords others;
   for (const EvaluatedWord& word : words_.all()) {
-    if (&word != &m && word.letter != 'P' && word.letter != 'L' && word.letter != 'Q') {
+    if (&word != &m && word.letter != 'P' && word.letter != 'L' &&
+        word.letter != control_.profile.start_letter) {
       others.add(word);
     }
   }
@@ -427,6 +436,9 @@ MaybeFailure Runner::return_from_call() {
     return std::nullopt;
   }
   if (now.kind == CallKind::Main) {
+    if (auto failure = keep_whole(now)) {
+      return failure;
+    }
     now.step = 0;
   } else {
     if (now.kind == CallKind::Macro) {
@@ -442,12 +454,8 @@ MaybeFailure Runner::return_from_call() {
   if (!sequence) {
     return sequence.error();
   }
-  const auto found = frame().program->find_label(sequence.value(), frame().current);
-  if (!found) {
-    return at_word(AlarmId::SequenceNotFound, *p, fmt::format("no N{}", sequence.value()));
-  }
-  frame().step = *found;
-  return std::nullopt;
+  return go_to(frame(), sequence.value(),
+               at_word(AlarmId::SequenceNotFound, *p, fmt::format("no N{}", sequence.value())));
 }
 
 }  // namespace g31::fanuc

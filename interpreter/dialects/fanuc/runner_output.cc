@@ -8,8 +8,8 @@ namespace g31::fanuc {
 namespace {
 
 OutputStyle style_of(const Control& control) {
-  OutputStyle style = control.profile.output;
-  if (control.parameters.bit(6001, 1)) {
+  OutputStyle style = control.profile.output.style;
+  if (control.parameters.is_on(ParameterId::PrintOmitsZeros)) {
     style.leading_zeros = OutputStyle::LeadingZeros::Omit;
   }
   return style;
@@ -26,15 +26,24 @@ MaybeFailure Runner::output(const Step& step) {
   }
   const CompiledProgram& program = *frame().program;
   const syntax::ShortSpan format = program.tree->blocks[step.block].text;
-  if (!control_.printer_open && control_.profile.printing_needs_popen) {
+  if (!control_.printer_open && control_.profile.output.needs_popen) {
     Failure failure;
     failure.id = AlarmId::PrinterClosed;
     failure.detail = fmt::format("{} without POPEN", info(statement).name);
     return failure;
   }
-  const auto items = parse_output_format(
-      program.file->text().substr(format.begin, format.end - format.begin));
+  const auto items =
+      parse_output_format(program.file->text().substr(format.begin, format.end - format.begin));
   G31_EXPECTS(items.ok());  // the parser refused every other format
+  if (statement == OutputStatement::DPRNT) {
+    if (const auto refused = refused_by(control_.profile.output, items.value())) {
+      Failure failure;
+      failure.id = AlarmId::OutputFormat;
+      failure.where = format;
+      failure.detail = *refused;
+      return failure;
+    }
+  }
   std::string line;
   for (const OutputItem& item : items.value()) {
     if (item.variable < 0) {
@@ -42,11 +51,12 @@ MaybeFailure Runner::output(const Step& step) {
       continue;
     }
     const auto value = control_.variables.read(item.variable);
-    const auto bytes = !value ? std::nullopt
-                       : statement == OutputStatement::BPRNT
-                           ? binary_text(value.value().or_zero(), item.decimals)
-                           : std::optional(decimal_text(value.value().or_zero(), item.integer_places,
-                                                        item.decimals, style_of(control_)));
+    const auto bytes =
+        !value ? std::nullopt
+        : statement == OutputStatement::BPRNT
+            ? binary_text(value.value().or_zero(), item.decimals)
+            : std::optional(decimal_text(value.value().or_zero(), item.integer_places,
+                                         item.decimals, style_of(control_)));
     if (!bytes) {
       Failure failure;
       failure.id = value ? AlarmId::IntegerOverflow : value.error();
@@ -56,7 +66,7 @@ MaybeFailure Runner::output(const Step& step) {
     }
     line += *bytes;
   }
-  line += control_.parameters.bit(6001, 4) ? "\n\r" : "\n";
+  line += control_.parameters.is_on(ParameterId::PrintReturns) ? "\n\r" : "\n";
   control_.observer.on_output(line);
   return std::nullopt;
 }

@@ -19,11 +19,11 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
   const CompiledProgram& program = *frame().program;
   const syntax::Block& block = program.tree->blocks[step.block];
   words_.clear();
-  const double increment = control_.scale.mm_per_unit() / control_.scale.length_counts();
   for (syntax::Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
     const syntax::Word& word = program.tree->words[i];
-    EvaluatedWord evaluated{word.letter, word.form, word.number, word.span};
+    EvaluatedWord evaluated{word.letter, word.form, word.decimals, word.number, word.span};
     if (word.form == ValueForm::Computed) {
+      const double increment = 1.0 / control_.scale.length_counts();
       const Cell value = control_.evaluator.evaluate(
           program, program.word_code[i - program.first_word], increment);
       if (control_.evaluator.failed()) {
@@ -37,8 +37,9 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
       return at_word(AlarmId::TooManyDigits, evaluated, fmt::format("{} digits", word.digits));
     }
     if (std::abs(evaluated.number) > kLargestWord) {
-      return at_word(AlarmId::TooManyDigits, evaluated,
-                     fmt::format("{} is {:g}, beyond every address", word.letter, evaluated.number));
+      return at_word(
+          AlarmId::TooManyDigits, evaluated,
+          fmt::format("{} is {:g}, beyond every address", word.letter, evaluated.number));
     }
     words_.add(evaluated);
   }

@@ -8,10 +8,6 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
 constexpr bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -30,7 +26,7 @@ constexpr int kExactDigits = 15;
 
 }  // namespace
 
-char Scanner::peek() {
+char Scanner::peek_behind_blanks() {
   while (at_ < text_.size()) {
     const char c = text_[at_];
     if (c == ' ' || c == '\t' || c == '\r' || c == '\0') {
@@ -40,7 +36,7 @@ char Scanner::peek() {
     } else if (c == ')' && comment_.end != 0) {
       ++at_;  // ends a comment nested in the last one: comments do not nest, but people write so
     } else {
-      return upper(c);
+      return kShown[static_cast<unsigned char>(c)];
     }
   }
   return '\n';
@@ -76,24 +72,31 @@ std::optional<ScannedNumber> Scanner::number() {
   }
   const std::size_t begin = at_;
   ScannedNumber found;
-  std::uint64_t mantissa = 0;
+  std::uint64_t mantissa = 0;  // of no use beyond kExactDigits
   int digits = 0;
   int decimals = 0;
-  for (char c = first; is_digit(c) || (c == '.' && !found.has_point); c = peek()) {
-    step();
-    if (c == '.') {
-      found.has_point = true;
+  for (char c = first;; c = peek()) {
+    const int before = digits;
+    for (; at_ < text_.size() && is_digit(text_[at_]); ++at_) {
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(text_[at_] - '0');
+      ++digits;
+    }
+    decimals += found.has_point ? digits - before : 0;
+    if (digits != before) {
       continue;
     }
-    ++digits;
-    decimals += found.has_point ? 1 : 0;
-    mantissa = digits <= kExactDigits ? mantissa * 10 + static_cast<std::uint64_t>(c - '0') : 0;
+    if (c != '.' || found.has_point) {
+      break;
+    }
+    found.has_point = true;
+    step();
   }
   if (digits == 0) {
     rewind(static_cast<std::uint32_t>(begin));
     return std::nullopt;
   }
   found.digits = static_cast<std::uint8_t>(std::min(digits, 255));
+  found.decimals = static_cast<std::uint8_t>(std::min(decimals, 255));
   if (digits <= kExactDigits) {
     found.value = static_cast<double>(mantissa) / kPowersOfTen[decimals];
     return found;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -8,10 +9,24 @@
 
 namespace g31::fanuc {
 
+/// What Scanner::peek shows of a character: letters as upper case; 0 where it has to look closer,
+/// at blanks and comments.
+inline constexpr auto kShown = [] {
+  std::array<char, 256> shown{};
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const auto c = static_cast<char>(static_cast<unsigned char>(i));
+    const bool is_lower = c >= 'a' && c <= 'z';
+    const bool needs_care = c == ' ' || c == '\t' || c == '\r' || c == '\0' || c == '(' || c == ')';
+    shown[i] = needs_care ? '\0' : is_lower ? static_cast<char>(c - 'a' + 'A') : c;
+  }
+  return shown;
+}();
+
 /// A number as it is written, without sign.
 struct ScannedNumber {
   double value = 0.0;
-  std::uint8_t digits = 0;  ///< digits written, capped at 255
+  std::uint8_t digits = 0;    ///< digits written, capped at 255
+  std::uint8_t decimals = 0;  ///< those behind the point, capped at 255
   bool has_point = false;
 };
 
@@ -26,7 +41,15 @@ class Scanner {
   [[nodiscard]] bool at_end_of_text() const { return at_ >= text_.size(); }
 
   /// The next character that counts, or '\n' at the end of the block; letters as upper case.
-  char peek();
+  char peek() {
+    if (at_ < text_.size()) {
+      const char shown = kShown[static_cast<unsigned char>(text_[at_])];
+      if (shown != '\0') [[likely]] {
+        return shown;
+      }
+    }
+    return peek_behind_blanks();
+  }
 
   /// Steps over the character that peek() showed.
   void step() { ++at_; }
@@ -55,6 +78,7 @@ class Scanner {
   [[nodiscard]] std::string_view text() const { return text_; }
 
  private:
+  char peek_behind_blanks();
   void skip_comment();
 
   std::string_view text_;

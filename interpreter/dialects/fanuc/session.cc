@@ -1,9 +1,10 @@
+#include "interpreter/dialects/fanuc/session.h"
+
 #include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/session.h"
 #include "interpreter/dialects/fanuc/runner.h"
 
 namespace g31::fanuc {
@@ -30,8 +31,8 @@ std::optional<int> system_in_name(std::string_view name) {
     const auto digits = name.substr(kAdditional.size());
     int p = 0;
     const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), p);
-    const bool legal = end.ec == std::errc() && end.ptr == digits.data() + digits.size() && p >= 1 &&
-                       p <= Coordinates::kAdditional;
+    const bool legal = end.ec == std::errc() && end.ptr == digits.data() + digits.size() &&
+                       p >= 1 && p <= Coordinates::kAdditional;
     return legal ? std::optional(Coordinates::kSystems + p) : std::nullopt;
   }
   if (name.size() == 3 && name.starts_with("G5") && name[2] >= '4' && name[2] <= '9') {
@@ -45,7 +46,8 @@ std::vector<std::string> configure_offsets(Control& control, const runtime::Cont
   for (const auto& [name, q_offset] : setup.work_offsets) {
     const auto system = system_in_name(name);
     if (!system) {
-      refused.push_back(fmt::format("work offset {}: this control has EXT, G54 to G59, G54.1 Pn", name));
+      refused.push_back(
+          fmt::format("work offset {}: this control has EXT, G54 to G59, G54.1 Pn", name));
       continue;
     }
     for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
@@ -55,7 +57,8 @@ std::vector<std::string> configure_offsets(Control& control, const runtime::Cont
   }
   for (const auto& [number, entry] : setup.tools) {
     if (number < 1 || number > OffsetTable::kLargest) {
-      refused.push_back(fmt::format("tool {}: offset numbers are 1 to {}", number, OffsetTable::kLargest));
+      refused.push_back(
+          fmt::format("tool {}: offset numbers are 1 to {}", number, OffsetTable::kLargest));
       continue;
     }
     control.offsets.set(number, entry);
@@ -64,21 +67,22 @@ std::vector<std::string> configure_offsets(Control& control, const runtime::Cont
   return refused;
 }
 
-/// Parameters 6050 to 6059 name the G codes that call macros O9010 to O9019, 6080 to 6089 the M codes
-/// of macros O9020 to O9029, 6071 to 6079 the M codes of subprograms O9001 to O9009 (MB-207 to MB-210).
+/// Parameters 6050 to 6059 name the G codes that call macros O9010 to O9019, 6080 to 6089 the M
+/// codes of macros O9020 to O9029, 6071 to 6079 the M codes of subprograms O9001 to O9009 (MB-207
+/// to MB-210).
 void configure_calls(Control& control, const runtime::ControlSetup& setup,
                      std::vector<std::string>& refused) {
   for (int i = 0; i < 10; ++i) {
-    const auto add = [&](std::map<int, int>& calls, int parameter, int program) {
-      const double code = control.parameters.value(parameter);
+    const auto add = [&](std::map<int, int>& calls, ParameterId parameter, int index, int program) {
+      const double code = control.parameters.get(parameter, index);
       if (code > 0.0) {
         calls[nearest_integer(code)] = program;
       }
     };
-    add(control.macro_calls_g, 6050 + i, 9010 + i);
-    add(control.macro_calls_m, 6080 + i, 9020 + i);
+    add(control.macro_calls_g, ParameterId::MacroGCode, i, 9010 + i);
+    add(control.macro_calls_m, ParameterId::MacroMCode, i, 9020 + i);
     if (i > 0) {
-      add(control.subprogram_calls_m, 6070 + i, 9000 + i);
+      add(control.subprogram_calls_m, ParameterId::SubprogramMCode, i - 1, 9000 + i);
     }
   }
   for (const auto& [code, program] : setup.macro_calls) {
@@ -97,7 +101,9 @@ void configure_calls(Control& control, const runtime::ControlSetup& setup,
 
 Session::Session(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
                  runtime::Observer& observer)
-    : runner_(std::make_unique<Runner>(profile, library, port, observer)) {}
+    : runner_(std::make_unique<Runner>(profile, library, port, observer)) {
+  library.compile_for(profile);
+}
 
 Session::~Session() = default;
 
@@ -113,13 +119,14 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   if (!setup.increment.empty()) {
     control.scale.set_increment_system(setup.increment);
   }
+  control.set_offset_memory(setup.offset_memory);
   control.block_skip = setup.block_skip;
   refused = configure_offsets(control, setup);
   configure_calls(control, setup, refused);
   for (const auto& [name, value] : setup.variables) {
     const auto number = variable_in_name(name);
     const Cell cell = value ? Cell(*value) : Cell();
-    if (!number || control.variables.write(*number, cell).has_value()) {
+    if (!number || control.variables.preset(*number, cell).has_value()) {
       refused.push_back(fmt::format("variable {}: cannot be set on this control", name));
     }
   }

@@ -1,36 +1,164 @@
 #pragma once
 
+#include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace g31::fanuc {
 
-enum class Unit { None, Length, Angle };
-enum class Access { Read, Write, ReadWrite };
-enum class WhileMoving { Enabled, Disabled };
-
-enum class SystemVariableId {
-#define SYSTEM_VARIABLE(first, last, name, unit, access, while_moving, text) name,
-#include "interpreter/dialects/fanuc/system_variables.def"
-#undef SYSTEM_VARIABLE
+/// What a system variable counts in.
+enum class Unit {
+  None,
+  Bit,   ///< 0 or 1
+  Bits,  ///< an integer whose bits mean something each
+  Milliseconds,
+  Hours,
+  Length,  ///< in the unit in force
+  Axis,    ///< Length for X Y Z, degrees for A B C
 };
 
-/// One row of system_variables.def: a run of numbers that mean the same thing for axes or rows 1, 2...
+enum class Access {
+  Read,
+  Write,
+  ReadWrite,
+  Input,  ///< a program only reads it, the set-up sheet gives its value
+};
+
+enum class WhileMoving { Enabled, Disabled };
+
+/// What a row of system_variables.def holds; the control has a piece of code for each.
+enum class Shows : std::uint8_t {
+  InputBit,
+  InputBits,
+  InputWord,
+  OutputBit,
+  OutputBits,
+  OutputWord,
+  LengthGeometry,
+  LengthWear,
+  RadiusGeometry,
+  RadiusWear,
+  DiameterGeometry,
+  DiameterWear,
+  LegacyOffset,
+  MacroAlarm,
+  Timer,
+  CycleHours,
+  SingleBlock,
+  Override,
+  Settings,
+  MessageStop,
+  MirrorState,
+  RestartState,
+  Date,
+  TimeOfDay,
+  Null,
+  Pi,
+  Euler,
+  PartsCount,
+  PartsRequired,
+  ModalGroup,
+  ModalWord,
+  BlockEnd,
+  MachinePosition,
+  WorkPosition,
+  SkipPosition,
+  SkipTipPosition,
+  ToolOffset,
+  ServoDeviation,
+  HandleInterrupt,
+  DistanceToGo,
+  SkipDetected,
+  WorkOffset,
+  LocalShift,
+  AdditionalOffset,
+  CommonAlias,
+};
+
+/// Sets of rows that controls have or have not.
+enum class VariableGroup : std::uint8_t {
+  Basic,  ///< every control
+  Series30i,
+  ExecutingModal,  ///< modal data of the block in execution
+  LegacyOffsets,   ///< #2500 to #2806
+  LongOffsets,     ///< #14001 to #20000: G54.1 P1 to P300
+  OffsetsA,        ///< tool offset memory A: one value a number
+  OffsetsB,        ///< geometry and wear
+  OffsetsC,        ///< geometry and wear, of length and of radius
+  OffsetsCTurned,  ///< C with parameter 6000.3 = 1
+  OffsetsMeldas,
+  OffsetsHaas,
+  ExternalOffset,  ///< #5201 is the external work offset
+  ShiftAt5201,     ///< #5201 is the shift of G52
+  SkipWithOffset,  ///< #5061 with the tool offset in it (MB-276)
+  SkipAtTip,       ///< #5061 without it (MB-366)
+  CommonAliases,   ///< #10100 is #100 (MB-360)
+};
+
+/// A set of groups.
+class VariableGroups {
+ public:
+  constexpr VariableGroups(std::initializer_list<VariableGroup> groups) {
+    for (const VariableGroup group : groups) {
+      bits_ |= bit(group);
+    }
+  }
+  [[nodiscard]] constexpr bool meets(VariableGroups other) const {
+    return (bits_ & other.bits_) != 0;
+  }
+  [[nodiscard]] constexpr VariableGroups with(VariableGroup group) const {
+    VariableGroups more = *this;
+    more.bits_ |= bit(group);
+    return more;
+  }
+  [[nodiscard]] constexpr VariableGroups without(VariableGroup group) const {
+    VariableGroups fewer = *this;
+    fewer.bits_ &= ~bit(group);
+    return fewer;
+  }
+
+ private:
+  static constexpr std::uint32_t bit(VariableGroup group) {
+    return std::uint32_t{1} << static_cast<unsigned>(group);
+  }
+  std::uint32_t bits_ = 0;
+};
+
+/// One row of system_variables.def: a run of numbers that mean the same thing for axes, offsets or
+/// groups 1, 2...
 struct SystemVariable {
-  SystemVariableId id;
   int first;
   int last;
-  std::string_view name;
+  Shows shows;
+  VariableGroups groups;
   Unit unit;
   Access access;
   WhileMoving while_moving;
   std::string_view text;
 };
 
-/// All rows, rising by number.
+/// Work offsets stand in runs of 20 numbers, one run a system, one number an axis (MB-145).
+inline constexpr int kNumbersPerSystem = 20;
+inline constexpr int kFirstWorkOffset = 5201;  ///< the external one; G54 to G59 follow
+
+/// All rows of all controls, rising by their first number.
 std::span<const SystemVariable> system_variables();
 
-/// The row that holds #number, or nullptr when the control has no such variable (alarm PS0115).
-const SystemVariable* find_system_variable(int number);
+/// The system variables that one control has.
+class SystemVariableIndex {
+ public:
+  explicit SystemVariableIndex(VariableGroups groups);
+
+  /// The row that holds #number, or nullptr when the control has no such variable (alarm 115).
+  [[nodiscard]] const SystemVariable* find(int number) const;
+
+  /// Rising, without overlap.
+  [[nodiscard]] std::span<const SystemVariable* const> rows() const { return rows_; }
+
+ private:
+  std::vector<const SystemVariable*> rows_;
+};
 
 }  // namespace g31::fanuc

@@ -24,10 +24,21 @@ std::optional<AlarmId> Variables::write(std::int32_t number, Cell value) {
     return std::nullopt;
   }
   if (is_common(number)) {
+    if (is_protected(number)) {
+      return AlarmId::WriteProtected;
+    }
     set_common(number, value);
     return std::nullopt;
   }
   return system_.write(number, value);
+}
+
+std::optional<AlarmId> Variables::preset(std::int32_t number, Cell value) {
+  if (is_common(number)) {
+    set_common(number, value);
+    return std::nullopt;
+  }
+  return number == 0 || is_local(number) ? write(number, value) : system_.preset(number, value);
 }
 
 }  // namespace g31::fanuc

@@ -24,6 +24,8 @@ class SystemVariables {
   virtual Result<Cell, AlarmId> read(std::int32_t number) = 0;
   /// @returns why it cannot be written, or nullopt when it was
   virtual std::optional<AlarmId> write(std::int32_t number, Cell value) = 0;
+  /// As the set-up sheet sets it before the start: inputs, too.
+  virtual std::optional<AlarmId> preset(std::int32_t number, Cell value) = 0;
 };
 
 /// All variables that a program sees: locals by call level, commons, and system variables behind
@@ -35,6 +37,17 @@ class Variables {
   /// Any number; a fault for numbers the control does not have or does not let read.
   Result<Cell, AlarmId> read(std::int32_t number);
   std::optional<AlarmId> write(std::int32_t number, Cell value);
+  /// As the set-up sheet sets it before the start: inputs and protected variables, too.
+  std::optional<AlarmId> preset(std::int32_t number, Cell value);
+
+  /// Programs may not write #first to #last (parameters 6031 and 6032, MB-107).
+  void protect(std::int32_t first, std::int32_t last) {
+    first_protected_ = first;
+    last_protected_ = last;
+  }
+  [[nodiscard]] bool is_protected(std::int32_t number) const {
+    return number >= first_protected_ && number <= last_protected_;
+  }
 
   /// @pre is_local(number)
   [[nodiscard]] Cell local(std::int32_t number) const {
@@ -67,6 +80,8 @@ class Variables {
   SystemVariables& system_;
   std::vector<Locals> locals_;
   std::array<Cell, kCommonEnd> commons_;
+  std::int32_t first_protected_ = 1;
+  std::int32_t last_protected_ = 0;
 };
 
 }  // namespace g31::fanuc

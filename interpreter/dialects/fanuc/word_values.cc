@@ -7,6 +7,13 @@
 namespace g31::fanuc {
 namespace {
 
+constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5};
+
+/// Whether a number of so many decimals is on the grid of 1/counts, a power of ten.
+bool is_on_grid(std::size_t decimals, double counts) {
+  return decimals < std::size(kPowersOfTen) && kPowersOfTen[decimals] <= counts;
+}
+
 /// How far a decimal fraction may stand off its count: a few ulp of the scaled number.
 double guard(double scaled) {
   return std::max(1.0, std::abs(scaled)) * 8.0 * std::numeric_limits<double>::epsilon();
@@ -35,6 +42,9 @@ double WordScale::scaled(const EvaluatedWord& word, double counts) const {
     case syntax::ValueForm::Integer:
       return calculator_point ? word.number : word.number / counts;
     case syntax::ValueForm::Decimal: {
+      if (is_on_grid(word.decimals, counts)) {
+        return word.number;
+      }
       const double on_grid = round_to_counts(word.number, counts);
       if (excess_decimals == ExcessDecimals::Round ||
           std::abs(on_grid - word.number) * counts <= guard(word.number * counts)) {

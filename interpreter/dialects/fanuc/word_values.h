@@ -7,6 +7,7 @@
 
 #include "interpreter/dialects/fanuc/profile.h"
 #include "interpreter/syntax/tree.h"
+#include "machine/units/length_unit.h"
 
 namespace g31::fanuc {
 
@@ -14,6 +15,7 @@ namespace g31::fanuc {
 struct EvaluatedWord {
   char letter = 0;
   syntax::ValueForm form = syntax::ValueForm::Integer;
+  std::uint8_t decimals = 0;  ///< Decimal: digits behind the point
   double number = 0.0;
   syntax::ShortSpan span;
 };
@@ -43,21 +45,19 @@ class BlockWords {
   std::uint32_t present_ = 0;
 };
 
-enum class LengthUnit : std::uint8_t { Millimetre, Inch };
-
 /// How the control reads the number of a word: least increment, decimal point, unit in force.
 struct WordScale {
-  double counts_per_mm = 1000.0;    ///< least increments in a millimetre (IS-B)
+  double counts_per_mm = 1000.0;  ///< least increments in a millimetre (IS-B)
   double counts_per_inch = 10000.0;
   double counts_per_degree = 1000.0;
-  bool calculator_point = false;    ///< 3401.0: a number without point counts mm
+  bool calculator_point = false;  ///< 3401.0: a number without point counts mm
   ExcessDecimals excess_decimals = ExcessDecimals::Truncate;
   LengthUnit unit = LengthUnit::Millimetre;
 
   /// "IS-A" (0.01 mm), "IS-B" (0.001 mm) or "IS-C" (0.0001 mm).
   void set_increment_system(std::string_view name);
 
-  [[nodiscard]] double mm_per_unit() const { return unit == LengthUnit::Inch ? 25.4 : 1.0; }
+  [[nodiscard]] double mm_per_unit() const { return mm_per(unit); }
   [[nodiscard]] double length_counts() const {
     return unit == LengthUnit::Inch ? counts_per_inch : counts_per_mm;
   }
@@ -81,8 +81,8 @@ struct WordScale {
   [[nodiscard]] double scaled(const EvaluatedWord& word, double counts) const;
 };
 
-/// Rounds to a multiple of 1/counts, halves away from zero.  The scaled value is judged with a small
-/// guard, so that 1.2345 at 1000 counts is 1.235 though its double lies below (MB-023).
+/// Rounds to a multiple of 1/counts, halves away from zero.  The scaled value is judged with a
+/// small guard, so that 1.2345 at 1000 counts is 1.235 though its double lies below (MB-023).
 double round_to_counts(double value, double counts);
 
 /// Nearest integer of a computed integer word; halves away from zero (MB-026).

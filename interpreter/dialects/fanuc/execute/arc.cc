@@ -8,7 +8,7 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr double kDefaultRadiusTolerance = 0.01;  // parameter 3410, mm
+constexpr double kChordTolerance = 0.01;  // mm, of an end farther away than twice R
 
 /// The axes of a plane: first, second, and the letters of their centre distances.
 struct Plane {
@@ -49,7 +49,7 @@ Result<Centre, Failure> centre_by_radius(double radius, double along, double acr
   }
   const double half = chord / 2.0;
   const double size = std::abs(radius);
-  if (half > size + kDefaultRadiusTolerance) {
+  if (half > size + kChordTolerance) {
     return arc_failure(AlarmId::ArcRadiusTolerance,
                        fmt::format("the end is {:.4f} away, more than twice R {:.4f}", chord, size));
   }
@@ -72,9 +72,9 @@ Result<Centre, Failure> centre_of(const Control& control, const NcBlock& block, 
   const EvaluatedWord* const j = block.words.find(plane.second_centre);
   centre.first = i != nullptr ? control.scale.length_mm(*i) : 0.0;
   centre.second = j != nullptr ? control.scale.length_mm(*j) : 0.0;
-  const double start_radius = std::hypot(centre.first, centre.second);
-  const double end_radius = std::hypot(along - centre.first, across - centre.second);
-  const double tolerance = control.parameters.value(3410, kDefaultRadiusTolerance);
+  const double start_radius = Eigen::Vector2d(centre.first, centre.second).norm();
+  const double end_radius = Eigen::Vector2d(along - centre.first, across - centre.second).norm();
+  const double tolerance = control.parameters.get(ParameterId::ArcTolerance);
   if (tolerance > 0.0 && std::abs(start_radius - end_radius) > tolerance) {
     return arc_failure(AlarmId::ArcRadiusTolerance,
                        fmt::format("the radius is {:.4f} at the start and {:.4f} at the end",
@@ -85,7 +85,7 @@ Result<Centre, Failure> centre_of(const Control& control, const NcBlock& block, 
 
 /// Neither R nor a centre: alarm 022 with 3403.5 = 1, else a straight line (MB-305).
 MaybeFailure arc_without_centre(Control& control, const AxisPositions& q_W_end) {
-  if (control.parameters.bit(3403, 5)) {
+  if (control.parameters.is_on(ParameterId::ArcNeedsRadius)) {
     return arc_failure(AlarmId::NoCircle, "neither R nor a centre is given");
   }
   if (auto failure = move_to(control, control.coordinates.to_machine(q_W_end),

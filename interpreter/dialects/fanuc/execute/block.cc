@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
@@ -16,8 +18,9 @@ struct Codes {
 MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& codes) {
   const auto number = g_number(word.number);
   const GCode* const code = number ? find_g_code(*number) : nullptr;
-  if (code == nullptr) {
-    return at_word(AlarmId::ImproperGCode, word, fmt::format("the control has no G{}", word.number));
+  if (code == nullptr || std::ranges::count(control.profile.missing_g_codes, *number) != 0) {
+    return at_word(AlarmId::ImproperGCode, word,
+                   fmt::format("the control has no G{}", word.number));
   }
   if (code->group == 0) {
     codes.one_shot = code;
@@ -97,14 +100,18 @@ bool has_axis_word(const BlockWords& words) {
 
 MaybeFailure execute_block(Control& control, const BlockWords& words, source::Location where) {
   Codes codes;
+  const double feed_before = control.modal.feed;
   for (const EvaluatedWord& word : words.all()) {
-    MaybeFailure failure = word.letter == 'G' ? take_g_word(control, word, codes)
-                                              : take_plain_word(control, word);
+    MaybeFailure failure =
+        word.letter == 'G' ? take_g_word(control, word, codes) : take_plain_word(control, word);
     if (failure) {
       return failure;
     }
   }
-  control.scale.unit = control.modal.group[6].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;
+  const auto unit = control.modal.group[6].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;
+  if (unit != control.scale.unit) {
+    control.set_unit(unit);
+  }
   if (codes.work_offset != nullptr) {
     if (auto failure = select_work_offset(control, words, codes.work_offset->number)) {
       return failure;
@@ -118,7 +125,12 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   }
   const NcBlock block{words, where, codes.one_shot, has_axis_word(words)};
   if (block.one_shot != nullptr) {
-    return execute_action(control, block);
+    auto failure = execute_action(control, block);
+    if (block.one_shot->action == GAction::Skip &&
+        control.profile.skip_feed == SkipFeed::OneBlock) {
+      control.modal.feed = feed_before;
+    }
+    return failure;
   }
   return block.has_axis_word ? execute_motion(control, block) : std::nullopt;
 }

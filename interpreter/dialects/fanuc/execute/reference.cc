@@ -5,9 +5,6 @@
 namespace g31::fanuc {
 namespace {
 
-/// Parameters that hold the reference points, least increments as mm: 1240 first, 1241 second...
-constexpr int kReferenceParameter = 1240;
-
 Result<int, Failure> which_reference(const NcBlock& block) {
   if (block.one_shot->number.whole == 28) {
     return 1;
@@ -44,7 +41,7 @@ MaybeFailure execute_reference(Control& control, const NcBlock& block) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (block.words.has(kAxisLetters[axis])) {
       q_M_home[static_cast<Eigen::Index>(axis)] =
-          control.parameters.value(kReferenceParameter + which.value() - 1);
+          control.parameters.get(ParameterId::ReferencePoint, which.value() - 1);
     }
   }
   auto failure = move_to(control, q_M_home, machine::Traverse::Rapid, 0);

@@ -33,10 +33,9 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
   if (number.value() < 1 || number.value() > OffsetTable::kLargest) {
     return at_word(AlarmId::IllegalPInG10, *p, "P is 1 to 999");
   }
-  runtime::ToolEntry entry = control.offsets.get(number.value());
+  const runtime::ToolEntry entry = control.offsets.get(number.value());
   const double before = control.modal.incremental() ? entry.*form.field : 0.0;
-  entry.*form.field = before + control.scale.length_mm(*r);
-  control.offsets.set(number.value(), entry);
+  control.offsets.set_field(number.value(), form.field, before + control.scale.length_mm(*r));
   return std::nullopt;
 }
 
@@ -55,7 +54,8 @@ MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
   const int which = number.value() + (l == 2 ? 0 : Coordinates::kSystems);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
-      const double value = axis < 3 ? control.scale.length_mm(*word) : control.scale.angle_deg(*word);
+      const double value =
+          axis < 3 ? control.scale.length_mm(*word) : control.scale.angle_deg(*word);
       const int index = static_cast<int>(axis);
       const double before =
           control.modal.incremental() ? control.coordinates.system(which)[index] : 0.0;

@@ -37,6 +37,22 @@ runtime::TouchEvent event_of(Control& control, const NcBlock& block, const SkipO
   return event;
 }
 
+/// mm/min: F of the block, else the parameter that some controls have, else the feed in force.
+Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) {
+  const auto parameter = control.profile.skip_feed_parameter;
+  const double preset = parameter ? control.parameters.get(*parameter) : 0.0;
+  if (!block.words.has('F') && preset > 0.0) {
+    return preset;
+  }
+  auto feed = feed_in_force(control);
+  if (!feed && control.profile.skip_feed == SkipFeed::OneBlock) {
+    Failure failure;
+    failure.id = AlarmId::NoSkipFeed;
+    return failure;
+  }
+  return feed;
+}
+
 }  // namespace
 
 /// G31: latched position to #5061.., the axes stay where they stopped (MB-265 to MB-284).
@@ -46,7 +62,7 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
     failure.id = AlarmId::SkipNotAllowed;
     return failure;
   }
-  const auto feed = feed_in_force(control);
+  const auto feed = skip_feed(control, block);
   if (!feed) {
     return feed.error();
   }
@@ -65,6 +81,7 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   event.q_M_commanded = move.q_M_end;
   event.feed_mm_min = move.feed_mm_min;
   control.q_W_skip = control.coordinates.to_work(event.q_M_latched);
+  control.q_skip_offset = control.coordinates.tool_offset();
   if (event.triggered) {
     control.coordinates.arrived_at_machine(event.q_M_stopped);
   } else {

@@ -1,0 +1,95 @@
+#include <cmath>
+#include <limits>
+
+#include "interpreter/dialects/fanuc/system/access.h"
+
+namespace g31::fanuc::system {
+namespace {
+
+constexpr double kBitsOfWord = 65536.0;
+
+Cell bit_of(std::uint16_t bits, int index) {
+  return Cell((bits >> index & 1) != 0 ? 1.0 : 0.0);
+}
+
+/// Anything but 0 sets the bit (MB-121).
+void set_bit(std::uint16_t& bits, int index, double value) {
+  const unsigned mask = 1U << index;
+  bits = static_cast<std::uint16_t>(value != 0.0 ? bits | mask : bits & ~mask);
+}
+
+/// The low 16 bits of the integer nearest to a value, two's complement.
+std::uint16_t low_bits(double value) {
+  const double rest = std::fmod(std::round(value), kBitsOfWord);
+  return static_cast<std::uint16_t>(rest < 0.0 ? rest + kBitsOfWord : rest);
+}
+
+WriteResult set_word(std::int32_t& word, double value) {
+  const double whole = std::round(value);
+  using Limits = std::numeric_limits<std::int32_t>;
+  if (whole < Limits::min() || whole > Limits::max()) {
+    return AlarmId::IntegerOverflow;
+  }
+  word = static_cast<std::int32_t>(whole);
+  return std::nullopt;
+}
+
+std::size_t word_of(const Place& place) {
+  return static_cast<std::size_t>(place.index());
+}
+
+}  // namespace
+
+ReadResult read_input_bit(Control& control, const Place& place) {
+  return bit_of(control.signals.input_bits, place.index());
+}
+
+WriteResult write_input_bit(Control& control, const Place& place, Cell value) {
+  set_bit(control.signals.input_bits, place.index(), value.or_zero());
+  return std::nullopt;
+}
+
+ReadResult read_input_bits(Control& control, const Place&) {
+  return Cell(control.signals.input_bits);
+}
+
+WriteResult write_input_bits(Control& control, const Place&, Cell value) {
+  control.signals.input_bits = low_bits(value.or_zero());
+  return std::nullopt;
+}
+
+ReadResult read_input_word(Control& control, const Place& place) {
+  return Cell(control.signals.input_words.at(word_of(place)));
+}
+
+WriteResult write_input_word(Control& control, const Place& place, Cell value) {
+  return set_word(control.signals.input_words.at(word_of(place)), value.or_zero());
+}
+
+ReadResult read_output_bit(Control& control, const Place& place) {
+  return bit_of(control.signals.output_bits, place.index());
+}
+
+WriteResult write_output_bit(Control& control, const Place& place, Cell value) {
+  set_bit(control.signals.output_bits, place.index(), value.or_zero());
+  return std::nullopt;
+}
+
+ReadResult read_output_bits(Control& control, const Place&) {
+  return Cell(control.signals.output_bits);
+}
+
+WriteResult write_output_bits(Control& control, const Place&, Cell value) {
+  control.signals.output_bits = low_bits(value.or_zero());
+  return std::nullopt;
+}
+
+ReadResult read_output_word(Control& control, const Place& place) {
+  return Cell(control.signals.output_words.at(word_of(place)));
+}
+
+WriteResult write_output_word(Control& control, const Place& place, Cell value) {
+  return set_word(control.signals.output_words.at(word_of(place)), value.or_zero());
+}
+
+}  // namespace g31::fanuc::system

@@ -1,0 +1,47 @@
+#include "interpreter/dialects/fanuc/system/access.h"
+
+namespace g31::fanuc::system {
+namespace {
+
+ReadResult axis_of(const Control& control, const Place& place, const AxisPositions& q) {
+  const int axis = place.index();
+  if (axis >= static_cast<int>(kAxisCount)) {
+    return AlarmId::IllegalVariable;
+  }
+  return Cell(control.shown(axis, q[axis]));
+}
+
+}  // namespace
+
+ReadResult read_block_end(Control& control, const Place& place) {
+  return axis_of(control, place, control.coordinates.programmed());
+}
+
+ReadResult read_machine_position(Control& control, const Place& place) {
+  return axis_of(control, place, control.port.position());
+}
+
+ReadResult read_work_position(Control& control, const Place& place) {
+  return axis_of(control, place, control.coordinates.to_work(control.port.position()));
+}
+
+ReadResult read_skip_position(Control& control, const Place& place) {
+  control.report_silent_skip();
+  return axis_of(control, place, control.q_W_skip);
+}
+
+ReadResult read_skip_tip(Control& control, const Place& place) {
+  control.report_silent_skip();
+  return axis_of(control, place, control.q_W_skip - control.q_skip_offset);
+}
+
+ReadResult read_tool_offset(Control& control, const Place& place) {
+  return axis_of(control, place, control.coordinates.tool_offset());
+}
+
+/// Servo deviation, handle interrupt and distance to go: an ideal control between two blocks.
+ReadResult read_nothing_left(Control& control, const Place& place) {
+  return axis_of(control, place, AxisPositions::Zero());
+}
+
+}  // namespace g31::fanuc::system

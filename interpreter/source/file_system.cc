@@ -1,0 +1,19 @@
+#include "interpreter/source/file_system.h"
+
+namespace g31::source {
+
+std::optional<std::uint64_t> FileSystem::size(const std::string& path) {
+  const auto text = read(path);
+  return text ? std::optional<std::uint64_t>(text->size()) : std::nullopt;
+}
+
+std::optional<std::string> FileSystem::read_part(const std::string& path, std::uint64_t offset,
+                                                 std::size_t length) {
+  const auto text = read(path);
+  if (!text || offset > text->size()) {
+    return std::nullopt;
+  }
+  return text->substr(static_cast<std::size_t>(offset), length);
+}
+
+}  // namespace g31::source

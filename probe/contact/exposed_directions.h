@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "machine/units/point.h"
+#include "parts/geometry/box.h"
+
+namespace g31::probe {
+
+/// The directions d in which a ball can stand at an edge or a vertex and touch nothing nearer:
+/// those with d . away <= 0 for every direction `away` in which the surface goes on from there.
+/// Such a set is an arc around an edge, a patch of the sphere around a vertex; or empty, where the
+/// surface is hollow.  It does not matter which way round the triangles turn, or how many of them
+/// meet.
+///
+/// Both functions cut it into pieces of at most a right angle, and widen it by about
+/// kExposureSlackRad.
+
+/// The corners of one piece, unit vectors: the piece lies in the cone that they span.
+struct ExposedPiece {
+  static constexpr std::size_t kMostCorners = 32;
+  std::array<Point, kMostCorners> corners;
+  std::size_t count = 0;
+
+  [[nodiscard]] Point middle() const;
+  /// Around all of the piece on the unit sphere.
+  [[nodiscard]] parts::Box box() const;
+};
+
+inline constexpr double kExposureSlackRad = 1e-7;
+
+/// @param edge  unit vector along the edge
+/// @param away  unit vectors at right angles to the edge, into each triangle there
+std::vector<ExposedPiece> exposed_around_edge(const Point& edge, std::span<const Point> away);
+
+/// @param away  unit vectors along each edge from the vertex
+std::vector<ExposedPiece> exposed_around_vertex(std::span<const Point> away);
+
+}  // namespace g31::probe

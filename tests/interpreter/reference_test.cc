@@ -1,0 +1,148 @@
+// What `g31 explain` says about topics, as users write them.
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "interpreter/dialects/fanuc/alarms.h"
+#include "interpreter/dialects/fanuc/reference/explain.h"
+
+namespace g31::fanuc::reference {
+namespace {
+
+const Profile& control(std::string_view name) {
+  return *find_profile(name);
+}
+
+std::string fact(const Entry& entry, std::string_view name) {
+  for (const Fact& fact : entry.facts) {
+    if (fact.name == name) {
+      return fact.value;
+    }
+  }
+  return "";
+}
+
+TEST(Explain, TakesTopicsAsUsersWriteThem) {
+  struct Case {
+    const char* topic;
+    const char* control;
+    const char* kind;
+    const char* name;
+  };
+  const Case kCases[] = {
+      {"#5061", "fanuc-16i", "system variable", "#5061"},
+      {" #0 ", "fanuc-16i", "variable", "#0"},
+      {"#33", "fanuc-16i", "local variable", "#33"},
+      {"#100-#149", "fanuc-16i", "common variable", "#100 to #149"},
+      {"#500-999", "fanuc-16i", "common variable", "#500 to #999"},
+      {"#3101", "fanuc-30i", "system variable", "#3101"},
+      {"G31", "fanuc-16i", "G code", "G31"},
+      {"g1", "fanuc-16i", "G code", "G01"},
+      {"G54.1", "fanuc-16i", "G code", "G54.1"},
+      {"m99", "fanuc-16i", "M code", "M99 Pn"},
+      {"PS0112", "fanuc-16i", "alarm", "112 DIVIDED BY ZERO"},
+      {"alarm  112", "fanuc-16i", "alarm", "112 DIVIDED BY ZERO"},
+      {"P283", "fanuc-16i", "alarm", "283 DIVIDED BY ZERO"},
+      {"283", "meldas", "alarm", "283 DIVIDED BY ZERO"},
+      {"3091", "fanuc-16i", "alarm", "3091 MACRO ALARM"},
+      {"1091", "haas", "alarm", "1091 MACRO ALARM"},
+      {"MC3001", "fanuc-30i", "alarm", "3001 MACRO ALARM"},
+      {"6001.1", "fanuc-16i", "parameter", "6001.1"},
+      {"parameter 3410", "fanuc-16i", "parameter", "3410"},
+      {"6055", "fanuc-16i", "parameter", "6050 to 6059"},
+      {"atan", "fanuc-16i", "function", "ATAN[a], ATAN[y]/[x]"},
+      {"SQ", "fanuc-16i", "function", "SQRT[a]"},
+      {"dprnt", "fanuc-16i", "statement", "DPRNT"},
+      {"WH", "fanuc-16i", "statement", "WHILE [condition] DO m"},
+      {"EQ", "fanuc-16i", "statement", "a EQ b"},
+      {"PRB301", "fanuc-16i", "message of g31", "PRB301"},
+      {"Haas", "fanuc-16i", "control", "haas"},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.topic);
+    const Entries found = explain(c.topic, control(c.control));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].kind, c.kind);
+    EXPECT_EQ(found[0].name, c.name);
+    EXPECT_FALSE(found[0].text.empty());
+    EXPECT_EQ(found[0].text.find("{}"), std::string::npos);
+  }
+}
+
+TEST(Explain, SaysWhichAxisOffsetOrGroupANumberIs) {
+  struct Case {
+    const char* topic;
+    const char* control;
+    const char* here;
+  };
+  const Case kCases[] = {
+      {"#5063", "fanuc-16i", "Z"},
+      {"#5204", "fanuc-16i", "external offset, A"},
+      {"#5243", "fanuc-16i", "G55, Z"},
+      {"#7021", "fanuc-16i", "G54.1 P2, X"},
+      {"#19982", "fanuc-16i", "G54.1 P300, Y"},
+      {"#2703", "fanuc-16i", "G56"},
+      {"#11050", "fanuc-16i", "offset 50"},
+      {"#4014", "fanuc-16i", "group 14"},
+      {"#5070", "fanuc-16i", "axis 10"},
+      {"#2450", "haas", "offset 50"},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.topic);
+    const Entries found = explain(c.topic, control(c.control));
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(fact(found[0], "here"), c.here);
+  }
+}
+
+TEST(Explain, KnowsNothingOfWhatAControlLacks) {
+  struct Case {
+    const char* topic;
+    const char* control;
+  };
+  const Case kCases[] = {{"#3101", "fanuc-16i"}, {"#200", "fanuc-16i"}, {"#2806", "meldas"},
+                         {"G20", "brother"},     {"G999", "haas"},      {"", "haas"},
+                         {"#", "haas"},          {"#9-#3", "haas"},     {"6001.9", "haas"},
+                         {"G", "haas"},          {"alarm", "haas"},     {"PSX", "haas"}};
+  for (const Case& c : kCases) {
+    EXPECT_TRUE(explain(c.topic, control(c.control)).empty()) << c.topic;
+  }
+}
+
+TEST(Explain, ShowsAnAlarmByItsNumberOnEveryFamily) {
+  const Entries found = explain("1128", control("fanuc-16i"));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(fact(found[0], "Fanuc 16i"), "128");
+  EXPECT_EQ(fact(found[0], "Fanuc 30i"), "1128");
+  EXPECT_EQ(fact(found[0], "MELDAS"), "231");
+  EXPECT_EQ(explain("alarm 115", control("fanuc-16i")).size(), 2U) << "read protected counts, too";
+}
+
+TEST(Explain, NamesTheGroupNumberOfTheControl) {
+  EXPECT_EQ(fact(explain("G56", control("fanuc-16i")).at(0), "shown by"), "#4014");
+  EXPECT_EQ(fact(explain("G56", control("meldas")).at(0), "shown by"), "#4012");
+}
+
+TEST(Explain, EverythingHoldsEveryRowOnce) {
+  for (const Profile& profile : profiles()) {
+    const Entries all = everything(profile);
+    const auto count = [&](std::string_view kind) {
+      return static_cast<std::size_t>(std::ranges::count(all, kind, &Entry::kind));
+    };
+    EXPECT_EQ(count("alarm"), fanuc::alarms().size()) << profile.name;
+    EXPECT_EQ(count("parameter"), parameter_rows().size()) << profile.name;
+    EXPECT_EQ(count("system variable"), SystemVariableIndex(profile.variables).rows().size());
+    EXPECT_EQ(count("G code"), g_codes().size() - profile.missing_g_codes.size());
+    EXPECT_EQ(count("control"), profiles().size());
+  }
+}
+
+TEST(Explain, NamesTheNearestTopic) {
+  EXPECT_EQ(nearest_topic("ATANN"), "ATAN");
+  EXPECT_EQ(nearest_topic("dprint"), "DPRNT");
+  EXPECT_EQ(nearest_topic("#123456789"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace g31::fanuc::reference

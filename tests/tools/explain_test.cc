@@ -1,0 +1,77 @@
+// `g31 explain` as a command: text, document, exit codes.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tools/cli/explain_command.h"
+
+namespace g31::cli {
+namespace {
+
+struct Output {
+  ExitCode code;
+  std::string text;
+  std::string errors;
+};
+
+Output explain(const ExplainOptions& options) {
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  const ExitCode code = explain_command(options);
+  std::string errors = ::testing::internal::GetCapturedStderr();
+  return {code, ::testing::internal::GetCapturedStdout(), std::move(errors)};
+}
+
+TEST(ExplainCommand, PrintsTheEntry) {
+  const Output output = explain({.topics = {"#5063"}, .control = "haas"});
+  EXPECT_EQ(output.code, ExitCode::Completed);
+  EXPECT_EQ(output.errors, "");
+  EXPECT_EQ(
+      output.text,
+      "#5063 (system variable)\n"
+      "  position latched by the last skip move, work coordinates, tool offset taken off: the "
+      "tip, axis n\n"
+      "    here: Z\n"
+      "    numbers: #5061 to #5080\n"
+      "    unit: mm or inch, whichever is in force; degrees of A, B and C\n"
+      "    access: read only\n");
+}
+
+TEST(ExplainCommand, TakesTheWordAlarmAndItsNumberAsOneTopic) {
+  const Output output = explain({.topics = {"alarm", "112", "G31"}});
+  EXPECT_EQ(output.code, ExitCode::Completed);
+  EXPECT_EQ(output.text.substr(0, 28), "112 DIVIDED BY ZERO (alarm)\n");
+  EXPECT_NE(output.text.find("G31 (G code)\n"), std::string::npos);
+}
+
+TEST(ExplainCommand, WritesADocument) {
+  const Output output = explain({.topics = {"G31", "#500"}, .control = "meldas", .json = true});
+  const auto document = nlohmann::json::parse(output.text);
+  EXPECT_EQ(document["schema"], "g31.explain/1");
+  EXPECT_EQ(document["control"], "meldas");
+  ASSERT_EQ(document["entries"].size(), 2U);
+  EXPECT_EQ(document["entries"][0]["kind"], "G code");
+  EXPECT_EQ(document["entries"][0]["facts"]["in force"], "in its own block only");
+  EXPECT_EQ(document["entries"][1]["name"], "#500");
+}
+
+TEST(ExplainCommand, NamesWhatIsNearToAnUnknownTopic) {
+  const Output near = explain({.topics = {"WHILLE", "G31"}});
+  EXPECT_EQ(near.code, ExitCode::BadUsage);
+  EXPECT_EQ(near.errors, "g31: error: nothing is known about 'WHILLE', did you mean 'WHILE'?\n");
+  EXPECT_NE(near.text.find("G31"), std::string::npos) << "the known topic is explained";
+  const Output far = explain({.topics = {"zzzzzzzzzz"}});
+  EXPECT_EQ(far.errors,
+            "g31: error: nothing is known about 'zzzzzzzzzz': write #5061, G31, ATAN, GOTO, "
+            "'alarm 112' or 6001.1\n");
+}
+
+TEST(ExplainCommand, RefusesAnUnknownControl) {
+  const Output output = explain({.topics = {"G31"}, .control = "hass"});
+  EXPECT_EQ(output.code, ExitCode::Setup);
+  EXPECT_EQ(output.text, "");
+  EXPECT_NE(output.errors.find("did you mean 'haas'?"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace g31::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/cli/exit_code.h"
+
+namespace g31::cli {
+
+/// What the command line of `g31 explain` says.
+struct ExplainOptions {
+  std::vector<std::string> topics;
+  std::string control = {};  ///< "" for the default
+  bool json = false;
+  bool all = false;
+};
+
+/// Prints what the tables of a control say about topics; standard error names the nearest topic of
+/// an unknown one.
+ExitCode explain_command(const ExplainOptions& options);
+
+}  // namespace g31::cli

@@ -1,0 +1,32 @@
+#include "tools/cli/explain_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace g31::cli {
+
+CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
+  CLI::App* const explain = app.add_subcommand(
+      "explain", "Say what a variable, code, alarm, parameter, function or statement means.");
+  auto* const topics = explain->add_option(
+      "TOPIC", options.topics,
+      "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, PRB301, haas");
+  auto* const all = explain->add_flag("--all", options.all, "everything that the control has");
+  explain->add_option("--control", options.control, "control profile (default fanuc-16i)")
+      ->type_name("NAME");
+  explain->add_flag("--json", options.json, "as a document of schema g31.explain/1");
+  explain->callback([topics, all] {
+    if (topics->empty() && all->empty()) {
+      throw CLI::RequiredError("TOPIC or --all");
+    }
+  });
+  return explain;
+}
+
+std::string explain_examples() {
+  return "Examples:\n"
+         "  g31 explain '#5063' --control haas\n"
+         "  g31 explain G31 'alarm 115' 6001.1\n"
+         "  g31 explain --all --control fanuc-30i --json\n\n";
+}
+
+}  // namespace g31::cli
