@@ -16,6 +16,7 @@ enum class GAction : std::uint8_t {
   SetData,
   ToReference,
   Skip,
+  MeasureTool,
   ToolLength,
   LocalShift,
   MachineMove,

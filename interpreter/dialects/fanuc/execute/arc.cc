@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
@@ -119,19 +120,16 @@ MaybeFailure execute_arc(Control& control, const NcBlock& block) {
   move.q_M_end = control.coordinates.to_machine(q_W_end);
   move.first_axis = plane.first;
   move.second_axis = plane.second;
-  const AxisPositions q_M_start = control.port.position();
+  const AxisPositions q_M_start = path_position(control);
   move.centre_first = q_M_start[plane.first] + centre.value().first;
   move.centre_second = q_M_start[plane.second] + centre.value().second;
   const int g = control.modal.group[1].whole;
   move.turn = g == 2 ? machine::Turn::Clockwise : machine::Turn::Counterclockwise;
   move.feed_mm_min = feed.value();
-  const auto reached = control.port.move(move);
-  if (!reached) {
-    control.coordinates.arrived_at_machine(control.port.position());
-    return from_fault(reached.error());
+  if (auto failure = travel(control, move, g)) {
+    return failure;
   }
   control.coordinates.arrived_at_programmed(q_W_end);
-  control.observer.on_move({g, move.q_M_end, move.feed_mm_min, 0.0});
   return std::nullopt;
 }
 

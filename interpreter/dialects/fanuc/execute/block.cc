@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "machine/base/contract.h"
 
@@ -71,6 +72,8 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
       return execute_reference(control, block);
     case GAction::Skip:
       return execute_skip(control, block);
+    case GAction::MeasureTool:
+      return execute_tool_measurement(control, block);
     case GAction::LocalShift:
       return execute_local_shift(control, block);
     case GAction::MachineMove:
@@ -94,6 +97,18 @@ bool has_axis_word(const BlockWords& words) {
     }
   }
   return false;
+}
+
+/// What the words command when the modal codes and offsets are in force.
+MaybeFailure execute_words(Control& control, const NcBlock& block, double feed_before) {
+  if (block.one_shot == nullptr) {
+    return block.has_axis_word ? execute_motion(control, block) : std::nullopt;
+  }
+  auto failure = execute_action(control, block);
+  if (block.one_shot->action == GAction::Skip && control.profile.skip_feed == SkipFeed::OneBlock) {
+    control.modal.feed = feed_before;
+  }
+  return failure;
 }
 
 }  // namespace
@@ -124,15 +139,13 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
     }
   }
   const NcBlock block{words, where, codes.one_shot, has_axis_word(words)};
-  if (block.one_shot != nullptr) {
-    auto failure = execute_action(control, block);
-    if (block.one_shot->action == GAction::Skip &&
-        control.profile.skip_feed == SkipFeed::OneBlock) {
-      control.modal.feed = feed_before;
-    }
+  if (auto failure = read_compensation(control, block)) {
     return failure;
   }
-  return block.has_axis_word ? execute_motion(control, block) : std::nullopt;
+  if (auto failure = execute_words(control, block, feed_before)) {
+    return failure;
+  }
+  return end_compensated_block(control);
 }
 
 Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail) {

@@ -1,3 +1,4 @@
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
@@ -23,9 +24,7 @@ MaybeFailure execute_dwell(Control& control, const NcBlock& block) {
     failure.detail = "a dwell is not negative";
     return failure;
   }
-  control.port.dwell(seconds);
-  control.observer.on_move({4, control.port.position(), 0.0, seconds});
-  return std::nullopt;
+  return pause(control, seconds);
 }
 
 }  // namespace g31::fanuc

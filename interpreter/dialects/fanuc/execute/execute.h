@@ -20,25 +20,30 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
 
 // One function per GAction that does more than set its group; each stands in a file of its own.
 
-MaybeFailure execute_motion(Control& control, const NcBlock& block);        // motion.cc
-MaybeFailure execute_arc(Control& control, const NcBlock& block);           // arc.cc
-MaybeFailure execute_machine_move(Control& control, const NcBlock& block);  // motion.cc
-MaybeFailure execute_skip(Control& control, const NcBlock& block);          // skip.cc
-MaybeFailure execute_dwell(Control& control, const NcBlock& block);         // dwell.cc
-MaybeFailure execute_reference(Control& control, const NcBlock& block);     // reference.cc
-MaybeFailure execute_set_data(Control& control, const NcBlock& block);      // set_data.cc
-MaybeFailure execute_local_shift(Control& control, const NcBlock& block);   // offsets.cc
-MaybeFailure execute_set_position(Control& control, const NcBlock& block);  // offsets.cc
+MaybeFailure execute_motion(Control& control, const NcBlock& block);            // motion.cc
+MaybeFailure execute_arc(Control& control, const NcBlock& block);               // arc.cc
+MaybeFailure execute_machine_move(Control& control, const NcBlock& block);      // motion.cc
+MaybeFailure execute_skip(Control& control, const NcBlock& block);              // skip.cc
+MaybeFailure execute_tool_measurement(Control& control, const NcBlock& block);  // measure_tool.cc
+MaybeFailure execute_dwell(Control& control, const NcBlock& block);             // dwell.cc
+MaybeFailure execute_reference(Control& control, const NcBlock& block);         // reference.cc
+MaybeFailure execute_set_data(Control& control, const NcBlock& block);          // set_data.cc
+MaybeFailure execute_local_shift(Control& control, const NcBlock& block);       // offsets.cc
+MaybeFailure execute_set_position(Control& control, const NcBlock& block);      // offsets.cc
 MaybeFailure select_work_offset(Control& control, const BlockWords& words,
                                 GNumber code);                               // offsets.cc
 MaybeFailure select_tool_length(Control& control, const BlockWords& words);  // offsets.cc
+
+/// Radius of the tool offset D in force, geometry and wear, mm; 0 for D0 (offsets.cc).
+Result<double, Failure> cutter_radius(const Control& control);
 
 // What several of them share.
 
 /// The programmed end point of the block: absolute or incremental axis words on the present one.
 AxisPositions programmed_end(const Control& control, const NcBlock& block);
 
-/// Moves to a machine position and tells the observer; `g` is how the document names the move.
+/// Moves to a machine position, through cutter compensation, and tells the observer; `g` is how the
+/// document names the move.
 MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Traverse traverse,
                      int g);
 
