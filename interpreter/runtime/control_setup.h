@@ -30,7 +30,10 @@ struct ControlSetup {
   OffsetMemory offset_memory = OffsetMemory::C;
   std::set<int> block_skip;                  ///< switches that are on, 1..9
   std::string variables_file;                ///< non-volatile variables; "" = none
-  std::map<std::string, double> parameters;  ///< "6001.1" is bit 1 of 6001, "3410" a value
+  /// "6001.1" is bit 1 of 6001, "3410" a value, "1240.X" a value of one axis.
+  std::map<std::string, double> parameters;
+  /// Where the machine's axes have their reference marks; parameters win.
+  AxisPositions q_M_reference = AxisPositions::Zero();
   std::map<std::string, int> macro_calls;    ///< "G100" -> 9010
   /// "#515" -> 6.0; nullopt is vacant.  A string value is for dialects that have strings.
   std::map<std::string, std::optional<double>> variables;

@@ -125,7 +125,7 @@ const Case kNameTheKeyThatWasProbablyMeant[] = {
       = for example: "6001.1" = 1
 )"},
     {"a parameter bit above 7", "[parameters]\n\"6001.8\" = 1\n",
-     R"(sheet1.toml:2:1: error: unknown key "6001.8" in [parameters], which takes NUMBER or NUMBER.BIT [SET103]
+     R"(sheet1.toml:2:1: error: unknown key "6001.8" in [parameters], which takes NUMBER, NUMBER.BIT or NUMBER.AXIS [SET103]
     2 | "6001.8" = 1
       | ^
 )"},

@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "machine/base/nearest_name.h"
+#include "machine/units/axis_positions.h"
 #include "parts/artefacts/artefact.h"
 #include "tools/setup/check_value.h"
 #include "tools/setup/keys.h"
@@ -276,8 +277,9 @@ void SheetCheck::check_key(const Member& member, const Scope& scope, SheetTable&
   }
 
   const KeyRow& row = *found->row;
-  const bool is_bit =
-      row.name_form == NameForm::ParameterNumber && found->name.find('.') != std::string::npos;
+  const std::size_t dot = found->name.find('.');
+  const bool is_bit = row.name_form == NameForm::ParameterNumber && dot != std::string::npos &&
+                      axis_index(found->name.at(dot + 1)) < 0;
   const std::string path = fmt::format("{}.{}", scope.path, written(member.key));
   const auto checked = checked_value(member.node, row.type, is_bit ? Limit::Bit : row.limit);
   if (!checked) {

@@ -149,6 +149,8 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
       return;
     case SectionId::MachineAxes:
       fill_axis(job.machine.axes.at(index_of_axis(name)), keys);
+      job.control.q_M_reference[static_cast<Eigen::Index>(index_of_axis(name))] =
+          job.machine.axes.at(index_of_axis(name)).home;
       return;
     case SectionId::Probe:
       job.probe = probe_from(keys);

@@ -55,11 +55,19 @@ std::optional<int> number_from(std::string_view digits) {
   return plain && stop == end && number <= kLargestNumber ? std::optional(number) : std::nullopt;
 }
 
+std::optional<std::string> normal_axis(std::string_view name) {
+  const bool known = name.size() == 1 && axis_index(name.front()) >= 0;
+  return known ? std::optional(std::string(name)) : std::nullopt;
+}
+
 std::optional<std::string> normal_parameter(std::string_view name) {
   const std::size_t dot = std::min(name.find('.'), name.size());
   const std::optional<int> number = number_from(name.substr(0, dot));
   if (!number || dot == name.size()) {
     return number ? std::optional(std::to_string(*number)) : std::nullopt;
+  }
+  if (const auto axis = normal_axis(name.substr(dot + 1))) {
+    return std::to_string(*number) + "." + *axis;
   }
   const std::optional<int> bit = number_from(name.substr(dot + 1));
   if (!bit || *bit > 7) {
@@ -91,11 +99,6 @@ std::optional<std::string> normal_work_offset(std::string_view name) {
       name.starts_with('G') ? number_from(name.substr(1)) : std::optional<int>();
   const bool known = code && ((*code >= 54 && *code <= 59) || (*code >= 505 && *code <= 599));
   return known ? std::optional("G" + std::to_string(*code)) : std::nullopt;
-}
-
-std::optional<std::string> normal_axis(std::string_view name) {
-  const bool known = name.size() == 1 && axis_index(name.front()) >= 0;
-  return known ? std::optional(std::string(name)) : std::nullopt;
 }
 
 }  // namespace

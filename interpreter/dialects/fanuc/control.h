@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "interpreter/dialects/fanuc/calendar.h"
+#include "interpreter/dialects/fanuc/canned_cycles.h"
 #include "interpreter/dialects/fanuc/compensation/cutter_compensation.h"
 #include "interpreter/dialects/fanuc/coordinates.h"
 #include "interpreter/dialects/fanuc/evaluate.h"
@@ -16,11 +17,13 @@
 #include "interpreter/dialects/fanuc/g_codes.h"
 #include "interpreter/dialects/fanuc/offsets.h"
 #include "interpreter/dialects/fanuc/parameters.h"
+#include "interpreter/dialects/fanuc/polar.h"
 #include "interpreter/dialects/fanuc/profile.h"
 #include "interpreter/dialects/fanuc/signals.h"
 #include "interpreter/dialects/fanuc/system_variables.h"
 #include "interpreter/dialects/fanuc/variables.h"
 #include "interpreter/dialects/fanuc/word_values.h"
+#include "interpreter/dialects/fanuc/work_transform.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
 #include "machine/port/machine_port.h"
@@ -40,6 +43,14 @@ struct Modal {
 
   Modal();
   [[nodiscard]] bool incremental() const { return group[3].whole == 91; }
+  [[nodiscard]] Plane plane() const { return plane_of(group[2]); }
+};
+
+/// What the blocks from G10 to G11 are (MB-260).
+enum class DataInput {
+  None,
+  Parameters,  ///< G10 L50: N and R, or N P and R
+  ToolLife     ///< G10 L3: not simulated
 };
 
 /// Cutter compensation and what the present block says to it.
@@ -85,7 +96,12 @@ struct Control {
   int override_control = 0;                             ///< #3004
   int mirror_state = 0;                                 ///< #3007
   int restart_state = 0;                                ///< #3008
-  std::optional<AxisPositions> q_M_intermediate;        ///< of the last G28
+  TransformStages transforms;                           ///< G51.1, G51, G68
+  std::optional<PolarCoordinates> polar;                ///< G16
+  CycleData cycle;                                      ///< of the canned cycle in force
+  /// Of the last G28 or G30 of each axis.
+  AxisPositions q_L_intermediate = AxisPositions::Zero();
+  DataInput data_input = DataInput::None;
 
   std::vector<source::Diagnostic> diagnostics;
 
@@ -95,6 +111,9 @@ struct Control {
   /// Somebody relies on a skip move that had no signal: the warning that it deserves.
   /// A silent skip move that is followed by another one is a protected positioning move.
   void report_silent_skip();
+
+  /// Warns of something that g31 does not simulate, at its first place only.
+  void warn_once(source::DiagnosticId id, source::Location where, std::string_view detail = {});
 
   /// Takes over parameters and what they change.
   void apply(const Parameters& given);
@@ -123,6 +142,9 @@ struct Control {
  private:
   static bool is_linear(int axis) { return axis < 3; }
   void choose_system_variables();
+  void turn_calls_over(const Parameters& before);
+
+  std::set<source::DiagnosticId> warned_;
 };
 
 }  // namespace g31::fanuc

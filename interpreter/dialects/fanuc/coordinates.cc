@@ -35,15 +35,32 @@ void Coordinates::set_local_shift(int axis, double value) {
 }
 
 void Coordinates::declare(int axis, double value) {
-  declared_shift_[axis] += q_W_programmed_[axis] - value;
+  const AxisPositions q_W = transform_.apply(q_L_programmed_);
+  q_L_programmed_[axis] = value;
+  declared_shift_ += q_W - transform_.apply(q_L_programmed_);
+  // The local shift of the axis becomes part of the declared one: G92 ends G52 (MB-290).
+  declared_shift_[axis] += local_shift_[axis];
+  local_shift_[axis] = 0.0;
+  shift_ = system(0) + system(selected_) + local_shift_ + declared_shift_;
+}
+
+void Coordinates::clear_shifts(int axis) {
+  local_shift_[axis] = 0.0;
+  declared_shift_[axis] = 0.0;
   refresh();
-  q_W_programmed_[axis] = value;
+}
+
+void Coordinates::set_transform(const WorkTransform& transform) {
+  const AxisPositions q_W = transform_.apply(q_L_programmed_);
+  transform_ = transform;
+  q_L_programmed_ = transform_.undo(q_W);
 }
 
 void Coordinates::refresh() {
+  const AxisPositions q_W = transform_.apply(q_L_programmed_);
   const AxisPositions before = shift_;
   shift_ = system(0) + system(selected_) + local_shift_ + declared_shift_;
-  q_W_programmed_ += before - shift_;
+  q_L_programmed_ = transform_.undo(q_W + (before - shift_));
 }
 
 }  // namespace g31::fanuc

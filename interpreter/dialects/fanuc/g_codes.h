@@ -10,11 +10,15 @@ namespace g31::fanuc {
 
 /// What a G code makes the control do; the interpreter has one function for each.
 enum class GAction : std::uint8_t {
-  Modal,  ///< only sets its group
+  Modal,     ///< only sets its group
+  NoEffect,  ///< one-shot, and nothing that is simulated depends on it
   Motion,
   Dwell,
   SetData,
+  EndData,
+  CheckReference,
   ToReference,
+  FromReference,
   Skip,
   MeasureTool,
   ToolLength,
@@ -23,6 +27,19 @@ enum class GAction : std::uint8_t {
   WorkOffset,
   MacroCall,
   SetPosition,
+  PresetSystem,
+  PolarOn,
+  PolarOff,
+  Mirror,
+  MirrorOff,
+  Scaling,
+  ScalingOff,
+  Rotation,
+  RotationOff,
+  CannedCycle,
+  CycleOff,
+  StrokeCheck,
+  SurfaceSpeed,
 };
 
 /// A G number as it is written: 54.1 is {54, 1}.

@@ -1,7 +1,9 @@
 #include "interpreter/dialects/fanuc/parameters.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "machine/base/contract.h"
 
@@ -39,6 +41,12 @@ const ParameterInfo& info(ParameterId id) {
   return kRows.at(static_cast<std::size_t>(id));
 }
 
+const ParameterInfo* find_parameter(int number) {
+  const auto* const row = std::ranges::find_if(
+      kRows, [&](const ParameterInfo& r) { return r.first <= number && number <= r.last; });
+  return row != kRows.end() ? row : nullptr;
+}
+
 Result<Parameters, std::string> Parameters::from(const std::map<std::string, double>& entries) {
   Parameters parameters;
   for (const auto& [name, value] : entries) {
@@ -50,6 +58,10 @@ Result<Parameters, std::string> Parameters::from(const std::map<std::string, dou
     }
     if (after.ptr == end) {
       parameters.values_[number] = value;
+      continue;
+    }
+    if (*after.ptr == '.' && after.ptr + 2 == end && axis_index(after.ptr[1]) >= 0) {
+      parameters.set_axis_value(number, axis_index(after.ptr[1]), value);
       continue;
     }
     int bit = -1;
@@ -74,6 +86,21 @@ double Parameters::get(ParameterId id, int index) const {
   return value(row.first + index, row.initial);
 }
 
+double Parameters::get_for_axis(ParameterId id, int index, int axis) const {
+  const auto found = axis_values_.find({info(id).first + index, axis});
+  return found != axis_values_.end() ? found->second : get(id, index);
+}
+
+bool Parameters::has_signal(ParameterId id, int index) const {
+  const int number = info(id).first + index;
+  for (int i = 0; i < 8; ++i) {
+    if (bit(number, i)) {
+      return true;
+    }
+  }
+  return get(id, index) != 0.0;
+}
+
 void Parameters::switch_to(ParameterId id, bool on) {
   const ParameterInfo& row = info(id);
   G31_EXPECTS(row.bit.has_value());
@@ -85,6 +112,13 @@ void Parameters::set(ParameterId id, double value) {
   set_value(info(id).first, value);
 }
 
+void Parameters::set_reference(const AxisPositions& q_M) {
+  const int number = info(ParameterId::ReferencePoint).first;
+  for (int axis = 0; axis < static_cast<int>(kAxisCount) && !values_.contains(number); ++axis) {
+    axis_values_.try_emplace({number, axis}, q_M[axis]);
+  }
+}
+
 double Parameters::value(int number, double otherwise) const {
   const auto found = values_.find(number);
   return found != values_.end() ? found->second : otherwise;
@@ -93,6 +127,25 @@ double Parameters::value(int number, double otherwise) const {
 bool Parameters::bit(int number, int bit) const {
   const auto found = bits_.find({number, bit});
   return found != bits_.end() && found->second;
+}
+
+bool Parameters::enter(int number, double value) {
+  const ParameterInfo* const row = find_parameter(number);
+  if (row == nullptr || !row->bit) {
+    set_value(number, value);
+    return true;
+  }
+  constexpr int kBits = 8;
+  double rest = value;
+  for (int bit = 0; bit < kBits; ++bit) {
+    const double digit = std::fmod(rest, 10.0);
+    if (digit != 0.0 && digit != 1.0) {
+      return false;
+    }
+    set_bit(number, bit, digit == 1.0);
+    rest = (rest - digit) / 10.0;
+  }
+  return rest == 0.0;
 }
 
 }  // namespace g31::fanuc

@@ -54,6 +54,7 @@ MaybeFailure Runner::nc_block(const Step& step) {
   const syntax::Block& block = frame().program->tree->blocks[step.block];
   if (block.sequence >= 0) {
     control_.modal.word('N') = block.sequence;
+    words_.set_sequence(block.sequence);
   }
   const auto called = call_in_block();
   if (!called) {

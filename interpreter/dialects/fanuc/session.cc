@@ -67,24 +67,8 @@ std::vector<std::string> configure_offsets(Control& control, const runtime::Cont
   return refused;
 }
 
-/// Parameters 6050 to 6059 name the G codes that call macros O9010 to O9019, 6080 to 6089 the M
-/// codes of macros O9020 to O9029, 6071 to 6079 the M codes of subprograms O9001 to O9009 (MB-207
-/// to MB-210).
 void configure_calls(Control& control, const runtime::ControlSetup& setup,
                      std::vector<std::string>& refused) {
-  for (int i = 0; i < 10; ++i) {
-    const auto add = [&](std::map<int, int>& calls, ParameterId parameter, int index, int program) {
-      const double code = control.parameters.get(parameter, index);
-      if (code > 0.0) {
-        calls[nearest_integer(code)] = program;
-      }
-    };
-    add(control.macro_calls_g, ParameterId::MacroGCode, i, 9010 + i);
-    add(control.macro_calls_m, ParameterId::MacroMCode, i, 9020 + i);
-    if (i > 0) {
-      add(control.subprogram_calls_m, ParameterId::SubprogramMCode, i - 1, 9000 + i);
-    }
-  }
   for (const auto& [code, program] : setup.macro_calls) {
     int number = 0;
     const auto end = std::from_chars(code.data() + 1, code.data() + code.size(), number);
@@ -109,13 +93,16 @@ Session::~Session() = default;
 
 std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) {
   std::vector<std::string> refused;
-  auto parameters = Parameters::from(setup.parameters);
-  if (!parameters) {
-    refused.push_back(fmt::format("parameter {}: write NUMBER or NUMBER.BIT", parameters.error()));
+  const auto given = Parameters::from(setup.parameters);
+  if (!given) {
+    refused.push_back(
+        fmt::format("parameter {}: write NUMBER, NUMBER.BIT or NUMBER.AXIS", given.error()));
     return refused;
   }
   Control& control = runner_->control();
-  control.apply(parameters.value());
+  Parameters parameters = given.value();
+  parameters.set_reference(setup.q_M_reference);
+  control.apply(parameters);
   if (!setup.increment.empty()) {
     control.scale.set_increment_system(setup.increment);
   }

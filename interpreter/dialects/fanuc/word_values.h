@@ -26,7 +26,11 @@ class BlockWords {
   void clear() {
     words_.clear();
     present_ = 0;
+    sequence_ = 0;
   }
+  /// N of the block; 0: it has none.
+  void set_sequence(int number) { sequence_ = number; }
+  [[nodiscard]] int sequence() const { return sequence_; }
   void add(const EvaluatedWord& word) {
     const int letter = word.letter - 'A';
     last_[static_cast<std::size_t>(letter)] = static_cast<std::uint16_t>(words_.size());
@@ -43,6 +47,7 @@ class BlockWords {
   std::vector<EvaluatedWord> words_;
   std::array<std::uint16_t, 26> last_{};
   std::uint32_t present_ = 0;
+  int sequence_ = 0;
 };
 
 /// How the control reads the number of a word: least increment, decimal point, unit in force.

@@ -64,6 +64,9 @@ class CutterCompensation {
   /// G41 or G42 is in force from now on, the axes standing at q_M; the next motion starts up.
   void engage(const AxisPositions& q_M, OffsetPlane plane);
 
+  /// From now on blocks go past here; nothing may wait.
+  void disengage() { mode_ = Mode::Off; }
+
   /// A block of motion.
   CompensationResult take(const PathBlock& block, const CompensationCommand& command);
 
@@ -72,9 +75,6 @@ class CutterCompensation {
 
   /// Nothing more can be read ahead: whatever waits is given out (MB-160).
   CompensationResult flush();
-
-  /// The end of the last block taken, as programmed.
-  [[nodiscard]] const AxisPositions& programmed() const { return q_M_path_; }
 
   /// Where the tool stands, were nothing more to be read.
   [[nodiscard]] AxisPositions position() const;

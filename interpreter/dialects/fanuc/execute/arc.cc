@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -11,89 +11,144 @@ namespace {
 
 constexpr double kChordTolerance = 0.01;  // mm, of an end farther away than twice R
 
-/// The axes of a plane: first, second, and the letters of their centre distances.
-struct Plane {
-  int first;
-  int second;
-  char first_centre;
-  char second_centre;
-};
+using machine::Turn;
 
-Plane plane_in_force(const Control& control) {
-  switch (control.modal.group[2].whole) {
-    case 18:
-      return {2, 0, 'K', 'I'};
-    case 19:
-      return {1, 2, 'J', 'K'};
-    default:
-      return {0, 1, 'I', 'J'};
-  }
+Eigen::Vector2d in_plane(const AxisPositions& q, const Plane& plane) {
+  return {q[plane.first], q[plane.second]};
 }
 
-struct Centre {
-  double first = 0.0;   ///< mm, from the start point
-  double second = 0.0;
+/// An arc behind mirror, scaling and rotation.
+struct Arc {
+  Plane plane;
+  Turn turn;
+  AxisPositions q_W_start;
+  AxisPositions q_W_end;
 };
-
-Failure arc_failure(AlarmId id, std::string detail) {
-  Failure failure;
-  failure.id = id;
-  failure.detail = std::move(detail);
-  return failure;
-}
 
 /// The centre of an arc given by R: the shorter way round for R > 0, the longer for R < 0 (MB-302).
-Result<Centre, Failure> centre_by_radius(double radius, double along, double across, bool clockwise) {
-  const double chord = std::hypot(along, across);
-  if (chord == 0.0) {
-    return arc_failure(AlarmId::ArcRadiusTolerance, "an arc by R needs an end that is not its start");
-  }
+Result<Eigen::Vector2d, Failure> centre_by_radius(const Arc& arc, double radius) {
+  const Eigen::Vector2d start = in_plane(arc.q_W_start, arc.plane);
+  const Eigen::Vector2d travel = in_plane(arc.q_W_end, arc.plane) - start;
+  const double chord = travel.norm();
   const double half = chord / 2.0;
   const double size = std::abs(radius);
   if (half > size + kChordTolerance) {
-    return arc_failure(AlarmId::ArcRadiusTolerance,
-                       fmt::format("the end is {:.4f} away, more than twice R {:.4f}", chord, size));
+    return block_failure(
+        AlarmId::ArcRadiusTolerance,
+        fmt::format("the end is {:.4f} away, more than twice R {:.4f}", chord, size));
   }
   const double height = std::sqrt(std::max(0.0, (size - half) * (size + half)));
-  const double side = (clockwise == (radius > 0.0)) ? -1.0 : 1.0;
-  return Centre{along / 2.0 - side * height * across / chord,
-                across / 2.0 + side * height * along / chord};
+  const double side = ((arc.turn == Turn::Clockwise) == (radius > 0.0)) ? -1.0 : 1.0;
+  const Eigen::Vector2d left(-travel.y() / chord, travel.x() / chord);
+  return Eigen::Vector2d(start + travel / 2.0 + side * height * left);
 }
 
-Result<Centre, Failure> centre_of(const Control& control, const NcBlock& block, const Plane& plane,
-                                  const AxisPositions& q_travel) {
-  const double along = q_travel[plane.first];
-  const double across = q_travel[plane.second];
-  if (const EvaluatedWord* const r = block.words.find('R')) {
-    const bool clockwise = control.modal.group[1].whole == 2;
-    return centre_by_radius(control.scale.length_mm(*r), along, across, clockwise);
-  }
-  Centre centre;
-  const EvaluatedWord* const i = block.words.find(plane.first_centre);
-  const EvaluatedWord* const j = block.words.find(plane.second_centre);
-  centre.first = i != nullptr ? control.scale.length_mm(*i) : 0.0;
-  centre.second = j != nullptr ? control.scale.length_mm(*j) : 0.0;
-  const double start_radius = Eigen::Vector2d(centre.first, centre.second).norm();
-  const double end_radius = Eigen::Vector2d(along - centre.first, across - centre.second).norm();
-  const double tolerance = control.parameters.get(ParameterId::ArcTolerance);
-  if (tolerance > 0.0 && std::abs(start_radius - end_radius) > tolerance) {
-    return arc_failure(AlarmId::ArcRadiusTolerance,
-                       fmt::format("the radius is {:.4f} at the start and {:.4f} at the end",
-                                   start_radius, end_radius));
+/// The centre of an arc given by I J K, as programmed; both ends must be equally far (MB-303,
+/// MB-304).
+Result<Eigen::Vector2d, Failure> centre_by_distances(const Control& control, const NcBlock& block,
+                                                     const Plane& plane,
+                                                     const AxisPositions& q_L_end) {
+  const auto distance = [&](char letter) {
+    const EvaluatedWord* const word = block.words.find(letter);
+    return word != nullptr ? control.scale.length_mm(*word) : 0.0;
+  };
+  const Eigen::Vector2d from_start(distance(plane.first_centre), distance(plane.second_centre));
+  const Eigen::Vector2d centre = in_plane(control.coordinates.programmed(), plane) + from_start;
+  const double start_radius = from_start.norm();
+  const double end_radius = (in_plane(q_L_end, plane) - centre).norm();
+  const double most = control.parameters.get(ParameterId::ArcTolerance);
+  if (most > 0.0 && std::abs(start_radius - end_radius) > most) {
+    return block_failure(AlarmId::ArcRadiusTolerance,
+                         fmt::format("the radius is {:.4f} at the start and {:.4f} at the end",
+                                     start_radius, end_radius));
   }
   return centre;
 }
 
-/// Neither R nor a centre: alarm 022 with 3403.5 = 1, else a straight line (MB-305).
-MaybeFailure arc_without_centre(Control& control, const AxisPositions& q_W_end) {
-  if (control.parameters.is_on(ParameterId::ArcNeedsRadius)) {
-    return arc_failure(AlarmId::NoCircle, "neither R nor a centre is given");
+/// The centre behind the transform.
+Result<Eigen::Vector2d, Failure> centre_of(const Control& control, const NcBlock& block,
+                                           const Arc& arc, const AxisPositions& q_L_end) {
+  const WorkTransform& transform = control.coordinates.transform();
+  if (const EvaluatedWord* const r = block.words.find('R')) {
+    const double stretch =
+        std::max(transform.stretch(arc.plane.first), transform.stretch(arc.plane.second));
+    return centre_by_radius(arc, control.scale.length_mm(*r) * stretch);
   }
-  if (auto failure = move_to(control, control.coordinates.to_machine(q_W_end),
-                             machine::Traverse::Feed, 1)) {
+  const auto centre = centre_by_distances(control, block, arc.plane, q_L_end);
+  if (!centre) {
+    return centre.error();
+  }
+  AxisPositions q_L_centre = control.coordinates.programmed();
+  q_L_centre[arc.plane.first] = centre.value().x();
+  q_L_centre[arc.plane.second] = centre.value().y();
+  return in_plane(transform.apply(q_L_centre), arc.plane);
+}
+
+MaybeFailure straight(Control& control, const AxisPositions& q_L_end, int g) {
+  if (auto failure =
+          move_to(control, control.coordinates.to_machine(q_L_end), machine::Traverse::Feed, g)) {
     return failure;
   }
-  control.coordinates.arrived_at_programmed(q_W_end);
+  control.coordinates.arrived_at_programmed(q_L_end);
+  return std::nullopt;
+}
+
+/// Moves along the arc and tells the observer.
+MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d& centre) {
+  const auto feed = feed_in_force(control);
+  if (!feed) {
+    return feed.error();
+  }
+  AxisPositions q_W_centre = arc.q_W_start;
+  q_W_centre[arc.plane.first] = centre.x();
+  q_W_centre[arc.plane.second] = centre.y();
+  const AxisPositions q_M_centre = control.coordinates.work_to_machine(q_W_centre);
+  machine::ArcMove move;
+  move.q_M_end = control.coordinates.work_to_machine(arc.q_W_end);
+  move.first_axis = arc.plane.first;
+  move.second_axis = arc.plane.second;
+  move.centre_first = q_M_centre[arc.plane.first];
+  move.centre_second = q_M_centre[arc.plane.second];
+  move.turn = arc.turn;
+  move.feed_mm_min = feed.value();
+  return travel(control, move, arc.turn == Turn::Clockwise ? 2 : 3);
+}
+
+/// Scaled by unequal factors an arc stays an arc, with the radius of its start; a straight piece
+/// goes on from there to the end.
+MaybeFailure move_unequally_scaled(Control& control, const Arc& arc,
+                                   const Eigen::Vector2d& centre) {
+  const Eigen::Vector2d to_end = in_plane(arc.q_W_end, arc.plane) - centre;
+  const double radius = (in_plane(arc.q_W_start, arc.plane) - centre).norm();
+  const double stretched = to_end.norm();
+  if (stretched == 0.0 || std::abs(stretched - radius) <= kChordTolerance) {
+    return move_along(control, arc, centre);
+  }
+  const Eigen::Vector2d on_arc = centre + to_end * (radius / stretched);
+  Arc round = arc;
+  round.q_W_end[arc.plane.first] = on_arc.x();
+  round.q_W_end[arc.plane.second] = on_arc.y();
+  if (auto failure = move_along(control, round, centre)) {
+    return failure;
+  }
+  return move_to(control, control.coordinates.work_to_machine(arc.q_W_end), machine::Traverse::Feed,
+                 1);
+}
+
+Turn programmed_turn(const Control& control) {
+  return control.modal.group[1].whole == 2 ? Turn::Clockwise : Turn::Counterclockwise;
+}
+
+/// Why the block's words make no arc in this plane.
+MaybeFailure refused_arc(const Control& control, const NcBlock& block, const Plane& plane) {
+  if (const EvaluatedWord* const word = block.words.find(plane.across_centre)) {
+    return at_word(AlarmId::IllegalPlaneAxis, *word,
+                   fmt::format("{} is not of this plane", plane.across_centre));
+  }
+  const auto& rotation = control.transforms.rotation;
+  if (rotation && rotation->plane.across != plane.across) {
+    return block_failure(AlarmId::PlaneInRotation);
+  }
   return std::nullopt;
 }
 
@@ -101,36 +156,43 @@ MaybeFailure arc_without_centre(Control& control, const AxisPositions& q_W_end) 
 
 /// G02, G03 in the plane in force; a third axis makes a helix (MB-302 to MB-305).
 MaybeFailure execute_arc(Control& control, const NcBlock& block) {
-  const Plane plane = plane_in_force(control);
-  const AxisPositions q_W_end = programmed_end(control, block);
-  if (!block.words.has('R') && !block.words.has(plane.first_centre) &&
-      !block.words.has(plane.second_centre)) {
-    return arc_without_centre(control, q_W_end);
+  const Plane plane = control.modal.plane();
+  if (auto failure = refused_arc(control, block, plane)) {
+    return failure;
   }
-  const AxisPositions q_travel = q_W_end - control.coordinates.programmed();
-  const auto centre = centre_of(control, block, plane, q_travel);
+  const bool by_radius = block.words.has('R');
+  const bool has_centre =
+      block.words.has(plane.first_centre) || block.words.has(plane.second_centre);
+  if (!by_radius && !has_centre && control.parameters.is_on(ParameterId::ArcNeedsRadius)) {
+    return block_failure(AlarmId::NoCircle, "neither R nor a centre is given");
+  }
+  const AxisPositions q_L_start = control.coordinates.programmed();
+  const AxisPositions q_L_end = programmed_end(control, block);
+  if (!by_radius && !has_centre) {
+    return straight(control, q_L_end, 1);
+  }
+  const WorkTransform& transform = control.coordinates.transform();
+  Arc arc{plane, programmed_turn(control), transform.apply(q_L_start), transform.apply(q_L_end)};
+  if (by_radius && in_plane(q_L_start, plane) == in_plane(q_L_end, plane)) {
+    // By R an end that is the start is an arc of no degrees.
+    return straight(control, q_L_end, arc.turn == Turn::Clockwise ? 2 : 3);
+  }
+  if (transform.reverses_turns(plane)) {
+    arc.turn = arc.turn == Turn::Clockwise ? Turn::Counterclockwise : Turn::Clockwise;
+  }
+  const auto centre = centre_of(control, block, arc, q_L_end);
   if (!centre) {
     return centre.error();
   }
-  const auto feed = feed_in_force(control);
-  if (!feed) {
-    return feed.error();
+  const double first = transform.stretch(plane.first);
+  const double second = transform.stretch(plane.second);
+  const bool unequal = std::abs(first - second) > 1e-9;
+  auto failure = unequal ? move_unequally_scaled(control, arc, centre.value())
+                         : move_along(control, arc, centre.value());
+  if (!failure) {
+    control.coordinates.arrived_at_programmed(q_L_end);
   }
-  machine::ArcMove move;
-  move.q_M_end = control.coordinates.to_machine(q_W_end);
-  move.first_axis = plane.first;
-  move.second_axis = plane.second;
-  const AxisPositions q_M_start = path_position(control);
-  move.centre_first = q_M_start[plane.first] + centre.value().first;
-  move.centre_second = q_M_start[plane.second] + centre.value().second;
-  const int g = control.modal.group[1].whole;
-  move.turn = g == 2 ? machine::Turn::Clockwise : machine::Turn::Counterclockwise;
-  move.feed_mm_min = feed.value();
-  if (auto failure = travel(control, move, g)) {
-    return failure;
-  }
-  control.coordinates.arrived_at_programmed(q_W_end);
-  return std::nullopt;
+  return failure;
 }
 
 }  // namespace g31::fanuc

@@ -1,7 +1,6 @@
-#include <algorithm>
-
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/codes.h"
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "machine/base/contract.h"
@@ -9,67 +8,35 @@
 namespace g31::fanuc {
 namespace {
 
-/// The G codes of a block, sorted by what they do.
-struct Codes {
-  const GCode* one_shot = nullptr;
-  const GCode* tool_length = nullptr;
-  const GCode* work_offset = nullptr;
-};
+/// G27 to G30 have no place between holes (MB-312).
+bool is_barred_in_cycle(GAction action) {
+  return action == GAction::CheckReference || action == GAction::ToReference ||
+         action == GAction::FromReference;
+}
 
-MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& codes) {
-  const auto number = g_number(word.number);
-  const GCode* const code = number ? find_g_code(*number) : nullptr;
-  if (code == nullptr || std::ranges::count(control.profile.missing_g_codes, *number) != 0) {
-    return at_word(AlarmId::ImproperGCode, word,
-                   fmt::format("the control has no G{}", word.number));
+/// G22 with limits: the control would watch them, nothing here does.
+MaybeFailure execute_stroke_check(Control& control, const NcBlock& block) {
+  if (block.has_axis_word) {
+    control.warn_once(source::DiagnosticId::NotSimulated, block.where, "the limits of G22");
   }
-  if (code->group == 0) {
-    codes.one_shot = code;
-    return std::nullopt;
-  }
-  if (code->action == GAction::ToolLength) {
-    codes.tool_length = code;
-  } else if (code->action == GAction::WorkOffset) {
-    codes.work_offset = code;
-  }
-  control.modal.group[static_cast<std::size_t>(code->group)] = code->number;
   return std::nullopt;
 }
 
-/// F S T M and the like: recorded for #4102.., M codes otherwise skipped.
-MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
-  switch (word.letter) {
-    case 'F':
-      if (word.number < 0.0) {
-        return at_word(AlarmId::IllegalMinus, word, "a feed is not negative");
-      }
-      control.modal.feed = word.number;
-      return std::nullopt;
-    case 'M':
-    case 'S':
-    case 'T':
-    case 'D':
-    case 'H': {
-      const auto number = integer_of(word);
-      if (!number) {
-        return number.error();
-      }
-      control.modal.word(word.letter) = number.value();
-      return std::nullopt;
-    }
-    default:
-      return std::nullopt;
-  }
-}
-
 MaybeFailure execute_action(Control& control, const NcBlock& block) {
-  switch (block.one_shot->action) {
+  if (in_canned_cycle(control) && is_barred_in_cycle(block.code->action)) {
+    return block_failure(AlarmId::NotAllowedInCycle, to_text(block.code->number));
+  }
+  switch (block.code->action) {
     case GAction::Dwell:
       return execute_dwell(control, block);
     case GAction::SetData:
       return execute_set_data(control, block);
+    case GAction::CheckReference:
+      return execute_check_reference(control, block);
     case GAction::ToReference:
       return execute_reference(control, block);
+    case GAction::FromReference:
+      return execute_from_reference(control, block);
     case GAction::Skip:
       return execute_skip(control, block);
     case GAction::MeasureTool:
@@ -80,14 +47,36 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
       return execute_machine_move(control, block);
     case GAction::SetPosition:
       return execute_set_position(control, block);
+    case GAction::PresetSystem:
+      return execute_preset(control, block);
+    case GAction::Mirror:
+      return execute_mirror(control, block);
+    case GAction::MirrorOff:
+      return execute_mirror_off(control, block);
+    case GAction::Scaling:
+      return execute_scaling(control, block);
+    case GAction::Rotation:
+      return execute_rotation(control, block);
+    case GAction::StrokeCheck:
+      return execute_stroke_check(control, block);
+    case GAction::EndData:
+      return std::nullopt;
     case GAction::Modal:
+    case GAction::NoEffect:
     case GAction::Motion:
     case GAction::ToolLength:
     case GAction::WorkOffset:
     case GAction::MacroCall:
+    case GAction::PolarOn:
+    case GAction::PolarOff:
+    case GAction::ScalingOff:
+    case GAction::RotationOff:
+    case GAction::CannedCycle:
+    case GAction::CycleOff:
+    case GAction::SurfaceSpeed:
       break;
   }
-  contract_violated("one-shot codes have an action; calls never come here", __FILE__, __LINE__);
+  contract_violated("these codes leave the words of their block to others", __FILE__, __LINE__);
 }
 
 bool has_axis_word(const BlockWords& words) {
@@ -99,34 +88,7 @@ bool has_axis_word(const BlockWords& words) {
   return false;
 }
 
-/// What the words command when the modal codes and offsets are in force.
-MaybeFailure execute_words(Control& control, const NcBlock& block, double feed_before) {
-  if (block.one_shot == nullptr) {
-    return block.has_axis_word ? execute_motion(control, block) : std::nullopt;
-  }
-  auto failure = execute_action(control, block);
-  if (block.one_shot->action == GAction::Skip && control.profile.skip_feed == SkipFeed::OneBlock) {
-    control.modal.feed = feed_before;
-  }
-  return failure;
-}
-
-}  // namespace
-
-MaybeFailure execute_block(Control& control, const BlockWords& words, source::Location where) {
-  Codes codes;
-  const double feed_before = control.modal.feed;
-  for (const EvaluatedWord& word : words.all()) {
-    MaybeFailure failure =
-        word.letter == 'G' ? take_g_word(control, word, codes) : take_plain_word(control, word);
-    if (failure) {
-      return failure;
-    }
-  }
-  const auto unit = control.modal.group[6].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;
-  if (unit != control.scale.unit) {
-    control.set_unit(unit);
-  }
+MaybeFailure select_offsets(Control& control, const BlockWords& words, const Codes& codes) {
   if (codes.work_offset != nullptr) {
     if (auto failure = select_work_offset(control, words, codes.work_offset->number)) {
       return failure;
@@ -134,11 +96,53 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   }
   const bool length_in_force = control.modal.group[8].whole != 49;
   if (codes.tool_length != nullptr || (length_in_force && words.has('H'))) {
-    if (auto failure = select_tool_length(control, words)) {
-      return failure;
-    }
+    return select_tool_length(control, words);
   }
-  const NcBlock block{words, where, codes.one_shot, has_axis_word(words)};
+  return std::nullopt;
+}
+
+/// What the words command when the modal codes and offsets are in force.
+MaybeFailure execute_words(Control& control, const NcBlock& block, double feed_before) {
+  if (block.code != nullptr) {
+    auto failure = execute_action(control, block);
+    if (block.code->action == GAction::Skip && control.profile.skip_feed == SkipFeed::OneBlock) {
+      control.modal.feed = feed_before;
+    }
+    return failure;
+  }
+  if (in_canned_cycle(control)) {
+    return execute_canned_cycle(control, block);
+  }
+  return block.has_axis_word ? execute_motion(control, block) : std::nullopt;
+}
+
+}  // namespace
+
+MaybeFailure execute_block(Control& control, const BlockWords& words, source::Location where) {
+  if (control.data_input != DataInput::None) {
+    return execute_data_block(control, words);
+  }
+  const double feed_before = control.modal.feed;
+  const auto codes = take_words(control, words);
+  if (!codes) {
+    return codes.error();
+  }
+  if (auto failure = select_offsets(control, words, codes.value())) {
+    return failure;
+  }
+  if (codes.value().unsimulated != nullptr) {
+    control.warn_once(source::DiagnosticId::NotSimulated, where, codes.value().unsimulated->text);
+  }
+  if (codes.value().starts_polar) {
+    start_polar(control);
+  }
+  if (codes.value().starts_cycle && in_canned_cycle(control)) {
+    start_canned_cycle(control);
+  }
+  NcBlock block{words, where, codes.value().frame, has_axis_word(words)};
+  if (block.code == nullptr) {
+    block.code = codes.value().one_shot;
+  }
   if (auto failure = read_compensation(control, block)) {
     return failure;
   }
@@ -148,11 +152,16 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   return end_compensated_block(control);
 }
 
-Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail) {
+Failure block_failure(AlarmId id, std::string detail) {
   Failure failure;
   failure.id = id;
-  failure.where = word.span;
   failure.detail = std::move(detail);
+  return failure;
+}
+
+Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail) {
+  Failure failure = block_failure(id, std::move(detail));
+  failure.where = word.span;
   return failure;
 }
 

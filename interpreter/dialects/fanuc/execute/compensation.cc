@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/codes.h"
 #include "interpreter/runtime/overloaded.h"
 #include "machine/base/contract.h"
 
@@ -12,19 +13,14 @@ namespace {
 
 using State = CompensationCommand::State;
 
-/// One-shot codes that need G40.
-constexpr GAction kNeedCancel[] = {GAction::ToReference, GAction::MachineMove,
-                                   GAction::MeasureTool};
+/// Codes whose moves are no part of a path to be compensated.
+constexpr GAction kNeedCancel[] = {GAction::CheckReference, GAction::ToReference,
+                                   GAction::FromReference,  GAction::MachineMove,
+                                   GAction::MeasureTool,    GAction::Skip};
 
 OffsetPlane offset_plane(const Control& control) {
-  switch (control.modal.group[2].whole) {
-    case 18:
-      return {2, 0};
-    case 19:
-      return {1, 2};
-    default:
-      return {0, 1};
-  }
+  const Plane plane = control.modal.plane();
+  return {plane.first, plane.second};
 }
 
 CompensationRules rules_of(const Control& control) {
@@ -131,19 +127,27 @@ bool is_side(const EvaluatedWord& word) {
   return word.letter == 'G' && (word.number == 41.0 || word.number == 42.0);
 }
 
+bool needs_cancel(const Control& control, const NcBlock& block) {
+  const bool by_code =
+      block.code != nullptr && std::find(std::begin(kNeedCancel), std::end(kNeedCancel),
+                                         block.code->action) != std::end(kNeedCancel);
+  return by_code || in_canned_cycle(control);
+}
+
 /// Why this block cannot stand in G41 or G42.
-MaybeFailure refused(const Control& control, const NcBlock& block) {
-  const bool needs_cancel =
-      block.one_shot != nullptr && std::find(std::begin(kNeedCancel), std::end(kNeedCancel),
-                                             block.one_shot->action) != std::end(kNeedCancel);
-  const bool in_cycle = control.modal.group[9].whole != 80;
-  if (!needs_cancel && !in_cycle) {
-    return std::nullopt;
+Failure refusal(const NcBlock& block) {
+  if (block.code == nullptr) {
+    return block_failure(AlarmId::NotInCompensation, "a canned cycle in G41 or G42");
   }
-  Failure failure;
-  failure.id = AlarmId::NotInCompensation;
-  failure.detail = needs_cancel ? fmt::format("{} in G41 or G42", to_text(block.one_shot->number))
-                                : "a canned cycle in G41 or G42";
+  return block_failure(
+      block.code->action == GAction::Skip ? AlarmId::SkipNotAllowed : AlarmId::NotInCompensation,
+      fmt::format("{} in G41 or G42", to_text(block.code->number)));
+}
+
+/// Executes what waits and gives the axes free: the next move starts from where they stand.
+MaybeFailure leave(Control& control) {
+  auto failure = end_read_ahead(control);
+  control.cutter.path.disengage();
   return failure;
 }
 
@@ -177,10 +181,8 @@ MaybeFailure read_compensation(Control& control, const NcBlock& block) {
   if (code == 40 && !cutter.path.engaged()) {
     return std::nullopt;
   }
-  if (code != 40) {
-    if (auto failure = refused(control, block)) {
-      return failure;
-    }
+  if (needs_cancel(control, block)) {
+    return code == 40 ? leave(control) : refusal(block);
   }
   const auto radius = cutter_radius(control);
   if (!radius) {
@@ -189,7 +191,9 @@ MaybeFailure read_compensation(Control& control, const NcBlock& block) {
   CompensationCommand command;
   command.state = code != 40 && control.modal.word('D') != 0.0 ? State::On : State::Off;
   command.plane = offset_plane(control);
-  command.offset = code == 42 ? -radius.value() : radius.value();
+  // A mirrored path has its part on the other side.
+  const bool mirrored = control.coordinates.transform().reverses_turns(control.modal.plane());
+  command.offset = (code == 42) != mirrored ? -radius.value() : radius.value();
   const auto& words = block.words.all();
   command.written = std::any_of(words.begin(), words.end(), is_side)
                         ? CompensationCommand::Written::Here
@@ -234,10 +238,6 @@ bool nothing_is_read_ahead_of(const Control& control, int m) {
     }
   }
   return false;
-}
-
-AxisPositions path_position(const Control& control) {
-  return control.cutter.path.engaged() ? control.cutter.path.programmed() : control.port.position();
 }
 
 }  // namespace g31::fanuc

@@ -32,7 +32,4 @@ MaybeFailure end_read_ahead(Control& control);
 /// M00, M01, M02, M30 and those of parameters 3411 to 3432.
 bool nothing_is_read_ahead_of(const Control& control, int m);
 
-/// Machine coordinates of the programmed path: where the axes stand but for cutter compensation.
-AxisPositions path_position(const Control& control);
-
 }  // namespace g31::fanuc

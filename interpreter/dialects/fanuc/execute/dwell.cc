@@ -2,8 +2,16 @@
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
+namespace {
 
-/// G04: X or U in seconds, P in milliseconds; without any of them a block that takes no time.
+bool counts_turns(const Control& control) {
+  return control.modal.group[5].whole == 95 && control.parameters.is_on(ParameterId::DwellInTurns);
+}
+
+}  // namespace
+
+/// G04: X or U in seconds, P in milliseconds, or as many turns of the spindle; without any of them
+/// a block that takes no time (MB-285).
 MaybeFailure execute_dwell(Control& control, const NcBlock& block) {
   double seconds = 0.0;
   if (const EvaluatedWord* const p = block.words.find('P')) {
@@ -19,10 +27,14 @@ MaybeFailure execute_dwell(Control& control, const NcBlock& block) {
     }
   }
   if (seconds < 0.0) {
-    Failure failure;
-    failure.id = AlarmId::IllegalMinus;
-    failure.detail = "a dwell is not negative";
-    return failure;
+    return block_failure(AlarmId::IllegalMinus, "a dwell is not negative");
+  }
+  if (counts_turns(control)) {
+    const double turns_per_minute = control.modal.word('S');
+    if (turns_per_minute <= 0.0) {
+      return block_failure(AlarmId::NoFeed, "a dwell of spindle turns needs a speed S");
+    }
+    seconds *= 60.0 / turns_per_minute;
   }
   return pause(control, seconds);
 }

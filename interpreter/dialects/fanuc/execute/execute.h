@@ -11,47 +11,74 @@ namespace g31::fanuc {
 struct NcBlock {
   const BlockWords& words;
   source::Location where;
-  const GCode* one_shot = nullptr;  ///< the last code of group 0
+  const GCode* code = nullptr;  ///< the one that takes the block's words for itself, if any
   bool has_axis_word = false;
 };
 
 /// Executes an NC block that is no call: modal codes, offsets, then its motion or one-shot code.
 MaybeFailure execute_block(Control& control, const BlockWords& words, source::Location where);
 
-// One function per GAction that does more than set its group; each stands in a file of its own.
+// One function per GAction that does more than set its group.
 
-MaybeFailure execute_motion(Control& control, const NcBlock& block);            // motion.cc
-MaybeFailure execute_arc(Control& control, const NcBlock& block);               // arc.cc
-MaybeFailure execute_machine_move(Control& control, const NcBlock& block);      // motion.cc
-MaybeFailure execute_skip(Control& control, const NcBlock& block);              // skip.cc
-MaybeFailure execute_tool_measurement(Control& control, const NcBlock& block);  // measure_tool.cc
-MaybeFailure execute_dwell(Control& control, const NcBlock& block);             // dwell.cc
-MaybeFailure execute_reference(Control& control, const NcBlock& block);         // reference.cc
-MaybeFailure execute_set_data(Control& control, const NcBlock& block);          // set_data.cc
-MaybeFailure execute_local_shift(Control& control, const NcBlock& block);       // offsets.cc
-MaybeFailure execute_set_position(Control& control, const NcBlock& block);      // offsets.cc
+MaybeFailure execute_motion(Control& control, const NcBlock& block);           // motion.cc
+MaybeFailure execute_machine_move(Control& control, const NcBlock& block);     // motion.cc
+MaybeFailure execute_arc(Control& control, const NcBlock& block);              // arc.cc
+MaybeFailure execute_skip(Control& control, const NcBlock& block);             // skip.cc
+MaybeFailure execute_tool_measurement(Control& control,
+                                      const NcBlock& block);  // measure_tool.cc
+MaybeFailure execute_dwell(Control& control, const NcBlock& block);            // dwell.cc
+MaybeFailure execute_reference(Control& control, const NcBlock& block);        // reference.cc
+MaybeFailure execute_from_reference(Control& control, const NcBlock& block);   // reference.cc
+MaybeFailure execute_check_reference(Control& control, const NcBlock& block);  // reference.cc
+MaybeFailure execute_set_data(Control& control, const NcBlock& block);         // set_data.cc
+MaybeFailure execute_local_shift(Control& control, const NcBlock& block);      // offsets.cc
+MaybeFailure execute_set_position(Control& control, const NcBlock& block);     // offsets.cc
+MaybeFailure execute_preset(Control& control, const NcBlock& block);           // offsets.cc
 MaybeFailure select_work_offset(Control& control, const BlockWords& words,
                                 GNumber code);                               // offsets.cc
 MaybeFailure select_tool_length(Control& control, const BlockWords& words);  // offsets.cc
+MaybeFailure execute_mirror(Control& control, const NcBlock& block);         // transforms.cc
+MaybeFailure execute_mirror_off(Control& control, const NcBlock& block);     // transforms.cc
+MaybeFailure execute_scaling(Control& control, const NcBlock& block);        // transforms.cc
+MaybeFailure execute_rotation(Control& control, const NcBlock& block);       // transforms.cc
+MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block);   // canned_cycle.cc
+
+/// A block between G10 L50 or L3 and G11 (data_input.cc).
+MaybeFailure execute_data_block(Control& control, const BlockWords& words);
+
+void start_polar(Control& control);         // G16; transforms.cc
+void cancel_scaling(Control& control);      // G50; transforms.cc
+void cancel_rotation(Control& control);     // G69; transforms.cc
+void start_canned_cycle(Control& control);  // the first after G80; canned_cycle.cc
 
 /// Radius of the tool offset D in force, geometry and wear, mm; 0 for D0 (offsets.cc).
 Result<double, Failure> cutter_radius(const Control& control);
 
 // What several of them share.
 
-/// The programmed end point of the block: absolute or incremental axis words on the present one.
-AxisPositions programmed_end(const Control& control, const NcBlock& block);
+/// The value of an axis word: mm, or deg of a rotary axis.
+double axis_value(const Control& control, const EvaluatedWord& word, std::size_t axis);
+
+/// The axis words of the block as they stand, absolute or incremental, on the present point (L).
+AxisPositions cartesian_end(const Control& control, const NcBlock& block);
+
+/// The end point of a motion (L): axis words, in polar coordinates where they are in force.  To be
+/// asked once a motion, because radius and angle go on from block to block.
+AxisPositions programmed_end(Control& control, const NcBlock& block);
 
 /// Moves to a machine position, through cutter compensation, and tells the observer; `g` is how the
 /// document names the move.
 MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Traverse traverse,
                      int g);
 
-/// The feed in mm/min in force, or why there is none.
+/// The feed in mm/min in force, or why there is none; G95 takes the spindle speed S along (MB-314).
 Result<double, Failure> feed_in_force(const Control& control);
 
 /// A fault of the machine as the end of the program.
 Failure from_fault(const machine::MachineFault& fault);
+
+/// A failure of the whole block.
+Failure block_failure(AlarmId id, std::string detail = {});
 
 /// A failure at a word.
 Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail);

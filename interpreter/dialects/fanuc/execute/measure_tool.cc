@@ -7,13 +7,6 @@
 namespace g31::fanuc {
 namespace {
 
-Failure refusal(AlarmId id, std::string detail = {}) {
-  Failure failure;
-  failure.id = id;
-  failure.detail = std::move(detail);
-  return failure;
-}
-
 /// The one linear axis that the block names, as a storage index.
 Result<int, Failure> measured_axis(const Control& control, const NcBlock& block) {
   int found = -1;
@@ -25,10 +18,10 @@ Result<int, Failure> measured_axis(const Control& control, const NcBlock& block)
     }
   }
   if (named != 1 || found > 2) {
-    return refusal(AlarmId::AxisInMeasurement, "one of X Y Z is needed");
+    return block_failure(AlarmId::AxisInMeasurement, "one of X Y Z is needed");
   }
   if (control.modal.incremental()) {
-    return refusal(AlarmId::AxisInMeasurement, "G37 takes an absolute position");
+    return block_failure(AlarmId::AxisInMeasurement, "G37 takes an absolute position");
   }
   return found;
 }
@@ -39,7 +32,7 @@ Result<int, Failure> measured_offset(Control& control, const NcBlock& block) {
   }
   const int number = static_cast<int>(control.modal.word('H'));
   if (number < 1 || number > OffsetTable::kLargest) {
-    return refusal(AlarmId::NoOffsetInMeasurement);
+    return block_failure(AlarmId::NoOffsetInMeasurement);
   }
   return number;
 }
@@ -93,12 +86,13 @@ Result<AxisPositions, Failure> touch(Control& control, const NcBlock& block,
   control.observer.on_move({31, event.q_M_stopped, move.feed_mm_min, 0.0});
   control.observer.on_touch(event);
   if (!event.triggered) {
-    return refusal(AlarmId::NoArrivalSignal, "no signal came");
+    return block_failure(AlarmId::NoArrivalSignal, "no signal came");
   }
   const double off = event.q_M_latched[approach.axis] - approach.q_M_nominal[approach.axis];
   if (std::abs(off) > approach.zone) {
-    return refusal(AlarmId::NoArrivalSignal,
-                   fmt::format("the signal came {:.4f} mm before the position", std::abs(off)));
+    return block_failure(
+        AlarmId::NoArrivalSignal,
+        fmt::format("the signal came {:.4f} mm before the position", std::abs(off)));
   }
   return event.q_M_latched;
 }

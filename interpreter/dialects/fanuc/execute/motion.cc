@@ -3,27 +3,75 @@
 
 namespace g31::fanuc {
 
-AxisPositions programmed_end(const Control& control, const NcBlock& block) {
-  AxisPositions q_W_end = control.coordinates.programmed();
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const EvaluatedWord* const word = block.words.find(kAxisLetters[axis]);
-    if (word == nullptr) {
-      continue;
-    }
-    const double value = axis < 3 ? control.scale.length_mm(*word) : control.scale.angle_deg(*word);
-    double& end = q_W_end[static_cast<Eigen::Index>(axis)];
-    end = control.modal.incremental() ? end + value : value;
+namespace {
+
+/// Radius and angle of the block into the polar coordinates; the plane's axes of the end from them.
+void take_polar_words(Control& control, const NcBlock& block, AxisPositions& q_L_end) {
+  const Plane plane = control.modal.plane();
+  PolarCoordinates& polar = *control.polar;
+  const bool adds = control.modal.incremental();
+  const EvaluatedWord* const radius = block.words.find(kAxisLetters[plane.first]);
+  const EvaluatedWord* const angle = block.words.find(kAxisLetters[plane.second]);
+  if (radius == nullptr && angle == nullptr) {
+    return;
   }
-  return q_W_end;
+  if (radius != nullptr) {
+    const AxisPositions& q_L = control.coordinates.programmed();
+    const double value = control.scale.length_mm(*radius);
+    adds ? polar.add_radius(value, {q_L[plane.first], q_L[plane.second]}) : polar.set_radius(value);
+  }
+  if (angle != nullptr) {
+    const double value = control.scale.angle_deg(*angle);
+    adds ? polar.add_angle(value) : polar.set_angle(value);
+  }
+  const Eigen::Vector2d p_L = polar.point();
+  q_L_end[plane.first] = p_L.x();
+  q_L_end[plane.second] = p_L.y();
+}
+
+}  // namespace
+
+double axis_value(const Control& control, const EvaluatedWord& word, std::size_t axis) {
+  return axis < 3 ? control.scale.length_mm(word) : control.scale.angle_deg(word);
+}
+
+AxisPositions cartesian_end(const Control& control, const NcBlock& block) {
+  AxisPositions q_L_end = control.coordinates.programmed();
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
+      double& end = q_L_end[static_cast<Eigen::Index>(axis)];
+      const double value = axis_value(control, *word, axis);
+      end = control.modal.incremental() ? end + value : value;
+    }
+  }
+  return q_L_end;
+}
+
+AxisPositions programmed_end(Control& control, const NcBlock& block) {
+  AxisPositions q_L_end = cartesian_end(control, block);
+  if (control.polar) {
+    const AxisPositions& q_L = control.coordinates.programmed();
+    const Plane plane = control.modal.plane();
+    q_L_end[plane.first] = q_L[plane.first];
+    q_L_end[plane.second] = q_L[plane.second];
+    take_polar_words(control, block, q_L_end);
+  }
+  return q_L_end;
 }
 
 Result<double, Failure> feed_in_force(const Control& control) {
   if (control.modal.feed <= 0.0) {
-    Failure failure;
-    failure.id = AlarmId::NoFeed;
-    return failure;
+    return block_failure(AlarmId::NoFeed);
   }
-  return control.to_mm(control.modal.feed);
+  const double feed = control.to_mm(control.modal.feed);
+  if (control.modal.group[5].whole != 95) {
+    return feed;
+  }
+  const double revolutions_per_minute = control.modal.words['S' - 'A'];
+  if (revolutions_per_minute <= 0.0) {
+    return block_failure(AlarmId::NoFeed, "G95 needs a spindle speed S");
+  }
+  return feed * revolutions_per_minute;
 }
 
 MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Traverse traverse,
@@ -46,12 +94,12 @@ MaybeFailure execute_motion(Control& control, const NcBlock& block) {
   if (g == 2 || g == 3) {
     return execute_arc(control, block);
   }
-  const AxisPositions q_W_end = programmed_end(control, block);
+  const AxisPositions q_L_end = programmed_end(control, block);
   const auto traverse = g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
-  if (auto failure = move_to(control, control.coordinates.to_machine(q_W_end), traverse, g)) {
+  if (auto failure = move_to(control, control.coordinates.to_machine(q_L_end), traverse, g)) {
     return failure;
   }
-  control.coordinates.arrived_at_programmed(q_W_end);
+  control.coordinates.arrived_at_programmed(q_L_end);
   return std::nullopt;
 }
 
@@ -63,8 +111,7 @@ MaybeFailure execute_machine_move(Control& control, const NcBlock& block) {
   AxisPositions q_M_end = control.port.position();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
-      q_M_end[static_cast<Eigen::Index>(axis)] =
-          axis < 3 ? control.scale.length_mm(*word) : control.scale.angle_deg(*word);
+      q_M_end[static_cast<Eigen::Index>(axis)] = axis_value(control, *word, axis);
     }
   }
   const int g = control.modal.group[1].whole == 1 ? 1 : 0;

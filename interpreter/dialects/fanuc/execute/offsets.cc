@@ -92,9 +92,7 @@ Result<double, Failure> cutter_radius(const Control& control) {
 MaybeFailure execute_local_shift(Control& control, const NcBlock& block) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
-      control.coordinates.set_local_shift(
-          static_cast<int>(axis),
-          axis < 3 ? control.scale.length_mm(*word) : control.scale.angle_deg(*word));
+      control.coordinates.set_local_shift(static_cast<int>(axis), axis_value(control, *word, axis));
     }
   }
   return std::nullopt;
@@ -104,9 +102,17 @@ MaybeFailure execute_local_shift(Control& control, const NcBlock& block) {
 MaybeFailure execute_set_position(Control& control, const NcBlock& block) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
-      control.coordinates.declare(
-          static_cast<int>(axis),
-          axis < 3 ? control.scale.length_mm(*word) : control.scale.angle_deg(*word));
+      control.coordinates.declare(static_cast<int>(axis), axis_value(control, *word, axis));
+    }
+  }
+  return std::nullopt;
+}
+
+/// G92.1: on the named axes neither G52 nor G92 shifts the work systems any more.
+MaybeFailure execute_preset(Control& control, const NcBlock& block) {
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (block.words.has(kAxisLetters[axis])) {
+      control.coordinates.clear_shifts(static_cast<int>(axis));
     }
   }
   return std::nullopt;

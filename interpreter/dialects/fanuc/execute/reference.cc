@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
@@ -5,8 +7,16 @@
 namespace g31::fanuc {
 namespace {
 
+/// How far an axis may stand off its reference point and still be on it.
+constexpr double kOnReference = 1e-6;
+
+/// mm or deg, machine coordinates.  @param which  1 to 4
+double reference_point(const Control& control, int which, int axis) {
+  return control.parameters.get_for_axis(ParameterId::ReferencePoint, which - 1, axis);
+}
+
 Result<int, Failure> which_reference(const NcBlock& block) {
-  if (block.one_shot->number.whole == 28) {
+  if (block.code->number.whole == 28) {
     return 1;
   }
   const EvaluatedWord* const p = block.words.find('P');
@@ -32,21 +42,71 @@ MaybeFailure execute_reference(Control& control, const NcBlock& block) {
   if (!block.has_axis_word) {
     return std::nullopt;
   }
-  const AxisPositions q_M_via = control.coordinates.to_machine(programmed_end(control, block));
+  const AxisPositions q_L_via = cartesian_end(control, block);
+  const AxisPositions q_M_via = control.coordinates.to_machine(q_L_via);
   if (auto failure = move_to(control, q_M_via, machine::Traverse::Rapid, 0)) {
     return failure;
   }
-  control.q_M_intermediate = q_M_via;
   AxisPositions q_M_home = q_M_via;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (block.words.has(kAxisLetters[axis])) {
-      q_M_home[static_cast<Eigen::Index>(axis)] =
-          control.parameters.get(ParameterId::ReferencePoint, which.value() - 1);
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    if (block.words.has(kAxisLetters[static_cast<std::size_t>(axis)])) {
+      control.q_L_intermediate[axis] = q_L_via[axis];
+      q_M_home[axis] = reference_point(control, which.value(), axis);
     }
   }
   auto failure = move_to(control, q_M_home, machine::Traverse::Rapid, 0);
   control.coordinates.arrived_at_machine(control.port.position());
   return failure;
+}
+
+/// G29: the named axes go through the intermediate point of their last G28 to the programmed point,
+/// at rapid.  The point is remembered in work coordinates: it moves with them (MB-288).
+MaybeFailure execute_from_reference(Control& control, const NcBlock& block) {
+  AxisPositions q_L_via = control.coordinates.programmed();
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    if (block.words.has(kAxisLetters[static_cast<std::size_t>(axis)])) {
+      q_L_via[axis] = control.q_L_intermediate[axis];
+    }
+  }
+  if (!block.has_axis_word) {
+    return std::nullopt;
+  }
+  if (auto failure =
+          move_to(control, control.coordinates.to_machine(q_L_via), machine::Traverse::Rapid, 0)) {
+    return failure;
+  }
+  control.coordinates.arrived_at_programmed(q_L_via);
+  // An incremental end counts from the intermediate point.
+  const AxisPositions q_L_end = cartesian_end(control, block);
+  if (auto failure =
+          move_to(control, control.coordinates.to_machine(q_L_end), machine::Traverse::Rapid, 0)) {
+    return failure;
+  }
+  control.coordinates.arrived_at_programmed(q_L_end);
+  return std::nullopt;
+}
+
+/// G27: rapid to the programmed point; an axis that is then not on its reference point is alarm 092
+/// (MB-317).
+MaybeFailure execute_check_reference(Control& control, const NcBlock& block) {
+  const AxisPositions q_L_end = cartesian_end(control, block);
+  const AxisPositions q_M_end = control.coordinates.to_machine(q_L_end);
+  if (!block.has_axis_word) {
+    return std::nullopt;
+  }
+  if (auto failure = move_to(control, q_M_end, machine::Traverse::Rapid, 0)) {
+    return failure;
+  }
+  control.coordinates.arrived_at_programmed(q_L_end);
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
+    const double off = q_M_end[axis] - reference_point(control, 1, axis);
+    if (block.words.has(letter) && std::abs(off) > kOnReference) {
+      return block_failure(AlarmId::ReferenceNotReached,
+                           fmt::format("{} stands {:.4f} off its reference point", letter, off));
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace g31::fanuc

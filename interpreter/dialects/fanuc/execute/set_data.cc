@@ -5,6 +5,9 @@
 namespace g31::fanuc {
 namespace {
 
+constexpr int kToolLife = 3;
+constexpr int kParameterInput = 50;
+
 /// What `G10 L..` sets in the tool offset table (MB-257, MB-258).
 struct OffsetForm {
   int l;
@@ -54,8 +57,7 @@ MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
   const int which = number.value() + (l == 2 ? 0 : Coordinates::kSystems);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
-      const double value =
-          axis < 3 ? control.scale.length_mm(*word) : control.scale.angle_deg(*word);
+      const double value = axis_value(control, *word, axis);
       const int index = static_cast<int>(axis);
       const double before =
           control.modal.incremental() ? control.coordinates.system(which)[index] : 0.0;
@@ -73,6 +75,15 @@ MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
   const auto l = word != nullptr ? integer_of(*word) : Result<int, Failure>(1);
   if (!l) {
     return l.error();
+  }
+  if (l.value() == kParameterInput) {
+    control.data_input = DataInput::Parameters;
+    return std::nullopt;
+  }
+  if (l.value() == kToolLife) {
+    control.data_input = DataInput::ToolLife;
+    control.warn_once(source::DiagnosticId::NotSimulated, block.where, "tool life management");
+    return std::nullopt;
   }
   if (l.value() == 2 || l.value() == 20) {
     return set_work_offset(control, block, l.value());

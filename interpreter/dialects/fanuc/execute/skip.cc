@@ -37,6 +37,56 @@ runtime::TouchEvent event_of(Control& control, const NcBlock& block, const SkipO
   return event;
 }
 
+/// What P of G31 says about the signal (MB-278, MB-279).
+enum class SkipKind {
+  Signal,       ///< the skip signal ends the move
+  TorqueLimit,  ///< P98: only the torque limit of the axis would, which nothing here reaches
+};
+
+int axes_named(const BlockWords& words) {
+  int count = 0;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    count += words.has(kAxisLetters[axis]) ? 1 : 0;
+  }
+  return count;
+}
+
+Result<SkipKind, Failure> skip_kind(const Control& control, const NcBlock& block) {
+  const EvaluatedWord* const p = block.words.find('P');
+  if (p == nullptr) {
+    return SkipKind::Signal;
+  }
+  const auto number = integer_of(*p);
+  if (!number) {
+    return number.error();
+  }
+  if (number.value() == 98 || number.value() == 99) {
+    if (axes_named(block.words) != 1) {
+      return at_word(AlarmId::SkipFormat, *p, "one axis is needed");
+    }
+    return number.value() == 98 ? SkipKind::TorqueLimit : SkipKind::Signal;
+  }
+  const bool selects = number.value() >= 1 && number.value() <= 4 &&
+                       control.parameters.has_signal(ParameterId::SkipSignals, number.value() - 1);
+  if (!selects) {
+    return at_word(AlarmId::SkipSignalSelect, *p, fmt::format("P{}", number.value()));
+  }
+  return SkipKind::Signal;
+}
+
+/// G31 P98: a feed move that no skip signal ends; #5061.. hold its end.
+MaybeFailure execute_torque_skip(Control& control, const NcBlock& block) {
+  const AxisPositions q_L_end = programmed_end(control, block);
+  const AxisPositions q_M_end = control.coordinates.to_machine(q_L_end);
+  if (auto failure = move_to(control, q_M_end, machine::Traverse::Feed, 31)) {
+    return failure;
+  }
+  control.coordinates.arrived_at_programmed(q_L_end);
+  control.q_W_skip = control.coordinates.to_work(q_M_end);
+  control.q_skip_offset = control.coordinates.tool_offset();
+  return std::nullopt;
+}
+
 /// mm/min: F of the block, else the parameter that some controls have, else the feed in force.
 Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) {
   const auto parameter = control.profile.skip_feed_parameter;
@@ -57,18 +107,23 @@ Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) 
 
 /// G31: latched position to #5061.., the axes stay where they stopped (MB-265 to MB-284).
 MaybeFailure execute_skip(Control& control, const NcBlock& block) {
-  if (control.modal.group[7].whole != 40) {
-    Failure failure;
-    failure.id = AlarmId::SkipNotAllowed;
-    return failure;
+  const auto kind = skip_kind(control, block);
+  if (!kind) {
+    return kind.error();
+  }
+  if (kind.value() == SkipKind::TorqueLimit) {
+    return execute_torque_skip(control, block);
+  }
+  if (!control.coordinates.transform().is_identity()) {
+    control.warn_once(source::DiagnosticId::SkipInTurnedPlane, block.where);
   }
   const auto feed = skip_feed(control, block);
   if (!feed) {
     return feed.error();
   }
-  const AxisPositions q_W_end = programmed_end(control, block);
+  const AxisPositions q_L_end = programmed_end(control, block);
   machine::LinearMove move;
-  move.q_M_end = control.coordinates.to_machine(q_W_end);
+  move.q_M_end = control.coordinates.to_machine(q_L_end);
   move.traverse = machine::Traverse::Feed;
   move.feed_mm_min = feed.value();
   control.silent_skip.reset();
@@ -85,7 +140,7 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   if (event.triggered) {
     control.coordinates.arrived_at_machine(event.q_M_stopped);
   } else {
-    control.coordinates.arrived_at_programmed(q_W_end);
+    control.coordinates.arrived_at_programmed(q_L_end);
   }
   control.observer.on_move({31, event.q_M_stopped, move.feed_mm_min, 0.0});
   control.observer.on_touch(event);

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+namespace g31::fanuc {
+
+/// One row of canned_cycles.def, which says what each value means.
+struct CannedCycle {
+  enum class Feeding : std::uint8_t { Straight, ChipBreak, FullRetract, Back };
+  enum class Dwell : std::uint8_t { None, Bottom, BottomAndR };
+  enum class Shift : std::uint8_t { None, Aside };
+  enum class Retract : std::uint8_t { Rapid, Feed, Hand };
+
+  int code;  ///< 81 for G81
+  Feeding feeding;
+  Dwell dwell;
+  Shift shift;
+  Retract retract;
+};
+
+/// The row of a code, or nullptr: G80 and every other code.
+const CannedCycle* find_canned_cycle(int code);
+
+/// What a canned cycle keeps from block to block, until G80 or a code of group 01 (MB-306, MB-313).
+/// Levels are coordinates along the drilling axis as programmed, mm.
+struct CycleData {
+  double initial = 0.0;  ///< where the axis stood before the first cycle: what G98 returns to
+  double r = 0.0;
+  double bottom = 0.0;
+  double q = 0.0;        ///< mm, >= 0: depth of a peck, or the shift
+  double dwell_s = 0.0;  ///< P
+};
+
+}  // namespace g31::fanuc

@@ -1,0 +1,287 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/execute.h"
+
+namespace g31::fanuc {
+namespace {
+
+constexpr int kMostRepeats = 9999;
+constexpr double kMostPecks = 1e6;  // no machine lives to see more
+
+/// The plane that a cycle positions in; its third axis drills.
+Plane cycle_plane(const Control& control) {
+  const bool by_plane = control.parameters.is_on(ParameterId::DrillAcrossPlane);
+  return by_plane ? control.modal.plane() : plane_of({17, 0});
+}
+
+/// One hole at work: moves along the drilling axis of the point where the machine stands.
+class Hole {
+ public:
+  Hole(Control& control, const CannedCycle& cycle, const Plane& plane)
+      : control_(control),
+        data_(control.cycle),
+        cycle_(cycle),
+        plane_(plane),
+        q_L_(control.coordinates.programmed()) {}
+
+  MaybeFailure drill();
+
+ private:
+  using Step = MaybeFailure (Hole::*)();
+
+  // The steps.
+  MaybeFailure enter();
+  MaybeFailure feed_in();
+  MaybeFailure dwell();
+  MaybeFailure step_aside();
+  MaybeFailure step_back();
+  MaybeFailure leave();
+
+  MaybeFailure peck();
+  MaybeFailure draw_back(double from, double sign);
+  MaybeFailure move(double level, machine::Traverse traverse);
+  MaybeFailure rapid(double level) { return move(level, machine::Traverse::Rapid); }
+  MaybeFailure feed(double level) { return move(level, machine::Traverse::Feed); }
+  [[nodiscard]] AxisPositions shift() const;
+  /// Scaling leaves Q and the parameters of pecking as they are.
+  [[nodiscard]] double unscaled(double mm) const {
+    return mm / control_.coordinates.transform().stretch(plane_.across);
+  }
+  [[nodiscard]] bool to_initial() const {
+    return control_.modal.group[10].whole == 98 || cycle_.feeding == CannedCycle::Feeding::Back;
+  }
+
+  Control& control_;
+  const CycleData& data_;
+  const CannedCycle& cycle_;
+  Plane plane_;
+  AxisPositions q_L_;
+  AxisPositions q_M_aside_ = AxisPositions::Zero();
+};
+
+MaybeFailure Hole::drill() {
+  constexpr Step kInwards[] = {&Hole::enter,      &Hole::feed_in, &Hole::dwell,
+                               &Hole::step_aside, &Hole::leave,   &Hole::step_back};
+  constexpr Step kBackwards[] = {&Hole::step_aside, &Hole::enter,    &Hole::step_back,
+                                 &Hole::feed_in,    &Hole::dwell,    &Hole::step_aside,
+                                 &Hole::leave,      &Hole::step_back};
+  const bool backwards = cycle_.feeding == CannedCycle::Feeding::Back;
+  const auto steps =
+      backwards ? std::span<const Step>(kBackwards) : std::span<const Step>(kInwards);
+  for (const Step step : steps) {
+    if (auto failure = (this->*step)()) {
+      return failure;
+    }
+  }
+  control_.coordinates.arrived_at_programmed(q_L_);
+  return std::nullopt;
+}
+
+MaybeFailure Hole::move(double level, machine::Traverse traverse) {
+  q_L_[plane_.across] = level;
+  return move_to(control_, control_.coordinates.to_machine(q_L_) + q_M_aside_, traverse,
+                 traverse == machine::Traverse::Rapid ? 0 : 1);
+}
+
+MaybeFailure Hole::enter() {
+  return rapid(data_.r);
+}
+
+MaybeFailure Hole::feed_in() {
+  const bool pecks = cycle_.feeding == CannedCycle::Feeding::ChipBreak ||
+                     cycle_.feeding == CannedCycle::Feeding::FullRetract;
+  return pecks ? peck() : feed(data_.bottom);
+}
+
+MaybeFailure Hole::peck() {
+  const double sign = data_.bottom < data_.r ? -1.0 : 1.0;
+  const double cut = unscaled(data_.q);
+  const double depth = std::abs(data_.bottom - data_.r);
+  if (cut == 0.0 || depth > cut * kMostPecks) {
+    return block_failure(AlarmId::CycleWithoutDepth,
+                         fmt::format("Q is {} for a depth of {}", data_.q, depth));
+  }
+  double done = 0.0;
+  while (true) {
+    const double next = done + cut;
+    const bool last = next >= depth;
+    if (auto failure = feed(last ? data_.bottom : data_.r + sign * next)) {
+      return failure;
+    }
+    if (last) {
+      return std::nullopt;
+    }
+    if (auto failure = draw_back(next, sign)) {
+      return failure;
+    }
+    done = next;
+  }
+}
+
+/// Between two pecks: out and, with G83, in again.  @param done  depth so far below R
+MaybeFailure Hole::draw_back(double done, double sign) {
+  const bool full = cycle_.feeding == CannedCycle::Feeding::FullRetract;
+  const double way = unscaled(
+      control_.parameters.get(full ? ParameterId::PeckClearance : ParameterId::ChipBreakRetract));
+  if (full) {
+    if (auto failure = rapid(data_.r)) {
+      return failure;
+    }
+  }
+  return rapid(data_.r + sign * std::max(0.0, done - way));
+}
+
+MaybeFailure Hole::dwell() {
+  if (cycle_.dwell != CannedCycle::Dwell::None && data_.dwell_s > 0.0) {
+    control_.port.dwell(data_.dwell_s);
+    control_.observer.on_move({4, control_.port.position(), 0.0, data_.dwell_s});
+  }
+  return std::nullopt;
+}
+
+/// The shift of G76 and G87, in machine coordinates: the spindle stands still where it was
+/// oriented, however the program is turned.
+AxisPositions Hole::shift() const {
+  const bool second = control_.parameters.is_on(ParameterId::ShiftAlongSecond);
+  const bool negative = control_.parameters.is_on(ParameterId::ShiftNegative);
+  AxisPositions q_M_shift = AxisPositions::Zero();
+  q_M_shift[second ? plane_.second : plane_.first] = negative ? -data_.q : data_.q;
+  return q_M_shift;
+}
+
+MaybeFailure Hole::step_aside() {
+  if (cycle_.shift == CannedCycle::Shift::None || data_.q == 0.0) {
+    return std::nullopt;
+  }
+  q_M_aside_ = shift();
+  return rapid(q_L_[plane_.across]);
+}
+
+MaybeFailure Hole::step_back() {
+  if (q_M_aside_ == AxisPositions::Zero()) {
+    return std::nullopt;
+  }
+  q_M_aside_.setZero();
+  return rapid(q_L_[plane_.across]);
+}
+
+MaybeFailure Hole::leave() {
+  if (cycle_.retract == CannedCycle::Retract::Rapid) {
+    return rapid(to_initial() ? data_.initial : data_.r);
+  }
+  const bool by_feed = cycle_.retract == CannedCycle::Retract::Feed;
+  if (auto failure = by_feed ? feed(data_.r) : rapid(data_.r)) {
+    return failure;
+  }
+  if (cycle_.dwell == CannedCycle::Dwell::BottomAndR) {
+    if (auto failure = dwell()) {
+      return failure;
+    }
+  }
+  return to_initial() ? rapid(data_.initial) : std::nullopt;
+}
+
+/// Takes Z, R, Q and P of the block into the cycle's data; G91 counts R from the initial level and
+/// Z from R.
+MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plane) {
+  CycleData& data = control.cycle;
+  const bool adds = control.modal.incremental();
+  const double depth = data.bottom - data.r;
+  const char letter = kAxisLetters[static_cast<std::size_t>(plane.across)];
+  if (const EvaluatedWord* const r = block.words.find('R')) {
+    data.r = (adds ? data.initial : 0.0) + control.scale.length_mm(*r);
+    data.bottom = adds ? data.r + depth : data.bottom;
+  }
+  if (const EvaluatedWord* const z = block.words.find(letter)) {
+    data.bottom = (adds ? data.r : 0.0) + control.scale.length_mm(*z);
+  }
+  if (const EvaluatedWord* const q = block.words.find('Q')) {
+    data.q = std::abs(control.scale.length_mm(*q));
+  }
+  if (const EvaluatedWord* const p = block.words.find('P')) {
+    const auto milliseconds = integer_of(*p);
+    if (!milliseconds) {
+      return milliseconds.error();
+    }
+    if (milliseconds.value() < 0) {
+      return at_word(AlarmId::IllegalMinus, *p, "a dwell is not negative");
+    }
+    data.dwell_s = milliseconds.value() / 1000.0;
+  }
+  return std::nullopt;
+}
+
+Result<int, Failure> repeats_of(const Control& control, const NcBlock& block) {
+  const char letter = control.parameters.is_on(ParameterId::TapeFormat) ? 'L' : 'K';
+  const EvaluatedWord* const word = block.words.find(letter);
+  if (word == nullptr) {
+    return 1;
+  }
+  const auto number = integer_of(*word);
+  if (number && (number.value() < 0 || number.value() > kMostRepeats)) {
+    return at_word(AlarmId::IllegalAddress, *word, fmt::format("{} is 0 to 9999", letter));
+  }
+  return number;
+}
+
+/// Rapid to the place of the next hole; the drilling axis waits, and a changed tool offset with it.
+MaybeFailure position(Control& control, const NcBlock& block, const Plane& plane) {
+  AxisPositions q_L_end = programmed_end(control, block);
+  q_L_end[plane.across] = control.coordinates.programmed()[plane.across];
+  AxisPositions q_M_end = control.coordinates.to_machine(q_L_end);
+  q_M_end[plane.across] = control.port.position()[plane.across];
+  if (auto failure = move_to(control, q_M_end, machine::Traverse::Rapid, 0)) {
+    return failure;
+  }
+  control.coordinates.arrived_at_programmed(q_L_end);
+  return std::nullopt;
+}
+
+bool names_a_place(const NcBlock& block, const Plane& plane) {
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (static_cast<int>(axis) != plane.across && block.words.has(kAxisLetters[axis])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void start_canned_cycle(Control& control) {
+  const Plane plane = cycle_plane(control);
+  const double level = control.coordinates.programmed()[plane.across];
+  control.cycle = {level, level, level, 0.0, 0.0};
+}
+
+/// G73 to G89: a hole at each place that the block names; a block without axes makes none (MB-306
+/// to MB-312).
+MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block) {
+  const Plane plane = cycle_plane(control);
+  if (!block.has_axis_word && !block.words.has('R')) {
+    return std::nullopt;
+  }
+  if (auto failure = take_data(control, block, plane)) {
+    return failure;
+  }
+  const auto repeats = repeats_of(control, block);
+  if (!repeats) {
+    return repeats.error();
+  }
+  const CannedCycle& cycle = *find_canned_cycle(control.modal.group[9].whole);
+  for (int i = 0; i < repeats.value(); ++i) {
+    if (names_a_place(block, plane)) {
+      if (auto failure = position(control, block, plane)) {
+        return failure;
+      }
+    }
+    if (auto failure = Hole(control, cycle, plane).drill()) {
+      return failure;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "interpreter/dialects/fanuc/control.h"
+#include "interpreter/dialects/fanuc/failure.h"
+#include "interpreter/dialects/fanuc/word_values.h"
+
+namespace g31::fanuc {
+
+/// What the G codes of a block are to do with its other words.
+struct Codes {
+  const GCode* one_shot = nullptr;  ///< of group 0
+  const GCode* frame = nullptr;  ///< takes the axis words for mirror, scaling, rotation or limits
+  const GCode* tool_length = nullptr;
+  const GCode* work_offset = nullptr;
+  const GCode* unsimulated = nullptr;
+  bool starts_polar = false;
+  bool starts_cycle = false;
+};
+
+/// Modal codes, feed, S T M and the like of a block: everything that the rest of it builds on.
+Result<Codes, Failure> take_words(Control& control, const BlockWords& words);
+
+inline bool in_canned_cycle(const Control& control) {
+  return control.modal.group[9].whole != 80;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,65 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/execute.h"
+
+namespace g31::fanuc {
+namespace {
+
+constexpr int kEndOfInput = 11;  // G11
+
+bool ends_input(const BlockWords& words) {
+  const EvaluatedWord* const g = words.find('G');
+  return g != nullptr && g->number == kEndOfInput;
+}
+
+/// R as the parameter's unit has it: lengths without a point count least increments (MB-262).
+double entered_value(const Control& control, int number, const EvaluatedWord& r) {
+  const ParameterInfo* const row = find_parameter(number);
+  if (row != nullptr && row->unit == "mm") {
+    return control.scale.length_mm(r);
+  }
+  return row != nullptr && row->unit == "deg" ? control.scale.angle_deg(r) : r.number;
+}
+
+/// N.. R.., or N.. P.. R.. with P the number of the axis (MB-260).
+MaybeFailure set_parameter(Control& control, const BlockWords& words) {
+  for (const EvaluatedWord& word : words.all()) {
+    if (word.letter != 'P' && word.letter != 'R') {
+      return at_word(AlarmId::DataInputFormat, word,
+                     fmt::format("{} has no place here", word.letter));
+    }
+  }
+  const EvaluatedWord* const r = words.find('R');
+  const EvaluatedWord* const p = words.find('P');
+  if (words.sequence() <= 0 || r == nullptr) {
+    return block_failure(AlarmId::DataInputFormat,
+                         r == nullptr ? "R is missing" : "N is missing: the parameter's number");
+  }
+  const double value = entered_value(control, words.sequence(), *r);
+  Parameters parameters = control.parameters;
+  if (p != nullptr) {
+    const auto axis = integer_of(*p);
+    if (!axis || axis.value() < 1 || axis.value() > static_cast<int>(kAxisCount)) {
+      return at_word(AlarmId::DataInputFormat, *p, "P is the number of an axis");
+    }
+    parameters.set_axis_value(words.sequence(), axis.value() - 1, value);
+  } else if (!parameters.enter(words.sequence(), value)) {
+    return at_word(AlarmId::DataInputFormat, *r, "R is eight digits 0 or 1, bit 7 first");
+  }
+  control.apply(parameters);
+  return std::nullopt;
+}
+
+}  // namespace
+
+MaybeFailure execute_data_block(Control& control, const BlockWords& words) {
+  if (ends_input(words)) {
+    control.data_input = DataInput::None;
+    return std::nullopt;
+  }
+  return control.data_input == DataInput::Parameters ? set_parameter(control, words) : std::nullopt;
+}
+
+}  // namespace g31::fanuc

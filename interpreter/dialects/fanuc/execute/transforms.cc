@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/execute.h"
+
+namespace g31::fanuc {
+namespace {
+
+constexpr double kThousandth = 0.001;
+
+void apply(Control& control) {
+  control.coordinates.set_transform(control.transforms.all());
+}
+
+/// P, I, J, K of G51: thousandths, or the factor itself where the control takes a point (MB-299).
+Result<double, Failure> scale_factor(const Control& control, const EvaluatedWord& word) {
+  const bool is_factor =
+      word.form != syntax::ValueForm::Integer && control.profile.has_series_30i_functions;
+  if (is_factor) {
+    return word.number;
+  }
+  const auto thousandths = integer_of(word);
+  return thousandths ? Result<double, Failure>(thousandths.value() * kThousandth)
+                     : thousandths.error();
+}
+
+Result<Point, Failure> scale_factors(const Control& control, const NcBlock& block) {
+  constexpr char kAxisFactors[] = {'I', 'J', 'K'};
+  const BlockWords& words = block.words;
+  const bool by_axis = control.parameters.is_on(ParameterId::ScaleByAxis) &&
+                       (words.has('I') || words.has('J') || words.has('K'));
+  Point factors;
+  for (int axis = 0; axis < 3; ++axis) {
+    const ParameterId usual = by_axis ? ParameterId::UsualAxisScale : ParameterId::UsualScale;
+    double& factor = factors[axis];
+    factor = control.parameters.get_for_axis(usual, 0, axis) * kThousandth;
+    if (const EvaluatedWord* const word = words.find(by_axis ? kAxisFactors[axis] : 'P')) {
+      const auto given = scale_factor(control, *word);
+      if (!given) {
+        return given.error();
+      }
+      factor = given.value();
+    }
+    if (factor == 0.0 || (!by_axis && factor < 0.0)) {
+      return block_failure(AlarmId::IllegalScale, fmt::format("the factor is {}", factor));
+    }
+  }
+  return factors;
+}
+
+}  // namespace
+
+/// G51.1: the named axes are mirrored at these coordinates (MB-300).
+MaybeFailure execute_mirror(Control& control, const NcBlock& block) {
+  const AxisPositions q_L_at = cartesian_end(control, block);
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (block.words.has(kAxisLetters[axis])) {
+      control.transforms.mirrored_at[axis] = q_L_at[static_cast<Eigen::Index>(axis)];
+    }
+  }
+  apply(control);
+  return std::nullopt;
+}
+
+/// G50.1: the named axes are mirrored no longer; without names none is.
+MaybeFailure execute_mirror_off(Control& control, const NcBlock& block) {
+  bool still_mirrored = false;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    std::optional<double>& at = control.transforms.mirrored_at[axis];
+    if (!block.has_axis_word || block.words.has(kAxisLetters[axis])) {
+      at.reset();
+    }
+    still_mirrored = still_mirrored || at;
+  }
+  control.modal.group[22] = still_mirrored ? GNumber{51, 1} : GNumber{50, 1};
+  apply(control);
+  return std::nullopt;
+}
+
+/// G51: enlarges about X Y Z, by default the present point, by P or by I J K (MB-299).
+MaybeFailure execute_scaling(Control& control, const NcBlock& block) {
+  const auto factors = scale_factors(control, block);
+  if (!factors) {
+    return factors.error();
+  }
+  control.transforms.scaling = Scaling{linear_axes(cartesian_end(control, block)), factors.value()};
+  apply(control);
+  return std::nullopt;
+}
+
+void cancel_scaling(Control& control) {
+  control.transforms.scaling.reset();
+  apply(control);
+}
+
+/// G68: turns the plane about a point, by default the present one, by R counterclockwise (MB-298).
+/// Mirror and scaling take the centre along, and a mirrored plane turns the other way.
+MaybeFailure execute_rotation(Control& control, const NcBlock& block) {
+  const Plane plane = control.modal.plane();
+  const Coordinates& coordinates = control.coordinates;
+  const WorkTransform before = control.transforms.before_rotation();
+  const AxisPositions q_W_named = before.apply(cartesian_end(control, block));
+  const AxisPositions q_W_present = coordinates.transform().apply(coordinates.programmed());
+  const auto centre_along = [&](int axis) {
+    const bool named = block.words.has(kAxisLetters[static_cast<std::size_t>(axis)]);
+    return (named ? q_W_named : q_W_present)[axis];
+  };
+  const EvaluatedWord* const r = block.words.find('R');
+  double angle_deg = r != nullptr ? control.scale.angle_deg(*r)
+                                  : control.parameters.get(ParameterId::UsualRotation);
+  if (before.reverses_turns(plane)) {
+    angle_deg = -angle_deg;
+  }
+  const bool adds = control.modal.incremental() && control.transforms.rotation &&
+                    control.parameters.is_on(ParameterId::IncrementalAngle);
+  if (adds) {
+    angle_deg += control.transforms.rotation->angle_deg;
+  }
+  control.transforms.rotation = Rotation{
+      plane, Eigen::Vector2d(centre_along(plane.first), centre_along(plane.second)), angle_deg};
+  apply(control);
+  return std::nullopt;
+}
+
+void cancel_rotation(Control& control) {
+  control.transforms.rotation.reset();
+  apply(control);
+}
+
+/// G16: under G90 about the work origin, under G91 about the present point (MB-301).
+void start_polar(Control& control) {
+  const Plane plane = control.modal.plane();
+  const AxisPositions& q_L = control.coordinates.programmed();
+  const Eigen::Vector2d p_L_present(q_L[plane.first], q_L[plane.second]);
+  control.polar = control.modal.incremental() ? PolarCoordinates::about(p_L_present)
+                                              : PolarCoordinates::about_origin(p_L_present);
+}
+
+}  // namespace g31::fanuc
