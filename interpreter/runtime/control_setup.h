@@ -28,6 +28,7 @@ struct ControlSetup {
   std::string profile;    ///< "" = chosen by content and file ending
   std::string increment;  ///< "IS-A", "IS-B", "IS-C" or "" = profile's
   OffsetMemory offset_memory = OffsetMemory::C;
+  int lookahead_blocks = 0;  ///< NC blocks buffered behind the running one; 0: every read waits
   std::set<int> block_skip;                  ///< switches that are on, 1..9
   std::string variables_file;                ///< non-volatile variables; "" = none
   /// "6001.1" is bit 1 of 6001, "3410" a value, "1240.X" a value of one axis.

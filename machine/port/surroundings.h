@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -12,6 +13,16 @@ namespace g31::machine {
 struct Sweep {
   AxisPositions q_M_from;
   AxisPositions q_M_to;  ///< not equal to q_M_from
+};
+
+/// A sweep of all axes along a curve, like an arc; fractions 0..1 of it are what the answers speak
+/// of.
+struct CurvedSweep {
+  std::function<AxisPositions(double)> q_M_at;  ///< at a fraction
+  /// mm: the second derivative of the linear axes by the fraction is nowhere longer.  So the linear
+  /// axes are never farther than bend h^2 / 8 from the chord over a fraction h.
+  double bend = 0.0;
+  int chords = 1;  ///< equal pieces for a world that knows straight sweeps only, >= 1
 };
 
 /// The skip signal: where on the sweep it is caused, and how late the control sees it.
@@ -46,6 +57,23 @@ class Surroundings {
   /// The first forbidden touch of an ordinary move; nullopt: the way is free.  A sweep that leaves
   /// a contact in which the last skip move ended is free.
   virtual std::optional<Obstacle> first_collision(const Sweep& sweep) = 0;
+
+  /// The same on a curve.  A world that has nothing better is asked chord by chord.
+  virtual std::optional<Obstacle> first_collision_on_curve(const CurvedSweep& sweep) {
+    for (int i = 0; i < sweep.chords; ++i) {
+      const Sweep chord{sweep.q_M_at((i + 0.0) / sweep.chords),
+                        sweep.q_M_at((i + 1.0) / sweep.chords)};
+      // Far from the origin a chord may be shorter than the spacing of doubles.
+      if (chord.q_M_from == chord.q_M_to) {
+        continue;
+      }
+      if (auto obstacle = first_collision(chord)) {
+        obstacle->fraction = (i + obstacle->fraction) / sweep.chords;
+        return obstacle;
+      }
+    }
+    return std::nullopt;
+  }
 };
 
 }  // namespace g31::machine

@@ -94,6 +94,12 @@ AxisBox ArcPath::bounds() const {
   return box;
 }
 
+double ArcPath::bend() const {
+  const double radius = std::max(radius_from_, radius_to_);
+  return std::abs(turned_rad_) *
+         (radius * std::abs(turned_rad_) + 2.0 * std::abs(radius_to_ - radius_from_));
+}
+
 int ArcPath::chord_count() const {
   // A chord over the angle t is r (1 - cos(t / 2)) from its arc, at most r t^2 / 8.
   const double radius = std::max(radius_from_, radius_to_);

@@ -41,6 +41,9 @@ class ArcPath {
   /// crossings are taken kFullCircleGapMm short, so that rounding never breaks a travel limit.
   [[nodiscard]] AxisBox bounds() const;
 
+  /// mm: the second derivative of the linear axes by the fraction is nowhere longer.
+  [[nodiscard]] double bend() const;
+
   /// Into how many equal chords to cut the arc so that none is further from it than kChordErrorMm;
   /// 4 at least, so that a tiny full circle goes somewhere, and kMostChords at most.
   [[nodiscard]] int chord_count() const;

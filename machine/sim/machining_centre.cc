@@ -131,22 +131,15 @@ MachineFault MachiningCentre::stop_at(Obstacle obstacle, const AxisPositions& q_
 
 std::optional<MachineFault> MachiningCentre::collide_on(const ArcPath& path,
                                                         const MotionProfile& profile) {
-  const int chords = path.chord_count();
-  for (int i = 0; i < chords; ++i) {
-    const StraightPath chord(path.at((i + 0.0) / chords), path.at((i + 1.0) / chords));
-    // Far from the origin a chord may be shorter than the spacing of doubles.
-    if (!chord.moves()) {
-      continue;
-    }
-    auto obstacle = surroundings_->first_collision({chord.from(), chord.to()});
-    if (obstacle) {
-      G31_EXPECTS(is_fraction(obstacle->fraction));
-      const AxisPositions q_M_stop = chord.at(obstacle->fraction);
-      const double travelled = (i + obstacle->fraction) / chords * profile.length();
-      return stop_at(*std::move(obstacle), q_M_stop, profile.time_at(travelled));
-    }
+  auto obstacle = surroundings_->first_collision_on_curve(
+      {[&path](double fraction) { return path.at(fraction); }, path.bend(), path.chord_count()});
+  if (!obstacle) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  G31_EXPECTS(is_fraction(obstacle->fraction));
+  const AxisPositions q_M_stop = path.at(obstacle->fraction);
+  const double travelled = obstacle->fraction * profile.length();
+  return stop_at(*std::move(obstacle), q_M_stop, profile.time_at(travelled));
 }
 
 SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& path,

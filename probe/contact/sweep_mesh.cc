@@ -1,5 +1,6 @@
 #include "probe/contact/sweep_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "machine/base/contract.h"
@@ -90,6 +91,46 @@ SweepHit MeshSweeper::first_contact_leaving(const Point& p_M_from, const Point& 
   const std::optional<Meeting> first =
       start ? first_meeting_leaving(path, start->distance, kLeaveFreely) : first_meeting(path);
   return first ? hit_at(SweepStatus::Contact, path, *first) : SweepHit{};
+}
+
+double MeshSweeper::free_share(const Point& p_M_from, const Point& p_M_to, double slack) const {
+  const parts::Path path = path_between(p_M_from, p_M_to);
+  const double radius = radius_ + slack;
+  parts::Path rest = path;
+  bool met = false;
+  patch_tree_.visit_along(path, slack + kBoxMarginMm, [&](std::uint32_t i) {
+    // All of the triangle: the way beside this one may meet a feature that this one passes by.
+    const ContactTriangle& triangle = mesh_.triangles()[patches_[i].slot()];
+    const bool at_once = nearest_of(triangle, path.from).distance <= radius;
+    const double s = at_once ? 0.0 : sweep_triangle(rest, triangle, radius);
+    if (s <= rest.length) {
+      met = true;
+      rest.length = s;
+    }
+    return rest.length;
+  });
+  if (!met) {
+    return 1.0;
+  }
+  return path.length > 0.0 ? rest.length / path.length : 0.0;
+}
+
+std::optional<double> MeshSweeper::distance_if_touching(const Point& p_M_centre) const {
+  const std::optional<Touch> touch = mesh_.nearest_within(p_M_centre, radius_ + kTouchBandMm);
+  return touch ? std::optional(touch->distance) : std::nullopt;
+}
+
+StraightLeaving MeshSweeper::leave(const Point& p_M_from, const Point& p_M_to,
+                                   double start_distance, const LeavingRule& rule) const {
+  const parts::Path path = path_between(p_M_from, p_M_to);
+  if (path.length == 0.0) {
+    return {{}, 1.0};
+  }
+  const Leaving leaving = leave_contact(mesh_, path, radius_, start_distance, rule);
+  if (leaving.stop) {
+    return {hit_at(SweepStatus::Contact, path, *leaving.stop), leaving.stop->s / path.length};
+  }
+  return {{}, std::min(1.0, leaving.free_from / path.length)};
 }
 
 std::optional<Meeting> MeshSweeper::first_meeting(const parts::Path& path) const {

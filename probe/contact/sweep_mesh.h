@@ -31,6 +31,12 @@ struct SweepHit {
   double cos_incidence = 0.0;        ///< 1 head-on, 0 grazing; negative if the start moves away
 };
 
+/// How a ball comes out of contact on a straight way.
+struct StraightLeaving {
+  SweepHit hit;        ///< what stops it before it is free
+  double share = 0.0;  ///< 0..1 of the way, until it is free or stopped; 1 if it does not come free
+};
+
 /// Moves a ball of fixed radius against a fixed mesh: closed form, no steps, no tolerance to
 /// choose.
 ///
@@ -64,6 +70,19 @@ class MeshSweeper {
   /// Depth is measured from the ball centre's distance, so a centre that is in the surface itself,
   /// or has gone through it, may go on.  Never StartInContact.
   [[nodiscard]] SweepHit first_contact_leaving(const Point& p_M_from, const Point& p_M_to) const;
+
+  // For ways that are not straight (sweep_curve.h):
+
+  /// The share of a straight way, 0..1, on which the ball is certainly free on every way that goes
+  /// along with it at `slack` mm at most.  The start must be free.
+  [[nodiscard]] double free_share(const Point& p_M_from, const Point& p_M_to, double slack) const;
+
+  /// The distance of the ball centre from the mesh if the ball touches or overlaps it.
+  [[nodiscard]] std::optional<double> distance_if_touching(const Point& p_M_centre) const;
+
+  /// The way until the ball is free.  @param start_distance  where the whole move began
+  [[nodiscard]] StraightLeaving leave(const Point& p_M_from, const Point& p_M_to,
+                                      double start_distance, const LeavingRule& rule) const;
 
   [[nodiscard]] std::size_t memory_bytes() const;
 

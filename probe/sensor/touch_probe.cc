@@ -5,6 +5,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/base/random.h"
+#include "probe/contact/sweep_curve.h"
 
 namespace g31::probe {
 namespace {
@@ -14,6 +15,10 @@ constexpr std::uint32_t kRepeatabilityStream = 1;
 
 machine::Contact contact_of(const SweepHit& hit, const std::string& part) {
   return {hit.p_M_point, hit.n_M, part};
+}
+
+machine::Obstacle obstacle_at(double fraction, const SweepHit& hit, const std::string& part) {
+  return {std::clamp(fraction, 0.0, 1.0), "stylus ball touches " + part, contact_of(hit, part)};
 }
 
 }  // namespace
@@ -58,11 +63,20 @@ std::optional<machine::Obstacle> TouchProbe::first_collision(const machine::Swee
     return std::nullopt;
   }
   const double length = (ball_centre(sweep.q_M_to) - ball_centre(sweep.q_M_from)).norm();
-  machine::Obstacle obstacle;
-  obstacle.fraction = std::clamp(hit.s / length, 0.0, 1.0);
-  obstacle.what = "stylus ball touches " + part->name;
-  obstacle.contact = contact_of(hit, part->name);
-  return obstacle;
+  return obstacle_at(hit.s / length, hit, part->name);
+}
+
+std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
+    const machine::CurvedSweep& sweep) {
+  const Curve curve{[&](double t) { return ball_centre(sweep.q_M_at(t)); }, sweep.bend};
+  std::optional<machine::Obstacle> first;
+  for (const Part& part : parts_) {
+    const auto [t, hit] = first_contact_leaving_on_curve(part.sweeper, curve);
+    if (hit.status != SweepStatus::Miss && (!first || t < first->fraction)) {
+      first = obstacle_at(t, hit, part.name);
+    }
+  }
+  return first;
 }
 
 Point TouchProbe::ball_centre(const AxisPositions& q_M) const {

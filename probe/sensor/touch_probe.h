@@ -39,6 +39,10 @@ class TouchProbe final : public machine::Surroundings {
   /// The ball touching a part.  Leaving a contact is free, pushing deeper into it is not.
   std::optional<machine::Obstacle> first_collision(const machine::Sweep& sweep) override;
 
+  /// Accuracy: kCurveErrorMm.
+  std::optional<machine::Obstacle> first_collision_on_curve(
+      const machine::CurvedSweep& sweep) override;
+
  private:
   struct Part {
     std::string name;

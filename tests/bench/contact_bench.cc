@@ -23,6 +23,7 @@
 
 #include "parts/artefacts/ring_gauge.h"
 #include "probe/contact/contact_triangle.h"
+#include "probe/contact/sweep_curve.h"
 #include "probe/contact/sweep_mesh.h"
 #include "probe/contact/sweep_triangle.h"
 #include "tests/probe/test_meshes.h"
@@ -112,6 +113,29 @@ void leaving_a_sphere(benchmark::State& state) {
   }
 }
 BENCHMARK(leaving_a_sphere)->Arg(5)->Arg(50)->Arg(500);
+
+/// Half circles of 25 mm that come down onto the sphere.
+void arc_onto_sphere(benchmark::State& state) {
+  const MeshSweeper sweeper(sphere_of(state), kBallRadius);
+  std::mt19937_64 random(1);
+  std::vector<Point> outs(512);
+  for (Point& out : outs) {
+    out = g31::testing::any_direction(random);
+  }
+  std::size_t next = 0;
+  for (auto _ : state) {
+    const Point& out = outs[next++ % outs.size()];
+    const Point aside = out.unitOrthogonal();
+    const g31::probe::Curve arc{
+        [&](double t) {
+          const double angle = std::numbers::pi * t;
+          return Point(40.0 * out + 25.0 * std::cos(angle) * aside - 25.0 * std::sin(angle) * out);
+        },
+        25.0 * std::numbers::pi * std::numbers::pi};
+    benchmark::DoNotOptimize(g31::probe::sweep_curve(sweeper, arc));
+  }
+}
+BENCHMARK(arc_onto_sphere)->Arg(5)->Arg(50)->Arg(500);
 
 /// How long MeshSweeper takes for one of the ways, s: the mean over many.
 double sweeper_seconds(const g31::parts::Mesh& mesh, std::span<const Way> ways) {

@@ -174,6 +174,31 @@ TEST(TouchProbe, CollidesInAnOrdinaryMoveButLeavesAContactFreely) {
   }
 }
 
+TEST(TouchProbe, CollidesOnAnArcWhereTheBallMeetsThePart) {
+  const ProbeSetup setup = straight_probe();
+  const parts::Mesh block = testing::box_mesh({10, 10, 10});
+  TouchProbe probe(
+      setup,
+      {{"far", parts::placed_mesh(block, {Point(-40, 0, 0), Point::Zero()})}, {"near", block}}, 0);
+  // A circle of 30 mm in the plane Z5 around (5, 5 + 30 + gap): its lowest point is over the block.
+  const auto arc = [&](double gap) {
+    return machine::CurvedSweep{
+        [&setup, gap](double fraction) {
+          const double angle = 2.0 * std::numbers::pi * fraction;
+          return at(Point(5 + 30 * std::sin(angle), 13 + gap + 30 + 30 * std::cos(angle),
+                          5 + setup.length_mm));
+        },
+        4.0 * std::numbers::pi * std::numbers::pi * 30.0, 1};
+  };
+  EXPECT_FALSE(probe.first_collision_on_curve(arc(1e-6)).has_value());
+  const auto obstacle = probe.first_collision_on_curve(arc(-0.01));
+  ASSERT_TRUE(obstacle.has_value());
+  EXPECT_EQ(obstacle->what, "stylus ball touches near");
+  const double angle = std::numbers::pi - std::acos(1.0 - 0.01 / 30.0);
+  EXPECT_NEAR(obstacle->fraction, angle / (2.0 * std::numbers::pi), 1e-8);
+  EXPECT_NEAR((obstacle->contact.n_M - Point::UnitY()).norm(), 0.0, 1e-6);
+}
+
 /// 4000 touches of a block with a standard deviation of 1 um.
 std::vector<double> scattered(std::uint64_t seed, double repeatability_mm) {
   ProbeSetup setup = straight_probe();

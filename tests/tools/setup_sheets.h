@@ -18,6 +18,7 @@ inline constexpr const char* kEveryKey = R"([control]
 profile = "fanuc-16i"
 increment = "IS-C"
 offset_memory = "B"
+lookahead = 3
 block_skip = [1, 9]
 variables_file = "v55.vars"
 [parameters]

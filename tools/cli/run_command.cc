@@ -1,5 +1,6 @@
 #include "tools/cli/run_command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -150,7 +151,10 @@ std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOpt
 ExitCode exit_code_of(const runtime::Outcome& outcome) {
   switch (outcome.status) {
     case runtime::Status::Completed: {
-      const bool findings = !outcome.diagnostics.empty();
+      const bool findings =
+          std::ranges::any_of(outcome.diagnostics, [](const source::Diagnostic& diagnostic) {
+            return diagnostic.severity != source::Severity::Note;
+          });
       return findings ? ExitCode::Findings : ExitCode::Completed;
     }
     case runtime::Status::Alarm:

@@ -57,6 +57,8 @@ std::string_view words_for(Limit limit) {
       return "a list of numbers 1 to 9";
     case Limit::ProgramNumber:
       return "1 to 99999999";
+    case Limit::BlockCount:
+      return "0 to 9999";
     case Limit::Rising:
       return "two numbers, the first below the second";
     case Limit::NotEmpty:
@@ -85,6 +87,8 @@ bool number_within(Limit limit, double number) {
       return number >= 1.0 && number <= 9.0;
     case Limit::ProgramNumber:
       return number >= 1.0 && number <= 99999999.0;
+    case Limit::BlockCount:
+      return number >= 0.0 && number <= 9999.0;
     case Limit::Any:
     case Limit::Rising:
     case Limit::NotEmpty:
@@ -115,6 +119,7 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::Bit:
     case Limit::SwitchNumber:
     case Limit::ProgramNumber:
+    case Limit::BlockCount:
     case Limit::Rising:
       return true;
   }

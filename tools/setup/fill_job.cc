@@ -71,6 +71,8 @@ void fill_control(runtime::ControlSetup& control, const Keys& keys) {
   if (const Entry* const memory = keys.find(KeyId::ControlOffsetMemory)) {
     control.offset_memory = offset_memory_from(std::get<std::string>(memory->value));
   }
+  control.lookahead_blocks = static_cast<int>(
+      keys.get(KeyId::ControlLookahead, static_cast<double>(control.lookahead_blocks)));
   control.variables_file = keys.get(KeyId::ControlVariablesFile, control.variables_file);
   for (const double number : keys.get(KeyId::ControlBlockSkip, std::vector<double>{})) {
     control.block_skip.insert(static_cast<int>(number));

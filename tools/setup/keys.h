@@ -60,6 +60,7 @@ enum class Limit {
   Bit,            ///< 0 or 1
   SwitchNumber,   ///< 1..9, each element
   ProgramNumber,  ///< 1..99999999
+  BlockCount,     ///< 0..9999
   Rising,         ///< the first below the second
   NotEmpty,
   IncrementSystem,

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace g31::fanuc {
 namespace {
 
@@ -71,6 +73,13 @@ void Control::report_silent_skip() {
   if (silent_skip) {
     diagnostics.push_back(make_diagnostic(source::DiagnosticId::SkipWithoutSignal, *silent_skip));
     silent_skip.reset();
+  }
+}
+
+void Control::report_read_ahead(const SystemVariable& row, std::int32_t number) {
+  const source::Location where = here();
+  if (const auto report = lookahead.judge(row, where, number)) {
+    diagnostics.push_back(make_diagnostic(*report, where, fmt::format("#{}", number)));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,6 +16,7 @@
 #include "interpreter/dialects/fanuc/evaluate.h"
 #include "interpreter/dialects/fanuc/failure.h"
 #include "interpreter/dialects/fanuc/g_codes.h"
+#include "interpreter/dialects/fanuc/lookahead.h"
 #include "interpreter/dialects/fanuc/offsets.h"
 #include "interpreter/dialects/fanuc/parameters.h"
 #include "interpreter/dialects/fanuc/polar.h"
@@ -103,6 +105,7 @@ struct Control {
   AxisPositions q_L_intermediate = AxisPositions::Zero();
   DataInput data_input = DataInput::None;
 
+  Lookahead lookahead;
   std::vector<source::Diagnostic> diagnostics;
 
   /// The last skip move, if it ended without a signal and nobody has asked for its result yet.
@@ -111,6 +114,12 @@ struct Control {
   /// Somebody relies on a skip move that had no signal: the warning that it deserves.
   /// A silent skip move that is followed by another one is a protected positioning move.
   void report_silent_skip();
+
+  /// Where the program is now, for reports from inside an expression.
+  std::function<source::Location()> here;
+
+  /// A system variable is read ahead of the motion: the report that it deserves.
+  void report_read_ahead(const SystemVariable& row, std::int32_t number);
 
   /// Warns of something that g31 does not simulate, at its first place only.
   void warn_once(source::DiagnosticId id, source::Location where, std::string_view detail = {});

@@ -92,6 +92,9 @@ Result<Cell, AlarmId> ControlVariables::read(std::int32_t number) {
   if (row->access == Access::Write) {
     return AlarmId::ReadProtected;
   }
+  if (control_->lookahead.is_ahead()) {
+    control_->report_read_ahead(*row, number);
+  }
   return accessor_of(*row).read(*control_, {*row, number});
 }
 

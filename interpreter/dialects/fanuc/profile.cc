@@ -52,6 +52,7 @@ constexpr Profile fanuc_30i() {
   profile.largest_sequence = 99999999;
   profile.calls = {5, 10, 15};
   profile.lone_cancel_is_alarm = true;
+  profile.dwell_is_fence = false;
   profile.macro_alarm.largest = 4095;
   profile.macro_alarm.text_length = 31;
   profile.macro_alarm.has_plain_numbers = true;

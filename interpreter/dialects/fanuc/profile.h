@@ -91,6 +91,8 @@ struct Profile {
   bool lone_cancel_is_alarm = false;  ///< G67 without G66 (MB-206)
   char start_letter = 'Q';  ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
 
+  bool dwell_is_fence = true;  ///< G04 waits until the axes stand before reading on (MB-162)
+
   // #3000 and the system variables
   MacroAlarmRule macro_alarm;
   ModalLayout modal_layout = fanuc_modal_layout();

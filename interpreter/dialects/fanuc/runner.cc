@@ -23,6 +23,7 @@ Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::Machine
                runtime::Observer& observer)
     : library_(library), control_(profile, port, observer, system_) {
   system_.attach(control_);
+  control_.here = [this] { return location_of(frame()); };
 }
 
 runtime::Outcome Runner::run(const runtime::Budget& budget) {

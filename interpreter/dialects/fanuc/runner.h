@@ -79,6 +79,7 @@ class Runner {
   // runner_words.cc: NC blocks
   MaybeFailure nc_block(const Step& step);
   MaybeFailure evaluate_words(const Step& step);
+  MaybeFailure execute(const BlockWords& words, source::Location where);
   MaybeFailure plain_block(source::Location where);
   MaybeFailure program_stop(int m, source::Location where);
 

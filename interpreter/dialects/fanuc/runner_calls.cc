@@ -272,7 +272,7 @@ MaybeFailure Runner::code_subprogram(const EvaluatedWord& code, int program_numb
       others.add(word);
     }
   }
-  if (auto failure = execute_block(control_, others, location_of(frame()))) {
+  if (auto failure = execute(others, location_of(frame()))) {
     return failure;
   }
   return enter({program, CallKind::Subprogram, CalledBy::Code, 1});
@@ -412,7 +412,7 @@ MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
       others.add(word);
     }
   }
-  if (auto failure = execute_block(control_, others, location_of(frame()))) {
+  if (auto failure = execute(others, location_of(frame()))) {
     return failure;
   }
   return entry.repeats == 0 ? std::nullopt : enter(entry);

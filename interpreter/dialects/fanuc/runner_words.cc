@@ -63,10 +63,21 @@ MaybeFailure Runner::nc_block(const Step& step) {
   return called.value() ? std::nullopt : plain_block(location(block.span));
 }
 
+/// What the words of a block do, calls apart.
+MaybeFailure Runner::execute(const BlockWords& words, source::Location where) {
+  if (auto failure = execute_block(control_, words, where)) {
+    return failure;
+  }
+  if (control_.lookahead.is_judged()) {
+    control_.lookahead.executed(effect_of(words, control_.profile, control_.parameters));
+  }
+  return std::nullopt;
+}
+
 /// A block that calls nothing; its motion may set off a modal call.
 MaybeFailure Runner::plain_block(source::Location where) {
   const EvaluatedWord* const m = words_.find('M');
-  if (auto failure = execute_block(control_, words_, where)) {
+  if (auto failure = execute(words_, where)) {
     return failure;
   }
   if (auto failure = program_stop(m != nullptr ? nearest_integer(m->number) : -1, where)) {

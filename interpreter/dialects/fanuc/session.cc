@@ -108,6 +108,7 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   }
   control.set_offset_memory(setup.offset_memory);
   control.block_skip = setup.block_skip;
+  control.lookahead.set_depth(setup.lookahead_blocks);
   refused = configure_offsets(control, setup);
   configure_calls(control, setup, refused);
   for (const auto& [name, value] : setup.variables) {

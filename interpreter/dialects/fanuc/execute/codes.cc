@@ -137,8 +137,10 @@ Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
       }
     }
   }
-  control.scale.unit =
-      control.modal.group[6].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;
+  const auto unit = control.modal.group[6].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;
+  if (unit != control.scale.unit) {
+    control.set_unit(unit);
+  }
   for (const EvaluatedWord& word : words.all()) {
     if (word.letter != 'G') {
       if (auto failure = take_plain_word(control, word)) {
