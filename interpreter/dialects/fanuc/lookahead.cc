@@ -14,6 +14,7 @@ constexpr int kLastUnbuffered = 3432;
 bool is_fence(const GCode& code, const Profile& profile) {
   switch (code.action) {
     case GAction::Skip:
+    case GAction::MeasureTool:
     case GAction::MachineMove:
     case GAction::CheckReference:
     case GAction::ToReference:

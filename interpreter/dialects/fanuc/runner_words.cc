@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/runner.h"
 
@@ -87,6 +88,11 @@ MaybeFailure Runner::plain_block(source::Location where) {
 
 /// M00, M01, M02, M30: recorded stops and the end.
 MaybeFailure Runner::program_stop(int m, source::Location where) {
+  if (m >= 0 && nothing_is_read_ahead_of(control_, m)) {
+    if (auto failure = end_read_ahead(control_)) {
+      return failure;
+    }
+  }
   if (m == 0 || m == 1) {
     control_.observer.on_stop({m == 0 ? "M00" : "M01", "", where});
   }
