@@ -12,6 +12,7 @@ namespace {
 /// MB-210).
 constexpr int kCallParameters = 10;
 
+/// @param parameters  must outlive the rules
 EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   EvaluationRules rules;
   rules.largest_result = profile.largest_result;
@@ -20,6 +21,8 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   rules.signed_angles = parameters.is_on(ParameterId::SignedAngles);
   rules.clear_small_sines = parameters.is_on(ParameterId::ClearSmallSines);
   rules.has_series_30i_functions = profile.has_series_30i_functions;
+  rules.joins_conditions = parameters.is_on(ParameterId::JoinsConditions);
+  rules.parameters = &parameters;
   rules.logic_operands = profile.logic_operands;
   return rules;
 }
@@ -65,7 +68,7 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
       observer(listener),
       variables(system),
       system_variables(chosen.variables),
-      evaluator(variables, rules_of(chosen, {})) {
+      evaluator(variables, rules_of(chosen, parameters)) {
   scale.excess_decimals = profile.excess_decimals;
 }
 

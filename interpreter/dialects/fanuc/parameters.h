@@ -57,6 +57,11 @@ class Parameters {
   /// The first reference point, where nothing has set it.
   void set_reference(const AxisPositions& q_M);
 
+  /// What PRM shows: a value, or the bits of the parameter as a number.
+  [[nodiscard]] double shown(int number) const;
+  [[nodiscard]] double shown_bit(int number, int bit) const;
+  [[nodiscard]] double shown_for_axis(int number, int axis) const;
+
   // By number; `otherwise` where nothing sets it.
   [[nodiscard]] double value(int number, double otherwise = 0.0) const;
   [[nodiscard]] bool bit(int number, int bit) const;
