@@ -102,8 +102,8 @@ struct Control {
   TransformStages transforms;                           ///< G51.1, G51, G68
   std::optional<PolarCoordinates> polar;                ///< G16
   CycleData cycle;                                      ///< of the canned cycle in force
-  /// Of the last G28 or G30 of each axis.
-  AxisPositions q_L_intermediate = AxisPositions::Zero();
+  /// Where the last G28 or G30 of each axis went through (L); none before the first.
+  std::array<std::optional<double>, kAxisCount> q_L_intermediate;
   DataInput data_input = DataInput::None;
 
   Lookahead lookahead;
