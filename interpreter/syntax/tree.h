@@ -41,9 +41,11 @@ enum class Operator : std::uint8_t {
 enum class ExprKind : std::uint8_t {
   Number,    ///< `number`
   Variable,  ///< #`a`, where a is the expression of the number
+  Name,      ///< the variable that the text of `span` names; `a` its index or kNone
+  Logic,     ///< conditions `a` and `b` joined by the symbol of `op`
   Negate,    ///< -`a`
   Binary,    ///< `a` op `b`
-  Call,      ///< function `function` of `a`, or of `a` and `b`
+  Call,      ///< function `function` of `a`, or of `a` and `b`; `c` the axis of PRM
 };
 
 struct Expr {
@@ -53,6 +55,7 @@ struct Expr {
   std::uint8_t digits = 0;    ///< Number: digits written, leading and trailing zeros too
   Index a = kNone;
   Index b = kNone;
+  Index c = kNone;
   double number = 0.0;
   ShortSpan span;
 };

@@ -51,9 +51,8 @@ class PatchMaker {
         box.include(vertex);
       }
       if (triangle.is_sliver()) {
-        const Box grown = moved({Point::Constant(-1.0), Point::Constant(1.0)}, radius_, box.min);
-        Box whole = grown;
-        whole.include(moved({Point::Constant(-1.0), Point::Constant(1.0)}, radius_, box.max));
+        const Point reach = Point::Constant(radius_);
+        const Box whole{box.min - reach, box.max + reach};
         patches_.push_back({whole, t, kAllFeatures});
         patches_.push_back({whole, t, kAllFeatures});
         continue;
@@ -77,7 +76,7 @@ class PatchMaker {
       // A shorter edge has no direction to speak of; without it more counts as exposed.
       constexpr double kShortestEdgeMm = 1e-9;
       if (length >= kShortestEdgeMm) {
-        away_.push_back(way / length);
+        away_.emplace_back(way / length);
       }
       if (v < spokes_[i].to) {
         add_edge(std::span(spokes_).subspan(i, end - i));

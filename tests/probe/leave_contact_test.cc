@@ -73,7 +73,7 @@ TEST(LeaveContact, LeavesABossAtEveryAngleWhateverItsTriangles) {
         if (!is_smooth_enough(kRadius, t, exit_deg)) {
           continue;
         }
-        for (int i = 0; i < 20; ++i, ++exits) {
+        for (int i = 0; i < 10; ++i, ++exits) {
           const double azimuth = between(random, 0.0, 2.0 * std::numbers::pi);
           const Point out(std::cos(azimuth), std::sin(azimuth), 0.0);
           const Point aside =
@@ -87,7 +87,7 @@ TEST(LeaveContact, LeavesABossAtEveryAngleWhateverItsTriangles) {
       }
     }
   }
-  EXPECT_GT(exits, 1000);
+  EXPECT_GT(exits, 500);
 }
 
 /// How a ball leaves the wall of a true bore: along a chord.
@@ -120,7 +120,7 @@ TEST(LeaveContact, LeavesABoreAlongAChordWhateverItsTriangles) {
         if (!is_smooth_enough(kRadius, t, exit_deg) || expected.spared < roughness + 1e-3) {
           continue;
         }
-        for (int i = 0; i < 20; ++i, ++exits) {
+        for (int i = 0; i < 10; ++i, ++exits) {
           const double azimuth = between(random, 0.0, 2.0 * std::numbers::pi);
           const Point out(std::cos(azimuth), std::sin(azimuth), 0.0);
           const Point aside = Point(-out.y(), out.x(), 0.0) * (i % 2 == 0 ? 1.0 : -1.0);
@@ -134,17 +134,17 @@ TEST(LeaveContact, LeavesABoreAlongAChordWhateverItsTriangles) {
       }
     }
   }
-  EXPECT_GT(exits, 500);
+  EXPECT_GT(exits, 250);
 }
 
 TEST(LeaveContact, LeavesASphereAtEveryAngleWhateverItsTriangles) {
   constexpr double kRadius = 15.0;
   std::mt19937_64 random(3);
-  for (const std::uint32_t bands : {12U, 60U, 250U}) {
+  for (const std::uint32_t bands : {12U, 40U, 120U}) {
     const MeshSweeper sweeper(testing::sphere_mesh(kRadius, bands), kBall);
     for (const double depth : kDepths) {
       for (const double exit_deg : {16.0, 45.0, 90.0}) {
-        for (int i = 0; i < 30; ++i) {
+        for (int i = 0; i < 10; ++i) {
           const Point out = testing::any_direction(random);
           const Point aside = out.cross(testing::any_direction(random)).normalized();
           const Point from = (kRadius + kBall - depth) * out;
@@ -198,7 +198,7 @@ TEST(LeaveContact, RubsAlongAFloorIntoAWall) {
       {"off the floor, then into the wall", {-10, 1, 2.8}, {12, 1, 24.8}, 17.0 * std::sqrt(2.0)},
       {"into the floor", {-10, 1, 2.8}, {-9, 1, 2.0}, 0.0},
   };
-  for (const std::uint32_t n : {1U, 7U, 64U, 200U}) {
+  for (const std::uint32_t n : {1U, 7U, 64U, 120U}) {
     const MeshSweeper sweeper(floor_and_wall(n), kBall);
     for (const Case& c : kCases) {
       SCOPED_TRACE(std::string(c.name) + ", " + std::to_string(n) + " squares a side");

@@ -60,8 +60,12 @@ TEST_F(SetupReader, ControlKeysArrive) {
   EXPECT_EQ(control.lookahead_blocks, 3);
   EXPECT_EQ(control.variables_file, path_of("v55.vars"));
   EXPECT_EQ(control.parameters,
-            (std::map<std::string, double>{
-                {"6001.0", 0.0}, {"6001.1", 1.0}, {"6001.7", 1.0}, {"3410", 0.01}, {"5114", -7}}));
+            (std::map<std::string, double>{{"6001.0", 0.0},
+                                           {"6001.1", 1.0},
+                                           {"6001.7", 1.0},
+                                           {"3410", 0.01},
+                                           {"5114", -7},
+                                           {"1241.Z", -150.5}}));
   EXPECT_EQ(control.macro_calls, (std::map<std::string, int>{{"G100", 9010}, {"M6", 99999999}}));
   EXPECT_EQ(control.variables,
             (std::map<std::string, std::optional<double>>{{"#515", 6.0},
@@ -97,6 +101,7 @@ TEST_F(SetupReader, MachineKeysArrive) {
   EXPECT_EQ(machine.axes[0].rapid_per_min, 48000.0);
   EXPECT_EQ(machine.axes[0].acceleration_per_s2, 5000.0);
   EXPECT_EQ(machine.axes[0].home, 0.5);
+  EXPECT_EQ(job({kEveryKey}).control.q_M_reference[0], 0.5) << "the control knows the mark, too";
   EXPECT_TRUE(machine.axes[1].present) << "an axis of the ideal machine stays without its table";
   EXPECT_EQ(machine.axes[1].travel_max, std::numeric_limits<double>::infinity());
   EXPECT_FALSE(machine.axes[3].present);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/compile_expression.h"
 #include "interpreter/dialects/fanuc/variable_ranges.h"
 #include "machine/base/contract.h"
 
@@ -18,22 +19,9 @@ using syntax::Expr;
 using syntax::ExprKind;
 using syntax::Index;
 using syntax::kNone;
-using syntax::Operator;
 
 /// Sequence numbers up to here exist on every control; the run judges larger ones (MB-172).
 constexpr double kAlwaysInRange = 99'999.0;
-
-/// Numbers of so many digits are taken by every control; the run judges longer ones (MB-027).
-constexpr int kDigitsOfEveryControl = 8;
-
-bool is_comparison(const Expr& expr) {
-  return expr.kind == ExprKind::Binary && expr.op >= Operator::Equal;
-}
-
-/// #12 and #[12.5]: the number of the variable, rounded as a computed one is (MB-099).
-std::int32_t literal_variable(const Expr& number) {
-  return static_cast<std::int32_t>(std::round(std::min(number.number, 1e9)));
-}
 
 class Compiler {
  public:
@@ -72,23 +60,13 @@ class Compiler {
   void link_loops();
   void judge_loop(Step& step, std::size_t depth);
   void link_jumps();
-  Index code(Index expr);
-  Index condition_code(const Block& block, Step& step);
-  Operand emit(Index expr);
-  Operand emit_chain(Index index);
-  Operand emit_variable(const Expr& expr);
-  Operand emit_call(const Expr& expr);
-  Operand constant(double number);
-  Operand push(Op op, std::size_t result, syntax::ShortSpan span);
   void mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::string message);
 
   const syntax::Tree& tree_;
   const syntax::Program& program_;
   const Profile& profile_;
   CompiledProgram out_;
-  Index condition_ = kNone;  ///< the comparison that IF or WHILE asks for
-  std::optional<syntax::ShortSpan> misplaced_comparison_;
-  std::size_t temporaries_ = 0;  ///< how many hold results that are still to be used
+  ExpressionCompiler expressions_{tree_, profile_, out_};
 };
 
 void Compiler::mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::string message) {
@@ -121,21 +99,21 @@ void Compiler::step(Index block_index) {
       assign(block, step);
       break;
     case BlockKind::IfGoto:
-      step.condition = condition_code(block, step);
-      step.value = code(block.value);
+      step.condition = expressions_.condition(block.condition);
+      step.value = expressions_.value(block.value);
       break;
     case BlockKind::Goto:
-      step.value = code(block.value);
+      step.value = expressions_.value(block.value);
       break;
     case BlockKind::IfThen:
-      step.condition = condition_code(block, step);
+      step.condition = expressions_.condition(block.condition);
       if (!profile_.has_then) {
         mark_bad(step, AlarmId::StatementFormat, block.span,
                  "this control has no THEN, only IF [...] GOTO");
       }
       break;
     case BlockKind::While:
-      step.condition = condition_code(block, step);
+      step.condition = expressions_.condition(block.condition);
       break;
     case BlockKind::Bad: {
       const syntax::SyntaxError& error = tree_.errors[static_cast<std::size_t>(block.number)];
@@ -143,160 +121,38 @@ void Compiler::step(Index block_index) {
       break;
     }
   }
-  if (misplaced_comparison_) {
-    mark_bad(step, AlarmId::ExpressionFormat, *misplaced_comparison_,
-             "a comparison is no number; it stands in IF and WHILE only");
-    misplaced_comparison_.reset();
+  if (auto misuse = expressions_.take_misuse()) {
+    mark_bad(step, misuse->id, misuse->where, std::move(misuse->message));
   }
   out_.steps.push_back(step);
 }
 
 void Compiler::assign(const Block& block, Step& step) {
   const Expr& target = tree_.exprs[block.target];
-  const Expr& number = tree_.exprs[target.a];
-  if (number.kind == ExprKind::Number) {
-    step.number = literal_variable(number);
+  if (target.kind == ExprKind::Variable && tree_.exprs[target.a].kind == ExprKind::Number) {
+    step.number = literal_variable(tree_.exprs[target.a]);
     step.target_kind = is_local(step.number)    ? TargetKind::Local
                        : is_common(step.number) ? TargetKind::Common
                                                 : TargetKind::Numbered;
   } else {
     step.target_kind = TargetKind::Computed;
-    step.target = code(target.a);
+    step.target = expressions_.target_number(target);
   }
-  step.value = code(block.value);
+  step.value = expressions_.value(block.value);
 }
 
 void Compiler::nc_words(const Block& block, Step& step) {
   for (Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
     const syntax::Word& word = tree_.words[i];
     out_.word_code.resize(i - out_.first_word, kNone);
-    out_.word_code.push_back(word.form == syntax::ValueForm::Computed ? code(word.expr) : kNone);
+    out_.word_code.push_back(
+        word.form == syntax::ValueForm::Computed ? expressions_.value(word.expr) : kNone);
     if (word.is_bare && !profile_.has_bare_expressions && step.kind != BlockKind::Bad) {
       mark_bad(
           step, AlarmId::IllegalAddress, word.span,
           fmt::format("an expression after {} needs brackets: {}[...]", word.letter, word.letter));
     }
   }
-}
-
-Index Compiler::condition_code(const Block& block, Step& step) {
-  const Expr& condition = tree_.exprs[block.condition];
-  if (!is_comparison(condition)) {
-    mark_bad(step, AlarmId::StatementFormat, condition.span,
-             "a condition compares two values with EQ NE GT LT GE or LE");
-    return kNone;
-  }
-  condition_ = block.condition;
-  return code(block.condition);
-}
-
-Index Compiler::code(Index expr) {
-  const auto begin = static_cast<Index>(out_.ops.size());
-  temporaries_ = 0;
-  Op end;
-  end.code = OpCode::End;
-  end.a = emit(expr);
-  push(end, 0, tree_.exprs[expr].span);
-  return begin;
-}
-
-/// Appends an operation; its result is temporary `result`, which frees those behind it.
-Operand Compiler::push(Op op, std::size_t result, syntax::ShortSpan span) {
-  G31_EXPECTS(result < kTemporaryCount);
-  op.result = static_cast<std::uint8_t>(result);
-  out_.ops.push_back(op);
-  out_.op_spans.push_back(span);
-  temporaries_ = result + 1;
-  return {Bank::Temporaries, static_cast<std::int32_t>(result)};
-}
-
-Operand Compiler::constant(double number) {
-  out_.constants.emplace_back(number);
-  return {Bank::Constants, static_cast<std::int32_t>(out_.constants.size() - 1)};
-}
-
-Operand Compiler::emit_variable(const Expr& expr) {
-  const Expr& number = tree_.exprs[expr.a];
-  const std::size_t result = temporaries_;
-  Op op;
-  op.code = OpCode::Read;
-  if (number.kind == ExprKind::Number) {
-    const std::int32_t variable = literal_variable(number);
-    if (variable == 0) {
-      return {};
-    }
-    if (is_local(variable) || is_common(variable)) {
-      return {is_local(variable) ? Bank::Locals : Bank::Commons, variable};
-    }
-    op.a = constant(variable);
-  } else {
-    op.a = emit(expr.a);
-  }
-  return push(op, result, expr.span);
-}
-
-/// 1+2+3... is a tree as deep as it is long: its left side is walked in a loop, as no stack is as
-/// deep as a hostile line is long.
-Operand Compiler::emit_chain(Index index) {
-  std::vector<Index> chain;
-  Index left = index;
-  for (; tree_.exprs[left].kind == ExprKind::Binary; left = tree_.exprs[left].a) {
-    chain.push_back(left);
-  }
-  const std::size_t result = temporaries_;
-  Operand value = emit(left);
-  for (const Index place : std::views::reverse(chain)) {
-    const Expr& expr = tree_.exprs[place];
-    if (is_comparison(expr) && place != condition_) {
-      misplaced_comparison_ = expr.span;
-    }
-    Op op;
-    op.code = operation_of(expr.op);
-    op.a = value;
-    op.b = emit(expr.b);
-    value = push(op, result, expr.span);
-  }
-  return value;
-}
-
-Operand Compiler::emit_call(const Expr& expr) {
-  const std::size_t result = temporaries_;
-  Op op;
-  op.code = OpCode::Call;
-  op.function = expr.function;
-  op.a = emit(expr.a);
-  if (expr.b != kNone) {
-    op.code = OpCode::CallOfTwo;
-    op.b = emit(expr.b);
-  }
-  return push(op, result, expr.span);
-}
-
-Operand Compiler::emit(Index index) {
-  const Expr& expr = tree_.exprs[index];
-  const std::size_t result = temporaries_;
-  Op op;
-  switch (expr.kind) {
-    case ExprKind::Number:
-      if (expr.digits > kDigitsOfEveryControl) {
-        op.code = OpCode::DigitLimit;
-        op.function = expr.digits;
-        push(op, result, expr.span);
-        temporaries_ = result;
-      }
-      return constant(expr.number);
-    case ExprKind::Variable:
-      return emit_variable(expr);
-    case ExprKind::Negate:
-      op.code = OpCode::Negate;
-      op.a = emit(expr.a);
-      return push(op, result, expr.span);
-    case ExprKind::Binary:
-      return emit_chain(index);
-    case ExprKind::Call:
-      return emit_call(expr);
-  }
-  contract_violated("every kind of expression is emitted", __FILE__, __LINE__);
 }
 
 void Compiler::link_then() {

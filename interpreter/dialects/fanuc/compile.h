@@ -46,12 +46,15 @@ enum class OpCode : std::uint8_t {
   Less,
   GreaterEqual,
   LessEqual,
-  End,         ///< a is the value of the expression
-  Negate,      ///< -a
-  Read,        ///< the variable whose number is a, as a program wrote or computed it
-  Call,        ///< `function` of a
-  CallOfTwo,   ///< `function` of a and b
-  DigitLimit,  ///< a constant of `function` digits stands here; not every control takes it
+  End,            ///< a is the value of the expression
+  Negate,         ///< -a
+  Read,           ///< the variable whose number is a, as a program wrote or computed it
+  Call,           ///< `function` of a
+  CallOfTwo,      ///< `function` of a and b
+  NumberOfName,   ///< number of the variable that name b of CompiledProgram::names means, index a
+  AxisParameter,  ///< parameter a of axis b
+  LogicSwitch,    ///< conditions are joined here; parameter 6006.0 allows it
+  DigitLimit,     ///< a constant of `function` digits stands here; not every control takes it
 };
 
 /// Operators of the tree are operations of the same order.
@@ -107,6 +110,7 @@ struct CompiledProgram {
   std::vector<Step> steps;
   std::vector<Op> ops;
   std::vector<Cell> constants;              ///< the first is vacant: #0
+  std::vector<std::string> names;  ///< of variables, upper case
   std::vector<syntax::ShortSpan> op_spans;  ///< one per op, for messages
   std::vector<syntax::Index> word_code;     ///< per word of the program: code of its value
   syntax::Index first_word = 0;             ///< of the tree: word_code[0] belongs to it

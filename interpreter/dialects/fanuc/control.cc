@@ -12,6 +12,7 @@ namespace {
 /// MB-210).
 constexpr int kCallParameters = 10;
 
+/// @param parameters  must outlive the rules
 EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   EvaluationRules rules;
   rules.largest_result = profile.largest_result;
@@ -20,6 +21,8 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   rules.signed_angles = parameters.is_on(ParameterId::SignedAngles);
   rules.clear_small_sines = parameters.is_on(ParameterId::ClearSmallSines);
   rules.has_series_30i_functions = profile.has_series_30i_functions;
+  rules.joins_conditions = parameters.is_on(ParameterId::JoinsConditions);
+  rules.parameters = &parameters;
   rules.logic_operands = profile.logic_operands;
   return rules;
 }
@@ -65,7 +68,7 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
       observer(listener),
       variables(system),
       system_variables(chosen.variables),
-      evaluator(variables, rules_of(chosen, {})) {
+      evaluator(variables, rules_of(chosen, parameters)) {
   scale.excess_decimals = profile.excess_decimals;
 }
 
@@ -84,7 +87,7 @@ void Control::report_read_ahead(const SystemVariable& row, std::int32_t number) 
 }
 
 void Control::warn_once(source::DiagnosticId id, source::Location where, std::string_view detail) {
-  if (warned_.insert(id).second) {
+  if (warned_.emplace(id, detail).second) {
     diagnostics.push_back(make_diagnostic(id, where, detail));
   }
 }
@@ -94,9 +97,10 @@ void Control::turn_calls_over(const Parameters& before) {
     const auto turn_over = [&](std::map<int, int>& calls, ParameterId id, int index, int program) {
       const double old_code = before.get(id, index);
       const double code = parameters.get(id, index);
-      if (code != old_code) {
-        calls.erase(nearest_integer(old_code));
+      if (code == old_code) {
+        return;
       }
+      calls.erase(nearest_integer(old_code));
       if (code > 0.0) {
         calls[nearest_integer(code)] = program;
       }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/dialects/fanuc/calendar.h"
@@ -153,7 +154,7 @@ struct Control {
   void choose_system_variables();
   void turn_calls_over(const Parameters& before);
 
-  std::set<source::DiagnosticId> warned_;
+  std::set<std::pair<source::DiagnosticId, std::string>> warned_;
 };
 
 }  // namespace g31::fanuc

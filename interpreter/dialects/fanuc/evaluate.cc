@@ -15,6 +15,7 @@ namespace g31::fanuc {
 namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kLargestParameter = 99'999.0;
 constexpr double kSmallSine = 1e-8;  // 6004.1 MFZ
 
 Cell truth(bool value) {
@@ -130,7 +131,7 @@ Cell Evaluator::evaluate(const CompiledProgram& program, syntax::Index code, dou
     } else if (op->code >= OpCode::Equal && op->code <= OpCode::LessEqual) {
       result = truth(compare(op->code, a, b));
     } else {
-      result = rare_operation(*op, a, b, round_to);
+      result = rare_operation(program, *op, a, b, round_to);
       if (fault_) [[unlikely]] {
         return at(program, *op);
       }
@@ -144,7 +145,8 @@ Cell Evaluator::at(const CompiledProgram& program, const Op& op) {
   return {};
 }
 
-Cell Evaluator::rare_operation(const Op& op, Cell a, Cell b, double round_to) {
+Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cell a, Cell b,
+                               double round_to) {
   switch (op.code) {
     case OpCode::Divide:
       if (b.or_zero() == 0.0) {
@@ -160,6 +162,15 @@ Cell Evaluator::rare_operation(const Op& op, Cell a, Cell b, double round_to) {
       return function(op, a.or_zero(), round_to);
     case OpCode::CallOfTwo:
       return function_of_two(op, a.or_zero(), b.or_zero());
+    case OpCode::NumberOfName:
+      return number_of_name(program.names[static_cast<std::size_t>(b.or_zero())], a);
+    case OpCode::AxisParameter:
+      return axis_parameter(a.or_zero(), b.or_zero());
+    case OpCode::LogicSwitch:
+      return rules_.joins_conditions
+                 ? Cell()
+                 : fail(AlarmId::ExpressionFormat,
+                        "AND, OR and XOR between comparisons need parameter 6006.0 = 1");
     case OpCode::DigitLimit:
       return op.function <= rules_.digit_limit
                  ? Cell()
@@ -182,6 +193,45 @@ Cell Evaluator::rare_operation(const Op& op, Cell a, Cell b, double round_to) {
       break;
   }
   contract_violated("evaluate() does the frequent operations itself", __FILE__, __LINE__);
+}
+
+/// The number of the variable that a name means (MB-104, MB-105).
+Cell Evaluator::number_of_name(const std::string& name, Cell index) {
+  if (!rules_.has_series_30i_functions) {
+    return fail(AlarmId::ExpressionFormat, "this control has no names of variables");
+  }
+  const auto number = variables_.names.number(name, index);
+  return number ? Cell(number.value()) : fail(number.error(), fmt::format("[#{}]", name));
+}
+
+/// PRM[number], PRM[number,bit] (MB-072).
+Cell Evaluator::parameter(double number, std::optional<double> bit) {
+  const double place = std::round(number);
+  const double which = std::round(bit.value_or(0.0));
+  if (!rules_.has_series_30i_functions) {
+    return fail(AlarmId::ImproperCommand, "this control has no PRM");
+  }
+  if (place < 0.0 || place > kLargestParameter || which < 0.0 || which > 7.0) {
+    return fail(AlarmId::IllegalArgument, fmt::format("PRM[{},{}]", number, bit.value_or(0.0)));
+  }
+  const int whole = static_cast<int>(place);
+  return Cell(bit ? rules_.parameters->shown_bit(whole, static_cast<int>(which))
+                  : rules_.parameters->shown(whole));
+}
+
+/// PRM[number]/[axis], axes counted from 1 (MB-072).
+Cell Evaluator::axis_parameter(double number, double axis) {
+  const double place = std::round(number);
+  const double which = std::round(axis);
+  if (!rules_.has_series_30i_functions) {
+    return fail(AlarmId::ImproperCommand, "this control has no PRM");
+  }
+  if (place < 0.0 || place > kLargestParameter || which < 1.0 ||
+      which > static_cast<double>(kAxisCount)) {
+    return fail(AlarmId::IllegalArgument, fmt::format("PRM[{}]/[{}]", number, axis));
+  }
+  return Cell(
+      rules_.parameters->shown_for_axis(static_cast<int>(place), static_cast<int>(which) - 1));
 }
 
 /// MOD AND OR XOR: both operands made 32-bit integers (MB-067 to MB-069, MB-363).
@@ -275,6 +325,8 @@ Cell Evaluator::function(const Op& op, double argument, double round_to) {
     }
     case FunctionId::ADP:
       return Cell(argument);
+    case FunctionId::PRM:
+      return parameter(argument, std::nullopt);
     case FunctionId::POW:
       break;
   }
@@ -283,6 +335,9 @@ Cell Evaluator::function(const Op& op, double argument, double round_to) {
 
 Cell Evaluator::function_of_two(const Op& op, double a, double b) {
   const auto id = static_cast<FunctionId>(op.function);
+  if (id == FunctionId::PRM) {
+    return parameter(a, b);
+  }
   if (id == FunctionId::POW) {
     if (!rules_.has_series_30i_functions) {
       return fail(AlarmId::ImproperCommand, "this control has no POW");

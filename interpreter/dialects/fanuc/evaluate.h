@@ -6,6 +6,7 @@
 
 #include "interpreter/dialects/fanuc/compile.h"
 #include "interpreter/dialects/fanuc/functions.h"
+#include "interpreter/dialects/fanuc/parameters.h"
 #include "interpreter/dialects/fanuc/profile.h"
 #include "interpreter/dialects/fanuc/variables.h"
 
@@ -19,6 +20,8 @@ struct EvaluationRules {
   bool signed_angles = false;      ///< 6004.0 NAT: ATAN -180..180, ASIN -90..90
   bool clear_small_sines = false;  ///< 6004.1 MFZ: SIN COS TAN up to 1e-8 become 0
   bool has_series_30i_functions = false;
+  bool joins_conditions = false;           ///< 6006.0 MLG: AND OR XOR between comparisons
+  const Parameters* parameters = nullptr;  ///< what PRM reads
   LogicOperands logic_operands = LogicOperands::Round;
 };
 
@@ -50,7 +53,8 @@ class Evaluator {
   void set_rules(const EvaluationRules& rules) { rules_ = rules; }
 
  private:
-  Cell rare_operation(const Op& op, Cell a, Cell b, double round_to);
+  Cell rare_operation(const CompiledProgram& program, const Op& op, Cell a, Cell b,
+                      double round_to);
   [[nodiscard]] bool is_in_range(double result) const;
   Cell in_range(double result);
   Cell integer_operation(OpCode op, double a, double b);
@@ -59,6 +63,9 @@ class Evaluator {
   Cell rounding_function(FunctionId id, double argument, double round_to);
   Cell function_of_two(const Op& op, double a, double b);
   Cell read(std::int32_t number);
+  Cell number_of_name(const std::string& name, Cell index);
+  Cell parameter(double number, std::optional<double> bit);
+  Cell axis_parameter(double number, double axis);
   Cell at(const CompiledProgram& program, const Op& op);
   Cell fail(AlarmId id, std::string detail);
 

@@ -6,7 +6,7 @@
 
 namespace g31::fanuc {
 
-enum class Arguments { One, OneOrTwo, Two };
+enum class Arguments { One, OneOrTwo, Two, Parameter };
 enum class InSeries16i { Yes, No };
 
 enum class FunctionId : unsigned char {

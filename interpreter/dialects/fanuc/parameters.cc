@@ -10,6 +10,8 @@
 namespace g31::fanuc {
 namespace {
 
+constexpr int kParameterBits = 8;
+
 constexpr auto kRows = std::to_array<ParameterInfo>({
 #define BIT_PARAMETER(name, number, bit, text) {number, number, bit, "", 0.0, text},
 #define VALUE_PARAMETER(name, first, last, unit, initial, text) \
@@ -119,6 +121,35 @@ void Parameters::set_reference(const AxisPositions& q_M) {
   }
 }
 
+double Parameters::shown(int number) const {
+  const auto value = values_.find(number);
+  if (value != values_.end()) {
+    return value->second;
+  }
+  const ParameterInfo* const row = find_parameter(number);
+  if (row != nullptr && !row->bit) {
+    return row->initial;
+  }
+  double byte = 0.0;
+  for (int place = 0; place < kParameterBits; ++place) {
+    byte += bit(number, place) ? static_cast<double>(1 << place) : 0.0;
+  }
+  return byte;
+}
+
+double Parameters::shown_bit(int number, int place) const {
+  const auto value = values_.find(number);
+  if (value == values_.end()) {
+    return bit(number, place) ? 1.0 : 0.0;
+  }
+  return std::fmod(std::trunc(std::abs(value->second) / static_cast<double>(1 << place)), 2.0);
+}
+
+double Parameters::shown_for_axis(int number, int axis) const {
+  const auto found = axis_values_.find({number, axis});
+  return found != axis_values_.end() ? found->second : shown(number);
+}
+
 double Parameters::value(int number, double otherwise) const {
   const auto found = values_.find(number);
   return found != values_.end() ? found->second : otherwise;
@@ -129,15 +160,19 @@ bool Parameters::bit(int number, int bit) const {
   return found != bits_.end() && found->second;
 }
 
+void Parameters::set_value(int number, double value) {
+  values_[number] = value;
+  std::erase_if(axis_values_, [&](const auto& entry) { return entry.first.first == number; });
+}
+
 bool Parameters::enter(int number, double value) {
   const ParameterInfo* const row = find_parameter(number);
   if (row == nullptr || !row->bit) {
     set_value(number, value);
     return true;
   }
-  constexpr int kBits = 8;
   double rest = value;
-  for (int bit = 0; bit < kBits; ++bit) {
+  for (int bit = 0; bit < kParameterBits; ++bit) {
     const double digit = std::fmod(rest, 10.0);
     if (digit != 0.0 && digit != 1.0) {
       return false;

@@ -57,10 +57,16 @@ class Parameters {
   /// The first reference point, where nothing has set it.
   void set_reference(const AxisPositions& q_M);
 
+  /// What PRM shows: a value, or the bits of the parameter as a number.
+  [[nodiscard]] double shown(int number) const;
+  [[nodiscard]] double shown_bit(int number, int bit) const;
+  [[nodiscard]] double shown_for_axis(int number, int axis) const;
+
   // By number; `otherwise` where nothing sets it.
   [[nodiscard]] double value(int number, double otherwise = 0.0) const;
   [[nodiscard]] bool bit(int number, int bit) const;
-  void set_value(int number, double value) { values_[number] = value; }
+  /// For all axes, where it has one for each.
+  void set_value(int number, double value);
   void set_axis_value(int number, int axis, double value) { axis_values_[{number, axis}] = value; }
   /// What G10 L50 writes: where the number is one of bits, the digits are bits 7 to 0.
   /// @returns whether the control takes such a value

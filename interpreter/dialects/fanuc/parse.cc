@@ -9,6 +9,7 @@
 
 #include "interpreter/dialects/fanuc/output_format.h"
 #include "interpreter/dialects/fanuc/parse_expression.h"
+#include "interpreter/dialects/fanuc/variable_names.h"
 #include "machine/base/contract.h"
 
 namespace g31::fanuc {
@@ -65,6 +66,7 @@ class Parser {
   void while_statement(Block& block);
   void then_statement(Block& block);
   void jump(Block& block);
+  void set_names(Block& block);
   void output_statement(Block& block, OutputStatement statement);
   int loop_number();
   Index condition();
@@ -213,7 +215,7 @@ void Parser::body(Block& block) {
   if (next == '\n') {
     return;
   }
-  if (next == '#') {
+  if (next == '#' || (next == '[' && expressions_.at_name())) {
     assignment(block);
     return;
   }
@@ -238,7 +240,7 @@ void Parser::body(Block& block) {
 
 void Parser::assignment(Block& block) {
   block.kind = BlockKind::Assign;
-  block.target = expressions_.variable();
+  block.target = scanner_.peek() == '#' ? expressions_.variable() : expressions_.named_variable();
   if (failed()) {
     return;
   }
@@ -312,7 +314,9 @@ void Parser::word_value(Word& word) {
   }
   if (next == '#' || next == '[') {
     word.form = ValueForm::Computed;
-    word.expr = next == '#' ? expressions_.variable() : expressions_.bracketed();
+    word.expr = next == '#'              ? expressions_.variable()
+                : expressions_.at_name() ? expressions_.named_variable()
+                                         : expressions_.bracketed();
     if (negative && word.expr != kNone) {
       syntax::Expr negate;
       negate.kind = syntax::ExprKind::Negate;
@@ -352,6 +356,8 @@ void Parser::keyword(Block& block) {
   } else if (scanner_.accept_word("END") || scanner_.accept_word("EN")) {
     block.kind = BlockKind::End;
     block.number = loop_number();
+  } else if (scanner_.accept_word("SETVN") || scanner_.accept_word("SE")) {
+    set_names(block);
   } else if (scanner_.peek() == 'G') {
     jump(block);
     block.kind = BlockKind::Goto;
@@ -367,6 +373,35 @@ void Parser::keyword(Block& block) {
   }
   if (!failed()) {
     expect_end(block);
+  }
+}
+
+/// SETVN n[NAME,NAME]: the names stay text; the run gives them (MB-104).
+void Parser::set_names(Block& block) {
+  block.kind = BlockKind::SetNames;
+  const auto first = integer("SETVN needs the number of a common variable");
+  if (!first) {
+    return;
+  }
+  block.number = *first;
+  if (!scanner_.accept('[')) {
+    fail(AlarmId::NameFormat, "names in brackets are expected here");
+    return;
+  }
+  scanner_.peek();
+  block.text.begin = scanner_.position();
+  do {
+    const ShortSpan name = scanner_.name();
+    const std::string_view text = scanner_.text().substr(name.begin, name.end - name.begin);
+    if (!is_variable_name(text) || text.size() > kLongestName) {
+      expressions_.fail_at(AlarmId::NameFormat, {name.begin, std::max(name.begin + 1, name.end)},
+                           "a name is a letter, then letters, digits and _, at most 31 in all");
+      return;
+    }
+    block.text.end = name.end;
+  } while (scanner_.accept(','));
+  if (!scanner_.accept(']')) {
+    fail(AlarmId::NameFormat, "a comma and a name, or ], is expected here");
   }
 }
 

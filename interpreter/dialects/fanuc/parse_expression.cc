@@ -22,6 +22,7 @@ struct OperatorWord {
 constexpr OperatorWord kComparisons[] = {
     {"EQ", Operator::Equal}, {"NE", Operator::NotEqual},     {"GT", Operator::Greater},
     {"LT", Operator::Less},  {"GE", Operator::GreaterEqual}, {"LE", Operator::LessEqual}};
+constexpr OperatorWord kJunctions[] = {{"&&", Operator::And}, {"||", Operator::Or}};
 constexpr OperatorWord kSums[] = {
     {"+", Operator::Add}, {"-", Operator::Subtract}, {"XOR", Operator::Xor}, {"OR", Operator::Or}};
 constexpr OperatorWord kProducts[] = {{"*", Operator::Multiply},
@@ -77,10 +78,26 @@ Index ExpressionParser::expression() {
   if (left == kNone) {
     return kNone;
   }
-  if (const auto op = accept_operator(scanner_, kComparisons)) {
-    left = binary(*op, left, sum());
+  left = comparison_from(left);
+  while (left != kNone) {
+    const auto op = accept_operator(scanner_, kJunctions);
+    if (!op) {
+      break;
+    }
+    left = binary(*op, left, comparison_from(sum()));
+    if (left != kNone) {
+      tree_.exprs[left].kind = ExprKind::Logic;
+    }
   }
   return left;
+}
+
+Index ExpressionParser::comparison_from(Index left) {
+  if (left == kNone) {
+    return kNone;
+  }
+  const auto op = accept_operator(scanner_, kComparisons);
+  return op ? binary(*op, left, sum()) : left;
 }
 
 Index ExpressionParser::continued(Index first) {
@@ -141,7 +158,7 @@ Index ExpressionParser::primary() {
     return variable();
   }
   if (next == '[') {
-    return bracketed();
+    return at_name() ? named_variable() : bracketed();
   }
   if ((next >= '0' && next <= '9') || next == '.') {
     return number();
@@ -237,6 +254,33 @@ Index ExpressionParser::variable() {
   return add(node);
 }
 
+bool ExpressionParser::at_name() {
+  scanner_.peek();
+  const std::uint32_t begin = scanner_.position();
+  const bool opens = scanner_.accept('[') && scanner_.accept('#');
+  const char next = scanner_.peek();
+  scanner_.rewind(begin);
+  return opens && ((next >= 'A' && next <= 'Z') || next == '_');
+}
+
+Index ExpressionParser::named_variable() {
+  const std::uint32_t bracket = scanner_.position();
+  if (!open_bracket()) {
+    return kNone;
+  }
+  scanner_.accept('#');
+  Expr node;
+  node.kind = ExprKind::Name;
+  node.span = scanner_.name();
+  if (scanner_.peek() == '[') {
+    node.a = bracketed();
+    if (node.a == kNone) {
+      return kNone;
+    }
+  }
+  return close_bracket(bracket) ? add(node) : kNone;
+}
+
 Index ExpressionParser::function() {
   const std::uint32_t begin = scanner_.position();
   const std::string name(scanner_.letters());
@@ -265,6 +309,8 @@ Index ExpressionParser::function() {
   }
   if (arguments == Arguments::OneOrTwo && node.b == kNone && scanner_.accept('/')) {
     node.b = bracketed();
+  } else if (arguments == Arguments::Parameter && scanner_.accept('/')) {
+    node.c = bracketed();
   }
   node.span = {begin, scanner_.position()};
   return error_ ? kNone : add(node);

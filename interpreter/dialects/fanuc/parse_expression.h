@@ -11,7 +11,8 @@ namespace g31::fanuc {
 
 /// Reads expressions of Macro B (grammar MB-040) into a tree.
 ///
-/// Precedence: functions; * / AND MOD; + - OR XOR; comparisons.  Equal precedence binds to the left.
+/// Precedence: functions; * / AND MOD; + - OR XOR; comparisons.  Equal precedence binds to the
+/// left.
 class ExpressionParser {
  public:
   ExpressionParser(Scanner& scanner, syntax::Tree& tree) : scanner_(scanner), tree_(tree) {}
@@ -28,17 +29,27 @@ class ExpressionParser {
   /// `#digits`, `#[expression]`; kNone after an error.  The scanner stands on `#`.
   syntax::Index variable();
 
+  /// Whether `[#NAME` begins here.
+  bool at_name();
+
+  /// `[#NAME]`, `[#NAME[index]]`; kNone after an error.  @pre at_name()
+  syntax::Index named_variable();
+
   /// Adds a node.
   syntax::Index add(const syntax::Expr& expr);
 
   [[nodiscard]] const std::optional<syntax::SyntaxError>& error() const { return error_; }
-  void forget_error() { error_.reset(); depth_ = 0; }
+  void forget_error() {
+    error_.reset();
+    depth_ = 0;
+  }
 
   /// Notes an error at the cursor (the first one stays) and returns kNone.
   syntax::Index fail(AlarmId id, std::string message);
   syntax::Index fail_at(AlarmId id, syntax::ShortSpan where, std::string message);
 
  private:
+  syntax::Index comparison_from(syntax::Index left);
   syntax::Index sum();
   syntax::Index sum_from(syntax::Index left);
   syntax::Index product();

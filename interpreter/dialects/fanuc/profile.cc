@@ -50,6 +50,7 @@ constexpr Profile fanuc_30i() {
   profile.smallest_result = 0.0;
   profile.has_series_30i_functions = true;
   profile.largest_sequence = 99999999;
+  profile.offset_limit_mm = 10000.0;
   profile.calls = {5, 10, 15};
   profile.lone_cancel_is_alarm = true;
   profile.dwell_is_fence = false;
@@ -75,6 +76,7 @@ constexpr Profile meldas() {
   profile.calls = {4, 8, 8};
   profile.lone_cancel_is_alarm = true;
   profile.start_letter = 'H';
+  profile.cycle_repeats = 'L';
   profile.macro_alarm.number = MacroAlarmRule::Number::Base;
   profile.macro_alarm.base = 277;
   profile.macro_alarm.smallest = 1;
@@ -101,6 +103,7 @@ constexpr Profile haas() {
   Profile profile = fanuc_16i();
   profile.name = "haas";
   profile.text = "Haas";
+  profile.cycle_repeats = 'L';
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.logic_operands = LogicOperands::Truncate;

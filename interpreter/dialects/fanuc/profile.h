@@ -100,6 +100,10 @@ struct Profile {
                               VariableGroup::LongOffsets,    VariableGroup::OffsetsC,
                               VariableGroup::ExternalOffset, VariableGroup::SkipWithOffset};
 
+  // Offsets and canned cycles
+  double offset_limit_mm = 1000.0;  ///< G10 takes less than this (MB-263); in inches a tenth
+  char cycle_repeats = 'K';         ///< repeats of a canned cycle (MB-312)
+
   // G31
   SkipFeed skip_feed = SkipFeed::Modal;
   std::optional<ParameterId> skip_feed_parameter;  ///< feed of G31 without F (MB-334)

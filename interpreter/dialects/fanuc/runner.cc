@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/compensation.h"
+#include "interpreter/dialects/fanuc/variable_ranges.h"
 #include "machine/base/contract.h"
 
 namespace g31::fanuc {
@@ -96,8 +98,8 @@ bool Runner::fast_step(const Step& step, Frame& now) {
       now.step = step.jump;
       return true;
     case BlockKind::Assign: {
-      const bool is_common = step.target_kind == TargetKind::Common &&
-                             !control_.variables.is_protected(step.number);
+      const bool is_common =
+          step.target_kind == TargetKind::Common && !control_.variables.is_protected(step.number);
       if (!is_common && step.target_kind != TargetKind::Local) {
         return false;
       }
@@ -206,6 +208,7 @@ MaybeFailure Runner::rare_step(const Step& step) {
     case BlockKind::Bad:
       return bad_block(step);
     case BlockKind::SetNames:
+      return set_names(step);
     case BlockKind::Empty:
     case BlockKind::Do:
     case BlockKind::End:
@@ -214,6 +217,26 @@ MaybeFailure Runner::rare_step(const Step& step) {
       break;
   }
   contract_violated("fast_step does these", __FILE__, __LINE__);
+}
+
+/// SETVN: on controls without names in programs they only show on the screen (MB-104).
+MaybeFailure Runner::set_names(const Step& step) {
+  const CompiledProgram& program = *frame().program;
+  const syntax::ShortSpan span = program.tree->blocks[step.block].text;
+  std::int32_t number = step.number;
+  for (const auto part :
+       std::views::split(program.file->text().substr(span.begin, span.end - span.begin), ',')) {
+    if (!is_common(number)) {
+      Failure failure;
+      failure.id = AlarmId::IllegalVariable;
+      failure.detail = fmt::format("SETVN names common variables, not #{}", number);
+      return failure;
+    }
+    std::string name = upper_case(std::string_view(part.begin(), part.end()));
+    std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
+    control_.variables.names.give(std::move(name), number++);
+  }
+  return std::nullopt;
 }
 
 MaybeFailure Runner::bad_block(const Step& step) {
@@ -323,7 +346,8 @@ MaybeFailure Runner::assigned_system_variable(int number, double value) {
   failure.alarm_text = text.empty() ? std::string(info(AlarmId::MacroAlarm).text) : text;
   const MacroAlarmRule& rule = control_.profile.macro_alarm;
   const int n = nearest_integer(value);
-  const bool plain = rule.has_plain_numbers && control_.parameters.is_on(ParameterId::PlainAlarmNumber);
+  const bool plain =
+      rule.has_plain_numbers && control_.parameters.is_on(ParameterId::PlainAlarmNumber);
   const bool adds = rule.number == MacroAlarmRule::Number::BasePlusValue;
   failure.alarm_number = plain ? n : rule.base + (adds ? n : 0);
   if (n < rule.smallest || n > rule.largest) {

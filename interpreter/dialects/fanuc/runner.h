@@ -66,6 +66,7 @@ class Runner {
   MaybeFailure loop(const runtime::Budget& budget);
   bool fast_step(const Step& step, Frame& now);
   MaybeFailure rare_step(const Step& step);
+  MaybeFailure set_names(const Step& step);
   MaybeFailure bad_block(const Step& step);
   MaybeFailure assign(const Step& step);
   MaybeFailure assigned_system_variable(int number, double value);

@@ -124,6 +124,16 @@ std::string_view Scanner::letters() {
   return {letters_, count};
 }
 
+syntax::ShortSpan Scanner::name() {
+  const auto counts = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+  peek();
+  const std::uint32_t begin = position();
+  while (at_ < text_.size() && counts(kShown[static_cast<unsigned char>(text_[at_])])) {
+    ++at_;
+  }
+  return {begin, position()};
+}
+
 bool Scanner::accept_word(std::string_view word) {
   const std::uint32_t begin = position();
   for (const char expected : word) {

@@ -68,6 +68,10 @@ class Scanner {
   /// The run of letters that begins here, upper case, at most 8 of them; empty where none begins.
   std::string_view letters();
 
+  /// Steps over a name of letters, digits and underscores, without blanks.  @returns its place,
+  /// empty where none begins
+  syntax::ShortSpan name();
+
   /// Steps over `word` if the next letters begin with it.
   bool accept_word(std::string_view word);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "interpreter/dialects/fanuc/alarms.h"
+#include "interpreter/dialects/fanuc/variable_names.h"
 #include "interpreter/dialects/fanuc/variable_ranges.h"
 #include "interpreter/runtime/cell.h"
 #include "machine/base/result.h"
@@ -48,6 +49,9 @@ class Variables {
   [[nodiscard]] bool is_protected(std::int32_t number) const {
     return number >= first_protected_ && number <= last_protected_;
   }
+
+  /// Names, as SETVN gives them.
+  VariableNames names;
 
   /// @pre is_local(number)
   [[nodiscard]] Cell local(std::int32_t number) const {

@@ -214,7 +214,8 @@ MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plan
 }
 
 Result<int, Failure> repeats_of(const Control& control, const NcBlock& block) {
-  const char letter = control.parameters.is_on(ParameterId::TapeFormat) ? 'L' : 'K';
+  const char letter =
+      control.parameters.is_on(ParameterId::TapeFormat) ? 'L' : control.profile.cycle_repeats;
   const EvaluatedWord* const word = block.words.find(letter);
   if (word == nullptr) {
     return 1;

@@ -1,9 +1,14 @@
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
 namespace {
+
+/// In inches offsets have one digit less before the point.
+constexpr double kInchLimit = 2.54;
 
 constexpr int kToolLife = 3;
 constexpr int kParameterInput = 50;
@@ -24,10 +29,8 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
   const EvaluatedWord* const p = block.words.find('P');
   const EvaluatedWord* const r = block.words.find('R');
   if (p == nullptr || r == nullptr) {
-    Failure failure;
-    failure.id = p == nullptr ? AlarmId::IllegalPInG10 : AlarmId::IllegalValueInG10;
-    failure.detail = p == nullptr ? "P is missing" : "R is missing";
-    return failure;
+    return p == nullptr ? block_failure(AlarmId::DataInputFormat, "P is missing")
+                        : block_failure(AlarmId::NoValueInG10, "R is missing");
   }
   const auto number = integer_of(*p);
   if (!number) {
@@ -38,7 +41,14 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
   }
   const runtime::ToolEntry entry = control.offsets.get(number.value());
   const double before = control.modal.incremental() ? entry.*form.field : 0.0;
-  control.offsets.set_field(number.value(), form.field, before + control.scale.length_mm(*r));
+  const double value = before + control.scale.length_mm(*r);
+  const double most =
+      control.profile.offset_limit_mm * (control.scale.unit == LengthUnit::Inch ? kInchLimit : 1.0);
+  if (std::abs(value) >= most) {
+    return at_word(AlarmId::IllegalValueInG10, *r,
+                   fmt::format("an offset stays below {:g} mm", most));
+  }
+  control.offsets.set_field(number.value(), form.field, value);
   return std::nullopt;
 }
 
@@ -93,7 +103,7 @@ MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
       return set_tool_offset(control, block, form);
     }
   }
-  return at_word(AlarmId::IllegalPInG10, *word, fmt::format("G10 has no L{} here", l.value()));
+  return at_word(AlarmId::DataInputFormat, *word, fmt::format("G10 has no L{} here", l.value()));
 }
 
 }  // namespace g31::fanuc

@@ -39,6 +39,8 @@ Entries all_alarms(const Profile& profile);
 Entries parameters(std::string_view topic);
 /// "ATAN", "GOTO", "DPRNT" and their abbreviations
 Entries words(std::string_view topic, const Profile& profile);
+/// "_ABSMT"
+Entries variable_names(std::string_view topic);
 /// "PRB301"
 Entries messages(std::string_view topic);
 /// "FANUC-16I"

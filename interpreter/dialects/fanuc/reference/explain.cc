@@ -36,6 +36,7 @@ Entries explain(std::string_view topic, const Profile& profile) {
   append(found, alarms(normal, profile));
   append(found, parameters(normal));
   append(found, words(normal, profile));
+  append(found, variable_names(normal));
   append(found, messages(normal));
   append(found, controls(normal));
   return found;
@@ -54,6 +55,7 @@ Entries everything(const Profile& profile) {
     append(all, codes(name, profile));
     append(all, words(name, profile));
     append(all, parameters(name));
+    append(all, variable_names(name));
     append(all, messages(name));
     append(all, controls(normal_topic(name)));
   }

@@ -11,6 +11,7 @@
 #include "interpreter/dialects/fanuc/output_format.h"
 #include "interpreter/dialects/fanuc/parameters.h"
 #include "interpreter/dialects/fanuc/reference/entry.h"
+#include "interpreter/dialects/fanuc/variable_names.h"
 #include "interpreter/source/diagnostic.h"
 
 namespace g31::fanuc::reference {
@@ -44,7 +45,8 @@ constexpr auto kMCodes = std::to_array<ProgramMCode>({
 #undef LANGUAGE_WORD
 });
 
-constexpr std::string_view kFunctionForms[] = {"{}[a]", "{0}[a], {0}[y]/[x]", "{}[a,b]"};
+constexpr std::string_view kFunctionForms[] = {"{}[a]", "{0}[a], {0}[y]/[x]", "{}[a,b]",
+                                                "{0}[n], {0}[n,bit], {0}[n]/[axis]"};
 
 std::optional<double> number_in(std::string_view text) {
   double number = 0.0;
@@ -201,8 +203,28 @@ Entries messages(std::string_view topic) {
   return {};
 }
 
+Entries variable_names(std::string_view topic) {
+  for (const SystemName& row : system_names()) {
+    if (topic == row.name || topic == fmt::format("#{}", row.name)) {
+      const int count = row.highest - row.lowest;
+      Entry entry{"variable name (30i family)", std::string(row.name), std::string(row.text), {}};
+      entry.facts.push_back(
+          {"stands for", count == 0 ? fmt::format("#{}", row.first)
+                                    : fmt::format("#{} to #{}", row.first, row.first + count)});
+      entry.facts.push_back({"written", count == 0 ? fmt::format("[#{}]", row.name)
+                                                   : fmt::format("[#{}[n]], n = {} to {}", row.name,
+                                                                 row.lowest, row.highest)});
+      return {entry};
+    }
+  }
+  return {};
+}
+
 std::vector<std::string> topic_names() {
   std::vector<std::string> names;
+  for (const SystemName& row : system_names()) {
+    names.emplace_back(row.name);
+  }
   for (const GCode& code : g_codes()) {
     names.push_back(to_text(code.number));
   }
