@@ -123,6 +123,8 @@ TEST(CompensatedProgram, WhatEndsTheReadAhead) {
       {"macro statements do not, however many", "#1=1\n#2=2\nIF [#1 EQ 1] GOTO 5\nN5 #3=#5021",
        "move -5.000 5.000 0.000 F100"},
       {"a macro call does not", "M98 P9001", "move -5.000 5.000 0.000 F100"},
+      {"a dwell does not", "G4 P500", "move -5.000 5.000 0.000 F100"},
+      {"G10", "G10 L2 P1 Z1.", "move 0.000 5.000 0.000 F100"},
       {"M00", "M0", "move 0.000 5.000 0.000 F100"},
       {"M01", "M1", "move 0.000 5.000 0.000 F100"},
       {"#3006", "#3006=1(LOOK)", "move 0.000 5.000 0.000 F100"},

@@ -14,6 +14,11 @@ using syntax::ValueForm;
 /// No address of any control takes more (MB-032); it keeps positions and times finite, too.
 constexpr double kLargestWord = 999'999'999.0;
 
+bool is_dwell(const BlockWords& words) {
+  const EvaluatedWord* const g = words.find('G');
+  return g != nullptr && g->number == 4.0;
+}
+
 }  // namespace
 
 MaybeFailure Runner::evaluate_words(const Step& step) {
@@ -68,10 +73,15 @@ MaybeFailure Runner::execute(const BlockWords& words, source::Location where) {
   if (auto failure = execute_block(control_, words, where)) {
     return failure;
   }
-  if (control_.lookahead.is_judged()) {
-    control_.lookahead.executed(effect_of(words, control_.profile, control_.parameters));
+  const bool compensates = control_.cutter.path.engaged();
+  if (!compensates && !control_.lookahead.is_judged()) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  const BlockEffect effect = effect_of(words, control_.profile, control_.parameters);
+  control_.lookahead.executed(effect);
+  // Cutter compensation reads past a dwell, though statements behind it see the axes stand.
+  const bool breaks = effect == BlockEffect::Finishes && !is_dwell(words);
+  return compensates && breaks ? end_read_ahead(control_) : std::nullopt;
 }
 
 /// A block that calls nothing; its motion may set off a modal call.
@@ -88,11 +98,6 @@ MaybeFailure Runner::plain_block(source::Location where) {
 
 /// M00, M01, M02, M30: recorded stops and the end.
 MaybeFailure Runner::program_stop(int m, source::Location where) {
-  if (m >= 0 && nothing_is_read_ahead_of(control_, m)) {
-    if (auto failure = end_read_ahead(control_)) {
-      return failure;
-    }
-  }
   if (m == 0 || m == 1) {
     control_.observer.on_stop({m == 0 ? "M00" : "M01", "", where});
   }

@@ -221,23 +221,4 @@ MaybeFailure end_read_ahead(Control& control) {
                                        : std::nullopt;
 }
 
-bool nothing_is_read_ahead_of(const Control& control, int m) {
-  if (m == 0 || m == 1 || m == 2 || m == 30) {
-    return true;
-  }
-  for (int i = 0; i < 10; ++i) {
-    if (m == nearest_integer(control.parameters.get(ParameterId::UnbufferedMCode, i))) {
-      return true;
-    }
-  }
-  for (int i = 0; i < 12; i += 2) {
-    const double first = control.parameters.get(ParameterId::UnbufferedMCodes, i);
-    const double last = control.parameters.get(ParameterId::UnbufferedMCodes, i + 1);
-    if (first > 0.0 && m >= first && m <= last) {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace g31::fanuc

@@ -8,9 +8,9 @@ namespace g31::fanuc {
 // Every motion and pause of a program goes through here.
 //
 // Programs run one block ahead of the machine in it.  #5001.. show the programmed end; #5021.. and
-// #5041.. the position as if nothing more were to be read, without breaking the read-ahead.  M00
-// M01 M02 M30, M codes of parameters 3411 to 3432, #3000 and #3006 do break it: the block that
-// waits then ends beside its end.  Any other alarm ends the program with that block not done.
+// #5041.. the position as if nothing more were to be read, without breaking the read-ahead.  Fences
+// (BlockEffect::Finishes), #3000 and #3006 do break it: the block that waits then ends beside its
+// end.  Any other alarm ends the program with that block not done.
 
 /// Moves and tells the observer; `g` is how the document names the move.
 MaybeFailure travel(Control& control, const machine::LinearMove& move, int g);
@@ -28,8 +28,5 @@ MaybeFailure end_compensated_block(Control& control);
 
 /// Executes the block that waits, as if nothing came behind it.
 MaybeFailure end_read_ahead(Control& control);
-
-/// M00, M01, M02, M30 and those of parameters 3411 to 3432.
-bool nothing_is_read_ahead_of(const Control& control, int m);
 
 }  // namespace g31::fanuc
