@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "machine/port/contact.h"
@@ -23,6 +24,12 @@ struct CurvedSweep {
   /// axes are never farther than bend h^2 / 8 from the chord over a fraction h.
   double bend = 0.0;
   int chords = 1;  ///< equal pieces for a world that knows straight sweeps only, >= 1
+};
+
+/// A point of the way of a tool that does not go quite straight, because the machine has errors.
+struct Waypoint {
+  double fraction = 0.0;  ///< 0..1, rising: the part of the commanded path done
+  AxisPositions q_M;      ///< true position; equal to the one before where an axis sticks
 };
 
 /// The skip signal: where on the sweep it is caused, and how late the control sees it.
@@ -69,6 +76,31 @@ class Surroundings {
       }
       if (auto obstacle = first_collision(chord)) {
         obstacle->fraction = (i + obstacle->fraction) / sweep.chords;
+        return obstacle;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The skip signal of one skip move that goes through these points in straight pieces; its
+  /// fraction is one of the commanded path.  A world without shape looks at the ends only.
+  virtual std::optional<SkipTrigger> first_trigger_along(std::span<const Waypoint> way) {
+    if (way.front().q_M == way.back().q_M) {
+      return std::nullopt;
+    }
+    return first_trigger({way.front().q_M, way.back().q_M});
+  }
+
+  /// The first forbidden touch of an ordinary move through these points.
+  virtual std::optional<Obstacle> first_collision_along(std::span<const Waypoint> way) {
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      const Waypoint& from = way[i - 1];
+      const Waypoint& to = way[i];
+      if (from.q_M == to.q_M) {
+        continue;
+      }
+      if (auto obstacle = first_collision({from.q_M, to.q_M})) {
+        obstacle->fraction = from.fraction + obstacle->fraction * (to.fraction - from.fraction);
         return obstacle;
       }
     }

@@ -8,6 +8,7 @@
 #include "machine/sim/motion_profile.h"
 #include "machine/sim/skip_stop.h"
 #include "machine/sim/straight_path.h"
+#include "machine/sim/true_way.h"
 
 namespace g31::machine {
 namespace {
@@ -35,6 +36,24 @@ double fraction_after(double fraction, double way, const MotionProfile& profile)
   return way >= to_go ? 1.0 : fraction + way / profile.length();
 }
 
+/// A position as encoders with steps report it; a resolution of 0 has no steps.
+AxisPositions in_steps(AxisPositions q_M, const AxisPositions& resolution) {
+  for (Eigen::Index i = 0; i < q_M.size(); ++i) {
+    if (resolution[i] > 0.0) {
+      q_M[i] = resolution[i] * std::round(q_M[i] / resolution[i]);
+    }
+  }
+  return q_M;
+}
+
+AxisPositions resolutions(const MachineSetup& setup) {
+  AxisPositions steps;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    steps[static_cast<Eigen::Index>(i)] = setup.axes[i].scale_resolution;
+  }
+  return steps;
+}
+
 }  // namespace
 
 MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surroundings)
@@ -42,7 +61,9 @@ MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surrou
       dynamics_(setup),
       stopping_(setup.stopping),
       surroundings_(surroundings),
-      q_M_(setup.q_M_start) {
+      q_M_(setup.q_M_start),
+      resolution_(resolutions(setup)),
+      truth_(setup) {
   G31_EXPECTS(q_M_.allFinite());
 }
 
@@ -55,7 +76,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
   if (path.moves()) {
     const MotionProfile profile = dynamics_.profile(path, move);
     if (surroundings_ != nullptr) {
-      auto obstacle = surroundings_->first_collision({path.from(), path.to()});
+      auto obstacle = obstacle_on(path);
       if (obstacle) {
         G31_EXPECTS(is_fraction(obstacle->fraction));
         const AxisPositions q_M_stop = path.at(obstacle->fraction);
@@ -65,7 +86,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
     }
     clock_.advance(profile.duration_s());
   }
-  q_M_ = move.q_M_end;
+  arrive_at(move.q_M_end);
   return q_M_;
 }
 
@@ -89,7 +110,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
     }
   }
   clock_.advance(profile.duration_s());
-  q_M_ = arc.q_M_end;
+  arrive_along(path);
   return q_M_;
 }
 
@@ -102,20 +123,50 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const LinearM
   if (path.moves()) {
     const MotionProfile profile = dynamics_.profile(path, move);
     if (surroundings_ != nullptr) {
-      auto trigger = surroundings_->first_trigger({path.from(), path.to()});
+      auto trigger = trigger_on(path);
       if (trigger) {
         return stop_for(*std::move(trigger), path, profile);
       }
     }
     clock_.advance(profile.duration_s());
   }
-  q_M_ = move.q_M_end;
+  arrive_at(move.q_M_end);
   return SkipOutcome(NoTouch{});
 }
 
 void MachiningCentre::dwell(double seconds) {
   G31_EXPECTS(seconds >= 0.0 && std::isfinite(seconds));
   clock_.advance(seconds);
+}
+
+std::optional<SkipTrigger> MachiningCentre::trigger_on(const StraightPath& path) {
+  return truth_.is_ideal() ? surroundings_->first_trigger({path.from(), path.to()})
+                           : surroundings_->first_trigger_along(true_way(truth_, path));
+}
+
+std::optional<Obstacle> MachiningCentre::obstacle_on(const StraightPath& path) {
+  return truth_.is_ideal() ? surroundings_->first_collision({path.from(), path.to()})
+                           : surroundings_->first_collision_along(true_way(truth_, path));
+}
+
+std::optional<Obstacle> MachiningCentre::obstacle_on(const ArcPath& path) {
+  const CurvedSweep curve{[&path](double fraction) { return path.at(fraction); }, path.bend(),
+                          path.chord_count()};
+  return truth_.is_ideal() ? surroundings_->first_collision_on_curve(curve)
+                           : surroundings_->first_collision_along(true_way(truth_, curve));
+}
+
+void MachiningCentre::arrive_at(const AxisPositions& q_M) {
+  q_M_ = q_M;
+  truth_.go_to(q_M);
+}
+
+void MachiningCentre::arrive_along(const ArcPath& path) {
+  const int chords = truth_.is_ideal() ? 1 : path.chord_count();
+  for (int i = 1; i < chords; ++i) {
+    truth_.go_to(path.at(static_cast<double>(i) / chords));
+  }
+  arrive_at(path.to());
 }
 
 MachineFault MachiningCentre::soft_limit_fault(const AxisPositions& q_M_end) const {
@@ -125,14 +176,13 @@ MachineFault MachiningCentre::soft_limit_fault(const AxisPositions& q_M_end) con
 MachineFault MachiningCentre::stop_at(Obstacle obstacle, const AxisPositions& q_M_stop,
                                       double seconds) {
   clock_.advance(seconds);
-  q_M_ = q_M_stop;
+  arrive_at(q_M_stop);
   return {FaultKind::Collision, std::move(obstacle.what), q_M_, std::move(obstacle.contact)};
 }
 
 std::optional<MachineFault> MachiningCentre::collide_on(const ArcPath& path,
                                                         const MotionProfile& profile) {
-  auto obstacle = surroundings_->first_collision_on_curve(
-      {[&path](double fraction) { return path.at(fraction); }, path.bend(), path.chord_count()});
+  auto obstacle = obstacle_on(path);
   if (!obstacle) {
     return std::nullopt;
   }
@@ -153,8 +203,9 @@ SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& p
       stop_after_contact(profile, fraction * profile.length(), trigger.delay_s, stopping_);
   clock_.advance(stop.duration_s);
   const AxisPositions q_M_latched = path.at(fraction_after(fraction, stop.latched_after, profile));
-  q_M_ = path.at(fraction_after(fraction, stop.stopped_after, profile));
-  return Touched{q_M_latched, q_M_, std::move(trigger.contact)};
+  const AxisPositions q_M_stopped = path.at(fraction_after(fraction, stop.stopped_after, profile));
+  arrive_at(q_M_stopped == path.to() ? q_M_stopped : in_steps(q_M_stopped, resolution_));
+  return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.contact)};
 }
 
 }  // namespace g31::machine

@@ -6,6 +6,7 @@
 #include "machine/sim/clock.h"
 #include "machine/sim/machine_setup.h"
 #include "machine/sim/travel_limits.h"
+#include "machine/sim/true_position.h"
 
 namespace g31::machine {
 
@@ -15,6 +16,10 @@ namespace g31::machine {
 /// Every move begins and ends at standstill (exact stop).  Ends that are not finite, and feeds
 /// that are not > 0, are the caller's bug and stop the process.  A soft limit is checked at the
 /// end point before anything moves; leaving a place outside the limits is allowed.
+///
+/// Positions that go in and come out are the encoders'.  The world is asked about the true ones
+/// (TruePosition); on a machine without errors these are the same, bit for bit.  A position that is
+/// latched or stopped at is a whole number of steps of the encoder.
 class MachiningCentre final : public MachinePort {
  public:
   /// @param surroundings  the world around the tool; null: empty, nothing is ever touched.
@@ -44,6 +49,13 @@ class MachiningCentre final : public MachinePort {
   [[nodiscard]] double time_s() const override { return clock_.now_s(); }
 
  private:
+  // What the world says to the way that the tip truly goes.
+  std::optional<SkipTrigger> trigger_on(const StraightPath& path);
+  std::optional<Obstacle> obstacle_on(const StraightPath& path);
+  std::optional<Obstacle> obstacle_on(const ArcPath& path);
+
+  void arrive_at(const AxisPositions& q_M);
+  void arrive_along(const ArcPath& path);
   [[nodiscard]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;
   MachineFault stop_at(Obstacle obstacle, const AxisPositions& q_M_stop, double seconds);
   std::optional<MachineFault> collide_on(const ArcPath& path, const MotionProfile& profile);
@@ -55,6 +67,8 @@ class MachiningCentre final : public MachinePort {
   Surroundings* surroundings_;
   Clock clock_;
   AxisPositions q_M_;
+  AxisPositions resolution_;  // of the encoders; 0: no steps
+  TruePosition truth_;
 };
 
 /// For coordinates within 1000 mm, five times the worst error seen over 20 000 skip moves along one

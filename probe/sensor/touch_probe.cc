@@ -41,19 +41,56 @@ std::optional<machine::SkipTrigger> TouchProbe::first_trigger(const machine::Swe
   if (part == nullptr) {
     return std::nullopt;
   }
-  machine::SkipTrigger trigger;
-  trigger.contact = contact_of(hit, part->name);
+  const machine::Contact contact = contact_of(hit, part->name);
   if (hit.status == SweepStatus::StartInContact) {
-    trigger.on_at_start = true;
-    return trigger;
+    return machine::SkipTrigger{0.0, true, 0.0, contact};
   }
-  trigger.delay_s = setup_.trigger_delay_s;
   const double length = (ball_centre(sweep.q_M_to) - ball_centre(sweep.q_M_from)).norm();
+  return trigger_at(hit.s, length, contact, event);
+}
+
+std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
+    std::span<const machine::Waypoint> way) {
+  const std::uint64_t event = triggers_asked_++;
+  const double length = (ball_centre(way.back().q_M) - ball_centre(way.front().q_M)).norm();
+  if (length == 0.0) {
+    return std::nullopt;
+  }
+  bool moved = false;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const machine::Waypoint& from = way[i - 1];
+    const machine::Waypoint& to = way[i];
+    const double piece = (ball_centre(to.q_M) - ball_centre(from.q_M)).norm();
+    if (piece == 0.0) {
+      continue;
+    }
+    const auto [hit, part] = first_hit({from.q_M, to.q_M}, &MeshSweeper::sweep);
+    if (part != nullptr) {
+      const machine::Contact contact = contact_of(hit, part->name);
+      const bool in_contact = hit.status == SweepStatus::StartInContact;
+      if (in_contact && !moved) {
+        return machine::SkipTrigger{0.0, true, 0.0, contact};
+      }
+      const double part_of_piece = in_contact ? 0.0 : hit.s / piece;
+      const double fraction = from.fraction + part_of_piece * (to.fraction - from.fraction);
+      return trigger_at(fraction * length, length, contact, event);
+    }
+    moved = true;
+  }
+  return std::nullopt;
+}
+
+machine::SkipTrigger TouchProbe::trigger_at(double distance_mm, double length_mm,
+                                            const machine::Contact& contact,
+                                            std::uint64_t event) const {
   double shift = 0.0;
   if (setup_.repeatability_mm > 0.0) {
     shift = setup_.repeatability_mm * standard_normal({seed_, kRepeatabilityStream}, event);
   }
-  trigger.fraction = std::clamp((hit.s + shift) / length, 0.0, 1.0);
+  machine::SkipTrigger trigger;
+  trigger.fraction = std::clamp((distance_mm + shift) / length_mm, 0.0, 1.0);
+  trigger.delay_s = setup_.trigger_delay_s;
+  trigger.contact = contact;
   return trigger;
 }
 
