@@ -6,6 +6,7 @@
 #include <string>
 
 #include "machine/port/contact.h"
+#include "machine/port/way.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::machine {
@@ -24,12 +25,6 @@ struct CurvedSweep {
   /// axes are never farther than bend h^2 / 8 from the chord over a fraction h.
   double bend = 0.0;
   int chords = 1;  ///< equal pieces for a world that knows straight sweeps only, >= 1
-};
-
-/// A point of the way of a tool that does not go quite straight, because the machine has errors.
-struct Waypoint {
-  double fraction = 0.0;  ///< 0..1, rising: the part of the commanded path done
-  AxisPositions q_M;      ///< true position; equal to the one before where an axis sticks
 };
 
 /// The skip signal: where on the sweep it is caused, and how late the control sees it.
@@ -83,12 +78,16 @@ class Surroundings {
   }
 
   /// The skip signal of one skip move that goes through these points in straight pieces; its
-  /// fraction is one of the commanded path.  A world without shape looks at the ends only.
+  /// fraction is one of theirs.  A world without shape looks at the ends only.
   virtual std::optional<SkipTrigger> first_trigger_along(std::span<const Waypoint> way) {
     if (way.front().q_M == way.back().q_M) {
       return std::nullopt;
     }
-    return first_trigger({way.front().q_M, way.back().q_M});
+    auto trigger = first_trigger({way.front().q_M, way.back().q_M});
+    if (trigger) {
+      trigger->fraction = fraction_after(way, trigger->fraction * length_of(way));
+    }
+    return trigger;
   }
 
   /// The first forbidden touch of an ordinary move through these points.

@@ -73,6 +73,18 @@ AxisPositions ArcPath::at(double fraction) const {
   return q_M;
 }
 
+AxisPositions ArcPath::slope_at(double fraction) const {
+  AxisPositions slope = displacement_;
+  const double outwards = radius_to_ - radius_from_;
+  const double radius = radius_from_ + fraction * outwards;
+  const double angle_rad = angle_from_rad_ + fraction * turned_rad_;
+  const double c = std::cos(angle_rad);
+  const double s = std::sin(angle_rad);
+  slope[first_axis_] = outwards * c - radius * turned_rad_ * s;
+  slope[second_axis_] = outwards * s + radius * turned_rad_ * c;
+  return slope;
+}
+
 AxisBox ArcPath::bounds() const {
   AxisBox box{q_M_from_.cwiseMin(q_M_to_), q_M_from_.cwiseMax(q_M_to_)};
   const double low_rad = std::min(angle_from_rad_, angle_from_rad_ + turned_rad_);

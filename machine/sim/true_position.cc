@@ -23,8 +23,8 @@ TruePosition::TruePosition(const MachineSetup& setup)
       q_M_fixed_[row] = axis.scale_fixed_at;
     }
   }
-  is_ideal_ = geometry_.are_zero() && growth_.isZero(0.0) &&
-              std::ranges::all_of(play_, &errors::AxisPlay::is_zero);
+  has_play_ = !std::ranges::all_of(play_, &errors::AxisPlay::is_zero);
+  is_ideal_ = geometry_.are_zero() && growth_.isZero(0.0) && !has_play_;
 }
 
 AxisPositions TruePosition::without_play(const AxisPositions& q_M) const {
@@ -38,6 +38,9 @@ AxisPositions TruePosition::after(const AxisPositions& q_M) const {
     return q_M;
   }
   AxisPositions q_M_true = without_play(q_M);
+  if (!has_play_) {
+    return q_M_true;
+  }
   for (std::size_t i = 0; i < play_.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     q_M_true[row] += play_[i].after(q_M[row]).offset();
@@ -46,8 +49,8 @@ AxisPositions TruePosition::after(const AxisPositions& q_M) const {
 }
 
 AxisPositions TruePosition::go_to(const AxisPositions& q_M) {
-  if (is_ideal_) {
-    return q_M;
+  if (!has_play_) {
+    return after(q_M);
   }
   for (std::size_t i = 0; i < play_.size(); ++i) {
     play_[i] = play_[i].after(q_M[static_cast<Eigen::Index>(i)]);

@@ -25,6 +25,8 @@ class TruePosition {
   /// The same where the way has ended, and the next one will begin.
   AxisPositions go_to(const AxisPositions& q_M);
 
+  [[nodiscard]] bool has_play() const { return has_play_; }
+
  private:
   [[nodiscard]] AxisPositions without_play(const AxisPositions& q_M) const;
 
@@ -33,7 +35,8 @@ class TruePosition {
   AxisPositions growth_;     // of a scale, per unit of length
   AxisPositions q_M_fixed_;  // where growing scales stay
   Point p_T_tip_;
-  bool is_ideal_;
+  bool has_play_ = false;
+  bool is_ideal_ = true;
 };
 
 }  // namespace g31::machine

@@ -41,57 +41,47 @@ std::optional<machine::SkipTrigger> TouchProbe::first_trigger(const machine::Swe
   if (part == nullptr) {
     return std::nullopt;
   }
-  const machine::Contact contact = contact_of(hit, part->name);
+  machine::SkipTrigger trigger;
+  trigger.contact = contact_of(hit, part->name);
   if (hit.status == SweepStatus::StartInContact) {
-    return machine::SkipTrigger{0.0, true, 0.0, contact};
+    trigger.on_at_start = true;
+    return trigger;
   }
+  trigger.delay_s = setup_.trigger_delay_s;
   const double length = (ball_centre(sweep.q_M_to) - ball_centre(sweep.q_M_from)).norm();
-  return trigger_at(hit.s, length, contact, event);
+  trigger.fraction = std::clamp((hit.s + trigger_shift(event)) / length, 0.0, 1.0);
+  return trigger;
 }
 
 std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
     std::span<const machine::Waypoint> way) {
   const std::uint64_t event = triggers_asked_++;
-  const double length = (ball_centre(way.back().q_M) - ball_centre(way.front().q_M)).norm();
-  if (length == 0.0) {
-    return std::nullopt;
-  }
-  bool moved = false;
+  double gone = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const machine::Waypoint& from = way[i - 1];
-    const machine::Waypoint& to = way[i];
-    const double piece = (ball_centre(to.q_M) - ball_centre(from.q_M)).norm();
+    const double piece = machine::distance_mm(way[i - 1].q_M, way[i].q_M);
     if (piece == 0.0) {
       continue;
     }
-    const auto [hit, part] = first_hit({from.q_M, to.q_M}, &MeshSweeper::sweep);
+    const auto [hit, part] = first_hit({way[i - 1].q_M, way[i].q_M}, &MeshSweeper::sweep);
     if (part != nullptr) {
-      const machine::Contact contact = contact_of(hit, part->name);
-      const bool in_contact = hit.status == SweepStatus::StartInContact;
-      if (in_contact && !moved) {
-        return machine::SkipTrigger{0.0, true, 0.0, contact};
+      machine::SkipTrigger trigger;
+      trigger.contact = contact_of(hit, part->name);
+      trigger.on_at_start = hit.status == SweepStatus::StartInContact && gone == 0.0;
+      if (!trigger.on_at_start) {
+        trigger.delay_s = setup_.trigger_delay_s;
+        trigger.fraction = machine::fraction_after(way, gone + hit.s + trigger_shift(event));
       }
-      const double part_of_piece = in_contact ? 0.0 : hit.s / piece;
-      const double fraction = from.fraction + part_of_piece * (to.fraction - from.fraction);
-      return trigger_at(fraction * length, length, contact, event);
+      return trigger;
     }
-    moved = true;
+    gone += piece;
   }
   return std::nullopt;
 }
 
-machine::SkipTrigger TouchProbe::trigger_at(double distance_mm, double length_mm,
-                                            const machine::Contact& contact,
-                                            std::uint64_t event) const {
-  double shift = 0.0;
-  if (setup_.repeatability_mm > 0.0) {
-    shift = setup_.repeatability_mm * standard_normal({seed_, kRepeatabilityStream}, event);
-  }
-  machine::SkipTrigger trigger;
-  trigger.fraction = std::clamp((distance_mm + shift) / length_mm, 0.0, 1.0);
-  trigger.delay_s = setup_.trigger_delay_s;
-  trigger.contact = contact;
-  return trigger;
+double TouchProbe::trigger_shift(std::uint64_t event) const {
+  return setup_.repeatability_mm > 0.0
+             ? setup_.repeatability_mm * standard_normal({seed_, kRepeatabilityStream}, event)
+             : 0.0;
 }
 
 std::optional<machine::Obstacle> TouchProbe::first_collision(const machine::Sweep& sweep) {

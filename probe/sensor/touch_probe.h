@@ -58,10 +58,8 @@ class TouchProbe final : public machine::Surroundings {
   };
   using Question = SweepHit (MeshSweeper::*)(const Point&, const Point&) const;
 
-  /// What a contact after some way makes of a move, the chance of the event included.
-  [[nodiscard]] machine::SkipTrigger trigger_at(double distance_mm, double length_mm,
-                                                const machine::Contact& contact,
-                                                std::uint64_t event) const;
+  /// The random shift of a trigger along the move, mm.
+  [[nodiscard]] double trigger_shift(std::uint64_t event) const;
   [[nodiscard]] Point ball_centre(const AxisPositions& q_M) const;
   [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question) const;
 
