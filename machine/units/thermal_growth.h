@@ -1,6 +1,6 @@
 #pragma once
 
-namespace g31::errors {
+namespace g31 {
 
 /// Linear growth of a body that is not at the reference temperature.
 struct ThermalGrowth {
@@ -15,4 +15,4 @@ struct ThermalGrowth {
   }
 };
 
-}  // namespace g31::errors
+}  // namespace g31
