@@ -79,10 +79,13 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
   if (path.length() < kFullCircleGapMm) {
     return move(LinearMove{arc.q_M_end, Traverse::Feed, arc.feed_mm_min, arc.ends});
   }
-  const AxisBox box = path.bounds();
-  for (const AxisPositions& q_M_corner : {box.q_M_min, box.q_M_max}) {
-    if (!limits_.contain(q_M_corner)) {
-      return soft_limit_fault(q_M_corner);
+  if (const AxisBox circle = path.circle_bounds();
+      !limits_.contain(circle.q_M_min) || !limits_.contain(circle.q_M_max)) {
+    const AxisBox box = path.bounds();
+    for (const AxisPositions& q_M_corner : {box.q_M_min, box.q_M_max}) {
+      if (!limits_.contain(q_M_corner)) {
+        return soft_limit_fault(q_M_corner);
+      }
     }
   }
   if (auto fault = carry_out(path, dynamics_.profile(path, arc.feed_mm_min), arc.ends)) {
@@ -113,7 +116,9 @@ void MachiningCentre::dwell(double seconds) {
     follow(real_.motion(StraightPath(q_M_, q_M_), {}), seconds);
     return;
   }
-  show(StraightPath(q_M_, q_M_), {}, seconds);
+  if (sampler_) {
+    show(StraightPath(q_M_, q_M_), {}, seconds);
+  }
   clock_.advance(seconds);
 }
 
@@ -265,10 +270,8 @@ SkipOutcome MachiningCentre::stop_really(Timed<SkipTrigger> trigger, const Strai
 
 void MachiningCentre::show(const CommandedPath& path, const MotionPhases& phases,
                            double duration_s) {
-  if (sampler_) {
-    sampler_->show({clock_.now_s(), duration_s, real_.motion(path, phases), real_.truth()},
-                   resolution_);
-  }
+  sampler_->show({clock_.now_s(), duration_s, real_.motion(path, phases), real_.truth()},
+                 resolution_);
 }
 
 void MachiningCentre::follow(const ServoMotion& motion, double duration_s) {

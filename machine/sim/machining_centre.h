@@ -75,8 +75,9 @@ class MachiningCentre final : public MachinePort {
   SkipOutcome stop_really(Timed<SkipTrigger> trigger, const StraightPath& path,
                           const MotionProfile& profile);
 
-  // An ideal motion for the trace, with the time it takes and without it.
+  // An ideal motion for the trace.
   void show(const CommandedPath& path, const MotionPhases& phases, double duration_s);
+  // A motion of real axes: they, the clock and the trace follow it.
   void follow(const ServoMotion& motion, double duration_s);
 
   TravelLimits limits_;
