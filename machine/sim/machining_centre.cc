@@ -113,6 +113,13 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const LinearM
   return SkipOutcome(NoTouch{});
 }
 
+void MachiningCentre::orient_spindle(double angle_deg) {
+  G31_EXPECTS(std::isfinite(angle_deg));
+  if (surroundings_ != nullptr) {
+    surroundings_->turn_spindle_to(angle_deg);
+  }
+}
+
 void MachiningCentre::dwell(double seconds) {
   G31_EXPECTS(seconds >= 0.0 && std::isfinite(seconds));
   clock_.advance(seconds);
@@ -154,7 +161,7 @@ SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& p
   clock_.advance(stop.duration_s);
   const AxisPositions q_M_latched = path.at(fraction_after(fraction, stop.latched_after, profile));
   q_M_ = path.at(fraction_after(fraction, stop.stopped_after, profile));
-  return Touched{q_M_latched, q_M_, std::move(trigger.contact)};
+  return Touched{q_M_latched, q_M_, std::move(trigger.contact), trigger.signals};
 }
 
 }  // namespace g31::machine
