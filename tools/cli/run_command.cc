@@ -194,6 +194,16 @@ Result<std::vector<std::pair<std::string, runtime::Cell>>, Refusal> read_prints(
   return values;
 }
 
+/// What is the matter with the probe; "" for nothing.
+std::string probe_state_of(const setup::Job& job) {
+  for (const auto& [state, name] : probe::kProbeStateNames) {
+    if (job.probe && job.probe->state == state && state != probe::ProbeState::Ready) {
+      return std::string(name);
+    }
+  }
+  return {};
+}
+
 ExitCode refuse(const Refusal& wrong) {
   std::fputs(wrong.text.c_str(), stderr);
   return wrong.code;
@@ -287,6 +297,7 @@ ExitCode run_command(const RunOptions& options) {
   result.seed = options.seed;
   result.variables = values.value();
   result.machine_time_s = machine.time_s();
+  result.probe_state = probe_state_of(job);
   if (const auto wrong = deliver(options, result, recorder)) {
     return refuse(*wrong);
   }
