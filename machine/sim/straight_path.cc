@@ -7,13 +7,21 @@
 namespace g31::machine {
 namespace {
 
+/// A single moving axis comes out exactly: the root of a rounded square is the number again.  hypot
+/// is for what would over- or underflow.
+double root_of_squares(double a, double b, double c) {
+  constexpr double kSmall = 1e-280;
+  constexpr double kLarge = 1e280;
+  const double sum = a * a + b * b + c * c;
+  return sum > kSmall && sum < kLarge ? std::sqrt(sum) : std::hypot(a, b, c);
+}
+
 double feed_length(const AxisPositions& d) {
-  // hypot: a single moving axis comes out exactly, and nothing over- or underflows.
-  const double linear = std::hypot(d[0], d[1], d[2]);
+  const double linear = root_of_squares(d[0], d[1], d[2]);
   if (linear >= kLeastFeedLengthMm) {
     return linear;
   }
-  const double rotary = std::hypot(d[3], d[4], d[5]);
+  const double rotary = root_of_squares(d[3], d[4], d[5]);
   return rotary > 0.0 ? rotary : linear;
 }
 

@@ -317,7 +317,9 @@ TEST(MotionCodes, AreRefusedWithTheControlsAlarm) {
   };
   const Refused kCases[] = {
       {"G27 off the reference point", "fanuc-16i", "G27X5.", 92},
-      {"G30 has points 2 to 4", "fanuc-16i", "G30P5X0", 9},
+      {"G30 has points 2 to 4", "fanuc-16i", "G30P5X0", 46},
+      {"G29 before any G28", "fanuc-16i", "G29X5.", 305},
+      {"G29 of an axis that had none", "fanuc-16i", "G28X0\nG29X5.Y5.", 305},
       {"end farther than twice R", "fanuc-16i", "G2X10.R4.F100", 20},
       {"radii that differ", "fanuc-16i", "G2X10.I5.02F100", 20},
       {"a centre outside the plane", "fanuc-16i", "G2X10.I5.K1.F100", 21},

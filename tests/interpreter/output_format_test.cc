@@ -13,7 +13,7 @@ TEST(DecimalText, FillsItsPlaces) {
     const char* name;
     double value;
     int places, decimals;
-    const char* blanks;  ///< 6001.1 = 0
+    const char* blanks;   ///< 6001.1 = 0
     const char* omitted;  ///< 6001.1 = 1
   };
   const Case kCases[] = {
@@ -71,7 +71,8 @@ TEST(OutputFormat, TakesTextAndVariables) {
 }
 
 TEST(OutputFormat, RefusesWhatIsNone) {
-  for (const char* format : {"#[#1][53]", "#1", "#1[]", "#1[5.3]", "#1[123]", "#1[53", "#x[1]", "[A]"}) {
+  for (const char* format :
+       {"#[#1][53]", "#1", "#1[]", "#1[5.3]", "#1[123]", "#1[53", "#x[1]", "[A]"}) {
     EXPECT_FALSE(parse_output_format(format).ok()) << format;
   }
 }

@@ -12,6 +12,7 @@
 
 #include "interpreter/dialects/fanuc/calendar.h"
 #include "interpreter/dialects/fanuc/canned_cycles.h"
+#include "interpreter/dialects/fanuc/compensation/cutter_compensation.h"
 #include "interpreter/dialects/fanuc/coordinates.h"
 #include "interpreter/dialects/fanuc/evaluate.h"
 #include "interpreter/dialects/fanuc/failure.h"
@@ -55,6 +56,13 @@ enum class DataInput {
   ToolLife     ///< G10 L3: not simulated
 };
 
+/// Cutter compensation and what the present block says to it.
+struct CutterStage {
+  CutterCompensation path;
+  CompensationCommand command;
+  bool fed = false;  ///< a motion or pause of the present block has come through
+};
+
 /// The whole state of a running control.  One per run; nothing is global.
 struct Control {
   Control(const Profile& chosen, machine::MachinePort& machine, runtime::Observer& listener,
@@ -70,6 +78,7 @@ struct Control {
   Evaluator evaluator;
   Modal modal;
   Coordinates coordinates;
+  CutterStage cutter;
   OffsetTable offsets;
   WordScale scale;
   std::set<int> block_skip;
@@ -93,8 +102,8 @@ struct Control {
   TransformStages transforms;                           ///< G51.1, G51, G68
   std::optional<PolarCoordinates> polar;                ///< G16
   CycleData cycle;                                      ///< of the canned cycle in force
-  /// Of the last G28 or G30 of each axis.
-  AxisPositions q_L_intermediate = AxisPositions::Zero();
+  /// Where the last G28 or G30 of each axis went through (L); none before the first.
+  std::array<std::optional<double>, kAxisCount> q_L_intermediate;
   DataInput data_input = DataInput::None;
 
   Lookahead lookahead;
@@ -122,6 +131,12 @@ struct Control {
   void set_offset_memory(OffsetMemory memory);
   /// G20, G21
   void set_unit(LengthUnit unit);
+
+  /// Where the axes stand, in machine coordinates; a block that waits in cutter compensation counts
+  /// as done, its end beside the programmed one.
+  [[nodiscard]] AxisPositions position() const {
+    return cutter.path.engaged() ? cutter.path.position() : port.position();
+  }
 
   /// mm of a value in the unit in force, and back.
   [[nodiscard]] double to_mm(double value) const { return value * scale.mm_per_unit(); }

@@ -48,6 +48,10 @@ std::string to_text(GNumber number) {
 }
 
 std::optional<GNumber> g_number(double value) {
+  const auto plain = static_cast<std::int16_t>(value >= 0.0 && value < 1000.0 ? value : 0.0);
+  if (plain == value) {
+    return GNumber{plain, 0};
+  }
   const double tenths = value * 10.0;
   if (value < 0.0 || value >= 1000.0 || std::abs(tenths - std::round(tenths)) > 1e-6) {
     return std::nullopt;

@@ -20,6 +20,7 @@ enum class GAction : std::uint8_t {
   ToReference,
   FromReference,
   Skip,
+  MeasureTool,
   ToolLength,
   LocalShift,
   MachineMove,

@@ -7,13 +7,10 @@
 namespace g31::fanuc {
 namespace {
 
-/// M codes that the parameters name as not buffered.
-constexpr int kFirstUnbuffered = 3411;
-constexpr int kLastUnbuffered = 3432;
-
 bool is_fence(const GCode& code, const Profile& profile) {
   switch (code.action) {
     case GAction::Skip:
+    case GAction::MeasureTool:
     case GAction::MachineMove:
     case GAction::CheckReference:
     case GAction::ToReference:
@@ -55,8 +52,16 @@ bool is_fence(int m, const Parameters& parameters) {
   if (m == 0 || m == 1 || m == 2 || m == 30) {
     return true;
   }
-  for (int number = kFirstUnbuffered; number <= kLastUnbuffered; ++number) {
-    if (parameters.value(number, -1.0) == m) {
+  const auto count = [](ParameterId id) { return info(id).last - info(id).first + 1; };
+  for (int i = 0; i < count(ParameterId::UnbufferedMCode); ++i) {
+    if (m == nearest_integer(parameters.get(ParameterId::UnbufferedMCode, i))) {
+      return true;
+    }
+  }
+  for (int i = 0; i < count(ParameterId::UnbufferedMCodes); i += 2) {
+    const double first = parameters.get(ParameterId::UnbufferedMCodes, i);
+    const double last = parameters.get(ParameterId::UnbufferedMCodes, i + 1);
+    if (first > 0.0 && m >= first && m <= last) {
       return true;
     }
   }

@@ -61,6 +61,7 @@ class Parser {
   void words(Block& block);
   bool word();
   void word_value(Word& word);
+  Index computed_value();
   void keyword(Block& block);
   void if_statement(Block& block);
   void while_statement(Block& block);
@@ -305,6 +306,14 @@ bool Parser::word() {
   return true;
 }
 
+/// `#n`, `#[expression]`, `[#NAME]` or `[expression]`, which begins here.
+Index Parser::computed_value() {
+  if (scanner_.peek() == '#') {
+    return expressions_.variable();
+  }
+  return expressions_.at_name() ? expressions_.named_variable() : expressions_.bracketed();
+}
+
 void Parser::word_value(Word& word) {
   char next = scanner_.peek();
   const bool negative = next == '-';
@@ -314,9 +323,7 @@ void Parser::word_value(Word& word) {
   }
   if (next == '#' || next == '[') {
     word.form = ValueForm::Computed;
-    word.expr = next == '#'              ? expressions_.variable()
-                : expressions_.at_name() ? expressions_.named_variable()
-                                         : expressions_.bracketed();
+    word.expr = computed_value();
     if (negative && word.expr != kNone) {
       syntax::Expr negate;
       negate.kind = syntax::ExprKind::Negate;
@@ -445,7 +452,7 @@ void Parser::jump(Block& block) {
   }
   const char next = scanner_.peek();
   if (next == '#' || next == '[') {
-    block.value = next == '#' ? expressions_.variable() : expressions_.bracketed();
+    block.value = computed_value();
     return;
   }
   scanner_.peek();

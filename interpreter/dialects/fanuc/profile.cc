@@ -81,6 +81,7 @@ constexpr Profile meldas() {
   profile.macro_alarm.base = 277;
   profile.macro_alarm.smallest = 1;
   profile.macro_alarm.largest = 9999;
+  profile.blocks_read = 5;
   profile.modal_layout = meldas_modal_layout();
   profile.variables = {Basic, OffsetsMeldas, ExternalOffset, SkipWithOffset, ExecutingModal};
   profile.skip_feed = SkipFeed::OneBlock;

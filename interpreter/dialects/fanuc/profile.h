@@ -108,6 +108,8 @@ struct Profile {
   SkipFeed skip_feed = SkipFeed::Modal;
   std::optional<ParameterId> skip_feed_parameter;  ///< feed of G31 without F (MB-334)
 
+  int blocks_read = 3;  ///< in cutter compensation, where parameter 19625 says nothing
+
   // DPRNT and BPRNT
   OutputRule output;
 };

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/variable_ranges.h"
 #include "machine/base/contract.h"
 
@@ -332,6 +333,9 @@ MaybeFailure Runner::assigned_system_variable(int number, double value) {
   const syntax::Block& block = program.tree->blocks[program.steps[frame().current].block];
   const std::string text(
       program.file->text().substr(block.text.begin, block.text.end - block.text.begin));
+  if (auto failure = end_read_ahead(control_)) {
+    return failure;
+  }
   if (number == 3006) {
     control_.observer.on_stop({"#3006", text, location(block.span)});
     return std::nullopt;

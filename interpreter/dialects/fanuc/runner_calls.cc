@@ -60,6 +60,9 @@ Result<bool, Failure> Runner::call_in_block() {
   const auto& modal = frame().modal_calls;
   const bool every_block = !modal.empty() && modal.back()->every_block;
   for (const EvaluatedWord& word : words_.all()) {
+    if (word.letter != 'G' && word.letter != 'M' && word.letter != 'T') {
+      continue;
+    }
     const int code = nearest_integer(word.number);
     if (word.letter == 'G') {
       if (word.number == 67.0) {

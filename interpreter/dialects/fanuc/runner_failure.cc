@@ -39,7 +39,8 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   runtime::Outcome outcome;
   outcome.status = failure.status;
   const bool has_place = failure.where.end > failure.where.begin;
-  const source::Location where = has_place ? location(failure.where) : location_of(frame());
+  const source::Location present = has_place ? location(failure.where) : location_of(frame());
+  const source::Location where = failure.block.file != nullptr ? failure.block : present;
   std::vector<source::Note> notes;
   for (const runtime::CallSite& call : call_stack()) {
     notes.push_back({call.where, fmt::format("called from {}", call.program)});

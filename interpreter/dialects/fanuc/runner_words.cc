@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/runner.h"
 
@@ -12,6 +13,11 @@ using syntax::ValueForm;
 
 /// No address of any control takes more (MB-032); it keeps positions and times finite, too.
 constexpr double kLargestWord = 999'999'999.0;
+
+bool is_dwell(const BlockWords& words) {
+  const EvaluatedWord* const g = words.find('G');
+  return g != nullptr && g->number == 4.0;
+}
 
 }  // namespace
 
@@ -67,10 +73,15 @@ MaybeFailure Runner::execute(const BlockWords& words, source::Location where) {
   if (auto failure = execute_block(control_, words, where)) {
     return failure;
   }
-  if (control_.lookahead.is_judged()) {
-    control_.lookahead.executed(effect_of(words, control_.profile, control_.parameters));
+  const bool compensates = control_.cutter.path.engaged();
+  if (!compensates && !control_.lookahead.is_judged()) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  const BlockEffect effect = effect_of(words, control_.profile, control_.parameters);
+  control_.lookahead.executed(effect);
+  // Cutter compensation reads past a dwell, though statements behind it see the axes stand.
+  const bool breaks = effect == BlockEffect::Finishes && !is_dwell(words);
+  return compensates && breaks ? end_read_ahead(control_) : std::nullopt;
 }
 
 /// A block that calls nothing; its motion may set off a modal call.

@@ -19,15 +19,25 @@ double guard(double scaled) {
   return std::max(1.0, std::abs(scaled)) * 8.0 * std::numeric_limits<double>::epsilon();
 }
 
+/// std::round, without the call that it is on processors of the first x86-64 kind.
+double rounded(double value) {
+  constexpr double kWhole = 4503599627370496.0;  // 2^52: no double beyond it has a fraction
+  if (!(std::abs(value) < kWhole)) {
+    return value;
+  }
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(value));
+  return std::abs(value - whole) < 0.5 ? whole : whole + std::copysign(1.0, value);
+}
+
 }  // namespace
 
 double round_to_counts(double value, double counts) {
   const double scaled = value * counts;
-  return std::round(scaled + std::copysign(guard(scaled), scaled)) / counts;
+  return rounded(scaled + std::copysign(guard(scaled), scaled)) / counts;
 }
 
 int nearest_integer(double value) {
-  return static_cast<int>(std::round(std::clamp(value, -2e9, 2e9)));
+  return static_cast<int>(rounded(std::clamp(value, -2e9, 2e9)));
 }
 
 void WordScale::set_increment_system(std::string_view name) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
@@ -110,14 +111,7 @@ MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d&
   move.centre_second = q_M_centre[arc.plane.second];
   move.turn = arc.turn;
   move.feed_mm_min = feed.value();
-  const auto reached = control.port.move(move);
-  if (!reached) {
-    control.coordinates.arrived_at_machine(control.port.position());
-    return from_fault(reached.error());
-  }
-  const int g = arc.turn == Turn::Clockwise ? 2 : 3;
-  control.observer.on_move({g, move.q_M_end, move.feed_mm_min, 0.0});
-  return std::nullopt;
+  return travel(control, move, arc.turn == Turn::Clockwise ? 2 : 3);
 }
 
 /// Scaled by unequal factors an arc stays an arc, with the radius of its start; a straight piece

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/codes.h"
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "machine/base/contract.h"
 
@@ -38,6 +39,8 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
       return execute_from_reference(control, block);
     case GAction::Skip:
       return execute_skip(control, block);
+    case GAction::MeasureTool:
+      return execute_tool_measurement(control, block);
     case GAction::LocalShift:
       return execute_local_shift(control, block);
     case GAction::MachineMove:
@@ -98,6 +101,21 @@ MaybeFailure select_offsets(Control& control, const BlockWords& words, const Cod
   return std::nullopt;
 }
 
+/// What the words command when the modal codes and offsets are in force.
+MaybeFailure execute_words(Control& control, const NcBlock& block, double feed_before) {
+  if (block.code != nullptr) {
+    auto failure = execute_action(control, block);
+    if (block.code->action == GAction::Skip && control.profile.skip_feed == SkipFeed::OneBlock) {
+      control.modal.feed = feed_before;
+    }
+    return failure;
+  }
+  if (in_canned_cycle(control)) {
+    return execute_canned_cycle(control, block);
+  }
+  return block.has_axis_word ? execute_motion(control, block) : std::nullopt;
+}
+
 }  // namespace
 
 MaybeFailure execute_block(Control& control, const BlockWords& words, source::Location where) {
@@ -125,17 +143,13 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   if (block.code == nullptr) {
     block.code = codes.value().one_shot;
   }
-  if (block.code != nullptr) {
-    auto failure = execute_action(control, block);
-    if (block.code->action == GAction::Skip && control.profile.skip_feed == SkipFeed::OneBlock) {
-      control.modal.feed = feed_before;
-    }
+  if (auto failure = read_compensation(control, block)) {
     return failure;
   }
-  if (in_canned_cycle(control)) {
-    return execute_canned_cycle(control, block);
+  if (auto failure = execute_words(control, block, feed_before)) {
+    return failure;
   }
-  return block.has_axis_word ? execute_motion(control, block) : std::nullopt;
+  return end_compensated_block(control);
 }
 
 Failure block_failure(AlarmId id, std::string detail) {

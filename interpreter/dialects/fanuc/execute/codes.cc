@@ -61,6 +61,7 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
     case GAction::ToReference:
     case GAction::FromReference:
     case GAction::Skip:
+    case GAction::MeasureTool:
     case GAction::LocalShift:
     case GAction::MachineMove:
     case GAction::MacroCall:

@@ -1,3 +1,4 @@
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
@@ -35,9 +36,7 @@ MaybeFailure execute_dwell(Control& control, const NcBlock& block) {
     }
     seconds *= 60.0 / turns_per_minute;
   }
-  control.port.dwell(seconds);
-  control.observer.on_move({4, control.port.position(), 0.0, seconds});
-  return std::nullopt;
+  return pause(control, seconds);
 }
 
 }  // namespace g31::fanuc

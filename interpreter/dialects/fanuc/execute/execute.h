@@ -24,6 +24,8 @@ MaybeFailure execute_motion(Control& control, const NcBlock& block);           /
 MaybeFailure execute_machine_move(Control& control, const NcBlock& block);     // motion.cc
 MaybeFailure execute_arc(Control& control, const NcBlock& block);              // arc.cc
 MaybeFailure execute_skip(Control& control, const NcBlock& block);             // skip.cc
+MaybeFailure execute_tool_measurement(Control& control,
+                                      const NcBlock& block);  // measure_tool.cc
 MaybeFailure execute_dwell(Control& control, const NcBlock& block);            // dwell.cc
 MaybeFailure execute_reference(Control& control, const NcBlock& block);        // reference.cc
 MaybeFailure execute_from_reference(Control& control, const NcBlock& block);   // reference.cc
@@ -49,6 +51,9 @@ void cancel_scaling(Control& control);      // G50; transforms.cc
 void cancel_rotation(Control& control);     // G69; transforms.cc
 void start_canned_cycle(Control& control);  // the first after G80; canned_cycle.cc
 
+/// Radius of the tool offset D in force, geometry and wear, mm; 0 for D0 (offsets.cc).
+Result<double, Failure> cutter_radius(const Control& control);
+
 // What several of them share.
 
 /// The value of an axis word: mm, or deg of a rotary axis.
@@ -61,7 +66,8 @@ AxisPositions cartesian_end(const Control& control, const NcBlock& block);
 /// asked once a motion, because radius and angle go on from block to block.
 AxisPositions programmed_end(Control& control, const NcBlock& block);
 
-/// Moves to a machine position and tells the observer; `g` is how the document names the move.
+/// Moves to a machine position, through cutter compensation, and tells the observer; `g` is how the
+/// document names the move.
 MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Traverse traverse,
                      int g);
 

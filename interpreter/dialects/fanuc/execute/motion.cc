@@ -1,3 +1,4 @@
+#include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
@@ -85,13 +86,7 @@ MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Tr
     }
     move.feed_mm_min = feed.value();
   }
-  const auto reached = control.port.move(move);
-  if (!reached) {
-    control.coordinates.arrived_at_machine(control.port.position());
-    return from_fault(reached.error());
-  }
-  control.observer.on_move({g, q_M_end, move.feed_mm_min, 0.0});
-  return std::nullopt;
+  return travel(control, move, g);
 }
 
 MaybeFailure execute_motion(Control& control, const NcBlock& block) {

@@ -72,6 +72,22 @@ MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
   return std::nullopt;
 }
 
+Result<double, Failure> cutter_radius(const Control& control) {
+  const int number = static_cast<int>(control.modal.words['D' - 'A']);
+  if (number < 0 || number > OffsetTable::kLargest) {
+    Failure failure;
+    failure.id = AlarmId::IllegalOffsetNumber;
+    failure.detail = fmt::format("D{}: D is 0 to {}", number, OffsetTable::kLargest);
+    return failure;
+  }
+  if (number != 0 && !control.expected_tools.empty() && !control.expected_tools.contains(number) &&
+      !control.offsets.has(number)) {
+    return missing(source::DiagnosticId::SetupMissingTool, fmt::format("D{}", number));
+  }
+  const runtime::ToolEntry entry = control.offsets.get(number);
+  return number != 0 ? entry.radius_mm + entry.radius_wear_mm : 0.0;
+}
+
 /// G52: the named axes take this shift, in every work system (MB-290).
 MaybeFailure execute_local_shift(Control& control, const NcBlock& block) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

@@ -25,7 +25,7 @@ Result<int, Failure> which_reference(const NcBlock& block) {
   }
   const auto number = integer_of(*p);
   if (number && (number.value() < 2 || number.value() > 4)) {
-    return at_word(AlarmId::IllegalAddress, *p, "P of G30 is 2, 3 or 4");
+    return at_word(AlarmId::IllegalReference, *p, fmt::format("P{}", number.value()));
   }
   return number;
 }
@@ -50,7 +50,7 @@ MaybeFailure execute_reference(Control& control, const NcBlock& block) {
   AxisPositions q_M_home = q_M_via;
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     if (block.words.has(kAxisLetters[static_cast<std::size_t>(axis)])) {
-      control.q_L_intermediate[axis] = q_L_via[axis];
+      control.q_L_intermediate[static_cast<std::size_t>(axis)] = q_L_via[axis];
       q_M_home[axis] = reference_point(control, which.value(), axis);
     }
   }
@@ -63,9 +63,14 @@ MaybeFailure execute_reference(Control& control, const NcBlock& block) {
 /// at rapid.  The point is remembered in work coordinates: it moves with them (MB-288).
 MaybeFailure execute_from_reference(Control& control, const NcBlock& block) {
   AxisPositions q_L_via = control.coordinates.programmed();
-  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
-    if (block.words.has(kAxisLetters[static_cast<std::size_t>(axis)])) {
-      q_L_via[axis] = control.q_L_intermediate[axis];
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
+      const std::optional<double>& via = control.q_L_intermediate[axis];
+      if (!via) {
+        return at_word(AlarmId::NoIntermediatePoint, *word,
+                       fmt::format("{} had no G28", word->letter));
+      }
+      q_L_via[static_cast<Eigen::Index>(axis)] = *via;
     }
   }
   if (!block.has_axis_word) {

@@ -107,9 +107,6 @@ Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) 
 
 /// G31: latched position to #5061.., the axes stay where they stopped (MB-265 to MB-284).
 MaybeFailure execute_skip(Control& control, const NcBlock& block) {
-  if (control.modal.group[7].whole != 40) {
-    return block_failure(AlarmId::SkipNotAllowed);
-  }
   const auto kind = skip_kind(control, block);
   if (!kind) {
     return kind.error();

@@ -18,11 +18,11 @@ ReadResult read_block_end(Control& control, const Place& place) {
 }
 
 ReadResult read_machine_position(Control& control, const Place& place) {
-  return axis_of(control, place, control.port.position());
+  return axis_of(control, place, control.position());
 }
 
 ReadResult read_work_position(Control& control, const Place& place) {
-  return axis_of(control, place, control.coordinates.to_work(control.port.position()));
+  return axis_of(control, place, control.coordinates.to_work(control.position()));
 }
 
 ReadResult read_skip_position(Control& control, const Place& place) {

@@ -1,0 +1,41 @@
+#include "interpreter/dialects/fanuc/compensation/path_block.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace g31::fanuc {
+namespace {
+
+/// The direction of travel on an arc, at a point of it.
+PlanePoint along_arc(const ArcShape& arc, const PlanePoint& p) {
+  const PlanePoint radial = (p - arc.centre).normalized();
+  return arc.turn == machine::Turn::Counterclockwise ? PlanePoint(-radial.y(), radial.x())
+                                                     : PlanePoint(radial.y(), -radial.x());
+}
+
+}  // namespace
+
+PlanePoint direction_at_start(const PlaneWay& way) {
+  return way.arc ? along_arc(*way.arc, way.from) : PlanePoint((way.to - way.from).normalized());
+}
+
+PlanePoint direction_at_end(const PlaneWay& way) {
+  return way.arc ? along_arc(*way.arc, way.to) : PlanePoint((way.to - way.from).normalized());
+}
+
+double sweep_rad(const PlaneWay& way) {
+  constexpr double kFullRad = 2.0 * std::numbers::pi;
+  if (!way.arc) {
+    return 0.0;
+  }
+  if ((way.to - way.from).norm() < kOnePointMm) {
+    return kFullRad;
+  }
+  const PlanePoint a = way.from - way.arc->centre;
+  const PlanePoint b = way.to - way.arc->centre;
+  const double left = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  const double sweep = way.arc->turn == machine::Turn::Counterclockwise ? left : -left;
+  return sweep > 0.0 ? sweep : sweep + kFullRad;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "interpreter/source/location.h"
+#include "machine/port/machine_port.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::fanuc {
+
+/// A point or a direction in the offset plane: mm along its first and second axis.
+using PlanePoint = Eigen::Vector2d;
+
+/// The plane of the compensation: storage indices of its axes; `first` turns towards `second`
+/// counterclockwise.
+struct OffsetPlane {
+  int first = 0;
+  int second = 1;
+  friend bool operator==(OffsetPlane, OffsetPlane) = default;
+
+  [[nodiscard]] PlanePoint of(const AxisPositions& q) const { return {q[first], q[second]}; }
+  /// `q` with other coordinates in the plane.
+  [[nodiscard]] AxisPositions moved(AxisPositions q, const PlanePoint& p) const {
+    q[first] = p.x();
+    q[second] = p.y();
+    return q;
+  }
+};
+
+struct ArcShape {
+  PlanePoint centre = PlanePoint::Zero();
+  machine::Turn turn = machine::Turn::Clockwise;
+};
+
+/// A way in the plane: straight, or an arc.  Start and end of an arc that coincide make a full
+/// circle; a straight way has a length.
+struct PlaneWay {
+  PlanePoint from;
+  PlanePoint to;
+  std::optional<ArcShape> arc;
+};
+
+/// Start and end of an arc closer than this are one point, as machine::ArcPath sees it too; mm.
+inline constexpr double kOnePointMm = 1e-6;
+
+/// Unit directions of travel at the ends of a way.
+PlanePoint direction_at_start(const PlaneWay& way);
+PlanePoint direction_at_end(const PlaneWay& way);
+
+/// The angle an arc turns through, rad, in (0, 2 pi]; 0 for a straight way.
+double sweep_rad(const PlaneWay& way);
+
+/// One block of motion: as it is programmed, or as the compensation gives it to the machine.
+struct PathBlock {
+  AxisPositions q_M_end = AxisPositions::Zero();  ///< mm and deg, machine coordinates
+  std::optional<ArcShape> arc;                    ///< machine coordinates in the plane
+  int g = 1;                                      ///< 0 rapid, 1 line, 2 and 3 arcs
+  double feed_mm_min = 0.0;                       ///< > 0 but for g = 0
+  source::Location where;
+};
+
+struct Pause {
+  double seconds = 0.0;
+};
+
+/// What the machine is to do, in order.
+using PathItem = std::variant<PathBlock, Pause>;
+using PathItems = std::vector<PathItem>;
+
+}  // namespace g31::fanuc

@@ -1,0 +1,224 @@
+#include "interpreter/dialects/fanuc/execute/compensation.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/codes.h"
+#include "interpreter/runtime/overloaded.h"
+#include "machine/base/contract.h"
+
+namespace g31::fanuc {
+namespace {
+
+using State = CompensationCommand::State;
+
+/// Codes whose moves are no part of a path to be compensated.
+constexpr GAction kNeedCancel[] = {GAction::CheckReference, GAction::ToReference,
+                                   GAction::FromReference,  GAction::MachineMove,
+                                   GAction::MeasureTool,    GAction::Skip};
+
+OffsetPlane offset_plane(const Control& control) {
+  const Plane plane = control.modal.plane();
+  return {plane.first, plane.second};
+}
+
+CompensationRules rules_of(const Control& control) {
+  CompensationRules rules;
+  const Parameters& parameters = control.parameters;
+  if (parameters.is_on(ParameterId::StartUpTypeB)) {
+    rules.start_up = StartUp::TypeB;
+  }
+  if (parameters.is_on(ParameterId::NoInterferenceCheck)) {
+    rules.check = CompensationRules::InterferenceCheck::Off;
+  }
+  rules.minute_mm = parameters.get(ParameterId::MinuteCorner);
+  const int given = nearest_integer(parameters.get(ParameterId::BlocksRead));
+  const int read = given >= 3 && given <= 8 ? given : control.profile.blocks_read;
+  rules.idle_limit = read - 2;
+  return rules;
+}
+
+AlarmId alarm_of(CompensationError error) {
+  switch (error) {
+    case CompensationError::NoIntersection:
+      return AlarmId::NoIntersection;
+    case CompensationError::ArcAtStartOrEnd:
+      return AlarmId::ArcAtStartOrEnd;
+    case CompensationError::PlaneChanged:
+      return AlarmId::PlaneInCompensation;
+    case CompensationError::ArcWithoutRadius:
+      return AlarmId::ArcWithoutRadius;
+    case CompensationError::Interference:
+      return AlarmId::Interference;
+  }
+  contract_violated("every error has its alarm", __FILE__, __LINE__);
+}
+
+template <typename Move>
+MaybeFailure to_machine(Control& control, const Move& move, int g) {
+  const auto reached = control.port.move(move);
+  if (!reached) {
+    control.coordinates.arrived_at_machine(control.port.position());
+    return from_fault(reached.error());
+  }
+  control.observer.on_move({g, move.q_M_end, move.feed_mm_min, 0.0});
+  return std::nullopt;
+}
+
+MaybeFailure wait(Control& control, double seconds) {
+  control.port.dwell(seconds);
+  control.observer.on_move({4, control.port.position(), 0.0, seconds});
+  return std::nullopt;
+}
+
+MaybeFailure carry_out(Control& control, const PathBlock& block) {
+  if (!block.arc) {
+    const auto traverse = block.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
+    return to_machine(control, machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min},
+                      block.g);
+  }
+  machine::ArcMove move;
+  move.q_M_end = block.q_M_end;
+  move.first_axis = control.cutter.command.plane.first;
+  move.second_axis = control.cutter.command.plane.second;
+  move.centre_first = block.arc->centre.x();
+  move.centre_second = block.arc->centre.y();
+  move.turn = block.arc->turn;
+  move.feed_mm_min = block.feed_mm_min;
+  return to_machine(control, move, block.g);
+}
+
+/// What came out of the compensation goes to the machine.
+MaybeFailure carry_out(Control& control, const CompensationResult& result) {
+  if (!result) {
+    Failure failure;
+    failure.id = alarm_of(result.error().error);
+    failure.block = result.error().where;
+    return failure;
+  }
+  for (const PathItem& item : result.value()) {
+    MaybeFailure failure = std::visit(
+        runtime::Overloaded{[&](const Pause& pause) { return wait(control, pause.seconds); },
+                            [&](const PathBlock& block) {
+                              MaybeFailure late = carry_out(control, block);
+                              if (late) {
+                                late->block = block.where;
+                              }
+                              return late;
+                            }},
+        item);
+    if (failure) {
+      return failure;
+    }
+  }
+  return std::nullopt;
+}
+
+MaybeFailure feed_path(Control& control, const AxisPositions& q_M_end, std::optional<ArcShape> arc,
+                       int g, double feed_mm_min) {
+  CutterStage& cutter = control.cutter;
+  cutter.fed = true;
+  const PathBlock block{q_M_end, arc, g, feed_mm_min, cutter.command.where};
+  return carry_out(control, cutter.path.take(block, cutter.command));
+}
+
+bool is_side(const EvaluatedWord& word) {
+  return word.letter == 'G' && (word.number == 41.0 || word.number == 42.0);
+}
+
+bool needs_cancel(const Control& control, const NcBlock& block) {
+  const bool by_code =
+      block.code != nullptr && std::find(std::begin(kNeedCancel), std::end(kNeedCancel),
+                                         block.code->action) != std::end(kNeedCancel);
+  return by_code || in_canned_cycle(control);
+}
+
+/// Why this block cannot stand in G41 or G42.
+Failure refusal(const NcBlock& block) {
+  if (block.code == nullptr) {
+    return block_failure(AlarmId::NotInCompensation, "a canned cycle in G41 or G42");
+  }
+  return block_failure(
+      block.code->action == GAction::Skip ? AlarmId::SkipNotAllowed : AlarmId::NotInCompensation,
+      fmt::format("{} in G41 or G42", to_text(block.code->number)));
+}
+
+/// Executes what waits and gives the axes free: the next move starts from where they stand.
+MaybeFailure leave(Control& control) {
+  auto failure = end_read_ahead(control);
+  control.cutter.path.disengage();
+  return failure;
+}
+
+}  // namespace
+
+MaybeFailure travel(Control& control, const machine::LinearMove& move, int g) {
+  return control.cutter.path.engaged()
+             ? feed_path(control, move.q_M_end, std::nullopt, g, move.feed_mm_min)
+             : to_machine(control, move, g);
+}
+
+MaybeFailure travel(Control& control, const machine::ArcMove& move, int g) {
+  if (!control.cutter.path.engaged()) {
+    return to_machine(control, move, g);
+  }
+  const ArcShape arc{{move.centre_first, move.centre_second}, move.turn};
+  return feed_path(control, move.q_M_end, arc, g, move.feed_mm_min);
+}
+
+MaybeFailure pause(Control& control, double seconds) {
+  if (!control.cutter.path.engaged()) {
+    return wait(control, seconds);
+  }
+  control.cutter.fed = true;
+  return carry_out(control, control.cutter.path.pass(Pause{seconds}, control.cutter.command));
+}
+
+MaybeFailure read_compensation(Control& control, const NcBlock& block) {
+  const int code = control.modal.group[7].whole;
+  CutterStage& cutter = control.cutter;
+  if (code == 40 && !cutter.path.engaged()) {
+    return std::nullopt;
+  }
+  if (needs_cancel(control, block)) {
+    return code == 40 ? leave(control) : refusal(block);
+  }
+  const auto radius = cutter_radius(control);
+  if (!radius) {
+    return radius.error();
+  }
+  CompensationCommand command;
+  command.state = code != 40 && control.modal.word('D') != 0.0 ? State::On : State::Off;
+  command.plane = offset_plane(control);
+  // A mirrored path has its part on the other side.
+  const bool mirrored = control.coordinates.transform().reverses_turns(control.modal.plane());
+  command.offset = (code == 42) != mirrored ? -radius.value() : radius.value();
+  const auto& words = block.words.all();
+  command.written = std::any_of(words.begin(), words.end(), is_side)
+                        ? CompensationCommand::Written::Here
+                        : CompensationCommand::Written::Before;
+  command.where = block.where;
+  cutter.command = command;
+  cutter.fed = false;
+  if (command.state == State::On && !cutter.path.engaged()) {
+    cutter.path.set_rules(rules_of(control));
+    cutter.path.engage(control.port.position(), command.plane);
+  }
+  return std::nullopt;
+}
+
+MaybeFailure end_compensated_block(Control& control) {
+  CutterStage& cutter = control.cutter;
+  if (!cutter.path.engaged() || cutter.fed) {
+    return std::nullopt;
+  }
+  return carry_out(control, cutter.path.pass(std::nullopt, cutter.command));
+}
+
+MaybeFailure end_read_ahead(Control& control) {
+  return control.cutter.path.engaged() ? carry_out(control, control.cutter.path.flush())
+                                       : std::nullopt;
+}
+
+}  // namespace g31::fanuc

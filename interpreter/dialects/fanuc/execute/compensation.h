@@ -1,0 +1,32 @@
+#pragma once
+
+#include "interpreter/dialects/fanuc/execute/execute.h"
+
+namespace g31::fanuc {
+
+// Cutter compensation stands between the programmed path in machine coordinates and the machine.
+// Every motion and pause of a program goes through here.
+//
+// Programs run one block ahead of the machine in it.  #5001.. show the programmed end; #5021.. and
+// #5041.. the position as if nothing more were to be read, without breaking the read-ahead.  Fences
+// (BlockEffect::Finishes), #3000 and #3006 do break it: the block that waits then ends beside its
+// end.  Any other alarm ends the program with that block not done.
+
+/// Moves and tells the observer; `g` is how the document names the move.
+MaybeFailure travel(Control& control, const machine::LinearMove& move, int g);
+MaybeFailure travel(Control& control, const machine::ArcMove& move, int g);
+
+/// Lets time pass and tells the observer.
+MaybeFailure pause(Control& control, double seconds);
+
+/// What the block's G40 G41 G42, D and plane say; before its motion.  Alarms for what cannot stand
+/// in compensation (MB-273, MB-297).
+MaybeFailure read_compensation(Control& control, const NcBlock& block);
+
+/// Behind the block: one without motion counts as such.
+MaybeFailure end_compensated_block(Control& control);
+
+/// Executes the block that waits, as if nothing came behind it.
+MaybeFailure end_read_ahead(Control& control);
+
+}  // namespace g31::fanuc

@@ -1,0 +1,141 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/execute.h"
+
+namespace g31::fanuc {
+namespace {
+
+/// The one linear axis that the block names, as a storage index.
+Result<int, Failure> measured_axis(const Control& control, const NcBlock& block) {
+  int found = -1;
+  int named = 0;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (block.words.has(kAxisLetters[axis])) {
+      found = static_cast<int>(axis);
+      ++named;
+    }
+  }
+  if (named != 1 || found > 2) {
+    return block_failure(AlarmId::AxisInMeasurement, "one of X Y Z is needed");
+  }
+  if (control.modal.incremental()) {
+    return block_failure(AlarmId::AxisInMeasurement, "G37 takes an absolute position");
+  }
+  return found;
+}
+
+Result<int, Failure> measured_offset(Control& control, const NcBlock& block) {
+  if (const EvaluatedWord* const h = block.words.find('H')) {
+    return at_word(AlarmId::OffsetInMeasurement, *h, "");
+  }
+  const int number = static_cast<int>(control.modal.word('H'));
+  if (number < 1 || number > OffsetTable::kLargest) {
+    return block_failure(AlarmId::NoOffsetInMeasurement);
+  }
+  return number;
+}
+
+/// The feed near the measuring position, mm/min.
+Result<double, Failure> measuring_feed(const Control& control) {
+  const double feed = control.parameters.get(ParameterId::MeasuringFeed);
+  return feed > 0.0 ? Result<double, Failure>(feed) : feed_in_force(control);
+}
+
+/// A way along one axis to the measuring position and past it.
+struct Approach {
+  int axis;
+  AxisPositions q_M_nominal;
+  double sign;  ///< of the travel
+  double zone;  ///< mm, either side of the nominal position
+  double feed_mm_min;
+
+  [[nodiscard]] AxisPositions at(double behind_mm) const {
+    AxisPositions q_M = q_M_nominal;
+    q_M[axis] += sign * behind_mm;
+    return q_M;
+  }
+};
+
+/// The latched position; alarm 080 when no signal comes, or one outside the zone.
+Result<AxisPositions, Failure> touch(Control& control, const NcBlock& block,
+                                     const Approach& approach) {
+  machine::LinearMove move;
+  move.q_M_end = approach.at(approach.zone);
+  move.traverse = machine::Traverse::Feed;
+  move.feed_mm_min = approach.feed_mm_min;
+  const auto outcome = control.port.move_until_skip(move);
+  control.coordinates.arrived_at_machine(control.port.position());
+  if (!outcome) {
+    return from_fault(outcome.error());
+  }
+  runtime::TouchEvent event;
+  event.block = "G37";
+  event.where = block.where;
+  event.q_M_commanded = move.q_M_end;
+  event.q_M_latched = control.port.position();
+  event.q_M_stopped = control.port.position();
+  event.feed_mm_min = move.feed_mm_min;
+  event.triggered = !std::holds_alternative<machine::NoTouch>(outcome.value());
+  if (const auto* const touched = std::get_if<machine::Touched>(&outcome.value())) {
+    event.q_M_latched = touched->q_M_latched;
+    event.q_M_stopped = touched->q_M_stopped;
+    event.contact = touched->contact;
+  }
+  control.observer.on_move({31, event.q_M_stopped, move.feed_mm_min, 0.0});
+  control.observer.on_touch(event);
+  if (!event.triggered) {
+    return block_failure(AlarmId::NoArrivalSignal, "no signal came");
+  }
+  const double off = event.q_M_latched[approach.axis] - approach.q_M_nominal[approach.axis];
+  if (std::abs(off) > approach.zone) {
+    return block_failure(
+        AlarmId::NoArrivalSignal,
+        fmt::format("the signal came {:.4f} mm before the position", std::abs(off)));
+  }
+  return event.q_M_latched;
+}
+
+}  // namespace
+
+/// G37: at rapid up to the approach distance, then at the measuring feed to the signal; what the
+/// axis stands beyond the programmed position is added to the wear of tool offset H.  #5061.. stay
+/// as they are (MB-282).  The offset in force changes with the next H, G43 or G44.
+MaybeFailure execute_tool_measurement(Control& control, const NcBlock& block) {
+  const auto offset = measured_offset(control, block);
+  if (!offset) {
+    return offset.error();
+  }
+  const auto axis = measured_axis(control, block);
+  if (!axis) {
+    return axis.error();
+  }
+  const auto feed = measuring_feed(control);
+  if (!feed) {
+    return feed.error();
+  }
+  Approach approach;
+  approach.axis = axis.value();
+  approach.q_M_nominal = control.coordinates.to_machine(programmed_end(control, block));
+  const double way = approach.q_M_nominal[approach.axis] - control.port.position()[approach.axis];
+  approach.sign = way < 0.0 ? -1.0 : 1.0;
+  approach.zone = control.parameters.get(ParameterId::MeasuringZone);
+  approach.feed_mm_min = feed.value();
+  const double slow = control.parameters.get(ParameterId::MeasuringApproach);
+  if (std::abs(way) > slow) {
+    if (auto failure = move_to(control, approach.at(-slow), machine::Traverse::Rapid, 0)) {
+      return failure;
+    }
+  }
+  const auto q_M_latched = touch(control, block, approach);
+  if (!q_M_latched) {
+    return q_M_latched.error();
+  }
+  const double more = q_M_latched.value()[approach.axis] - approach.q_M_nominal[approach.axis];
+  const double wear = control.offsets.get(offset.value()).length_wear_mm + more;
+  control.offsets.set_field(offset.value(), &runtime::ToolEntry::length_wear_mm, wear);
+  return std::nullopt;
+}
+
+}  // namespace g31::fanuc
