@@ -38,6 +38,7 @@ namespace g31::testing {
 ///   (EXPECT OUTPUT "A 1.\n")         with \n, \r and \xNN
 ///   (EXPECT STOP "TURN")             a stop with this text
 ///   (EXPECT WARNING PRB301 AT 3)
+///   (EXPECT NO WARNING PRB305)
 ///   (EXPECT MOVES 2)                 (EXPECT MOVE 2 G31 X12.345 Z-5)  machine coordinates;
 ///                                    T is the seconds of a G4
 ///
@@ -137,7 +138,7 @@ class ConformanceReader {
   }
 
   static std::string with_point(const std::string& number) {
-    return number.find('.') == number.npos ? number + ".0" : number;
+    return number + (number.find('.') == number.npos ? ".0" : number.ends_with('.') ? "0" : "");
   }
 
   void finish_case() {

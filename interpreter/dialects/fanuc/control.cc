@@ -7,11 +7,6 @@
 namespace g31::fanuc {
 namespace {
 
-/// 6050 to 6059 name the G codes that call macros O9010 to O9019, 6080 to 6089 the M codes of
-/// macros O9020 to O9029, 6071 to 6079 the M codes of subprograms O9001 to O9009 (MB-207 to
-/// MB-210).
-constexpr int kCallParameters = 10;
-
 /// @param parameters  must outlive the rules
 EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   EvaluationRules rules;
@@ -92,31 +87,10 @@ void Control::warn_once(source::DiagnosticId id, source::Location where, std::st
   }
 }
 
-void Control::turn_calls_over(const Parameters& before) {
-  for (int i = 0; i < kCallParameters; ++i) {
-    const auto turn_over = [&](std::map<int, int>& calls, ParameterId id, int index, int program) {
-      const double old_code = before.get(id, index);
-      const double code = parameters.get(id, index);
-      if (code == old_code) {
-        return;
-      }
-      calls.erase(nearest_integer(old_code));
-      if (code > 0.0) {
-        calls[nearest_integer(code)] = program;
-      }
-    };
-    turn_over(macro_calls_g, ParameterId::MacroGCode, i, 9010 + i);
-    turn_over(macro_calls_m, ParameterId::MacroMCode, i, 9020 + i);
-    if (i > 0) {
-      turn_over(subprogram_calls_m, ParameterId::SubprogramMCode, i - 1, 9000 + i);
-    }
-  }
-}
-
 void Control::apply(const Parameters& given) {
   const Parameters before = parameters;
   parameters = given;
-  turn_calls_over(before);
+  code_calls.turn_over(before, parameters, profile);
   evaluator.set_rules(rules_of(profile, parameters));
   scale.calculator_point = parameters.is_on(ParameterId::CalculatorPoint);
   variables.protect(nearest_integer(parameters.get(ParameterId::FirstProtected)),

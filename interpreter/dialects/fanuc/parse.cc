@@ -55,6 +55,7 @@ class Parser {
   void skip_leader();
   void block();
   bool program_number(Block& block);
+  bool program_name(Block& block);
   void head(Block& block);
   void body(Block& block);
   void assignment(Block& block);
@@ -154,6 +155,9 @@ void Parser::settle(Block& block, std::uint32_t begin) {
 
 bool Parser::program_number(Block& block) {
   const char next = scanner_.peek();
+  if (next == '<') {
+    return program_name(block);
+  }
   if (next != 'O' && next != ':') {
     return false;
   }
@@ -168,6 +172,21 @@ bool Parser::program_number(Block& block) {
     return true;
   }
   open_program(*number, {begin, scanner_.position()});
+  return true;
+}
+
+/// `<PROBE-BORE>` in place of O and a number (MB-002).
+bool Parser::program_name(Block& block) {
+  const std::uint32_t begin = scanner_.position();
+  const std::size_t end = scanner_.text().find_first_of(">\n", begin);
+  open_program(0, {begin, begin});
+  if (end == std::string_view::npos || scanner_.text()[end] == '\n') {
+    fail(AlarmId::IllegalAddress, "the name of a program stands between < and >");
+    block.kind = BlockKind::Bad;
+    return true;
+  }
+  scanner_.rewind(static_cast<std::uint32_t>(end + 1));
+  tree_.programs.back().name = {begin, scanner_.position()};
   return true;
 }
 

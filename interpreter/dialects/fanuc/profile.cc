@@ -46,6 +46,7 @@ constexpr Profile fanuc_30i() {
   profile.alarm_prefix = "PS";
   profile.excess_decimals = ExcessDecimals::Round;
   profile.digit_limit = 12;
+  profile.word_digit_limit = 9;
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.has_series_30i_functions = true;
@@ -69,6 +70,7 @@ constexpr Profile meldas() {
   profile.alarm_numbers = AlarmNumbers::Meldas;
   profile.alarm_prefix = "P";
   profile.digit_limit = 12;
+  profile.word_digit_limit = 12;
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.loops = {127, 27};

@@ -72,7 +72,8 @@ struct Profile {
 
   // Numbers
   ExcessDecimals excess_decimals = ExcessDecimals::Truncate;
-  int digit_limit = 8;             ///< digits of a number (MB-027)
+  int digit_limit = 8;             ///< digits of a number in an expression (MB-027)
+  int word_digit_limit = 8;        ///< digits of a number behind an address
   double largest_result = 1e47;    ///< magnitude beyond it is alarm 111 (MB-047)
   double smallest_result = 1e-29;  ///< magnitude below it, but not 0, is alarm 111
   LogicOperands logic_operands = LogicOperands::Round;

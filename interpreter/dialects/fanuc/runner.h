@@ -86,6 +86,9 @@ class Runner {
 
   // runner_calls.cc: which word calls what
   Result<bool, Failure> call_in_block();
+  Result<bool, Failure> call_by_g(const EvaluatedWord& word, bool every_block);
+  Result<bool, Failure> call_by_m(const EvaluatedWord& word);
+  Result<bool, Failure> call_by_address(const EvaluatedWord& word);
   MaybeFailure macro_call(const EvaluatedWord& code);
   MaybeFailure set_modal_call(const EvaluatedWord& code);
   MaybeFailure cancel_modal_call(const EvaluatedWord& code);
@@ -93,14 +96,17 @@ class Runner {
   MaybeFailure every_block_call();
   MaybeFailure code_macro(const EvaluatedWord& code, int program);
   MaybeFailure code_subprogram(const EvaluatedWord& code, int program);
-  MaybeFailure subprogram_call(const EvaluatedWord& m);
-  MaybeFailure return_from_call();
-  MaybeFailure enter(const Entry& entry);
   MaybeFailure pass_arguments(std::span<const EvaluatedWord> arguments);
   Result<const CompiledProgram*, Failure> called_program(const EvaluatedWord& p);
   Result<int, Failure> repeats() const;
-  [[nodiscard]] int levels(CallKind kind) const;
+  [[nodiscard]] double argument_value(const EvaluatedWord& word) const;
   [[nodiscard]] bool code_calls_allowed() const;
+
+  // runner_levels.cc: into a program and out of it
+  MaybeFailure subprogram_call(const EvaluatedWord& m);
+  MaybeFailure return_from_call();
+  MaybeFailure enter(const Entry& entry);
+  [[nodiscard]] int levels(CallKind kind) const;
 
   // runner_failure.cc: what became of it
   Failure from_evaluation();

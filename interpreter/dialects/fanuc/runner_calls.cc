@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -24,21 +25,18 @@ constexpr int kEveryBlockP = 16;
 
 constexpr int kLargestRepeat = 9999;
 
-/// P of M98 beyond four digits carries the count before the number (MB-214).
-constexpr int kCountFactor = 10'000;
-
-/// Variables that T and address calls leave their value in (MB-211, MB-212).
-constexpr int kTCallVariable = 149;
-constexpr int kTCallProgram = 9000;
-
 /// Letters whose plain integer argument means least increments (MB-196).
 bool counts_increments(char letter) {
   return std::string_view("ABCIJKQRUVWXYZ").find(letter) != std::string_view::npos;
 }
 
-/// Whether a word is part of the call itself: the code, P, L and N.
+/// Whether a word is part of the call itself: the code, P and L.
 bool is_call_word(const EvaluatedWord& word, const EvaluatedWord& code) {
-  return &word == &code || word.letter == 'P' || word.letter == 'L' || word.letter == 'N';
+  return &word == &code || word.letter == 'P' || word.letter == 'L';
+}
+
+Result<bool, Failure> has_called(MaybeFailure failure) {
+  return failure ? Result<bool, Failure>(*std::move(failure)) : true;
 }
 
 bool has_motion(const BlockWords& words) {
@@ -54,54 +52,72 @@ bool has_motion(const BlockWords& words) {
 
 /// Calls what a word of the block calls.  @returns whether there was such a word
 Result<bool, Failure> Runner::call_in_block() {
-  const auto done = [](MaybeFailure failure) -> Result<bool, Failure> {
-    return failure ? Result<bool, Failure>(*std::move(failure)) : true;
-  };
   const auto& modal = frame().modal_calls;
   const bool every_block = !modal.empty() && modal.back()->every_block;
   for (const EvaluatedWord& word : words_.all()) {
-    if (word.letter != 'G' && word.letter != 'M' && word.letter != 'T') {
-      continue;
-    }
-    const int code = nearest_integer(word.number);
-    if (word.letter == 'G') {
-      if (word.number == 67.0) {
-        return done(cancel_modal_call(word));
-      }
-      if (every_block) {
-        return done(every_block_call());
-      }
-      if (word.number == 65.0) {
-        return done(macro_call(word));
-      }
-      if (word.number == 66.0 || word.number == 66.1) {
-        return done(set_modal_call(word));
-      }
-      const auto call = control_.macro_calls_g.find(code);
-      if (call != control_.macro_calls_g.end() && word.number == code && code_calls_allowed()) {
-        return done(code_macro(word, call->second));
-      }
-    } else if (word.letter == 'M' && !every_block && word.form != ValueForm::Decimal) {
-      if (code == 98 || code == 198) {
-        return done(subprogram_call(word));
-      }
-      if (code == 99) {
-        return done(return_from_call());
-      }
-      const auto macro = control_.macro_calls_m.find(code);
-      if (macro != control_.macro_calls_m.end() && code_calls_allowed()) {
-        return done(code_macro(word, macro->second));
-      }
-      const auto sub = control_.subprogram_calls_m.find(code);
-      if (sub != control_.subprogram_calls_m.end() && code_calls_allowed()) {
-        return done(code_subprogram(word, sub->second));
-      }
-    } else if (word.letter == 'T' && control_.parameters.is_on(ParameterId::ToolCalls) && code_calls_allowed()) {
-      control_.variables.set_common(kTCallVariable, Cell(code));
-      return done(code_subprogram(word, kTCallProgram));
+    auto called = word.letter == 'G'   ? call_by_g(word, every_block)
+                  : every_block        ? Result<bool, Failure>(false)
+                  : word.letter == 'M' ? call_by_m(word)
+                                       : call_by_address(word);
+    if (!called || called.value()) {
+      return called;
     }
   }
-  return every_block ? done(every_block_call()) : false;
+  return every_block ? has_called(every_block_call()) : false;
+}
+
+Result<bool, Failure> Runner::call_by_g(const EvaluatedWord& word, bool every_block) {
+  if (word.number == 67.0) {
+    return has_called(cancel_modal_call(word));
+  }
+  if (every_block) {
+    return has_called(every_block_call());
+  }
+  if (word.number == 65.0) {
+    return has_called(macro_call(word));
+  }
+  if (word.number == 66.0 || word.number == 66.1) {
+    return has_called(set_modal_call(word));
+  }
+  const int code = nearest_integer(word.number);
+  const auto call = control_.code_calls.macro_by_g.find(code);
+  if (call != control_.code_calls.macro_by_g.end() && word.number == code && code_calls_allowed()) {
+    return has_called(code_macro(word, call->second));
+  }
+  return false;
+}
+
+Result<bool, Failure> Runner::call_by_m(const EvaluatedWord& word) {
+  const int code = nearest_integer(word.number);
+  if (word.form == ValueForm::Decimal) {
+    return false;
+  }
+  if (code == 98 || code == 198) {
+    return has_called(subprogram_call(word));
+  }
+  if (code == 99) {
+    return has_called(return_from_call());
+  }
+  const auto macro = control_.code_calls.macro_by_m.find(code);
+  if (macro != control_.code_calls.macro_by_m.end() && code_calls_allowed()) {
+    return has_called(code_macro(word, macro->second));
+  }
+  const auto sub = control_.code_calls.subprogram_by_m.find(code);
+  if (sub != control_.code_calls.subprogram_by_m.end() && code_calls_allowed()) {
+    return has_called(code_subprogram(word, sub->second));
+  }
+  return false;
+}
+
+/// T, S, B and the addresses of parameters 6090 and 6091 (MB-211, MB-212).
+Result<bool, Failure> Runner::call_by_address(const EvaluatedWord& word) {
+  const AddressCall& call =
+      control_.code_calls.by_address.at(static_cast<std::size_t>(word.letter - 'A'));
+  if (call.program == 0 || !code_calls_allowed()) {
+    return false;
+  }
+  control_.variables.set_common(call.variable, Cell(argument_value(word)));
+  return has_called(code_subprogram(word, call.program));
 }
 
 bool Runner::code_calls_allowed() const {
@@ -326,139 +342,16 @@ MaybeFailure Runner::pass_arguments(std::span<const EvaluatedWord> arguments) {
     if (variable > kLocalCount) {
       return at_word(AlarmId::IllegalArgumentLetter, word, "more than ten I J K");
     }
-    double value = word.number;
-    if (word.form == ValueForm::Integer && counts_increments(word.letter)) {
-      value = control_.scale.length(word);
-    }
-    control_.variables.set_local(variable, Cell(value));
+    control_.variables.set_local(variable, Cell(argument_value(word)));
   }
   return std::nullopt;
 }
 
-int Runner::levels(CallKind kind) const {
-  int count = 0;
-  for (const Frame& level : frames_) {
-    count += level.kind == kind ? 1 : 0;
-  }
-  return count;
-}
-
-MaybeFailure Runner::enter(const Entry& entry) {
-  const bool is_macro = entry.kind == CallKind::Macro;
-  const CallLevels& most = control_.profile.calls;
-  const int limit = is_macro ? most.macros : most.subprograms;
-  const bool together = static_cast<int>(frames_.size()) > most.together;
-  if (levels(entry.kind) >= limit || together) {
-    Failure failure;
-    failure.id = is_macro ? AlarmId::MacroNesting : AlarmId::NestedTooDeep;
-    failure.detail = together ? fmt::format("calls nest at most {} deep", most.together)
-                              : fmt::format("{} nest at most {} deep",
-                                            is_macro ? "macros" : "subprograms", limit);
-    return failure;
-  }
-  if (is_macro) {
-    control_.variables.push_level();
-  }
-  Frame level{entry.program, entry.first_step, 0, entry.kind, entry.by, entry.repeats - 1, {}};
-  level.modal_calls = frame().modal_calls;
-  frames_.push_back(std::move(level));
-  control_.modal.word('O') = entry.program->number;
-  return std::nullopt;
-}
-
-/// M98 P L Q, M198 P: motion of the block first, then the call (MB-213 to MB-217, MB-222).
-MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
-  const EvaluatedWord* const p = words_.find('P');
-  const EvaluatedWord* const q = words_.find(control_.profile.start_letter);
-  const auto times = repeats();
-  if (!times) {
-    return times.error();
-  }
-  if (p == nullptr && q == nullptr) {
-    return at_word(AlarmId::CallWithoutProgram, m, fmt::format("M{} without P", m.number));
-  }
-  if (p == nullptr) {
-    if (auto failure = keep_whole(frame())) {
-      return failure;
-    }
-  }
-  Entry entry{frame().program, CallKind::Subprogram, CalledBy::Program, times.value()};
-  if (p != nullptr) {
-    const auto number = integer_of(*p);
-    if (!number) {
-      return number.error();
-    }
-    EvaluatedWord program_word = *p;
-    program_word.form = ValueForm::Integer;
-    program_word.number = number.value();
-    if (number.value() >= kCountFactor && library_.find(number.value()) == nullptr) {
-      program_word.number = number.value() % kCountFactor;
-      entry.repeats = number.value() / kCountFactor;
-    }
-    const auto program = called_program(program_word);
-    if (!program) {
-      return program.error();
-    }
-    entry.program = program.value();
-  }
-  if (q != nullptr) {
-    const auto found = entry.program->find_label(nearest_integer(q->number), 0);
-    if (!found) {
-      return at_word(AlarmId::SequenceNotFound, *q, fmt::format("no N{}", q->number));
-    }
-    entry.first_step = *found;
-  }
-  BlockWords others;
-  for (const EvaluatedWord& word : words_.all()) {
-    if (&word != &m && word.letter != 'P' && word.letter != 'L' &&
-        word.letter != control_.profile.start_letter) {
-      others.add(word);
-    }
-  }
-  if (auto failure = execute(others, location_of(frame()))) {
-    return failure;
-  }
-  return entry.repeats == 0 ? std::nullopt : enter(entry);
-}
-
-/// M99: back to the caller, to block P of it, or to the top of the main program; L replaces the
-/// repeats that are left (MB-218 to MB-221).
-MaybeFailure Runner::return_from_call() {
-  const EvaluatedWord* const p = words_.find('P');
-  Frame& now = frame();
-  if (words_.has('L')) {
-    const auto left = repeats();
-    if (!left) {
-      return left.error();
-    }
-    now.repeats_left = left.value();
-  }
-  if (now.kind != CallKind::Main && p == nullptr && now.repeats_left > 0) {
-    --now.repeats_left;
-    now.step = 0;
-    return std::nullopt;
-  }
-  if (now.kind == CallKind::Main) {
-    if (auto failure = keep_whole(now)) {
-      return failure;
-    }
-    now.step = 0;
-  } else {
-    if (now.kind == CallKind::Macro) {
-      control_.variables.pop_level();
-    }
-    frames_.pop_back();
-    control_.modal.word('O') = frame().program->number;
-  }
-  if (p == nullptr) {
-    return std::nullopt;
-  }
-  const auto sequence = integer_of(*p);
-  if (!sequence) {
-    return sequence.error();
-  }
-  return go_to(frame(), sequence.value(),
-               at_word(AlarmId::SequenceNotFound, *p, fmt::format("no N{}", sequence.value())));
+/// What a word passes to a macro: without a point it counts least increments (MB-196).
+double Runner::argument_value(const EvaluatedWord& word) const {
+  return word.form == ValueForm::Integer && counts_increments(word.letter)
+             ? control_.scale.length(word)
+             : word.number;
 }
 
 }  // namespace g31::fanuc

@@ -39,7 +39,7 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
         continue;
       }
       evaluated.number = value.raw();
-    } else if (word.digits > control_.profile.digit_limit) {
+    } else if (word.digits > control_.profile.word_digit_limit) {
       return at_word(AlarmId::TooManyDigits, evaluated, fmt::format("{} digits", word.digits));
     }
     if (std::abs(evaluated.number) > kLargestWord) {

@@ -18,10 +18,10 @@ O1
 G0 X1.
 G53
 #100=#5041
-#3000=1(END)
 M30
 %
-(EXPECT ALARM 3001)
+(EXPECT NO WARNING PRB305)
+(EXPECT #100 = 1)
 
 (CASE MB-164 and #5061 is safe)
 (SETTING lookahead = 1)
@@ -33,6 +33,7 @@ G31 X5. F100.
 M30
 %
 (EXPECT #100 = 2)
+(EXPECT NO WARNING PRB305)
 
 (CASE MB-160 without reading ahead each block waits)
 %

@@ -94,8 +94,7 @@ MaybeFailure select_offsets(Control& control, const BlockWords& words, const Cod
       return failure;
     }
   }
-  const bool length_in_force = control.modal.group[8].whole != 49;
-  if (codes.tool_length != nullptr || (length_in_force && words.has('H'))) {
+  if (codes.tool_length != nullptr || words.has('H')) {
     return select_tool_length(control, words);
   }
   return std::nullopt;

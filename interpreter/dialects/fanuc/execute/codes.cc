@@ -1,6 +1,7 @@
 #include "interpreter/dialects/fanuc/execute/codes.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -126,9 +127,33 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
   }
 }
 
+/// The group of a G word; 0: none, or one that has effect in its block only.
+int group_of(const EvaluatedWord& word) {
+  const auto number = g_number(word.number);
+  const GCode* const code = number ? find_g_code(*number) : nullptr;
+  return code != nullptr ? code->group : 0;
+}
+
+/// An address twice, or two G codes of one group (MB-014); several M are no repeat.
+MaybeFailure refuse_repeats(const BlockWords& words) {
+  std::set<int> seen;
+  for (const EvaluatedWord& word : words.all()) {
+    const int group = word.letter == 'G' ? group_of(word) : -word.letter;
+    if (word.letter != 'M' && group != 0 && !seen.insert(group).second) {
+      return at_word(AlarmId::AddressTwice, word, fmt::format("{} stands twice", word.letter));
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
+  if (control.parameters.is_on(ParameterId::RefusesRepeats)) {
+    if (auto failure = refuse_repeats(words)) {
+      return *std::move(failure);
+    }
+  }
   Codes codes;
   for (const EvaluatedWord& word : words.all()) {
     if (word.letter == 'G') {

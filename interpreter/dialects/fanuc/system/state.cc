@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kMsPerSecond = 1000.0;
 constexpr double kSecondsPerHour = 3600.0;
+constexpr double kMsGuard = 1e-6;            // a sum of times such as 20 x 0.1 s is a full count
 constexpr double kTimerWrap = 2147483648.0;  // ms (MB-125)
 
 /// A bit of #3005 and the parameter that holds it (MB-129).
@@ -32,7 +33,7 @@ ParameterId parts_parameter(const Place& place) {
 
 ReadResult read_timer(Control& control, const Place&) {
   const double ms = control.port.time_s() * kMsPerSecond + control.timer_offset_ms;
-  return Cell(std::floor(std::fmod(ms, kTimerWrap)));
+  return Cell(std::floor(std::fmod(ms + kMsGuard, kTimerWrap)));
 }
 
 WriteResult write_timer(Control& control, const Place&, Cell value) {
@@ -134,6 +135,15 @@ ReadResult read_parts(Control& control, const Place& place) {
 
 WriteResult write_parts(Control& control, const Place& place, Cell value) {
   control.parameters.set(parts_parameter(place), value.or_zero());
+  return std::nullopt;
+}
+
+ReadResult read_further_common(Control& control, const Place& place) {
+  return control.further_commons.at(static_cast<std::size_t>(place.index()));
+}
+
+WriteResult write_further_common(Control& control, const Place& place, Cell value) {
+  control.further_commons.at(static_cast<std::size_t>(place.index())) = value;
   return std::nullopt;
 }
 
