@@ -40,7 +40,7 @@ namespace g31::testing {
 ///   (EXPECT WARNING PRB301 AT 3)
 ///   (EXPECT NO WARNING PRB305)
 ///   (EXPECT MOVES 2)                 (EXPECT MOVE 2 G31 X12.345 Z-5)  machine coordinates;
-///                                    T is the seconds of a G4
+///                                    T is the seconds of a G4, F the feed
 ///
 /// A case without an alarm expected must run without one.  What stands before the first CASE
 /// counts for every case of the file.

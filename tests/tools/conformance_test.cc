@@ -147,6 +147,7 @@ std::string move_mismatch(const std::smatch& parts, const Observed& seen) {
     const std::size_t axis = std::string_view("XYZABC").find(word.front());
     const json got = word.front() == 'G'        ? move["g"]
                      : word.front() == 'T'      ? move.value("t", json())
+                     : word.front() == 'F'      ? move.value("feed", json())
                      : axis < move["to"].size() ? move["to"][axis]
                                                 : json(0.0);
     is_right = is_right && is_near(got, want, 1e-6);
@@ -172,7 +173,7 @@ const std::vector<Form>& forms() {
       {"WARNING ([A-Z0-9]+)(?: AT ([0-9]+))?", warning_mismatch},
       {"NO WARNING ([A-Z0-9]+)", no_warning_mismatch},
       {"MOVES ([0-9]+)", moves_mismatch},
-      {"MOVE ([0-9]+)((?: [GTXYZABC]-?[0-9.]+)+)", move_mismatch}};
+      {"MOVE ([0-9]+)((?: [GTFXYZABC]-?[0-9.]+)+)", move_mismatch}};
   return rows;
 }
 

@@ -10,8 +10,10 @@ namespace {
 /// @param parameters  must outlive the rules
 EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   EvaluationRules rules;
-  rules.largest_result = profile.largest_result;
-  rules.smallest_result = profile.smallest_result;
+  const bool short_range =
+      profile.has_series_30i_functions && parameters.is_on(ParameterId::Range16i);
+  rules.largest_result = short_range ? kLargestOf16i : profile.largest_result;
+  rules.smallest_result = short_range ? kSmallestOf16i : profile.smallest_result;
   rules.digit_limit = profile.digit_limit;
   rules.signed_angles = parameters.is_on(ParameterId::SignedAngles);
   rules.clear_small_sines = parameters.is_on(ParameterId::ClearSmallSines);

@@ -57,6 +57,12 @@ enum class DataInput {
   ToolLife     ///< G10 L3: not simulated
 };
 
+/// Reads of the clock since machine time last passed.
+struct BusyWait {
+  double since_s = -1.0;  ///< machine time of the first
+  int reads = 0;
+};
+
 /// Cutter compensation and what the present block says to it.
 struct CutterStage {
   CutterCompensation path;
@@ -83,6 +89,7 @@ struct Control {
   OffsetTable offsets;
   WordScale scale;
   std::set<int> block_skip;
+  runtime::FeedSwitches feed_switches;
   CodeCalls code_calls;
   std::set<int> expected_tools;    ///< numbers of the sheet's tool table; empty: anything goes
   std::set<int> expected_systems;  ///< likewise for work offsets, as Coordinates counts them
@@ -93,15 +100,16 @@ struct Control {
   std::array<Cell, kFurtherCommonCount> further_commons;  ///< #98000..
   PmcSignals signals;                                     ///< #1000.., #1100..
   Calendar calendar;                                      ///< #3011, #3012
-  double timer_offset_ms = 0.0;                           ///< #3001 = simulated time + this
-  double hours_offset = 0.0;                              ///< #3002 likewise
-  int single_block_control = 0;                           ///< #3003
-  int override_control = 0;                               ///< #3004
-  int mirror_state = 0;                                   ///< #3007
-  int restart_state = 0;                                  ///< #3008
-  TransformStages transforms;                             ///< G51.1, G51, G68
-  std::optional<PolarCoordinates> polar;                  ///< G16
-  CycleData cycle;                                        ///< of the canned cycle in force
+  BusyWait busy_wait;
+  double timer_offset_ms = 0.0;           ///< #3001 = simulated time + this
+  double hours_offset = 0.0;              ///< #3002 likewise
+  int single_block_control = 0;           ///< #3003
+  int override_control = 0;               ///< #3004
+  int mirror_state = 0;                   ///< #3007
+  int restart_state = 0;                  ///< #3008
+  TransformStages transforms;             ///< G51.1, G51, G68
+  std::optional<PolarCoordinates> polar;  ///< G16
+  CycleData cycle;                        ///< of the canned cycle in force
   /// Where the last G28 or G30 of each axis went through (L); none before the first.
   std::array<std::optional<double>, kAxisCount> q_L_intermediate;
   DataInput data_input = DataInput::None;

@@ -57,6 +57,7 @@ class Parser {
   bool program_number(Block& block);
   bool program_name(Block& block);
   void head(Block& block);
+  std::uint8_t switch_number();
   void body(Block& block);
   void assignment(Block& block);
   void words(Block& block);
@@ -203,16 +204,21 @@ std::optional<std::int32_t> Parser::integer(const char* what) {
   return static_cast<std::int32_t>(found->value);
 }
 
+/// n of `/n`; `/` alone is switch 1 (MB-005).
+std::uint8_t Parser::switch_number() {
+  const char digit = scanner_.peek();
+  if (digit < '1' || digit > '9') {
+    return 1;
+  }
+  scanner_.step();
+  return static_cast<std::uint8_t>(digit - '0');
+}
+
 /// `/n` and `N..` in either order.
 void Parser::head(Block& block) {
   for (;;) {
     if (scanner_.accept('/')) {
-      const char digit = scanner_.peek();
-      block.skip_switch = 1;
-      if (digit >= '1' && digit <= '9') {
-        block.skip_switch = static_cast<std::uint8_t>(digit - '0');
-        scanner_.step();
-      }
+      block.skip_switch = switch_number();
     } else if (scanner_.peek() == 'N' && block.sequence < 0) {
       scanner_.step();
       const auto number = integer("a sequence number is N and digits, without variables");
@@ -301,22 +307,23 @@ bool Parser::word() {
     return false;
   }
   const std::uint32_t begin = scanner_.position();
-  if (letter == '/') {
-    fail(AlarmId::IllegalAddress, "a block skip / stands at the beginning of a block");
-    return false;
-  }
   if (letter == '#') {
     fail(AlarmId::MixedStatement, "a macro statement needs a block of its own");
     return false;
   }
-  if (letter < 'A' || letter > 'Z') {
+  if ((letter < 'A' || letter > 'Z') && letter != '/') {
     fail(AlarmId::IllegalAddress, fmt::format("'{}' is no address letter", letter));
     return false;
   }
   scanner_.step();
   Word word;
   word.letter = letter;
-  word_value(word);
+  if (letter == '/') {
+    word.form = ValueForm::Integer;
+    word.number = switch_number();
+  } else {
+    word_value(word);
+  }
   if (failed()) {
     return false;
   }

@@ -50,6 +50,7 @@ constexpr Profile fanuc_30i() {
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.has_series_30i_functions = true;
+  profile.names = {100, 999, 31};
   profile.largest_sequence = 99999999;
   profile.offset_limit_mm = 10000.0;
   profile.calls = {5, 10, 15};

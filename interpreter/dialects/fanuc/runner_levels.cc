@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
@@ -10,6 +12,8 @@ using syntax::ValueForm;
 
 /// P of M98 beyond four digits carries the count before the number (MB-214).
 constexpr int kCountFactor = 10'000;
+
+constexpr int kExternalCall = 198;
 
 }  // namespace
 
@@ -37,15 +41,27 @@ MaybeFailure Runner::enter(const Entry& entry) {
   if (is_macro) {
     control_.variables.push_level();
   }
-  Frame level{entry.program, entry.first_step, 0, entry.kind, entry.by, entry.repeats - 1, {}};
+  Frame level;
+  level.program = entry.program;
+  level.step = entry.first_step;
+  level.kind = entry.kind;
+  level.by = entry.by;
+  level.storage = entry.storage;
+  level.repeats_left = entry.repeats - 1;
   level.modal_calls = frame().modal_calls;
   frames_.push_back(std::move(level));
   control_.modal.word('O') = entry.program->number;
   return std::nullopt;
 }
 
-/// M98 P L Q, M198 P: motion of the block first, then the call (MB-213 to MB-217, MB-222).
-MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
+/// M198, or the M code of parameter 6030 (MB-222).
+bool Runner::calls_external(int m) const {
+  const int renamed = nearest_integer(control_.parameters.get(ParameterId::ExternalCall));
+  return m == (renamed > 0 ? renamed : kExternalCall);
+}
+
+/// What M98 or M198 calls, how often and from which block on (MB-214 to MB-216).
+Result<Entry, Failure> Runner::subprogram_entry(const EvaluatedWord& m) {
   const EvaluatedWord* const p = words_.find('P');
   const EvaluatedWord* const q = words_.find(control_.profile.start_letter);
   const auto times = repeats();
@@ -57,7 +73,7 @@ MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
   }
   if (p == nullptr) {
     if (auto failure = keep_whole(frame())) {
-      return failure;
+      return *std::move(failure);
     }
   }
   Entry entry{frame().program, CallKind::Subprogram, CalledBy::Program, times.value()};
@@ -85,6 +101,22 @@ MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
       return at_word(AlarmId::SequenceNotFound, *q, fmt::format("no N{}", q->number));
     }
     entry.first_step = *found;
+  }
+  return entry;
+}
+
+/// M98 P L Q, M198 P: motion of the block first, then the call (MB-213 to MB-217, MB-222).
+MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
+  const auto found = subprogram_entry(m);
+  if (!found) {
+    return found.error();
+  }
+  Entry entry = found.value();
+  if (calls_external(nearest_integer(m.number))) {
+    entry.storage = Storage::External;
+    if (std::ranges::find(frames_, Storage::External, &Frame::storage) != frames_.end()) {
+      return at_word(AlarmId::ExternalTwice, m, "M198 in a program that M198 called");
+    }
   }
   BlockWords others;
   for (const EvaluatedWord& word : words_.all()) {
@@ -122,6 +154,9 @@ MaybeFailure Runner::return_from_call() {
     }
     now.step = 0;
   } else {
+    if (now.of_modal_call) {
+      now.of_modal_call->locals = control_.variables.level();
+    }
     if (now.kind == CallKind::Macro) {
       control_.variables.pop_level();
     }

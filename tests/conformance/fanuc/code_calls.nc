@@ -322,3 +322,227 @@ M99
 (EXPECT #101 = 45)
 (EXPECT #102 = 1)
 (EXPECT #103 = 1)
+
+(CASE MB-203 words of axes that are no motion call nothing)
+%
+O1
+#100=0
+G66 P9100
+G04 X1.
+G10 L2 P1 X5.
+G92 X0
+G52 X0
+F100. M8
+#101=1
+G67
+M30
+O9100
+#100=#100+1
+M99
+%
+(EXPECT #100 = 0)
+
+(CASE MB-204 locals that the macro changed stay for its next call)
+%
+O1
+G66 P9100 A1.
+G0 X1.
+X2.
+X3.
+G67
+M30
+O9100
+#[100+#1]=1
+#1=#1+1
+M99
+%
+(EXPECT #101 = 1)
+(EXPECT #102 = 1)
+(EXPECT #103 = 1)
+(EXPECT #104 = VACANT)
+
+(CASE MB-203 modal calls nest four deep on the 16i)
+(CONTROL fanuc-16i)
+%
+O1
+#100=0
+G66 P9101
+G66 P9102
+G66 P9103
+G66 P9104
+G0 X1.
+G67
+X2.
+G67
+G67
+G67
+X3.
+M30
+O9101
+#100=#100*10+1
+M99
+O9102
+#100=#100*10+2
+M99
+O9103
+#100=#100*10+3
+M99
+O9104
+#100=#100*10+4
+M99
+%
+(EXPECT #100 = 43)
+
+(CASE MB-325 a fifth is one too many)
+(CONTROL fanuc-16i)
+%
+O1
+G66 P9101
+G66 P9101
+G66 P9101
+G66 P9101
+G66 P9101
+M30
+O9101
+M99
+%
+(EXPECT ALARM 122 AT 8)
+
+(CASE MB-204 each motion in a modal macro calls the one before it)
+%
+O1
+#100=0
+G91
+G66 P9101
+G66 P9102
+G66 P9103
+G0 X1.
+G67
+G67
+G67
+M30
+O9101
+#100=#100*10+1
+M99
+O9102
+#100=#100*10+2
+G91 Y1.
+M99
+O9103
+#100=#100*10+3
+G91 Z1.
+M99
+%
+(EXPECT #100 = 321)
+(EXPECT MOVES 3)
+(EXPECT MOVE 3 G0 X1 Y1 Z1)
+
+(CASE MB-205 G L N P and repeated triples under G66.1)
+(CONTROL fanuc-30i)
+%
+O1
+G66.1 P9100 A1.
+N7 G01 P3 L2 X5. I1. I2.
+G67
+M30
+O9100
+#100=#1
+#101=#10
+#102=#12
+#103=#14
+#104=#16
+#105=#24
+#106=#4
+#107=#7
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 1)
+(EXPECT #102 = 2)
+(EXPECT #103 = 7)
+(EXPECT #104 = 3)
+(EXPECT #105 = 5)
+(EXPECT #106 = 1)
+(EXPECT #107 = 2)
+(EXPECT MOVES 0)
+
+(CASE MB-207 every G code parameter)
+(PARAMETER 6050 = 150)
+(PARAMETER 6051 = 151)
+(PARAMETER 6059 = 9999)
+%
+O1
+G150 A1. L2
+G151
+G9999 Z-1.
+M30
+O9010
+#100=#100+#1
+M99
+O9011
+#101=1
+M99
+O9019
+#102=#26
+M99
+%
+(EXPECT #100 = 2)
+(EXPECT #101 = 1)
+(EXPECT #102 = -1)
+
+(CASE MB-208 parameter 6008.6 lets the other kind of code call)
+(CONTROL fanuc-30i)
+(PARAMETER 6008.6 = 1)
+(PARAMETER 6050 = 150)
+(PARAMETER 6071 = 50)
+%
+O1
+G150
+M50
+M30
+O9010
+#100=1
+M50
+M99
+O9001
+#101=#101+1
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 2)
+
+(CASE MB-208 without it the code is an ordinary one)
+(CONTROL fanuc-30i)
+(PARAMETER 6050 = 150)
+(PARAMETER 6071 = 50)
+%
+O1
+G150
+M50
+M30
+O9010
+#100=1
+M50
+M99
+O9001
+#101=#101+1
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 1)
+
+(CASE MB-209 behind another word the M code is an ordinary one)
+(PARAMETER 6080 = 50)
+%
+O1
+G0 X1. M50
+N9 M50 X2.
+M30
+O9020
+#100=#100+1
+#101=#24
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 2)
+(EXPECT MOVES 1)

@@ -395,3 +395,28 @@ PC
 M30
 %
 (EXPECT OUTPUT "A\n")
+
+(CASE MB-046 parameter 6008.0 gives the 30i the range of the 16i)
+(CONTROL fanuc-30i)
+(PARAMETER 6008.0 = 1)
+%
+O1
+#100=EXP[100]
+#101=#100*10000.
+M30
+%
+(EXPECT ALARM 111 AT 6)
+
+(CASE MB-077 operators by their first two letters)
+%
+O1
+#100=7 AN 3
+#101=1 XO 3
+#102=27 MO 20
+#103=4 OR 1
+M30
+%
+(EXPECT #100 = 3)
+(EXPECT #101 = 2)
+(EXPECT #102 = 7)
+(EXPECT #103 = 5)

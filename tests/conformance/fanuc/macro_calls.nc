@@ -505,3 +505,55 @@ M99 P30
 %
 (EXPECT #100 = VACANT)
 (EXPECT #101 = 8)
+
+(CASE MB-194 letters out of order begin the next triple)
+%
+O1
+G65 P9100 J1. I2. K3.
+M30
+O9100
+#100=#5
+#101=#7
+#102=#9
+#103=#4
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 2)
+(EXPECT #102 = 3)
+(EXPECT #103 = VACANT)
+(EXPECT WARNING PRB309 AT 3)
+
+(CASE MB-192 triples in order are no cause to wonder)
+%
+O1
+G65 P9100 I1. J2. I3. J4. K5. I6.
+M30
+O9100
+#100=#10
+M99
+%
+(EXPECT #100 = 6)
+(EXPECT NO WARNING PRB309)
+
+(CASE MB-193 an eleventh triple)
+%
+O1
+G65 P9100 I1. I2. I3. I4. I5. I6. I7. I8. I9. I10. I11.
+M30
+O9100
+M99
+%
+(EXPECT ALARM 129 AT 3)
+
+(CASE MB-198 locals that a repeat changed stay for the next)
+%
+O1
+G65 P9100 A1. L3
+M30
+O9100
+#1=#1*2
+#100=#1
+M99
+%
+(EXPECT #100 = 8)

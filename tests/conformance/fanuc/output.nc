@@ -311,3 +311,15 @@ PCLOS
 M30
 %
 (EXPECT OUTPUT "    0.00\n")
+
+(CASE MB-249 without POPEN there is a remark)
+%
+O1
+DPRNT[A]
+POPEN
+DPRNT[B]
+PCLOS
+M30
+%
+(EXPECT OUTPUT "A\nB\n")
+(EXPECT WARNING PRB308 AT 3)

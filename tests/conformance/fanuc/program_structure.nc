@@ -312,3 +312,40 @@ M30
 (EXPECT #103 = VACANT)
 (EXPECT #104 = VACANT)
 (EXPECT #105 = 1)
+
+(CASE MB-006 a slash in the middle of a block: its switch is off)
+(SETTING block_skip = [1])
+%
+O1
+G0 X1. /2 Y2.
+M30
+%
+(EXPECT MOVES 1)
+(EXPECT MOVE 1 G0 X1 Y2)
+(EXPECT WARNING PRB307 AT 4)
+
+(CASE MB-006 and on: the rest of the block is skipped)
+(SETTING block_skip = [2])
+%
+O1
+G0 X1. /2 Y2. M98 P99
+M30
+%
+(EXPECT MOVES 1)
+(EXPECT MOVE 1 G0 X1 Y0)
+
+(CASE MB-005 switches 2 to 9 at the head of a block, with and without N)
+(SETTING block_skip = [2, 9])
+%
+O1
+/1#101=1
+/2#102=1
+N30/3#103=1
+/9N40#109=1
+/2/3#104=1
+M30
+%
+(EXPECT #101 = 1)
+(EXPECT #102 = VACANT)
+(EXPECT #103 = 1)
+(EXPECT #109 = VACANT)

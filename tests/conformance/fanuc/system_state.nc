@@ -430,3 +430,27 @@ O1
 M30
 %
 (EXPECT ALARM 115 AT 3)
+
+(CASE MB-125 a program that only looks at the clock waits for it)
+%
+O1
+#3001=0
+WHILE[#3001LT500]DO1
+END1
+#100=#3001
+M30
+%
+(EXPECT #100 = 501 WITHIN 2)
+
+(CASE MB-125 so does one that waits for a signal, with a time-out)
+%
+O1
+#3001=0
+WHILE[#1004EQ0]DO1
+IF[#3001GT2000]GOTO90
+END1
+M30
+N90#3000=12(NO SIGNAL)
+%
+(EXPECT ALARM 3012 AT 8)
+(EXPECT MESSAGE "NO SIGNAL")

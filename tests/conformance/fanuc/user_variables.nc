@@ -212,3 +212,90 @@ O1
 M30
 %
 (EXPECT #100 = 4)
+
+(CASE MB-104 SETVN names variables, and a name stands on both sides)
+(CONTROL fanuc-30i)
+%
+O1
+SETVN 500[TOOL_NO,WORK2]
+[#TOOL_NO]=4.
+#501=[#TOOL_NO]+1
+#100=[#WORK2]
+SETVN 100[A_NAME_OF_THIRTY_ONE_CHARACTERS]
+G0 X[#TOOL_NO]
+M30
+%
+(EXPECT #500 = 4)
+(EXPECT #501 = 5)
+(EXPECT MOVE 1 G0 X4)
+
+(CASE MB-104 on the 16i names only show on its screen)
+(CONTROL fanuc-16i)
+%
+O1
+SETVN 500[TOOLNO,EIGHTCHR]
+#500=4.
+M30
+%
+(EXPECT #500 = 4)
+
+(CASE MB-104 of #500 to #519)
+(CONTROL fanuc-16i)
+%
+O1
+SETVN 519[LAST,BEYOND]
+M30
+%
+(EXPECT ALARM 115 AT 4)
+
+(CASE MB-104 with at most eight characters)
+(CONTROL fanuc-16i)
+%
+O1
+SETVN 500[NINECHARS]
+M30
+%
+(EXPECT ALARM 114 AT 4)
+
+(CASE MB-105 names of the system)
+(CONTROL fanuc-30i)
+(START X = 1)
+(SET #1003 = 1)
+(SET #3901 = 12)
+(SIGNAL X5.)
+%
+O1
+G92 X3.
+G31 X20. F100.
+#100=[#_ABSIO[1]]
+#101=[#_ABSMT[1]]
+#102=[#_ABSOT[1]]
+#103=[#_ABSKP[1]]
+[#_WZG54[2]]=7.
+#104=#5222
+[#_WZG59[3]]=8.
+#105=#5323
+[#_WZP1[2]]=9.
+#106=#7002
+[#_WZCMN[1]]=0
+#107=[#_UI[3]]
+[#_UO[5]]=1
+#108=#1105
+[#_CLOCK1]=500
+#109=#3001
+#110=[#_PRTSA]
+#111=[#_TOFS[3]]
+M30
+%
+(EXPECT #100 = 7)
+(EXPECT #101 = 5)
+(EXPECT #102 = 7)
+(EXPECT #103 = 7)
+(EXPECT #104 = 7)
+(EXPECT #105 = 8)
+(EXPECT #106 = 9)
+(EXPECT #107 = 1)
+(EXPECT #108 = 1)
+(EXPECT #109 = 500)
+(EXPECT #110 = 12)
+(EXPECT #111 = 0)

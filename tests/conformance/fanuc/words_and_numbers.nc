@@ -299,3 +299,25 @@ N#1 G0
 M30
 %
 (EXPECT ALARM FORMAT AT 4)
+
+(CASE MB-032 a substituted value must be legal for its address)
+(PARAMETER 3030 = 3)
+%
+O1
+#30=1100
+M#30
+M30
+%
+(EXPECT ALARM 3 AT 5)
+
+(CASE MB-032 with as many digits as the address takes)
+(PARAMETER 3030 = 3)
+(PARAMETER 3031 = 5)
+%
+O1
+#30=110
+M#30
+S[#30*100]
+M30
+%
+(EXPECT COMPLETED)
