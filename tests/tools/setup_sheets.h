@@ -19,6 +19,8 @@ profile = "fanuc-16i"
 increment = "IS-C"
 offset_memory = "B"
 lookahead = 3
+feed_override = 80.0
+dry_run = 1500.0
 block_skip = [1, 9]
 variables_file = "v55.vars"
 [parameters]

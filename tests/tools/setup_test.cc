@@ -58,6 +58,8 @@ TEST_F(SetupReader, ControlKeysArrive) {
   EXPECT_EQ(control.offset_memory, runtime::OffsetMemory::B);
   EXPECT_EQ(control.block_skip, (std::set<int>{1, 9}));
   EXPECT_EQ(control.lookahead_blocks, 3);
+  EXPECT_EQ(control.feed_switches.override_percent, 80.0);
+  EXPECT_EQ(control.feed_switches.dry_run_mm_min, 1500.0);
   EXPECT_EQ(control.variables_file, path_of("v55.vars"));
   EXPECT_EQ(control.parameters,
             (std::map<std::string, double>{{"6001.0", 0.0},
