@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include <fmt/format.h>
 
@@ -224,15 +223,17 @@ MaybeFailure Runner::set_names(const Step& step) {
   const CompiledProgram& program = *frame().program;
   const syntax::ShortSpan span = program.tree->blocks[step.block].text;
   std::int32_t number = step.number;
-  for (const auto part :
-       std::views::split(program.file->text().substr(span.begin, span.end - span.begin), ',')) {
+  const std::string_view list = program.file->text().substr(span.begin, span.end - span.begin);
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', begin), list.size());
+    std::string name = upper_case(list.substr(begin, comma - begin));
+    begin = comma + 1;
     if (!is_common(number)) {
       Failure failure;
       failure.id = AlarmId::IllegalVariable;
       failure.detail = fmt::format("SETVN names common variables, not #{}", number);
       return failure;
     }
-    std::string name = upper_case(std::string_view(part.begin(), part.end()));
     std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
     control_.variables.names.give(std::move(name), number++);
   }
