@@ -15,9 +15,6 @@ namespace {
 using syntax::BlockKind;
 using syntax::kNone;
 
-/// How many blocks pass between two looks at the clock.
-constexpr std::uint64_t kBlocksPerClockLook = 8192;
-
 }  // namespace
 
 Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
@@ -50,16 +47,14 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
     return outcome;
   }
   start(*main);
-  if (const MaybeFailure failure = loop(budget)) {
+  control_.budget = runtime::BudgetWatch(budget);
+  if (const MaybeFailure failure = loop()) {
     outcome = outcome_of(*failure);
-  } else if (spent_) {
-    outcome.status = runtime::Status::Budget;
-    control_.diagnostics.push_back(make_diagnostic(*spent_, location_of(frame())));
   } else {
     control_.report_silent_skip();
   }
   outcome.diagnostics = control_.diagnostics;
-  outcome.blocks = blocks_;
+  outcome.blocks = control_.budget.blocks();
   return outcome;
 }
 
@@ -67,22 +62,6 @@ void Runner::start(const CompiledProgram& main) {
   frames_.assign(1, Frame{&main, 0, 0, CallKind::Main, CalledBy::Program, 0, {}});
   control_.modal.word('O') = main.number;
   control_.coordinates.arrived_at_machine(control_.port.position());
-  started_ = std::chrono::steady_clock::now();
-}
-
-/// Judges the budget, and says at which block to do so again.
-bool Runner::over_budget(const runtime::Budget& budget) {
-  if (blocks_ >= budget.blocks) {
-    spent_ = source::DiagnosticId::BudgetBlocks;
-    return true;
-  }
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - started_;
-  if (passed.count() > budget.wall_seconds) {
-    spent_ = source::DiagnosticId::BudgetTime;
-    return true;
-  }
-  next_look_ = std::min(blocks_ + kBlocksPerClockLook, budget.blocks);
-  return false;
 }
 
 /// Statements that touch nothing but variables: the hot loop of a macro program.
@@ -137,7 +116,7 @@ bool Runner::fast_step(const Step& step, Frame& now) {
   return false;
 }
 
-MaybeFailure Runner::loop(const runtime::Budget& budget) {
+MaybeFailure Runner::loop() {
   while (!ended_) {
     Frame& now = frames_.back();
     if (now.step >= now.program->steps.size()) {
@@ -146,10 +125,9 @@ MaybeFailure Runner::loop(const runtime::Budget& budget) {
       }
       continue;
     }
-    if (blocks_ >= next_look_ && over_budget(budget)) {
-      return std::nullopt;
+    if (const auto spent = control_.budget.next_block()) {
+      return budget_failure(*spent);
     }
-    ++blocks_;
     now.current = now.step;
     const Step& next = now.program->steps[now.step++];
     if (next.skip_switch != 0 && control_.block_skip.contains(next.skip_switch)) {

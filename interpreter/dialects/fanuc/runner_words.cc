@@ -53,6 +53,9 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
 }
 
 MaybeFailure Runner::nc_block(const Step& step) {
+  if (control_.budget.is_too_late()) {
+    return budget_failure(runtime::BudgetWatch::Spent::Time);
+  }
   if (auto failure = evaluate_words(step)) {
     return failure;
   }
