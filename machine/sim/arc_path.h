@@ -41,6 +41,9 @@ class ArcPath {
   /// crossings are taken kFullCircleGapMm short, so that rounding never breaks a travel limit.
   [[nodiscard]] AxisBox bounds() const;
 
+  /// A box around the whole circle and both ends: quicker than bounds(), and never smaller.
+  [[nodiscard]] AxisBox circle_bounds() const;
+
   /// mm: the second derivative of the linear axes by the fraction is nowhere longer.
   [[nodiscard]] double bend() const;
 
@@ -58,7 +61,7 @@ class ArcPath {
   double centre_second_;
   double radius_from_;
   double radius_to_;
-  double angle_from_rad_;
+  Eigen::Vector2d direction_from_;  // from the centre to the start, length 1
   double turned_rad_;
 };
 

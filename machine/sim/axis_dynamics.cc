@@ -48,12 +48,14 @@ MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) con
   const double in_plane =
       std::min(acceleration_per_s2_[first], acceleration_per_s2_[second]) / std::numbers::sqrt2;
 
+  double helix_speed = std::numeric_limits<double>::infinity();
+  double helix_acceleration = helix_speed;
   AxisPositions helix = path.displacement().cwiseAbs();
   helix[first] = helix[second] = 0.0;
-  // x / 0 is infinity: a flat arc has no helix axis that could limit it.
-  const double helix_speed = path.length() / helix.cwiseQuotient(rapid_per_s_).maxCoeff();
-  const double helix_acceleration =
-      path.length() / helix.cwiseQuotient(acceleration_per_s2_).maxCoeff();
+  if (!helix.isZero(0.0)) {
+    helix_speed = path.length() / helix.cwiseQuotient(rapid_per_s_).maxCoeff();
+    helix_acceleration = path.length() / helix.cwiseQuotient(acceleration_per_s2_).maxCoeff();
+  }
 
   const double speed =
       std::min({feed_mm_min / kSecondsPerMinute, rapid_per_s_[first], rapid_per_s_[second],

@@ -75,10 +75,13 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
   if (path.length() < kFullCircleGapMm) {
     return move(LinearMove{arc.q_M_end, Traverse::Feed, arc.feed_mm_min});
   }
-  const AxisBox box = path.bounds();
-  for (const AxisPositions& q_M_corner : {box.q_M_min, box.q_M_max}) {
-    if (!limits_.contain(q_M_corner)) {
-      return soft_limit_fault(q_M_corner);
+  if (const AxisBox circle = path.circle_bounds();
+      !limits_.contain(circle.q_M_min) || !limits_.contain(circle.q_M_max)) {
+    const AxisBox box = path.bounds();
+    for (const AxisPositions& q_M_corner : {box.q_M_min, box.q_M_max}) {
+      if (!limits_.contain(q_M_corner)) {
+        return soft_limit_fault(q_M_corner);
+      }
     }
   }
   const MotionProfile profile = dynamics_.profile(path, arc.feed_mm_min);

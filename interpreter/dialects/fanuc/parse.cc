@@ -37,6 +37,7 @@ class Parser {
   explicit Parser(std::string_view text) : scanner_(text), expressions_(scanner_, tree_) {}
 
   syntax::Tree run(TextBegins begins) {
+    reserve();
     if (begins == TextBegins::AtFile) {
       skip_leader();
     } else {
@@ -52,6 +53,11 @@ class Parser {
   }
 
  private:
+  /// Room for what a text of this size holds as a rule.
+  void reserve() {
+    tree_.blocks.reserve(scanner_.text().size() / 32);
+    tree_.words.reserve(scanner_.text().size() / 8);
+  }
   void skip_leader();
   void block();
   bool program_number(Block& block);
@@ -295,14 +301,14 @@ bool Parser::word() {
     return false;
   }
   scanner_.step();
-  Word word;
+  Word& word = tree_.words.emplace_back();
   word.letter = letter;
   word_value(word);
   if (failed()) {
+    tree_.words.pop_back();
     return false;
   }
   word.span = {begin, scanner_.position()};
-  tree_.words.push_back(word);
   return true;
 }
 

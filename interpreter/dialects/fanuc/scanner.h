@@ -83,6 +83,7 @@ class Scanner {
 
  private:
   char peek_behind_blanks();
+  bool number_goes_on(bool has_point);
   void skip_comment();
 
   std::string_view text_;

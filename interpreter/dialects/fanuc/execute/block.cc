@@ -159,10 +159,14 @@ Failure block_failure(AlarmId id, std::string detail) {
   return failure;
 }
 
-Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail) {
+Failure at_place(AlarmId id, syntax::ShortSpan where, std::string detail) {
   Failure failure = block_failure(id, std::move(detail));
-  failure.where = word.span;
+  failure.where = where;
   return failure;
+}
+
+Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail) {
+  return at_place(id, word.span, std::move(detail));
 }
 
 Result<int, Failure> integer_of(const EvaluatedWord& word) {
