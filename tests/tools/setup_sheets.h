@@ -84,6 +84,15 @@ axial_force = 5.5
 stem_stiffness = 40.0
 state = "low_battery"
 low_battery_input = 1005
+stem_diameter = 3.0
+stem_length = 50.0
+deflection_limit = 8.0
+[[probe.body]]
+name = "transmitter"
+length = 45.0
+diameter = 40.0
+top_diameter = 63.0
+rounding = 2.0
 [[probe.ball]]
 at = [30.0, 0.0, 10.0]
 diameter = 4.0
