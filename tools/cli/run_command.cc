@@ -77,6 +77,15 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
   return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
+/// Saves the permanent variables for the next run, if a file for them is named.
+std::optional<Refusal> keep_variables(const std::string& path, const fanuc::Session& session) {
+  if (path.empty()) {
+    return std::nullopt;
+  }
+  const auto problem = write_whole_file(path, variables_text(session.permanent_variables()));
+  return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
+}
+
 using Trace = std::shared_ptr<report::TraceFile>;
 
 /// The file of --trace; null when none is asked for.
@@ -151,11 +160,8 @@ ExitCode run_command(const RunOptions& options) {
   if (const auto wrong = deliver(options, result, recorder)) {
     return refuse(*wrong);
   }
-  if (!job.control.variables_file.empty()) {
-    if (const auto problem = write_whole_file(job.control.variables_file,
-                                              variables_text(session.permanent_variables()))) {
-      return refuse(refusal(ExitCode::BadUsage, *problem));
-    }
+  if (const auto wrong = keep_variables(job.control.variables_file, session)) {
+    return refuse(*wrong);
   }
   return exit_code_of(result.outcome);
 }
