@@ -43,12 +43,14 @@ ArcPath::ArcPath(const AxisPositions& q_M_from, const ArcMove& arc)
   const Eigen::Vector2d to = Eigen::Vector2d(q_M_to_[first_axis_], q_M_to_[second_axis_]) - centre;
   radius_from_ = from.norm();
   radius_to_ = to.norm();
-  angle_from_rad_ = std::atan2(from.y(), from.x());
-  if ((to - from).norm() < kFullCircleGapMm) {
+  const bool is_full = (to - from).squaredNorm() < kFullCircleGapMm * kFullCircleGapMm;
+  if (is_full) {
     turned_rad_ = arc.turn == Turn::Counterclockwise ? kFullRad : -kFullRad;
   } else {
     turned_rad_ = turn_between(from, to, arc.turn);
   }
+  direction_from_ =
+      radius_from_ > 0.0 ? Eigen::Vector2d(from / radius_from_) : Eigen::Vector2d(1.0, 0.0);
 }
 
 double ArcPath::length() const {
@@ -67,19 +69,46 @@ AxisPositions ArcPath::at(double fraction) const {
   }
   AxisPositions q_M = q_M_from_ + fraction * displacement_;
   const double radius = radius_from_ + fraction * (radius_to_ - radius_from_);
-  const double angle_rad = angle_from_rad_ + fraction * turned_rad_;
-  q_M[first_axis_] = centre_first_ + radius * std::cos(angle_rad);
-  q_M[second_axis_] = centre_second_ + radius * std::sin(angle_rad);
+  const double cosine = std::cos(fraction * turned_rad_);
+  const double sine = std::sin(fraction * turned_rad_);
+  q_M[first_axis_] =
+      centre_first_ + radius * (direction_from_.x() * cosine - direction_from_.y() * sine);
+  q_M[second_axis_] =
+      centre_second_ + radius * (direction_from_.x() * sine + direction_from_.y() * cosine);
   return q_M;
+}
+
+AxisPositions ArcPath::slope_at(double fraction) const {
+  AxisPositions slope = displacement_;
+  const double outwards = radius_to_ - radius_from_;
+  const double radius = radius_from_ + fraction * outwards;
+  const double cosine = std::cos(fraction * turned_rad_);
+  const double sine = std::sin(fraction * turned_rad_);
+  const double c = direction_from_.x() * cosine - direction_from_.y() * sine;
+  const double s = direction_from_.x() * sine + direction_from_.y() * cosine;
+  slope[first_axis_] = outwards * c - radius * turned_rad_ * s;
+  slope[second_axis_] = outwards * s + radius * turned_rad_ * c;
+  return slope;
+}
+
+AxisBox ArcPath::circle_bounds() const {
+  AxisBox box{q_M_from_.cwiseMin(q_M_to_), q_M_from_.cwiseMax(q_M_to_)};
+  const double reach = std::max(radius_from_, radius_to_);
+  box.q_M_min[first_axis_] = std::min(box.q_M_min[first_axis_], centre_first_ - reach);
+  box.q_M_max[first_axis_] = std::max(box.q_M_max[first_axis_], centre_first_ + reach);
+  box.q_M_min[second_axis_] = std::min(box.q_M_min[second_axis_], centre_second_ - reach);
+  box.q_M_max[second_axis_] = std::max(box.q_M_max[second_axis_], centre_second_ + reach);
+  return box;
 }
 
 AxisBox ArcPath::bounds() const {
   AxisBox box{q_M_from_.cwiseMin(q_M_to_), q_M_from_.cwiseMax(q_M_to_)};
-  const double low_rad = std::min(angle_from_rad_, angle_from_rad_ + turned_rad_);
-  const double high_rad = std::max(angle_from_rad_, angle_from_rad_ + turned_rad_);
+  const double angle_from_rad = std::atan2(direction_from_.y(), direction_from_.x());
+  const double low_rad = std::min(angle_from_rad, angle_from_rad + turned_rad_);
+  const double high_rad = std::max(angle_from_rad, angle_from_rad + turned_rad_);
   const int first_quarter = static_cast<int>(std::ceil(low_rad / kQuarterRad));
   for (int quarter = first_quarter; quarter * kQuarterRad < high_rad; ++quarter) {
-    const double fraction = (quarter * kQuarterRad - angle_from_rad_) / turned_rad_;
+    const double fraction = (quarter * kQuarterRad - angle_from_rad) / turned_rad_;
     const double radius = radius_from_ + fraction * (radius_to_ - radius_from_) - kFullCircleGapMm;
     // Multiples of a right angle have exact directions; cos and sin would round them.
     const int direction = (quarter % 4 + 4) % 4;

@@ -49,12 +49,39 @@ std::optional<machine::SkipTrigger> TouchProbe::first_trigger(const machine::Swe
   }
   trigger.delay_s = setup_.trigger_delay_s;
   const double length = (ball_centre(sweep.q_M_to) - ball_centre(sweep.q_M_from)).norm();
-  double shift = 0.0;
-  if (setup_.repeatability_mm > 0.0) {
-    shift = setup_.repeatability_mm * standard_normal({seed_, kRepeatabilityStream}, event);
-  }
-  trigger.fraction = std::clamp((hit.s + shift) / length, 0.0, 1.0);
+  trigger.fraction = std::clamp((hit.s + trigger_shift(event)) / length, 0.0, 1.0);
   return trigger;
+}
+
+std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
+    std::span<const machine::Waypoint> way) {
+  const std::uint64_t event = triggers_asked_++;
+  double gone = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double piece = machine::distance_mm(way[i - 1].q_M, way[i].q_M);
+    if (piece == 0.0) {
+      continue;
+    }
+    const auto [hit, part] = first_hit({way[i - 1].q_M, way[i].q_M}, &MeshSweeper::sweep);
+    if (part != nullptr) {
+      machine::SkipTrigger trigger;
+      trigger.contact = contact_of(hit, part->name);
+      trigger.on_at_start = hit.status == SweepStatus::StartInContact && gone == 0.0;
+      if (!trigger.on_at_start) {
+        trigger.delay_s = setup_.trigger_delay_s;
+        trigger.fraction = machine::fraction_after(way, gone + hit.s + trigger_shift(event));
+      }
+      return trigger;
+    }
+    gone += piece;
+  }
+  return std::nullopt;
+}
+
+double TouchProbe::trigger_shift(std::uint64_t event) const {
+  return setup_.repeatability_mm > 0.0
+             ? setup_.repeatability_mm * standard_normal({seed_, kRepeatabilityStream}, event)
+             : 0.0;
 }
 
 std::optional<machine::Obstacle> TouchProbe::first_collision(const machine::Sweep& sweep) {

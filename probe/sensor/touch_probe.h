@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ class TouchProbe final : public machine::Surroundings {
   /// The contact in the answer is the true one; `fraction` carries the random shift.
   std::optional<machine::SkipTrigger> first_trigger(const machine::Sweep& sweep) override;
 
+  std::optional<machine::SkipTrigger> first_trigger_along(
+      std::span<const machine::Waypoint> way) override;
+
   /// The ball touching a part.  Leaving a contact is free, pushing deeper into it is not.
   std::optional<machine::Obstacle> first_collision(const machine::Sweep& sweep) override;
 
@@ -54,6 +58,8 @@ class TouchProbe final : public machine::Surroundings {
   };
   using Question = SweepHit (MeshSweeper::*)(const Point&, const Point&) const;
 
+  /// The random shift of a trigger along the move, mm.
+  [[nodiscard]] double trigger_shift(std::uint64_t event) const;
   [[nodiscard]] Point ball_centre(const AxisPositions& q_M) const;
   [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -18,7 +19,9 @@
 #include "tools/cli/variables_file.h"
 #include "tools/report/run_document.h"
 #include "tools/report/run_recorder.h"
+#include "tools/report/trace_file.h"
 #include "tools/setup/assignment.h"
+#include "tools/setup/duration.h"
 #include "tools/setup/name_list.h"
 #include "tools/setup/toml_reader.h"
 
@@ -40,6 +43,7 @@ struct Prepared {
   setup::Job job;
   const fanuc::Profile* profile = nullptr;
   std::vector<std::string> prints;
+  double trace_period_s = 0.0;
 };
 
 /// Prints on the terminal while the program runs, unless the document goes there.
@@ -99,7 +103,7 @@ std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job
 
 Result<Prepared, Refusal> prepare(const RunOptions& options) {
   Prepared prepared;
-  auto job = setup::read_job(options.setups);
+  auto job = setup::read_job(options.setups, shipped_folder("machine/library").value_or(""));
   if (!job) {
     Refusal wrong;
     for (const setup::SetupError& error : job.error()) {
@@ -119,6 +123,11 @@ Result<Prepared, Refusal> prepare(const RunOptions& options) {
   if (auto wrong = take_variables(options, prepared.job)) {
     return *wrong;
   }
+  const auto period = setup::parse_duration(options.trace_period);
+  if (!period) {
+    return refusal(ExitCode::BadUsage, fmt::format("--trace-period: {}", period.error()));
+  }
+  prepared.trace_period_s = period.value();
   for (const std::string& list : options.prints) {
     auto names = setup::parse_name_list(list);
     if (!names) {
@@ -208,6 +217,22 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
   return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
+using Trace = std::shared_ptr<report::TraceFile>;
+
+/// The file of --trace; null when none is asked for.
+Result<Trace, Refusal> open_trace(const std::string& path, const machine::MachineSetup& machine) {
+  if (path.empty()) {
+    return Trace();
+  }
+  report::TraceFile::AxesPresent axes;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    axes[i] = machine.axes[i].present;
+  }
+  const auto trace = report::TraceFile::create(path, axes);
+  return trace ? Result<Trace, Refusal>(trace.value())
+               : refusal(ExitCode::BadUsage, trace.error());
+}
+
 }  // namespace
 
 ExitCode run_command(const RunOptions& options) {
@@ -221,6 +246,10 @@ ExitCode run_command(const RunOptions& options) {
   if (const auto wrong = fill_library(library, options)) {
     return refuse(*wrong);
   }
+  const auto trace = open_trace(options.trace, job.machine);
+  if (!trace) {
+    return refuse(trace.error());
+  }
   const auto scene = build_scene(job, options.seed);
   if (!scene) {
     return refuse({ExitCode::Setup, setup::render(scene.error())});
@@ -229,12 +258,20 @@ ExitCode run_command(const RunOptions& options) {
   EchoingRecorder recorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No},
                            options.json != "-");
   machine::MachiningCentre& machine = *scene.value().machine;
+  if (trace.value() != nullptr) {
+    machine.trace(prepared.value().trace_period_s, *trace.value());
+  }
   fanuc::Session session(*prepared.value().profile, library, machine, recorder);
   if (const auto refused = session.configure(job.control); !refused.empty()) {
     return refuse(refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; "))));
   }
   report::RunResult result;
   result.outcome = session.run(options.budget);
+  if (trace.value() != nullptr) {
+    if (const auto problem = trace.value()->finish()) {
+      return refuse(refusal(ExitCode::BadUsage, *problem));
+    }
+  }
   for (const source::Diagnostic& diagnostic : result.outcome.diagnostics) {
     std::fputs(render_text(diagnostic).c_str(), stderr);
   }

@@ -14,6 +14,26 @@ target_compile_options(g31_warnings INTERFACE
   -ffp-contract=off
   $<$<BOOL:${G31_WERROR}>:-Werror>)
 
+# Release builds carry code for both ways of linking: g31 and the benchmarks are optimised across
+# files (plain blocks run a fifth faster), the tests are linked file by file, in no time.
+set(g31_has_both_codes FALSE)
+if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(g31_has_both_codes TRUE)
+  target_compile_options(g31_warnings INTERFACE -flto=auto -ffat-lto-objects)
+endif()
+
+function(g31_link_across_files name)
+  if(g31_has_both_codes)
+    target_link_options(${name} PRIVATE -flto=auto)
+  endif()
+endfunction()
+
+function(g31_link_file_by_file name)
+  if(g31_has_both_codes)
+    target_link_options(${name} PRIVATE -fno-lto)
+  endif()
+endfunction()
+
 function(g31_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   if(arg_SOURCES)
@@ -33,6 +53,7 @@ function(g31_test)
   cmake_parse_arguments(arg "" "NAME" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${arg_NAME} ${arg_SOURCES})
   target_link_libraries(${arg_NAME} PRIVATE ${arg_DEPENDS} g31_warnings GTest::gtest_main)
+  g31_link_file_by_file(${arg_NAME})
   target_include_directories(${arg_NAME} PRIVATE ${PROJECT_SOURCE_DIR})
   # Tests run in the source folder: golden files and parts are named by their repository path.
   # They are listed when ctest starts, not while the build keeps every core busy.
@@ -45,5 +66,6 @@ function(g31_bench)
   cmake_parse_arguments(arg "" "NAME" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${arg_NAME} ${arg_SOURCES})
   target_link_libraries(${arg_NAME} PRIVATE ${arg_DEPENDS} g31_warnings benchmark::benchmark_main)
+  g31_link_across_files(${arg_NAME})
   target_include_directories(${arg_NAME} PRIVATE ${PROJECT_SOURCE_DIR})
 endfunction()

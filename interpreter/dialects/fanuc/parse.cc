@@ -37,6 +37,7 @@ class Parser {
   explicit Parser(std::string_view text) : scanner_(text), expressions_(scanner_, tree_) {}
 
   syntax::Tree run(TextBegins begins) {
+    reserve();
     if (begins == TextBegins::AtFile) {
       skip_leader();
     } else {
@@ -52,6 +53,11 @@ class Parser {
   }
 
  private:
+  /// Room for what a text of this size holds as a rule.
+  void reserve() {
+    tree_.blocks.reserve(scanner_.text().size() / 32);
+    tree_.words.reserve(scanner_.text().size() / 8);
+  }
   void skip_leader();
   void block();
   bool program_number(Block& block);
@@ -316,7 +322,7 @@ bool Parser::word() {
     return false;
   }
   scanner_.step();
-  Word word;
+  Word& word = tree_.words.emplace_back();
   word.letter = letter;
   if (letter == '/') {
     word.form = ValueForm::Integer;
@@ -325,10 +331,10 @@ bool Parser::word() {
     word_value(word);
   }
   if (failed()) {
+    tree_.words.pop_back();
     return false;
   }
   word.span = {begin, scanner_.position()};
-  tree_.words.push_back(word);
   return true;
 }
 
@@ -533,9 +539,11 @@ void Parser::then_statement(Block& block) {
     fail(AlarmId::StatementFormat, "too many THEN in one block");
   } else {
     body(statement);
-    if (!failed() && statement.kind == BlockKind::Nc) {
+    const bool is_loop = statement.kind == BlockKind::While || statement.kind == BlockKind::Do ||
+                         statement.kind == BlockKind::End;
+    if (!failed() && (is_loop || statement.kind == BlockKind::Nc)) {
       expressions_.fail_at(AlarmId::StatementFormat, {begin, scanner_.position()},
-                           "THEN takes a macro statement, no NC words");
+                           "THEN takes a macro statement, no loop and no NC words");
     }
   }
   statement.span = {begin, scanner_.position()};

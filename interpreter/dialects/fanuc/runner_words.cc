@@ -33,7 +33,7 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
       }
       continue;
     }
-    EvaluatedWord evaluated{word.letter, word.form, word.decimals, word.number, word.span};
+    double number = word.number;
     if (word.form == ValueForm::Computed) {
       const double increment = 1.0 / control_.scale.length_counts();
       const Cell value = control_.evaluator.evaluate(
@@ -44,16 +44,15 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
       if (value.is_vacant()) {
         continue;
       }
-      evaluated.number = value.raw();
+      number = value.raw();
     } else if (word.digits > control_.profile.word_digit_limit) {
-      return at_word(AlarmId::TooManyDigits, evaluated, fmt::format("{} digits", word.digits));
+      return at_place(AlarmId::TooManyDigits, word.span, fmt::format("{} digits", word.digits));
     }
-    if (std::abs(evaluated.number) > kLargestWord) {
-      return at_word(
-          AlarmId::TooManyDigits, evaluated,
-          fmt::format("{} is {:g}, beyond every address", word.letter, evaluated.number));
+    if (std::abs(number) > kLargestWord) {
+      return at_place(AlarmId::TooManyDigits, word.span,
+                      fmt::format("{} is {:g}, beyond every address", word.letter, number));
     }
-    words_.add(evaluated);
+    words_.add(word, number);
   }
   return std::nullopt;
 }

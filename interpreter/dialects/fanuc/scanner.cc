@@ -45,7 +45,12 @@ char Scanner::peek_behind_blanks() {
 void Scanner::skip_comment() {
   const std::size_t begin = at_ + 1;
   const std::size_t end = std::min(text_.find_first_of(")\n", begin), text_.size());
-  comment_ = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  const bool goes_on =
+      comment_.end != 0 && at_ >= comment_.end &&
+      text_.substr(comment_.end, at_ - comment_.end).find_first_not_of(") \t\r") == text_.npos;
+  if (!goes_on) {
+    comment_ = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  }
   at_ = end < text_.size() && text_[end] == ')' ? end + 1 : end;
 }
 
@@ -65,6 +70,12 @@ void Scanner::skip_block() {
   comment_ = {};
 }
 
+/// Whether digits or the first point follow, perhaps behind blanks, which are stepped over.
+bool Scanner::number_goes_on(bool has_point) {
+  const char next = peek();
+  return is_digit(next) || (next == '.' && !has_point);
+}
+
 std::optional<ScannedNumber> Scanner::number() {
   const char first = peek();
   if (!is_digit(first) && first != '.') {
@@ -74,23 +85,19 @@ std::optional<ScannedNumber> Scanner::number() {
   ScannedNumber found;
   std::uint64_t mantissa = 0;  // of no use beyond kExactDigits
   int digits = 0;
-  int decimals = 0;
-  for (char c = first;; c = peek()) {
-    const int before = digits;
+  int before_point = 0;
+  for (bool goes_on = true; goes_on; goes_on = number_goes_on(found.has_point)) {
     for (; at_ < text_.size() && is_digit(text_[at_]); ++at_) {
       mantissa = mantissa * 10 + static_cast<std::uint64_t>(text_[at_] - '0');
       ++digits;
     }
-    decimals += found.has_point ? digits - before : 0;
-    if (digits != before) {
-      continue;
+    if (at_ < text_.size() && text_[at_] == '.' && !found.has_point) {
+      found.has_point = true;
+      before_point = digits;
+      ++at_;
     }
-    if (c != '.' || found.has_point) {
-      break;
-    }
-    found.has_point = true;
-    step();
   }
+  const int decimals = found.has_point ? digits - before_point : 0;
   if (digits == 0) {
     rewind(static_cast<std::uint32_t>(begin));
     return std::nullopt;

@@ -19,21 +19,29 @@ double guard(double scaled) {
   return std::max(1.0, std::abs(scaled)) * 8.0 * std::numeric_limits<double>::epsilon();
 }
 
-/// std::round, without the call that it is on processors of the first x86-64 kind.
+constexpr double kWhole = 4503599627370496.0;  // 2^52: no double beyond it has a fraction
+
+/// std::trunc and std::round, without the calls that they are on processors of the first x86-64
+/// kind.
+double truncated(double value) {
+  return std::abs(value) < kWhole ? static_cast<double>(static_cast<std::int64_t>(value)) : value;
+}
+
 double rounded(double value) {
-  constexpr double kWhole = 4503599627370496.0;  // 2^52: no double beyond it has a fraction
-  if (!(std::abs(value) < kWhole)) {
-    return value;
-  }
-  const auto whole = static_cast<double>(static_cast<std::int64_t>(value));
+  const double whole = truncated(value);
   return std::abs(value - whole) < 0.5 ? whole : whole + std::copysign(1.0, value);
+}
+
+/// A little farther from zero, by the guard.
+double guarded(double scaled) {
+  return scaled + std::copysign(guard(scaled), scaled);
 }
 
 }  // namespace
 
 double round_to_counts(double value, double counts) {
   const double scaled = value * counts;
-  return rounded(scaled + std::copysign(guard(scaled), scaled)) / counts;
+  return rounded(guarded(scaled)) / counts;
 }
 
 int nearest_integer(double value) {
@@ -55,12 +63,8 @@ double WordScale::scaled(const EvaluatedWord& word, double counts) const {
       if (is_on_grid(word.decimals, counts)) {
         return word.number;
       }
-      const double on_grid = round_to_counts(word.number, counts);
-      if (excess_decimals == ExcessDecimals::Round ||
-          std::abs(on_grid - word.number) * counts <= guard(word.number * counts)) {
-        return on_grid;
-      }
-      return std::trunc(word.number * counts) / counts;
+      const double far = guarded(word.number * counts);
+      return (excess_decimals == ExcessDecimals::Round ? rounded(far) : truncated(far)) / counts;
     }
     case syntax::ValueForm::Computed:
     case syntax::ValueForm::None:

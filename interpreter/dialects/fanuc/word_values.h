@@ -32,10 +32,19 @@ class BlockWords {
   void set_sequence(int number) { sequence_ = number; }
   [[nodiscard]] int sequence() const { return sequence_; }
   void add(const EvaluatedWord& word) {
-    const int letter = word.letter - 'A';
-    last_[static_cast<std::size_t>(letter)] = static_cast<std::uint16_t>(words_.size());
-    present_ |= 1U << letter;
+    note(word.letter);
     words_.push_back(word);
+  }
+  /// A word as the program has it, with the value worked out.  Made in place: a copy of a struct
+  /// just written field by field waits for every one of them.
+  void add(const syntax::Word& word, double number) {
+    note(word.letter);
+    EvaluatedWord& added = words_.emplace_back();
+    added.letter = word.letter;
+    added.form = word.form;
+    added.decimals = word.decimals;
+    added.number = number;
+    added.span = word.span;
   }
   [[nodiscard]] bool has(char letter) const { return (present_ >> (letter - 'A') & 1U) != 0; }
   [[nodiscard]] const EvaluatedWord* find(char letter) const {
@@ -44,6 +53,11 @@ class BlockWords {
   [[nodiscard]] const std::vector<EvaluatedWord>& all() const { return words_; }
 
  private:
+  void note(char letter) {
+    last_[static_cast<std::size_t>(letter - 'A')] = static_cast<std::uint16_t>(words_.size());
+    present_ |= 1U << (letter - 'A');
+  }
+
   std::vector<EvaluatedWord> words_;
   std::array<std::uint16_t, 26> last_{};
   std::uint32_t present_ = 0;

@@ -10,6 +10,7 @@ WorkTransform WorkTransform::mirror(int axis, double at) {
   map.linear_(axis, axis) = -1.0;
   map.inverse_(axis, axis) = -1.0;
   map.offset_[axis] = 2.0 * at;
+  map.judge_identity();
   return map;
 }
 
@@ -21,6 +22,7 @@ WorkTransform WorkTransform::scaling(const Point& p_L_centre, const Point& facto
     map.inverse_(axis, axis) = 1.0 / factors[axis];
     map.offset_[axis] = p_L_centre[axis] * (1.0 - factors[axis]);
   }
+  map.judge_identity();
   return map;
 }
 
@@ -36,6 +38,7 @@ WorkTransform WorkTransform::rotation(const Plane& plane, const Eigen::Vector2d&
   map.inverse_ = map.linear_.transpose();
   map.offset_[plane.first] = centre.x() - cosine * centre.x() + sine * centre.y();
   map.offset_[plane.second] = centre.y() - sine * centre.x() - cosine * centre.y();
+  map.judge_identity();
   return map;
 }
 
@@ -44,6 +47,7 @@ WorkTransform WorkTransform::then(const WorkTransform& next) const {
   both.linear_ = next.linear_ * linear_;
   both.inverse_ = inverse_ * next.inverse_;
   both.offset_ = next.apply(offset_);
+  both.judge_identity();
   return both;
 }
 
@@ -53,8 +57,8 @@ bool WorkTransform::reverses_turns(const Plane& plane) const {
   return along < across;
 }
 
-bool WorkTransform::is_identity() const {
-  return linear_ == Matrix::Identity() && offset_ == AxisPositions::Zero();
+void WorkTransform::judge_identity() {
+  is_identity_ = linear_ == Matrix::Identity() && offset_ == AxisPositions::Zero();
 }
 
 WorkTransform TransformStages::before_rotation() const {

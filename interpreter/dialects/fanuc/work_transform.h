@@ -33,24 +33,27 @@ class WorkTransform {
   [[nodiscard]] WorkTransform then(const WorkTransform& next) const;
 
   [[nodiscard]] AxisPositions apply(const AxisPositions& q_L) const {
-    return linear_ * q_L + offset_;
+    return is_identity_ ? q_L : AxisPositions(linear_ * q_L + offset_);
   }
   [[nodiscard]] AxisPositions undo(const AxisPositions& q_W) const {
-    return inverse_ * (q_W - offset_);
+    return is_identity_ ? q_W : AxisPositions(inverse_ * (q_W - offset_));
   }
 
   /// How much longer a way along the axis becomes; > 0.
   [[nodiscard]] double stretch(int axis) const { return linear_.col(axis).norm(); }
   /// Whether a clockwise arc of the plane becomes a counterclockwise one.
   [[nodiscard]] bool reverses_turns(const Plane& plane) const;
-  [[nodiscard]] bool is_identity() const;
+  [[nodiscard]] bool is_identity() const { return is_identity_; }
 
  private:
+  void judge_identity();
+
   using Matrix = Eigen::Matrix<double, static_cast<int>(kAxisCount), static_cast<int>(kAxisCount)>;
 
   Matrix linear_ = Matrix::Identity();
   Matrix inverse_ = Matrix::Identity();
   AxisPositions offset_ = AxisPositions::Zero();
+  bool is_identity_ = true;  // as nearly every point goes through
 };
 
 /// G51 in force.

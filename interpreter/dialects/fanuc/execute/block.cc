@@ -63,6 +63,7 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
       return std::nullopt;
     case GAction::Modal:
     case GAction::NoEffect:
+    case GAction::ExactStop:
     case GAction::Motion:
     case GAction::ToolLength:
     case GAction::WorkOffset:
@@ -131,6 +132,7 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
     return execute_data_block(control, words);
   }
   const double feed_before = control.modal.feed;
+  control.stops_exactly = false;
   const auto codes = take_words(control, words);
   if (!codes) {
     return codes.error();
@@ -167,10 +169,14 @@ Failure block_failure(AlarmId id, std::string detail) {
   return failure;
 }
 
-Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail) {
+Failure at_place(AlarmId id, syntax::ShortSpan where, std::string detail) {
   Failure failure = block_failure(id, std::move(detail));
-  failure.where = word.span;
+  failure.where = where;
   return failure;
+}
+
+Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail) {
+  return at_place(id, word.span, std::move(detail));
 }
 
 Result<int, Failure> integer_of(const EvaluatedWord& word) {

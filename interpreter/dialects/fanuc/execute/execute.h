@@ -83,6 +83,9 @@ Failure from_fault(const machine::MachineFault& fault);
 /// A failure of the whole block.
 Failure block_failure(AlarmId id, std::string detail = {});
 
+/// A failure at a place of the block.
+Failure at_place(AlarmId id, syntax::ShortSpan where, std::string detail);
+
 /// A failure at a word.
 Failure at_word(AlarmId id, const EvaluatedWord& word, std::string detail);
 
