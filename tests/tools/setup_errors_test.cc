@@ -253,6 +253,36 @@ const Case kSayWhatAValueIsAndWhatItShouldBe[] = {
     2 | ball_diameter = 0.0
       |                 ^
 )"},
+    {"a probe of a type that is none", "[probe]\ntype = \"2D\"\n",
+     R"(sheet1.toml:2:8: error: probe.type is "2D", it should be "3D" or "mono" [SET105]
+    2 | type = "2D"
+      |        ^
+)"},
+    {"seats that are none", "[probe]\nseats = \"leather\"\n",
+     R"(sheet1.toml:2:9: error: probe.seats is "leather", it should be "even" or "tripod" [SET105]
+    2 | seats = "leather"
+      |         ^
+)"},
+    {"a state that is none", "[probe]\nstate = \"tired\"\n",
+     R"(sheet1.toml:2:9: error: probe.state is "tired", it should be "ready", "dead", "low_battery" or "double_trigger" [SET105]
+    2 | state = "tired"
+      |         ^
+)"},
+    {"an input that is none", "[probe]\nlow_battery_input = 1016\n",
+     R"(sheet1.toml:2:21: error: probe.low_battery_input is 1016, it should be 1000 to 1015 [SET105]
+    2 | low_battery_input = 1016
+      |                     ^
+)"},
+    {"a stem without stiffness", "[probe]\nstem_stiffness = 0\n",
+     R"(sheet1.toml:2:18: error: probe.stem_stiffness is 0, it should be greater than 0 [SET105]
+    2 | stem_stiffness = 0
+      |                  ^
+)"},
+    {"a further ball of no size", "[probe]\n[[probe.ball]]\ndiameter = 0\n",
+     R"(sheet1.toml:3:12: error: probe.ball.diameter is 0, it should be greater than 0 [SET105]
+    3 | diameter = 0
+      |            ^
+)"},
     {"a length that is not finite", "[probe]\nlength = inf\n",
      R"(sheet1.toml:2:10: error: probe.length is inf, it should be a finite number [SET105]
     2 | length = inf

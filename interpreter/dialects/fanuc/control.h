@@ -28,6 +28,7 @@
 #include "interpreter/dialects/fanuc/variables.h"
 #include "interpreter/dialects/fanuc/word_values.h"
 #include "interpreter/dialects/fanuc/work_transform.h"
+#include "interpreter/runtime/budget_watch.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
 #include "machine/port/machine_port.h"
@@ -114,6 +115,7 @@ struct Control {
   /// Where the last G28 or G30 of each axis went through (L); none before the first.
   std::array<std::optional<double>, kAxisCount> q_L_intermediate;
   DataInput data_input = DataInput::None;
+  runtime::BudgetWatch budget{runtime::Budget{}};
 
   Lookahead lookahead;
   std::vector<source::Diagnostic> diagnostics;

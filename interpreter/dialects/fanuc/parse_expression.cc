@@ -1,5 +1,7 @@
 #include "interpreter/dialects/fanuc/parse_expression.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/functions.h"
@@ -52,6 +54,9 @@ Index ExpressionParser::add(const Expr& expr) {
 
 Index ExpressionParser::fail_at(AlarmId id, syntax::ShortSpan where, std::string message) {
   if (!error_) {
+    // What is missing at the end of the text has no character to point to.
+    const auto end_of_text = static_cast<std::uint32_t>(scanner_.text().size());
+    where.end = std::min(where.end, end_of_text);
     error_ = syntax::SyntaxError{static_cast<int>(id), where, std::move(message)};
   }
   return kNone;

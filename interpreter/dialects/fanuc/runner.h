@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <span>
 #include <vector>
@@ -77,7 +76,7 @@ class Runner {
  private:
   // runner.cc: the loop
   void start(const CompiledProgram& main);
-  MaybeFailure loop(const runtime::Budget& budget);
+  MaybeFailure loop();
   bool fast_step(const Step& step, Frame& now);
   MaybeFailure rare_step(const Step& step);
   MaybeFailure set_names(const Step& step);
@@ -89,7 +88,6 @@ class Runner {
   MaybeFailure behind_last_step();
   MaybeFailure keep_whole(Frame& frame);
   MaybeFailure go_to(Frame& frame, int sequence, Failure missing);
-  bool over_budget(const runtime::Budget& budget);
 
   // runner_words.cc: NC blocks
   MaybeFailure nc_block(const Step& step);
@@ -142,11 +140,7 @@ class Runner {
   Control control_;
   std::vector<Frame> frames_;
   BlockWords words_;
-  std::uint64_t blocks_ = 0;
-  std::uint64_t next_look_ = 0;  ///< at which block the budget is judged again
   bool ended_ = false;
-  std::optional<source::DiagnosticId> spent_;
-  std::chrono::steady_clock::time_point started_;
 };
 
 }  // namespace g31::fanuc

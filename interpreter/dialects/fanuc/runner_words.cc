@@ -64,6 +64,9 @@ bool Runner::skips_rest(const syntax::Word& word) {
 }
 
 MaybeFailure Runner::nc_block(const Step& step) {
+  if (control_.budget.is_too_late()) {
+    return budget_failure(runtime::BudgetWatch::Spent::Time);
+  }
   if (auto failure = evaluate_words(step)) {
     return failure;
   }

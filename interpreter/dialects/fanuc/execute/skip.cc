@@ -24,6 +24,7 @@ runtime::TouchEvent event_of(Control& control, const NcBlock& block, const SkipO
                    event.q_M_latched = touched.q_M_latched;
                    event.q_M_stopped = touched.q_M_stopped;
                    event.contact = touched.contact;
+                   event.signals = touched.signals;
                  },
                  [&](const NoTouch&) { control.silent_skip = block.where; },
                  [&](const AlreadyTouching& touching) {
