@@ -50,7 +50,7 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
     }
     if (std::abs(number) > kLargestWord) {
       return at_place(AlarmId::TooManyDigits, word.span,
-                     fmt::format("{} is {:g}, beyond every address", word.letter, number));
+                      fmt::format("{} is {:g}, beyond every address", word.letter, number));
     }
     words_.add(word, number);
   }
