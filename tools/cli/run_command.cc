@@ -1,7 +1,9 @@
 #include "tools/cli/run_command.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -42,24 +44,37 @@ struct Prepared {
   std::vector<std::string> prints;
 };
 
-/// Prints on the terminal while the program runs, unless the document goes there.
+/// Prints on the terminal while the program runs, unless the document goes there.  Without a
+/// document nothing is kept: an endless loop may print and stop for hours.
 class EchoingRecorder final : public report::RunRecorder {
  public:
-  EchoingRecorder(report::RecordWhat what, bool echo) : RunRecorder(what), echo_(echo) {}
+  explicit EchoingRecorder(const RunOptions& options)
+      : RunRecorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No}),
+        echoes_(options.json != "-"),
+        keeps_(!options.json.empty()) {}
   void on_output(std::string_view text) override {
-    RunRecorder::on_output(text);
-    if (echo_) {
+    if (keeps_) {
+      RunRecorder::on_output(text);
+    }
+    if (echoes_) {
       std::fwrite(text.data(), 1, text.size(), stdout);
+    }
+  }
+  void on_stop(const runtime::StopEvent& event) override {
+    if (keeps_) {
+      RunRecorder::on_stop(event);
     }
   }
 
  private:
-  bool echo_;
+  using Keep = report::RecordWhat::Keep;
+  bool echoes_;
+  bool keeps_;
 };
 
 Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
                                                       const setup::Job& job) {
-  const std::string name = !options.control.empty()         ? options.control
+  const std::string name = !options.control.empty()       ? options.control
                            : !job.control.profile.empty() ? job.control.profile
                                                           : std::string(kDefaultControl);
   const auto profile = profile_named(name);
@@ -137,7 +152,8 @@ std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOpt
   }
   library.add_folder(std::filesystem::path(options.programs.front()).parent_path().string());
   for (const std::string& folder : options.libraries) {
-    if (!std::filesystem::is_directory(folder)) {
+    std::error_code unreadable;
+    if (!std::filesystem::is_directory(folder, unreadable)) {
       return refusal(ExitCode::BadUsage, fmt::format("--lib {}: no such folder", folder));
     }
     library.add_folder(folder);
@@ -193,15 +209,21 @@ ExitCode refuse(const Refusal& wrong) {
 /// Where the result goes: the document, or the variables asked for as lines.
 std::optional<Refusal> deliver(const RunOptions& options, const report::RunResult& result,
                                const report::RunRecorder& recorder) {
+  std::string text;
   if (options.json == "-") {
-    const std::string document = run_document(result, recorder);
-    std::fwrite(document.data(), 1, document.size(), stdout);
-    return std::nullopt;
+    text = run_document(result, recorder);
+  } else {
+    for (const auto& [name, value] : result.variables) {
+      text += fmt::format("{} = {}\n", name,
+                          value.is_vacant() ? "null" : fmt::format("{}", value.raw()));
+    }
   }
-  for (const auto& [name, value] : result.variables) {
-    fmt::print("{} = {}\n", name, value.is_vacant() ? "null" : fmt::format("{}", value.raw()));
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    return refusal(ExitCode::BadUsage,
+                   fmt::format("cannot write standard output: {}", std::strerror(errno)));
   }
-  if (options.json.empty()) {
+  if (options.json.empty() || options.json == "-") {
     return std::nullopt;
   }
   const auto problem = write_whole_file(options.json, run_document(result, recorder));
@@ -225,9 +247,7 @@ ExitCode run_command(const RunOptions& options) {
   if (!scene) {
     return refuse({ExitCode::Setup, setup::render(scene.error())});
   }
-  using Keep = report::RecordWhat::Keep;
-  EchoingRecorder recorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No},
-                           options.json != "-");
+  EchoingRecorder recorder(options);
   machine::MachiningCentre& machine = *scene.value().machine;
   fanuc::Session session(*prepared.value().profile, library, machine, recorder);
   if (const auto refused = session.configure(job.control); !refused.empty()) {

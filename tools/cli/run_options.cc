@@ -1,8 +1,31 @@
 #include "tools/cli/run_options.h"
 
+#include <charconv>
+#include <cmath>
+#include <string>
+
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace g31::cli {
+
+namespace {
+
+/// CLI11 takes -1 for the largest number there is.
+std::string why_no_count(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? "" : fmt::format("{} is no whole number from 0", text);
+}
+
+std::string why_no_time(const std::string& text) {
+  double seconds = 0.0;
+  const char* const last = text.data() + text.size();
+  const auto end = std::from_chars(text.data(), last, seconds);
+  const bool fits = end.ec == std::errc() && end.ptr == last && std::isfinite(seconds);
+  return fits && seconds > 0.0 ? "" : fmt::format("{} is no number of seconds above 0", text);
+}
+
+}  // namespace
 
 CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   CLI::App* const run = app.add_subcommand("run", "Run an NC program on the simulated machine.");
@@ -25,15 +48,19 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   run->add_option("--print", options.prints, "variables to report at the end, #100-#149,#5061")
       ->type_name("NAMES")
       ->allow_extra_args(false);
-  run->add_option("--json", options.json, "result document; - is standard output")->type_name("FILE");
+  run->add_option("--json", options.json, "result document; - is standard output")
+      ->type_name("FILE");
   run->add_flag("--moves", options.moves, "every move in the document");
   run->add_flag("--touches", options.touches, "every touch in the document");
-  run->add_option("--seed", options.seed, "seed of every random model (default 0)")->type_name("N");
+  run->add_option("--seed", options.seed, "seed of every random model (default 0)")
+      ->type_name("N")
+      ->check(why_no_count);
   run->add_option("--max-blocks", options.budget.blocks, "executed blocks (default 50000000)")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(why_no_count);
   run->add_option("--max-time", options.budget.wall_seconds, "wall seconds (default 600)")
       ->type_name("S")
-      ->check(CLI::PositiveNumber);
+      ->check(why_no_time);
   return run;
 }
 
