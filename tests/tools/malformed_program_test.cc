@@ -112,6 +112,8 @@ const Case kAlarms[] = {
     {"no such program", framed("M98P77"), 3, "2:4", "O0077 is in none of the files"},
     {"subprogram in itself", "O1\nM98P1\nM30\n", 3, "2:1", "called from O0001"},
     {"macro in itself", "O1\nG65P1\nM30\n", 3, "2:1", "called from O0001"},
+    {"macro call behind a subprogram call", framed("M98P1G65P1"), 3, "2:6", "G65 beside another"},
+    {"modal call behind a subprogram call", framed("M98P1G66P1"), 3, "2:6", "G66 beside another"},
     {"overflow", framed("#1=99999999.\n#2=#1*#1*#1*#1*#1*#1*#1"), 3, "3:4", "[111]"},
     {"root of -1", framed("#1=SQRT[-1]"), 3, "2:4", "SQRT of -1"},
     {"logarithm of 0", framed("#1=LN[0]"), 3, "2:4", "LN of 0"},
