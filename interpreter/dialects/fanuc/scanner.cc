@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace g31::fanuc {
 namespace {
 
@@ -25,6 +27,10 @@ constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7
 constexpr int kExactDigits = 15;
 
 }  // namespace
+
+std::string digit_count(std::uint8_t digits) {
+  return fmt::format("{} digits{}", digits, digits == 255 ? " or more" : "");
+}
 
 char Scanner::peek_behind_blanks() {
   while (at_ < text_.size()) {
