@@ -1,0 +1,129 @@
+%
+O9015 (G131 DISTANCE OF A POINT FROM A LINE)
+(CALL  G131 A_ B_ C_ S_ D_ I_ W_)
+(A B C  TWO ROWS FOR THE LINE, ONE FOR THE POINT            #1 #2 #3)
+(       12.3 ALL IN ONE BUFFER, A12 B3 LINE AND POINT, A1 B2 C3 OR)
+(       A1.1 B2.1 C3.1 LINE FROM A TO B, POINT IN C)
+(S  DISTANCE  0 DIRECT  1 IN X-Y  2 IN Y-Z  3 IN Z-X        #19)
+(D  ROW 1 TO 5 OF BUFFER D                                  #7)
+(I  NUMBER TO PRINT, 0 TO 99, THE ROW IF NOT GIVEN          #4)
+(W  NOT 0 MEANS NO PRINT                                    #23)
+(BUFFER D  X #110.., Y #125.., Z #140.., DISTANCE #155.., #170.. EMPTY)
+(X Y Z SQUARE FROM THE LINE TO THE POINT)
+IF [#7 EQ #0] THEN #7= 1
+IF [#7 NE ROUND[#7]] GOTO 92
+IF [#7 LT 1] GOTO 92
+IF [#7 GT 5] GOTO 92
+IF [#4 EQ #0] THEN #4= #7
+IF [#4 NE ROUND[#4]] GOTO 92
+IF [#4 LT 0] GOTO 92
+IF [#4 GT 99] GOTO 92
+IF [#19 EQ #0] THEN #19= 0
+IF [#19 NE ROUND[#19]] GOTO 92
+IF [#19 LT 0] GOTO 92
+IF [#19 GT 3] GOTO 92
+#8= 0 (LETTERS GIVEN)
+IF [#1 NE #0] THEN #8= #8+1
+IF [#2 NE #0] THEN #8= #8+1
+IF [#3 NE #0] THEN #8= #8+1
+(LINE TO #24 #25 #26 AND #27 #28 #29, POINT TO #30 #31 #32)
+#24= #0
+#27= #0
+#30= #0
+#9= 1 (LETTER A B C)
+WHILE [#9 LE 3] DO1
+IF [#[#9] EQ #0] GOTO 4
+#10= ROUND[#[#9]*10]
+IF [ABS[#[#9]*10-#10] GT .001] GOTO 92
+IF [#10 LT 10] GOTO 92
+IF [#10 GT 999] GOTO 92
+#12= 89+5*#9 (COLUMN X OF THE BUFFER, BEFORE ROW 1)
+#13= 5 (ITS ROWS)
+IF [#9 EQ 1] THEN #12= 159
+IF [#9 EQ 1] THEN #13= 9
+(DIGITS TO #16 #17 #18, EACH FOR ITS PLACE, LINE, LINE, POINT)
+#16= FIX[[#10+.5]/100]
+#17= FIX[[#10-100*#16+.5]/10]
+#18= #10-100*#16-10*#17
+IF [#17 EQ 0] GOTO 92
+IF [#16 GT 0] GOTO 1
+IF [#8 EQ 3] GOTO 2
+IF [#18 GT 0] GOTO 92
+#18= #17 (ONE DIGIT IS THE POINT)
+#17= 0
+GOTO 3
+N1 IF [#8 EQ 3] GOTO 92
+GOTO 3
+N2 IF [#18 GT 1] GOTO 92
+#10= #17 (THREE LETTERS, A B C TAKE THE PLACES IN TURN)
+#17= 0
+#18= 0
+#[15+#9]= #10
+N3 #14= 1 (PLACE)
+WHILE [#14 LE 3] DO2
+#15= #[15+#14]
+IF [#15 EQ 0] GOTO 5
+IF [#15 GT #13] GOTO 92
+IF [#[21+3*#14] NE #0] GOTO 92
+IF [#[#12+#15] EQ #0] GOTO 93
+IF [#[#12+#15+15] EQ #0] GOTO 93
+IF [#[#12+#15+30] EQ #0] GOTO 93
+#[21+3*#14]= #[#12+#15]
+#[22+3*#14]= #[#12+#15+15]
+#[23+3*#14]= #[#12+#15+30]
+N5 #14= #14+1
+END2
+N4 #9= #9+1
+END1
+IF [#24 EQ #0] GOTO 91
+IF [#27 EQ #0] GOTO 91
+IF [#30 EQ #0] GOTO 91
+#27= #27-#24 (ALONG THE LINE)
+#28= #28-#25
+#29= #29-#26
+#30= #30-#24 (TO THE POINT)
+#31= #31-#25
+#32= #32-#26
+#16= #27*#27+#28*#28+#29*#29
+IF [#16 LT .000001] GOTO 94
+#17= 1 (DISTANCE IN A PLANE)
+IF [#19 EQ 0] GOTO 6
+#8= 26+#19 (THE TWO AXES OF THE PLANE)
+#9= #8+1
+IF [#9 EQ 30] THEN #9= 27
+#17= SQRT[#[#8]*#[#8]+#[#9]*#[#9]]
+IF [#17 LE SQRT[#16]/10000] GOTO 94
+#17= ABS[#[#8]*#[#9+3]-#[#9]*#[#8+3]]/#17
+N6 #15= [#30*#27+#31*#28+#32*#29]/#16
+#24= #30-#15*#27 (SQUARE TO THE LINE)
+#25= #31-#15*#28
+#26= #32-#15*#29
+#16= SQRT[#24*#24+#25*#25+#26*#26]
+IF [#19 EQ 0] THEN #17= #16
+#[109+#7]= #24
+#[124+#7]= #25
+#[139+#7]= #26
+#[154+#7]= #17
+#[169+#7]= #0
+IF [ABS[#23] GT 0] GOTO 9
+#24= ABS[#24]
+#25= ABS[#25]
+#26= ABS[#26]
+POPEN
+DPRNT[+*****-----*G131*SOKUTEI*-----*****+]
+DPRNT[+**********************************+]
+DPRNT[+*LINE*&*1*POINT*INTERVAL*NO.#4[20]***+]
+DPRNT[+**********************************+]
+DPRNT[+*3D.*INC.*DATA********************+]
+DPRNT[+*X#24[43]*Y#25[43]*Z#26[43]*+]
+DPRNT[+*DISTANCE*DATA********************+]
+DPRNT[+*DIRECT#16[43]******************+]
+DPRNT[+**********************************+]
+DPRNT[+*********-----*END*-----**********+]
+PCLOS
+N9 M99
+N91 #3000= 160 (DATA EMPTY)
+N92 #3000= 182 (DATA OVER)
+N93 #3000= 160 (ROW EMPTY)
+N94 #3000= 162 (POINTS TOO CLOSE)
+%
