@@ -48,6 +48,7 @@ struct Touched {
   AxisPositions q_M_latched;       ///< what the control stored, trigger delay included
   AxisPositions q_M_stopped;       ///< where the axes came to rest
   std::optional<Contact> contact;  ///< where the ball touched; none for a signal without a part
+  int signals = 1;                 ///< more where the probe's signal came several times
 };
 
 /// The whole distance was travelled without a signal.
@@ -93,6 +94,9 @@ class MachinePort {
   /// Moves until the skip signal rises (G31, MEAS).  "No touch" is an outcome, not a fault:
   /// whether it is an alarm depends on the dialect and on the program.
   virtual Result<SkipOutcome, MachineFault> move_until_skip(const LinearMove& move) = 0;
+
+  /// Stops the spindle at an angle (M19).  A machine whose spindle does nothing ignores it.
+  virtual void orient_spindle(double /*angle_deg*/) {}
 
   /// Lets simulated time pass.  @param seconds >= 0
   virtual void dwell(double seconds) = 0;

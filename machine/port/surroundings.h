@@ -33,6 +33,7 @@ struct SkipTrigger {
   bool on_at_start = false;        ///< the signal is already high before the move
   double delay_s = 0.0;            ///< from the opening to the latch; the axes go on meanwhile
   std::optional<Contact> contact;  ///< none for a signal that no part caused
+  int signals = 1;                 ///< how many the probe gives; the first one counts
 };
 
 /// Something touches that must not.
@@ -55,6 +56,9 @@ class Surroundings {
   /// The skip signal of a skip move along the sweep; nullopt: no signal on the whole way.
   /// Called once per skip move, in order: random models and scripts count these calls.
   virtual std::optional<SkipTrigger> first_trigger(const Sweep& sweep) = 0;
+
+  /// The spindle stands at this angle from now on; 0 at the start.
+  virtual void turn_spindle_to(double /*angle_deg*/) {}
 
   /// The first forbidden touch of an ordinary move; nullopt: the way is free.  A sweep that leaves
   /// a contact in which the last skip move ended is free.

@@ -110,6 +110,13 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const LinearM
   return SkipOutcome(NoTouch{});
 }
 
+void MachiningCentre::orient_spindle(double angle_deg) {
+  G31_EXPECTS(std::isfinite(angle_deg));
+  if (surroundings_ != nullptr) {
+    surroundings_->turn_spindle_to(angle_deg);
+  }
+}
+
 void MachiningCentre::dwell(double seconds) {
   G31_EXPECTS(seconds >= 0.0 && std::isfinite(seconds));
   if (!real_.are_ideal()) {
@@ -231,7 +238,8 @@ SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& p
   const AxisPositions q_M_latched = path.at(fraction_after(fraction, stop.latched_after, profile));
   const AxisPositions q_M_stopped = path.at(fraction_after(fraction, stop.stopped_after, profile));
   q_M_ = q_M_stopped == path.to() ? q_M_stopped : in_steps(q_M_stopped, resolution_);
-  return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.contact)};
+  return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.contact),
+                 trigger.signals};
 }
 
 std::optional<SkipOutcome> MachiningCentre::skip_really(const StraightPath& path,
@@ -265,7 +273,8 @@ SkipOutcome MachiningCentre::stop_really(Timed<SkipTrigger> trigger, const Strai
     q_M_ = motion.end();
   }
   q_M_ = q_M_ == path.to() ? q_M_ : in_steps(q_M_, resolution_);
-  return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact)};
+  return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact),
+                 trigger.event.signals};
 }
 
 void MachiningCentre::show(const CommandedPath& path, const MotionPhases& phases,

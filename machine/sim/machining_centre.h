@@ -48,6 +48,8 @@ class MachiningCentre final : public MachinePort {
   /// within kSkipPositionErrorMm.
   Result<SkipOutcome, MachineFault> move_until_skip(const LinearMove& move) override;
 
+  /// Takes no time; the surroundings turn what is in the spindle.
+  void orient_spindle(double angle_deg) override;
   void dwell(double seconds) override;
   [[nodiscard]] AxisPositions position() const override { return q_M_; }
   [[nodiscard]] double time_s() const override { return clock_.now_s(); }

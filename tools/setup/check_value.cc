@@ -11,6 +11,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
+#include "probe/sensor/probe_setup.h"
 
 namespace g31::setup {
 namespace {
@@ -71,6 +72,14 @@ std::string_view words_for(Limit limit) {
       return "\"A\", \"B\" or \"C\"";
     case Limit::StoppingKind:
       return "\"braking\" or \"ideal\"";
+    case Limit::ProbeType:
+      return "\"3D\" or \"mono\"";
+    case Limit::SeatKind:
+      return "\"even\" or \"tripod\"";
+    case Limit::ProbeState:
+      return "\"ready\", \"dead\", \"low_battery\" or \"double_trigger\"";
+    case Limit::InputNumber:
+      return "1000 to 1015";
     case Limit::AxisLetter:
       return "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\"";
     case Limit::AxisLetters:
@@ -97,12 +106,17 @@ bool number_within(Limit limit, double number) {
       return number >= 1.0 && number <= 99999999.0;
     case Limit::BlockCount:
       return number >= 0.0 && number <= 9999.0;
+    case Limit::InputNumber:
+      return number >= 1000.0 && number <= 1015.0;
     case Limit::Any:
     case Limit::Rising:
     case Limit::NotEmpty:
     case Limit::IncrementSystem:
     case Limit::OffsetMemory:
     case Limit::StoppingKind:
+    case Limit::ProbeType:
+    case Limit::SeatKind:
+    case Limit::ProbeState:
     case Limit::AxisLetter:
     case Limit::AxisLetters:
     case Limit::NotAllZero:
@@ -141,6 +155,13 @@ bool text_within(Limit limit, const std::string& text) {
       return text == "A" || text == "B" || text == "C";
     case Limit::StoppingKind:
       return text == "braking" || text == "ideal";
+    case Limit::ProbeType:
+      return text == "3D" || text == "mono";
+    case Limit::SeatKind:
+      return text == "even" || text == "tripod";
+    case Limit::ProbeState:
+      return std::ranges::any_of(probe::kProbeStateNames,
+                                 [&](const auto& row) { return row.name == text; });
     case Limit::AxisLetter:
       return text.size() == 1 && axis_index(text.front()) >= 0;
     case Limit::AxisLetters:
@@ -152,6 +173,7 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::SwitchNumber:
     case Limit::ProgramNumber:
     case Limit::BlockCount:
+    case Limit::InputNumber:
     case Limit::Rising:
     case Limit::NotAllZero:
     case Limit::RisingPlaces:

@@ -68,6 +68,10 @@ enum class Limit {
   IncrementSystem,
   OffsetMemory,
   StoppingKind,
+  ProbeType,
+  SeatKind,
+  ProbeState,
+  InputNumber,  ///< 1000..1015
   AxisLetter,
   AxisLetters,   ///< no letter twice
   NotAllZero,
