@@ -12,11 +12,18 @@ namespace g31::machine {
 
 enum class Traverse { Rapid, Feed };
 
+/// When a control goes on to the next block.
+enum class BlockEnd {
+  ExactStop,  ///< once the axes have followed to the end (G61, G09, rapids)
+  PassOn      ///< as soon as the command is at the end: lagging axes round the corner (G64)
+};
+
 /// A straight move of all axes to an end point.
 struct LinearMove {
   AxisPositions q_M_end = AxisPositions::Zero();  ///< mm and deg, machine coordinates
   Traverse traverse = Traverse::Rapid;
   double feed_mm_min = 0.0;  ///< > 0 with Traverse::Feed; a rapid takes the machine's own rates
+  BlockEnd ends = BlockEnd::ExactStop;
 };
 
 enum class Turn { Clockwise, Counterclockwise };
@@ -33,6 +40,7 @@ struct ArcMove {
   double centre_second = 0.0;  ///< mm, machine coordinate of the centre along second_axis
   Turn turn = Turn::Clockwise;
   double feed_mm_min = 0.0;  ///< > 0, along the arc
+  BlockEnd ends = BlockEnd::ExactStop;
 };
 
 /// The skip signal rose during the move; the axes have stopped past the touch by the overtravel.

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "machine/port/contact.h"
+#include "machine/port/way.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::machine {
@@ -73,6 +75,35 @@ class Surroundings {
       }
       if (auto obstacle = first_collision(chord)) {
         obstacle->fraction = (i + obstacle->fraction) / sweep.chords;
+        return obstacle;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The skip signal of one skip move that goes through these points in straight pieces; its
+  /// fraction is one of theirs.  A world without shape looks at the ends only.
+  virtual std::optional<SkipTrigger> first_trigger_along(std::span<const Waypoint> way) {
+    if (way.front().q_M == way.back().q_M) {
+      return std::nullopt;
+    }
+    auto trigger = first_trigger({way.front().q_M, way.back().q_M});
+    if (trigger) {
+      trigger->fraction = fraction_after(way, trigger->fraction * length_of(way));
+    }
+    return trigger;
+  }
+
+  /// The first forbidden touch of an ordinary move through these points.
+  virtual std::optional<Obstacle> first_collision_along(std::span<const Waypoint> way) {
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      const Waypoint& from = way[i - 1];
+      const Waypoint& to = way[i];
+      if (from.q_M == to.q_M) {
+        continue;
+      }
+      if (auto obstacle = first_collision({from.q_M, to.q_M})) {
+        obstacle->fraction = from.fraction + obstacle->fraction * (to.fraction - from.fraction);
         return obstacle;
       }
     }

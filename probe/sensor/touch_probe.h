@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,9 @@ class TouchProbe final : public machine::Surroundings {
   /// The contact in the answer is the true one; `fraction` carries deflection and random shift.
   std::optional<machine::SkipTrigger> first_trigger(const machine::Sweep& sweep) override;
 
+  std::optional<machine::SkipTrigger> first_trigger_along(
+      std::span<const machine::Waypoint> way) override;
+
   /// The ball touching a part.  Leaving a contact is free, pushing deeper into it is not.
   std::optional<machine::Obstacle> first_collision(const machine::Sweep& sweep) override;
 
@@ -70,12 +74,23 @@ class TouchProbe final : public machine::Surroundings {
   };
   using Question = SweepHit (MeshSweeper::*)(const Point&, const Point&) const;
 
+  struct Signal {
+    PartHit touch;
+    double distance = 0.0;  ///< mm from the start of the sweep
+    bool on_at_start = false;
+  };
+
   void add_ball(const Point& p_S, double diameter_mm);
   [[nodiscard]] Point centre_of(const Ball& ball, const AxisPositions& q_M) const;
+  /// The random shift of a trigger along the move, mm.
+  [[nodiscard]] double trigger_shift(std::uint64_t event) const;
+  /// Where the deflection of a touch on this sweep is reached, be it behind its end.
+  [[nodiscard]] std::optional<Signal> first_signal(const machine::Sweep& sweep) const;
+  [[nodiscard]] machine::SkipTrigger trigger_of(const Signal& signal) const;
   [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question) const;
   /// mm from the touch to the signal, negative where the ball is deeper in than that already;
-  /// nullopt: no signal from this touch.
-  [[nodiscard]] std::optional<double> way_to_signal(const PartHit& touch, const Point& p_M_centre,
+  /// nullopt: no signal from this touch.  @param depth  of the ball in the part, mm
+  [[nodiscard]] std::optional<double> way_to_signal(const PartHit& touch, double depth,
                                                     const Point& direction) const;
 
   ProbeSetup setup_;

@@ -1,6 +1,7 @@
 #include "tools/cli/run_command.h"
 
 #include <cstdio>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "tools/cli/variables_file.h"
 #include "tools/report/run_document.h"
 #include "tools/report/run_recorder.h"
+#include "tools/report/trace_file.h"
 
 namespace g31::cli {
 namespace {
@@ -75,6 +77,22 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
   return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
+using Trace = std::shared_ptr<report::TraceFile>;
+
+/// The file of --trace; null when none is asked for.
+Result<Trace, Refusal> open_trace(const std::string& path, const machine::MachineSetup& machine) {
+  if (path.empty()) {
+    return Trace();
+  }
+  report::TraceFile::AxesPresent axes;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    axes[i] = machine.axes[i].present;
+  }
+  const auto trace = report::TraceFile::create(path, axes);
+  return trace ? Result<Trace, Refusal>(trace.value())
+               : refusal(ExitCode::BadUsage, trace.error());
+}
+
 }  // namespace
 
 ExitCode run_command(const RunOptions& options) {
@@ -88,6 +106,10 @@ ExitCode run_command(const RunOptions& options) {
   if (const auto wrong = fill_library(library, options)) {
     return refuse(*wrong);
   }
+  const auto trace = open_trace(options.trace, job.machine);
+  if (!trace) {
+    return refuse(trace.error());
+  }
   const auto scene = build_scene(job, options.seed);
   if (!scene) {
     return refuse({ExitCode::Setup, setup::render(scene.error())});
@@ -96,12 +118,20 @@ ExitCode run_command(const RunOptions& options) {
   EchoingRecorder recorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No},
                            options.json != "-");
   machine::MachiningCentre& machine = *scene.value().machine;
+  if (trace.value() != nullptr) {
+    machine.trace(prepared.value().trace_period_s, *trace.value());
+  }
   fanuc::Session session(*prepared.value().profile, library, machine, recorder);
   if (const auto refused = session.configure(job.control); !refused.empty()) {
     return refuse(refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; "))));
   }
   report::RunResult result;
   result.outcome = session.run(options.budget);
+  if (trace.value() != nullptr) {
+    if (const auto problem = trace.value()->finish()) {
+      return refuse(refusal(ExitCode::BadUsage, *problem));
+    }
+  }
   for (const source::Diagnostic& diagnostic : result.outcome.diagnostics) {
     std::fputs(render_text(diagnostic).c_str(), stderr);
   }

@@ -38,6 +38,11 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   run->add_option("--json", options.json, "result document; - is standard output")->type_name("FILE");
   run->add_flag("--moves", options.moves, "every move in the document");
   run->add_flag("--touches", options.touches, "every touch in the document");
+  run->add_option("--trace", options.trace, "axis positions over time, as a table (CSV)")
+      ->type_name("FILE");
+  run->add_option("--trace-period", options.trace_period,
+                  "time between two rows: 182.32us, 4ms, 0.001s or plain seconds (default 1ms)")
+      ->type_name("TIME");
   return run;
 }
 

@@ -14,6 +14,7 @@
 #include "tools/cli/shipped.h"
 #include "tools/cli/variables_file.h"
 #include "tools/setup/assignment.h"
+#include "tools/setup/duration.h"
 #include "tools/setup/name_list.h"
 #include "tools/setup/toml_reader.h"
 
@@ -68,7 +69,7 @@ Refusal refusal(ExitCode code, std::string_view message) {
 
 Result<Prepared, Refusal> prepare(const RunOptions& options) {
   Prepared prepared;
-  auto job = setup::read_job(options.setups);
+  auto job = setup::read_job(options.setups, shipped_folder("machine/library").value_or(""));
   if (!job) {
     Refusal wrong;
     for (const setup::SetupError& error : job.error()) {
@@ -88,6 +89,11 @@ Result<Prepared, Refusal> prepare(const RunOptions& options) {
   if (auto wrong = take_variables(options, prepared.job)) {
     return *wrong;
   }
+  const auto period = setup::parse_duration(options.trace_period);
+  if (!period) {
+    return refusal(ExitCode::BadUsage, fmt::format("--trace-period: {}", period.error()));
+  }
+  prepared.trace_period_s = period.value();
   for (const std::string& list : options.prints) {
     auto names = setup::parse_name_list(list);
     if (!names) {

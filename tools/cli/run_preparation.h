@@ -29,6 +29,7 @@ struct Prepared {
   setup::Job job;
   const fanuc::Profile* profile = nullptr;
   std::vector<std::string> prints;
+  double trace_period_s = 0.0;
 };
 
 /// Reads sheets and variables; chooses the control.

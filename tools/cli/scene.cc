@@ -31,8 +31,8 @@ Result<std::vector<probe::ProbedPart>, setup::SetupError> build_parts(const setu
     if (!mesh_P) {
       return unusable(job.part_places[i], mesh_P.error());
     }
-    built.push_back(
-        {part.name, parts::placed_mesh(mesh_P.value(), {part.p_M_at, part.rotate_deg})});
+    built.push_back({part.name, parts::placed_mesh(mesh_P.value(), {part.p_M_at, part.rotate_deg,
+                                                                    part.growth.per_unit()})});
   }
   return built;
 }

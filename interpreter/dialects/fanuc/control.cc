@@ -113,6 +113,13 @@ void Control::turn_calls_over(const Parameters& before) {
   }
 }
 
+machine::BlockEnd Control::feed_end() const {
+  constexpr int kNoExactStop = 4;
+  const bool exact = stops_exactly || modal.group[15].whole == 61;
+  return exact && (override_control & kNoExactStop) == 0 ? machine::BlockEnd::ExactStop
+                                                         : machine::BlockEnd::PassOn;
+}
+
 void Control::apply(const Parameters& given) {
   const Parameters before = parameters;
   parameters = given;

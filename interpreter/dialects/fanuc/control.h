@@ -97,6 +97,7 @@ struct Control {
   double hours_offset = 0.0;                            ///< #3002 likewise
   int single_block_control = 0;                         ///< #3003
   int override_control = 0;                             ///< #3004
+  bool stops_exactly = false;                           ///< G09 in the present block
   int mirror_state = 0;                                 ///< #3007
   int restart_state = 0;                                ///< #3008
   TransformStages transforms;                           ///< G51.1, G51, G68
@@ -124,6 +125,9 @@ struct Control {
 
   /// Warns of something that g31 does not simulate, at its first place only.
   void warn_once(source::DiagnosticId id, source::Location where, std::string_view detail = {});
+
+  /// How a move at feed ends: G09 and G61 stop exactly, unless #3004 bit 2 forbids it.
+  [[nodiscard]] machine::BlockEnd feed_end() const;
 
   /// Takes over parameters and what they change.
   void apply(const Parameters& given);

@@ -111,6 +111,7 @@ MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d&
   move.centre_second = q_M_centre[arc.plane.second];
   move.turn = arc.turn;
   move.feed_mm_min = feed.value();
+  move.ends = control.feed_end();
   return travel(control, move, arc.turn == Turn::Clockwise ? 2 : 3);
 }
 

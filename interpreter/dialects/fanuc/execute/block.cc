@@ -63,6 +63,7 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
       return std::nullopt;
     case GAction::Modal:
     case GAction::NoEffect:
+    case GAction::ExactStop:
     case GAction::Motion:
     case GAction::ToolLength:
     case GAction::WorkOffset:
@@ -123,6 +124,7 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
     return execute_data_block(control, words);
   }
   const double feed_before = control.modal.feed;
+  control.stops_exactly = false;
   const auto codes = take_words(control, words);
   if (!codes) {
     return codes.error();

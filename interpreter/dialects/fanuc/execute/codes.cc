@@ -54,6 +54,7 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
       break;
     case GAction::Modal:
     case GAction::NoEffect:
+    case GAction::ExactStop:
     case GAction::Dwell:
     case GAction::SetData:
     case GAction::EndData:
@@ -81,6 +82,8 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
   }
   if (code->group != 0) {
     take_modal_code(control, *code, codes);
+  } else if (code->action == GAction::ExactStop) {
+    control.stops_exactly = true;
   } else if (code->action != GAction::NoEffect) {
     codes.one_shot = code;
   }

@@ -85,6 +85,7 @@ MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Tr
       return feed.error();
     }
     move.feed_mm_min = feed.value();
+    move.ends = control.feed_end();
   }
   return travel(control, move, g);
 }
