@@ -29,6 +29,7 @@ struct TouchEvent {
   AxisPositions q_M_stopped;
   std::optional<machine::Contact> contact;
   double feed_mm_min = 0.0;
+  int signals = 1;  ///< how often the signal came; the first was latched
 };
 
 /// A programmed stop: #3006, M00, M01.

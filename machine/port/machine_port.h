@@ -12,11 +12,18 @@ namespace g31::machine {
 
 enum class Traverse { Rapid, Feed };
 
+/// When a control goes on to the next block.
+enum class BlockEnd {
+  ExactStop,  ///< once the axes have followed to the end (G61, G09, rapids)
+  PassOn      ///< as soon as the command is at the end: lagging axes round the corner (G64)
+};
+
 /// A straight move of all axes to an end point.
 struct LinearMove {
   AxisPositions q_M_end = AxisPositions::Zero();  ///< mm and deg, machine coordinates
   Traverse traverse = Traverse::Rapid;
   double feed_mm_min = 0.0;  ///< > 0 with Traverse::Feed; a rapid takes the machine's own rates
+  BlockEnd ends = BlockEnd::ExactStop;
 };
 
 enum class Turn { Clockwise, Counterclockwise };
@@ -33,6 +40,7 @@ struct ArcMove {
   double centre_second = 0.0;  ///< mm, machine coordinate of the centre along second_axis
   Turn turn = Turn::Clockwise;
   double feed_mm_min = 0.0;  ///< > 0, along the arc
+  BlockEnd ends = BlockEnd::ExactStop;
 };
 
 /// The skip signal rose during the move; the axes have stopped past the touch by the overtravel.
@@ -40,6 +48,7 @@ struct Touched {
   AxisPositions q_M_latched;       ///< what the control stored, trigger delay included
   AxisPositions q_M_stopped;       ///< where the axes came to rest
   std::optional<Contact> contact;  ///< where the ball touched; none for a signal without a part
+  int signals = 1;                 ///< more where the probe's signal came several times
 };
 
 /// The whole distance was travelled without a signal.
@@ -58,9 +67,9 @@ enum class FaultKind { SoftLimit, Collision, StylusOverDeflected };
 /// number; a collision ends the run.
 struct MachineFault {
   FaultKind kind;
-  std::string what;                 ///< one line for people: axis and limit, or the bodies
-  AxisPositions q_M_at;             ///< where the axes were
-  std::optional<Contact> contact;   ///< for a collision: where the bodies met
+  std::string what;                ///< one line for people: axis and limit, or the bodies
+  AxisPositions q_M_at;            ///< where the axes were
+  std::optional<Contact> contact;  ///< for a collision: where the bodies met
 };
 
 /// Everything a running NC program may ask of a machine, and nothing else.
@@ -85,6 +94,9 @@ class MachinePort {
   /// Moves until the skip signal rises (G31, MEAS).  "No touch" is an outcome, not a fault:
   /// whether it is an alarm depends on the dialect and on the program.
   virtual Result<SkipOutcome, MachineFault> move_until_skip(const LinearMove& move) = 0;
+
+  /// Stops the spindle at an angle (M19).  A machine whose spindle does nothing ignores it.
+  virtual void orient_spindle(double /*angle_deg*/) {}
 
   /// Lets simulated time pass.  @param seconds >= 0
   virtual void dwell(double seconds) = 0;

@@ -2,9 +2,11 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "machine/port/contact.h"
+#include "machine/port/way.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::machine {
@@ -31,6 +33,7 @@ struct SkipTrigger {
   bool on_at_start = false;        ///< the signal is already high before the move
   double delay_s = 0.0;            ///< from the opening to the latch; the axes go on meanwhile
   std::optional<Contact> contact;  ///< none for a signal that no part caused
+  int signals = 1;                 ///< how many the probe gives; the first one counts
 };
 
 /// Something touches that must not.
@@ -54,6 +57,9 @@ class Surroundings {
   /// Called once per skip move, in order: random models and scripts count these calls.
   virtual std::optional<SkipTrigger> first_trigger(const Sweep& sweep) = 0;
 
+  /// The spindle stands at this angle from now on; 0 at the start.
+  virtual void turn_spindle_to(double /*angle_deg*/) {}
+
   /// The first forbidden touch of an ordinary move; nullopt: the way is free.  A sweep that leaves
   /// a contact in which the last skip move ended is free.
   virtual std::optional<Obstacle> first_collision(const Sweep& sweep) = 0;
@@ -69,6 +75,35 @@ class Surroundings {
       }
       if (auto obstacle = first_collision(chord)) {
         obstacle->fraction = (i + obstacle->fraction) / sweep.chords;
+        return obstacle;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The skip signal of one skip move that goes through these points in straight pieces; its
+  /// fraction is one of theirs.  A world without shape looks at the ends only.
+  virtual std::optional<SkipTrigger> first_trigger_along(std::span<const Waypoint> way) {
+    if (way.front().q_M == way.back().q_M) {
+      return std::nullopt;
+    }
+    auto trigger = first_trigger({way.front().q_M, way.back().q_M});
+    if (trigger) {
+      trigger->fraction = fraction_after(way, trigger->fraction * length_of(way));
+    }
+    return trigger;
+  }
+
+  /// The first forbidden touch of an ordinary move through these points.
+  virtual std::optional<Obstacle> first_collision_along(std::span<const Waypoint> way) {
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      const Waypoint& from = way[i - 1];
+      const Waypoint& to = way[i];
+      if (from.q_M == to.q_M) {
+        continue;
+      }
+      if (auto obstacle = first_collision({from.q_M, to.q_M})) {
+        obstacle->fraction = from.fraction + obstacle->fraction * (to.fraction - from.fraction);
         return obstacle;
       }
     }

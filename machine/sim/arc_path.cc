@@ -78,6 +78,19 @@ AxisPositions ArcPath::at(double fraction) const {
   return q_M;
 }
 
+AxisPositions ArcPath::slope_at(double fraction) const {
+  AxisPositions slope = displacement_;
+  const double outwards = radius_to_ - radius_from_;
+  const double radius = radius_from_ + fraction * outwards;
+  const double cosine = std::cos(fraction * turned_rad_);
+  const double sine = std::sin(fraction * turned_rad_);
+  const double c = direction_from_.x() * cosine - direction_from_.y() * sine;
+  const double s = direction_from_.x() * sine + direction_from_.y() * cosine;
+  slope[first_axis_] = outwards * c - radius * turned_rad_ * s;
+  slope[second_axis_] = outwards * s + radius * turned_rad_ * c;
+  return slope;
+}
+
 AxisBox ArcPath::circle_bounds() const {
   AxisBox box{q_M_from_.cwiseMin(q_M_to_), q_M_from_.cwiseMax(q_M_to_)};
   const double reach = std::max(radius_from_, radius_to_);

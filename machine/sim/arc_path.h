@@ -19,6 +19,7 @@ class ArcPath {
   /// @param arc  the plane is two different axes of X Y Z; all numbers finite
   ArcPath(const AxisPositions& q_M_from, const ArcMove& arc);
 
+  [[nodiscard]] const AxisPositions& from() const { return q_M_from_; }
   [[nodiscard]] const AxisPositions& to() const { return q_M_to_; }
   [[nodiscard]] const AxisPositions& displacement() const { return displacement_; }
   [[nodiscard]] int first_axis() const { return first_axis_; }
@@ -36,6 +37,9 @@ class ArcPath {
 
   /// The point at a fraction 0..1 of the arc; from 1 on exactly the end.
   [[nodiscard]] AxisPositions at(double fraction) const;
+
+  /// The derivative of at() by the fraction.  @param fraction 0..1
+  [[nodiscard]] AxisPositions slope_at(double fraction) const;
 
   /// What the arc covers on each axis: both ends and where it crosses an axis direction.  Those
   /// crossings are taken kFullCircleGapMm short, so that rounding never breaks a travel limit.

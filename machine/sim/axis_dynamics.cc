@@ -18,6 +18,7 @@ AxisDynamics::AxisDynamics(const MachineSetup& setup) {
   // An absent axis never moves, so it never limits: 0 / infinity is 0.
   rapid_per_s_.setConstant(std::numeric_limits<double>::infinity());
   acceleration_per_s2_ = rapid_per_s_;
+  jerk_per_s3_ = rapid_per_s_;
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     const AxisSetup& axis = setup.axes[i];
     if (axis.present) {
@@ -26,8 +27,18 @@ AxisDynamics::AxisDynamics(const MachineSetup& setup) {
       const auto row = static_cast<Eigen::Index>(i);
       rapid_per_s_[row] = axis.rapid_per_min / kSecondsPerMinute;
       acceleration_per_s2_[row] = axis.acceleration_per_s2;
+      G31_EXPECTS(axis.jerk_per_s3 >= 0.0 && std::isfinite(axis.jerk_per_s3));
+      if (axis.jerk_per_s3 > 0.0) {
+        jerk_per_s3_[row] = axis.jerk_per_s3;
+        limits_jerk_ = true;
+      }
     }
   }
+}
+
+double AxisDynamics::jerk_along(double length, const AxisPositions& way) const {
+  const double slowest = way.cwiseQuotient(jerk_per_s3_).maxCoeff();
+  return slowest > 0.0 ? length / slowest : 0.0;
 }
 
 MotionProfile AxisDynamics::profile(const StraightPath& path, const LinearMove& move) const {
@@ -38,7 +49,8 @@ MotionProfile AxisDynamics::profile(const StraightPath& path, const LinearMove& 
   const double speed = move.traverse == Traverse::Rapid
                            ? fastest
                            : std::min(fastest, move.feed_mm_min / kSecondsPerMinute);
-  return MotionProfile(path.length(), speed, acceleration);
+  return MotionProfile(path.length(), speed, acceleration,
+                       limits_jerk_ ? jerk_along(path.length(), way) : 0.0);
 }
 
 MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) const {
@@ -60,7 +72,15 @@ MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) con
   const double speed =
       std::min({feed_mm_min / kSecondsPerMinute, rapid_per_s_[first], rapid_per_s_[second],
                 std::sqrt(in_plane * path.radius()), helix_speed});
-  return MotionProfile(path.length(), speed, std::min(in_plane, helix_acceleration));
+  double jerk = 0.0;
+  if (limits_jerk_) {
+    const double in_plane_jerk =
+        std::min(jerk_per_s3_[first], jerk_per_s3_[second]) / std::numbers::sqrt2;
+    const double helix_jerk = jerk_along(path.length(), helix);
+    jerk = helix_jerk > 0.0 ? std::min(in_plane_jerk, helix_jerk) : in_plane_jerk;
+    jerk = std::isfinite(jerk) ? jerk : 0.0;
+  }
+  return MotionProfile(path.length(), speed, std::min(in_plane, helix_acceleration), jerk);
 }
 
 }  // namespace g31::machine

@@ -18,7 +18,7 @@ class AxisDynamics {
   ///
   /// A rapid goes as fast as the slowest axis allows; a feed goes with move.feed_mm_min along
   /// path.length(), but no faster than that: a control, too, clamps a feed that an axis cannot
-  /// follow.  The acceleration is the greatest at which no axis exceeds its own.
+  /// follow.  Acceleration and jerk are the greatest at which no axis exceeds its own.
   /// @param path  path.moves(); only axes that are present move
   [[nodiscard]] MotionProfile profile(const StraightPath& path, const LinearMove& move) const;
 
@@ -31,8 +31,13 @@ class AxisDynamics {
   [[nodiscard]] MotionProfile profile(const ArcPath& path, double feed_mm_min) const;
 
  private:
+  /// The greatest jerk along a path at which no axis exceeds its own; 0: none limits it.
+  [[nodiscard]] double jerk_along(double length, const AxisPositions& way) const;
+
   AxisPositions rapid_per_s_;
   AxisPositions acceleration_per_s2_;
+  AxisPositions jerk_per_s3_;  // infinite: not limited
+  bool limits_jerk_ = false;
 };
 
 }  // namespace g31::machine

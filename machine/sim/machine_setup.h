@@ -4,6 +4,10 @@
 #include <limits>
 #include <string>
 
+#include "machine/errors/axis_play.h"
+#include "machine/errors/geometric_errors.h"
+#include "machine/units/thermal_growth.h"
+#include "machine/sim/axis_chain.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::machine {
@@ -15,7 +19,13 @@ struct AxisSetup {
   double travel_max = std::numeric_limits<double>::infinity();
   double rapid_per_min = 20000.0;       ///< mm/min or deg/min, > 0
   double acceleration_per_s2 = 2000.0;  ///< mm/s^2 or deg/s^2, > 0
+  double jerk_per_s3 = 0.0;             ///< mm/s^3 or deg/s^3; 0: not limited
+  double servo_gain = 0.0;              ///< Kv, (m/min)/mm or (1000 deg/min)/deg; 0: without lag
   double home = 0.0;                    ///< reference point, machine coordinate
+  double scale_resolution = 0.0;        ///< mm or deg, >= 0: one step of the encoder; 0: no steps
+  errors::PlaySetup play;               ///< what a reversal does
+  ThermalGrowth scale_growth;   ///< of the scale, linear axes only
+  double scale_fixed_at = 0.0;          ///< machine coordinate where a growing scale stays
 };
 
 /// How the axes come to rest when the control latches the skip signal.
@@ -40,6 +50,11 @@ struct MachineSetup {
   std::array<AxisSetup, kAxisCount> axes = three_linear_axes();
   AxisPositions q_M_start = AxisPositions::Zero();
   Stopping stopping = Stopping::Braking;
+  double stop_delay_s = 0.0;  ///< >= 0, from the skip signal until the axes begin to brake
+  double in_position = 0.01;  ///< mm or deg, > 0: so near an exact stop takes the axes as arrived
+  AxisChainSetup chain;
+  errors::GeometricErrorSetup geometric_errors;
+  Point p_T_tip = Point::Zero();  ///< mm, from the spindle's gauge point: what angular errors move
 };
 
 }  // namespace g31::machine

@@ -1,5 +1,6 @@
 #include "machine/sim/machining_centre.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -35,14 +36,25 @@ double fraction_after(double fraction, double way, const MotionProfile& profile)
   return way >= to_go ? 1.0 : fraction + way / profile.length();
 }
 
+AxisPositions resolutions(const MachineSetup& setup) {
+  AxisPositions steps;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    steps[static_cast<Eigen::Index>(i)] = setup.axes[i].scale_resolution;
+  }
+  return steps;
+}
+
 }  // namespace
 
 MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surroundings)
     : limits_(setup),
       dynamics_(setup),
       stopping_(setup.stopping),
+      stop_delay_s_(setup.stop_delay_s),
       surroundings_(surroundings),
-      q_M_(setup.q_M_start) {
+      q_M_(setup.q_M_start),
+      resolution_(resolutions(setup)),
+      real_(setup) {
   G31_EXPECTS(q_M_.allFinite());
 }
 
@@ -53,17 +65,9 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
   }
   const StraightPath path(q_M_, move.q_M_end);
   if (path.moves()) {
-    const MotionProfile profile = dynamics_.profile(path, move);
-    if (surroundings_ != nullptr) {
-      auto obstacle = surroundings_->first_collision({path.from(), path.to()});
-      if (obstacle) {
-        G31_EXPECTS(is_fraction(obstacle->fraction));
-        const AxisPositions q_M_stop = path.at(obstacle->fraction);
-        const double seconds = profile.time_at(obstacle->fraction * profile.length());
-        return stop_at(*std::move(obstacle), q_M_stop, seconds);
-      }
+    if (auto fault = carry_out(path, dynamics_.profile(path, move), move.ends)) {
+      return *std::move(fault);
     }
-    clock_.advance(profile.duration_s());
   }
   q_M_ = move.q_M_end;
   return q_M_;
@@ -73,7 +77,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
   expect_legal(arc);
   const ArcPath path(q_M_, arc);
   if (path.length() < kFullCircleGapMm) {
-    return move(LinearMove{arc.q_M_end, Traverse::Feed, arc.feed_mm_min});
+    return move(LinearMove{arc.q_M_end, Traverse::Feed, arc.feed_mm_min, arc.ends});
   }
   if (const AxisBox circle = path.circle_bounds();
       !limits_.contain(circle.q_M_min) || !limits_.contain(circle.q_M_max)) {
@@ -84,14 +88,9 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
       }
     }
   }
-  const MotionProfile profile = dynamics_.profile(path, arc.feed_mm_min);
-  if (surroundings_ != nullptr) {
-    auto fault = collide_on(path, profile);
-    if (fault) {
-      return *std::move(fault);
-    }
+  if (auto fault = carry_out(path, dynamics_.profile(path, arc.feed_mm_min), arc.ends)) {
+    return *std::move(fault);
   }
-  clock_.advance(profile.duration_s());
   q_M_ = arc.q_M_end;
   return q_M_;
 }
@@ -103,22 +102,35 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const LinearM
   }
   const StraightPath path(q_M_, move.q_M_end);
   if (path.moves()) {
-    const MotionProfile profile = dynamics_.profile(path, move);
-    if (surroundings_ != nullptr) {
-      auto trigger = surroundings_->first_trigger({path.from(), path.to()});
-      if (trigger) {
-        return stop_for(*std::move(trigger), path, profile);
-      }
+    if (auto outcome = skip(path, dynamics_.profile(path, move))) {
+      return *std::move(outcome);
     }
-    clock_.advance(profile.duration_s());
   }
   q_M_ = move.q_M_end;
   return SkipOutcome(NoTouch{});
 }
 
+void MachiningCentre::orient_spindle(double angle_deg) {
+  G31_EXPECTS(std::isfinite(angle_deg));
+  if (surroundings_ != nullptr) {
+    surroundings_->turn_spindle_to(angle_deg);
+  }
+}
+
 void MachiningCentre::dwell(double seconds) {
   G31_EXPECTS(seconds >= 0.0 && std::isfinite(seconds));
+  if (!real_.are_ideal()) {
+    follow(real_.motion(StraightPath(q_M_, q_M_), {}), seconds);
+    return;
+  }
+  if (sampler_) {
+    show(StraightPath(q_M_, q_M_), {}, seconds);
+  }
   clock_.advance(seconds);
+}
+
+void MachiningCentre::trace(double period_s, TraceSink& sink) {
+  sampler_.emplace(period_s, sink);
 }
 
 MachineFault MachiningCentre::soft_limit_fault(const AxisPositions& q_M_end) const {
@@ -132,17 +144,76 @@ MachineFault MachiningCentre::stop_at(Obstacle obstacle, const AxisPositions& q_
   return {FaultKind::Collision, std::move(obstacle.what), q_M_, std::move(obstacle.contact)};
 }
 
-std::optional<MachineFault> MachiningCentre::collide_on(const ArcPath& path,
-                                                        const MotionProfile& profile) {
-  auto obstacle = surroundings_->first_collision_on_curve(
+std::optional<Obstacle> MachiningCentre::obstacle_on(const StraightPath& path) {
+  return surroundings_->first_collision({path.from(), path.to()});
+}
+
+std::optional<Obstacle> MachiningCentre::obstacle_on(const ArcPath& path) {
+  return surroundings_->first_collision_on_curve(
       {[&path](double fraction) { return path.at(fraction); }, path.bend(), path.chord_count()});
-  if (!obstacle) {
-    return std::nullopt;
+}
+
+template <typename Path>
+std::optional<MachineFault> MachiningCentre::carry_out(const Path& path,
+                                                       const MotionProfile& profile,
+                                                       BlockEnd ends) {
+  if (!real_.are_ideal()) {
+    return carry_out_really(path, profile, ends);
   }
-  G31_EXPECTS(is_fraction(obstacle->fraction));
-  const AxisPositions q_M_stop = path.at(obstacle->fraction);
-  const double travelled = obstacle->fraction * profile.length();
-  return stop_at(*std::move(obstacle), q_M_stop, profile.time_at(travelled));
+  if (surroundings_ != nullptr) {
+    auto obstacle = obstacle_on(path);
+    if (obstacle) {
+      G31_EXPECTS(is_fraction(obstacle->fraction));
+      const double seconds = profile.time_at(obstacle->fraction * profile.length());
+      if (sampler_) {
+        MotionPhases phases = profile.phases();
+        phases.cut_at(seconds);
+        show(path, phases, seconds);
+      }
+      const AxisPositions q_M_stop = path.at(obstacle->fraction);
+      return stop_at(*std::move(obstacle), q_M_stop, seconds);
+    }
+  }
+  if (sampler_) {
+    show(path, profile.phases(), profile.duration_s());
+  }
+  clock_.advance(profile.duration_s());
+  return std::nullopt;
+}
+
+std::optional<MachineFault> MachiningCentre::carry_out_really(const CommandedPath& path,
+                                                              const MotionProfile& profile,
+                                                              BlockEnd ends) {
+  const ServoMotion motion = real_.motion(path, profile.phases());
+  if (surroundings_ != nullptr) {
+    auto obstacle = real_.first_collision(motion, ends, *surroundings_);
+    if (obstacle) {
+      const AxisPositions q_M_stop = motion.encoder_at(obstacle->time_s);
+      follow(motion, obstacle->time_s);
+      real_.stop_at(q_M_stop);
+      return stop_at(std::move(obstacle->event), q_M_stop, 0.0);
+    }
+  }
+  follow(motion, real_.done_s(motion, ends));
+  return std::nullopt;
+}
+
+std::optional<SkipOutcome> MachiningCentre::skip(const StraightPath& path,
+                                                 const MotionProfile& profile) {
+  if (!real_.are_ideal()) {
+    return skip_really(path, profile);
+  }
+  if (surroundings_ != nullptr) {
+    auto trigger = surroundings_->first_trigger({path.from(), path.to()});
+    if (trigger) {
+      return stop_for(*std::move(trigger), path, profile);
+    }
+  }
+  if (sampler_) {
+    show(path, profile.phases(), profile.duration_s());
+  }
+  clock_.advance(profile.duration_s());
+  return std::nullopt;
 }
 
 SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& path,
@@ -150,14 +221,74 @@ SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& p
   if (trigger.on_at_start) {
     return AlreadyTouching{std::move(trigger.contact)};
   }
-  G31_EXPECTS(is_fraction(trigger.fraction));
+  G31_EXPECTS(is_fraction(trigger.fraction) && trigger.delay_s >= 0.0);
   const double fraction = trigger.fraction;
-  const SkipStop stop =
-      stop_after_contact(profile, fraction * profile.length(), trigger.delay_s, stopping_);
+  const SkipDelays delays{trigger.delay_s, stop_delay_s_};
+  const SkipStop stop = stop_after_contact(profile, fraction * profile.length(), delays, stopping_);
+  if (sampler_) {
+    const double latch_s = profile.time_at(fraction * profile.length()) + delays.latch_s;
+    MotionPhases phases = profile.phases_braking_at(latch_s + delays.stop_s);
+    if (stopping_ == Stopping::Ideal) {
+      phases = profile.phases();
+      phases.cut_at(latch_s);
+    }
+    show(path, phases, stop.duration_s);
+  }
   clock_.advance(stop.duration_s);
   const AxisPositions q_M_latched = path.at(fraction_after(fraction, stop.latched_after, profile));
-  q_M_ = path.at(fraction_after(fraction, stop.stopped_after, profile));
-  return Touched{q_M_latched, q_M_, std::move(trigger.contact)};
+  const AxisPositions q_M_stopped = path.at(fraction_after(fraction, stop.stopped_after, profile));
+  q_M_ = q_M_stopped == path.to() ? q_M_stopped : in_steps(q_M_stopped, resolution_);
+  return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.contact),
+                 trigger.signals};
+}
+
+std::optional<SkipOutcome> MachiningCentre::skip_really(const StraightPath& path,
+                                                        const MotionProfile& profile) {
+  const ServoMotion motion = real_.motion(path, profile.phases());
+  if (surroundings_ != nullptr) {
+    auto trigger = real_.first_trigger(motion, *surroundings_);
+    if (trigger) {
+      return stop_really(*std::move(trigger), path, profile);
+    }
+  }
+  follow(motion, real_.done_s(motion, BlockEnd::ExactStop));
+  return std::nullopt;
+}
+
+SkipOutcome MachiningCentre::stop_really(Timed<SkipTrigger> trigger, const StraightPath& path,
+                                         const MotionProfile& profile) {
+  if (trigger.event.on_at_start) {
+    return AlreadyTouching{std::move(trigger.event.contact)};
+  }
+  G31_EXPECTS(trigger.event.delay_s >= 0.0);
+  const double latch_s = trigger.time_s + trigger.event.delay_s;
+  const ServoMotion motion = real_.motion(path, profile.phases_braking_at(latch_s + stop_delay_s_));
+  const AxisPositions q_M_latched = motion.encoder_at(latch_s);
+  if (stopping_ == Stopping::Ideal) {
+    follow(motion, latch_s);
+    q_M_ = q_M_latched;
+    real_.stop_at(q_M_);
+  } else {
+    follow(motion, std::max(latch_s, real_.done_s(motion, BlockEnd::ExactStop)));
+    q_M_ = motion.end();
+  }
+  q_M_ = q_M_ == path.to() ? q_M_ : in_steps(q_M_, resolution_);
+  return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact),
+                 trigger.event.signals};
+}
+
+void MachiningCentre::show(const CommandedPath& path, const MotionPhases& phases,
+                           double duration_s) {
+  sampler_->show({clock_.now_s(), duration_s, real_.motion(path, phases), real_.truth()},
+                 resolution_);
+}
+
+void MachiningCentre::follow(const ServoMotion& motion, double duration_s) {
+  if (sampler_) {
+    sampler_->show({clock_.now_s(), duration_s, motion, real_.truth()}, resolution_);
+  }
+  real_.follow(motion, duration_s);
+  clock_.advance(duration_s);
 }
 
 }  // namespace g31::machine

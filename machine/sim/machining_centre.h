@@ -1,10 +1,14 @@
 #pragma once
 
+#include <optional>
+
 #include "machine/port/machine_port.h"
 #include "machine/port/surroundings.h"
 #include "machine/sim/axis_dynamics.h"
 #include "machine/sim/clock.h"
 #include "machine/sim/machine_setup.h"
+#include "machine/sim/motion_sampler.h"
+#include "machine/sim/real_axes.h"
 #include "machine/sim/travel_limits.h"
 
 namespace g31::machine {
@@ -15,6 +19,11 @@ namespace g31::machine {
 /// Every move begins and ends at standstill (exact stop).  Ends that are not finite, and feeds
 /// that are not > 0, are the caller's bug and stop the process.  A soft limit is checked at the
 /// end point before anything moves; leaving a place outside the limits is allowed.
+///
+/// Positions that go in and come out are the encoders' at rest.  The world is asked about the true
+/// ones (RealAxes): behind the command by the servo lag, off by the errors of the machine, on a
+/// table that turns.  On an ideal machine all of these are the same, bit for bit.  What is latched
+/// or stopped at is a whole number of steps of the encoder.
 class MachiningCentre final : public MachinePort {
  public:
   /// @param surroundings  the world around the tool; null: empty, nothing is ever touched.
@@ -39,22 +48,50 @@ class MachiningCentre final : public MachinePort {
   /// within kSkipPositionErrorMm.
   Result<SkipOutcome, MachineFault> move_until_skip(const LinearMove& move) override;
 
+  /// Takes no time; the surroundings turn what is in the spindle.
+  void orient_spindle(double angle_deg) override;
   void dwell(double seconds) override;
   [[nodiscard]] AxisPositions position() const override { return q_M_; }
   [[nodiscard]] double time_s() const override { return clock_.now_s(); }
 
+  /// Takes samples of all motion from now on.  @param sink  outlives this
+  void trace(double period_s, TraceSink& sink);
+
  private:
   [[nodiscard]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;
   MachineFault stop_at(Obstacle obstacle, const AxisPositions& q_M_stop, double seconds);
-  std::optional<MachineFault> collide_on(const ArcPath& path, const MotionProfile& profile);
+  std::optional<Obstacle> obstacle_on(const StraightPath& path);
+  std::optional<Obstacle> obstacle_on(const ArcPath& path);
+
+  // All the way along, or until something is in it.
+  template <typename Path>
+  std::optional<MachineFault> carry_out(const Path& path, const MotionProfile& profile,
+                                        BlockEnd ends);
+  std::optional<MachineFault> carry_out_really(const CommandedPath& path,
+                                               const MotionProfile& profile, BlockEnd ends);
+
+  // Until the signal; nullopt: there is none.
+  std::optional<SkipOutcome> skip(const StraightPath& path, const MotionProfile& profile);
+  std::optional<SkipOutcome> skip_really(const StraightPath& path, const MotionProfile& profile);
   SkipOutcome stop_for(SkipTrigger trigger, const StraightPath& path, const MotionProfile& profile);
+  SkipOutcome stop_really(Timed<SkipTrigger> trigger, const StraightPath& path,
+                          const MotionProfile& profile);
+
+  // An ideal motion for the trace.
+  void show(const CommandedPath& path, const MotionPhases& phases, double duration_s);
+  // A motion of real axes: they, the clock and the trace follow it.
+  void follow(const ServoMotion& motion, double duration_s);
 
   TravelLimits limits_;
   AxisDynamics dynamics_;
   Stopping stopping_;
+  double stop_delay_s_;
   Surroundings* surroundings_;
   Clock clock_;
   AxisPositions q_M_;
+  AxisPositions resolution_;  // of the encoders; 0: no steps
+  RealAxes real_;
+  std::optional<MotionSampler> sampler_;
 };
 
 /// For coordinates within 1000 mm, five times the worst error seen over 20 000 skip moves along one

@@ -7,30 +7,40 @@
 
 namespace g31::machine {
 
-SkipStop stop_after_contact(const MotionProfile& profile, double contact_distance, double delay_s,
-                            Stopping stopping) {
-  G31_EXPECTS(delay_s >= 0.0 && std::isfinite(delay_s));
+SkipStop stop_after_contact(const MotionProfile& profile, double contact_distance,
+                            const SkipDelays& delays, Stopping stopping) {
+  G31_EXPECTS(delays.latch_s >= 0.0 && std::isfinite(delays.latch_s));
+  G31_EXPECTS(delays.stop_s >= 0.0 && std::isfinite(delays.stop_s));
   const double to_go = profile.length() - contact_distance;
-  const double latch_s = profile.time_at(contact_distance) + delay_s;
+  const double latch_s = profile.time_at(contact_distance) + delays.latch_s;
+  const auto gone_at = [&](double time_s) {
+    return std::clamp(profile.distance_at(time_s) - contact_distance, 0.0, to_go);
+  };
 
   SkipStop stop;
-  if (delay_s > 0.0) {
-    stop.latched_after = std::clamp(profile.distance_at(latch_s) - contact_distance, 0.0, to_go);
+  if (delays.latch_s > 0.0) {
+    stop.latched_after = gone_at(latch_s);
   }
   stop.stopped_after = stop.latched_after;
   stop.duration_s = latch_s;
   if (stopping == Stopping::Ideal) {
     return stop;
   }
-  if (profile.slows_down_at(latch_s)) {
+  const double brake_s = latch_s + delays.stop_s;
+  if (profile.slows_down_at(brake_s)) {
     // Already braking, with the same deceleration: the end is where the axes come to rest.
     stop.stopped_after = to_go;
     stop.duration_s = std::max(latch_s, profile.duration_s());
+  } else if (profile.has_limited_jerk()) {
+    const MotionPhases braking = profile.phases_braking_at(brake_s);
+    stop.stopped_after = std::clamp(braking.length() - contact_distance, stop.latched_after, to_go);
+    stop.duration_s = braking.duration_s();
   } else {
-    const double speed = profile.speed_at(latch_s);
+    const double speed = profile.speed_at(brake_s);
     const double braking = speed * speed / (2.0 * profile.acceleration());
-    stop.stopped_after = std::min(stop.latched_after + braking, to_go);
-    stop.duration_s = latch_s + speed / profile.acceleration();
+    const double begun = delays.stop_s > 0.0 ? gone_at(brake_s) : stop.latched_after;
+    stop.stopped_after = std::min(begun + braking, to_go);
+    stop.duration_s = brake_s + speed / profile.acceleration();
   }
   return stop;
 }

@@ -12,15 +12,20 @@ struct SkipStop {
   double duration_s = 0.0;     ///< from the start of the move until then
 };
 
-/// What follows a contact on the way: for the delay the axes go on along the commanded profile,
-/// then the control latches and they stop.
+/// How long a control takes.
+struct SkipDelays {
+  double latch_s = 0.0;  ///< >= 0, from the contact to the latch
+  double stop_s = 0.0;   ///< >= 0, from the latch until the axes begin to brake
+};
+
+/// What follows a contact on the way: for the delays the axes go on along the commanded profile;
+/// after the first the control latches, after the second they stop.
 ///
 /// The commanded motion goes no further than its end: a delay that outlasts the move latches
 /// there, and the clock still runs until the latch.
 /// @param contact_distance  path units from the start, 0..profile.length()
-/// @param delay_s           >= 0, from the contact to the latch
-SkipStop stop_after_contact(const MotionProfile& profile, double contact_distance, double delay_s,
-                            Stopping stopping);
+SkipStop stop_after_contact(const MotionProfile& profile, double contact_distance,
+                            const SkipDelays& delays, Stopping stopping);
 
 /// Worst error of latched_after and stopped_after, relative to the length of the path, over 20 000
 /// stops against long double, times five; tests/machine/skip_stop_test.cc holds it.

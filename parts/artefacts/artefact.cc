@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "machine/base/nearest_name.h"
-#include "parts/artefacts/ring_gauge.h"
+#include "parts/artefacts/makers.h"
 
 namespace g31::parts {
 namespace {
@@ -29,21 +29,6 @@ constexpr auto kSizes = std::to_array<ShapeSize>({
 #undef SHAPE
 #undef SHAPE_SIZE
 });
-
-using Sizes = std::map<std::string, double>;
-
-Result<Mesh, std::string> make_ring(const Sizes& sizes) {
-  constexpr double kDefaultWallsMm = 40.0;
-  RingGauge ring;
-  ring.bore_mm = sizes.at("bore");
-  const auto outer = sizes.find("outer_diameter");
-  ring.outer_diameter_mm = outer != sizes.end() ? outer->second : ring.bore_mm + kDefaultWallsMm;
-  ring.height_mm = sizes.at("height");
-  ring.sagitta_mm = sizes.at("sagitta");
-  return ring_gauge_mesh(ring);
-}
-
-using Maker = Result<Mesh, std::string> (*)(const Sizes&);
 
 constexpr auto kMakers = std::to_array<Maker>({
 #define SHAPE(name, make, text) (make),
@@ -106,6 +91,11 @@ Sizes with_defaults(const PartSetup& part) {
 }
 
 }  // namespace
+
+double size_or(const Sizes& sizes, const std::string& name, double otherwise) {
+  const auto given = sizes.find(name);
+  return given != sizes.end() ? given->second : otherwise;
+}
 
 std::span<const Shape> shapes() {
   return kShapes;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "machine/units/point.h"
+#include "machine/units/thermal_growth.h"
 
 namespace g31::parts {
 
@@ -16,6 +17,7 @@ struct PartSetup {
   std::map<std::string, double> sizes;  ///< mm; the names a shape takes stand in its row
   Point p_M_at = Point::Zero();         ///< machine coordinates of the part's origin
   Point rotate_deg = Point::Zero();     ///< about X, then Y, then Z (fixed axes)
+  ThermalGrowth growth;                 ///< from the part's origin on
 };
 
 }  // namespace g31::parts

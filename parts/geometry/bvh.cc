@@ -224,7 +224,7 @@ std::vector<Box> triangle_boxes(const Mesh& mesh) {
   return boxes;
 }
 
-Bvh::Bvh(std::span<const Box> boxes) {
+Bvh::Bvh(std::vector<Box> boxes) {
   G31_EXPECTS(boxes.size() < kLeaf);
   if (boxes.empty()) {
     return;
@@ -238,8 +238,9 @@ Bvh::Bvh(std::span<const Box> boxes) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     items[i] = {small_box(boxes[i], middle_), static_cast<std::uint32_t>(i)};
   }
-  nodes_.reserve(boxes.size() / 5 + 1);
-  order_.reserve(boxes.size());
+  std::vector<Box>().swap(boxes);
+  nodes_.reserve(items.size() / 5 + 1);
+  order_.reserve(items.size());
   Builder(nodes_, order_).build(part_of(items, 0));
   nodes_.shrink_to_fit();
 }

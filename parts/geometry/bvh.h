@@ -23,8 +23,8 @@ class Bvh {
  public:
   Bvh() = default;
 
-  /// @param boxes  none empty; fewer than 2^31
-  explicit Bvh(std::span<const Box> boxes);
+  /// @param boxes  none empty; fewer than 2^31; given up before the tree takes memory of its own
+  explicit Bvh(std::vector<Box> boxes);
 
   [[nodiscard]] std::span<const std::uint32_t> order() const { return order_; }
 

@@ -50,6 +50,9 @@ Mesh placed_mesh(const Mesh& mesh_P, const Placement& placement) {
   const bool turned = (placement.rotate_deg.array() != 0.0).any();
   const Eigen::Matrix3d R_MP = rotation_to_machine(placement);
   for (Point& vertex : mesh_M.vertices) {
+    if (placement.growth != 0.0) {
+      vertex += placement.growth * vertex;
+    }
     const Point turned_vertex = turned ? Point(R_MP * vertex) : vertex;
     vertex = turned_vertex + placement.p_M_at;
   }

@@ -11,14 +11,16 @@ namespace g31::parts {
 struct Placement {
   Point p_M_at = Point::Zero();      ///< mm, machine frame: the origin of the part frame P
   Point rotate_deg = Point::Zero();  ///< about the machine's X, then its Y, then its Z direction
+  double growth = 0.0;               ///< by how much each unit of length is longer: warmth
 };
 
 /// The rotation that takes directions in P to directions in M.  Multiples of 90 degrees are exact:
 /// their entries are 0 and +-1.
 Eigen::Matrix3d rotation_to_machine(const Placement& placement);
 
-/// The mesh in the machine frame.  Without rotation the shape is not touched by arithmetic: only
-/// p_M_at is added (one rounding a coordinate), and at the origin nothing changes at all.
+/// The mesh in the machine frame.  Without rotation and growth the shape is not touched by
+/// arithmetic: only p_M_at is added (one rounding a coordinate), and at the origin nothing changes
+/// at all.
 Mesh placed_mesh(const Mesh& mesh_P, const Placement& placement);
 
 }  // namespace g31::parts

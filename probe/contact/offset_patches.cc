@@ -30,7 +30,7 @@ class PatchMaker {
   PatchMaker(const parts::Mesh& mesh, std::span<const ContactTriangle> triangles, double radius)
       : mesh_(mesh), triangles_(triangles), radius_(radius), fans_(mesh) {}
 
-  std::vector<OffsetPatch> make() {
+  OffsetPatches make() {
     add_faces();
     for (std::uint32_t v = 0; v < mesh_.vertices.size(); ++v) {
       if (!fans_.fan(v).empty()) {
@@ -43,7 +43,11 @@ class PatchMaker {
  private:
   /// Triangle t has the patches 2 t (on the side of its normal) and 2 t + 1; a sliver's are equal.
   void add_faces() {
-    patches_.reserve(2 * triangles_.size() + triangles_.size() / 8);
+    // Room for the most there are: what is not used is never touched, and growing would for a
+    // moment take the memory twice.
+    constexpr std::size_t kUsualMost = 6;
+    patches_.boxes.reserve(kUsualMost * triangles_.size());
+    patches_.owners.reserve(kUsualMost * triangles_.size());
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       const ContactTriangle& triangle = triangles_[t];
       Box box;
@@ -53,13 +57,13 @@ class PatchMaker {
       if (triangle.is_sliver()) {
         const Point reach = Point::Constant(radius_);
         const Box whole{box.min - reach, box.max + reach};
-        patches_.push_back({whole, t, kAllFeatures});
-        patches_.push_back({whole, t, kAllFeatures});
+        append(whole, {t, kAllFeatures});
+        append(whole, {t, kAllFeatures});
         continue;
       }
       const Point up = radius_ * triangle.normal;
-      patches_.push_back({{box.min + up, box.max + up}, t, kFace});
-      patches_.push_back({{box.min - up, box.max - up}, t, kFace});
+      append({box.min + up, box.max + up}, {t, kFace});
+      append({box.min - up, box.max - up}, {t, kFace});
     }
   }
 
@@ -126,7 +130,7 @@ class PatchMaker {
       const Box unit = piece.box();
       Box box = moved(unit, radius_, edge.start);
       box.include(moved(unit, radius_, end));
-      add({box, owner->triangle, edge_feature(owner->edge)}, piece.middle());
+      add(box, {owner->triangle, edge_feature(owner->edge)}, piece.middle());
     }
   }
 
@@ -143,27 +147,32 @@ class PatchMaker {
     }
     for (const ExposedPiece& piece : exposed_around_vertex(away_)) {
       const Box box = moved(piece.box(), radius_, mesh_.vertices[v]);
-      add({box, owner->triangle, edge_feature(owner->index)}, piece.middle());
+      add(box, {owner->triangle, edge_feature(owner->index)}, piece.middle());
     }
   }
 
+  void append(const Box& box, const PatchOwner& owner) {
+    patches_.boxes.push_back(box);
+    patches_.owners.push_back(owner);
+  }
+
   /// Goes in with the face on that side of its triangle where the face does not grow much by it.
-  void add(const OffsetPatch& patch, const Point& towards) {
-    const ContactTriangle& triangle = triangles_[patch.triangle];
-    OffsetPatch& face =
-        patches_[2 * std::size_t{patch.triangle} + (triangle.normal.dot(towards) < 0.0 ? 1 : 0)];
-    Box both = face.box;
-    both.include(patch.box);
+  void add(const Box& box, const PatchOwner& owner, const Point& towards) {
+    const ContactTriangle& triangle = triangles_[owner.triangle];
+    const std::size_t face =
+        2 * std::size_t{owner.triangle} + (triangle.normal.dot(towards) < 0.0 ? 1 : 0);
+    Box both = patches_.boxes[face];
+    both.include(box);
     constexpr double kGrowth = 2.0;
     Box bare;
     for (const Point& vertex : triangle.vertices) {
       bare.include(vertex);
     }
     if (half_surface(both) <= kGrowth * half_surface(bare)) {
-      face.box = both;
-      face.features |= patch.features;
+      patches_.boxes[face] = both;
+      patches_.owners[face].features |= owner.features;
     } else {
-      patches_.push_back(patch);
+      append(box, owner);
     }
   }
 
@@ -171,7 +180,7 @@ class PatchMaker {
   std::span<const ContactTriangle> triangles_;
   double radius_;
   parts::CornerFans fans_;
-  std::vector<OffsetPatch> patches_;
+  OffsetPatches patches_;
   // Of the fan at work.
   std::vector<Spoke> spokes_;
   std::vector<Point> away_;
@@ -180,8 +189,8 @@ class PatchMaker {
 
 }  // namespace
 
-std::vector<OffsetPatch> offset_patches(const parts::Mesh& mesh,
-                                        std::span<const ContactTriangle> triangles, double radius) {
+OffsetPatches offset_patches(const parts::Mesh& mesh, std::span<const ContactTriangle> triangles,
+                             double radius) {
   return PatchMaker(mesh, triangles, radius).make();
 }
 

@@ -11,12 +11,17 @@
 
 namespace g31::probe {
 
-/// A piece of the surface on which the centre of a ball lies that touches the mesh and overlaps it
-/// nowhere.
-struct OffsetPatch {
-  parts::Box box;              ///< mm; the piece lies in it to within rounding
-  std::uint32_t triangle = 0;  ///< a ball that touches there touches this triangle
-  Features features = 0;       ///< with one of these of its features
+/// What a ball touches that has its centre in a patch.
+struct PatchOwner {
+  std::uint32_t triangle = 0;
+  Features features = 0;  ///< one of these of the triangle
+};
+
+/// Pieces of the surface on which the centre of a ball lies that touches the mesh and overlaps it
+/// nowhere.  Two lists, because the tree wants the boxes alone and a large mesh has millions.
+struct OffsetPatches {
+  std::vector<parts::Box> boxes;   ///< mm; each piece lies in its box to within rounding
+  std::vector<PatchOwner> owners;  ///< of the pieces, in the same order
 };
 
 /// Boxes around the whole offset surface of the mesh, on both sides: a ball that starts free and
@@ -29,8 +34,8 @@ struct OffsetPatch {
 ///
 /// @param triangles  of the mesh, in its order
 /// @param radius     mm, > 0
-/// About two patches a triangle for smooth meshes.
-std::vector<OffsetPatch> offset_patches(const parts::Mesh& mesh,
-                                        std::span<const ContactTriangle> triangles, double radius);
+/// From two patches a triangle (smooth meshes) to six.
+OffsetPatches offset_patches(const parts::Mesh& mesh, std::span<const ContactTriangle> triangles,
+                             double radius);
 
 }  // namespace g31::probe

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "machine/base/contract.h"
 #include "probe/contact/offset_patches.h"
@@ -24,15 +25,6 @@ parts::Path path_between(const Point& from, const Point& to) {
   return {from, travel / length, length};
 }
 
-std::vector<parts::Box> boxes_of(const std::vector<OffsetPatch>& patches) {
-  std::vector<parts::Box> boxes;
-  boxes.reserve(patches.size());
-  for (const OffsetPatch& patch : patches) {
-    boxes.push_back(patch.box);
-  }
-  return boxes;
-}
-
 parts::Mesh in_slot_order(const parts::Mesh& mesh, const ContactMesh& slots) {
   parts::Mesh ordered{mesh.vertices, {}};
   ordered.triangles.reserve(mesh.triangles.size());
@@ -48,12 +40,12 @@ MeshSweeper::MeshSweeper(const parts::Mesh& mesh_M, double ball_radius)
     : radius_(ball_radius), mesh_(mesh_M) {
   G31_EXPECTS(std::isfinite(ball_radius) && ball_radius > 0.0);
   G31_EXPECTS(mesh_M.triangles.size() < kMostTriangles);
-  const std::vector<OffsetPatch> patches =
+  OffsetPatches patches =
       offset_patches(in_slot_order(mesh_M, mesh_), mesh_.triangles(), radius_);
-  patch_tree_ = parts::Bvh(boxes_of(patches));
-  patches_.reserve(patches.size());
+  patch_tree_ = parts::Bvh(std::move(patches.boxes));
+  patches_.reserve(patches.owners.size());
   for (const std::uint32_t index : patch_tree_.order()) {
-    patches_.emplace_back(patches[index].features, patches[index].triangle);
+    patches_.emplace_back(patches.owners[index].features, patches.owners[index].triangle);
   }
 }
 

@@ -2,19 +2,79 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "machine/units/point.h"
 
 namespace g31::probe {
 
+enum class ProbeType {
+  ThreeD,  ///< gives a signal whatever side is touched
+  Mono,    ///< in one direction sideways, and from above
+};
+
+/// What holds the stylus, and so in which directions it gives way more easily.
+enum class Seats {
+  Even,    ///< the same force all around (strain gauges)
+  Tripod,  ///< three seats 120 degrees apart: three weak and three strong directions
+};
+
+/// What is the matter with a probe.
+enum class ProbeState {
+  Ready,
+  Dead,           ///< never gives a signal
+  LowBattery,     ///< works, and says so
+  DoubleTrigger,  ///< each touch gives two signals; the control latches the first
+};
+
+struct ProbeStateName {
+  ProbeState state;
+  std::string_view name;
+};
+
+/// What set-up sheets and documents call the states.
+inline constexpr std::array<ProbeStateName, 4> kProbeStateNames = {{
+    {ProbeState::Ready, "ready"},
+    {ProbeState::Dead, "dead"},
+    {ProbeState::LowBattery, "low_battery"},
+    {ProbeState::DoubleTrigger, "double_trigger"},
+}};
+
+/// How far the stylus gives way until the probe gives its signal.
+///
+/// Directions are those of the probe's motion, degrees from +X towards +Y at spindle angle 0; they
+/// turn with the spindle.
+struct SwitchSetup {
+  ProbeType type = ProbeType::ThreeD;
+  double mono_direction_deg = 0.0;  ///< of a mono probe: the direction that gives a signal
+  double pre_travel_mm = 0.0;       ///< >= 0, along the surface normal, in all directions
+  Seats seats = Seats::Even;
+  double weak_direction_deg = 0.0;  ///< of a tripod: one of its three weakest directions
+  double trigger_force_n = 0.0;     ///< >= 0, sideways at the ball, in the weakest direction
+  double axial_force_n = 5.0;       ///< > 0, along the stylus
+  double stem_stiffness_n_mm =
+      std::numeric_limits<double>::infinity();  ///< > 0, sideways, at the ball
+};
+
+/// A further ball of an L or star stylus.
+struct StylusBall {
+  Point p_S_from_main = Point::Zero();  ///< mm, from the main ball at spindle angle 0
+  double diameter_mm = 6.0;             ///< > 0
+};
+
 /// What the set-up sheet says about the touch probe.  Lengths in mm.
 struct ProbeSetup {
-  double ball_diameter_mm = 6.0;   ///< > 0
-  double length_mm = 120.0;        ///< spindle gauge line to ball centre, along -Z of the machine
+  double ball_diameter_mm = 6.0;  ///< > 0
+  double length_mm = 120.0;       ///< spindle gauge line to ball centre, along -Z of the machine
   std::array<double, 2> eccentricity_mm = {0.0, 0.0};  ///< ball centre off the spindle axis, X Y
-  double trigger_delay_s = 0.0;    ///< >= 0
-  double repeatability_mm = 0.0;   ///< standard deviation of the trigger point along the move
+  double trigger_delay_s = 0.0;                        ///< >= 0
+  double repeatability_mm = 0.0;  ///< standard deviation of the trigger point along the move
+  SwitchSetup at_switch;
+  std::vector<StylusBall> further_balls;
+  ProbeState state = ProbeState::Ready;
 };
 
 /// One `[[skip_signal]]` of the set-up sheet: the signal of one skip move, without a probe.

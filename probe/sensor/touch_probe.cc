@@ -5,7 +5,9 @@
 
 #include "machine/base/contract.h"
 #include "machine/base/random.h"
+#include "parts/geometry/placement.h"
 #include "probe/contact/sweep_curve.h"
+#include "probe/sensor/pre_travel.h"
 
 namespace g31::probe {
 namespace {
@@ -21,6 +23,11 @@ machine::Obstacle obstacle_at(double fraction, const SweepHit& hit, const std::s
   return {std::clamp(fraction, 0.0, 1.0), "stylus ball touches " + part, contact_of(hit, part)};
 }
 
+/// What the balls move by: the linear axes.
+Point way_of(const machine::Sweep& sweep) {
+  return linear_axes(sweep.q_M_to) - linear_axes(sweep.q_M_from);
+}
+
 }  // namespace
 
 TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& parts,
@@ -29,75 +36,173 @@ TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& p
   G31_EXPECTS(setup.ball_diameter_mm > 0.0);
   G31_EXPECTS(setup.trigger_delay_s >= 0.0);
   G31_EXPECTS(setup.repeatability_mm >= 0.0);
+  const Point p_S_main(setup.eccentricity_mm[0], setup.eccentricity_mm[1], -setup.length_mm);
+  add_ball(p_S_main, setup.ball_diameter_mm);
+  for (const StylusBall& ball : setup.further_balls) {
+    add_ball(p_S_main + ball.p_S_from_main, ball.diameter_mm);
+  }
   parts_.reserve(parts.size());
   for (const ProbedPart& part : parts) {
-    parts_.push_back({part.name, MeshSweeper(part.mesh_M, 0.5 * setup.ball_diameter_mm)});
+    Part& built = parts_.emplace_back(Part{part.name, {}});
+    built.sweepers.reserve(radii_.size());
+    for (const double radius : radii_) {
+      built.sweepers.emplace_back(part.mesh_M, radius);
+    }
   }
 }
 
 std::optional<machine::SkipTrigger> TouchProbe::first_trigger(const machine::Sweep& sweep) {
   const std::uint64_t event = triggers_asked_++;
-  const auto [hit, part] = first_hit(sweep, &MeshSweeper::sweep);
-  if (part == nullptr) {
+  const PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
+  auto signal = touch.part != nullptr ? signal_of(touch, sweep) : std::nullopt;
+  const double length = way_of(sweep).norm();
+  if (!signal || signal->distance > length) {
     return std::nullopt;
   }
-  machine::SkipTrigger trigger;
-  trigger.contact = contact_of(hit, part->name);
-  if (hit.status == SweepStatus::StartInContact) {
-    trigger.on_at_start = true;
-    return trigger;
+  if (!signal->trigger.on_at_start) {
+    signal->trigger.fraction =
+        std::clamp((signal->distance + trigger_shift(event)) / length, 0.0, 1.0);
   }
-  trigger.delay_s = setup_.trigger_delay_s;
-  const double length = (ball_centre(sweep.q_M_to) - ball_centre(sweep.q_M_from)).norm();
-  double shift = 0.0;
-  if (setup_.repeatability_mm > 0.0) {
-    shift = setup_.repeatability_mm * standard_normal({seed_, kRepeatabilityStream}, event);
+  return std::move(signal->trigger);
+}
+
+std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
+    std::span<const machine::Waypoint> way) {
+  const std::uint64_t event = triggers_asked_++;
+  double gone = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const machine::Sweep piece{way[i - 1].q_M, way[i].q_M};
+    const double length = way_of(piece).norm();
+    if (length == 0.0) {
+      continue;
+    }
+    const PartHit touch = first_hit(piece, &MeshSweeper::sweep);
+    if (touch.part == nullptr) {
+      gone += length;
+      continue;
+    }
+    auto signal = signal_of(touch, piece);
+    if (!signal || gone + signal->distance > machine::length_of(way)) {
+      return std::nullopt;
+    }
+    signal->trigger.on_at_start = signal->trigger.on_at_start && gone == 0.0;
+    if (!signal->trigger.on_at_start) {
+      signal->trigger.fraction =
+          machine::fraction_after(way, gone + signal->distance + trigger_shift(event));
+    }
+    return std::move(signal->trigger);
   }
-  trigger.fraction = std::clamp((hit.s + shift) / length, 0.0, 1.0);
-  return trigger;
+  return std::nullopt;
+}
+
+std::optional<TouchProbe::Signal> TouchProbe::signal_of(const PartHit& touch,
+                                                        const machine::Sweep& piece) const {
+  if (setup_.state == ProbeState::Dead) {
+    return std::nullopt;
+  }
+  const Point way = way_of(piece);
+  const double length = way.norm();
+  const bool in_contact = touch.hit.status == SweepStatus::StartInContact;
+  const Point p_M_centre =
+      in_contact ? centre_of(*touch.ball, piece.q_M_from) : touch.hit.p_M_centre;
+  const auto more = way_to_signal(touch, p_M_centre, length > 0.0 ? Point(way / length) : way);
+  if (!more) {
+    return std::nullopt;
+  }
+  Signal signal;
+  signal.trigger.contact = contact_of(touch.hit, touch.part->name);
+  signal.trigger.signals = setup_.state == ProbeState::DoubleTrigger ? 2 : 1;
+  signal.trigger.delay_s = setup_.trigger_delay_s;
+  signal.trigger.on_at_start = in_contact && *more < 0.0;
+  signal.distance = std::max(0.0, (in_contact ? 0.0 : touch.hit.s) + *more);
+  return signal;
+}
+
+double TouchProbe::trigger_shift(std::uint64_t event) const {
+  return setup_.repeatability_mm > 0.0
+             ? setup_.repeatability_mm * standard_normal({seed_, kRepeatabilityStream}, event)
+             : 0.0;
 }
 
 std::optional<machine::Obstacle> TouchProbe::first_collision(const machine::Sweep& sweep) {
-  const auto [hit, part] = first_hit(sweep, &MeshSweeper::first_contact_leaving);
-  if (part == nullptr) {
+  const PartHit touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
+  if (touch.part == nullptr) {
     return std::nullopt;
   }
-  const double length = (ball_centre(sweep.q_M_to) - ball_centre(sweep.q_M_from)).norm();
-  return obstacle_at(hit.s / length, hit, part->name);
+  return obstacle_at(touch.hit.s / way_of(sweep).norm(), touch.hit, touch.part->name);
 }
 
 std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
     const machine::CurvedSweep& sweep) {
-  const Curve curve{[&](double t) { return ball_centre(sweep.q_M_at(t)); }, sweep.bend};
   std::optional<machine::Obstacle> first;
-  for (const Part& part : parts_) {
-    const auto [t, hit] = first_contact_leaving_on_curve(part.sweeper, curve);
-    if (hit.status != SweepStatus::Miss && (!first || t < first->fraction)) {
-      first = obstacle_at(t, hit, part.name);
+  for (const Ball& ball : balls_) {
+    const Curve curve{[&](double t) { return centre_of(ball, sweep.q_M_at(t)); }, sweep.bend};
+    for (const Part& part : parts_) {
+      const auto [t, hit] = first_contact_leaving_on_curve(part.sweepers[ball.size], curve);
+      if (hit.status != SweepStatus::Miss && (!first || t < first->fraction)) {
+        first = obstacle_at(t, hit, part.name);
+      }
     }
   }
   return first;
 }
 
-Point TouchProbe::ball_centre(const AxisPositions& q_M) const {
-  return linear_axes(q_M) +
-         Point(setup_.eccentricity_mm[0], setup_.eccentricity_mm[1], -setup_.length_mm);
+void TouchProbe::turn_spindle_to(double angle_deg) {
+  R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, angle_deg}});
+}
+
+void TouchProbe::add_ball(const Point& p_S, double diameter_mm) {
+  const double radius = 0.5 * diameter_mm;
+  const auto known = std::ranges::find(radii_, radius);
+  balls_.push_back({p_S, radius, static_cast<std::size_t>(known - radii_.begin())});
+  if (known == radii_.end()) {
+    radii_.push_back(radius);
+  }
+}
+
+Point TouchProbe::centre_of(const Ball& ball, const AxisPositions& q_M) const {
+  return linear_axes(q_M) + R_MS_ * ball.p_S;
 }
 
 TouchProbe::PartHit TouchProbe::first_hit(const machine::Sweep& sweep, Question question) const {
-  const Point p_M_from = ball_centre(sweep.q_M_from);
-  const Point p_M_to = ball_centre(sweep.q_M_to);
   PartHit first;
-  for (const Part& part : parts_) {
-    const SweepHit hit = (part.sweeper.*question)(p_M_from, p_M_to);
-    if (hit.status == SweepStatus::StartInContact) {
-      return {hit, &part};
-    }
-    if (hit.status == SweepStatus::Contact && (first.part == nullptr || hit.s < first.hit.s)) {
-      first = {hit, &part};
+  for (const Ball& ball : balls_) {
+    const Point p_M_from = centre_of(ball, sweep.q_M_from);
+    const Point p_M_to = centre_of(ball, sweep.q_M_to);
+    for (const Part& part : parts_) {
+      const SweepHit hit = (part.sweepers[ball.size].*question)(p_M_from, p_M_to);
+      if (hit.status == SweepStatus::StartInContact) {
+        return {hit, &part, &ball};
+      }
+      if (hit.status == SweepStatus::Contact && (first.part == nullptr || hit.s < first.hit.s)) {
+        first = {hit, &part, &ball};
+      }
     }
   }
   return first;
+}
+
+std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, const Point& p_M_centre,
+                                                const Point& direction) const {
+  const Point n_S = R_MS_.transpose() * touch.hit.n_M;
+  const auto wanted = deflection_to_trigger(setup_.at_switch, n_S);
+  if (!wanted) {
+    return std::nullopt;
+  }
+  if (touch.hit.status == SweepStatus::Contact && *wanted == 0.0) {
+    return 0.0;
+  }
+  const double depth = touch.hit.status == SweepStatus::Contact
+                           ? 0.0
+                           : touch.ball->radius - (p_M_centre - touch.hit.p_M_point).norm();
+  if (depth > *wanted + kTouchBandMm) {
+    return *wanted - depth;
+  }
+  const double inwards = -touch.hit.n_M.dot(direction);
+  if (inwards <= 0.0) {
+    return std::nullopt;
+  }
+  return std::max(0.0, *wanted - depth) / inwards;
 }
 
 }  // namespace g31::probe

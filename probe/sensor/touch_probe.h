@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "machine/port/surroundings.h"
 #include "parts/geometry/mesh.h"
@@ -17,24 +21,31 @@ struct ProbedPart {
   parts::Mesh mesh_M;  ///< mm, machine frame
 };
 
-/// A touch probe in the spindle among parts: answers the machine with its stylus ball.
+/// A touch probe in the spindle among parts: answers the machine with its stylus balls.
 ///
-/// The ball centre stands at the linear axes + (eccentricity X, eccentricity Y, -length).  Only
-/// linear axes move it; of the stylus only the ball is solid.
+/// The main ball's centre stands at the linear axes + (eccentricity X, eccentricity Y, -length),
+/// further balls where they are from there; all of it turns about the spindle axis.  Only linear
+/// axes move them; of the stylus only the balls are solid.
 ///
-/// The signal opens where the ball truly touches, shifted along the move by a normal random number
-/// of standard deviation `repeatability_mm`, but never out of the move.  The n-th question for a
-/// trigger takes the n-th random number, whether it touches or not: the same seed and program give
-/// the same touches.
+/// The signal comes when the ball is pushed in by the deflection that pre_travel.h says, shifted
+/// along the move by a normal random number of standard deviation `repeatability_mm`, but never out
+/// of the move.  A move that ends before the deflection is reached gives no signal.  The n-th
+/// question for a trigger takes the n-th random number, whether it touches or not: the same seed
+/// and program give the same touches.
 ///
-/// Accuracy: the contact as MeshSweeper finds it, kContactErrorMm.
+/// Accuracy: the contact as MeshSweeper finds it, kContactErrorMm.  The deflection is taken on the
+/// tangent plane of the contact: exact on a plane and head-on, otherwise within d^2 / 2R for a
+/// deflection d on a surface of radius R.
 class TouchProbe final : public machine::Surroundings {
  public:
   /// @param seed  of every random model; with repeatability 0 it does not matter
   TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& parts, std::uint64_t seed);
 
-  /// The contact in the answer is the true one; `fraction` carries the random shift.
+  /// The contact in the answer is the true one; `fraction` carries deflection and random shift.
   std::optional<machine::SkipTrigger> first_trigger(const machine::Sweep& sweep) override;
+
+  std::optional<machine::SkipTrigger> first_trigger_along(
+      std::span<const machine::Waypoint> way) override;
 
   /// The ball touching a part.  Leaving a contact is free, pushing deeper into it is not.
   std::optional<machine::Obstacle> first_collision(const machine::Sweep& sweep) override;
@@ -43,24 +54,52 @@ class TouchProbe final : public machine::Surroundings {
   std::optional<machine::Obstacle> first_collision_on_curve(
       const machine::CurvedSweep& sweep) override;
 
+  /// Positive angles turn the probe from +X towards +Y.
+  void turn_spindle_to(double angle_deg) override;
+
  private:
+  struct Ball {
+    Point p_S = Point::Zero();  ///< from the gauge point, at spindle angle 0
+    double radius = 0.0;
+    std::size_t size = 0;  ///< which of the sweepers of each part
+  };
   struct Part {
     std::string name;
-    MeshSweeper sweeper;
+    std::vector<MeshSweeper> sweepers;  ///< one for each size of ball
   };
   struct PartHit {
     SweepHit hit;
     const Part* part = nullptr;  ///< none: no part was met
+    const Ball* ball = nullptr;
   };
   using Question = SweepHit (MeshSweeper::*)(const Point&, const Point&) const;
 
-  [[nodiscard]] Point ball_centre(const AxisPositions& q_M) const;
+  /// What the first touch on a straight piece of way leads to.
+  struct Signal {
+    machine::SkipTrigger trigger;  ///< all but its fraction
+    double distance = 0.0;         ///< mm from the start of the piece
+  };
+
+  void add_ball(const Point& p_S, double diameter_mm);
+  [[nodiscard]] Point centre_of(const Ball& ball, const AxisPositions& q_M) const;
   [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question) const;
+  /// nullopt: the touch brings no signal.
+  [[nodiscard]] std::optional<Signal> signal_of(const PartHit& touch,
+                                                const machine::Sweep& piece) const;
+  /// The random shift of a trigger along the move, mm.
+  [[nodiscard]] double trigger_shift(std::uint64_t event) const;
+  /// mm from the touch to the signal, negative where the ball is deeper in than that already;
+  /// nullopt: no signal from this touch.
+  [[nodiscard]] std::optional<double> way_to_signal(const PartHit& touch, const Point& p_M_centre,
+                                                    const Point& direction) const;
 
   ProbeSetup setup_;
+  std::vector<Ball> balls_;
+  std::vector<double> radii_;
   std::vector<Part> parts_;
   std::uint64_t seed_;
   std::uint64_t triggers_asked_ = 0;
+  Eigen::Matrix3d R_MS_ = Eigen::Matrix3d::Identity();
 };
 
 }  // namespace g31::probe

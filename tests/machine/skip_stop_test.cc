@@ -41,7 +41,7 @@ TEST(StopAfterContact, ClosedForms) {
   };
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
-    const SkipStop stop = stop_after_contact(profile, c.contact, c.delay_s, c.stopping);
+    const SkipStop stop = stop_after_contact(profile, c.contact, {c.delay_s, 0.0}, c.stopping);
     EXPECT_NEAR(stop.latched_after, c.latched_after, 1e-14);
     EXPECT_NEAR(stop.stopped_after, c.stopped_after, 1e-14);
     EXPECT_NEAR(stop.duration_s, c.duration_s, 1e-14);
@@ -102,7 +102,8 @@ TEST(StopAfterContact, AgreesWithStepwiseIntegration) {
     n.contact *= 0.99;
     n.delay_s *= 0.05;
     const MotionProfile profile(n.length, n.speed, n.acceleration);
-    const SkipStop stop = stop_after_contact(profile, n.contact, n.delay_s, Stopping::Braking);
+    const SkipStop stop =
+        stop_after_contact(profile, n.contact, {n.delay_s, 0.0}, Stopping::Braking);
     const Stop judge = stop_by_steps(n);
     const double tolerance = 2e-3 * n.length;
     EXPECT_NEAR(n.contact + stop.latched_after, static_cast<double>(judge.latched), tolerance);
@@ -139,7 +140,8 @@ TEST(StopAfterContact, WorstErrorAgainstLongDouble) {
   for (int i = 0; i < 20'000; ++i) {
     const Numbers n = random_numbers(random);
     const MotionProfile profile(n.length, n.speed, n.acceleration);
-    const SkipStop stop = stop_after_contact(profile, n.contact, n.delay_s, Stopping::Braking);
+    const SkipStop stop =
+        stop_after_contact(profile, n.contact, {n.delay_s, 0.0}, Stopping::Braking);
     const Stop judge = wide_stop(n);
     const long double latched_error = n.contact - judge.latched + stop.latched_after;
     const long double stopped_error = n.contact - judge.stopped + stop.stopped_after;

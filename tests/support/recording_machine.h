@@ -16,6 +16,7 @@ namespace g31::testing {
 ///   skip 20.000 0.000 -5.000 A30.000 F300
 ///   arc cw 10.000 0.000 0.000 centre X5.000 Y0.000 F300
 ///   dwell 0.5
+///   orient 90
 ///
 /// Touches come from a script, in order: latched and stopped are both the scripted position, the
 /// contact is empty.  After the script's end every skip move is a NoTouch.  Nothing takes time.
@@ -49,6 +50,10 @@ class RecordingMachine final : public machine::MachinePort {
     }
     q_M_ = touches_[next_++];
     return machine::SkipOutcome(machine::Touched{q_M_, q_M_, std::nullopt});
+  }
+
+  void orient_spindle(double angle_deg) override {
+    log_.push_back(fmt::format("orient {:.6g}", angle_deg));
   }
 
   void dwell(double seconds) override { log_.push_back(fmt::format("dwell {:.6g}", seconds)); }

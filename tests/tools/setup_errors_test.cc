@@ -74,7 +74,7 @@ const Case kNameTheKeyThatWasProbablyMeant[] = {
       | ^
 )"},
     {"an unknown key far from all", "[control]\nwombat = 1\n",
-     R"(sheet1.toml:2:1: error: unknown key wombat in [control], which takes profile, increment, offset_memory, block_skip, lookahead, variables_file [SET103]
+     R"(sheet1.toml:2:1: error: unknown key wombat in [control], which takes profile, increment, offset_memory, block_skip, lookahead, feed_override, dry_run, variables_file [SET103]
     2 | wombat = 1
       | ^
 )"},
@@ -252,6 +252,36 @@ const Case kSayWhatAValueIsAndWhatItShouldBe[] = {
      R"(sheet1.toml:2:17: error: probe.ball_diameter is 0, it should be greater than 0 [SET105]
     2 | ball_diameter = 0.0
       |                 ^
+)"},
+    {"a probe of a type that is none", "[probe]\ntype = \"2D\"\n",
+     R"(sheet1.toml:2:8: error: probe.type is "2D", it should be "3D" or "mono" [SET105]
+    2 | type = "2D"
+      |        ^
+)"},
+    {"seats that are none", "[probe]\nseats = \"leather\"\n",
+     R"(sheet1.toml:2:9: error: probe.seats is "leather", it should be "even" or "tripod" [SET105]
+    2 | seats = "leather"
+      |         ^
+)"},
+    {"a state that is none", "[probe]\nstate = \"tired\"\n",
+     R"(sheet1.toml:2:9: error: probe.state is "tired", it should be "ready", "dead", "low_battery" or "double_trigger" [SET105]
+    2 | state = "tired"
+      |         ^
+)"},
+    {"an input that is none", "[probe]\nlow_battery_input = 1016\n",
+     R"(sheet1.toml:2:21: error: probe.low_battery_input is 1016, it should be 1000 to 1015 [SET105]
+    2 | low_battery_input = 1016
+      |                     ^
+)"},
+    {"a stem without stiffness", "[probe]\nstem_stiffness = 0\n",
+     R"(sheet1.toml:2:18: error: probe.stem_stiffness is 0, it should be greater than 0 [SET105]
+    2 | stem_stiffness = 0
+      |                  ^
+)"},
+    {"a further ball of no size", "[probe]\n[[probe.ball]]\ndiameter = 0\n",
+     R"(sheet1.toml:3:12: error: probe.ball.diameter is 0, it should be greater than 0 [SET105]
+    3 | diameter = 0
+      |            ^
 )"},
     {"a length that is not finite", "[probe]\nlength = inf\n",
      R"(sheet1.toml:2:10: error: probe.length is inf, it should be a finite number [SET105]
@@ -480,7 +510,7 @@ TEST_F(SetupErrorText, CutLongLinesAroundTheCaret) {
                             std::string(300, ' ') + "}\n";
   EXPECT_EQ(errors_of(read({sheet})),
             "sheet1.toml:1:326: error: unknown key zebra in [control], which takes profile, "
-            "increment, offset_memory, block_skip, lookahead, variables_file [SET103]\n    1 | " +
+            "increment, offset_memory, block_skip, lookahead, feed_override, dry_run, variables_file [SET103]\n    1 | " +
                 std::string(57, 'p') + "\", zebra = 1" + std::string(51, ' ') + "\n      | " +
                 std::string(60, ' ') + "^\n");
 }

@@ -19,6 +19,8 @@ profile = "fanuc-16i"
 increment = "IS-C"
 offset_memory = "B"
 lookahead = 3
+feed_override = 80.0
+dry_run = 1500.0
 block_skip = [1, 9]
 variables_file = "v55.vars"
 [parameters]
@@ -72,6 +74,20 @@ length = 119.5
 eccentricity = [0.02, -0.03]
 trigger_delay_s = 0.001
 repeatability_mm = 0.0005
+type = "mono"
+direction_deg = 90.0
+pre_travel_mm = 0.01
+seats = "tripod"
+weak_direction_deg = 30.0
+trigger_force = 0.5
+axial_force = 5.5
+stem_stiffness = 40.0
+state = "low_battery"
+low_battery_input = 1005
+[[probe.ball]]
+at = [30.0, 0.0, 10.0]
+diameter = 4.0
+[[probe.ball]]
 [[part]]
 name = "mesh"
 file = "ring.stl"

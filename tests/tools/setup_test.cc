@@ -58,6 +58,8 @@ TEST_F(SetupReader, ControlKeysArrive) {
   EXPECT_EQ(control.offset_memory, runtime::OffsetMemory::B);
   EXPECT_EQ(control.block_skip, (std::set<int>{1, 9}));
   EXPECT_EQ(control.lookahead_blocks, 3);
+  EXPECT_EQ(control.feed_switches.override_percent, 80.0);
+  EXPECT_EQ(control.feed_switches.dry_run_mm_min, 1500.0);
   EXPECT_EQ(control.variables_file, path_of("v55.vars"));
   EXPECT_EQ(control.parameters,
             (std::map<std::string, double>{{"6001.0", 0.0},
@@ -70,6 +72,7 @@ TEST_F(SetupReader, ControlKeysArrive) {
   EXPECT_EQ(control.variables,
             (std::map<std::string, std::optional<double>>{{"#515", 6.0},
                                                           {"#516", std::nullopt},
+                                                          {"#1005", 1.0},
                                                           {"R1", -2.0},
                                                           {"_OVR[0]", 0.25},
                                                           {"$P_UIFR[1,X,TR]", 17.0}}));
@@ -116,6 +119,22 @@ TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
   EXPECT_EQ(read.probe->eccentricity_mm, (std::array<double, 2>{0.02, -0.03}));
   EXPECT_EQ(read.probe->trigger_delay_s, 0.001);
   EXPECT_EQ(read.probe->repeatability_mm, 0.0005);
+  const probe::SwitchSetup& at_switch = read.probe->at_switch;
+  EXPECT_EQ(at_switch.type, probe::ProbeType::Mono);
+  EXPECT_EQ(at_switch.mono_direction_deg, 90.0);
+  EXPECT_EQ(at_switch.pre_travel_mm, 0.01);
+  EXPECT_EQ(at_switch.seats, probe::Seats::Tripod);
+  EXPECT_EQ(at_switch.weak_direction_deg, 30.0);
+  EXPECT_EQ(at_switch.trigger_force_n, 0.5);
+  EXPECT_EQ(at_switch.axial_force_n, 5.5);
+  EXPECT_EQ(at_switch.stem_stiffness_n_mm, 40.0);
+  EXPECT_EQ(read.probe->state, probe::ProbeState::LowBattery);
+  EXPECT_EQ(read.control.variables.at("#1005"), 1.0) << "the input of a low battery";
+  ASSERT_EQ(read.probe->further_balls.size(), 2U);
+  EXPECT_EQ(read.probe->further_balls[0].p_S_from_main, Point(30, 0, 10));
+  EXPECT_EQ(read.probe->further_balls[0].diameter_mm, 4.0);
+  EXPECT_EQ(read.probe->further_balls[1].p_S_from_main, Point(0, 0, 0));
+  EXPECT_EQ(read.probe->further_balls[1].diameter_mm, 5.9) << "as thick as the main ball";
 
   ASSERT_EQ(read.parts.size(), 3U);
   EXPECT_EQ(read.parts[0].name, "mesh");

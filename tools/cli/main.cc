@@ -10,6 +10,8 @@
 #include "tools/cli/explain_options.h"
 #include "tools/cli/run_command.h"
 #include "tools/cli/run_options.h"
+#include "tools/cli/scene_command.h"
+#include "tools/cli/scene_options.h"
 
 namespace {
 
@@ -34,10 +36,16 @@ ExitCode dispatch(int argc, char** argv) {
   g31::cli::ExplainOptions explain;
   CLI::App* const explain_app = g31::cli::add_explain_command(app, explain);
   explain_app->footer(g31::cli::explain_examples() + exit_code_help());
+  g31::cli::SceneOptions scene;
+  CLI::App* const scene_app = g31::cli::add_scene_command(app, scene);
+  scene_app->footer(g31::cli::scene_examples() + exit_code_help());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ExitCode::Completed : ExitCode::BadUsage;
+  }
+  if (scene_app->parsed()) {
+    return scene_command(scene);
   }
   return explain_app->parsed() ? explain_command(explain) : run_command(run);
 }

@@ -1,10 +1,9 @@
 #include "tools/cli/run_command.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -12,37 +11,16 @@
 
 #include "interpreter/dialects/fanuc/session.h"
 #include "interpreter/source/diagnostic.h"
-#include "machine/base/contract.h"
-#include "tools/cli/chosen_profile.h"
 #include "tools/cli/disk.h"
+#include "tools/cli/run_preparation.h"
 #include "tools/cli/scene.h"
-#include "tools/cli/shipped.h"
 #include "tools/cli/variables_file.h"
 #include "tools/report/run_document.h"
 #include "tools/report/run_recorder.h"
-#include "tools/setup/assignment.h"
-#include "tools/setup/name_list.h"
-#include "tools/setup/toml_reader.h"
+#include "tools/report/trace_file.h"
 
 namespace g31::cli {
 namespace {
-
-/// Why a run cannot begin.
-struct Refusal {
-  ExitCode code = ExitCode::BadUsage;
-  std::string text;  ///< whole lines
-};
-
-Refusal refusal(ExitCode code, std::string_view message) {
-  return {code, fmt::format("g31: error: {}\n", message)};
-}
-
-/// Everything that the command line and the sheets say, read and checked before anything runs.
-struct Prepared {
-  setup::Job job;
-  const fanuc::Profile* profile = nullptr;
-  std::vector<std::string> prints;
-};
 
 /// Prints on the terminal while the program runs, unless the document goes there.  Without a
 /// document nothing is kept: an endless loop may print and stop for hours.
@@ -72,121 +50,6 @@ class EchoingRecorder final : public report::RunRecorder {
   bool keeps_;
 };
 
-Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
-                                                      const setup::Job& job) {
-  const std::string name = !options.control.empty()       ? options.control
-                           : !job.control.profile.empty() ? job.control.profile
-                                                          : std::string(kDefaultControl);
-  const auto profile = profile_named(name);
-  if (!profile) {
-    return refusal(ExitCode::Setup, profile.error());
-  }
-  return profile.value();
-}
-
-/// `--set` after the variables file, the sheets' [variables] between them.
-std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job) {
-  auto& variables = job.control.variables;
-  Disk disk;
-  if (!job.control.variables_file.empty()) {
-    if (const auto text = disk.read(job.control.variables_file)) {
-      auto kept = parse_variables_text(*text);
-      if (!kept) {
-        return refusal(ExitCode::BadUsage,
-                       fmt::format("{}: {}", job.control.variables_file, kept.error()));
-      }
-      auto merged = kept.value();
-      for (const auto& [name, value] : variables) {
-        merged[name] = value;
-      }
-      variables = std::move(merged);
-    }
-  }
-  for (const std::string& text : options.assignments) {
-    auto assignment = setup::parse_assignment(text);
-    if (!assignment) {
-      return refusal(ExitCode::BadUsage, fmt::format("--set {}: {}", text, assignment.error()));
-    }
-    variables[assignment.value().name] = assignment.value().value;
-  }
-  return std::nullopt;
-}
-
-Result<Prepared, Refusal> prepare(const RunOptions& options) {
-  Prepared prepared;
-  auto job = setup::read_job(options.setups);
-  if (!job) {
-    Refusal wrong;
-    for (const setup::SetupError& error : job.error()) {
-      wrong.text += setup::render(error);
-      if (error.code == setup::code_of(setup::SetupErrorId::FileNotFound)) {
-        wrong.code = ExitCode::Setup;
-      }
-    }
-    return wrong;
-  }
-  prepared.job = job.value();
-  const auto profile = chosen_profile(options, prepared.job);
-  if (!profile) {
-    return profile.error();
-  }
-  prepared.profile = profile.value();
-  if (auto wrong = take_variables(options, prepared.job)) {
-    return *wrong;
-  }
-  for (const std::string& list : options.prints) {
-    auto names = setup::parse_name_list(list);
-    if (!names) {
-      return refusal(ExitCode::BadUsage, fmt::format("--print {}: {}", list, names.error()));
-    }
-    prepared.prints.insert(prepared.prints.end(), names.value().begin(), names.value().end());
-  }
-  return prepared;
-}
-
-std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOptions& options) {
-  for (const std::string& program : options.programs) {
-    if (library.add_file(program) == fanuc::ProgramLibrary::Added::Unreadable) {
-      return refusal(ExitCode::BadUsage, fmt::format("cannot read the program {}", program));
-    }
-  }
-  library.add_folder(std::filesystem::path(options.programs.front()).parent_path().string());
-  for (const std::string& folder : options.libraries) {
-    std::error_code unreadable;
-    if (!std::filesystem::is_directory(folder, unreadable)) {
-      return refusal(ExitCode::BadUsage, fmt::format("--lib {}: no such folder", folder));
-    }
-    library.add_folder(folder);
-  }
-  if (const auto shipped = shipped_folder("macros/fanuc")) {
-    library.add_folder(*shipped);
-  }
-  return std::nullopt;
-}
-
-ExitCode exit_code_of(const runtime::Outcome& outcome) {
-  switch (outcome.status) {
-    case runtime::Status::Completed: {
-      const bool findings =
-          std::ranges::any_of(outcome.diagnostics, [](const source::Diagnostic& diagnostic) {
-            return diagnostic.severity != source::Severity::Note;
-          });
-      return findings ? ExitCode::Findings : ExitCode::Completed;
-    }
-    case runtime::Status::Alarm:
-      return ExitCode::Alarm;
-    case runtime::Status::Collision:
-      return ExitCode::Collision;
-    case runtime::Status::Setup:
-      return ExitCode::Setup;
-    case runtime::Status::Budget:
-      return ExitCode::Budget;
-    case runtime::Status::SyntaxError:
-      return ExitCode::BadUsage;
-  }
-  contract_violated("every status has an exit code", __FILE__, __LINE__);
-}
-
 /// Variables asked for by --print, with a refusal for names the control does not have.
 Result<std::vector<std::pair<std::string, runtime::Cell>>, Refusal> read_prints(
     fanuc::Session& session, const std::vector<std::string>& names) {
@@ -201,9 +64,14 @@ Result<std::vector<std::pair<std::string, runtime::Cell>>, Refusal> read_prints(
   return values;
 }
 
-ExitCode refuse(const Refusal& wrong) {
-  std::fputs(wrong.text.c_str(), stderr);
-  return wrong.code;
+/// What is the matter with the probe; "" for nothing.
+std::string probe_state_of(const setup::Job& job) {
+  for (const auto& [state, name] : probe::kProbeStateNames) {
+    if (job.probe && job.probe->state == state && state != probe::ProbeState::Ready) {
+      return std::string(name);
+    }
+  }
+  return {};
 }
 
 /// Where the result goes: the document, or the variables asked for as lines.
@@ -230,6 +98,21 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
   return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
+using Trace = std::shared_ptr<report::TraceFile>;
+
+/// The file of --trace; null when none is asked for.
+Result<Trace, Refusal> open_trace(const std::string& path, const machine::MachineSetup& machine) {
+  if (path.empty()) {
+    return Trace();
+  }
+  report::TraceFile::AxesPresent axes;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    axes[i] = machine.axes[i].present;
+  }
+  const auto trace = report::TraceFile::create(path, axes);
+  return trace ? Result<Trace, Refusal>(trace.value()) : refusal(ExitCode::BadUsage, trace.error());
+}
+
 }  // namespace
 
 ExitCode run_command(const RunOptions& options) {
@@ -243,18 +126,30 @@ ExitCode run_command(const RunOptions& options) {
   if (const auto wrong = fill_library(library, options)) {
     return refuse(*wrong);
   }
+  const auto trace = open_trace(options.trace, job.machine);
+  if (!trace) {
+    return refuse(trace.error());
+  }
   const auto scene = build_scene(job, options.seed);
   if (!scene) {
     return refuse({ExitCode::Setup, setup::render(scene.error())});
   }
   EchoingRecorder recorder(options);
   machine::MachiningCentre& machine = *scene.value().machine;
+  if (trace.value() != nullptr) {
+    machine.trace(prepared.value().trace_period_s, *trace.value());
+  }
   fanuc::Session session(*prepared.value().profile, library, machine, recorder);
   if (const auto refused = session.configure(job.control); !refused.empty()) {
     return refuse(refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; "))));
   }
   report::RunResult result;
   result.outcome = session.run(options.budget);
+  if (trace.value() != nullptr) {
+    if (const auto problem = trace.value()->finish()) {
+      return refuse(refusal(ExitCode::BadUsage, *problem));
+    }
+  }
   for (const source::Diagnostic& diagnostic : result.outcome.diagnostics) {
     std::fputs(render_text(diagnostic).c_str(), stderr);
   }
@@ -270,6 +165,7 @@ ExitCode run_command(const RunOptions& options) {
   result.seed = options.seed;
   result.variables = values.value();
   result.machine_time_s = machine.time_s();
+  result.probe_state = probe_state_of(job);
   if (const auto wrong = deliver(options, result, recorder)) {
     return refuse(*wrong);
   }

@@ -18,6 +18,8 @@ struct RunOptions {
   std::vector<std::string> assignments;
   std::vector<std::string> prints;
   std::string json;  ///< file, "-" for standard output, "" for none
+  std::string trace;               ///< file of sampled positions, "" for none
+  std::string trace_period = "1ms";  ///< as parse_duration takes it
   bool moves = false;
   bool touches = false;
   std::uint64_t seed = 0;

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 namespace g31::cli {
-
 namespace {
 
 /// CLI11 takes -1 for the largest number there is.
@@ -27,24 +26,40 @@ std::string why_no_time(const std::string& text) {
 
 }  // namespace
 
-CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
-  CLI::App* const run = app.add_subcommand("run", "Run an NC program on the simulated machine.");
-  run->add_option("PROGRAM", options.programs,
+void add_program_options(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("PROGRAM", options.programs,
                   "the program to run; further files are where subprograms are looked up first")
       ->required();
-  run->add_option("-s,--setup", options.setups,
+  command
+      .add_option("-s,--setup", options.setups,
                   "set-up sheet (TOML); repeatable, later ones win key by key")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  run->add_option("--control", options.control, "control profile, for example fanuc-16i")
+  command.add_option("--control", options.control, "control profile, for example fanuc-16i")
       ->type_name("NAME");
-  run->add_option("--lib", options.libraries, "folder of subprograms; repeatable")
+  command.add_option("--lib", options.libraries, "folder of subprograms; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);
-  run->add_option("--set", options.assignments,
+  command
+      .add_option("--set", options.assignments,
                   "variable before the start, #500=1.5; an empty value is null; repeatable")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
+  command.add_option("--seed", options.seed, "seed of every random model (default 0)")
+      ->type_name("N")
+      ->check(why_no_count);
+  command.add_option("--max-blocks", options.budget.blocks, "executed blocks (default 50000000)")
+      ->type_name("N")
+      ->check(why_no_count);
+  command.add_option("--max-time", options.budget.wall_seconds, "wall seconds (default 600)")
+      ->type_name("S")
+      ->check(why_no_time);
+}
+
+CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
+  CLI::App* const run = app.add_subcommand("run", "Run an NC program on the simulated machine.");
+  add_program_options(*run, options);
   run->add_option("--print", options.prints, "variables to report at the end, #100-#149,#5061")
       ->type_name("NAMES")
       ->allow_extra_args(false);
@@ -52,15 +67,11 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->type_name("FILE");
   run->add_flag("--moves", options.moves, "every move in the document");
   run->add_flag("--touches", options.touches, "every touch in the document");
-  run->add_option("--seed", options.seed, "seed of every random model (default 0)")
-      ->type_name("N")
-      ->check(why_no_count);
-  run->add_option("--max-blocks", options.budget.blocks, "executed blocks (default 50000000)")
-      ->type_name("N")
-      ->check(why_no_count);
-  run->add_option("--max-time", options.budget.wall_seconds, "wall seconds (default 600)")
-      ->type_name("S")
-      ->check(why_no_time);
+  run->add_option("--trace", options.trace, "axis positions over time, as a table (CSV)")
+      ->type_name("FILE");
+  run->add_option("--trace-period", options.trace_period,
+                  "time between two rows: 182.32us, 4ms, 0.001s or plain seconds (default 1ms)")
+      ->type_name("TIME");
   return run;
 }
 

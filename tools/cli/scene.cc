@@ -31,7 +31,8 @@ Result<std::vector<probe::ProbedPart>, setup::SetupError> build_parts(const setu
     if (!mesh_P) {
       return unusable(job.part_places[i], mesh_P.error());
     }
-    built.push_back({part.name, parts::placed_mesh(mesh_P.value(), {part.p_M_at, part.rotate_deg})});
+    const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
+    built.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
   }
   return built;
 }
@@ -43,17 +44,18 @@ Result<Scene, setup::SetupError> build_scene(const setup::Job& job, std::uint64_
   if (job.skip_signals) {
     scene.surroundings = std::make_unique<probe::ScriptedSignals>(*job.skip_signals);
   } else {
-    const auto parts = build_parts(job);
-    if (!parts) {
-      return parts.error();
+    {
+      const auto parts = build_parts(job);
+      if (!parts) {
+        return parts.error();
+      }
+      scene.parts = parts.value();
     }
     if (job.probe) {
-      scene.surroundings =
-          std::make_unique<probe::TouchProbe>(*job.probe, parts.value(), seed);
+      scene.surroundings = std::make_unique<probe::TouchProbe>(*job.probe, scene.parts, seed);
     }
   }
-  scene.machine =
-      std::make_unique<machine::MachiningCentre>(job.machine, scene.surroundings.get());
+  scene.machine = std::make_unique<machine::MachiningCentre>(job.machine, scene.surroundings.get());
   return scene;
 }
 

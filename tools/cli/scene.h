@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "machine/base/result.h"
 #include "machine/port/surroundings.h"
 #include "machine/sim/machining_centre.h"
+#include "probe/sensor/touch_probe.h"
 #include "tools/setup/job.h"
 #include "tools/setup/setup_error.h"
 
@@ -14,6 +16,7 @@ namespace g31::cli {
 
 /// The simulated machine with what stands around its tool.
 struct Scene {
+  std::vector<probe::ProbedPart> parts;                 ///< none with signals from a script
   std::unique_ptr<machine::Surroundings> surroundings;  ///< null: nothing can be touched
   std::unique_ptr<machine::MachiningCentre> machine;
 };

@@ -87,6 +87,9 @@ Json touch_json(const Recorded<runtime::TouchEvent>& recorded) {
   object["normal"] = touch.contact ? array_of(touch.contact->n_M) : Json();
   object["part"] = touch.contact ? Json(touch.contact->part) : Json();
   object["feed"] = touch.feed_mm_min / mm;
+  if (touch.signals != 1) {
+    object["signals"] = touch.signals;
+  }
   add_unit(object, recorded.unit);
   return object;
 }
@@ -177,6 +180,9 @@ std::string run_document(const RunResult& result, const RunRecorder& recorder) {
   }
   if (recorder.what().touches == RecordWhat::Keep::Yes) {
     document["touches"] = list_of(recorder.touches(), touch_json);
+  }
+  if (!result.probe_state.empty()) {
+    document["probe"] = {{"state", result.probe_state}};
   }
   document["diagnostics"] = list_of(result.outcome.diagnostics, diagnostic_json);
   document["blocks"] = result.outcome.blocks;

@@ -19,6 +19,7 @@ struct RunResult {
   runtime::Outcome outcome;
   std::vector<std::pair<std::string, runtime::Cell>> variables;  ///< in the order asked for
   double machine_time_s = 0.0;
+  std::string probe_state;  ///< what is the matter with the probe, "" for nothing
 };
 
 /// The JSON text of schema `g31.run/1` (docs: the command-line contract), ending in a line break.

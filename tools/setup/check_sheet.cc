@@ -239,7 +239,7 @@ void SheetCheck::check_list(const SectionRow& row, const Member& member) {
     if (row.id == SectionId::Part) {
       scope.sizes = sizes_of_shape(*members);
       check_part(*members, at(element));
-    } else {
+    } else if (row.id == SectionId::SkipSignal) {
       check_skip_signal(*members, at(element));
     }
     SheetTable& table = list.emplace_back();

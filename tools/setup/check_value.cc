@@ -11,6 +11,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
+#include "probe/sensor/probe_setup.h"
 
 namespace g31::setup {
 namespace {
@@ -39,6 +40,8 @@ std::string_view words_for(ValueType type) {
       return "an array of two numbers";
     case ValueType::ThreeNumbers:
       return "an array of three numbers";
+    case ValueType::NumberOrTable:
+      return "a number or an array of [place, error]";
   }
   contract_violated("every ValueType has words", __FILE__, __LINE__);
 }
@@ -69,8 +72,22 @@ std::string_view words_for(Limit limit) {
       return "\"A\", \"B\" or \"C\"";
     case Limit::StoppingKind:
       return "\"braking\" or \"ideal\"";
+    case Limit::ProbeType:
+      return "\"3D\" or \"mono\"";
+    case Limit::SeatKind:
+      return "\"even\" or \"tripod\"";
+    case Limit::ProbeState:
+      return "\"ready\", \"dead\", \"low_battery\" or \"double_trigger\"";
+    case Limit::InputNumber:
+      return "1000 to 1015";
     case Limit::AxisLetter:
       return "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\"";
+    case Limit::AxisLetters:
+      return "letters of X, Y, Z, A, B and C, none twice";
+    case Limit::NotAllZero:
+      return "three numbers, not all 0";
+    case Limit::RisingPlaces:
+      return "pairs with rising places";
   }
   contract_violated("every Limit has words", __FILE__, __LINE__);
 }
@@ -89,16 +106,43 @@ bool number_within(Limit limit, double number) {
       return number >= 1.0 && number <= 99999999.0;
     case Limit::BlockCount:
       return number >= 0.0 && number <= 9999.0;
+    case Limit::InputNumber:
+      return number >= 1000.0 && number <= 1015.0;
     case Limit::Any:
     case Limit::Rising:
     case Limit::NotEmpty:
     case Limit::IncrementSystem:
     case Limit::OffsetMemory:
     case Limit::StoppingKind:
+    case Limit::ProbeType:
+    case Limit::SeatKind:
+    case Limit::ProbeState:
     case Limit::AxisLetter:
+    case Limit::AxisLetters:
+    case Limit::NotAllZero:
+    case Limit::RisingPlaces:
       return true;
   }
   contract_violated("every Limit judges numbers", __FILE__, __LINE__);
+}
+
+bool are_axis_letters(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (axis_index(text[i]) < 0 || text.find(text[i], i + 1) != std::string::npos) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Of a list of pairs; a single number has no place.
+bool places_rise(const std::vector<double>& list) {
+  for (std::size_t i = 2; i < list.size(); i += 2) {
+    if (!(list[i - 2] < list[i])) {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool text_within(Limit limit, const std::string& text) {
@@ -111,8 +155,17 @@ bool text_within(Limit limit, const std::string& text) {
       return text == "A" || text == "B" || text == "C";
     case Limit::StoppingKind:
       return text == "braking" || text == "ideal";
+    case Limit::ProbeType:
+      return text == "3D" || text == "mono";
+    case Limit::SeatKind:
+      return text == "even" || text == "tripod";
+    case Limit::ProbeState:
+      return std::ranges::any_of(probe::kProbeStateNames,
+                                 [&](const auto& row) { return row.name == text; });
     case Limit::AxisLetter:
       return text.size() == 1 && axis_index(text.front()) >= 0;
+    case Limit::AxisLetters:
+      return are_axis_letters(text);
     case Limit::Any:
     case Limit::Positive:
     case Limit::NotNegative:
@@ -120,7 +173,10 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::SwitchNumber:
     case Limit::ProgramNumber:
     case Limit::BlockCount:
+    case Limit::InputNumber:
     case Limit::Rising:
+    case Limit::NotAllZero:
+    case Limit::RisingPlaces:
       return true;
   }
   contract_violated("every Limit judges texts", __FILE__, __LINE__);
@@ -136,6 +192,12 @@ bool within(Limit limit, const SheetValue& value) {
   if (const auto* list = std::get_if<std::vector<double>>(&value)) {
     if (limit == Limit::Rising) {
       return list->at(0) < list->at(1);
+    }
+    if (limit == Limit::RisingPlaces) {
+      return places_rise(*list);
+    }
+    if (limit == Limit::NotAllZero) {
+      return std::ranges::any_of(*list, [](double n) { return n != 0.0; });
     }
     return std::ranges::all_of(*list, [&](double n) { return number_within(limit, n); });
   }
@@ -204,6 +266,30 @@ Checked list_from(const Node& node, ValueType type, std::optional<std::size_t> c
   return SheetValue(list);
 }
 
+/// One number, or an array of arrays of two; laid out one after the other.
+Checked number_or_table(const Node& node, ValueType type) {
+  const auto* array = std::get_if<Array>(&node.value);
+  if (array == nullptr) {
+    const auto number = number_from(node, type);
+    return number ? Checked(SheetValue(std::vector<double>{number.value()}))
+                  : Checked(number.error());
+  }
+  std::vector<double> list;
+  for (const Node& row : *array) {
+    const auto pair = list_from(row, type, 2);
+    if (!pair) {
+      ValueProblem problem = pair.error();
+      if (problem.id == SetupErrorId::WrongType) {
+        problem.is = fmt::format("an array that holds {}", problem.is);
+      }
+      return problem;
+    }
+    const auto& numbers = std::get<std::vector<double>>(pair.value());
+    list.insert(list.end(), numbers.begin(), numbers.end());
+  }
+  return SheetValue(list);
+}
+
 Checked number_value(const Node& node, ValueType type) {
   const auto number = number_from(node, type);
   return number ? Checked(SheetValue(number.value())) : Checked(number.error());
@@ -229,6 +315,8 @@ Checked typed_value(const Node& node, ValueType type) {
       return list_from(node, type, 2);
     case ValueType::ThreeNumbers:
       return list_from(node, type, 3);
+    case ValueType::NumberOrTable:
+      return number_or_table(node, type);
   }
   contract_violated("every ValueType is read", __FILE__, __LINE__);
 }

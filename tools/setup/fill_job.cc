@@ -1,5 +1,6 @@
 #include "tools/setup/fill_job.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <set>
@@ -8,54 +9,11 @@
 
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
+#include "tools/setup/fill_machine.h"
+#include "tools/setup/table_keys.h"
 
 namespace g31::setup {
 namespace {
-
-/// The keys of one table, each with the value to take when it is not given.
-class Keys {
- public:
-  explicit Keys(const SheetTable& table) : table_(table) {}
-
-  [[nodiscard]] const Entry* find(KeyId id) const {
-    const KeyRow& row = key_rows()[static_cast<std::size_t>(id)];
-    const auto entry = table_.entries.find(std::string(row.name));
-    return entry != table_.entries.end() ? &entry->second : nullptr;
-  }
-
-  /// `Value` is the alternative of SheetValue that the key's type becomes.
-  template <typename Value>
-  [[nodiscard]] Value get(KeyId id, const Value& otherwise) const {
-    const Entry* entry = find(id);
-    return entry != nullptr ? std::get<Value>(entry->value) : otherwise;
-  }
-
- private:
-  const SheetTable& table_;
-};
-
-double number_of(const Entry& entry) {
-  return std::get<double>(entry.value);
-}
-
-std::size_t index_of_axis(const std::string& letter) {
-  const int index = axis_index(letter.front());
-  G31_EXPECTS(index >= 0);
-  return static_cast<std::size_t>(index);
-}
-
-AxisPositions positions_from(const SheetTable& table) {
-  AxisPositions q = AxisPositions::Zero();
-  for (const auto& [letter, entry] : table.entries) {
-    q[static_cast<Eigen::Index>(index_of_axis(letter))] = number_of(entry);
-  }
-  return q;
-}
-
-Point point_from(const Keys& keys, KeyId id) {
-  const std::vector<double> list = keys.get(id, std::vector<double>{0.0, 0.0, 0.0});
-  return {list.at(0), list.at(1), list.at(2)};
-}
 
 /// @pre "A", "B" or "C"
 runtime::OffsetMemory offset_memory_from(const std::string& name) {
@@ -65,7 +23,7 @@ runtime::OffsetMemory offset_memory_from(const std::string& name) {
   return name == "B" ? runtime::OffsetMemory::B : runtime::OffsetMemory::C;
 }
 
-void fill_control(runtime::ControlSetup& control, const Keys& keys) {
+void fill_control(runtime::ControlSetup& control, const TableKeys& keys) {
   control.profile = keys.get(KeyId::ControlProfile, control.profile);
   control.increment = keys.get(KeyId::ControlIncrement, control.increment);
   if (const Entry* const memory = keys.find(KeyId::ControlOffsetMemory)) {
@@ -73,6 +31,10 @@ void fill_control(runtime::ControlSetup& control, const Keys& keys) {
   }
   control.lookahead_blocks = static_cast<int>(
       keys.get(KeyId::ControlLookahead, static_cast<double>(control.lookahead_blocks)));
+  control.feed_switches.override_percent =
+      keys.get(KeyId::ControlFeedOverride, control.feed_switches.override_percent);
+  control.feed_switches.dry_run_mm_min =
+      keys.get(KeyId::ControlDryRun, control.feed_switches.dry_run_mm_min);
   control.variables_file = keys.get(KeyId::ControlVariablesFile, control.variables_file);
   for (const double number : keys.get(KeyId::ControlBlockSkip, std::vector<double>{})) {
     control.block_skip.insert(static_cast<int>(number));
@@ -86,7 +48,7 @@ void fill_variables(runtime::ControlSetup& control, const SheetTable& table) {
   }
 }
 
-runtime::ToolEntry tool_from(const Keys& keys) {
+runtime::ToolEntry tool_from(const TableKeys& keys) {
   runtime::ToolEntry tool;
   tool.length_mm = keys.get(KeyId::ToolLength, tool.length_mm);
   tool.radius_mm = keys.get(KeyId::ToolRadius, tool.radius_mm);
@@ -95,18 +57,7 @@ runtime::ToolEntry tool_from(const Keys& keys) {
   return tool;
 }
 
-void fill_axis(machine::AxisSetup& axis, const Keys& keys) {
-  axis.present = true;
-  const std::vector<double> travel =
-      keys.get(KeyId::AxisTravel, std::vector<double>{axis.travel_min, axis.travel_max});
-  axis.travel_min = travel.at(0);
-  axis.travel_max = travel.at(1);
-  axis.rapid_per_min = keys.get(KeyId::AxisRapid, axis.rapid_per_min);
-  axis.acceleration_per_s2 = keys.get(KeyId::AxisAcceleration, axis.acceleration_per_s2);
-  axis.home = keys.get(KeyId::AxisHome, axis.home);
-}
-
-probe::ProbeSetup probe_from(const Keys& keys) {
+probe::ProbeSetup probe_from(const TableKeys& keys) {
   probe::ProbeSetup probe;
   probe.ball_diameter_mm = keys.get(KeyId::ProbeBallDiameter, probe.ball_diameter_mm);
   probe.length_mm = keys.get(KeyId::ProbeLength, probe.length_mm);
@@ -118,8 +69,50 @@ probe::ProbeSetup probe_from(const Keys& keys) {
   return probe;
 }
 
+probe::SwitchSetup switch_from(const TableKeys& keys) {
+  probe::SwitchSetup at_switch;
+  at_switch.type = keys.get(KeyId::ProbeType, std::string("3D")) == "mono"
+                       ? probe::ProbeType::Mono
+                       : probe::ProbeType::ThreeD;
+  at_switch.mono_direction_deg = keys.get(KeyId::ProbeDirection, at_switch.mono_direction_deg);
+  at_switch.pre_travel_mm = keys.get(KeyId::ProbePreTravel, at_switch.pre_travel_mm);
+  at_switch.seats = keys.get(KeyId::ProbeSeats, std::string("even")) == "tripod"
+                        ? probe::Seats::Tripod
+                        : probe::Seats::Even;
+  at_switch.weak_direction_deg = keys.get(KeyId::ProbeWeakDirection, at_switch.weak_direction_deg);
+  at_switch.trigger_force_n = keys.get(KeyId::ProbeForce, at_switch.trigger_force_n);
+  at_switch.axial_force_n = keys.get(KeyId::ProbeAxialForce, at_switch.axial_force_n);
+  at_switch.stem_stiffness_n_mm = keys.get(KeyId::ProbeStiffness, at_switch.stem_stiffness_n_mm);
+  return at_switch;
+}
+
+probe::ProbeState probe_state_from(const TableKeys& keys) {
+  const std::string given = keys.get(KeyId::ProbeStateKind, std::string("ready"));
+  const auto* const row = std::ranges::find(probe::kProbeStateNames, std::string_view(given),
+                                            &probe::ProbeStateName::name);
+  G31_EXPECTS(row != probe::kProbeStateNames.end());
+  return row->state;
+}
+
+/// The probe itself, and the input through which it tells that its battery is low.
+void fill_probe(Job& job, const TableKeys& keys) {
+  job.probe = probe_from(keys);
+  job.probe->at_switch = switch_from(keys);
+  job.probe->state = probe_state_from(keys);
+  if (const Entry* const input = keys.find(KeyId::ProbeBatteryInput)) {
+    const auto number = static_cast<int>(number_of(*input));
+    job.control.variables["#" + std::to_string(number)] =
+        job.probe->state == probe::ProbeState::LowBattery ? 1.0 : 0.0;
+  }
+}
+
+probe::StylusBall ball_from(const SheetTable& table, double usual_diameter_mm) {
+  const TableKeys keys(table);
+  return {point_from(keys, KeyId::ProbeBallAt), keys.get(KeyId::ProbeBallSize, usual_diameter_mm)};
+}
+
 void fill_table(Job& job, SectionId section, const std::string& name, const SheetTable& table) {
-  const Keys keys(table);
+  const TableKeys keys(table);
   switch (section) {
     case SectionId::Control:
       fill_control(job.control, keys);
@@ -138,8 +131,7 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
       fill_variables(job.control, table);
       return;
     case SectionId::Start:
-      job.machine.q_M_start = positions_from(table);
-      return;
+      return;  // fill_machine
     case SectionId::WorkOffsets:
       job.control.work_offsets[name] = positions_from(table);
       return;
@@ -147,16 +139,16 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
       job.control.tools[std::stoi(name)] = tool_from(keys);
       return;
     case SectionId::Machine:
-      job.machine.name = keys.get(KeyId::MachineName, job.machine.name);
-      return;
+    case SectionId::MachineErrors:
+      return;  // fill_machine
     case SectionId::MachineAxes:
-      fill_axis(job.machine.axes.at(index_of_axis(name)), keys);
       job.control.q_M_reference[static_cast<Eigen::Index>(index_of_axis(name))] =
-          job.machine.axes.at(index_of_axis(name)).home;
+          keys.get(KeyId::AxisHome, machine::AxisSetup().home);
       return;
     case SectionId::Probe:
-      job.probe = probe_from(keys);
+      fill_probe(job, keys);
       return;
+    case SectionId::ProbeBall:
     case SectionId::Part:
     case SectionId::SkipSignal:
       contract_violated("a list is no table", __FILE__, __LINE__);
@@ -164,7 +156,7 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
 }
 
 parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
-  const Keys keys(table);
+  const TableKeys keys(table);
   parts::PartSetup part;
   part.file = keys.get(KeyId::PartFile, part.file);
   part.shape = keys.get(KeyId::PartShape, part.shape);
@@ -172,6 +164,8 @@ parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
   part.name = keys.get(KeyId::PartName, part.shape.empty() ? stem : part.shape);
   part.p_M_at = point_from(keys, KeyId::PartAt);
   part.rotate_deg = point_from(keys, KeyId::PartRotate);
+  part.growth.expansion = keys.get(KeyId::PartExpansion, part.growth.expansion);
+  part.growth.temperature = keys.get(KeyId::PartTemperature, part.growth.temperature);
   for (const auto& [key, entry] : table.entries) {
     const std::optional<FoundKey> found = find_key(SectionId::Part, key);
     if (found && found->row->id == KeyId::PartShapeSize) {
@@ -190,7 +184,7 @@ parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
 
 /// Where the sheet names what the part is made of.
 SheetPlace place_of_body(const SheetTable& table) {
-  const Keys keys(table);
+  const TableKeys keys(table);
   const Entry* const file = keys.find(KeyId::PartFile);
   const Entry* const body = file != nullptr ? file : keys.find(KeyId::PartShape);
   const Location& where = body != nullptr ? body->where : table.where;
@@ -199,23 +193,13 @@ SheetPlace place_of_body(const SheetTable& table) {
 }
 
 probe::SkipSignal skip_signal_from(const SheetTable& table) {
-  const Keys keys(table);
+  const TableKeys keys(table);
   probe::SkipSignal signal;
   signal.axis = static_cast<int>(index_of_axis(keys.get(KeyId::SkipSignalAxis, std::string("X"))));
   if (const Entry* at = keys.find(KeyId::SkipSignalAt)) {
     signal.at = number_of(*at);
   }
   return signal;
-}
-
-/// An ideal signal wants an ideal stop, unless the sheet says otherwise.
-machine::Stopping stopping_from(const Sheet& sheet) {
-  if (const Entry* given = sheet.find(KeyId::MachineStopping)) {
-    return std::get<std::string>(given->value) == "ideal" ? machine::Stopping::Ideal
-                                                          : machine::Stopping::Braking;
-  }
-  return sheet.lists.contains(SectionId::SkipSignal) ? machine::Stopping::Ideal
-                                                     : machine::MachineSetup().stopping;
 }
 
 }  // namespace
@@ -231,13 +215,23 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
       job.part_places.push_back(place_of_body(table));
     }
   }
+  if (const auto balls = sheet.lists.find(SectionId::ProbeBall); balls != sheet.lists.end()) {
+    G31_EXPECTS(job.probe.has_value());  // [[probe.ball]] lies in [probe]
+    for (const SheetTable& table : balls->second) {
+      job.probe->further_balls.push_back(ball_from(table, job.probe->ball_diameter_mm));
+    }
+  }
   if (const auto list = sheet.lists.find(SectionId::SkipSignal); list != sheet.lists.end()) {
     job.skip_signals.emplace();
     for (const SheetTable& table : list->second) {
       job.skip_signals->push_back(skip_signal_from(table));
     }
   }
-  job.machine.stopping = stopping_from(sheet);
+  job.machine = machine_from(sheet, errors);
+  if (job.probe) {
+    job.machine.p_T_tip = {job.probe->eccentricity_mm[0], job.probe->eccentricity_mm[1],
+                           -job.probe->length_mm};
+  }
   return job;
 }
 

@@ -101,6 +101,11 @@ std::optional<std::string> normal_work_offset(std::string_view name) {
   return known ? std::optional("G" + std::to_string(*code)) : std::nullopt;
 }
 
+bool is_error_name(std::string_view name) {
+  return name.size() == 3 && name[0] == 'E' && axis_index(name[1]) >= 0 &&
+         axis_index(name[2]) >= 0 && axis_index(name[2]) < 3;
+}
+
 }  // namespace
 
 std::span<const SectionRow> section_rows() {
@@ -156,6 +161,8 @@ std::optional<std::string> normal_name(NameForm form, std::string_view name) {
     }
     case NameForm::SizeName:
       return std::string(name);
+    case NameForm::ErrorName:
+      return is_error_name(name) ? std::optional(std::string(name)) : std::nullopt;
   }
   contract_violated("every NameForm has a rule", __FILE__, __LINE__);
 }
@@ -200,6 +207,9 @@ std::vector<std::string_view> known_names(NameForm form) {
     case NameForm::ToolNumber:
     case NameForm::SizeName:
       return {};
+    case NameForm::ErrorName:
+      return {"EXX", "EYX", "EZX", "EAX", "EBX", "ECX", "EXY", "EYY", "EZY",
+              "EAY", "EBY", "ECY", "EXZ", "EYZ", "EZZ", "EAZ", "EBZ", "ECZ"};
   }
   contract_violated("every NameForm is listed", __FILE__, __LINE__);
 }
@@ -217,6 +227,7 @@ std::string_view rule_of(NameForm form) {
     case NameForm::MacroCallCode:
     case NameForm::VariableName:
     case NameForm::SizeName:
+    case NameForm::ErrorName:
       return "";
   }
   contract_violated("every NameForm is listed", __FILE__, __LINE__);

@@ -38,6 +38,7 @@ enum class NameForm {
   WorkOffset,       ///< G54..G59, EXT, G54.1 Pn, G154 Pn, G505..G599
   ToolNumber,       ///< 0..99999999
   SizeName,         ///< any name
+  ErrorName,        ///< EXX: E, a direction X Y Z A B C, a linear axis X Y Z
 };
 
 enum class ValueType {
@@ -50,6 +51,7 @@ enum class ValueType {
   WholeNumbers,
   TwoNumbers,
   ThreeNumbers,
+  NumberOrTable,  ///< a list of one number, or of pairs
 };
 
 /// Which values of the right type are allowed.
@@ -66,7 +68,14 @@ enum class Limit {
   IncrementSystem,
   OffsetMemory,
   StoppingKind,
+  ProbeType,
+  SeatKind,
+  ProbeState,
+  InputNumber,  ///< 1000..1015
   AxisLetter,
+  AxisLetters,   ///< no letter twice
+  NotAllZero,
+  RisingPlaces,  ///< the first numbers of pairs
 };
 
 struct SectionRow {

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,17 +25,21 @@ class Reader {
   }
 
   /// The machine file goes under what is already read.
-  void read_machine_file() {
+  void read_machine_file(const std::string& machines_folder) {
     const Entry* named = sheet_.find(KeyId::MachineFile);
     if (named == nullptr) {
       return;
     }
-    const auto& path = std::get<std::string>(named->value);
+    std::string path = std::get<std::string>(named->value);
     std::error_code unreadable;
     if (!std::filesystem::exists(path, unreadable)) {
-      errors_.add(SetupErrorId::FileNotFound, named->where, {path},
-                  "paths start at the folder of the sheet");
-      return;
+      const auto shipped = shipped_machine(*named, machines_folder);
+      if (!shipped) {
+        errors_.add(SetupErrorId::FileNotFound, named->where, {path},
+                    "paths start at the folder of the sheet");
+        return;
+      }
+      path = *shipped;
     }
     if (const Document* document = read(path)) {
       Sheet machine = check_machine_file(*document, errors_);
@@ -51,6 +57,20 @@ class Reader {
   }
 
  private:
+  /// A file of the same name, as the sheet gives it, among the machines that come along.
+  static std::optional<std::string> shipped_machine(const Entry& named, const std::string& folder) {
+    namespace fs = std::filesystem;
+    const fs::path sheet_folder = fs::path(named.where.document->path).parent_path();
+    const fs::path as_given =
+        sheet_folder.empty()
+            ? fs::path(std::get<std::string>(named.value))
+            : fs::path(std::get<std::string>(named.value)).lexically_relative(sheet_folder);
+    const fs::path path = fs::path(folder) / as_given;
+    std::error_code unreadable;
+    const bool found = !folder.empty() && as_given.is_relative() && fs::exists(path, unreadable);
+    return found ? std::optional(path.string()) : std::nullopt;
+  }
+
   const Document* read(const std::string& path) {
     const std::size_t order = order_++;
     const auto document = read_document(path, order);
@@ -70,12 +90,13 @@ class Reader {
 
 }  // namespace
 
-Result<Job, SetupErrors> read_job(std::span<const std::string> sheet_paths) {
+Result<Job, SetupErrors> read_job(std::span<const std::string> sheet_paths,
+                                  const std::string& machines_folder) {
   Reader reader;
   for (const std::string& path : sheet_paths) {
     reader.read_sheet(path);
   }
-  reader.read_machine_file();
+  reader.read_machine_file(machines_folder);
   return reader.job();
 }
 

@@ -15,6 +15,9 @@ namespace g31::setup {
 /// The machine file that the result names is read first; keys of the sheets win over it.  Relative
 /// paths of a sheet start at its folder; those in the Job can be opened as they are.
 /// @returns the job, or every error of every sheet, in the order of the files and their lines
-Result<Job, SetupErrors> read_job(std::span<const std::string> sheet_paths);
+/// @param machines_folder  where a machine file is looked for that is not at its place; may be
+/// empty
+Result<Job, SetupErrors> read_job(std::span<const std::string> sheet_paths,
+                                  const std::string& machines_folder = {});
 
 }  // namespace g31::setup

@@ -12,6 +12,7 @@ namespace g31::fanuc {
 enum class GAction : std::uint8_t {
   Modal,     ///< only sets its group
   NoEffect,  ///< one-shot, and nothing that is simulated depends on it
+  ExactStop,  ///< one-shot: says how the motion of its block ends
   Motion,
   Dwell,
   SetData,

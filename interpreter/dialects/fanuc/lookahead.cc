@@ -29,6 +29,7 @@ bool is_fence(const GCode& code, const Profile& profile) {
     case GAction::Modal:
       return code.number.whole == 20 || code.number.whole == 21;
     case GAction::NoEffect:
+    case GAction::ExactStop:
     case GAction::Motion:
     case GAction::ToolLength:
     case GAction::MacroCall:

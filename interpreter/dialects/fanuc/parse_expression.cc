@@ -26,12 +26,15 @@ constexpr OperatorWord kComparisons[] = {
     {"EQ", Operator::Equal}, {"NE", Operator::NotEqual},     {"GT", Operator::Greater},
     {"LT", Operator::Less},  {"GE", Operator::GreaterEqual}, {"LE", Operator::LessEqual}};
 constexpr OperatorWord kJunctions[] = {{"&&", Operator::And}, {"||", Operator::Or}};
-constexpr OperatorWord kSums[] = {
-    {"+", Operator::Add}, {"-", Operator::Subtract}, {"XOR", Operator::Xor}, {"OR", Operator::Or}};
-constexpr OperatorWord kProducts[] = {{"*", Operator::Multiply},
-                                      {"/", Operator::Divide},
-                                      {"AND", Operator::And},
-                                      {"MOD", Operator::Modulo}};
+/// Words come before their two-letter forms (MB-077).
+constexpr OperatorWord kSums[] = {{"+", Operator::Add},
+                                  {"-", Operator::Subtract},
+                                  {"XOR", Operator::Xor},
+                                  {"XO", Operator::Xor},
+                                  {"OR", Operator::Or}};
+constexpr OperatorWord kProducts[] = {{"*", Operator::Multiply}, {"/", Operator::Divide},
+                                      {"AND", Operator::And},    {"AN", Operator::And},
+                                      {"MOD", Operator::Modulo}, {"MO", Operator::Modulo}};
 
 template <std::size_t N>
 std::optional<Operator> accept_operator(Scanner& scanner, const OperatorWord (&rows)[N]) {

@@ -60,7 +60,8 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
 }
 
 void Runner::start(const CompiledProgram& main) {
-  frames_.assign(1, Frame{&main, 0, 0, CallKind::Main, CalledBy::Program, 0, {}});
+  frames_.assign(1, Frame());
+  frame().program = &main;
   control_.modal.word('O') = main.number;
   control_.coordinates.arrived_at_machine(control_.port.position());
 }
@@ -207,13 +208,17 @@ MaybeFailure Runner::set_names(const Step& step) {
     const std::size_t comma = std::min(list.find(',', begin), list.size());
     std::string name = upper_case(list.substr(begin, comma - begin));
     begin = comma + 1;
-    if (!is_common(number)) {
+    std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
+    const NameRule& rule = control_.profile.names;
+    const bool in_range = is_common(number) && number >= rule.first && number <= rule.last;
+    if (!in_range || static_cast<int>(name.size()) > rule.longest) {
       Failure failure;
-      failure.id = AlarmId::IllegalVariable;
-      failure.detail = fmt::format("SETVN names common variables, not #{}", number);
+      failure.id = in_range ? AlarmId::NameFormat : AlarmId::IllegalVariable;
+      failure.detail =
+          in_range ? fmt::format("a name has at most {} characters", rule.longest)
+                   : fmt::format("SETVN names #{} to #{}, not #{}", rule.first, rule.last, number);
       return failure;
     }
-    std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
     control_.variables.names.give(std::move(name), number++);
   }
   return std::nullopt;

@@ -61,6 +61,7 @@ struct PathBlock {
   int g = 1;                                      ///< 0 rapid, 1 line, 2 and 3 arcs
   double feed_mm_min = 0.0;                       ///< > 0 but for g = 0
   source::Location where;
+  machine::BlockEnd ends = machine::BlockEnd::ExactStop;
 };
 
 struct Pause {

@@ -75,7 +75,7 @@ MaybeFailure wait(Control& control, double seconds) {
 MaybeFailure carry_out(Control& control, const PathBlock& block) {
   if (!block.arc) {
     const auto traverse = block.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
-    return to_machine(control, machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min},
+    return to_machine(control, machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min, block.ends},
                       block.g);
   }
   machine::ArcMove move;
@@ -86,6 +86,7 @@ MaybeFailure carry_out(Control& control, const PathBlock& block) {
   move.centre_second = block.arc->centre.y();
   move.turn = block.arc->turn;
   move.feed_mm_min = block.feed_mm_min;
+  move.ends = block.ends;
   return to_machine(control, move, block.g);
 }
 
@@ -115,11 +116,11 @@ MaybeFailure carry_out(Control& control, const CompensationResult& result) {
   return std::nullopt;
 }
 
-MaybeFailure feed_path(Control& control, const AxisPositions& q_M_end, std::optional<ArcShape> arc,
-                       int g, double feed_mm_min) {
+template <typename Move>
+MaybeFailure feed_path(Control& control, const Move& move, std::optional<ArcShape> arc, int g) {
   CutterStage& cutter = control.cutter;
   cutter.fed = true;
-  const PathBlock block{q_M_end, arc, g, feed_mm_min, cutter.command.where};
+  const PathBlock block{move.q_M_end, arc, g, move.feed_mm_min, cutter.command.where, move.ends};
   return carry_out(control, cutter.path.take(block, cutter.command));
 }
 
@@ -155,7 +156,7 @@ MaybeFailure leave(Control& control) {
 
 MaybeFailure travel(Control& control, const machine::LinearMove& move, int g) {
   return control.cutter.path.engaged()
-             ? feed_path(control, move.q_M_end, std::nullopt, g, move.feed_mm_min)
+             ? feed_path(control, move, std::nullopt, g)
              : to_machine(control, move, g);
 }
 
@@ -164,7 +165,7 @@ MaybeFailure travel(Control& control, const machine::ArcMove& move, int g) {
     return to_machine(control, move, g);
   }
   const ArcShape arc{{move.centre_first, move.centre_second}, move.turn};
-  return feed_path(control, move.q_M_end, arc, g, move.feed_mm_min);
+  return feed_path(control, move, arc, g);
 }
 
 MaybeFailure pause(Control& control, double seconds) {

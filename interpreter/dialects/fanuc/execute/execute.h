@@ -43,6 +43,10 @@ MaybeFailure execute_scaling(Control& control, const NcBlock& block);        // 
 MaybeFailure execute_rotation(Control& control, const NcBlock& block);       // transforms.cc
 MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block);   // canned_cycle.cc
 
+/// M19 Rn: the spindle stops at n degrees, at 0 without an angle; P for those controls that write it
+/// so (spindle.cc).
+void orient_spindle(Control& control, const BlockWords& words);
+
 /// A block between G10 L50 or L3 and G11 (data_input.cc).
 MaybeFailure execute_data_block(Control& control, const BlockWords& words);
 
@@ -73,6 +77,9 @@ MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Tr
 
 /// The feed in mm/min in force, or why there is none; G95 takes the spindle speed S along (MB-314).
 Result<double, Failure> feed_in_force(const Control& control);
+
+/// A programmed feed as dry run and feed override change it, mm/min (MB-128, MB-268).
+double switched_feed(const Control& control, double feed_mm_min);
 
 /// A fault of the machine as the end of the program.
 Failure from_fault(const machine::MachineFault& fault);

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include <Eigen/Geometry>
+
+#include "machine/port/contact.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::machine {
+
+/// Where a rotary axis is when all axes stand at 0.
+struct RotaryLine {
+  Point p_M_centre = Point::Zero();  ///< mm, any point of the line
+  Point axis_M = Point::UnitZ();     ///< its direction, of any length > 0
+};
+
+/// Which axes carry the part and which the tool.
+struct AxisChainSetup {
+  std::string table_side;               ///< axis letters from the part to the bed: "CAX"
+  std::string tool_side = "XYZ";        ///< from the bed to the tool
+  std::array<RotaryLine, 3> rotary = {  ///< A B C
+      RotaryLine{Point::Zero(), Point::UnitX()}, RotaryLine{Point::Zero(), Point::UnitY()},
+      RotaryLine{Point::Zero(), Point::UnitZ()}};
+};
+
+/// The forward transform of a machine: where the tool is for the part.
+///
+/// A position of an axis counts the motion of the tool relative to the part, as ISO 841 has it: a
+/// positive angle turns the tool right-handed about the line, so a table turns its part the other
+/// way.  Linear axes go along X Y Z of the machine.  The frame of the part is that of the machine
+/// when all rotary axes stand at 0.
+class AxisChain {
+ public:
+  /// @param p_T_tip  mm, the tool tip from the gauge point; where the chain has no rotary axis it
+  ///                 does not matter
+  AxisChain(const AxisChainSetup& setup, const Point& p_T_tip);
+
+  [[nodiscard]] bool has_rotary_axes() const { return has_rotary_axes_; }
+
+  /// The linear axes of a machine without rotary axes that has its tip at the same place of the
+  /// part; the rotary ones as they are.  With these at 0 nothing changes, bit for bit.
+  [[nodiscard]] AxisPositions for_part(const AxisPositions& q_M) const;
+
+  /// What was met in the frame of the part, in that of the machine.  @param q_M  of the axes then
+  [[nodiscard]] Contact to_machine(const AxisPositions& q_M, const Contact& of_part) const;
+
+ private:
+  [[nodiscard]] bool is_turned(const AxisPositions& q_M) const;
+  [[nodiscard]] Eigen::Isometry3d joint(char axis, const AxisPositions& q_M) const;
+  [[nodiscard]] Eigen::Isometry3d along(const std::string& axes, const AxisPositions& q_M) const;
+  /// From the machine's frame to the part's.
+  [[nodiscard]] Eigen::Isometry3d part_from_machine(const AxisPositions& q_M) const;
+
+  AxisChainSetup setup_;
+  Point p_T_tip_;
+  bool has_rotary_axes_;
+};
+
+}  // namespace g31::machine

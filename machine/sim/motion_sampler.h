@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "machine/port/trace.h"
+#include "machine/sim/servo_motion.h"
+#include "machine/sim/true_position.h"
+
+namespace g31::machine {
+
+/// One motion as it was carried out.
+struct ExecutedMotion {
+  double start_s = 0.0;     ///< simulated time
+  double duration_s = 0.0;  ///< how long it lasted, waiting at its end included
+  const ServoMotion& servo;
+  const TruePosition& before;  ///< the state of the axes at its beginning
+};
+
+/// Takes samples at whole multiples of a period, the first at 0; keeps nothing but their count.
+class MotionSampler {
+ public:
+  /// @param period_s  > 0
+  MotionSampler(double period_s, TraceSink& sink);
+
+  /// Motions follow each other in time without gaps.
+  void show(const ExecutedMotion& motion, const AxisPositions& resolution);
+
+ private:
+  double period_s_;
+  TraceSink& sink_;
+  std::uint64_t next_ = 0;
+};
+
+/// A position as encoders with steps report it; a resolution of 0 has no steps.
+AxisPositions in_steps(const AxisPositions& q_M, const AxisPositions& resolution);
+
+}  // namespace g31::machine

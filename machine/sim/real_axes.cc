@@ -1,0 +1,88 @@
+#include "machine/sim/real_axes.h"
+
+#include <utility>
+
+#include "machine/base/contract.h"
+#include "machine/sim/true_way.h"
+
+namespace g31::machine {
+namespace {
+
+/// A gain of 1 (m/min)/mm is a time constant of 60 ms.
+constexpr double kSecondsAtGainOne = 0.06;
+
+AxisPositions time_constants(const MachineSetup& setup) {
+  AxisPositions seconds = AxisPositions::Zero();
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const double gain = setup.axes[i].servo_gain;
+    G31_EXPECTS(gain >= 0.0);
+    if (gain > 0.0) {
+      seconds[static_cast<Eigen::Index>(i)] = kSecondsAtGainOne / gain;
+    }
+  }
+  return seconds;
+}
+
+}  // namespace
+
+RealAxes::RealAxes(const MachineSetup& setup)
+    : truth_(setup),
+      chain_(setup.chain, setup.p_T_tip),
+      time_constants_s_(time_constants(setup)),
+      in_position_(setup.in_position),
+      is_ideal_(truth_.is_ideal() && !chain_.has_rotary_axes() && time_constants_s_.isZero(0.0)) {
+  G31_EXPECTS(in_position_ > 0.0);
+}
+
+ServoMotion RealAxes::motion(const CommandedPath& path, const MotionPhases& phases) const {
+  return ServoMotion(path, phases, lag_, time_constants_s_);
+}
+
+double RealAxes::done_s(const ServoMotion& motion, BlockEnd end) const {
+  return end == BlockEnd::ExactStop ? motion.in_position_s(in_position_) : motion.duration_s();
+}
+
+std::optional<Timed<SkipTrigger>> RealAxes::first_trigger(const ServoMotion& motion,
+                                                          Surroundings& world) const {
+  const double until_s = done_s(motion, BlockEnd::ExactStop);
+  const TrueWay way(truth_, chain_, motion, until_s, kTouchWayErrorMm);
+  auto trigger = world.first_trigger_along(way.points());
+  if (!trigger) {
+    return std::nullopt;
+  }
+  Timed<SkipTrigger> timed{*std::move(trigger), 0.0};
+  timed.time_s = way.time_s(timed.event.fraction);
+  if (timed.event.contact) {
+    timed.event.contact = chain_.to_machine(motion.encoder_at(timed.time_s), *timed.event.contact);
+  }
+  return timed;
+}
+
+std::optional<Timed<Obstacle>> RealAxes::first_collision(const ServoMotion& motion, BlockEnd end,
+                                                         Surroundings& world) const {
+  const TrueWay way(truth_, chain_, motion, done_s(motion, end), kMoveWayErrorMm);
+  auto obstacle = world.first_collision_along(way.points());
+  if (!obstacle) {
+    return std::nullopt;
+  }
+  Timed<Obstacle> timed{*std::move(obstacle), 0.0};
+  timed.time_s = way.time_s(timed.event.fraction);
+  timed.event.contact = chain_.to_machine(motion.encoder_at(timed.time_s), timed.event.contact);
+  return timed;
+}
+
+void RealAxes::follow(const ServoMotion& motion, double until_s) {
+  if (truth_.has_play()) {
+    for (const double step_s : motion.steps_until(until_s)) {
+      truth_.go_to(motion.encoder_at(step_s));
+    }
+  }
+  lag_ = motion.lag_at(until_s);
+}
+
+void RealAxes::stop_at(const AxisPositions& q_M) {
+  truth_.go_to(q_M);
+  lag_.setZero();
+}
+
+}  // namespace g31::machine

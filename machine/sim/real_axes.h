@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+
+#include "machine/port/surroundings.h"
+#include "machine/sim/axis_chain.h"
+#include "machine/sim/machine_setup.h"
+#include "machine/sim/servo_motion.h"
+#include "machine/sim/true_position.h"
+
+namespace g31::machine {
+
+/// Something that happens to a motion, and when.
+template <typename Event>
+struct Timed {
+  Event event;
+  double time_s = 0.0;  ///< since the beginning of the motion
+};
+
+/// The axes of a machine as they are: behind their commands, beside their encoders, on tables that
+/// turn.  Keeps their state from motion to motion.
+class RealAxes {
+ public:
+  explicit RealAxes(const MachineSetup& setup);
+
+  /// Whether all of them are where they are commanded, bit for bit, and the part never turns.
+  [[nodiscard]] bool are_ideal() const { return is_ideal_; }
+
+  /// The motion along a path that begins now.
+  [[nodiscard]] ServoMotion motion(const CommandedPath& path, const MotionPhases& phases) const;
+
+  /// When the control takes a motion as done: at the end of the command, or once the axes have
+  /// followed within in_position.
+  [[nodiscard]] double done_s(const ServoMotion& motion, BlockEnd end) const;
+
+  /// What the world says to a motion; contacts in the machine's frame.
+  [[nodiscard]] std::optional<Timed<SkipTrigger>> first_trigger(const ServoMotion& motion,
+                                                                Surroundings& world) const;
+  [[nodiscard]] std::optional<Timed<Obstacle>> first_collision(const ServoMotion& motion,
+                                                               BlockEnd end,
+                                                               Surroundings& world) const;
+
+  /// Carries out a motion until some time.
+  void follow(const ServoMotion& motion, double until_s);
+
+  /// Comes to rest at a position at once.
+  void stop_at(const AxisPositions& q_M);
+
+  [[nodiscard]] const TruePosition& truth() const { return truth_; }
+
+ private:
+  TruePosition truth_;
+  AxisChain chain_;
+  AxisPositions time_constants_s_;
+  double in_position_;
+  AxisPositions lag_ = AxisPositions::Zero();
+  bool is_ideal_;
+};
+
+}  // namespace g31::machine

@@ -1,0 +1,178 @@
+#include "machine/sim/servo_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "machine/base/contract.h"
+
+namespace g31::machine {
+namespace {
+
+/// After so many time constants a lag of a metre is below a tenth of a nanometre.
+constexpr double kTransientTimes = 24.0;
+constexpr int kMostPiecesOfPhase = 20'000;
+
+AxisPositions value_of(const std::array<AxisPositions, 4>& cubic, double t) {
+  return cubic[0] + t * (cubic[1] + t * (cubic[2] + t * cubic[3]));
+}
+
+AxisPositions point_at(const CommandedPath& path, double fraction) {
+  return std::visit([&](const auto& p) { return p.at(fraction); }, path);
+}
+
+const AxisPositions& start_of(const CommandedPath& path) {
+  return std::visit([](const auto& p) -> const AxisPositions& { return p.from(); }, path);
+}
+
+double length_of(const CommandedPath& path) {
+  return std::visit([](const auto& p) { return p.length(); }, path);
+}
+
+/// Into how many pieces a phase on an arc is cut, so that a cubic through the ends of each, with
+/// their speeds, stays within kArcCommandErrorMm: h^4 / 384 times the fourth derivative by time.
+int pieces_of(const ArcPath& arc, const MotionPhase& phase) {
+  const double radius = std::max(arc.radius(), kFullCircleGapMm);
+  const double speed = std::max(phase.speed, phase.speed_after(phase.duration_s));
+  const double acceleration =
+      std::max(std::abs(phase.acceleration), std::abs(phase.acceleration_after(phase.duration_s)));
+  const double w = speed / radius;
+  const double dw = acceleration / radius;
+  const double ddw = std::abs(phase.jerk) / radius;
+  const double fourth = radius * (w * w * w * w + 6.0 * w * w * dw + 3.0 * dw * dw + 4.0 * w * ddw);
+  const double h = std::pow(384.0 * kArcCommandErrorMm / std::max(fourth, 1e-30), 0.25);
+  return std::clamp(static_cast<int>(std::min(phase.duration_s / h, 1e9)) + 1, 1,
+                    kMostPiecesOfPhase);
+}
+
+}  // namespace
+
+ServoMotion::ServoMotion(const CommandedPath& path, const MotionPhases& phases,
+                         const AxisPositions& lag, const AxisPositions& time_constants_s)
+    : phases_(phases), time_constants_s_(time_constants_s), q_M_end_(start_of(path)), lag_(lag) {
+  G31_EXPECTS((time_constants_s.array() >= 0.0).all());
+  if (lag.cwiseAbs().maxCoeff() > 0.0) {
+    transient_s_ = kTransientTimes * time_constants_s.maxCoeff();
+  }
+  const double length = length_of(path);
+  for (const MotionPhase& phase : phases.phases()) {
+    add_phase(path, length, phase);
+  }
+  // The sum of the phases rounds; the end of the path does not.
+  constexpr double kRounding = 1e-12;
+  if (length > 0.0) {
+    const double fraction = phases.length() / length;
+    q_M_end_ = point_at(path, fraction > 1.0 - kRounding ? 1.0 : std::max(0.0, fraction));
+  }
+}
+
+void ServoMotion::add_phase(const CommandedPath& path, double length, const MotionPhase& phase) {
+  if (const auto* line = std::get_if<StraightPath>(&path)) {
+    const AxisPositions along = line->displacement() / length;
+    add_piece({line->from() + phase.distance * along, phase.speed * along,
+               phase.acceleration / 2.0 * along, phase.jerk / 6.0 * along},
+              phase.duration_s);
+    return;
+  }
+  const auto& arc = std::get<ArcPath>(path);
+  const int count = pieces_of(arc, phase);
+  const double h = phase.duration_s / count;
+  const auto fraction = [&](int i) {
+    return std::clamp(phase.distance_after(i * h) / length, 0.0, 1.0);
+  };
+  for (int i = 0; i < count; ++i) {
+    const AxisPositions q_from = arc.at(fraction(i));
+    const AxisPositions way = arc.at(fraction(i + 1)) - q_from;
+    const AxisPositions v_from = phase.speed_after(i * h) / length * h * arc.slope_at(fraction(i));
+    const AxisPositions v_to =
+        phase.speed_after((i + 1) * h) / length * h * arc.slope_at(fraction(i + 1));
+    add_piece({q_from, v_from / h, (3.0 * way - 2.0 * v_from - v_to) / (h * h),
+               (v_from + v_to - 2.0 * way) / (h * h * h)},
+              h);
+  }
+}
+
+void ServoMotion::add_piece(const Cubic& command, double duration_s) {
+  Piece piece;
+  piece.begin_s = duration_s_;
+  piece.duration_s = duration_s;
+  piece.command = command;
+  // T y' + y = c has the solution c - T c' + T^2 c'' - T^3 c''', and what dies away.
+  const AxisPositions& t = time_constants_s_;
+  Cubic& y = piece.response;
+  y[3] = command[3];
+  y[2] = command[2] - 3.0 * t.cwiseProduct(command[3]);
+  y[1] = command[1] - 2.0 * t.cwiseProduct(y[2]);
+  y[0] = command[0] - t.cwiseProduct(y[1]);
+  piece.dying = (command[0] - lag_) - y[0];
+  pieces_.push_back(piece);
+  duration_s_ += duration_s;
+  lag_ = value_of(command, duration_s) - encoder_in(piece, duration_s);
+}
+
+const ServoMotion::Piece& ServoMotion::piece_at(double time_s) const {
+  const auto after = std::ranges::upper_bound(pieces_, time_s, {}, &Piece::begin_s);
+  return *(after - 1);
+}
+
+AxisPositions ServoMotion::decay(double time_s) const {
+  AxisPositions share = AxisPositions::Zero();
+  for (Eigen::Index i = 0; i < share.size(); ++i) {
+    if (time_constants_s_[i] > 0.0) {
+      share[i] = std::exp(-time_s / time_constants_s_[i]);
+    }
+  }
+  return share;
+}
+
+AxisPositions ServoMotion::encoder_in(const Piece& piece, double time_s) const {
+  return value_of(piece.response, time_s) + piece.dying.cwiseProduct(decay(time_s));
+}
+
+AxisPositions ServoMotion::commanded_at(double time_s) const {
+  G31_EXPECTS(time_s >= 0.0);
+  if (time_s >= duration_s_) {
+    return q_M_end_;
+  }
+  const Piece& piece = piece_at(time_s);
+  return value_of(piece.command, time_s - piece.begin_s);
+}
+
+AxisPositions ServoMotion::encoder_at(double time_s) const {
+  G31_EXPECTS(time_s >= 0.0);
+  if (time_s >= duration_s_) {
+    return q_M_end_ - lag_.cwiseProduct(decay(time_s - duration_s_));
+  }
+  const Piece& piece = piece_at(time_s);
+  return encoder_in(piece, time_s - piece.begin_s);
+}
+
+double ServoMotion::in_position_s(double width) const {
+  G31_EXPECTS(width > 0.0);
+  double wait_s = 0.0;
+  for (Eigen::Index i = 0; i < lag_.size(); ++i) {
+    const double lag = std::abs(lag_[i]);
+    if (lag > width) {
+      wait_s = std::max(wait_s, time_constants_s_[i] * std::log(lag / width));
+    }
+  }
+  return duration_s_ + wait_s;
+}
+
+std::vector<double> ServoMotion::steps_until(double time_s) const {
+  std::vector<double> steps = {0.0};
+  for (const Piece& piece : pieces_) {
+    steps.push_back(std::min(time_s, piece.begin_s));
+  }
+  const double transient_s = std::min(time_s, transient_s_);
+  const double step_s = transient_s_ / (16.0 * kTransientTimes);
+  for (int i = 1; i * step_s < transient_s; ++i) {
+    steps.push_back(i * step_s);
+  }
+  steps.push_back(std::min(time_s, duration_s_));
+  steps.push_back(time_s);
+  std::ranges::sort(steps);
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return steps;
+}
+
+}  // namespace g31::machine

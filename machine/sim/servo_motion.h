@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <variant>
+#include <vector>
+
+#include "machine/sim/arc_path.h"
+#include "machine/sim/motion_phases.h"
+#include "machine/sim/straight_path.h"
+
+namespace g31::machine {
+
+/// A way of all axes that the control commands.
+using CommandedPath = std::variant<StraightPath, ArcPath>;
+
+/// One move as the position loops carry it out.
+///
+/// Each axis follows its command like a first-order lag: T q' + q = q_commanded, T = 1 / Kv; at a
+/// steady speed it is v / Kv behind.  With T = 0 it is where it is commanded.
+///
+/// Accuracy: straight moves are solved in closed form; on arcs the command is taken within
+/// kArcCommandErrorMm.
+class ServoMotion {
+ public:
+  /// @param phases    the speed along the path; it may stop before the end of the path
+  /// @param lag       command minus encoder when the move begins
+  /// @param time_constants_s  T of each axis, >= 0
+  ServoMotion(const CommandedPath& path, const MotionPhases& phases, const AxisPositions& lag,
+              const AxisPositions& time_constants_s);
+
+  [[nodiscard]] const MotionPhases& phases() const { return phases_; }
+
+  /// Until the command has come to rest.
+  [[nodiscard]] double duration_s() const { return duration_s_; }
+
+  /// Where the command comes to rest.
+  [[nodiscard]] const AxisPositions& end() const { return q_M_end_; }
+
+  /// @param time_s  >= 0 from the beginning of the move; from duration_s() on: end()
+  [[nodiscard]] AxisPositions commanded_at(double time_s) const;
+
+  /// @param time_s  >= 0; after duration_s() the lag dies away
+  [[nodiscard]] AxisPositions encoder_at(double time_s) const;
+
+  /// Command minus encoder.
+  [[nodiscard]] AxisPositions lag_at(double time_s) const {
+    return commanded_at(time_s) - encoder_at(time_s);
+  }
+
+  /// When, from duration_s() on, no axis lags by more than a width.  @param width  > 0
+  [[nodiscard]] double in_position_s(double width) const;
+
+  /// Times from 0 to a time, so close that between two of them no axis turns back far.
+  [[nodiscard]] std::vector<double> steps_until(double time_s) const;
+
+ private:
+  using Cubic = std::array<AxisPositions, 4>;  // by powers of the time in the piece
+  struct Piece {
+    double begin_s = 0.0;
+    double duration_s = 0.0;
+    Cubic command;
+    Cubic response;       // of the encoder, apart from what dies away
+    AxisPositions dying;  // at the beginning
+  };
+
+  void add_phase(const CommandedPath& path, double length, const MotionPhase& phase);
+  void add_piece(const Cubic& command, double duration_s);
+  [[nodiscard]] const Piece& piece_at(double time_s) const;
+  [[nodiscard]] AxisPositions decay(double time_s) const;
+  [[nodiscard]] AxisPositions encoder_in(const Piece& piece, double time_s) const;
+
+  MotionPhases phases_;
+  AxisPositions time_constants_s_;
+  AxisPositions q_M_end_;
+  AxisPositions lag_;  // at the end of what is already built
+  double duration_s_ = 0.0;
+  double transient_s_ = 0.0;  // how long what was left of the move before matters
+  std::vector<Piece> pieces_;
+};
+
+/// How far a command on an arc may be beside the arc, mm.
+inline constexpr double kArcCommandErrorMm = 1e-8;
+
+}  // namespace g31::machine

@@ -1,0 +1,61 @@
+#include "machine/sim/true_position.h"
+
+#include <algorithm>
+
+namespace g31::machine {
+namespace {
+
+constexpr Eigen::Index kLinearAxes = 3;
+
+}  // namespace
+
+TruePosition::TruePosition(const MachineSetup& setup)
+    : geometry_(setup.geometric_errors),
+      growth_(AxisPositions::Zero()),
+      q_M_fixed_(AxisPositions::Zero()),
+      p_T_tip_(setup.p_T_tip) {
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const AxisSetup& axis = setup.axes[i];
+    play_.emplace_back(axis.play, setup.q_M_start[row]);
+    if (row < kLinearAxes) {
+      growth_[row] = axis.scale_growth.per_unit();
+      q_M_fixed_[row] = axis.scale_fixed_at;
+    }
+  }
+  has_play_ = !std::ranges::all_of(play_, &errors::AxisPlay::is_zero);
+  is_ideal_ = geometry_.are_zero() && growth_.isZero(0.0) && !has_play_;
+}
+
+AxisPositions TruePosition::without_play(const AxisPositions& q_M) const {
+  AxisPositions q_M_true = q_M + growth_.cwiseProduct(q_M - q_M_fixed_);
+  q_M_true.head<kLinearAxes>() += geometry_.at(linear_axes(q_M), p_T_tip_);
+  return q_M_true;
+}
+
+AxisPositions TruePosition::after(const AxisPositions& q_M) const {
+  if (is_ideal_) {
+    return q_M;
+  }
+  AxisPositions q_M_true = without_play(q_M);
+  if (!has_play_) {
+    return q_M_true;
+  }
+  for (std::size_t i = 0; i < play_.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    q_M_true[row] += play_[i].after(q_M[row]).offset();
+  }
+  return q_M_true;
+}
+
+AxisPositions TruePosition::go_to(const AxisPositions& q_M) {
+  if (!has_play_) {
+    return after(q_M);
+  }
+  for (std::size_t i = 0; i < play_.size(); ++i) {
+    play_[i] = play_[i].after(q_M[static_cast<Eigen::Index>(i)]);
+  }
+  return after(q_M);
+}
+
+}  // namespace g31::machine

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "machine/errors/axis_play.h"
+#include "machine/errors/geometric_errors.h"
+#include "machine/sim/machine_setup.h"
+
+namespace g31::machine {
+
+/// Where the tool tip truly is, relative to the part, when the encoders say q_M.
+///
+/// Added up: geometric errors, growth of the scales, backlash and stick motion.  True positions are
+/// axis positions of an ideal machine that would have its tip there.
+class TruePosition {
+ public:
+  explicit TruePosition(const MachineSetup& setup);
+
+  /// Whether every true position is the encoder position, bit for bit.
+  [[nodiscard]] bool is_ideal() const { return is_ideal_; }
+
+  /// The true position after a straight way from the last one to q_M.
+  [[nodiscard]] AxisPositions after(const AxisPositions& q_M) const;
+
+  /// The same where the way has ended, and the next one will begin.
+  AxisPositions go_to(const AxisPositions& q_M);
+
+  [[nodiscard]] bool has_play() const { return has_play_; }
+
+ private:
+  [[nodiscard]] AxisPositions without_play(const AxisPositions& q_M) const;
+
+  errors::GeometricErrors geometry_;
+  std::vector<errors::AxisPlay> play_;
+  AxisPositions growth_;     // of a scale, per unit of length
+  AxisPositions q_M_fixed_;  // where growing scales stay
+  Point p_T_tip_;
+  bool has_play_ = false;
+  bool is_ideal_ = true;
+};
+
+}  // namespace g31::machine

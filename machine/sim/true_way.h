@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "machine/port/surroundings.h"
+#include "machine/sim/axis_chain.h"
+#include "machine/sim/servo_motion.h"
+#include "machine/sim/true_position.h"
+
+namespace g31::machine {
+
+/// What the tool tip truly does for the part during a move: points so close that the straight
+/// pieces between them stay within a tolerance of its way.
+///
+/// The fractions of the points are of the time: where a piece is passed, time_s() says when.
+class TrueWay {
+ public:
+  /// @param start         where everything is when the move begins
+  /// @param until_s       > 0: how much of the motion counts
+  /// @param tolerance_mm  > 0
+  TrueWay(const TruePosition& start, const AxisChain& chain, const ServoMotion& motion,
+          double until_s, double tolerance_mm);
+
+  [[nodiscard]] std::span<const Waypoint> points() const { return points_; }
+
+  /// When the tip is at a fraction as the world gives it: that far along a straight piece.
+  [[nodiscard]] double time_s(double fraction) const;
+
+ private:
+  struct Piece {
+    double from_s = 0.0;
+    double to_s = 0.0;
+    AxisPositions q_from;
+    AxisPositions q_to;
+  };
+
+  [[nodiscard]] AxisPositions tip_at(const TruePosition& truth, double time_s) const;
+  [[nodiscard]] std::vector<double> marks() const;
+  [[nodiscard]] bool is_straight(const TruePosition& truth, const Piece& piece) const;
+  void add(const TruePosition& truth, const Piece& piece, int halvings);
+
+  TruePosition start_;
+  const AxisChain& chain_;
+  const ServoMotion& motion_;
+  double until_s_;
+  double tolerance_mm_;
+  std::vector<Waypoint> points_;
+};
+
+/// For touches: a tenth of a nanometre.
+inline constexpr double kTouchWayErrorMm = 1e-7;
+/// For what must not be touched.
+inline constexpr double kMoveWayErrorMm = 1e-4;
+
+}  // namespace g31::machine

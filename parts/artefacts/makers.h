@@ -1,0 +1,37 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "machine/base/result.h"
+#include "parts/geometry/mesh.h"
+
+namespace g31::parts {
+
+/// The sizes of one shape by name, defaults filled in; each a finite number > 0.
+using Sizes = std::map<std::string, double>;
+
+/// What makes the mesh of a shape in the part frame, or says which sizes do not fit each other.
+/// shapes.def says what each size means and where the part's origin lies.
+using Maker = Result<Mesh, std::string> (*)(const Sizes&);
+
+// Round shapes: facets are tangent to the true surface at their middle, with facet middles on the
+// axes (the reason stands in ring_gauge.h).
+Result<Mesh, std::string> make_ring(const Sizes& sizes);
+Result<Mesh, std::string> make_cylinder(const Sizes& sizes);
+Result<Mesh, std::string> make_plug(const Sizes& sizes);
+Result<Mesh, std::string> make_sphere(const Sizes& sizes);
+Result<Mesh, std::string> make_prism(const Sizes& sizes);
+
+// Shapes of plane faces; a pocket may have round corners.
+Result<Mesh, std::string> make_block(const Sizes& sizes);
+Result<Mesh, std::string> make_gauge_block(const Sizes& sizes);
+Result<Mesh, std::string> make_pocket(const Sizes& sizes);
+Result<Mesh, std::string> make_groove(const Sizes& sizes);
+Result<Mesh, std::string> make_rib(const Sizes& sizes);
+Result<Mesh, std::string> make_step(const Sizes& sizes);
+
+/// The size of that name, or what stands for it where the sheet does not give it.
+double size_or(const Sizes& sizes, const std::string& name, double otherwise);
+
+}  // namespace g31::parts

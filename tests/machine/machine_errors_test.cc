@@ -1,0 +1,258 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "machine/errors/axis_play.h"
+#include "machine/errors/geometric_errors.h"
+#include "machine/sim/machining_centre.h"
+#include "machine/sim/true_way.h"
+#include "tests/support/scripted_surroundings.h"
+
+namespace g31::machine {
+namespace {
+
+using errors::ErrorTable;
+using testing::ScriptedSurroundings;
+
+AxisPositions axes(double x, double y, double z) {
+  return (AxisPositions() << x, y, z, 0, 0, 0).finished();
+}
+
+LinearMove feed(const AxisPositions& q_M_end) {
+  return {q_M_end, Traverse::Feed, 600.0};
+}
+
+/// A plane x = at: touched by the true position, wherever the encoders are.
+class Wall final : public Surroundings {
+ public:
+  explicit Wall(int axis, double at) : axis_(axis), at_(at) {}
+  std::optional<SkipTrigger> first_trigger(const Sweep& sweep) override {
+    const auto fraction = crossing(sweep.q_M_from, sweep.q_M_to);
+    return fraction ? std::optional(SkipTrigger{*fraction, false, 0.0, {}}) : std::nullopt;
+  }
+  std::optional<Obstacle> first_collision(const Sweep&) override { return std::nullopt; }
+  std::optional<SkipTrigger> first_trigger_along(std::span<const Waypoint> way) override {
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      if (const auto part = crossing(way[i - 1].q_M, way[i].q_M)) {
+        return SkipTrigger{
+            way[i - 1].fraction + *part * (way[i].fraction - way[i - 1].fraction), false, 0.0, {}};
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] std::optional<double> crossing(const AxisPositions& q_M_from,
+                                               const AxisPositions& q_M_to) const {
+    const double way = q_M_to[axis_] - q_M_from[axis_];
+    const double part = (at_ - q_M_from[axis_]) / way;
+    return way != 0.0 && part >= 0.0 && part <= 1.0 ? std::optional(part) : std::nullopt;
+  }
+  int axis_;
+  double at_;
+};
+
+AxisPositions latched(MachiningCentre& centre, const AxisPositions& q_M_end) {
+  const auto outcome = centre.move_until_skip(feed(q_M_end));
+  const auto* touched = outcome ? std::get_if<Touched>(&outcome.value()) : nullptr;
+  if (touched == nullptr) {
+    ADD_FAILURE() << "no touch";
+    return q_M_end;
+  }
+  return touched->q_M_latched;
+}
+
+MachineSetup stops_at_once() {
+  MachineSetup setup;
+  setup.stopping = Stopping::Ideal;
+  return setup;
+}
+
+TEST(MachineErrors, WithoutErrorsEveryPositionIsTheIdealOneBitForBit) {
+  MachineSetup zero;
+  // Keys that are given, but say nothing.
+  zero.p_T_tip = Point(0.1, 0.2, -120.0);
+  zero.geometric_errors.along[0][3] = ErrorTable({{0.0, 0.0}, {500.0, 0.0}});
+  zero.axes[0].play.spike_way = 1.0;
+  zero.axes[1].scale_growth.expansion = 11.5;
+  zero.axes[2].scale_growth.temperature = 30.0;
+  ScriptedSurroundings world({{'X', 1.0 / 3.0, 0.013, false, {}}});
+  ScriptedSurroundings plain_world({{'X', 1.0 / 3.0, 0.013, false, {}}});
+  MachiningCentre machine(zero, &world);
+  MachiningCentre plain(MachineSetup(), &plain_world);
+  const auto touched = machine.move_until_skip(feed(axes(0.7, 0.1, 0.3)));
+  const auto plainly = plain.move_until_skip(feed(axes(0.7, 0.1, 0.3)));
+  EXPECT_EQ(std::get<Touched>(touched.value()).q_M_latched,
+            std::get<Touched>(plainly.value()).q_M_latched);
+  EXPECT_EQ(machine.position(), plain.position());
+  EXPECT_EQ(machine.time_s(), plain.time_s());
+  ASSERT_TRUE(machine.move(feed(axes(-0.1, 1.0 / 7.0, 9.0))).ok());
+  EXPECT_EQ(world.move_sweeps().back().q_M_to, axes(-0.1, 1.0 / 7.0, 9.0));
+  EXPECT_TRUE(TruePosition(zero).is_ideal());
+}
+
+/// Different numbers everywhere: table (0, a) to (100, b) for each of the eighteen.
+errors::GeometricErrorSetup all_errors() {
+  errors::GeometricErrorSetup setup;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int way = 0; way < 6; ++way) {
+      const double size = way < 3 ? 1e-3 : 1.0;
+      const double first = size * (1 + axis + 3 * way);
+      const double last = size * (7 - 2 * axis - way);
+      setup.along[static_cast<std::size_t>(axis)][static_cast<std::size_t>(way)] =
+          ErrorTable({{0.0, first}, {100.0, last}});
+    }
+  }
+  setup.c0y = 12.0;
+  setup.b0z = -7.0;
+  setup.a0z = 5.0;
+  return setup;
+}
+
+/// One of the eighteen by its own formula.
+double single(int axis, int way, double place) {
+  const double size = way < 3 ? 1e-3 : 1e-6;
+  const double first = size * (1 + axis + 3 * way);
+  const double last = size * (7 - 2 * axis - way);
+  return first + (last - first) * place / 100.0;
+}
+
+TEST(MachineErrors, TheVolumetricErrorIsTheSumWrittenOut) {
+  const errors::GeometricErrors map(all_errors());
+  const Point p_T(0.5, -0.25, -120.0);
+  const Point kPlaces[] = {{0, 0, 0}, {100, 0, 0}, {10, 20, 30}, {99, 1, 50}, {33.3, 66.6, 12.5}};
+  for (const Point& p : kPlaces) {
+    const double x = p.x(), y = p.y(), z = p.z();
+    const auto e = [&](int way, int axis) { return single(axis, way, p[axis]); };
+    // Part - X - Y - Z - tool.  Arms: Z the tool; Y the tool and z; X the tool, y and z.
+    const double u = p_T.x(), v = p_T.y(), w = p_T.z();
+    const double dx = e(0, 0) + e(0, 1) + e(0, 2)              // EXX EXY EXZ
+                      + e(4, 0) * (z + w) - e(5, 0) * (y + v)  // EBX ECX
+                      + e(4, 1) * (z + w) - e(5, 1) * v        // EBY ECY
+                      + e(4, 2) * w - e(5, 2) * v              // EBZ ECZ
+                      - 12e-6 * y - 7e-6 * z;                  // EC0Y EB0Z
+    const double dy = e(1, 0) + e(1, 1) + e(1, 2)              //
+                      + e(5, 0) * u - e(3, 0) * (z + w)        //
+                      + e(5, 1) * u - e(3, 1) * (z + w)        //
+                      + e(5, 2) * u - e(3, 2) * w              //
+                      - 5e-6 * z;                              // EA0Z
+    const double dz = e(2, 0) + e(2, 1) + e(2, 2)              //
+                      + e(3, 0) * (y + v) - e(4, 0) * u        //
+                      + e(3, 1) * v - e(4, 1) * u              //
+                      + e(3, 2) * v - e(4, 2) * u;
+    EXPECT_LT((map.at(p, p_T) - Point(dx, dy, dz)).norm(), 1e-16) << x << ' ' << y << ' ' << z;
+  }
+}
+
+TEST(MachineErrors, TheOrderOfTheAxesDecidesAboutTheArms) {
+  errors::GeometricErrorSetup setup;
+  setup.along[1][5] = ErrorTable({{0.0, 10.0}});  // ECY, 10 um/m
+  const Point p(200.0, 50.0, 0.0);
+  EXPECT_LT((errors::GeometricErrors(setup).at(p, Point::Zero()) - Point::Zero()).norm(), 1e-18)
+      << "X lies between Y and the part: it does not turn";
+  setup.part_to_tool = {1, 0, 2};
+  EXPECT_LT((errors::GeometricErrors(setup).at(p, Point::Zero()) - Point(0, 0.002, 0)).norm(),
+            1e-18)
+      << "Y carries X: 10 um/m over 200 mm";
+}
+
+TEST(MachineErrors, TablesAreStraightBetweenTheirPlacesAndConstantOutside) {
+  const ErrorTable table({{-10.0, 1.0}, {0.0, 3.0}, {30.0, 0.0}});
+  EXPECT_EQ(table.at(-11.0), 1.0);
+  EXPECT_EQ(table.at(-5.0), 2.0);
+  EXPECT_EQ(table.at(0.0), 3.0);
+  EXPECT_EQ(table.at(10.0), 2.0);
+  EXPECT_EQ(table.at(31.0), 0.0);
+}
+
+TEST(MachineErrors, SquarenessShowsInMeasuredPositions) {
+  MachineSetup setup = stops_at_once();
+  setup.geometric_errors.c0y = 100.0;  // 0.1 mm on 1000
+  for (const double y : {0.0, 100.0, 300.0}) {
+    setup.q_M_start = axes(0, y, 0);
+    Wall wall(0, 5.0);
+    MachiningCentre centre(setup, &wall);
+    // The tip is -1e-4 y off in X: the encoder must go that much further to touch.
+    EXPECT_NEAR(latched(centre, axes(10, y, 0))[0], 5.0 + 1e-4 * y, 1e-9) << y;
+  }
+}
+
+TEST(MachineErrors, BacklashIsSeenAfterAReversal) {
+  MachineSetup setup = stops_at_once();
+  setup.axes[0].play.backlash = 0.010;
+  Wall wall(0, 5.0);
+  MachiningCentre centre(setup, &wall);
+  EXPECT_NEAR(latched(centre, axes(10, 0, 0))[0], 5.0, 1e-9) << "from the positive direction: none";
+  ASSERT_TRUE(centre.move(feed(axes(9, 0, 0))).ok());
+  EXPECT_NEAR(latched(centre, axes(0, 0, 0))[0], 5.0 - 0.010, 1e-9);
+  ASSERT_TRUE(centre.move(feed(axes(1, 0, 0))).ok());
+  EXPECT_NEAR(latched(centre, axes(10, 0, 0))[0], 5.0, 1e-9);
+}
+
+TEST(MachineErrors, ATableStandsStillWhileTheEncoderTakesUpTheBacklash) {
+  const errors::AxisPlay up = errors::AxisPlay({0.010, 0.0, 0.05}, 0.0).after(3.0);
+  EXPECT_EQ(up.offset(), 0.0);
+  EXPECT_NEAR(up.after(2.996).offset(), 0.004, 1e-15);
+  EXPECT_NEAR(up.after(2.0).offset(), 0.010, 1e-15);
+  EXPECT_NEAR(up.after(2.0).after(2.003).offset(), 0.007, 1e-15);
+}
+
+TEST(MachineErrors, AReversalSpikeReachesItsHeightAndDiesAway) {
+  const errors::AxisPlay up = errors::AxisPlay({0.0, 0.010, 0.05}, 0.0).after(3.0);
+  EXPECT_EQ(up.offset(), 0.0) << "the first move is no reversal";
+  EXPECT_NEAR(up.after(2.95).offset(), 0.010, 1e-15) << "behind by its height after spike_way";
+  EXPECT_NEAR(up.after(2.90).offset(), 0.010 * 2.0 * std::exp(-1.0), 1e-15);
+  EXPECT_EQ(up.after(0.0).offset(), 0.0);
+}
+
+TEST(MachineErrors, AWarmScaleReadsLess) {
+  MachineSetup setup = stops_at_once();
+  setup.axes[0].scale_growth = {11.5, 30.0};
+  setup.axes[0].scale_fixed_at = 100.0;
+  setup.q_M_start = axes(290, 0, 0);
+  Wall wall(0, 300.0);
+  MachiningCentre centre(setup, &wall);
+  // true = q + 115e-6 (q - 100)
+  EXPECT_NEAR(latched(centre, axes(310, 0, 0))[0], (300.0 + 115e-6 * 100.0) / (1.0 + 115e-6), 1e-9);
+}
+
+TEST(MachineErrors, AnEncoderWithStepsLatchesWholeSteps) {
+  MachineSetup setup = stops_at_once();
+  setup.axes[0].scale_resolution = 0.001;
+  Wall wall(0, 5.00037);
+  MachiningCentre centre(setup, &wall);
+  EXPECT_NEAR(latched(centre, axes(10, 0, 0))[0], 5.000, 1e-12);
+  EXPECT_NEAR(centre.position()[0], 5.000, 1e-12);
+}
+
+TEST(MachineErrors, TheTrueWayStaysWithinItsTolerance) {
+  MachineSetup setup;
+  setup.geometric_errors = all_errors();
+  setup.p_T_tip = Point(0, 0, -120);
+  setup.axes[0].play = {0.010, 0.008, 0.05};
+  setup.q_M_start = axes(5, 0, 0);
+  TruePosition truth(setup);
+  truth.go_to(axes(0, 0, 0));
+  const StraightPath path(axes(0, 0, 0), axes(90, 40, 30));
+  const MotionProfile profile(path.length(), 20.0, 500.0);
+  const ServoMotion motion(path, profile.phases(), AxisPositions::Zero(), AxisPositions::Zero());
+  const AxisChain chain(setup.chain, setup.p_T_tip);
+  const TrueWay way(truth, chain, motion, motion.duration_s(), kTouchWayErrorMm);
+  const auto points = way.points();
+  ASSERT_EQ(points.back().fraction, 1.0);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Point from = linear_axes(points[i - 1].q_M);
+    const Point chord = linear_axes(points[i].q_M) - from;
+    for (const double part : {0.1, 0.3, 0.62, 0.9}) {
+      const double fraction =
+          points[i - 1].fraction + part * (points[i].fraction - points[i - 1].fraction);
+      const AxisPositions q_M_true = truth.after(motion.encoder_at(way.time_s(fraction)));
+      ASSERT_LT((linear_axes(q_M_true) - from - part * chord).norm(), 2.0 * kTouchWayErrorMm)
+          << fraction;
+    }
+  }
+  EXPECT_LT(points.size(), 2000U);
+}
+
+}  // namespace
+}  // namespace g31::machine

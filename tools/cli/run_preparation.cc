@@ -1,0 +1,155 @@
+#include "tools/cli/run_preparation.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/source/diagnostic.h"
+#include "machine/base/contract.h"
+#include "tools/cli/chosen_profile.h"
+#include "tools/cli/disk.h"
+#include "tools/cli/shipped.h"
+#include "tools/cli/variables_file.h"
+#include "tools/setup/assignment.h"
+#include "tools/setup/duration.h"
+#include "tools/setup/name_list.h"
+#include "tools/setup/toml_reader.h"
+
+namespace g31::cli {
+namespace {
+
+Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
+                                                      const setup::Job& job) {
+  const std::string name = !options.control.empty()       ? options.control
+                           : !job.control.profile.empty() ? job.control.profile
+                                                          : std::string(kDefaultControl);
+  const auto profile = profile_named(name);
+  if (!profile) {
+    return refusal(ExitCode::Setup, profile.error());
+  }
+  return profile.value();
+}
+
+/// `--set` after the variables file, the sheets' [variables] between them.
+std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job) {
+  auto& variables = job.control.variables;
+  Disk disk;
+  if (!job.control.variables_file.empty()) {
+    if (const auto text = disk.read(job.control.variables_file)) {
+      auto kept = parse_variables_text(*text);
+      if (!kept) {
+        return refusal(ExitCode::BadUsage,
+                       fmt::format("{}: {}", job.control.variables_file, kept.error()));
+      }
+      auto merged = kept.value();
+      for (const auto& [name, value] : variables) {
+        merged[name] = value;
+      }
+      variables = std::move(merged);
+    }
+  }
+  for (const std::string& text : options.assignments) {
+    auto assignment = setup::parse_assignment(text);
+    if (!assignment) {
+      return refusal(ExitCode::BadUsage, fmt::format("--set {}: {}", text, assignment.error()));
+    }
+    variables[assignment.value().name] = assignment.value().value;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Refusal refusal(ExitCode code, std::string_view message) {
+  return {code, fmt::format("g31: error: {}\n", message)};
+}
+
+Result<Prepared, Refusal> prepare(const RunOptions& options) {
+  Prepared prepared;
+  auto job = setup::read_job(options.setups, shipped_folder("machine/library").value_or(""));
+  if (!job) {
+    Refusal wrong;
+    for (const setup::SetupError& error : job.error()) {
+      wrong.text += setup::render(error);
+      if (error.code == setup::code_of(setup::SetupErrorId::FileNotFound)) {
+        wrong.code = ExitCode::Setup;
+      }
+    }
+    return wrong;
+  }
+  prepared.job = job.value();
+  const auto profile = chosen_profile(options, prepared.job);
+  if (!profile) {
+    return profile.error();
+  }
+  prepared.profile = profile.value();
+  if (auto wrong = take_variables(options, prepared.job)) {
+    return *wrong;
+  }
+  const auto period = setup::parse_duration(options.trace_period);
+  if (!period) {
+    return refusal(ExitCode::BadUsage, fmt::format("--trace-period: {}", period.error()));
+  }
+  prepared.trace_period_s = period.value();
+  for (const std::string& list : options.prints) {
+    auto names = setup::parse_name_list(list);
+    if (!names) {
+      return refusal(ExitCode::BadUsage, fmt::format("--print {}: {}", list, names.error()));
+    }
+    prepared.prints.insert(prepared.prints.end(), names.value().begin(), names.value().end());
+  }
+  return prepared;
+}
+
+std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOptions& options) {
+  for (const std::string& program : options.programs) {
+    if (library.add_file(program) == fanuc::ProgramLibrary::Added::Unreadable) {
+      return refusal(ExitCode::BadUsage, fmt::format("cannot read the program {}", program));
+    }
+  }
+  library.add_folder(std::filesystem::path(options.programs.front()).parent_path().string());
+  for (const std::string& folder : options.libraries) {
+    std::error_code unreadable;
+    if (!std::filesystem::is_directory(folder, unreadable)) {
+      return refusal(ExitCode::BadUsage, fmt::format("--lib {}: no such folder", folder));
+    }
+    library.add_folder(folder);
+  }
+  if (const auto shipped = shipped_folder("macros/fanuc")) {
+    library.add_folder(*shipped);
+  }
+  return std::nullopt;
+}
+
+ExitCode exit_code_of(const runtime::Outcome& outcome) {
+  switch (outcome.status) {
+    case runtime::Status::Completed: {
+      const bool findings =
+          std::ranges::any_of(outcome.diagnostics, [](const source::Diagnostic& diagnostic) {
+            return diagnostic.severity != source::Severity::Note;
+          });
+      return findings ? ExitCode::Findings : ExitCode::Completed;
+    }
+    case runtime::Status::Alarm:
+      return ExitCode::Alarm;
+    case runtime::Status::Collision:
+      return ExitCode::Collision;
+    case runtime::Status::Setup:
+      return ExitCode::Setup;
+    case runtime::Status::Budget:
+      return ExitCode::Budget;
+    case runtime::Status::SyntaxError:
+      return ExitCode::BadUsage;
+  }
+  contract_violated("every status has an exit code", __FILE__, __LINE__);
+}
+
+ExitCode refuse(const Refusal& wrong) {
+  std::fputs(wrong.text.c_str(), stderr);
+  return wrong.code;
+}
+
+}  // namespace g31::cli

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/library.h"
+#include "interpreter/dialects/fanuc/profile.h"
+#include "interpreter/runtime/outcome.h"
+#include "machine/base/result.h"
+#include "tools/cli/exit_code.h"
+#include "tools/cli/run_command.h"
+#include "tools/setup/job.h"
+
+namespace g31::cli {
+
+/// Why a run cannot begin.
+struct Refusal {
+  ExitCode code = ExitCode::BadUsage;
+  std::string text;  ///< whole lines
+};
+
+/// @param message  without "g31: error:" and line break
+Refusal refusal(ExitCode code, std::string_view message);
+
+/// Everything that the command line and the sheets say, read and checked before anything runs.
+struct Prepared {
+  setup::Job job;
+  const fanuc::Profile* profile = nullptr;
+  std::vector<std::string> prints;
+  double trace_period_s = 0.0;
+};
+
+/// Reads sheets and variables; chooses the control.
+Result<Prepared, Refusal> prepare(const RunOptions& options);
+
+/// The programs, the folder of the first one, --lib and the shipped macros, in this order.
+std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOptions& options);
+
+/// What a run that went through to its end, whichever, returns to the shell.
+ExitCode exit_code_of(const runtime::Outcome& outcome);
+
+/// Says why on standard error.
+ExitCode refuse(const Refusal& wrong);
+
+}  // namespace g31::cli

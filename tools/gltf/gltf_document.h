@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "tools/gltf/picture.h"
+
+namespace g31::gltf {
+
+enum class GltfForm {
+  Binary,  ///< .glb
+  Text,    ///< .gltf, the numbers in it as base64
+};
+
+/// A picture of a run as one glTF 2.0 file, for any viewer.
+///
+/// All of it hangs under one node that turns machine coordinates (mm, +Z up) to those of glTF
+/// (metres, +Y up): parts by name, the path as lines by kind of motion, each contact and each
+/// collision as a node with a small ball and a whisker along the normal.  What is only known in
+/// double stands in the extras of these nodes; positions in the buffer are float32.
+///
+/// The same picture gives the same bytes.
+std::string gltf_document(std::span<const PicturedPart> parts, const Trace& trace, GltfForm form);
+
+}  // namespace g31::gltf

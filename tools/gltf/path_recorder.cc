@@ -1,0 +1,114 @@
+#include "tools/gltf/path_recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <variant>
+
+#include "parts/geometry/placement.h"
+
+namespace g31::gltf {
+namespace {
+
+Mark mark_of(const machine::Contact& contact, const std::string& what) {
+  return {contact.p_M_point, contact.n_M, contact.part, what};
+}
+
+const std::optional<machine::Contact>& contact_of(const machine::SkipOutcome& outcome) {
+  static const std::optional<machine::Contact> kNone;
+  if (const auto* touched = std::get_if<machine::Touched>(&outcome)) {
+    return touched->contact;
+  }
+  const auto* already = std::get_if<machine::AlreadyTouching>(&outcome);
+  return already != nullptr ? already->contact : kNone;
+}
+
+}  // namespace
+
+PathRecorder::PathRecorder(machine::MachinePort& machine, const Point& p_S_tip)
+    : machine_(machine), p_S_tip_(p_S_tip) {}
+
+Result<AxisPositions, machine::MachineFault> PathRecorder::move(const machine::LinearMove& move) {
+  const AxisPositions q_M_from = machine_.position();
+  auto outcome = machine_.move(move);
+  draw(move.traverse == machine::Traverse::Rapid ? PathKind::Rapid : PathKind::Feed, q_M_from,
+       machine_.position());
+  if (!outcome) {
+    mark(outcome.error());
+  }
+  return outcome;
+}
+
+Result<AxisPositions, machine::MachineFault> PathRecorder::move(const machine::ArcMove& arc) {
+  const AxisPositions q_M_from = machine_.position();
+  auto outcome = machine_.move(arc);
+  if (machine_.position() != q_M_from || outcome) {
+    draw_arc(machine::ArcPath(q_M_from, arc), q_M_from);
+  }
+  if (!outcome) {
+    mark(outcome.error());
+  }
+  return outcome;
+}
+
+Result<machine::SkipOutcome, machine::MachineFault> PathRecorder::move_until_skip(
+    const machine::LinearMove& move) {
+  const AxisPositions q_M_from = machine_.position();
+  auto outcome = machine_.move_until_skip(move);
+  draw(PathKind::Skip, q_M_from, machine_.position());
+  if (!outcome) {
+    mark(outcome.error());
+  } else if (const auto& contact = contact_of(outcome.value())) {
+    trace_.contacts.push_back(mark_of(*contact, {}));
+  }
+  return outcome;
+}
+
+void PathRecorder::orient_spindle(double angle_deg) {
+  machine_.orient_spindle(angle_deg);
+  R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, angle_deg}});
+}
+
+Point PathRecorder::tip_at(const AxisPositions& q_M) const {
+  return linear_axes(q_M) + R_MS_ * p_S_tip_;
+}
+
+void PathRecorder::draw(PathKind kind, const AxisPositions& q_M_from, const AxisPositions& q_M_to) {
+  if (linear_axes(q_M_from) == linear_axes(q_M_to)) {
+    return;
+  }
+  Segments& segments = trace_.paths[static_cast<std::size_t>(kind)];
+  segments.push_back(tip_at(q_M_from));
+  segments.push_back(tip_at(q_M_to));
+}
+
+void PathRecorder::draw_arc(const machine::ArcPath& path, const AxisPositions& q_M_from) {
+  constexpr double kChordRad = std::numbers::pi / 36.0;
+  const int chords = 1 + static_cast<int>(std::fabs(path.turned_rad()) / kChordRad);
+  const AxisPositions q_M_stop = machine_.position();
+  // A move that was broken off is drawn up to the chord in which it ended.
+  int last = chords;
+  if (q_M_stop != path.to()) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int i = 1; i <= chords; ++i) {
+      const double gap = (path.at((i - 0.5) / chords) - q_M_stop).norm();
+      last = gap < nearest ? i : last;
+      nearest = std::min(nearest, gap);
+    }
+  }
+  AxisPositions q_M_here = q_M_from;
+  for (int i = 1; i <= last; ++i) {
+    const AxisPositions q_M_next = i == last ? q_M_stop : path.at(static_cast<double>(i) / chords);
+    draw(PathKind::Feed, q_M_here, q_M_next);
+    q_M_here = q_M_next;
+  }
+}
+
+void PathRecorder::mark(const machine::MachineFault& fault) {
+  if (fault.contact) {
+    trace_.collisions.push_back(mark_of(*fault.contact, fault.what));
+  }
+}
+
+}  // namespace g31::gltf

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "machine/port/machine_port.h"
+#include "machine/sim/arc_path.h"
+#include "tools/gltf/picture.h"
+
+namespace g31::gltf {
+
+/// A machine that another one does the work for, and that draws what it does.
+///
+/// The line is that of a point in the spindle, the stylus ball's centre; M19 turns it about the
+/// spindle axis.  Arcs are drawn as chords of 5 degrees at most.
+class PathRecorder final : public machine::MachinePort {
+ public:
+  /// @param machine  not owned: it must outlive the recorder
+  /// @param p_S_tip  mm, from the spindle gauge point to the drawn point at spindle angle 0
+  PathRecorder(machine::MachinePort& machine, const Point& p_S_tip);
+
+  Result<AxisPositions, machine::MachineFault> move(const machine::LinearMove& move) override;
+  Result<AxisPositions, machine::MachineFault> move(const machine::ArcMove& arc) override;
+  Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(
+      const machine::LinearMove& move) override;
+  void orient_spindle(double angle_deg) override;
+  void dwell(double seconds) override { machine_.dwell(seconds); }
+  [[nodiscard]] AxisPositions position() const override { return machine_.position(); }
+  [[nodiscard]] double time_s() const override { return machine_.time_s(); }
+
+  [[nodiscard]] const Trace& trace() const { return trace_; }
+
+ private:
+  [[nodiscard]] Point tip_at(const AxisPositions& q_M) const;
+  void draw(PathKind kind, const AxisPositions& q_M_from, const AxisPositions& q_M_to);
+  void draw_arc(const machine::ArcPath& path, const AxisPositions& q_M_from);
+  void mark(const machine::MachineFault& fault);
+
+  machine::MachinePort& machine_;
+  Point p_S_tip_;
+  Eigen::Matrix3d R_MS_ = Eigen::Matrix3d::Identity();
+  Trace trace_;
+};
+
+}  // namespace g31::gltf

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "machine/sim/machine_setup.h"
+#include "tools/setup/setup_error.h"
+#include "tools/setup/sheet.h"
+
+namespace g31::setup {
+
+/// [machine] and what is inside it, and [start]; all but the tip of its tool, which the probe says.
+machine::MachineSetup machine_from(const Sheet& sheet, ErrorList& errors);
+
+}  // namespace g31::setup
