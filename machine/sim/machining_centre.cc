@@ -291,12 +291,13 @@ SkipOutcome MachiningCentre::stop_really(Timed<SkipTrigger> trigger, const Strai
   if (stopping_ == Stopping::Ideal) {
     follow(motion, latch_s);
     q_M_ = q_M_latched;
-    real_.stop_at(q_M_);
   } else {
     follow(motion, std::max(latch_s, real_.done_s(motion, BlockEnd::ExactStop)));
     q_M_ = motion.end();
   }
   q_M_ = q_M_ == path.to() ? q_M_ : in_steps(q_M_, resolution_);
+  // What is left of the lag is gone: else the way back would begin by going on into the part.
+  real_.stop_at(q_M_);
   return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact),
                  trigger.event.signals};
 }
