@@ -1,5 +1,7 @@
 #include "probe/collision/collision_mesh.h"
 
+#include <cmath>
+
 namespace g31::probe {
 namespace {
 
@@ -51,15 +53,36 @@ std::optional<SectionTouch> CollisionMesh::first_touch(const SweptSection& swept
     return std::nullopt;
   }
   const Point p_M_centre = swept.p_M_from + fraction * swept.way;
+  const ContactTriangle& met = most_opposed(swept, fraction, *first);
   SectionTouch touch;
   touch.fraction = fraction;
-  touch.p_M_point = touched_point(*swept.section, p_M_centre, *first);
+  touch.p_M_point = touched_point(*swept.section, p_M_centre, met);
+  touch.n_M = met.is_sliver() ? Point(0.0, 0.0, 1.0) : met.normal;
+  const double towards = -touch.n_M.dot(swept.way);
   const Point p_M_axis(p_M_centre.x(), p_M_centre.y(), touch.p_M_point.z());
-  touch.n_M = first->is_sliver() ? Point(0.0, 0.0, 1.0) : first->normal;
-  if (touch.n_M.dot(p_M_axis - touch.p_M_point) < 0.0) {
+  const double aside = touch.n_M.dot(p_M_axis - touch.p_M_point);
+  if (towards != 0.0 ? towards < 0.0 : aside < 0.0) {
     touch.n_M = -touch.n_M;
   }
   return touch;
+}
+
+const ContactTriangle& CollisionMesh::most_opposed(const SweptSection& swept, double fraction,
+                                                   const ContactTriangle& first) const {
+  SweptSection at_rest = swept;
+  at_rest.p_M_from += fraction * swept.way;
+  at_rest.way.setZero();
+  at_rest.margin += 2.0 * kSectionTouchErrorMm;
+  const ContactTriangle* best = &first;
+  tree_.visit_inside(at_rest.box(), [&](std::uint32_t slot) {
+    const ContactTriangle& triangle = triangles_[slot];
+    const bool is_better =
+        std::abs(triangle.normal.dot(swept.way)) > std::abs(best->normal.dot(swept.way));
+    if (is_better && meets(at_rest, triangle)) {
+      best = &triangle;
+    }
+  });
+  return *best;
 }
 
 }  // namespace g31::probe

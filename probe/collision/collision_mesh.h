@@ -13,7 +13,7 @@ namespace g31::probe {
 struct SectionTouch {
   double fraction = 0.0;  ///< 0..1 of the way
   Point p_M_point;        ///< mm, on the mesh
-  Point n_M;              ///< unit normal of the triangle there, on the section's side
+  Point n_M;              ///< unit normal of the triangle there, against the way
 };
 
 /// How far from the true first touch a section is stopped at worst, mm along the way.
@@ -35,6 +35,11 @@ class CollisionMesh {
   [[nodiscard]] std::optional<SectionTouch> first_touch(const SweptSection& swept) const;
 
  private:
+  /// Of the triangles that the section has come to, the one that stands most across its way: on an
+  /// edge several are touched at once.
+  [[nodiscard]] const ContactTriangle& most_opposed(const SweptSection& swept, double fraction,
+                                                    const ContactTriangle& first) const;
+
   std::vector<ContactTriangle> triangles_;  ///< in slot order of tree_
   parts::Bvh tree_;
 };

@@ -44,17 +44,18 @@ TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& p
 
 std::optional<machine::SkipTrigger> TouchProbe::first_trigger(const machine::Sweep& sweep) {
   const std::uint64_t event = triggers_asked_++;
-  const PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
-  auto signal = touch.part != nullptr ? signal_of(touch, sweep) : std::nullopt;
   const double length = way_of(sweep).norm();
+  const auto signal = first_signal(sweep);
   if (!signal || signal->distance > length) {
     return std::nullopt;
   }
-  if (!signal->trigger.on_at_start) {
-    signal->trigger.fraction =
-        std::clamp((signal->distance + trigger_shift(event)) / length, 0.0, 1.0);
+  machine::SkipTrigger trigger = trigger_of(*signal);
+  trigger.on_at_start = signal->on_at_start;
+  if (!trigger.on_at_start) {
+    trigger.delay_s = setup_.trigger_delay_s;
+    trigger.fraction = std::clamp((signal->distance + trigger_shift(event)) / length, 0.0, 1.0);
   }
-  return std::move(signal->trigger);
+  return trigger;
 }
 
 std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
@@ -62,51 +63,57 @@ std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
   const std::uint64_t event = triggers_asked_++;
   double gone = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const machine::Sweep piece{way[i - 1].q_M, way[i].q_M};
-    const double length = way_of(piece).norm();
-    if (length == 0.0) {
+    const double piece = machine::distance_mm(way[i - 1].q_M, way[i].q_M);
+    if (piece == 0.0) {
       continue;
     }
-    const PartHit touch = first_hit(piece, &MeshSweeper::sweep);
-    if (touch.part == nullptr) {
-      gone += length;
-      continue;
+    if (const auto signal = first_signal({way[i - 1].q_M, way[i].q_M})) {
+      const double distance = gone + signal->distance;
+      if (distance > machine::length_of(way)) {
+        return std::nullopt;
+      }
+      machine::SkipTrigger trigger = trigger_of(*signal);
+      trigger.on_at_start = signal->on_at_start && gone == 0.0;
+      if (!trigger.on_at_start) {
+        trigger.delay_s = setup_.trigger_delay_s;
+        trigger.fraction = machine::fraction_after(way, distance + trigger_shift(event));
+      }
+      return trigger;
     }
-    auto signal = signal_of(touch, piece);
-    if (!signal || gone + signal->distance > machine::length_of(way)) {
-      return std::nullopt;
-    }
-    signal->trigger.on_at_start = signal->trigger.on_at_start && gone == 0.0;
-    if (!signal->trigger.on_at_start) {
-      signal->trigger.fraction =
-          machine::fraction_after(way, gone + signal->distance + trigger_shift(event));
-    }
-    return std::move(signal->trigger);
+    gone += piece;
   }
   return std::nullopt;
 }
 
-std::optional<TouchProbe::Signal> TouchProbe::signal_of(const PartHit& touch,
-                                                        const machine::Sweep& piece) const {
-  if (setup_.state == ProbeState::Dead) {
+std::optional<TouchProbe::Signal> TouchProbe::first_signal(const machine::Sweep& sweep) const {
+  PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
+  if (touch.part == nullptr || setup_.state == ProbeState::Dead) {
     return std::nullopt;
   }
-  const Point way = way_of(piece);
+  const Point way = way_of(sweep);
   const double length = way.norm();
-  const bool in_contact = touch.hit.status == SweepStatus::StartInContact;
-  const Point p_M_centre =
-      in_contact ? centre_of(*touch.ball, piece.q_M_from) : touch.hit.p_M_centre;
-  const auto more = way_to_signal(touch, p_M_centre, length > 0.0 ? Point(way / length) : way);
-  if (!more) {
-    return std::nullopt;
+  const Point direction = length > 0.0 ? Point(way / length) : way;
+  if (touch.hit.status == SweepStatus::StartInContact) {
+    const Point p_M_centre = centre_of(*touch.ball, sweep.q_M_from);
+    const double depth = depth_of(touch, p_M_centre);
+    if (const auto more = way_to_signal(touch, depth, direction)) {
+      return Signal{touch, std::max(0.0, *more), *more < 0.0};
+    }
+    // The stylus comes free without a signal; then it may touch something else.
+    touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
+    if (touch.part == nullptr) {
+      return std::nullopt;
+    }
   }
-  Signal signal;
-  signal.trigger.contact = contact_of(touch.hit, touch.part->name);
-  signal.trigger.signals = setup_.state == ProbeState::DoubleTrigger ? 2 : 1;
-  signal.trigger.delay_s = setup_.trigger_delay_s;
-  signal.trigger.on_at_start = in_contact && *more < 0.0;
-  signal.distance = std::max(0.0, (in_contact ? 0.0 : touch.hit.s) + *more);
-  return signal;
+  const auto more = way_to_signal(touch, 0.0, direction);
+  return more ? std::optional(Signal{touch, touch.hit.s + *more, false}) : std::nullopt;
+}
+
+machine::SkipTrigger TouchProbe::trigger_of(const Signal& signal) const {
+  machine::SkipTrigger trigger;
+  trigger.contact = contact_of(signal.touch.hit, signal.touch.part->name);
+  trigger.signals = setup_.state == ProbeState::DoubleTrigger ? 2 : 1;
+  return trigger;
 }
 
 double TouchProbe::trigger_shift(std::uint64_t event) const {
@@ -154,25 +161,22 @@ double TouchProbe::depth_of(const PartHit& touch, const Point& p_M_centre) {
   return touch.ball->radius - (p_M_centre - touch.hit.p_M_point).norm();
 }
 
-std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, const Point& p_M_centre,
+std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, double depth,
                                                 const Point& direction) const {
   const Point n_S = R_MS_.transpose() * touch.hit.n_M;
   const auto wanted = deflection_to_trigger(setup_.at_switch, n_S);
   if (!wanted) {
     return std::nullopt;
   }
-  if (touch.hit.status == SweepStatus::Contact && *wanted == 0.0) {
-    return 0.0;
-  }
-  const double depth = touch.hit.status == SweepStatus::Contact ? 0.0 : depth_of(touch, p_M_centre);
   if (depth > *wanted + kTouchBandMm) {
     return *wanted - depth;
   }
-  const double inwards = -touch.hit.n_M.dot(direction);
-  if (inwards <= 0.0) {
-    return std::nullopt;
+  const double missing = std::max(0.0, *wanted - depth);
+  if (depth == 0.0 && missing == 0.0) {
+    return 0.0;
   }
-  return std::max(0.0, *wanted - depth) / inwards;
+  const double inwards = -touch.hit.n_M.dot(direction);
+  return inwards > 0.0 ? std::optional(missing / inwards) : std::nullopt;
 }
 
 }  // namespace g31::probe

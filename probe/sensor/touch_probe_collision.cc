@@ -52,7 +52,12 @@ std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
 }
 
 std::optional<machine::Obstacle> TouchProbe::first_damage(const machine::Sweep& sweep) {
-  const PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
+  PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
+  if (touch.part != nullptr && touch.hit.status == SweepStatus::StartInContact &&
+      touch.hit.n_M.dot(way_of(sweep)) >= 0.0) {
+    // The stylus comes free; then it may be pushed into something else.
+    touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
+  }
   auto body = touch_of(setup_.bodies, sweep);
   auto stem = touch_of(setup_.stem, sweep);
   const double pushed_from = touch.part == nullptr ? 2.0
