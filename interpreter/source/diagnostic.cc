@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/source/printable.h"
 #include "machine/base/contract.h"
 
 namespace g31::source {
@@ -31,17 +32,6 @@ std::string_view name_of(Severity severity) {
   contract_violated("every Severity has a name", __FILE__, __LINE__);
 }
 
-std::string printable(std::string_view text) {
-  std::string shown(text);
-  for (char& c : shown) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x20 || code == 0x7F) {
-      c = c == '\t' ? ' ' : '?';
-    }
-  }
-  return shown;
-}
-
 /// The source line and the marker under it.
 std::string excerpt(const Location& where) {
   const LineColumn start = where.file->line_column(where.span.begin);
@@ -53,10 +43,13 @@ std::string excerpt(const Location& where) {
 
   const std::size_t column = before - std::min(from, before);
   const std::size_t room = line.size() > column ? line.size() - column : 1;
-  const std::size_t width = where.span.end - where.span.begin;
-  const std::size_t tildes = std::clamp<std::size_t>(width, 1, room) - 1;
+  const std::size_t width = std::clamp<std::size_t>(where.span.end - where.span.begin, 1, room);
+  const std::string in_front = printable(line.substr(0, column));
+  const std::string marked = printable(line.substr(std::min(column, line.size()), width));
+  const std::size_t tildes = std::max<std::size_t>(character_count(marked), 1) - 1;
+  const std::size_t blanks = character_count(in_front) + (column - std::min(column, line.size()));
   return fmt::format("{:5} | {}\n{:5} | {}^{}\n", start.line, printable(line), "",
-                     std::string(column, ' '), std::string(tildes, '~'));
+                     std::string(blanks, ' '), std::string(tildes, '~'));
 }
 
 std::string place(const Location& where) {
@@ -64,7 +57,7 @@ std::string place(const Location& where) {
     return {};
   }
   const LineColumn start = where.file->line_column(where.span.begin);
-  return fmt::format("{}:{}:{}: ", where.file->name(), start.line, start.column);
+  return fmt::format("{}:{}:{}: ", printable(where.file->name()), start.line, start.column);
 }
 
 }  // namespace
@@ -79,13 +72,18 @@ const DiagnosticInfo& info(DiagnosticId id) {
 
 Diagnostic make_diagnostic(DiagnosticId id, Location where, std::string_view detail) {
   const DiagnosticInfo& row = info(id);
-  return {row.severity, std::string(row.code), where, fmt::format(fmt::runtime(row.text), detail),
-          std::string(row.remedy), {}};
+  return {row.severity,
+          std::string(row.code),
+          where,
+          fmt::format(fmt::runtime(row.text), detail),
+          std::string(row.remedy),
+          {}};
 }
 
 std::string render_text(const Diagnostic& diagnostic) {
-  std::string text = fmt::format("{}{}: {} [{}]\n", place(diagnostic.where),
-                                 name_of(diagnostic.severity), diagnostic.message, diagnostic.code);
+  std::string text =
+      fmt::format("{}{}: {} [{}]\n", place(diagnostic.where), name_of(diagnostic.severity),
+                  printable(diagnostic.message), diagnostic.code);
   if (diagnostic.where.file != nullptr) {
     text += excerpt(diagnostic.where);
   }
@@ -93,7 +91,7 @@ std::string render_text(const Diagnostic& diagnostic) {
     text += fmt::format("{:5} = {}\n", "", diagnostic.remedy);
   }
   for (const Note& note : diagnostic.notes) {
-    text += fmt::format("{}note: {}\n", place(note.where), note.message);
+    text += fmt::format("{}note: {}\n", place(note.where), printable(note.message));
   }
   return text;
 }

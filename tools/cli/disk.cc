@@ -15,6 +15,30 @@ namespace g31::cli {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// @returns why it failed, in the system's words
+std::optional<std::string> write_into(const std::string& path, std::string_view text) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.flush();
+  return out ? std::nullopt : std::optional<std::string>(std::strerror(errno));
+}
+
+std::optional<std::string> replace_file(const std::string& path, std::string_view text) {
+  const std::string temporary = fmt::format("{}.{}.part", path, ::getpid());
+  std::optional<std::string> reason = write_into(temporary, text);
+  if (!reason && std::rename(temporary.c_str(), path.c_str()) != 0) {
+    reason = std::strerror(errno);
+  }
+  if (reason) {
+    std::remove(temporary.c_str());
+  }
+  return reason;
+}
+
+}  // namespace
+
 std::optional<std::uint64_t> Disk::size(const std::string& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
@@ -65,23 +89,16 @@ std::vector<std::string> Disk::list(const std::string& folder) {
 }
 
 std::optional<std::string> write_whole_file(const std::string& path, std::string_view text) {
-  const std::string temporary = fmt::format("{}.{}.part", path, ::getpid());
-  {
-    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.flush();
-    if (!out) {
-      const std::string reason = std::strerror(errno);
-      std::remove(temporary.c_str());
-      return fmt::format("cannot write {}: {}", path, reason);
-    }
+  std::error_code error;
+  std::optional<std::string> reason;
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
+    reason = write_into(path, text);
+  } else {
+    const std::string target =
+        fs::is_symlink(path, error) ? fs::weakly_canonical(path, error).string() : path;
+    reason = target.empty() ? error.message() : replace_file(target, text);
   }
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) {
-    const std::string reason = std::strerror(errno);
-    std::remove(temporary.c_str());
-    return fmt::format("cannot write {}: {}", path, reason);
-  }
-  return std::nullopt;
+  return reason ? std::optional(fmt::format("cannot write {}: {}", path, *reason)) : std::nullopt;
 }
 
 }  // namespace g31::cli

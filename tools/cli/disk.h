@@ -20,7 +20,7 @@ class Disk final : public source::FileSystem {
 };
 
 /// Writes a file under a temporary name beside it and renames it, so that nobody ever sees half of
-/// it.  @returns why it could not be written; nullopt: it was
+/// it; a link to a file stays one.  A device or a pipe gets the text as it is.  @returns why it could not be written; nullopt: it was
 std::optional<std::string> write_whole_file(const std::string& path, std::string_view text);
 
 }  // namespace g31::cli

@@ -1,6 +1,8 @@
 #include "tools/cli/run_command.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -20,19 +22,32 @@
 namespace g31::cli {
 namespace {
 
-/// Prints on the terminal while the program runs, unless the document goes there.
+/// Prints on the terminal while the program runs, unless the document goes there.  Without a
+/// document nothing is kept: an endless loop may print and stop for hours.
 class EchoingRecorder final : public report::RunRecorder {
  public:
-  EchoingRecorder(report::RecordWhat what, bool echo) : RunRecorder(what), echo_(echo) {}
+  explicit EchoingRecorder(const RunOptions& options)
+      : RunRecorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No}),
+        echoes_(options.json != "-"),
+        keeps_(!options.json.empty()) {}
   void on_output(std::string_view text) override {
-    RunRecorder::on_output(text);
-    if (echo_) {
+    if (keeps_) {
+      RunRecorder::on_output(text);
+    }
+    if (echoes_) {
       std::fwrite(text.data(), 1, text.size(), stdout);
+    }
+  }
+  void on_stop(const runtime::StopEvent& event) override {
+    if (keeps_) {
+      RunRecorder::on_stop(event);
     }
   }
 
  private:
-  bool echo_;
+  using Keep = report::RecordWhat::Keep;
+  bool echoes_;
+  bool keeps_;
 };
 
 /// Variables asked for by --print, with a refusal for names the control does not have.
@@ -62,18 +77,33 @@ std::string probe_state_of(const setup::Job& job) {
 /// Where the result goes: the document, or the variables asked for as lines.
 std::optional<Refusal> deliver(const RunOptions& options, const report::RunResult& result,
                                const report::RunRecorder& recorder) {
+  std::string text;
   if (options.json == "-") {
-    const std::string document = run_document(result, recorder);
-    std::fwrite(document.data(), 1, document.size(), stdout);
-    return std::nullopt;
+    text = run_document(result, recorder);
+  } else {
+    for (const auto& [name, value] : result.variables) {
+      text += fmt::format("{} = {}\n", name,
+                          value.is_vacant() ? "null" : fmt::format("{}", value.raw()));
+    }
   }
-  for (const auto& [name, value] : result.variables) {
-    fmt::print("{} = {}\n", name, value.is_vacant() ? "null" : fmt::format("{}", value.raw()));
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    return refusal(ExitCode::BadUsage,
+                   fmt::format("cannot write standard output: {}", std::strerror(errno)));
   }
-  if (options.json.empty()) {
+  if (options.json.empty() || options.json == "-") {
     return std::nullopt;
   }
   const auto problem = write_whole_file(options.json, run_document(result, recorder));
+  return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
+}
+
+/// Saves the permanent variables for the next run, if a file for them is named.
+std::optional<Refusal> keep_variables(const std::string& path, const fanuc::Session& session) {
+  if (path.empty()) {
+    return std::nullopt;
+  }
+  const auto problem = write_whole_file(path, variables_text(session.permanent_variables()));
   return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
@@ -90,6 +120,11 @@ Result<Trace, Refusal> open_trace(const std::string& path, const machine::Machin
   }
   const auto trace = report::TraceFile::create(path, axes);
   return trace ? Result<Trace, Refusal>(trace.value()) : refusal(ExitCode::BadUsage, trace.error());
+}
+
+std::optional<Refusal> finish_trace(const Trace& trace) {
+  const auto problem = trace != nullptr ? trace->finish() : std::nullopt;
+  return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
 }  // namespace
@@ -113,10 +148,7 @@ ExitCode run_command(const RunOptions& options) {
   if (!scene) {
     return refuse({ExitCode::Setup, setup::render(scene.error())});
   }
-  using Keep = report::RecordWhat::Keep;
-  EchoingRecorder recorder(
-      {options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No},
-      options.json != "-");
+  EchoingRecorder recorder(options);
   machine::MachiningCentre& machine = *scene.value().machine;
   if (trace.value() != nullptr) {
     machine.trace(prepared.value().trace_period_s, *trace.value());
@@ -127,10 +159,8 @@ ExitCode run_command(const RunOptions& options) {
   }
   report::RunResult result;
   result.outcome = session.run(options.budget);
-  if (trace.value() != nullptr) {
-    if (const auto problem = trace.value()->finish()) {
-      return refuse(refusal(ExitCode::BadUsage, *problem));
-    }
+  if (const auto wrong = finish_trace(trace.value())) {
+    return refuse(*wrong);
   }
   for (const source::Diagnostic& diagnostic : result.outcome.diagnostics) {
     std::fputs(render_text(diagnostic).c_str(), stderr);
@@ -151,11 +181,8 @@ ExitCode run_command(const RunOptions& options) {
   if (const auto wrong = deliver(options, result, recorder)) {
     return refuse(*wrong);
   }
-  if (!job.control.variables_file.empty()) {
-    if (const auto problem = write_whole_file(job.control.variables_file,
-                                              variables_text(session.permanent_variables()))) {
-      return refuse(refusal(ExitCode::BadUsage, *problem));
-    }
+  if (const auto wrong = keep_variables(job.control.variables_file, session)) {
+    return refuse(*wrong);
   }
   return exit_code_of(result.outcome);
 }

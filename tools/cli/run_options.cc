@@ -1,8 +1,30 @@
 #include "tools/cli/run_options.h"
 
+#include <charconv>
+#include <cmath>
+#include <string>
+
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace g31::cli {
+namespace {
+
+/// CLI11 takes -1 for the largest number there is.
+std::string why_no_count(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? "" : fmt::format("{} is no whole number from 0", text);
+}
+
+std::string why_no_time(const std::string& text) {
+  double seconds = 0.0;
+  const char* const last = text.data() + text.size();
+  const auto end = std::from_chars(text.data(), last, seconds);
+  const bool fits = end.ec == std::errc() && end.ptr == last && std::isfinite(seconds);
+  return fits && seconds > 0.0 ? "" : fmt::format("{} is no number of seconds above 0", text);
+}
+
+}  // namespace
 
 void add_program_options(CLI::App& command, RunOptions& options) {
   command
@@ -25,12 +47,14 @@ void add_program_options(CLI::App& command, RunOptions& options) {
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command.add_option("--seed", options.seed, "seed of every random model (default 0)")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(why_no_count);
   command.add_option("--max-blocks", options.budget.blocks, "executed blocks (default 50000000)")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(why_no_count);
   command.add_option("--max-time", options.budget.wall_seconds, "wall seconds (default 600)")
       ->type_name("S")
-      ->check(CLI::PositiveNumber);
+      ->check(why_no_time);
 }
 
 CLI::App* add_run_command(CLI::App& app, RunOptions& options) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -112,7 +113,8 @@ std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOpt
   }
   library.add_folder(std::filesystem::path(options.programs.front()).parent_path().string());
   for (const std::string& folder : options.libraries) {
-    if (!std::filesystem::is_directory(folder)) {
+    std::error_code unreadable;
+    if (!std::filesystem::is_directory(folder, unreadable)) {
       return refusal(ExitCode::BadUsage, fmt::format("--lib {}: no such folder", folder));
     }
     library.add_folder(folder);

@@ -71,7 +71,7 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
 
 void Control::report_silent_skip() {
   if (silent_skip) {
-    diagnostics.push_back(make_diagnostic(source::DiagnosticId::SkipWithoutSignal, *silent_skip));
+    warn(source::DiagnosticId::SkipWithoutSignal, *silent_skip);
     silent_skip.reset();
   }
 }
@@ -80,6 +80,24 @@ void Control::report_read_ahead(const SystemVariable& row, std::int32_t number) 
   const source::Location where = here();
   if (const auto report = lookahead.judge(row, where, number)) {
     diagnostics.push_back(make_diagnostic(*report, where, fmt::format("#{}", number)));
+  }
+}
+
+void Control::warn(source::DiagnosticId id, source::Location where) {
+  const auto [row, is_new] =
+      repeats_.try_emplace({id, where.file, where.span.begin}, Repeat{diagnostics.size(), 0});
+  ++row->second.times;
+  if (is_new) {
+    diagnostics.push_back(make_diagnostic(id, where));
+  }
+}
+
+void Control::tell_repeats() {
+  for (const auto& [place, repeat] : repeats_) {
+    if (repeat.times > 1) {
+      source::Diagnostic& diagnostic = diagnostics[repeat.diagnostic];
+      diagnostic.notes.push_back({diagnostic.where, fmt::format("{} times in all", repeat.times)});
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -133,6 +134,12 @@ struct Control {
   /// A system variable is read ahead of the motion: the report that it deserves.
   void report_read_ahead(const SystemVariable& row, std::int32_t number);
 
+  /// Warns of what a block did.  When the block does it again, only the count of the warning grows:
+  /// a loop may do it a million times.
+  void warn(source::DiagnosticId id, source::Location where);
+  /// Says at each warning how often it happened; to be called once, at the end.
+  void tell_repeats();
+
   /// Warns of something that g31 does not simulate, at its first place only.
   void warn_once(source::DiagnosticId id, source::Location where, std::string_view detail = {});
 
@@ -167,6 +174,12 @@ struct Control {
   static bool is_linear(int axis) { return axis < 3; }
   void choose_system_variables();
 
+  struct Repeat {
+    std::size_t diagnostic = 0;  ///< its place among the diagnostics
+    std::uint64_t times = 0;
+  };
+  std::map<std::tuple<source::DiagnosticId, const source::SourceFile*, std::size_t>, Repeat>
+      repeats_;
   std::set<std::pair<source::DiagnosticId, std::string>> warned_;
 };
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/angles.h"
+#include "interpreter/dialects/fanuc/scanner.h"
 #include "machine/base/contract.h"
 
 namespace g31::fanuc {
@@ -174,7 +175,7 @@ Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cel
     case OpCode::DigitLimit:
       return op.function <= rules_.digit_limit
                  ? Cell()
-                 : fail(AlarmId::TooManyDigits, fmt::format("{} digits", op.function));
+                 : fail(AlarmId::TooManyDigits, digit_count(op.function));
     case OpCode::Modulo:
     case OpCode::And:
     case OpCode::Or:

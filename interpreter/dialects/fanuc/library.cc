@@ -29,6 +29,14 @@ std::string joined(const std::string& folder, const std::string& name) {
   return folder.empty() || folder == "." ? name : folder + "/" + name;
 }
 
+/// A file whose lines end with CR alone, as old computers and EIA readers leave it: a control knows
+/// LF only, so without this the whole file would be one block.
+void use_line_feeds(std::string& text) {
+  if (text.find('\n') == std::string::npos) {
+    std::ranges::replace(text, '\r', '\n');
+  }
+}
+
 }  // namespace
 
 ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
@@ -41,6 +49,7 @@ ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
   if (!text || text->size() >= std::numeric_limits<std::uint32_t>::max()) {
     return nullptr;
   }
+  use_line_feeds(*text);
   auto file = std::make_unique<File>();
   file->path = path;
   file->source = std::make_unique<source::SourceFile>(path, from_tape_code(*std::move(text)));
@@ -98,6 +107,11 @@ const CompiledProgram* ProgramLibrary::main_program() {
     }
   }
   return whole_main();
+}
+
+const source::SourceFile* ProgramLibrary::main_text() {
+  const File* const loaded = main_path_.empty() ? nullptr : load(main_path_);
+  return loaded != nullptr ? loaded->source.get() : nullptr;
 }
 
 const CompiledProgram* ProgramLibrary::whole_main() {

@@ -38,6 +38,9 @@ class ProgramLibrary {
   /// name say so (O1234.nc, 1234, o01234.txt); failing that, when its text begins with O1234.
   void add_folder(const std::string& folder);
 
+  /// The text of the first file; nullptr when there is none.
+  const source::SourceFile* main_text();
+
   /// The first program of the first file that has blocks or a number; nullptr when there is none.
   const CompiledProgram* main_program();
 

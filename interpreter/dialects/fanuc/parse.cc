@@ -10,6 +10,7 @@
 #include "interpreter/dialects/fanuc/output_format.h"
 #include "interpreter/dialects/fanuc/parse_expression.h"
 #include "interpreter/dialects/fanuc/variable_names.h"
+#include "interpreter/source/printable.h"
 #include "machine/base/contract.h"
 
 namespace g31::fanuc {
@@ -65,6 +66,7 @@ class Parser {
   void head(Block& block);
   std::uint8_t switch_number();
   void body(Block& block);
+  std::string why_no_word(char next) const;
   void assignment(Block& block);
   void words(Block& block);
   bool word();
@@ -252,11 +254,7 @@ void Parser::body(Block& block) {
     return;
   }
   if (next < 'A' || next > 'Z') {
-    fail(
-        AlarmId::AddressNotFound,
-        next >= '0' && next <= '9'
-            ? "a block begins with an address letter, here is a digit (0 in place of the letter O?)"
-            : fmt::format("'{}' cannot begin a word", next));
+    fail(AlarmId::AddressNotFound, why_no_word(next));
     return;
   }
   const std::uint32_t begin = scanner_.position();
@@ -268,6 +266,17 @@ void Parser::body(Block& block) {
   } else {
     words(block);
   }
+}
+
+std::string Parser::why_no_word(char next) const {
+  if (next >= '0' && next <= '9') {
+    return "a block begins with an address letter, here is a digit (0 in place of the letter O?)";
+  }
+  const std::string_view text = scanner_.text();
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    return "this file is UTF-16: save it as ASCII or UTF-8";
+  }
+  return fmt::format("{} cannot begin a word", source::quoted(next));
 }
 
 void Parser::assignment(Block& block) {
@@ -296,7 +305,7 @@ void Parser::expect_end(Block& block) {
   }
   const bool starts_word = next >= 'A' && next <= 'Z';
   fail(starts_word || next == '#' ? AlarmId::MixedStatement : AlarmId::ExpressionFormat,
-       fmt::format("the statement ends before '{}'", next));
+       fmt::format("the statement ends before {}", source::quoted(next)));
   block.kind = BlockKind::Bad;
 }
 
@@ -318,7 +327,7 @@ bool Parser::word() {
     return false;
   }
   if ((letter < 'A' || letter > 'Z') && letter != '/') {
-    fail(AlarmId::IllegalAddress, fmt::format("'{}' is no address letter", letter));
+    fail(AlarmId::IllegalAddress, fmt::format("{} is no address letter", source::quoted(letter)));
     return false;
   }
   scanner_.step();
@@ -539,9 +548,11 @@ void Parser::then_statement(Block& block) {
     fail(AlarmId::StatementFormat, "too many THEN in one block");
   } else {
     body(statement);
-    if (!failed() && statement.kind == BlockKind::Nc) {
+    const bool is_loop = statement.kind == BlockKind::While || statement.kind == BlockKind::Do ||
+                         statement.kind == BlockKind::End;
+    if (!failed() && (is_loop || statement.kind == BlockKind::Nc)) {
       expressions_.fail_at(AlarmId::StatementFormat, {begin, scanner_.position()},
-                           "THEN takes a macro statement, no NC words");
+                           "THEN takes a macro statement, no loop and no NC words");
     }
   }
   statement.span = {begin, scanner_.position()};

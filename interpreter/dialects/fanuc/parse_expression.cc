@@ -6,6 +6,7 @@
 
 #include "interpreter/dialects/fanuc/functions.h"
 #include "interpreter/dialects/fanuc/parse.h"
+#include "interpreter/source/printable.h"
 
 namespace g31::fanuc {
 namespace {
@@ -176,7 +177,7 @@ Index ExpressionParser::primary() {
   }
   return fail(AlarmId::ExpressionFormat,
               next == '\n' ? "the block ends where a value is expected"
-                           : fmt::format("a value is expected here, not '{}'", next));
+                           : fmt::format("a value is expected here, not {}", source::quoted(next)));
 }
 
 Index ExpressionParser::number() {
@@ -217,7 +218,7 @@ bool ExpressionParser::close_bracket(std::uint32_t opened_at) {
       fail_at(AlarmId::ExpressionFormat, {opened_at, opened_at + 1}, "this [ has no ]");
     } else {
       fail(AlarmId::ExpressionFormat,
-           fmt::format("an operator or ] is expected here, not '{}'", next));
+           fmt::format("an operator or ] is expected here, not {}", source::quoted(next)));
     }
     return false;
   }
@@ -316,6 +317,7 @@ Index ExpressionParser::function() {
     return kNone;
   }
   if (arguments == Arguments::OneOrTwo && node.b == kNone && scanner_.accept('/')) {
+    node.op = Operator::Divide;
     node.b = bracketed();
   } else if (arguments == Arguments::Parameter && scanner_.accept('/')) {
     node.c = bracketed();

@@ -29,7 +29,7 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
   runtime::Outcome outcome;
   if (main == nullptr) {
     outcome.status = runtime::Status::SyntaxError;
-    outcome.diagnostics.push_back(make_diagnostic(source::DiagnosticId::NoProgramInFile, {}));
+    outcome.diagnostics.push_back(make_diagnostic(source::DiagnosticId::NoProgramInFile, {library_.main_text(), {}}));
     return outcome;
   }
   for (const syntax::SyntaxError& error : reachable_errors(*main)) {
@@ -53,6 +53,7 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
   } else {
     control_.report_silent_skip();
   }
+  control_.tell_repeats();
   outcome.diagnostics = control_.diagnostics;
   outcome.blocks = control_.budget.blocks();
   return outcome;

@@ -5,6 +5,7 @@
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/runner.h"
+#include "interpreter/dialects/fanuc/scanner.h"
 
 namespace g31::fanuc {
 namespace {
@@ -46,11 +47,11 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
       }
       number = value.raw();
     } else if (word.digits > control_.profile.word_digit_limit) {
-      return at_place(AlarmId::TooManyDigits, word.span, fmt::format("{} digits", word.digits));
+      return at_place(AlarmId::TooManyDigits, word.span, digit_count(word.digits));
     }
     if (std::abs(number) > kLargestWord) {
       return at_place(AlarmId::TooManyDigits, word.span,
-                     fmt::format("{} is {:g}, beyond every address", word.letter, number));
+                      fmt::format("{} is {:g}, beyond every address", word.letter, number));
     }
     words_.add(word, number);
   }

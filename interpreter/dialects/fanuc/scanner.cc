@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include <fmt/format.h>
+
 namespace g31::fanuc {
 namespace {
 
@@ -26,6 +28,10 @@ constexpr int kExactDigits = 15;
 
 }  // namespace
 
+std::string digit_count(std::uint8_t digits) {
+  return fmt::format("{} digits{}", digits, digits == 255 ? " or more" : "");
+}
+
 char Scanner::peek_behind_blanks() {
   while (at_ < text_.size()) {
     const char c = text_[at_];
@@ -45,7 +51,12 @@ char Scanner::peek_behind_blanks() {
 void Scanner::skip_comment() {
   const std::size_t begin = at_ + 1;
   const std::size_t end = std::min(text_.find_first_of(")\n", begin), text_.size());
-  comment_ = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  const bool goes_on =
+      comment_.end != 0 && at_ >= comment_.end &&
+      text_.substr(comment_.end, at_ - comment_.end).find_first_not_of(") \t\r") == text_.npos;
+  if (!goes_on) {
+    comment_ = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  }
   at_ = end < text_.size() && text_[end] == ')' ? end + 1 : end;
 }
 

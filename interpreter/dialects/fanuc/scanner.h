@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "interpreter/syntax/tree.h"
@@ -29,6 +30,9 @@ struct ScannedNumber {
   std::uint8_t decimals = 0;  ///< those behind the point, capped at 255
   bool has_point = false;
 };
+
+/// For messages: how many digits ScannedNumber::digits counted.
+std::string digit_count(std::uint8_t digits);
 
 /// A cursor over the text of one file, one block (line) at a time.  Blanks, tabs, CR and NUL count
 /// for nothing outside comments (MB-008), comments are stepped over and remembered.
@@ -75,7 +79,8 @@ class Scanner {
   /// Steps over `word` if the next letters begin with it.
   bool accept_word(std::string_view word);
 
-  /// The last comment stepped over in this block, without its parentheses; empty span if none.
+  /// The last comment stepped over in this block, without its parentheses, or the first of the last
+  /// run of comments; empty span if none.
   [[nodiscard]] syntax::ShortSpan last_comment() const { return comment_; }
   void forget_comment() { comment_ = {}; }
 

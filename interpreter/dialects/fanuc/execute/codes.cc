@@ -76,7 +76,18 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
   control.modal.group[static_cast<std::size_t>(code.group)] = code.number;
 }
 
+/// Calls are taken out of a block before it comes here; these are left when another word calls,
+/// too.
+bool is_second_call(const EvaluatedWord& word) {
+  constexpr double kCalls[] = {65.0, 66.0, 66.1, 67.0};
+  return std::ranges::find(kCalls, word.number) != std::end(kCalls);
+}
+
 MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& codes) {
+  if (is_second_call(word)) {
+    return at_word(AlarmId::MixedStatement, word,
+                   fmt::format("G{} beside another call", word.number));
+  }
   const auto number = g_number(word.number);
   const GCode* const code = number ? find_g_code(*number) : nullptr;
   if (code == nullptr || std::ranges::count(control.profile.missing_g_codes, *number) != 0) {

@@ -30,8 +30,7 @@ runtime::TouchEvent event_of(Control& control, const NcBlock& block, const SkipO
                  [&](const AlreadyTouching& touching) {
                    event.triggered = true;
                    event.contact = touching.contact;
-                   control.diagnostics.push_back(
-                       make_diagnostic(source::DiagnosticId::SkipSignalAlreadyOn, block.where));
+                   control.warn(source::DiagnosticId::SkipSignalAlreadyOn, block.where);
                  },
              },
              outcome);

@@ -1,0 +1,51 @@
+#include "interpreter/source/printable.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace g31::source {
+namespace {
+
+using namespace std::string_literals;
+
+TEST(Printable, KeepsTextAndHidesTheRest) {
+  struct Case {
+    const char* name;
+    std::string text;
+    const char* shown;
+    std::size_t characters;
+  };
+  const Case kCases[] = {
+      {"ASCII", "G01 X1.~", "G01 X1.~", 8},
+      {"tab", "G1\tX1", "G1 X1", 5},
+      {"controls", "a\x1B[31m\0\x7F\r"s, "a?[31m???", 9},
+      {"two bytes", "\u00F6", "\u00F6", 1},
+      {"three bytes", "\u6E2C\u5B9A", "\u6E2C\u5B9A", 2},
+      {"four bytes", "\U0001F600", "\U0001F600", 1},
+      {"Latin-1", "gr\xF6\xDF\x65", "gr??e", 5},
+      {"Shift-JIS", "\x83\x5C\x91\xAA", "?\\??", 4},
+      {"a character cut at the end", "a\xE6\xB8", "a??", 3},
+      {"longer than it need be", "\xC0\xAF\xE0\x80\xAF", "?????", 5},
+      {"half of a UTF-16 pair", "\xED\xA0\x80", "???", 3},
+      {"beyond Unicode", "\xF4\x90\x80\x80\xFF", "?????", 5},
+      {"a control of Latin-1", "\xC2\x9B", "??", 2},
+      {"a rest without its beginning", "\x80", "?", 1},
+      {"nothing", "", "", 0},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    EXPECT_EQ(printable(c.text), c.shown);
+    EXPECT_EQ(character_count(printable(c.text)), c.characters);
+  }
+}
+
+TEST(Printable, OneCharacterInWords) {
+  EXPECT_EQ(quoted('A'), "'A'");
+  EXPECT_EQ(quoted('\''), "'''");
+  EXPECT_EQ(quoted('\x1B'), "the byte 0x1B");
+  EXPECT_EQ(quoted('\xFB'), "the byte 0xFB");
+}
+
+}  // namespace
+}  // namespace g31::source

@@ -1,0 +1,145 @@
+// Files, folders and numbers on the command line that are not what they should be.
+
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "tests/support/run_program.h"
+#include "tools/cli/disk.h"
+#include "tools/cli/run_options.h"
+
+namespace g31 {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::run_program;
+using testing::RunOutput;
+using testing::TemporaryFolder;
+
+TEST(HostileFiles, AreRefusedWithTheirName) {
+  TemporaryFolder folder;
+  const std::string program = folder.write("case.nc", "O1\nM98P5\nM30\n");
+  fs::create_symlink("loop", folder.path("loop"));
+  fs::create_directory(folder.path("folder"));
+  fs::create_symlink("nothing", folder.path("dangling"));
+  struct Case {
+    const char* name;
+    std::string program;
+    std::vector<std::string> libraries;
+    int exit_code;
+    const char* says;
+  };
+  const Case kCases[] = {
+      {"a folder as program", folder.path("folder"), {}, 2, "cannot read the program"},
+      {"a link to itself as program", folder.path("loop"), {}, 2, "cannot read the program"},
+      {"a link to nothing as program", folder.path("dangling"), {}, 2, "cannot read the program"},
+      {"no such program", folder.path("none.nc"), {}, 2, "cannot read the program"},
+      {"a file as library", program, {program}, 2, "case.nc: no such folder"},
+      {"a link to itself as library", program, {folder.path("loop")}, 2, "loop: no such folder"},
+      {"no such library", program, {folder.path("none")}, 2, "none: no such folder"},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    cli::RunOptions options;
+    options.programs = {c.program};
+    options.libraries = c.libraries;
+    const RunOutput output = run_program(options);
+    EXPECT_EQ(output.exit_code, c.exit_code);
+    EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
+    EXPECT_TRUE(output.document.is_null());
+  }
+}
+
+TEST(HostileFiles, LinksInALibraryThatLeadNowhereArePassedOver) {
+  TemporaryFolder folder;
+  fs::create_directory(folder.path("lib"));
+  fs::create_symlink("../lib", folder.path("lib/again"));
+  fs::create_symlink("O5.nc", folder.path("lib/O5.nc"));
+  fs::create_symlink("nothing", folder.path("lib/O6.nc"));
+  cli::RunOptions options;
+  options.programs = {folder.write("case.nc", "O1\nM98P5\nM30\n")};
+  options.libraries = {folder.path("lib")};
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 3);
+  EXPECT_NE(output.errors.find("O0005 is in none of the files"), std::string::npos)
+      << output.errors;
+}
+
+TEST(HostileFiles, UnreadableProgram) {
+  TemporaryFolder folder;
+  const std::string program = folder.write("case.nc", "O1\nM30\n");
+  fs::permissions(program, fs::perms::none);
+  if (::access(program.c_str(), R_OK) == 0) {
+    GTEST_SKIP() << "this user may read everything";
+  }
+  cli::RunOptions options;
+  options.programs = {program};
+  EXPECT_EQ(run_program(options).exit_code, 2);
+}
+
+TEST(WriteWholeFile, SaysWhyItCannotAndLeavesNothing) {
+  TemporaryFolder folder;
+  fs::create_directory(folder.path("folder"));
+  fs::create_symlink("loop", folder.path("loop"));
+  for (const auto& [path, why] :
+       {std::pair{folder.path("none/result.json"), "No such file or directory"},
+        std::pair{folder.path("folder"), "Is a directory"},
+        std::pair{folder.path("loop"), "Too many levels of symbolic links"}}) {
+    SCOPED_TRACE(path);
+    const auto problem = cli::write_whole_file(path, "text");
+    ASSERT_TRUE(problem.has_value());
+    EXPECT_EQ(*problem, "cannot write " + path + ": " + why);
+  }
+  EXPECT_EQ(folder.names().size(), 2U);
+}
+
+TEST(WriteWholeFile, LeavesLinksAndPipesWhatTheyAre) {
+  TemporaryFolder folder;
+  const std::string file = folder.write("file", "before");
+  fs::create_symlink("file", folder.path("link"));
+  EXPECT_EQ(cli::write_whole_file(folder.path("link"), "after"), std::nullopt);
+  EXPECT_TRUE(fs::is_symlink(folder.path("link")));
+  EXPECT_EQ(cli::Disk().read(file), "after");
+
+  const std::string pipe = folder.path("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::fstream reader(pipe, std::ios::in | std::ios::out);
+  EXPECT_EQ(cli::write_whole_file(pipe, "line\n"), std::nullopt);
+  std::string line;
+  std::getline(reader, line);
+  EXPECT_EQ(line, "line");
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST(RunOptions, NumbersThatAreNoneAreRefused) {
+  for (const auto& [option, value, says] :
+       {std::tuple{"--max-time", "nan", "nan is no number of seconds above 0"},
+        std::tuple{"--max-time", "inf", "inf is no number of seconds above 0"},
+        std::tuple{"--max-time", "0", "0 is no number of seconds above 0"},
+        std::tuple{"--max-time=-1", "", "-1 is no number of seconds above 0"},
+        std::tuple{"--max-time", "1e999", "1e999 is no number of seconds above 0"},
+        std::tuple{"--max-blocks=-1", "", "-1 is no whole number from 0"},
+        std::tuple{"--max-blocks", "1.5", "1.5 is no whole number from 0"},
+        std::tuple{"--seed=-1", "", "-1 is no whole number from 0"},
+        std::tuple{"--seed", "x", "x is no whole number from 0"}}) {
+    SCOPED_TRACE(says);
+    CLI::App app;
+    cli::RunOptions options;
+    cli::add_run_command(app, options);
+    std::vector<const char*> arguments = {"g31", "run", "case.nc", option};
+    if (*value != '\0') {
+      arguments.push_back(value);
+    }
+    try {
+      app.parse(static_cast<int>(arguments.size()), arguments.data());
+      ADD_FAILURE() << "was taken";
+    } catch (const CLI::ParseError& error) {
+      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace g31

@@ -1,0 +1,189 @@
+// What a broken or hostile program file does to `g31 run`: an exit code of the contract, the place
+// in the text and the reason, a marker under it, nothing written, and never long.
+
+#include <chrono>
+#include <ostream>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/run_program.h"
+
+namespace g31 {
+namespace {
+
+using namespace std::string_literals;
+using testing::run_program;
+using testing::RunOutput;
+using testing::TemporaryFolder;
+
+/// Far more than any case needs on a busy computer, far less than one without limits takes.
+constexpr double kPatienceSeconds = 30.0;
+
+struct Case {
+  const char* name;
+  std::string program;
+  int exit_code;
+  std::string place;  ///< line and column, "2:4"; empty: not checked
+  std::string says;   ///< part of the message
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.name;
+}
+
+std::string repeated(const std::string& piece, std::size_t times) {
+  std::string text;
+  text.reserve(piece.size() * times);
+  for (std::size_t i = 0; i < times; ++i) {
+    text += piece;
+  }
+  return text;
+}
+
+/// Blocks between O1 and M30; the first of them is line 2.
+std::string framed(const std::string& blocks) {
+  return "O1\n" + blocks + "\nM30\n";
+}
+
+class Malformed : public ::testing::TestWithParam<Case> {};
+
+TEST_P(Malformed, IsRefusedWithItsPlace) {
+  const Case& c = GetParam();
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("case.nc", c.program)};
+  options.budget = {1000, kPatienceSeconds / 2};
+  const auto start = std::chrono::steady_clock::now();
+  const RunOutput output = run_program(options);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  EXPECT_EQ(output.exit_code, c.exit_code) << output.errors;
+  EXPECT_LT(passed.count(), kPatienceSeconds);
+  EXPECT_EQ(folder.names().size(), 1U) << "nothing is written beside the program";
+  EXPECT_EQ(output.document.is_null(), c.exit_code == 2) << "only what ran has a document";
+  EXPECT_LT(output.errors.size(), 20000U);
+  if (c.exit_code != 0) {
+    const std::string head = fmt::format("case.nc:{}: error: ", c.place);
+    EXPECT_NE(output.errors.find(c.place.empty() ? "case.nc:" : head), std::string::npos)
+        << output.errors;
+    EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
+    EXPECT_NE(output.errors.find("^"), std::string::npos) << output.errors;
+    EXPECT_EQ(output.errors.find_first_of("\x1B\x07\r"s + '\0'), std::string::npos);
+  } else {
+    EXPECT_EQ(output.errors, "");
+  }
+}
+
+const Case kSyntax[] = {
+    {"unclosed bracket", framed("#1=[1+2"), 2, "2:4", "this [ has no ]"},
+    {"missing operand", framed("#1=1+"), 2, "2:6", "the block ends where a value is expected"},
+    {"number sign without a number", framed("#"), 2, "2:2", "a variable is # and its number"},
+    {"number sign as a value", framed("G#"), 2, "2:3", "a variable is # and its number"},
+    {"overlapping loops", framed("DO1\nDO2\nEND1\nEND2"), 2, "", "[124]"},
+    {"WHILE without END", framed("WHILE[1EQ1]DO1"), 2, "2:1", "this DO has no END"},
+    {"WHILE without a comparison", framed("WHILE[1]DO1"), 2, "2:6", "a condition compares"},
+    {"END without DO", framed("END1"), 2, "2:1", "this END has no DO"},
+    {"DO4", framed("DO4\nEND4"), 2, "2:1", "a loop number is 1 to 3"},
+    {"DO0", framed("DO0\nEND0"), 2, "2:3", "a loop number is an integer from 1"},
+    {"format without places", framed("DPRNT[X#100]"), 2, "2:6", "#100 needs its places"},
+    {"format without end", framed("DPRNT[X#100[53]"), 2, "2:6", "this [ has no ]"},
+    {"no such statement", framed("FOO[1]"), 2, "2:1", "FOO is neither a statement"},
+    {"exponent", framed("#1=1e400"), 2, "2:5", "[127]"},
+    {"O number of 12 digits", "O123456789012\nM30\n", 2, "1:14", "[3]"},
+    {"N number of 12 digits", framed("N123456789012G0"), 2, "2:14", "[3]"},
+    {"100,000 brackets", framed("#1=" + repeated("[", 100000)), 2, "2:9", "nests 6 deep"},
+    {"100,000 functions", framed("#1=" + repeated("SIN[", 100000)), 2, "2:27", "nests 6 deep"},
+    {"100,000 indirections", framed("#1=" + repeated("#[", 100000)), 2, "2:15", "nests 6 deep"},
+    {"100,000 signs", framed("#1=" + repeated("-", 100000)), 2, "2:5", "not '-'"},
+    {"100,000 THEN", framed(repeated("IF[1EQ1]THEN", 100000)), 2, "2:133", "too many THEN"},
+    {"10 MB of one letter", repeated("A", 10'000'000), 2, "1:1", "AAAAAAAA is neither"},
+    {"binary", "\xFB\xC4\x01\x02\x1B[31m\n\xA0\n"s, 2, "1:1", "the byte 0xFB cannot begin a word"},
+    {"an escape sequence", framed("\x1B[31mG0"), 2, "2:1", "the byte 0x1B cannot begin a word"},
+    {"UTF-16, low byte first", "\xFF\xFEO\0\x31\0\n\0"s, 2, "1:1", "this file is UTF-16"},
+    {"UTF-16, high byte first", "\xFE\xFF\0O\0\x31\0\n"s, 2, "1:1", "this file is UTF-16"},
+    {"empty file", "", 2, "1:1", "no program in this file"},
+    {"only NUL", std::string(1000, '\0'), 2, "1:1", "no program in this file"},
+    {"only %", "%", 2, "1:1", "no program in this file"},
+};
+
+const Case kAlarms[] = {
+    {"no such N", framed("GOTO77"), 3, "2:5", "O0001 has no N77"},
+    {"no such program", framed("M98P77"), 3, "2:4", "O0077 is in none of the files"},
+    {"subprogram in itself", "O1\nM98P1\nM30\n", 3, "2:1", "called from O0001"},
+    {"macro in itself", "O1\nG65P1\nM30\n", 3, "2:1", "called from O0001"},
+    {"macro call behind a subprogram call", framed("M98P1G65P1"), 3, "2:6", "G65 beside another"},
+    {"modal call behind a subprogram call", framed("M98P1G66P1"), 3, "2:6", "G66 beside another"},
+    {"overflow", framed("#1=99999999.\n#2=#1*#1*#1*#1*#1*#1*#1"), 3, "3:4", "[111]"},
+    {"root of -1", framed("#1=SQRT[-1]"), 3, "2:4", "SQRT of -1"},
+    {"logarithm of 0", framed("#1=LN[0]"), 3, "2:4", "LN of 0"},
+    {"arcus sine of 2", framed("#1=ASIN[2]"), 3, "2:4", "the argument is 2"},
+    {"division by zero", framed("#1=1/0"), 3, "2:4", "[112]"},
+    {"500 digits", framed("#1=" + repeated("9", 500)), 3, "2:4", "255 digits or more"},
+    {"500 digits of a word", framed("X" + repeated("9", 500)), 3, "2:1", "255 digits or more"},
+    {"500 decimals", framed("#1=." + repeated("0", 500) + "1"), 3, "2:4", "255 digits or more"},
+    {"10 MB of digits", framed("#1=" + repeated("1", 10'000'000)), 3, "2:4", "255 digits or more"},
+    {"alarm number below 0", framed("#3000=-1(T)"), 3, "2:1", "#3000 takes 0 to 200"},
+    {"alarm number of 8 digits", framed("#3000=99999999(T)"), 3, "2:1", "#3000 takes 0 to 200"},
+    {"too many places", framed("DPRNT[#100[99]]"), 3, "2:7", "the places together are 0 to 8"},
+    {"% and a number", "%\nO1\n", 3, "2:1", "O0001 ends without M30"},
+    {"comment to the end", "O1\n(ABC", 3, "", "ends without M30"},
+    {"CR LF", "%\r\nO1\r\nG0X1.\r\n#1=1/0\r\nM30\r\n", 3, "4:4", "    4 | #1=1/0\n"},
+    {"CR alone", "%\rO1\rG0X1.\r#1=1/0\rM30\r", 3, "4:4", "    4 | #1=1/0\n"},
+    {"marker behind UTF-8", framed("(gr\u00F6\u00DFe)#1=1/0"), 3, "2:13",
+     "    2 | (gr\u00F6\u00DFe)#1=1/0\n      |           ^~~"},
+    {"marker behind Shift-JIS", framed("(\x83\x5C\x91\xAA)#1=1/0"), 3, "2:10",
+     "    2 | (?\\?\?)#1=1/0\n      |          ^~~"},
+    {"alarm text in Shift-JIS", framed("#3000=1(\x83\x5C\x91\xAA)"), 3, "2:1",
+     "error: ?\\?? [3001]"},
+    {"endless loop", framed("WHILE[1EQ1]DO1\nEND1"), 6, "", "the budget of executed blocks"},
+    {"endless repeats of the program", "O1\nM99\n", 6, "", "the budget of executed blocks"},
+};
+
+const Case kHarmless[] = {
+    {"UTF-8 with a mark", "\xEF\xBB\xBFO1\nM30\n", 0, "", ""},
+    {"NUL between all", "O\0001\n\0G0\0X1.\0\nM30\n\0\0"s, 0, "", ""},
+    {"comments in UTF-8 and Shift-JIS", framed("(gr\u00F6\u00DFe)\n(\x83\x5C\x91\xAA)"), 0, "", ""},
+    {"comment without end", framed("(ABC"), 0, "", ""},
+    {"POPEN twice", framed("POPEN\nPOPEN\nPCLOS\nPCLOS"), 0, "", ""},
+    {"10 MB of comment", framed("(" + repeated("A", 10'000'000) + ")"), 0, "", ""},
+    {"2 MB of terms", framed("#1=1" + repeated("+1", 1'000'000)), 0, "", ""},
+    {"a million N", "O1\nGOTO7\n" + repeated("N5\n", 1'000'000) + "N7M30\n", 0, "", ""},
+};
+
+INSTANTIATE_TEST_SUITE_P(Syntax, Malformed, ::testing::ValuesIn(kSyntax));
+INSTANTIATE_TEST_SUITE_P(Alarms, Malformed, ::testing::ValuesIn(kAlarms));
+INSTANTIATE_TEST_SUITE_P(Harmless, Malformed, ::testing::ValuesIn(kHarmless));
+
+// 9999 holes of 1e5 pecks are 3e9 moves in one block.
+TEST(Budget, EndsACannedCycleInTime) {
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("case.nc", framed("F100\nG83X1.Z-99.R1.Q.001K9999"))};
+  options.budget.wall_seconds = 0.05;
+  const auto start = std::chrono::steady_clock::now();
+  const RunOutput output = run_program(options);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  EXPECT_EQ(output.exit_code, 6);
+  EXPECT_EQ(output.document.at("status"), "budget");
+  EXPECT_EQ(output.document.at("blocks"), 3);
+  EXPECT_NE(output.errors.find("case.nc:3:1: error: the budget of wall time is spent"),
+            std::string::npos)
+      << output.errors;
+  EXPECT_LT(passed.count(), kPatienceSeconds);
+}
+
+TEST(Warnings, OfOneBlockAreCounted) {
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("case.nc", framed("WHILE[#1LT50]DO1\nG91G31X1.F100\n"
+                                                     "#2=#5061\n#1=#1+1\nEND1"))};
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 1);
+  ASSERT_EQ(output.document.at("diagnostics").size(), 1U);
+  EXPECT_NE(output.errors.find("case.nc:3:1: note: 50 times in all"), std::string::npos)
+      << output.errors;
+}
+
+}  // namespace
+}  // namespace g31
