@@ -50,9 +50,9 @@ enum class ExprKind : std::uint8_t {
 
 struct Expr {
   ExprKind kind = ExprKind::Number;
-  Operator op = Operator::Add;
-  std::uint8_t function = 0;  ///< row of the dialect's function table
-  std::uint8_t digits = 0;    ///< Number: digits written, leading and trailing zeros too
+  Operator op = Operator::Add;  ///< of a Call: Divide where `b` stands behind a slash
+  std::uint8_t function = 0;    ///< row of the dialect's function table
+  std::uint8_t digits = 0;      ///< Number: digits written, leading and trailing zeros too
   Index a = kNone;
   Index b = kNone;
   Index c = kNone;

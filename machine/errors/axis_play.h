@@ -15,8 +15,10 @@ struct PlaySetup {
 ///
 /// The backlash counts from the positive direction: without it the table is where the encoder says
 /// when the last move was positive, and one backlash further up when it was negative.
-/// After a reversal the table stays behind by spike (w / spike_way) exp(1 - w / spike_way), w the
-/// way since then, and never goes back because of it.
+/// After a reversal, the backlash taken up, the table stays behind by
+/// spike (w / spike_way) exp(1 - w / spike_way), w the way since then; what it was behind before
+/// the reversal dies away as exp(-w / spike_way).  With a spike up to a quarter of spike_way the
+/// table never goes back because of it.
 class AxisPlay {
  public:
   AxisPlay(const PlaySetup& setup, double q_start) : setup_(setup), q_(q_start) {}
@@ -30,11 +32,15 @@ class AxisPlay {
   [[nodiscard]] bool is_zero() const { return setup_.backlash == 0.0 && setup_.spike == 0.0; }
 
  private:
+  /// How far stick motion keeps the table behind in its direction.
+  [[nodiscard]] double behind() const;
+
   PlaySetup setup_;
   double q_;
   double slack_ = 0.0;
   double direction_ = 0.0;                                // +1, -1; 0 before the first move
-  double way_ = std::numeric_limits<double>::infinity();  // since the last reversal
+  double way_ = std::numeric_limits<double>::infinity();  // of the table since then
+  double behind_at_reversal_ = 0.0;
 };
 
 /// A shorter way back is rounding, not a reversal.

@@ -61,7 +61,7 @@ struct AlreadyTouching {
 
 using SkipOutcome = std::variant<Touched, NoTouch, AlreadyTouching>;
 
-enum class FaultKind { SoftLimit, Collision, StylusOverDeflected };
+enum class FaultKind { SoftLimit, Collision };
 
 /// Why a machine refused or broke off a move.  The *dialect* turns a soft limit into its own alarm
 /// number; a collision ends the run.

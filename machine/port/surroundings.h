@@ -81,6 +81,10 @@ class Surroundings {
     return std::nullopt;
   }
 
+  /// What breaks on the way that a skip move has taken, signal or not: anything but a stylus ball
+  /// touches, or a ball is pushed in further than it gives way.
+  virtual std::optional<Obstacle> first_damage(const Sweep& /*sweep*/) { return std::nullopt; }
+
   /// The skip signal of one skip move that goes through these points in straight pieces; its
   /// fraction is one of theirs.  A world without shape looks at the ends only.
   virtual std::optional<SkipTrigger> first_trigger_along(std::span<const Waypoint> way) {

@@ -6,9 +6,9 @@
 
 #include "machine/errors/axis_play.h"
 #include "machine/errors/geometric_errors.h"
-#include "machine/units/thermal_growth.h"
 #include "machine/sim/axis_chain.h"
 #include "machine/units/axis_positions.h"
+#include "machine/units/thermal_growth.h"
 
 namespace g31::machine {
 
@@ -24,7 +24,7 @@ struct AxisSetup {
   double home = 0.0;                    ///< reference point, machine coordinate
   double scale_resolution = 0.0;        ///< mm or deg, >= 0: one step of the encoder; 0: no steps
   errors::PlaySetup play;               ///< what a reversal does
-  ThermalGrowth scale_growth;   ///< of the scale, linear axes only
+  ThermalGrowth scale_growth;           ///< of the scale, linear axes only
   double scale_fixed_at = 0.0;          ///< machine coordinate where a growing scale stays
 };
 

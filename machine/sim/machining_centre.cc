@@ -101,13 +101,37 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const LinearM
     return soft_limit_fault(move.q_M_end);
   }
   const StraightPath path(q_M_, move.q_M_end);
+  SkipOutcome outcome = NoTouch{};
   if (path.moves()) {
-    if (auto outcome = skip(path, dynamics_.profile(path, move))) {
-      return *std::move(outcome);
+    const AxisPositions q_M_tip = real_.tip(q_M_);
+    auto signalled = skip(path, dynamics_.profile(path, move));
+    if (signalled) {
+      outcome = *std::move(signalled);
+    } else {
+      q_M_ = move.q_M_end;
+    }
+    if (auto fault = damage(path.from(), q_M_tip)) {
+      return *std::move(fault);
     }
   }
-  q_M_ = move.q_M_end;
-  return SkipOutcome(NoTouch{});
+  return outcome;
+}
+
+std::optional<MachineFault> MachiningCentre::damage(const AxisPositions& q_M_from,
+                                                    const AxisPositions& q_M_tip_from) {
+  const Sweep taken{q_M_tip_from, real_.tip(q_M_)};
+  if (surroundings_ == nullptr || taken.q_M_from == taken.q_M_to) {
+    return std::nullopt;
+  }
+  auto obstacle = surroundings_->first_damage(taken);
+  if (!obstacle) {
+    return std::nullopt;
+  }
+  G31_EXPECTS(is_fraction(obstacle->fraction));
+  const AxisPositions q_M_stop = q_M_from + obstacle->fraction * (q_M_ - q_M_from);
+  real_.stop_at(q_M_stop);
+  obstacle->contact = real_.in_machine(q_M_stop, obstacle->contact);
+  return stop_at(*std::move(obstacle), q_M_stop, 0.0);
 }
 
 void MachiningCentre::orient_spindle(double angle_deg) {
@@ -267,12 +291,13 @@ SkipOutcome MachiningCentre::stop_really(Timed<SkipTrigger> trigger, const Strai
   if (stopping_ == Stopping::Ideal) {
     follow(motion, latch_s);
     q_M_ = q_M_latched;
-    real_.stop_at(q_M_);
   } else {
     follow(motion, std::max(latch_s, real_.done_s(motion, BlockEnd::ExactStop)));
     q_M_ = motion.end();
   }
   q_M_ = q_M_ == path.to() ? q_M_ : in_steps(q_M_, resolution_);
+  // What is left of the lag is gone: else the way back would begin by going on into the part.
+  real_.stop_at(q_M_);
   return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact),
                  trigger.event.signals};
 }

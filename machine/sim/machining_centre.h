@@ -58,6 +58,9 @@ class MachiningCentre final : public MachinePort {
   void trace(double period_s, TraceSink& sink);
 
  private:
+  /// What the way that a skip move took, of axes and tool tip, has broken.
+  std::optional<MachineFault> damage(const AxisPositions& q_M_from,
+                                     const AxisPositions& q_M_tip_from);
   [[nodiscard]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;
   MachineFault stop_at(Obstacle obstacle, const AxisPositions& q_M_stop, double seconds);
   std::optional<Obstacle> obstacle_on(const StraightPath& path);

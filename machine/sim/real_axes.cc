@@ -71,6 +71,14 @@ std::optional<Timed<Obstacle>> RealAxes::first_collision(const ServoMotion& moti
   return timed;
 }
 
+AxisPositions RealAxes::tip(const AxisPositions& q_M) const {
+  return is_ideal_ ? q_M : chain_.for_part(truth_.after(q_M));
+}
+
+Contact RealAxes::in_machine(const AxisPositions& q_M, const Contact& of_part) const {
+  return is_ideal_ ? of_part : chain_.to_machine(q_M, of_part);
+}
+
 void RealAxes::follow(const ServoMotion& motion, double until_s) {
   if (truth_.has_play()) {
     for (const double step_s : motion.steps_until(until_s)) {

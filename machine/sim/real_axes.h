@@ -46,6 +46,11 @@ class RealAxes {
   /// Comes to rest at a position at once.
   void stop_at(const AxisPositions& q_M);
 
+  /// Where the tool tip truly is for the part when the axes have come to q_M.
+  [[nodiscard]] AxisPositions tip(const AxisPositions& q_M) const;
+  /// What was met in the frame of the part, in that of the machine.
+  [[nodiscard]] Contact in_machine(const AxisPositions& q_M, const Contact& of_part) const;
+
   [[nodiscard]] const TruePosition& truth() const { return truth_; }
 
  private:

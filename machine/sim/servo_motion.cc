@@ -8,8 +8,8 @@
 namespace g31::machine {
 namespace {
 
-/// After so many time constants a lag of a metre is below a tenth of a nanometre.
-constexpr double kTransientTimes = 24.0;
+/// How exactly the places are found where what was left of the move before turns an axis back, mm.
+constexpr double kTurnErrorMm = 1e-4;
 constexpr int kMostPiecesOfPhase = 20'000;
 
 AxisPositions value_of(const std::array<AxisPositions, 4>& cubic, double t) {
@@ -50,8 +50,12 @@ ServoMotion::ServoMotion(const CommandedPath& path, const MotionPhases& phases,
                          const AxisPositions& lag, const AxisPositions& time_constants_s)
     : phases_(phases), time_constants_s_(time_constants_s), q_M_end_(start_of(path)), lag_(lag) {
   G31_EXPECTS((time_constants_s.array() >= 0.0).all());
-  if (lag.cwiseAbs().maxCoeff() > 0.0) {
-    transient_s_ = kTransientTimes * time_constants_s.maxCoeff();
+  const double left = lag.cwiseAbs().maxCoeff();
+  if (left > kTurnErrorMm) {
+    // It dies away as exp(-t / T), which bends by left / 8 (step / T)^2 in a step.
+    const double t = time_constants_s.maxCoeff();
+    transient_s_ = t * std::log(left / kTurnErrorMm);
+    transient_step_s_ = t * std::sqrt(8.0 * kTurnErrorMm / left);
   }
   const double length = length_of(path);
   for (const MotionPhase& phase : phases.phases()) {
@@ -164,9 +168,8 @@ std::vector<double> ServoMotion::steps_until(double time_s) const {
     steps.push_back(std::min(time_s, piece.begin_s));
   }
   const double transient_s = std::min(time_s, transient_s_);
-  const double step_s = transient_s_ / (16.0 * kTransientTimes);
-  for (int i = 1; i * step_s < transient_s; ++i) {
-    steps.push_back(i * step_s);
+  for (int i = 1; i * transient_step_s_ < transient_s; ++i) {
+    steps.push_back(i * transient_step_s_);
   }
   steps.push_back(std::min(time_s, duration_s_));
   steps.push_back(time_s);

@@ -75,6 +75,7 @@ class ServoMotion {
   AxisPositions lag_;  // at the end of what is already built
   double duration_s_ = 0.0;
   double transient_s_ = 0.0;  // how long what was left of the move before matters
+  double transient_step_s_ = 0.0;
   std::vector<Piece> pieces_;
 };
 

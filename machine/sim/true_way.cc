@@ -26,12 +26,13 @@ TrueWay::TrueWay(const TruePosition& start, const AxisChain& chain, const ServoM
       chain_(chain),
       motion_(motion),
       until_s_(until_s),
-      tolerance_mm_(tolerance_mm) {
+      tolerance_mm_(tolerance_mm),
+      marks_(marks()) {
   G31_EXPECTS(until_s > 0.0 && tolerance_mm > 0.0);
   TruePosition truth = start;
   Piece piece{0.0, 0.0, tip_at(truth, 0.0), {}};
   points_.push_back({0.0, piece.q_from});
-  for (const double mark_s : marks()) {
+  for (const double mark_s : marks_) {
     piece.to_s = mark_s;
     piece.q_to = tip_at(truth, mark_s);
     add(truth, piece, kMostHalvings);
@@ -93,7 +94,7 @@ double TrueWay::time_s(double fraction) const {
   const Waypoint& from = *(after - 1);
   const Waypoint& to = *after;
   TruePosition truth = start_;
-  for (const double mark_s : marks()) {
+  for (const double mark_s : marks_) {
     if (mark_s > from.fraction * until_s_) {
       break;
     }

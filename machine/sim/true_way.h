@@ -46,11 +46,12 @@ class TrueWay {
   const ServoMotion& motion_;
   double until_s_;
   double tolerance_mm_;
+  std::vector<double> marks_;
   std::vector<Waypoint> points_;
 };
 
-/// For touches: a tenth of a nanometre.
-inline constexpr double kTouchWayErrorMm = 1e-7;
+/// For touches: a nanometre.
+inline constexpr double kTouchWayErrorMm = 1e-6;
 /// For what must not be touched.
 inline constexpr double kMoveWayErrorMm = 1e-4;
 

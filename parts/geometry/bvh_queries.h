@@ -149,6 +149,39 @@ class Bvh::PathQuery {
   float limit_ = 0.0F;
 };
 
+class Bvh::BoxQuery {
+ public:
+  /// @param box  meets the bounds of the tree
+  BoxQuery(const Bvh& tree, const Box& box) {
+    const double loss = kFloatLoss * tree.size_;
+    // What lies outside the tree would only cost digits.
+    const Point min = box.min.cwiseMax(tree.bounds_.min) - tree.middle_;
+    const Point max = box.max.cwiseMin(tree.bounds_.max) - tree.middle_;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<Eigen::Index>(axis);
+      min_[axis] = static_cast<float>(min[i] - loss);
+      max_[axis] = static_cast<float>(max[i] + loss);
+    }
+  }
+
+  /// 0 for each child that meets the box, else infinity.
+  [[nodiscard]] Lanes meetings(const Node& node) const {
+    Lanes at;
+    at.fill(0.0F);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t lane = 0; lane < kWidth; ++lane) {
+        const bool apart = node.min[axis][lane] > max_[axis] || node.max[axis][lane] < min_[axis];
+        at[lane] = apart ? std::numeric_limits<float>::infinity() : at[lane];
+      }
+    }
+    return at;
+  }
+
+ private:
+  std::array<float, 3> min_{};
+  std::array<float, 3> max_{};
+};
+
 template <typename Visit>
 void Bvh::visit_near(const Point& p, double reach, Visit&& visit) const {
   const Point outside = (p - p.cwiseMax(bounds_.min).cwiseMin(bounds_.max));
@@ -191,6 +224,25 @@ void Bvh::visit_along(const Path& path, double reach, Visit&& visit) const {
       query.limit(visit(next.child - kLeaf));
     } else {
       stack.push(query.entries(nodes_[next.child]), nodes_[next.child]);
+    }
+  }
+}
+
+template <typename Visit>
+void Bvh::visit_inside(const Box& box, Visit&& visit) const {
+  if (nodes_.empty() || (box.min.array() > bounds_.max.array()).any() ||
+      (box.max.array() < bounds_.min.array()).any()) {
+    return;
+  }
+  const BoxQuery query(*this, box);
+  Stack stack;
+  stack.push(query.meetings(nodes_.front()), nodes_.front());
+  while (!stack.empty()) {
+    const Waiting next = stack.pop();
+    if ((next.child & kLeaf) != 0) {
+      visit(next.child - kLeaf);
+    } else {
+      stack.push(query.meetings(nodes_[next.child]), nodes_[next.child]);
     }
   }
 }

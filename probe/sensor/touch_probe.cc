@@ -2,31 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "machine/base/contract.h"
 #include "machine/base/random.h"
 #include "parts/geometry/placement.h"
-#include "probe/contact/sweep_curve.h"
 #include "probe/sensor/pre_travel.h"
+#include "probe/sensor/touch_events.h"
 
 namespace g31::probe {
 namespace {
 
 /// The random stream of the trigger's repeatability; other models take other numbers.
 constexpr std::uint32_t kRepeatabilityStream = 1;
-
-machine::Contact contact_of(const SweepHit& hit, const std::string& part) {
-  return {hit.p_M_point, hit.n_M, part};
-}
-
-machine::Obstacle obstacle_at(double fraction, const SweepHit& hit, const std::string& part) {
-  return {std::clamp(fraction, 0.0, 1.0), "stylus ball touches " + part, contact_of(hit, part)};
-}
-
-/// What the balls move by: the linear axes.
-Point way_of(const machine::Sweep& sweep) {
-  return linear_axes(sweep.q_M_to) - linear_axes(sweep.q_M_from);
-}
 
 }  // namespace
 
@@ -47,6 +35,9 @@ TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& p
     built.sweepers.reserve(radii_.size());
     for (const double radius : radii_) {
       built.sweepers.emplace_back(part.mesh_M, radius);
+    }
+    if (!setup.stem.empty() || !setup.bodies.empty()) {
+      solid_parts_.emplace_back(part.mesh_M);
     }
   }
 }
@@ -124,29 +115,6 @@ double TouchProbe::trigger_shift(std::uint64_t event) const {
              : 0.0;
 }
 
-std::optional<machine::Obstacle> TouchProbe::first_collision(const machine::Sweep& sweep) {
-  const PartHit touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
-  if (touch.part == nullptr) {
-    return std::nullopt;
-  }
-  return obstacle_at(touch.hit.s / way_of(sweep).norm(), touch.hit, touch.part->name);
-}
-
-std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
-    const machine::CurvedSweep& sweep) {
-  std::optional<machine::Obstacle> first;
-  for (const Ball& ball : balls_) {
-    const Curve curve{[&](double t) { return centre_of(ball, sweep.q_M_at(t)); }, sweep.bend};
-    for (const Part& part : parts_) {
-      const auto [t, hit] = first_contact_leaving_on_curve(part.sweepers[ball.size], curve);
-      if (hit.status != SweepStatus::Miss && (!first || t < first->fraction)) {
-        first = obstacle_at(t, hit, part.name);
-      }
-    }
-  }
-  return first;
-}
-
 void TouchProbe::turn_spindle_to(double angle_deg) {
   R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, angle_deg}});
 }
@@ -182,6 +150,10 @@ TouchProbe::PartHit TouchProbe::first_hit(const machine::Sweep& sweep, Question 
   return first;
 }
 
+double TouchProbe::depth_of(const PartHit& touch, const Point& p_M_centre) {
+  return touch.ball->radius - (p_M_centre - touch.hit.p_M_point).norm();
+}
+
 std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, const Point& p_M_centre,
                                                 const Point& direction) const {
   const Point n_S = R_MS_.transpose() * touch.hit.n_M;
@@ -192,9 +164,7 @@ std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, const Poin
   if (touch.hit.status == SweepStatus::Contact && *wanted == 0.0) {
     return 0.0;
   }
-  const double depth = touch.hit.status == SweepStatus::Contact
-                           ? 0.0
-                           : touch.ball->radius - (p_M_centre - touch.hit.p_M_point).norm();
+  const double depth = touch.hit.status == SweepStatus::Contact ? 0.0 : depth_of(touch, p_M_centre);
   if (depth > *wanted + kTouchBandMm) {
     return *wanted - depth;
   }

@@ -10,6 +10,7 @@
 
 #include "machine/port/surroundings.h"
 #include "parts/geometry/mesh.h"
+#include "probe/collision/rigid_touch.h"
 #include "probe/contact/sweep_mesh.h"
 #include "probe/sensor/probe_setup.h"
 
@@ -25,7 +26,8 @@ struct ProbedPart {
 ///
 /// The main ball's centre stands at the linear axes + (eccentricity X, eccentricity Y, -length),
 /// further balls where they are from there; all of it turns about the spindle axis.  Only linear
-/// axes move them; of the stylus only the balls are solid.
+/// axes move them.  The rigid sections stand on the main ball, whatever the spindle angle; the
+/// stems of further balls are not solid.
 ///
 /// The signal comes when the ball is pushed in by the deflection that pre_travel.h says, shifted
 /// along the move by a normal random number of standard deviation `repeatability_mm`, but never out
@@ -47,10 +49,16 @@ class TouchProbe final : public machine::Surroundings {
   std::optional<machine::SkipTrigger> first_trigger_along(
       std::span<const machine::Waypoint> way) override;
 
-  /// The ball touching a part.  Leaving a contact is free, pushing deeper into it is not.
+  /// The ball touching a part, or a rigid section.  Leaving a contact of the ball is free, pushing
+  /// deeper into it is not.
   std::optional<machine::Obstacle> first_collision(const machine::Sweep& sweep) override;
 
-  /// Accuracy: kCurveErrorMm.
+  /// A rigid section touching, or a ball pushed deeper than the deflection limit, measured along
+  /// the surface normal.
+  std::optional<machine::Obstacle> first_damage(const machine::Sweep& sweep) override;
+
+  /// Accuracy: kCurveErrorMm for the ball; a rigid section counts as touching within the chord
+  /// error of the sweep.
   std::optional<machine::Obstacle> first_collision_on_curve(
       const machine::CurvedSweep& sweep) override;
 
@@ -80,6 +88,20 @@ class TouchProbe final : public machine::Surroundings {
     double distance = 0.0;         ///< mm from the start of the piece
   };
 
+  using Sections = std::span<const ProbeSection>;
+  [[nodiscard]] std::optional<machine::Obstacle> touch_of(Sections sections,
+                                                          const machine::Sweep& sweep,
+                                                          double margin = 0.0) const;
+  /// Stem and bodies; the stem once the ball is out of a contact in which it begins.
+  [[nodiscard]] std::optional<machine::Obstacle> rigid_touch(const machine::Sweep& sweep,
+                                                             double margin = 0.0) const;
+  [[nodiscard]] std::optional<machine::Obstacle> rigid_touch_on_curve(
+      const machine::CurvedSweep& sweep) const;
+  /// The fraction of the sweep at which a ball that begins pushed in has come out; 0: it does not
+  /// begin so.
+  [[nodiscard]] double out_of_contact(const machine::Sweep& sweep) const;
+  [[nodiscard]] std::optional<machine::Obstacle> over_deflection(const PartHit& touch,
+                                                                 const machine::Sweep& sweep) const;
   void add_ball(const Point& p_S, double diameter_mm);
   [[nodiscard]] Point centre_of(const Ball& ball, const AxisPositions& q_M) const;
   [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question) const;
@@ -88,6 +110,8 @@ class TouchProbe final : public machine::Surroundings {
                                                 const machine::Sweep& piece) const;
   /// The random shift of a trigger along the move, mm.
   [[nodiscard]] double trigger_shift(std::uint64_t event) const;
+  /// mm: how deep a ball that begins in contact is in.
+  static double depth_of(const PartHit& touch, const Point& p_M_centre);
   /// mm from the touch to the signal, negative where the ball is deeper in than that already;
   /// nullopt: no signal from this touch.
   [[nodiscard]] std::optional<double> way_to_signal(const PartHit& touch, const Point& p_M_centre,
@@ -97,6 +121,7 @@ class TouchProbe final : public machine::Surroundings {
   std::vector<Ball> balls_;
   std::vector<double> radii_;
   std::vector<Part> parts_;
+  std::vector<CollisionMesh> solid_parts_;  // for stem and bodies; empty without them
   std::uint64_t seed_;
   std::uint64_t triggers_asked_ = 0;
   Eigen::Matrix3d R_MS_ = Eigen::Matrix3d::Identity();

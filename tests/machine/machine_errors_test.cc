@@ -144,6 +144,107 @@ TEST(MachineErrors, TheVolumetricErrorIsTheSumWrittenOut) {
   }
 }
 
+/// One error alone, the place where it is looked at, and what it does there.
+struct OneError {
+  const char* name;
+  int axis, way;  ///< E, direction, axis; squareness has no axis
+  int probed;     ///< the axis on which it is seen
+  double displacement;
+};
+
+// X 200, Y 100, Z 50, the tip at (1, 2, -120) from the gauge point; part - X - Y - Z - tool.
+// Linear errors 3 um, angular ones 10 um/m; what follows the axis towards the tip is turned.
+const OneError kEach[] = {
+    {"EXX", 0, 0, 0, 0.003},
+    {"EYX", 0, 1, 1, 0.003},
+    {"EZX", 0, 2, 2, 0.003},
+    {"EXY", 1, 0, 0, 0.003},
+    {"EYY", 1, 1, 1, 0.003},
+    {"EZY", 1, 2, 2, 0.003},
+    {"EXZ", 2, 0, 0, 0.003},
+    {"EYZ", 2, 1, 1, 0.003},
+    {"EZZ", 2, 2, 2, 0.003},
+    {"EAX lowers Y by what stands above it", 0, 3, 1, -1e-5 * (50 - 120)},
+    {"EAX raises what is behind it", 0, 3, 2, 1e-5 * (100 + 2)},
+    {"EBX moves X by what stands above it", 0, 4, 0, 1e-5 * (50 - 120)},
+    {"EBX lowers what is beside it", 0, 4, 2, -1e-5 * 1},
+    {"ECX moves X back by Y", 0, 5, 0, -1e-5 * (100 + 2)},
+    {"ECX moves Y by the tip", 0, 5, 1, 1e-5 * 1},
+    {"EAY", 1, 3, 1, -1e-5 * (50 - 120)},
+    {"EAY does not turn Y itself", 1, 3, 2, 1e-5 * 2},
+    {"EBY", 1, 4, 0, 1e-5 * (50 - 120)},
+    {"EBY raises the tip", 1, 4, 2, -1e-5 * 1},
+    {"ECY turns the tip alone", 1, 5, 0, -1e-5 * 2},
+    {"ECY turns the tip alone, Y", 1, 5, 1, 1e-5 * 1},
+    {"EAZ does not turn Z itself", 2, 3, 1, 1e-5 * 120},
+    {"EBZ", 2, 4, 0, -1e-5 * 120},
+    {"ECZ", 2, 5, 0, -1e-5 * 2},
+    {"ECZ, Y", 2, 5, 1, 1e-5 * 1},
+    {"A0Z leans Z back", -1, 3, 1, -1e-5 * 50},
+    {"B0Z leans Z to +X", -1, 4, 0, 1e-5 * 50},
+    {"C0Y leans Y to -X", -1, 5, 0, -1e-5 * 100},
+};
+
+MachineSetup with_one(const OneError& one) {
+  MachineSetup setup = stops_at_once();
+  setup.p_T_tip = Point(1, 2, -120);
+  errors::GeometricErrorSetup& errors = setup.geometric_errors;
+  if (one.axis >= 0) {
+    errors.along[static_cast<std::size_t>(one.axis)][static_cast<std::size_t>(one.way)] =
+        ErrorTable({{0.0, one.way < 3 ? 0.003 : 10.0}});
+  } else {
+    (one.way == 3 ? errors.a0z : one.way == 4 ? errors.b0z : errors.c0y) = 10.0;
+  }
+  return setup;
+}
+
+TEST(MachineErrors, EachOfThe21IsSeenByATouchWithItsSignAndItsLever) {
+  const AxisPositions q_M = axes(200, 100, 50);
+  for (const OneError& one : kEach) {
+    SCOPED_TRACE(one.name);
+    MachineSetup setup = with_one(one);
+    setup.q_M_start = q_M;
+    setup.q_M_start[one.probed] -= 4.0;
+    AxisPositions q_M_end = q_M;
+    q_M_end[one.probed] += 4.0;
+    Wall wall(one.probed, q_M[one.probed]);
+    MachiningCentre centre(setup, &wall);
+    // The tip is there too early by the displacement: the encoder stands that much before the wall.
+    EXPECT_NEAR(latched(centre, q_M_end)[one.probed], q_M[one.probed] - one.displacement, 1e-8);
+  }
+}
+
+// Each error moves the tip nowhere else: of the six numbers that are not in the table above.
+TEST(MachineErrors, EachOfThe21LeavesTheOtherDirectionsAlone) {
+  for (const OneError& one : kEach) {
+    SCOPED_TRACE(one.name);
+    const Point d =
+        errors::GeometricErrors(with_one(one).geometric_errors).at({200, 100, 50}, {1, 2, -120});
+    EXPECT_NEAR(d[one.probed], one.displacement, 1e-15);
+    if (one.way < 3 || one.axis < 0) {
+      EXPECT_NEAR(d.norm(), std::abs(one.displacement), 1e-15);
+    } else {
+      EXPECT_EQ(d[one.way - 3], 0.0) << "along its own axis nothing turns";
+    }
+  }
+}
+
+TEST(MachineErrors, SquarenessIsTheSameInEitherOrderOfAxesAndOfMoves) {
+  for (const std::array<int, 3>& order :
+       {std::array<int, 3>{0, 1, 2}, std::array<int, 3>{1, 0, 2}, std::array<int, 3>{2, 1, 0}}) {
+    for (const bool x_first : {true, false}) {
+      MachineSetup setup = stops_at_once();
+      setup.geometric_errors.c0y = 100.0;
+      setup.geometric_errors.part_to_tool = order;
+      Wall wall(0, 205.0);
+      MachiningCentre centre(setup, &wall);
+      ASSERT_TRUE(centre.move(feed(x_first ? axes(200, 0, 0) : axes(0, 300, 0))).ok());
+      ASSERT_TRUE(centre.move(feed(axes(200, 300, 0))).ok());
+      EXPECT_NEAR(latched(centre, axes(210, 300, 0))[0], 205.0 + 0.03, 1e-8);
+    }
+  }
+}
+
 TEST(MachineErrors, TheOrderOfTheAxesDecidesAboutTheArms) {
   errors::GeometricErrorSetup setup;
   setup.along[1][5] = ErrorTable({{0.0, 10.0}});  // ECY, 10 um/m
@@ -195,6 +296,28 @@ TEST(MachineErrors, ATableStandsStillWhileTheEncoderTakesUpTheBacklash) {
   EXPECT_NEAR(up.after(2.996).offset(), 0.004, 1e-15);
   EXPECT_NEAR(up.after(2.0).offset(), 0.010, 1e-15);
   EXPECT_NEAR(up.after(2.0).after(2.003).offset(), 0.007, 1e-15);
+}
+
+TEST(MachineErrors, BacklashAndSpikeTogetherNeverMoveTheTableBack) {
+  const errors::PlaySetup setups[] = {
+      {0.002, 0.003, 0.05}, {0.010, 0.0, 0.05}, {0.0, 0.005, 0.02}, {0.001, 0.0025, 0.01}};
+  for (const errors::PlaySetup& setup : setups) {
+    errors::AxisPlay play(setup, 0.0);
+    double q = 0.0;
+    double table = 0.0;
+    // To and fro, ever shorter, in steps of a micrometre.
+    for (const double way : {1.0, -0.5, 0.3, -0.02, 0.01, -0.004}) {
+      const double direction = std::copysign(1.0, way);
+      for (int i = 0; i < static_cast<int>(std::abs(way) * 1000.0 + 0.5); ++i) {
+        q += direction * 0.001;
+        play = play.after(q);
+        const double moved = direction * (q + play.offset() - table);
+        ASSERT_GE(moved, -1e-12) << q << ' ' << way;
+        ASSERT_LE(moved, 0.001 * (1.0 + 3.0 * setup.spike / setup.spike_way) + 1e-12);
+        table = q + play.offset();
+      }
+    }
+  }
 }
 
 TEST(MachineErrors, AReversalSpikeReachesItsHeightAndDiesAway) {

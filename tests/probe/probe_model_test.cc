@@ -137,6 +137,31 @@ TEST(ProbeModel, AMoveThatEndsBeforeTheDeflectionGivesNoSignalAndTheNextOneDoes)
   EXPECT_TRUE(probe.first_trigger({at(5, 5, 132.85), at(5, 5, 140)})->on_at_start);
 }
 
+TEST(ProbeModel, FromTheDeflectionOfOneWallTheOtherOneIsFound) {
+  ProbeSetup setup;
+  setup.at_switch.pre_travel_mm = 0.0125;
+  TouchProbe probe(setup, {ring()}, 0);
+  const double stopped = kWay + 0.0125;
+  const auto across = probe.first_trigger({at(stopped, 0, 110), at(-20, 0, 110)});
+  ASSERT_TRUE(across.has_value());
+  EXPECT_FALSE(across->on_at_start) << "the stylus is as far out as the signal takes, not farther";
+  EXPECT_NEAR(across->fraction * (stopped + 20.0), 2.0 * stopped, 1e-8);
+}
+
+TEST(ProbeModel, OnACrookedWayTheSignalComesAtTheSameDepth) {
+  ProbeSetup setup;
+  setup.at_switch.pre_travel_mm = 0.1;
+  TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
+  // Down to the face in three pieces; the touch is 0.5 mm before the end of the second one.
+  const std::vector<machine::Waypoint> way = {
+      {0.0, at(5, 5, 143)}, {0.4, at(5.1, 5, 137)}, {0.7, at(5.1, 5, 132.5)}, {1.0, at(5, 5, 130)}};
+  const auto trigger = probe.first_trigger_along(way);
+  ASSERT_TRUE(trigger.has_value());
+  EXPECT_NEAR(trigger->fraction, 0.4 + 0.3 * (137.0 - 132.9) / 4.5, 1e-9);
+  const std::vector<machine::Waypoint> short_way = {{0.0, at(5, 5, 143)}, {1.0, at(5, 5, 132.95)}};
+  EXPECT_FALSE(probe.first_trigger_along(short_way).has_value());
+}
+
 TEST(ProbeModel, AStarStylusTouchesWithTheBallThatComesFirst) {
   ProbeSetup setup;
   for (const Point& arm :

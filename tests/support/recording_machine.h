@@ -28,6 +28,7 @@ class RecordingMachine final : public machine::MachinePort {
 
   Result<AxisPositions, machine::MachineFault> move(const machine::LinearMove& move) override {
     log_.push_back(line("move", move));
+    ends_.push_back(move.ends);
     q_M_ = move.q_M_end;
     return q_M_;
   }
@@ -37,6 +38,7 @@ class RecordingMachine final : public machine::MachinePort {
         "arc {}{} centre {}{} {}{} F{:.6g}", arc.turn == machine::Turn::Clockwise ? "cw" : "ccw",
         axes(arc.q_M_end), letter(arc.first_axis), three_decimals(arc.centre_first),
         letter(arc.second_axis), three_decimals(arc.centre_second), arc.feed_mm_min));
+    ends_.push_back(arc.ends);
     q_M_ = arc.q_M_end;
     return q_M_;
   }
@@ -62,6 +64,8 @@ class RecordingMachine final : public machine::MachinePort {
   [[nodiscard]] double time_s() const override { return 0.0; }
 
   [[nodiscard]] const std::vector<std::string>& log() const { return log_; }
+  /// How the moves and arcs of the log end, in order; skip moves and dwells are not counted.
+  [[nodiscard]] const std::vector<machine::BlockEnd>& ends() const { return ends_; }
 
  private:
   static std::string line(const char* verb, const machine::LinearMove& move) {
@@ -94,6 +98,7 @@ class RecordingMachine final : public machine::MachinePort {
   std::size_t next_ = 0;
   AxisPositions q_M_;
   std::vector<std::string> log_;
+  std::vector<machine::BlockEnd> ends_;
 };
 
 }  // namespace g31::testing

@@ -78,6 +78,11 @@ const Case kNameTheKeyThatWasProbablyMeant[] = {
     2 | wombat = 1
       | ^
 )"},
+    {"an error of an axis that is none", "[machine.errors]\nEXW = 1\n",
+     R"(sheet1.toml:2:1: error: unknown key EXW in [machine.errors], did you mean EXX? [SET103]
+    2 | EXW = 1
+      | ^
+)"},
     {"an unknown key in a named table", "[tools.99]\nlenght = 3\n",
      R"(sheet1.toml:2:1: error: unknown key lenght in [tools.99], did you mean length? [SET103]
     2 | lenght = 3
@@ -248,6 +253,33 @@ const Case kSayWhatAValueIsAndWhatItShouldBe[] = {
     2 | stopping = "slow"
       |            ^
 )"},
+    {"an error table that is a string", "[machine.errors]\nEXX = \"no\"\n",
+     R"(sheet1.toml:2:7: error: machine.errors.EXX is a string, it should be a number or an array of [place, error] [SET104]
+    2 | EXX = "no"
+      |       ^
+      = for example: EXX = [[0.0, 0.0], [560.0, 0.004]]
+)"},
+    {"an error table without places", "[machine.errors]\nEXX = [[0.0, 1.0, 2.0]]\n",
+     R"(sheet1.toml:2:7: error: machine.errors.EXX is an array that holds an array of 3, it should be a number or an array of [place, error] [SET104]
+    2 | EXX = [[0.0, 1.0, 2.0]]
+      |       ^
+      = for example: EXX = [[0.0, 0.0], [560.0, 0.004]]
+)"},
+    {"places that do not rise", "[machine.errors]\nEXX = [[5.0, 0.0], [5.0, 1.0]]\n",
+     R"(sheet1.toml:2:7: error: machine.errors.EXX is [5, 0, 5, 1], it should be pairs with rising places [SET105]
+    2 | EXX = [[5.0, 0.0], [5.0, 1.0]]
+      |       ^
+)"},
+    {"a side with a letter that is no axis", "[machine]\ntable_side = \"CU\"\n",
+     R"(sheet1.toml:2:14: error: machine.table_side is "CU", it should be letters of X, Y, Z, A, B and C, none twice [SET105]
+    2 | table_side = "CU"
+      |              ^
+)"},
+    {"a direction that points nowhere", "[machine.axes.C]\ndirection = [0, 0, 0.0]\n",
+     R"(sheet1.toml:2:13: error: machine.axes.C.direction is [0, 0, 0], it should be three numbers, not all 0 [SET105]
+    2 | direction = [0, 0, 0.0]
+      |             ^
+)"},
     {"a ball of no size", "[probe]\nball_diameter = 0.0\n",
      R"(sheet1.toml:2:17: error: probe.ball_diameter is 0, it should be greater than 0 [SET105]
     2 | ball_diameter = 0.0
@@ -350,7 +382,7 @@ const Case kStandAtTheirPlace[] = {
       |        ^
 )"},
     {"a size of a file", "[[part]]\nfile = \"ring.stl\"\nbore = 3\n",
-     R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, shape, at, rotate_deg [SET103]
+     R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, shape, at, rotate_deg, expansion, temperature [SET103]
     3 | bore = 3
       | ^
 )"},
@@ -375,6 +407,16 @@ const Case kStandAtTheirPlace[] = {
      R"(sheet1.toml:3:1: error: variables."#01" is given twice in this sheet [SET108]
     3 | "#01" = 2
       | ^
+)"},
+    {"an axis on no side", "[machine]\ntable_side = \"C\"\n[machine.axes.B]\n",
+     R"(sheet1.toml:3:15: error: axis B stands neither in table_side nor in tool_side [SET112]
+    3 | [machine.axes.B]
+      |               ^
+)"},
+    {"an axis on both sides", "[machine]\ntable_side = \"CX\"\n",
+     R"(sheet1.toml:2:14: error: axis X stands twice in table_side and tool_side [SET113]
+    2 | table_side = "CX"
+      |              ^
 )"},
     {"a signal without axis", "[[skip_signal]]\nat = 3\n",
      R"(sheet1.toml:1:1: error: a skip signal with at needs its axis [SET109]

@@ -62,12 +62,34 @@ radius_wear = -0.01
 file = "base.toml"
 name = "V55"
 stopping = "ideal"
+stop_delay_s = 0.016
+in_position = 0.02
+table_side = "BX"
+tool_side = "YZ"
 [machine.axes.X]
 travel = [-10, 900.0]
 rapid = 48000
 acceleration = 5000.0
 home = 0.5
+jerk = 50000
+servo_gain = 1.8
+resolution = 0.0001
+backlash = 0.002
+reversal_spike = 0.003
+reversal_way = 0.04
+expansion = 11.5
+temperature = 25.5
+fixed_at = 450.0
 [machine.axes.B]
+centre = [1.0, 2, -400.0]
+direction = [0.0, -1.0, 0.001]
+[machine.errors]
+EXX = [[0, 0.0], [450.5, 0.002], [900.0, -0.001]]
+ECX = -3.5
+EAZ = [[-10, 4]]
+A0Z = 5.0
+B0Z = -4
+C0Y = 8.0
 [probe]
 ball_diameter = 5.9
 length = 119.5
@@ -84,6 +106,15 @@ axial_force = 5.5
 stem_stiffness = 40.0
 state = "low_battery"
 low_battery_input = 1005
+stem_diameter = 3.0
+stem_length = 50.0
+deflection_limit = 8.0
+[[probe.body]]
+name = "transmitter"
+length = 45.0
+diameter = 40.0
+top_diameter = 63.0
+rounding = 2.0
 [[probe.ball]]
 at = [30.0, 0.0, 10.0]
 diameter = 4.0
@@ -93,6 +124,8 @@ name = "mesh"
 file = "ring.stl"
 at = [250.0, -180, -300.0]
 rotate_deg = [0.0, 10.0, 90.0]
+expansion = 23.0
+temperature = 22.0
 [[part]]
 shape = "ring"
 bore = 50.0

@@ -105,10 +105,65 @@ TEST_F(SetupReader, MachineKeysArrive) {
   EXPECT_EQ(machine.axes[0].acceleration_per_s2, 5000.0);
   EXPECT_EQ(machine.axes[0].home, 0.5);
   EXPECT_EQ(job({kEveryKey}).control.q_M_reference[0], 0.5) << "the control knows the mark, too";
-  EXPECT_TRUE(machine.axes[1].present) << "an axis of the ideal machine stays without its table";
+  EXPECT_TRUE(machine.axes[1].present) << "an axis of a side needs no table of its own";
   EXPECT_EQ(machine.axes[1].travel_max, std::numeric_limits<double>::infinity());
   EXPECT_FALSE(machine.axes[3].present);
   EXPECT_TRUE(machine.axes[4].present) << "[machine.axes.B] adds the axis";
+}
+
+TEST_F(SetupReader, WhatARealMachineDoesArrives) {
+  const machine::MachineSetup machine = job({kEveryKey}).machine;
+  EXPECT_EQ(machine.stop_delay_s, 0.016);
+  EXPECT_EQ(machine.in_position, 0.02);
+  EXPECT_EQ(machine.axes[0].jerk_per_s3, 50000.0);
+  EXPECT_EQ(machine.axes[0].servo_gain, 1.8);
+  EXPECT_EQ(machine.axes[0].scale_resolution, 0.0001);
+  EXPECT_EQ(machine.axes[0].play.backlash, 0.002);
+  EXPECT_EQ(machine.axes[0].play.spike, 0.003);
+  EXPECT_EQ(machine.axes[0].play.spike_way, 0.04);
+  EXPECT_EQ(machine.axes[0].scale_growth.expansion, 11.5);
+  EXPECT_EQ(machine.axes[0].scale_growth.temperature, 25.5);
+  EXPECT_EQ(machine.axes[0].scale_fixed_at, 450.0);
+  EXPECT_EQ(machine.chain.table_side, "BX");
+  EXPECT_EQ(machine.chain.tool_side, "YZ");
+  EXPECT_EQ(machine.chain.rotary[1].p_M_centre, Point(1.0, 2.0, -400.0));
+  EXPECT_EQ(machine.chain.rotary[1].axis_M, Point(0.0, -1.0, 0.001));
+  EXPECT_EQ(machine.chain.rotary[2].axis_M, Point::UnitZ());
+  EXPECT_EQ(machine.p_T_tip, Point(0.02, -0.03, -119.5)) << "the ball of the probe";
+  const errors::GeometricErrorSetup& errors = machine.geometric_errors;
+  EXPECT_EQ(errors.along[0][0].at(225.25), 0.001);
+  EXPECT_EQ(errors.along[0][0].at(1000.0), -0.001);
+  EXPECT_EQ(errors.along[0][5].at(77.0), -3.5) << "one number holds everywhere";
+  EXPECT_EQ(errors.along[2][3].at(0.0), 4.0);
+  EXPECT_TRUE(errors.along[1][0].is_zero());
+  EXPECT_EQ(errors.a0z, 5.0);
+  EXPECT_EQ(errors.b0z, -4.0);
+  EXPECT_EQ(errors.c0y, 8.0);
+  EXPECT_EQ(errors.part_to_tool, (std::array<int, 3>{0, 1, 2}));
+  EXPECT_EQ(job({"[machine]\ntool_side = \"ZYX\"\n"}).machine.geometric_errors.part_to_tool,
+            (std::array<int, 3>{2, 1, 0}));
+}
+
+TEST_F(SetupReader, TheSidesOfTheMachineSayWhichAxesItHas) {
+  const machine::MachineSetup lathe = job({"[machine]\ntool_side = \"ZX\"\n"}).machine;
+  EXPECT_TRUE(lathe.axes[0].present && lathe.axes[2].present);
+  EXPECT_FALSE(lathe.axes[1].present);
+  const machine::MachineSetup table = job({"[machine]\ntable_side = \"CA\"\n"}).machine;
+  EXPECT_TRUE(table.axes[1].present && table.axes[3].present && table.axes[5].present);
+  EXPECT_FALSE(table.axes[4].present);
+}
+
+TEST_F(SetupReader, AMachineFileIsFoundAmongTheShippedOnes) {
+  static_cast<void>(write("shipped/small.toml", "name = \"small\"\n"));
+  const std::string folder = path_of("shipped");
+  const std::string sheet = write("sheet.toml", "[machine]\nfile = \"small.toml\"\n");
+  const auto found = read_job(std::vector<std::string>{sheet}, folder);
+  ASSERT_TRUE(found.ok()) << errors_of(found);
+  EXPECT_EQ(found.value().machine.name, "small");
+  static_cast<void>(write("small.toml", "name = \"beside the sheet\"\n"));
+  const auto nearer = read_job(std::vector<std::string>{sheet}, folder);
+  ASSERT_TRUE(nearer.ok()) << errors_of(nearer);
+  EXPECT_EQ(nearer.value().machine.name, "beside the sheet");
 }
 
 TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
@@ -141,6 +196,9 @@ TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
   EXPECT_EQ(read.parts[0].file, path_of("ring.stl"));
   EXPECT_EQ(read.parts[0].p_M_at, Point(250.0, -180.0, -300.0));
   EXPECT_EQ(read.parts[0].rotate_deg, Point(0.0, 10.0, 90.0));
+  EXPECT_EQ(read.parts[0].growth.expansion, 23.0);
+  EXPECT_EQ(read.parts[0].growth.temperature, 22.0);
+  EXPECT_EQ(read.parts[1].growth.per_unit(), 0.0);
   EXPECT_EQ(read.parts[1].name, "ring") << "a part without a name is called after its shape";
   EXPECT_EQ(read.parts[1].shape, "ring");
   EXPECT_EQ(read.parts[1].file, "");

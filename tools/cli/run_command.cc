@@ -98,6 +98,15 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
   return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
+/// Saves the permanent variables for the next run, if a file for them is named.
+std::optional<Refusal> keep_variables(const std::string& path, const fanuc::Session& session) {
+  if (path.empty()) {
+    return std::nullopt;
+  }
+  const auto problem = write_whole_file(path, variables_text(session.permanent_variables()));
+  return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
+}
+
 using Trace = std::shared_ptr<report::TraceFile>;
 
 /// The file of --trace; null when none is asked for.
@@ -111,6 +120,11 @@ Result<Trace, Refusal> open_trace(const std::string& path, const machine::Machin
   }
   const auto trace = report::TraceFile::create(path, axes);
   return trace ? Result<Trace, Refusal>(trace.value()) : refusal(ExitCode::BadUsage, trace.error());
+}
+
+std::optional<Refusal> finish_trace(const Trace& trace) {
+  const auto problem = trace != nullptr ? trace->finish() : std::nullopt;
+  return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
 }  // namespace
@@ -145,10 +159,8 @@ ExitCode run_command(const RunOptions& options) {
   }
   report::RunResult result;
   result.outcome = session.run(options.budget);
-  if (trace.value() != nullptr) {
-    if (const auto problem = trace.value()->finish()) {
-      return refuse(refusal(ExitCode::BadUsage, *problem));
-    }
+  if (const auto wrong = finish_trace(trace.value())) {
+    return refuse(*wrong);
   }
   for (const source::Diagnostic& diagnostic : result.outcome.diagnostics) {
     std::fputs(render_text(diagnostic).c_str(), stderr);
@@ -169,11 +181,8 @@ ExitCode run_command(const RunOptions& options) {
   if (const auto wrong = deliver(options, result, recorder)) {
     return refuse(*wrong);
   }
-  if (!job.control.variables_file.empty()) {
-    if (const auto problem = write_whole_file(job.control.variables_file,
-                                              variables_text(session.permanent_variables()))) {
-      return refuse(refusal(ExitCode::BadUsage, *problem));
-    }
+  if (const auto wrong = keep_variables(job.control.variables_file, session)) {
+    return refuse(*wrong);
   }
   return exit_code_of(result.outcome);
 }

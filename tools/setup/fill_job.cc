@@ -10,6 +10,7 @@
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
 #include "tools/setup/fill_machine.h"
+#include "tools/setup/fill_probe.h"
 #include "tools/setup/table_keys.h"
 
 namespace g31::setup {
@@ -57,58 +58,13 @@ runtime::ToolEntry tool_from(const TableKeys& keys) {
   return tool;
 }
 
-probe::ProbeSetup probe_from(const TableKeys& keys) {
-  probe::ProbeSetup probe;
-  probe.ball_diameter_mm = keys.get(KeyId::ProbeBallDiameter, probe.ball_diameter_mm);
-  probe.length_mm = keys.get(KeyId::ProbeLength, probe.length_mm);
-  const std::vector<double> eccentricity =
-      keys.get(KeyId::ProbeEccentricity, std::vector<double>{0.0, 0.0});
-  probe.eccentricity_mm = {eccentricity.at(0), eccentricity.at(1)};
-  probe.trigger_delay_s = keys.get(KeyId::ProbeTriggerDelay, probe.trigger_delay_s);
-  probe.repeatability_mm = keys.get(KeyId::ProbeRepeatability, probe.repeatability_mm);
-  return probe;
-}
-
-probe::SwitchSetup switch_from(const TableKeys& keys) {
-  probe::SwitchSetup at_switch;
-  at_switch.type = keys.get(KeyId::ProbeType, std::string("3D")) == "mono"
-                       ? probe::ProbeType::Mono
-                       : probe::ProbeType::ThreeD;
-  at_switch.mono_direction_deg = keys.get(KeyId::ProbeDirection, at_switch.mono_direction_deg);
-  at_switch.pre_travel_mm = keys.get(KeyId::ProbePreTravel, at_switch.pre_travel_mm);
-  at_switch.seats = keys.get(KeyId::ProbeSeats, std::string("even")) == "tripod"
-                        ? probe::Seats::Tripod
-                        : probe::Seats::Even;
-  at_switch.weak_direction_deg = keys.get(KeyId::ProbeWeakDirection, at_switch.weak_direction_deg);
-  at_switch.trigger_force_n = keys.get(KeyId::ProbeForce, at_switch.trigger_force_n);
-  at_switch.axial_force_n = keys.get(KeyId::ProbeAxialForce, at_switch.axial_force_n);
-  at_switch.stem_stiffness_n_mm = keys.get(KeyId::ProbeStiffness, at_switch.stem_stiffness_n_mm);
-  return at_switch;
-}
-
-probe::ProbeState probe_state_from(const TableKeys& keys) {
-  const std::string given = keys.get(KeyId::ProbeStateKind, std::string("ready"));
-  const auto* const row = std::ranges::find(probe::kProbeStateNames, std::string_view(given),
-                                            &probe::ProbeStateName::name);
-  G31_EXPECTS(row != probe::kProbeStateNames.end());
-  return row->state;
-}
-
-/// The probe itself, and the input through which it tells that its battery is low.
-void fill_probe(Job& job, const TableKeys& keys) {
-  job.probe = probe_from(keys);
-  job.probe->at_switch = switch_from(keys);
-  job.probe->state = probe_state_from(keys);
+/// The input through which the probe tells that its battery is low.
+void fill_battery_input(Job& job, const TableKeys& keys) {
   if (const Entry* const input = keys.find(KeyId::ProbeBatteryInput)) {
     const auto number = static_cast<int>(number_of(*input));
     job.control.variables["#" + std::to_string(number)] =
         job.probe->state == probe::ProbeState::LowBattery ? 1.0 : 0.0;
   }
-}
-
-probe::StylusBall ball_from(const SheetTable& table, double usual_diameter_mm) {
-  const TableKeys keys(table);
-  return {point_from(keys, KeyId::ProbeBallAt), keys.get(KeyId::ProbeBallSize, usual_diameter_mm)};
 }
 
 void fill_table(Job& job, SectionId section, const std::string& name, const SheetTable& table) {
@@ -146,9 +102,9 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
           keys.get(KeyId::AxisHome, machine::AxisSetup().home);
       return;
     case SectionId::Probe:
-      fill_probe(job, keys);
-      return;
+      return;  // fill_probe
     case SectionId::ProbeBall:
+    case SectionId::ProbeBody:
     case SectionId::Part:
     case SectionId::SkipSignal:
       contract_violated("a list is no table", __FILE__, __LINE__);
@@ -215,11 +171,9 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
       job.part_places.push_back(place_of_body(table));
     }
   }
-  if (const auto balls = sheet.lists.find(SectionId::ProbeBall); balls != sheet.lists.end()) {
-    G31_EXPECTS(job.probe.has_value());  // [[probe.ball]] lies in [probe]
-    for (const SheetTable& table : balls->second) {
-      job.probe->further_balls.push_back(ball_from(table, job.probe->ball_diameter_mm));
-    }
+  if (const auto probe = sheet.tables.find({SectionId::Probe, ""}); probe != sheet.tables.end()) {
+    job.probe = probe_from(sheet, probe->second);
+    fill_battery_input(job, TableKeys(probe->second));
   }
   if (const auto list = sheet.lists.find(SectionId::SkipSignal); list != sheet.lists.end()) {
     job.skip_signals.emplace();

@@ -223,6 +223,11 @@ Operand ExpressionCompiler::emit_call(const Expr& expr) {
       return value;
     }
   }
+  const bool is_listed = expr.b != kNone && expr.op != Operator::Divide;
+  if (is_listed && !profile_.has_series_30i_functions &&
+      info(static_cast<FunctionId>(expr.function)).arguments == Arguments::OneOrTwo) {
+    misused(AlarmId::ExpressionFormat, expr.span, "this control takes ATAN[y]/[x], no comma");
+  }
   op.code = expr.b != kNone ? OpCode::CallOfTwo : OpCode::Call;
   if (expr.b != kNone) {
     op.b = emit(expr.b);

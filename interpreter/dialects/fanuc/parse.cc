@@ -548,9 +548,11 @@ void Parser::then_statement(Block& block) {
     fail(AlarmId::StatementFormat, "too many THEN in one block");
   } else {
     body(statement);
-    if (!failed() && statement.kind == BlockKind::Nc) {
+    const bool is_loop = statement.kind == BlockKind::While || statement.kind == BlockKind::Do ||
+                         statement.kind == BlockKind::End;
+    if (!failed() && (is_loop || statement.kind == BlockKind::Nc)) {
       expressions_.fail_at(AlarmId::StatementFormat, {begin, scanner_.position()},
-                           "THEN takes a macro statement, no NC words");
+                           "THEN takes a macro statement, no loop and no NC words");
     }
   }
   statement.span = {begin, scanner_.position()};

@@ -317,6 +317,7 @@ Index ExpressionParser::function() {
     return kNone;
   }
   if (arguments == Arguments::OneOrTwo && node.b == kNone && scanner_.accept('/')) {
+    node.op = Operator::Divide;
     node.b = bracketed();
   } else if (arguments == Arguments::Parameter && scanner_.accept('/')) {
     node.c = bracketed();

@@ -29,10 +29,11 @@ MaybeFailure Runner::enter(const Entry& entry) {
   const bool is_macro = entry.kind == CallKind::Macro;
   const CallLevels& most = control_.profile.calls;
   const int limit = is_macro ? most.macros : most.subprograms;
-  const bool together = static_cast<int>(frames_.size()) > most.together;
-  if (levels(entry.kind) >= limit || together) {
+  const bool in_kind = levels(entry.kind) < limit;
+  const bool together = in_kind && static_cast<int>(frames_.size()) > most.together;
+  if (!in_kind || together) {
     Failure failure;
-    failure.id = is_macro ? AlarmId::MacroNesting : AlarmId::NestedTooDeep;
+    failure.id = is_macro && !together ? AlarmId::MacroNesting : AlarmId::NestedTooDeep;
     failure.detail = together ? fmt::format("calls nest at most {} deep", most.together)
                               : fmt::format("{} nest at most {} deep",
                                             is_macro ? "macros" : "subprograms", limit);

@@ -51,7 +51,12 @@ char Scanner::peek_behind_blanks() {
 void Scanner::skip_comment() {
   const std::size_t begin = at_ + 1;
   const std::size_t end = std::min(text_.find_first_of(")\n", begin), text_.size());
-  comment_ = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  const bool goes_on =
+      comment_.end != 0 && at_ >= comment_.end &&
+      text_.substr(comment_.end, at_ - comment_.end).find_first_not_of(") \t\r") == text_.npos;
+  if (!goes_on) {
+    comment_ = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  }
   at_ = end < text_.size() && text_[end] == ')' ? end + 1 : end;
 }
 

@@ -79,7 +79,8 @@ class Scanner {
   /// Steps over `word` if the next letters begin with it.
   bool accept_word(std::string_view word);
 
-  /// The last comment stepped over in this block, without its parentheses; empty span if none.
+  /// The last comment stepped over in this block, without its parentheses, or the first of the last
+  /// run of comments; empty span if none.
   [[nodiscard]] syntax::ShortSpan last_comment() const { return comment_; }
   void forget_comment() { comment_ = {}; }
 

@@ -510,3 +510,12 @@ M30
 (EXPECT #102 = 0)
 (EXPECT #103 = 0)
 (EXPECT #104 = 1)
+
+(CASE MB-055 the 16i takes no comma)
+(CONTROL fanuc-16i)
+%
+O1
+#100=ATAN[1,1]
+M30
+%
+(EXPECT ALARM FORMAT AT 4)

@@ -454,3 +454,13 @@ N90#3000=12(NO SIGNAL)
 %
 (EXPECT ALARM 3012 AT 8)
 (EXPECT MESSAGE "NO SIGNAL")
+
+(CASE MB-007 of two comments the one directly behind the number is the text)
+%
+O1
+#1=1
+#3000=#1+90 (NO CONTACT) (SEE SHEET 4)
+M30
+%
+(EXPECT ALARM 3091 AT 4)
+(EXPECT MESSAGE "NO CONTACT")

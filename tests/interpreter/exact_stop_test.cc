@@ -1,0 +1,43 @@
+// How blocks end: G64 passes on, G61 and G09 stop exactly, #3004 bit 2 forbids both; rapids stop.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/control_run.h"
+
+namespace g31::fanuc {
+namespace {
+
+TEST(ExactStop, IsModalOrOfOneBlockAndNeverForBitTwoOf3004) {
+  struct Case {
+    const char* name;
+    const char* program;
+    const char* ends;  ///< a letter a move: S stops, P passes on
+  };
+  const Case kCases[] = {
+      {"power on is G64", "G1X1.F100\nX2.\nG2X4.R1.", "PPP"},
+      {"rapids stop, feed before and after or not", "G0X1.\nG1X2.F100\nG0X3.", "SPS"},
+      {"G61 until G64", "G61G1X1.F100\nX2.\nG3X4.R1.\nG64X5.", "SSSP"},
+      {"G62 and G63 end G61", "G61G1X1.F100\nG62X2.\nG61X3.\nG63X4.", "SPSP"},
+      {"G09 in its own block", "G1X1.F100\nG9X2.\nX3.\nG09G2X5.R1.\nX6.R1.", "PSPSP"},
+      {"#3004 bit 2 and back", "#3004=4\nG61G1X1.F100\nG9X2.\n#3004=3\nX3.", "PPS"},
+      {"in cutter compensation, where blocks wait",
+       "G41D1G1X10.F100\nG9Y10.\nX20.\nG61Y20.\nG40X30.", "PSPSS"},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    runtime::ControlSetup setup;
+    setup.tools[1].radius_mm = 1.0;
+    testing::ControlRun run("fanuc-16i", c.program, setup);
+    EXPECT_EQ(run.alarm(), 0);
+    std::string ends;
+    for (const machine::BlockEnd end : run.machine().ends()) {
+      ends += end == machine::BlockEnd::ExactStop ? 'S' : 'P';
+    }
+    EXPECT_EQ(ends, c.ends);
+  }
+}
+
+}  // namespace
+}  // namespace g31::fanuc

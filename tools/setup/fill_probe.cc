@@ -1,0 +1,121 @@
+#include "tools/setup/fill_probe.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "machine/base/contract.h"
+#include "tools/setup/table_keys.h"
+
+namespace g31::setup {
+namespace {
+
+constexpr double kUsualStemToBall = 0.6;  // diameters
+constexpr double kUsualBodyLengthMm = 50.0;
+constexpr double kUsualBodyDiameterMm = 40.0;
+
+probe::ProbeSetup plain_probe_from(const TableKeys& keys) {
+  probe::ProbeSetup probe;
+  probe.ball_diameter_mm = keys.get(KeyId::ProbeBallDiameter, probe.ball_diameter_mm);
+  probe.length_mm = keys.get(KeyId::ProbeLength, probe.length_mm);
+  const std::vector<double> eccentricity =
+      keys.get(KeyId::ProbeEccentricity, std::vector<double>{0.0, 0.0});
+  probe.eccentricity_mm = {eccentricity.at(0), eccentricity.at(1)};
+  probe.deflection_limit_mm = keys.get(KeyId::ProbeDeflection, probe.deflection_limit_mm);
+  probe.trigger_delay_s = keys.get(KeyId::ProbeTriggerDelay, probe.trigger_delay_s);
+  probe.repeatability_mm = keys.get(KeyId::ProbeRepeatability, probe.repeatability_mm);
+  return probe;
+}
+
+probe::SwitchSetup switch_from(const TableKeys& keys) {
+  probe::SwitchSetup at_switch;
+  at_switch.type = keys.get(KeyId::ProbeType, std::string("3D")) == "mono"
+                       ? probe::ProbeType::Mono
+                       : probe::ProbeType::ThreeD;
+  at_switch.mono_direction_deg = keys.get(KeyId::ProbeDirection, at_switch.mono_direction_deg);
+  at_switch.pre_travel_mm = keys.get(KeyId::ProbePreTravel, at_switch.pre_travel_mm);
+  at_switch.seats = keys.get(KeyId::ProbeSeats, std::string("even")) == "tripod"
+                        ? probe::Seats::Tripod
+                        : probe::Seats::Even;
+  at_switch.weak_direction_deg = keys.get(KeyId::ProbeWeakDirection, at_switch.weak_direction_deg);
+  at_switch.trigger_force_n = keys.get(KeyId::ProbeForce, at_switch.trigger_force_n);
+  at_switch.axial_force_n = keys.get(KeyId::ProbeAxialForce, at_switch.axial_force_n);
+  at_switch.stem_stiffness_n_mm = keys.get(KeyId::ProbeStiffness, at_switch.stem_stiffness_n_mm);
+  return at_switch;
+}
+
+probe::ProbeState probe_state_from(const TableKeys& keys) {
+  const std::string given = keys.get(KeyId::ProbeStateKind, std::string("ready"));
+  const auto* const row = std::ranges::find(probe::kProbeStateNames, std::string_view(given),
+                                            &probe::ProbeStateName::name);
+  G31_EXPECTS(row != probe::kProbeStateNames.end());
+  return row->state;
+}
+
+/// A round piece between two heights above the ball centre, its edges rounded.
+probe::ProbeSection section_between(double z_bottom, double z_top, const SheetTable& table) {
+  const TableKeys keys(table);
+  const double radius = 0.5 * keys.get(KeyId::ProbeBodyDiameter, kUsualBodyDiameterMm);
+  const double radius_top = 0.5 * keys.get(KeyId::ProbeBodyTop, 2.0 * radius);
+  const double most = std::min({radius, radius_top, 0.5 * (z_top - z_bottom)});
+  const double rounding = std::min(keys.get(KeyId::ProbeBodyRounding, 0.0), most);
+  return {keys.get(KeyId::ProbeBodyName, std::string("probe body")),
+          z_bottom + rounding,
+          z_top - rounding,
+          radius - rounding,
+          radius_top - rounding,
+          rounding};
+}
+
+double length_of_body(const SheetTable& table) {
+  return TableKeys(table).get(KeyId::ProbeBodyLength, kUsualBodyLengthMm);
+}
+
+/// Stem and bodies, from the ball upwards.
+void fill_sections(probe::ProbeSetup& probe, const TableKeys& keys,
+                   const std::vector<SheetTable>& bodies) {
+  double left = probe.length_mm;
+  for (const SheetTable& body : bodies) {
+    left -= length_of_body(body);
+  }
+  const double usual_length = std::max(left, 0.5 * probe.ball_diameter_mm);
+  const double stem_length = keys.get(KeyId::ProbeStemLength, usual_length);
+  const double stem_radius =
+      0.5 * keys.get(KeyId::ProbeStemDiameter, kUsualStemToBall * probe.ball_diameter_mm);
+  if (stem_radius > 0.0) {
+    probe.stem.push_back({"stem", 0.0, stem_length, stem_radius, stem_radius, 0.0});
+  }
+  double z = stem_length;
+  for (const SheetTable& body : bodies) {
+    const double top = z + length_of_body(body);
+    probe.bodies.push_back(section_between(z, top, body));
+    z = top;
+  }
+}
+
+probe::StylusBall ball_from(const SheetTable& table, double usual_diameter_mm) {
+  const TableKeys keys(table);
+  return {point_from(keys, KeyId::ProbeBallAt), keys.get(KeyId::ProbeBallSize, usual_diameter_mm)};
+}
+
+/// The tables of a list; none where the sheet has no such list.
+std::vector<SheetTable> list_of(const Sheet& sheet, SectionId section) {
+  const auto list = sheet.lists.find(section);
+  return list != sheet.lists.end() ? list->second : std::vector<SheetTable>();
+}
+
+}  // namespace
+
+probe::ProbeSetup probe_from(const Sheet& sheet, const SheetTable& table) {
+  const TableKeys keys(table);
+  probe::ProbeSetup probe = plain_probe_from(keys);
+  probe.at_switch = switch_from(keys);
+  probe.state = probe_state_from(keys);
+  for (const SheetTable& ball : list_of(sheet, SectionId::ProbeBall)) {
+    probe.further_balls.push_back(ball_from(ball, probe.ball_diameter_mm));
+  }
+  fill_sections(probe, keys, list_of(sheet, SectionId::ProbeBody));
+  return probe;
+}
+
+}  // namespace g31::setup
