@@ -47,19 +47,6 @@ TEST(DecimalText, WidensWhereTheControlDoes) {
   EXPECT_EQ(decimal_text(1.5436, 4, 4, style), "   1.5436");
 }
 
-// Hirose's printouts of a Fanuc 16i: Z .000, Y .838, X .065; a whole number still prints its 0.
-TEST(DecimalText, LeavesOutTheZeroBeforeThePointWhereTheControlDoes) {
-  OutputStyle style;
-  style.units_zero = OutputStyle::UnitsZero::Blank;
-  EXPECT_EQ(decimal_text(0.0, 3, 3, style), "    .000");
-  EXPECT_EQ(decimal_text(0.838, 3, 3, style), "    .838");
-  EXPECT_EQ(decimal_text(-0.065, 3, 3, style), "-   .065");
-  EXPECT_EQ(decimal_text(10.5, 3, 3, style), "  10.500");
-  EXPECT_EQ(decimal_text(0.056, 2, 0, style), "  0");
-  style.leading_zeros = OutputStyle::LeadingZeros::Omit;
-  EXPECT_EQ(decimal_text(0.5, 3, 3, style), "0.500");
-}
-
 TEST(BinaryText, IsFourBytesHighestFirst) {
   using namespace std::string_literals;
   EXPECT_EQ(binary_text(0.40596, 3), "\x00\x00\x01\x96"s);

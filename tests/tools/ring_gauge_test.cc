@@ -2,10 +2,11 @@
 // the original listings are at hand, on those.
 
 #include <cmath>
-#include <cstdlib>
+#include <cstdio>
 
 #include <gtest/gtest.h>
 
+#include "tests/support/original_listings.h"
 #include "tests/support/run_program.h"
 
 namespace g31 {
@@ -17,16 +18,10 @@ using testing::TemporaryFolder;
 
 const char* const kRing = "parts/library/ring_gauge/ring.toml";
 
-/// The original listings are not part of this repository; G31_HIROSE names their folder.
-std::string original_listings() {
-  const char* const named = std::getenv("G31_HIROSE");
-  return named != nullptr ? named : "../shared/cases/hirose";
-}
-
 std::vector<std::string> calibration_programs() {
   std::vector<std::string> programs = {"macros/fanuc/O6001.nc"};
-  if (std::filesystem::exists(original_listings() + "/O6001.nc")) {
-    programs.push_back(original_listings() + "/O6001.nc");
+  if (const auto listings = testing::original_listings()) {
+    programs.push_back(*listings + "/O6001.nc");
   } else {
     ::testing::Test::RecordProperty("original_listings", "missing");
     std::printf("the original listings are not here (G31_HIROSE names their folder): shipped only\n");
@@ -113,6 +108,47 @@ TEST(RingGauge, AnEccentricBallIsCorrectedByTheVariablesOfTheMacro) {
   const double x = std::sqrt(16.998 * 16.998 - 0.03 * 0.03) + 3.0;
   EXPECT_NEAR(variable(output, "#160"), x, 1e-4);
   EXPECT_NEAR(variable(output, "#161"), -x, 1e-4);
+}
+
+TEST(RingGauge, CalibrationInZFindsTheOvertravelDownwards) {
+  TemporaryFolder folder;
+  for (const double delay_s : {0.0, 0.004}) {
+    const auto late = folder.write(
+        "late.toml", "[probe]\ntrigger_delay_s = " + std::to_string(delay_s) + "\n");
+    cli::RunOptions options = on_ring("macros/fanuc/O6002.nc", {late});
+    options.prints = {"#519,#517"};
+    const RunOutput output = run_program(options);
+    ASSERT_EQ(output.exit_code, 0) << output.errors;
+    EXPECT_NEAR(variable(output, "#519"), -(50.0 / 60.0) * delay_s, 1e-6);
+    EXPECT_EQ(variable(output, "#517"), 0.0);
+    // Calibrated, the top face at Z0 reads the probe's length less the ball radius.
+    const auto program = folder.write("top.nc",
+                                      "O7\nG59\nG90 G00 X30. Y0\nG43 Z20. H99\n"
+                                      "G100 W-10. R10. Z5. A1.\nM30\n");
+    cli::RunOptions measure = on_ring(program, {late});
+    measure.assignments = {"#519=" + std::to_string(variable(output, "#519"))};
+    const RunOutput measured = run_program(measure);
+    ASSERT_EQ(measured.exit_code, 0) << measured.errors;
+    EXPECT_NEAR(variable(measured, "#190"), 120.0 - 3.0, 1e-6);
+  }
+}
+
+TEST(RingGauge, EccentricityIsFoundInACentredRing) {
+  TemporaryFolder folder;
+  const auto bent = folder.write(
+      "bent.toml", "[probe]\neccentricity = [0.02, -0.03]\ntrigger_delay_s = 0.002\n");
+  cli::RunOptions options = on_ring("macros/fanuc/O6003.nc", {bent});
+  options.prints = {"#530,#531"};
+  RunOutput output = run_program(options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NEAR(variable(output, "#530"), -0.02, 1e-6);
+  EXPECT_NEAR(variable(output, "#531"), 0.03, 1e-6);
+  // A second time nothing is left to find.
+  options.assignments = {"#530=" + std::to_string(variable(output, "#530")),
+                         "#531=" + std::to_string(variable(output, "#531"))};
+  output = run_program(options);
+  EXPECT_NEAR(variable(output, "#530"), -0.02, 1e-6);
+  EXPECT_NEAR(variable(output, "#531"), 0.03, 1e-6);
 }
 
 TEST(RingGauge, ScatterOfTableThreeIsTheSameForTheSameSeed) {

@@ -137,9 +137,6 @@ std::string decimal_text(double value, int integer_places, int decimals, const O
     if (sign.empty() && style.plus_sign == OutputStyle::PlusSign::Blank) {
       sign = " ";
     }
-    if (whole == "0" && decimals > 0 && style.units_zero == OutputStyle::UnitsZero::Blank) {
-      whole.clear();
-    }
     whole.insert(0, places - std::min(places, whole.size()), ' ');
   }
   return sign + whole + fraction;

@@ -52,12 +52,9 @@ struct OutputStyle {
   enum class LeadingZeros { Blank, Omit };  ///< 6001.1 PRT = 0, 1
   enum class Overflow { Cut, Widen };       ///< digits beyond the integer places (MB-243, MB-362)
   enum class PlusSign { Blank, Omit };  ///< the column of a positive sign with LeadingZeros::Blank
-  /// The 0 before the point of a number below 1, with LeadingZeros::Blank and decimals (MB-242).
-  enum class UnitsZero { Print, Blank };
   LeadingZeros leading_zeros = LeadingZeros::Blank;
   Overflow overflow = Overflow::Cut;
   PlusSign plus_sign = PlusSign::Blank;
-  UnitsZero units_zero = UnitsZero::Print;
 };
 
 /// What a control prints and what it refuses (MB-239, MB-361, MB-373, MB-374).

@@ -28,7 +28,6 @@ constexpr Profile fanuc_16i() {
   Profile profile;
   profile.name = "fanuc-16i";
   profile.text = "Fanuc 16i, 18i, 21i";
-  profile.output.style.units_zero = OutputStyle::UnitsZero::Blank;
   return profile;
 }
 
@@ -76,7 +75,6 @@ constexpr Profile meldas() {
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.loops = {127, 27};
-  profile.output.style.units_zero = OutputStyle::UnitsZero::Print;
   profile.has_bare_expressions = true;
   profile.calls = {4, 8, 8};
   profile.lone_cancel_is_alarm = true;
@@ -116,7 +114,6 @@ constexpr Profile haas() {
   profile.macro_alarm.largest = 999;
   profile.variables = {Basic, LongOffsets, OffsetsHaas, ShiftAt5201, SkipAtTip, CommonAliases};
   profile.output.fewest_digits = 1;
-  profile.output.style.units_zero = OutputStyle::UnitsZero::Print;
   profile.output.style.overflow = OutputStyle::Overflow::Widen;
   profile.output.style.plus_sign = OutputStyle::PlusSign::Omit;
   return profile;
@@ -134,7 +131,6 @@ constexpr Profile brother() {
   profile.macro_alarm.largest = 999;
   profile.macro_alarm.text_length = 20;
   profile.output.needs_popen = true;
-  profile.output.style.units_zero = OutputStyle::UnitsZero::Print;
   profile.output.most_variables = 10;
   return profile;
 }
