@@ -22,6 +22,12 @@ struct ToolEntry {
 /// (B), both of length and of radius (C).
 enum class OffsetMemory { A, B, C };
 
+/// What the operator's panel makes of programmed feeds.
+struct FeedSwitches {
+  double override_percent = 100.0;
+  double dry_run_mm_min = 0.0;  ///< takes the place of every feed; 0: no dry run
+};
+
 /// The state of a control before the program starts, as a set-up sheet describes it.  Plain data:
 /// each dialect takes what it knows and reports names it does not.
 struct ControlSetup {
@@ -29,6 +35,7 @@ struct ControlSetup {
   std::string increment;  ///< "IS-A", "IS-B", "IS-C" or "" = profile's
   OffsetMemory offset_memory = OffsetMemory::C;
   int lookahead_blocks = 0;  ///< NC blocks buffered behind the running one; 0: every read waits
+  FeedSwitches feed_switches;
   std::set<int> block_skip;                  ///< switches that are on, 1..9
   std::string variables_file;                ///< non-volatile variables; "" = none
   /// "6001.1" is bit 1 of 6001, "3410" a value, "1240.X" a value of one axis.

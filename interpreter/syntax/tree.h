@@ -63,31 +63,32 @@ struct Expr {
 /// How a word's value was written; decides what a number without a point means.
 enum class ValueForm : std::uint8_t { None, Integer, Decimal, Computed };
 
-/// An address letter and its value.
+/// An address letter and its value; letter `/` is a block skip in the middle of a block, the number
+/// its switch.
 struct Word {
   char letter = 0;
   ValueForm form = ValueForm::None;
   std::uint8_t digits = 0;    ///< digits written, leading and trailing zeros too
   std::uint8_t decimals = 0;  ///< those behind the point
   double number = 0.0;        ///< Integer and Decimal
-  Index expr = kNone;       ///< Computed
-  bool is_bare = false;     ///< Computed: X#1+10, an expression without brackets
+  Index expr = kNone;         ///< Computed
+  bool is_bare = false;       ///< Computed: X#1+10, an expression without brackets
   ShortSpan span;
 };
 
 enum class BlockKind : std::uint8_t {
-  Empty,    ///< only N, comments or nothing
-  Nc,       ///< words
-  Assign,   ///< `target` = `value`
-  Goto,     ///< GOTO `value`
-  IfGoto,   ///< IF `condition` GOTO `value`
-  IfThen,   ///< IF `condition` THEN: the next block of the vector is the statement
-  While,    ///< WHILE `condition` DO `number`
-  Do,       ///< DO `number`
-  End,      ///< END `number`
-  Output,   ///< POPEN, PCLOS, DPRNT, BPRNT; `number` is the row, `text` the format
-  SetNames, ///< SETVN
-  Bad,      ///< not to be understood; `number` is the row of the error
+  Empty,     ///< only N, comments or nothing
+  Nc,        ///< words
+  Assign,    ///< `target` = `value`
+  Goto,      ///< GOTO `value`
+  IfGoto,    ///< IF `condition` GOTO `value`
+  IfThen,    ///< IF `condition` THEN: the next block of the vector is the statement
+  While,     ///< WHILE `condition` DO `number`
+  Do,        ///< DO `number`
+  End,       ///< END `number`
+  Output,    ///< POPEN, PCLOS, DPRNT, BPRNT; `number` is the row, `text` the format
+  SetNames,  ///< SETVN
+  Bad,       ///< not to be understood; `number` is the row of the error
 };
 
 struct Block {

@@ -124,6 +124,45 @@ TEST(Explain, NamesTheGroupNumberOfTheControl) {
   EXPECT_EQ(fact(explain("G56", control("meldas")).at(0), "shown by"), "#4012");
 }
 
+TEST(Explain, KnowsTheOffsetNumbersOfEachMemory) {
+  struct Case {
+    const char* topic;
+    const char* control;
+    const char* fact;  ///< nullptr: the text itself
+    const char* text;
+  };
+  const char* const kWear = "tool length offset n (H), wear";
+  const char* const kGeometry = "tool length offset n (H), geometry";
+  const char* const kTurned = "with parameter 6000.3 = 1";
+  const Case kCases[] = {
+      {"#2001", "fanuc-16i", nullptr, kWear},
+      {"#2001", "fanuc-16i", "here", "offset 1"},
+      {"#2001", "fanuc-16i", "with offset_memory = \"A\"", "tool offset n, memory A"},
+      {"#2001", "fanuc-16i", "with offset_memory = \"B\"", ""},
+      {"#2001", "fanuc-16i", kTurned, kGeometry},
+      {"#2201", "fanuc-30i", nullptr, kGeometry},
+      {"#2201", "fanuc-30i", kTurned, kWear},
+      {"#2450", "fanuc-16i", kTurned, "cutter radius offset n (D), geometry"},
+      {"#10007", "fanuc-16i", nullptr, kWear},
+      {"#10007", "fanuc-16i", "here", "offset 7"},
+      {"#11999", "fanuc-16i", nullptr, kGeometry},
+      {"#12001", "fanuc-16i", nullptr, "cutter radius offset n (D), wear"},
+      {"#13001", "fanuc-16i", nullptr, "cutter radius offset n (D), geometry"},
+      {"#2001", "haas", nullptr, kGeometry},
+      {"#2201", "haas", nullptr, kWear},
+      {"#2401", "haas", nullptr, "cutter diameter n (D), geometry"},
+      {"#2001", "meldas", nullptr, kGeometry},
+      {"#2001", "meldas", kTurned, ""},
+      {"#16001", "meldas", nullptr, "cutter radius offset n (D), geometry"},
+  };
+  for (const Case& c : kCases) {
+    const Entries found = explain(c.topic, control(c.control));
+    ASSERT_EQ(found.size(), 1U) << c.topic << " on " << c.control;
+    EXPECT_EQ(c.fact == nullptr ? found[0].text : fact(found[0], c.fact), c.text)
+        << c.topic << " on " << c.control;
+  }
+}
+
 TEST(Explain, EverythingHoldsEveryRowOnce) {
   for (const Profile& profile : profiles()) {
     const Entries all = everything(profile);

@@ -74,7 +74,7 @@ const Case kNameTheKeyThatWasProbablyMeant[] = {
       | ^
 )"},
     {"an unknown key far from all", "[control]\nwombat = 1\n",
-     R"(sheet1.toml:2:1: error: unknown key wombat in [control], which takes profile, increment, offset_memory, block_skip, lookahead, variables_file [SET103]
+     R"(sheet1.toml:2:1: error: unknown key wombat in [control], which takes profile, increment, offset_memory, block_skip, lookahead, feed_override, dry_run, variables_file [SET103]
     2 | wombat = 1
       | ^
 )"},
@@ -350,7 +350,7 @@ const Case kStandAtTheirPlace[] = {
       |        ^
 )"},
     {"a size of a file", "[[part]]\nfile = \"ring.stl\"\nbore = 3\n",
-     R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, shape, at, rotate_deg [SET103]
+     R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, step_sagitta, shape, at, rotate_deg [SET103]
     3 | bore = 3
       | ^
 )"},
@@ -510,7 +510,7 @@ TEST_F(SetupErrorText, CutLongLinesAroundTheCaret) {
                             std::string(300, ' ') + "}\n";
   EXPECT_EQ(errors_of(read({sheet})),
             "sheet1.toml:1:326: error: unknown key zebra in [control], which takes profile, "
-            "increment, offset_memory, block_skip, lookahead, variables_file [SET103]\n    1 | " +
+            "increment, offset_memory, block_skip, lookahead, feed_override, dry_run, variables_file [SET103]\n    1 | " +
                 std::string(57, 'p') + "\", zebra = 1" + std::string(51, ' ') + "\n      | " +
                 std::string(60, ' ') + "^\n");
 }

@@ -19,6 +19,8 @@ profile = "fanuc-16i"
 increment = "IS-C"
 offset_memory = "B"
 lookahead = 3
+feed_override = 80.0
+dry_run = 1500.0
 block_skip = [1, 9]
 variables_file = "v55.vars"
 [parameters]
@@ -89,6 +91,7 @@ diameter = 4.0
 [[part]]
 name = "mesh"
 file = "ring.stl"
+step_sagitta = 0.002
 at = [250.0, -180, -300.0]
 rotate_deg = [0.0, 10.0, 90.0]
 [[part]]

@@ -58,6 +58,8 @@ TEST_F(SetupReader, ControlKeysArrive) {
   EXPECT_EQ(control.offset_memory, runtime::OffsetMemory::B);
   EXPECT_EQ(control.block_skip, (std::set<int>{1, 9}));
   EXPECT_EQ(control.lookahead_blocks, 3);
+  EXPECT_EQ(control.feed_switches.override_percent, 80.0);
+  EXPECT_EQ(control.feed_switches.dry_run_mm_min, 1500.0);
   EXPECT_EQ(control.variables_file, path_of("v55.vars"));
   EXPECT_EQ(control.parameters,
             (std::map<std::string, double>{{"6001.0", 0.0},
@@ -137,6 +139,7 @@ TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
   ASSERT_EQ(read.parts.size(), 3U);
   EXPECT_EQ(read.parts[0].name, "mesh");
   EXPECT_EQ(read.parts[0].file, path_of("ring.stl"));
+  EXPECT_EQ(read.parts[0].step_sagitta_mm, 0.002);
   EXPECT_EQ(read.parts[0].p_M_at, Point(250.0, -180.0, -300.0));
   EXPECT_EQ(read.parts[0].rotate_deg, Point(0.0, 10.0, 90.0));
   EXPECT_EQ(read.parts[1].name, "ring") << "a part without a name is called after its shape";

@@ -77,6 +77,16 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
   return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
+/// The variables file, where the sheet names one.
+std::optional<Refusal> keep_variables(const setup::Job& job, fanuc::Session& session) {
+  if (job.control.variables_file.empty()) {
+    return std::nullopt;
+  }
+  const auto problem =
+      write_whole_file(job.control.variables_file, variables_text(session.permanent_variables()));
+  return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
+}
+
 using Trace = std::shared_ptr<report::TraceFile>;
 
 /// The file of --trace; null when none is asked for.
@@ -89,8 +99,7 @@ Result<Trace, Refusal> open_trace(const std::string& path, const machine::Machin
     axes[i] = machine.axes[i].present;
   }
   const auto trace = report::TraceFile::create(path, axes);
-  return trace ? Result<Trace, Refusal>(trace.value())
-               : refusal(ExitCode::BadUsage, trace.error());
+  return trace ? Result<Trace, Refusal>(trace.value()) : refusal(ExitCode::BadUsage, trace.error());
 }
 
 }  // namespace
@@ -115,8 +124,9 @@ ExitCode run_command(const RunOptions& options) {
     return refuse({ExitCode::Setup, setup::render(scene.error())});
   }
   using Keep = report::RecordWhat::Keep;
-  EchoingRecorder recorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No},
-                           options.json != "-");
+  EchoingRecorder recorder(
+      {options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No},
+      options.json != "-");
   machine::MachiningCentre& machine = *scene.value().machine;
   if (trace.value() != nullptr) {
     machine.trace(prepared.value().trace_period_s, *trace.value());
@@ -132,9 +142,7 @@ ExitCode run_command(const RunOptions& options) {
       return refuse(refusal(ExitCode::BadUsage, *problem));
     }
   }
-  for (const source::Diagnostic& diagnostic : result.outcome.diagnostics) {
-    std::fputs(render_text(diagnostic).c_str(), stderr);
-  }
+  print_diagnostics(result.outcome);
   if (result.outcome.status == runtime::Status::SyntaxError && !result.outcome.alarm) {
     return ExitCode::BadUsage;
   }
@@ -151,11 +159,8 @@ ExitCode run_command(const RunOptions& options) {
   if (const auto wrong = deliver(options, result, recorder)) {
     return refuse(*wrong);
   }
-  if (!job.control.variables_file.empty()) {
-    if (const auto problem = write_whole_file(job.control.variables_file,
-                                              variables_text(session.permanent_variables()))) {
-      return refuse(refusal(ExitCode::BadUsage, *problem));
-    }
+  if (const auto wrong = keep_variables(job, session)) {
+    return refuse(*wrong);
   }
   return exit_code_of(result.outcome);
 }

@@ -5,10 +5,12 @@
 namespace g31::cli {
 
 void add_program_options(CLI::App& command, RunOptions& options) {
-  command.add_option("PROGRAM", options.programs,
+  command
+      .add_option("PROGRAM", options.programs,
                   "the program to run; further files are where subprograms are looked up first")
       ->required();
-  command.add_option("-s,--setup", options.setups,
+  command
+      .add_option("-s,--setup", options.setups,
                   "set-up sheet (TOML); repeatable, later ones win key by key")
       ->type_name("FILE")
       ->allow_extra_args(false);
@@ -17,11 +19,13 @@ void add_program_options(CLI::App& command, RunOptions& options) {
   command.add_option("--lib", options.libraries, "folder of subprograms; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);
-  command.add_option("--set", options.assignments,
+  command
+      .add_option("--set", options.assignments,
                   "variable before the start, #500=1.5; an empty value is null; repeatable")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  command.add_option("--seed", options.seed, "seed of every random model (default 0)")->type_name("N");
+  command.add_option("--seed", options.seed, "seed of every random model (default 0)")
+      ->type_name("N");
   command.add_option("--max-blocks", options.budget.blocks, "executed blocks (default 50000000)")
       ->type_name("N");
   command.add_option("--max-time", options.budget.wall_seconds, "wall seconds (default 600)")
@@ -35,7 +39,8 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   run->add_option("--print", options.prints, "variables to report at the end, #100-#149,#5061")
       ->type_name("NAMES")
       ->allow_extra_args(false);
-  run->add_option("--json", options.json, "result document; - is standard output")->type_name("FILE");
+  run->add_option("--json", options.json, "result document; - is standard output")
+      ->type_name("FILE");
   run->add_flag("--moves", options.moves, "every move in the document");
   run->add_flag("--touches", options.touches, "every touch in the document");
   run->add_option("--trace", options.trace, "axis positions over time, as a table (CSV)")

@@ -31,6 +31,10 @@ void fill_control(runtime::ControlSetup& control, const TableKeys& keys) {
   }
   control.lookahead_blocks = static_cast<int>(
       keys.get(KeyId::ControlLookahead, static_cast<double>(control.lookahead_blocks)));
+  control.feed_switches.override_percent =
+      keys.get(KeyId::ControlFeedOverride, control.feed_switches.override_percent);
+  control.feed_switches.dry_run_mm_min =
+      keys.get(KeyId::ControlDryRun, control.feed_switches.dry_run_mm_min);
   control.variables_file = keys.get(KeyId::ControlVariablesFile, control.variables_file);
   for (const double number : keys.get(KeyId::ControlBlockSkip, std::vector<double>{})) {
     control.block_skip.insert(static_cast<int>(number));
@@ -110,6 +114,7 @@ parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
   const TableKeys keys(table);
   parts::PartSetup part;
   part.file = keys.get(KeyId::PartFile, part.file);
+  part.step_sagitta_mm = keys.get(KeyId::PartStepSagitta, part.step_sagitta_mm);
   part.shape = keys.get(KeyId::PartShape, part.shape);
   const std::string stem = std::filesystem::path(part.file).stem().string();
   part.name = keys.get(KeyId::PartName, part.shape.empty() ? stem : part.shape);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include <fmt/format.h>
 
@@ -237,12 +236,13 @@ void Compiler::link_jumps() {
 }  // namespace
 
 std::optional<Index> CompiledProgram::find_label(std::int32_t sequence, Index from) const {
-  const auto same = std::ranges::equal_range(labels, sequence, {}, &Label::sequence);
-  if (same.empty()) {
+  const auto first = std::ranges::lower_bound(labels, sequence, {}, &Label::sequence);
+  const auto last = std::ranges::upper_bound(first, labels.end(), sequence, {}, &Label::sequence);
+  if (first == last) {
     return std::nullopt;
   }
-  const auto behind = std::ranges::upper_bound(same, from, {}, &Label::step);
-  return behind != same.end() ? behind->step : same.front().step;
+  const auto behind = std::ranges::upper_bound(first, last, from, {}, &Label::step);
+  return behind != last ? behind->step : first->step;
 }
 
 CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,

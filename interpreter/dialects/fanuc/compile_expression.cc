@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -141,7 +140,8 @@ Operand ExpressionCompiler::emit_chain(Index index) {
   }
   const std::size_t result = temporaries_;
   Operand value = emit(left);
-  for (const Index place : std::views::reverse(chain)) {
+  std::ranges::reverse(chain);
+  for (const Index place : chain) {
     const Expr& expr = tree_.exprs[place];
     if (is_comparison(expr)) {
       misused(AlarmId::ExpressionFormat, expr.span,
@@ -187,7 +187,8 @@ Operand ExpressionCompiler::emit_condition(Index index) {
     return push(op, into, expr.span);
   };
   Operand value = compare(left);
-  for (const Index place : std::views::reverse(chain)) {
+  std::ranges::reverse(chain);
+  for (const Index place : chain) {
     const Expr& expr = tree_.exprs[place];
     if (expr.kind == ExprKind::Logic && !profile_.has_symbol_logic) {
       misused(AlarmId::ExpressionFormat, expr.span, "this control has no && and ||");

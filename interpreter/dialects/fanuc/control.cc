@@ -7,16 +7,13 @@
 namespace g31::fanuc {
 namespace {
 
-/// 6050 to 6059 name the G codes that call macros O9010 to O9019, 6080 to 6089 the M codes of
-/// macros O9020 to O9029, 6071 to 6079 the M codes of subprograms O9001 to O9009 (MB-207 to
-/// MB-210).
-constexpr int kCallParameters = 10;
-
 /// @param parameters  must outlive the rules
 EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   EvaluationRules rules;
-  rules.largest_result = profile.largest_result;
-  rules.smallest_result = profile.smallest_result;
+  const bool short_range =
+      profile.has_series_30i_functions && parameters.is_on(ParameterId::Range16i);
+  rules.largest_result = short_range ? kLargestOf16i : profile.largest_result;
+  rules.smallest_result = short_range ? kSmallestOf16i : profile.smallest_result;
   rules.digit_limit = profile.digit_limit;
   rules.signed_angles = parameters.is_on(ParameterId::SignedAngles);
   rules.clear_small_sines = parameters.is_on(ParameterId::ClearSmallSines);
@@ -92,27 +89,6 @@ void Control::warn_once(source::DiagnosticId id, source::Location where, std::st
   }
 }
 
-void Control::turn_calls_over(const Parameters& before) {
-  for (int i = 0; i < kCallParameters; ++i) {
-    const auto turn_over = [&](std::map<int, int>& calls, ParameterId id, int index, int program) {
-      const double old_code = before.get(id, index);
-      const double code = parameters.get(id, index);
-      if (code == old_code) {
-        return;
-      }
-      calls.erase(nearest_integer(old_code));
-      if (code > 0.0) {
-        calls[nearest_integer(code)] = program;
-      }
-    };
-    turn_over(macro_calls_g, ParameterId::MacroGCode, i, 9010 + i);
-    turn_over(macro_calls_m, ParameterId::MacroMCode, i, 9020 + i);
-    if (i > 0) {
-      turn_over(subprogram_calls_m, ParameterId::SubprogramMCode, i - 1, 9000 + i);
-    }
-  }
-}
-
 machine::BlockEnd Control::feed_end() const {
   constexpr int kNoExactStop = 4;
   const bool exact = stops_exactly || modal.group[15].whole == 61;
@@ -123,7 +99,7 @@ machine::BlockEnd Control::feed_end() const {
 void Control::apply(const Parameters& given) {
   const Parameters before = parameters;
   parameters = given;
-  turn_calls_over(before);
+  code_calls.turn_over(before, parameters, profile);
   evaluator.set_rules(rules_of(profile, parameters));
   scale.calculator_point = parameters.is_on(ParameterId::CalculatorPoint);
   variables.protect(nearest_integer(parameters.get(ParameterId::FirstProtected)),

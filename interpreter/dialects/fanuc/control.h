@@ -12,6 +12,7 @@
 
 #include "interpreter/dialects/fanuc/calendar.h"
 #include "interpreter/dialects/fanuc/canned_cycles.h"
+#include "interpreter/dialects/fanuc/code_calls.h"
 #include "interpreter/dialects/fanuc/compensation/cutter_compensation.h"
 #include "interpreter/dialects/fanuc/coordinates.h"
 #include "interpreter/dialects/fanuc/evaluate.h"
@@ -27,6 +28,7 @@
 #include "interpreter/dialects/fanuc/variables.h"
 #include "interpreter/dialects/fanuc/word_values.h"
 #include "interpreter/dialects/fanuc/work_transform.h"
+#include "interpreter/runtime/budget_watch.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
 #include "machine/port/machine_port.h"
@@ -56,6 +58,12 @@ enum class DataInput {
   ToolLife     ///< G10 L3: not simulated
 };
 
+/// Reads of the clock since machine time last passed.
+struct BusyWait {
+  double since_s = -1.0;  ///< machine time of the first
+  int reads = 0;
+};
+
 /// Cutter compensation and what the present block says to it.
 struct CutterStage {
   CutterCompensation path;
@@ -82,30 +90,32 @@ struct Control {
   OffsetTable offsets;
   WordScale scale;
   std::set<int> block_skip;
-  std::map<int, int> macro_calls_g;       ///< G number to macro program
-  std::map<int, int> macro_calls_m;       ///< M number to macro program
-  std::map<int, int> subprogram_calls_m;  ///< M number to subprogram
+  runtime::FeedSwitches feed_switches;
+  CodeCalls code_calls;
   std::set<int> expected_tools;    ///< numbers of the sheet's tool table; empty: anything goes
   std::set<int> expected_systems;  ///< likewise for work offsets, as Coordinates counts them
 
   AxisPositions q_W_skip = AxisPositions::Zero();       ///< #5061.., tool offset included; mm, deg
   AxisPositions q_skip_offset = AxisPositions::Zero();  ///< the tool offset in it
   bool printer_open = false;                            ///< between POPEN and PCLOS
-  PmcSignals signals;                                   ///< #1000.., #1100..
-  Calendar calendar;                                    ///< #3011, #3012
-  double timer_offset_ms = 0.0;                         ///< #3001 = simulated time + this
-  double hours_offset = 0.0;                            ///< #3002 likewise
-  int single_block_control = 0;                         ///< #3003
-  int override_control = 0;                             ///< #3004
-  bool stops_exactly = false;                           ///< G09 in the present block
-  int mirror_state = 0;                                 ///< #3007
-  int restart_state = 0;                                ///< #3008
-  TransformStages transforms;                           ///< G51.1, G51, G68
-  std::optional<PolarCoordinates> polar;                ///< G16
-  CycleData cycle;                                      ///< of the canned cycle in force
+  std::array<Cell, kFurtherCommonCount> further_commons;  ///< #98000..
+  PmcSignals signals;                                     ///< #1000.., #1100..
+  Calendar calendar;                                      ///< #3011, #3012
+  BusyWait busy_wait;
+  double timer_offset_ms = 0.0;           ///< #3001 = simulated time + this
+  double hours_offset = 0.0;              ///< #3002 likewise
+  int single_block_control = 0;           ///< #3003
+  int override_control = 0;               ///< #3004
+  bool stops_exactly = false;             ///< G09 in the present block
+  int mirror_state = 0;                   ///< #3007
+  int restart_state = 0;                  ///< #3008
+  TransformStages transforms;             ///< G51.1, G51, G68
+  std::optional<PolarCoordinates> polar;  ///< G16
+  CycleData cycle;                        ///< of the canned cycle in force
   /// Where the last G28 or G30 of each axis went through (L); none before the first.
   std::array<std::optional<double>, kAxisCount> q_L_intermediate;
   DataInput data_input = DataInput::None;
+  runtime::BudgetWatch budget{runtime::Budget{}};
 
   Lookahead lookahead;
   std::vector<source::Diagnostic> diagnostics;
@@ -156,7 +166,6 @@ struct Control {
  private:
   static bool is_linear(int axis) { return axis < 3; }
   void choose_system_variables();
-  void turn_calls_over(const Parameters& before);
 
   std::set<std::pair<source::DiagnosticId, std::string>> warned_;
 };

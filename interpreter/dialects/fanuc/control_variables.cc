@@ -65,6 +65,7 @@ constexpr auto kAccessors = std::to_array<Accessor>({
     {Shows::WorkOffset, read_work_offset, write_work_offset},
     {Shows::LocalShift, read_local_shift, write_local_shift},
     {Shows::AdditionalOffset, read_work_offset, write_work_offset},
+    {Shows::FurtherCommon, read_further_common, write_further_common},
     {Shows::CommonAlias, read_alias, write_alias},
 });
 

@@ -5,9 +5,13 @@
 #include <limits>
 
 #include "interpreter/dialects/fanuc/parse.h"
+#include "interpreter/dialects/fanuc/tape_code.h"
 
 namespace g31::fanuc {
 namespace {
+
+/// So much of a long file tells its code.
+constexpr std::size_t kLook = 4096;
 
 /// The program number that a file name says: optional O, digits, optional ending.
 std::optional<int> number_in_name(std::string_view name) {
@@ -39,7 +43,7 @@ ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
   }
   auto file = std::make_unique<File>();
   file->path = path;
-  file->source = std::make_unique<source::SourceFile>(path, *std::move(text));
+  file->source = std::make_unique<source::SourceFile>(path, from_tape_code(*std::move(text)));
   file->tree = parse(file->source->text());
   loaded_.push_back(std::move(file));
   return loaded_.back().get();
@@ -50,7 +54,8 @@ ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
   if (is_main) {
     main_path_ = path;
     main_bytes_ = files_.size(path).value_or(0);
-    if (main_bytes_ > kWholeFileBytes) {
+    if (main_bytes_ > kWholeFileBytes &&
+        !is_tape_code(files_.read_part(path, 0, kLook).value_or(""))) {
       windows_ = std::make_unique<ProgramWindows>(files_, path, main_bytes_);
       return Added::Yes;
     }

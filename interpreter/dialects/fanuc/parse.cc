@@ -61,7 +61,9 @@ class Parser {
   void skip_leader();
   void block();
   bool program_number(Block& block);
+  bool program_name(Block& block);
   void head(Block& block);
+  std::uint8_t switch_number();
   void body(Block& block);
   void assignment(Block& block);
   void words(Block& block);
@@ -160,6 +162,9 @@ void Parser::settle(Block& block, std::uint32_t begin) {
 
 bool Parser::program_number(Block& block) {
   const char next = scanner_.peek();
+  if (next == '<') {
+    return program_name(block);
+  }
   if (next != 'O' && next != ':') {
     return false;
   }
@@ -177,6 +182,21 @@ bool Parser::program_number(Block& block) {
   return true;
 }
 
+/// `<PROBE-BORE>` in place of O and a number (MB-002).
+bool Parser::program_name(Block& block) {
+  const std::uint32_t begin = scanner_.position();
+  const std::size_t end = scanner_.text().find_first_of(">\n", begin);
+  open_program(0, {begin, begin});
+  if (end == std::string_view::npos || scanner_.text()[end] == '\n') {
+    fail(AlarmId::IllegalAddress, "the name of a program stands between < and >");
+    block.kind = BlockKind::Bad;
+    return true;
+  }
+  scanner_.rewind(static_cast<std::uint32_t>(end + 1));
+  tree_.programs.back().name = {begin, scanner_.position()};
+  return true;
+}
+
 std::optional<std::int32_t> Parser::integer(const char* what) {
   const auto found = scanner_.number();
   if (!found || found->has_point) {
@@ -190,16 +210,21 @@ std::optional<std::int32_t> Parser::integer(const char* what) {
   return static_cast<std::int32_t>(found->value);
 }
 
+/// n of `/n`; `/` alone is switch 1 (MB-005).
+std::uint8_t Parser::switch_number() {
+  const char digit = scanner_.peek();
+  if (digit < '1' || digit > '9') {
+    return 1;
+  }
+  scanner_.step();
+  return static_cast<std::uint8_t>(digit - '0');
+}
+
 /// `/n` and `N..` in either order.
 void Parser::head(Block& block) {
   for (;;) {
     if (scanner_.accept('/')) {
-      const char digit = scanner_.peek();
-      block.skip_switch = 1;
-      if (digit >= '1' && digit <= '9') {
-        block.skip_switch = static_cast<std::uint8_t>(digit - '0');
-        scanner_.step();
-      }
+      block.skip_switch = switch_number();
     } else if (scanner_.peek() == 'N' && block.sequence < 0) {
       scanner_.step();
       const auto number = integer("a sequence number is N and digits, without variables");
@@ -288,22 +313,23 @@ bool Parser::word() {
     return false;
   }
   const std::uint32_t begin = scanner_.position();
-  if (letter == '/') {
-    fail(AlarmId::IllegalAddress, "a block skip / stands at the beginning of a block");
-    return false;
-  }
   if (letter == '#') {
     fail(AlarmId::MixedStatement, "a macro statement needs a block of its own");
     return false;
   }
-  if (letter < 'A' || letter > 'Z') {
+  if ((letter < 'A' || letter > 'Z') && letter != '/') {
     fail(AlarmId::IllegalAddress, fmt::format("'{}' is no address letter", letter));
     return false;
   }
   scanner_.step();
   Word& word = tree_.words.emplace_back();
   word.letter = letter;
-  word_value(word);
+  if (letter == '/') {
+    word.form = ValueForm::Integer;
+    word.number = switch_number();
+  } else {
+    word_value(word);
+  }
   if (failed()) {
     tree_.words.pop_back();
     return false;

@@ -1,5 +1,7 @@
 #include "interpreter/dialects/fanuc/parse_expression.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/functions.h"
@@ -23,12 +25,15 @@ constexpr OperatorWord kComparisons[] = {
     {"EQ", Operator::Equal}, {"NE", Operator::NotEqual},     {"GT", Operator::Greater},
     {"LT", Operator::Less},  {"GE", Operator::GreaterEqual}, {"LE", Operator::LessEqual}};
 constexpr OperatorWord kJunctions[] = {{"&&", Operator::And}, {"||", Operator::Or}};
-constexpr OperatorWord kSums[] = {
-    {"+", Operator::Add}, {"-", Operator::Subtract}, {"XOR", Operator::Xor}, {"OR", Operator::Or}};
-constexpr OperatorWord kProducts[] = {{"*", Operator::Multiply},
-                                      {"/", Operator::Divide},
-                                      {"AND", Operator::And},
-                                      {"MOD", Operator::Modulo}};
+/// Words come before their two-letter forms (MB-077).
+constexpr OperatorWord kSums[] = {{"+", Operator::Add},
+                                  {"-", Operator::Subtract},
+                                  {"XOR", Operator::Xor},
+                                  {"XO", Operator::Xor},
+                                  {"OR", Operator::Or}};
+constexpr OperatorWord kProducts[] = {{"*", Operator::Multiply}, {"/", Operator::Divide},
+                                      {"AND", Operator::And},    {"AN", Operator::And},
+                                      {"MOD", Operator::Modulo}, {"MO", Operator::Modulo}};
 
 template <std::size_t N>
 std::optional<Operator> accept_operator(Scanner& scanner, const OperatorWord (&rows)[N]) {
@@ -49,6 +54,9 @@ Index ExpressionParser::add(const Expr& expr) {
 
 Index ExpressionParser::fail_at(AlarmId id, syntax::ShortSpan where, std::string message) {
   if (!error_) {
+    // What is missing at the end of the text has no character to point to.
+    const auto end_of_text = static_cast<std::uint32_t>(scanner_.text().size());
+    where.end = std::min(where.end, end_of_text);
     error_ = syntax::SyntaxError{static_cast<int>(id), where, std::move(message)};
   }
   return kNone;

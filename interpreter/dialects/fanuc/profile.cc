@@ -46,9 +46,11 @@ constexpr Profile fanuc_30i() {
   profile.alarm_prefix = "PS";
   profile.excess_decimals = ExcessDecimals::Round;
   profile.digit_limit = 12;
+  profile.word_digit_limit = 9;
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.has_series_30i_functions = true;
+  profile.names = {100, 999, 31};
   profile.largest_sequence = 99999999;
   profile.offset_limit_mm = 10000.0;
   profile.calls = {5, 10, 15};
@@ -69,6 +71,7 @@ constexpr Profile meldas() {
   profile.alarm_numbers = AlarmNumbers::Meldas;
   profile.alarm_prefix = "P";
   profile.digit_limit = 12;
+  profile.word_digit_limit = 12;
   profile.largest_result = std::numeric_limits<double>::max();
   profile.smallest_result = 0.0;
   profile.loops = {127, 27};

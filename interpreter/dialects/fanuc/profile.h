@@ -62,6 +62,17 @@ constexpr ModalLayout fanuc_modal_layout() {
   return layout;
 }
 
+/// Range of the results of expressions (MB-047); the 30i can be set to it (MB-046).
+inline constexpr double kLargestOf16i = 1e47;
+inline constexpr double kSmallestOf16i = 1e-29;
+
+/// What SETVN may name (MB-104).
+struct NameRule {
+  int first = 500;
+  int last = 519;
+  int longest = 8;  ///< characters
+};
+
 /// A control of the family, as data: the interpreter asks for the property, never for the name.
 /// What profile.cc does not say is as on the 16i.
 struct Profile {
@@ -72,9 +83,10 @@ struct Profile {
 
   // Numbers
   ExcessDecimals excess_decimals = ExcessDecimals::Truncate;
-  int digit_limit = 8;             ///< digits of a number (MB-027)
-  double largest_result = 1e47;    ///< magnitude beyond it is alarm 111 (MB-047)
-  double smallest_result = 1e-29;  ///< magnitude below it, but not 0, is alarm 111
+  int digit_limit = 8;                      ///< digits of a number in an expression (MB-027)
+  int word_digit_limit = 8;                 ///< digits of a number behind an address
+  double largest_result = kLargestOf16i;    ///< magnitude beyond it is alarm 111 (MB-047)
+  double smallest_result = kSmallestOf16i;  ///< magnitude below it, but not 0, is alarm 111
   LogicOperands logic_operands = LogicOperands::Round;
   bool has_series_30i_functions = false;
 
@@ -82,6 +94,7 @@ struct Profile {
   int largest_sequence = 99999;  ///< N and GOTO (MB-003, MB-172)
   LoopRule loops;
   bool has_then = true;                      ///< IF [...] THEN (MB-371)
+  NameRule names;                            ///< of common variables
   bool has_bare_expressions = false;         ///< X#1+10 without brackets (MB-332)
   bool has_symbol_logic = false;             ///< && and || between comparisons (MB-350)
   std::span<const GNumber> missing_g_codes;  ///< of g_codes.def, those it has not (MB-370)

@@ -91,9 +91,11 @@ void Walk::follow_words(Index index) {
   const syntax::Block& block = program_.tree->blocks[program_.steps[index].block];
   bool ends = false;
   bool names_target = false;
+  bool may_be_skipped = false;
   for (Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
     const syntax::Word& word = program_.tree->words[i];
-    ends |= word.letter == 'M' && word.form == syntax::ValueForm::Integer &&
+    may_be_skipped |= word.letter == '/';
+    ends |= !may_be_skipped && word.letter == 'M' && word.form == syntax::ValueForm::Integer &&
             (word.number == 99.0 || word.number == 30.0 || word.number == 2.0);
     names_target |= word.letter == 'P';
   }

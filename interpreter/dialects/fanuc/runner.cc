@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include <fmt/format.h>
 
@@ -15,9 +14,6 @@ namespace {
 
 using syntax::BlockKind;
 using syntax::kNone;
-
-/// How many blocks pass between two looks at the clock.
-constexpr std::uint64_t kBlocksPerClockLook = 8192;
 
 }  // namespace
 
@@ -51,39 +47,22 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
     return outcome;
   }
   start(*main);
-  if (const MaybeFailure failure = loop(budget)) {
+  control_.budget = runtime::BudgetWatch(budget);
+  if (const MaybeFailure failure = loop()) {
     outcome = outcome_of(*failure);
-  } else if (spent_) {
-    outcome.status = runtime::Status::Budget;
-    control_.diagnostics.push_back(make_diagnostic(*spent_, location_of(frame())));
   } else {
     control_.report_silent_skip();
   }
   outcome.diagnostics = control_.diagnostics;
-  outcome.blocks = blocks_;
+  outcome.blocks = control_.budget.blocks();
   return outcome;
 }
 
 void Runner::start(const CompiledProgram& main) {
-  frames_.assign(1, Frame{&main, 0, 0, CallKind::Main, CalledBy::Program, 0, {}});
+  frames_.assign(1, Frame());
+  frame().program = &main;
   control_.modal.word('O') = main.number;
   control_.coordinates.arrived_at_machine(control_.port.position());
-  started_ = std::chrono::steady_clock::now();
-}
-
-/// Judges the budget, and says at which block to do so again.
-bool Runner::over_budget(const runtime::Budget& budget) {
-  if (blocks_ >= budget.blocks) {
-    spent_ = source::DiagnosticId::BudgetBlocks;
-    return true;
-  }
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - started_;
-  if (passed.count() > budget.wall_seconds) {
-    spent_ = source::DiagnosticId::BudgetTime;
-    return true;
-  }
-  next_look_ = std::min(blocks_ + kBlocksPerClockLook, budget.blocks);
-  return false;
 }
 
 /// Statements that touch nothing but variables: the hot loop of a macro program.
@@ -138,7 +117,7 @@ bool Runner::fast_step(const Step& step, Frame& now) {
   return false;
 }
 
-MaybeFailure Runner::loop(const runtime::Budget& budget) {
+MaybeFailure Runner::loop() {
   while (!ended_) {
     Frame& now = frames_.back();
     if (now.step >= now.program->steps.size()) {
@@ -147,10 +126,9 @@ MaybeFailure Runner::loop(const runtime::Budget& budget) {
       }
       continue;
     }
-    if (blocks_ >= next_look_ && over_budget(budget)) {
-      return std::nullopt;
+    if (const auto spent = control_.budget.next_block()) {
+      return budget_failure(*spent);
     }
-    ++blocks_;
     now.current = now.step;
     const Step& next = now.program->steps[now.step++];
     if (next.skip_switch != 0 && control_.block_skip.contains(next.skip_switch)) {
@@ -224,16 +202,22 @@ MaybeFailure Runner::set_names(const Step& step) {
   const CompiledProgram& program = *frame().program;
   const syntax::ShortSpan span = program.tree->blocks[step.block].text;
   std::int32_t number = step.number;
-  for (const auto part :
-       std::views::split(program.file->text().substr(span.begin, span.end - span.begin), ',')) {
-    if (!is_common(number)) {
+  const std::string_view list = program.file->text().substr(span.begin, span.end - span.begin);
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', begin), list.size());
+    std::string name = upper_case(list.substr(begin, comma - begin));
+    begin = comma + 1;
+    std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
+    const NameRule& rule = control_.profile.names;
+    const bool in_range = is_common(number) && number >= rule.first && number <= rule.last;
+    if (!in_range || static_cast<int>(name.size()) > rule.longest) {
       Failure failure;
-      failure.id = AlarmId::IllegalVariable;
-      failure.detail = fmt::format("SETVN names common variables, not #{}", number);
+      failure.id = in_range ? AlarmId::NameFormat : AlarmId::IllegalVariable;
+      failure.detail =
+          in_range ? fmt::format("a name has at most {} characters", rule.longest)
+                   : fmt::format("SETVN names #{} to #{}, not #{}", rule.first, rule.last, number);
       return failure;
     }
-    std::string name = upper_case(std::string_view(part.begin(), part.end()));
-    std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
     control_.variables.names.give(std::move(name), number++);
   }
   return std::nullopt;

@@ -1,8 +1,11 @@
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/execute/codes.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/runner.h"
 
@@ -17,96 +20,112 @@ constexpr std::array<std::uint8_t, 26> kArgumentVariable = {
     1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
 
 /// What G66.1 does with the letters that are no arguments elsewhere (MB-205).
-constexpr int kEveryBlockG = 10;
-constexpr int kEveryBlockL = 12;
-constexpr int kEveryBlockN = 14;
-constexpr int kEveryBlockP = 16;
+constexpr std::size_t kEveryBlockG = 10;
+constexpr std::size_t kEveryBlockL = 12;
+constexpr std::size_t kEveryBlockN = 14;
+constexpr std::size_t kEveryBlockP = 16;
 
 constexpr int kLargestRepeat = 9999;
-
-/// P of M98 beyond four digits carries the count before the number (MB-214).
-constexpr int kCountFactor = 10'000;
-
-/// Variables that T and address calls leave their value in (MB-211, MB-212).
-constexpr int kTCallVariable = 149;
-constexpr int kTCallProgram = 9000;
 
 /// Letters whose plain integer argument means least increments (MB-196).
 bool counts_increments(char letter) {
   return std::string_view("ABCIJKQRUVWXYZ").find(letter) != std::string_view::npos;
 }
 
-/// Whether a word is part of the call itself: the code, P, L and N.
+/// Whether a word is part of the call itself: the code, P and L.
 bool is_call_word(const EvaluatedWord& word, const EvaluatedWord& code) {
-  return &word == &code || word.letter == 'P' || word.letter == 'L' || word.letter == 'N';
+  return &word == &code || word.letter == 'P' || word.letter == 'L';
 }
 
-bool has_motion(const BlockWords& words) {
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (words.has(kAxisLetters[axis])) {
-      return true;
-    }
-  }
-  return false;
+Result<bool, Failure> has_called(MaybeFailure failure) {
+  return failure ? Result<bool, Failure>(*std::move(failure)) : true;
 }
 
 }  // namespace
 
 /// Calls what a word of the block calls.  @returns whether there was such a word
 Result<bool, Failure> Runner::call_in_block() {
-  const auto done = [](MaybeFailure failure) -> Result<bool, Failure> {
-    return failure ? Result<bool, Failure>(*std::move(failure)) : true;
-  };
   const auto& modal = frame().modal_calls;
   const bool every_block = !modal.empty() && modal.back()->every_block;
   for (const EvaluatedWord& word : words_.all()) {
-    if (word.letter != 'G' && word.letter != 'M' && word.letter != 'T') {
-      continue;
-    }
-    const int code = nearest_integer(word.number);
-    if (word.letter == 'G') {
-      if (word.number == 67.0) {
-        return done(cancel_modal_call(word));
-      }
-      if (every_block) {
-        return done(every_block_call());
-      }
-      if (word.number == 65.0) {
-        return done(macro_call(word));
-      }
-      if (word.number == 66.0 || word.number == 66.1) {
-        return done(set_modal_call(word));
-      }
-      const auto call = control_.macro_calls_g.find(code);
-      if (call != control_.macro_calls_g.end() && word.number == code && code_calls_allowed()) {
-        return done(code_macro(word, call->second));
-      }
-    } else if (word.letter == 'M' && !every_block && word.form != ValueForm::Decimal) {
-      if (code == 98 || code == 198) {
-        return done(subprogram_call(word));
-      }
-      if (code == 99) {
-        return done(return_from_call());
-      }
-      const auto macro = control_.macro_calls_m.find(code);
-      if (macro != control_.macro_calls_m.end() && code_calls_allowed()) {
-        return done(code_macro(word, macro->second));
-      }
-      const auto sub = control_.subprogram_calls_m.find(code);
-      if (sub != control_.subprogram_calls_m.end() && code_calls_allowed()) {
-        return done(code_subprogram(word, sub->second));
-      }
-    } else if (word.letter == 'T' && control_.parameters.is_on(ParameterId::ToolCalls) && code_calls_allowed()) {
-      control_.variables.set_common(kTCallVariable, Cell(code));
-      return done(code_subprogram(word, kTCallProgram));
+    auto called = word.letter == 'G'   ? call_by_g(word, every_block)
+                  : every_block        ? Result<bool, Failure>(false)
+                  : word.letter == 'M' ? call_by_m(word)
+                                       : call_by_address(word);
+    if (!called || called.value()) {
+      return called;
     }
   }
-  return every_block ? done(every_block_call()) : false;
+  return every_block ? has_called(every_block_call()) : false;
 }
 
-bool Runner::code_calls_allowed() const {
+Result<bool, Failure> Runner::call_by_g(const EvaluatedWord& word, bool every_block) {
+  if (word.number == 67.0) {
+    return has_called(cancel_modal_call(word));
+  }
+  if (every_block) {
+    return has_called(every_block_call());
+  }
+  if (word.number == 65.0) {
+    return has_called(macro_call(word));
+  }
+  if (word.number == 66.0 || word.number == 66.1) {
+    return has_called(set_modal_call(word));
+  }
+  const int code = nearest_integer(word.number);
+  const auto call = control_.code_calls.macro_by_g.find(code);
+  if (call != control_.code_calls.macro_by_g.end() && word.number == code &&
+      may_call(CalledBy::GCode)) {
+    return has_called(code_macro(word, call->second, CalledBy::GCode));
+  }
+  return false;
+}
+
+Result<bool, Failure> Runner::call_by_m(const EvaluatedWord& word) {
+  const int code = nearest_integer(word.number);
+  if (word.form == ValueForm::Decimal) {
+    return false;
+  }
+  if (code == 98 || calls_external(code)) {
+    return has_called(subprogram_call(word));
+  }
+  if (code == 99) {
+    return has_called(return_from_call());
+  }
+  if (!may_call(CalledBy::Address)) {
+    return false;
+  }
+  // Behind other words it is an ordinary M code (MB-209).
+  const bool comes_first = &word == &words_.all().front();
+  const auto macro = control_.code_calls.macro_by_m.find(code);
+  if (macro != control_.code_calls.macro_by_m.end() && comes_first) {
+    return has_called(code_macro(word, macro->second, CalledBy::Address));
+  }
+  const auto sub = control_.code_calls.subprogram_by_m.find(code);
+  if (sub == control_.code_calls.subprogram_by_m.end()) {
+    return false;
+  }
+  return has_called(code_subprogram(word, sub->second));
+}
+
+/// T, S, B and the addresses of parameters 6090 and 6091 (MB-211, MB-212).
+Result<bool, Failure> Runner::call_by_address(const EvaluatedWord& word) {
+  const AddressCall& call =
+      control_.code_calls.by_address.at(static_cast<std::size_t>(word.letter - 'A'));
+  if (call.program == 0 || !may_call(CalledBy::Address)) {
+    return false;
+  }
+  control_.variables.set_common(call.variable, Cell(argument_value(word)));
+  return has_called(code_subprogram(word, call.program));
+}
+
+/// Inside a program that a code called, codes call nothing; with parameter 6008.6 those of the
+/// other kind do (MB-208).
+bool Runner::may_call(CalledBy by) const {
+  const bool nests = control_.profile.has_series_30i_functions &&
+                     control_.parameters.is_on(ParameterId::NestedCodeCalls);
   for (const Frame& level : frames_) {
-    if (level.by == CalledBy::Code) {
+    if (level.by == by || (level.by != CalledBy::Program && !nests)) {
       return false;
     }
   }
@@ -136,13 +155,8 @@ MaybeFailure Runner::macro_call(const EvaluatedWord& code) {
   if (!times) {
     return times.error();
   }
-  if (times.value() == 0) {
-    return std::nullopt;
-  }
-  if (auto failure = enter({program.value(), CallKind::Macro, CalledBy::Program, times.value()})) {
-    return failure;
-  }
-  return pass_arguments(arguments);
+  return enter_macro({program.value(), CallKind::Macro, CalledBy::Program, times.value()},
+                     arguments);
 }
 
 /// G66 and G66.1: from the next block on; the block itself calls nothing (MB-203).
@@ -160,10 +174,20 @@ MaybeFailure Runner::set_modal_call(const EvaluatedWord& code) {
   call->program = program.value();
   call->repeats = times.value();
   call->every_block = code.number != 66.0;
+  std::vector<EvaluatedWord> arguments;
   for (const EvaluatedWord& word : words_.all()) {
     if (!is_call_word(word, code)) {
-      call->arguments.push_back(word);
+      arguments.push_back(word);
     }
+  }
+  const auto locals = with_arguments({}, arguments);
+  if (!locals) {
+    return locals.error();
+  }
+  call->locals = locals.value();
+  if (static_cast<int>(frame().modal_calls.size()) >= control_.profile.calls.macros) {
+    return at_word(AlarmId::ModalCallNesting, code,
+                   fmt::format("modal calls nest at most {} deep", control_.profile.calls.macros));
   }
   frame().modal_calls.push_back(std::move(call));
   control_.modal.group[12] = {66, static_cast<std::int8_t>(code.number != 66.0 ? 1 : 0)};
@@ -184,10 +208,10 @@ MaybeFailure Runner::cancel_modal_call(const EvaluatedWord& code) {
 
 /// The modal call that a motion block of this program sets off.
 MaybeFailure Runner::modal_call() {
-  if (!has_motion(words_) || words_.has('O') || ended_) {
+  if (!commands_motion(words_) || ended_) {
     return std::nullopt;
   }
-  const std::shared_ptr<const ModalCall> call = frame().modal_calls.back();
+  const std::shared_ptr<ModalCall> call = frame().modal_calls.back();
   if (call->repeats == 0) {
     return std::nullopt;
   }
@@ -195,46 +219,44 @@ MaybeFailure Runner::modal_call() {
     return failure;
   }
   frame().modal_calls.pop_back();
-  return pass_arguments(call->arguments);
+  frame().of_modal_call = call;
+  control_.variables.set_level(call->locals);
+  return std::nullopt;
 }
 
 /// G66.1: the words of the block become arguments, the block itself is not executed (MB-205).
 MaybeFailure Runner::every_block_call() {
-  const std::shared_ptr<const ModalCall> call = frame().modal_calls.back();
-  const syntax::Block& block =
-      frame().program->tree->blocks[frame().program->steps[frame().current].block];
-  std::vector<EvaluatedWord> arguments = call->arguments;
-  std::vector<std::pair<int, double>> others;
-  if (block.sequence >= 0) {
-    others.emplace_back(kEveryBlockN, block.sequence);
+  const std::shared_ptr<ModalCall> call = frame().modal_calls.back();
+  std::vector<EvaluatedWord> arguments;
+  Variables::Locals locals = call->locals;
+  if (words_.sequence() > 0) {
+    locals[kEveryBlockN] = Cell(words_.sequence());
   }
   for (const EvaluatedWord& word : words_.all()) {
-    switch (word.letter) {
-      case 'G':
-        others.emplace_back(kEveryBlockG, word.number);
-        break;
-      case 'L':
-        others.emplace_back(kEveryBlockL, word.number);
-        break;
-      case 'P':
-        others.emplace_back(kEveryBlockP, word.number);
-        break;
-      default:
-        arguments.push_back(word);
+    const std::size_t variable = word.letter == 'G'   ? kEveryBlockG
+                                 : word.letter == 'L' ? kEveryBlockL
+                                 : word.letter == 'P' ? kEveryBlockP
+                                                      : 0;
+    if (variable == 0) {
+      arguments.push_back(word);
+    } else {
+      locals[variable] = Cell(word.number);
     }
+  }
+  const auto passed = with_arguments(locals, arguments);
+  if (!passed) {
+    return passed.error();
   }
   if (auto failure = enter({call->program, CallKind::Macro, CalledBy::Program, call->repeats})) {
     return failure;
   }
   frame().modal_calls.pop_back();
-  for (const auto& [variable, value] : others) {
-    control_.variables.set_local(variable, Cell(value));
-  }
-  return pass_arguments(arguments);
+  control_.variables.set_level(passed.value());
+  return std::nullopt;
 }
 
 /// A G or M code that parameters or the sheet make a macro call (MB-207, MB-209).
-MaybeFailure Runner::code_macro(const EvaluatedWord& code, int program_number) {
+MaybeFailure Runner::code_macro(const EvaluatedWord& code, int program_number, CalledBy by) {
   const CompiledProgram* const program = library_.find(program_number);
   if (program == nullptr) {
     return at_word(AlarmId::CalledNotFound, code,
@@ -251,13 +273,7 @@ MaybeFailure Runner::code_macro(const EvaluatedWord& code, int program_number) {
       arguments.push_back(word);
     }
   }
-  if (times.value() == 0) {
-    return std::nullopt;
-  }
-  if (auto failure = enter({program, CallKind::Macro, CalledBy::Code, times.value()})) {
-    return failure;
-  }
-  return pass_arguments(arguments);
+  return enter_macro({program, CallKind::Macro, by, times.value()}, arguments);
 }
 
 /// An M or T code that parameters make a subprogram call: the other words of the block are executed
@@ -278,7 +294,7 @@ MaybeFailure Runner::code_subprogram(const EvaluatedWord& code, int program_numb
   if (auto failure = execute(others, location_of(frame()))) {
     return failure;
   }
-  return enter({program, CallKind::Subprogram, CalledBy::Code, 1});
+  return enter({program, CallKind::Subprogram, CalledBy::Address, 1});
 }
 
 Result<int, Failure> Runner::repeats() const {
@@ -306,12 +322,30 @@ Result<const CompiledProgram*, Failure> Runner::called_program(const EvaluatedWo
   return program;
 }
 
-/// Sets the locals of the level just entered.  I J K may come again: then they belong to the next
-/// triple (specification II, MB-192, MB-194), unless parameter 6008.7 says specification I only.
-MaybeFailure Runner::pass_arguments(std::span<const EvaluatedWord> arguments) {
+/// Enters a macro as often as L says; never for L0.
+MaybeFailure Runner::enter_macro(const Entry& entry, std::span<const EvaluatedWord> arguments) {
+  const auto locals = with_arguments({}, arguments);
+  if (!locals) {
+    return locals.error();
+  }
+  if (entry.repeats == 0) {
+    return std::nullopt;
+  }
+  if (auto failure = enter(entry)) {
+    return failure;
+  }
+  control_.variables.set_level(locals.value());
+  return std::nullopt;
+}
+
+/// Puts arguments among locals.  I J K may come again: then they belong to the next triple
+/// (specification II, MB-192, MB-194), unless parameter 6008.7 says specification I only.
+Result<Variables::Locals, Failure> Runner::with_arguments(
+    Variables::Locals locals, std::span<const EvaluatedWord> arguments) {
   const bool triples = !control_.parameters.is_on(ParameterId::OneTriple);
   int triple = 0;
   char last_of_triple = 'A';
+  std::string in_triple;
   for (const EvaluatedWord& word : arguments) {
     int variable = kArgumentVariable[static_cast<std::size_t>(word.letter - 'A')];
     if (variable == 0) {
@@ -319,146 +353,29 @@ MaybeFailure Runner::pass_arguments(std::span<const EvaluatedWord> arguments) {
                      fmt::format("{} as argument", word.letter));
     }
     if (triples && word.letter >= 'I' && word.letter <= 'K') {
-      triple += word.letter <= last_of_triple ? 1 : 0;
+      const bool begins = word.letter <= last_of_triple;
+      if (begins && in_triple.find(word.letter) == in_triple.npos) {
+        control_.warn_once(source::DiagnosticId::TripleOutOfOrder, location(word.span),
+                           fmt::format("{} behind {}", word.letter, last_of_triple));
+      }
+      in_triple = begins ? std::string(1, word.letter) : in_triple + word.letter;
+      triple += begins ? 1 : 0;
       last_of_triple = word.letter;
       variable += 3 * triple;
     }
     if (variable > kLocalCount) {
       return at_word(AlarmId::IllegalArgumentLetter, word, "more than ten I J K");
     }
-    double value = word.number;
-    if (word.form == ValueForm::Integer && counts_increments(word.letter)) {
-      value = control_.scale.length(word);
-    }
-    control_.variables.set_local(variable, Cell(value));
+    locals[static_cast<std::size_t>(variable)] = Cell(argument_value(word));
   }
-  return std::nullopt;
+  return locals;
 }
 
-int Runner::levels(CallKind kind) const {
-  int count = 0;
-  for (const Frame& level : frames_) {
-    count += level.kind == kind ? 1 : 0;
-  }
-  return count;
-}
-
-MaybeFailure Runner::enter(const Entry& entry) {
-  const bool is_macro = entry.kind == CallKind::Macro;
-  const CallLevels& most = control_.profile.calls;
-  const int limit = is_macro ? most.macros : most.subprograms;
-  const bool together = static_cast<int>(frames_.size()) > most.together;
-  if (levels(entry.kind) >= limit || together) {
-    Failure failure;
-    failure.id = is_macro ? AlarmId::MacroNesting : AlarmId::NestedTooDeep;
-    failure.detail = together ? fmt::format("calls nest at most {} deep", most.together)
-                              : fmt::format("{} nest at most {} deep",
-                                            is_macro ? "macros" : "subprograms", limit);
-    return failure;
-  }
-  if (is_macro) {
-    control_.variables.push_level();
-  }
-  Frame level{entry.program, entry.first_step, 0, entry.kind, entry.by, entry.repeats - 1, {}};
-  level.modal_calls = frame().modal_calls;
-  frames_.push_back(std::move(level));
-  control_.modal.word('O') = entry.program->number;
-  return std::nullopt;
-}
-
-/// M98 P L Q, M198 P: motion of the block first, then the call (MB-213 to MB-217, MB-222).
-MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
-  const EvaluatedWord* const p = words_.find('P');
-  const EvaluatedWord* const q = words_.find(control_.profile.start_letter);
-  const auto times = repeats();
-  if (!times) {
-    return times.error();
-  }
-  if (p == nullptr && q == nullptr) {
-    return at_word(AlarmId::CallWithoutProgram, m, fmt::format("M{} without P", m.number));
-  }
-  if (p == nullptr) {
-    if (auto failure = keep_whole(frame())) {
-      return failure;
-    }
-  }
-  Entry entry{frame().program, CallKind::Subprogram, CalledBy::Program, times.value()};
-  if (p != nullptr) {
-    const auto number = integer_of(*p);
-    if (!number) {
-      return number.error();
-    }
-    EvaluatedWord program_word = *p;
-    program_word.form = ValueForm::Integer;
-    program_word.number = number.value();
-    if (number.value() >= kCountFactor && library_.find(number.value()) == nullptr) {
-      program_word.number = number.value() % kCountFactor;
-      entry.repeats = number.value() / kCountFactor;
-    }
-    const auto program = called_program(program_word);
-    if (!program) {
-      return program.error();
-    }
-    entry.program = program.value();
-  }
-  if (q != nullptr) {
-    const auto found = entry.program->find_label(nearest_integer(q->number), 0);
-    if (!found) {
-      return at_word(AlarmId::SequenceNotFound, *q, fmt::format("no N{}", q->number));
-    }
-    entry.first_step = *found;
-  }
-  BlockWords others;
-  for (const EvaluatedWord& word : words_.all()) {
-    if (&word != &m && word.letter != 'P' && word.letter != 'L' &&
-        word.letter != control_.profile.start_letter) {
-      others.add(word);
-    }
-  }
-  if (auto failure = execute(others, location_of(frame()))) {
-    return failure;
-  }
-  return entry.repeats == 0 ? std::nullopt : enter(entry);
-}
-
-/// M99: back to the caller, to block P of it, or to the top of the main program; L replaces the
-/// repeats that are left (MB-218 to MB-221).
-MaybeFailure Runner::return_from_call() {
-  const EvaluatedWord* const p = words_.find('P');
-  Frame& now = frame();
-  if (words_.has('L')) {
-    const auto left = repeats();
-    if (!left) {
-      return left.error();
-    }
-    now.repeats_left = left.value();
-  }
-  if (now.kind != CallKind::Main && p == nullptr && now.repeats_left > 0) {
-    --now.repeats_left;
-    now.step = 0;
-    return std::nullopt;
-  }
-  if (now.kind == CallKind::Main) {
-    if (auto failure = keep_whole(now)) {
-      return failure;
-    }
-    now.step = 0;
-  } else {
-    if (now.kind == CallKind::Macro) {
-      control_.variables.pop_level();
-    }
-    frames_.pop_back();
-    control_.modal.word('O') = frame().program->number;
-  }
-  if (p == nullptr) {
-    return std::nullopt;
-  }
-  const auto sequence = integer_of(*p);
-  if (!sequence) {
-    return sequence.error();
-  }
-  return go_to(frame(), sequence.value(),
-               at_word(AlarmId::SequenceNotFound, *p, fmt::format("no N{}", sequence.value())));
+/// What a word passes to a macro: without a point it counts least increments (MB-196).
+double Runner::argument_value(const EvaluatedWord& word) const {
+  return word.form == ValueForm::Integer && counts_increments(word.letter)
+             ? control_.scale.length(word)
+             : word.number;
 }
 
 }  // namespace g31::fanuc

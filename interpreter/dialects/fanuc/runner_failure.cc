@@ -46,7 +46,7 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
     notes.push_back({call.where, fmt::format("called from {}", call.program)});
   }
   source::Diagnostic diagnostic;
-  if (failure.status == runtime::Status::Setup) {
+  if (failure.status == runtime::Status::Setup || failure.status == runtime::Status::Budget) {
     diagnostic = make_diagnostic(static_cast<source::DiagnosticId>(failure.alarm_number), where,
                                  failure.detail);
   } else if (failure.status == runtime::Status::Collision && failure.alarm_number < 0) {
@@ -62,12 +62,13 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
     alarm.detail = failure.detail;
     alarm.remedy = row.remedy;
     alarm.calls = call_stack();
-    diagnostic = {source::Severity::Error,
-                  std::to_string(alarm.number),
-                  where,
-                  alarm.detail.empty() ? alarm.text : fmt::format("{}: {}", alarm.text, alarm.detail),
-                  alarm.remedy,
-                  {}};
+    diagnostic = {
+        source::Severity::Error,
+        std::to_string(alarm.number),
+        where,
+        alarm.detail.empty() ? alarm.text : fmt::format("{}: {}", alarm.text, alarm.detail),
+        alarm.remedy,
+        {}};
     outcome.alarm = std::move(alarm);
   }
   diagnostic.notes = std::move(notes);

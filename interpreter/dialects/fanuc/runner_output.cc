@@ -32,6 +32,10 @@ MaybeFailure Runner::output(const Step& step) {
     failure.detail = fmt::format("{} without POPEN", info(statement).name);
     return failure;
   }
+  if (!control_.printer_open) {
+    control_.warn_once(source::DiagnosticId::PrinterNotOpen,
+                       location(program.tree->blocks[step.block].span), info(statement).name);
+  }
   const auto items =
       parse_output_format(program.file->text().substr(format.begin, format.end - format.begin));
   G31_EXPECTS(items.ok());  // the parser refused every other format

@@ -27,6 +27,12 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
   words_.clear();
   for (syntax::Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
     const syntax::Word& word = program.tree->words[i];
+    if (word.letter == '/') {
+      if (skips_rest(word)) {
+        break;
+      }
+      continue;
+    }
     double number = word.number;
     if (word.form == ValueForm::Computed) {
       const double increment = 1.0 / control_.scale.length_counts();
@@ -39,7 +45,7 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
         continue;
       }
       number = value.raw();
-    } else if (word.digits > control_.profile.digit_limit) {
+    } else if (word.digits > control_.profile.word_digit_limit) {
       return at_place(AlarmId::TooManyDigits, word.span, fmt::format("{} digits", word.digits));
     }
     if (std::abs(number) > kLargestWord) {
@@ -51,7 +57,16 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
   return std::nullopt;
 }
 
+/// A `/` in the middle of a block: some controls skip from there, others refuse it (MB-006).
+bool Runner::skips_rest(const syntax::Word& word) {
+  control_.warn_once(source::DiagnosticId::SkipInsideBlock, location(word.span));
+  return control_.block_skip.contains(static_cast<int>(word.number));
+}
+
 MaybeFailure Runner::nc_block(const Step& step) {
+  if (control_.budget.is_too_late()) {
+    return budget_failure(runtime::BudgetWatch::Spent::Time);
+  }
   if (auto failure = evaluate_words(step)) {
     return failure;
   }

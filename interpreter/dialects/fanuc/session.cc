@@ -77,7 +77,8 @@ void configure_calls(Control& control, const runtime::ControlSetup& setup,
       refused.push_back(fmt::format("macro call {}: write G or M and a whole number", code));
       continue;
     }
-    (code[0] == 'G' ? control.macro_calls_g : control.macro_calls_m)[number] = program;
+    (code[0] == 'G' ? control.code_calls.macro_by_g : control.code_calls.macro_by_m)[number] =
+        program;
   }
 }
 
@@ -108,6 +109,7 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   }
   control.set_offset_memory(setup.offset_memory);
   control.block_skip = setup.block_skip;
+  control.feed_switches = setup.feed_switches;
   control.lookahead.set_depth(setup.lookahead_blocks);
   refused = configure_offsets(control, setup);
   configure_calls(control, setup, refused);
@@ -143,6 +145,12 @@ std::map<std::string, double> Session::permanent_variables() const {
     const Cell value = runner_->control().variables.common(number);
     if (!value.is_vacant()) {
       kept.emplace(fmt::format("#{}", number), value.raw());
+    }
+  }
+  for (std::int32_t i = 0; i < kFurtherCommonCount; ++i) {
+    const Cell value = runner_->control().further_commons.at(static_cast<std::size_t>(i));
+    if (!value.is_vacant()) {
+      kept.emplace(fmt::format("#{}", kFirstFurther + i), value.raw());
     }
   }
   return kept;

@@ -74,6 +74,7 @@ enum class Shows : std::uint8_t {
   WorkOffset,
   LocalShift,
   AdditionalOffset,
+  FurtherCommon,
   CommonAlias,
 };
 

@@ -4,11 +4,14 @@
 
 namespace g31::fanuc {
 
-inline constexpr std::int32_t kLocalCount = 33;     ///< #1..#33
-inline constexpr std::int32_t kFirstCommon = 100;   ///< #100..#199, null after power on
+inline constexpr std::int32_t kLocalCount = 33;    ///< #1..#33
+inline constexpr std::int32_t kFirstCommon = 100;  ///< #100..#199, null after power on
 inline constexpr std::int32_t kLastVolatile = 199;
 inline constexpr std::int32_t kFirstPermanent = 500;  ///< #500..#999 kept over power off
 inline constexpr std::int32_t kCommonEnd = 1000;
+
+inline constexpr std::int32_t kFirstFurther = 98000;  ///< of the 30i: #98000..#98499, kept, too
+inline constexpr std::int32_t kFurtherCommonCount = 500;
 
 constexpr bool is_local(std::int32_t number) {
   return number >= 1 && number <= kLocalCount;

@@ -74,13 +74,15 @@ class Variables {
   [[nodiscard]] const Cell* locals() const { return locals_.back().data(); }
   [[nodiscard]] const Cell* commons() const { return commons_.data(); }
 
+  using Locals = std::array<Cell, kLocalCount + 1>;  ///< by variable number
+
   /// A macro call: all locals of the new level are vacant.
   void push_level() { locals_.emplace_back(); }
+  [[nodiscard]] const Locals& level() const { return locals_.back(); }
+  void set_level(const Locals& locals) { locals_.back() = locals; }
   void pop_level() { locals_.pop_back(); }
 
  private:
-  using Locals = std::array<Cell, kLocalCount + 1>;
-
   SystemVariables& system_;
   std::vector<Locals> locals_;
   std::array<Cell, kCommonEnd> commons_;

@@ -110,7 +110,7 @@ MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d&
   move.centre_first = q_M_centre[arc.plane.first];
   move.centre_second = q_M_centre[arc.plane.second];
   move.turn = arc.turn;
-  move.feed_mm_min = feed.value();
+  move.feed_mm_min = switched_feed(control, feed.value());
   move.ends = control.feed_end();
   return travel(control, move, arc.turn == Turn::Clockwise ? 2 : 3);
 }

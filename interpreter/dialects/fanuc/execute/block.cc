@@ -95,11 +95,18 @@ MaybeFailure select_offsets(Control& control, const BlockWords& words, const Cod
       return failure;
     }
   }
-  const bool length_in_force = control.modal.group[8].whole != 49;
-  if (codes.tool_length != nullptr || (length_in_force && words.has('H'))) {
+  if (codes.tool_length != nullptr || words.has('H')) {
     return select_tool_length(control, words);
   }
   return std::nullopt;
+}
+
+/// An arc without an end: it has a centre, so it goes round (MB-302).
+bool is_full_circle(const Control& control, const NcBlock& block) {
+  const int g = control.modal.group[1].whole;
+  const Plane plane = control.modal.plane();
+  return (g == 2 || g == 3) &&
+         (block.words.has(plane.first_centre) || block.words.has(plane.second_centre));
 }
 
 /// What the words command when the modal codes and offsets are in force.
@@ -114,7 +121,8 @@ MaybeFailure execute_words(Control& control, const NcBlock& block, double feed_b
   if (in_canned_cycle(control)) {
     return execute_canned_cycle(control, block);
   }
-  return block.has_axis_word ? execute_motion(control, block) : std::nullopt;
+  return block.has_axis_word || is_full_circle(control, block) ? execute_motion(control, block)
+                                                               : std::nullopt;
 }
 
 }  // namespace

@@ -80,6 +80,9 @@ MaybeFailure Hole::drill() {
 }
 
 MaybeFailure Hole::move(double level, machine::Traverse traverse) {
+  if (control_.budget.is_too_late()) {
+    return budget_failure(runtime::BudgetWatch::Spent::Time);
+  }
   q_L_[plane_.across] = level;
   return move_to(control_, control_.coordinates.to_machine(q_L_) + q_M_aside_, traverse,
                  traverse == machine::Traverse::Rapid ? 0 : 1);

@@ -1,6 +1,9 @@
 #include "interpreter/dialects/fanuc/execute/codes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -103,6 +106,19 @@ double feed_of(const Control& control, const EvaluatedWord& word) {
   return word.number / (control.scale.unit == LengthUnit::Inch ? per_mm * 100.0 : per_mm);
 }
 
+/// How many digits the control takes of an M, S or T that a variable gave, too (MB-032).
+MaybeFailure refuse_long(const Control& control, const EvaluatedWord& word, int number) {
+  const auto limit = word.letter == 'M'   ? std::optional(ParameterId::DigitsOfM)
+                     : word.letter == 'S' ? std::optional(ParameterId::DigitsOfS)
+                     : word.letter == 'T' ? std::optional(ParameterId::DigitsOfT)
+                                          : std::nullopt;
+  const double digits = limit ? control.parameters.get(*limit) : 0.0;
+  return digits >= 1.0 && std::abs(number) >= std::pow(10.0, digits)
+             ? MaybeFailure(at_word(AlarmId::TooManyDigits, word,
+                                    fmt::format("{}{}: {} digits", word.letter, number, digits)))
+             : std::nullopt;
+}
+
 /// F S T M and the like: recorded for #4102.., M codes otherwise skipped.
 MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
   switch (word.letter) {
@@ -122,16 +138,59 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
         return number.error();
       }
       control.modal.word(word.letter) = number.value();
-      return std::nullopt;
+      return refuse_long(control, word, number.value());
     }
     default:
       return std::nullopt;
   }
 }
 
+/// The group of a G word; 0: none, or one that has effect in its block only.
+int group_of(const EvaluatedWord& word) {
+  const auto number = g_number(word.number);
+  const GCode* const code = number ? find_g_code(*number) : nullptr;
+  return code != nullptr ? code->group : 0;
+}
+
+/// An address twice, or two G codes of one group (MB-014); several M are no repeat.
+MaybeFailure refuse_repeats(const BlockWords& words) {
+  std::set<int> seen;
+  for (const EvaluatedWord& word : words.all()) {
+    const int group = word.letter == 'G' ? group_of(word) : -word.letter;
+    if (word.letter != 'M' && group != 0 && !seen.insert(group).second) {
+      return at_word(AlarmId::AddressTwice, word, fmt::format("{} stands twice", word.letter));
+    }
+  }
+  return std::nullopt;
+}
+
+/// Codes whose axis words are no motion.
+constexpr GAction kTakeAxisWords[] = {
+    GAction::Dwell,        GAction::SetData,    GAction::LocalShift, GAction::SetPosition,
+    GAction::PresetSystem, GAction::Mirror,     GAction::MirrorOff,  GAction::Scaling,
+    GAction::Rotation,     GAction::StrokeCheck};
+
 }  // namespace
 
+bool commands_motion(const BlockWords& words) {
+  bool has_axis = false;
+  for (const EvaluatedWord& word : words.all()) {
+    const auto number = word.letter == 'G' ? g_number(word.number) : std::nullopt;
+    const GCode* const code = number ? find_g_code(*number) : nullptr;
+    if (code != nullptr && std::ranges::count(kTakeAxisWords, code->action) != 0) {
+      return false;
+    }
+    has_axis = has_axis || axis_index(word.letter) >= 0;
+  }
+  return has_axis;
+}
+
 Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
+  if (control.parameters.is_on(ParameterId::RefusesRepeats)) {
+    if (auto failure = refuse_repeats(words)) {
+      return *std::move(failure);
+    }
+  }
   Codes codes;
   for (const EvaluatedWord& word : words.all()) {
     if (word.letter == 'G') {

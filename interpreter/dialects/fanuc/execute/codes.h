@@ -17,6 +17,10 @@ struct Codes {
   bool starts_cycle = false;
 };
 
+/// Whether the block moves axes, or would if they were not there already: axis words that no code
+/// takes for something else (MB-203).
+bool commands_motion(const BlockWords& words);
+
 /// Modal codes, feed, S T M and the like of a block: everything that the rest of it builds on.
 Result<Codes, Failure> take_words(Control& control, const BlockWords& words);
 

@@ -78,6 +78,9 @@ MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Tr
 /// The feed in mm/min in force, or why there is none; G95 takes the spindle speed S along (MB-314).
 Result<double, Failure> feed_in_force(const Control& control);
 
+/// A programmed feed as dry run and feed override change it, mm/min (MB-128, MB-268).
+double switched_feed(const Control& control, double feed_mm_min);
+
 /// A fault of the machine as the end of the program.
 Failure from_fault(const machine::MachineFault& fault);
 

@@ -74,6 +74,19 @@ Result<double, Failure> feed_in_force(const Control& control) {
   return feed * revolutions_per_minute;
 }
 
+double switched_feed(const Control& control, double feed_mm_min) {
+  constexpr int kOverrideOff = 1 << 1;  // of #3004
+  const auto& modal = control.modal;
+  const bool taps =
+      modal.group[15].whole == 63 || modal.group[9].whole == 74 || modal.group[9].whole == 84;
+  const runtime::FeedSwitches& switches = control.feed_switches;
+  if (switches.dry_run_mm_min > 0.0 && !taps) {
+    return switches.dry_run_mm_min;
+  }
+  const bool as_programmed = taps || (control.override_control & kOverrideOff) != 0;
+  return as_programmed ? feed_mm_min : feed_mm_min * switches.override_percent / 100.0;
+}
+
 MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Traverse traverse,
                      int g) {
   machine::LinearMove move;
@@ -84,7 +97,7 @@ MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Tr
     if (!feed) {
       return feed.error();
     }
-    move.feed_mm_min = feed.value();
+    move.feed_mm_min = switched_feed(control, feed.value());
     move.ends = control.feed_end();
   }
   return travel(control, move, g);

@@ -44,7 +44,7 @@ MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumb
   return std::nullopt;
 }
 
-/// G43, G44, G49, and H while one of the first two is in force (MB-295, MB-296).
+/// G43, G44, G49, and H, which waits for one of the first two under G49 (MB-135, MB-295, MB-296).
 MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
   const int code = control.modal.group[8].whole;
   if (const EvaluatedWord* const h = words.find('H')) {

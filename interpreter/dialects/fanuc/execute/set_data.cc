@@ -13,17 +13,19 @@ constexpr double kInchLimit = 2.54;
 constexpr int kToolLife = 3;
 constexpr int kParameterInput = 50;
 
-/// What `G10 L..` sets in the tool offset table (MB-257, MB-258).
+/// What `G10 L..` sets in the tool offset table, and the first memory, from A on, that has it
+/// (MB-257, MB-258).
 struct OffsetForm {
   int l;
   double runtime::ToolEntry::*field;
+  OffsetMemory from;
 };
 
-constexpr OffsetForm kOffsetForms[] = {{1, &runtime::ToolEntry::length_wear_mm},
-                                       {10, &runtime::ToolEntry::length_mm},
-                                       {11, &runtime::ToolEntry::length_wear_mm},
-                                       {12, &runtime::ToolEntry::radius_mm},
-                                       {13, &runtime::ToolEntry::radius_wear_mm}};
+constexpr OffsetForm kOffsetForms[] = {{1, &runtime::ToolEntry::length_wear_mm, OffsetMemory::A},
+                                       {10, &runtime::ToolEntry::length_mm, OffsetMemory::B},
+                                       {11, &runtime::ToolEntry::length_wear_mm, OffsetMemory::A},
+                                       {12, &runtime::ToolEntry::radius_mm, OffsetMemory::C},
+                                       {13, &runtime::ToolEntry::radius_wear_mm, OffsetMemory::C}};
 
 MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const OffsetForm& form) {
   const EvaluatedWord* const p = block.words.find('P');
@@ -99,7 +101,7 @@ MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
     return set_work_offset(control, block, l.value());
   }
   for (const OffsetForm& form : kOffsetForms) {
-    if (form.l == l.value()) {
+    if (form.l == l.value() && control.offsets.memory() >= form.from) {
       return set_tool_offset(control, block, form);
     }
   }

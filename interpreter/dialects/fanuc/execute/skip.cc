@@ -88,6 +88,13 @@ MaybeFailure execute_torque_skip(Control& control, const NcBlock& block) {
   return std::nullopt;
 }
 
+/// Override and dry run leave a skip move alone, unless parameter 6200.7 lets them (MB-268).
+double skip_speed(const Control& control, double feed_mm_min) {
+  return control.parameters.is_on(ParameterId::SkipFollowsSwitches)
+             ? switched_feed(control, feed_mm_min)
+             : feed_mm_min;
+}
+
 /// mm/min: F of the block, else the parameter that some controls have, else the feed in force.
 Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) {
   const auto parameter = control.profile.skip_feed_parameter;
@@ -126,7 +133,7 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   machine::LinearMove move;
   move.q_M_end = control.coordinates.to_machine(q_L_end);
   move.traverse = machine::Traverse::Feed;
-  move.feed_mm_min = feed.value();
+  move.feed_mm_min = skip_speed(control, feed.value());
   control.silent_skip.reset();
   const auto outcome = control.port.move_until_skip(move);
   if (!outcome) {

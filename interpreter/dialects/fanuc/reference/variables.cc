@@ -1,5 +1,9 @@
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -152,6 +156,39 @@ Entry entry_of(const SystemVariable& row, const Range& asked) {
   return entry;
 }
 
+/// A tool offset memory, other than C as it comes, and how it is set up (MB-122).
+struct OtherMemory {
+  VariableGroup group;
+  std::string_view when;
+};
+
+constexpr OtherMemory kOtherMemories[] = {
+    {VariableGroup::OffsetsA, "with offset_memory = \"A\""},
+    {VariableGroup::OffsetsB, "with offset_memory = \"B\""},
+    {VariableGroup::OffsetsCTurned, "with parameter 6000.3 = 1"}};
+
+bool has_part(const SystemVariable& row, const Range& range) {
+  return row.first <= range.last && range.first <= row.last;
+}
+
+/// What the numbers mean under the other memories, where that is not what `row` says.
+std::vector<Fact> other_meanings(const SystemVariable* row, const Range& asked,
+                                 const Profile& profile) {
+  std::vector<Fact> facts;
+  if (!profile.variables.meets({VariableGroup::OffsetsC})) {
+    return facts;
+  }
+  for (const OtherMemory& memory : kOtherMemories) {
+    for (const SystemVariable& other : system_variables()) {
+      const bool is_other = row == nullptr || (&other != row && other.text != row->text);
+      if (is_other && other.groups.meets({memory.group}) && has_part(other, asked)) {
+        facts.push_back({std::string(memory.when), std::string(other.text)});
+      }
+    }
+  }
+  return facts;
+}
+
 }  // namespace
 
 Entries variables(std::string_view topic, const Profile& profile) {
@@ -173,7 +210,15 @@ Entries variables(std::string_view topic, const Profile& profile) {
   for (const SystemVariable* const row : index.rows()) {
     const Range part = common(row->first, row->last);
     if (part.first <= part.last) {
-      found.push_back(entry_of(*row, part));
+      Entry entry = entry_of(*row, part);
+      std::ranges::move(other_meanings(row, part, profile), std::back_inserter(entry.facts));
+      found.push_back(std::move(entry));
+    }
+  }
+  if (found.empty()) {
+    if (auto facts = other_meanings(nullptr, *asked, profile); !facts.empty()) {
+      found.push_back({"system variable", name_of(*asked), "nothing in offset memory C as it comes",
+                       std::move(facts)});
     }
   }
   return found;

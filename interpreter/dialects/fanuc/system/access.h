@@ -66,6 +66,8 @@ WriteResult write_time_of_day(Control& control, const Place& place, Cell value);
 ReadResult read_constant(Control& control, const Place& place);
 ReadResult read_parts(Control& control, const Place& place);
 WriteResult write_parts(Control& control, const Place& place, Cell value);
+ReadResult read_further_common(Control& control, const Place& place);
+WriteResult write_further_common(Control& control, const Place& place, Cell value);
 ReadResult read_alias(Control& control, const Place& place);
 WriteResult write_alias(Control& control, const Place& place, Cell value);
 WriteResult write_nothing(Control& control, const Place& place, Cell value);

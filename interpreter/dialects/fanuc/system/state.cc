@@ -6,8 +6,11 @@
 namespace g31::fanuc::system {
 namespace {
 
+constexpr int kReadsBeforeWaiting = 100;
+constexpr double kSecondsOfLook = 0.001;
 constexpr double kMsPerSecond = 1000.0;
 constexpr double kSecondsPerHour = 3600.0;
+constexpr double kMsGuard = 1e-6;            // a sum of times such as 20 x 0.1 s is a full count
 constexpr double kTimerWrap = 2147483648.0;  // ms (MB-125)
 
 /// A bit of #3005 and the parameter that holds it (MB-129).
@@ -28,11 +31,26 @@ ParameterId parts_parameter(const Place& place) {
                                               : ParameterId::PartsRequired;
 }
 
+/// Machine time.  A program that does nothing but look at the clock waits for it, and statements
+/// take time on a control: beyond kReadsBeforeWaiting each look takes a millisecond.
+double clock_s(Control& control) {
+  BusyWait& wait = control.busy_wait;
+  const double now_s = control.port.time_s();
+  if (now_s != wait.since_s) {
+    wait = {now_s, 0};
+  }
+  if (++wait.reads > kReadsBeforeWaiting) {
+    control.port.dwell(kSecondsOfLook);
+    wait.since_s = control.port.time_s();
+  }
+  return wait.since_s;
+}
+
 }  // namespace
 
 ReadResult read_timer(Control& control, const Place&) {
-  const double ms = control.port.time_s() * kMsPerSecond + control.timer_offset_ms;
-  return Cell(std::floor(std::fmod(ms, kTimerWrap)));
+  const double ms = clock_s(control) * kMsPerSecond + control.timer_offset_ms;
+  return Cell(std::floor(std::fmod(ms + kMsGuard, kTimerWrap)));
 }
 
 WriteResult write_timer(Control& control, const Place&, Cell value) {
@@ -41,7 +59,7 @@ WriteResult write_timer(Control& control, const Place&, Cell value) {
 }
 
 ReadResult read_hours(Control& control, const Place&) {
-  return Cell(control.port.time_s() / kSecondsPerHour + control.hours_offset);
+  return Cell(clock_s(control) / kSecondsPerHour + control.hours_offset);
 }
 
 WriteResult write_hours(Control& control, const Place&, Cell value) {
@@ -104,7 +122,7 @@ WriteResult write_restart(Control& control, const Place&, Cell value) {
 }
 
 ReadResult read_date(Control& control, const Place&) {
-  return Cell(control.calendar.date(control.port.time_s()));
+  return Cell(control.calendar.date(clock_s(control)));
 }
 
 WriteResult write_date(Control& control, const Place&, Cell value) {
@@ -113,7 +131,7 @@ WriteResult write_date(Control& control, const Place&, Cell value) {
 }
 
 ReadResult read_time_of_day(Control& control, const Place&) {
-  return Cell(control.calendar.time_of_day(control.port.time_s()));
+  return Cell(control.calendar.time_of_day(clock_s(control)));
 }
 
 WriteResult write_time_of_day(Control& control, const Place&, Cell value) {
@@ -134,6 +152,15 @@ ReadResult read_parts(Control& control, const Place& place) {
 
 WriteResult write_parts(Control& control, const Place& place, Cell value) {
   control.parameters.set(parts_parameter(place), value.or_zero());
+  return std::nullopt;
+}
+
+ReadResult read_further_common(Control& control, const Place& place) {
+  return control.further_commons.at(static_cast<std::size_t>(place.index()));
+}
+
+WriteResult write_further_common(Control& control, const Place& place, Cell value) {
+  control.further_commons.at(static_cast<std::size_t>(place.index())) = value;
   return std::nullopt;
 }
 

@@ -1,0 +1,548 @@
+(Modal calls and calls by codes: MB-203 to MB-212.)
+
+(CASE MB-203 G66 calls behind each block that moves)
+%
+O1
+G66 P9500 A2.
+G0 X1.
+M5
+#1=3
+F100.
+G1 Y1.
+G67
+X5.
+M30
+O9500
+#100=#100+#1
+M99
+%
+(EXPECT #100 = 4)
+(EXPECT MOVES 3)
+
+(CASE MB-203 the block of G66 itself does not call)
+%
+O1
+G66 P9500 X5.
+#101=#100
+G0 Y1.
+#102=#100
+G67
+M30
+O9500
+#100=#100+1
+#103=#24
+M99
+%
+(EXPECT #101 = VACANT)
+(EXPECT #102 = 1)
+(EXPECT #103 = 5)
+(EXPECT MOVES 1)
+
+(CASE MB-203 L times)
+%
+O1
+G66 P9500 L3
+G0 X1.
+G67
+M30
+O9500
+#100=#100+1
+M99
+%
+(EXPECT #100 = 3)
+
+(CASE MB-203 the macro stands where the block ended)
+%
+O1
+G66 P9500
+G0 X7.
+G67
+M30
+O9500
+#100=#5001
+M99
+%
+(EXPECT #100 = 7)
+
+(CASE MB-204 a block calls the last G66 only, after its G67 the one before)
+%
+O1
+G66 P9501
+G66 P9502
+G0 X1.
+G67
+G0 X2.
+G67
+G0 X3.
+M30
+O9501
+#100=#100*10+1
+M99
+O9502
+#100=#100*10+2
+M99
+%
+(EXPECT #100 = 21)
+
+(CASE MB-204 a move inside the inner macro calls the outer one)
+%
+O1
+G66 P9501
+G66 P9502
+G0 X1.
+G67
+G67
+M30
+O9501
+#100=#100+1
+M99
+O9502
+G0 Y1.
+#101=#101+1
+M99
+%
+(EXPECT #101 = 1)
+(EXPECT #100 = 1)
+
+(CASE MB-205 G66.1 turns every block into a call)
+(CONTROL fanuc-30i)
+%
+O1
+G66.1 P9500
+G1 X5. F100.
+G67
+M30
+O9500
+#100=#24
+#101=#10
+#102=#9
+M99
+%
+(EXPECT #100 = 5)
+(EXPECT #101 = 1)
+(EXPECT #102 = 100)
+(EXPECT MOVES 0)
+
+(CASE MB-206 G67 alone on the 16i)
+(CONTROL fanuc-16i)
+%
+O1
+G67
+#100=1
+M30
+%
+(EXPECT #100 = 1)
+
+(CASE MB-206 G67 alone on the 30i)
+(CONTROL fanuc-30i)
+%
+O1
+G67
+#100=1
+M30
+%
+(EXPECT ALARM 1100 AT 4)
+
+(CASE MB-207 a G code calls a macro)
+(PARAMETER 6052 = 100)
+%
+O1
+G100 X5. R2. L2
+M30
+O9012
+#100=#100+#24
+#101=#18
+M99
+%
+(EXPECT #100 = 10)
+(EXPECT #101 = 2)
+(EXPECT MOVES 0)
+
+(CASE MB-207 G01 may be one)
+(PARAMETER 6050 = 1)
+%
+O1
+G1 X5. F100.
+M30
+O9010
+#100=#24
+M99
+%
+(EXPECT #100 = 5)
+
+(CASE MB-208 inside it the code is an ordinary one)
+(PARAMETER 6050 = 1)
+%
+O1
+G1 X5. F100.
+M30
+O9010
+G1 X[#24*2] F#9
+#100=#100+1
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT MOVES 1)
+(EXPECT MOVE 1 G1 X10)
+
+(CASE MB-208 nor do M codes call there)
+(PARAMETER 6050 = 100)
+(PARAMETER 6080 = 50)
+%
+O1
+G100
+M30
+O9010
+M50
+#100=1
+M99
+O9020
+#101=1
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = VACANT)
+
+(CASE MB-209 an M code calls a macro)
+(PARAMETER 6083 = 50)
+%
+O1
+M50 A1. X2.
+M30
+O9023
+#100=#1
+#101=#24
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 2)
+(EXPECT MOVES 0)
+
+(CASE MB-209 the last of them)
+(PARAMETER 6089 = 51)
+%
+O1
+M51 A1.
+M30
+O9029
+#100=#1
+M99
+%
+(EXPECT #100 = 1)
+
+(CASE MB-210 an M code calls a subprogram: no arguments, shared locals)
+(PARAMETER 6071 = 60)
+%
+O1
+#1=4
+G0 X3. M60
+#102=#2
+M30
+O9001
+#100=#1
+#101=#5001
+#2=5
+M99
+%
+(EXPECT #100 = 4)
+(EXPECT #101 = 3)
+(EXPECT #102 = 5)
+(EXPECT MOVES 1)
+
+(CASE MB-210 the ninth)
+(PARAMETER 6079 = 61)
+%
+O1
+M61
+M30
+O9009
+#100=1
+M99
+%
+(EXPECT #100 = 1)
+
+(CASE MB-211 T calls O9000)
+(PARAMETER 6001.5 = 1)
+%
+O1
+T17
+M30
+O9000
+#100=#149
+M99
+%
+(EXPECT #100 = 17)
+
+(CASE MB-211 T inside it is an ordinary T)
+(PARAMETER 6001.5 = 1)
+%
+O1
+T17
+#101=#4120
+M30
+O9000
+T#149
+#100=#100+1
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 17)
+
+(CASE MB-212 an address that calls)
+(PARAMETER 6090 = 66)
+%
+O1
+B45.
+M30
+O9004
+#100=#146
+M99
+%
+(EXPECT #100 = 45)
+
+(CASE MB-212 S and B call on the 30i)
+(CONTROL fanuc-30i)
+(PARAMETER 6007.0 = 1)
+(PARAMETER 6007.1 = 1)
+%
+O1
+S1200
+#100=#147
+B45.
+#101=#146
+M30
+O9029
+#102=1
+M99
+O9028
+#103=1
+M99
+%
+(EXPECT #100 = 1200)
+(EXPECT #101 = 45)
+(EXPECT #102 = 1)
+(EXPECT #103 = 1)
+
+(CASE MB-203 words of axes that are no motion call nothing)
+%
+O1
+#100=0
+G66 P9100
+G04 X1.
+G10 L2 P1 X5.
+G92 X0
+G52 X0
+F100. M8
+#101=1
+G67
+M30
+O9100
+#100=#100+1
+M99
+%
+(EXPECT #100 = 0)
+
+(CASE MB-204 locals that the macro changed stay for its next call)
+%
+O1
+G66 P9100 A1.
+G0 X1.
+X2.
+X3.
+G67
+M30
+O9100
+#[100+#1]=1
+#1=#1+1
+M99
+%
+(EXPECT #101 = 1)
+(EXPECT #102 = 1)
+(EXPECT #103 = 1)
+(EXPECT #104 = VACANT)
+
+(CASE MB-203 modal calls nest four deep on the 16i)
+(CONTROL fanuc-16i)
+%
+O1
+#100=0
+G66 P9101
+G66 P9102
+G66 P9103
+G66 P9104
+G0 X1.
+G67
+X2.
+G67
+G67
+G67
+X3.
+M30
+O9101
+#100=#100*10+1
+M99
+O9102
+#100=#100*10+2
+M99
+O9103
+#100=#100*10+3
+M99
+O9104
+#100=#100*10+4
+M99
+%
+(EXPECT #100 = 43)
+
+(CASE MB-325 a fifth is one too many)
+(CONTROL fanuc-16i)
+%
+O1
+G66 P9101
+G66 P9101
+G66 P9101
+G66 P9101
+G66 P9101
+M30
+O9101
+M99
+%
+(EXPECT ALARM 122 AT 8)
+
+(CASE MB-204 each motion in a modal macro calls the one before it)
+%
+O1
+#100=0
+G91
+G66 P9101
+G66 P9102
+G66 P9103
+G0 X1.
+G67
+G67
+G67
+M30
+O9101
+#100=#100*10+1
+M99
+O9102
+#100=#100*10+2
+G91 Y1.
+M99
+O9103
+#100=#100*10+3
+G91 Z1.
+M99
+%
+(EXPECT #100 = 321)
+(EXPECT MOVES 3)
+(EXPECT MOVE 3 G0 X1 Y1 Z1)
+
+(CASE MB-205 G L N P and repeated triples under G66.1)
+(CONTROL fanuc-30i)
+%
+O1
+G66.1 P9100 A1.
+N7 G01 P3 L2 X5. I1. I2.
+G67
+M30
+O9100
+#100=#1
+#101=#10
+#102=#12
+#103=#14
+#104=#16
+#105=#24
+#106=#4
+#107=#7
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 1)
+(EXPECT #102 = 2)
+(EXPECT #103 = 7)
+(EXPECT #104 = 3)
+(EXPECT #105 = 5)
+(EXPECT #106 = 1)
+(EXPECT #107 = 2)
+(EXPECT MOVES 0)
+
+(CASE MB-207 every G code parameter)
+(PARAMETER 6050 = 150)
+(PARAMETER 6051 = 151)
+(PARAMETER 6059 = 9999)
+%
+O1
+G150 A1. L2
+G151
+G9999 Z-1.
+M30
+O9010
+#100=#100+#1
+M99
+O9011
+#101=1
+M99
+O9019
+#102=#26
+M99
+%
+(EXPECT #100 = 2)
+(EXPECT #101 = 1)
+(EXPECT #102 = -1)
+
+(CASE MB-208 parameter 6008.6 lets the other kind of code call)
+(CONTROL fanuc-30i)
+(PARAMETER 6008.6 = 1)
+(PARAMETER 6050 = 150)
+(PARAMETER 6071 = 50)
+%
+O1
+G150
+M50
+M30
+O9010
+#100=1
+M50
+M99
+O9001
+#101=#101+1
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 2)
+
+(CASE MB-208 without it the code is an ordinary one)
+(CONTROL fanuc-30i)
+(PARAMETER 6050 = 150)
+(PARAMETER 6071 = 50)
+%
+O1
+G150
+M50
+M30
+O9010
+#100=1
+M50
+M99
+O9001
+#101=#101+1
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 1)
+
+(CASE MB-209 behind another word the M code is an ordinary one)
+(PARAMETER 6080 = 50)
+%
+O1
+G0 X1. M50
+N9 M50 X2.
+M30
+O9020
+#100=#100+1
+#101=#24
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 2)
+(EXPECT MOVES 1)

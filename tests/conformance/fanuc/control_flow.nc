@@ -1,0 +1,423 @@
+(GOTO, IF, WHILE and DO: MB-170 to MB-186.)
+
+(CASE MB-170 GOTO stays in its program)
+%
+O1
+G65 P9500
+#102=1
+N10 #103=1
+M30
+O9500
+GOTO 10
+#100=1
+N10 #101=1
+M99
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = 1)
+(EXPECT #102 = 1)
+
+(CASE MB-171 the search goes forward first, then from the start)
+%
+O1
+N10 #100=#100+1
+IF[#100EQ5]GOTO 99
+#100=#100+1
+GOTO 10
+#101=1
+N10 #102=#100
+N99
+M30
+%
+(EXPECT #100 = 2)
+(EXPECT #101 = VACANT)
+(EXPECT #102 = 2)
+
+(CASE MB-171 an earlier number is found by wrapping around)
+%
+O1
+N10 #100=#100+1
+IF[#100LT3]GOTO 10
+M30
+%
+(EXPECT #100 = 3)
+
+(CASE MB-171 of two earlier ones the first from the start counts)
+%
+O1
+GOTO 20
+N10 #100=1
+GOTO 99
+N10 #101=1
+GOTO 99
+N20 GOTO 10
+N99
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = VACANT)
+
+(CASE MB-172 GOTO 0)
+(CONTROL fanuc-16i)
+%
+O1
+GOTO 0
+M30
+%
+(EXPECT ALARM 128 AT 4)
+
+(CASE MB-172 a negative target)
+(CONTROL fanuc-16i)
+%
+O1
+#1=-5
+GOTO #1
+M30
+%
+(EXPECT ALARM 128 AT 5)
+
+(CASE MB-172 GOTO 0)
+(CONTROL fanuc-30i)
+%
+O1
+GOTO 0
+M30
+%
+(EXPECT ALARM 1128 AT 4)
+
+(CASE MB-172 a negative target)
+(CONTROL fanuc-30i)
+%
+O1
+#1=-5
+GOTO #1
+M30
+%
+(EXPECT ALARM 1128 AT 5)
+
+(CASE MB-172 beyond five digits on the 16i)
+(CONTROL fanuc-16i)
+%
+O1
+GOTO 100000
+M30
+%
+(EXPECT ALARM 128 AT 4)
+
+(CASE MB-172 beyond eight digits on the 30i)
+(CONTROL fanuc-30i)
+%
+O1
+#1=100000000.
+GOTO #1
+M30
+%
+(EXPECT ALARM 1128 AT 5)
+
+(CASE MB-173 a target that is not there)
+%
+O1
+#100=1
+GOTO 77
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT ALARM 128 AT 4)
+
+(CASE MB-174 computed targets are rounded)
+%
+O1
+#1=9.6
+GOTO #1
+#100=1
+N10 #101=1
+GOTO [#1*2+0.4]
+#102=1
+N20 #103=1
+M30
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = 1)
+(EXPECT #102 = VACANT)
+(EXPECT #103 = 1)
+
+(CASE MB-175 IF jumps when true and goes on when false)
+%
+O1
+IF[1EQ1]GOTO 10
+#100=1
+N10 IF[1EQ2]GOTO 20
+#101=1
+N20 #102=1
+M30
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = 1)
+(EXPECT #102 = 1)
+
+(CASE MB-175 the target is searched only when taken)
+%
+O1
+IF[1EQ2]GOTO 77
+#100=1
+M30
+%
+(EXPECT #100 = 1)
+
+(CASE MB-175 each comparison)
+%
+O1
+IF[1NE2]GOTO 1
+#100=1
+N1 IF[2GT1]GOTO 2
+#100=2
+N2 IF[1LT2]GOTO 3
+#100=3
+N3 IF[2GE2]GOTO 4
+#100=4
+N4 IF[2LE2]GOTO 5
+#100=5
+N5 IF[2LT2]GOTO 6
+#101=1
+N6 IF[2GT2]GOTO 7
+#102=1
+N7
+M30
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = 1)
+(EXPECT #102 = 1)
+
+(CASE MB-175 a computed target behind IF)
+%
+O1
+#1=20
+IF[#1GT0]GOTO#1
+#100=1
+N20 IF[#1GT0]GOTO[#1+10]
+#101=1
+N30 #102=1
+M30
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = VACANT)
+(EXPECT #102 = 1)
+
+(CASE MB-176 THEN takes one macro statement)
+%
+O1
+IF[1EQ1]THEN #100=5
+IF[1EQ2]THEN #101=5
+IF[1EQ1]THEN POPEN
+IF[1EQ1]THEN DPRNT[A]
+PCLOS
+M30
+%
+(EXPECT #100 = 5)
+(EXPECT #101 = VACANT)
+(EXPECT OUTPUT "A\n")
+
+(CASE MB-176 even an alarm)
+%
+O1
+IF[1EQ1]THEN #3000=5(NO CONTACT)
+M30
+%
+(EXPECT ALARM 3005 AT 3)
+(EXPECT MESSAGE "NO CONTACT")
+
+(CASE MB-176 no NC words)
+%
+O1
+IF[1EQ1]THEN G0 X1.
+M30
+%
+(EXPECT ALARM FORMAT AT 3)
+
+(CASE MB-177 WHILE tests first)
+%
+O1
+#1=5
+WHILE[#1LT5]DO1
+#100=1
+END1
+WHILE[#1LT8]DO2
+#1=#1+1
+#101=#101+1
+END2
+#102=#1
+M30
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = 3)
+(EXPECT #102 = 8)
+
+(CASE MB-178 DO alone loops until GOTO leaves it)
+%
+O1
+DO2
+#100=#100+1
+IF[#100GE7]GOTO 10
+END2
+#101=1
+N10
+M30
+%
+(EXPECT #100 = 7)
+(EXPECT #101 = VACANT)
+
+(CASE MB-179 loop number 0)
+%
+O1
+WHILE[1EQ2]DO0
+END0
+M30
+%
+(EXPECT ALARM 126 AT 3)
+
+(CASE MB-179 loop number 4)
+%
+O1
+WHILE[1EQ2]DO4
+END4
+M30
+%
+(EXPECT ALARM 126 AT 3)
+
+(CASE MB-180 a loop number again in sequence)
+%
+O1
+WHILE[#1LT2]DO1
+#1=#1+1
+END1
+WHILE[#2LT3]DO1
+#2=#2+1
+END1
+#100=#1
+#101=#2
+M30
+%
+(EXPECT #100 = 2)
+(EXPECT #101 = 3)
+
+(CASE MB-181 three deep)
+%
+O1
+WHILE[#1LT2]DO1
+#1=#1+1
+#2=0
+WHILE[#2LT3]DO2
+#2=#2+1
+#3=0
+WHILE[#3LT4]DO3
+#3=#3+1
+#100=#100+1
+END3
+END2
+END1
+M30
+%
+(EXPECT #100 = 24)
+
+(CASE MB-181 a macro called from a loop has loops of its own)
+%
+O1
+WHILE[#1LT2]DO1
+#1=#1+1
+G65 P9500
+END1
+M30
+O9500
+WHILE[#1LT3]DO1
+#1=#1+1
+#100=#100+1
+END1
+M99
+%
+(EXPECT #100 = 6)
+
+(CASE MB-182 loops that overlap)
+%
+O1
+WHILE[#1LT1]DO1
+#1=#1+1
+WHILE[#2LT1]DO2
+#2=#2+1
+END1
+END2
+M30
+%
+(EXPECT ALARM 124)
+
+(CASE MB-183 out of a loop and in again from its head)
+%
+O1
+N1 WHILE[#1LT9]DO1
+#1=#1+1
+IF[#1EQ3]GOTO 5
+END1
+GOTO 9
+N5 #100=#100+1
+GOTO 1
+N9 #101=#1
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 9)
+
+(CASE MB-184 DO without END)
+%
+O1
+WHILE[#1LT1]DO1
+#1=#1+1
+M30
+%
+(EXPECT ALARM 124)
+
+(CASE MB-184 END without DO)
+(CONTROL fanuc-16i)
+%
+O1
+#100=1
+END1
+M30
+%
+(EXPECT ALARM 124 AT 5)
+
+(CASE MB-184 END without DO)
+(CONTROL fanuc-30i)
+%
+O1
+#100=1
+END1
+M30
+%
+(EXPECT ALARM 1124 AT 5)
+
+(CASE MB-186 a condition is a comparison)
+%
+O1
+#1=1
+IF[#1]GOTO 10
+N10
+M30
+%
+(EXPECT ALARM FORMAT AT 4)
+
+(CASE MB-186 in brackets)
+%
+O1
+IF 1 EQ 1 GOTO 10
+N10
+M30
+%
+(EXPECT ALARM FORMAT AT 3)
+
+(CASE MB-186 WHILE too)
+%
+O1
+WHILE[1]DO1
+END1
+M30
+%
+(EXPECT ALARM FORMAT AT 3)

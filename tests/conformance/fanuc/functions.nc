@@ -1,0 +1,512 @@
+(Functions of expressions: MB-050 to MB-071, MB-078.)
+
+(CASE MB-050 angles are decimal degrees)
+%
+O1
+#100=SIN[90.5]
+#101=COS[60]
+#102=TAN[45]
+#103=SIN[-30]
+#104=COS[180]
+#105=SIN[390]
+M30
+%
+(EXPECT #100 = 0.999961923064)
+(EXPECT #101 = 0.5)
+(EXPECT #102 = 1)
+(EXPECT #103 = -0.5)
+(EXPECT #104 = -1)
+(EXPECT #105 = 0.5)
+
+(CASE MB-051 TAN of 90)
+%
+O1
+#1=TAN[90]
+M30
+%
+(EXPECT ALARM 112 AT 3)
+
+(CASE MB-051 TAN of 270)
+%
+O1
+#1=TAN[270]
+M30
+%
+(EXPECT ALARM 112 AT 3)
+
+(CASE MB-051 TAN of -90)
+%
+O1
+#1=TAN[-90]
+M30
+%
+(EXPECT ALARM 112 AT 3)
+
+(CASE MB-052 parameter 6004.1 clears small results)
+(PARAMETER 6004.1 = 1)
+%
+O1
+#100=SIN[.0000005]
+#101=SIN[.000001]
+IF[#100EQ0]THEN #102=1
+M30
+%
+(EXPECT #100 = 0)
+(EXPECT #101 = 0.0000000174532925)
+(EXPECT #102 = 1)
+
+(CASE MB-052 without it they stay)
+%
+O1
+#100=SIN[.0000005]
+IF[#100NE0]THEN #102=1
+M30
+%
+(EXPECT #102 = 1)
+
+(CASE MB-053 ASIN gives 270 to 360 and 0 to 90)
+%
+O1
+#100=ASIN[-0.5]
+#101=ASIN[0.5]
+#102=ASIN[-1]
+#103=ASIN[1]
+#104=ASIN[0]
+M30
+%
+(EXPECT #100 = 330)
+(EXPECT #101 = 30)
+(EXPECT #102 = 270)
+(EXPECT #103 = 90)
+(EXPECT #104 = 0)
+
+(CASE MB-053 with 6004.0 it gives -90 to 90)
+(PARAMETER 6004.0 = 1)
+%
+O1
+#100=ASIN[-0.5]
+#101=ASIN[-1]
+#102=ASIN[1]
+M30
+%
+(EXPECT #100 = -30)
+(EXPECT #101 = -90)
+(EXPECT #102 = 90)
+
+(CASE MB-053 ASIN beyond 1)
+(CONTROL fanuc-16i)
+%
+O1
+#1=ASIN[1.001]
+M30
+%
+(EXPECT ALARM 111 AT 4)
+
+(CASE MB-054 ACOS below -1)
+(CONTROL fanuc-16i)
+%
+O1
+#1=ACOS[-1.001]
+M30
+%
+(EXPECT ALARM 111 AT 4)
+
+(CASE MB-053 ASIN beyond 1)
+(CONTROL fanuc-30i)
+%
+O1
+#1=ASIN[1.001]
+M30
+%
+(EXPECT ALARM 119 AT 4)
+
+(CASE MB-054 ACOS below -1)
+(CONTROL fanuc-30i)
+%
+O1
+#1=ACOS[-1.001]
+M30
+%
+(EXPECT ALARM 119 AT 4)
+
+(CASE MB-054 ACOS gives 180 to 0, 6004.0 = 0)
+(PARAMETER 6004.0 = 0)
+%
+O1
+#100=ACOS[-1]
+#101=ACOS[-0.5]
+#102=ACOS[0]
+#103=ACOS[1]
+M30
+%
+(EXPECT #100 = 180)
+(EXPECT #101 = 120)
+(EXPECT #102 = 90)
+(EXPECT #103 = 0)
+
+(CASE MB-054 ACOS gives 180 to 0, 6004.0 = 1)
+(PARAMETER 6004.0 = 1)
+%
+O1
+#100=ACOS[-1]
+#101=ACOS[-0.5]
+#102=ACOS[0]
+#103=ACOS[1]
+M30
+%
+(EXPECT #100 = 180)
+(EXPECT #101 = 120)
+(EXPECT #102 = 90)
+(EXPECT #103 = 0)
+
+(CASE MB-055 ATAN of two gives 0 to 360)
+%
+O1
+#100=ATAN[1]/[1]
+#101=ATAN[1]/[-1]
+#102=ATAN[-1]/[-1]
+#103=ATAN[-1]/[1]
+#104=ATAN[1]/[0]
+#105=ATAN[-1]/[0]
+#106=ATAN[0]/[-1]
+#107=ATAN[0]/[1]
+M30
+%
+(EXPECT #100 = 45)
+(EXPECT #101 = 135)
+(EXPECT #102 = 225)
+(EXPECT #103 = 315)
+(EXPECT #104 = 90)
+(EXPECT #105 = 270)
+(EXPECT #106 = 180)
+(EXPECT #107 = 0)
+
+(CASE MB-055 with 6004.0 it gives -180 to 180)
+(PARAMETER 6004.0 = 1)
+%
+O1
+#100=ATAN[1]/[1]
+#101=ATAN[1]/[-1]
+#102=ATAN[-1]/[-1]
+#103=ATAN[-1]/[1]
+#104=ATAN[1]/[0]
+#105=ATAN[-1]/[0]
+#106=ATAN[0]/[-1]
+#107=ATAN[0]/[1]
+M30
+%
+(EXPECT #100 = 45)
+(EXPECT #101 = 135)
+(EXPECT #102 = -135)
+(EXPECT #103 = -45)
+(EXPECT #104 = 90)
+(EXPECT #105 = -90)
+(EXPECT #106 = 180)
+(EXPECT #107 = 0)
+
+(CASE MB-055 the 30i takes a comma too)
+(CONTROL fanuc-30i)
+%
+O1
+#100=ATAN[-1,-1]
+#101=ATAN[1,0]
+M30
+%
+(EXPECT #100 = 225)
+(EXPECT #101 = 90)
+
+(CASE MB-056 ATAN of one gives -90 to 90, 6004.0 = 0)
+(PARAMETER 6004.0 = 0)
+%
+O1
+#100=ATAN[-1]
+#101=ATAN[1]
+#102=ATAN[0]
+M30
+%
+(EXPECT #100 = -45)
+(EXPECT #101 = 45)
+(EXPECT #102 = 0)
+
+(CASE MB-056 ATAN of one gives -90 to 90, 6004.0 = 1)
+(PARAMETER 6004.0 = 1)
+%
+O1
+#100=ATAN[-1]
+#101=ATAN[1]
+#102=ATAN[0]
+M30
+%
+(EXPECT #100 = -45)
+(EXPECT #101 = 45)
+(EXPECT #102 = 0)
+
+(CASE MB-057 a slash behind ATAN belongs to it)
+%
+O1
+#100=[ATAN[1]]/10
+#101=ATAN[1]/[10]
+#102=ATAN[1]/[1]/3
+M30
+%
+(EXPECT #100 = 4.5)
+(EXPECT #101 = 5.710593137)
+(EXPECT #102 = 15)
+
+(CASE MB-057 and needs a bracket)
+(CONTROL fanuc-30i)
+%
+O1
+#100=ATAN[1]/10
+M30
+%
+(EXPECT ALARM FORMAT AT 4)
+
+(CASE MB-058 root of a negative)
+%
+O1
+#100=SQRT[2]
+#1=SQRT[-0.001]
+M30
+%
+(EXPECT #100 = 1.41421356237)
+(EXPECT ALARM 119 AT 4)
+
+(CASE MB-058 root of zero)
+%
+O1
+#100=SQRT[0]
+#101=SQRT[0.5*0.5-0.25]
+M30
+%
+(EXPECT #100 = 0)
+(EXPECT #101 = 0)
+
+(CASE MB-059 ABS)
+%
+O1
+#100=ABS[-2.5]
+#101=ABS[2.5]
+#102=ABS[0]
+M30
+%
+(EXPECT #100 = 2.5)
+(EXPECT #101 = 2.5)
+(EXPECT #102 = 0)
+
+(CASE MB-060 ROUND takes halves away from zero)
+%
+O1
+#100=ROUND[0.5]
+#101=ROUND[2.5]
+#102=ROUND[-1.5]
+#103=ROUND[-0.5]
+#104=ROUND[1.4999]
+IF[ROUND[2.5]EQ3]THEN #105=1
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 3)
+(EXPECT #102 = -2)
+(EXPECT #103 = -1)
+(EXPECT #104 = 1)
+(EXPECT #105 = 1)
+
+(CASE MB-061 ROUND in a word rounds to its increment)
+%
+O1
+#1=27/32
+G91 G0 X[ROUND[#1]]
+#100=#5001
+#101=ROUND[#1]
+M30
+%
+(EXPECT #100 = 0.844 WITHIN 0.0000001)
+(EXPECT #101 = 1)
+
+(CASE MB-061 in inches to a ten-thousandth)
+%
+O1
+G20
+#1=27/32
+G91 G0 X[ROUND[#1]]
+#100=#5001
+M30
+%
+(EXPECT #100 = 0.8438 WITHIN 0.00000001)
+
+(CASE MB-061 the way there and back differs by an increment)
+%
+O1
+#1=1.2345
+#2=2.3456
+G91 G0 X-#1
+X-#2
+X[#1+#2]
+#100=#5001
+M30
+%
+(EXPECT #100 = -0.001 WITHIN 0.0000001)
+
+(CASE MB-061 and closes with ROUND)
+%
+O1
+#1=1.2345
+#2=2.3456
+G91 G0 X-#1
+X-#2
+X[ROUND[#1]+ROUND[#2]]
+#100=#5001
+M30
+%
+(EXPECT #100 = 0 WITHIN 0.0000001)
+
+(CASE MB-061 ROUND of a rotary or integer address)
+%
+O1
+M[ROUND[3.4]]
+#100=#4113
+S[ROUND[999.6]]
+#101=#4119
+M30
+%
+(EXPECT #100 = 3)
+(EXPECT #101 = 1000)
+
+(CASE MB-062 FIX goes to zero)
+%
+O1
+#100=FIX[1.7]
+#101=FIX[-1.2]
+#102=FIX[-3]
+#103=FIX[0.9]
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = -1)
+(EXPECT #102 = -3)
+(EXPECT #103 = 0)
+
+(CASE MB-063 FUP goes away from zero)
+%
+O1
+#100=FUP[1.2]
+#101=FUP[-1.2]
+#102=FUP[-3]
+#103=FUP[0.001]
+M30
+%
+(EXPECT #100 = 2)
+(EXPECT #101 = -2)
+(EXPECT #102 = -3)
+(EXPECT #103 = 1)
+
+(CASE MB-064 LN)
+%
+O1
+#100=LN[10]
+#101=LN[1]
+#1=LN[0]
+M30
+%
+(EXPECT #100 = 2.302585093)
+(EXPECT #101 = 0)
+(EXPECT ALARM 119 AT 5)
+
+(CASE MB-064 LN of a negative)
+%
+O1
+#1=LN[-1]
+M30
+%
+(EXPECT ALARM 119 AT 3)
+
+(CASE MB-065 EXP)
+%
+O1
+#100=EXP[1]
+#101=EXP[0]
+#102=EXP[-1]
+M30
+%
+(EXPECT #100 = 2.718281828459)
+(EXPECT #101 = 1)
+(EXPECT #102 = 0.367879441171)
+
+(CASE MB-066 POW on the 30i)
+(CONTROL fanuc-30i)
+%
+O1
+#100=POW[2,10]
+#101=POW[2,-1]
+#102=POW[9,0.5]
+M30
+%
+(EXPECT #100 = 1024)
+(EXPECT #101 = 0.5)
+(EXPECT #102 = 3)
+
+(CASE MB-066 no POW on the 16i)
+(CONTROL fanuc-16i)
+%
+O1
+#100=POW[2,10]
+M30
+%
+(EXPECT ALARM 113 AT 4)
+
+(CASE MB-070 BCD and BIN)
+%
+O1
+#100=BCD[10]
+#101=BIN[16]
+#102=BCD[1234]
+#103=BIN[4660]
+M30
+%
+(EXPECT #100 = 16)
+(EXPECT #101 = 10)
+(EXPECT #102 = 4660)
+(EXPECT #103 = 1234)
+
+(CASE MB-070 BCD of a negative)
+%
+O1
+#1=BCD[-1]
+M30
+%
+(EXPECT ALARM 119 AT 3)
+
+(CASE MB-070 BIN of no decimal digits)
+%
+O1
+#1=BIN[26]
+M30
+%
+(EXPECT ALARM 119 AT 3)
+
+(CASE MB-071 ADP of a local variable)
+(CONTROL fanuc-30i)
+%
+O1
+#1=12.5
+#100=ADP[#1]
+M30
+%
+(EXPECT #100 = 12.5)
+
+(CASE MB-078 a vacant operand of a function is zero)
+%
+O1
+#100=COS[#0]
+#101=SIN[#0]
+#102=ABS[#0]
+#103=SQRT[#1]
+#104=EXP[#0]
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 0)
+(EXPECT #102 = 0)
+(EXPECT #103 = 0)
+(EXPECT #104 = 1)

@@ -1,0 +1,559 @@
+(G65 and its arguments: MB-190 to MB-202.)
+
+(CASE MB-191 argument specification I)
+%
+O1
+G65 P9500 A101. B102. C103. I104. J105. K106. D107 E108. F109. H111 M113 Q117. R118. S119 T120 U121. V122. W123. X124. Y125. Z126.
+M30
+O9500
+#500=#1
+#501=#2
+#502=#3
+#503=#4
+#504=#5
+#505=#6
+#506=#7
+#507=#8
+#508=#9
+#509=#11
+#510=#13
+#511=#17
+#512=#18
+#513=#19
+#514=#20
+#515=#21
+#516=#22
+#517=#23
+#518=#24
+#519=#25
+#520=#26
+M99
+%
+(EXPECT #500 = 101)
+(EXPECT #501 = 102)
+(EXPECT #502 = 103)
+(EXPECT #503 = 104)
+(EXPECT #504 = 105)
+(EXPECT #505 = 106)
+(EXPECT #506 = 107)
+(EXPECT #507 = 108)
+(EXPECT #508 = 109)
+(EXPECT #509 = 111)
+(EXPECT #510 = 113)
+(EXPECT #511 = 117)
+(EXPECT #512 = 118)
+(EXPECT #513 = 119)
+(EXPECT #514 = 120)
+(EXPECT #515 = 121)
+(EXPECT #516 = 122)
+(EXPECT #517 = 123)
+(EXPECT #518 = 124)
+(EXPECT #519 = 125)
+(EXPECT #520 = 126)
+
+(CASE MB-191 what has no letter stays vacant)
+%
+O1
+G65 P9500 A1. Z1.
+M30
+O9500
+IF[#10EQ#0]THEN #100=1
+IF[#12EQ#0]THEN #101=1
+IF[#14EQ#0]THEN #102=1
+IF[#33EQ#0]THEN #103=1
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 1)
+(EXPECT #102 = 1)
+(EXPECT #103 = 1)
+
+(CASE MB-192 ten triples of I J K)
+%
+O1
+G65 P9500 A1. B2. C3. I4. J5. K6. I7. J8. K9. I10. J11. K12. I13. J14. K15. I16. J17. K18. I19. J20. K21. I22. J23. K24. I25. J26. K27. I28. J29. K30. I31. J32. K33.
+M30
+O9500
+#500=#1
+#501=#2
+#502=#3
+#503=#4
+#504=#5
+#505=#6
+#506=#7
+#507=#8
+#508=#9
+#509=#10
+#510=#11
+#511=#12
+#512=#13
+#513=#14
+#514=#15
+#515=#16
+#516=#17
+#517=#18
+#518=#19
+#519=#20
+#520=#21
+#521=#22
+#522=#23
+#523=#24
+#524=#25
+#525=#26
+#526=#27
+#527=#28
+#528=#29
+#529=#30
+#530=#31
+#531=#32
+#532=#33
+M99
+%
+(EXPECT #500 = 1)
+(EXPECT #501 = 2)
+(EXPECT #502 = 3)
+(EXPECT #503 = 4)
+(EXPECT #504 = 5)
+(EXPECT #505 = 6)
+(EXPECT #506 = 7)
+(EXPECT #507 = 8)
+(EXPECT #508 = 9)
+(EXPECT #509 = 10)
+(EXPECT #510 = 11)
+(EXPECT #511 = 12)
+(EXPECT #512 = 13)
+(EXPECT #513 = 14)
+(EXPECT #514 = 15)
+(EXPECT #515 = 16)
+(EXPECT #516 = 17)
+(EXPECT #517 = 18)
+(EXPECT #518 = 19)
+(EXPECT #519 = 20)
+(EXPECT #520 = 21)
+(EXPECT #521 = 22)
+(EXPECT #522 = 23)
+(EXPECT #523 = 24)
+(EXPECT #524 = 25)
+(EXPECT #525 = 26)
+(EXPECT #526 = 27)
+(EXPECT #527 = 28)
+(EXPECT #528 = 29)
+(EXPECT #529 = 30)
+(EXPECT #530 = 31)
+(EXPECT #531 = 32)
+(EXPECT #532 = 33)
+
+(CASE MB-193 both mixed: the later of two words wins)
+%
+O1
+G65 A1.0 B2.0 I-3.0 I4.0 D5.0 P9500
+M30
+O9500
+#101=#1
+#102=#2
+#104=#4
+#107=#7
+M99
+%
+(EXPECT #101 = 1)
+(EXPECT #102 = 2)
+(EXPECT #104 = -3)
+(EXPECT #107 = 5)
+
+(CASE MB-193 and when the triple comes later)
+%
+O1
+G65 P9500 D5. I1. I2.
+M30
+O9500
+#104=#4
+#107=#7
+M99
+%
+(EXPECT #104 = 1)
+(EXPECT #107 = 2)
+
+(CASE MB-192 a triple with gaps)
+%
+O1
+G65 P9500 I1. K3. I4. J5. K9. J8.
+M30
+O9500
+#104=#4
+#105=#5
+#106=#6
+#107=#7
+#108=#8
+#109=#9
+#111=#11
+M99
+%
+(EXPECT #104 = 1)
+(EXPECT #105 = VACANT)
+(EXPECT #106 = 3)
+(EXPECT #107 = 4)
+(EXPECT #108 = 5)
+(EXPECT #109 = 9)
+(EXPECT #111 = 8)
+
+(CASE MB-195 parameter 6008.7 knows one triple)
+(CONTROL fanuc-30i)
+(PARAMETER 6008.7 = 1)
+%
+O1
+G65 P9500 I1. J2. K3. I4. J5.
+M30
+O9500
+#104=#4
+#105=#5
+#106=#6
+#107=#7
+M99
+%
+(EXPECT #104 = 4)
+(EXPECT #105 = 5)
+(EXPECT #106 = 3)
+(EXPECT #107 = VACANT)
+
+(CASE MB-196 arguments without a point count their increment)
+%
+O1
+G65 P9500 X10 A2500 D5 H6 M7 S800 T9
+M30
+O9500
+#100=#24
+#101=#1
+#102=#7
+#103=#11
+#104=#13
+#105=#19
+#106=#20
+M99
+%
+(EXPECT #100 = 0.01)
+(EXPECT #101 = 2.5)
+(EXPECT #102 = 5)
+(EXPECT #103 = 6)
+(EXPECT #104 = 7)
+(EXPECT #105 = 800)
+(EXPECT #106 = 9)
+
+(CASE MB-196 variables and expressions pass unrounded)
+%
+O1
+#1=10.123456
+G65 P9500 X#1 D[#1*2] H-#1
+M30
+O9500
+#100=#24
+#101=#7
+#102=#11
+M99
+%
+(EXPECT #100 = 10.123456 WITHIN 0.000000001)
+(EXPECT #101 = 20.246912 WITHIN 0.000000001)
+(EXPECT #102 = -10.123456 WITHIN 0.000000001)
+
+(CASE MB-197 G is no argument)
+%
+O1
+G65 P9500 G1
+M30
+O9500
+M99
+%
+(EXPECT ALARM 129 AT 3)
+
+(CASE MB-197 N is no argument)
+%
+O1
+G65 P9500 N1
+M30
+O9500
+M99
+%
+(EXPECT ALARM 129 AT 3)
+
+(CASE MB-197 O is no argument)
+%
+O1
+G65 P9500 O1
+M30
+O9500
+M99
+%
+(EXPECT ALARM 129 AT 3)
+
+(CASE MB-198 L repeats the call)
+%
+O1
+G65 P9500 L3 A5.
+#103=1
+M30
+O9500
+#100=#100+1
+IF[#100EQ1]THEN #101=#1
+M99
+%
+(EXPECT #100 = 3)
+(EXPECT #101 = 5)
+(EXPECT #103 = 1)
+
+(CASE MB-199 no P)
+%
+O1
+G65 A1.
+M30
+%
+(EXPECT ALARM 76 AT 3)
+
+(CASE MB-199 a program that is not there)
+(CONTROL fanuc-16i)
+%
+O1
+G65 P9876
+M30
+%
+(EXPECT ALARM 78 AT 4)
+
+(CASE MB-199 a program that is not there, 30i)
+(CONTROL fanuc-30i)
+%
+O1
+G65 P9876
+M30
+%
+(EXPECT ALARM 76 AT 4)
+
+(CASE MB-190 P and L behind the arguments)
+%
+O1
+G65 A1.5 L2 P9500
+M30
+O9500
+#100=#100+#1
+M99
+%
+(EXPECT #100 = 3)
+
+(CASE MB-190 G65 moves nothing)
+%
+O1
+G0 X1.
+G65 P9500 X5. Y5.
+M30
+O9500
+#100=#24
+M99
+%
+(EXPECT #100 = 5)
+(EXPECT MOVES 1)
+
+(CASE MB-200 M99 gives the caller its locals back)
+%
+O1
+#1=11
+G65 P9500 A22.
+#100=#1
+M30
+O9500
+#101=#1
+G65 P9501 A33.
+#102=#1
+M99
+O9501
+#103=#1
+#1=44
+M99
+%
+(EXPECT #100 = 11)
+(EXPECT #101 = 22)
+(EXPECT #102 = 22)
+(EXPECT #103 = 33)
+
+(CASE MB-201 four levels on the 16i)
+%
+O1
+G65 P9501
+#101=1
+M30
+O9501
+#100=#100+1
+G65 P9502
+M99
+O9502
+#100=#100+1
+G65 P9503
+M99
+O9503
+#100=#100+1
+G65 P9504
+M99
+O9504
+#100=#100+1
+M99
+%
+(EXPECT #100 = 4)
+(EXPECT #101 = 1)
+
+(CASE MB-201 a fifth level is too much for the 16i)
+(CONTROL fanuc-16i)
+%
+O1
+G65 P9501
+#101=1
+M30
+O9501
+#100=#100+1
+G65 P9502
+M99
+O9502
+#100=#100+1
+G65 P9503
+M99
+O9503
+#100=#100+1
+G65 P9504
+M99
+O9504
+#100=#100+1
+G65 P9505
+M99
+O9505
+#100=#100+1
+M99
+%
+(EXPECT #100 = 4)
+(EXPECT ALARM 77)
+
+(CASE MB-201 five levels on the 30i)
+(CONTROL fanuc-30i)
+%
+O1
+G65 P9501
+#101=1
+M30
+O9501
+#100=#100+1
+G65 P9502
+M99
+O9502
+#100=#100+1
+G65 P9503
+M99
+O9503
+#100=#100+1
+G65 P9504
+M99
+O9504
+#100=#100+1
+G65 P9505
+M99
+O9505
+#100=#100+1
+M99
+%
+(EXPECT #100 = 5)
+(EXPECT #101 = 1)
+
+(CASE MB-201 a sixth is too much)
+(CONTROL fanuc-30i)
+%
+O1
+G65 P9501
+#101=1
+M30
+O9501
+#100=#100+1
+G65 P9502
+M99
+O9502
+#100=#100+1
+G65 P9503
+M99
+O9503
+#100=#100+1
+G65 P9504
+M99
+O9504
+#100=#100+1
+G65 P9505
+M99
+O9505
+#100=#100+1
+G65 P9506
+M99
+O9506
+#100=#100+1
+M99
+%
+(EXPECT #100 = 5)
+(EXPECT ALARM 122)
+
+(CASE MB-202 M99 P returns to a block of the caller)
+%
+O1
+#1=8
+G65 P9500
+#100=1
+N30 #101=#1
+M30
+N30
+O9500
+#1=9
+M99 P30
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = 8)
+
+(CASE MB-194 letters out of order begin the next triple)
+%
+O1
+G65 P9100 J1. I2. K3.
+M30
+O9100
+#100=#5
+#101=#7
+#102=#9
+#103=#4
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 2)
+(EXPECT #102 = 3)
+(EXPECT #103 = VACANT)
+(EXPECT WARNING PRB309 AT 3)
+
+(CASE MB-192 triples in order are no cause to wonder)
+%
+O1
+G65 P9100 I1. J2. I3. J4. K5. I6.
+M30
+O9100
+#100=#10
+M99
+%
+(EXPECT #100 = 6)
+(EXPECT NO WARNING PRB309)
+
+(CASE MB-193 an eleventh triple)
+%
+O1
+G65 P9100 I1. I2. I3. I4. I5. I6. I7. I8. I9. I10. I11.
+M30
+O9100
+M99
+%
+(EXPECT ALARM 129 AT 3)
+
+(CASE MB-198 locals that a repeat changed stay for the next)
+%
+O1
+G65 P9100 A1. L3
+M30
+O9100
+#1=#1*2
+#100=#1
+M99
+%
+(EXPECT #100 = 8)

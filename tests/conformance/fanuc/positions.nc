@@ -1,0 +1,243 @@
+(Positions and work offsets: MB-138 to MB-147.)
+
+(CASE MB-138 end point, machine position, work position)
+%
+O1
+#5221=10.
+#5222=20.
+#5223=30.
+G54 G90 G0 X1. Y2. Z3.
+#100=#5001
+#101=#5002
+#102=#5003
+#103=#5021
+#104=#5022
+#105=#5023
+#106=#5041
+#107=#5042
+#108=#5043
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 2)
+(EXPECT #102 = 3)
+(EXPECT #103 = 11)
+(EXPECT #104 = 22)
+(EXPECT #105 = 33)
+(EXPECT #106 = 1)
+(EXPECT #107 = 2)
+(EXPECT #108 = 3)
+
+(CASE MB-141 tool length: the tip is #5043 minus #5083)
+%
+O1
+#2201=100.
+G43 H1 G0 Z50.
+#100=#5003
+#101=#5043
+#102=#5083
+#103=#5023
+M30
+%
+(EXPECT #100 = 50)
+(EXPECT #101 = 150)
+(EXPECT #102 = 100)
+(EXPECT #103 = 150)
+
+(CASE MB-143 G44 subtracts)
+%
+O1
+#2201=100.
+G44 H1 G0 Z50.
+#100=#5003
+#101=#5043
+#102=#5083
+#103=#5023
+M30
+%
+(EXPECT #100 = 50)
+(EXPECT #101 = -50)
+(EXPECT #102 = -100)
+(EXPECT #103 = -50)
+
+(CASE MB-139 local shifts as programmed)
+%
+O1
+G52 X10. Y5.
+G0 X1. Y1.
+#100=#5001
+#101=#5021
+G92 X0 Y0
+#102=#5001
+#103=#5041
+#104=#5021
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 11)
+(EXPECT #102 = 0)
+(EXPECT #103 = 0)
+(EXPECT #104 = 11)
+
+(CASE MB-142 skip position and where it stops)
+(SIGNAL X12.5)
+%
+O1
+G31 X20. F100.
+#100=#5061
+#101=#5062
+#102=#5063
+#103=#5041
+M30
+%
+(EXPECT #100 = 12.5)
+(EXPECT #101 = 0)
+(EXPECT #102 = 0)
+(EXPECT #103 = 12.5)
+
+(CASE MB-144 #5421 as #5061 on an ideal machine)
+(SIGNAL X12.5)
+%
+O1
+G31 X20. F100.
+#100=#5421
+M30
+%
+(EXPECT #100 = 12.5)
+
+(CASE MB-145 work is machine minus all shifts)
+%
+O1
+#5201=1.
+#5221=10.
+#5203=2.
+#5223=20.
+#2203=100.
+G54
+G52 X3. Z4.
+G43 H3 G0 X0 Z0
+#100=#5021
+#101=#5023
+#102=#5041
+#103=#5043
+M30
+%
+(EXPECT #100 = 14)
+(EXPECT #101 = 126)
+(EXPECT #102 = 0)
+(EXPECT #103 = 100)
+
+(CASE MB-145 the place of a work offset by its code)
+%
+O1
+#26=56
+#[5201+[#26-53]*20]=7.
+#[5203+[#26-53]*20]=9.
+#100=#5261
+#101=#5263
+G56 G0 X1. Z1.
+#102=#5021
+#103=#5023
+M30
+%
+(EXPECT #100 = 7)
+(EXPECT #101 = 9)
+(EXPECT #102 = 8)
+(EXPECT #103 = 10)
+
+(CASE MB-145 all six)
+%
+O1
+#5221=1
+#5241=2
+#5261=3
+#5281=4
+#5301=5
+#5321=6
+G54 X0
+#101=#5021
+G55 X0
+#102=#5021
+G56 X0
+#103=#5021
+G57 X0
+#104=#5021
+G58 X0
+#105=#5021
+G59 X0
+#106=#5021
+M30
+%
+(EXPECT #101 = 1)
+(EXPECT #102 = 2)
+(EXPECT #103 = 3)
+(EXPECT #104 = 4)
+(EXPECT #105 = 5)
+(EXPECT #106 = 6)
+
+(CASE MB-146 #7001 and #14001 are one storage)
+%
+O1
+#7001=5.
+#100=#14001
+#14043=6.
+#101=#7043
+G54.1 P1 G0 X1.
+#102=#5021
+G54.1 P3 Z1.
+#103=#5023
+#7941=8.
+#104=#14941
+M30
+%
+(EXPECT #100 = 5)
+(EXPECT #101 = 6)
+(EXPECT #102 = 6)
+(EXPECT #103 = 7)
+(EXPECT #104 = 8)
+
+(CASE MB-146 P300 by #19981)
+%
+O1
+#19981=4.
+G54.1 P300 G0 X1.
+#100=#5021
+M30
+%
+(EXPECT #100 = 5)
+
+(CASE MB-146 the legacy numbers #2500 to #2806)
+%
+O1
+#2501=11.
+#2601=12.
+#2701=13.
+#2500=1.
+#100=#5221
+#101=#5222
+#102=#5223
+#103=#5201
+#5241=5.
+#104=#2502
+M30
+%
+(EXPECT #100 = 11)
+(EXPECT #101 = 12)
+(EXPECT #102 = 13)
+(EXPECT #103 = 1)
+(EXPECT #104 = 5)
+
+(CASE MB-147 an active work offset that is written: no motion, then a new system)
+%
+O1
+G54 G0 X1.
+#5221=10.
+#100=#5001
+#101=#5021
+X1.
+M30
+%
+(EXPECT #100 = -9)
+(EXPECT #101 = 1)
+(EXPECT MOVES 2)
+(EXPECT MOVE 2 X11)

@@ -1,0 +1,16 @@
+
+
+% 0
+:0003(COLON NUMBER)
+/N10G0X0;Y1.
+/3G1 x 1. y 2. f 100 (lower)
+#1 = 1 ; #2 = 2
+N20 GOTO 30 (JUMP
+N30 M98 P4 (NEXT)
+M0
+M1
+M2
+O4 N1 G04 P0
+M99
+%
+AFTER THE END

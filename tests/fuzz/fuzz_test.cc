@@ -1,0 +1,139 @@
+// What the fuzzers do for hours, for a second and always alike: the corpus and counted changes of
+// it through the same entries.  A failure stops the process, as it stops a fuzzer; with
+// G31_FUZZ_TRACE=1 the number of the last mutation stands above it.
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "interpreter/dialects/fanuc/functions.h"
+#include "interpreter/dialects/fanuc/g_codes.h"
+#include "interpreter/dialects/fanuc/output_format.h"
+#include "tests/fuzz/entry.h"
+#include "tests/fuzz/mutation.h"
+
+namespace g31::fuzz {
+namespace {
+
+constexpr std::uint64_t kMutations = 2000;
+
+std::string content(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  EXPECT_TRUE(in) << path;
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// The seeds, by name: the order in which folders list files is not the same everywhere.
+std::vector<std::string> corpus() {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator("tests/fuzz/corpus")) {
+    paths.push_back(entry.path());
+  }
+  std::ranges::sort(paths);
+  std::vector<std::string> texts;
+  for (const auto& path : paths) {
+    texts.push_back(content(path));
+  }
+  return texts;
+}
+
+/// "\x0a" of a dictionary line is one byte.
+std::string unescaped(std::string_view quoted) {
+  std::string word;
+  for (std::size_t i = 0; i < quoted.size(); ++i) {
+    if (quoted.substr(i, 2) == "\\x") {
+      unsigned byte = 0;
+      std::from_chars(quoted.data() + i + 2, quoted.data() + i + 4, byte, 16);
+      word.push_back(static_cast<char>(byte));
+      i += 3;
+    } else {
+      word.push_back(quoted[i]);
+    }
+  }
+  return word;
+}
+
+std::vector<std::string> dictionary() {
+  std::vector<std::string> words;
+  std::ifstream in("tests/fuzz/fanuc.dict");
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with('"')) {
+      words.push_back(unescaped(line.substr(1, line.size() - 2)));
+    }
+  }
+  return words;
+}
+
+/// Whether the word stands in the text: G5 is not in G53 or G5.1.
+bool contains(std::string_view text, std::string_view word) {
+  constexpr std::string_view kNumber = "0123456789.";
+  const bool ends_in_digit = kNumber.find(word.back()) != kNumber.npos;
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+    const std::string_view next = text.substr(at + word.size(), 1);
+    if (!ends_in_digit || next.empty() || kNumber.find(next) == kNumber.npos) {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <typename Entry>
+void feed(Entry entry) {
+  const std::vector<std::string> texts = corpus();
+  ASSERT_FALSE(texts.empty());
+  for (const std::string& text : texts) {
+    entry(text);
+  }
+  const std::vector<std::string> words = dictionary();
+  ASSERT_FALSE(words.empty());
+  const bool traced = std::getenv("G31_FUZZ_TRACE") != nullptr;
+  for (std::uint64_t number = 0; number < kMutations; ++number) {
+    const std::string text = mutation(number, texts, words);
+    if (traced) {
+      fmt::print(stderr, "mutation {}\n{}\n", number, text);
+    }
+    entry(text);
+  }
+}
+
+TEST(Fuzz, AnyTextIsRead) {
+  feed(read_any_text);
+}
+
+TEST(Fuzz, AnyTextIsRun) {
+  feed(run_any_text);
+}
+
+// A word that the fuzzers do not know is one that they hardly ever try.
+TEST(Fuzz, DictionaryAndCorpusKnowEveryWord) {
+  std::vector<std::string> words;
+  for (const fanuc::FunctionInfo& row : fanuc::functions()) {
+    words.push_back(fmt::format("{}[", row.name));
+  }
+  for (const fanuc::OutputStatementInfo& row : fanuc::output_statements()) {
+    words.emplace_back(row.name);
+  }
+  for (const fanuc::GCode& row : fanuc::g_codes()) {
+    words.push_back(fmt::format("G{}", row.number.value()));
+  }
+  const std::vector<std::string> known = dictionary();
+  std::string programs;
+  for (const std::string& text : corpus()) {
+    programs += text;
+  }
+  for (const std::string& word : words) {
+    EXPECT_TRUE(std::ranges::find(known, word) != known.end()) << word << " in fanuc.dict";
+    EXPECT_TRUE(contains(programs, word)) << word << " in the corpus";
+  }
+}
+
+}  // namespace
+}  // namespace g31::fuzz

@@ -1,0 +1,69 @@
+#include "tests/fuzz/mutation.h"
+
+#include <algorithm>
+
+#include "machine/base/contract.h"
+#include "machine/base/random.h"
+
+namespace g31::fuzz {
+namespace {
+
+/// Longest piece that a change moves.
+constexpr std::size_t kPiece = 40;
+
+/// A run of numbers that belongs to one mutation.
+class Draws {
+ public:
+  explicit Draws(std::uint64_t number) : number_(number) {}
+
+  /// 0 to count - 1; count > 0.
+  std::size_t below(std::size_t count) {
+    const double drawn = uniform({0, static_cast<std::uint32_t>(number_)}, draws_++);
+    return static_cast<std::size_t>(drawn * static_cast<double>(count));
+  }
+
+ private:
+  std::uint64_t number_;
+  std::uint64_t draws_ = 0;
+};
+
+void change(std::string& text, Draws& draws, std::span<const std::string> texts,
+            std::span<const std::string> words) {
+  constexpr std::string_view kBytes = "0123456789.-+*/[]#=()%\n\r GXYZIJKRQPLNOMHDF\x00\xFF";
+  const std::size_t at = draws.below(text.size() + 1);
+  const std::size_t length = std::min(draws.below(kPiece), text.size() - at);
+  switch (draws.below(5)) {
+    case 0:
+      text.replace(at, at < text.size() ? 1 : 0, 1, kBytes[draws.below(kBytes.size())]);
+      return;
+    case 1:
+      text.erase(at, length);
+      return;
+    case 2:
+      text.insert(at, text.substr(at, length));
+      return;
+    case 3:
+      text.insert(at, words[draws.below(words.size())]);
+      return;
+    default: {
+      const std::string& other = texts[draws.below(texts.size())];
+      text.insert(at, other.substr(draws.below(other.size() + 1), kPiece));
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+std::string mutation(std::uint64_t number, std::span<const std::string> texts,
+                     std::span<const std::string> words) {
+  G31_EXPECTS(!texts.empty() && !words.empty());
+  Draws draws(number);
+  std::string text = texts[number % texts.size()];
+  for (std::size_t changes = 1 + draws.below(4); changes > 0; --changes) {
+    change(text, draws, texts, words);
+  }
+  return text;
+}
+
+}  // namespace g31::fuzz

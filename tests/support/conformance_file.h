@@ -1,0 +1,178 @@
+#pragma once
+
+#include <cctype>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "machine/base/result.h"
+
+namespace g31::testing {
+
+/// One case of a conformance file: a program, its set-up and what must come of it.
+///
+/// A file is NC text with lines of their own for the test, each one comment:
+///
+///   (CASE MB-086 null equals null, not zero)   begins a case; the program is what follows
+///   (CONTROL fanuc-30i)              controls to run it on, by default fanuc-16i and fanuc-30i
+///   (PARAMETER 6006.0 = 1)           a control parameter before the start
+///   (SET #500 = 2.5)                 a variable before the start
+///   (SETTING block_skip = [1])       a key of the sheet's [control]
+///   (START X = 10)                   a machine position before the start
+///   (SIGNAL X12.5)  (SIGNAL NONE)    the skip signal of the next G31: where it rises
+///   (SHEET [tools.5])                a line of the set-up sheet as it is
+///
+/// and expectations, one or more in each case:
+///
+///   (EXPECT COMPLETED)               needed only where nothing else is expected
+///   (EXPECT #101 = 7.5)              (EXPECT #102 = VACANT)    (EXPECT #103 = 1.2 WITHIN 0.01)
+///   (EXPECT ALARM 112 AT 4)          AT counts lines from the CASE line and may be left out
+///   (EXPECT ALARM FORMAT AT 4)       any alarm of malformed text
+///   (EXPECT MESSAGE "NO TOUCH")      the text of the alarm
+///   (EXPECT OUTPUT "A 1.\n")         with \n, \r and \xNN
+///   (EXPECT STOP "TURN")             a stop with this text
+///   (EXPECT WARNING PRB301 AT 3)
+///   (EXPECT NO WARNING PRB305)
+///   (EXPECT MOVES 2)                 (EXPECT MOVE 2 G31 X12.345 Z-5)  machine coordinates;
+///                                    T is the seconds of a G4, F the feed
+///
+/// A case without an alarm expected must run without one.  What stands before the first CASE
+/// counts for every case of the file.
+struct ConformanceCase {
+  struct Row {
+    int line = 0;  ///< of the file, from 1
+    std::string text;
+  };
+  Row title;
+  std::vector<std::string> controls;
+  std::map<std::string, std::string> sheet;  ///< section to its lines
+  std::string sheet_lines;
+  std::vector<Row> expectations;
+  std::string program;
+};
+
+/// Reads a conformance file line by line.
+class ConformanceReader {
+ public:
+  using Outcome = Result<std::vector<ConformanceCase>, std::string>;
+
+  explicit ConformanceReader(std::string path) : path_(std::move(path)) {}
+
+  /// @returns the cases, or what is wrong with the file
+  Outcome read() {
+    std::ifstream in(path_, std::ios::binary);
+    if (!in) {
+      return path_ + ": cannot be read";
+    }
+    for (std::string line; std::getline(in, line) && wrong_.empty();) {
+      ++line_;
+      take(line);
+    }
+    finish_case();
+    if (wrong_.empty() && cases_.empty()) {
+      refuse("no (CASE ...) in this file");
+    }
+    return wrong_.empty() ? Outcome(cases_) : Outcome(wrong_);
+  }
+
+ private:
+  /// A line for the test leaves an empty line in the program, so that lines keep their numbers.
+  void take(const std::string& line) {
+    const std::size_t blank = line.find(' ');
+    const bool is_ours = line.starts_with("(") && line.ends_with(")") && blank != line.npos;
+    if (is_ours && line.substr(1, blank - 1) == "CASE") {
+      finish_case();
+      open_ = common_;
+      open_->title = {line_, line.substr(blank + 1, line.size() - blank - 2)};
+      return;
+    }
+    const bool is_taken = is_ours && directive(line.substr(1, blank - 1),
+                                               line.substr(blank + 1, line.size() - blank - 2));
+    if (open_) {
+      open_->program += (is_taken ? "" : line) + "\n";
+    } else if (!is_taken && !line.empty() && !line.starts_with("(")) {
+      refuse("a program before the first (CASE ...)");
+    }
+  }
+
+  bool directive(const std::string& word, const std::string& rest) {
+    ConformanceCase& target = open_ ? *open_ : common_;
+    if (word == "CONTROL") {
+      target.controls.clear();
+      std::istringstream names(rest);
+      for (std::string name; names >> name;) {
+        target.controls.push_back(name);
+      }
+    } else if (word == "PARAMETER") {
+      target.sheet["parameters"] += quoted_key(rest);
+    } else if (word == "SET") {
+      target.sheet["variables"] += quoted_key(rest);
+    } else if (word == "SETTING") {
+      target.sheet["control"] += rest + "\n";
+    } else if (word == "START") {
+      target.sheet["start"] += rest + "\n";
+    } else if (word == "SIGNAL") {
+      target.sheet_lines += rest == "NONE"
+                                ? "[[skip_signal]]\n"
+                                : fmt::format("[[skip_signal]]\naxis = \"{}\"\nat = {}\n",
+                                              rest.front(), with_point(rest.substr(1)));
+    } else if (word == "SHEET") {
+      target.sheet_lines += rest + "\n";
+    } else if (word == "EXPECT") {
+      target.expectations.push_back({line_, rest});
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  static std::string quoted_key(const std::string& text) {
+    const std::size_t end = text.find(" =");
+    return "\"" + text.substr(0, end) + "\"" + (end == text.npos ? "" : text.substr(end)) + "\n";
+  }
+
+  static std::string with_point(const std::string& number) {
+    return number + (number.find('.') == number.npos ? ".0" : number.ends_with('.') ? "0" : "");
+  }
+
+  void finish_case() {
+    if (open_ && open_->expectations.empty()) {
+      line_ = open_->title.line;
+      refuse("a case without an expectation");
+    }
+    if (open_) {
+      cases_.push_back(*open_);
+      open_.reset();
+    }
+  }
+
+  void refuse(const std::string& message) {
+    if (wrong_.empty()) {
+      wrong_ = fmt::format("{}:{}: {}", path_, line_, message);
+    }
+  }
+
+  std::string path_;
+  int line_ = 0;
+  std::string wrong_;
+  ConformanceCase common_{{}, {"fanuc-16i", "fanuc-30i"}, {}, {}, {}, {}};
+  std::optional<ConformanceCase> open_;
+  std::vector<ConformanceCase> cases_;
+};
+
+/// The set-up sheet of a case.
+inline std::string sheet_of(const ConformanceCase& test) {
+  std::string text;
+  for (const auto& [section, lines] : test.sheet) {
+    text += "[" + section + "]\n" + lines;
+  }
+  return text + test.sheet_lines;
+}
+
+}  // namespace g31::testing
