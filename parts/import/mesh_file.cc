@@ -1,6 +1,5 @@
 #include "parts/import/mesh_file.h"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +9,6 @@
 #include <optional>
 #include <sstream>
 #include <system_error>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -20,6 +18,8 @@
 
 #include "parts/geometry/triangulate.h"
 #include "parts/import/memory_file_system.h"
+#include "parts/import/step_file.h"
+#include "parts/import/vertex_weld.h"
 
 namespace g31::parts {
 namespace {
@@ -37,16 +37,6 @@ std::string one_line(std::string text) {
 std::string complaint(const std::string& path, const std::string& what) {
   return "mesh file '" + path + "': " + one_line(what);
 }
-
-struct HashOfPlace {
-  std::size_t operator()(const std::array<double, 3>& place) const {
-    std::size_t hash = 0;
-    for (const double coordinate : place) {
-      hash = hash * 1000003U ^ std::hash<double>{}(coordinate);
-    }
-    return hash;
-  }
-};
 
 /// Puts the meshes of a scene together; vertices at the same place become one.
 class SceneReader {
@@ -89,7 +79,7 @@ class SceneReader {
         return "vertex " + std::to_string(i + 1) +
                " is not a finite point; every coordinate must be a number";
       }
-      joined[i] = vertex_at(p);
+      joined[i] = weld_.vertex_at(p);
     }
     for (unsigned int i = 0; i < part.mNumFaces; ++i) {
       const aiFace& face = part.mFaces[i];
@@ -118,20 +108,9 @@ class SceneReader {
     return {row(m.a1, m.a2, m.a3, m.a4), row(m.b1, m.b2, m.b3, m.b4), row(m.c1, m.c2, m.c3, m.c4)};
   }
 
-  std::uint32_t vertex_at(const Point& p) {
-    // + 0.0 turns -0 into 0: the two are the same place but not the same bits.
-    const std::array<double, 3> place = {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
-    const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
-    const auto [entry, is_new] = vertex_of_.try_emplace(place, next);
-    if (is_new) {
-      mesh_.vertices.emplace_back(place[0], place[1], place[2]);
-    }
-    return entry->second;
-  }
-
   const aiScene& scene_;
   Mesh mesh_;
-  std::unordered_map<std::array<double, 3>, std::uint32_t, HashOfPlace> vertex_of_;
+  VertexWeld weld_{mesh_};
 };
 
 std::optional<std::string> why_unreadable(const std::string& path) {
@@ -141,7 +120,7 @@ std::optional<std::string> why_unreadable(const std::string& path) {
     return "there is no such file; a path is relative to the set-up sheet";
   }
   if (kind == std::filesystem::file_type::directory) {
-    return "this is a folder; name an STL, OBJ, PLY or 3MF file in it";
+    return "this is a folder; name an STL, OBJ, PLY, 3MF or STEP file in it";
   }
   return std::nullopt;
 }
@@ -187,11 +166,15 @@ Result<Mesh, std::string> import_mesh(const std::string& path) {
 
 }  // namespace
 
-Result<Mesh, std::string> read_mesh_file(const std::string& path) {
+Result<Mesh, std::string> read_mesh_file(const std::string& path, double step_sagitta_mm) {
   if (const auto why = why_unreadable(path)) {
     return complaint(path, *why);
   }
   try {
+    if (is_step_file(path)) {
+      auto mesh = read_step_file(path, step_sagitta_mm);
+      return mesh ? mesh : complaint(path, mesh.error());
+    }
     return import_mesh(path);
   } catch (const std::exception& error) {
     return complaint(path, "not understood as a mesh (" + std::string(error.what()) +

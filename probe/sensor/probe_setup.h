@@ -75,7 +75,7 @@ struct ProbeSetup {
   double repeatability_mm = 0.0;  ///< standard deviation of the trigger point along the move
   SwitchSetup at_switch;
   std::vector<StylusBall> further_balls;
-  double deflection_limit_mm = 6.0;  ///< > 0: how far a ball may be pushed in before it breaks
+  double deflection_limit_mm = std::numeric_limits<double>::infinity();  ///< > 0, see TouchProbe
   /// What must never touch, in places above the main ball.  The stem gives way with the ball when
   /// that is pushed in; the bodies do not.
   std::vector<ProbeSection> stem;

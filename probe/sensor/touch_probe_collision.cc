@@ -141,7 +141,7 @@ std::optional<machine::Obstacle> TouchProbe::over_deflection(const PartHit& touc
   const double touched_at = in_contact ? 0.0 : touch.hit.s;
   const double depth = in_contact ? depth_of(touch, centre_of(*touch.ball, sweep.q_M_from)) : 0.0;
   const double inwards = -touch.hit.n_M.dot(way_of(sweep)) / length;
-  const double limit = setup_.deflection_limit_mm;
+  const double limit = std::min(setup_.deflection_limit_mm, touch.ball->radius);
   if (inwards <= 0.0 || depth + (length - touched_at) * inwards <= limit) {
     return std::nullopt;
   }

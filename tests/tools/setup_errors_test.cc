@@ -382,7 +382,7 @@ const Case kStandAtTheirPlace[] = {
       |        ^
 )"},
     {"a size of a file", "[[part]]\nfile = \"ring.stl\"\nbore = 3\n",
-     R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, shape, at, rotate_deg, expansion, temperature [SET103]
+     R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, step_sagitta, shape, at, rotate_deg, expansion, temperature [SET103]
     3 | bore = 3
       | ^
 )"},

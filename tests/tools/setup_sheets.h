@@ -108,7 +108,7 @@ state = "low_battery"
 low_battery_input = 1005
 stem_diameter = 3.0
 stem_length = 50.0
-deflection_limit = 8.0
+deflection_limit = 2.0
 [[probe.body]]
 name = "transmitter"
 length = 45.0
@@ -122,6 +122,7 @@ diameter = 4.0
 [[part]]
 name = "mesh"
 file = "ring.stl"
+step_sagitta = 0.002
 at = [250.0, -180, -300.0]
 rotate_deg = [0.0, 10.0, 90.0]
 expansion = 23.0

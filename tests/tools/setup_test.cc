@@ -194,6 +194,7 @@ TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
   ASSERT_EQ(read.parts.size(), 3U);
   EXPECT_EQ(read.parts[0].name, "mesh");
   EXPECT_EQ(read.parts[0].file, path_of("ring.stl"));
+  EXPECT_EQ(read.parts[0].step_sagitta_mm, 0.002);
   EXPECT_EQ(read.parts[0].p_M_at, Point(250.0, -180.0, -300.0));
   EXPECT_EQ(read.parts[0].rotate_deg, Point(0.0, 10.0, 90.0));
   EXPECT_EQ(read.parts[0].growth.expansion, 23.0);

@@ -148,6 +148,12 @@ ExitCode exit_code_of(const runtime::Outcome& outcome) {
   contract_violated("every status has an exit code", __FILE__, __LINE__);
 }
 
+void print_diagnostics(const runtime::Outcome& outcome) {
+  for (const source::Diagnostic& diagnostic : outcome.diagnostics) {
+    std::fputs(render_text(diagnostic).c_str(), stderr);
+  }
+}
+
 ExitCode refuse(const Refusal& wrong) {
   std::fputs(wrong.text.c_str(), stderr);
   return wrong.code;

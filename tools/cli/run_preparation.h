@@ -41,6 +41,9 @@ std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOpt
 /// What a run that went through to its end, whichever, returns to the shell.
 ExitCode exit_code_of(const runtime::Outcome& outcome);
 
+/// The messages of a run, on standard error.
+void print_diagnostics(const runtime::Outcome& outcome);
+
 /// Says why on standard error.
 ExitCode refuse(const Refusal& wrong);
 

@@ -26,8 +26,8 @@ Result<std::vector<probe::ProbedPart>, setup::SetupError> build_parts(const setu
   std::vector<probe::ProbedPart> built;
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
     const parts::PartSetup& part = job.parts[i];
-    const auto mesh_P =
-        part.shape.empty() ? parts::read_mesh_file(part.file) : parts::make_artefact(part);
+    const auto mesh_P = part.shape.empty() ? parts::read_mesh_file(part.file, part.step_sagitta_mm)
+                                           : parts::make_artefact(part);
     if (!mesh_P) {
       return unusable(job.part_places[i], mesh_P.error());
     }

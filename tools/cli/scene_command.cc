@@ -1,6 +1,5 @@
 #include "tools/cli/scene_command.h"
 
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,7 +9,6 @@
 
 #include "interpreter/dialects/fanuc/session.h"
 #include "interpreter/runtime/observer.h"
-#include "interpreter/source/diagnostic.h"
 #include "tools/cli/disk.h"
 #include "tools/cli/run_preparation.h"
 #include "tools/cli/scene.h"
@@ -73,9 +71,7 @@ ExitCode scene_command(const SceneOptions& options) {
     return refuse(refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; "))));
   }
   const runtime::Outcome outcome = session.run(options.run.budget);
-  for (const source::Diagnostic& diagnostic : outcome.diagnostics) {
-    std::fputs(render_text(diagnostic).c_str(), stderr);
-  }
+  print_diagnostics(outcome);
   if (outcome.status == runtime::Status::SyntaxError) {
     return ExitCode::BadUsage;
   }

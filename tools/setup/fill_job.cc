@@ -118,6 +118,7 @@ parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
   part.shape = keys.get(KeyId::PartShape, part.shape);
   const std::string stem = std::filesystem::path(part.file).stem().string();
   part.name = keys.get(KeyId::PartName, part.shape.empty() ? stem : part.shape);
+  part.step_sagitta_mm = keys.get(KeyId::PartStepSagitta, part.step_sagitta_mm);
   part.p_M_at = point_from(keys, KeyId::PartAt);
   part.rotate_deg = point_from(keys, KeyId::PartRotate);
   part.growth.expansion = keys.get(KeyId::PartExpansion, part.growth.expansion);
