@@ -162,6 +162,14 @@ TEST(PointMacros, CrossPointAndAngleOfThreePlanes) {
   }
 }
 
+/// Height by longest side of a triangle.
+double flatness(const Eigen::Matrix<double, 2, 3>& corners) {
+  const Vector2d first = corners.col(1) - corners.col(0);
+  const Vector2d second = corners.col(2) - corners.col(0);
+  const double longest = std::max({first.norm(), second.norm(), (second - first).norm()});
+  return std::abs(first.x() * second.y() - first.y() * second.x()) / (longest * longest);
+}
+
 TEST(PointMacros, CircleThroughThreePoints) {
   for (unsigned round = 0; round < kRounds; ++round) {
     RandomPoints points(round);
@@ -174,10 +182,15 @@ TEST(PointMacros, CircleThroughThreePoints) {
     // x^2 + y^2 = 2 a x + 2 b y + c is linear in the centre (a, b) and c.
     Matrix3d m;
     Vector3d squares;
+    Eigen::Matrix<double, 2, 3> corners;
     for (int i = 0; i < 3; ++i) {
       const Vector2d p = seen(points.at(Buffer::A, rows[static_cast<std::size_t>(i)]), plane);
+      corners.col(i) = p;
       m.row(i) << 2.0 * p.x(), 2.0 * p.y(), 1.0;
       squares[i] = p.squaredNorm();
+    }
+    if (flatness(corners) < 2e-4) {
+      continue;  // point_macro_limits_test.cc has these
     }
     const Vector3d solved = m.fullPivLu().solve(squares);
     const Vector2d centre = solved.head<2>();

@@ -14,16 +14,16 @@ target_compile_options(g31_warnings INTERFACE
   -ffp-contract=off
   $<$<BOOL:${G31_WERROR}>:-Werror>)
 
-# Release builds carry code for both ways of linking: g31 and the benchmarks are optimised across
+# Release libraries carry code for both ways of linking: g31 and the benchmarks are optimised across
 # files (plain blocks run a fifth faster), the tests are linked file by file, in no time.
 set(g31_has_both_codes FALSE)
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(g31_has_both_codes TRUE)
-  target_compile_options(g31_warnings INTERFACE -flto=auto -ffat-lto-objects)
 endif()
 
 function(g31_link_across_files name)
   if(g31_has_both_codes)
+    target_compile_options(${name} PRIVATE -flto=auto)
     target_link_options(${name} PRIVATE -flto=auto)
   endif()
 endfunction()
@@ -41,6 +41,9 @@ function(g31_library name)
     target_link_libraries(${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS} g31_warnings)
     target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
     target_compile_features(${name} PUBLIC cxx_std_20)
+    if(g31_has_both_codes)
+      target_compile_options(${name} PRIVATE -flto=auto -ffat-lto-objects)
+    endif()
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE ${arg_DEPENDS})
