@@ -24,7 +24,8 @@ class StepReader : public ::testing::Test {
  protected:
   void SetUp() override {
     if (!can_read_step()) {
-      GTEST_SKIP() << "built without Open CASCADE (Debian: libocct-data-exchange-dev)";
+      GTEST_SKIP()
+          << "built without Open CASCADE: cmake -DG31_STEP=ON, Debian libocct-data-exchange-dev";
     }
   }
 };
