@@ -23,7 +23,7 @@
 namespace g31::fuzz {
 namespace {
 
-constexpr std::uint64_t kMutations = 2000;
+constexpr std::uint64_t kMutations = 5000;
 
 std::string content(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
