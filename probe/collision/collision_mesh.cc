@@ -1,27 +1,49 @@
 #include "probe/collision/collision_mesh.h"
 
+#include <algorithm>
+
 namespace g31::probe {
 namespace {
 
-SweptSection begin_of(const SweptSection& swept, double fraction) {
-  SweptSection part = swept;
-  part.way = fraction * swept.way;
-  return part;
-}
-
 /// The fraction up to which the section is free of a triangle that it meets on the whole way.
 double free_until(const SweptSection& swept, const ContactTriangle& triangle) {
-  if (meets(begin_of(swept, 0.0), triangle)) {
+  constexpr double kFinestMm = 1e-9;
+  if (meets(swept.piece(0.0, 0.0), triangle)) {
     return 0.0;
   }
   const double length = swept.way.norm();
   double free = 0.0;
   double met = 1.0;
-  while ((met - free) * length > 0.1 * kSectionTouchErrorMm) {
+  while ((met - free) * length > kFinestMm) {
     const double middle = 0.5 * (free + met);
-    (meets(begin_of(swept, middle), triangle) ? met : free) = middle;
+    // Only what is new: short sweeps lose fewer digits.
+    (meets(swept.piece(free, middle), triangle) ? met : free) = middle;
   }
   return free;
+}
+
+/// The direction in which the two are apart just before they touch; from the start the triangle's.
+Point normal_of(const SweptSection& before, const ContactTriangle& triangle) {
+  const NearestPair pair = nearest_pair(before, triangle);
+  const Point gap = pair.p_M_section - pair.p_M_triangle;
+  if (gap.norm() > kSweptBandMm) {
+    return gap.normalized();
+  }
+  const Point n_M = triangle.is_sliver() ? Point(Point::UnitZ()) : triangle.normal;
+  const double middle = 0.5 * (before.section->z_bottom + before.section->z_top);
+  const Point p_M_middle = before.p_M_from + middle * Point::UnitZ();
+  return n_M.dot(p_M_middle - triangle.vertices[0]) < 0.0 ? Point(-n_M) : n_M;
+}
+
+SectionTouch touch_at(double fraction, const SweptSection& swept, const ContactTriangle& triangle) {
+  constexpr double kJustBeforeMm = 0.01;
+  const double length = swept.way.norm();
+  const double before = length > 0.0 ? std::max(0.0, fraction - kJustBeforeMm / length) : 0.0;
+  SectionTouch touch;
+  touch.fraction = fraction;
+  touch.p_M_point = nearest_pair(swept.piece(fraction, fraction), triangle).p_M_triangle;
+  touch.n_M = normal_of(swept.piece(before, before), triangle);
+  return touch;
 }
 
 }  // namespace
@@ -36,30 +58,22 @@ CollisionMesh::CollisionMesh(const parts::Mesh& mesh_M) : tree_(parts::triangle_
 }
 
 std::optional<SectionTouch> CollisionMesh::first_touch(const SweptSection& swept) const {
-  SweptSection to_go = swept;
+  const double length = swept.way.norm();
+  const parts::Box box = swept.start_box();
+  const parts::Path path{0.5 * (box.min + box.max),
+                         length > 0.0 ? Point(swept.way / length) : Point(Point::UnitX()), length};
+  const Point reach = 0.5 * (box.max - box.min) + Point::Constant(kSweptBandMm);
   double fraction = 1.0;
   const ContactTriangle* first = nullptr;
-  tree_.visit_inside(swept.box(), [&](std::uint32_t slot) {
-    const ContactTriangle& triangle = triangles_[slot];
-    if ((first == nullptr || fraction > 0.0) && meets(to_go, triangle)) {
-      fraction *= free_until(to_go, triangle);
-      to_go = begin_of(swept, fraction);
-      first = &triangle;
+  tree_.visit_along(path, reach, [&](std::uint32_t slot) {
+    const SweptSection to_go = swept.piece(0.0, fraction);
+    if ((first == nullptr || fraction > 0.0) && meets(to_go, triangles_[slot])) {
+      fraction *= free_until(to_go, triangles_[slot]);
+      first = &triangles_[slot];
     }
+    return fraction * length;
   });
-  if (first == nullptr) {
-    return std::nullopt;
-  }
-  const Point p_M_centre = swept.p_M_from + fraction * swept.way;
-  SectionTouch touch;
-  touch.fraction = fraction;
-  touch.p_M_point = touched_point(*swept.section, p_M_centre, *first);
-  const Point p_M_axis(p_M_centre.x(), p_M_centre.y(), touch.p_M_point.z());
-  touch.n_M = first->is_sliver() ? Point(0.0, 0.0, 1.0) : first->normal;
-  if (touch.n_M.dot(p_M_axis - touch.p_M_point) < 0.0) {
-    touch.n_M = -touch.n_M;
-  }
-  return touch;
+  return first != nullptr ? std::optional(touch_at(fraction, swept, *first)) : std::nullopt;
 }
 
 }  // namespace g31::probe
