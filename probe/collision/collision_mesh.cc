@@ -1,6 +1,6 @@
 #include "probe/collision/collision_mesh.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace g31::probe {
 namespace {
@@ -22,30 +22,6 @@ double free_until(const SweptSection& swept, const ContactTriangle& triangle) {
   return free;
 }
 
-/// The direction in which the two are apart just before they touch; from the start the triangle's.
-Point normal_of(const SweptSection& before, const ContactTriangle& triangle) {
-  const NearestPair pair = nearest_pair(before, triangle);
-  const Point gap = pair.p_M_section - pair.p_M_triangle;
-  if (gap.norm() > kSweptBandMm) {
-    return gap.normalized();
-  }
-  const Point n_M = triangle.is_sliver() ? Point(Point::UnitZ()) : triangle.normal;
-  const double middle = 0.5 * (before.section->z_bottom + before.section->z_top);
-  const Point p_M_middle = before.p_M_from + middle * Point::UnitZ();
-  return n_M.dot(p_M_middle - triangle.vertices[0]) < 0.0 ? Point(-n_M) : n_M;
-}
-
-SectionTouch touch_at(double fraction, const SweptSection& swept, const ContactTriangle& triangle) {
-  constexpr double kJustBeforeMm = 0.01;
-  const double length = swept.way.norm();
-  const double before = length > 0.0 ? std::max(0.0, fraction - kJustBeforeMm / length) : 0.0;
-  SectionTouch touch;
-  touch.fraction = fraction;
-  touch.p_M_point = nearest_pair(swept.piece(fraction, fraction), triangle).p_M_triangle;
-  touch.n_M = normal_of(swept.piece(before, before), triangle);
-  return touch;
-}
-
 }  // namespace
 
 CollisionMesh::CollisionMesh(const parts::Mesh& mesh_M) : tree_(parts::triangle_boxes(mesh_M)) {
@@ -57,23 +33,61 @@ CollisionMesh::CollisionMesh(const parts::Mesh& mesh_M) : tree_(parts::triangle_
   }
 }
 
-std::optional<SectionTouch> CollisionMesh::first_touch(const SweptSection& swept) const {
+template <typename Visit>
+void CollisionMesh::visit_near(const SweptSection& swept, Visit&& visit) const {
   const double length = swept.way.norm();
   const parts::Box box = swept.start_box();
   const parts::Path path{0.5 * (box.min + box.max),
                          length > 0.0 ? Point(swept.way / length) : Point(Point::UnitX()), length};
   const Point reach = 0.5 * (box.max - box.min) + Point::Constant(kSweptBandMm);
+  tree_.visit_along(path, reach,
+                    [&](std::uint32_t slot) { return visit(triangles_[slot]) * length; });
+}
+
+std::optional<SectionTouch> CollisionMesh::first_touch(const SweptSection& swept) const {
   double fraction = 1.0;
   const ContactTriangle* first = nullptr;
-  tree_.visit_along(path, reach, [&](std::uint32_t slot) {
+  visit_near(swept, [&](const ContactTriangle& triangle) {
     const SweptSection to_go = swept.piece(0.0, fraction);
-    if ((first == nullptr || fraction > 0.0) && meets(to_go, triangles_[slot])) {
-      fraction *= free_until(to_go, triangles_[slot]);
-      first = &triangles_[slot];
+    if ((first == nullptr || fraction > 0.0) && meets(to_go, triangle)) {
+      fraction *= free_until(to_go, triangle);
+      first = &triangle;
     }
-    return fraction * length;
+    return fraction;
   });
-  return first != nullptr ? std::optional(touch_at(fraction, swept, *first)) : std::nullopt;
+  if (first == nullptr) {
+    return std::nullopt;
+  }
+  const SweptSection at_rest = swept.piece(fraction, fraction);
+  const ContactTriangle& met = most_opposed(swept, fraction, *first);
+  const NearestPair pair = nearest_pair(at_rest, met);
+  SectionTouch touch;
+  touch.fraction = fraction;
+  touch.p_M_point = pair.p_M_triangle;
+  touch.n_M = met.is_sliver() ? Point(Point::UnitZ()) : met.normal;
+  const double towards = -touch.n_M.dot(swept.way);
+  const Point p_M_axis(at_rest.p_M_from.x(), at_rest.p_M_from.y(), touch.p_M_point.z());
+  const double aside = touch.n_M.dot(p_M_axis - touch.p_M_point);
+  if (towards != 0.0 ? towards < 0.0 : aside < 0.0) {
+    touch.n_M = -touch.n_M;
+  }
+  return touch;
+}
+
+const ContactTriangle& CollisionMesh::most_opposed(const SweptSection& swept, double fraction,
+                                                   const ContactTriangle& first) const {
+  SweptSection at_rest = swept.piece(fraction, fraction);
+  at_rest.margin += 2.0 * kSectionTouchErrorMm;
+  const ContactTriangle* best = &first;
+  visit_near(at_rest, [&](const ContactTriangle& triangle) {
+    const bool is_better =
+        std::abs(triangle.normal.dot(swept.way)) > std::abs(best->normal.dot(swept.way));
+    if (is_better && meets(at_rest, triangle)) {
+      best = &triangle;
+    }
+    return 1.0;
+  });
+  return *best;
 }
 
 }  // namespace g31::probe

@@ -13,7 +13,7 @@ namespace g31::probe {
 struct SectionTouch {
   double fraction = 0.0;            ///< 0..1 of the way
   Point p_M_point = Point::Zero();  ///< mm, on the mesh
-  Point n_M = Point::Zero();        ///< unit vector from there to the section as it comes
+  Point n_M = Point::Zero();        ///< unit normal of the triangle there, against the way
 };
 
 /// How far from the true first touch a section is stopped at worst, mm along the way where it meets
@@ -37,6 +37,16 @@ class CollisionMesh {
   [[nodiscard]] std::optional<SectionTouch> first_touch(const SweptSection& swept) const;
 
  private:
+  /// Calls visit(triangle) for all that the sweep may meet; `visit` returns the fraction of the way
+  /// that is still of interest.
+  template <typename Visit>
+  void visit_near(const SweptSection& swept, Visit&& visit) const;
+
+  /// Of the triangles that the section has come to, the one that stands most across its way: on an
+  /// edge several are touched at once.
+  [[nodiscard]] const ContactTriangle& most_opposed(const SweptSection& swept, double fraction,
+                                                    const ContactTriangle& first) const;
+
   parts::Bvh tree_;
   std::vector<ContactTriangle> triangles_;  ///< in slot order of tree_
 };

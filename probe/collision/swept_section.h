@@ -42,8 +42,8 @@ struct NearestPair {
   Point p_M_triangle;
 };
 
-/// Of the section before it moves, by alternating projection; within about 0.01 mm where face lies
-/// nearly along face.
+/// Of the section before it moves, by alternating projection.  For reports only: where a side lies
+/// along a face the place on the face has been seen 0.3 mm off.
 NearestPair nearest_pair(const SweptSection& swept, const ContactTriangle& triangle);
 
 }  // namespace g31::probe

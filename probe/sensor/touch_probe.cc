@@ -4,40 +4,17 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "machine/base/contract.h"
 #include "machine/base/random.h"
 #include "parts/geometry/placement.h"
-#include "probe/contact/sweep_curve.h"
 #include "probe/sensor/pre_travel.h"
+#include "probe/sensor/touch_events.h"
 
 namespace g31::probe {
 namespace {
 
 /// The random stream of the trigger's repeatability; other models take other numbers.
 constexpr std::uint32_t kRepeatabilityStream = 1;
-
-machine::Contact contact_of(const SweepHit& hit, const std::string& part) {
-  return {hit.p_M_point, hit.n_M, part};
-}
-
-machine::Obstacle obstacle_at(double fraction, const SweepHit& hit, const std::string& part) {
-  return {std::clamp(fraction, 0.0, 1.0), "stylus ball touches " + part, contact_of(hit, part)};
-}
-
-std::optional<machine::Obstacle> earlier(std::optional<machine::Obstacle> a,
-                                         std::optional<machine::Obstacle> b) {
-  if (!a || (b && b->fraction < a->fraction)) {
-    return b;
-  }
-  return a;
-}
-
-/// What the balls move by: the linear axes.
-Point way_of(const machine::Sweep& sweep) {
-  return linear_axes(sweep.q_M_to) - linear_axes(sweep.q_M_from);
-}
 
 }  // namespace
 
@@ -67,17 +44,18 @@ TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& p
 
 std::optional<machine::SkipTrigger> TouchProbe::first_trigger(const machine::Sweep& sweep) {
   const std::uint64_t event = triggers_asked_++;
-  const PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
-  auto signal = touch.part != nullptr ? signal_of(touch, sweep) : std::nullopt;
   const double length = way_of(sweep).norm();
+  const auto signal = first_signal(sweep);
   if (!signal || signal->distance > length) {
     return std::nullopt;
   }
-  if (!signal->trigger.on_at_start) {
-    signal->trigger.fraction =
-        std::clamp((signal->distance + trigger_shift(event)) / length, 0.0, 1.0);
+  machine::SkipTrigger trigger = trigger_of(*signal);
+  trigger.on_at_start = signal->on_at_start;
+  if (!trigger.on_at_start) {
+    trigger.delay_s = setup_.trigger_delay_s;
+    trigger.fraction = std::clamp((signal->distance + trigger_shift(event)) / length, 0.0, 1.0);
   }
-  return std::move(signal->trigger);
+  return trigger;
 }
 
 std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
@@ -85,178 +63,63 @@ std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
   const std::uint64_t event = triggers_asked_++;
   double gone = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const machine::Sweep piece{way[i - 1].q_M, way[i].q_M};
-    const double length = way_of(piece).norm();
-    if (length == 0.0) {
+    const double piece = machine::distance_mm(way[i - 1].q_M, way[i].q_M);
+    if (piece == 0.0) {
       continue;
     }
-    const PartHit touch = first_hit(piece, &MeshSweeper::sweep);
-    if (touch.part == nullptr) {
-      gone += length;
-      continue;
+    if (const auto signal = first_signal({way[i - 1].q_M, way[i].q_M})) {
+      const double distance = gone + signal->distance;
+      if (distance > machine::length_of(way)) {
+        return std::nullopt;
+      }
+      machine::SkipTrigger trigger = trigger_of(*signal);
+      trigger.on_at_start = signal->on_at_start && gone == 0.0;
+      if (!trigger.on_at_start) {
+        trigger.delay_s = setup_.trigger_delay_s;
+        trigger.fraction = machine::fraction_after(way, distance + trigger_shift(event));
+      }
+      return trigger;
     }
-    auto signal = signal_of(touch, piece);
-    if (!signal || gone + signal->distance > machine::length_of(way)) {
-      return std::nullopt;
-    }
-    signal->trigger.on_at_start = signal->trigger.on_at_start && gone == 0.0;
-    if (!signal->trigger.on_at_start) {
-      signal->trigger.fraction =
-          machine::fraction_after(way, gone + signal->distance + trigger_shift(event));
-    }
-    return std::move(signal->trigger);
+    gone += piece;
   }
   return std::nullopt;
 }
 
-std::optional<TouchProbe::Signal> TouchProbe::signal_of(const PartHit& touch,
-                                                        const machine::Sweep& piece) const {
-  if (setup_.state == ProbeState::Dead) {
+std::optional<TouchProbe::Signal> TouchProbe::first_signal(const machine::Sweep& sweep) const {
+  PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
+  if (touch.part == nullptr || setup_.state == ProbeState::Dead) {
     return std::nullopt;
   }
-  const Point way = way_of(piece);
+  const Point way = way_of(sweep);
   const double length = way.norm();
-  const bool in_contact = touch.hit.status == SweepStatus::StartInContact;
-  const Point p_M_centre =
-      in_contact ? centre_of(*touch.ball, piece.q_M_from) : touch.hit.p_M_centre;
-  const auto more = way_to_signal(touch, p_M_centre, length > 0.0 ? Point(way / length) : way);
-  if (!more) {
-    return std::nullopt;
+  const Point direction = length > 0.0 ? Point(way / length) : way;
+  if (touch.hit.status == SweepStatus::StartInContact) {
+    const Point p_M_centre = centre_of(*touch.ball, sweep.q_M_from);
+    const double depth = depth_of(touch, p_M_centre);
+    if (const auto more = way_to_signal(touch, depth, direction)) {
+      return Signal{touch, std::max(0.0, *more), *more < 0.0};
+    }
+    // The stylus comes free without a signal; then it may touch something else.
+    touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
+    if (touch.part == nullptr) {
+      return std::nullopt;
+    }
   }
-  Signal signal;
-  signal.trigger.contact = contact_of(touch.hit, touch.part->name);
-  signal.trigger.signals = setup_.state == ProbeState::DoubleTrigger ? 2 : 1;
-  signal.trigger.delay_s = setup_.trigger_delay_s;
-  signal.trigger.on_at_start = in_contact && *more < 0.0;
-  signal.distance = std::max(0.0, (in_contact ? 0.0 : touch.hit.s) + *more);
-  return signal;
+  const auto more = way_to_signal(touch, 0.0, direction);
+  return more ? std::optional(Signal{touch, touch.hit.s + *more, false}) : std::nullopt;
+}
+
+machine::SkipTrigger TouchProbe::trigger_of(const Signal& signal) const {
+  machine::SkipTrigger trigger;
+  trigger.contact = contact_of(signal.touch.hit, signal.touch.part->name);
+  trigger.signals = setup_.state == ProbeState::DoubleTrigger ? 2 : 1;
+  return trigger;
 }
 
 double TouchProbe::trigger_shift(std::uint64_t event) const {
   return setup_.repeatability_mm > 0.0
              ? setup_.repeatability_mm * standard_normal({seed_, kRepeatabilityStream}, event)
              : 0.0;
-}
-
-std::optional<machine::Obstacle> TouchProbe::first_collision(const machine::Sweep& sweep) {
-  auto rigid = rigid_touch(sweep);
-  const PartHit touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
-  if (touch.part == nullptr) {
-    return rigid;
-  }
-  auto ball = obstacle_at(touch.hit.s / way_of(sweep).norm(), touch.hit, touch.part->name);
-  return earlier(std::move(rigid), std::move(ball));
-}
-
-std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
-    const machine::CurvedSweep& sweep) {
-  std::optional<machine::Obstacle> first = rigid_touch_on_curve(sweep);
-  for (const Ball& ball : balls_) {
-    const Curve curve{[&](double t) { return centre_of(ball, sweep.q_M_at(t)); }, sweep.bend};
-    for (const Part& part : parts_) {
-      const auto [t, hit] = first_contact_leaving_on_curve(part.sweepers[ball.size], curve);
-      if (hit.status != SweepStatus::Miss) {
-        first = earlier(std::move(first), obstacle_at(t, hit, part.name));
-      }
-    }
-  }
-  return first;
-}
-
-std::optional<machine::Obstacle> TouchProbe::first_damage(const machine::Sweep& sweep) {
-  const PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
-  auto body = touch_of(setup_.bodies, sweep);
-  auto stem = touch_of(setup_.stem, sweep);
-  const double pushed_from = touch.part == nullptr ? 2.0
-                             : touch.hit.status == SweepStatus::StartInContact
-                                 ? 0.0
-                                 : touch.hit.s / way_of(sweep).norm();
-  if (stem && stem->fraction >= pushed_from) {
-    stem.reset();
-  }
-  return earlier(earlier(std::move(body), std::move(stem)), over_deflection(touch, sweep));
-}
-
-std::optional<machine::Obstacle> TouchProbe::touch_of(Sections sections,
-                                                      const machine::Sweep& sweep,
-                                                      double margin) const {
-  const Ball& main = balls_.front();
-  const CentreWay way{centre_of(main, sweep.q_M_from), centre_of(main, sweep.q_M_to), margin};
-  auto met = first_touch(sections, solid_parts_, way);
-  if (!met) {
-    return std::nullopt;
-  }
-  const std::string& part = parts_[met->part].name;
-  return machine::Obstacle{met->touch.fraction,
-                           fmt::format("{} touches {}", met->section, part),
-                           {met->touch.p_M_point, met->touch.n_M, part}};
-}
-
-std::optional<machine::Obstacle> TouchProbe::rigid_touch(const machine::Sweep& sweep,
-                                                         double margin) const {
-  auto body = touch_of(setup_.bodies, sweep, margin);
-  auto stem = touch_of(setup_.stem, sweep, margin);
-  if (stem) {
-    const double out = out_of_contact(sweep);
-    if (out >= 1.0) {
-      stem.reset();
-    } else if (out > 0.0) {
-      const AxisPositions q_M_out = sweep.q_M_from + out * (sweep.q_M_to - sweep.q_M_from);
-      stem = touch_of(setup_.stem, {q_M_out, sweep.q_M_to}, margin);
-      if (stem) {
-        stem->fraction = out + (1.0 - out) * stem->fraction;
-      }
-    }
-  }
-  return earlier(std::move(body), std::move(stem));
-}
-
-double TouchProbe::out_of_contact(const machine::Sweep& sweep) const {
-  const PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
-  if (touch.part == nullptr || touch.hit.status != SweepStatus::StartInContact) {
-    return 0.0;
-  }
-  const double out = touch.hit.n_M.dot(way_of(sweep));
-  const double depth = depth_of(touch, centre_of(*touch.ball, sweep.q_M_from));
-  return out > depth ? std::max(0.0, depth / out) : 1.0;
-}
-
-std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(
-    const machine::CurvedSweep& sweep) const {
-  if (solid_parts_.empty()) {
-    return std::nullopt;
-  }
-  const double chord = 1.0 / sweep.chords;
-  const double sagitta = sweep.bend * chord * chord / 8.0;
-  for (int i = 0; i < sweep.chords; ++i) {
-    const machine::Sweep piece{sweep.q_M_at(i * chord), sweep.q_M_at((i + 1) * chord)};
-    if (auto obstacle = rigid_touch(piece, sagitta)) {
-      obstacle->fraction = std::min(1.0, (i + obstacle->fraction) * chord);
-      return obstacle;
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<machine::Obstacle> TouchProbe::over_deflection(const PartHit& touch,
-                                                             const machine::Sweep& sweep) const {
-  const double length = way_of(sweep).norm();
-  if (touch.part == nullptr || length == 0.0) {
-    return std::nullopt;
-  }
-  const bool in_contact = touch.hit.status == SweepStatus::StartInContact;
-  const double touched_at = in_contact ? 0.0 : touch.hit.s;
-  const double depth = in_contact ? depth_of(touch, centre_of(*touch.ball, sweep.q_M_from)) : 0.0;
-  const double inwards = -touch.hit.n_M.dot(way_of(sweep)) / length;
-  const double limit = setup_.deflection_limit_mm;
-  if (inwards <= 0.0 || depth + (length - touched_at) * inwards <= limit) {
-    return std::nullopt;
-  }
-  const double broken_at = touched_at + std::max(0.0, limit - depth) / inwards;
-  auto obstacle = obstacle_at(broken_at / length, touch.hit, touch.part->name);
-  obstacle.what = fmt::format("stylus is pushed {:.3f} mm into {}, its deflection limit", limit,
-                              touch.part->name);
-  return obstacle;
 }
 
 void TouchProbe::turn_spindle_to(double angle_deg) {
@@ -298,25 +161,22 @@ double TouchProbe::depth_of(const PartHit& touch, const Point& p_M_centre) {
   return touch.ball->radius - (p_M_centre - touch.hit.p_M_point).norm();
 }
 
-std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, const Point& p_M_centre,
+std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, double depth,
                                                 const Point& direction) const {
   const Point n_S = R_MS_.transpose() * touch.hit.n_M;
   const auto wanted = deflection_to_trigger(setup_.at_switch, n_S);
   if (!wanted) {
     return std::nullopt;
   }
-  if (touch.hit.status == SweepStatus::Contact && *wanted == 0.0) {
-    return 0.0;
-  }
-  const double depth = touch.hit.status == SweepStatus::Contact ? 0.0 : depth_of(touch, p_M_centre);
   if (depth > *wanted + kTouchBandMm) {
     return *wanted - depth;
   }
-  const double inwards = -touch.hit.n_M.dot(direction);
-  if (inwards <= 0.0) {
-    return std::nullopt;
+  const double missing = std::max(0.0, *wanted - depth);
+  if (depth == 0.0 && missing == 0.0) {
+    return 0.0;
   }
-  return std::max(0.0, *wanted - depth) / inwards;
+  const double inwards = -touch.hit.n_M.dot(direction);
+  return inwards > 0.0 ? std::optional(missing / inwards) : std::nullopt;
 }
 
 }  // namespace g31::probe

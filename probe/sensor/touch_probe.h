@@ -82,21 +82,21 @@ class TouchProbe final : public machine::Surroundings {
   };
   using Question = SweepHit (MeshSweeper::*)(const Point&, const Point&) const;
 
-  /// What the first touch on a straight piece of way leads to.
   struct Signal {
-    machine::SkipTrigger trigger;  ///< all but its fraction
-    double distance = 0.0;         ///< mm from the start of the piece
+    PartHit touch;
+    double distance = 0.0;  ///< mm from the start of the sweep
+    bool on_at_start = false;
   };
-
   using Sections = std::span<const ProbeSection>;
   [[nodiscard]] std::optional<machine::Obstacle> touch_of(Sections sections,
                                                           const machine::Sweep& sweep,
                                                           double margin = 0.0) const;
   /// Stem and bodies; the stem once the ball is out of a contact in which it begins.
-  [[nodiscard]] std::optional<machine::Obstacle> rigid_touch(const machine::Sweep& sweep,
-                                                             double margin = 0.0) const;
+  [[nodiscard]] std::optional<machine::Obstacle> rigid_touch(const machine::Sweep& sweep) const;
+  /// Between two fractions of the curve.  Certified: chords are swept with the bulge of the curve
+  /// as a margin, and halved until they are free or as good as the curve, kSectionTouchErrorMm.
   [[nodiscard]] std::optional<machine::Obstacle> rigid_touch_on_curve(
-      const machine::CurvedSweep& sweep) const;
+      const machine::CurvedSweep& sweep, double begin, double end) const;
   /// The fraction of the sweep at which a ball that begins pushed in has come out; 0: it does not
   /// begin so.
   [[nodiscard]] double out_of_contact(const machine::Sweep& sweep) const;
@@ -105,16 +105,16 @@ class TouchProbe final : public machine::Surroundings {
   void add_ball(const Point& p_S, double diameter_mm);
   [[nodiscard]] Point centre_of(const Ball& ball, const AxisPositions& q_M) const;
   [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question) const;
-  /// nullopt: the touch brings no signal.
-  [[nodiscard]] std::optional<Signal> signal_of(const PartHit& touch,
-                                                const machine::Sweep& piece) const;
+  /// Where the deflection of a touch on this sweep is reached, be it behind its end.
+  [[nodiscard]] std::optional<Signal> first_signal(const machine::Sweep& sweep) const;
+  [[nodiscard]] machine::SkipTrigger trigger_of(const Signal& signal) const;
   /// The random shift of a trigger along the move, mm.
   [[nodiscard]] double trigger_shift(std::uint64_t event) const;
   /// mm: how deep a ball that begins in contact is in.
   static double depth_of(const PartHit& touch, const Point& p_M_centre);
   /// mm from the touch to the signal, negative where the ball is deeper in than that already;
-  /// nullopt: no signal from this touch.
-  [[nodiscard]] std::optional<double> way_to_signal(const PartHit& touch, const Point& p_M_centre,
+  /// nullopt: no signal from this touch.  @param depth  of the ball in the part, mm
+  [[nodiscard]] std::optional<double> way_to_signal(const PartHit& touch, double depth,
                                                     const Point& direction) const;
 
   ProbeSetup setup_;

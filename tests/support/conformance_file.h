@@ -3,7 +3,7 @@
 #include <cctype>
 #include <fstream>
 #include <map>
-#include <optional>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -62,7 +62,9 @@ class ConformanceReader {
  public:
   using Outcome = Result<std::vector<ConformanceCase>, std::string>;
 
-  explicit ConformanceReader(std::string path) : path_(std::move(path)) {}
+  explicit ConformanceReader(std::string path) : path_(std::move(path)) {
+    common_.controls = {"fanuc-16i", "fanuc-30i"};
+  }
 
   /// @returns the cases, or what is wrong with the file
   Outcome read() {
@@ -88,7 +90,7 @@ class ConformanceReader {
     const bool is_ours = line.starts_with("(") && line.ends_with(")") && blank != line.npos;
     if (is_ours && line.substr(1, blank - 1) == "CASE") {
       finish_case();
-      open_ = common_;
+      open_ = std::make_unique<ConformanceCase>(common_);
       open_->title = {line_, line.substr(blank + 1, line.size() - blank - 2)};
       return;
     }
@@ -161,8 +163,8 @@ class ConformanceReader {
   std::string path_;
   int line_ = 0;
   std::string wrong_;
-  ConformanceCase common_{{}, {"fanuc-16i", "fanuc-30i"}, {}, {}, {}, {}};
-  std::optional<ConformanceCase> open_;
+  ConformanceCase common_;
+  std::unique_ptr<ConformanceCase> open_;
   std::vector<ConformanceCase> cases_;
 };
 

@@ -76,6 +76,13 @@ void Control::report_silent_skip() {
   }
 }
 
+void Control::report_stopped_skip() {
+  if (stopped_skip) {
+    warn(source::DiagnosticId::ProtectedMoveStopped, *stopped_skip);
+    stopped_skip.reset();
+  }
+}
+
 void Control::report_read_ahead(const SystemVariable& row, std::int32_t number) {
   const source::Location where = here();
   if (const auto report = lookahead.judge(row, where, number)) {

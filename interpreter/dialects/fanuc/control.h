@@ -124,6 +124,14 @@ struct Control {
   /// The last skip move, if it ended without a signal and nobody has asked for its result yet.
   std::optional<source::Location> silent_skip;
 
+  /// The last skip move, if its signal ended it and the program has neither moved nor read a position
+  /// since.
+  std::optional<source::Location> stopped_skip;
+
+  /// Another skip move follows: the one before was a protected positioning move, and if its
+  /// signal ended it, it met something.
+  void report_stopped_skip();
+
   /// Somebody relies on a skip move that had no signal: the warning that it deserves.
   /// A silent skip move that is followed by another one is a protected positioning move.
   void report_silent_skip();

@@ -153,7 +153,8 @@ MaybeFailure Runner::behind_last_step() {
     return where.file == program.file;
   };
   if (std::ranges::any_of(control_.diagnostics, points_here, &source::Diagnostic::where) ||
-      (control_.silent_skip && points_here(*control_.silent_skip))) {
+      (control_.silent_skip && points_here(*control_.silent_skip)) ||
+      (control_.stopped_skip && points_here(*control_.stopped_skip))) {
     library_.keep_text();
   }
   if (const auto next = library_.behind(program)) {

@@ -155,12 +155,14 @@ MaybeFailure leave(Control& control) {
 }  // namespace
 
 MaybeFailure travel(Control& control, const machine::LinearMove& move, int g) {
+  control.stopped_skip.reset();
   return control.cutter.path.engaged()
              ? feed_path(control, move, std::nullopt, g)
              : to_machine(control, move, g);
 }
 
 MaybeFailure travel(Control& control, const machine::ArcMove& move, int g) {
+  control.stopped_skip.reset();
   if (!control.cutter.path.engaged()) {
     return to_machine(control, move, g);
   }

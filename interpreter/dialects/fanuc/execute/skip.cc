@@ -25,6 +25,7 @@ runtime::TouchEvent event_of(Control& control, const NcBlock& block, const SkipO
                    event.q_M_stopped = touched.q_M_stopped;
                    event.contact = touched.contact;
                    event.signals = touched.signals;
+                   control.stopped_skip = block.where;
                  },
                  [&](const NoTouch&) { control.silent_skip = block.where; },
                  [&](const AlreadyTouching& touching) {
@@ -134,6 +135,7 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   move.traverse = machine::Traverse::Feed;
   move.feed_mm_min = skip_speed(control, feed.value());
   control.silent_skip.reset();
+  control.report_stopped_skip();
   const auto outcome = control.port.move_until_skip(move);
   if (!outcome) {
     control.coordinates.arrived_at_machine(control.port.position());

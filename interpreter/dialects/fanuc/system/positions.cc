@@ -3,7 +3,8 @@
 namespace g31::fanuc::system {
 namespace {
 
-ReadResult axis_of(const Control& control, const Place& place, const AxisPositions& q) {
+ReadResult axis_of(Control& control, const Place& place, const AxisPositions& q) {
+  control.stopped_skip.reset();
   const int axis = place.index();
   if (axis >= static_cast<int>(kAxisCount)) {
     return AlarmId::IllegalVariable;

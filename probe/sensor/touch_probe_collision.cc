@@ -1,0 +1,161 @@
+// The part of TouchProbe that answers what must not touch.
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "probe/contact/sweep_curve.h"
+#include "probe/sensor/touch_events.h"
+#include "probe/sensor/touch_probe.h"
+
+namespace g31::probe {
+namespace {
+
+machine::Obstacle obstacle_at(double fraction, const SweepHit& hit, const std::string& part) {
+  return {std::clamp(fraction, 0.0, 1.0), "stylus ball touches " + part, contact_of(hit, part)};
+}
+
+std::optional<machine::Obstacle> earlier(std::optional<machine::Obstacle> a,
+                                         std::optional<machine::Obstacle> b) {
+  if (!a || (b && b->fraction < a->fraction)) {
+    return b;
+  }
+  return a;
+}
+
+}  // namespace
+
+std::optional<machine::Obstacle> TouchProbe::first_collision(const machine::Sweep& sweep) {
+  auto rigid = rigid_touch(sweep);
+  const PartHit touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
+  if (touch.part == nullptr) {
+    return rigid;
+  }
+  auto ball = obstacle_at(touch.hit.s / way_of(sweep).norm(), touch.hit, touch.part->name);
+  return earlier(std::move(rigid), std::move(ball));
+}
+
+std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
+    const machine::CurvedSweep& sweep) {
+  std::optional<machine::Obstacle> first = rigid_touch_on_curve(sweep, 0.0, 1.0);
+  for (const Ball& ball : balls_) {
+    const Curve curve{[&](double t) { return centre_of(ball, sweep.q_M_at(t)); }, sweep.bend};
+    for (const Part& part : parts_) {
+      const auto [t, hit] = first_contact_leaving_on_curve(part.sweepers[ball.size], curve);
+      if (hit.status != SweepStatus::Miss) {
+        first = earlier(std::move(first), obstacle_at(t, hit, part.name));
+      }
+    }
+  }
+  return first;
+}
+
+std::optional<machine::Obstacle> TouchProbe::first_damage(const machine::Sweep& sweep) {
+  PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
+  if (touch.part != nullptr && touch.hit.status == SweepStatus::StartInContact &&
+      touch.hit.n_M.dot(way_of(sweep)) >= 0.0) {
+    // The stylus comes free; then it may be pushed into something else.
+    touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
+  }
+  auto body = touch_of(setup_.bodies, sweep);
+  auto stem = touch_of(setup_.stem, sweep);
+  const double pushed_from = touch.part == nullptr ? 2.0
+                             : touch.hit.status == SweepStatus::StartInContact
+                                 ? 0.0
+                                 : touch.hit.s / way_of(sweep).norm();
+  if (stem && stem->fraction >= pushed_from) {
+    stem.reset();
+  }
+  return earlier(earlier(std::move(body), std::move(stem)), over_deflection(touch, sweep));
+}
+
+std::optional<machine::Obstacle> TouchProbe::touch_of(Sections sections,
+                                                      const machine::Sweep& sweep,
+                                                      double margin) const {
+  const Ball& main = balls_.front();
+  const CentreWay way{centre_of(main, sweep.q_M_from), centre_of(main, sweep.q_M_to), margin};
+  auto met = first_touch(sections, solid_parts_, way);
+  if (!met) {
+    return std::nullopt;
+  }
+  const std::string& part = parts_[met->part].name;
+  return machine::Obstacle{met->touch.fraction,
+                           fmt::format("{} touches {}", met->section, part),
+                           {met->touch.p_M_point, met->touch.n_M, part}};
+}
+
+std::optional<machine::Obstacle> TouchProbe::rigid_touch(const machine::Sweep& sweep) const {
+  auto body = touch_of(setup_.bodies, sweep);
+  auto stem = touch_of(setup_.stem, sweep);
+  if (stem) {
+    const double out = out_of_contact(sweep);
+    if (out >= 1.0) {
+      stem.reset();
+    } else if (out > 0.0) {
+      const AxisPositions q_M_out = sweep.q_M_from + out * (sweep.q_M_to - sweep.q_M_from);
+      stem = touch_of(setup_.stem, {q_M_out, sweep.q_M_to});
+      if (stem) {
+        stem->fraction = out + (1.0 - out) * stem->fraction;
+      }
+    }
+  }
+  return earlier(std::move(body), std::move(stem));
+}
+
+double TouchProbe::out_of_contact(const machine::Sweep& sweep) const {
+  const PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
+  if (touch.part == nullptr || touch.hit.status != SweepStatus::StartInContact) {
+    return 0.0;
+  }
+  const double out = touch.hit.n_M.dot(way_of(sweep));
+  const double depth = depth_of(touch, centre_of(*touch.ball, sweep.q_M_from));
+  return out > depth ? std::max(0.0, depth / out) : 1.0;
+}
+
+std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(const machine::CurvedSweep& sweep,
+                                                                  double begin, double end) const {
+  if (solid_parts_.empty()) {
+    return std::nullopt;
+  }
+  const machine::Sweep chord{sweep.q_M_at(begin), sweep.q_M_at(end)};
+  const double share = end - begin;
+  const double bulge = sweep.bend * share * share / 8.0;
+  if (bulge <= kSectionTouchErrorMm) {
+    auto obstacle = rigid_touch(chord);
+    if (obstacle) {
+      obstacle->fraction = std::min(1.0, begin + obstacle->fraction * share);
+    }
+    return obstacle;
+  }
+  // Whether a stem in contact leaves it, only a chord that is as good as the curve can tell.
+  if (!touch_of(setup_.bodies, chord, bulge) && !touch_of(setup_.stem, chord, bulge)) {
+    return std::nullopt;
+  }
+  const double middle = begin + 0.5 * share;
+  auto first = rigid_touch_on_curve(sweep, begin, middle);
+  return first ? first : rigid_touch_on_curve(sweep, middle, end);
+}
+
+std::optional<machine::Obstacle> TouchProbe::over_deflection(const PartHit& touch,
+                                                             const machine::Sweep& sweep) const {
+  const double length = way_of(sweep).norm();
+  if (touch.part == nullptr || length == 0.0) {
+    return std::nullopt;
+  }
+  const bool in_contact = touch.hit.status == SweepStatus::StartInContact;
+  const double touched_at = in_contact ? 0.0 : touch.hit.s;
+  const double depth = in_contact ? depth_of(touch, centre_of(*touch.ball, sweep.q_M_from)) : 0.0;
+  const double inwards = -touch.hit.n_M.dot(way_of(sweep)) / length;
+  const double limit = setup_.deflection_limit_mm;
+  if (inwards <= 0.0 || depth + (length - touched_at) * inwards <= limit) {
+    return std::nullopt;
+  }
+  const double broken_at = touched_at + std::max(0.0, limit - depth) / inwards;
+  auto obstacle = obstacle_at(broken_at / length, touch.hit, touch.part->name);
+  obstacle.what = fmt::format("stylus is pushed {:.3f} mm into {}, its deflection limit", limit,
+                              touch.part->name);
+  return obstacle;
+}
+
+}  // namespace g31::probe

@@ -1,0 +1,118 @@
+// Whole programs in which something touches that must not.
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_program.h"
+
+namespace g31 {
+namespace {
+
+using testing::run_program;
+using testing::RunOutput;
+using testing::TemporaryFolder;
+
+/// A block of 60 x 40 x 20 with its top at Z 0, and a probe whose wide body begins 50 mm above the
+/// ball.
+constexpr const char* kSheet = R"([start]
+X = -100.0
+Z = 400.0
+[work_offsets.G54]
+[tools.1]
+length = 120.0
+[machine]
+stopping = "ideal"
+[[part]]
+name = "block"
+shape = "block"
+[probe]
+ball_diameter = 6.0
+length = 120.0
+stem_length = 50.0
+[[probe.body]]
+name = "transmitter"
+length = 70.0
+diameter = 40.0
+)";
+
+RunOutput run_with(const std::string& sheet_end, const std::string& blocks) {
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("hit.nc", "O1\nG90 G54 G43 H1 G00 Z20.\n" + blocks + "M30\n")};
+  options.setups = {folder.write("sheet.toml", kSheet), folder.write("more.toml", sheet_end)};
+  options.moves = true;
+  return run_program(options);
+}
+
+struct Case {
+  const char* what;
+  std::string sheet_end;
+  std::string blocks;   ///< from line 3 on
+  std::string message;  ///< of the collision; "" for none
+};
+
+class Collisions : public ::testing::TestWithParam<Case> {};
+
+TEST_P(Collisions, EndTheRunWithPlaceAndBodies) {
+  const Case& c = GetParam();
+  SCOPED_TRACE(c.what);
+  const RunOutput output = run_with(c.sheet_end, c.blocks);
+  if (c.message.empty()) {
+    EXPECT_NE(output.exit_code, 4) << output.errors;
+    return;
+  }
+  EXPECT_EQ(output.exit_code, 4) << output.errors;
+  EXPECT_EQ(output.document.at("status"), "collision");
+  EXPECT_NE(output.errors.find(c.message), std::string::npos) << output.errors;
+}
+
+const Case kCases[] = {
+    {"the body touches beside the block, deeper than the stem is long", "",
+     "G00 X-100. Z-55.\nG01 X-36. F1000\n",
+     "hit.nc:4:1: error: transmitter touches block [PRB401]"},
+    {"the body is still above the block", "", "G00 X-100. Z-45.\nG01 X-34. F1000\n", ""},
+    {"a rapid through the block", "", "G00 X-100. Z-5.\nG00 X100.\n",
+     "hit.nc:4:1: error: stylus ball touches block [PRB401]"},
+    {"the stem on a rapid under the block", "", "G00 X-100. Z-40.\nG00 X-20.\n",
+     "hit.nc:4:1: error: stem touches block [PRB401]"},
+    {"a skip move whose body touches before the ball", "", "G00 X-100. Z-55.\nG31 X-20. F100\n",
+     "hit.nc:4:1: error: transmitter touches block [PRB401]"},
+    {"an arc of the body around the ball", "",
+     "G00 X-100. Z-55.\nG02 X-50. Y50. I50. F1000\nG02 X-50. Y-50. J-50.\n",
+     "error: transmitter touches block [PRB401]"},
+    {"a probe pushed further than it gives way by a late signal",
+     "[probe]\ntrigger_delay_s = 0.5\n", "G00 X-100. Z-5.\nG31 X-20. F1000\n",
+     "hit.nc:4:1: error: stylus is pushed 6.000 mm into block, its deflection limit [PRB401]"},
+    {"a probe with a higher limit bears it",
+     "[probe]\ntrigger_delay_s = 0.5\ndeflection_limit = 10.0\n",
+     "G00 X-100. Z-5.\nG31 X-20. F1000\nG00 X-100.\n", ""},
+    {"a dead probe is pushed until it breaks", "[probe]\nstate = \"dead\"\n",
+     "G00 X-100. Z-5.\nG31 X0. F100\n",
+     "hit.nc:4:1: error: stylus is pushed 6.000 mm into block, its deflection limit [PRB401]"},
+    {"a touch and the way back", "[probe]\ntrigger_delay_s = 0.1\n",
+     "G00 X-100. Z-5.\nG31 X-20. F1000\nG00 X-100.\nZ20.\n", ""},
+};
+
+INSTANTIATE_TEST_SUITE_P(Runs, Collisions, ::testing::ValuesIn(kCases));
+
+TEST(ProtectedMoves, ThatASignalEndsAreReportedWhenAnotherSkipMoveFollows) {
+  const RunOutput output = run_with("", "G00 X0.\nG31 Z-10. F500\nG91 G31 X10. F100\nM30\n");
+  EXPECT_EQ(output.exit_code, 1) << output.errors;
+  EXPECT_NE(output.errors.find("hit.nc:4:1: warning: a skip move was ended by its signal, and "
+                               "another skip move follows [PRB310]"),
+            std::string::npos)
+      << output.errors;
+}
+
+TEST(ProtectedMoves, WhoseResultIsReadOrThatARetreatFollowsAreMeasurements) {
+  for (const char* between : {"#1=#5063\n", "G01 Z5.\n", "#1=#5043\n"}) {
+    const RunOutput output = run_with("", std::string("G00 X0.\nG31 Z-10. F500\n") + between +
+                                              "G31 Z-10. F50\n#2=#5063\nG00 Z20.\n");
+    EXPECT_EQ(output.errors.find("PRB310"), std::string::npos) << output.errors;
+  }
+}
+
+}  // namespace
+}  // namespace g31
