@@ -42,9 +42,10 @@ class Bvh {
   template <typename Visit>
   void visit_along(const Path& path, double reach, Visit&& visit) const;
 
-  /// Calls visit(slot) for every box that meets the box given.
+  /// The same with a reach of its own along X, Y and Z: what a box that goes along the path, with
+  /// its middle on it, meets.
   template <typename Visit>
-  void visit_inside(const Box& box, Visit&& visit) const;
+  void visit_along(const Path& path, const Point& reach, Visit&& visit) const;
 
   [[nodiscard]] std::size_t memory_bytes() const;
 
@@ -65,10 +66,9 @@ class Bvh {
   /// The nodes still to be looked at, nearest on top.
   class Stack;
   class Builder;
-  /// A point, a path of points or a box as the nodes see it.
+  /// A point or a path of points as the nodes see it.
   class PointQuery;
   class PathQuery;
-  class BoxQuery;
 
   static constexpr std::uint32_t kLeaf = 0x8000'0000U;
   /// Added to every reach, of the size of the numbers that meet in float32 (2^-24 each).

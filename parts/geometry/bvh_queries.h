@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace g31::parts {
 
@@ -77,13 +78,14 @@ class Bvh::PointQuery {
 
 class Bvh::PathQuery {
  public:
-  PathQuery(const Bvh& tree, const Path& path, double reach) : size_(tree.size_ + reach) {
-    const double grown = reach + kFloatLoss * size_;
+  PathQuery(const Bvh& tree, const Path& path, const Point& reach)
+      : size_(tree.size_ + reach.maxCoeff()) {
+    const Point grown = reach + Point::Constant(kFloatLoss * size_);
     double leave = path.length;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       const double inverse = inverse_of(path.direction[axis]);
-      const double a = (tree.bounds_.min[axis] - grown - path.from[axis]) * inverse;
-      const double b = (tree.bounds_.max[axis] + grown - path.from[axis]) * inverse;
+      const double a = (tree.bounds_.min[axis] - grown[axis] - path.from[axis]) * inverse;
+      const double b = (tree.bounds_.max[axis] + grown[axis] - path.from[axis]) * inverse;
       enter_ = std::max(enter_, std::min(a, b));
       leave = std::min(leave, std::max(a, b));
     }
@@ -94,8 +96,8 @@ class Bvh::PathQuery {
       const double side = path.direction[i] < 0.0 ? -1.0 : 1.0;
       backwards_[axis] = side < 0.0;
       inverse_[axis] = static_cast<float>(inverse_of(path.direction[i]));
-      near_from_[axis] = static_cast<float>(from[i] + side * grown);
-      far_from_[axis] = static_cast<float>(from[i] - side * grown);
+      near_from_[axis] = static_cast<float>(from[i] + side * grown[i]);
+      far_from_[axis] = static_cast<float>(from[i] - side * grown[i]);
     }
     limit(path.length);
   }
@@ -149,39 +151,6 @@ class Bvh::PathQuery {
   float limit_ = 0.0F;
 };
 
-class Bvh::BoxQuery {
- public:
-  /// @param box  meets the bounds of the tree
-  BoxQuery(const Bvh& tree, const Box& box) {
-    const double loss = kFloatLoss * tree.size_;
-    // What lies outside the tree would only cost digits.
-    const Point min = box.min.cwiseMax(tree.bounds_.min) - tree.middle_;
-    const Point max = box.max.cwiseMin(tree.bounds_.max) - tree.middle_;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<Eigen::Index>(axis);
-      min_[axis] = static_cast<float>(min[i] - loss);
-      max_[axis] = static_cast<float>(max[i] + loss);
-    }
-  }
-
-  /// 0 for each child that meets the box, else infinity.
-  [[nodiscard]] Lanes meetings(const Node& node) const {
-    Lanes at;
-    at.fill(0.0F);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      for (std::size_t lane = 0; lane < kWidth; ++lane) {
-        const bool apart = node.min[axis][lane] > max_[axis] || node.max[axis][lane] < min_[axis];
-        at[lane] = apart ? std::numeric_limits<float>::infinity() : at[lane];
-      }
-    }
-    return at;
-  }
-
- private:
-  std::array<float, 3> min_{};
-  std::array<float, 3> max_{};
-};
-
 template <typename Visit>
 void Bvh::visit_near(const Point& p, double reach, Visit&& visit) const {
   const Point outside = (p - p.cwiseMax(bounds_.min).cwiseMin(bounds_.max));
@@ -206,6 +175,11 @@ void Bvh::visit_near(const Point& p, double reach, Visit&& visit) const {
 
 template <typename Visit>
 void Bvh::visit_along(const Path& path, double reach, Visit&& visit) const {
+  visit_along(path, Point(Point::Constant(reach)), std::forward<Visit>(visit));
+}
+
+template <typename Visit>
+void Bvh::visit_along(const Path& path, const Point& reach, Visit&& visit) const {
   if (nodes_.empty()) {
     return;
   }
@@ -224,25 +198,6 @@ void Bvh::visit_along(const Path& path, double reach, Visit&& visit) const {
       query.limit(visit(next.child - kLeaf));
     } else {
       stack.push(query.entries(nodes_[next.child]), nodes_[next.child]);
-    }
-  }
-}
-
-template <typename Visit>
-void Bvh::visit_inside(const Box& box, Visit&& visit) const {
-  if (nodes_.empty() || (box.min.array() > bounds_.max.array()).any() ||
-      (box.max.array() < bounds_.min.array()).any()) {
-    return;
-  }
-  const BoxQuery query(*this, box);
-  Stack stack;
-  stack.push(query.meetings(nodes_.front()), nodes_.front());
-  while (!stack.empty()) {
-    const Waiting next = stack.pop();
-    if ((next.child & kLeaf) != 0) {
-      visit(next.child - kLeaf);
-    } else {
-      stack.push(query.meetings(nodes_[next.child]), nodes_[next.child]);
     }
   }
 }

@@ -5,23 +5,19 @@
 namespace g31::probe {
 namespace {
 
-SweptSection begin_of(const SweptSection& swept, double fraction) {
-  SweptSection part = swept;
-  part.way = fraction * swept.way;
-  return part;
-}
-
 /// The fraction up to which the section is free of a triangle that it meets on the whole way.
 double free_until(const SweptSection& swept, const ContactTriangle& triangle) {
-  if (meets(begin_of(swept, 0.0), triangle)) {
+  constexpr double kFinestMm = 1e-9;
+  if (meets(swept.piece(0.0, 0.0), triangle)) {
     return 0.0;
   }
   const double length = swept.way.norm();
   double free = 0.0;
   double met = 1.0;
-  while ((met - free) * length > 0.1 * kSectionTouchErrorMm) {
+  while ((met - free) * length > kFinestMm) {
     const double middle = 0.5 * (free + met);
-    (meets(begin_of(swept, middle), triangle) ? met : free) = middle;
+    // Only what is new: short sweeps lose fewer digits.
+    (meets(swept.piece(free, middle), triangle) ? met : free) = middle;
   }
   return free;
 }
@@ -37,29 +33,40 @@ CollisionMesh::CollisionMesh(const parts::Mesh& mesh_M) : tree_(parts::triangle_
   }
 }
 
+template <typename Visit>
+void CollisionMesh::visit_near(const SweptSection& swept, Visit&& visit) const {
+  const double length = swept.way.norm();
+  const parts::Box box = swept.start_box();
+  const parts::Path path{0.5 * (box.min + box.max),
+                         length > 0.0 ? Point(swept.way / length) : Point(Point::UnitX()), length};
+  const Point reach = 0.5 * (box.max - box.min) + Point::Constant(kSweptBandMm);
+  tree_.visit_along(path, reach,
+                    [&](std::uint32_t slot) { return visit(triangles_[slot]) * length; });
+}
+
 std::optional<SectionTouch> CollisionMesh::first_touch(const SweptSection& swept) const {
-  SweptSection to_go = swept;
   double fraction = 1.0;
   const ContactTriangle* first = nullptr;
-  tree_.visit_inside(swept.box(), [&](std::uint32_t slot) {
-    const ContactTriangle& triangle = triangles_[slot];
+  visit_near(swept, [&](const ContactTriangle& triangle) {
+    const SweptSection to_go = swept.piece(0.0, fraction);
     if ((first == nullptr || fraction > 0.0) && meets(to_go, triangle)) {
       fraction *= free_until(to_go, triangle);
-      to_go = begin_of(swept, fraction);
       first = &triangle;
     }
+    return fraction;
   });
   if (first == nullptr) {
     return std::nullopt;
   }
-  const Point p_M_centre = swept.p_M_from + fraction * swept.way;
+  const SweptSection at_rest = swept.piece(fraction, fraction);
   const ContactTriangle& met = most_opposed(swept, fraction, *first);
+  const NearestPair pair = nearest_pair(at_rest, met);
   SectionTouch touch;
   touch.fraction = fraction;
-  touch.p_M_point = touched_point(*swept.section, p_M_centre, met);
-  touch.n_M = met.is_sliver() ? Point(0.0, 0.0, 1.0) : met.normal;
+  touch.p_M_point = pair.p_M_triangle;
+  touch.n_M = met.is_sliver() ? Point(Point::UnitZ()) : met.normal;
   const double towards = -touch.n_M.dot(swept.way);
-  const Point p_M_axis(p_M_centre.x(), p_M_centre.y(), touch.p_M_point.z());
+  const Point p_M_axis(at_rest.p_M_from.x(), at_rest.p_M_from.y(), touch.p_M_point.z());
   const double aside = touch.n_M.dot(p_M_axis - touch.p_M_point);
   if (towards != 0.0 ? towards < 0.0 : aside < 0.0) {
     touch.n_M = -touch.n_M;
@@ -69,18 +76,16 @@ std::optional<SectionTouch> CollisionMesh::first_touch(const SweptSection& swept
 
 const ContactTriangle& CollisionMesh::most_opposed(const SweptSection& swept, double fraction,
                                                    const ContactTriangle& first) const {
-  SweptSection at_rest = swept;
-  at_rest.p_M_from += fraction * swept.way;
-  at_rest.way.setZero();
+  SweptSection at_rest = swept.piece(fraction, fraction);
   at_rest.margin += 2.0 * kSectionTouchErrorMm;
   const ContactTriangle* best = &first;
-  tree_.visit_inside(at_rest.box(), [&](std::uint32_t slot) {
-    const ContactTriangle& triangle = triangles_[slot];
+  visit_near(at_rest, [&](const ContactTriangle& triangle) {
     const bool is_better =
         std::abs(triangle.normal.dot(swept.way)) > std::abs(best->normal.dot(swept.way));
     if (is_better && meets(at_rest, triangle)) {
       best = &triangle;
     }
+    return 1.0;
   });
   return *best;
 }

@@ -11,13 +11,14 @@ namespace g31::probe {
 
 /// Where a section first touches a mesh.
 struct SectionTouch {
-  double fraction = 0.0;  ///< 0..1 of the way
-  Point p_M_point;        ///< mm, on the mesh
-  Point n_M;              ///< unit normal of the triangle there, against the way
+  double fraction = 0.0;            ///< 0..1 of the way
+  Point p_M_point = Point::Zero();  ///< mm, on the mesh
+  Point n_M = Point::Zero();        ///< unit normal of the triangle there, against the way
 };
 
-/// How far from the true first touch a section is stopped at worst, mm along the way.
-inline constexpr double kSectionTouchErrorMm = 1e-5;
+/// How far from the true first touch a section is stopped at worst, mm along the way where it meets
+/// the surface head-on; where it comes in flat, that divided by the sine of the angle.
+inline constexpr double kSectionTouchErrorMm = 1e-6;
 
 /// A mesh that rigid sections of a probe must not touch.  Immutable; may be asked on many threads.
 ///
@@ -25,23 +26,29 @@ inline constexpr double kSectionTouchErrorMm = 1e-5;
 /// it when it comes out.
 class CollisionMesh {
  public:
-  /// @param mesh_M  mm, machine frame
+  /// @param mesh_M  mm, machine frame; may be empty
   explicit CollisionMesh(const parts::Mesh& mesh_M);
 
   /// The first touch on the way, at fraction 0 if the section overlaps the mesh there.
   ///
-  /// Certified: no touch is passed over.  Accuracy: kSectionTouchErrorMm, and bodies within
-  /// kSweptBandMm count as touching.
+  /// Certified: the space swept is one convex body that is tested as a whole, so no touch is passed
+  /// over, however thin the wall and long the way.  A section that passes by within kSweptBandMm
+  /// counts as touching.
   [[nodiscard]] std::optional<SectionTouch> first_touch(const SweptSection& swept) const;
 
  private:
+  /// Calls visit(triangle) for all that the sweep may meet; `visit` returns the fraction of the way
+  /// that is still of interest.
+  template <typename Visit>
+  void visit_near(const SweptSection& swept, Visit&& visit) const;
+
   /// Of the triangles that the section has come to, the one that stands most across its way: on an
   /// edge several are touched at once.
   [[nodiscard]] const ContactTriangle& most_opposed(const SweptSection& swept, double fraction,
                                                     const ContactTriangle& first) const;
 
-  std::vector<ContactTriangle> triangles_;  ///< in slot order of tree_
   parts::Bvh tree_;
+  std::vector<ContactTriangle> triangles_;  ///< in slot order of tree_
 };
 
 }  // namespace g31::probe

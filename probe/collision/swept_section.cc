@@ -1,5 +1,6 @@
 #include "probe/collision/swept_section.h"
 
+#include <algorithm>
 #include <array>
 #include <type_traits>
 
@@ -9,6 +10,9 @@ namespace g31::probe {
 namespace {
 
 static_assert(std::is_same_v<ccd_real_t, double>);
+
+/// libccd takes what is nearer than some 1e-8 of its units as touching.
+constexpr double kUnitsPerMm = 1024.0;
 
 /// The last direction that libccd asked both bodies about, and how far each reaches in it.
 struct LastQuestion {
@@ -28,7 +32,8 @@ Point point_of(const ccd_vec3_t* v) {
 }
 
 void set(ccd_vec3_t* v, const Point& p) {
-  ccdVec3Set(v, p.x(), p.y(), p.z());
+  const Point scaled = kUnitsPerMm * p;
+  ccdVec3Set(v, scaled.x(), scaled.y(), scaled.z());
 }
 
 Point furthest_of(const SweptSection& swept, const Point& direction) {
@@ -87,14 +92,19 @@ bool separates(const SweptSection& swept, const ContactTriangle& triangle, const
 
 }  // namespace
 
-parts::Box SweptSection::box() const {
+parts::Box SweptSection::start_box() const {
   const double radius = std::max(section->radius_bottom, section->radius_top) + growth();
   parts::Box box;
-  for (const Point& p_M : {p_M_from, Point(p_M_from + way)}) {
-    box.include(p_M + Point(-radius, -radius, section->z_bottom - growth()));
-    box.include(p_M + Point(radius, radius, section->z_top + growth()));
-  }
+  box.include(p_M_from + Point(-radius, -radius, section->z_bottom - growth()));
+  box.include(p_M_from + Point(radius, radius, section->z_top + growth()));
   return box;
+}
+
+SweptSection SweptSection::piece(double begin, double end) const {
+  SweptSection part = *this;
+  part.p_M_from += begin * way;
+  part.way *= end - begin;
+  return part;
 }
 
 bool meets(const SweptSection& swept, const ContactTriangle& triangle) {
@@ -122,16 +132,22 @@ bool meets(const SweptSection& swept, const ContactTriangle& triangle) {
   return last.swept_reach + last.triangle_reach >= 0.0;
 }
 
-Point touched_point(const ProbeSection& section, const Point& p_M,
-                    const ContactTriangle& triangle) {
+NearestPair nearest_pair(const SweptSection& swept, const ContactTriangle& triangle) {
   constexpr int kRounds = 64;
-  Point p_M_on_section = p_M + Point(0.0, 0.0, 0.5 * (section.z_bottom + section.z_top));
-  Point p_M_on_triangle = nearest_of(triangle, p_M_on_section).point;
+  const ProbeSection& section = *swept.section;
+  const Point middle(0.0, 0.0, 0.5 * (section.z_bottom + section.z_top));
+  NearestPair pair;
+  pair.p_M_section = swept.p_M_from + middle;
   for (int i = 0; i < kRounds; ++i) {
-    p_M_on_section = p_M + nearest_of(section, p_M_on_triangle - p_M);
-    p_M_on_triangle = nearest_of(triangle, p_M_on_section).point;
+    pair.p_M_triangle = nearest_of(triangle, pair.p_M_section).point;
+    pair.p_M_section = swept.p_M_from + nearest_of(section, pair.p_M_triangle - swept.p_M_from);
   }
-  return p_M_on_triangle;
+  const Point out = pair.p_M_triangle - pair.p_M_section;
+  const double distance = out.norm();
+  if (distance > 0.0) {
+    pair.p_M_section += std::min(1.0, section.rounding / distance) * out;
+  }
+  return pair;
 }
 
 }  // namespace g31::probe

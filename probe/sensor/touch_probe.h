@@ -92,10 +92,11 @@ class TouchProbe final : public machine::Surroundings {
                                                           const machine::Sweep& sweep,
                                                           double margin = 0.0) const;
   /// Stem and bodies; the stem once the ball is out of a contact in which it begins.
-  [[nodiscard]] std::optional<machine::Obstacle> rigid_touch(const machine::Sweep& sweep,
-                                                             double margin = 0.0) const;
+  [[nodiscard]] std::optional<machine::Obstacle> rigid_touch(const machine::Sweep& sweep) const;
+  /// Between two fractions of the curve.  Certified: chords are swept with the bulge of the curve
+  /// as a margin, and halved until they are free or as good as the curve, kSectionTouchErrorMm.
   [[nodiscard]] std::optional<machine::Obstacle> rigid_touch_on_curve(
-      const machine::CurvedSweep& sweep) const;
+      const machine::CurvedSweep& sweep, double begin, double end) const;
   /// The fraction of the sweep at which a ball that begins pushed in has come out; 0: it does not
   /// begin so.
   [[nodiscard]] double out_of_contact(const machine::Sweep& sweep) const;

@@ -38,7 +38,7 @@ std::optional<machine::Obstacle> TouchProbe::first_collision(const machine::Swee
 
 std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
     const machine::CurvedSweep& sweep) {
-  std::optional<machine::Obstacle> first = rigid_touch_on_curve(sweep);
+  std::optional<machine::Obstacle> first = rigid_touch_on_curve(sweep, 0.0, 1.0);
   for (const Ball& ball : balls_) {
     const Curve curve{[&](double t) { return centre_of(ball, sweep.q_M_at(t)); }, sweep.bend};
     for (const Part& part : parts_) {
@@ -85,17 +85,16 @@ std::optional<machine::Obstacle> TouchProbe::touch_of(Sections sections,
                            {met->touch.p_M_point, met->touch.n_M, part}};
 }
 
-std::optional<machine::Obstacle> TouchProbe::rigid_touch(const machine::Sweep& sweep,
-                                                         double margin) const {
-  auto body = touch_of(setup_.bodies, sweep, margin);
-  auto stem = touch_of(setup_.stem, sweep, margin);
+std::optional<machine::Obstacle> TouchProbe::rigid_touch(const machine::Sweep& sweep) const {
+  auto body = touch_of(setup_.bodies, sweep);
+  auto stem = touch_of(setup_.stem, sweep);
   if (stem) {
     const double out = out_of_contact(sweep);
     if (out >= 1.0) {
       stem.reset();
     } else if (out > 0.0) {
       const AxisPositions q_M_out = sweep.q_M_from + out * (sweep.q_M_to - sweep.q_M_from);
-      stem = touch_of(setup_.stem, {q_M_out, sweep.q_M_to}, margin);
+      stem = touch_of(setup_.stem, {q_M_out, sweep.q_M_to});
       if (stem) {
         stem->fraction = out + (1.0 - out) * stem->fraction;
       }
@@ -114,21 +113,28 @@ double TouchProbe::out_of_contact(const machine::Sweep& sweep) const {
   return out > depth ? std::max(0.0, depth / out) : 1.0;
 }
 
-std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(
-    const machine::CurvedSweep& sweep) const {
+std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(const machine::CurvedSweep& sweep,
+                                                                  double begin, double end) const {
   if (solid_parts_.empty()) {
     return std::nullopt;
   }
-  const double chord = 1.0 / sweep.chords;
-  const double sagitta = sweep.bend * chord * chord / 8.0;
-  for (int i = 0; i < sweep.chords; ++i) {
-    const machine::Sweep piece{sweep.q_M_at(i * chord), sweep.q_M_at((i + 1) * chord)};
-    if (auto obstacle = rigid_touch(piece, sagitta)) {
-      obstacle->fraction = std::min(1.0, (i + obstacle->fraction) * chord);
-      return obstacle;
+  const machine::Sweep chord{sweep.q_M_at(begin), sweep.q_M_at(end)};
+  const double share = end - begin;
+  const double bulge = sweep.bend * share * share / 8.0;
+  if (bulge <= kSectionTouchErrorMm) {
+    auto obstacle = rigid_touch(chord);
+    if (obstacle) {
+      obstacle->fraction = std::min(1.0, begin + obstacle->fraction * share);
     }
+    return obstacle;
   }
-  return std::nullopt;
+  // Whether a stem in contact leaves it, only a chord that is as good as the curve can tell.
+  if (!touch_of(setup_.bodies, chord, bulge) && !touch_of(setup_.stem, chord, bulge)) {
+    return std::nullopt;
+  }
+  const double middle = begin + 0.5 * share;
+  auto first = rigid_touch_on_curve(sweep, begin, middle);
+  return first ? first : rigid_touch_on_curve(sweep, middle, end);
 }
 
 std::optional<machine::Obstacle> TouchProbe::over_deflection(const PartHit& touch,
