@@ -77,7 +77,9 @@ void whole_probe_move(benchmark::State& state, Moves moves) {
   std::size_t i = 0;
   std::size_t touches = 0;
   while (state.KeepRunning()) {
-    touches += first_touch(whole_probe(), parts, ways[++i % ways.size()]).has_value() ? 1 : 0;
+    if (first_touch(whole_probe(), parts, ways[++i % ways.size()])) {
+      ++touches;
+    }
   }
   state.counters["touching"] =
       benchmark::Counter(static_cast<double>(touches), benchmark::Counter::kAvgIterations);
