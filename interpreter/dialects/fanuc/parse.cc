@@ -57,7 +57,7 @@ class Parser {
   /// Room for what a text of this size holds as a rule.
   void reserve() {
     tree_.blocks.reserve(scanner_.text().size() / 32);
-    tree_.words.reserve(scanner_.text().size() / 8);
+    tree_.words.reserve(scanner_.text().size() / 6);
   }
   void skip_leader();
   void block();

@@ -26,6 +26,23 @@ constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7
 /// Up to this many digits mantissa and power of ten are exact, so one division rounds once.
 constexpr int kExactDigits = 15;
 
+/// @param written  digits, perhaps a point and, between them, what counts for nothing
+double value_of_many_digits(std::string_view written) {
+  std::string plain;
+  for (const char c : written) {
+    if (is_digit(c) || c == '.') {
+      plain.push_back(c);
+    }
+  }
+  double value = 0.0;
+  const auto end = std::from_chars(plain.data(), plain.data() + plain.size(), value);
+  if (end.ec == std::errc::result_out_of_range) {
+    const bool is_large = plain.find_first_not_of('0') < plain.find('.');
+    return is_large ? std::numeric_limits<double>::max() : 0.0;
+  }
+  return value;
+}
+
 }  // namespace
 
 std::string digit_count(std::uint8_t digits) {
@@ -88,44 +105,35 @@ std::optional<ScannedNumber> Scanner::number() {
     return std::nullopt;
   }
   const std::size_t begin = at_;
-  ScannedNumber found;
   std::uint64_t mantissa = 0;  // of no use beyond kExactDigits
   int digits = 0;
   int before_point = 0;
-  for (bool goes_on = true; goes_on; goes_on = number_goes_on(found.has_point)) {
-    for (; at_ < text_.size() && is_digit(text_[at_]); ++at_) {
-      mantissa = mantissa * 10 + static_cast<std::uint64_t>(text_[at_] - '0');
-      ++digits;
+  bool has_point = false;
+  for (bool goes_on = true; goes_on; goes_on = number_goes_on(has_point)) {
+    std::size_t at = at_;  // kept out of memory while digits follow
+    for (; at < text_.size() && is_digit(text_[at]); ++at) {
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(text_[at] - '0');
     }
-    if (at_ < text_.size() && text_[at_] == '.' && !found.has_point) {
-      found.has_point = true;
+    digits += static_cast<int>(at - at_);
+    at_ = at;
+    if (at_ < text_.size() && text_[at_] == '.' && !has_point) {
+      has_point = true;
       before_point = digits;
       ++at_;
     }
   }
-  const int decimals = found.has_point ? digits - before_point : 0;
   if (digits == 0) {
     rewind(static_cast<std::uint32_t>(begin));
     return std::nullopt;
   }
-  found.digits = static_cast<std::uint8_t>(std::min(digits, 255));
-  found.decimals = static_cast<std::uint8_t>(std::min(decimals, 255));
-  if (digits <= kExactDigits) {
-    found.value = static_cast<double>(mantissa) / kPowersOfTen[decimals];
-    return found;
-  }
-  std::string plain;
-  for (const char c : text_.substr(begin, at_ - begin)) {
-    if (is_digit(c) || c == '.') {
-      plain.push_back(c);
-    }
-  }
-  const auto end = std::from_chars(plain.data(), plain.data() + plain.size(), found.value);
-  if (end.ec == std::errc::result_out_of_range) {
-    const bool is_large = plain.find_first_not_of('0') < plain.find('.');
-    found.value = is_large ? std::numeric_limits<double>::max() : 0.0;
-  }
-  return found;
+  const int decimals = has_point ? digits - before_point : 0;
+  const double value = digits <= kExactDigits
+                           ? static_cast<double>(mantissa) / kPowersOfTen[decimals]
+                           : value_of_many_digits(text_.substr(begin, at_ - begin));
+  // Made where the caller reads it: a copy would wait for the four stores.
+  return std::optional<ScannedNumber>(
+      std::in_place, value, static_cast<std::uint8_t>(std::min(digits, 255)),
+      static_cast<std::uint8_t>(std::min(decimals, 255)), has_point);
 }
 
 std::string_view Scanner::letters() {

@@ -40,7 +40,9 @@ class WorkTransform {
   }
 
   /// How much longer a way along the axis becomes; > 0.
-  [[nodiscard]] double stretch(int axis) const { return linear_.col(axis).norm(); }
+  [[nodiscard]] double stretch(int axis) const {
+    return is_identity_ ? 1.0 : linear_.col(axis).norm();
+  }
   /// Whether a clockwise arc of the plane becomes a counterclockwise one.
   [[nodiscard]] bool reverses_turns(const Plane& plane) const;
   [[nodiscard]] bool is_identity() const { return is_identity_; }
