@@ -120,6 +120,8 @@ class ModemPort final : public SerialPort {
     code = code == SP_OK ? sp_set_bits(port_, frame.data_bits) : code;
     code = code == SP_OK ? sp_set_parity(port_, library_parity(frame.parity)) : code;
     code = code == SP_OK ? sp_set_stopbits(port_, frame.stop_bits) : code;
+    code = code == SP_OK ? sp_set_rts(port_, SP_RTS_ON) : code;
+    code = code == SP_OK ? sp_set_dtr(port_, SP_DTR_ON) : code;
     // DC1 and DC3 are for us: the driver does not know them with a parity bit.
     return code == SP_OK ? sp_set_flowcontrol(port_, SP_FLOWCONTROL_NONE) : code;
   }
@@ -169,7 +171,8 @@ Opened open_serial_port(const LineSpec& line) {
     return cannot_open(line.device, errno);
   }
   if (!device->read_settings()) {
-    return fmt::format("{} is no serial line: {}", line.device, std::strerror(errno));
+    return fmt::format("{} is no serial line: {}", line.device,
+                       errno == ENOTTY ? "it is no terminal" : std::strerror(errno));
   }
   if (device->has_modem_lines()) {
     return open_modem_port(std::move(device), line);
