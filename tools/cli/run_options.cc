@@ -65,6 +65,14 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->allow_extra_args(false);
   run->add_option("--json", options.json, "result document; - is standard output")
       ->type_name("FILE");
+  run->add_option("--printer", options.printer,
+                  "where printouts go: a file, - for standard output (default), or a serial line "
+                  "as DEVICE,BAUD,PARITY,DATA BITS,STOP BITS")
+      ->type_name("PRINTER");
+  run->add_option("--printer-wait", options.printer_wait_s,
+                  "seconds that a printer at a line may stop the program at a time (default 30)")
+      ->type_name("S")
+      ->check(why_no_time);
   run->add_flag("--moves", options.moves, "every move in the document");
   run->add_flag("--touches", options.touches, "every touch in the document");
   run->add_option("--trace", options.trace, "axis positions over time, as a table (CSV)")
