@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <filesystem>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,6 +14,8 @@
 
 namespace g31::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 using Printer = std::shared_ptr<runtime::PrinterPort>;
 
@@ -34,7 +37,8 @@ Result<Printer, Refusal> open_line(const RunOptions& options) {
   return Printer(opened.value());
 }
 
-Result<std::FILE*, Refusal> open_file(const std::string& path) {
+/// A device or a pipe: what is printed goes there at once.
+Result<std::FILE*, Refusal> open_device(const std::string& path) {
   // Without O_NONBLOCK a pipe that nobody reads would keep us here for ever.
   const int fd =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666);
@@ -75,12 +79,21 @@ Result<std::shared_ptr<Printouts>, Refusal> Printouts::open(const RunOptions& op
     printouts->printer_ = line.value();
     return printouts;
   }
-  const auto file = open_file(options.printer);
-  if (!file) {
-    return file.error();
-  }
   printouts->path_ = options.printer;
-  printouts->stream_ = file.value();
+  std::error_code error;
+  if (fs::exists(options.printer, error) && !fs::is_regular_file(options.printer, error)) {
+    const auto device = open_device(options.printer);
+    if (!device) {
+      return device.error();
+    }
+    printouts->stream_ = device.value();
+    return printouts;
+  }
+  const auto file = report::PartFile::create(options.printer);
+  if (!file) {
+    return wrong_printer(options.printer, fmt::format("cannot write: {}", file.error()));
+  }
+  printouts->file_ = file.value();
   return printouts;
 }
 
@@ -91,6 +104,9 @@ Printouts::~Printouts() {
 }
 
 void Printouts::write(std::string_view text) {
+  if (file_ != nullptr) {
+    file_->write(text);
+  }
   if (stream_ != nullptr && std::fwrite(text.data(), 1, text.size(), stream_) != text.size() &&
       error_ == 0) {
     error_ = errno;
@@ -98,6 +114,11 @@ void Printouts::write(std::string_view text) {
 }
 
 std::optional<Refusal> Printouts::finish() {
+  if (file_ != nullptr) {
+    const auto problem = file_->finish();
+    return problem ? std::optional(wrong_printer(path_, fmt::format("cannot write: {}", *problem)))
+                   : std::nullopt;
+  }
   if (path_.empty() || stream_ == nullptr) {
     return std::nullopt;
   }

@@ -9,6 +9,7 @@
 #include "interpreter/runtime/printer_port.h"
 #include "machine/base/result.h"
 #include "tools/cli/run_preparation.h"
+#include "tools/report/part_file.h"
 
 namespace g31::cli {
 
@@ -36,7 +37,8 @@ class Printouts {
   Printouts() = default;
 
   std::string path_;
-  std::FILE* stream_ = nullptr;  // standard output, a file of ours, or none
+  std::FILE* stream_ = nullptr;  // standard output, a device or pipe of ours, or none
+  std::shared_ptr<report::PartFile> file_;
   std::shared_ptr<runtime::PrinterPort> printer_;
   int error_ = 0;  // errno of the first failure
 };
