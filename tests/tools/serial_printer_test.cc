@@ -6,7 +6,9 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/played_printer.h"
@@ -62,17 +64,15 @@ std::string long_printout() {
          "END1\nPCLOS\n";
 }
 
-struct Figure {
-  const char* program;
-  const char* printout;
-};
+/// The figure of the program and that of its printout.
+using Figure = std::pair<int, int>;
 
 class PrintedFigures : public ::testing::TestWithParam<Figure> {};
 
 TEST_P(PrintedFigures, ComeInIsoCodeWithEvenParity) {
   PlayedPrinter printer;
   const std::string folder = "parts/library/hirose_figures/";
-  const std::string figure = folder + "figure_" + GetParam().program;
+  const std::string figure = folder + fmt::format("figure_{:02}", GetParam().first);
   cli::RunOptions options;
   options.programs = {figure + ".nc"};
   options.setups = {folder + "machine.toml", figure + ".toml"};
@@ -82,7 +82,7 @@ TEST_P(PrintedFigures, ComeInIsoCodeWithEvenParity) {
   ASSERT_EQ(output.exit_code, 0) << output.errors;
   const std::string bytes = decoded_iso(printer.heard());
   const std::string golden =
-      text_of(std::string("tests/tools/golden/figure_") + GetParam().printout + ".txt");
+      text_of(fmt::format("tests/tools/golden/figure_{:02}.txt", GetParam().second));
   const std::string framed = kDC2 + golden + kDC4;
   // Figure 15 prints two distances, each with its POPEN and PCLOS; the paper shows the second.
   ASSERT_GE(bytes.size(), framed.size());
@@ -97,11 +97,10 @@ TEST_P(PrintedFigures, ComeInIsoCodeWithEvenParity) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Paper, PrintedFigures,
-                         ::testing::Values(Figure{"06", "07"}, Figure{"09", "10"},
-                                           Figure{"12", "13"}, Figure{"15", "16"},
-                                           Figure{"18", "19"}),
+                         ::testing::Values(Figure{6, 7}, Figure{9, 10}, Figure{12, 13},
+                                           Figure{15, 16}, Figure{18, 19}),
                          [](const auto& figure) {
-                           return std::string("figure_") + figure.param.printout;
+                           return fmt::format("figure_{:02}", figure.param.second);
                          });
 
 TEST(SerialPrinter, PrintsAtTheSpeedOfTheLine) {

@@ -87,7 +87,14 @@ std::string run_examples() {
   return "Examples:\n"
          "  g31 run O6001.nc --setup ring.toml --print '#517,#518'\n"
          "  g31 run part.nc -s machine.toml -s fixture.toml --lib macros --json - --touches\n"
-         "  g31 run O9010.nc --set '#1=1' --set '#18=5' --control fanuc-30i\n\n";
+         "  g31 run O9010.nc --set '#1=1' --set '#18=5' --control fanuc-30i\n"
+         "  g31 run part.nc -s machine.toml --printer printout.txt\n"
+         "  g31 run part.nc -s machine.toml --printer /dev/ttyS0,4800,e,7,2\n\n"
+         "A printer at a line, as a control feeds it (more in macros/README.md):\n"
+         "  e,7    ISO code: even parity in bit 8; o,7 odd parity\n"
+         "  n,8    plain characters; ISO code where parameter 0.1 is 1\n"
+         "  POPEN sends DC2, PCLOS DC4; DC3 from the printer stops the output, DC1 lets it go on.\n"
+         "  A printer that is not ready is alarm 86, exit code 3; no such line, exit code 2.\n\n";
 }
 
 }  // namespace g31::cli
