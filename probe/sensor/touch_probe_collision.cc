@@ -41,7 +41,7 @@ std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
   std::optional<machine::Obstacle> first = rigid_touch_on_curve(sweep, 0.0, 1.0);
   for (const Ball& ball : balls_) {
     const Curve curve{[&](double t) { return centre_of(ball, sweep.q_M_at(t)); }, sweep.bend};
-    for (const Part& part : parts_) {
+    for (const Part& part : parts_->parts()) {
       const auto [t, hit] = first_contact_leaving_on_curve(part.sweepers[ball.size], curve);
       if (hit.status != SweepStatus::Miss) {
         first = earlier(std::move(first), obstacle_at(t, hit, part.name));
@@ -75,11 +75,11 @@ std::optional<machine::Obstacle> TouchProbe::touch_of(Sections sections,
                                                       double margin) const {
   const Ball& main = balls_.front();
   const CentreWay way{centre_of(main, sweep.q_M_from), centre_of(main, sweep.q_M_to), margin};
-  auto met = first_touch(sections, solid_parts_, way);
+  auto met = first_touch(sections, parts_->solids(), way);
   if (!met) {
     return std::nullopt;
   }
-  const std::string& part = parts_[met->part].name;
+  const std::string& part = parts_->parts()[met->part].name;
   return machine::Obstacle{met->touch.fraction,
                            fmt::format("{} touches {}", met->section, part),
                            {met->touch.p_M_point, met->touch.n_M, part}};
@@ -115,7 +115,7 @@ double TouchProbe::out_of_contact(const machine::Sweep& sweep) const {
 
 std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(const machine::CurvedSweep& sweep,
                                                                   double begin, double end) const {
-  if (solid_parts_.empty()) {
+  if (parts_->solids().empty()) {
     return std::nullopt;
   }
   const machine::Sweep chord{sweep.q_M_at(begin), sweep.q_M_at(end)};
