@@ -95,7 +95,13 @@ Made run_study(const StudyOptions& options) {
   if (!read) {
     return refusal_of(read.error());
   }
-  const study::Study& study = read.value();
+  study::Study study = read.value();
+  study.repeats = options.repeats.value_or(study.repeats);
+  study.seed = options.seed.value_or(study.seed);
+  if (study::run_count(study) > study::kMostRuns) {
+    return refusal(ExitCode::BadUsage, fmt::format("{} runs are too many, {} at most",
+                                                   study::run_count(study), study::kMostRuns));
+  }
   const auto created = StudyRuns::create(study);
   if (!created) {
     return created.error();
@@ -115,8 +121,9 @@ Made run_study(const StudyOptions& options) {
 }
 
 Made merge_shards(const StudyOptions& options) {
-  if (!options.study.empty() || !options.shard.empty()) {
-    return refusal(ExitCode::BadUsage, "--merge takes shards only, no study file and no --shard");
+  if (!options.study.empty() || !options.shard.empty() || options.repeats || options.seed) {
+    return refusal(ExitCode::BadUsage,
+                   "--merge takes shards only, no study file, --shard, --repeats or --seed");
   }
   Disk disk;
   std::vector<study::Record> parts;

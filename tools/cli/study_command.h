@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,9 @@ struct StudyOptions {
   std::string csv;    ///< the same
   std::string shard;  ///< "i/n", "" for all
   std::vector<std::string> merge;
-  std::size_t threads = 0;  ///< 0: one a core
+  std::size_t threads = 0;             ///< 0: one a core
+  std::optional<std::size_t> repeats;  ///< in the place of the study's
+  std::optional<std::uint64_t> seed;   ///< the same
 };
 
 /// Runs a study, or puts shards of one together, and reports.

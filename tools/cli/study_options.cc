@@ -20,6 +20,12 @@ CLI::App* add_study_command(CLI::App& app, StudyOptions& options) {
                    "threads; the same bytes with any number (default: one a core)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
+  study->add_option("--repeats", options.repeats, "in the place of the study's own number")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000000));
+  study->add_option("--seed", options.seed, "in the place of the study's own seed")
+      ->type_name("N")
+      ->check(CLI::Range(0.0, 9007199254740992.0));
   study->add_option("--shard", options.shard, "do part i of n only; --json takes it for --merge")
       ->type_name("i/n");
   study->add_option("--merge", options.merge, "put the shards together instead of running")
