@@ -20,7 +20,6 @@
 #include "tools/setup/toml_reader.h"
 
 namespace g31::cli {
-namespace {
 
 Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
                                                       const setup::Job& job) {
@@ -34,7 +33,6 @@ Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
   return profile.value();
 }
 
-/// `--set` after the variables file, the sheets' [variables] between them.
 std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job) {
   auto& variables = job.control.variables;
   Disk disk;
@@ -62,24 +60,26 @@ std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job
   return std::nullopt;
 }
 
-}  // namespace
-
 Refusal refusal(ExitCode code, std::string_view message) {
   return {code, fmt::format("g31: error: {}\n", message)};
+}
+
+Refusal refusal_of(const setup::SetupErrors& errors) {
+  Refusal wrong;
+  for (const setup::SetupError& error : errors) {
+    wrong.text += setup::render(error);
+    if (error.code == setup::code_of(setup::SetupErrorId::FileNotFound)) {
+      wrong.code = ExitCode::Setup;
+    }
+  }
+  return wrong;
 }
 
 Result<Prepared, Refusal> prepare(const RunOptions& options) {
   Prepared prepared;
   auto job = setup::read_job(options.setups, shipped_folder("machine/library").value_or(""));
   if (!job) {
-    Refusal wrong;
-    for (const setup::SetupError& error : job.error()) {
-      wrong.text += setup::render(error);
-      if (error.code == setup::code_of(setup::SetupErrorId::FileNotFound)) {
-        wrong.code = ExitCode::Setup;
-      }
-    }
-    return wrong;
+    return refusal_of(job.error());
   }
   prepared.job = job.value();
   const auto profile = chosen_profile(options, prepared.job);
