@@ -35,9 +35,8 @@ class RandomTouches {
   double sign() { return random_() % 2U == 0U ? 1.0 : -1.0; }
   std::uint32_t below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
 
-  /// A touch of the ring from its centre, or of its top face.  Both macros draw back along the same
-  /// line where U is the largest part, where it is not given, or where the parts of the way back
-  /// are whole thousandths; otherwise rounding to thousandths takes them to two neighbouring lines.
+  /// A touch of the ring from its centre, or of its top face.  Up to V = 10 U both macros draw back
+  /// the same way; beyond, the original's is too long for the ring.
   std::string call(int row) {
     const std::string end = fmt::format(" R5. Z{:.3f} A{}.", between(-11.0, -8.0), row);
     const double way = sign() * between(30.0, 60.0);
@@ -53,8 +52,9 @@ class RandomTouches {
         return at_centre() + fmt::format("G100 V{:.4f} W{:.4f}", way, way * between(-0.3, 0.3)) +
                end;
       case 3: {
-        const double u = sign() * std::round(between(20.0, 30.0));
-        return at_centre() + fmt::format("G100 U{:.1f} V{:.1f}", u, u * 2.0 * sign()) + end;
+        const double u = sign() * between(18.0, 24.0);
+        return at_centre() +
+               fmt::format("G100 U{:.4f} V{:.4f}", u, u * sign() * between(1.0, 5.0)) + end;
       }
       default:
         return fmt::format("X{:.3f} Y{:.3f}\nG100 W{:.4f} R8. Z{:.3f} A{}.", between(28.0, 32.0),
