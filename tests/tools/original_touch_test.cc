@@ -127,5 +127,21 @@ TEST(OriginalTouch, AThousandRandomTouchesLeaveTheSamePoints) {
   }
 }
 
+TEST(OurTouch, DrawsBackAShortWayAlsoWhereTheMoveIsSteep) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write(
+      "steep.nc", "O1\nG90 G59 G00 X0 Y0\nG43 Z20. H99\nG100 U1. V50. R5. Z-9. A1.\nM30\n")};
+  options.setups = {"parts/library/ring_gauge/ring.toml"};
+  options.prints = {"#160", "#175"};
+  const RunOutput output = run_program(options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  // Along a radius of the ring of 39.996 mm; the way back is rounded to thousandths.
+  const double length = std::hypot(1.0, 50.0);
+  EXPECT_NEAR(output.document.at("variables").at("#160").get<double>(), 19.998 / length, 1e-3);
+  EXPECT_NEAR(output.document.at("variables").at("#175").get<double>(), 19.998 * 50.0 / length,
+              1e-3);
+}
+
 }  // namespace
 }  // namespace g31
