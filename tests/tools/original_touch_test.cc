@@ -35,9 +35,8 @@ class RandomTouches {
   double sign() { return random_() % 2U == 0U ? 1.0 : -1.0; }
   std::uint32_t below(std::uint32_t limit) { return static_cast<std::uint32_t>(random_() % limit); }
 
-  /// A touch of the ring from its centre, or of its top face.  Both macros draw back along the same
-  /// line where U is the largest part, where it is not given, or where the parts of the way back
-  /// are whole thousandths; otherwise rounding to thousandths takes them to two neighbouring lines.
+  /// A touch of the ring from its centre, or of its top face.  Up to V = 10 U both macros draw back
+  /// the same way; beyond, the original's is too long for the ring.
   std::string call(int row) {
     const std::string end = fmt::format(" R5. Z{:.3f} A{}.", between(-11.0, -8.0), row);
     const double way = sign() * between(30.0, 60.0);
@@ -53,8 +52,9 @@ class RandomTouches {
         return at_centre() + fmt::format("G100 V{:.4f} W{:.4f}", way, way * between(-0.3, 0.3)) +
                end;
       case 3: {
-        const double u = sign() * std::round(between(20.0, 30.0));
-        return at_centre() + fmt::format("G100 U{:.1f} V{:.1f}", u, u * 2.0 * sign()) + end;
+        const double u = sign() * between(18.0, 24.0);
+        return at_centre() +
+               fmt::format("G100 U{:.4f} V{:.4f}", u, u * sign() * between(1.0, 5.0)) + end;
       }
       default:
         return fmt::format("X{:.3f} Y{:.3f}\nG100 W{:.4f} R8. Z{:.3f} A{}.", between(28.0, 32.0),
@@ -125,6 +125,22 @@ TEST(OriginalTouch, AThousandRandomTouchesLeaveTheSamePoints) {
     }
     EXPECT_LT(worst, 1e-9) << "run " << run;
   }
+}
+
+TEST(OurTouch, DrawsBackAShortWayAlsoWhereTheMoveIsSteep) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write(
+      "steep.nc", "O1\nG90 G59 G00 X0 Y0\nG43 Z20. H99\nG100 U1. V50. R5. Z-9. A1.\nM30\n")};
+  options.setups = {"parts/library/ring_gauge/ring.toml"};
+  options.prints = {"#160", "#175"};
+  const RunOutput output = run_program(options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  // Along a radius of the ring of 39.996 mm; the way back is rounded to thousandths.
+  const double length = std::hypot(1.0, 50.0);
+  EXPECT_NEAR(output.document.at("variables").at("#160").get<double>(), 19.998 / length, 1e-3);
+  EXPECT_NEAR(output.document.at("variables").at("#175").get<double>(), 19.998 * 50.0 / length,
+              1e-3);
 }
 
 }  // namespace
