@@ -12,9 +12,22 @@
 namespace g31::machine {
 
 /// A straight sweep of all axes; fractions 0..1 of it are what the answers below speak of.
+///
+/// Where rotary axes turn tool and part against each other, the sweep is told in the frame of the
+/// part: the linear axes bring the tool tip where it is, the tilt says how the tool is turned about
+/// the tip.
 struct Sweep {
   AxisPositions q_M_from;
-  AxisPositions q_M_to;  ///< not equal to q_M_from
+  AxisPositions q_M_to;  ///< not equal to q_M_from, unless the tilt changes
+  Eigen::Quaterniond tilt_from = Eigen::Quaterniond::Identity();
+  Eigen::Quaterniond tilt_to = Eigen::Quaterniond::Identity();
+};
+
+/// How far what the tool carries reaches from the tool tip, mm: what turns must be asked about in
+/// steps so fine that this makes no difference.
+struct Reach {
+  double signal = 0.0;  ///< what a skip signal may come from
+  double body = 0.0;    ///< all of it
 };
 
 /// A sweep of all axes along a curve, like an arc; fractions 0..1 of it are what the answers speak
@@ -60,6 +73,8 @@ class Surroundings {
   /// The spindle stands at this angle from now on; 0 at the start.
   virtual void turn_spindle_to(double /*angle_deg*/) {}
 
+  [[nodiscard]] virtual Reach reach() const { return {}; }
+
   /// The first forbidden touch of an ordinary move; nullopt: the way is free.  A sweep that leaves
   /// a contact in which the last skip move ended is free.
   virtual std::optional<Obstacle> first_collision(const Sweep& sweep) = 0;
@@ -88,10 +103,12 @@ class Surroundings {
   /// The skip signal of one skip move that goes through these points in straight pieces; its
   /// fraction is one of theirs.  A world without shape looks at the ends only.
   virtual std::optional<SkipTrigger> first_trigger_along(std::span<const Waypoint> way) {
-    if (way.front().q_M == way.back().q_M) {
+    const Waypoint& from = way.front();
+    const Waypoint& to = way.back();
+    if (!differ(from, to)) {
       return std::nullopt;
     }
-    auto trigger = first_trigger({way.front().q_M, way.back().q_M});
+    auto trigger = first_trigger({from.q_M, to.q_M, from.tilt, to.tilt});
     if (trigger) {
       trigger->fraction = fraction_after(way, trigger->fraction * length_of(way));
     }
@@ -103,10 +120,10 @@ class Surroundings {
     for (std::size_t i = 1; i < way.size(); ++i) {
       const Waypoint& from = way[i - 1];
       const Waypoint& to = way[i];
-      if (from.q_M == to.q_M) {
+      if (!differ(from, to)) {
         continue;
       }
-      if (auto obstacle = first_collision({from.q_M, to.q_M})) {
+      if (auto obstacle = first_collision({from.q_M, to.q_M, from.tilt, to.tilt})) {
         obstacle->fraction = from.fraction + obstacle->fraction * (to.fraction - from.fraction);
         return obstacle;
       }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include <Eigen/Geometry>
+
 #include "machine/units/axis_positions.h"
 
 namespace g31::machine {
@@ -11,7 +13,14 @@ namespace g31::machine {
 struct Waypoint {
   double fraction = 0.0;  ///< 0..1, rising from 0 to 1: what the answers speak of
   AxisPositions q_M;      ///< true position; equal to the one before where an axis sticks
+  /// How the tool is turned there, against the part; where no rotary axis is, not at all.
+  Eigen::Quaterniond tilt = Eigen::Quaterniond::Identity();
 };
+
+/// Whether anything changes between two points.
+inline bool differ(const Waypoint& a, const Waypoint& b) {
+  return a.q_M != b.q_M || a.tilt.coeffs() != b.tilt.coeffs();
+}
 
 /// How far apart two positions are, mm, linear axes only.
 inline double distance_mm(const AxisPositions& q_from, const AxisPositions& q_to) {

@@ -34,6 +34,14 @@ AxisPositions AxisChain::for_part(const AxisPositions& q_M) const {
   return q_part;
 }
 
+Eigen::Quaterniond AxisChain::tilt(const AxisPositions& q_M) const {
+  if (!is_turned(q_M)) {
+    return Eigen::Quaterniond::Identity();
+  }
+  const Eigen::Isometry3d turned = along(setup_.table_side, q_M) * along(setup_.tool_side, q_M);
+  return Eigen::Quaterniond(turned.linear());
+}
+
 Contact AxisChain::to_machine(const AxisPositions& q_M, const Contact& of_part) const {
   if (!is_turned(q_M)) {
     return of_part;

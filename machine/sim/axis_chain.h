@@ -43,6 +43,9 @@ class AxisChain {
   /// part; the rotary ones as they are.  With these at 0 nothing changes, bit for bit.
   [[nodiscard]] AxisPositions for_part(const AxisPositions& q_M) const;
 
+  /// How the tool is turned against the part; exactly not at all with all rotary axes at 0.
+  [[nodiscard]] Eigen::Quaterniond tilt(const AxisPositions& q_M) const;
+
   /// What was met in the frame of the part, in that of the machine.  @param q_M  of the axes then
   [[nodiscard]] Contact to_machine(const AxisPositions& q_M, const Contact& of_part) const;
 

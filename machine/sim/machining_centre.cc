@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "machine/base/contract.h"
 #include "machine/sim/arc_path.h"
@@ -103,14 +104,14 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const LinearM
   const StraightPath path(q_M_, move.q_M_end);
   SkipOutcome outcome = NoTouch{};
   if (path.moves()) {
-    const AxisPositions q_M_tip = real_.tip(q_M_);
+    const Waypoint tip = real_.tip(q_M_);
     auto signalled = skip(path, dynamics_.profile(path, move));
     if (signalled) {
       outcome = *std::move(signalled);
     } else {
       q_M_ = move.q_M_end;
     }
-    if (auto fault = damage(path.from(), q_M_tip)) {
+    if (auto fault = damage(path.from(), tip)) {
       return *std::move(fault);
     }
   }
@@ -118,20 +119,27 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const LinearM
 }
 
 std::optional<MachineFault> MachiningCentre::damage(const AxisPositions& q_M_from,
-                                                    const AxisPositions& q_M_tip_from) {
-  const Sweep taken{q_M_tip_from, real_.tip(q_M_)};
-  if (surroundings_ == nullptr || taken.q_M_from == taken.q_M_to) {
+                                                    const Waypoint& tip_from) {
+  if (surroundings_ == nullptr) {
     return std::nullopt;
   }
-  auto obstacle = surroundings_->first_damage(taken);
-  if (!obstacle) {
-    return std::nullopt;
+  const std::vector<Waypoint> way = real_.way_taken(tip_from, q_M_from, q_M_);
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Waypoint& from = way[i - 1];
+    const Waypoint& to = way[i];
+    auto obstacle = differ(from, to)
+                        ? surroundings_->first_damage({from.q_M, to.q_M, from.tilt, to.tilt})
+                        : std::nullopt;
+    if (obstacle) {
+      G31_EXPECTS(is_fraction(obstacle->fraction));
+      const double fraction = from.fraction + obstacle->fraction * (to.fraction - from.fraction);
+      const AxisPositions q_M_stop = q_M_from + fraction * (q_M_ - q_M_from);
+      real_.stop_at(q_M_stop);
+      obstacle->contact = real_.in_machine(q_M_stop, obstacle->contact);
+      return stop_at(*std::move(obstacle), q_M_stop, 0.0);
+    }
   }
-  G31_EXPECTS(is_fraction(obstacle->fraction));
-  const AxisPositions q_M_stop = q_M_from + obstacle->fraction * (q_M_ - q_M_from);
-  real_.stop_at(q_M_stop);
-  obstacle->contact = real_.in_machine(q_M_stop, obstacle->contact);
-  return stop_at(*std::move(obstacle), q_M_stop, 0.0);
+  return std::nullopt;
 }
 
 void MachiningCentre::orient_spindle(double angle_deg) {

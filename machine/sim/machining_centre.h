@@ -59,8 +59,7 @@ class MachiningCentre final : public MachinePort {
 
  private:
   /// What the way that a skip move took, of axes and tool tip, has broken.
-  std::optional<MachineFault> damage(const AxisPositions& q_M_from,
-                                     const AxisPositions& q_M_tip_from);
+  std::optional<MachineFault> damage(const AxisPositions& q_M_from, const Waypoint& tip_from);
   [[nodiscard]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;
   MachineFault stop_at(Obstacle obstacle, const AxisPositions& q_M_stop, double seconds);
   std::optional<Obstacle> obstacle_on(const StraightPath& path);

@@ -1,5 +1,7 @@
 #include "machine/sim/real_axes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "machine/base/contract.h"
@@ -45,7 +47,7 @@ double RealAxes::done_s(const ServoMotion& motion, BlockEnd end) const {
 std::optional<Timed<SkipTrigger>> RealAxes::first_trigger(const ServoMotion& motion,
                                                           Surroundings& world) const {
   const double until_s = done_s(motion, BlockEnd::ExactStop);
-  const TrueWay way(truth_, chain_, motion, until_s, kTouchWayErrorMm);
+  const TrueWay way(truth_, chain_, motion, until_s, {kTouchWayErrorMm, world.reach().signal});
   auto trigger = world.first_trigger_along(way.points());
   if (!trigger) {
     return std::nullopt;
@@ -60,7 +62,8 @@ std::optional<Timed<SkipTrigger>> RealAxes::first_trigger(const ServoMotion& mot
 
 std::optional<Timed<Obstacle>> RealAxes::first_collision(const ServoMotion& motion, BlockEnd end,
                                                          Surroundings& world) const {
-  const TrueWay way(truth_, chain_, motion, done_s(motion, end), kMoveWayErrorMm);
+  const TrueWay way(truth_, chain_, motion, done_s(motion, end),
+                    {kMoveWayErrorMm, world.reach().body});
   auto obstacle = world.first_collision_along(way.points());
   if (!obstacle) {
     return std::nullopt;
@@ -71,8 +74,27 @@ std::optional<Timed<Obstacle>> RealAxes::first_collision(const ServoMotion& moti
   return timed;
 }
 
-AxisPositions RealAxes::tip(const AxisPositions& q_M) const {
-  return is_ideal_ ? q_M : chain_.for_part(truth_.after(q_M));
+Waypoint RealAxes::tip(const AxisPositions& q_M) const {
+  if (is_ideal_) {
+    return {0.0, q_M};
+  }
+  const AxisPositions q_M_true = truth_.after(q_M);
+  return {0.0, chain_.for_part(q_M_true), chain_.tilt(q_M_true)};
+}
+
+std::vector<Waypoint> RealAxes::way_taken(const Waypoint& tip_from, const AxisPositions& q_M_from,
+                                          const AxisPositions& q_M_to) const {
+  const double turned_deg = (q_M_to - q_M_from).tail<3>().cwiseAbs().maxCoeff();
+  const int pieces = chain_.has_rotary_axes()
+                         ? std::max(1, static_cast<int>(std::ceil(turned_deg / kSkipTurnDeg)))
+                         : 1;
+  std::vector<Waypoint> way = {tip_from};
+  for (int i = 1; i <= pieces; ++i) {
+    const double fraction = static_cast<double>(i) / pieces;
+    way.push_back(tip(i == pieces ? q_M_to : q_M_from + fraction * (q_M_to - q_M_from)));
+    way.back().fraction = fraction;
+  }
+  return way;
 }
 
 Contact RealAxes::in_machine(const AxisPositions& q_M, const Contact& of_part) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "machine/port/surroundings.h"
 #include "machine/sim/axis_chain.h"
@@ -47,7 +48,13 @@ class RealAxes {
   void stop_at(const AxisPositions& q_M);
 
   /// Where the tool tip truly is for the part when the axes have come to q_M.
-  [[nodiscard]] AxisPositions tip(const AxisPositions& q_M) const;
+  [[nodiscard]] Waypoint tip(const AxisPositions& q_M) const;
+  /// The way that a skip move has taken from there: straight for the encoders, so in one piece
+  /// unless a rotary axis moved, then in pieces of kSkipTurnDeg.
+  /// @param tip_from  what tip(q_M_from) was before the move
+  [[nodiscard]] std::vector<Waypoint> way_taken(const Waypoint& tip_from,
+                                                const AxisPositions& q_M_from,
+                                                const AxisPositions& q_M_to) const;
   /// What was met in the frame of the part, in that of the machine.
   [[nodiscard]] Contact in_machine(const AxisPositions& q_M, const Contact& of_part) const;
 
@@ -61,5 +68,8 @@ class RealAxes {
   AxisPositions lag_ = AxisPositions::Zero();
   bool is_ideal_;
 };
+
+/// 0.5 m away from its axis, so small a turn leaves the straight line by 5e-5 mm.
+inline constexpr double kSkipTurnDeg = 0.05;
 
 }  // namespace g31::machine

@@ -18,32 +18,38 @@ Point linear(const AxisPositions& q) {
   return linear_axes(q);
 }
 
+/// rad; exactly 0 between equals.
+double angle_between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  return a.coeffs() == b.coeffs() ? 0.0 : a.angularDistance(b);
+}
+
 }  // namespace
 
 TrueWay::TrueWay(const TruePosition& start, const AxisChain& chain, const ServoMotion& motion,
-                 double until_s, double tolerance_mm)
+                 double until_s, const WayTolerance& tolerance)
     : start_(start),
       chain_(chain),
       motion_(motion),
       until_s_(until_s),
-      tolerance_mm_(tolerance_mm),
+      tolerance_(tolerance),
       marks_(marks()) {
-  G31_EXPECTS(until_s > 0.0 && tolerance_mm > 0.0);
+  G31_EXPECTS(until_s > 0.0 && tolerance.error_mm > 0.0 && tolerance.reach_mm >= 0.0);
   TruePosition truth = start;
   Piece piece{0.0, 0.0, tip_at(truth, 0.0), {}};
-  points_.push_back({0.0, piece.q_from});
+  points_.push_back({0.0, piece.from.q, piece.from.tilt});
   for (const double mark_s : marks_) {
     piece.to_s = mark_s;
-    piece.q_to = tip_at(truth, mark_s);
+    piece.to = tip_at(truth, mark_s);
     add(truth, piece, kMostHalvings);
     truth.go_to(motion_.encoder_at(mark_s));
     piece.from_s = mark_s;
-    piece.q_from = piece.q_to;
+    piece.from = piece.to;
   }
 }
 
-AxisPositions TrueWay::tip_at(const TruePosition& truth, double time_s) const {
-  return chain_.for_part(truth.after(motion_.encoder_at(time_s)));
+TrueWay::TipPlace TrueWay::tip_at(const TruePosition& truth, double time_s) const {
+  const AxisPositions q_M = truth.after(motion_.encoder_at(time_s));
+  return {chain_.for_part(q_M), chain_.tilt(q_M)};
 }
 
 std::vector<double> TrueWay::marks() const {
@@ -59,15 +65,29 @@ std::vector<double> TrueWay::marks() const {
 }
 
 bool TrueWay::is_straight(const TruePosition& truth, const Piece& piece) const {
-  const Point chord = linear(piece.q_to) - linear(piece.q_from);
+  const double most = 0.5 * tolerance_.error_mm;
+  const Point chord = linear(piece.to.q) - linear(piece.from.q);
   const double length = chord.norm();
   const Point along = length > 0.0 ? Point(chord / length) : Point::Zero();
+  const double turned_rad = angle_between(piece.from.tilt, piece.to.tilt);
+  if (tolerance_.reach_mm * turned_rad * turned_rad / 8.0 > most) {
+    return false;
+  }
   for (const double part : {0.25, 0.5, 0.75}) {
     const double time_s = piece.from_s + part * (piece.to_s - piece.from_s);
-    const Point off = linear(tip_at(truth, time_s)) - linear(piece.q_from);
+    const TipPlace place = tip_at(truth, time_s);
+    const Point off = linear(place.q) - linear(piece.from.q);
     const double gone = off.dot(along);
-    if ((off - gone * along).norm() > 0.5 * tolerance_mm_ || gone < -0.5 * tolerance_mm_ ||
-        gone > length + 0.5 * tolerance_mm_) {
+    if ((off - gone * along).norm() > most || gone < -most || gone > length + most) {
+      return false;
+    }
+    if (turned_rad == 0.0) {
+      continue;
+    }
+    // Tip and tilt must come along at the same rate.
+    const double share = length > most ? std::clamp(gone / length, 0.0, 1.0) : part;
+    const Eigen::Quaterniond expected = piece.from.tilt.slerp(share, piece.to.tilt);
+    if (tolerance_.reach_mm * angle_between(expected, place.tilt) > most) {
       return false;
     }
   }
@@ -76,13 +96,13 @@ bool TrueWay::is_straight(const TruePosition& truth, const Piece& piece) const {
 
 void TrueWay::add(const TruePosition& truth, const Piece& piece, int halvings) {
   if (halvings == 0 || is_straight(truth, piece)) {
-    points_.push_back({piece.to_s / until_s_, piece.q_to});
+    points_.push_back({piece.to_s / until_s_, piece.to.q, piece.to.tilt});
     return;
   }
   const double middle_s = 0.5 * (piece.from_s + piece.to_s);
-  const AxisPositions q_middle = tip_at(truth, middle_s);
-  add(truth, {piece.from_s, middle_s, piece.q_from, q_middle}, halvings - 1);
-  add(truth, {middle_s, piece.to_s, q_middle, piece.q_to}, halvings - 1);
+  const TipPlace middle = tip_at(truth, middle_s);
+  add(truth, {piece.from_s, middle_s, piece.from, middle}, halvings - 1);
+  add(truth, {middle_s, piece.to_s, middle, piece.to}, halvings - 1);
 }
 
 double TrueWay::time_s(double fraction) const {
@@ -105,12 +125,15 @@ double TrueWay::time_s(double fraction) const {
   const double wanted = part * chord.squaredNorm();
   double low = from.fraction * until_s_;
   double high = to.fraction * until_s_;
+  if (wanted == 0.0) {
+    return low + part * (high - low);  // at the start, or the tip stays where it is
+  }
   for (double middle = 0.5 * (low + high); low < middle && middle < high;
        middle = 0.5 * (low + high)) {
-    const Point off = linear(tip_at(truth, middle)) - linear(from.q_M);
+    const Point off = linear(tip_at(truth, middle).q) - linear(from.q_M);
     (off.dot(chord) < wanted ? low : high) = middle;
   }
-  return part == 0.0 ? low : high;
+  return high;
 }
 
 }  // namespace g31::machine

@@ -11,17 +11,23 @@
 
 namespace g31::machine {
 
+/// How true the straight pieces of a way are to be.
+struct WayTolerance {
+  double error_mm = 0.0;  ///< > 0
+  double reach_mm = 0.0;  ///< >= 0: of what turns with the tool, from the tip
+};
+
 /// What the tool tip truly does for the part during a move: points so close that the straight
-/// pieces between them stay within a tolerance of its way.
+/// pieces between them stay within a tolerance of its way, and that nothing within the reach of the
+/// tip leaves such a piece by more when it turns.
 ///
 /// The fractions of the points are of the time: where a piece is passed, time_s() says when.
 class TrueWay {
  public:
   /// @param start         where everything is when the move begins
   /// @param until_s       > 0: how much of the motion counts
-  /// @param tolerance_mm  > 0
   TrueWay(const TruePosition& start, const AxisChain& chain, const ServoMotion& motion,
-          double until_s, double tolerance_mm);
+          double until_s, const WayTolerance& tolerance);
 
   [[nodiscard]] std::span<const Waypoint> points() const { return points_; }
 
@@ -29,14 +35,18 @@ class TrueWay {
   [[nodiscard]] double time_s(double fraction) const;
 
  private:
+  struct TipPlace {
+    AxisPositions q;
+    Eigen::Quaterniond tilt = Eigen::Quaterniond::Identity();
+  };
   struct Piece {
     double from_s = 0.0;
     double to_s = 0.0;
-    AxisPositions q_from;
-    AxisPositions q_to;
+    TipPlace from;
+    TipPlace to;
   };
 
-  [[nodiscard]] AxisPositions tip_at(const TruePosition& truth, double time_s) const;
+  [[nodiscard]] TipPlace tip_at(const TruePosition& truth, double time_s) const;
   [[nodiscard]] std::vector<double> marks() const;
   [[nodiscard]] bool is_straight(const TruePosition& truth, const Piece& piece) const;
   void add(const TruePosition& truth, const Piece& piece, int halvings);
@@ -45,7 +55,7 @@ class TrueWay {
   const AxisChain& chain_;
   const ServoMotion& motion_;
   double until_s_;
-  double tolerance_mm_;
+  WayTolerance tolerance_;
   std::vector<double> marks_;
   std::vector<Waypoint> points_;
 };

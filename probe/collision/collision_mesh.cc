@@ -1,5 +1,6 @@
 #include "probe/collision/collision_mesh.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace g31::probe {
@@ -11,7 +12,7 @@ double free_until(const SweptSection& swept, const ContactTriangle& triangle) {
   if (meets(swept.piece(0.0, 0.0), triangle)) {
     return 0.0;
   }
-  const double length = swept.way.norm();
+  const double length = swept.longest_way();
   double free = 0.0;
   double met = 1.0;
   while ((met - free) * length > kFinestMm) {
@@ -35,10 +36,11 @@ CollisionMesh::CollisionMesh(const parts::Mesh& mesh_M) : tree_(parts::triangle_
 
 template <typename Visit>
 void CollisionMesh::visit_near(const SweptSection& swept, Visit&& visit) const {
-  const double length = swept.way.norm();
+  const Point way = swept.way();
+  const double length = way.norm();
   const parts::Box box = swept.start_box();
   const parts::Path path{0.5 * (box.min + box.max),
-                         length > 0.0 ? Point(swept.way / length) : Point(Point::UnitX()), length};
+                         length > 0.0 ? Point(way / length) : Point(Point::UnitX()), length};
   const Point reach = 0.5 * (box.max - box.min) + Point::Constant(kSweptBandMm);
   tree_.visit_along(path, reach,
                     [&](std::uint32_t slot) { return visit(triangles_[slot]) * length; });
@@ -65,9 +67,14 @@ std::optional<SectionTouch> CollisionMesh::first_touch(const SweptSection& swept
   touch.fraction = fraction;
   touch.p_M_point = pair.p_M_triangle;
   touch.n_M = met.is_sliver() ? Point(Point::UnitZ()) : met.normal;
-  const double towards = -touch.n_M.dot(swept.way);
-  const Point p_M_axis(at_rest.p_M_from.x(), at_rest.p_M_from.y(), touch.p_M_point.z());
-  const double aside = touch.n_M.dot(p_M_axis - touch.p_M_point);
+  const SectionPlace& place = at_rest.from;
+  const Point p_met = place.turn.conjugate() * (touch.p_M_point - place.p_M);
+  const Point moved =
+      swept.to.p_M + swept.to.turn * p_met - swept.from.p_M - swept.from.turn * p_met;
+  const double towards = -touch.n_M.dot(moved);
+  const ProbeSection& section = *swept.section;
+  const Point on_axis(0.0, 0.0, std::clamp(p_met.z(), section.z_bottom, section.z_top));
+  const double aside = touch.n_M.dot(place.p_M + place.turn * on_axis - touch.p_M_point);
   if (towards != 0.0 ? towards < 0.0 : aside < 0.0) {
     touch.n_M = -touch.n_M;
   }
@@ -79,9 +86,9 @@ const ContactTriangle& CollisionMesh::most_opposed(const SweptSection& swept, do
   SweptSection at_rest = swept.piece(fraction, fraction);
   at_rest.margin += 2.0 * kSectionTouchErrorMm;
   const ContactTriangle* best = &first;
+  const Point way = swept.way();
   visit_near(at_rest, [&](const ContactTriangle& triangle) {
-    const bool is_better =
-        std::abs(triangle.normal.dot(swept.way)) > std::abs(best->normal.dot(swept.way));
+    const bool is_better = std::abs(triangle.normal.dot(way)) > std::abs(best->normal.dot(way));
     if (is_better && meets(at_rest, triangle)) {
       best = &triangle;
     }

@@ -1,5 +1,6 @@
 #include "probe/collision/probe_section.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,6 +17,12 @@ Radial nearest_on_segment(const Radial& a, const Radial& b, const Radial& p) {
 }
 
 }  // namespace
+
+double reach_of(const ProbeSection& section) {
+  const double height = std::max(std::abs(section.z_bottom), std::abs(section.z_top));
+  const double radius = std::max(section.radius_bottom, section.radius_top);
+  return section.p_S.norm() + std::hypot(height, radius) + section.rounding;
+}
 
 Point furthest_of(const ProbeSection& section, const Point& direction) {
   const double across = std::hypot(direction.x(), direction.y());

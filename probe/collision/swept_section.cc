@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <type_traits>
 
 #include <ccd/ccd.h>
@@ -20,9 +21,62 @@ struct LastQuestion {
   double triangle_reach = 0.0;  ///< of the triangle against the direction
 };
 
+/// How a section is turned, made ready for many questions.
+class Turned {
+ public:
+  Turned(const ProbeSection& section, const Eigen::Quaterniond& turn)
+      : section_(&section),
+        is_upright_(turn.coeffs() == Eigen::Quaterniond::Identity().coeffs()),
+        R_(is_upright_ ? Eigen::Matrix3d::Identity() : turn.toRotationMatrix()) {}
+
+  [[nodiscard]] Point furthest(const Point& direction) const {
+    return is_upright_ ? furthest_of(*section_, direction)
+                       : Point(R_ * furthest_of(*section_, R_.transpose() * direction));
+  }
+
+ private:
+  const ProbeSection* section_;
+  bool is_upright_;
+  Eigen::Matrix3d R_;
+};
+
+/// A swept section in coordinates that begin where its own frame begins its way.
+class SweptBody {
+ public:
+  explicit SweptBody(const SweptSection& swept)
+      : swept_(&swept),
+        way_(swept.way()),
+        turns_(swept.turns()),
+        from_(*swept.section, swept.from.turn),
+        to_(*swept.section, swept.to.turn) {}
+
+  [[nodiscard]] const SweptSection& swept() const { return *swept_; }
+  [[nodiscard]] const Point& way() const { return way_; }
+
+  [[nodiscard]] Point furthest(const Point& direction) const {
+    Point p = from_.furthest(direction);
+    if (turns_) {
+      const Point at_end = way_ + to_.furthest(direction);
+      p = at_end.dot(direction) > p.dot(direction) ? at_end : p;
+    } else if (direction.dot(way_) > 0.0) {
+      p += way_;
+    }
+    const double growth = swept_->growth();
+    const double norm = direction.norm();
+    return growth > 0.0 && norm > 0.0 ? Point(p + growth / norm * direction) : p;
+  }
+
+ private:
+  const SweptSection* swept_;
+  Point way_;
+  bool turns_;
+  Turned from_;
+  Turned to_;
+};
+
 /// Either body of a question, in coordinates that begin at the sweep's start.
 struct Body {
-  const SweptSection* swept = nullptr;
+  const SweptBody* swept = nullptr;
   const ContactTriangle* triangle = nullptr;
   LastQuestion* last = nullptr;
 };
@@ -34,15 +88,6 @@ Point point_of(const ccd_vec3_t* v) {
 void set(ccd_vec3_t* v, const Point& p) {
   const Point scaled = kUnitsPerMm * p;
   ccdVec3Set(v, scaled.x(), scaled.y(), scaled.z());
-}
-
-Point furthest_of(const SweptSection& swept, const Point& direction) {
-  Point p = furthest_of(*swept.section, direction);
-  if (direction.dot(swept.way) > 0.0) {
-    p += swept.way;
-  }
-  const double norm = direction.norm();
-  return swept.growth() > 0.0 && norm > 0.0 ? Point(p + swept.growth() / norm * direction) : p;
 }
 
 Point furthest_of(const ContactTriangle& triangle, const Point& p_M_origin,
@@ -60,7 +105,7 @@ Point furthest_of(const ContactTriangle& triangle, const Point& p_M_origin,
 void support_of_swept(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* answer) {
   const Body& body = *static_cast<const Body*>(object);
   const Point d = point_of(direction);
-  const Point p = furthest_of(*body.swept, d);
+  const Point p = body.swept->furthest(d);
   body.last->swept_reach = p.dot(d);
   set(answer, p);
 }
@@ -68,57 +113,85 @@ void support_of_swept(const void* object, const ccd_vec3_t* direction, ccd_vec3_
 void support_of_triangle(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* answer) {
   const Body& body = *static_cast<const Body*>(object);
   const Point d = point_of(direction);
-  const Point p = furthest_of(*body.triangle, body.swept->p_M_from, d);
+  const Point p = furthest_of(*body.triangle, body.swept->swept().from.p_M, d);
   body.last->triangle_reach = p.dot(d);
   set(answer, p);
 }
 
 void from_middle_to_middle(const void* swept_body, const void* triangle_body, ccd_vec3_t* answer) {
-  const SweptSection& swept = *static_cast<const Body*>(swept_body)->swept;
+  const SweptSection& swept = static_cast<const Body*>(swept_body)->swept->swept();
   const auto& vertices = static_cast<const Body*>(triangle_body)->triangle->vertices;
   const double z = 0.5 * (swept.section->z_bottom + swept.section->z_top);
-  const Point middle = Point(0.0, 0.0, z) + 0.5 * swept.way;
-  const Point triangle_middle = (vertices[0] + vertices[1] + vertices[2]) / 3.0 - swept.p_M_from;
+  const Point middle = swept.from.turn * Point(0.0, 0.0, z) + 0.5 * swept.way();
+  const Point triangle_middle = (vertices[0] + vertices[1] + vertices[2]) / 3.0 - swept.from.p_M;
   const Point between = triangle_middle - middle;
   set(answer, between.norm() > 0.0 ? between : Point(1.0, 0.0, 0.0));
 }
 
 /// Whether the plane across a direction keeps the bodies apart.
-bool separates(const SweptSection& swept, const ContactTriangle& triangle, const Point& direction) {
-  const double gap = furthest_of(swept, direction).dot(direction) +
-                     furthest_of(triangle, swept.p_M_from, -direction).dot(-direction);
+bool separates(const SweptBody& body, const ContactTriangle& triangle, const Point& direction) {
+  const double gap = body.furthest(direction).dot(direction) +
+                     furthest_of(triangle, body.swept().from.p_M, -direction).dot(-direction);
   return gap < 0.0;
 }
 
 }  // namespace
 
+double sag_of_turn(double radius, const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+  if (from.coeffs() == to.coeffs()) {
+    return 0.0;
+  }
+  const double angle_rad = from.angularDistance(to);
+  return radius * angle_rad * angle_rad / 8.0;
+}
+
+double SweptSection::longest_way() const {
+  return way().norm() + (turns() ? reach_of(*section) * from.turn.angularDistance(to.turn) : 0.0);
+}
+
 parts::Box SweptSection::start_box() const {
-  const double radius = std::max(section->radius_bottom, section->radius_top) + growth();
+  const SweptBody body(*this);
+  const Point shift = way();
+  Point low;
+  Point high;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Point unit = Point::Unit(axis);
+    // The sweep's own reach, less the way where the way makes it longer.
+    high[axis] = body.furthest(unit)[axis] - std::max(0.0, shift[axis]);
+    low[axis] = body.furthest(-unit)[axis] - std::min(0.0, shift[axis]);
+  }
+  if (turns()) {
+    // What turns may be widest at the other end of the way.
+    low -= shift.cwiseAbs();
+    high += shift.cwiseAbs();
+  }
   parts::Box box;
-  box.include(p_M_from + Point(-radius, -radius, section->z_bottom - growth()));
-  box.include(p_M_from + Point(radius, radius, section->z_top + growth()));
+  box.include(from.p_M + low);
+  box.include(from.p_M + high);
   return box;
 }
 
+SectionPlace SweptSection::at(double fraction) const {
+  return {from.p_M + fraction * way(), turns() ? from.turn.slerp(fraction, to.turn) : from.turn};
+}
+
 SweptSection SweptSection::piece(double begin, double end) const {
-  SweptSection part = *this;
-  part.p_M_from += begin * way;
-  part.way *= end - begin;
-  return part;
+  return {section, at(begin), at(end), margin};
 }
 
 bool meets(const SweptSection& swept, const ContactTriangle& triangle) {
   // The triangle's face and the sides of the way decide most cases, and exactly where face comes to
   // face.
-  const Point aside(-swept.way.y(), swept.way.x(), 0.0);
+  const SweptBody body(swept);
+  const Point aside(-body.way().y(), body.way().x(), 0.0);
   for (const Point& direction : {triangle.normal, aside}) {
-    if (separates(swept, triangle, direction) || separates(swept, triangle, -direction)) {
+    if (separates(body, triangle, direction) || separates(body, triangle, -direction)) {
       return false;
     }
   }
   LastQuestion last;
-  const Body swept_body{&swept, nullptr, &last};
-  const Body triangle_body{&swept, &triangle, &last};
+  const Body swept_body{&body, nullptr, &last};
+  const Body triangle_body{&body, &triangle, &last};
   ccd_t ccd;
   CCD_INIT(&ccd);
   ccd.first_dir = from_middle_to_middle;
@@ -135,12 +208,14 @@ bool meets(const SweptSection& swept, const ContactTriangle& triangle) {
 NearestPair nearest_pair(const SweptSection& swept, const ContactTriangle& triangle) {
   constexpr int kRounds = 64;
   const ProbeSection& section = *swept.section;
+  const SectionPlace& place = swept.from;
   const Point middle(0.0, 0.0, 0.5 * (section.z_bottom + section.z_top));
   NearestPair pair;
-  pair.p_M_section = swept.p_M_from + middle;
+  pair.p_M_section = place.p_M + place.turn * middle;
   for (int i = 0; i < kRounds; ++i) {
     pair.p_M_triangle = nearest_of(triangle, pair.p_M_section).point;
-    pair.p_M_section = swept.p_M_from + nearest_of(section, pair.p_M_triangle - swept.p_M_from);
+    const Point p = place.turn.conjugate() * (pair.p_M_triangle - place.p_M);
+    pair.p_M_section = place.p_M + place.turn * nearest_of(section, p);
   }
   const Point out = pair.p_M_triangle - pair.p_M_section;
   const double distance = out.norm();

@@ -44,11 +44,11 @@ TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& p
 
 std::optional<machine::SkipTrigger> TouchProbe::first_trigger(const machine::Sweep& sweep) {
   const std::uint64_t event = triggers_asked_++;
-  const double length = way_of(sweep).norm();
   const auto signal = first_signal(sweep);
-  if (!signal || signal->distance > length) {
+  if (!signal || signal->distance > signal->touch.way.length) {
     return std::nullopt;
   }
+  const double length = signal->touch.way.length;
   machine::SkipTrigger trigger = trigger_of(*signal);
   trigger.on_at_start = signal->on_at_start;
   if (!trigger.on_at_start) {
@@ -61,26 +61,27 @@ std::optional<machine::SkipTrigger> TouchProbe::first_trigger(const machine::Swe
 std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
     std::span<const machine::Waypoint> way) {
   const std::uint64_t event = triggers_asked_++;
-  double gone = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const double piece = machine::distance_mm(way[i - 1].q_M, way[i].q_M);
-    if (piece == 0.0) {
+    const machine::Waypoint& from = way[i - 1];
+    const machine::Waypoint& to = way[i];
+    if (!machine::differ(from, to)) {
       continue;
     }
-    if (const auto signal = first_signal({way[i - 1].q_M, way[i].q_M})) {
+    if (const auto signal = first_signal({from.q_M, to.q_M, from.tilt, to.tilt})) {
+      const std::vector<machine::Waypoint> of_ball = way_of(*signal->touch.ball, way);
+      const double gone = machine::length_of(std::span(of_ball).first(i));
       const double distance = gone + signal->distance;
-      if (distance > machine::length_of(way)) {
+      if (distance > machine::length_of(of_ball)) {
         return std::nullopt;
       }
       machine::SkipTrigger trigger = trigger_of(*signal);
       trigger.on_at_start = signal->on_at_start && gone == 0.0;
       if (!trigger.on_at_start) {
         trigger.delay_s = setup_.trigger_delay_s;
-        trigger.fraction = machine::fraction_after(way, distance + trigger_shift(event));
+        trigger.fraction = machine::fraction_after(of_ball, distance + trigger_shift(event));
       }
       return trigger;
     }
-    gone += piece;
   }
   return std::nullopt;
 }
@@ -90,13 +91,8 @@ std::optional<TouchProbe::Signal> TouchProbe::first_signal(const machine::Sweep&
   if (touch.part == nullptr || setup_.state == ProbeState::Dead) {
     return std::nullopt;
   }
-  const Point way = way_of(sweep);
-  const double length = way.norm();
-  const Point direction = length > 0.0 ? Point(way / length) : way;
   if (touch.hit.status == SweepStatus::StartInContact) {
-    const Point p_M_centre = centre_of(*touch.ball, sweep.q_M_from);
-    const double depth = depth_of(touch, p_M_centre);
-    if (const auto more = way_to_signal(touch, depth, direction)) {
+    if (const auto more = way_to_signal(touch, depth_of(touch), sweep)) {
       return Signal{touch, std::max(0.0, *more), *more < 0.0};
     }
     // The stylus comes free without a signal; then it may touch something else.
@@ -105,7 +101,7 @@ std::optional<TouchProbe::Signal> TouchProbe::first_signal(const machine::Sweep&
       return std::nullopt;
     }
   }
-  const auto more = way_to_signal(touch, 0.0, direction);
+  const auto more = way_to_signal(touch, 0.0, sweep);
   return more ? std::optional(Signal{touch, touch.hit.s + *more, false}) : std::nullopt;
 }
 
@@ -135,35 +131,73 @@ void TouchProbe::add_ball(const Point& p_S, double diameter_mm) {
   }
 }
 
-Point TouchProbe::centre_of(const Ball& ball, const AxisPositions& q_M) const {
-  return linear_axes(q_M) + R_MS_ * ball.p_S;
+machine::Reach TouchProbe::reach() const {
+  const Point& p_S_tip = balls_.front().p_S;
+  machine::Reach reach;
+  for (const Ball& ball : balls_) {
+    reach.signal = std::max(reach.signal, (R_MS_ * ball.p_S - p_S_tip).norm());
+  }
+  reach.body = reach.signal;
+  const double off_tip = (R_MS_ * p_S_tip - p_S_tip).norm();
+  for (const std::vector<ProbeSection>* sections : {&setup_.stem, &setup_.bodies}) {
+    for (const ProbeSection& section : *sections) {
+      reach.body = std::max(reach.body, off_tip + reach_of(section));
+    }
+  }
+  return reach;
+}
+
+Point TouchProbe::centre_of(const Ball& ball, const AxisPositions& q_M,
+                            const Eigen::Quaterniond& tilt) const {
+  if (tilt.coeffs() == Eigen::Quaterniond::Identity().coeffs()) {
+    return linear_axes(q_M) + R_MS_ * ball.p_S;
+  }
+  const Point& p_S_tip = balls_.front().p_S;  // what the machine takes as the tool tip
+  return linear_axes(q_M) + p_S_tip + tilt * (R_MS_ * ball.p_S - p_S_tip);
+}
+
+TouchProbe::BallWay TouchProbe::way_of(const Ball& ball, const machine::Sweep& sweep) const {
+  BallWay way{centre_of(ball, sweep.q_M_from, sweep.tilt_from),
+              centre_of(ball, sweep.q_M_to, sweep.tilt_to)};
+  way.length = way.along().norm();
+  return way;
+}
+
+std::vector<machine::Waypoint> TouchProbe::way_of(const Ball& ball,
+                                                  std::span<const machine::Waypoint> way) const {
+  std::vector<machine::Waypoint> of_ball(way.begin(), way.end());
+  for (machine::Waypoint& point : of_ball) {
+    point.q_M.head<3>() = centre_of(ball, point.q_M, point.tilt);
+  }
+  return of_ball;
 }
 
 TouchProbe::PartHit TouchProbe::first_hit(const machine::Sweep& sweep, Question question) const {
   PartHit first;
   for (const Ball& ball : balls_) {
-    const Point p_M_from = centre_of(ball, sweep.q_M_from);
-    const Point p_M_to = centre_of(ball, sweep.q_M_to);
+    const BallWay way = way_of(ball, sweep);
     for (const Part& part : parts_) {
-      const SweepHit hit = (part.sweepers[ball.size].*question)(p_M_from, p_M_to);
-      if (hit.status == SweepStatus::StartInContact) {
-        return {hit, &part, &ball};
+      const PartHit met{(part.sweepers[ball.size].*question)(way.p_M_from, way.p_M_to), &part,
+                        &ball, way};
+      if (met.hit.status == SweepStatus::StartInContact) {
+        return met;
       }
-      if (hit.status == SweepStatus::Contact && (first.part == nullptr || hit.s < first.hit.s)) {
-        first = {hit, &part, &ball};
+      if (met.hit.status == SweepStatus::Contact &&
+          (first.part == nullptr || met.fraction() < first.fraction())) {
+        first = met;
       }
     }
   }
   return first;
 }
 
-double TouchProbe::depth_of(const PartHit& touch, const Point& p_M_centre) {
-  return touch.ball->radius - (p_M_centre - touch.hit.p_M_point).norm();
+double TouchProbe::depth_of(const PartHit& touch) {
+  return touch.ball->radius - (touch.way.p_M_from - touch.hit.p_M_point).norm();
 }
 
 std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, double depth,
-                                                const Point& direction) const {
-  const Point n_S = R_MS_.transpose() * touch.hit.n_M;
+                                                const machine::Sweep& sweep) const {
+  const Point n_S = R_MS_.transpose() * (sweep.tilt_from.conjugate() * touch.hit.n_M);
   const auto wanted = deflection_to_trigger(setup_.at_switch, n_S);
   if (!wanted) {
     return std::nullopt;
@@ -175,7 +209,8 @@ std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, double dep
   if (depth == 0.0 && missing == 0.0) {
     return 0.0;
   }
-  const double inwards = -touch.hit.n_M.dot(direction);
+  const double length = touch.way.length;
+  const double inwards = length > 0.0 ? -touch.hit.n_M.dot(touch.way.along() / length) : 0.0;
   return inwards > 0.0 ? std::optional(missing / inwards) : std::nullopt;
 }
 

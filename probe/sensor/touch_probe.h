@@ -25,9 +25,8 @@ struct ProbedPart {
 /// A touch probe in the spindle among parts: answers the machine with its stylus balls.
 ///
 /// The main ball's centre stands at the linear axes + (eccentricity X, eccentricity Y, -length),
-/// further balls where they are from there; all of it turns about the spindle axis.  Only linear
-/// axes move them.  The rigid sections stand on the main ball, whatever the spindle angle; the
-/// stems of further balls are not solid.
+/// further balls and the rigid sections where they are from there; all of it turns about the
+/// spindle axis, and with the tilt of a sweep about the tool tip.
 ///
 /// The signal comes when the ball is pushed in by the deflection that pre_travel.h says, shifted
 /// along the move by a normal random number of standard deviation `repeatability_mm`, but never out
@@ -62,6 +61,8 @@ class TouchProbe final : public machine::Surroundings {
   std::optional<machine::Obstacle> first_collision_on_curve(
       const machine::CurvedSweep& sweep) override;
 
+  [[nodiscard]] machine::Reach reach() const override;
+
   /// Positive angles turn the probe from +X towards +Y.
   void turn_spindle_to(double angle_deg) override;
 
@@ -75,16 +76,27 @@ class TouchProbe final : public machine::Surroundings {
     std::string name;
     std::vector<MeshSweeper> sweepers;  ///< one for each size of ball
   };
+  /// The straight way of one ball during a sweep.
+  struct BallWay {
+    Point p_M_from = Point::Zero();
+    Point p_M_to = Point::Zero();
+    double length = 0.0;
+
+    [[nodiscard]] Point along() const { return p_M_to - p_M_from; }
+  };
   struct PartHit {
     SweepHit hit;
     const Part* part = nullptr;  ///< none: no part was met
     const Ball* ball = nullptr;
+    BallWay way;  ///< of that ball
+
+    [[nodiscard]] double fraction() const { return way.length > 0.0 ? hit.s / way.length : 0.0; }
   };
   using Question = SweepHit (MeshSweeper::*)(const Point&, const Point&) const;
 
   struct Signal {
     PartHit touch;
-    double distance = 0.0;  ///< mm from the start of the sweep
+    double distance = 0.0;  ///< mm of the ball's way from the start of the sweep
     bool on_at_start = false;
   };
   using Sections = std::span<const ProbeSection>;
@@ -100,10 +112,14 @@ class TouchProbe final : public machine::Surroundings {
   /// The fraction of the sweep at which a ball that begins pushed in has come out; 0: it does not
   /// begin so.
   [[nodiscard]] double out_of_contact(const machine::Sweep& sweep) const;
-  [[nodiscard]] std::optional<machine::Obstacle> over_deflection(const PartHit& touch,
-                                                                 const machine::Sweep& sweep) const;
+  [[nodiscard]] std::optional<machine::Obstacle> over_deflection(const PartHit& touch) const;
   void add_ball(const Point& p_S, double diameter_mm);
-  [[nodiscard]] Point centre_of(const Ball& ball, const AxisPositions& q_M) const;
+  [[nodiscard]] Point centre_of(const Ball& ball, const AxisPositions& q_M,
+                                const Eigen::Quaterniond& tilt) const;
+  [[nodiscard]] BallWay way_of(const Ball& ball, const machine::Sweep& sweep) const;
+  /// The centres of a ball along a way, as linear axes.
+  [[nodiscard]] std::vector<machine::Waypoint> way_of(const Ball& ball,
+                                                      std::span<const machine::Waypoint> way) const;
   [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question) const;
   /// Where the deflection of a touch on this sweep is reached, be it behind its end.
   [[nodiscard]] std::optional<Signal> first_signal(const machine::Sweep& sweep) const;
@@ -111,11 +127,11 @@ class TouchProbe final : public machine::Surroundings {
   /// The random shift of a trigger along the move, mm.
   [[nodiscard]] double trigger_shift(std::uint64_t event) const;
   /// mm: how deep a ball that begins in contact is in.
-  static double depth_of(const PartHit& touch, const Point& p_M_centre);
+  static double depth_of(const PartHit& touch);
   /// mm from the touch to the signal, negative where the ball is deeper in than that already;
   /// nullopt: no signal from this touch.  @param depth  of the ball in the part, mm
   [[nodiscard]] std::optional<double> way_to_signal(const PartHit& touch, double depth,
-                                                    const Point& direction) const;
+                                                    const machine::Sweep& sweep) const;
 
   ProbeSetup setup_;
   std::vector<Ball> balls_;

@@ -12,6 +12,15 @@
 namespace g31::probe {
 namespace {
 
+const Eigen::Quaterniond kUpright = Eigen::Quaterniond::Identity();
+
+Eigen::Quaterniond tilt_at(const machine::Sweep& sweep, double fraction) {
+  // Between equals slerp would round.
+  return sweep.tilt_from.coeffs() == sweep.tilt_to.coeffs()
+             ? sweep.tilt_from
+             : sweep.tilt_from.slerp(fraction, sweep.tilt_to);
+}
+
 machine::Obstacle obstacle_at(double fraction, const SweepHit& hit, const std::string& part) {
   return {std::clamp(fraction, 0.0, 1.0), "stylus ball touches " + part, contact_of(hit, part)};
 }
@@ -32,7 +41,7 @@ std::optional<machine::Obstacle> TouchProbe::first_collision(const machine::Swee
   if (touch.part == nullptr) {
     return rigid;
   }
-  auto ball = obstacle_at(touch.hit.s / way_of(sweep).norm(), touch.hit, touch.part->name);
+  auto ball = obstacle_at(touch.fraction(), touch.hit, touch.part->name);
   return earlier(std::move(rigid), std::move(ball));
 }
 
@@ -40,7 +49,8 @@ std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
     const machine::CurvedSweep& sweep) {
   std::optional<machine::Obstacle> first = rigid_touch_on_curve(sweep, 0.0, 1.0);
   for (const Ball& ball : balls_) {
-    const Curve curve{[&](double t) { return centre_of(ball, sweep.q_M_at(t)); }, sweep.bend};
+    const Curve curve{[&](double t) { return centre_of(ball, sweep.q_M_at(t), kUpright); },
+                      sweep.bend};
     for (const Part& part : parts_) {
       const auto [t, hit] = first_contact_leaving_on_curve(part.sweepers[ball.size], curve);
       if (hit.status != SweepStatus::Miss) {
@@ -54,27 +64,27 @@ std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
 std::optional<machine::Obstacle> TouchProbe::first_damage(const machine::Sweep& sweep) {
   PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
   if (touch.part != nullptr && touch.hit.status == SweepStatus::StartInContact &&
-      touch.hit.n_M.dot(way_of(sweep)) >= 0.0) {
+      touch.hit.n_M.dot(touch.way.along()) >= 0.0) {
     // The stylus comes free; then it may be pushed into something else.
     touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
   }
   auto body = touch_of(setup_.bodies, sweep);
   auto stem = touch_of(setup_.stem, sweep);
-  const double pushed_from = touch.part == nullptr ? 2.0
-                             : touch.hit.status == SweepStatus::StartInContact
-                                 ? 0.0
-                                 : touch.hit.s / way_of(sweep).norm();
+  const double pushed_from = touch.part == nullptr                             ? 2.0
+                             : touch.hit.status == SweepStatus::StartInContact ? 0.0
+                                                                               : touch.fraction();
   if (stem && stem->fraction >= pushed_from) {
     stem.reset();
   }
-  return earlier(earlier(std::move(body), std::move(stem)), over_deflection(touch, sweep));
+  return earlier(earlier(std::move(body), std::move(stem)), over_deflection(touch));
 }
 
 std::optional<machine::Obstacle> TouchProbe::touch_of(Sections sections,
                                                       const machine::Sweep& sweep,
                                                       double margin) const {
-  const Ball& main = balls_.front();
-  const CentreWay way{centre_of(main, sweep.q_M_from), centre_of(main, sweep.q_M_to), margin};
+  const BallWay main = way_of(balls_.front(), sweep);
+  const CentreWay way{main.p_M_from,   main.p_M_to,   margin,
+                      sweep.tilt_from, sweep.tilt_to, Eigen::Quaterniond(R_MS_)};
   auto met = first_touch(sections, solid_parts_, way);
   if (!met) {
     return std::nullopt;
@@ -94,7 +104,7 @@ std::optional<machine::Obstacle> TouchProbe::rigid_touch(const machine::Sweep& s
       stem.reset();
     } else if (out > 0.0) {
       const AxisPositions q_M_out = sweep.q_M_from + out * (sweep.q_M_to - sweep.q_M_from);
-      stem = touch_of(setup_.stem, {q_M_out, sweep.q_M_to});
+      stem = touch_of(setup_.stem, {q_M_out, sweep.q_M_to, tilt_at(sweep, out), sweep.tilt_to});
       if (stem) {
         stem->fraction = out + (1.0 - out) * stem->fraction;
       }
@@ -108,8 +118,8 @@ double TouchProbe::out_of_contact(const machine::Sweep& sweep) const {
   if (touch.part == nullptr || touch.hit.status != SweepStatus::StartInContact) {
     return 0.0;
   }
-  const double out = touch.hit.n_M.dot(way_of(sweep));
-  const double depth = depth_of(touch, centre_of(*touch.ball, sweep.q_M_from));
+  const double out = touch.hit.n_M.dot(touch.way.along());
+  const double depth = depth_of(touch);
   return out > depth ? std::max(0.0, depth / out) : 1.0;
 }
 
@@ -137,16 +147,15 @@ std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(const machine:
   return first ? first : rigid_touch_on_curve(sweep, middle, end);
 }
 
-std::optional<machine::Obstacle> TouchProbe::over_deflection(const PartHit& touch,
-                                                             const machine::Sweep& sweep) const {
-  const double length = way_of(sweep).norm();
+std::optional<machine::Obstacle> TouchProbe::over_deflection(const PartHit& touch) const {
+  const double length = touch.way.length;
   if (touch.part == nullptr || length == 0.0) {
     return std::nullopt;
   }
   const bool in_contact = touch.hit.status == SweepStatus::StartInContact;
   const double touched_at = in_contact ? 0.0 : touch.hit.s;
-  const double depth = in_contact ? depth_of(touch, centre_of(*touch.ball, sweep.q_M_from)) : 0.0;
-  const double inwards = -touch.hit.n_M.dot(way_of(sweep)) / length;
+  const double depth = in_contact ? depth_of(touch) : 0.0;
+  const double inwards = -touch.hit.n_M.dot(touch.way.along()) / length;
   const double limit = std::min(setup_.deflection_limit_mm, touch.ball->radius);
   if (inwards <= 0.0 || depth + (length - touched_at) * inwards <= limit) {
     return std::nullopt;

@@ -20,6 +20,7 @@
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/continuous_collision.h>
+#include <fcl/narrowphase/distance.h>
 
 #include "parts/artefacts/ring_gauge.h"
 #include "probe/contact/contact_triangle.h"
@@ -182,34 +183,69 @@ void every_triangle(benchmark::State& state) {
 }
 BENCHMARK(every_triangle)->Arg(5)->Arg(50)->Arg(500);
 
-/// FCL's continuous collision by 1000 steps: exact to a step, 0.02 mm.  (Its conservative
-/// advancement misses these contacts.)
-void fcl_continuous(benchmark::State& state) {
-  const g31::parts::Mesh mesh = sphere_of(state);
+using FclMesh = fcl::BVHModel<fcl::OBBRSSd>;
+
+void fill(FclMesh& model, const g31::parts::Mesh& mesh) {
   std::vector<fcl::Triangle> triangles;
   for (const auto& t : mesh.triangles) {
     triangles.emplace_back(t[0], t[1], t[2]);
   }
-  fcl::BVHModel<fcl::OBBRSSd> model;
   model.beginModel();
   model.addSubModel(mesh.vertices, triangles);
   model.endModel();
+}
+
+fcl::Transform3d moved_to(const g31::Point& p) {
+  fcl::Transform3d place = fcl::Transform3d::Identity();
+  place.translation() = p;
+  return place;
+}
+
+/// FCL's continuous collision by 1000 steps: exact to a step, 0.02 mm.  (Its conservative
+/// advancement misses these contacts.)
+void fcl_continuous(benchmark::State& state) {
+  const g31::parts::Mesh mesh = sphere_of(state);
+  FclMesh model;
+  fill(model, mesh);
   const fcl::Sphered ball(kBallRadius);
   fcl::ContinuousCollisionRequestd request(1000, 1e-3);
   request.ccd_solver_type = fcl::CCDC_NAIVE;
   compare(state, mesh, [&](const Way& way) {
-    fcl::Transform3d from = fcl::Transform3d::Identity();
-    fcl::Transform3d to = fcl::Transform3d::Identity();
-    from.translation() = way.from;
-    to.translation() = way.to;
     const fcl::Transform3d rest = fcl::Transform3d::Identity();
     fcl::ContinuousCollisionResultd result;
     // The mesh first: the other order overflows the stack in FCL 0.7.
-    fcl::continuousCollide(&model, rest, rest, &ball, from, to, request, result);
+    fcl::continuousCollide(&model, rest, rest, &ball, moved_to(way.from), moved_to(way.to), request,
+                           result);
     return result.time_of_contact;
   });
 }
 BENCHMARK(fcl_continuous)->Arg(5)->Arg(50)->Arg(500);
+
+/// The ball goes on by its distance from the mesh until that is less than a nanometre.
+void fcl_distance_loop(benchmark::State& state) {
+  constexpr double kNearMm = 1e-6;
+  const g31::parts::Mesh mesh = sphere_of(state);
+  FclMesh model;
+  fill(model, mesh);
+  const fcl::Sphered ball(kBallRadius);
+  const fcl::DistanceRequestd request;
+  compare(state, mesh, [&](const Way& way) {
+    const double length = (way.to - way.from).norm();
+    double gone = 0.0;
+    while (gone < length) {
+      const g31::Point p = way.from + gone / length * (way.to - way.from);
+      fcl::DistanceResultd result;
+      const double distance =
+          fcl::distance(&model, fcl::Transform3d::Identity(), &ball, moved_to(p), request, result);
+      if (distance < kNearMm) {
+        break;
+      }
+      gone += distance;
+    }
+    return gone;
+  });
+}
+BENCHMARK(fcl_distance_loop)->Arg(5)->Arg(50)->Arg(500);
 
 void build(benchmark::State& state) {
   const auto mesh = sphere_of(state);

@@ -360,7 +360,7 @@ TEST(MachineErrors, TheTrueWayStaysWithinItsTolerance) {
   const MotionProfile profile(path.length(), 20.0, 500.0);
   const ServoMotion motion(path, profile.phases(), AxisPositions::Zero(), AxisPositions::Zero());
   const AxisChain chain(setup.chain, setup.p_T_tip);
-  const TrueWay way(truth, chain, motion, motion.duration_s(), kTouchWayErrorMm);
+  const TrueWay way(truth, chain, motion, motion.duration_s(), {kTouchWayErrorMm, 0.0});
   const auto points = way.points();
   ASSERT_EQ(points.back().fraction, 1.0);
   for (std::size_t i = 1; i < points.size(); ++i) {

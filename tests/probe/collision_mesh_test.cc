@@ -25,6 +25,7 @@ namespace g31::probe {
 namespace {
 
 using testing::between;
+using testing::kUpright;
 using testing::point_between;
 
 ProbeSection cylinder(double radius, double z_bottom, double z_top) {
@@ -40,7 +41,7 @@ ProbeSection cylinder(double radius, double z_bottom, double z_top) {
 /// @param margin  mm
 SweptSection swept(const ProbeSection& section, const Point& from, const Point& to,
                    double margin = 0.0) {
-  return {&section, from, to - from, margin};
+  return {&section, {from, kUpright}, {to, kUpright}, margin};
 }
 
 /// mm along the way, or none.

@@ -14,6 +14,7 @@ namespace {
 
 using testing::any_direction;
 using testing::between;
+using testing::kUpright;
 using testing::point_between;
 
 ContactTriangle any_triangle(std::mt19937_64& random, double size) {
@@ -84,8 +85,9 @@ TEST(SweptSection, SaysYesWithinTheBandOnlyAndAlwaysWhereBodiesMeet) {
     double widest = 0.0;
     for (int i = 0; i < 500; ++i) {
       const ProbeSection section = any_section(random);
-      const SweptSection swept{&section, point_between(random, -20.0, 20.0),
-                               c.way_mm * any_direction(random), 0.0};
+      const Point from = point_between(random, -20.0, 20.0);
+      const SweptSection swept{
+          &section, {from, kUpright}, {from + c.way_mm * any_direction(random), kUpright}, 0.0};
       const ContactTriangle triangle =
           c.triangle_mm > 0.0 ? any_triangle(random, c.triangle_mm) : any_sliver(random);
       if (!meets(swept, triangle)) {
@@ -104,7 +106,8 @@ TEST(SweptSection, FindsTheNearestPointsOfACapsuleAndATriangle) {
   capsule.z_top = 40.0;
   capsule.rounding = 2.0;
   const ContactTriangle floor({-50, -50, -3}, {50, -50, -3}, {0, 80, -3});
-  const SweptSection at_rest{&capsule, {1, 2, 0}, Point::Zero(), 0.0};
+  const SectionPlace place{{1, 2, 0}, kUpright};
+  const SweptSection at_rest{&capsule, place, place, 0.0};
   const NearestPair pair = nearest_pair(at_rest, floor);
   EXPECT_NEAR((pair.p_M_section - Point(1, 2, 0)).norm(), 0.0, 1e-12);
   EXPECT_NEAR((pair.p_M_triangle - Point(1, 2, -3)).norm(), 0.0, 1e-12);

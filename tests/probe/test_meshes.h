@@ -14,6 +14,8 @@
 
 namespace g31::testing {
 
+inline const Eigen::Quaterniond kUpright = Eigen::Quaterniond::Identity();
+
 /// A number evenly in [low, high), the same on every machine.
 inline double between(std::mt19937_64& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);

@@ -315,6 +315,11 @@ const Case kSayWhatAValueIsAndWhatItShouldBe[] = {
     3 | diameter = 0
       |            ^
 )"},
+    {"an arm thinner than nothing", "[probe]\n[[probe.ball]]\narm_diameter = -1\n",
+     R"(sheet1.toml:3:16: error: probe.ball.arm_diameter is -1, it should be 0 or more [SET105]
+    3 | arm_diameter = -1
+      |                ^
+)"},
     {"a length that is not finite", "[probe]\nlength = inf\n",
      R"(sheet1.toml:2:10: error: probe.length is inf, it should be a finite number [SET105]
     2 | length = inf

@@ -118,6 +118,7 @@ rounding = 2.0
 [[probe.ball]]
 at = [30.0, 0.0, 10.0]
 diameter = 4.0
+arm_diameter = 2.0
 [[probe.ball]]
 [[part]]
 name = "mesh"

@@ -1,7 +1,9 @@
 #include "tools/setup/fill_probe.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "machine/base/contract.h"
@@ -98,6 +100,23 @@ probe::StylusBall ball_from(const SheetTable& table, double usual_diameter_mm) {
   return {point_from(keys, KeyId::ProbeBallAt), keys.get(KeyId::ProbeBallSize, usual_diameter_mm)};
 }
 
+/// What holds a further ball: level from the axis of the stem, below the main ball straight from
+/// that.
+std::optional<probe::ProbeSection> arm_from(const SheetTable& table,
+                                            const probe::StylusBall& ball) {
+  const double usual_diameter = kUsualStemToBall * ball.diameter_mm;
+  const double radius = 0.5 * TableKeys(table).get(KeyId::ProbeBallArm, usual_diameter);
+  const Point p_S_root(0.0, 0.0, std::max(0.0, ball.p_S_from_main.z()));
+  const Point along = ball.p_S_from_main - p_S_root;
+  if (radius == 0.0 || along.isZero(0.0)) {
+    return std::nullopt;
+  }
+  probe::ProbeSection arm{"stylus arm", 0.0, along.norm(), radius, radius, 0.0};
+  arm.p_S = p_S_root;
+  arm.turn_S = Eigen::Quaterniond::FromTwoVectors(Point::UnitZ(), along);
+  return arm;
+}
+
 /// The tables of a list; none where the sheet has no such list.
 std::vector<SheetTable> list_of(const Sheet& sheet, SectionId section) {
   const auto list = sheet.lists.find(section);
@@ -113,6 +132,9 @@ probe::ProbeSetup probe_from(const Sheet& sheet, const SheetTable& table) {
   probe.state = probe_state_from(keys);
   for (const SheetTable& ball : list_of(sheet, SectionId::ProbeBall)) {
     probe.further_balls.push_back(ball_from(ball, probe.ball_diameter_mm));
+    if (auto arm = arm_from(ball, probe.further_balls.back())) {
+      probe.stem.push_back(*std::move(arm));
+    }
   }
   fill_sections(probe, keys, list_of(sheet, SectionId::ProbeBody));
   return probe;
