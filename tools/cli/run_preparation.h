@@ -5,10 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/dialects/fanuc/library.h"
-#include "interpreter/dialects/fanuc/profile.h"
 #include "interpreter/runtime/outcome.h"
 #include "machine/base/result.h"
+#include "tools/cli/chosen_profile.h"
 #include "tools/cli/exit_code.h"
 #include "tools/cli/run_command.h"
 #include "tools/setup/job.h"
@@ -27,16 +26,13 @@ Refusal refusal(ExitCode code, std::string_view message);
 /// Everything that the command line and the sheets say, read and checked before anything runs.
 struct Prepared {
   setup::Job job;
-  const fanuc::Profile* profile = nullptr;
+  ChosenControl control;
   std::vector<std::string> prints;
   double trace_period_s = 0.0;
 };
 
 /// Reads sheets and variables; chooses the control.
 Result<Prepared, Refusal> prepare(const RunOptions& options);
-
-/// The programs, the folder of the first one, --lib and the shipped macros, in this order.
-std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOptions& options);
 
 /// What a run that went through to its end, whichever, returns to the shell.
 ExitCode exit_code_of(const runtime::Outcome& outcome);

@@ -77,7 +77,10 @@ Shape Compiler::dimensions() {
 
 std::optional<Variable> Compiler::declared_variable(Type type, std::int32_t longest) {
   const Token name = next();
-  if (name.kind != TokenKind::Name) {
+  const bool is_letter = name.kind == TokenKind::Letter && !name.is_letter('R') &&
+                         peek().kind != TokenKind::Integer;
+  has_letter_names_ = has_letter_names_ || is_letter;
+  if (name.kind != TokenKind::Name && !is_letter) {
     fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
   } else if (name.text.size() > kLongestName) {
     fail(AlarmId::NameTooLong, name.where, name.text);

@@ -32,6 +32,7 @@ void Compiler::know_locals_of(const CompiledProgram& home) {
   program_->initial_numbers = home.initial_numbers;
   program_->text_count = home.text_count;
   program_->frame_count = home.frame_count;
+  has_letter_names_ = true;
 }
 
 std::unique_ptr<CompiledProgram> Compiler::run() {
@@ -51,6 +52,7 @@ std::unique_ptr<CompiledProgram> Compiler::run() {
 
 std::unique_ptr<CompiledProgram> Compiler::run_expression() {
   scan_block(text_, whole_, tokens_);
+  find_letter_names();
   block_ = whole_;
   const Expr value = expression();
   expect_end();
@@ -69,6 +71,9 @@ void Compiler::block(ShortSpan span) {
   }
   if (!macros_.empty() || !globals_.macros.empty()) {
     expand_macros();
+  }
+  if (has_letter_names_) {
+    find_letter_names();
   }
   at_ = 0;
   error_.reset();
@@ -211,6 +216,18 @@ void Compiler::expand_macros() {
     i += used - 1;
   }
   tokens_ = std::move(all);
+}
+
+/// A letter that DEF or PROC took as a name is one, unless a number follows it.
+void Compiler::find_letter_names() {
+  for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+    const bool numbered = tokens_[i + 1].kind == TokenKind::Integer ||
+                          tokens_[i + 1].kind == TokenKind::Real;
+    if (tokens_[i].kind == TokenKind::Letter && !numbered &&
+        program_->locals.contains(tokens_[i].text)) {
+      tokens_[i].kind = TokenKind::Name;
+    }
+  }
 }
 
 void Compiler::end_structures() {

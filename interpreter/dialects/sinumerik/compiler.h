@@ -79,6 +79,7 @@ class Compiler {
   void finish_words();
   void take_back(std::size_t first_step);
   void expand_macros();
+  void find_letter_names();
   void resolve_jumps();
   void end_structures();
   const Token& peek(std::size_t ahead = 0) const;
@@ -229,6 +230,7 @@ class Compiler {
   bool has_words_ = false;
   OpCode ends_with_ = OpCode::Move;  ///< Return or EndProgram behind the words of the block
   bool is_first_block_ = true;
+  bool has_letter_names_ = false;  ///< a variable is called I, say
   std::vector<Structure> structures_;
   std::vector<JumpToLabel> jumps_;
   std::vector<PartToRepeat> parts_;
