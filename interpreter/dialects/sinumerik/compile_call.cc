@@ -97,7 +97,7 @@ void Compiler::mcall_statement() {
   next();
   site.name = name.text;
   if (name.is_letter('L') && peek().kind == TokenKind::Integer) {
-    site.name += text_of(next().where);
+    site.name += next().text;
   } else if (name.kind != TokenKind::Name) {
     fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
   }

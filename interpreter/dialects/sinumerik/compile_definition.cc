@@ -77,8 +77,8 @@ Shape Compiler::dimensions() {
 
 std::optional<Variable> Compiler::declared_variable(Type type, std::int32_t longest) {
   const Token name = next();
-  const bool is_letter = name.kind == TokenKind::Letter && !name.is_letter('R') &&
-                         peek().kind != TokenKind::Integer;
+  const bool is_letter =
+      name.kind == TokenKind::Letter && !name.is_letter('R') && peek().kind != TokenKind::Integer;
   has_letter_names_ = has_letter_names_ || is_letter;
   if (name.kind != TokenKind::Name && !is_letter) {
     fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
@@ -182,7 +182,7 @@ void Compiler::def_statement() {
 void Compiler::define_statement() {
   std::string name = next().text;
   if (name.size() == 1 && peek().kind == TokenKind::Integer) {
-    name += text_of(next().where);
+    name += next().text;
   }
   if (!accept_name("AS")) {
     fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));

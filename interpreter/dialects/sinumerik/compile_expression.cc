@@ -384,7 +384,7 @@ Expr Compiler::call_function(FunctionId id, ShortSpan where) {
       }
       break;
     }
-    if (i > 0) {
+    if (!list.empty()) {
       expect(Symbol::Comma);
     }
     function_argument(kind, list);

@@ -177,10 +177,13 @@ std::optional<std::string> Compiler::label_name() {
     next();
     return "N" + std::to_string(static_cast<std::int64_t>(next().number));
   }
-  if (peek().kind == TokenKind::Name) {
-    return next().text;
+  if (peek().kind != TokenKind::Name && peek().kind != TokenKind::Letter) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  // A control wants two letters; one and a number leave no doubt either.
+  const Token name = next();
+  const bool numbered = name.kind == TokenKind::Letter && peek().kind == TokenKind::Integer;
+  return numbered ? name.text + next().text : name.text;
 }
 
 void Compiler::repeat_part(bool one_block) {

@@ -43,6 +43,9 @@ Compiler::Element Compiler::element_of(std::int32_t variable) {
   int dimension = 0;
   const bool bracket = !is_r && accept(Symbol::LeftBracket);
   while ((bracket || is_r) && !failed() && dimension < std::max(1, known.shape.dimensions)) {
+    if (dimension > 0 && peek().is(Symbol::RightBracket)) {
+      break;  // too few of them: said below
+    }
     if (dimension > 0) {
       expect(Symbol::Comma);
     }

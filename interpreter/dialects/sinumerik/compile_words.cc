@@ -26,7 +26,7 @@ void Compiler::letter_item() {
   }
   next();
   if (letter.is_letter('L') && numbered) {
-    call_by_name("L" + text_of(next().where), letter.where);
+    call_by_name("L" + next().text, letter.where);
     return;
   }
   letter_word(letter);
@@ -39,7 +39,7 @@ void Compiler::letter_word(Token letter) {
       fail(AlarmId::NotImplemented, letter.where, "G with a computed number");
       return;
     }
-    g_code("G" + without_leading_zeros(text_of(peek().where)), letter.where);
+    g_code("G" + without_leading_zeros(peek().text), letter.where);
     next();
     return;
   }
@@ -47,7 +47,7 @@ void Compiler::letter_word(Token letter) {
   std::string name = letter.text;
   // I1=, C3=, S1=, M2=: a number belongs to the address where = follows.
   if (numbered && is_assigned(1)) {
-    name += text_of(next().where);
+    name += next().text;
   }
   if (letter.is_letter('M')) {
     m_word(letter.where);

@@ -126,9 +126,13 @@ void Compiler::label_or_number() {
     next();
     program_->block_numbers.push_back({static_cast<std::int32_t>(next().number), here() - 1});
   }
-  if (peek().kind == TokenKind::Name && peek(1).is(Symbol::Colon)) {
-    program_->labels[next().text].push_back(here() - 1);
-    next();
+  const bool is_label =
+      peek(1).is(Symbol::Colon) || (peek().kind == TokenKind::Letter && peek(2).is(Symbol::Colon));
+  if (is_label) {
+    if (const auto name = label_name()) {
+      program_->labels[*name].push_back(here() - 1);
+    }
+    expect(Symbol::Colon);
   }
 }
 
@@ -161,7 +165,7 @@ void Compiler::item() {
     procedure(*id, next().where);
     return;
   }
-  if (named_word()) {
+  if (!program_->locals.contains(token.text) && named_word()) {
     return;
   }
   const Token name = next();
@@ -196,7 +200,7 @@ void Compiler::expand_macros() {
     std::string name = tokens_[i].text;
     std::size_t used = 1;
     if (tokens_[i].kind == TokenKind::Letter && tokens_[i + 1].kind == TokenKind::Integer) {
-      name += text_of(tokens_[i + 1].where);
+      name += tokens_[i + 1].text;
       used = 2;
     }
     const bool is_name = tokens_[i].kind == TokenKind::Name || used == 2;
@@ -221,8 +225,8 @@ void Compiler::expand_macros() {
 /// A letter that DEF or PROC took as a name is one, unless a number follows it.
 void Compiler::find_letter_names() {
   for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
-    const bool numbered = tokens_[i + 1].kind == TokenKind::Integer ||
-                          tokens_[i + 1].kind == TokenKind::Real;
+    const bool numbered =
+        tokens_[i + 1].kind == TokenKind::Integer || tokens_[i + 1].kind == TokenKind::Real;
     if (tokens_[i].kind == TokenKind::Letter && !numbered &&
         program_->locals.contains(tokens_[i].text)) {
       tokens_[i].kind = TokenKind::Name;

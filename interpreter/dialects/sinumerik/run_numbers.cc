@@ -10,6 +10,11 @@ namespace {
 constexpr double kLowestInt = -2147483648.0;
 constexpr double kHighestInt = 2147483647.0;
 
+/// A code as switch takes it: not every switch is about all of them.
+constexpr int at(OpCode code) {
+  return static_cast<int>(code);
+}
+
 std::int32_t bits(double number) {
   return static_cast<std::int32_t>(number);
 }
@@ -26,77 +31,79 @@ bool Runner::failed(AlarmId id, std::string detail) {
   return false;
 }
 
-/// Steps that cannot fail, the hot ones first.
+namespace {
+
+/// Comparisons and logic: steps that cannot fail.  nullopt: another step.
+std::optional<double> judged(OpCode code, double a, double b) {
+  const auto truth = [](bool holds) { return holds ? 1.0 : 0.0; };
+  switch (at(code)) {
+    case at(OpCode::Equal):
+      return truth(a == b);
+    case at(OpCode::NotEqual):
+      return truth(a != b);
+    case at(OpCode::Less):
+      return truth(a < b);
+    case at(OpCode::Greater):
+      return truth(a > b);
+    case at(OpCode::LessEqual):
+      return truth(a <= b);
+    case at(OpCode::GreaterEqual):
+      return truth(a >= b);
+    case at(OpCode::And):
+      return truth(a != 0.0 && b != 0.0);
+    case at(OpCode::Or):
+      return truth(a != 0.0 || b != 0.0);
+    case at(OpCode::Xor):
+      return truth((a != 0.0) != (b != 0.0));
+    case at(OpCode::BitAnd):
+      return bits(a) & bits(b);
+    case at(OpCode::BitOr):
+      return bits(a) | bits(b);
+    case at(OpCode::BitXor):
+      return bits(a) ^ bits(b);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+/// Steps on numbers; the hot ones first.
 Runner::Taken Runner::number_step(const Op& op) {
   if (op.code > OpCode::JumpIfNot) {
     return Taken::NotMine;
   }
-  const double a = number(op.a);
-  const auto b = [&] { return number(op.b); };
-  double result = 0.0;
-  switch (static_cast<int>(op.code)) {
-    case static_cast<int>(OpCode::Move):
-      result = a;
-      break;
-    case static_cast<int>(OpCode::Negate):
-      result = -a;
-      break;
-    case static_cast<int>(OpCode::Not):
-      result = a == 0.0 ? 1.0 : 0.0;
-      break;
-    case static_cast<int>(OpCode::Equal):
-      result = a == b() ? 1.0 : 0.0;
-      break;
-    case static_cast<int>(OpCode::NotEqual):
-      result = a != b() ? 1.0 : 0.0;
-      break;
-    case static_cast<int>(OpCode::Less):
-      result = a < b() ? 1.0 : 0.0;
-      break;
-    case static_cast<int>(OpCode::Greater):
-      result = a > b() ? 1.0 : 0.0;
-      break;
-    case static_cast<int>(OpCode::LessEqual):
-      result = a <= b() ? 1.0 : 0.0;
-      break;
-    case static_cast<int>(OpCode::GreaterEqual):
-      result = a >= b() ? 1.0 : 0.0;
-      break;
-    case static_cast<int>(OpCode::And):
-      result = a != 0.0 && b() != 0.0 ? 1.0 : 0.0;
-      break;
-    case static_cast<int>(OpCode::Or):
-      result = a != 0.0 || b() != 0.0 ? 1.0 : 0.0;
-      break;
-    case static_cast<int>(OpCode::Xor):
-      result = (a != 0.0) != (b() != 0.0) ? 1.0 : 0.0;
-      break;
-    case static_cast<int>(OpCode::BitAnd):
-      result = bits(a) & bits(b());
-      break;
-    case static_cast<int>(OpCode::BitOr):
-      result = bits(a) | bits(b());
-      break;
-    case static_cast<int>(OpCode::BitXor):
-      result = bits(a) ^ bits(b());
-      break;
-    case static_cast<int>(OpCode::BitNot):
-      result = ~bits(a);
-      break;
-    case static_cast<int>(OpCode::ToBool):
-      result = a != 0.0 ? 1.0 : 0.0;
-      break;
-    case static_cast<int>(OpCode::Jump):
+  const double a = op.code == OpCode::Jump ? 0.0 : number(op.a);
+  switch (at(op.code)) {
+    case at(OpCode::Move):
+      number(op.result) = a;
+      return Taken::Done;
+    case at(OpCode::Negate):
+      number(op.result) = -a;
+      return Taken::Done;
+    case at(OpCode::Not):
+      number(op.result) = a == 0.0 ? 1.0 : 0.0;
+      return Taken::Done;
+    case at(OpCode::BitNot):
+      number(op.result) = ~bits(a);
+      return Taken::Done;
+    case at(OpCode::ToBool):
+      number(op.result) = a != 0.0 ? 1.0 : 0.0;
+      return Taken::Done;
+    case at(OpCode::Jump):
       level().step = op.a.place;
       return Taken::Done;
-    case static_cast<int>(OpCode::JumpIfNot):
+    case at(OpCode::JumpIfNot):
       level().step = a == 0.0 ? op.b.place : level().step;
       return Taken::Done;
     default:
-      return checked_step(op);
+      break;
   }
-  number(op.result) = result;
-  return Taken::Done;
+  if (op.code >= OpCode::Equal && op.code <= OpCode::BitXor) {
+    number(op.result) = *judged(op.code, a, number(op.b));
+    return Taken::Done;
+  }
+  return checked_step(op);
 }
 
 /// Steps whose result may be no number.
@@ -104,26 +111,26 @@ Runner::Taken Runner::checked_step(const Op& op) {
   const double a = number(op.a);
   const double b = number(op.b);
   double result = 0.0;
-  switch (static_cast<int>(op.code)) {
-    case static_cast<int>(OpCode::Add):
+  switch (at(op.code)) {
+    case at(OpCode::Add):
       result = a + b;
       break;
-    case static_cast<int>(OpCode::Subtract):
+    case at(OpCode::Subtract):
       result = a - b;
       break;
-    case static_cast<int>(OpCode::Multiply):
+    case at(OpCode::Multiply):
       result = a * b;
       break;
-    case static_cast<int>(OpCode::Divide):
+    case at(OpCode::Divide):
       result = a / b;
       break;
-    case static_cast<int>(OpCode::DivideWhole):
+    case at(OpCode::DivideWhole):
       result = std::trunc(a / b);
       break;
-    case static_cast<int>(OpCode::Modulo):
+    case at(OpCode::Modulo):
       result = std::fmod(a, b);
       break;
-    case static_cast<int>(OpCode::Math): {
+    case at(OpCode::Math): {
       const auto id = static_cast<FunctionId>(op.detail);
       const auto value = mathematics(id, a, b);
       if (!value) {
@@ -134,8 +141,8 @@ Runner::Taken Runner::checked_step(const Op& op) {
       result = *value;
       break;
     }
-    case static_cast<int>(OpCode::ToInt):
-    case static_cast<int>(OpCode::CheckInt): {
+    case at(OpCode::ToInt):
+    case at(OpCode::CheckInt): {
       result = rounded(a);
       const bool converts = op.code == OpCode::ToInt;
       if (!is_int(result)) {
@@ -186,32 +193,32 @@ bool Runner::index(const Op& op) {
   const Variable& known = level().program->variables[static_cast<std::size_t>(op.b.place)];
   const Shape shape =
       known.storage == Storage::Reference ? variable(op.b.place).shape : known.shape;
-  const double at = rounded(number(op.a));
+  const double place = rounded(number(op.a));
   const int size = shape.size[op.detail];
-  if (!(at >= 0.0 && at < size)) {
+  if (!(place >= 0.0 && place < size)) {
     constexpr AlarmId kAlarms[] = {AlarmId::IndexOne, AlarmId::IndexTwo, AlarmId::InvalidIndex};
     return failed(kAlarms[op.detail],
-                  fmt::format("{}[{}] of {}", known.name, shown(Type::Real, at), size));
+                  fmt::format("{}[{}] of {}", known.name, shown(Type::Real, place), size));
   }
   double& result = number(op.result);
-  result = result * size + at;
+  result = result * size + place;
   return true;
 }
 
 Runner::Taken Runner::array_step(const Op& op) {
   const auto taken = [](bool done) { return done ? Taken::Done : Taken::Failed; };
-  switch (static_cast<int>(op.code)) {
-    case static_cast<int>(OpCode::Index):
+  switch (at(op.code)) {
+    case at(OpCode::Index):
       return taken(index(op));
-    case static_cast<int>(OpCode::Load):
+    case at(OpCode::Load):
       number(op.result) = variable(op.b.place).numbers[static_cast<std::size_t>(number(op.a))];
       return Taken::Done;
-    case static_cast<int>(OpCode::Store):
+    case at(OpCode::Store):
       variable(op.b.place).numbers[static_cast<std::size_t>(number(op.a))] = number(op.result);
       return Taken::Done;
-    case static_cast<int>(OpCode::Fill):
+    case at(OpCode::Fill):
       return taken(fill(op));
-    case static_cast<int>(OpCode::Repeat):
+    case at(OpCode::Repeat):
       return taken(repeat_value(op));
     default:
       return Taken::NotMine;

@@ -93,6 +93,9 @@ class BlockScanner {
                                        : TokenKind::Real,
                        begin);
     token.number = value;
+    if (token.kind == TokenKind::Integer) {
+      token.text = text_.substr(begin, at_ - begin);
+    }
   }
 
   bool exponent(double& value) {

@@ -46,7 +46,8 @@ struct Token {
   TokenKind kind = TokenKind::End;
   Symbol symbol = Symbol::None;
   double number = 0.0;
-  std::string text;  ///< names and letters in upper case; of a string what stands in the quotes
+  /// Names and letters in upper case; digits of an integer; of a string what stands in the quotes.
+  std::string text;
   syntax::ShortSpan where;
 
   [[nodiscard]] bool is(Symbol wanted) const {
