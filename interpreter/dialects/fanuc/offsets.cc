@@ -8,7 +8,7 @@ void OffsetTable::set_field(int number, Field field, double value_mm) {
   const bool is_wear = field == &ToolEntry::length_wear_mm || field == &ToolEntry::radius_wear_mm;
   switch (memory_) {
     case OffsetMemory::A:
-      entry = {value_mm, 0.0, value_mm, 0.0, {}, 0.0};
+      entry = {value_mm, 0.0, value_mm, 0.0};
       return;
     case OffsetMemory::B:
       entry.*(is_wear ? &ToolEntry::length_wear_mm : &ToolEntry::length_mm) = value_mm;

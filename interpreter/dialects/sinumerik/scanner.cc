@@ -27,6 +27,24 @@ constexpr bool is_name_character(char c) {
   return is_letter(c) || is_digit(c) || c == '$';
 }
 
+/// A text of Latin-1 characters, whether the file has it in Latin-1 or in UTF-8: the control counts
+/// characters, and shows them by one byte.
+std::string one_byte_each(std::string_view text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+    const bool is_pair = (lead == 0xC2 || lead == 0xC3) && (next & 0xC0U) == 0x80U;
+    if (is_pair) {
+      bytes.push_back(static_cast<char>(((lead & 0x03U) << 6U) | (next & 0x3FU)));
+      ++i;
+    } else {
+      bytes.push_back(text[i]);
+    }
+  }
+  return bytes;
+}
+
 /// Reads one block token by token.
 class BlockScanner {
  public:
@@ -125,7 +143,7 @@ class BlockScanner {
     const std::size_t end = text_.find('"', begin + 1);
     at_ = end == text_.npos ? text_.size() : end + 1;
     Token& token = add(end == text_.npos ? TokenKind::Unknown : TokenKind::Text, begin);
-    token.text = text_.substr(begin + 1, at_ - begin - (end == text_.npos ? 1 : 2));
+    token.text = one_byte_each(text_.substr(begin + 1, at_ - begin - (end == text_.npos ? 1 : 2)));
   }
 
   /// 'HFF' and 'B101'
