@@ -20,7 +20,11 @@ constexpr std::uint32_t kRepeatabilityStream = 1;
 
 TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& parts,
                        std::uint64_t seed)
-    : setup_(setup), seed_(seed) {
+    : TouchProbe(setup, std::make_shared<const TouchableParts>(setup, parts), seed) {}
+
+TouchProbe::TouchProbe(const ProbeSetup& setup, std::shared_ptr<const TouchableParts> parts,
+                       std::uint64_t seed)
+    : setup_(setup), parts_(std::move(parts)), seed_(seed) {
   G31_EXPECTS(setup.ball_diameter_mm > 0.0);
   G31_EXPECTS(setup.trigger_delay_s >= 0.0);
   G31_EXPECTS(setup.repeatability_mm >= 0.0);
@@ -28,17 +32,6 @@ TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& p
   add_ball(p_S_main, setup.ball_diameter_mm);
   for (const StylusBall& ball : setup.further_balls) {
     add_ball(p_S_main + ball.p_S_from_main, ball.diameter_mm);
-  }
-  parts_.reserve(parts.size());
-  for (const ProbedPart& part : parts) {
-    Part& built = parts_.emplace_back(Part{part.name, {}});
-    built.sweepers.reserve(radii_.size());
-    for (const double radius : radii_) {
-      built.sweepers.emplace_back(part.mesh_M, radius);
-    }
-    if (!setup.stem.empty() || !setup.bodies.empty()) {
-      solid_parts_.emplace_back(part.mesh_M);
-    }
   }
 }
 
@@ -124,11 +117,7 @@ void TouchProbe::turn_spindle_to(double angle_deg) {
 
 void TouchProbe::add_ball(const Point& p_S, double diameter_mm) {
   const double radius = 0.5 * diameter_mm;
-  const auto known = std::ranges::find(radii_, radius);
-  balls_.push_back({p_S, radius, static_cast<std::size_t>(known - radii_.begin())});
-  if (known == radii_.end()) {
-    radii_.push_back(radius);
-  }
+  balls_.push_back({p_S, radius, parts_->size_of(radius)});
 }
 
 machine::Reach TouchProbe::reach() const {
@@ -176,7 +165,7 @@ TouchProbe::PartHit TouchProbe::first_hit(const machine::Sweep& sweep, Question 
   PartHit first;
   for (const Ball& ball : balls_) {
     const BallWay way = way_of(ball, sweep);
-    for (const Part& part : parts_) {
+    for (const Part& part : parts_->parts()) {
       const PartHit met{(part.sweepers[ball.size].*question)(way.p_M_from, way.p_M_to), &part,
                         &ball, way};
       if (met.hit.status == SweepStatus::StartInContact) {

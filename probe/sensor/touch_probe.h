@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,18 +10,12 @@
 #include <Eigen/Core>
 
 #include "machine/port/surroundings.h"
-#include "parts/geometry/mesh.h"
 #include "probe/collision/rigid_touch.h"
 #include "probe/contact/sweep_mesh.h"
 #include "probe/sensor/probe_setup.h"
+#include "probe/sensor/touchable_parts.h"
 
 namespace g31::probe {
-
-/// A part on the machine table, where it stands.
-struct ProbedPart {
-  std::string name;
-  parts::Mesh mesh_M;  ///< mm, machine frame
-};
 
 /// A touch probe in the spindle among parts: answers the machine with its stylus balls.
 ///
@@ -41,6 +36,10 @@ class TouchProbe final : public machine::Surroundings {
  public:
   /// @param seed  of every random model; with repeatability 0 it does not matter
   TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& parts, std::uint64_t seed);
+
+  /// The same among parts that are made already, for balls of these sizes.
+  TouchProbe(const ProbeSetup& setup, std::shared_ptr<const TouchableParts> parts,
+             std::uint64_t seed);
 
   /// The contact in the answer is the true one; `fraction` carries deflection and random shift.
   std::optional<machine::SkipTrigger> first_trigger(const machine::Sweep& sweep) override;
@@ -72,10 +71,7 @@ class TouchProbe final : public machine::Surroundings {
     double radius = 0.0;
     std::size_t size = 0;  ///< which of the sweepers of each part
   };
-  struct Part {
-    std::string name;
-    std::vector<MeshSweeper> sweepers;  ///< one for each size of ball
-  };
+  using Part = TouchableParts::Part;
   /// The straight way of one ball during a sweep.
   struct BallWay {
     Point p_M_from = Point::Zero();
@@ -135,9 +131,7 @@ class TouchProbe final : public machine::Surroundings {
 
   ProbeSetup setup_;
   std::vector<Ball> balls_;
-  std::vector<double> radii_;
-  std::vector<Part> parts_;
-  std::vector<CollisionMesh> solid_parts_;  // for stem and bodies; empty without them
+  std::shared_ptr<const TouchableParts> parts_;
   std::uint64_t seed_;
   std::uint64_t triggers_asked_ = 0;
   Eigen::Matrix3d R_MS_ = Eigen::Matrix3d::Identity();

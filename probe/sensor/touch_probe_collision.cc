@@ -51,7 +51,7 @@ std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
   for (const Ball& ball : balls_) {
     const Curve curve{[&](double t) { return centre_of(ball, sweep.q_M_at(t), kUpright); },
                       sweep.bend};
-    for (const Part& part : parts_) {
+    for (const Part& part : parts_->parts()) {
       const auto [t, hit] = first_contact_leaving_on_curve(part.sweepers[ball.size], curve);
       if (hit.status != SweepStatus::Miss) {
         first = earlier(std::move(first), obstacle_at(t, hit, part.name));
@@ -85,11 +85,11 @@ std::optional<machine::Obstacle> TouchProbe::touch_of(Sections sections,
   const BallWay main = way_of(balls_.front(), sweep);
   const CentreWay way{main.p_M_from,   main.p_M_to,   margin,
                       sweep.tilt_from, sweep.tilt_to, Eigen::Quaterniond(R_MS_)};
-  auto met = first_touch(sections, solid_parts_, way);
+  auto met = first_touch(sections, parts_->solids(), way);
   if (!met) {
     return std::nullopt;
   }
-  const std::string& part = parts_[met->part].name;
+  const std::string& part = parts_->parts()[met->part].name;
   return machine::Obstacle{met->touch.fraction,
                            fmt::format("{} touches {}", met->section, part),
                            {met->touch.p_M_point, met->touch.n_M, part}};
@@ -125,7 +125,7 @@ double TouchProbe::out_of_contact(const machine::Sweep& sweep) const {
 
 std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(const machine::CurvedSweep& sweep,
                                                                   double begin, double end) const {
-  if (solid_parts_.empty()) {
+  if (parts_->solids().empty()) {
     return std::nullopt;
   }
   const machine::Sweep chord{sweep.q_M_at(begin), sweep.q_M_at(end)};

@@ -160,13 +160,18 @@ TEST(SinumerikDefinitions, MustHaveAScope) {
 }
 
 TEST(SinumerikTexts, TakeLatin1AndUtf8) {
-  ProgramRun latin({{"main.mpf", "DEF STRING[9] TT=\"\xE4\xF6\" ; \xFC\nR1=STRLEN(TT)\nM30\n"}});
-  EXPECT_EQ(latin.number("R1"), 2.0);
-  ProgramRun utf({{"main.mpf",
-                   "\xEF\xBB\xBF"
-                   "DEF STRING[9] TT=\"\xC3\xA4\xC3\xB6\" ; \xC3\xBC\nR1=STRLEN(TT)\nM30\n"}});
-  EXPECT_EQ(utf.alarm(), 0);
-  EXPECT_EQ(utf.number("R1"), 2.0);
+  const std::string kMark = "\xEF\xBB\xBF";
+  const std::string latin_1 = "DEF STRING[9] TT=\"\xE4\xF6\" ; \xFC\nR1=STRLEN(TT)\nM30\n";
+  const std::string utf_8 =
+      "DEF STRING[9] TT=\"\xC3\xA4\xC3\xB6\" ; \xC3\xBC\nR1=STRLEN(TT)\nM30\n";
+  for (const std::string& text : {latin_1, utf_8, kMark + utf_8}) {
+    std::map<std::string, std::string> files;
+    files["main.mpf"] = text;
+    ProgramRun run(std::move(files));
+    EXPECT_EQ(run.alarm(), 0);
+    EXPECT_EQ(run.number("R1"), 2.0);
+    EXPECT_EQ(run.text("TT"), "\xE4\xF6");
+  }
 }
 
 TEST(SinumerikAlarms, TellPlaceAndCalls) {

@@ -16,8 +16,8 @@ namespace {
 
 /// The programs, the folder of the first one, --lib and the shipped macros, in this order.
 template <typename Library>
-std::optional<Refusal> fill_library(Library& library, const RunOptions& options,
-                                    const std::string& shipped) {
+std::optional<Refusal> load_programs(Library& library, const RunOptions& options,
+                                     const std::string& shipped) {
   for (const std::string& program : options.programs) {
     if (library.add_file(program) == Library::Added::Unreadable) {
       return refusal(ExitCode::BadUsage, fmt::format("cannot read the program {}", program));
@@ -41,14 +41,13 @@ class FanucSession final : public ControlSession {
  public:
   FanucSession() : library_(disk_) {}
 
-  std::optional<Refusal> load(const RunOptions& options) {
-    return fill_library(library_, options, "macros/fanuc");
-  }
+  std::optional<Refusal> load(const RunOptions& options) { return fill_library(library_, options); }
   void open(const fanuc::Profile& profile, machine::MachinePort& port,
             runtime::Observer& observer) {
     session_.emplace(profile, library_, port, observer);
   }
 
+  void connect(runtime::PrinterPort& printer) override { session_->connect(printer); }
   std::vector<std::string> configure(const runtime::ControlSetup& setup) override {
     return session_->configure(setup);
   }
@@ -74,7 +73,7 @@ class SinumerikSession final : public ControlSession {
   SinumerikSession() : library_(disk_) {}
 
   std::optional<Refusal> load(const RunOptions& options) {
-    return fill_library(library_, options, "macros/sinumerik");
+    return load_programs(library_, options, "macros/sinumerik");
   }
   void open(machine::MachinePort& port, runtime::Observer& observer) {
     session_.emplace(library_, port, observer);
@@ -99,6 +98,10 @@ class SinumerikSession final : public ControlSession {
 };
 
 }  // namespace
+
+std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOptions& options) {
+  return load_programs(library, options, "macros/fanuc");
+}
 
 Result<SessionPointer, Refusal> open_session(const Prepared& prepared, const RunOptions& options,
                                              machine::MachinePort& port,

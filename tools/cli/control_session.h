@@ -8,6 +8,7 @@
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/outcome.h"
+#include "interpreter/runtime/printer_port.h"
 #include "interpreter/runtime/shown_value.h"
 #include "machine/port/machine_port.h"
 #include "tools/cli/run_options.h"
@@ -23,6 +24,8 @@ class ControlSession {
   ControlSession& operator=(const ControlSession&) = delete;
   virtual ~ControlSession() = default;
 
+  /// A printer at a serial line; a control without one leaves it alone.
+  virtual void connect(runtime::PrinterPort& /*printer*/) {}
   /// @returns what in the set-up this control cannot understand; empty: all of it
   virtual std::vector<std::string> configure(const runtime::ControlSetup& setup) = 0;
   virtual runtime::Outcome run(const runtime::Budget& budget) = 0;

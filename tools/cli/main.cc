@@ -12,6 +12,8 @@
 #include "tools/cli/run_options.h"
 #include "tools/cli/scene_command.h"
 #include "tools/cli/scene_options.h"
+#include "tools/cli/study_command.h"
+#include "tools/cli/study_options.h"
 
 namespace {
 
@@ -39,6 +41,9 @@ ExitCode dispatch(int argc, char** argv) {
   g31::cli::SceneOptions scene;
   CLI::App* const scene_app = g31::cli::add_scene_command(app, scene);
   scene_app->footer(g31::cli::scene_examples() + exit_code_help());
+  g31::cli::StudyOptions study;
+  CLI::App* const study_app = g31::cli::add_study_command(app, study);
+  study_app->footer(g31::cli::study_examples() + exit_code_help());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -46,6 +51,9 @@ ExitCode dispatch(int argc, char** argv) {
   }
   if (scene_app->parsed()) {
     return scene_command(scene);
+  }
+  if (study_app->parsed()) {
+    return study_command(study);
   }
   return explain_app->parsed() ? explain_command(explain) : run_command(run);
 }

@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "interpreter/runtime/overloaded.h"
-#include "interpreter/source/diagnostic.h"
 #include "tools/cli/control_session.h"
 #include "tools/cli/disk.h"
+#include "tools/cli/printouts.h"
 #include "tools/cli/run_preparation.h"
 #include "tools/cli/scene.h"
 #include "tools/cli/variables_file.h"
@@ -23,21 +23,19 @@
 namespace g31::cli {
 namespace {
 
-/// Prints on the terminal while the program runs, unless the document goes there.  Without a
-/// document nothing is kept: an endless loop may print and stop for hours.
+/// Prints while the program runs.  Without a document nothing is kept: an endless loop may print
+/// and stop for hours.
 class EchoingRecorder final : public report::RunRecorder {
  public:
-  explicit EchoingRecorder(const RunOptions& options)
+  EchoingRecorder(const RunOptions& options, Printouts& printouts)
       : RunRecorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No}),
-        echoes_(options.json != "-"),
+        printouts_(printouts),
         keeps_(!options.json.empty()) {}
   void on_output(std::string_view text) override {
     if (keeps_) {
       RunRecorder::on_output(text);
     }
-    if (echoes_) {
-      std::fwrite(text.data(), 1, text.size(), stdout);
-    }
+    printouts_.write(text);
   }
   void on_stop(const runtime::StopEvent& event) override {
     if (keeps_) {
@@ -47,7 +45,7 @@ class EchoingRecorder final : public report::RunRecorder {
 
  private:
   using Keep = report::RecordWhat::Keep;
-  bool echoes_;
+  Printouts& printouts_;
   bool keeps_;
 };
 
@@ -132,9 +130,24 @@ Result<Trace, Refusal> open_trace(const std::string& path, const machine::Machin
   return trace ? Result<Trace, Refusal>(trace.value()) : refusal(ExitCode::BadUsage, trace.error());
 }
 
-std::optional<Refusal> finish_trace(const Trace& trace) {
-  const auto problem = trace != nullptr ? trace->finish() : std::nullopt;
-  return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
+/// Closes what was written while the program ran.
+std::optional<Refusal> finish_files(const Trace& trace, Printouts& printouts) {
+  if (const auto problem = trace != nullptr ? trace->finish() : std::nullopt) {
+    return refusal(ExitCode::BadUsage, *problem);
+  }
+  return printouts.finish();
+}
+
+/// Sets a control up for the job.
+std::optional<Refusal> set_up(ControlSession& session, const setup::Job& job,
+                              const Printouts& printouts) {
+  if (printouts.printer() != nullptr) {
+    session.connect(*printouts.printer());
+  }
+  const auto refused = session.configure(job.control);
+  return refused.empty()
+             ? std::nullopt
+             : std::optional(refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; "))));
 }
 
 }  // namespace
@@ -153,7 +166,11 @@ ExitCode run_command(const RunOptions& options) {
   if (!scene) {
     return refuse({ExitCode::Setup, setup::render(scene.error())});
   }
-  EchoingRecorder recorder(options);
+  const auto printouts = Printouts::open(options);
+  if (!printouts) {
+    return refuse(printouts.error());
+  }
+  EchoingRecorder recorder(options, *printouts.value());
   machine::MachiningCentre& machine = *scene.value().machine;
   if (trace.value() != nullptr) {
     machine.trace(prepared.value().trace_period_s, *trace.value());
@@ -163,17 +180,15 @@ ExitCode run_command(const RunOptions& options) {
     return refuse(opened.error());
   }
   ControlSession& session = *opened.value();
-  if (const auto refused = session.configure(job.control); !refused.empty()) {
-    return refuse(refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; "))));
+  if (const auto wrong = set_up(session, job, *printouts.value())) {
+    return refuse(*wrong);
   }
   report::RunResult result;
   result.outcome = session.run(options.budget);
-  if (const auto wrong = finish_trace(trace.value())) {
+  if (const auto wrong = finish_files(trace.value(), *printouts.value())) {
     return refuse(*wrong);
   }
-  for (const source::Diagnostic& diagnostic : result.outcome.diagnostics) {
-    std::fputs(render_text(diagnostic).c_str(), stderr);
-  }
+  print_diagnostics(result.outcome);
   if (result.outcome.status == runtime::Status::SyntaxError && !result.outcome.alarm) {
     return ExitCode::BadUsage;
   }

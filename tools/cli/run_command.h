@@ -18,6 +18,10 @@ struct RunOptions {
   std::vector<std::string> assignments;
   std::vector<std::string> prints;
   std::string json;  ///< file, "-" for standard output, "" for none
+  /// Where printouts go: "-" standard output, a file, or a line as parse_line_spec takes it; "" as
+  /// "-", unless the document goes there.
+  std::string printer;
+  double printer_wait_s = 30.0;    ///< how long the printer may keep the program waiting at a time
   std::string trace;               ///< file of sampled positions, "" for none
   std::string trace_period = "1ms";  ///< as parse_duration takes it
   bool moves = false;
@@ -26,7 +30,7 @@ struct RunOptions {
   runtime::Budget budget;
 };
 
-/// Runs a program and reports: standard output what it prints, standard error what is wrong.
+/// Runs a program and reports: to standard output or the printer what it prints, standard error what is wrong.
 ExitCode run_command(const RunOptions& options);
 
 }  // namespace g31::cli

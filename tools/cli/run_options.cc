@@ -65,6 +65,14 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->allow_extra_args(false);
   run->add_option("--json", options.json, "result document; - is standard output")
       ->type_name("FILE");
+  run->add_option("--printer", options.printer,
+                  "where printouts go: a file, - for standard output (default), or a serial line "
+                  "as DEVICE,BAUD,PARITY,DATA BITS,STOP BITS")
+      ->type_name("PRINTER");
+  run->add_option("--printer-wait", options.printer_wait_s,
+                  "seconds that a printer at a line may stop the program at a time (default 30)")
+      ->type_name("S")
+      ->check(why_no_time);
   run->add_flag("--moves", options.moves, "every move in the document");
   run->add_flag("--touches", options.touches, "every touch in the document");
   run->add_option("--trace", options.trace, "axis positions over time, as a table (CSV)")
@@ -79,7 +87,14 @@ std::string run_examples() {
   return "Examples:\n"
          "  g31 run O6001.nc --setup ring.toml --print '#517,#518'\n"
          "  g31 run part.nc -s machine.toml -s fixture.toml --lib macros --json - --touches\n"
-         "  g31 run O9010.nc --set '#1=1' --set '#18=5' --control fanuc-30i\n\n";
+         "  g31 run O9010.nc --set '#1=1' --set '#18=5' --control fanuc-30i\n"
+         "  g31 run part.nc -s machine.toml --printer printout.txt\n"
+         "  g31 run part.nc -s machine.toml --printer /dev/ttyS0,4800,e,7,2\n\n"
+         "A printer at a line, as a control feeds it (more in macros/README.md):\n"
+         "  e,7    ISO code: even parity in bit 8; o,7 odd parity\n"
+         "  n,8    plain characters; ISO code where parameter 0.1 is 1\n"
+         "  POPEN sends DC2, PCLOS DC4; DC3 from the printer stops the output, DC1 lets it go on.\n"
+         "  A printer that is not ready is alarm 86, exit code 3; no such line, exit code 2.\n\n";
 }
 
 }  // namespace g31::cli

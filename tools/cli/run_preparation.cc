@@ -35,7 +35,21 @@ Result<ChosenControl, Refusal> chosen_control(const RunOptions& options, const s
   return control.value();
 }
 
-/// `--set` after the variables file, the sheets' [variables] between them.
+}  // namespace
+
+Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
+                                                      const setup::Job& job) {
+  const auto control = chosen_control(options, job);
+  if (!control) {
+    return control.error();
+  }
+  if (control.value().profile == nullptr) {
+    return refusal(ExitCode::Setup, fmt::format("{}: only controls of the Fanuc dialect here",
+                                                control.value().name));
+  }
+  return control.value().profile;
+}
+
 std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job) {
   auto& variables = job.control.variables;
   Disk disk;
@@ -63,24 +77,26 @@ std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job
   return std::nullopt;
 }
 
-}  // namespace
-
 Refusal refusal(ExitCode code, std::string_view message) {
   return {code, fmt::format("g31: error: {}\n", message)};
+}
+
+Refusal refusal_of(const setup::SetupErrors& errors) {
+  Refusal wrong;
+  for (const setup::SetupError& error : errors) {
+    wrong.text += setup::render(error);
+    if (error.code == setup::code_of(setup::SetupErrorId::FileNotFound)) {
+      wrong.code = ExitCode::Setup;
+    }
+  }
+  return wrong;
 }
 
 Result<Prepared, Refusal> prepare(const RunOptions& options) {
   Prepared prepared;
   auto job = setup::read_job(options.setups, shipped_folder("machine/library").value_or(""));
   if (!job) {
-    Refusal wrong;
-    for (const setup::SetupError& error : job.error()) {
-      wrong.text += setup::render(error);
-      if (error.code == setup::code_of(setup::SetupErrorId::FileNotFound)) {
-        wrong.code = ExitCode::Setup;
-      }
-    }
-    return wrong;
+    return refusal_of(job.error());
   }
   prepared.job = job.value();
   const auto control = chosen_control(options, prepared.job);

@@ -5,12 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/dialects/fanuc/library.h"
 #include "interpreter/runtime/outcome.h"
 #include "machine/base/result.h"
 #include "tools/cli/chosen_profile.h"
 #include "tools/cli/exit_code.h"
 #include "tools/cli/run_command.h"
 #include "tools/setup/job.h"
+#include "tools/setup/setup_error.h"
 
 namespace g31::cli {
 
@@ -33,6 +35,20 @@ struct Prepared {
 
 /// Reads sheets and variables; chooses the control.
 Result<Prepared, Refusal> prepare(const RunOptions& options);
+
+/// The control of the Fanuc dialect that the command line or the sheet names, or the usual one; a
+/// refusal for another dialect's.
+Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
+                                                      const setup::Job& job);
+
+/// Puts the variables file under the sheets' [variables] and --set over them.
+std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job);
+
+/// What is wrong with sheets, as a refusal.
+Refusal refusal_of(const setup::SetupErrors& errors);
+
+/// The programs, the folder of the first one, --lib and the shipped macros, in this order.
+std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOptions& options);
 
 /// What a run that went through to its end, whichever, returns to the shell.
 ExitCode exit_code_of(const runtime::Outcome& outcome);

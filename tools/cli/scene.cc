@@ -22,8 +22,13 @@ setup::SetupError unusable(const setup::SheetPlace& place, std::string why) {
           {}};
 }
 
+}  // namespace
+
 Result<std::vector<probe::ProbedPart>, setup::SetupError> build_parts(const setup::Job& job) {
   std::vector<probe::ProbedPart> built;
+  if (job.skip_signals) {
+    return built;
+  }
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
     const parts::PartSetup& part = job.parts[i];
     const auto mesh_P = part.shape.empty() ? parts::read_mesh_file(part.file, part.step_sagitta_mm)
@@ -37,24 +42,27 @@ Result<std::vector<probe::ProbedPart>, setup::SetupError> build_parts(const setu
   return built;
 }
 
-}  // namespace
+std::unique_ptr<machine::Surroundings> surroundings_of(
+    const setup::Job& job, std::shared_ptr<const probe::TouchableParts> parts, std::uint64_t seed) {
+  if (job.skip_signals) {
+    return std::make_unique<probe::ScriptedSignals>(*job.skip_signals);
+  }
+  return job.probe ? std::make_unique<probe::TouchProbe>(*job.probe, std::move(parts), seed)
+                   : nullptr;
+}
 
 Result<Scene, setup::SetupError> build_scene(const setup::Job& job, std::uint64_t seed) {
-  Scene scene;
-  if (job.skip_signals) {
-    scene.surroundings = std::make_unique<probe::ScriptedSignals>(*job.skip_signals);
-  } else {
-    {
-      const auto parts = build_parts(job);
-      if (!parts) {
-        return parts.error();
-      }
-      scene.parts = parts.value();
-    }
-    if (job.probe) {
-      scene.surroundings = std::make_unique<probe::TouchProbe>(*job.probe, scene.parts, seed);
-    }
+  const auto parts = build_parts(job);
+  if (!parts) {
+    return parts.error();
   }
+  Scene scene;
+  scene.parts = parts.value();
+  const auto touchable =
+      job.probe && !job.skip_signals
+          ? std::make_shared<const probe::TouchableParts>(*job.probe, scene.parts)
+          : nullptr;
+  scene.surroundings = surroundings_of(job, touchable, seed);
   scene.machine = std::make_unique<machine::MachiningCentre>(job.machine, scene.surroundings.get());
   return scene;
 }

@@ -21,6 +21,15 @@ struct Scene {
   std::unique_ptr<machine::MachiningCentre> machine;
 };
 
+/// The parts of a set-up where they stand; none with signals from a script.  @returns why a part
+/// cannot be made or read, with the place in the sheet
+Result<std::vector<probe::ProbedPart>, setup::SetupError> build_parts(const setup::Job& job);
+
+/// What a machine of the set-up meets among parts that are made already; null: nothing.
+/// @param parts  for the balls of the set-up; may be null where no probe is
+std::unique_ptr<machine::Surroundings> surroundings_of(
+    const setup::Job& job, std::shared_ptr<const probe::TouchableParts> parts, std::uint64_t seed);
+
 /// Builds machine, probe and parts of a set-up.  @returns why a part cannot be made or read, with
 /// the place in the sheet
 Result<Scene, setup::SetupError> build_scene(const setup::Job& job, std::uint64_t seed);

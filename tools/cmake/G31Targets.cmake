@@ -53,7 +53,7 @@ function(g31_library name)
 endfunction()
 
 function(g31_test)
-  cmake_parse_arguments(arg "" "NAME" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "" "NAME;PREFIX" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${arg_NAME} ${arg_SOURCES})
   target_link_libraries(${arg_NAME} PRIVATE ${arg_DEPENDS} g31_warnings GTest::gtest_main)
   g31_link_file_by_file(${arg_NAME})
@@ -61,6 +61,7 @@ function(g31_test)
   # Tests run in the source folder: golden files and parts are named by their repository path.
   # They are listed when ctest starts, not while the build keeps every core busy.
   gtest_discover_tests(${arg_NAME} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+    TEST_PREFIX "${arg_PREFIX}"
     DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
 endfunction()
 

@@ -1,20 +1,17 @@
 #include "tools/report/trace_file.h"
 
-#include <cerrno>
-#include <cstring>
 #include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace g31::report {
 
 Result<std::shared_ptr<TraceFile>, std::string> TraceFile::create(const std::string& path,
                                                                   const AxesPresent& axes) {
-  std::shared_ptr<TraceFile> trace(new TraceFile(path, axes));
-  if (trace->file_ == nullptr) {
-    return fmt::format("cannot write {}: {}", path, std::strerror(trace->error_));
+  auto file = PartFile::create(path);
+  if (!file) {
+    return fmt::format("cannot write {}: {}", path, file.error());
   }
   std::string header = "time_s";
   for (const char* const what : {"commanded", "encoder", "true"}) {
@@ -24,24 +21,13 @@ Result<std::shared_ptr<TraceFile>, std::string> TraceFile::create(const std::str
       }
     }
   }
-  trace->write(header + "\n");
-  return trace;
+  file.value()->write(header + "\n");
+  return std::shared_ptr<TraceFile>(new TraceFile(path, file.value(), axes));
 }
 
-TraceFile::TraceFile(const std::string& path, const AxesPresent& axes)
-    : path_(path),
-      temporary_(fmt::format("{}.{}.part", path, ::getpid())),
-      axes_(axes),
-      file_(std::fopen(temporary_.c_str(), "wb")) {
-  error_ = file_ == nullptr ? errno : 0;
-}
-
-TraceFile::~TraceFile() {
-  if (file_ != nullptr) {
-    std::fclose(file_);
-    std::remove(temporary_.c_str());
-  }
-}
+TraceFile::TraceFile(const std::string& path, std::shared_ptr<PartFile> file,
+                     const AxesPresent& axes)
+    : path_(path), file_(std::move(file)), axes_(axes) {}
 
 void TraceFile::on_sample(const machine::TraceSample& sample) {
   line_.clear();
@@ -50,7 +36,7 @@ void TraceFile::on_sample(const machine::TraceSample& sample) {
   append(line_, sample.q_M_encoder);
   append(line_, sample.q_M_true);
   line_ += '\n';
-  write(line_);
+  file_->write(line_);
 }
 
 void TraceFile::append(std::string& line, const AxisPositions& q) const {
@@ -62,24 +48,10 @@ void TraceFile::append(std::string& line, const AxisPositions& q) const {
   }
 }
 
-void TraceFile::write(const std::string& line) {
-  if (error_ == 0 && std::fwrite(line.data(), 1, line.size(), file_) != line.size()) {
-    error_ = errno;
-  }
-}
-
 std::optional<std::string> TraceFile::finish() {
-  if (std::fclose(std::exchange(file_, nullptr)) != 0 && error_ == 0) {
-    error_ = errno;
-  }
-  if (error_ == 0 && std::rename(temporary_.c_str(), path_.c_str()) != 0) {
-    error_ = errno;
-  }
-  if (error_ == 0) {
-    return std::nullopt;
-  }
-  std::remove(temporary_.c_str());
-  return fmt::format("cannot write {}: {}", path_, std::strerror(error_));
+  const auto problem = file_->finish();
+  return problem ? std::optional(fmt::format("cannot write {}: {}", path_, *problem))
+                 : std::nullopt;
 }
 
 }  // namespace g31::report

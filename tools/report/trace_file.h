@@ -1,13 +1,13 @@
 #pragma once
 
 #include <array>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "machine/base/result.h"
 #include "machine/port/trace.h"
+#include "tools/report/part_file.h"
 
 namespace g31::report {
 
@@ -15,9 +15,7 @@ namespace g31::report {
 ///
 ///   time_s,X_commanded,Y_commanded,...,X_encoder,...,X_true,...
 ///
-/// Positions in mm and deg with seven decimals, machine coordinates.  Written under a temporary
-/// name beside the file as the samples come, so that memory stays small and nobody ever sees half
-/// of it.
+/// Positions in mm and deg with seven decimals, machine coordinates.
 class TraceFile final : public machine::TraceSink {
  public:
   using AxesPresent = std::array<bool, kAxisCount>;
@@ -25,25 +23,19 @@ class TraceFile final : public machine::TraceSink {
   /// @returns why the file cannot be written
   static Result<std::shared_ptr<TraceFile>, std::string> create(const std::string& path,
                                                                 const AxesPresent& axes);
-  /// Without finish() nothing stays behind.
-  ~TraceFile() override;
-
   void on_sample(const machine::TraceSample& sample) override;
 
   /// Gives the file its name.  @returns why it is not whole; nullopt: it is
   std::optional<std::string> finish();
 
  private:
-  TraceFile(const std::string& path, const AxesPresent& axes);
-  void write(const std::string& line);
+  TraceFile(const std::string& path, std::shared_ptr<PartFile> file, const AxesPresent& axes);
   void append(std::string& line, const AxisPositions& q) const;
 
   std::string path_;
-  std::string temporary_;
+  std::shared_ptr<PartFile> file_;
   AxesPresent axes_;
-  std::FILE* file_;
   std::string line_;
-  int error_ = 0;  // errno of the first failure
 };
 
 }  // namespace g31::report

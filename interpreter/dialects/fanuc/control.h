@@ -32,6 +32,7 @@
 #include "interpreter/runtime/budget_watch.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
+#include "interpreter/runtime/printer_port.h"
 #include "machine/port/machine_port.h"
 
 namespace g31::fanuc {
@@ -98,6 +99,7 @@ struct Control {
 
   AxisPositions q_W_skip = AxisPositions::Zero();       ///< #5061.., tool offset included; mm, deg
   AxisPositions q_skip_offset = AxisPositions::Zero();  ///< the tool offset in it
+  runtime::PrinterPort* printer = nullptr;              ///< none: only the observer hears
   bool printer_open = false;                            ///< between POPEN and PCLOS
   std::array<Cell, kFurtherCommonCount> further_commons;  ///< #98000..
   PmcSignals signals;                                     ///< #1000.., #1100..

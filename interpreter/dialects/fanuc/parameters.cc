@@ -55,7 +55,7 @@ Result<Parameters, std::string> Parameters::from(const std::map<std::string, dou
     const char* const end = name.data() + name.size();
     int number = 0;
     const auto after = std::from_chars(name.data(), end, number);
-    if (after.ec != std::errc() || number <= 0) {
+    if (after.ec != std::errc() || number < 0) {
       return name;
     }
     if (after.ptr == end) {

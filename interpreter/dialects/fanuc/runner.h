@@ -85,6 +85,8 @@ class Runner {
   MaybeFailure assigned_system_variable(int number, double value);
   MaybeFailure jump(const Step& step);
   MaybeFailure output(const Step& step);  // runner_output.cc
+  MaybeFailure open_or_close(OutputStatement statement);
+  MaybeFailure refused_output(OutputStatement statement, syntax::ShortSpan block);
   MaybeFailure behind_last_step();
   MaybeFailure keep_whole(Frame& frame);
   MaybeFailure go_to(Frame& frame, int sequence, Failure missing);

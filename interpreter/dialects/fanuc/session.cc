@@ -123,6 +123,10 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   return refused;
 }
 
+void Session::connect(runtime::PrinterPort& printer) {
+  runner_->control().printer = &printer;
+}
+
 runtime::Outcome Session::run(const runtime::Budget& budget) {
   return runner_->run(budget);
 }

@@ -11,6 +11,7 @@
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/outcome.h"
+#include "interpreter/runtime/printer_port.h"
 #include "machine/port/machine_port.h"
 
 namespace g31::fanuc {
@@ -29,6 +30,10 @@ class Session {
 
   /// Takes over a set-up.  @returns what in it this control cannot understand; empty: all of it
   std::vector<std::string> configure(const runtime::ControlSetup& setup);
+
+  /// Connects a printer that POPEN, PCLOS, DPRNT and BPRNT drive; it must outlive the session.
+  /// The observer hears the printouts with or without one.
+  void connect(runtime::PrinterPort& printer);
 
   /// Runs the library's main program to its end.
   runtime::Outcome run(const runtime::Budget& budget);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "parts/geometry/mesh.h"
+#include "probe/collision/collision_mesh.h"
+#include "probe/contact/sweep_mesh.h"
+#include "probe/sensor/probe_setup.h"
+
+namespace g31::probe {
+
+/// A part on the machine table, where it stands.
+struct ProbedPart {
+  std::string name;
+  parts::Mesh mesh_M;  ///< mm, machine frame
+};
+
+/// Parts with the trees that a probe asks: what takes long to make.  Immutable, so any number of
+/// probes on any number of threads may share one.
+class TouchableParts {
+ public:
+  struct Part {
+    std::string name;
+    std::vector<MeshSweeper> sweepers;  ///< one for each size of ball
+  };
+
+  /// @param setup  only the sizes of its balls count, and whether it has a stem or bodies
+  TouchableParts(const ProbeSetup& setup, const std::vector<ProbedPart>& parts);
+
+  [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+
+  /// For stem and bodies; empty without them.
+  [[nodiscard]] const std::vector<CollisionMesh>& solids() const { return solids_; }
+
+  /// Which of the sweepers a ball takes.  @pre one of the balls these parts were made for
+  [[nodiscard]] std::size_t size_of(double radius) const;
+
+ private:
+  void add_radius(double radius);
+
+  std::vector<double> radii_;
+  std::vector<Part> parts_;
+  std::vector<CollisionMesh> solids_;
+};
+
+}  // namespace g31::probe

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "interpreter/runtime/printer_port.h"
+#include "machine/base/result.h"
+#include "tools/cli/run_preparation.h"
+#include "tools/report/part_file.h"
+
+namespace g31::cli {
+
+/// Where the printouts of a run go: standard output, a file or a printer at a serial line.
+class Printouts {
+ public:
+  /// As --printer says; without it to standard output, unless the document goes there.
+  /// @returns why that cannot be
+  static Result<std::shared_ptr<Printouts>, Refusal> open(const RunOptions& options);
+
+  Printouts(const Printouts&) = delete;
+  Printouts& operator=(const Printouts&) = delete;
+  ~Printouts();
+
+  /// The text of a printout; a printer at a line has had it from the control.
+  void write(std::string_view text);
+
+  /// The printer at a line; nullptr: none.
+  [[nodiscard]] runtime::PrinterPort* printer() const { return printer_.get(); }
+
+  /// Closes a file.  @returns why it is not whole; nullopt: it is, or there is none
+  std::optional<Refusal> finish();
+
+ private:
+  Printouts() = default;
+
+  std::string path_;
+  std::FILE* stream_ = nullptr;  // standard output, a device or pipe of ours, or none
+  std::shared_ptr<report::PartFile> file_;
+  std::shared_ptr<runtime::PrinterPort> printer_;
+  int error_ = 0;  // errno of the first failure
+};
+
+}  // namespace g31::cli

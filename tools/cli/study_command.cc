@@ -1,0 +1,208 @@
+#include "tools/cli/study_command.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <mutex>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "tools/cli/disk.h"
+#include "tools/cli/run_preparation.h"
+#include "tools/cli/study_runs.h"
+#include "tools/study/read_study.h"
+#include "tools/study/record.h"
+#include "tools/study/record_csv.h"
+#include "tools/study/record_json.h"
+#include "tools/study/record_table.h"
+#include "tools/study/run_all.h"
+
+namespace g31::cli {
+namespace {
+
+/// A line on a terminal that says how far the study is; elsewhere nothing.
+class ProgressBar {
+ public:
+  explicit ProgressBar(std::size_t runs) : runs_(runs), shows_(::isatty(STDERR_FILENO) == 1) {}
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  ~ProgressBar() {
+    if (shows_) {
+      std::fputs("\r\033[K", stderr);
+    }
+  }
+
+  /// From any thread.
+  void one_done() {
+    const std::size_t done = ++done_;
+    if (!shows_ || done * kSteps / runs_ == (done - 1) * kSteps / runs_) {
+      return;
+    }
+    const std::lock_guard lock(mutex_);
+    const std::size_t filled = done * kWidth / runs_;
+    const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
+    std::fputs(fmt::format("\r[{}] {} of {} runs", bar, done, runs_).c_str(), stderr);
+    std::fflush(stderr);
+  }
+
+ private:
+  static constexpr std::size_t kWidth = 40;
+  static constexpr std::size_t kSteps = 200;
+  std::size_t runs_;
+  bool shows_;
+  std::atomic<std::size_t> done_ = 0;
+  std::mutex mutex_;
+};
+
+/// "3/8".
+std::optional<study::Shard> shard_from(std::string_view text) {
+  study::Shard shard;
+  const char* const end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  if (index.ec != std::errc() || index.ptr == end || *index.ptr != '/') {
+    return std::nullopt;
+  }
+  const auto of = std::from_chars(index.ptr + 1, end, shard.of);
+  constexpr std::size_t kMostShards = 1'000'000;
+  const bool fits = of.ec == std::errc() && of.ptr == end && shard.index >= 1 &&
+                    shard.index <= shard.of && shard.of <= kMostShards;
+  return fits ? std::optional(shard) : std::nullopt;
+}
+
+using Made = Result<study::Record, Refusal>;
+
+Made run_study(const StudyOptions& options) {
+  std::optional<study::Shard> shard;
+  if (!options.shard.empty()) {
+    shard = shard_from(options.shard);
+    if (!shard) {
+      return refusal(
+          ExitCode::BadUsage,
+          fmt::format("--shard {}: write i/n, part i of n, for example 1/4", options.shard));
+    }
+    if (options.json.empty()) {
+      return refusal(ExitCode::BadUsage, "--shard needs --json FILE, which --merge takes");
+    }
+  }
+  const auto read = study::read_study(options.study);
+  if (!read) {
+    return refusal_of(read.error());
+  }
+  study::Study study = read.value();
+  study.repeats = options.repeats.value_or(study.repeats);
+  study.seed = options.seed.value_or(study.seed);
+  if (study::run_count(study) > study::kMostRuns) {
+    return refusal(ExitCode::BadUsage, fmt::format("{} runs are too many, {} at most",
+                                                   study::run_count(study), study::kMostRuns));
+  }
+  const auto created = StudyRuns::create(study);
+  if (!created) {
+    return created.error();
+  }
+  StudyRuns& runs = *created.value();
+  study::RunSpan span{0, study::run_count(study)};
+  if (shard) {
+    span = {study::first_run_of(*shard, span.end),
+            study::first_run_of({shard->index + 1, shard->of}, span.end)};
+  }
+  study::Record record{runs.description(), shard, {}};
+  ProgressBar progress(span.end - span.begin);
+  record.rows = study::run_all(
+      span, options.threads, [&](std::size_t run) { return runs.run(run); },
+      [&] { progress.one_done(); });
+  return record;
+}
+
+Made merge_shards(const StudyOptions& options) {
+  if (!options.study.empty() || !options.shard.empty() || options.repeats || options.seed) {
+    return refusal(ExitCode::BadUsage,
+                   "--merge takes shards only, no study file, --shard, --repeats or --seed");
+  }
+  Disk disk;
+  std::vector<study::Record> parts;
+  for (const std::string& path : options.merge) {
+    const auto text = disk.read(path);
+    if (!text) {
+      return refusal(ExitCode::BadUsage, fmt::format("cannot read the shard {}", path));
+    }
+    const auto part = study::parse_record(*text);
+    if (!part) {
+      return refusal(ExitCode::BadUsage,
+                     fmt::format("{} is no shard of a study: {}", path, part.error()));
+    }
+    parts.push_back(part.value());
+  }
+  const auto merged = study::merge(parts);
+  return merged ? Made(merged.value())
+                : Made(refusal(ExitCode::BadUsage, fmt::format("--merge: {}", merged.error())));
+}
+
+std::optional<Refusal> write_out(const std::string& path, std::string_view text) {
+  if (path != "-") {
+    const auto problem = write_whole_file(path, text);
+    return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
+  }
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    return refusal(ExitCode::BadUsage,
+                   fmt::format("cannot write standard output: {}", std::strerror(errno)));
+  }
+  return std::nullopt;
+}
+
+std::optional<Refusal> deliver(const StudyOptions& options, const study::Record& record) {
+  std::optional<Refusal> wrong;
+  if (!options.json.empty()) {
+    wrong = write_out(options.json, study::record_json(record));
+  }
+  if (!wrong && !options.csv.empty()) {
+    wrong = write_out(options.csv, study::record_csv(record));
+  }
+  if (!wrong && options.json != "-" && options.csv != "-" && !record.shard) {
+    wrong = write_out("-", study::record_table(record));
+  }
+  return wrong;
+}
+
+ExitCode worst_of(const study::Record& record) {
+  int worst = 0;
+  for (const study::Row& row : record.rows) {
+    worst = std::max(worst, row.exit_code);
+  }
+  return static_cast<ExitCode>(worst);
+}
+
+}  // namespace
+
+ExitCode study_command(const StudyOptions& options) {
+  if (options.study.empty() && options.merge.empty()) {
+    return refuse(refusal(ExitCode::BadUsage, "a study file is missing: g31 study FILE.toml"));
+  }
+  if (options.json == "-" && options.csv == "-") {
+    return refuse(refusal(ExitCode::BadUsage, "--json and --csv cannot both be standard output"));
+  }
+  const Made made = options.merge.empty() ? run_study(options) : merge_shards(options);
+  if (!made) {
+    return refuse(made.error());
+  }
+  const study::Record& record = made.value();
+  if (const auto wrong = deliver(options, record)) {
+    return refuse(*wrong);
+  }
+  const std::string warnings = study::record_warnings(record);
+  for (std::size_t at = 0; at < warnings.size();) {
+    const std::size_t end = warnings.find('\n', at);
+    std::fputs(fmt::format("g31: warning: {}\n", warnings.substr(at, end - at)).c_str(), stderr);
+    at = end + 1;
+  }
+  return worst_of(record);
+}
+
+}  // namespace g31::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/cli/exit_code.h"
+
+namespace g31::cli {
+
+/// What the command line of `g31 study` says.
+struct StudyOptions {
+  std::string study;  ///< the study file; "" with --merge
+  std::string json;   ///< file, "-" for standard output, "" for none
+  std::string csv;    ///< the same
+  std::string shard;  ///< "i/n", "" for all
+  std::vector<std::string> merge;
+  std::size_t threads = 0;             ///< 0: one a core
+  std::optional<std::size_t> repeats;  ///< in the place of the study's
+  std::optional<std::uint64_t> seed;   ///< the same
+};
+
+/// Runs a study, or puts shards of one together, and reports.
+/// @returns the highest exit code of its runs
+ExitCode study_command(const StudyOptions& options);
+
+}  // namespace g31::cli

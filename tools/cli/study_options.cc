@@ -1,0 +1,56 @@
+#include "tools/cli/study_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "tools/study/study_keys.h"
+
+namespace g31::cli {
+
+CLI::App* add_study_command(CLI::App& app, StudyOptions& options) {
+  CLI::App* const study = app.add_subcommand(
+      "study", "Run a program many times, with varied set-ups, and report statistics.");
+  study->add_option("STUDY", options.study, "the study file (TOML)")->type_name("FILE");
+  study->add_option("--json", options.json, "the study as a document; - is standard output")
+      ->type_name("FILE");
+  study->add_option("--csv", options.csv, "one line for each run; - is standard output")
+      ->type_name("FILE");
+  study
+      ->add_option("--threads", options.threads,
+                   "threads; the same bytes with any number (default: one a core)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  study->add_option("--repeats", options.repeats, "in the place of the study's own number")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000000));
+  study->add_option("--seed", options.seed, "in the place of the study's own seed")
+      ->type_name("N")
+      ->check(CLI::Range(0.0, 9007199254740992.0));
+  study->add_option("--shard", options.shard, "do part i of n only; --json takes it for --merge")
+      ->type_name("i/n");
+  study->add_option("--merge", options.merge, "put the shards together instead of running")
+      ->type_name("FILE...");
+  return study;
+}
+
+std::string study_examples() {
+  std::string text =
+      "Examples:\n"
+      "  g31 study parts/library/ring_gauge/table_3.toml\n"
+      "  g31 study ring.toml --json ring.json --csv runs.csv --threads 2\n"
+      "  g31 study ring.toml --shard 3/8 --json part-3.json\n"
+      "  g31 study --merge part-*.json --json ring.json\n\n"
+      "Keys of a study file (a value behind the text is what it is if not given):\n";
+  for (const study::StudySectionRow& section : study::study_sections()) {
+    text += fmt::format("  {:<22} {}\n", section.example, section.text);
+    for (const study::StudyKeyRow& row : study::study_keys()) {
+      if (row.section == section.id) {
+        text += fmt::format("    {:<20} {}; {}\n", row.name, row.text,
+                            row.default_text.empty() ? "has to be given" : row.default_text);
+      }
+    }
+  }
+  return text + "\n";
+}
+
+}  // namespace g31::cli

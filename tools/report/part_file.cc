@@ -1,0 +1,67 @@
+#include "tools/report/part_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace g31::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string behind_link(const std::string& path) {
+  std::error_code error;
+  const bool is_link = fs::is_symlink(path, error);
+  const fs::path target = is_link ? fs::weakly_canonical(path, error) : fs::path(path);
+  return target.empty() ? path : target.string();
+}
+
+}  // namespace
+
+Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::string& path) {
+  std::shared_ptr<PartFile> file(new PartFile(behind_link(path)));
+  if (file->file_ == nullptr) {
+    return std::string(std::strerror(file->error_));
+  }
+  return file;
+}
+
+PartFile::PartFile(const std::string& path)
+    : path_(path),
+      temporary_(fmt::format("{}.{}.part", path, ::getpid())),
+      file_(std::fopen(temporary_.c_str(), "wb")) {
+  error_ = file_ == nullptr ? errno : 0;
+}
+
+PartFile::~PartFile() {
+  if (file_ != nullptr) {
+    std::fclose(file_);
+    std::remove(temporary_.c_str());
+  }
+}
+
+void PartFile::write(std::string_view text) {
+  if (error_ == 0 && std::fwrite(text.data(), 1, text.size(), file_) != text.size()) {
+    error_ = errno;
+  }
+}
+
+std::optional<std::string> PartFile::finish() {
+  if (std::fclose(std::exchange(file_, nullptr)) != 0 && error_ == 0) {
+    error_ = errno;
+  }
+  if (error_ == 0 && std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+    error_ = errno;
+  }
+  if (error_ == 0) {
+    return std::nullopt;
+  }
+  std::remove(temporary_.c_str());
+  return std::string(std::strerror(error_));
+}
+
+}  // namespace g31::report

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "machine/base/result.h"
+
+namespace g31::report {
+
+/// A file that is written piece by piece under a temporary name beside it, so that memory stays
+/// small and nobody ever sees half of it; a link to a file stays one.
+class PartFile {
+ public:
+  /// @returns why the file cannot be written, in the system's words
+  static Result<std::shared_ptr<PartFile>, std::string> create(const std::string& path);
+
+  PartFile(const PartFile&) = delete;
+  PartFile& operator=(const PartFile&) = delete;
+  /// Without finish() nothing stays behind.
+  ~PartFile();
+
+  /// What goes wrong is told by finish().
+  void write(std::string_view text);
+
+  /// Gives the file its name.  @returns why it is not whole; nullopt: it is
+  std::optional<std::string> finish();
+
+ private:
+  explicit PartFile(const std::string& path);
+
+  std::string path_;
+  std::string temporary_;
+  std::FILE* file_;
+  int error_ = 0;  // errno of the first failure
+};
+
+}  // namespace g31::report
