@@ -101,7 +101,8 @@ Failure Runner::from_step() {
   return reason;
 }
 
-MaybeFailure Runner::other_step(const Op& op) {
+/// Arrays, texts and frames.
+MaybeFailure Runner::value_step(const Op& op) {
   using Step = Taken (Runner::*)(const Op&);
   for (const Step step : {&Runner::array_step, &Runner::text_step, &Runner::frame_step}) {
     const Taken taken = (this->*step)(op);
@@ -111,6 +112,14 @@ MaybeFailure Runner::other_step(const Op& op) {
     if (taken == Taken::Done) {
       return std::nullopt;
     }
+  }
+  contract_violated("every step is somebody's", __FILE__, __LINE__);
+}
+
+MaybeFailure Runner::other_step(const Op& op) {
+  const bool is_list = op.code == OpCode::Fill || op.code == OpCode::Repeat;
+  if (op.code < OpCode::Function || is_list) {
+    return value_step(op);
   }
   switch (static_cast<int>(op.code)) {
     case static_cast<int>(OpCode::Block):
@@ -156,7 +165,6 @@ MaybeFailure Runner::block(const Op& op) {
   if (const auto spent = channel_.budget.next_block()) {
     return of_budget(*spent);
   }
-  words_ = BlockWords();
   if (op.detail != 0 && skips(op.detail - 1)) {
     level().step = op.a.place;
   }

@@ -54,6 +54,7 @@ class Runner {
   void start(const CompiledProgram& program);
   MaybeFailure loop();
   MaybeFailure other_step(const Op& op);
+  MaybeFailure value_step(const Op& op);
   MaybeFailure block(const Op& op);
   MaybeFailure jump_to_text(const Op& op);
   bool at_end_of_part(std::int32_t step);
