@@ -20,9 +20,9 @@ constexpr std::uint32_t kRepeatabilityStream = 1;
 
 TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& parts,
                        std::uint64_t seed)
-    : TouchProbe(setup, std::make_shared<const TouchableParts>(setup, parts), seed) {}
+    : TouchProbe(std::make_shared<const TouchableParts>(setup, parts), setup, seed) {}
 
-TouchProbe::TouchProbe(const ProbeSetup& setup, std::shared_ptr<const TouchableParts> parts,
+TouchProbe::TouchProbe(std::shared_ptr<const TouchableParts> parts, const ProbeSetup& setup,
                        std::uint64_t seed)
     : setup_(setup), parts_(std::move(parts)), seed_(seed) {
   G31_EXPECTS(setup.ball_diameter_mm > 0.0);

@@ -38,7 +38,7 @@ class TouchProbe final : public machine::Surroundings {
   TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& parts, std::uint64_t seed);
 
   /// The same among parts that are made already, for balls of these sizes.
-  TouchProbe(const ProbeSetup& setup, std::shared_ptr<const TouchableParts> parts,
+  TouchProbe(std::shared_ptr<const TouchableParts> parts, const ProbeSetup& setup,
              std::uint64_t seed);
 
   /// The contact in the answer is the true one; `fraction` carries deflection and random shift.

@@ -121,7 +121,7 @@ TEST(TouchProbe, SaysNothingOnAFreeWayAndForRotaryAxesAlone) {
   AxisPositions turned = at({0, 0, 300});
   turned[5] = 90.0;
   EXPECT_FALSE(probe.first_trigger({at({0, 0, 300}), turned}).has_value());
-  TouchProbe nothing(setup, {}, 0);
+  TouchProbe nothing(setup, std::vector<ProbedPart>{}, 0);
   EXPECT_FALSE(nothing.first_trigger(free).has_value());
 }
 

@@ -35,17 +35,27 @@ class StudyErrors : public ::testing::Test {
 constexpr const char* kHead = "[study]\nprogram = \"p.nc\"\nsetup = \"s.toml\"\n";
 constexpr const char* kResult = "[results.a]\nvalue = \"#101\"\n";
 
-TEST_F(StudyErrors, HavePlaceReasonAndWhatWouldBeRight) {
-  struct Case {
-    const char* name;
-    std::string text;
-    const char* place;  ///< line and column
-    const char* message;
-    int exit_code = 2;
-  };
+struct FileCase {
+  const char* name;
+  std::string text;
+  const char* place;  ///< line and column
+  const char* message;
+};
+
+void expect_refused(const FileCase& c, const StudyOutput& output) {
+  SCOPED_TRACE(c.name);
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_NE(output.errors.find(std::string("study.toml") + c.place), std::string::npos)
+      << output.errors;
+  EXPECT_NE(output.errors.find(std::string("error: ") + c.message), std::string::npos)
+      << output.errors;
+  EXPECT_EQ(output.out, "");
+}
+
+TEST_F(StudyErrors, OfKeysHavePlaceReasonAndWhatWouldBeRight) {
   const std::string head = kHead;
   const std::string good = head + kResult;
-  const Case kCases[] = {
+  const FileCase kCases[] = {
       {"no TOML", "[study\n", ":1:", "this is not TOML"},
       {"an unknown section", good + "[stdy]\n",
        ":6:2:", "unknown key stdy in the study file, did you mean study?"},
@@ -66,6 +76,16 @@ TEST_F(StudyErrors, HavePlaceReasonAndWhatWouldBeRight) {
        ":4:10:", "[results.a] needs value"},
       {"a result that is no formula", head + "[results.a]\nvalue = \"#101 +\"\n",
        ":5:9:", "#101 + is no result: at character 7: a variable, a number or a bracket is wanted"},
+  };
+  for (const FileCase& c : kCases) {
+    expect_refused(c, run(c.text));
+  }
+}
+
+TEST_F(StudyErrors, OfVariationsHavePlaceReasonAndWhatWouldBeRight) {
+  const std::string head = kHead;
+  const std::string good = head + kResult;
+  const FileCase kCases[] = {
       {"a variation of nothing", good + "[[vary]]\nkey = \"probe.ball_diameter\"\n",
        ":6:1:", "this variation has neither values nor a distribution"},
       {"two ways to vary",
@@ -112,15 +132,8 @@ TEST_F(StudyErrors, HavePlaceReasonAndWhatWouldBeRight) {
       {"too many runs", head + "repeats = 100000000\n" + kResult,
        ":1:2:", "the number of runs is 100000000, it should be 10000000 at most"},
   };
-  for (const Case& c : kCases) {
-    SCOPED_TRACE(c.name);
-    const StudyOutput output = run(c.text);
-    EXPECT_EQ(output.exit_code, c.exit_code);
-    EXPECT_NE(output.errors.find(std::string("study.toml") + c.place), std::string::npos)
-        << output.errors;
-    EXPECT_NE(output.errors.find(std::string("error: ") + c.message), std::string::npos)
-        << output.errors;
-    EXPECT_EQ(output.out, "");
+  for (const FileCase& c : kCases) {
+    expect_refused(c, run(c.text));
   }
 }
 

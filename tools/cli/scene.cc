@@ -47,7 +47,7 @@ std::unique_ptr<machine::Surroundings> surroundings_of(
   if (job.skip_signals) {
     return std::make_unique<probe::ScriptedSignals>(*job.skip_signals);
   }
-  return job.probe ? std::make_unique<probe::TouchProbe>(*job.probe, std::move(parts), seed)
+  return job.probe ? std::make_unique<probe::TouchProbe>(std::move(parts), *job.probe, seed)
                    : nullptr;
 }
 

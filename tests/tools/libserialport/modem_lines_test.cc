@@ -2,6 +2,7 @@
 // gives them some, by standing between libserialport and the kernel, and runs the tests of
 // serial_printer_test.cc once more: with a line that libserialport opens and sets.
 
+#include <atomic>
 #include <cstdarg>
 #include <string>
 
@@ -15,8 +16,8 @@
 #include "tests/support/run_program.h"
 
 namespace {
-int g_modem_lines = 0;
-int g_times_set = 0;
+std::atomic<int> g_modem_lines = 0;
+std::atomic<int> g_times_set = 0;
 }  // namespace
 
 extern "C" int ioctl(int fd, unsigned long request, ...) noexcept {
