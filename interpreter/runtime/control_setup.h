@@ -16,6 +16,8 @@ struct ToolEntry {
   double length_wear_mm = 0.0;
   double radius_mm = 0.0;
   double radius_wear_mm = 0.0;
+  std::string name = {};  ///< for controls that call tools by name
+  double type = 0.0;      ///< of SINUMERIK: 120 end mill, 710 3D probe, ...
 };
 
 /// How much a control keeps for one tool offset number: one value for all (A), geometry and wear

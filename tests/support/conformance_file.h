@@ -17,7 +17,8 @@ namespace g31::testing {
 
 /// One case of a conformance file: a program, its set-up and what must come of it.
 ///
-/// A file is NC text with lines of their own for the test, each one comment:
+/// A file is NC text with lines of their own for the test, each one comment; in SINUMERIK files
+/// they begin with a semicolon and a blank instead of standing in brackets:
 ///
 ///   (CASE MB-086 null equals null, not zero)   begins a case; the program is what follows
 ///   (CONTROL fanuc-30i)              controls to run it on, by default fanuc-16i and fanuc-30i
@@ -35,6 +36,7 @@ namespace g31::testing {
 ///   (EXPECT ALARM 112 AT 4)          AT counts lines from the CASE line and may be left out
 ///   (EXPECT ALARM FORMAT AT 4)       any alarm of malformed text
 ///   (EXPECT MESSAGE "NO TOUCH")      the text of the alarm
+///   (EXPECT NAME = "TEXT")           a variable that holds a text
 ///   (EXPECT OUTPUT "A 1.\n")         with \n, \r and \xNN
 ///   (EXPECT STOP "TURN")             a stop with this text
 ///   (EXPECT WARNING PRB301 AT 3)
@@ -86,19 +88,24 @@ class ConformanceReader {
  private:
   /// A line for the test leaves an empty line in the program, so that lines keep their numbers.
   void take(const std::string& line) {
-    const std::size_t blank = line.find(' ');
-    const bool is_ours = line.starts_with("(") && line.ends_with(")") && blank != line.npos;
-    if (is_ours && line.substr(1, blank - 1) == "CASE") {
+    const bool in_brackets = line.starts_with("(") && line.ends_with(")");
+    const std::string comment = in_brackets              ? line.substr(1, line.size() - 2)
+                                : line.starts_with("; ") ? line.substr(2)
+                                                         : std::string();
+    const std::size_t blank = comment.find(' ');
+    const bool is_ours = blank != comment.npos;
+    const std::string word = is_ours ? comment.substr(0, blank) : std::string();
+    const std::string rest = is_ours ? comment.substr(blank + 1) : std::string();
+    if (word == "CASE") {
       finish_case();
       open_ = std::make_unique<ConformanceCase>(common_);
-      open_->title = {line_, line.substr(blank + 1, line.size() - blank - 2)};
+      open_->title = {line_, rest};
       return;
     }
-    const bool is_taken = is_ours && directive(line.substr(1, blank - 1),
-                                               line.substr(blank + 1, line.size() - blank - 2));
+    const bool is_taken = is_ours && directive(word, rest);
     if (open_) {
       open_->program += (is_taken ? "" : line) + "\n";
-    } else if (!is_taken && !line.empty() && !line.starts_with("(")) {
+    } else if (!is_taken && !line.empty() && !line.starts_with("(") && !line.starts_with(";")) {
       refuse("a program before the first (CASE ...)");
     }
   }

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "interpreter/dialects/fanuc/reference/explain.h"
+#include "interpreter/dialects/sinumerik/reference/explain.h"
 #include "tools/cli/chosen_profile.h"
 
 namespace g31::cli {
 namespace {
 
-namespace reference = fanuc::reference;
 using Json = nlohmann::ordered_json;
 
 /// "alarm 112" may come as two arguments: a head takes the argument behind it along.
@@ -32,19 +32,19 @@ std::vector<std::string> joined_topics(const std::vector<std::string>& arguments
   return topics;
 }
 
-std::string text_of(const reference::Entry& entry) {
+std::string text_of(const runtime::Entry& entry) {
   std::string text = fmt::format("{} ({})\n  {}\n", entry.name, entry.kind,
                                  entry.text.empty() ? "no more is known" : entry.text);
-  for (const reference::Fact& fact : entry.facts) {
+  for (const runtime::Fact& fact : entry.facts) {
     text += fmt::format("    {}: {}\n", fact.name, fact.value);
   }
   return text;
 }
 
-Json json_of(const reference::Entry& entry) {
+Json json_of(const runtime::Entry& entry) {
   Json object = {{"kind", entry.kind}, {"name", entry.name}, {"text", entry.text}};
   object["facts"] = Json::object();
-  for (const reference::Fact& fact : entry.facts) {
+  for (const runtime::Fact& fact : entry.facts) {
     object["facts"][fact.name] = fact.value;
   }
   return object;
@@ -54,54 +54,69 @@ void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
-void print_text(const reference::Entries& entries) {
+void print_text(const runtime::Entries& entries) {
   std::string text;
-  for (const reference::Entry& entry : entries) {
+  for (const runtime::Entry& entry : entries) {
     text += text_of(entry);
   }
   print(text);
 }
 
-void print_json(const reference::Entries& entries, const fanuc::Profile& profile) {
-  Json document = {{"schema", "g31.explain/1"}, {"control", profile.name}};
+void print_json(const runtime::Entries& entries, std::string_view control) {
+  Json document = {{"schema", "g31.explain/1"}, {"control", control}};
   document["entries"] = Json::array();
-  for (const reference::Entry& entry : entries) {
+  for (const runtime::Entry& entry : entries) {
     document["entries"].push_back(json_of(entry));
   }
   print(document.dump(2) + "\n");
 }
 
-std::string unknown_text(const std::string& topic) {
-  const auto nearest = reference::nearest_topic(topic);
-  return fmt::format("g31: error: nothing is known about '{}'{}\n", topic,
-                     nearest ? fmt::format(", did you mean '{}'?", *nearest)
-                             : ": write #5061, G31, ATAN, GOTO, 'alarm 112' or 6001.1");
+/// What either dialect knows.
+runtime::Entries entries_about(const std::string& topic, const ChosenControl& control) {
+  return control.profile != nullptr ? fanuc::reference::explain(topic, *control.profile)
+                                    : sinumerik::explain(topic);
+}
+
+runtime::Entries everything(const ChosenControl& control) {
+  return control.profile != nullptr ? fanuc::reference::everything(*control.profile)
+                                    : sinumerik::everything();
+}
+
+std::string unknown_text(const std::string& topic, const ChosenControl& control) {
+  const auto nearest = control.profile != nullptr ? fanuc::reference::nearest_topic(topic)
+                                                  : sinumerik::nearest_topic(topic);
+  return fmt::format(
+      "g31: error: nothing is known about '{}'{}\n", topic,
+      nearest ? fmt::format(", did you mean '{}'?", *nearest)
+      : control.profile != nullptr
+          ? ": write #5061, G31, ATAN, GOTO, 'alarm 112' or 6001.1"
+          : ": write $AA_MW, G54, SUBSTR, CASE, 'alarm 14011' or $SCS_MEA_FEED_MEASURE");
 }
 
 }  // namespace
 
 ExitCode explain_command(const ExplainOptions& options) {
-  const auto profile =
-      profile_named(options.control.empty() ? kDefaultControl : std::string_view(options.control));
-  if (!profile) {
-    std::fputs(fmt::format("g31: error: {}\n", profile.error()).c_str(), stderr);
+  const auto control =
+      control_named(options.control.empty() ? kDefaultControl : std::string_view(options.control));
+  if (!control) {
+    std::fputs(fmt::format("g31: error: {}\n", control.error()).c_str(), stderr);
     return ExitCode::Setup;
   }
-  reference::Entries entries;
+  runtime::Entries entries;
   if (options.all) {
-    entries = reference::everything(*profile.value());
+    entries = everything(control.value());
   }
   ExitCode code = ExitCode::Completed;
   for (const std::string& topic : joined_topics(options.topics)) {
-    reference::Entries found = reference::explain(topic, *profile.value());
+    runtime::Entries found = entries_about(topic, control.value());
     if (found.empty()) {
-      std::fputs(unknown_text(topic).c_str(), stderr);
+      std::fputs(unknown_text(topic, control.value()).c_str(), stderr);
       code = ExitCode::BadUsage;
     }
     std::ranges::move(found, std::back_inserter(entries));
   }
   if (options.json) {
-    print_json(entries, *profile.value());
+    print_json(entries, control.value().name);
   } else {
     print_text(entries);
   }

@@ -9,7 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/session.h"
+#include "interpreter/runtime/overloaded.h"
+#include "tools/cli/control_session.h"
 #include "tools/cli/disk.h"
 #include "tools/cli/printouts.h"
 #include "tools/cli/run_preparation.h"
@@ -49,9 +50,9 @@ class EchoingRecorder final : public report::RunRecorder {
 };
 
 /// Variables asked for by --print, with a refusal for names the control does not have.
-Result<std::vector<std::pair<std::string, runtime::Cell>>, Refusal> read_prints(
-    fanuc::Session& session, const std::vector<std::string>& names) {
-  std::vector<std::pair<std::string, runtime::Cell>> values;
+Result<std::vector<std::pair<std::string, runtime::ShownValue>>, Refusal> read_prints(
+    ControlSession& session, const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, runtime::ShownValue>> values;
   for (const std::string& name : names) {
     const auto value = session.variable(name);
     if (!value) {
@@ -72,6 +73,16 @@ std::string probe_state_of(const setup::Job& job) {
   return {};
 }
 
+std::string shown(const runtime::ShownValue& value) {
+  return std::visit(runtime::Overloaded{
+                        [](runtime::Cell cell) {
+                          return cell.is_vacant() ? "null" : fmt::format("{}", cell.raw());
+                        },
+                        [](const std::string& text) { return text; },
+                    },
+                    value);
+}
+
 /// Where the result goes: the document, or the variables asked for as lines.
 std::optional<Refusal> deliver(const RunOptions& options, const report::RunResult& result,
                                const report::RunRecorder& recorder) {
@@ -80,8 +91,7 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
     text = run_document(result, recorder);
   } else {
     for (const auto& [name, value] : result.variables) {
-      text += fmt::format("{} = {}\n", name,
-                          value.is_vacant() ? "null" : fmt::format("{}", value.raw()));
+      text += fmt::format("{} = {}\n", name, shown(value));
     }
   }
   std::fwrite(text.data(), 1, text.size(), stdout);
@@ -97,7 +107,7 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
 }
 
 /// Saves the permanent variables for the next run, if a file for them is named.
-std::optional<Refusal> keep_variables(const std::string& path, const fanuc::Session& session) {
+std::optional<Refusal> keep_variables(const std::string& path, const ControlSession& session) {
   if (path.empty()) {
     return std::nullopt;
   }
@@ -129,7 +139,7 @@ std::optional<Refusal> finish_files(const Trace& trace, Printouts& printouts) {
 }
 
 /// Sets a control up for the job.
-std::optional<Refusal> set_up(fanuc::Session& session, const setup::Job& job,
+std::optional<Refusal> set_up(ControlSession& session, const setup::Job& job,
                               const Printouts& printouts) {
   if (printouts.printer() != nullptr) {
     session.connect(*printouts.printer());
@@ -148,11 +158,6 @@ ExitCode run_command(const RunOptions& options) {
     return refuse(prepared.error());
   }
   const setup::Job& job = prepared.value().job;
-  Disk disk;
-  fanuc::ProgramLibrary library(disk);
-  if (const auto wrong = fill_library(library, options)) {
-    return refuse(*wrong);
-  }
   const auto trace = open_trace(options.trace, job.machine);
   if (!trace) {
     return refuse(trace.error());
@@ -170,7 +175,11 @@ ExitCode run_command(const RunOptions& options) {
   if (trace.value() != nullptr) {
     machine.trace(prepared.value().trace_period_s, *trace.value());
   }
-  fanuc::Session session(*prepared.value().profile, library, machine, recorder);
+  const auto opened = open_session(prepared.value(), options, machine, recorder);
+  if (!opened) {
+    return refuse(opened.error());
+  }
+  ControlSession& session = *opened.value();
   if (const auto wrong = set_up(session, job, *printouts.value())) {
     return refuse(*wrong);
   }
@@ -188,9 +197,10 @@ ExitCode run_command(const RunOptions& options) {
     return refuse(values.error());
   }
   result.program = options.programs.front();
-  result.control = prepared.value().profile->name;
+  result.control = prepared.value().control.name;
   result.seed = options.seed;
   result.variables = values.value();
+  result.files = session.files();
   result.machine_time_s = machine.time_s();
   result.probe_state = probe_state_of(job);
   if (const auto wrong = deliver(options, result, recorder)) {

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "interpreter/source/diagnostic.h"
 #include "machine/base/contract.h"
-#include "tools/cli/chosen_profile.h"
 #include "tools/cli/disk.h"
 #include "tools/cli/shipped.h"
 #include "tools/cli/variables_file.h"
@@ -20,17 +17,37 @@
 #include "tools/setup/toml_reader.h"
 
 namespace g31::cli {
+namespace {
+
+/// By --control, the sheets, the program's file ending or its text, in this order.
+Result<ChosenControl, Refusal> chosen_control(const RunOptions& options, const setup::Job& job) {
+  std::string name = !options.control.empty() ? options.control : job.control.profile;
+  if (name.empty() && !options.programs.empty()) {
+    constexpr std::size_t kBeginning = 64;  // bytes: a header stands first
+    Disk disk;
+    const auto beginning = disk.read_part(options.programs.front(), 0, kBeginning);
+    name = control_of_program(options.programs.front(), beginning.value_or(""));
+  }
+  const auto control = control_named(name.empty() ? kDefaultControl : std::string_view(name));
+  if (!control) {
+    return refusal(ExitCode::Setup, control.error());
+  }
+  return control.value();
+}
+
+}  // namespace
 
 Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
                                                       const setup::Job& job) {
-  const std::string name = !options.control.empty()       ? options.control
-                           : !job.control.profile.empty() ? job.control.profile
-                                                          : std::string(kDefaultControl);
-  const auto profile = profile_named(name);
-  if (!profile) {
-    return refusal(ExitCode::Setup, profile.error());
+  const auto control = chosen_control(options, job);
+  if (!control) {
+    return control.error();
   }
-  return profile.value();
+  if (control.value().profile == nullptr) {
+    return refusal(ExitCode::Setup, fmt::format("{}: only controls of the Fanuc dialect here",
+                                                control.value().name));
+  }
+  return control.value().profile;
 }
 
 std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job) {
@@ -82,11 +99,11 @@ Result<Prepared, Refusal> prepare(const RunOptions& options) {
     return refusal_of(job.error());
   }
   prepared.job = job.value();
-  const auto profile = chosen_profile(options, prepared.job);
-  if (!profile) {
-    return profile.error();
+  const auto control = chosen_control(options, prepared.job);
+  if (!control) {
+    return control.error();
   }
-  prepared.profile = profile.value();
+  prepared.control = control.value();
   if (auto wrong = take_variables(options, prepared.job)) {
     return *wrong;
   }
@@ -103,26 +120,6 @@ Result<Prepared, Refusal> prepare(const RunOptions& options) {
     prepared.prints.insert(prepared.prints.end(), names.value().begin(), names.value().end());
   }
   return prepared;
-}
-
-std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOptions& options) {
-  for (const std::string& program : options.programs) {
-    if (library.add_file(program) == fanuc::ProgramLibrary::Added::Unreadable) {
-      return refusal(ExitCode::BadUsage, fmt::format("cannot read the program {}", program));
-    }
-  }
-  library.add_folder(std::filesystem::path(options.programs.front()).parent_path().string());
-  for (const std::string& folder : options.libraries) {
-    std::error_code unreadable;
-    if (!std::filesystem::is_directory(folder, unreadable)) {
-      return refusal(ExitCode::BadUsage, fmt::format("--lib {}: no such folder", folder));
-    }
-    library.add_folder(folder);
-  }
-  if (const auto shipped = shipped_folder("macros/fanuc")) {
-    library.add_folder(*shipped);
-  }
-  return std::nullopt;
 }
 
 ExitCode exit_code_of(const runtime::Outcome& outcome) {

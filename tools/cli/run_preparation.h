@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "interpreter/dialects/fanuc/library.h"
-#include "interpreter/dialects/fanuc/profile.h"
 #include "interpreter/runtime/outcome.h"
 #include "machine/base/result.h"
+#include "tools/cli/chosen_profile.h"
 #include "tools/cli/exit_code.h"
 #include "tools/cli/run_command.h"
 #include "tools/setup/job.h"
@@ -28,7 +28,7 @@ Refusal refusal(ExitCode code, std::string_view message);
 /// Everything that the command line and the sheets say, read and checked before anything runs.
 struct Prepared {
   setup::Job job;
-  const fanuc::Profile* profile = nullptr;
+  ChosenControl control;
   std::vector<std::string> prints;
   double trace_period_s = 0.0;
 };
@@ -36,7 +36,8 @@ struct Prepared {
 /// Reads sheets and variables; chooses the control.
 Result<Prepared, Refusal> prepare(const RunOptions& options);
 
-/// The control that the command line or the sheet names, or the usual one.
+/// The control of the Fanuc dialect that the command line or the sheet names, or the usual one; a
+/// refusal for another dialect's.
 Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
                                                       const setup::Job& job);
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/session.h"
 #include "interpreter/runtime/observer.h"
+#include "tools/cli/control_session.h"
 #include "tools/cli/disk.h"
 #include "tools/cli/run_preparation.h"
 #include "tools/cli/scene.h"
@@ -55,18 +55,17 @@ ExitCode scene_command(const SceneOptions& options) {
     return refuse(prepared.error());
   }
   const setup::Job& job = prepared.value().job;
-  Disk disk;
-  fanuc::ProgramLibrary library(disk);
-  if (const auto wrong = fill_library(library, options.run)) {
-    return refuse(*wrong);
-  }
   const auto scene = build_scene(job, options.run.seed);
   if (!scene) {
     return refuse({ExitCode::Setup, setup::render(scene.error())});
   }
   gltf::PathRecorder recorder(*scene.value().machine, drawn_tip(job));
   runtime::Observer nobody;
-  fanuc::Session session(*prepared.value().profile, library, recorder, nobody);
+  const auto opened = open_session(prepared.value(), options.run, recorder, nobody);
+  if (!opened) {
+    return refuse(opened.error());
+  }
+  ControlSession& session = *opened.value();
   if (const auto refused = session.configure(job.control); !refused.empty()) {
     return refuse(refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; "))));
   }

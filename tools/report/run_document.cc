@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "interpreter/runtime/overloaded.h"
 #include "machine/base/contract.h"
 
 namespace g31::report {
@@ -121,6 +122,15 @@ std::string bytes_as_text(const std::string& bytes) {
   return text;
 }
 
+Json json_of(const runtime::ShownValue& value) {
+  return std::visit(
+      runtime::Overloaded{
+          [](runtime::Cell cell) { return cell.is_vacant() ? Json() : Json(cell.raw()); },
+          [](const std::string& text) { return Json(bytes_as_text(text)); },
+      },
+      value);
+}
+
 Json diagnostic_json(const source::Diagnostic& diagnostic) {
   Json object = {{"severity", severity_name(diagnostic.severity)},
                  {"code", diagnostic.code},
@@ -166,10 +176,13 @@ std::string run_document(const RunResult& result, const RunRecorder& recorder) {
   document["alarm"] = result.outcome.alarm ? alarm_json(*result.outcome.alarm) : Json();
   document["variables"] = Json::object();
   for (const auto& [name, value] : result.variables) {
-    document["variables"][name] = value.is_vacant() ? Json() : Json(value.raw());
+    document["variables"][name] = json_of(value);
   }
   document["output"] = bytes_as_text(recorder.output());
   document["files"] = Json::object();
+  for (const auto& [name, content] : result.files) {
+    document["files"][name] = bytes_as_text(content);
+  }
   document["stops"] = list_of(recorder.stops(), [](const Recorded<runtime::StopEvent>& stop) {
     Json object = {{"kind", stop.event.kind}, {"text", stop.event.text}};
     add_place(object, stop.place);

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "interpreter/runtime/cell.h"
 #include "interpreter/runtime/outcome.h"
+#include "interpreter/runtime/shown_value.h"
 #include "tools/report/run_recorder.h"
 
 namespace g31::report {
@@ -17,7 +18,8 @@ struct RunResult {
   std::string control;
   std::uint64_t seed = 0;
   runtime::Outcome outcome;
-  std::vector<std::pair<std::string, runtime::Cell>> variables;  ///< in the order asked for
+  std::vector<std::pair<std::string, runtime::ShownValue>> variables;  ///< in the order asked for
+  std::map<std::string, std::string> files;  ///< what the program wrote, by name
   double machine_time_s = 0.0;
   std::string probe_state;  ///< what is the matter with the probe, "" for nothing
 };

@@ -55,6 +55,8 @@ runtime::ToolEntry tool_from(const TableKeys& keys) {
   tool.radius_mm = keys.get(KeyId::ToolRadius, tool.radius_mm);
   tool.length_wear_mm = keys.get(KeyId::ToolLengthWear, tool.length_wear_mm);
   tool.radius_wear_mm = keys.get(KeyId::ToolRadiusWear, tool.radius_wear_mm);
+  tool.name = keys.get(KeyId::ToolName, tool.name);
+  tool.type = keys.get(KeyId::ToolType, tool.type);
   return tool;
 }
 

@@ -5,24 +5,13 @@
 #include <vector>
 
 #include "interpreter/dialects/fanuc/profile.h"
+#include "interpreter/runtime/reference.h"
 
 namespace g31::fanuc::reference {
 
-/// One line of an entry: "unit", "mm or inch".
-struct Fact {
-  std::string name;
-  std::string value;
-};
-
-/// What the tables of the dialect say about one thing.
-struct Entry {
-  std::string kind;  ///< "system variable", "G code", "alarm", ...
-  std::string name;  ///< "#5061", "G31", "112 DIVIDED BY ZERO"
-  std::string text;
-  std::vector<Fact> facts;
-};
-
-using Entries = std::vector<Entry>;
+using runtime::Entries;
+using runtime::Entry;
+using runtime::Fact;
 
 // One function a vocabulary; topics are upper case without blanks at their ends.  None of them: no
 // entry.

@@ -1,0 +1,136 @@
+#include "interpreter/dialects/sinumerik/channel.h"
+
+#include <algorithm>
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr int kInch = 1;             // numbers of group 13
+constexpr int kInchAndFeed = 3;      // G700
+constexpr std::size_t kLength1 = 3;  // of $TC_DP
+constexpr std::size_t kAdapter1 = 21;
+constexpr std::size_t kWear1 = 12;
+
+}  // namespace
+
+bool BlockWords::has_axes() const {
+  return std::any_of(words.begin(), words.begin() + kAxisCount,
+                     [](const Word& word) { return word.present; });
+}
+
+Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals)
+    : numbers(globals.initial_numbers()),
+      texts(static_cast<std::size_t>(globals.text_count())),
+      frames(static_cast<std::size_t>(globals.frame_count())),
+      settable(kSettableFrames),
+      port(machine),
+      observer(listener) {
+  for (int i = 0; i < kGroupCount; ++i) {
+    group[static_cast<std::size_t>(i)] = preset_number(i);
+  }
+  group[9] = group[11] = group[2] = group[3] = 0;
+}
+
+Plane Channel::plane() const {
+  switch (group[6]) {
+    case 2:
+      return {2, 0, 1};  // G18: Z X
+    case 3:
+      return {1, 2, 0};  // G19: Y Z
+    default:
+      return {0, 1, 2};
+  }
+}
+
+double Channel::mm_per_length() const {
+  return mm_per(group[13] == kInch || group[13] == kInchAndFeed ? LengthUnit::Inch
+                                                                : LengthUnit::Millimetre);
+}
+
+double Channel::mm_per_feed() const {
+  return mm_per(group[13] == kInchAndFeed ? LengthUnit::Inch : LengthUnit::Millimetre);
+}
+
+double Channel::stored(int axis, double value) const {
+  return axis < 3 ? value * mm_per_length() : value;
+}
+
+double Channel::shown(int axis, double value) const {
+  return axis < 3 ? value / mm_per_length() : value;
+}
+
+Frame Channel::active_frame() const {
+  switch (suppression) {
+    case 1:  // G53
+      return set_frame.chained(base);
+    case 2:  // SUPA
+    case 3:  // G153
+      return {};
+    default: {
+      const Frame& settable_now = settable[static_cast<std::size_t>(settable_number())];
+      return set_frame.chained(base).chained(settable_now).chained(program_frame);
+    }
+  }
+}
+
+Tool* Channel::find_tool(int number) {
+  const auto found = tools.find(number);
+  return found != tools.end() ? &found->second : nullptr;
+}
+
+EdgeData* Channel::find_edge(int number, int which) {
+  Tool* const found = find_tool(number);
+  if (found == nullptr) {
+    return nullptr;
+  }
+  const auto row = found->edges.find(which);
+  return row != found->edges.end() ? &row->second : nullptr;
+}
+
+const EdgeData* Channel::active_edge() const {
+  const auto found = tools.find(tool);
+  if (edge == 0 || found == tools.end()) {
+    return nullptr;
+  }
+  const auto row = found->second.edges.find(edge);
+  return row != found->second.edges.end() ? &row->second : nullptr;
+}
+
+/// Length 1 counts square to the plane, 2 and 3 in its axes: G17 Z Y X, G18 Y X Z, G19 X Z Y.
+AxisPositions Channel::tool_offset() const {
+  AxisPositions offset = AxisPositions::Zero();
+  const EdgeData* const data = active_edge();
+  if (data == nullptr) {
+    return offset;
+  }
+  const Plane now = plane();
+  const int axes[] = {now.normal, now.second, now.first};
+  for (std::size_t i = 0; i < 3; ++i) {
+    offset[axes[i]] = (*data)[kLength1 + i] + (*data)[kWear1 + i] + (*data)[kAdapter1 + i];
+  }
+  return offset;
+}
+
+AxisPositions Channel::to_machine(const AxisPositions& q_W) const {
+  return active_frame().apply(q_W) + tool_offset();
+}
+
+AxisPositions Channel::to_work(const AxisPositions& q_M) const {
+  return active_frame().undo(q_M - tool_offset());
+}
+
+AxisPositions Channel::present() {
+  return is_stale_ ? to_work(port.position()) : q_W_programmed_;
+}
+
+void Channel::arrived_at_programmed(const AxisPositions& q_W) {
+  q_W_programmed_ = q_W;
+  is_stale_ = suppression != 0;
+}
+
+void Channel::arrived_at_machine() {
+  q_W_programmed_ = to_work(port.position());
+  is_stale_ = suppression != 0;
+}
+
+}  // namespace g31::sinumerik

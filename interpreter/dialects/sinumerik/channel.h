@@ -1,0 +1,143 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/failure.h"
+#include "interpreter/dialects/sinumerik/frame.h"
+#include "interpreter/dialects/sinumerik/g_codes.h"
+#include "interpreter/dialects/sinumerik/globals.h"
+#include "interpreter/dialects/sinumerik/words.h"
+#include "interpreter/runtime/budget_watch.h"
+#include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/observer.h"
+#include "machine/port/machine_port.h"
+#include "machine/units/length_unit.h"
+
+namespace g31::sinumerik {
+
+/// $TC_DP1.. of one cutting edge, by number.
+using EdgeData = std::array<double, 26>;
+
+struct Tool {
+  std::string name;
+  double duplo = 1.0;
+  double state = 2.0;  ///< bit 1: released
+  std::map<int, EdgeData> edges;
+  std::map<int, double> teeth;  ///< $TC_DPNT
+};
+
+/// The words of one NC block.
+struct BlockWords {
+  struct Word {
+    double value = 0.0;
+    Modification modification = Modification::None;
+    bool present = false;
+  };
+  static constexpr std::size_t kMostMachineCodes = 5;
+
+  std::array<Word, index_of(Address::Count)> words;
+  std::array<double, kMostMachineCodes> machine_codes = {};
+  std::size_t machine_code_count = 0;
+  std::optional<std::string> tool_name;
+
+  [[nodiscard]] const Word& operator[](Address address) const { return words[index_of(address)]; }
+  [[nodiscard]] bool has(Address address) const { return words[index_of(address)].present; }
+  [[nodiscard]] const Word& axis(int index) const { return words[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] bool has_axes() const;
+};
+
+/// Plane by storage indices; `normal` is the infeed axis.
+struct Plane {
+  int first = 0;
+  int second = 1;
+  int normal = 2;
+};
+
+/// The state of one channel of the control: everything a program can read or change, except its
+/// local variables.
+class Channel {
+ public:
+  Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals);
+
+  // Global variables, by their places.
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  std::vector<Frame> frames;
+
+  // Modal state
+  std::array<int, kGroupCount> group = {};  ///< number within the group
+  double feed = 0.0;                        ///< as programmed
+  double speed = 0.0;                       ///< rev/min, positive
+  double master_spindle = 1.0;
+  [[nodiscard]] Plane plane() const;
+  [[nodiscard]] double mm_per_length() const;
+  [[nodiscard]] double mm_per_feed() const;
+  /// A coordinate as programs write it, in mm or degrees; and back.
+  [[nodiscard]] double stored(int axis, double value) const;
+  [[nodiscard]] double shown(int axis, double value) const;
+
+  // Frames
+  static constexpr int kSettableFrames = 100;  ///< 0 is G500
+  std::vector<Frame> settable;
+  Frame base;
+  Frame set_frame;
+  Frame program_frame;
+  int suppression = 0;  ///< number in group 9 of the running block
+  [[nodiscard]] int settable_number() const { return group[8] - 1; }
+  [[nodiscard]] Frame& settable_frame() {
+    return settable[static_cast<std::size_t>(settable_number())];
+  }
+  /// All frames in force, outermost first.
+  [[nodiscard]] Frame active_frame() const;
+  /// Something changed that positions depend on: work coordinates are to be asked for again.
+  void frames_changed() { is_stale_ = true; }
+
+  // Tools
+  std::map<int, Tool> tools;
+  bool knows_tools = false;  ///< the set-up sheet has some
+  int selected_tool = 0;
+  int tool = 0;
+  int edge = 0;
+  [[nodiscard]] const EdgeData* active_edge() const;
+  /// mm: what the active edge adds to the machine coordinates.
+  [[nodiscard]] AxisPositions tool_offset() const;
+  /// nullptr: no such tool, or no such edge
+  Tool* find_tool(int number);
+  EdgeData* find_edge(int number, int which);
+
+  // Positions, mm and degrees
+  [[nodiscard]] AxisPositions to_machine(const AxisPositions& q_W) const;
+  [[nodiscard]] AxisPositions to_work(const AxisPositions& q_M) const;
+  /// Where the axes stand, in work coordinates: what an axis that is not programmed keeps.
+  AxisPositions present();
+  /// The end that the program wrote last: what incremental words count from.
+  [[nodiscard]] const AxisPositions& programmed() const { return q_W_programmed_; }
+  void arrived_at_programmed(const AxisPositions& q_W);
+  void arrived_at_machine();
+
+  // Measuring
+  AxisPositions q_M_measured = AxisPositions::Zero();
+  AxisPositions q_W_measured = AxisPositions::Zero();
+  std::array<bool, 3> measured = {};  ///< by probe, 1 and 2
+
+  // Outside world
+  std::map<std::string, std::string> files;  ///< what WRITE made
+  std::string call_path;
+  std::set<int> block_skip;  ///< switches that are on
+  runtime::FeedSwitches feed_switches;
+  std::vector<source::Diagnostic> diagnostics;
+  runtime::BudgetWatch budget{runtime::Budget{}};
+  machine::MachinePort& port;
+  runtime::Observer& observer;
+
+ private:
+  bool is_stale_ = false;
+  AxisPositions q_W_programmed_ = AxisPositions::Zero();
+};
+
+}  // namespace g31::sinumerik

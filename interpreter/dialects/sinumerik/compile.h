@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "interpreter/dialects/sinumerik/code.h"
+#include "interpreter/dialects/sinumerik/globals.h"
+
+namespace g31::sinumerik {
+
+/// Where a program stands.
+struct ProgramSource {
+  std::string name;
+  const source::SourceFile* file = nullptr;
+  ShortSpan text;  ///< without its header
+};
+
+/// Compiles a program.  Nothing in it can make this fail: a block that is wrong becomes a step that
+/// raises the alarm when the program gets there, as the control does.
+std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Globals& globals);
+
+/// Compiles `text` as blocks that run among the local variables of `home`: what --set and --print
+/// name.
+std::unique_ptr<CompiledProgram> compile_among(const ProgramSource& source, const Globals& globals,
+                                               const CompiledProgram& home);
+
+/// Compiles one expression in the same way; CompiledProgram::result says where its value stands.
+std::unique_ptr<CompiledProgram> compile_expression(const ProgramSource& source,
+                                                    const Globals& globals,
+                                                    const CompiledProgram& home);
+
+/// Reads a definition file: DEF and DEFINE of it become global.  Initial values are blocks of the
+/// program returned, to be run once at the start.
+std::unique_ptr<CompiledProgram> compile_definitions(const ProgramSource& source, Globals& globals);
+
+}  // namespace g31::sinumerik

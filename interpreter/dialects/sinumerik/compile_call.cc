@@ -1,0 +1,177 @@
+#include "interpreter/dialects/sinumerik/compiler.h"
+
+namespace g31::sinumerik {
+
+/// NAME, NAME(arguments), NAME P3
+void Compiler::call_by_name(std::string name, ShortSpan where) {
+  CallSite site;
+  site.name = std::move(name);
+  call(site, where);
+}
+
+std::vector<Argument> Compiler::argument_list() {
+  std::vector<Argument> list;
+  while (!failed()) {
+    const bool omitted = peek().is(Symbol::Comma) || peek().is(Symbol::RightParen);
+    if (omitted) {
+      list.emplace_back();
+    } else {
+      list.push_back(argument_of(expression()));
+    }
+    if (!accept(Symbol::Comma)) {
+      break;
+    }
+  }
+  expect(Symbol::RightParen);
+  return list;
+}
+
+void Compiler::call(CallSite site, ShortSpan where) {
+  std::vector<Argument> list;
+  if (accept(Symbol::LeftParen)) {
+    site.has_arguments = true;
+    list = argument_list();
+  }
+  site.passes = number_constant(1.0);
+  if (peek().is_letter('P')) {
+    next();
+    accept(Symbol::Assign);
+    site.passes = convert(expression(), Type::Int).value;
+  }
+  if (failed()) {
+    return;
+  }
+  // The words before the call belong to the same block and come first.
+  finish_words();
+  site.first_argument = keep_arguments(list);
+  site.argument_count = static_cast<std::uint32_t>(list.size());
+  program_->calls.push_back(std::move(site));
+  emit(OpCode::Call, {}, {Bank::Constants, static_cast<std::int32_t>(program_->calls.size()) - 1},
+       {}, where);
+}
+
+/// CALL text
+void Compiler::call_statement() {
+  if (peek().is_name("BLOCK")) {
+    fail(AlarmId::NotImplemented, block_, "CALL BLOCK");
+    return;
+  }
+  CallSite site;
+  const Expr name = as_text(expression());
+  site.text = name.value;
+  call(site, name.where);
+}
+
+void Compiler::extcall_statement() {
+  const bool bracket = accept(Symbol::LeftParen);
+  CallSite site;
+  const Expr name = as_text(expression());
+  if (bracket) {
+    expect(Symbol::RightParen);
+  }
+  site.text = name.value;
+  call(site, name.where);
+}
+
+/// PCALL path/name(arguments): the path goes up to the bracket.
+void Compiler::pcall_statement() {
+  const ShortSpan first = peek().where;
+  ShortSpan whole = first;
+  while (peek().kind != TokenKind::End && !peek().is(Symbol::LeftParen)) {
+    whole.end = next().where.end;
+  }
+  CallSite site;
+  site.text = text_constant(std::string(text_.substr(whole.begin, whole.end - whole.begin)));
+  call(site, whole);
+}
+
+/// MCALL name(arguments): each block that moves calls it; MCALL alone ends that.
+void Compiler::mcall_statement() {
+  CallSite site;
+  site.is_modal = true;
+  const Token name = peek();
+  if (name.kind == TokenKind::End) {
+    call(site, block_);
+    return;
+  }
+  next();
+  site.name = name.text;
+  if (name.is_letter('L') && peek().kind == TokenKind::Integer) {
+    site.name += next().text;
+  } else if (name.kind != TokenKind::Name) {
+    fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
+  }
+  call(site, name.where);
+}
+
+/// RET, RET("label"), RET(target, , levels): back to the caller, there to a label.
+void Compiler::ret_statement() {
+  std::vector<Argument> list;
+  if (accept(Symbol::LeftParen)) {
+    list = argument_list();
+  }
+  expect_end();
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    if (list[i].form != Argument::Form::Omitted) {
+      fail(AlarmId::NotImplemented, list[i].where, "RET with more than a target");
+    }
+  }
+  if (failed()) {
+    return;
+  }
+  const std::uint32_t first = keep_arguments(list);
+  emit(OpCode::Return, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, block_);
+  const bool has_target = !list.empty() && list.front().form != Argument::Form::Omitted;
+  last().count = has_target ? 1 : 0;
+}
+
+void Compiler::procedure(ProcedureId id, ShortSpan where) {
+  const ProcedureInfo& row = procedures()[static_cast<std::size_t>(id)];
+  std::vector<Argument> list;
+  const bool bracket = accept(Symbol::LeftParen);
+  const bool empty = !bracket || accept(Symbol::RightParen);
+  for (std::size_t i = 0; i < row.parameters.size() && !failed(); ++i) {
+    const char kind = row.parameters[i];
+    const bool is_optional = kind >= 'a' && kind <= 'z';
+    if (empty || peek().is(Symbol::RightParen)) {
+      if (!is_optional) {
+        fail(AlarmId::ArgumentCount, where, std::string(row.name));
+      }
+      break;
+    }
+    if (i > 0) {
+      expect(Symbol::Comma);
+    }
+    function_argument(kind, list);
+    if (!failed() && kind == 'V' && list.back().form != Argument::Form::Element) {
+      fail(AlarmId::ReferenceMissing, where, std::string(row.name));
+    }
+  }
+  if (!empty && !accept(Symbol::RightParen)) {
+    fail(peek().is(Symbol::Comma) ? AlarmId::ArgumentCount : AlarmId::SyntaxInText, peek().where,
+         std::string(row.name));
+  }
+  const std::uint32_t first = keep_arguments(list);
+  emit(OpCode::Procedure, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, where);
+  last().detail = static_cast<std::uint8_t>(id);
+  last().count = static_cast<std::uint16_t>(list.size());
+}
+
+/// What g31 knows the name of, and no more.
+void Compiler::refused_statement() {
+  fail(AlarmId::NotImplemented, block_, text_of(block_));
+}
+
+Compiler::Handler Compiler::find_keyword(std::string_view name) {
+  static const NameMap<Handler> kHandlers = [] {
+    NameMap<Handler> map;
+#define KEYWORD(name, handler, form, text) map.emplace(#name, &Compiler::handler);
+#include "interpreter/dialects/sinumerik/keywords.def"
+#undef KEYWORD
+    return map;
+  }();
+  const auto found = kHandlers.find(name);
+  return found != kHandlers.end() ? found->second : nullptr;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,301 @@
+#include "interpreter/dialects/sinumerik/compiler.h"
+#include "interpreter/dialects/sinumerik/g_codes.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr std::size_t kLongestName = 31;
+constexpr std::int32_t kLongestString = 200;
+constexpr int kLargestArray = 100'000;  // elements
+
+constexpr std::string_view kAccessRights[] = {"APR", "APW", "APRP", "APWP", "APRB", "APWB"};
+constexpr std::string_view kAttributes[] = {"SAVE",   "DISPLOF",   "DISPLON", "SBLOF",
+                                            "SBLON",  "ACTBLOCNO", "ICYCOF",  "ICYCON",
+                                            "PREPRO", "IPTRLOCK"};
+constexpr std::string_view kReadingAhead[] = {"SYNR", "SYNW", "SYNRW"};
+
+bool contains(auto& list, std::string_view name) {
+  for (const std::string_view known : list) {
+    if (known == name) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+/// A whole number that is known when compiling.
+std::optional<std::int32_t> Compiler::whole_constant() {
+  const Expr value = expression();
+  const double number = value.is_constant && is_number(value.type)
+                            ? program_->constants[static_cast<std::size_t>(value.value.place)]
+                            : -1.0;
+  if (!failed() && (number < 0.0 || number > kLargestArray || number != rounded(number))) {
+    fail(AlarmId::BadArguments, value.where, text_of(value.where));
+  }
+  return failed() ? std::nullopt : std::optional(static_cast<std::int32_t>(number));
+}
+
+/// [n] behind STRING.
+std::optional<std::int32_t> Compiler::string_length() {
+  if (!accept(Symbol::LeftBracket)) {
+    return 1;
+  }
+  const auto length = whole_constant();
+  expect(Symbol::RightBracket);
+  if (length && *length > kLongestString) {
+    fail(AlarmId::StringTooLong, block_, std::to_string(*length));
+  }
+  return length;
+}
+
+/// [a,b,c] behind a name; sizes may be left out where a parameter takes any array.
+Shape Compiler::dimensions() {
+  Shape shape;
+  if (!accept(Symbol::LeftBracket)) {
+    return shape;
+  }
+  do {
+    if (shape.dimensions == Shape::kMostDimensions) {
+      fail(AlarmId::TooManyDimensions, peek().where, text_of(peek().where));
+      return shape;
+    }
+    const auto at = static_cast<std::size_t>(shape.dimensions++);
+    if (!peek().is(Symbol::Comma) && !peek().is(Symbol::RightBracket)) {
+      shape.size[at] = whole_constant().value_or(1);
+    }
+  } while (!failed() && accept(Symbol::Comma));
+  expect(Symbol::RightBracket);
+  const double elements = 1.0 * shape.size[0] * shape.size[1] * shape.size[2];
+  if (elements > kLargestArray || elements < 1.0) {
+    fail(AlarmId::ValueOutOfLimits, block_, "size of the array");
+    shape = {};
+  }
+  return shape;
+}
+
+std::optional<Variable> Compiler::declared_variable(Type type, std::int32_t longest) {
+  const Token name = next();
+  const bool is_letter =
+      name.kind == TokenKind::Letter && !name.is_letter('R') && peek().kind != TokenKind::Integer;
+  has_letter_names_ = has_letter_names_ || is_letter;
+  if (name.kind != TokenKind::Name && !is_letter) {
+    fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
+  } else if (name.text.size() > kLongestName) {
+    fail(AlarmId::NameTooLong, name.where, name.text);
+  } else if (find_keyword(name.text) != nullptr || find_function(name.text) ||
+             find_g_code(name.text)) {
+    fail(AlarmId::DefinedTwice, name.where, name.text);
+  }
+  Variable variable;
+  variable.name = name.text;
+  variable.type = type;
+  variable.longest = longest;
+  variable.shape = dimensions();
+  return failed() ? std::nullopt : std::optional(variable);
+}
+
+std::int32_t Compiler::define_local(Variable variable) {
+  const auto index = static_cast<std::int32_t>(program_->variables.size());
+  if (!program_->locals.emplace(variable.name, index).second) {
+    fail(AlarmId::DefinedTwice, block_, variable.name);
+    return -1;
+  }
+  const int count = variable.shape.count();
+  if (variable.type == Type::String) {
+    variable.place = program_->text_count;
+    program_->text_count += count;
+  } else if (variable.type == Type::Frame) {
+    variable.place = program_->frame_count;
+    program_->frame_count += count;
+  } else {
+    variable.place = static_cast<std::int32_t>(program_->initial_numbers.size());
+    program_->initial_numbers.resize(
+        program_->initial_numbers.size() + static_cast<std::size_t>(count),
+        initial_number(variable.type));
+  }
+  program_->variables.push_back(variable);
+  return index;
+}
+
+std::int32_t Compiler::define(const Variable& variable) {
+  if (purpose_ == Purpose::Program) {
+    return define_local(variable);
+  }
+  const Variable* const global = definitions_->define(variable);
+  if (global == nullptr) {
+    fail(AlarmId::DefinedTwice, block_, variable.name);
+    return -1;
+  }
+  return import(*global);
+}
+
+void Compiler::skip_access_rights() {
+  while (!failed() && peek().kind == TokenKind::Name) {
+    if (contains(kReadingAhead, peek().text)) {
+      next();
+    } else if (contains(kAccessRights, peek().text)) {
+      next();
+      whole_constant();
+    } else {
+      return;
+    }
+  }
+}
+
+/// DEF [NCK|CHAN] type name[sizes] = values, ...
+void Compiler::def_statement() {
+  const bool scoped = accept_name("NCK") || accept_name("CHAN");
+  if (scoped != (purpose_ == Purpose::Definitions)) {
+    fail(AlarmId::BadDefinition, block_, "NCK and CHAN stand in definition files");
+  }
+  skip_access_rights();
+  const Token word = next();
+  const auto type = word.kind == TokenKind::Name ? type_named(word.text) : std::nullopt;
+  if (!type) {
+    fail(AlarmId::SyntaxInText, word.where, text_of(word.where));
+    return;
+  }
+  const std::int32_t longest = *type == Type::String ? string_length().value_or(1) : 0;
+  skip_access_rights();
+  do {
+    const auto variable = declared_variable(*type, longest);
+    const std::int32_t index = variable ? define(*variable) : -1;
+    if (index >= 0 && accept(Symbol::Assign)) {
+      const Variable& known = program_->variables[static_cast<std::size_t>(index)];
+      Expr target;
+      target.type = known.type;
+      target.variable = index;
+      target.where = block_;
+      target.element = number_constant(0.0);
+      target.is_constant = true;
+      target.value = {known.storage == Storage::Global ? Bank::Globals : Bank::Locals, known.place};
+      const bool is_list = known.shape.dimensions > 0 && peek().is(Symbol::LeftParen);
+      is_list ? assign_list(target) : assign_element(target);
+    }
+  } while (!failed() && accept(Symbol::Comma));
+  expect_end();
+}
+
+/// DEFINE name AS text
+void Compiler::define_statement() {
+  std::string name = next().text;
+  if (name.size() == 1 && peek().kind == TokenKind::Integer) {
+    name += next().text;
+  }
+  if (!accept_name("AS")) {
+    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+    return;
+  }
+  Macro macro;
+  while (peek().kind != TokenKind::End) {
+    macro.tokens.push_back(next());
+  }
+  NameMap<Macro>& macros = purpose_ == Purpose::Definitions ? definitions_->macros : macros_;
+  if (!macros.emplace(name, std::move(macro)).second) {
+    fail(AlarmId::MacroTwice, block_, name);
+  }
+}
+
+/// PROC name(parameters) attributes
+void Compiler::proc_statement() {
+  if (!is_first_block_ || program_->has_proc || purpose_ == Purpose::Definitions) {
+    fail(AlarmId::BadDefinition, block_, "PROC");
+    return;
+  }
+  if (next().kind != TokenKind::Name) {
+    fail(AlarmId::SyntaxInText, block_, "PROC and a name");
+    return;
+  }
+  program_->has_proc = true;
+  if (accept(Symbol::LeftParen) && !accept(Symbol::RightParen)) {
+    do {
+      proc_parameter();
+    } while (!failed() && accept(Symbol::Comma));
+    expect(Symbol::RightParen);
+  }
+  proc_attributes();
+}
+
+void Compiler::proc_parameter() {
+  Parameter parameter;
+  parameter.by_reference = accept_name("VAR");
+  const Token word = next();
+  const auto type = word.kind == TokenKind::Name ? type_named(word.text) : std::nullopt;
+  if (!type) {
+    fail(AlarmId::SyntaxInText, word.where, text_of(word.where));
+    return;
+  }
+  const std::int32_t longest = *type == Type::String ? string_length().value_or(1) : 0;
+  auto variable = declared_variable(*type, longest);
+  if (!variable) {
+    return;
+  }
+  // An array is never copied: its parameter is the caller's array.
+  const bool refers = parameter.by_reference || variable->shape.dimensions > 0;
+  if (refers) {
+    std::int32_t references = 0;
+    for (const Parameter& known : program_->parameters) {
+      references += program_->variables[static_cast<std::size_t>(known.variable)].storage ==
+                            Storage::Reference
+                        ? 1
+                        : 0;
+    }
+    variable->storage = Storage::Reference;
+    variable->place = references;
+    parameter.by_reference = true;
+    parameter.variable = static_cast<std::int32_t>(program_->variables.size());
+    if (!program_->locals.emplace(variable->name, parameter.variable).second) {
+      fail(AlarmId::DefinedTwice, block_, variable->name);
+    }
+    program_->variables.push_back(*variable);
+  } else {
+    parameter.variable = define_local(*variable);
+    if (accept(Symbol::Assign)) {
+      preset(parameter);
+    }
+  }
+  program_->parameters.push_back(std::move(parameter));
+}
+
+/// The value of a parameter that a call leaves out.
+void Compiler::preset(Parameter& parameter) {
+  if (failed()) {
+    return;
+  }
+  const Variable& variable = program_->variables[static_cast<std::size_t>(parameter.variable)];
+  const Expr value = unary();
+  const bool same_kind = (value.type == Type::String) == (variable.type == Type::String);
+  if (!failed() && (!value.is_constant || !same_kind)) {
+    fail(AlarmId::InitialValueType, value.where, text_of(value.where));
+  }
+  if (failed()) {
+    return;
+  }
+  parameter.has_preset = true;
+  if (value.type == Type::String) {
+    parameter.text = program_->text_constants[static_cast<std::size_t>(value.value.place)];
+  } else {
+    parameter.number = program_->constants[static_cast<std::size_t>(value.value.place)];
+  }
+}
+
+void Compiler::proc_attributes() {
+  while (!failed() && peek().kind != TokenKind::End) {
+    const Token attribute = next();
+    if (attribute.kind != TokenKind::Name || !contains(kAttributes, attribute.text)) {
+      fail(AlarmId::AttributeNotAllowed, attribute.where, text_of(attribute.where));
+    }
+    program_->saves_codes = program_->saves_codes || attribute.text == "SAVE";
+  }
+}
+
+/// EXTERN says what the PROC of the called program says again; the PROC counts.
+void Compiler::extern_statement() {
+  while (peek().kind != TokenKind::End) {
+    next();
+  }
+}
+
+}  // namespace g31::sinumerik

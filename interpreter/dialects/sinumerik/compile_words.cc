@@ -1,0 +1,201 @@
+#include "interpreter/dialects/sinumerik/compiler.h"
+#include "interpreter/dialects/sinumerik/g_codes.h"
+
+namespace g31::sinumerik {
+namespace {
+
+std::string without_leading_zeros(const std::string& digits) {
+  const std::size_t first = digits.find_first_not_of('0');
+  return first == std::string::npos ? "0" : digits.substr(first);
+}
+
+}  // namespace
+
+bool Compiler::is_assigned(std::size_t ahead) const {
+  return peek(ahead).is(Symbol::Assign);
+}
+
+/// A single letter: R and its number, L a program, else a word.
+void Compiler::letter_item() {
+  const Token letter = peek();
+  const bool numbered = peek(1).kind == TokenKind::Integer;
+  if (letter.is_letter('R') && (numbered || peek(1).is(Symbol::LeftBracket))) {
+    next();
+    assign_variable(find_variable("R"), letter.where);
+    return;
+  }
+  next();
+  if (letter.is_letter('L') && numbered) {
+    call_by_name("L" + next().text, letter.where);
+    return;
+  }
+  letter_word(letter);
+}
+
+void Compiler::letter_word(Token letter) {
+  const bool numbered = peek().kind == TokenKind::Integer || peek().kind == TokenKind::Real;
+  if (letter.is_letter('G')) {
+    if (peek().kind != TokenKind::Integer) {
+      fail(AlarmId::NotImplemented, letter.where, "G with a computed number");
+      return;
+    }
+    g_code("G" + without_leading_zeros(peek().text), letter.where);
+    next();
+    return;
+  }
+  const int axis = axis_index(letter.text.front());
+  std::string name = letter.text;
+  // I1=, C3=, S1=, M2=: a number belongs to the address where = follows.
+  if (numbered && is_assigned(1)) {
+    name += next().text;
+  }
+  if (letter.is_letter('M')) {
+    m_word(letter.where);
+    return;
+  }
+  if (axis >= 0 && (name.size() == 1 || name.substr(1) == "1")) {
+    word(static_cast<Address>(axis), letter.where);
+    return;
+  }
+  const bool of_spindle = letter.is_letter('S') || letter.is_letter('T');
+  const auto address = find_address(of_spindle ? letter.text : name);
+  if (!address) {
+    fail(AlarmId::NoSuchAddress, letter.where, name);
+    return;
+  }
+  word(*address, letter.where);
+}
+
+void Compiler::g_code(std::string name, ShortSpan where) {
+  const auto code = find_g_code(name);
+  if (!code) {
+    fail(AlarmId::UnknownGCode, where, name);
+    return;
+  }
+  const GCode& row = g_codes()[code->row];
+  if (row.action == GAction::Refused) {
+    fail(AlarmId::NotImplemented, where, std::string(row.name) + ", " + std::string(row.text));
+    return;
+  }
+  for (const std::uint16_t bits : nc_.codes) {
+    if (g_codes()[unpacked(bits).row].group == row.group) {
+      fail(AlarmId::SameGroup, where, name);
+      return;
+    }
+  }
+  nc_.codes.push_back(packed(*code));
+  has_words_ = true;
+}
+
+/// M2, M17 and M30 end the program behind everything else in their block.
+void Compiler::m_word(ShortSpan where) {
+  Modification modification = Modification::None;
+  const Expr value = convert(word_value(modification), Type::Int, AlarmId::BadArguments);
+  if (failed()) {
+    return;
+  }
+  if (value.is_constant) {
+    const double number = program_->constants[static_cast<std::size_t>(value.value.place)];
+    if (number == 2.0 || number == 17.0 || number == 30.0) {
+      ends_with_ = number == 17.0 ? OpCode::Return : OpCode::EndProgram;
+      return;
+    }
+  }
+  Expr number = value;
+  number.where = where;
+  emit_word(Address::Machine, Modification::None, number);
+}
+
+/// What stands behind an address: a number at once, or = and an expression.
+Expr Compiler::word_value(Modification& modification) {
+  const bool assigned = accept(Symbol::Assign);
+  if (!assigned) {
+    const bool signed_number = peek().is(Symbol::Minus) || peek().is(Symbol::Plus);
+    const Token& number = peek(signed_number ? 1 : 0);
+    if (number.kind != TokenKind::Integer && number.kind != TokenKind::Real) {
+      fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+      return {};
+    }
+    return unary();
+  }
+  const Token name = peek();
+  const auto found = name.kind == TokenKind::Name && peek(1).is(Symbol::LeftParen)
+                         ? find_modification(name.text)
+                         : std::nullopt;
+  if (!found) {
+    return expression();
+  }
+  next();
+  modification = *found;
+  expect(Symbol::LeftParen);
+  Expr value = expression();
+  expect(Symbol::RightParen);
+  return value;
+}
+
+void Compiler::word(Address address, ShortSpan where) {
+  Modification modification = Modification::None;
+  Expr value = word_value(modification);
+  if (failed()) {
+    return;
+  }
+  const bool may_be_text = address == Address::Tool && value.type == Type::String;
+  const bool modifiable = index_of(address) < kAxisCount || address == Address::CentreX ||
+                          address == Address::CentreY || address == Address::CentreZ ||
+                          address == Address::Spindle || address == Address::SpindleAsync ||
+                          address == Address::MiddleX || address == Address::MiddleY ||
+                          address == Address::MiddleZ;
+  if (modification != Modification::None && !modifiable) {
+    fail(AlarmId::BadModification, where, text_of(where));
+    return;
+  }
+  if (!may_be_text) {
+    value = convert(std::move(value), Type::Real, AlarmId::BadArguments);
+  }
+  value.where = where;
+  emit_word(address, modification, value);
+}
+
+void Compiler::emit_word(Address address, Modification modification, const Expr& value) {
+  emit(value.type == Type::String ? OpCode::TextWord : OpCode::Word, {}, value.value, {},
+       value.where);
+  last().detail = static_cast<std::uint8_t>(address);
+  last().count = static_cast<std::uint16_t>(modification);
+  has_words_ = true;
+}
+
+/// AX[axis]=value
+void Compiler::axis_by_name() {
+  const ShortSpan where = next().where;
+  expect(Symbol::LeftBracket);
+  const Expr axis = axis_operand();
+  expect(Symbol::RightBracket);
+  Modification modification = Modification::None;
+  const Expr value = convert(word_value(modification), Type::Real, AlarmId::BadArguments);
+  emit(OpCode::AxisWord, {}, axis.value, value.value, where);
+  last().count = static_cast<std::uint16_t>(modification);
+  has_words_ = true;
+}
+
+/// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.
+bool Compiler::named_word() {
+  const Token name = peek();
+  if (name.text == "AX" && peek(1).is(Symbol::LeftBracket)) {
+    axis_by_name();
+    return true;
+  }
+  if (find_g_code(name.text)) {
+    next();
+    g_code(name.text, name.where);
+    return true;
+  }
+  const auto address = find_address(name.text);
+  if (!address || !is_assigned(1)) {
+    return false;
+  }
+  next();
+  word(*address, name.where);
+  return true;
+}
+
+}  // namespace g31::sinumerik

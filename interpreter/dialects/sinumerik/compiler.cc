@@ -1,0 +1,425 @@
+#include "interpreter/dialects/sinumerik/compiler.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "interpreter/source/printable.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr std::int32_t kMostTemporaries = kTemporaryCount;
+
+std::int32_t size_of(const auto& list) {
+  return static_cast<std::int32_t>(list.size());
+}
+
+}  // namespace
+
+Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose purpose)
+    : globals_(globals),
+      purpose_(purpose),
+      text_(source.file->text()),
+      whole_(source.text),
+      program_(std::make_unique<CompiledProgram>()) {
+  program_->name = source.name;
+  program_->file = source.file;
+}
+
+void Compiler::know_locals_of(const CompiledProgram& home) {
+  program_->variables = home.variables;
+  program_->locals = home.locals;
+  program_->initial_numbers = home.initial_numbers;
+  program_->text_count = home.text_count;
+  program_->frame_count = home.frame_count;
+  has_letter_names_ = true;
+}
+
+std::unique_ptr<CompiledProgram> Compiler::run() {
+  std::size_t begin = whole_.begin;
+  while (begin < whole_.end) {
+    const std::size_t found = text_.find('\n', begin);
+    const std::size_t end = std::min<std::size_t>(found, whole_.end);
+    block({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+    begin = end + 1;
+  }
+  block_ = {whole_.end, whole_.end};
+  end_structures();
+  resolve_jumps();
+  emit(OpCode::EndProgram, {}, {}, {}, block_);
+  return std::move(program_);
+}
+
+std::unique_ptr<CompiledProgram> Compiler::run_expression() {
+  scan_block(text_, whole_, tokens_);
+  find_letter_names();
+  block_ = whole_;
+  const Expr value = expression();
+  expect_end();
+  if (failed()) {
+    take_back(0);
+  }
+  program_->result = argument_of(value);
+  emit(OpCode::EndProgram, {}, {}, {}, block_);
+  return std::move(program_);
+}
+
+void Compiler::block(ShortSpan span) {
+  scan_block(text_, span, tokens_);
+  if (tokens_.size() == 1) {
+    return;
+  }
+  if (!macros_.empty() || !globals_.macros.empty()) {
+    expand_macros();
+  }
+  if (has_letter_names_) {
+    find_letter_names();
+  }
+  at_ = 0;
+  error_.reset();
+  number_temporaries_ = text_temporaries_ = frame_temporaries_ = 0;
+  block_ = {tokens_.front().where.begin, tokens_[tokens_.size() - 2].where.end};
+  const std::size_t first = program_->ops.size();
+  emit(OpCode::Block, {}, {}, {}, block_);
+  block_head();
+  statement();
+  if (failed()) {
+    take_back(first + 1);
+  }
+  program_->ops[first].a.place = here();
+  is_first_block_ = false;
+}
+
+/// What the block has left so far is worth nothing; the alarm takes its place.
+void Compiler::take_back(std::size_t first_step) {
+  program_->ops.resize(first_step);
+  program_->spans.resize(first_step);
+  std::erase_if(jumps_, [&](const JumpToLabel& jump) {
+    return static_cast<std::size_t>(jump.step) >= first_step;
+  });
+  nc_.codes.clear();
+  has_words_ = false;
+  ends_with_ = OpCode::Move;
+  program_->errors.push_back(*error_);
+  emit(OpCode::Raise, {}, {Bank::Constants, size_of(program_->errors) - 1}, {}, error_where_);
+}
+
+void Compiler::block_head() {
+  if (accept(Symbol::Slash)) {
+    int level = 0;
+    if (peek().kind == TokenKind::Integer) {
+      level = static_cast<int>(next().number);
+    }
+    if (level > 9) {
+      fail(AlarmId::BadSkipLevel, block_);
+      return;
+    }
+    last().detail = static_cast<std::uint8_t>(1 + level);
+  }
+  label_or_number();
+}
+
+void Compiler::label_or_number() {
+  const bool numbered = peek().is_letter('N') && peek(1).kind == TokenKind::Integer;
+  const bool main = peek().is(Symbol::Colon) && peek(1).kind == TokenKind::Integer;
+  if (numbered || main) {
+    next();
+    program_->block_numbers.push_back({static_cast<std::int32_t>(next().number), here() - 1});
+  }
+  const bool is_label =
+      peek(1).is(Symbol::Colon) || (peek().kind == TokenKind::Letter && peek(2).is(Symbol::Colon));
+  if (is_label) {
+    if (const auto name = label_name()) {
+      program_->labels[*name].push_back(here() - 1);
+    }
+    expect(Symbol::Colon);
+  }
+}
+
+void Compiler::statement() {
+  while (!failed() && peek().kind != TokenKind::End) {
+    item();
+  }
+  if (!failed()) {
+    finish_words();
+  }
+}
+
+/// One statement, assignment, word or call; most blocks have one, or words only.
+void Compiler::item() {
+  const Token& token = peek();
+  if (token.kind == TokenKind::Letter) {
+    letter_item();
+    return;
+  }
+  if (token.kind != TokenKind::Name) {
+    fail(AlarmId::SyntaxInText, text_of(token.where));
+    return;
+  }
+  if (const Handler handler = find_keyword(token.text)) {
+    next();
+    (this->*handler)();
+    return;
+  }
+  if (const auto id = find_procedure(token.text)) {
+    procedure(*id, next().where);
+    return;
+  }
+  if (!program_->locals.contains(token.text) && named_word()) {
+    return;
+  }
+  const Token name = next();
+  if (const std::int32_t variable = find_variable(name.text); variable >= 0) {
+    assign_variable(variable, name.where);
+  } else if (const auto system = find_system_variable(name.text)) {
+    assign_system(*system, name.where);
+  } else if (peek().is(Symbol::Assign) || peek().is(Symbol::LeftBracket)) {
+    fail(AlarmId::NotDefined, name.where, name.text);
+  } else {
+    call_by_name(name.text, name.where);
+  }
+}
+
+void Compiler::finish_words() {
+  if (has_words_) {
+    program_->nc_blocks.push_back(nc_);
+    emit(OpCode::Execute, {}, {Bank::Constants, size_of(program_->nc_blocks) - 1}, {}, block_);
+    nc_.codes.clear();
+    has_words_ = false;
+  }
+  if (ends_with_ != OpCode::Move) {
+    emit(ends_with_, {}, {}, {}, block_);
+    ends_with_ = OpCode::Move;
+  }
+}
+
+/// Names that DEFINE has made are replaced once: what stands in their place is taken as it is.
+void Compiler::expand_macros() {
+  std::vector<Token> all;
+  for (std::size_t i = 0; i < tokens_.size(); ++i) {
+    std::string name = tokens_[i].text;
+    std::size_t used = 1;
+    if (tokens_[i].kind == TokenKind::Letter && tokens_[i + 1].kind == TokenKind::Integer) {
+      name += tokens_[i + 1].text;
+      used = 2;
+    }
+    const bool is_name = tokens_[i].kind == TokenKind::Name || used == 2;
+    const bool is_being_defined = i > 0 && tokens_[i - 1].is_name("DEFINE");
+    auto macro = macros_.find(name);
+    const bool is_own = macro != macros_.end();
+    const auto global = is_own ? globals_.macros.end() : globals_.macros.find(name);
+    if (!is_name || is_being_defined || (!is_own && global == globals_.macros.end())) {
+      all.push_back(tokens_[i]);
+      continue;
+    }
+    const ShortSpan where = tokens_[i].where;
+    for (Token token : is_own ? macro->second.tokens : global->second.tokens) {
+      token.where = where;
+      all.push_back(std::move(token));
+    }
+    i += used - 1;
+  }
+  tokens_ = std::move(all);
+}
+
+/// A letter that DEF or PROC took as a name is one, unless a number follows it.
+void Compiler::find_letter_names() {
+  for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+    const bool numbered =
+        tokens_[i + 1].kind == TokenKind::Integer || tokens_[i + 1].kind == TokenKind::Real;
+    if (tokens_[i].kind == TokenKind::Letter && !numbered &&
+        program_->locals.contains(tokens_[i].text)) {
+      tokens_[i].kind = TokenKind::Name;
+    }
+  }
+}
+
+void Compiler::end_structures() {
+  for (const Structure& open : structures_) {
+    if (open.head >= 0) {
+      program_->errors.push_back({AlarmId::BadNesting, "its end is missing"});
+      Op& head = program_->ops[static_cast<std::size_t>(open.head)];
+      head = {OpCode::Raise, 0, 0, {}, {Bank::Constants, size_of(program_->errors) - 1}, {}};
+      program_->spans[static_cast<std::size_t>(open.head)] = open.where;
+    }
+  }
+}
+
+void Compiler::resolve_jumps() {
+  for (const JumpToLabel& jump : jumps_) {
+    Op& op = program_->ops[static_cast<std::size_t>(jump.step)];
+    const auto target = find_label(*program_, jump.label, jump.step, jump.direction);
+    if (target) {
+      op.a.place = *target;
+    } else if (jump.direction == Direction::BothQuiet) {
+      op.a.place = jump.step + 1;
+    } else {
+      program_->errors.push_back({AlarmId::JumpTargetMissing, jump.label});
+      op = {OpCode::Raise, 0, 0, {}, {Bank::Constants, size_of(program_->errors) - 1}, {}};
+    }
+  }
+  for (const PartToRepeat& part : parts_) {
+    RepeatSite& site = program_->repeats[part.site];
+    const auto first = find_label(*program_, part.first, part.step, Direction::Both);
+    site.first = first.value_or(-1);
+    if (part.one_block && first) {
+      site.end = program_->ops[static_cast<std::size_t>(*first)].a.place;
+    } else if (first) {
+      const auto end = part.end.empty()
+                           ? std::nullopt
+                           : find_label(*program_, part.end, *first, Direction::Forward);
+      const std::size_t last = static_cast<std::size_t>(end.value_or(part.step));
+      site.end = end ? program_->ops[last].a.place : part.end == "ENDLABEL" ? part.step : -1;
+      site.first = site.end < 0 ? -1 : site.first;
+    }
+  }
+}
+
+const Token& Compiler::peek(std::size_t ahead) const {
+  return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+}
+
+Token Compiler::next() {
+  Token token = peek();
+  at_ = std::min(at_ + 1, tokens_.size() - 1);
+  return token;
+}
+
+bool Compiler::accept(Symbol symbol) {
+  const bool found = peek().is(symbol);
+  at_ += found ? 1 : 0;
+  return found;
+}
+
+bool Compiler::accept_name(std::string_view name) {
+  const bool found = peek().is_name(name);
+  at_ += found ? 1 : 0;
+  return found;
+}
+
+void Compiler::expect(Symbol symbol) {
+  if (!accept(symbol)) {
+    fail(AlarmId::SyntaxInText, text_of(peek().where));
+  }
+}
+
+void Compiler::expect_end() {
+  if (peek().kind != TokenKind::End) {
+    fail(AlarmId::SyntaxInText, text_of(peek().where));
+  }
+}
+
+/// The first thing wrong in a block is the one that counts.
+void Compiler::fail(AlarmId id, ShortSpan where, std::string detail) {
+  if (!error_) {
+    error_ = BlockError{id, std::move(detail)};
+    error_where_ = where.end > where.begin ? where : block_;
+  }
+}
+
+std::string Compiler::text_of(ShortSpan where) const {
+  return where.end > where.begin
+             ? source::printable(text_.substr(where.begin, where.end - where.begin))
+             : std::string("the end of the block");
+}
+
+std::int32_t Compiler::emit(OpCode code, Operand result, Operand a, Operand b, ShortSpan where) {
+  program_->ops.push_back({code, 0, 0, result, a, b});
+  program_->spans.push_back(where);
+  return here() - 1;
+}
+
+std::int32_t Compiler::here() const {
+  return size_of(program_->ops);
+}
+
+Operand Compiler::number_constant(double value) {
+  program_->constants.push_back(value);
+  return {Bank::Constants, size_of(program_->constants) - 1};
+}
+
+Operand Compiler::text_constant(std::string value) {
+  program_->text_constants.push_back(std::move(value));
+  return {Bank::Constants, size_of(program_->text_constants) - 1};
+}
+
+Operand Compiler::temporary(Type type) {
+  std::int32_t& used = type == Type::String  ? text_temporaries_
+                       : type == Type::Frame ? frame_temporaries_
+                                             : number_temporaries_;
+  if (used == kMostTemporaries) {
+    fail(AlarmId::TooComplex, block_);
+    return {Bank::Temporaries, 0};
+  }
+  return {Bank::Temporaries, used++};
+}
+
+void Compiler::set_target(std::int32_t jump, std::int32_t target) {
+  if (jump >= 0) {
+    Op& op = program_->ops[static_cast<std::size_t>(jump)];
+    (op.code == OpCode::Jump ? op.a : op.b).place = target;
+  }
+}
+
+std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Globals& globals) {
+  return Compiler(source, globals, Compiler::Purpose::Program).run();
+}
+
+std::unique_ptr<CompiledProgram> compile_among(const ProgramSource& source, const Globals& globals,
+                                               const CompiledProgram& home) {
+  Compiler compiler(source, globals, Compiler::Purpose::Program);
+  compiler.know_locals_of(home);
+  return compiler.run();
+}
+
+std::unique_ptr<CompiledProgram> compile_expression(const ProgramSource& source,
+                                                    const Globals& globals,
+                                                    const CompiledProgram& home) {
+  Compiler compiler(source, globals, Compiler::Purpose::Program);
+  compiler.know_locals_of(home);
+  return compiler.run_expression();
+}
+
+std::unique_ptr<CompiledProgram> compile_definitions(const ProgramSource& source,
+                                                     Globals& globals) {
+  Compiler compiler(source, globals, Compiler::Purpose::Definitions);
+  compiler.define_in(globals);
+  return compiler.run();
+}
+
+namespace {
+
+/// The steps of a label, rising.
+std::vector<std::int32_t> steps_of(const CompiledProgram& program, std::string_view name) {
+  if (const auto found = program.labels.find(name); found != program.labels.end()) {
+    return found->second;
+  }
+  std::vector<std::int32_t> steps;
+  std::int32_t number = 0;
+  const bool numbered = name.size() > 1 && name.front() == 'N' &&
+                        std::from_chars(name.data() + 1, name.data() + name.size(), number).ptr ==
+                            name.data() + name.size();
+  if (numbered) {
+    for (const BlockNumber& block : program.block_numbers) {
+      if (block.number == number) {
+        steps.push_back(block.step);
+      }
+    }
+  }
+  return steps;
+}
+
+}  // namespace
+
+std::optional<std::int32_t> find_label(const CompiledProgram& program, std::string_view name,
+                                       std::int32_t from, Direction direction) {
+  const std::vector<std::int32_t> steps = steps_of(program, name);
+  const auto behind = std::ranges::upper_bound(steps, from);
+  if (direction != Direction::Backward && behind != steps.end()) {
+    return *behind;
+  }
+  const bool looks_back = direction != Direction::Forward && behind != steps.begin();
+  return looks_back ? std::optional(*(behind - 1)) : std::nullopt;
+}
+
+}  // namespace g31::sinumerik

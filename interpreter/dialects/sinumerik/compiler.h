@@ -1,0 +1,239 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/compile.h"
+#include "interpreter/dialects/sinumerik/functions.h"
+#include "interpreter/dialects/sinumerik/system_variables.h"
+#include "interpreter/dialects/sinumerik/words.h"
+
+namespace g31::sinumerik {
+
+/// What an expression or a part of one turned out to be.
+struct Expr {
+  Type type = Type::None;
+  Operand value;
+  ShortSpan where;
+  std::int32_t variable = -1;  ///< it is this variable or an element of it
+  Operand element;             ///< number of that element
+  bool is_whole_array = false;
+  bool is_constant = false;
+};
+
+/// Translates one program block by block, in one go.  A block that is wrong is taken back and a
+/// Raise stands in its place.
+class Compiler {
+ public:
+  enum class Purpose { Program, Definitions };
+
+  Compiler(const ProgramSource& source, const Globals& globals, Purpose purpose);
+
+  /// The local variables of another program are there from the start.
+  void know_locals_of(const CompiledProgram& home);
+  /// Where DEF and DEFINE of a definition file go.
+  void define_in(Globals& globals) { definitions_ = &globals; }
+
+  std::unique_ptr<CompiledProgram> run();
+  /// The whole text is one expression.
+  std::unique_ptr<CompiledProgram> run_expression();
+
+ private:
+  enum class StructureKind { If, Else, Loop, For, While, Repeat };
+  struct Structure {
+    StructureKind kind = StructureKind::If;
+    ShortSpan where;
+    std::int32_t head = -1;  ///< step that a missing end turns into an alarm, and loops go back to
+    std::int32_t exit = -1;  ///< jump out of it, to be given its target
+    std::int32_t done = -1;  ///< Else: the jump at the end of the first branch
+    Expr counter;            ///< For
+  };
+  struct JumpToLabel {
+    std::int32_t step = 0;
+    std::string label;
+    Direction direction = Direction::Forward;
+  };
+  struct PartToRepeat {
+    std::size_t site = 0;
+    std::int32_t step = 0;
+    std::string first;
+    std::string end;
+    bool one_block = false;
+  };
+  /// What an index list in brackets says.
+  struct Element {
+    Operand number;
+    bool is_fixed = false;  ///< `number` is a constant, `offset` its value
+    std::int32_t offset = 0;
+  };
+  using Handler = void (Compiler::*)();
+
+  // compiler.cc: blocks, tokens, steps
+  void block(ShortSpan span);
+  void block_head();
+  void label_or_number();
+  void statement();
+  void item();
+  void finish_words();
+  void take_back(std::size_t first_step);
+  void expand_macros();
+  void find_letter_names();
+  void resolve_jumps();
+  void end_structures();
+  const Token& peek(std::size_t ahead = 0) const;
+  Token next();
+  bool accept(Symbol symbol);
+  bool accept_name(std::string_view name);
+  void expect(Symbol symbol);
+  void expect_end();
+  void fail(AlarmId id, ShortSpan where, std::string detail = {});
+  void fail(AlarmId id, std::string detail = {}) { fail(id, peek().where, std::move(detail)); }
+  [[nodiscard]] bool failed() const { return error_.has_value(); }
+  [[nodiscard]] std::string text_of(ShortSpan where) const;
+  std::int32_t emit(OpCode code, Operand result, Operand a, Operand b, ShortSpan where);
+  Op& last() { return program_->ops.back(); }
+  [[nodiscard]] std::int32_t here() const;
+  Operand number_constant(double value);
+  Operand text_constant(std::string value);
+  Operand temporary(Type type);
+  void set_target(std::int32_t jump, std::int32_t target);
+
+  // compile_expression.cc
+  Expr expression(int level = 0);
+  Expr unary();
+  Expr primary();
+  Expr name_in_expression();
+  Expr letter_in_expression();
+  Expr call_function(FunctionId id, ShortSpan where);
+  Expr plain_mathematics(FunctionId id, ShortSpan where);
+  void function_argument(char kind, std::vector<Argument>& list);
+  Expr combine(int row, Expr left, Expr right);
+  Expr compare(OpCode code, Expr left, Expr right, ShortSpan where);
+  Expr concatenate(Expr left, Expr right, ShortSpan where);
+  Expr arithmetic(OpCode code, Expr left, Expr right, ShortSpan where);
+  Expr convert(Expr from, Type to, AlarmId mismatch = AlarmId::WrongType);
+  Expr as_text(Expr from);
+  Expr boolean(Expr from) { return convert(std::move(from), Type::Bool); }
+  Expr constant(Type type, double value, ShortSpan where);
+
+  // compile_variable.cc
+  std::int32_t find_variable(std::string_view name);
+  std::int32_t import(const Variable& variable);
+  Expr variable_access(std::int32_t variable, ShortSpan where);
+  Element element_of(std::int32_t variable);
+  Expr component_access(Expr frame);
+  Expr system_access(const SystemName& name, ShortSpan where);
+  std::vector<Argument> system_indices(const SystemName& name);
+  Expr axis_operand();
+  Expr component_operand();
+  void store(const Expr& target, Expr value);
+  void assign_variable(std::int32_t variable, ShortSpan where);
+  void assign_element(const Expr& target);
+  void assign_component(Expr frame);
+  void assign_system(const SystemName& name, ShortSpan where);
+  void assign_list(const Expr& target);
+  bool looks_like_list() const;
+  void repeat_value(const Expr& target);
+  std::uint32_t keep_arguments(const std::vector<Argument>& list);
+  Argument argument_of(const Expr& expr);
+
+  // compile_structure.cc
+  void if_statement();
+  void else_statement();
+  void endif_statement();
+  void loop_statement();
+  void endloop_statement();
+  void for_statement();
+  void endfor_statement();
+  void while_statement();
+  void endwhile_statement();
+  void repeat_statement();
+  void until_statement();
+  void case_statement();
+  void goto_statement();
+  void gotof_statement();
+  void gotob_statement();
+  void gotoc_statement();
+  void gotos_statement();
+  void repeatb_statement();
+  void jump(Direction direction);
+  void jump_to(Direction direction);
+  bool jump_statement();
+  void repeat_part(bool one_block);
+  std::optional<std::string> label_name();
+  void open(StructureKind kind, std::int32_t head, std::int32_t exit);
+  std::optional<Structure> close(StructureKind kind);
+  void back_to(const Structure& loop);
+
+  // compile_definition.cc
+  void def_statement();
+  void define_statement();
+  void proc_statement();
+  void extern_statement();
+  void proc_parameter();
+  void proc_attributes();
+  std::optional<Variable> declared_variable(Type type, std::int32_t longest);
+  std::int32_t define_local(Variable variable);
+  std::optional<std::int32_t> string_length();
+  std::optional<std::int32_t> whole_constant();
+  Shape dimensions();
+  void preset(Parameter& parameter);
+  std::int32_t define(const Variable& variable);
+  void skip_access_rights();
+
+  // compile_call.cc
+  void call_by_name(std::string name, ShortSpan where);
+  void call_statement();
+  void pcall_statement();
+  void mcall_statement();
+  void extcall_statement();
+  void ret_statement();
+  void procedure(ProcedureId id, ShortSpan where);
+  std::vector<Argument> argument_list();
+  void call(CallSite site, ShortSpan where);
+  void refused_statement();
+
+  // compile_words.cc
+  void letter_item();
+  void letter_word(Token letter);
+  void g_code(std::string name, ShortSpan where);
+  void m_word(ShortSpan where);
+  void axis_by_name();
+  bool named_word();
+  void word(Address address, ShortSpan where);
+  void emit_word(Address address, Modification modification, const Expr& value);
+  Expr word_value(Modification& modification);
+  [[nodiscard]] bool is_assigned(std::size_t ahead) const;
+
+  static Handler find_keyword(std::string_view name);
+
+  const Globals& globals_;
+  Globals* definitions_ = nullptr;
+  Purpose purpose_;
+  std::string_view text_;
+  ShortSpan whole_;
+  std::unique_ptr<CompiledProgram> program_;
+  NameMap<std::int32_t> imported_;
+  NameMap<Macro> macros_;
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  ShortSpan block_;
+  ShortSpan error_where_;
+  std::optional<BlockError> error_;
+  std::int32_t number_temporaries_ = 0;
+  std::int32_t text_temporaries_ = 0;
+  std::int32_t frame_temporaries_ = 0;
+  NcBlock nc_;
+  bool has_words_ = false;
+  OpCode ends_with_ = OpCode::Move;  ///< Return or EndProgram behind the words of the block
+  bool is_first_block_ = true;
+  bool has_letter_names_ = false;  ///< a variable is called I, say
+  std::vector<Structure> structures_;
+  std::vector<JumpToLabel> jumps_;
+  std::vector<PartToRepeat> parts_;
+};
+
+}  // namespace g31::sinumerik

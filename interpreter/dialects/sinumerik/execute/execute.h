@@ -1,0 +1,45 @@
+#pragma once
+
+#include "interpreter/dialects/sinumerik/channel.h"
+#include "interpreter/dialects/sinumerik/code.h"
+
+namespace g31::sinumerik {
+
+/// One NC block with its words evaluated.
+struct Block {
+  const BlockWords& words;
+  const NcBlock& codes;
+  source::Location where;
+
+  /// The row of a group that stands in this block; nullptr: none.
+  [[nodiscard]] const GCode* code_of(int group) const;
+};
+
+/// Does everything that a block commands.
+MaybeFailure execute_block(Channel& channel, const Block& block);
+
+// The parts, one a file.
+
+/// T, D and M6.
+MaybeFailure select_tool(Channel& channel, const Block& block);
+/// TRANS, ROT, SCALE, MIRROR and their additive forms.
+MaybeFailure program_frame(Channel& channel, const Block& block, const GCode& code);
+/// Straight moves, rapid or at feed.
+MaybeFailure move_straight(Channel& channel, const Block& block);
+/// G2, G3 and CIP.
+MaybeFailure move_along_circle(Channel& channel, const Block& block);
+/// MEAS
+MaybeFailure measure(Channel& channel, const Block& block);
+/// G4
+MaybeFailure dwell(Channel& channel, const Block& block);
+
+/// The end that the axis words say, work coordinates; axes without a word stay where they are.
+Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& block);
+/// mm/min
+Result<double, Failure> feed_in_force(const Channel& channel);
+/// What a fault of the machine means here.
+Failure from_fault(const machine::MachineFault& fault);
+/// Whether G9, G60 or a rapid stops the axes at the end of the block.
+machine::BlockEnd block_end(const Channel& channel);
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,124 @@
+#include "interpreter/dialects/sinumerik/frame.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "interpreter/dialects/sinumerik/functions.h"
+#include "machine/base/contract.h"
+#include "machine/units/units.h"
+
+namespace g31::sinumerik {
+namespace {
+
+double sine(double degrees) {
+  return mathematics(FunctionId::SIN, degrees, 0.0).value_or(0.0);
+}
+double cosine(double degrees) {
+  return mathematics(FunctionId::COS, degrees, 0.0).value_or(0.0);
+}
+
+/// About one axis; quarter turns are exact.
+Eigen::Matrix3d about(int axis, double degrees) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  const int a = (axis + 1) % 3;
+  const int b = (axis + 2) % 3;
+  turn(a, a) = turn(b, b) = cosine(degrees);
+  turn(b, a) = sine(degrees);
+  turn(a, b) = -turn(b, a);
+  return turn;
+}
+
+}  // namespace
+
+AxisPositions Frame::factors() const {
+  return scale_.cwiseProduct(mirror_);
+}
+
+AxisPositions Frame::apply(const AxisPositions& q) const {
+  AxisPositions outer = factors().cwiseProduct(q);
+  outer.head<3>() = (turn_ * outer.head<3>()).eval();
+  return outer + coarse_ + fine_;
+}
+
+AxisPositions Frame::undo(const AxisPositions& q) const {
+  AxisPositions inner = q - coarse_ - fine_;
+  if (!turn_.isIdentity(0.0)) {
+    inner.head<3>() = turn_.inverse() * inner.head<3>().eval();
+  }
+  return inner.cwiseQuotient(factors());
+}
+
+Frame Frame::chained(const Frame& inner) const {
+  Frame all;
+  all.coarse_ = apply(inner.coarse_ + inner.fine_) - fine_;
+  all.fine_ = fine_;
+  const Eigen::Vector3d mine = factors().head<3>();
+  all.turn_ = turn_ * mine.asDiagonal() * inner.turn_ * mine.cwiseInverse().asDiagonal();
+  all.scale_ = scale_.cwiseProduct(inner.scale_);
+  all.mirror_ = mirror_.cwiseProduct(inner.mirror_);
+  return all;
+}
+
+Frame Frame::inverse() const {
+  Frame back;
+  back.coarse_ = undo(AxisPositions::Zero());
+  const Eigen::Vector3d mine = factors().head<3>();
+  back.turn_ = mine.cwiseInverse().asDiagonal() * turn_.inverse() * mine.asDiagonal();
+  back.scale_ = scale_.cwiseInverse();
+  back.mirror_ = mirror_;
+  return back;
+}
+
+Eigen::Vector3d Frame::angles() const {
+  const double x = std::atan2(turn_(2, 1), turn_(2, 2));
+  const double y = std::atan2(-turn_(2, 0), std::hypot(turn_(0, 0), turn_(1, 0)));
+  const double z = std::atan2(turn_(1, 0), turn_(0, 0));
+  return Eigen::Vector3d(x, y, z) * (180.0 / std::numbers::pi);
+}
+
+void Frame::set_angles(const Eigen::Vector3d& degrees) {
+  turn_ = about(2, degrees.z()) * about(1, degrees.y()) * about(0, degrees.x());
+}
+
+double Frame::component(int axis, Component component) const {
+  switch (component) {
+    case Component::Coarse:
+      return coarse_[axis];
+    case Component::Fine:
+      return fine_[axis];
+    case Component::Rotation:
+      return axis < 3 ? angles()[axis] : 0.0;
+    case Component::Scale:
+      return scale_[axis];
+    case Component::Mirror:
+      return mirror_[axis] < 0.0 ? 1.0 : 0.0;
+  }
+  contract_violated("every component has a value", __FILE__, __LINE__);
+}
+
+void Frame::set_component(int axis, Component component, double value) {
+  switch (component) {
+    case Component::Coarse:
+      coarse_[axis] = value;
+      return;
+    case Component::Fine:
+      fine_[axis] = value;
+      return;
+    case Component::Rotation:
+      if (axis < 3) {
+        Eigen::Vector3d degrees = angles();
+        degrees[axis] = value;
+        set_angles(degrees);
+      }
+      return;
+    case Component::Scale:
+      scale_[axis] = value;
+      return;
+    case Component::Mirror:
+      mirror_[axis] = value != 0.0 ? -1.0 : 1.0;
+      return;
+  }
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,56 @@
+#include "interpreter/dialects/sinumerik/g_codes.h"
+
+#include <charconv>
+
+#include "interpreter/dialects/sinumerik/names.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr auto kRows = std::to_array<GCode>({
+#define G_CODE(name, group, number, action, text) {name, group, number, GAction::action, text},
+#include "interpreter/dialects/sinumerik/g_codes.def"
+#undef G_CODE
+});
+
+constexpr int kFirstSettable = 505;
+constexpr int kLastSettable = 599;
+
+}  // namespace
+
+std::span<const GCode> g_codes() {
+  return kRows;
+}
+
+std::optional<FoundCode> find_g_code(std::string_view name) {
+  static const NameMap<std::uint16_t> kByName = [] {
+    NameMap<std::uint16_t> map;
+    for (std::size_t i = 0; i < kRows.size(); ++i) {
+      map.emplace(std::string(kRows[i].name), static_cast<std::uint16_t>(i));
+    }
+    return map;
+  }();
+  if (const auto found = kByName.find(name); found != kByName.end()) {
+    return FoundCode{found->second, 0};
+  }
+  int number = 0;
+  if (name.starts_with('G') && name.size() == 4) {
+    std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  }
+  if (number <= kFirstSettable || number > kLastSettable) {
+    return std::nullopt;
+  }
+  return FoundCode{kByName.at("G505"), static_cast<std::uint16_t>(number - kFirstSettable)};
+}
+
+int preset_number(int group) {
+  switch (group) {
+    case 13:
+    case 15:
+      return 2;  // G71, G94
+    default:
+      return 1;
+  }
+}
+
+}  // namespace g31::sinumerik

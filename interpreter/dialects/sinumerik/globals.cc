@@ -1,0 +1,62 @@
+#include "interpreter/dialects/sinumerik/globals.h"
+
+#include <algorithm>
+#include <array>
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr auto kData = std::to_array<MachineDatum>({
+#define MACHINE_DATA(number, name, type, count, preset, text) \
+  {number, name, Type::type, count, preset, text},
+#include "interpreter/dialects/sinumerik/machine_data.def"
+#undef MACHINE_DATA
+});
+
+}  // namespace
+
+std::span<const MachineDatum> machine_data() {
+  return kData;
+}
+
+Globals::Globals() {
+  Variable r;
+  r.name = "R";
+  r.shape = {1, {kRParameters, 1, 1}};
+  define(r);
+  for (const MachineDatum& row : kData) {
+    Variable datum;
+    datum.name = row.name;
+    datum.type = row.type;
+    datum.shape = row.count > 0 ? Shape{1, {row.count, 1, 1}} : Shape{};
+    const std::int32_t place = define(datum)->place;
+    std::fill(numbers_.begin() + place, numbers_.end(), row.preset);
+  }
+}
+
+const Variable* Globals::find(std::string_view name) const {
+  const auto found = by_name_.find(name);
+  return found != by_name_.end() ? &variables_[found->second] : nullptr;
+}
+
+const Variable* Globals::define(const Variable& variable) {
+  if (!by_name_.emplace(variable.name, variables_.size()).second) {
+    return nullptr;
+  }
+  Variable& defined = variables_.emplace_back(variable);
+  defined.storage = Storage::Global;
+  if (variable.type == Type::String) {
+    defined.place = text_count_;
+    text_count_ += variable.shape.count();
+  } else if (variable.type == Type::Frame) {
+    defined.place = frame_count_;
+    frame_count_ += variable.shape.count();
+  } else {
+    defined.place = static_cast<std::int32_t>(numbers_.size());
+    numbers_.resize(numbers_.size() + static_cast<std::size_t>(variable.shape.count()),
+                    initial_number(variable.type));
+  }
+  return &defined;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/code.h"
+#include "interpreter/dialects/sinumerik/frame.h"
+#include "interpreter/dialects/sinumerik/g_codes.h"
+
+namespace g31::sinumerik {
+
+/// A variable of the caller behind a VAR parameter.  Its memory does not move while it is called.
+struct Reference {
+  Type type = Type::None;
+  double* numbers = nullptr;
+  std::string* texts = nullptr;
+  Frame* frames = nullptr;
+  Shape shape;
+  std::int32_t longest = 0;
+};
+
+/// What a call gives for one parameter.
+struct BoundValue {
+  Argument::Form form = Argument::Form::Omitted;
+  Type type = Type::None;
+  double number = 0.0;
+  std::string text;
+  const Frame* frame = nullptr;
+  Reference reference;
+};
+
+/// One running part of REPEAT.
+struct RunningPart {
+  std::int32_t site = 0;
+  std::int32_t back_to = 0;  ///< the step behind REPEAT
+  std::int32_t passes_left = 0;
+};
+
+/// One program level.
+struct Level {
+  const CompiledProgram* program = nullptr;
+  std::int32_t step = 0;
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  std::vector<Frame> frames;
+  std::vector<Reference> references;
+  std::vector<bool> given;  ///< $P_SUBPAR
+  std::vector<RunningPart> parts;
+  std::vector<BoundValue> arguments;  ///< kept for further passes
+  std::int32_t passes_left = 0;
+  bool is_modal_call = false;
+  std::array<int, kGroupCount> saved_group = {};  ///< SAVE
+  Frame saved_frame;
+};
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,229 @@
+#include "interpreter/dialects/sinumerik/library.h"
+
+#include <algorithm>
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr std::string_view kHeader = "%_N_";
+constexpr std::string_view kSuffixes[] = {"MPF", "SPF", "CYC", "DEF", "ARC", "CST", "CPF"};
+
+bool is_suffix(std::string_view text) {
+  return std::ranges::find(kSuffixes, text) != std::end(kSuffixes);
+}
+
+std::string_view first_word(std::string_view line) {
+  const std::size_t end = line.find_first_of(" \t\r;(");
+  return line.substr(0, end);
+}
+
+std::string joined(const std::string& folder, const std::string& name) {
+  return folder.empty() ? name : folder + "/" + name;
+}
+
+/// Where one program of a text stands.
+struct Piece {
+  std::string header;  ///< without %; empty: the text has none
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// Cuts a text at its headers.  Any other line that begins with % is a header without a name.
+std::vector<Piece> pieces_of(std::string_view text) {
+  std::vector<Piece> pieces;
+  Piece now;
+  std::size_t begin = 0;
+  while (begin < text.size()) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = text.substr(begin, end - begin);
+    if (line.starts_with('%')) {
+      now.end = begin;
+      pieces.push_back(now);
+      now = {};
+      now.header = upper(first_word(line.substr(1)));
+      now.begin = std::min(end + 1, text.size());
+    }
+    begin = end + 1;
+  }
+  now.end = text.size();
+  pieces.push_back(now);
+  return pieces;
+}
+
+bool is_blank(std::string_view text) {
+  return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
+}
+
+}  // namespace
+
+ProgramName program_name(std::string_view written) {
+  const std::size_t slash = written.find_last_of("/\\");
+  std::string name = upper(slash == std::string_view::npos ? written : written.substr(slash + 1));
+  name.erase(0, name.find_first_not_of(" \t") == std::string::npos ? name.size()
+                                                                   : name.find_first_not_of(" \t"));
+  name.erase(name.find_last_not_of(" \t") + 1);
+  if (name.starts_with("_N_")) {
+    name.erase(0, 3);
+  }
+  const std::size_t mark = name.find_last_of("._");
+  if (mark != std::string::npos && mark > 0 && is_suffix(name.substr(mark + 1))) {
+    return {name.substr(0, mark), name.substr(mark + 1)};
+  }
+  return {name, ""};
+}
+
+ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
+  auto text = files_.read(path);
+  if (!text) {
+    return Added::Unreadable;
+  }
+  loaded_.insert(path);
+  take(path, std::move(*text));
+  return Added::Yes;
+}
+
+void ProgramLibrary::add_folder(const std::string& folder) {
+  std::multimap<std::string, std::string> known;
+  for (const std::string& name : files_.list(folder)) {
+    const ProgramName parts = program_name(name);
+    const std::string path = joined(folder, name);
+    if (parts.suffix == "DEF" && !loaded_.contains(path)) {
+      add_file(path);
+    } else if (parts.suffix == "ARC") {
+      archives_.push_back(path);
+    } else if (!parts.suffix.empty()) {
+      known.emplace(parts.stem, path);
+    }
+  }
+  folders_.push_back(std::move(known));
+}
+
+/// Keeps the programs of a file.
+void ProgramLibrary::take(std::string path, std::string text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) {
+    text.replace(0, kByteOrderMark.size(), kByteOrderMark.size(), ' ');
+  }
+  const ProgramName of_file = program_name(path);
+  texts_.push_back(std::make_unique<source::SourceFile>(std::move(path), std::move(text)));
+  const source::SourceFile& file = *texts_.back();
+  for (const Piece& piece : pieces_of(file.text())) {
+    const std::string_view body = file.text().substr(piece.begin, piece.end - piece.begin);
+    if (piece.header.empty() && is_blank(body)) {
+      continue;
+    }
+    auto entry = std::make_unique<Entry>();
+    const bool has_name = ("%" + piece.header).starts_with(kHeader);
+    entry->name = has_name ? program_name(piece.header) : of_file;
+    entry->source = {
+        entry->name.stem,
+        &file,
+        {static_cast<std::uint32_t>(piece.begin), static_cast<std::uint32_t>(piece.end)}};
+    by_stem_[entry->name.stem].push_back(entry.get());
+    entries_.push_back(std::move(entry));
+  }
+}
+
+std::vector<const CompiledProgram*> ProgramLibrary::define() {
+  std::vector<const CompiledProgram*> all;
+  for (const auto& entry : entries_) {
+    if (entry->name.suffix == "DEF" && entry->compiled == nullptr) {
+      entry->compiled = compile_definitions(entry->source, globals_);
+      all.push_back(entry->compiled.get());
+    }
+  }
+  return all;
+}
+
+const source::SourceFile* ProgramLibrary::main_text() const {
+  return texts_.empty() ? nullptr : texts_.front().get();
+}
+
+const CompiledProgram* ProgramLibrary::main_program() {
+  const source::SourceFile* const text = main_text();
+  Entry* first = nullptr;
+  for (const auto& entry : entries_) {
+    if (entry->source.file != text || entry->name.suffix == "DEF") {
+      continue;
+    }
+    if (entry->name.suffix == "MPF") {
+      return compiled(*entry);
+    }
+    first = first == nullptr ? entry.get() : first;
+  }
+  return first != nullptr ? compiled(*first) : nullptr;
+}
+
+const CompiledProgram* ProgramLibrary::compiled(Entry& entry) {
+  if (entry.compiled == nullptr) {
+    entry.compiled = compile(entry.source, globals_);
+  }
+  return entry.compiled.get();
+}
+
+ProgramLibrary::Entry* ProgramLibrary::find_entry(const ProgramName& name) {
+  const auto found = by_stem_.find(name.stem);
+  if (found == by_stem_.end()) {
+    return nullptr;
+  }
+  for (Entry* const entry : found->second) {
+    const bool fits =
+        name.suffix.empty() ? entry->name.suffix != "DEF" : entry->name.suffix == name.suffix;
+    if (fits) {
+      return entry;
+    }
+  }
+  return nullptr;
+}
+
+/// Reads the next file that may hold the program.  @returns whether there was one
+bool ProgramLibrary::load_for(const ProgramName& name) {
+  for (const auto& folder : folders_) {
+    const auto [first, last] = folder.equal_range(name.stem);
+    for (auto file = first; file != last; ++file) {
+      if (!loaded_.contains(file->second)) {
+        add_file(file->second);
+        loaded_.insert(file->second);
+        return true;
+      }
+    }
+  }
+  if (archives_.empty()) {
+    return false;
+  }
+  const std::string archive = archives_.front();
+  archives_.erase(archives_.begin());
+  if (!loaded_.contains(archive)) {
+    add_file(archive);
+  }
+  return true;
+}
+
+const CompiledProgram* ProgramLibrary::find(std::string_view written) {
+  const ProgramName name = program_name(written);
+  do {
+    if (Entry* const entry = find_entry(name)) {
+      return compiled(*entry);
+    }
+  } while (load_for(name));
+  return nullptr;
+}
+
+ProgramSource ProgramLibrary::loose_source(const std::string& text) {
+  texts_.push_back(std::make_unique<source::SourceFile>("command line", text));
+  return {"", texts_.back().get(), {0, static_cast<std::uint32_t>(text.size())}};
+}
+
+const CompiledProgram* ProgramLibrary::snippet(const std::string& text,
+                                               const CompiledProgram& home) {
+  others_.push_back(compile_among(loose_source(text), globals_, home));
+  return others_.back().get();
+}
+
+const CompiledProgram* ProgramLibrary::expression(const std::string& text,
+                                                  const CompiledProgram& home) {
+  others_.push_back(compile_expression(loose_source(text), globals_, home));
+  return others_.back().get();
+}
+
+}  // namespace g31::sinumerik

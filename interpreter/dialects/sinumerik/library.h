@@ -1,0 +1,78 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/compile.h"
+#include "interpreter/source/file_system.h"
+
+namespace g31::sinumerik {
+
+/// What a program name says: "_N_PART_SPF", "PART.SPF", "//NC/SPF.DIR/PART", "part" are all PART.
+struct ProgramName {
+  std::string stem;    ///< upper case
+  std::string suffix;  ///< "MPF", "SPF", "DEF"; empty: not said
+};
+ProgramName program_name(std::string_view written);
+
+/// The programs that a run can call, in this order: those of the main file, further files, then
+/// folders as they were added.  A file holds one program, or many behind headers %_N_NAME_SPF.
+/// Files of a folder are read when they are first needed; definition files at once.
+class ProgramLibrary {
+ public:
+  /// @param files  must outlive the library
+  explicit ProgramLibrary(source::FileSystem& files) : files_(files) {}
+
+  enum class Added { Yes, Unreadable };
+  Added add_file(const std::string& path);
+  /// @returns nothing: a folder that cannot be read has no programs
+  void add_folder(const std::string& folder);
+
+  /// Reads the definition files; to be called once, before anything is run.
+  /// @returns programs that set initial values, to be run first
+  std::vector<const CompiledProgram*> define();
+
+  /// The first main program of the first file, else its first program; nullptr: there is none.
+  const CompiledProgram* main_program();
+  /// The text of the first file; nullptr when there is none.
+  [[nodiscard]] const source::SourceFile* main_text() const;
+
+  /// A program by any form of its name, or nullptr.
+  const CompiledProgram* find(std::string_view name);
+
+  /// `text` as blocks among the local variables of `home`; lives as long as the library.
+  const CompiledProgram* snippet(const std::string& text, const CompiledProgram& home);
+  /// The same of one expression.
+  const CompiledProgram* expression(const std::string& text, const CompiledProgram& home);
+
+  [[nodiscard]] const Globals& globals() const { return globals_; }
+
+ private:
+  struct Entry {
+    ProgramName name;
+    ProgramSource source;
+    std::unique_ptr<CompiledProgram> compiled;
+  };
+
+  void take(std::string path, std::string text);
+  ProgramSource loose_source(const std::string& text);
+  Entry* find_entry(const ProgramName& name);
+  bool load_for(const ProgramName& name);
+  const CompiledProgram* compiled(Entry& entry);
+
+  source::FileSystem& files_;
+  Globals globals_;
+  std::vector<std::unique_ptr<source::SourceFile>> texts_;
+  std::vector<std::unique_ptr<Entry>> entries_;
+  std::map<std::string, std::vector<Entry*>, std::less<>> by_stem_;
+  std::vector<std::multimap<std::string, std::string>> folders_;  ///< stem to path
+  std::vector<std::string> archives_;                             ///< of folders, not yet read
+  std::set<std::string> loaded_;
+  std::vector<std::unique_ptr<CompiledProgram>> others_;
+};
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,168 @@
+#include "interpreter/dialects/sinumerik/reference/explain.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/alarms.h"
+#include "interpreter/dialects/sinumerik/functions.h"
+#include "interpreter/dialects/sinumerik/g_codes.h"
+#include "interpreter/dialects/sinumerik/globals.h"
+#include "interpreter/dialects/sinumerik/names.h"
+#include "interpreter/dialects/sinumerik/operators.h"
+#include "interpreter/dialects/sinumerik/system_variables.h"
+#include "interpreter/dialects/sinumerik/words.h"
+#include "machine/base/nearest_name.h"
+
+namespace g31::sinumerik {
+namespace {
+
+using runtime::Entries;
+using runtime::Entry;
+
+struct Keyword {
+  std::string_view name;
+  std::string_view form;
+  std::string_view text;
+};
+
+constexpr auto kKeywords = std::to_array<Keyword>({
+#define KEYWORD(name, handler, form, text) {#name, form, text},
+#include "interpreter/dialects/sinumerik/keywords.def"
+#undef KEYWORD
+});
+
+/// A row, under every name that a user may give it.
+struct Topic {
+  std::string name;
+  std::string other;  ///< a number, say; empty: none
+  Entry entry;
+};
+
+std::string text(std::string_view view) {
+  return std::string(view);
+}
+
+void add_language(std::vector<Topic>& all) {
+  for (const Keyword& row : kKeywords) {
+    all.push_back({text(row.name),
+                   "",
+                   {"statement", text(row.name), text(row.text), {{"form", text(row.form)}}}});
+  }
+  for (const OperatorInfo& row : operators()) {
+    all.push_back({text(row.name),
+                   "",
+                   {"operator",
+                    text(row.name),
+                    text(row.text),
+                    {{"binds", fmt::format("level {} of 0 (least) to 9", row.level)}}}});
+  }
+  for (const FunctionInfo& row : functions()) {
+    all.push_back({text(row.name),
+                   "",
+                   {"function",
+                    text(row.name),
+                    text(row.text),
+                    {{"form", text(row.form)}, {"gives", text(name_of(row.result))}}}});
+  }
+  for (const ProcedureInfo& row : procedures()) {
+    all.push_back({text(row.name),
+                   "",
+                   {"procedure", text(row.name), text(row.text), {{"form", text(row.form)}}}});
+  }
+}
+
+void add_words(std::vector<Topic>& all) {
+  for (const GCode& row : g_codes()) {
+    Entry entry{"G code", text(row.name), text(row.text), {{"group", std::to_string(row.group)}}};
+    if (row.action == GAction::Refused) {
+      entry.facts.push_back({"here", "not yet: alarm 12140"});
+    }
+    all.push_back({text(row.name), "", std::move(entry)});
+  }
+  for (const AddressInfo& row : addresses()) {
+    all.push_back({text(row.name), "", {"address", text(row.name), text(row.text), {}}});
+  }
+}
+
+void add_variables(std::vector<Topic>& all) {
+  for (const SystemVariable& row : system_variables()) {
+    all.push_back({text(row.name),
+                   "",
+                   {"system variable",
+                    text(row.name),
+                    text(row.text),
+                    {{"type", text(name_of(row.type))},
+                     {"access", row.access == Access::Read ? "read" : "read and write"}}}});
+  }
+  for (const MachineDatum& row : machine_data()) {
+    Entry entry{
+        "machine or setting datum",
+        fmt::format("{} {}", row.number, row.name),
+        text(row.text),
+        {{"type", text(name_of(row.type))}, {"before the start", fmt::format("{}", row.preset)}}};
+    if (row.count > 0) {
+      entry.facts.push_back({"elements", std::to_string(row.count)});
+    }
+    all.push_back({text(row.name), std::to_string(row.number), std::move(entry)});
+  }
+}
+
+void add_alarms(std::vector<Topic>& all) {
+  for (const AlarmInfo& row : alarms()) {
+    Entry entry{"alarm", fmt::format("{} {}", row.number, row.text), text(row.remedy), {}};
+    all.push_back(
+        {fmt::format("ALARM {}", row.number), std::to_string(row.number), std::move(entry)});
+  }
+}
+
+const std::vector<Topic>& topics() {
+  static const std::vector<Topic> kTopics = [] {
+    std::vector<Topic> all;
+    add_language(all);
+    add_words(all);
+    add_variables(all);
+    add_alarms(all);
+    return all;
+  }();
+  return kTopics;
+}
+
+}  // namespace
+
+Entries explain(std::string_view topic) {
+  std::string name = upper(topic);
+  name.erase(0, std::min(name.find_first_not_of(' '), name.size()));
+  name.erase(name.find_last_not_of(' ') + 1);
+  // An index or a number behind a name says no more: $AA_MW[X], $TC_DP6.
+  const std::string stem = name.substr(0, name.find_first_of("[("));
+  const auto system = find_system_variable(stem);
+  Entries found;
+  for (const Topic& known : topics()) {
+    const bool is_system = system && known.name == system->row->name;
+    if (known.name == stem || known.other == stem || is_system) {
+      found.push_back(known.entry);
+    }
+  }
+  return found;
+}
+
+std::optional<std::string> nearest_topic(std::string_view topic) {
+  std::vector<std::string_view> known;
+  for (const Topic& row : topics()) {
+    known.push_back(row.name);
+  }
+  const std::string name = upper(topic);
+  const auto nearest = nearest_name(name, known);
+  return nearest ? std::optional(std::string(*nearest)) : std::nullopt;
+}
+
+Entries everything() {
+  Entries all;
+  for (const Topic& row : topics()) {
+    all.push_back(row.entry);
+  }
+  return all;
+}
+
+}  // namespace g31::sinumerik

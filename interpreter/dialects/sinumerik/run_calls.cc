@@ -1,0 +1,315 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/runner.h"
+
+namespace g31::sinumerik {
+namespace {
+
+using Form = Argument::Form;
+
+constexpr std::size_t kDeepestLevel = 16;  // main program included
+constexpr double kMostPasses = 9999.0;
+
+/// Groups that SAVE restores: all but the motion of one block.
+constexpr bool is_saved(int group) {
+  return group != 2 && group != 3 && group != 9 && group != 11;
+}
+
+/// A number as a parameter of another type takes it.
+Result<double, Failure> converted(double value, const Variable& to) {
+  const double whole = rounded(value);
+  switch (to.type) {
+    case Type::Bool:
+      return value != 0.0 ? 1.0 : 0.0;
+    case Type::Char:
+      return whole >= 0.0 && whole <= 255.0
+                 ? Result<double, Failure>(whole)
+                 : failure(AlarmId::BadConversion, fmt::format("{}: no CHAR", to.name));
+    case Type::Int:
+      return whole >= -2147483648.0 && whole <= 2147483647.0
+                 ? Result<double, Failure>(whole)
+                 : failure(AlarmId::BadConversion, fmt::format("{}: no INT", to.name));
+    case Type::None:
+    case Type::Real:
+    case Type::Axis:
+    case Type::String:
+    case Type::Frame:
+      return value;
+  }
+  return value;
+}
+
+}  // namespace
+
+/// The program of a call: alarm 12550 where a name is unknown, 14011 where a text names a file.
+Result<const CompiledProgram*, Failure> Runner::called(const CallSite& site) {
+  const std::string name = site.name.empty() ? text(site.text) : site.name;
+  if (const CompiledProgram* const program = library_.find(name)) {
+    return program;
+  }
+  const bool is_l_number = name.size() > 1 && upper(name.front()) == 'L' && is_digit(name[1]);
+  return failure(site.name.empty() || is_l_number ? AlarmId::ProgramNotFound : AlarmId::NotDefined,
+                 name);
+}
+
+/// What the call gives, taken before the level changes.
+std::vector<BoundValue> Runner::bound(const CallSite& site) {
+  std::vector<BoundValue> values(site.argument_count);
+  for (std::uint32_t i = 0; i < site.argument_count; ++i) {
+    const Argument& argument = level().program->arguments[site.first_argument + i];
+    BoundValue& value = values[i];
+    value.form = argument.form;
+    value.type = argument.type;
+    if (argument.form == Form::Element || argument.form == Form::Whole) {
+      value.reference = variable(argument.variable);
+    }
+    if (argument.form == Form::Element) {
+      const auto element = static_cast<std::size_t>(number(argument.element));
+      Reference& reference = value.reference;
+      reference.numbers = reference.numbers != nullptr ? reference.numbers + element : nullptr;
+      reference.texts = reference.texts != nullptr ? reference.texts + element : nullptr;
+      reference.frames = reference.frames != nullptr ? reference.frames + element : nullptr;
+      reference.shape = {};
+    }
+    if (argument.form == Form::Omitted || argument.form == Form::Whole) {
+      continue;
+    }
+    if (argument.type == Type::String) {
+      value.text = text(argument.value);
+    } else if (argument.type == Type::Frame) {
+      value.frame = &frame(argument.value);
+    } else {
+      value.number = number(argument.value);
+    }
+  }
+  return values;
+}
+
+MaybeFailure Runner::call(const Op& op) {
+  const CallSite& site = level().program->calls[static_cast<std::size_t>(op.a.place)];
+  if (site.is_modal && site.name.empty()) {
+    modal_call_.reset();
+    return std::nullopt;
+  }
+  const auto program = called(site);
+  if (!program) {
+    return program.error();
+  }
+  std::vector<BoundValue> values = bound(site);
+  if (site.is_modal) {
+    modal_call_ = ModalCall{program.value(), std::move(values)};
+    return std::nullopt;
+  }
+  const double passes = number(site.passes);
+  if (passes < 0.0 || passes > kMostPasses) {
+    return failure(AlarmId::BadRepeats, fmt::format("P{:.0f}", passes));
+  }
+  if (passes == 0.0) {
+    return std::nullopt;
+  }
+  if (!program.value()->has_proc && site.argument_count > 0) {
+    return failure(AlarmId::ProcMissing, program.value()->name);
+  }
+  if (MaybeFailure wrong = enter(*program.value(), values)) {
+    return wrong;
+  }
+  level().passes_left = static_cast<std::int32_t>(passes) - 1;
+  if (level().passes_left > 0) {
+    level().arguments = std::move(values);
+  }
+  return std::nullopt;
+}
+
+MaybeFailure Runner::enter(const CompiledProgram& program, const std::vector<BoundValue>& values) {
+  if (depth_ + 1 >= kDeepestLevel) {
+    return failure(AlarmId::TooManyLevels, program.name);
+  }
+  if (levels_.size() <= depth_ + 1) {
+    levels_.push_back(std::make_unique<Level>());
+  }
+  Level& into = *levels_[depth_ + 1];
+  into.program = &program;
+  into.step = 0;
+  into.passes_left = 0;
+  into.is_modal_call = false;
+  into.parts.clear();
+  if (MaybeFailure wrong = take_arguments(into, values)) {
+    return wrong;
+  }
+  if (program.saves_codes) {
+    save_codes(into);
+  }
+  ++depth_;
+  use_level();
+  return std::nullopt;
+}
+
+MaybeFailure Runner::take_arguments(Level& into, const std::vector<BoundValue>& values) {
+  const CompiledProgram& program = *into.program;
+  into.numbers.assign(program.initial_numbers.begin(), program.initial_numbers.end());
+  into.texts.assign(static_cast<std::size_t>(program.text_count), std::string());
+  into.frames.assign(static_cast<std::size_t>(program.frame_count), Frame());
+  into.references.clear();
+  into.given.assign(program.parameters.size(), false);
+  if (values.size() > program.parameters.size()) {
+    return failure(AlarmId::TooManyArguments, program.name);
+  }
+  static const BoundValue kOmitted;
+  for (std::size_t i = 0; i < program.parameters.size(); ++i) {
+    const BoundValue& value = i < values.size() ? values[i] : kOmitted;
+    into.given[i] = value.form != Form::Omitted;
+    if (MaybeFailure wrong = take_argument(into, program.parameters[i], value)) {
+      return wrong;
+    }
+  }
+  return std::nullopt;
+}
+
+MaybeFailure Runner::take_argument(Level& into, const Parameter& parameter,
+                                   const BoundValue& value) {
+  const Variable& variable = into.program->variables[static_cast<std::size_t>(parameter.variable)];
+  if (parameter.by_reference) {
+    return take_reference(into, variable, value);
+  }
+  if (value.form != Form::Omitted) {
+    return take_value(into, variable, value);
+  }
+  if (parameter.has_preset && variable.type == Type::String) {
+    into.texts[static_cast<std::size_t>(variable.place)] = parameter.text;
+  } else if (parameter.has_preset) {
+    into.numbers[static_cast<std::size_t>(variable.place)] = parameter.number;
+  } else if (variable.type == Type::Axis) {
+    return failure(AlarmId::AxisMissing, variable.name);
+  }
+  return std::nullopt;
+}
+
+MaybeFailure Runner::take_value(Level& into, const Variable& variable, const BoundValue& value) {
+  const auto place = static_cast<std::size_t>(variable.place);
+  const bool both_numbers = is_number(value.type) && is_number(variable.type);
+  const bool char_as_text = value.type == Type::Char && variable.type == Type::String;
+  if (value.form == Form::Whole ||
+      (value.type != variable.type && !both_numbers && !char_as_text)) {
+    return failure(
+        AlarmId::WrongArgumentType,
+        fmt::format("{}: {} is no {}", variable.name, name_of(value.type), name_of(variable.type)));
+  }
+  if (variable.type == Type::String) {
+    const std::string given = char_as_text ? shown(Type::Char, value.number) : value.text;
+    if (given.size() > static_cast<std::size_t>(variable.longest)) {
+      return failure(AlarmId::StringTooLong, fmt::format("{}: \"{}\" in STRING[{}]", variable.name,
+                                                         given, variable.longest));
+    }
+    into.texts[place] = given;
+  } else if (variable.type == Type::Frame) {
+    into.frames[place] = *value.frame;
+  } else {
+    const auto number = converted(value.number, variable);
+    if (!number) {
+      return number.error();
+    }
+    into.numbers[place] = number.value();
+  }
+  return std::nullopt;
+}
+
+MaybeFailure Runner::take_reference(Level& into, const Variable& variable,
+                                    const BoundValue& value) {
+  if (value.form == Form::Omitted) {
+    return failure(AlarmId::ReferenceMissing, variable.name);
+  }
+  if (value.form == Form::Value) {
+    return failure(AlarmId::NotAReference, variable.name);
+  }
+  const Reference& given = value.reference;
+  if (given.type != variable.type) {
+    return failure(
+        AlarmId::WrongArgumentType,
+        fmt::format("{}: {} is no {}", variable.name, name_of(given.type), name_of(variable.type)));
+  }
+  if (given.shape.dimensions != variable.shape.dimensions) {
+    return failure(AlarmId::WrongDimension, variable.name);
+  }
+  into.references.push_back(given);
+  return std::nullopt;
+}
+
+void Runner::save_codes(Level& into) {
+  into.saved_group = channel_.group;
+  into.saved_frame = channel_.program_frame;
+}
+
+void Runner::restore_codes(const Level& from) {
+  if (!from.program->saves_codes) {
+    return;
+  }
+  for (int i = 0; i < kGroupCount; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    channel_.group[at] = is_saved(i) ? from.saved_group[at] : channel_.group[at];
+  }
+  channel_.program_frame = from.saved_frame;
+  channel_.frames_changed();
+}
+
+/// Behind the call, or once more; RET(target) goes on at a label there.
+MaybeFailure Runner::return_from(const Op& op) {
+  if (depth_ == 0) {
+    ended_ = true;
+    return std::nullopt;
+  }
+  Level& done = level();
+  std::string target;
+  if (op.count > 0) {
+    const Argument& label = arguments_of(op).front();
+    if (label.type != Type::String) {
+      return failure(AlarmId::NotImplemented, "RET with a number");
+    }
+    target = upper(text(label.value));
+  }
+  restore_codes(done);
+  if (done.passes_left > 0) {
+    --done.passes_left;
+    done.step = 0;
+    done.parts.clear();
+    const std::vector<BoundValue> values = done.arguments;
+    MaybeFailure wrong = take_arguments(done, values);
+    use_level();
+    return wrong;
+  }
+  --depth_;
+  use_level();
+  if (!target.empty()) {
+    const auto step = find_label(*level().program, target, level().step, Direction::Both);
+    if (!step) {
+      return failure(AlarmId::JumpTargetMissing, target);
+    }
+    level().step = *step;
+  }
+  return std::nullopt;
+}
+
+/// M2, M30 and the last block: of a called program they are its end only.
+MaybeFailure Runner::end_program() {
+  if (!level().parts.empty() && at_end_of_part(current_)) {
+    return std::nullopt;
+  }
+  return return_from(Op());
+}
+
+/// MCALL: behind a block that moves.
+MaybeFailure Runner::modal_call() {
+  for (std::size_t i = 0; i <= depth_; ++i) {
+    if (levels_[i]->is_modal_call) {
+      return std::nullopt;
+    }
+  }
+  if (MaybeFailure wrong = enter(*modal_call_->program, modal_call_->values)) {
+    return wrong;
+  }
+  level().is_modal_call = true;
+  return std::nullopt;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/runner.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr double kFirstAlarm = 60000.0;
+constexpr double kLastAlarm = 69999.0;
+constexpr double kNoFile = 4.0;   // error of DELETE
+constexpr double kBadName = 1.0;  // error of WRITE: the path is not allowed
+constexpr std::size_t kLongestLine = 200;
+
+/// A file in the part program memory, by its name without folders; "" when the path leaves it.
+std::string file_name(const std::string& path) {
+  if (path.find("..") != std::string::npos || path.empty()) {
+    return {};
+  }
+  const std::size_t slash = path.find_last_of("/\\");
+  return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+}  // namespace
+
+/// A procedure's result goes to the variable that its argument names.
+void Runner::set_result(const Argument& target, double value) {
+  const Reference found = variable(target.variable);
+  if (found.numbers != nullptr) {
+    found.numbers[static_cast<std::size_t>(number(target.element))] = value;
+  }
+}
+
+MaybeFailure Runner::procedure(const Op& op) {
+  const Arguments list = arguments_of(op);
+  switch (static_cast<ProcedureId>(op.detail)) {
+    case ProcedureId::MSG:
+      if (!list.empty()) {
+        channel_.observer.on_output(text(list[0].value) + "\n");
+      }
+      return std::nullopt;
+    case ProcedureId::SETAL:
+      return set_alarm(list);
+    case ProcedureId::WRITE:
+      return write_file(list);
+    case ProcedureId::DELETE:
+      return delete_file(list);
+    case ProcedureId::SETMS:
+      channel_.master_spindle = list.empty() ? 1.0 : number(list[0].value);
+      return std::nullopt;
+    case ProcedureId::GETSELT:
+      set_result(list[0], channel_.selected_tool);
+      return std::nullopt;
+    case ProcedureId::CALLPATH:
+      channel_.call_path = list.empty() ? std::string() : text(list[0].value);
+      return std::nullopt;
+    case ProcedureId::STOPRE:
+    case ProcedureId::STARTFIFO:
+    case ProcedureId::STOPFIFO:
+    case ProcedureId::FIFOCTRL:
+    case ProcedureId::SBLON:
+    case ProcedureId::SBLOF:
+    case ProcedureId::DISPLON:
+    case ProcedureId::DISPLOF:
+    case ProcedureId::TRAFOOF:
+    case ProcedureId::WAITS:
+      // Each block waits for the one before: there is nothing to stop.
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// SETAL(number, text): ends the program.
+MaybeFailure Runner::set_alarm(Arguments list) {
+  const double given = rounded(number(list[0].value));
+  if (given < kFirstAlarm || given > kLastAlarm) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("SETAL({:.0f})", given));
+  }
+  Failure alarm = failure(AlarmId::CycleAlarm);
+  alarm.number = static_cast<int>(given);
+  alarm.text = list.size() > 1 ? text(list[1].value) : std::string();
+  return alarm;
+}
+
+MaybeFailure Runner::write_file(Arguments list) {
+  const std::string name = file_name(text(list[1].value));
+  const std::string& line = text(list[2].value);
+  if (name.empty() || line.size() > kLongestLine) {
+    set_result(list[0], kBadName);
+    return std::nullopt;
+  }
+  channel_.files[name] += line + "\n";
+  set_result(list[0], 0.0);
+  return std::nullopt;
+}
+
+MaybeFailure Runner::delete_file(Arguments list) {
+  const bool was_there = channel_.files.erase(file_name(text(list[1].value))) > 0;
+  set_result(list[0], was_there ? 0.0 : kNoFile);
+  return std::nullopt;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,339 @@
+#include "interpreter/dialects/sinumerik/runner.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "machine/base/contract.h"
+
+namespace g31::sinumerik {
+namespace {
+
+/// g31's own reason for an end, beside alarms.
+Failure of_budget(runtime::BudgetWatch::Spent spent) {
+  Failure reason;
+  reason.status = runtime::Status::Budget;
+  reason.number = static_cast<int>(spent == runtime::BudgetWatch::Spent::Blocks
+                                       ? source::DiagnosticId::BudgetBlocks
+                                       : source::DiagnosticId::BudgetTime);
+  return reason;
+}
+
+}  // namespace
+
+Runner::Runner(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer)
+    : library_(library),
+      channel_(port, observer, library.globals()),
+      number_temporaries_(kTemporaryCount),
+      text_temporaries_(kTemporaryCount),
+      frame_temporaries_(kTemporaryCount) {
+  levels_.push_back(std::make_unique<Level>());
+}
+
+void Runner::start(const CompiledProgram& program) {
+  depth_ = 0;
+  ended_ = false;
+  modal_call_.reset();
+  *levels_.front() = Level();
+  level().program = &program;
+  level().numbers = program.initial_numbers;
+  level().texts.resize(static_cast<std::size_t>(program.text_count));
+  level().frames.resize(static_cast<std::size_t>(program.frame_count));
+  use_level();
+}
+
+void Runner::use_level() {
+  // Constants are never written: no step has one as its result.
+  banks_[0] = const_cast<double*>(level().program->constants.data());
+  banks_[1] = level().numbers.data();
+  banks_[2] = channel_.numbers.data();
+  banks_[3] = number_temporaries_.data();
+}
+
+runtime::Outcome Runner::run(const runtime::Budget& budget) {
+  runtime::Outcome outcome;
+  const CompiledProgram* const main = library_.main_program();
+  if (main == nullptr) {
+    outcome.status = runtime::Status::SyntaxError;
+    outcome.diagnostics.push_back(
+        make_diagnostic(source::DiagnosticId::NoProgramInFile, {library_.main_text(), {}}));
+    return outcome;
+  }
+  if (definition_failure_) {
+    outcome = *definition_failure_;
+    outcome.diagnostics = channel_.diagnostics;
+    return outcome;
+  }
+  start(*main);
+  channel_.arrived_at_machine();
+  channel_.budget = runtime::BudgetWatch(budget);
+  if (const MaybeFailure reason = loop()) {
+    outcome = outcome_of(*reason);
+  }
+  outcome.diagnostics = channel_.diagnostics;
+  outcome.blocks = channel_.budget.blocks();
+  return outcome;
+}
+
+MaybeFailure Runner::loop() {
+  while (!ended_) {
+    Level& now = level();
+    current_ = now.step;
+    const Op& op = now.program->ops[static_cast<std::size_t>(now.step)];
+    ++now.step;
+    const Taken taken = number_step(op);
+    if (taken == Taken::Done) {
+      continue;
+    }
+    if (taken == Taken::Failed) {
+      return from_step();
+    }
+    if (MaybeFailure reason = other_step(op)) {
+      return reason;
+    }
+  }
+  return std::nullopt;
+}
+
+Failure Runner::from_step() {
+  Failure reason = std::move(*fault_);
+  fault_.reset();
+  return reason;
+}
+
+/// Arrays, texts and frames.
+MaybeFailure Runner::value_step(const Op& op) {
+  using Step = Taken (Runner::*)(const Op&);
+  for (const Step step : {&Runner::array_step, &Runner::text_step, &Runner::frame_step}) {
+    const Taken taken = (this->*step)(op);
+    if (taken == Taken::Failed) {
+      return from_step();
+    }
+    if (taken == Taken::Done) {
+      return std::nullopt;
+    }
+  }
+  contract_violated("every step is somebody's", __FILE__, __LINE__);
+}
+
+MaybeFailure Runner::other_step(const Op& op) {
+  const bool is_list = op.code == OpCode::Fill || op.code == OpCode::Repeat;
+  if (op.code < OpCode::Function || is_list) {
+    return value_step(op);
+  }
+  switch (static_cast<int>(op.code)) {
+    case static_cast<int>(OpCode::Block):
+      return block(op);
+    case static_cast<int>(OpCode::Word):
+    case static_cast<int>(OpCode::TextWord):
+      return take_word(op);
+    case static_cast<int>(OpCode::AxisWord):
+      return take_axis_word(op);
+    case static_cast<int>(OpCode::Execute):
+      return execute(op);
+    case static_cast<int>(OpCode::Function):
+      return call_function(op);
+    case static_cast<int>(OpCode::ReadSystem):
+      return read_system(op);
+    case static_cast<int>(OpCode::WriteSystem):
+      return write_system(op);
+    case static_cast<int>(OpCode::Procedure):
+      return procedure(op);
+    case static_cast<int>(OpCode::Call):
+      return call(op);
+    case static_cast<int>(OpCode::Return):
+      return return_from(op);
+    case static_cast<int>(OpCode::EndProgram):
+      return end_program();
+    case static_cast<int>(OpCode::JumpText):
+      return jump_to_text(op);
+    case static_cast<int>(OpCode::RepeatPart):
+      return repeat_part(op);
+    case static_cast<int>(OpCode::Raise): {
+      const BlockError& error = level().program->errors[static_cast<std::size_t>(op.a.place)];
+      return failure(error.id, error.detail);
+    }
+    default:
+      contract_violated("every step is somebody's", __FILE__, __LINE__);
+  }
+}
+
+MaybeFailure Runner::block(const Op& op) {
+  if (!level().parts.empty() && at_end_of_part(current_)) {
+    return std::nullopt;
+  }
+  if (const auto spent = channel_.budget.next_block()) {
+    return of_budget(*spent);
+  }
+  if (op.detail != 0 && skips(op.detail - 1)) {
+    level().step = op.a.place;
+  }
+  return std::nullopt;
+}
+
+/// `/` and `/0` are the first switch, whether a sheet counts it as 0 or 1.
+bool Runner::skips(int which) const {
+  return channel_.block_skip.contains(which) || (which == 0 && channel_.block_skip.contains(1));
+}
+
+/// A part of the program that REPEAT runs is through: once more, or on behind REPEAT.
+bool Runner::at_end_of_part(std::int32_t step) {
+  RunningPart& part = level().parts.back();
+  const RepeatSite& site = level().program->repeats[static_cast<std::size_t>(part.site)];
+  if (site.end != step) {
+    return false;
+  }
+  if (--part.passes_left > 0) {
+    level().step = site.first;
+  } else {
+    level().step = part.back_to;
+    level().parts.pop_back();
+  }
+  return true;
+}
+
+MaybeFailure Runner::repeat_part(const Op& op) {
+  Level& now = level();
+  const bool is_running = !now.parts.empty() && now.parts.back().site == op.a.place;
+  if (is_running && at_end_of_part(current_)) {
+    return std::nullopt;
+  }
+  const RepeatSite& site = now.program->repeats[static_cast<std::size_t>(op.a.place)];
+  if (site.first < 0) {
+    return failure(AlarmId::SectionMissing);
+  }
+  const double passes = number(op.b);
+  if (passes < 0.0 || passes > 9999.0) {
+    return failure(AlarmId::BadRepeats, fmt::format("P{:.0f}", passes));
+  }
+  if (passes >= 1.0) {
+    now.parts.push_back({op.a.place, now.step, static_cast<std::int32_t>(passes)});
+    now.step = site.first;
+  }
+  return std::nullopt;
+}
+
+MaybeFailure Runner::jump_to_text(const Op& op) {
+  const std::string name = upper(text(op.a));
+  const auto direction = static_cast<Direction>(op.detail);
+  const auto target = find_label(*level().program, name, current_, direction);
+  if (target) {
+    level().step = *target;
+  } else if (direction != Direction::BothQuiet) {
+    return failure(AlarmId::JumpTargetMissing, name);
+  }
+  return std::nullopt;
+}
+
+source::Location Runner::location_of(const Level& level) const {
+  const CompiledProgram& program = *level.program;
+  const auto step = static_cast<std::size_t>(std::max(level.step - 1, 0));
+  return {program.file, program.spans[step].widened()};
+}
+
+source::Location Runner::here() const {
+  const CompiledProgram& program = *levels_[depth_]->program;
+  return {program.file, program.spans[static_cast<std::size_t>(current_)].widened()};
+}
+
+runtime::Outcome Runner::outcome_of(const Failure& reason) {
+  runtime::Outcome outcome;
+  outcome.status = reason.status;
+  const source::Location where = here();
+  std::vector<runtime::CallSite> calls;
+  for (std::size_t i = depth_; i > 0; --i) {
+    calls.push_back({levels_[i - 1]->program->name, location_of(*levels_[i - 1])});
+  }
+  source::Diagnostic diagnostic;
+  if (reason.status == runtime::Status::Setup || reason.status == runtime::Status::Budget) {
+    diagnostic =
+        make_diagnostic(static_cast<source::DiagnosticId>(reason.number), where, reason.detail);
+  } else if (reason.status == runtime::Status::Collision && reason.number < 0) {
+    diagnostic = make_diagnostic(source::DiagnosticId::CollisionStop, where, reason.detail);
+  } else {
+    const AlarmInfo& row = info(reason.id);
+    runtime::Alarm alarm;
+    alarm.number = reason.number != 0 ? reason.number : row.number;
+    alarm.text = reason.text.empty() ? std::string(row.text) : reason.text;
+    alarm.where = where;
+    alarm.detail = reason.detail;
+    alarm.remedy = row.remedy;
+    alarm.calls = calls;
+    diagnostic = {
+        source::Severity::Error,
+        std::to_string(alarm.number),
+        where,
+        alarm.detail.empty() ? alarm.text : fmt::format("{}: {}", alarm.text, alarm.detail),
+        alarm.remedy,
+        {}};
+    outcome.alarm = std::move(alarm);
+  }
+  for (const runtime::CallSite& call : calls) {
+    diagnostic.notes.push_back({call.where, fmt::format("called from {}", call.program)});
+  }
+  channel_.diagnostics.push_back(std::move(diagnostic));
+  return outcome;
+}
+
+/// Runs blocks on the lowest level, whose variables stay as the main program left them.
+MaybeFailure Runner::run_among(const CompiledProgram& program) {
+  depth_ = 0;
+  if (level().program == nullptr) {
+    start(program);
+  }
+  const CompiledProgram* const before = level().program;
+  level().program = &program;
+  level().step = 0;
+  level().parts.clear();
+  ended_ = false;
+  use_level();
+  MaybeFailure reason = loop();
+  level().program = before;
+  return reason;
+}
+
+const CompiledProgram& Runner::home() const {
+  static const CompiledProgram kNowhere;
+  return levels_.front()->program != nullptr ? *levels_.front()->program : kNowhere;
+}
+
+std::optional<std::string> Runner::run_text(const std::string& source) {
+  const CompiledProgram* const program = library_.snippet(source, home());
+  level().program = level().program == nullptr ? program : level().program;
+  const MaybeFailure reason = run_among(*program);
+  return reason ? std::optional(fmt::format("{} {}", info(reason->id).text, reason->detail))
+                : std::nullopt;
+}
+
+MaybeFailure Runner::run_definitions(const CompiledProgram& program) {
+  start(program);
+  MaybeFailure reason = loop();
+  if (reason) {
+    definition_failure_ = outcome_of(*reason);
+  }
+  *levels_.front() = Level();
+  return reason;
+}
+
+Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {
+  const CompiledProgram* const program = library_.expression(expression, home());
+  if (const MaybeFailure reason = run_among(*program)) {
+    return fmt::format("{} {}", info(reason->id).text, reason->detail);
+  }
+  ShownValue shown;
+  shown.type = program->result.type;
+  const CompiledProgram* const before = level().program;
+  level().program = program;
+  use_level();
+  if (shown.type == Type::String) {
+    shown.text = text(program->result.value);
+  } else if (is_held_as_number(shown.type)) {
+    shown.number = number(program->result.value);
+  }
+  level().program = before;
+  return shown.type == Type::Frame || shown.type == Type::None
+             ? Result<ShownValue, std::string>(std::string("is no single value"))
+             : shown;
+}
+
+}  // namespace g31::sinumerik

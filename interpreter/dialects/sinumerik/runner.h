@@ -1,0 +1,152 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/channel.h"
+#include "interpreter/dialects/sinumerik/functions.h"
+#include "interpreter/dialects/sinumerik/level.h"
+#include "interpreter/dialects/sinumerik/library.h"
+#include "interpreter/dialects/sinumerik/system_variables.h"
+#include "interpreter/dialects/sinumerik/text_format.h"
+#include "interpreter/runtime/outcome.h"
+
+namespace g31::sinumerik {
+
+/// A value as --print shows it.
+struct ShownValue {
+  Type type = Type::None;
+  double number = 0.0;
+  std::string text;
+};
+
+/// Steps through compiled programs: numbers, texts, jumps and calls.  What NC blocks command is
+/// done in execute/, what system variables show in system/.
+class Runner {
+ public:
+  Runner(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer);
+
+  runtime::Outcome run(const runtime::Budget& budget);
+
+  /// Runs `text` on its own, among the variables of the main program.  @returns why it failed
+  std::optional<std::string> run_text(const std::string& text);
+  /// The value of an expression after a run.
+  Result<ShownValue, std::string> value_of(const std::string& expression);
+
+  /// Sets the initial values of a definition file.
+  /// @returns why that failed; the outcome of the next run says it, too
+  MaybeFailure run_definitions(const CompiledProgram& program);
+
+  Channel& channel() { return channel_; }
+
+ private:
+  enum class Taken { Done, NotMine, Failed };
+  using Arguments = std::span<const Argument>;
+
+  // runner.cc
+  [[nodiscard]] bool skips(int which) const;
+  MaybeFailure run_among(const CompiledProgram& program);
+  [[nodiscard]] const CompiledProgram& home() const;
+  void start(const CompiledProgram& program);
+  MaybeFailure loop();
+  MaybeFailure other_step(const Op& op);
+  MaybeFailure value_step(const Op& op);
+  MaybeFailure block(const Op& op);
+  MaybeFailure jump_to_text(const Op& op);
+  bool at_end_of_part(std::int32_t step);
+  MaybeFailure repeat_part(const Op& op);
+  Level& level() { return *levels_[depth_]; }
+  void use_level();
+  runtime::Outcome outcome_of(const Failure& failure);
+  [[nodiscard]] source::Location location_of(const Level& level) const;
+  [[nodiscard]] source::Location here() const;
+  Failure from_step();
+
+  // run_numbers.cc
+  Taken number_step(const Op& op);
+  Taken checked_step(const Op& op);
+  Taken array_step(const Op& op);
+  bool failed(AlarmId id, std::string detail = {});
+  bool index(const Op& op);
+  Reference variable(std::int32_t which);
+  double& number(Operand place) {
+    return banks_[static_cast<std::size_t>(place.bank)][place.place];
+  }
+  std::string& text(Operand place);
+  Frame& frame(Operand place);
+
+  // run_texts.cc
+  Taken text_step(const Op& op);
+  Taken frame_step(const Op& op);
+  bool store_text(const Op& op);
+  bool fill(const Op& op);
+  bool repeat_value(const Op& op);
+  bool set_element(const Reference& target, std::int32_t element, const Argument& value);
+  Arguments arguments_of(const Op& op);
+
+  // run_functions.cc
+  MaybeFailure call_function(const Op& op);
+  MaybeFailure text_function(FunctionId id, const Op& op, Arguments list);
+  MaybeFailure search_function(FunctionId id, const Op& op, Arguments list);
+  MaybeFailure frame_function(FunctionId id, const Op& op, Arguments list);
+  MaybeFailure frame_of_pairs(FunctionId id, Frame& result, Arguments list);
+  MaybeFailure sprint_function(const Op& op, Arguments list);
+  bool is_variable(std::string_view name);
+
+  // run_calls.cc
+  MaybeFailure call(const Op& op);
+  Result<const CompiledProgram*, Failure> called(const CallSite& site);
+  std::vector<BoundValue> bound(const CallSite& site);
+  MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
+  MaybeFailure take_arguments(Level& into, const std::vector<BoundValue>& values);
+  MaybeFailure take_argument(Level& into, const Parameter& parameter, const BoundValue& value);
+  MaybeFailure take_value(Level& into, const Variable& variable, const BoundValue& value);
+  MaybeFailure take_reference(Level& into, const Variable& variable, const BoundValue& value);
+  MaybeFailure return_from(const Op& op);
+  MaybeFailure end_program();
+  MaybeFailure modal_call();
+  void save_codes(Level& into);
+  void restore_codes(const Level& from);
+
+  // run_procedures.cc
+  MaybeFailure procedure(const Op& op);
+  MaybeFailure set_alarm(Arguments list);
+  MaybeFailure write_file(Arguments list);
+  MaybeFailure delete_file(Arguments list);
+  void set_result(const Argument& target, double value);
+
+  // run_words.cc
+  MaybeFailure take_word(const Op& op);
+  MaybeFailure take_axis_word(const Op& op);
+  MaybeFailure set_word(std::size_t address, BlockWords::Word word);
+  MaybeFailure execute(const Op& op);
+
+  // run_system.cc
+  MaybeFailure read_system(const Op& op);
+  MaybeFailure write_system(const Op& op);
+
+  ProgramLibrary& library_;
+  Channel channel_;
+  std::vector<std::unique_ptr<Level>> levels_;
+  std::size_t depth_ = 0;
+  double* banks_[4] = {};
+  std::vector<double> number_temporaries_;
+  std::vector<std::string> text_temporaries_;
+  std::vector<Frame> frame_temporaries_;
+  std::int32_t current_ = 0;  ///< the step being done
+  std::optional<Failure> fault_;
+  BlockWords words_;
+  struct ModalCall {
+    const CompiledProgram* program = nullptr;
+    std::vector<BoundValue> values;
+  };
+  std::optional<ModalCall> modal_call_;
+  bool ended_ = false;
+  std::optional<runtime::Outcome> definition_failure_;
+};
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,190 @@
+#include "interpreter/dialects/sinumerik/scanner.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "interpreter/dialects/sinumerik/names.h"
+
+namespace g31::sinumerik {
+namespace {
+
+struct SymbolRow {
+  std::string_view text;
+  Symbol symbol;
+};
+
+// Longer ones first.
+constexpr SymbolRow kSymbols[] = {
+    {"==", Symbol::Equal},        {"<>", Symbol::NotEqual},   {"<=", Symbol::LessEqual},
+    {">=", Symbol::GreaterEqual}, {"<<", Symbol::Concat},     {"<", Symbol::Less},
+    {">", Symbol::Greater},       {"=", Symbol::Assign},      {"(", Symbol::LeftParen},
+    {")", Symbol::RightParen},    {"[", Symbol::LeftBracket}, {"]", Symbol::RightBracket},
+    {",", Symbol::Comma},         {"+", Symbol::Plus},        {"-", Symbol::Minus},
+    {"*", Symbol::Times},         {"/", Symbol::Slash},       {":", Symbol::Colon},
+};
+
+constexpr bool is_name_character(char c) {
+  return is_letter(c) || is_digit(c) || c == '$';
+}
+
+/// A text of Latin-1 characters, whether the file has it in Latin-1 or in UTF-8: the control counts
+/// characters, and shows them by one byte.
+std::string one_byte_each(std::string_view text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+    const bool is_pair = (lead == 0xC2 || lead == 0xC3) && (next & 0xC0U) == 0x80U;
+    if (is_pair) {
+      bytes.push_back(static_cast<char>(((lead & 0x03U) << 6U) | (next & 0x3FU)));
+      ++i;
+    } else {
+      bytes.push_back(text[i]);
+    }
+  }
+  return bytes;
+}
+
+/// Reads one block token by token.
+class BlockScanner {
+ public:
+  BlockScanner(std::string_view text, syntax::ShortSpan block, std::vector<Token>& tokens)
+      : text_(text.substr(0, block.end)), at_(block.begin), tokens_(tokens) {}
+
+  void run() {
+    tokens_.clear();
+    while (at_ < text_.size() && text_[at_] != ';') {
+      const char c = text_[at_];
+      if (c == ' ' || c == '\t' || c == '\r') {
+        ++at_;
+        continue;
+      }
+      next(c);
+    }
+    add(TokenKind::End, at_);
+  }
+
+ private:
+  [[nodiscard]] char look(std::size_t ahead) const {
+    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
+  }
+
+  Token& add(TokenKind kind, std::size_t begin) {
+    Token& token = tokens_.emplace_back();
+    token.kind = kind;
+    token.where = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
+    return token;
+  }
+
+  void next(char c) {
+    if (is_digit(c) || (c == '.' && is_digit(look(1)))) {
+      number();
+    } else if (is_letter(c) || c == '$') {
+      word(c);
+    } else if (c == '"') {
+      string();
+    } else if (c == '\'') {
+      coded_number();
+    } else {
+      symbol();
+    }
+  }
+
+  void number() {
+    const std::size_t begin = at_;
+    bool whole = true;
+    while (is_digit(look(0)) || look(0) == '.') {
+      whole = whole && look(0) != '.';
+      ++at_;
+    }
+    double value = 0.0;
+    const auto read = std::from_chars(text_.data() + begin, text_.data() + at_, value);
+    bool right = read.ec == std::errc() && read.ptr == text_.data() + at_;
+    if (upper(look(0)) == 'E' && upper(look(1)) == 'X') {
+      at_ += 2;
+      right = exponent(value) && right;
+      whole = false;
+    }
+    const bool fits = !whole || value <= 2147483648.0;
+    Token& token = add(!right          ? TokenKind::Unknown
+                       : whole && fits ? TokenKind::Integer
+                                       : TokenKind::Real,
+                       begin);
+    token.number = value;
+    if (token.kind == TokenKind::Integer) {
+      token.text = text_.substr(begin, at_ - begin);
+    }
+  }
+
+  bool exponent(double& value) {
+    const bool negative = look(0) == '-';
+    at_ += negative || look(0) == '+' ? 1U : 0U;
+    int power = 0;
+    const auto read = std::from_chars(text_.data() + at_, text_.data() + text_.size(), power);
+    at_ = static_cast<std::size_t>(read.ptr - text_.data());
+    value *= std::pow(10.0, negative ? -power : power);
+    return read.ec == std::errc() && std::isfinite(value);
+  }
+
+  void word(char first) {
+    const std::size_t begin = at_;
+    const char second = look(1);
+    const bool is_address = is_letter(first) && first != '_' && !is_letter(second) && second != '$';
+    ++at_;
+    while (!is_address && is_name_character(look(0))) {
+      ++at_;
+    }
+    Token& token = add(is_address ? TokenKind::Letter : TokenKind::Name, begin);
+    token.text = upper(text_.substr(begin, at_ - begin));
+  }
+
+  void string() {
+    const std::size_t begin = at_;
+    const std::size_t end = text_.find('"', begin + 1);
+    at_ = end == text_.npos ? text_.size() : end + 1;
+    Token& token = add(end == text_.npos ? TokenKind::Unknown : TokenKind::Text, begin);
+    token.text = one_byte_each(text_.substr(begin + 1, at_ - begin - (end == text_.npos ? 1 : 2)));
+  }
+
+  /// 'HFF' and 'B101'
+  void coded_number() {
+    const std::size_t begin = at_;
+    const std::size_t end = text_.find('\'', begin + 1);
+    const char kind = upper(look(1));
+    at_ = end == text_.npos ? text_.size() : end + 1;
+    std::uint32_t bits = 0;
+    bool right = end != text_.npos && (kind == 'H' || kind == 'B') && end > begin + 2;
+    if (right) {
+      const char* const last = text_.data() + end;
+      const auto read = std::from_chars(text_.data() + begin + 2, last, bits, kind == 'H' ? 16 : 2);
+      right = read.ec == std::errc() && read.ptr == last;
+    }
+    Token& token = add(right ? TokenKind::Integer : TokenKind::Unknown, begin);
+    token.number = static_cast<double>(static_cast<std::int32_t>(bits));
+  }
+
+  void symbol() {
+    const std::size_t begin = at_;
+    for (const SymbolRow& row : kSymbols) {
+      if (text_.substr(at_).starts_with(row.text)) {
+        at_ += row.text.size();
+        add(TokenKind::Symbol, begin).symbol = row.symbol;
+        return;
+      }
+    }
+    ++at_;
+    add(TokenKind::Unknown, begin);
+  }
+
+  std::string_view text_;
+  std::size_t at_;
+  std::vector<Token>& tokens_;
+};
+
+}  // namespace
+
+void scan_block(std::string_view text, syntax::ShortSpan block, std::vector<Token>& tokens) {
+  BlockScanner(text, block, tokens).run();
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,185 @@
+#include "interpreter/dialects/sinumerik/text_format.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/names.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr int kShownDigits = 10;  // of a REAL behind <<
+constexpr int kPlaces = 6;        // of %f and %e without their own
+
+/// %[-+0][width][.places]kind
+struct Directive {
+  bool left = false;
+  bool plus = false;
+  bool zeros = false;
+  int width = 0;
+  std::optional<int> places;
+  char kind = '\0';
+  char scale = '\0';  ///< of %P
+};
+
+std::string real_text(double number) {
+  std::string text = fmt::format("{:.{}g}", number, kShownDigits);
+  return text == "-0" ? "0" : text;
+}
+
+class DirectiveReader {
+ public:
+  explicit DirectiveReader(std::string_view rest) : rest_(rest) {}
+
+  /// @returns nullopt when it is cut off
+  std::optional<Directive> read() {
+    Directive directive;
+    for (;
+         at_ < rest_.size() && std::string_view("-+0 ").find(rest_[at_]) != std::string_view::npos;
+         ++at_) {
+      directive.left = directive.left || rest_[at_] == '-';
+      directive.plus = directive.plus || rest_[at_] == '+';
+      directive.zeros = directive.zeros || rest_[at_] == '0';
+    }
+    directive.width = number().value_or(0);
+    if (at_ < rest_.size() && rest_[at_] == '.') {
+      ++at_;
+      directive.places = number().value_or(0);
+    }
+    if (at_ == rest_.size()) {
+      return std::nullopt;
+    }
+    directive.kind = upper(rest_[at_++]);
+    return directive;
+  }
+  [[nodiscard]] std::size_t length() const { return at_; }
+
+ private:
+  std::optional<int> number() {
+    int value = 0;
+    const auto read = std::from_chars(rest_.data() + at_, rest_.data() + rest_.size(), value);
+    const bool found = read.ptr != rest_.data() + at_ && value <= 400;
+    at_ = static_cast<std::size_t>(read.ptr - rest_.data());
+    return found ? std::optional(value) : std::nullopt;
+  }
+
+  std::string_view rest_;
+  std::size_t at_ = 0;
+};
+
+std::optional<std::string> converted(const Directive& directive, const SprintValue& value) {
+  const int places = directive.places.value_or(kPlaces);
+  switch (directive.kind) {
+    case 'B':
+      return value.number != 0.0 ? "1" : "0";
+    case 'C':
+      return value.type == Type::String ? value.text.substr(0, 1)
+                                        : std::string(1, static_cast<char>(value.number));
+    case 'D':
+      return fmt::format("{:.0f}", std::floor(value.number + 0.5));
+    case 'F':
+      return fmt::format("{:.{}f}", value.number, places);
+    case 'E':
+      return fmt::format("{:.{}e}", value.number, places);
+    case 'G':
+      return fmt::format("{:.{}g}", value.number, directive.places.value_or(kPlaces));
+    case 'X':
+      return fmt::format("{:X}", static_cast<std::uint32_t>(
+                                     static_cast<std::int64_t>(std::floor(value.number + 0.5))));
+    case 'S': {
+      std::string text = value.type == Type::String ? value.text : shown(value.type, value.number);
+      return directive.places ? text.substr(0, static_cast<std::size_t>(*directive.places)) : text;
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string filled(const Directive& directive, std::string text) {
+  const bool is_number = std::string_view("DFEG").find(directive.kind) != std::string_view::npos;
+  if (directive.plus && is_number && !text.starts_with('-')) {
+    text.insert(0, "+");
+  }
+  const auto width = static_cast<std::size_t>(directive.width);
+  if (text.size() >= width) {
+    return text;
+  }
+  const std::size_t missing = width - text.size();
+  if (directive.left) {
+    return text + std::string(missing, ' ');
+  }
+  const bool signed_text = text.starts_with('-') || text.starts_with('+');
+  const bool zeros = directive.zeros && is_number;
+  text.insert(zeros && signed_text ? 1 : 0, std::string(missing, zeros ? '0' : ' '));
+  return text;
+}
+
+}  // namespace
+
+std::string shown(Type type, double number) {
+  switch (type) {
+    case Type::Char:
+      return std::string(1, static_cast<char>(static_cast<unsigned char>(number)));
+    case Type::Axis:
+      return number < 0.0 ? "" : std::string(1, kAxisLetters[static_cast<std::size_t>(number)]);
+    case Type::Real:
+      return real_text(number);
+    case Type::None:
+    case Type::Bool:
+    case Type::Int:
+    case Type::String:
+    case Type::Frame:
+      return fmt::format("{:.0f}", number);
+  }
+  return {};
+}
+
+std::optional<double> number_in(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  if (first == std::string_view::npos) {
+    return std::nullopt;
+  }
+  text = text.substr(first, text.find_last_not_of(' ') - first + 1);
+  if (text.starts_with('+')) {
+    text.remove_prefix(1);
+  }
+  std::string plain(text);
+  if (const std::size_t exponent = upper(text).find("EX"); exponent != std::string::npos) {
+    plain.replace(exponent, 2, "e");
+  }
+  double number = 0.0;
+  const auto read = std::from_chars(plain.data(), plain.data() + plain.size(), number);
+  const bool whole = read.ec == std::errc() && read.ptr == plain.data() + plain.size();
+  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+std::optional<std::string> sprint(std::string_view format, const std::vector<SprintValue>& values) {
+  std::string text;
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < format.size(); ++i) {
+    if (format[i] != '%') {
+      text.push_back(format[i]);
+      continue;
+    }
+    if (i + 1 < format.size() && format[i + 1] == '%') {
+      text.push_back(format[++i]);
+      continue;
+    }
+    DirectiveReader reader(format.substr(i + 1));
+    const auto directive = reader.read();
+    const auto piece =
+        directive && used < values.size() ? converted(*directive, values[used]) : std::nullopt;
+    if (!piece) {
+      return std::nullopt;
+    }
+    ++used;
+    text += filled(*directive, *piece);
+    i += reader.length();
+  }
+  return text;
+}
+
+}  // namespace g31::sinumerik

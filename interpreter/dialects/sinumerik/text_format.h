@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/value_type.h"
+
+namespace g31::sinumerik {
+
+/// What << makes of a number: REAL in its shortest form, at most ten digits (12.5, -0.001), BOOL as
+/// 0 or 1, CHAR as its character, AXIS as its name.
+std::string shown(Type type, double number);
+
+/// The number that a text shows, blanks around it left out; nullopt: it shows none.
+std::optional<double> number_in(std::string_view text);
+
+/// A value for SPRINT.
+struct SprintValue {
+  Type type = Type::None;
+  double number = 0.0;
+  std::string text;
+};
+
+/// SPRINT: nullopt when the format asks for more values than there are, or for an unknown kind.
+std::optional<std::string> sprint(std::string_view format, const std::vector<SprintValue>& values);
+
+}  // namespace g31::sinumerik

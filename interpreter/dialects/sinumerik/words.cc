@@ -1,0 +1,72 @@
+#include "interpreter/dialects/sinumerik/words.h"
+
+#include <array>
+
+#include "interpreter/dialects/sinumerik/names.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr auto kAddresses = std::to_array<AddressInfo>({
+#define ADDRESS(id, name, text) {name, text},
+#include "interpreter/dialects/sinumerik/addresses.def"
+#undef ADDRESS
+});
+
+constexpr auto kProcedures = std::to_array<ProcedureInfo>({
+#define PROCEDURE(name, parameters, form, text) {#name, parameters, form, text},
+#include "interpreter/dialects/sinumerik/procedures.def"
+#undef PROCEDURE
+});
+
+struct ModificationRow {
+  std::string_view name;
+  Modification modification;
+};
+constexpr ModificationRow kModifications[] = {{"AC", Modification::Absolute},
+                                              {"IC", Modification::Incremental},
+                                              {"DC", Modification::Direct},
+                                              {"ACP", Modification::Plus},
+                                              {"ACN", Modification::Minus}};
+
+}  // namespace
+
+std::span<const AddressInfo> addresses() {
+  return kAddresses;
+}
+
+std::optional<Address> find_address(std::string_view name) {
+  for (std::size_t i = 0; i < kAddresses.size(); ++i) {
+    if (kAddresses[i].name == name) {
+      return static_cast<Address>(i + kAxisCount);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Modification> find_modification(std::string_view name) {
+  for (const ModificationRow& row : kModifications) {
+    if (row.name == name) {
+      return row.modification;
+    }
+  }
+  return std::nullopt;
+}
+
+std::span<const ProcedureInfo> procedures() {
+  return kProcedures;
+}
+
+std::optional<ProcedureId> find_procedure(std::string_view name) {
+  static const NameMap<ProcedureId> kByName = [] {
+    NameMap<ProcedureId> map;
+    for (std::size_t i = 0; i < kProcedures.size(); ++i) {
+      map.emplace(std::string(kProcedures[i].name), static_cast<ProcedureId>(i));
+    }
+    return map;
+  }();
+  const auto found = kByName.find(name);
+  return found != kByName.end() ? std::optional(found->second) : std::nullopt;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "machine/units/axis_positions.h"
+
+namespace g31::sinumerik {
+
+/// What an NC word addresses: the axes in storage order, then the rows of addresses.def.
+enum class Address : std::uint8_t {
+  FirstAxis = 0,
+  LastAxis = kAxisCount - 1,
+#define ADDRESS(id, name, text) id,
+#include "interpreter/dialects/sinumerik/addresses.def"
+#undef ADDRESS
+  Count
+};
+
+constexpr std::size_t index_of(Address address) {
+  return static_cast<std::size_t>(address);
+}
+
+struct AddressInfo {
+  std::string_view name;
+  std::string_view text;
+};
+
+/// The rows of addresses.def.
+std::span<const AddressInfo> addresses();
+
+/// @param name  upper case; axes are not among them
+std::optional<Address> find_address(std::string_view name);
+
+/// How the value of a word counts.
+enum class Modification : std::uint16_t {
+  None,
+  Absolute,     ///< AC
+  Incremental,  ///< IC
+  Direct,       ///< DC: rotary, the shorter way
+  Plus,         ///< ACP
+  Minus,        ///< ACN
+};
+
+/// @param name  upper case
+std::optional<Modification> find_modification(std::string_view name);
+
+/// Rows of procedures.def.
+enum class ProcedureId : std::uint8_t {
+#define PROCEDURE(name, parameters, form, text) name,
+#include "interpreter/dialects/sinumerik/procedures.def"
+#undef PROCEDURE
+};
+
+struct ProcedureInfo {
+  std::string_view name;
+  std::string_view parameters;
+  std::string_view form;
+  std::string_view text;
+};
+
+std::span<const ProcedureInfo> procedures();
+std::optional<ProcedureId> find_procedure(std::string_view name);
+
+}  // namespace g31::sinumerik

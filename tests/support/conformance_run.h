@@ -1,0 +1,224 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/conformance_file.h"
+#include "tests/support/run_program.h"
+
+// Runs one case of a conformance file and holds what came of it against its expectations.
+
+namespace g31::testing {
+
+using nlohmann::json;
+
+/// What a run left, as the expectations ask for it.
+struct Observed {
+  RunOutput run;
+  int alarm = 0;       ///< 0: none
+  int alarm_line = 0;  ///< counted from the CASE line
+};
+
+inline std::string unescaped(const std::string& text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\' || i + 1 == text.size()) {
+      plain.push_back(text[i]);
+      continue;
+    }
+    const char kind = text[++i];
+    if (kind == 'x') {
+      const int code = std::stoi(text.substr(i + 1, 2), nullptr, 16);
+      i += 2;
+      if (code >= 0x80) {
+        plain.push_back(static_cast<char>(0xC0 | (code >> 6)));
+      }
+      plain.push_back(static_cast<char>(code >= 0x80 ? 0x80 | (code & 0x3F) : code));
+    } else {
+      plain.push_back(kind == 'n' ? '\n' : kind == 'r' ? '\r' : kind);
+    }
+  }
+  return plain;
+}
+
+inline bool is_near(const json& got, double want, double within) {
+  return got.is_number() && std::abs(got.get<double>() - want) <= within;
+}
+
+/// The usual tolerance: a millionth, and 1e-9 beside 0.
+inline double tolerance(double want) {
+  return std::max(1e-9, 1e-6 * std::abs(want));
+}
+
+inline std::string variable_mismatch(const std::smatch& parts, const Observed& seen) {
+  const std::string name = parts[1];
+  const json got =
+      seen.run.document.value("variables", json::object()).value(name, json("missing"));
+  if (parts[2] == "VACANT") {
+    return got.is_null() ? "" : fmt::format("{} is {}", name, got.dump());
+  }
+  if (const std::string quoted = parts[2]; quoted.starts_with('"')) {
+    const std::string text = quoted.substr(1, quoted.size() - 2);
+    return got == text ? "" : fmt::format("{} is {}", name, got.dump());
+  }
+  const double want = std::stod(parts[2]);
+  const double within = parts[3].matched ? std::stod(parts[3]) : tolerance(want);
+  return is_near(got, want, within) ? "" : fmt::format("{} is {}", name, got.dump());
+}
+
+/// Alarms of malformed text: which of them a control raises is not settled (MB-326).
+inline std::string format_mismatch(const std::smatch& parts, const Observed& seen) {
+  static const std::set<int> kFormatAlarms = {4,    5,    9,    114,  125,  1093, 1131, 1132, 1133,
+                                              1134, 1137, 1138, 1139, 1143, 1300, 1301, 1302};
+  const bool is_right =
+      kFormatAlarms.contains(seen.alarm) && seen.alarm_line == std::stoi(parts[1]);
+  return is_right ? "" : fmt::format("alarm {} at {}", seen.alarm, seen.alarm_line);
+}
+
+inline std::string alarm_mismatch(const std::smatch& parts, const Observed& seen) {
+  const bool is_right = seen.alarm == std::stoi(parts[1]) &&
+                        (!parts[2].matched || seen.alarm_line == std::stoi(parts[2]));
+  return is_right ? "" : fmt::format("alarm {} at {}", seen.alarm, seen.alarm_line);
+}
+
+inline std::string message_mismatch(const std::smatch& parts, const Observed& seen) {
+  const json got = seen.run.document.value("/alarm/text"_json_pointer, json());
+  return got == unescaped(parts[1]) ? "" : fmt::format("message {}", got.dump());
+}
+
+inline std::string output_mismatch(const std::smatch& parts, const Observed& seen) {
+  const json got = seen.run.document.value("/output"_json_pointer, json());
+  return got == unescaped(parts[1]) ? "" : fmt::format("output {}", got.dump());
+}
+
+inline std::string stop_mismatch(const std::smatch& parts, const Observed& seen) {
+  const json stops = seen.run.document.value("stops", json::array());
+  const bool found = std::ranges::any_of(
+      stops, [&](const json& stop) { return stop["text"] == unescaped(parts[1]); });
+  return found ? "" : fmt::format("stops {}", stops.dump());
+}
+
+inline std::string warning_mismatch(const std::smatch& parts, const Observed& seen) {
+  const json rows = seen.run.document.value("diagnostics", json::array());
+  const bool found = std::ranges::any_of(rows, [&](const json& row) {
+    return row["code"] == parts[1].str() &&
+           (!parts[2].matched || row.value("line", 0) == std::stoi(parts[2]));
+  });
+  return found ? "" : fmt::format("diagnostics {}", rows.dump());
+}
+
+inline std::string no_warning_mismatch(const std::smatch& parts, const Observed& seen) {
+  const json rows = seen.run.document.value("diagnostics", json::array());
+  const bool found =
+      std::ranges::any_of(rows, [&](const json& row) { return row["code"] == parts[1].str(); });
+  return found ? fmt::format("diagnostics {}", rows.dump()) : "";
+}
+
+inline std::string moves_mismatch(const std::smatch& parts, const Observed& seen) {
+  const json moves = seen.run.document.value("moves", json::array());
+  return moves.size() == std::stoul(parts[1]) ? "" : fmt::format("moves {}", moves.dump());
+}
+
+inline std::string move_mismatch(const std::smatch& parts, const Observed& seen) {
+  const json moves = seen.run.document.value("moves", json::array());
+  const std::size_t number = std::stoul(parts[1]);
+  if (number < 1 || number > moves.size()) {
+    return fmt::format("moves {}", moves.dump());
+  }
+  const json& move = moves[number - 1];
+  bool is_right = true;
+  std::istringstream words(parts[2].str());
+  for (std::string word; words >> word;) {
+    const double want = std::stod(word.substr(1));
+    const std::size_t axis = std::string_view("XYZABC").find(word.front());
+    const json got = word.front() == 'G'        ? move["g"]
+                     : word.front() == 'T'      ? move.value("t", json())
+                     : word.front() == 'F'      ? move.value("feed", json())
+                     : axis < move["to"].size() ? move["to"][axis]
+                                                : json(0.0);
+    is_right = is_right && is_near(got, want, 1e-6);
+  }
+  return is_right ? "" : fmt::format("move {}", move.dump());
+}
+
+/// A form of expectation: what it looks like, and what differs ("" when nothing does).
+struct Form {
+  const char* pattern;
+  std::string (*mismatch)(const std::smatch&, const Observed&);
+};
+
+inline const std::vector<Form>& forms() {
+  static const std::vector<Form> rows = {
+      {"COMPLETED", [](const std::smatch&, const Observed&) { return std::string(); }},
+      {R"re(([^ ]+) = (VACANT|"[^"]*"|[-0-9.e]+)(?: WITHIN ([0-9.e-]+))?)re", variable_mismatch},
+      {"ALARM ([0-9]+)(?: AT ([0-9]+))?", alarm_mismatch},
+      {"ALARM FORMAT AT ([0-9]+)", format_mismatch},
+      {"MESSAGE \"(.*)\"", message_mismatch},
+      {"OUTPUT \"(.*)\"", output_mismatch},
+      {"STOP \"(.*)\"", stop_mismatch},
+      {"WARNING ([A-Z0-9]+)(?: AT ([0-9]+))?", warning_mismatch},
+      {"NO WARNING ([A-Z0-9]+)", no_warning_mismatch},
+      {"MOVES ([0-9]+)", moves_mismatch},
+      {"MOVE ([0-9]+)((?: [GTFXYZABC]-?[0-9.]+)+)", move_mismatch}};
+  return rows;
+}
+
+inline std::string mismatch(const std::string& expectation, const Observed& seen) {
+  for (const Form& form : forms()) {
+    std::smatch parts;
+    if (std::regex_match(expectation, parts, std::regex(form.pattern))) {
+      return form.mismatch(parts, seen);
+    }
+  }
+  return "no such expectation";
+}
+
+/// A program that never ran has its alarm on standard error only: "case.nc:3:1: error: ...
+/// [PS114]".
+inline void take_alarm(Observed& seen) {
+  const json alarm = seen.run.document.value("/alarm/number"_json_pointer, json());
+  std::smatch parts;
+  if (alarm.is_number()) {
+    seen.alarm = alarm;
+    seen.alarm_line = seen.run.document["alarm"].value("line", 0);
+  } else if (std::regex_search(
+                 seen.run.errors, parts,
+                 std::regex(R"(case\.[a-z]+:([0-9]+):[0-9]+: error: .*\[[A-Z]*([0-9]+)\])"))) {
+    seen.alarm = std::stoi(parts[2]);
+    seen.alarm_line = std::stoi(parts[1]);
+  }
+}
+
+/// @param file  what the program's file is called
+inline Observed run_case(const ConformanceCase& test, const std::string& control,
+                         const std::string& file) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write(file, test.program)};
+  options.setups = {folder.write("sheet.toml", sheet_of(test))};
+  options.control = control;
+  options.moves = true;
+  options.budget = {2'000'000, 20.0};
+  for (const ConformanceCase::Row& row : test.expectations) {
+    if (row.text.find(" = ") != std::string::npos) {
+      options.prints.push_back(row.text.substr(0, row.text.find(' ')));
+    }
+  }
+  Observed seen;
+  seen.run = run_program(options);
+  if (!seen.run.document.is_object()) {
+    seen.run.document = json::object();
+  }
+  take_alarm(seen);
+  return seen;
+}
+
+}  // namespace g31::testing

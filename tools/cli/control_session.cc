@@ -1,0 +1,125 @@
+#include "tools/cli/control_session.h"
+
+#include <filesystem>
+#include <optional>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/session.h"
+#include "interpreter/dialects/sinumerik/session.h"
+#include "tools/cli/disk.h"
+#include "tools/cli/shipped.h"
+
+namespace g31::cli {
+namespace {
+
+/// The programs, the folder of the first one, --lib and the shipped macros, in this order.
+template <typename Library>
+std::optional<Refusal> load_programs(Library& library, const RunOptions& options,
+                                     const std::string& shipped) {
+  for (const std::string& program : options.programs) {
+    if (library.add_file(program) == Library::Added::Unreadable) {
+      return refusal(ExitCode::BadUsage, fmt::format("cannot read the program {}", program));
+    }
+  }
+  library.add_folder(std::filesystem::path(options.programs.front()).parent_path().string());
+  for (const std::string& folder : options.libraries) {
+    std::error_code unreadable;
+    if (!std::filesystem::is_directory(folder, unreadable)) {
+      return refusal(ExitCode::BadUsage, fmt::format("--lib {}: no such folder", folder));
+    }
+    library.add_folder(folder);
+  }
+  if (const auto folder = shipped_folder(shipped)) {
+    library.add_folder(*folder);
+  }
+  return std::nullopt;
+}
+
+class FanucSession final : public ControlSession {
+ public:
+  FanucSession() : library_(disk_) {}
+
+  std::optional<Refusal> load(const RunOptions& options) { return fill_library(library_, options); }
+  void open(const fanuc::Profile& profile, machine::MachinePort& port,
+            runtime::Observer& observer) {
+    session_.emplace(profile, library_, port, observer);
+  }
+
+  void connect(runtime::PrinterPort& printer) override { session_->connect(printer); }
+  std::vector<std::string> configure(const runtime::ControlSetup& setup) override {
+    return session_->configure(setup);
+  }
+  runtime::Outcome run(const runtime::Budget& budget) override { return session_->run(budget); }
+  Result<runtime::ShownValue, std::string> variable(const std::string& name) override {
+    const auto value = session_->variable(name);
+    return value ? Result<runtime::ShownValue, std::string>(runtime::ShownValue(value.value()))
+                 : value.error();
+  }
+  [[nodiscard]] std::map<std::string, double> permanent_variables() const override {
+    return session_->permanent_variables();
+  }
+  [[nodiscard]] std::map<std::string, std::string> files() const override { return {}; }
+
+ private:
+  Disk disk_;
+  fanuc::ProgramLibrary library_;
+  std::optional<fanuc::Session> session_;
+};
+
+class SinumerikSession final : public ControlSession {
+ public:
+  SinumerikSession() : library_(disk_) {}
+
+  std::optional<Refusal> load(const RunOptions& options) {
+    return load_programs(library_, options, "macros/sinumerik");
+  }
+  void open(machine::MachinePort& port, runtime::Observer& observer) {
+    session_.emplace(library_, port, observer);
+  }
+
+  std::vector<std::string> configure(const runtime::ControlSetup& setup) override {
+    return session_->configure(setup);
+  }
+  runtime::Outcome run(const runtime::Budget& budget) override { return session_->run(budget); }
+  Result<runtime::ShownValue, std::string> variable(const std::string& name) override {
+    return session_->variable(name);
+  }
+  [[nodiscard]] std::map<std::string, double> permanent_variables() const override { return {}; }
+  [[nodiscard]] std::map<std::string, std::string> files() const override {
+    return session_->files();
+  }
+
+ private:
+  Disk disk_;
+  sinumerik::ProgramLibrary library_;
+  std::optional<sinumerik::Session> session_;
+};
+
+}  // namespace
+
+std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOptions& options) {
+  return load_programs(library, options, "macros/fanuc");
+}
+
+Result<SessionPointer, Refusal> open_session(const Prepared& prepared, const RunOptions& options,
+                                             machine::MachinePort& port,
+                                             runtime::Observer& observer) {
+  if (prepared.control.profile == nullptr) {
+    auto session = std::make_shared<SinumerikSession>();
+    if (const auto wrong = session->load(options)) {
+      return *wrong;
+    }
+    session->open(port, observer);
+    return SessionPointer(session);
+  }
+  auto session = std::make_shared<FanucSession>();
+  if (const auto wrong = session->load(options)) {
+    return *wrong;
+  }
+  session->open(*prepared.control.profile, port, observer);
+  return SessionPointer(session);
+}
+
+}  // namespace g31::cli

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/observer.h"
+#include "interpreter/runtime/outcome.h"
+#include "interpreter/runtime/printer_port.h"
+#include "interpreter/runtime/shown_value.h"
+#include "machine/port/machine_port.h"
+#include "tools/cli/run_options.h"
+#include "tools/cli/run_preparation.h"
+
+namespace g31::cli {
+
+/// A control of either dialect with its programs, ready to run the main one.
+class ControlSession {
+ public:
+  ControlSession() = default;
+  ControlSession(const ControlSession&) = delete;
+  ControlSession& operator=(const ControlSession&) = delete;
+  virtual ~ControlSession() = default;
+
+  /// A printer at a serial line; a control without one leaves it alone.
+  virtual void connect(runtime::PrinterPort& /*printer*/) {}
+  /// @returns what in the set-up this control cannot understand; empty: all of it
+  virtual std::vector<std::string> configure(const runtime::ControlSetup& setup) = 0;
+  virtual runtime::Outcome run(const runtime::Budget& budget) = 0;
+  /// The value of what --print names; the reason when there is none.
+  virtual Result<runtime::ShownValue, std::string> variable(const std::string& name) = 0;
+  /// What a control keeps over power off.
+  [[nodiscard]] virtual std::map<std::string, double> permanent_variables() const = 0;
+  /// What the program wrote, by file name.
+  [[nodiscard]] virtual std::map<std::string, std::string> files() const = 0;
+};
+
+using SessionPointer = std::shared_ptr<ControlSession>;
+
+/// Loads the programs for the control that was chosen.  Machine and observer must outlive the
+/// session.
+Result<SessionPointer, Refusal> open_session(const Prepared& prepared, const RunOptions& options,
+                                             machine::MachinePort& port,
+                                             runtime::Observer& observer);
+
+}  // namespace g31::cli
