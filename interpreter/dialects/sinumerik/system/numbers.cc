@@ -113,9 +113,10 @@ Result<double, Failure> indexed_state(const Channel& channel, const SystemAccess
   if (which < 1 || which > 2) {
     return failure(AlarmId::IndexOne, "there are the probes 1 and 2");
   }
-  // The contact that a probe rests on shows only in a measuring block.
-  return access.id == SystemId::Measured && channel.measured[static_cast<std::size_t>(which)] ? 1.0
-                                                                                              : 0.0;
+  if (access.id == SystemId::ProbeSignal) {
+    return failure(AlarmId::NotImplemented, "$A_PROBE");
+  }
+  return channel.measured[static_cast<std::size_t>(which)] ? 1.0 : 0.0;
 }
 
 Result<double, Failure> plain_state(const Channel& channel, SystemId id) {
