@@ -284,7 +284,8 @@ TEST(Study, AFailureBeforeEndsEveryRunOfItsSetUp) {
   const StudyOutput output =
       study_document(small.options("before = \"before.nc\"\nrepeats = 2", kSquare));
   EXPECT_EQ(output.exit_code, 3);
-  for (const json& row : json::parse(output.out).at("rows")) {
+  const json document = json::parse(output.out);
+  for (const json& row : document.at("rows")) {
     EXPECT_EQ(row.at("status"), "alarm");
     EXPECT_TRUE(row.at("note").get<std::string>().starts_with("before: "));
   }
