@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include "tools/cli/exit_code.h"
 #include "tools/cli/explain_command.h"
@@ -25,6 +26,14 @@ std::string exit_code_help() {
     text += fmt::format("  {:2}  {}\n", static_cast<int>(row.code), row.text);
   }
   return text;
+}
+
+/// Windows of a long program come and go: what they leave stays with us for the next ones, instead
+/// of going back to the system, which would have to clear it again.
+void keep_freed_memory() {
+  constexpr int kBytes = 32 << 20;
+  mallopt(M_MMAP_THRESHOLD, kBytes);
+  mallopt(M_TRIM_THRESHOLD, kBytes);
 }
 
 ExitCode dispatch(int argc, char** argv) {
@@ -61,6 +70,7 @@ ExitCode dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_freed_memory();
   try {
     return static_cast<int>(dispatch(argc, argv));
   } catch (const std::exception& error) {
