@@ -16,9 +16,7 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/sphere.h>
-#include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/continuous_collision.h>
 #include <fcl/narrowphase/distance.h>
 
@@ -27,6 +25,7 @@
 #include "probe/contact/sweep_curve.h"
 #include "probe/contact/sweep_mesh.h"
 #include "probe/contact/sweep_triangle.h"
+#include "tests/probe/fcl_witness.h"
 #include "tests/probe/test_meshes.h"
 
 namespace {
@@ -183,18 +182,6 @@ void every_triangle(benchmark::State& state) {
 }
 BENCHMARK(every_triangle)->Arg(5)->Arg(50)->Arg(500);
 
-using FclMesh = fcl::BVHModel<fcl::OBBRSSd>;
-
-void fill(FclMesh& model, const g31::parts::Mesh& mesh) {
-  std::vector<fcl::Triangle> triangles;
-  for (const auto& t : mesh.triangles) {
-    triangles.emplace_back(t[0], t[1], t[2]);
-  }
-  model.beginModel();
-  model.addSubModel(mesh.vertices, triangles);
-  model.endModel();
-}
-
 fcl::Transform3d moved_to(const g31::Point& p) {
   fcl::Transform3d place = fcl::Transform3d::Identity();
   place.translation() = p;
@@ -205,8 +192,7 @@ fcl::Transform3d moved_to(const g31::Point& p) {
 /// advancement misses these contacts.)
 void fcl_continuous(benchmark::State& state) {
   const g31::parts::Mesh mesh = sphere_of(state);
-  FclMesh model;
-  fill(model, mesh);
+  const auto model = g31::testing::fcl_mesh(mesh);
   const fcl::Sphered ball(kBallRadius);
   fcl::ContinuousCollisionRequestd request(1000, 1e-3);
   request.ccd_solver_type = fcl::CCDC_NAIVE;
@@ -214,8 +200,8 @@ void fcl_continuous(benchmark::State& state) {
     const fcl::Transform3d rest = fcl::Transform3d::Identity();
     fcl::ContinuousCollisionResultd result;
     // The mesh first: the other order overflows the stack in FCL 0.7.
-    fcl::continuousCollide(&model, rest, rest, &ball, moved_to(way.from), moved_to(way.to), request,
-                           result);
+    fcl::continuousCollide(model.get(), rest, rest, &ball, moved_to(way.from), moved_to(way.to),
+                           request, result);
     return result.time_of_contact;
   });
 }
@@ -225,8 +211,7 @@ BENCHMARK(fcl_continuous)->Arg(5)->Arg(50)->Arg(500);
 void fcl_distance_loop(benchmark::State& state) {
   constexpr double kNearMm = 1e-6;
   const g31::parts::Mesh mesh = sphere_of(state);
-  FclMesh model;
-  fill(model, mesh);
+  const auto model = g31::testing::fcl_mesh(mesh);
   const fcl::Sphered ball(kBallRadius);
   const fcl::DistanceRequestd request;
   compare(state, mesh, [&](const Way& way) {
@@ -235,8 +220,8 @@ void fcl_distance_loop(benchmark::State& state) {
     while (gone < length) {
       const g31::Point p = way.from + gone / length * (way.to - way.from);
       fcl::DistanceResultd result;
-      const double distance =
-          fcl::distance(&model, fcl::Transform3d::Identity(), &ball, moved_to(p), request, result);
+      const double distance = fcl::distance(model.get(), fcl::Transform3d::Identity(), &ball,
+                                            moved_to(p), request, result);
       if (distance < kNearMm) {
         break;
       }

@@ -11,20 +11,20 @@
 #include <random>
 #include <vector>
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/cone.h>
 #include <fcl/geometry/shape/cylinder.h>
-#include <fcl/math/bv/OBBRSS.h>
-#include <fcl/narrowphase/collision.h>
 #include <gtest/gtest.h>
 
+#include "tests/probe/fcl_witness.h"
 #include "tests/probe/test_meshes.h"
 
 namespace g31::probe {
 namespace {
 
 using testing::between;
+using testing::fcl_collides;
+using testing::fcl_mesh;
 using testing::kUpright;
 using testing::point_between;
 
@@ -137,30 +137,6 @@ TEST(CollisionMesh, MeetsAThinWallOnAnyWay) {
     const Point in = from + (*way + 1e-4) * direction;
     EXPECT_TRUE(wall.first_touch(swept(stem, in, in)));
   }
-}
-
-using FclMesh = fcl::BVHModel<fcl::OBBRSSd>;
-
-std::shared_ptr<FclMesh> fcl_mesh(const parts::Mesh& mesh) {
-  std::vector<fcl::Triangle> triangles;
-  for (const auto& t : mesh.triangles) {
-    triangles.emplace_back(t[0], t[1], t[2]);
-  }
-  auto model = std::make_shared<FclMesh>();
-  model->beginModel();
-  model->addSubModel(mesh.vertices, triangles);
-  model->endModel();
-  return model;
-}
-
-bool fcl_collides(const std::shared_ptr<FclMesh>& mesh,
-                  const std::shared_ptr<fcl::CollisionGeometryd>& shape, const Point& p_middle) {
-  fcl::CollisionObjectd part(mesh);
-  fcl::CollisionObjectd body(shape, Eigen::Matrix3d::Identity(), p_middle);
-  const fcl::CollisionRequestd request;
-  fcl::CollisionResultd result;
-  // The mesh first: the other order overflows the stack in FCL 0.7.
-  return fcl::collide(&part, &body, request, result) > 0;
 }
 
 /// How far behind the touch the witness agrees, mm.

@@ -6,40 +6,21 @@
 #include <random>
 #include <vector>
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/sphere.h>
-#include <fcl/math/bv/OBBRSS.h>
-#include <fcl/narrowphase/collision.h>
 #include <gtest/gtest.h>
 
 #include "probe/contact/sweep_mesh.h"
+#include "tests/probe/fcl_witness.h"
 #include "tests/probe/test_meshes.h"
 
 namespace g31::probe {
 namespace {
 
-using FclMesh = fcl::BVHModel<fcl::OBBRSSd>;
-
-std::shared_ptr<FclMesh> fcl_mesh(const parts::Mesh& mesh) {
-  std::vector<fcl::Triangle> triangles;
-  for (const auto& t : mesh.triangles) {
-    triangles.emplace_back(t[0], t[1], t[2]);
-  }
-  auto model = std::make_shared<FclMesh>();
-  model->beginModel();
-  model->addSubModel(mesh.vertices, triangles);
-  model->endModel();
-  return model;
-}
+using testing::fcl_mesh;
+using testing::FclMesh;
 
 bool collides(const std::shared_ptr<FclMesh>& mesh, double radius, const Point& centre) {
-  fcl::CollisionObjectd part(mesh);
-  fcl::CollisionObjectd ball(std::make_shared<fcl::Sphered>(radius), Eigen::Matrix3d::Identity(),
-                             centre);
-  const fcl::CollisionRequestd request;
-  fcl::CollisionResultd result;
-  // The mesh first: the other order overflows the stack in FCL 0.7.
-  return fcl::collide(&part, &ball, request, result) > 0;
+  return testing::fcl_collides(mesh, std::make_shared<fcl::Sphered>(radius), centre);
 }
 
 TEST(MeshSweeper, AgreesWithFcl) {

@@ -8,12 +8,10 @@
 #include <random>
 #include <vector>
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/geometry/shape/cylinder.h>
-#include <fcl/math/bv/OBBRSS.h>
-#include <fcl/narrowphase/collision.h>
 #include <gtest/gtest.h>
 
+#include "tests/probe/fcl_witness.h"
 #include "tests/probe/test_meshes.h"
 
 namespace g31::probe {
@@ -110,20 +108,14 @@ TEST(RigidTouch, DoesNotStepOverAThinWallOnALongWay) {
   EXPECT_NEAR(touch->touch.fraction * 1000.0, 900.0, kSectionTouchErrorMm);
 }
 
-using FclMesh = fcl::BVHModel<fcl::OBBRSSd>;
+using testing::FclMesh;
 
 bool collides(const std::shared_ptr<FclMesh>& mesh, const ProbeSection& section, double growth,
               const Point& p_M) {
-  fcl::CollisionObjectd part(mesh);
   const double height = section.z_top - section.z_bottom;
   const auto shape =
       std::make_shared<fcl::Cylinderd>(section.radius_bottom + growth, height + 2.0 * growth);
-  fcl::CollisionObjectd body(shape, Eigen::Matrix3d::Identity(),
-                             p_M + Point(0, 0, section.z_bottom + 0.5 * height));
-  const fcl::CollisionRequestd request;
-  fcl::CollisionResultd result;
-  // The mesh first: the other order overflows the stack in FCL 0.7.
-  return fcl::collide(&part, &body, request, result) > 0;
+  return testing::fcl_collides(mesh, shape, p_M + Point(0, 0, section.z_bottom + 0.5 * height));
 }
 
 TEST(RigidTouch, AgreesWithFcl) {
@@ -133,14 +125,7 @@ TEST(RigidTouch, AgreesWithFcl) {
   int touches = 0;
   for (int round = 0; round < 60; ++round) {
     const parts::Mesh mesh = testing::loose_triangles(static_cast<std::uint64_t>(round), 12);
-    std::vector<fcl::Triangle> triangles;
-    for (const auto& t : mesh.triangles) {
-      triangles.emplace_back(t[0], t[1], t[2]);
-    }
-    const auto model = std::make_shared<FclMesh>();
-    model->beginModel();
-    model->addSubModel(mesh.vertices, triangles);
-    model->endModel();
+    const std::shared_ptr<FclMesh> model = testing::fcl_mesh(mesh);
     const std::vector<CollisionMesh> parts = {CollisionMesh(mesh)};
     for (int i = 0; i < 20; ++i) {
       const Point from = 60.0 * testing::any_direction(random);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/conformance_file.h"
@@ -219,6 +221,35 @@ inline Observed run_case(const ConformanceCase& test, const std::string& control
   }
   take_alarm(seen);
   return seen;
+}
+
+/// The names of the case files in a folder, without ending.
+inline std::vector<std::string> case_files(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// Runs a case on a control and expects what it says.
+/// @param path   of the case's file, for messages
+/// @param place  the case in words, for messages
+inline void expect_case_holds(const ConformanceCase& test, const std::string& control,
+                              const std::string& program, const std::string& path,
+                              const std::string& place) {
+  const bool alarm_expected = std::ranges::any_of(
+      test.expectations, [](const auto& row) { return row.text.starts_with("ALARM"); });
+  const Observed seen = run_case(test, control, program);
+  EXPECT_TRUE(alarm_expected || (seen.alarm == 0 && !seen.run.document.empty()))
+      << fmt::format("{}:{}: ({}) does not run: {}", path, test.title.line, place, seen.run.errors);
+  for (const ConformanceCase::Row& row : test.expectations) {
+    const std::string wrong = mismatch(row.text, seen);
+    EXPECT_TRUE(wrong.empty()) << fmt::format("{}:{}: ({}) {}, not: {}", path, row.line, place,
+                                              wrong, row.text);
+  }
 }
 
 }  // namespace g31::testing
