@@ -24,22 +24,15 @@ AxisChain::AxisChain(const AxisChainSetup& setup, const Point& p_T_tip)
   }
 }
 
-AxisPositions AxisChain::for_part(const AxisPositions& q_M) const {
-  if (!is_turned(q_M)) {
-    return q_M;
+ToolPlace AxisChain::for_part(const AxisPositions& q_M) const {
+  ToolPlace place{q_M};
+  if (is_turned(q_M)) {
+    const Eigen::Isometry3d table = along(setup_.table_side, q_M);
+    const Eigen::Isometry3d tool = along(setup_.tool_side, q_M);
+    place.q.head<kLinearAxes>() = table * (tool * p_T_tip_) - p_T_tip_;
+    place.tilt = Eigen::Quaterniond((table * tool).linear());
   }
-  AxisPositions q_part = q_M;
-  q_part.head<kLinearAxes>() =
-      along(setup_.table_side, q_M) * (along(setup_.tool_side, q_M) * p_T_tip_) - p_T_tip_;
-  return q_part;
-}
-
-Eigen::Quaterniond AxisChain::tilt(const AxisPositions& q_M) const {
-  if (!is_turned(q_M)) {
-    return Eigen::Quaterniond::Identity();
-  }
-  const Eigen::Isometry3d turned = along(setup_.table_side, q_M) * along(setup_.tool_side, q_M);
-  return Eigen::Quaterniond(turned.linear());
+  return place;
 }
 
 Contact AxisChain::to_machine(const AxisPositions& q_M, const Contact& of_part) const {

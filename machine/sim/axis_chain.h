@@ -25,6 +25,15 @@ struct AxisChainSetup {
       RotaryLine{Point::Zero(), Point::UnitZ()}};
 };
 
+/// Where the tool is for the part.
+struct ToolPlace {
+  /// The linear axes of a machine without rotary axes that has its tip at the same place of the
+  /// part; the rotary ones as they are.
+  AxisPositions q;
+  /// How the tool is turned against the part.
+  Eigen::Quaterniond tilt = Eigen::Quaterniond::Identity();
+};
+
 /// The forward transform of a machine: where the tool is for the part.
 ///
 /// A position of an axis counts the motion of the tool relative to the part, as ISO 841 has it: a
@@ -39,12 +48,8 @@ class AxisChain {
 
   [[nodiscard]] bool has_rotary_axes() const { return has_rotary_axes_; }
 
-  /// The linear axes of a machine without rotary axes that has its tip at the same place of the
-  /// part; the rotary ones as they are.  With these at 0 nothing changes, bit for bit.
-  [[nodiscard]] AxisPositions for_part(const AxisPositions& q_M) const;
-
-  /// How the tool is turned against the part; exactly not at all with all rotary axes at 0.
-  [[nodiscard]] Eigen::Quaterniond tilt(const AxisPositions& q_M) const;
+  /// Where the tool is for the part.  With all rotary axes at 0 nothing changes, bit for bit.
+  [[nodiscard]] ToolPlace for_part(const AxisPositions& q_M) const;
 
   /// What was met in the frame of the part, in that of the machine.  @param q_M  of the axes then
   [[nodiscard]] Contact to_machine(const AxisPositions& q_M, const Contact& of_part) const;

@@ -78,8 +78,8 @@ Waypoint RealAxes::tip(const AxisPositions& q_M) const {
   if (is_ideal_) {
     return {0.0, q_M};
   }
-  const AxisPositions q_M_true = truth_.after(q_M);
-  return {0.0, chain_.for_part(q_M_true), chain_.tilt(q_M_true)};
+  const ToolPlace place = chain_.for_part(truth_.after(q_M));
+  return {0.0, place.q, place.tilt};
 }
 
 std::vector<Waypoint> RealAxes::way_taken(const Waypoint& tip_from, const AxisPositions& q_M_from,

@@ -47,9 +47,8 @@ TrueWay::TrueWay(const TruePosition& start, const AxisChain& chain, const ServoM
   }
 }
 
-TrueWay::TipPlace TrueWay::tip_at(const TruePosition& truth, double time_s) const {
-  const AxisPositions q_M = truth.after(motion_.encoder_at(time_s));
-  return {chain_.for_part(q_M), chain_.tilt(q_M)};
+ToolPlace TrueWay::tip_at(const TruePosition& truth, double time_s) const {
+  return chain_.for_part(truth.after(motion_.encoder_at(time_s)));
 }
 
 std::vector<double> TrueWay::marks() const {
@@ -75,7 +74,7 @@ bool TrueWay::is_straight(const TruePosition& truth, const Piece& piece) const {
   }
   for (const double part : {0.25, 0.5, 0.75}) {
     const double time_s = piece.from_s + part * (piece.to_s - piece.from_s);
-    const TipPlace place = tip_at(truth, time_s);
+    const ToolPlace place = tip_at(truth, time_s);
     const Point off = linear(place.q) - linear(piece.from.q);
     const double gone = off.dot(along);
     if ((off - gone * along).norm() > most || gone < -most || gone > length + most) {
@@ -100,7 +99,7 @@ void TrueWay::add(const TruePosition& truth, const Piece& piece, int halvings) {
     return;
   }
   const double middle_s = 0.5 * (piece.from_s + piece.to_s);
-  const TipPlace middle = tip_at(truth, middle_s);
+  const ToolPlace middle = tip_at(truth, middle_s);
   add(truth, {piece.from_s, middle_s, piece.from, middle}, halvings - 1);
   add(truth, {middle_s, piece.to_s, middle, piece.to}, halvings - 1);
 }

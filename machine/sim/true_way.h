@@ -35,18 +35,14 @@ class TrueWay {
   [[nodiscard]] double time_s(double fraction) const;
 
  private:
-  struct TipPlace {
-    AxisPositions q;
-    Eigen::Quaterniond tilt = Eigen::Quaterniond::Identity();
-  };
   struct Piece {
     double from_s = 0.0;
     double to_s = 0.0;
-    TipPlace from;
-    TipPlace to;
+    ToolPlace from;
+    ToolPlace to;
   };
 
-  [[nodiscard]] TipPlace tip_at(const TruePosition& truth, double time_s) const;
+  [[nodiscard]] ToolPlace tip_at(const TruePosition& truth, double time_s) const;
   [[nodiscard]] std::vector<double> marks() const;
   [[nodiscard]] bool is_straight(const TruePosition& truth, const Piece& piece) const;
   void add(const TruePosition& truth, const Piece& piece, int halvings);

@@ -137,6 +137,11 @@ bool separates(const SweptBody& body, const ContactTriangle& triangle, const Poi
 
 }  // namespace
 
+Eigen::Quaterniond turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
+                                double fraction) {
+  return from.coeffs() == to.coeffs() ? from : from.slerp(fraction, to);
+}
+
 double sag_of_turn(double radius, const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
   if (from.coeffs() == to.coeffs()) {
     return 0.0;
@@ -172,7 +177,7 @@ parts::Box SweptSection::start_box() const {
 }
 
 SectionPlace SweptSection::at(double fraction) const {
-  return {from.p_M + fraction * way(), turns() ? from.turn.slerp(fraction, to.turn) : from.turn};
+  return {from.p_M + fraction * way(), turn_between(from.turn, to.turn, fraction)};
 }
 
 SweptSection SweptSection::piece(double begin, double end) const {

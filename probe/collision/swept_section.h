@@ -36,6 +36,10 @@ struct SweptSection {
   [[nodiscard]] SweptSection piece(double begin, double end) const;
 };
 
+/// The turn at a fraction 0..1 of the way between two; between equals exactly they.
+Eigen::Quaterniond turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
+                                double fraction);
+
 /// mm: how far a point that turns on a radius leaves the straight line between its ends at most.
 double sag_of_turn(double radius, const Eigen::Quaterniond& from, const Eigen::Quaterniond& to);
 

@@ -14,13 +14,6 @@ namespace {
 
 const Eigen::Quaterniond kUpright = Eigen::Quaterniond::Identity();
 
-Eigen::Quaterniond tilt_at(const machine::Sweep& sweep, double fraction) {
-  // Between equals slerp would round.
-  return sweep.tilt_from.coeffs() == sweep.tilt_to.coeffs()
-             ? sweep.tilt_from
-             : sweep.tilt_from.slerp(fraction, sweep.tilt_to);
-}
-
 machine::Obstacle obstacle_at(double fraction, const SweepHit& hit, const std::string& part) {
   return {std::clamp(fraction, 0.0, 1.0), "stylus ball touches " + part, contact_of(hit, part)};
 }
@@ -104,7 +97,8 @@ std::optional<machine::Obstacle> TouchProbe::rigid_touch(const machine::Sweep& s
       stem.reset();
     } else if (out > 0.0) {
       const AxisPositions q_M_out = sweep.q_M_from + out * (sweep.q_M_to - sweep.q_M_from);
-      stem = touch_of(setup_.stem, {q_M_out, sweep.q_M_to, tilt_at(sweep, out), sweep.tilt_to});
+      const Eigen::Quaterniond tilt_out = turn_between(sweep.tilt_from, sweep.tilt_to, out);
+      stem = touch_of(setup_.stem, {q_M_out, sweep.q_M_to, tilt_out, sweep.tilt_to});
       if (stem) {
         stem->fraction = out + (1.0 - out) * stem->fraction;
       }
