@@ -1,6 +1,9 @@
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/runner.h"
+#include "interpreter/runtime/stop_report.h"
 
 namespace g31::fanuc {
 
@@ -36,43 +39,21 @@ Failure Runner::from_evaluation() {
 }
 
 runtime::Outcome Runner::outcome_of(const Failure& failure) {
-  runtime::Outcome outcome;
-  outcome.status = failure.status;
   const bool has_place = failure.where.end > failure.where.begin;
   const source::Location present = has_place ? location(failure.where) : location_of(frame());
-  const source::Location where = failure.block.file != nullptr ? failure.block : present;
-  std::vector<source::Note> notes;
-  for (const runtime::CallSite& call : call_stack()) {
-    notes.push_back({call.where, fmt::format("called from {}", call.program)});
-  }
-  source::Diagnostic diagnostic;
-  if (failure.status == runtime::Status::Setup || failure.status == runtime::Status::Budget) {
-    diagnostic = make_diagnostic(static_cast<source::DiagnosticId>(failure.alarm_number), where,
-                                 failure.detail);
-  } else if (failure.status == runtime::Status::Collision && failure.alarm_number < 0) {
-    diagnostic = make_diagnostic(source::DiagnosticId::CollisionStop, where, failure.detail);
-  } else {
-    const AlarmInfo& row = info(failure.id);
-    runtime::Alarm alarm;
-    alarm.number = failure.alarm_number != 0
-                       ? failure.alarm_number
-                       : number_of(failure.id, control_.profile.alarm_numbers);
-    alarm.text = failure.alarm_text.empty() ? std::string(row.text) : failure.alarm_text;
-    alarm.where = where;
-    alarm.detail = failure.detail;
-    alarm.remedy = row.remedy;
-    alarm.calls = call_stack();
-    diagnostic = {
-        source::Severity::Error,
-        std::to_string(alarm.number),
-        where,
-        alarm.detail.empty() ? alarm.text : fmt::format("{}: {}", alarm.text, alarm.detail),
-        alarm.remedy,
-        {}};
-    outcome.alarm = std::move(alarm);
-  }
-  diagnostic.notes = std::move(notes);
-  control_.diagnostics.push_back(std::move(diagnostic));
+  const AlarmInfo& row = info(failure.id);
+  runtime::StopReason reason;
+  reason.status = failure.status;
+  reason.number = failure.alarm_number != 0 ? failure.alarm_number
+                                            : number_of(failure.id, control_.profile.alarm_numbers);
+  reason.text = failure.alarm_text.empty() ? std::string(row.text) : failure.alarm_text;
+  reason.detail = failure.detail;
+  reason.remedy = row.remedy;
+  reason.where = failure.block.file != nullptr ? failure.block : present;
+  reason.calls = call_stack();
+  runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
+  control_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
+  outcome.diagnostics.clear();
   return outcome;
 }
 

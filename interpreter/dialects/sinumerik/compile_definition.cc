@@ -75,7 +75,18 @@ Shape Compiler::dimensions() {
   return shape;
 }
 
-std::optional<Variable> Compiler::declared_variable(Type type, std::int32_t longest) {
+/// A type and, behind STRING, its length.
+std::optional<Compiler::DeclaredType> Compiler::declared_type() {
+  const Token word = next();
+  const auto type = word.kind == TokenKind::Name ? type_named(word.text) : std::nullopt;
+  if (!type) {
+    fail(AlarmId::SyntaxInText, word.where, text_of(word.where));
+    return std::nullopt;
+  }
+  return DeclaredType{*type, *type == Type::String ? string_length().value_or(1) : 0};
+}
+
+std::optional<Variable> Compiler::declared_variable(const DeclaredType& declared) {
   const Token name = next();
   const bool is_letter =
       name.kind == TokenKind::Letter && !name.is_letter('R') && peek().kind != TokenKind::Integer;
@@ -90,8 +101,8 @@ std::optional<Variable> Compiler::declared_variable(Type type, std::int32_t long
   }
   Variable variable;
   variable.name = name.text;
-  variable.type = type;
-  variable.longest = longest;
+  variable.type = declared.type;
+  variable.longest = declared.longest;
   variable.shape = dimensions();
   return failed() ? std::nullopt : std::optional(variable);
 }
@@ -151,26 +162,19 @@ void Compiler::def_statement() {
     fail(AlarmId::BadDefinition, block_, "NCK and CHAN stand in definition files");
   }
   skip_access_rights();
-  const Token word = next();
-  const auto type = word.kind == TokenKind::Name ? type_named(word.text) : std::nullopt;
-  if (!type) {
-    fail(AlarmId::SyntaxInText, word.where, text_of(word.where));
+  const auto declared = declared_type();
+  if (!declared) {
     return;
   }
-  const std::int32_t longest = *type == Type::String ? string_length().value_or(1) : 0;
   skip_access_rights();
   do {
-    const auto variable = declared_variable(*type, longest);
+    const auto variable = declared_variable(*declared);
     const std::int32_t index = variable ? define(*variable) : -1;
     if (index >= 0 && accept(Symbol::Assign)) {
       const Variable& known = program_->variables[static_cast<std::size_t>(index)];
-      Expr target;
-      target.type = known.type;
-      target.variable = index;
-      target.where = block_;
+      Expr target = target_of(index, block_);
       target.element = number_constant(0.0);
       target.is_constant = true;
-      target.value = {known.storage == Storage::Global ? Bank::Globals : Bank::Locals, known.place};
       const bool is_list = known.shape.dimensions > 0 && peek().is(Symbol::LeftParen);
       is_list ? assign_list(target) : assign_element(target);
     }
@@ -221,14 +225,11 @@ void Compiler::proc_statement() {
 void Compiler::proc_parameter() {
   Parameter parameter;
   parameter.by_reference = accept_name("VAR");
-  const Token word = next();
-  const auto type = word.kind == TokenKind::Name ? type_named(word.text) : std::nullopt;
-  if (!type) {
-    fail(AlarmId::SyntaxInText, word.where, text_of(word.where));
+  const auto declared = declared_type();
+  if (!declared) {
     return;
   }
-  const std::int32_t longest = *type == Type::String ? string_length().value_or(1) : 0;
-  auto variable = declared_variable(*type, longest);
+  auto variable = declared_variable(*declared);
   if (!variable) {
     return;
   }

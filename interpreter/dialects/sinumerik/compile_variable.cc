@@ -234,23 +234,30 @@ void Compiler::assign_system(const SystemName& name, ShortSpan where) {
   last().count = static_cast<std::uint16_t>(list.size());
 }
 
-void Compiler::assign_variable(std::int32_t variable, ShortSpan where) {
-  const Variable known = program_->variables[static_cast<std::size_t>(variable)];
+/// A variable that takes a value: as a whole, until an element is named.
+Expr Compiler::target_of(std::int32_t variable, ShortSpan where) const {
+  const Variable& known = program_->variables[static_cast<std::size_t>(variable)];
   Expr target;
   target.type = known.type;
   target.where = where;
   target.variable = variable;
+  target.value = {bank_of(known.storage), known.place};
+  return target;
+}
+
+void Compiler::assign_variable(std::int32_t variable, ShortSpan where) {
+  const Variable known = program_->variables[static_cast<std::size_t>(variable)];
+  Expr target = target_of(variable, where);
   const bool component =
       known.type == Type::Frame && known.shape.dimensions == 0 && peek().is(Symbol::LeftBracket);
   if (component) {
-    target.value = {bank_of(known.storage), known.place};
     assign_component(target);
     return;
   }
   const Element element = element_of(variable);
   target.element = element.number;
   target.is_constant = element.is_fixed && known.storage != Storage::Reference;
-  target.value = {bank_of(known.storage), known.place + element.offset};
+  target.value.place += element.offset;
   if (!accept(Symbol::Assign)) {
     fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
     return;

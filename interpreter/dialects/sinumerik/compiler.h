@@ -129,6 +129,7 @@ class Compiler {
   Expr axis_operand();
   Expr component_operand();
   void store(const Expr& target, Expr value);
+  [[nodiscard]] Expr target_of(std::int32_t variable, ShortSpan where) const;
   void assign_variable(std::int32_t variable, ShortSpan where);
   void assign_element(const Expr& target);
   void assign_component(Expr frame);
@@ -174,7 +175,12 @@ class Compiler {
   void extern_statement();
   void proc_parameter();
   void proc_attributes();
-  std::optional<Variable> declared_variable(Type type, std::int32_t longest);
+  struct DeclaredType {
+    Type type;
+    std::int32_t longest = 0;  ///< characters of a STRING
+  };
+  std::optional<DeclaredType> declared_type();
+  std::optional<Variable> declared_variable(const DeclaredType& declared);
   std::int32_t define_local(Variable variable);
   std::optional<std::int32_t> string_length();
   std::optional<std::int32_t> whole_constant();

@@ -1,9 +1,11 @@
 #include "interpreter/dialects/sinumerik/runner.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "interpreter/runtime/stop_report.h"
 #include "machine/base/contract.h"
 
 namespace g31::sinumerik {
@@ -236,42 +238,21 @@ source::Location Runner::here() const {
   return {program.file, program.spans[static_cast<std::size_t>(current_)].widened()};
 }
 
-runtime::Outcome Runner::outcome_of(const Failure& reason) {
-  runtime::Outcome outcome;
-  outcome.status = reason.status;
-  const source::Location where = here();
-  std::vector<runtime::CallSite> calls;
+runtime::Outcome Runner::outcome_of(const Failure& failure) {
+  const AlarmInfo& row = info(failure.id);
+  runtime::StopReason reason;
+  reason.status = failure.status;
+  reason.number = failure.number != 0 ? failure.number : row.number;
+  reason.text = failure.text.empty() ? std::string(row.text) : failure.text;
+  reason.detail = failure.detail;
+  reason.remedy = row.remedy;
+  reason.where = here();
   for (std::size_t i = depth_; i > 0; --i) {
-    calls.push_back({levels_[i - 1]->program->name, location_of(*levels_[i - 1])});
+    reason.calls.push_back({levels_[i - 1]->program->name, location_of(*levels_[i - 1])});
   }
-  source::Diagnostic diagnostic;
-  if (reason.status == runtime::Status::Setup || reason.status == runtime::Status::Budget) {
-    diagnostic =
-        make_diagnostic(static_cast<source::DiagnosticId>(reason.number), where, reason.detail);
-  } else if (reason.status == runtime::Status::Collision && reason.number < 0) {
-    diagnostic = make_diagnostic(source::DiagnosticId::CollisionStop, where, reason.detail);
-  } else {
-    const AlarmInfo& row = info(reason.id);
-    runtime::Alarm alarm;
-    alarm.number = reason.number != 0 ? reason.number : row.number;
-    alarm.text = reason.text.empty() ? std::string(row.text) : reason.text;
-    alarm.where = where;
-    alarm.detail = reason.detail;
-    alarm.remedy = row.remedy;
-    alarm.calls = calls;
-    diagnostic = {
-        source::Severity::Error,
-        std::to_string(alarm.number),
-        where,
-        alarm.detail.empty() ? alarm.text : fmt::format("{}: {}", alarm.text, alarm.detail),
-        alarm.remedy,
-        {}};
-    outcome.alarm = std::move(alarm);
-  }
-  for (const runtime::CallSite& call : calls) {
-    diagnostic.notes.push_back({call.where, fmt::format("called from {}", call.program)});
-  }
-  channel_.diagnostics.push_back(std::move(diagnostic));
+  runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
+  channel_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
+  outcome.diagnostics.clear();
   return outcome;
 }
 

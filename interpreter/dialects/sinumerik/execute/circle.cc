@@ -176,18 +176,7 @@ MaybeFailure move_along_circle(Channel& channel, const Block& block) {
   move.turn = turn.value();
   move.feed_mm_min = feed.value();
   move.ends = block_end(channel);
-  if (channel.budget.is_too_late()) {
-    return out_of_time();
-  }
-  const auto reached = channel.port.move(move);
-  if (!reached) {
-    channel.arrived_at_machine();
-    return from_fault(reached.error());
-  }
-  channel.arrived_at_programmed(q_W_end.value());
-  channel.observer.on_move(
-      {move.turn == Turn::Clockwise ? 2 : 3, move.q_M_end, move.feed_mm_min, 0.0});
-  return std::nullopt;
+  return carry_out(channel, move, q_W_end.value(), move.turn == Turn::Clockwise ? 2 : 3);
 }
 
 }  // namespace g31::sinumerik

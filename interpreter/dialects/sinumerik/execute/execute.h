@@ -37,6 +37,11 @@ MaybeFailure dwell(Channel& channel, const Block& block);
 Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& block);
 /// mm/min
 Result<double, Failure> feed_in_force(const Channel& channel);
+/// Moves the machine, straight or along an arc, and tells the observer.
+/// @param q_W_end  where the move ends for the program
+/// @param g        of the report: 0 to 3
+template <typename Move>
+MaybeFailure carry_out(Channel& channel, const Move& move, const AxisPositions& q_W_end, int g);
 /// What a fault of the machine means here.
 Failure from_fault(const machine::MachineFault& fault);
 /// Whether G9, G60 or a rapid stops the axes at the end of the block.

@@ -79,6 +79,24 @@ Failure from_fault(const machine::MachineFault& fault) {
   return reason;
 }
 
+template <typename Move>
+MaybeFailure carry_out(Channel& channel, const Move& move, const AxisPositions& q_W_end, int g) {
+  if (channel.budget.is_too_late()) {
+    return out_of_time();
+  }
+  const auto reached = channel.port.move(move);
+  if (!reached) {
+    channel.arrived_at_machine();
+    return from_fault(reached.error());
+  }
+  channel.arrived_at_programmed(q_W_end);
+  channel.observer.on_move({g, move.q_M_end, move.feed_mm_min, 0.0});
+  return std::nullopt;
+}
+
+template MaybeFailure carry_out(Channel&, const machine::LinearMove&, const AxisPositions&, int);
+template MaybeFailure carry_out(Channel&, const machine::ArcMove&, const AxisPositions&, int);
+
 MaybeFailure move_straight(Channel& channel, const Block& block) {
   const auto q_W_end = programmed_end(channel, block);
   if (!q_W_end) {
@@ -96,17 +114,7 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
     move.feed_mm_min = feed.value();
     move.ends = block_end(channel);
   }
-  if (channel.budget.is_too_late()) {
-    return out_of_time();
-  }
-  const auto reached = channel.port.move(move);
-  if (!reached) {
-    channel.arrived_at_machine();
-    return from_fault(reached.error());
-  }
-  channel.arrived_at_programmed(q_W_end.value());
-  channel.observer.on_move({rapid ? 0 : 1, move.q_M_end, move.feed_mm_min, 0.0});
-  return std::nullopt;
+  return carry_out(channel, move, q_W_end.value(), rapid ? 0 : 1);
 }
 
 MaybeFailure dwell(Channel& channel, const Block& block) {

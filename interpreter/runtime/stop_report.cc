@@ -1,0 +1,42 @@
+#include "interpreter/runtime/stop_report.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace g31::runtime {
+namespace {
+
+source::Diagnostic message_of(const Alarm& alarm) {
+  return {source::Severity::Error,
+          std::to_string(alarm.number),
+          alarm.where,
+          alarm.detail.empty() ? alarm.text : fmt::format("{}: {}", alarm.text, alarm.detail),
+          alarm.remedy,
+          {}};
+}
+
+}  // namespace
+
+Outcome outcome_of(StopReason reason) {
+  Outcome outcome;
+  outcome.status = reason.status;
+  source::Diagnostic diagnostic;
+  if (reason.status == Status::Setup || reason.status == Status::Budget) {
+    diagnostic = make_diagnostic(static_cast<source::DiagnosticId>(reason.number), reason.where,
+                                 reason.detail);
+  } else if (reason.status == Status::Collision && reason.number < 0) {
+    diagnostic = make_diagnostic(source::DiagnosticId::CollisionStop, reason.where, reason.detail);
+  } else {
+    outcome.alarm = Alarm{reason.number, std::move(reason.text),   reason.where,
+                          reason.detail, std::move(reason.remedy), reason.calls};
+    diagnostic = message_of(*outcome.alarm);
+  }
+  for (const CallSite& call : reason.calls) {
+    diagnostic.notes.push_back({call.where, fmt::format("called from {}", call.program)});
+  }
+  outcome.diagnostics.push_back(std::move(diagnostic));
+  return outcome;
+}
+
+}  // namespace g31::runtime

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "interpreter/runtime/outcome.h"
+
+namespace g31::runtime {
+
+/// Why a run ended before its program did, and where.
+struct StopReason {
+  Status status = Status::Alarm;
+  /// Of the alarm; with Setup and Budget the DiagnosticId; with Collision below 0: no alarm.
+  int number = 0;
+  std::string text;  ///< of the alarm
+  std::string detail;
+  std::string remedy;
+  source::Location where;
+  std::vector<CallSite> calls;  ///< innermost first
+};
+
+/// What is left of the run: its status, the alarm if it was one, and the message as its only
+/// diagnostic.
+Outcome outcome_of(StopReason reason);
+
+}  // namespace g31::runtime
