@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include <fmt/format.h>
-#include <unistd.h>
+
+#include "tools/report/part_file.h"
 
 namespace g31::cli {
 
@@ -26,15 +26,12 @@ std::optional<std::string> write_into(const std::string& path, std::string_view 
 }
 
 std::optional<std::string> replace_file(const std::string& path, std::string_view text) {
-  const std::string temporary = fmt::format("{}.{}.part", path, ::getpid());
-  std::optional<std::string> reason = write_into(temporary, text);
-  if (!reason && std::rename(temporary.c_str(), path.c_str()) != 0) {
-    reason = std::strerror(errno);
+  const auto file = report::PartFile::create(path);
+  if (!file) {
+    return file.error();
   }
-  if (reason) {
-    std::remove(temporary.c_str());
-  }
-  return reason;
+  file.value()->write(text);
+  return file.value()->finish();
 }
 
 }  // namespace
@@ -90,14 +87,8 @@ std::vector<std::string> Disk::list(const std::string& folder) {
 
 std::optional<std::string> write_whole_file(const std::string& path, std::string_view text) {
   std::error_code error;
-  std::optional<std::string> reason;
-  if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
-    reason = write_into(path, text);
-  } else {
-    const std::string target =
-        fs::is_symlink(path, error) ? fs::weakly_canonical(path, error).string() : path;
-    reason = target.empty() ? error.message() : replace_file(target, text);
-  }
+  const bool is_special = fs::exists(path, error) && !fs::is_regular_file(path, error);
+  const auto reason = is_special ? write_into(path, text) : replace_file(path, text);
   return reason ? std::optional(fmt::format("cannot write {}: {}", path, *reason)) : std::nullopt;
 }
 

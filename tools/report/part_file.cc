@@ -13,17 +13,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string behind_link(const std::string& path) {
+Result<fs::path, std::string> behind_link(const std::string& path) {
   std::error_code error;
-  const bool is_link = fs::is_symlink(path, error);
-  const fs::path target = is_link ? fs::weakly_canonical(path, error) : fs::path(path);
-  return target.empty() ? path : target.string();
+  if (!fs::is_symlink(path, error)) {
+    return fs::path(path);
+  }
+  const fs::path target = fs::weakly_canonical(path, error);
+  if (target.empty()) {
+    return error.message();
+  }
+  return target;
 }
 
 }  // namespace
 
 Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::string& path) {
-  std::shared_ptr<PartFile> file(new PartFile(behind_link(path)));
+  const auto target = behind_link(path);
+  if (!target) {
+    return target.error();
+  }
+  std::shared_ptr<PartFile> file(new PartFile(target.value().string()));
   if (file->file_ == nullptr) {
     return std::string(std::strerror(file->error_));
   }
