@@ -11,6 +11,7 @@
 namespace g31::fanuc {
 namespace {
 
+using namespace compensation;
 using State = CompensationCommand::State;
 
 /// Codes whose moves are no part of a path to be compensated.

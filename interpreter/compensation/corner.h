@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "interpreter/dialects/fanuc/compensation/path_block.h"
+#include "interpreter/compensation/path_block.h"
 
-namespace g31::fanuc {
+namespace g31::compensation {
 
-/// How the compensation begins and ends at outside corners: parameter 5003.0 (SUP).
+/// How the compensation begins and ends at outside corners.
 enum class StartUp {
   TypeA,  ///< straight to the point beside the start of the next block
   TypeB,  ///< around the corner, as in the middle of the path
@@ -27,8 +27,7 @@ struct Corner {
   const PlaneWay& behind;
   double offset_before = 0.0;
   double offset_behind = 0.0;
-  /// Of two points nearer to one another than this in both axes the second is left out: parameter
-  /// 5010, mm.
+  /// mm; of two points nearer to one another than this in both axes the second is left out.
   double minute_mm = 0.0;
 };
 
@@ -44,7 +43,7 @@ double offset_radius(const ArcShape& arc, const PlanePoint& p, double offset);
 /// Inside corners, and outside ones up to a right turn of 90 degrees: the intersection, of tangents
 /// where an arc is outside.  Sharper outside corners: each way is extended by the radius and the
 /// ends are joined.  No arc is put in.
-/// @returns nullopt when there is no intersection: alarm 033
+/// @returns nullopt when there is no intersection
 /// Accuracy: kCornerErrorMm for radii up to 100 mm and arcs up to 1 m.
 std::optional<CornerPoints> corner_points(const Corner& corner);
 
@@ -57,4 +56,4 @@ CornerPoints cancel_points(const Corner& corner, StartUp type);
 /// How far a corner point may stand off the exact one: nearly tangent arcs decide it.
 inline constexpr double kCornerErrorMm = 2e-6;
 
-}  // namespace g31::fanuc
+}  // namespace g31::compensation

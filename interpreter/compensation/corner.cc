@@ -1,10 +1,10 @@
-#include "interpreter/dialects/fanuc/compensation/corner.h"
+#include "interpreter/compensation/corner.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace g31::fanuc {
+namespace g31::compensation {
 namespace {
 
 double cross(const PlanePoint& a, const PlanePoint& b) {
@@ -64,7 +64,7 @@ struct Fixed {
   bool last;
 };
 
-/// Leaves out what parameter 5010 makes of no account.
+/// Leaves out points that a minute distance makes of no account.
 CornerPoints without_minute(const CornerPoints& points, double limit_mm, Fixed fixed) {
   const double limit = std::max(limit_mm, kOnePointMm);
   CornerPoints kept{points.front()};
@@ -240,4 +240,4 @@ CornerPoints cancel_points(const Corner& corner, StartUp type) {
   return without_minute(points, corner.minute_mm, fixed);
 }
 
-}  // namespace g31::fanuc
+}  // namespace g31::compensation

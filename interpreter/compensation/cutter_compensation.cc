@@ -1,13 +1,12 @@
-#include "interpreter/dialects/fanuc/compensation/cutter_compensation.h"
+#include "interpreter/compensation/cutter_compensation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "interpreter/runtime/overloaded.h"
 #include "machine/base/contract.h"
 
-namespace g31::fanuc {
+namespace g31::compensation {
 namespace {
 
 using State = CompensationCommand::State;
@@ -212,7 +211,7 @@ Fault CutterCompensation::finish_held(CornerPoints end) {
 }
 
 /// Leaves out points of the corners at both ends of a straight block, from its middle outwards,
-/// until it leads forward; alarm 041 when no more can be left out.
+/// until it leads forward; interference when no more can be left out.
 Fault CutterCompensation::clear_interference(CornerPoints& end) {
   CornerPoints& start = held_->start;
   const auto begin = [&] { return start.empty() ? plane_.of(q_M_tool_) : start.back(); };
@@ -276,4 +275,4 @@ void CutterCompensation::give_at_tool(PathItem item) {
   given_.push_back(std::move(item));
 }
 
-}  // namespace g31::fanuc
+}  // namespace g31::compensation

@@ -3,20 +3,19 @@
 #include <optional>
 #include <vector>
 
-#include "interpreter/dialects/fanuc/compensation/corner.h"
-#include "interpreter/dialects/fanuc/compensation/path_block.h"
+#include "interpreter/compensation/corner.h"
+#include "interpreter/compensation/path_block.h"
 #include "machine/base/result.h"
 
-namespace g31::fanuc {
+namespace g31::compensation {
 
-/// What control parameters say about the compensation.
+/// What a control says about the compensation.
 struct CompensationRules {
   StartUp start_up = StartUp::TypeA;
-  /// How many blocks without motion in the plane the control reads past: blocks read, 19625, less
-  /// two.
+  /// How many blocks without motion in the plane the control reads past.
   int idle_limit = 1;
-  double minute_mm = 0.0;  ///< 5010
-  /// 5008.0 = 1 switches the check off.
+  double minute_mm = 0.0;  ///< of corners
+  /// Whether straight blocks that would lead backwards are looked for.
   enum class InterferenceCheck { On, Off } check = InterferenceCheck::On;
 };
 
@@ -31,11 +30,11 @@ struct CompensationCommand {
 };
 
 enum class CompensationError {
-  NoIntersection,    ///< 033
-  ArcAtStartOrEnd,   ///< 034
-  PlaneChanged,      ///< 037
-  ArcWithoutRadius,  ///< 038: the offset arc is a point
-  Interference,      ///< 041: the tool would go backwards, or does not fit into an arc
+  NoIntersection,
+  ArcAtStartOrEnd,
+  PlaneChanged,
+  ArcWithoutRadius,  ///< the offset arc is a point
+  Interference,      ///< the tool would go backwards, or does not fit into an arc
 };
 
 struct CompensationFault {
@@ -73,7 +72,7 @@ class CutterCompensation {
   /// A block without motion: a pause, or nothing that the machine would do.
   CompensationResult pass(std::optional<Pause> pause, const CompensationCommand& command);
 
-  /// Nothing more can be read ahead: whatever waits is given out (MB-160).
+  /// Nothing more can be read ahead: whatever waits is given out.
   CompensationResult flush();
 
   /// Where the tool stands, were nothing more to be read.
@@ -124,4 +123,4 @@ class CutterCompensation {
   PathItems given_;
 };
 
-}  // namespace g31::fanuc
+}  // namespace g31::compensation
