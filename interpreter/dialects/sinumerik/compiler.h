@@ -208,6 +208,7 @@ class Compiler {
   void m_word(ShortSpan where);
   void axis_by_name();
   bool named_word();
+  void spindle_index(const Token& name);
   void word(Address address, ShortSpan where);
   void emit_word(Address address, Modification modification, const Expr& value);
   Expr word_value(Modification& modification);

@@ -115,6 +115,7 @@ class Runner {
   // run_procedures.cc
   MaybeFailure procedure(const Op& op);
   MaybeFailure set_alarm(Arguments list);
+  MaybeFailure set_feed_axes(Arguments list);
   MaybeFailure write_file(Arguments list);
   MaybeFailure delete_file(Arguments list);
   void set_result(const Argument& target, double value);

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/feed.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
 #include "interpreter/runtime/overloaded.h"
 
 namespace g31::sinumerik {
@@ -42,7 +43,7 @@ Result<std::size_t, Failure> probe_of(double number) {
                  fmt::format("MEAS={:.0f}: rising edges of probe 1 and 2", number));
 }
 
-Result<machine::LinearMove, Failure> measuring_move(Channel& channel,
+Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Block& block,
                                                     const AxisPositions& q_W_end) {
   machine::LinearMove move;
   move.q_M_end = channel.to_machine(q_W_end);
@@ -52,7 +53,8 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel,
   if (channel.group[1] != 2) {
     return failure(AlarmId::NotImplemented, "MEAS on a circle");
   }
-  const auto feed = feed_in_force(channel);
+  const double length = feed_length(channel.port.position(), move.q_M_end);
+  const auto feed = feed_in_force(channel, block, feed_way(channel, block, q_W_end, length));
   if (!feed) {
     return feed.error();
   }
@@ -73,9 +75,12 @@ MaybeFailure measure(Channel& channel, const Block& block) {
   if (!q_W_end) {
     return q_W_end.error();
   }
-  const auto move = measuring_move(channel, q_W_end.value());
+  const auto move = measuring_move(channel, block, q_W_end.value());
   if (!move) {
     return move.error();
+  }
+  if (MaybeFailure outside = outside_working_area(channel, move.value().q_M_end)) {
+    return outside;
   }
   channel.measured = {};
   const auto outcome = channel.port.move_until_skip(move.value());
@@ -95,7 +100,7 @@ MaybeFailure measure(Channel& channel, const Block& block) {
     channel.q_W_measured = channel.to_work(event.q_M_latched);
     channel.arrived_at_machine();
   } else {
-    channel.arrived_at_programmed(q_W_end.value());
+    channel.arrived_at_programmed(q_W_end.value(), move.value().q_M_end);
   }
   channel.observer.on_move({31, event.q_M_stopped, event.feed_mm_min, 0.0});
   channel.observer.on_touch(event);
