@@ -51,7 +51,6 @@ struct CutterStage {
   compensation::CutterCompensation path;
   compensation::CompensationCommand command;
   bool fed = false;  ///< a motion or pause of the present block has come through
-  int idle = 0;      ///< blocks without motion in the plane behind the last one with it
 };
 
 }  // namespace g31::sinumerik

@@ -11,23 +11,39 @@ using compensation::CompensationCommand;
 using compensation::CompensationRules;
 using State = CompensationCommand::State;
 
-// Numbers of groups 7, 17 and 18.
+// Numbers of groups 7, 16, 17 and 18.
 constexpr int kOff = 1;
 constexpr int kRight = 3;
+constexpr int kFeedAtTool = 2;    // CFTCP
+constexpr int kFeedInside = 3;    // CFIN
 constexpr int kRoundCorners = 2;  // KONT
 constexpr int kIntersection = 2;  // G451
 
 constexpr std::size_t kRadius = 6;  // of $TC_DP
 constexpr std::size_t kRadiusWear = 15;
 
-/// Blocks without motion between two with it: $MC_CUTCOM_MAXNUM_DUMMY_BLOCKS as delivered.
-constexpr int kMostIdleBlocks = 3;
+/// The compensation itself never gives up reading ahead: too many such blocks are an alarm.
+constexpr int kNoIdleLimit = 1'000'000;
+
+CompensationRules::ArcFeed arc_feed_of(int number) {
+  switch (number) {
+    case kFeedAtTool:
+      return CompensationRules::ArcFeed::AtTool;
+    case kFeedInside:
+      return CompensationRules::ArcFeed::AtContourInside;
+    default:
+      return CompensationRules::ArcFeed::AtContour;
+  }
+}
 
 CompensationRules rules_of(const Channel& channel) {
   CompensationRules rules;
   rules.start_up = channel.group[17] == kRoundCorners ? compensation::StartUp::TypeB
                                                       : compensation::StartUp::TypeA;
-  rules.idle_limit = kMostIdleBlocks;
+  rules.idle_limit = kNoIdleLimit;
+  rules.outside = channel.group[18] == kIntersection ? compensation::OutsideCorner::Intersection
+                                                     : compensation::OutsideCorner::Arc;
+  rules.arc_feed = arc_feed_of(channel.group[16]);
   return rules;
 }
 
@@ -53,6 +69,9 @@ Result<CompensationCommand, Failure> command_of(const Channel& channel, const Bl
   const bool on = channel.group[7] != kOff && channel.edge != 0;
   if (channel.group[7] != kOff && channel.tool == 0) {
     return failure(AlarmId::CompensationWithoutTool);
+  }
+  if (on && channel.group[17] == kRoundCorners && channel.group[18] == kIntersection) {
+    return failure(AlarmId::NotImplemented, "KONT with G451");
   }
   const PlaneInMachine plane = plane_in_machine(channel);
   if (on && !plane.is_parallel) {

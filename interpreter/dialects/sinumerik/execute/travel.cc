@@ -57,6 +57,8 @@ AlarmId alarm_of(compensation::CompensationError error, bool ends) {
       return ends ? AlarmId::CompensationEndsOnArc : AlarmId::CompensationStartsOnArc;
     case compensation::CompensationError::PlaneChanged:
       return AlarmId::PlaneInCompensation;
+    case compensation::CompensationError::StartOrEndWithinArc:
+      return ends ? AlarmId::KontEnd : AlarmId::KontStart;
     case compensation::CompensationError::NoIntersection:
     case compensation::CompensationError::ArcWithoutRadius:
     case compensation::CompensationError::Interference:
@@ -91,6 +93,15 @@ MaybeFailure carry_out(Channel& channel, const compensation::CompensationResult&
   return std::nullopt;
 }
 
+/// Blocks without motion between two with it: $MC_CUTCOM_MAXNUM_DUMMY_BLOCKS as delivered.
+constexpr int kMostIdleBlocks = 3;
+
+MaybeFailure too_idle(const Channel& channel) {
+  return channel.cutter.path.idle_blocks() > kMostIdleBlocks
+             ? std::optional(failure(AlarmId::TooManyIdleBlocks))
+             : std::nullopt;
+}
+
 /// The direction in which a path ends; as it was when the path has no length.
 Eigen::Vector3d end_of(const Channel& channel, const PathBlock& path) {
   const AxisPositions way = path.q_M_end - channel.machine_position();
@@ -122,7 +133,10 @@ MaybeFailure travel(Channel& channel, const PathBlock& path) {
     return to_machine(channel, path);
   }
   cutter.fed = true;
-  return carry_out(channel, cutter.path.take(path, cutter.command));
+  const bool moves = path.arc || (path.q_M_end - channel.machine_position()).norm() > 0.0;
+  MaybeFailure wrong = carry_out(channel, moves ? cutter.path.take(path, cutter.command)
+                                                : cutter.path.pass(std::nullopt, cutter.command));
+  return wrong ? wrong : too_idle(channel);
 }
 
 MaybeFailure travel_to(Channel& channel, const PathBlock& path, const AxisPositions& q_W_end) {
@@ -140,7 +154,8 @@ MaybeFailure pause(Channel& channel, double seconds) {
     return to_machine(channel, Pause{seconds});
   }
   cutter.fed = true;
-  return carry_out(channel, cutter.path.pass(Pause{seconds}, cutter.command));
+  MaybeFailure wrong = carry_out(channel, cutter.path.pass(Pause{seconds}, cutter.command));
+  return wrong ? wrong : too_idle(channel);
 }
 
 MaybeFailure end_compensated_block(Channel& channel) {
@@ -148,7 +163,8 @@ MaybeFailure end_compensated_block(Channel& channel) {
   if (!cutter.path.engaged() || cutter.fed) {
     return std::nullopt;
   }
-  return carry_out(channel, cutter.path.pass(std::nullopt, cutter.command));
+  MaybeFailure wrong = carry_out(channel, cutter.path.pass(std::nullopt, cutter.command));
+  return wrong ? wrong : too_idle(channel);
 }
 
 MaybeFailure finish_motion(Channel& channel) {
