@@ -91,10 +91,15 @@ Result<SpatialArc, Failure> through(const Vector3& start, const Vector3& middle,
   return arc;
 }
 
+bool wants_corner(const Channel& channel) {
+  return channel.corners.path.holds() ||
+         channel.corners.wish.kind != compensation::CornerWish::Kind::Sharp;
+}
+
 /// In chords, for a machine whose arcs lie in planes of its axes.
 MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& arc) {
-  if (channel.cutter.path.engaged()) {
-    return failure(AlarmId::NotImplemented, "a circle in a tilted plane with G41 or G42");
+  if (channel.cutter.path.engaged() || wants_corner(channel)) {
+    return failure(AlarmId::NotImplemented, "a circle in a tilted plane with G41, G42, RND or CHF");
   }
   const double radius = arc.out.norm();
   const double rise =
@@ -127,6 +132,9 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
 
 /// As arcs of the machine: full turns first, then the way to the end.
 MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle, double turns) {
+  if (turns > 0.0 && wants_corner(channel)) {
+    return failure(AlarmId::NotImplemented, "TURN with RND or CHF");
+  }
   const double sweep = sweep_of(circle);
   const double total = sweep + turns * kFullRad;
   const Plane& plane = circle.plane;

@@ -48,7 +48,9 @@ MaybeFailure approach_fixed_point(Channel& channel, const Block& block);
 MaybeFailure move_straight(Channel& channel, const Block& block);
 /// G2, G3, CIP and CT.
 MaybeFailure move_along_circle(Channel& channel, const Block& block);
-/// MEAS
+/// Whether the block measures, or a synchronised action may end its move.
+bool listens_to_probe(const Channel& channel, const Block& block);
+/// MEAS, MEAW, MEASA, MEAWA and WHEN ... DO DELDTG
 MaybeFailure measure(Channel& channel, const Block& block);
 /// G4
 MaybeFailure dwell(Channel& channel, const Block& block);
