@@ -200,6 +200,7 @@ class Compiler {
   std::vector<Argument> argument_list();
   void call(CallSite site, ShortSpan where);
   void refused_statement();
+  void when_statement();
 
   // compile_words.cc
   void letter_item();
@@ -207,6 +208,7 @@ class Compiler {
   void g_code(std::string name, ShortSpan where);
   void m_word(ShortSpan where);
   void axis_by_name();
+  void axis_measuring();
   bool named_word();
   void word(Address address, ShortSpan where);
   void emit_word(Address address, Modification modification, const Expr& value);
