@@ -384,6 +384,8 @@ TEST(MeasuringAlarms, AreTheCyclesOwnAndNothingIsCorrected) {
   const Refusal kRows[] = {
       {"no edge there", "X-40\nZ-5\nCYCLE978(100,1,,1,-36,3,1,1,1)", 61301},
       {"something in the way", "X-40\nZ-5\nCYCLE978(100,1,,1,10,3,1,1,1)", 61302},
+      {"already deflected", "X-40\nZ-5\nMEAS=1 G1 X-20 F300\nCYCLE978(100,1,,1,-30,5,1,1,1)",
+       61302},
       {"beyond the safe area", "X-40\nZ-5\nCYCLE978(100,1,,1,-30,5,0.1,1,1)", 61303},
       {"no such variant", "CYCLE978(300,1,,1,-30,5,1,1,1)", 61307},
       {"no path", "CYCLE978(100,1,,1,-30,0,1,1,1)", 61308},
@@ -414,7 +416,8 @@ TEST(MeasuringAlarms, AZoneThatIsTooSmallCollidesAndSaysWhere) {
   const MeasuringRun run = run_measuring("Z15\nCYCLE977(1101,1,,1,60,,,15,5,,-25,10)",
                                          {parts, kCalibrated}, {"$P_UIFR[1,X,FI]"});
   EXPECT_EQ(run.alarm(), 61302);
-  EXPECT_NE(run.output.errors.find("at X 12.000 Y 0.000 Z 4.9"), std::string::npos) << run.output.errors;
+  EXPECT_NE(run.output.errors.find("at X 12.000 Y 0.000 Z 4.9"), std::string::npos)
+      << run.output.errors;
   EXPECT_EQ(
       run_measuring("Z15\nCYCLE977(1101,1,,1,60,,,15,5,,-25,50)", {parts, kCalibrated}, {}).alarm(),
       61334);
