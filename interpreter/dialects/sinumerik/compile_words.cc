@@ -4,6 +4,9 @@
 namespace g31::sinumerik {
 namespace {
 
+/// The one spindle there is: S1=, M1=, SPOS[1]=.
+constexpr std::string_view kSpindle = "1";
+
 std::string without_leading_zeros(const std::string& digits) {
   const std::size_t first = digits.find_first_not_of('0');
   return first == std::string::npos ? "0" : digits.substr(first);
@@ -49,6 +52,11 @@ void Compiler::letter_word(Token letter) {
   if (numbered && is_assigned(1)) {
     name += next().text;
   }
+  const bool of_spindle = letter.is_letter('M') || letter.is_letter('S') || letter.is_letter('T');
+  if (of_spindle && name.size() > 1 && without_leading_zeros(name.substr(1)) != kSpindle) {
+    fail(AlarmId::NoSuchAddress, letter.where, name);
+    return;
+  }
   if (letter.is_letter('M')) {
     m_word(letter.where);
     return;
@@ -57,7 +65,6 @@ void Compiler::letter_word(Token letter) {
     word(static_cast<Address>(axis), letter.where);
     return;
   }
-  const bool of_spindle = letter.is_letter('S') || letter.is_letter('T');
   const auto address = find_address(of_spindle ? letter.text : name);
   if (!address) {
     fail(AlarmId::NoSuchAddress, letter.where, name);
@@ -144,7 +151,8 @@ void Compiler::word(Address address, ShortSpan where) {
                           address == Address::CentreY || address == Address::CentreZ ||
                           address == Address::Spindle || address == Address::SpindleAsync ||
                           address == Address::MiddleX || address == Address::MiddleY ||
-                          address == Address::MiddleZ;
+                          address == Address::MiddleZ || address == Address::PolarAngle ||
+                          address == Address::PolarRadius;
   if (modification != Modification::None && !modifiable) {
     fail(AlarmId::BadModification, where, text_of(where));
     return;
@@ -197,6 +205,16 @@ void Compiler::axis_measuring() {
   has_words_ = true;
 }
 
+/// [1] behind SPOS, SPOSA or LIMS.
+void Compiler::spindle_index(const Token& name) {
+  expect(Symbol::LeftBracket);
+  const Token number = next();
+  expect(Symbol::RightBracket);
+  if (number.text != kSpindle) {
+    fail(AlarmId::NoSuchAddress, number.where, name.text + "[" + number.text + "]");
+  }
+}
+
 /// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.
 bool Compiler::named_word() {
   const Token name = peek();
@@ -214,10 +232,17 @@ bool Compiler::named_word() {
     return true;
   }
   const auto address = find_address(name.text);
-  if (!address || !is_assigned(1)) {
+  const bool of_spindle =
+      address && (*address == Address::Spindle || *address == Address::SpindleAsync ||
+                  *address == Address::SpeedLimit);
+  const bool indexed = of_spindle && peek(1).is(Symbol::LeftBracket);
+  if (!address || (!is_assigned(1) && !indexed)) {
     return false;
   }
   next();
+  if (indexed) {
+    spindle_index(name);
+  }
   word(*address, name.where);
   return true;
 }

@@ -65,10 +65,11 @@ MaybeFailure Runner::take_skip_action(const Op& op) {
 
 MaybeFailure Runner::execute(const Op& op) {
   const NcBlock& codes = level().program->nc_blocks[static_cast<std::size_t>(op.a.place)];
-  const bool moves = words_.has_axes();
-  MaybeFailure wrong = execute_block(channel_, {words_, codes, here()});
+  const Block block{words_, codes, here()};
+  const bool moves = modal_call_ && commands_motion(block);
+  MaybeFailure wrong = execute_block(channel_, block);
   words_ = BlockWords();
-  if (!wrong && moves && modal_call_) {
+  if (!wrong && moves) {
     return modal_call();
   }
   return wrong;

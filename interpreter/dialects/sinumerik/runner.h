@@ -126,6 +126,7 @@ class Runner {
   // run_procedures.cc
   MaybeFailure procedure(const Op& op);
   MaybeFailure set_alarm(Arguments list);
+  MaybeFailure set_feed_axes(Arguments list);
 
   // run_files.cc
   MaybeFailure file_procedure(ProcedureId id, Arguments list);
