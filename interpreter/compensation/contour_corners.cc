@@ -36,7 +36,7 @@ PlanePoint touch(const PlaneWay& way, const PlanePoint& centre) {
 bool lies_on(const PlaneWay& way, const PlanePoint& p) {
   if (!way.arc) {
     const double at = direction_at_start(way).dot(p - way.from);
-    return at >= -kOnePointMm && at <= (way.to - way.from).norm() + kOnePointMm;
+    return at >= 0.0 && at <= (way.to - way.from).norm();
   }
   const bool at_end = (p - way.from).norm() < kOnePointMm || (p - way.to).norm() < kOnePointMm;
   return at_end || sweep_rad({way.from, p, way.arc}) <= sweep_rad(way);

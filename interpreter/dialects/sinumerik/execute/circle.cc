@@ -198,7 +198,11 @@ MaybeFailure move_along_circle(Channel& channel, const Block& block) {
   if (circle.value().is_straight) {
     return move_straight(channel, block);
   }
-  if (plane_in_machine(channel).is_parallel) {
+  const PlaneInMachine plane = plane_in_machine(channel);
+  if (!plane.is_even) {
+    return failure(AlarmId::NotImplemented, "a circle in an unequally scaled plane");
+  }
+  if (plane.is_parallel) {
     return move_in_arcs(channel, job, circle.value(), turns.value());
   }
   const double sweep = sweep_of(circle.value()) + turns.value() * kFullRad;

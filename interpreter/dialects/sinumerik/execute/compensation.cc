@@ -22,6 +22,9 @@ constexpr int kIntersection = 2;  // G451
 constexpr std::size_t kRadius = 6;  // of $TC_DP
 constexpr std::size_t kRadiusWear = 15;
 
+/// How far directions and scales may differ by rounding.
+constexpr double kSame = 1e-12;
+
 /// The compensation itself never gives up reading ahead: too many such blocks are an alarm.
 constexpr int kNoIdleLimit = 1'000'000;
 
@@ -104,7 +107,8 @@ PlaneInMachine plane_in_machine(const Channel& channel) {
   const double stretch = std::abs(first.head<3>().norm() - second.head<3>().norm());
   const double cross =
       first[plane.first] * second[plane.second] - first[plane.second] * second[plane.first];
-  return {out <= 1e-12 && stretch <= 1e-12, cross < 0.0, first.head<3>().norm()};
+  const bool is_even = stretch <= kSame;
+  return {out <= kSame && is_even, is_even, cross < 0.0, first.head<3>().norm()};
 }
 
 MaybeFailure read_compensation(Channel& channel, const Block& block) {

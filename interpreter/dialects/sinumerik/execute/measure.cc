@@ -171,7 +171,8 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   }
   const bool no_edge = std::holds_alternative<machine::NoEdge>(outcome.value());
   if (no_edge && !measuring.by_action) {
-    return failure(AlarmId::ProbeDeflected);
+    return failure(measuring.edge == machine::SignalEdge::Rising ? AlarmId::ProbeDeflected
+                                                                 : AlarmId::ProbeNotDeflected);
   }
   runtime::TouchEvent event = event_of(channel, block, outcome.value());
   event.triggered = event.triggered || no_edge;
@@ -190,7 +191,7 @@ bool listens_to_probe(const Channel& channel, const Block& block) {
       std::any_of(block.words.axis_measuring.begin(), block.words.axis_measuring.end(),
                   [](const auto& axis) { return axis.has_value(); });
   return by_axis || block.words.has(Address::Measure) || block.words.has(Address::MeasureOn) ||
-         (channel.skip_action && block.words.has_axes());
+         (channel.skip_action && commands_motion(block));
 }
 
 MaybeFailure measure(Channel& channel, const Block& block) {

@@ -32,8 +32,8 @@ MaybeFailure leave_compensation(Channel& channel);
 
 /// How the plane lies in the machine, as the frames in force have it.
 struct PlaneInMachine {
-  bool is_parallel =
-      false;  ///< to a plane of the machine's axes, equally scaled in both of its own
+  bool is_parallel = false;  ///< to a plane of the machine's axes, and evenly scaled
+  bool is_even = false;      ///< both of its axes have the same scale
   bool is_mirrored = false;  ///< turns the other way round there
   double scale = 1.0;        ///< mm of the machine to one of the program
 };
