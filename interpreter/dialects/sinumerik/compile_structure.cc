@@ -31,8 +31,12 @@ std::optional<Compiler::Structure> Compiler::close(StructureKind kind) {
   return structure;
 }
 
+/// The end of a loop.  One whose beginning is wrong can be reached by a jump into it.
 void Compiler::back_to(const Structure& loop) {
-  emit(OpCode::Jump, {}, {Bank::Constants, loop.head}, {}, block_);
+  if (loop.head < 0) {
+    fail(AlarmId::BadNesting, block_, text_of(block_));
+  }
+  emit(OpCode::Jump, {}, {Bank::Constants, loop.head + 1}, {}, block_);
   set_target(loop.exit, here());
 }
 
@@ -54,7 +58,7 @@ void Compiler::else_statement() {
     const std::int32_t done = emit(OpCode::Jump, {}, {}, {}, block_);
     set_target(structure->exit, here());
     structure->kind = StructureKind::Else;
-    structure->exit = done;
+    structure->exit = failed() ? -1 : done;
     structures_.push_back(*structure);
   }
 }
@@ -167,7 +171,11 @@ void Compiler::until_statement() {
   const Expr condition = boolean(expression());
   expect_end();
   if (const auto loop = close(StructureKind::Repeat)) {
-    emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head}, condition.where);
+    emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head + 1},
+         condition.where);
+    if (loop->head < 0) {
+      fail(AlarmId::BadNesting, block_, text_of(block_));
+    }
   }
 }
 
@@ -182,8 +190,11 @@ std::optional<std::string> Compiler::label_name() {
   }
   // A control wants two letters; one and a number leave no doubt either.
   const Token name = next();
-  const bool numbered = name.kind == TokenKind::Letter && peek().kind == TokenKind::Integer;
-  return numbered ? name.text + next().text : name.text;
+  std::string label(name.text);
+  if (name.kind == TokenKind::Letter && peek().kind == TokenKind::Integer) {
+    label += next().text;
+  }
+  return label;
 }
 
 void Compiler::repeat_part(bool one_block) {
