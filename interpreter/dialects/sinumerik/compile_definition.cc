@@ -259,7 +259,9 @@ void Compiler::proc_parameter() {
       preset(parameter);
     }
   }
-  program_->parameters.push_back(std::move(parameter));
+  if (!failed()) {
+    program_->parameters.push_back(std::move(parameter));
+  }
 }
 
 /// The value of a parameter that a call leaves out.

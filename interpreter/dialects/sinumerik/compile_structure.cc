@@ -31,11 +31,17 @@ std::optional<Compiler::Structure> Compiler::close(StructureKind kind) {
   return structure;
 }
 
-/// The end of a loop.  One whose beginning is wrong can be reached by a jump into it.
-void Compiler::back_to(const Structure& loop) {
-  if (loop.head < 0) {
+/// The innermost loop.  The end of one whose beginning is wrong can be reached by a jump into it.
+std::optional<Compiler::Structure> Compiler::close_loop(StructureKind kind) {
+  auto loop = close(kind);
+  if (loop && loop->head < 0) {
     fail(AlarmId::BadNesting, block_, text_of(block_));
+    return std::nullopt;
   }
+  return loop;
+}
+
+void Compiler::back_to(const Structure& loop) {
   emit(OpCode::Jump, {}, {Bank::Constants, loop.head + 1}, {}, block_);
   set_target(loop.exit, here());
 }
@@ -79,7 +85,7 @@ void Compiler::loop_statement() {
 
 void Compiler::endloop_statement() {
   expect_end();
-  if (const auto loop = close(StructureKind::Loop)) {
+  if (const auto loop = close_loop(StructureKind::Loop)) {
     back_to(*loop);
   }
 }
@@ -120,7 +126,7 @@ void Compiler::for_statement() {
 
 void Compiler::endfor_statement() {
   expect_end();
-  const auto loop = close(StructureKind::For);
+  const auto loop = close_loop(StructureKind::For);
   if (!loop) {
     return;
   }
@@ -148,7 +154,7 @@ void Compiler::while_statement() {
 
 void Compiler::endwhile_statement() {
   expect_end();
-  if (const auto loop = close(StructureKind::While)) {
+  if (const auto loop = close_loop(StructureKind::While)) {
     back_to(*loop);
   }
 }
@@ -170,12 +176,9 @@ void Compiler::repeatb_statement() {
 void Compiler::until_statement() {
   const Expr condition = boolean(expression());
   expect_end();
-  if (const auto loop = close(StructureKind::Repeat)) {
+  if (const auto loop = close_loop(StructureKind::Repeat)) {
     emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head + 1},
          condition.where);
-    if (loop->head < 0) {
-      fail(AlarmId::BadNesting, block_, text_of(block_));
-    }
   }
 }
 

@@ -169,6 +169,7 @@ class Compiler {
   std::optional<std::string> label_name();
   void open(StructureKind kind, std::int32_t head, std::int32_t exit);
   std::optional<Structure> close(StructureKind kind);
+  std::optional<Structure> close_loop(StructureKind kind);
   void back_to(const Structure& loop);
 
   // compile_definition.cc
