@@ -43,7 +43,8 @@ struct ArcMove {
   BlockEnd ends = BlockEnd::ExactStop;
 };
 
-/// The skip signal rose during the move; the axes have stopped past the touch by the overtravel.
+/// The skip signal came during the move; the axes have stopped past the touch by the overtravel, or
+/// gone on to the end.
 struct Touched {
   AxisPositions q_M_latched;       ///< what the control stored, trigger delay included
   AxisPositions q_M_stopped;       ///< where the axes came to rest
@@ -54,12 +55,38 @@ struct Touched {
 /// The whole distance was travelled without a signal.
 struct NoTouch {};
 
-/// The signal was already high when the move was to begin; nothing moved.
-struct AlreadyTouching {
+/// The signal was already as its edge would leave it when the move was to begin: no edge could
+/// come.  Nothing moved.
+struct NoEdge {
   std::optional<Contact> contact;
 };
 
-using SkipOutcome = std::variant<Touched, NoTouch, AlreadyTouching>;
+/// Which change of the skip signal counts.
+enum class SignalEdge {
+  Rising,  ///< the stylus is deflected
+  Falling  ///< it comes free
+};
+
+/// What the axes do after the signal.
+enum class AfterSignal {
+  Stop,  ///< the rest of the way is not travelled
+  GoOn   ///< the position is latched, the move goes to its end
+};
+
+inline constexpr int kAnyInput = 0;
+
+/// A straight move that listens to the skip signal.
+struct SkipMove {
+  // Most moves ask for nothing but the way.
+  SkipMove(const LinearMove& straight) : way(straight) {}  // NOLINT(google-explicit-constructor)
+
+  LinearMove way;
+  int input = kAnyInput;  ///< measuring input it listens to, from 1
+  SignalEdge edge = SignalEdge::Rising;
+  AfterSignal after = AfterSignal::Stop;
+};
+
+using SkipOutcome = std::variant<Touched, NoTouch, NoEdge>;
 
 enum class FaultKind { SoftLimit, Collision };
 
@@ -91,9 +118,12 @@ class MachinePort {
   /// Moves along an arc and returns the reached position (the commanded end).
   virtual Result<AxisPositions, MachineFault> move(const ArcMove& move) = 0;
 
-  /// Moves until the skip signal rises (G31, MEAS).  "No touch" is an outcome, not a fault:
+  /// Moves until the edge of the skip signal (G31, MEAS).  "No touch" is an outcome, not a fault:
   /// whether it is an alarm depends on the dialect and on the program.
-  virtual Result<SkipOutcome, MachineFault> move_until_skip(const LinearMove& move) = 0;
+  virtual Result<SkipOutcome, MachineFault> move_until_skip(const SkipMove& move) = 0;
+
+  /// Whether the signal of a measuring input is on, the axes standing where they are.
+  [[nodiscard]] virtual bool skip_signal(int /*input*/) const { return false; }
 
   /// Stops the spindle at an angle (M19).  A machine whose spindle does nothing ignores it.
   virtual void orient_spindle(double /*angle_deg*/) {}

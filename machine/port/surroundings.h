@@ -43,7 +43,7 @@ struct CurvedSweep {
 /// The skip signal: where on the sweep it is caused, and how late the control sees it.
 struct SkipTrigger {
   double fraction = 0.0;           ///< 0..1 of the sweep, where the probe's contact opens
-  bool on_at_start = false;        ///< the signal is already high before the move
+  bool on_at_start = false;        ///< the signal is already there before the move
   double delay_s = 0.0;            ///< from the opening to the latch; the axes go on meanwhile
   std::optional<Contact> contact;  ///< none for a signal that no part caused
   int signals = 1;                 ///< how many the probe gives; the first one counts
@@ -113,6 +113,15 @@ class Surroundings {
       trigger->fraction = fraction_after(way, trigger->fraction * length_of(way));
     }
     return trigger;
+  }
+
+  /// Whether the skip signal is on while the tool stands there.
+  [[nodiscard]] virtual bool signals_at(const Waypoint& /*at*/) const { return false; }
+
+  /// Where on a way through these points the skip signal goes off, as one that is on at the start;
+  /// `on_at_start` tells that it is not.  Counted as first_trigger is.
+  virtual std::optional<SkipTrigger> first_release_along(std::span<const Waypoint> /*way*/) {
+    return SkipTrigger{0.0, true, 0.0, std::nullopt};
   }
 
   /// The first forbidden touch of an ordinary move through these points.

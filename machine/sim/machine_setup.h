@@ -6,6 +6,7 @@
 
 #include "machine/errors/axis_play.h"
 #include "machine/errors/geometric_errors.h"
+#include "machine/port/machine_port.h"
 #include "machine/sim/axis_chain.h"
 #include "machine/units/axis_positions.h"
 #include "machine/units/thermal_growth.h"
@@ -54,6 +55,7 @@ struct MachineSetup {
   double in_position = 0.01;  ///< mm or deg, > 0: so near an exact stop takes the axes as arrived
   AxisChainSetup chain;
   errors::GeometricErrorSetup geometric_errors;
+  int probe_input = kAnyInput;    ///< measuring input of the skip signal; kAnyInput: all of them
   Point p_T_tip = Point::Zero();  ///< mm, from the spindle's gauge point: what angular errors move
 };
 

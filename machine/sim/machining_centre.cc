@@ -52,6 +52,7 @@ MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surrou
       dynamics_(setup),
       stopping_(setup.stopping),
       stop_delay_s_(setup.stop_delay_s),
+      probe_input_(setup.probe_input),
       surroundings_(surroundings),
       q_M_(setup.q_M_start),
       resolution_(resolutions(setup)),
@@ -96,26 +97,35 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
   return q_M_;
 }
 
-Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const LinearMove& move) {
-  expect_legal(move);
-  if (!limits_.contain(move.q_M_end)) {
-    return soft_limit_fault(move.q_M_end);
+Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMove& move) {
+  expect_legal(move.way);
+  if (!limits_.contain(move.way.q_M_end)) {
+    return soft_limit_fault(move.way.q_M_end);
   }
-  const StraightPath path(q_M_, move.q_M_end);
+  const StraightPath path(q_M_, move.way.q_M_end);
   SkipOutcome outcome = NoTouch{};
   if (path.moves()) {
     const Waypoint tip = real_.tip(q_M_);
-    auto signalled = skip(path, dynamics_.profile(path, move));
+    auto signalled = skip(path, dynamics_.profile(path, move.way), move);
     if (signalled) {
       outcome = *std::move(signalled);
     } else {
-      q_M_ = move.q_M_end;
+      q_M_ = move.way.q_M_end;
     }
     if (auto fault = damage(path.from(), tip)) {
       return *std::move(fault);
     }
   }
   return outcome;
+}
+
+bool MachiningCentre::is_wired(int input) const {
+  return surroundings_ != nullptr &&
+         (input == kAnyInput || probe_input_ == kAnyInput || input == probe_input_);
+}
+
+bool MachiningCentre::skip_signal(int input) const {
+  return is_wired(input) && surroundings_->signals_at(real_.tip(q_M_));
 }
 
 std::optional<MachineFault> MachiningCentre::damage(const AxisPositions& q_M_from,
@@ -231,14 +241,18 @@ std::optional<MachineFault> MachiningCentre::carry_out_really(const CommandedPat
 }
 
 std::optional<SkipOutcome> MachiningCentre::skip(const StraightPath& path,
-                                                 const MotionProfile& profile) {
+                                                 const MotionProfile& profile,
+                                                 const SkipMove& move) {
   if (!real_.are_ideal()) {
-    return skip_really(path, profile);
+    return skip_really(path, profile, move);
   }
-  if (surroundings_ != nullptr) {
-    auto trigger = surroundings_->first_trigger({path.from(), path.to()});
+  if (is_wired(move.input)) {
+    const Waypoint ends[] = {{0.0, path.from()}, {1.0, path.to()}};
+    auto trigger = move.edge == SignalEdge::Rising
+                       ? surroundings_->first_trigger({path.from(), path.to()})
+                       : surroundings_->first_release_along(ends);
     if (trigger) {
-      return stop_for(*std::move(trigger), path, profile);
+      return stop_for(*std::move(trigger), path, profile, move.after);
     }
   }
   if (sampler_) {
@@ -249,14 +263,24 @@ std::optional<SkipOutcome> MachiningCentre::skip(const StraightPath& path,
 }
 
 SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& path,
-                                      const MotionProfile& profile) {
+                                      const MotionProfile& profile, AfterSignal after) {
   if (trigger.on_at_start) {
-    return AlreadyTouching{std::move(trigger.contact)};
+    return NoEdge{std::move(trigger.contact)};
   }
   G31_EXPECTS(is_fraction(trigger.fraction) && trigger.delay_s >= 0.0);
   const double fraction = trigger.fraction;
   const SkipDelays delays{trigger.delay_s, stop_delay_s_};
   const SkipStop stop = stop_after_contact(profile, fraction * profile.length(), delays, stopping_);
+  const AxisPositions q_M_latched =
+      in_steps(path.at(fraction_after(fraction, stop.latched_after, profile)), resolution_);
+  if (after == AfterSignal::GoOn) {
+    if (sampler_) {
+      show(path, profile.phases(), profile.duration_s());
+    }
+    clock_.advance(profile.duration_s());
+    q_M_ = path.to();
+    return Touched{q_M_latched, q_M_, std::move(trigger.contact), trigger.signals};
+  }
   if (sampler_) {
     const double latch_s = profile.time_at(fraction * profile.length()) + delays.latch_s;
     MotionPhases phases = profile.phases_braking_at(latch_s + delays.stop_s);
@@ -267,20 +291,19 @@ SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& p
     show(path, phases, stop.duration_s);
   }
   clock_.advance(stop.duration_s);
-  const AxisPositions q_M_latched = path.at(fraction_after(fraction, stop.latched_after, profile));
   const AxisPositions q_M_stopped = path.at(fraction_after(fraction, stop.stopped_after, profile));
   q_M_ = q_M_stopped == path.to() ? q_M_stopped : in_steps(q_M_stopped, resolution_);
-  return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.contact),
-                 trigger.signals};
+  return Touched{q_M_latched, q_M_, std::move(trigger.contact), trigger.signals};
 }
 
 std::optional<SkipOutcome> MachiningCentre::skip_really(const StraightPath& path,
-                                                        const MotionProfile& profile) {
+                                                        const MotionProfile& profile,
+                                                        const SkipMove& move) {
   const ServoMotion motion = real_.motion(path, profile.phases());
-  if (surroundings_ != nullptr) {
-    auto trigger = real_.first_trigger(motion, *surroundings_);
+  if (is_wired(move.input)) {
+    auto trigger = real_.first_trigger(motion, move.edge, *surroundings_);
     if (trigger) {
-      return stop_really(*std::move(trigger), path, profile);
+      return stop_really(*std::move(trigger), path, profile, move.after);
     }
   }
   follow(motion, real_.done_s(motion, BlockEnd::ExactStop));
@@ -288,14 +311,22 @@ std::optional<SkipOutcome> MachiningCentre::skip_really(const StraightPath& path
 }
 
 SkipOutcome MachiningCentre::stop_really(Timed<SkipTrigger> trigger, const StraightPath& path,
-                                         const MotionProfile& profile) {
+                                         const MotionProfile& profile, AfterSignal after) {
   if (trigger.event.on_at_start) {
-    return AlreadyTouching{std::move(trigger.event.contact)};
+    return NoEdge{std::move(trigger.event.contact)};
   }
   G31_EXPECTS(trigger.event.delay_s >= 0.0);
   const double latch_s = trigger.time_s + trigger.event.delay_s;
-  const ServoMotion motion = real_.motion(path, profile.phases_braking_at(latch_s + stop_delay_s_));
+  const ServoMotion motion = real_.motion(
+      path, after == AfterSignal::Stop ? profile.phases_braking_at(latch_s + stop_delay_s_)
+                                       : profile.phases());
   const AxisPositions q_M_latched = motion.encoder_at(latch_s);
+  if (after == AfterSignal::GoOn) {
+    follow(motion, real_.done_s(motion, BlockEnd::ExactStop));
+    q_M_ = path.to();
+    return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact),
+                   trigger.event.signals};
+  }
   if (stopping_ == Stopping::Ideal) {
     follow(motion, latch_s);
     q_M_ = q_M_latched;

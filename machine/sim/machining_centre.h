@@ -41,12 +41,15 @@ class MachiningCentre final : public MachinePort {
   /// Moves until the skip signal.  From the contact the axes go on for the trigger's delay along
   /// the commanded motion, then the position is latched and the axes stop as MachineSetup says;
   /// neither point lies beyond the programmed end.  The overtravel past the contact meets no
-  /// obstacle: the stylus gives way.
+  /// obstacle: the stylus gives way.  A move that listens to an input without a probe goes to its
+  /// end.
   ///
   /// Faults: SoftLimit only.  A move without a way to go is NoTouch and asks nobody.
   /// Accuracy: with Stopping::Ideal and no delay the latched position is the point of contact
   /// within kSkipPositionErrorMm.
-  Result<SkipOutcome, MachineFault> move_until_skip(const LinearMove& move) override;
+  Result<SkipOutcome, MachineFault> move_until_skip(const SkipMove& move) override;
+
+  [[nodiscard]] bool skip_signal(int input) const override;
 
   /// Takes no time; the surroundings turn what is in the spindle.
   void orient_spindle(double angle_deg) override;
@@ -72,12 +75,17 @@ class MachiningCentre final : public MachinePort {
   std::optional<MachineFault> carry_out_really(const CommandedPath& path,
                                                const MotionProfile& profile, BlockEnd ends);
 
+  [[nodiscard]] bool is_wired(int input) const;
+
   // Until the signal; nullopt: there is none.
-  std::optional<SkipOutcome> skip(const StraightPath& path, const MotionProfile& profile);
-  std::optional<SkipOutcome> skip_really(const StraightPath& path, const MotionProfile& profile);
-  SkipOutcome stop_for(SkipTrigger trigger, const StraightPath& path, const MotionProfile& profile);
+  std::optional<SkipOutcome> skip(const StraightPath& path, const MotionProfile& profile,
+                                  const SkipMove& move);
+  std::optional<SkipOutcome> skip_really(const StraightPath& path, const MotionProfile& profile,
+                                         const SkipMove& move);
+  SkipOutcome stop_for(SkipTrigger trigger, const StraightPath& path, const MotionProfile& profile,
+                       AfterSignal after);
   SkipOutcome stop_really(Timed<SkipTrigger> trigger, const StraightPath& path,
-                          const MotionProfile& profile);
+                          const MotionProfile& profile, AfterSignal after);
 
   // An ideal motion for the trace.
   void show(const CommandedPath& path, const MotionPhases& phases, double duration_s);
@@ -88,6 +96,7 @@ class MachiningCentre final : public MachinePort {
   AxisDynamics dynamics_;
   Stopping stopping_;
   double stop_delay_s_;
+  int probe_input_;
   Surroundings* surroundings_;
   Clock clock_;
   AxisPositions q_M_;

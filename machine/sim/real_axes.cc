@@ -45,10 +45,12 @@ double RealAxes::done_s(const ServoMotion& motion, BlockEnd end) const {
 }
 
 std::optional<Timed<SkipTrigger>> RealAxes::first_trigger(const ServoMotion& motion,
+                                                          SignalEdge edge,
                                                           Surroundings& world) const {
   const double until_s = done_s(motion, BlockEnd::ExactStop);
   const TrueWay way(truth_, chain_, motion, until_s, {kTouchWayErrorMm, world.reach().signal});
-  auto trigger = world.first_trigger_along(way.points());
+  auto trigger = edge == SignalEdge::Rising ? world.first_trigger_along(way.points())
+                                            : world.first_release_along(way.points());
   if (!trigger) {
     return std::nullopt;
   }

@@ -36,6 +36,7 @@ class RealAxes {
 
   /// What the world says to a motion; contacts in the machine's frame.
   [[nodiscard]] std::optional<Timed<SkipTrigger>> first_trigger(const ServoMotion& motion,
+                                                                SignalEdge edge,
                                                                 Surroundings& world) const;
   [[nodiscard]] std::optional<Timed<Obstacle>> first_collision(const ServoMotion& motion,
                                                                BlockEnd end,

@@ -13,6 +13,24 @@ ScriptedSignals::ScriptedSignals(std::vector<SkipSignal> signals) : signals_(std
 }
 
 std::optional<machine::SkipTrigger> ScriptedSignals::first_trigger(const machine::Sweep& sweep) {
+  return next(sweep, machine::SignalEdge::Rising);
+}
+
+std::optional<machine::SkipTrigger> ScriptedSignals::first_release_along(
+    std::span<const machine::Waypoint> way) {
+  return next({way.front().q_M, way.back().q_M}, machine::SignalEdge::Falling);
+}
+
+bool ScriptedSignals::signals_at(const machine::Waypoint& at) const {
+  if (!last_) {
+    return false;
+  }
+  const bool is_beyond = last_->direction * (at.q_M[last_->axis] - last_->at) >= 0.0;
+  return is_beyond == (last_->edge == machine::SignalEdge::Rising);
+}
+
+std::optional<machine::SkipTrigger> ScriptedSignals::next(const machine::Sweep& sweep,
+                                                          machine::SignalEdge edge) {
   if (used_ == signals_.size()) {
     return std::nullopt;
   }
@@ -33,6 +51,7 @@ std::optional<machine::SkipTrigger> ScriptedSignals::first_trigger(const machine
     return std::nullopt;
   }
   trigger.fraction = way_to_signal / way;
+  last_ = {signal.axis, *signal.at, way > 0.0 ? 1.0 : -1.0, edge};
   return trigger;
 }
 

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "machine/port/machine_port.h"
 #include "machine/port/surroundings.h"
 #include "probe/sensor/probe_setup.h"
 
@@ -24,12 +26,29 @@ class ScriptedSignals final : public machine::Surroundings {
   /// the signal is on at the start.
   std::optional<machine::SkipTrigger> first_trigger(const machine::Sweep& sweep) override;
 
+  /// A signal of the list that goes off instead of on.
+  std::optional<machine::SkipTrigger> first_release_along(
+      std::span<const machine::Waypoint> way) override;
+
+  /// The signal that came last is there as long as its axis stays at its coordinate or beyond.
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at) const override;
+
   /// Always nullopt.
   std::optional<machine::Obstacle> first_collision(const machine::Sweep& sweep) override;
 
  private:
+  /// What the last skip move made of the signal.
+  struct Edge {
+    int axis = 0;
+    double at = 0.0;
+    double direction = 1.0;  ///< of the axis
+    machine::SignalEdge edge = machine::SignalEdge::Rising;
+  };
+  std::optional<machine::SkipTrigger> next(const machine::Sweep& sweep, machine::SignalEdge edge);
+
   std::vector<SkipSignal> signals_;
   std::size_t used_ = 0;
+  std::optional<Edge> last_;
 };
 
 }  // namespace g31::probe

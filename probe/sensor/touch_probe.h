@@ -47,6 +47,14 @@ class TouchProbe final : public machine::Surroundings {
   std::optional<machine::SkipTrigger> first_trigger_along(
       std::span<const machine::Waypoint> way) override;
 
+  /// Whether a ball is pushed in as far as the signal needs.
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at) const override;
+
+  /// Where every ball has come out as far as the signal needs, shifted at random as a touch is.
+  /// The contact is that of the ball at the start of the piece where it happens.
+  std::optional<machine::SkipTrigger> first_release_along(
+      std::span<const machine::Waypoint> way) override;
+
   /// The ball touching a part, or a rigid section.  Leaving a contact of the ball is free, pushing
   /// deeper into it is not.
   std::optional<machine::Obstacle> first_collision(const machine::Sweep& sweep) override;
@@ -122,6 +130,8 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] machine::SkipTrigger trigger_of(const Signal& signal) const;
   /// The random shift of a trigger along the move, mm.
   [[nodiscard]] double trigger_shift(std::uint64_t event) const;
+  /// A touch that the signal comes from, the tool standing still; none: it is off.
+  [[nodiscard]] std::optional<PartHit> signalling_touch(const machine::Waypoint& at) const;
   /// mm: how deep a ball that begins in contact is in.
   static double depth_of(const PartHit& touch);
   /// mm from the touch to the signal, negative where the ball is deeper in than that already;

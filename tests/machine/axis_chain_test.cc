@@ -201,7 +201,8 @@ TEST(FiveAxisMachine, ATurningTableBringsThePartToTheProbe) {
   MachineSetup setup = five_axis(p_T);
   setup.q_M_start = axes(50, 0, 100);
   MachiningCentre centre(setup, &face);
-  const auto outcome = centre.move_until_skip({axes(50, 0, 100, 0, 0, 80), Traverse::Feed, 600.0});
+  const auto outcome =
+      centre.move_until_skip(LinearMove{axes(50, 0, 100, 0, 0, 80), Traverse::Feed, 600.0});
   const auto& touched = std::get<Touched>(outcome.value());
   EXPECT_NEAR(touched.q_M_latched[5], std::acos(0.6) * 180.0 / std::numbers::pi, 1e-5);
 }

@@ -34,6 +34,40 @@ MachineSetup round_numbers(Stopping stopping = Stopping::Braking) {
   return setup;
 }
 
+TEST(MachiningCentreSkip, GoesOnToItsEndWhenOnlyThePositionIsWanted) {
+  MachineSetup lagging = round_numbers();
+  for (std::size_t i = 0; i < 4; ++i) {
+    lagging.axes[i].servo_gain = 1.0;
+  }
+  for (const MachineSetup& setup : {round_numbers(), lagging}) {
+    ScriptedSurroundings world({{'X', 5.0, 0.02, false, {}}, {'X', 5.0, 0.02, false, {}}});
+    MachiningCentre centre(setup, &world);
+    SkipMove move(feed(axes(10, 0, 0), 600));
+    move.after = AfterSignal::GoOn;
+    const auto outcome = centre.move_until_skip(move);
+    ASSERT_TRUE(outcome.ok());
+    const auto& touched = std::get<Touched>(outcome.value());
+    // 0.02 s later at 10 mm/s, which a lagging axis has nearly reached.
+    EXPECT_NEAR(touched.q_M_latched[0], 5.2, 1e-3);
+    EXPECT_EQ(touched.q_M_stopped[0], 10.0);
+    EXPECT_EQ(centre.position()[0], 10.0);
+  }
+}
+
+TEST(MachiningCentreSkip, AMoveThatListensToAnotherInputHearsNothing) {
+  MachineSetup setup = round_numbers();
+  setup.probe_input = 2;
+  ScriptedSurroundings world({{'X', 5.0, 0.0, false, {}}});
+  MachiningCentre centre(setup, &world);
+  SkipMove move(feed(axes(10, 0, 0), 600));
+  move.input = 1;
+  EXPECT_TRUE(std::holds_alternative<NoTouch>(centre.move_until_skip(move).value()));
+  EXPECT_TRUE(world.skip_sweeps().empty());
+  move.way = feed(axes(0, 0, 0), 600);
+  move.input = 2;
+  EXPECT_TRUE(std::holds_alternative<Touched>(centre.move_until_skip(move).value()));
+}
+
 TEST(MachiningCentreSkip, LatchesAndStops) {
   struct Case {
     const char* name;
@@ -128,7 +162,7 @@ TEST(MachiningCentreSkip, ASignalThatIsAlreadyHighMovesNothing) {
   MachiningCentre centre(round_numbers(), &world);
   const auto outcome = centre.move_until_skip(feed(axes(10, 0, 0), 600));
   ASSERT_TRUE(outcome.ok());
-  const auto* touching = std::get_if<AlreadyTouching>(&outcome.value());
+  const auto* touching = std::get_if<NoEdge>(&outcome.value());
   ASSERT_NE(touching, nullptr);
   EXPECT_EQ(touching->contact->part, "block");
   EXPECT_EQ(centre.position(), axes(0, 0, 0));
@@ -190,7 +224,7 @@ TEST(MachiningCentreSkip, NeitherPointLiesBeyondTheEnd) {
     ScriptedSurroundings world(
         {{'Y', share(random) * q_M_end[1], 0.05 * share(random), false, {}}});
     MachiningCentre centre(round_numbers(), &world);
-    const auto outcome = centre.move_until_skip({q_M_end, Traverse::Rapid, 0.0});
+    const auto outcome = centre.move_until_skip(LinearMove{q_M_end, Traverse::Rapid, 0.0});
     const auto& touched = std::get<Touched>(outcome.value());
     ASSERT_TRUE(
         (touched.q_M_latched.cwiseAbs().array() <= touched.q_M_stopped.cwiseAbs().array()).all());

@@ -23,7 +23,7 @@ TEST(RecordingMachine, WritesEachCallAsALine) {
 
   (void)recorder.move(machine::LinearMove{axes(12.5, -1e-7, -5), Traverse::Rapid, 0.0});
   (void)recorder.move(machine::LinearMove{axes(0, 0, 0, 30, -0.5), Traverse::Feed, 12.7});
-  (void)recorder.move_until_skip({axes(20, 0, -5), Traverse::Feed, 300.0});
+  (void)recorder.move_until_skip(machine::LinearMove{axes(20, 0, -5), Traverse::Feed, 300.0});
   (void)recorder.move(arc);
   recorder.dwell(0.5);
 

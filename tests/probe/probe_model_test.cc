@@ -137,6 +137,29 @@ TEST(ProbeModel, AMoveThatEndsBeforeTheDeflectionGivesNoSignalAndTheNextOneDoes)
   EXPECT_TRUE(probe.first_trigger({at(5, 5, 132.85), at(5, 5, 140)})->on_at_start);
 }
 
+TEST(ProbeModel, TheSignalGoesOffWhereTheDeflectionIsBelowThePreTravelAgain) {
+  ProbeSetup setup;
+  setup.at_switch.pre_travel_mm = 0.1;
+  setup.trigger_delay_s = 0.002;
+  TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
+  // The ball touches the top face at Z133; the signal is on up to 132.9.
+  EXPECT_TRUE(probe.signals_at({0.0, at(5, 5, 132.85)}));
+  EXPECT_TRUE(probe.signals_at({0.0, at(5, 5, 132.9)}));
+  EXPECT_FALSE(probe.signals_at({0.0, at(5, 5, 132.91)}));
+  const machine::Waypoint way[] = {
+      {0.0, at(5, 5, 132.5)}, {0.4, at(5, 5, 132.7)}, {1.0, at(5, 5, 133.5)}};
+  const auto trigger = probe.first_release_along(way);
+  ASSERT_TRUE(trigger.has_value());
+  EXPECT_FALSE(trigger->on_at_start);
+  EXPECT_NEAR(trigger->fraction, 0.4 + 0.6 * 0.25, 1e-8);
+  EXPECT_EQ(trigger->delay_s, 0.002);
+  EXPECT_EQ(trigger->contact->part, "block");
+  // Deeper in, or too short to come free: no edge.  From outside: none can come.
+  EXPECT_FALSE(probe.first_release_along(std::span(way).first(2)).has_value());
+  const machine::Waypoint free[] = {{0.0, at(5, 5, 133.0)}, {1.0, at(5, 5, 135.0)}};
+  EXPECT_TRUE(probe.first_release_along(free)->on_at_start);
+}
+
 TEST(ProbeModel, FromTheDeflectionOfOneWallTheOtherOneIsFound) {
   ProbeSetup setup;
   setup.at_switch.pre_travel_mm = 0.0125;

@@ -44,10 +44,10 @@ class RecordingMachine final : public machine::MachinePort {
   }
 
   Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(
-      const machine::LinearMove& move) override {
-    log_.push_back(line("skip", move));
+      const machine::SkipMove& move) override {
+    log_.push_back(line("skip", move.way));
     if (next_ == touches_.size()) {
-      q_M_ = move.q_M_end;
+      q_M_ = move.way.q_M_end;
       return machine::SkipOutcome(machine::NoTouch{});
     }
     q_M_ = touches_[next_++];

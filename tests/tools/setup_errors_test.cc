@@ -305,6 +305,11 @@ const Case kSayWhatAValueIsAndWhatItShouldBe[] = {
     2 | low_battery_input = 1016
       |                     ^
 )"},
+    {"an input that no control has", "[probe]\ninput = 9\n",
+     R"(sheet1.toml:2:9: error: probe.input is 9, it should be 1 to 8 [SET105]
+    2 | input = 9
+      |         ^
+)"},
     {"a stem without stiffness", "[probe]\nstem_stiffness = 0\n",
      R"(sheet1.toml:2:18: error: probe.stem_stiffness is 0, it should be greater than 0 [SET105]
     2 | stem_stiffness = 0
@@ -557,7 +562,8 @@ TEST_F(SetupErrorText, CutLongLinesAroundTheCaret) {
                             std::string(300, ' ') + "}\n";
   EXPECT_EQ(errors_of(read({sheet})),
             "sheet1.toml:1:326: error: unknown key zebra in [control], which takes profile, "
-            "increment, offset_memory, block_skip, lookahead, feed_override, dry_run, variables_file [SET103]\n    1 | " +
+            "increment, offset_memory, block_skip, lookahead, feed_override, dry_run, "
+            "variables_file [SET103]\n    1 | " +
                 std::string(57, 'p') + "\", zebra = 1" + std::string(51, ' ') + "\n      | " +
                 std::string(60, ' ') + "^\n");
 }

@@ -106,6 +106,7 @@ axial_force = 5.5
 stem_stiffness = 40.0
 state = "low_battery"
 low_battery_input = 1005
+input = 2
 stem_diameter = 3.0
 stem_length = 50.0
 deflection_limit = 2.0

@@ -20,7 +20,7 @@ const std::optional<machine::Contact>& contact_of(const machine::SkipOutcome& ou
   if (const auto* touched = std::get_if<machine::Touched>(&outcome)) {
     return touched->contact;
   }
-  const auto* already = std::get_if<machine::AlreadyTouching>(&outcome);
+  const auto* already = std::get_if<machine::NoEdge>(&outcome);
   return already != nullptr ? already->contact : kNone;
 }
 
@@ -53,7 +53,7 @@ Result<AxisPositions, machine::MachineFault> PathRecorder::move(const machine::A
 }
 
 Result<machine::SkipOutcome, machine::MachineFault> PathRecorder::move_until_skip(
-    const machine::LinearMove& move) {
+    const machine::SkipMove& move) {
   const AxisPositions q_M_from = machine_.position();
   auto outcome = machine_.move_until_skip(move);
   draw(PathKind::Skip, q_M_from, machine_.position());

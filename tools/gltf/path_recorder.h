@@ -21,7 +21,8 @@ class PathRecorder final : public machine::MachinePort {
   Result<AxisPositions, machine::MachineFault> move(const machine::LinearMove& move) override;
   Result<AxisPositions, machine::MachineFault> move(const machine::ArcMove& arc) override;
   Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(
-      const machine::LinearMove& move) override;
+      const machine::SkipMove& move) override;
+  [[nodiscard]] bool skip_signal(int input) const override { return machine_.skip_signal(input); }
   void orient_spindle(double angle_deg) override;
   void dwell(double seconds) override { machine_.dwell(seconds); }
   [[nodiscard]] AxisPositions position() const override { return machine_.position(); }

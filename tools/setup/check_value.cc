@@ -80,6 +80,8 @@ std::string_view words_for(Limit limit) {
       return "\"ready\", \"dead\", \"low_battery\" or \"double_trigger\"";
     case Limit::InputNumber:
       return "1000 to 1015";
+    case Limit::MeasuringInput:
+      return "1 to 8";
     case Limit::AxisLetter:
       return "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\"";
     case Limit::AxisLetters:
@@ -108,6 +110,8 @@ bool number_within(Limit limit, double number) {
       return number >= 0.0 && number <= 9999.0;
     case Limit::InputNumber:
       return number >= 1000.0 && number <= 1015.0;
+    case Limit::MeasuringInput:
+      return number >= 1.0 && number <= 8.0;
     case Limit::Any:
     case Limit::Rising:
     case Limit::NotEmpty:
@@ -174,6 +178,7 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::ProgramNumber:
     case Limit::BlockCount:
     case Limit::InputNumber:
+    case Limit::MeasuringInput:
     case Limit::Rising:
     case Limit::NotAllZero:
     case Limit::RisingPlaces:

@@ -71,9 +71,10 @@ enum class Limit {
   ProbeType,
   SeatKind,
   ProbeState,
-  InputNumber,  ///< 1000..1015
+  InputNumber,     ///< 1000..1015
+  MeasuringInput,  ///< 1..8
   AxisLetter,
-  AxisLetters,   ///< no letter twice
+  AxisLetters,  ///< no letter twice
   NotAllZero,
   RisingPlaces,  ///< the first numbers of pairs
 };

@@ -38,10 +38,17 @@ struct BlockWords {
     Modification modification = Modification::None;
     bool present = false;
   };
+  /// MEASA[axis] and MEAWA[axis]
+  struct AxisMeasuring {
+    double mode = 0.0;
+    double trigger = 0.0;  ///< probe 1 or 2, minus: falling edge
+    bool goes_on = false;  ///< MEAWA
+  };
   std::array<Word, index_of(Address::Count)> words;
   std::array<double, kMostMachineCodes> machine_codes = {};
   std::size_t machine_code_count = 0;
   std::optional<std::string> tool_name;
+  std::array<std::optional<AxisMeasuring>, kAxisCount> axis_measuring;
 
   [[nodiscard]] const Word& operator[](Address address) const { return words[index_of(address)]; }
   [[nodiscard]] bool has(Address address) const { return words[index_of(address)].present; }
@@ -122,9 +129,16 @@ class Channel {
   void arrived_at_machine();
 
   // Measuring
+  static constexpr int kMostProbes = 8;
   AxisPositions q_M_measured = AxisPositions::Zero();
   AxisPositions q_W_measured = AxisPositions::Zero();
-  std::array<bool, 3> measured = {};  ///< by probe, 1 and 2
+  std::array<bool, kMostProbes + 1> measured = {};  ///< by probe, from 1
+  /// WHEN $A_PROBE[n]==level DO DELDTG, for the next move.
+  struct SkipAction {
+    int probe = 1;
+    machine::SignalEdge edge = machine::SignalEdge::Rising;
+  };
+  std::optional<SkipAction> skip_action;
 
   // Outside world
   std::map<std::string, std::string> files;  ///< what WRITE made

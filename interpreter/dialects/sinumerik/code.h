@@ -92,18 +92,20 @@ enum class OpCode : std::uint8_t {
   Fill,         ///< variable a from element `result` on: the arguments in turn
   Repeat,       ///< variable a from element `result` on: argument 0, argument 1 times
   // blocks and levels
-  Block,       ///< a block begins; `detail` is 1 + its skip level
-  Word,        ///< address `detail`, modification `count`, value a
-  TextWord,    ///< the same with text a
-  AxisWord,    ///< axis a (a number), value b, modification `count`
-  Execute,     ///< the NC block nc_blocks[b.place]
-  NcBlock,     ///< Block and Execute in one: nothing is to be computed
-  Call,        ///< calls[a.place]
-  Return,      ///< behind the call; arguments: target, ...
-  EndProgram,  ///< M2, M30, and the end of a main program
-  JumpText,    ///< to the label that text a names; `detail` is a Direction
-  RepeatPart,  ///< repeats[a.place], b times
-  Raise,       ///< errors[a.place]
+  Block,          ///< a block begins; `detail` is 1 + its skip level
+  Word,           ///< address `detail`, modification `count`, value a
+  TextWord,       ///< the same with text a
+  AxisWord,       ///< axis a (a number), value b, modification `count`
+  AxisMeasuring,  ///< axis a, trigger b, mode in the number `result`; `detail` 1: MEAWA
+  SkipAction,     ///< the next move ends when the signal of probe a is at level b
+  Execute,        ///< the NC block nc_blocks[b.place]
+  NcBlock,        ///< Block and Execute in one: nothing is to be computed
+  Call,           ///< calls[a.place]
+  Return,         ///< behind the call; arguments: target, ...
+  EndProgram,     ///< M2, M30, and the end of a main program
+  JumpText,       ///< to the label that text a names; `detail` is a Direction
+  RepeatPart,     ///< repeats[a.place], b times
+  Raise,          ///< errors[a.place]
 };
 
 /// Which labels a jump looks at.

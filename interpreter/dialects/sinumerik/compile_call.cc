@@ -162,6 +162,22 @@ void Compiler::refused_statement() {
   fail(AlarmId::NotImplemented, block_, text_of(block_));
 }
 
+/// WHEN $A_PROBE[n]==level DO DELDTG
+void Compiler::when_statement() {
+  const bool of_probe = accept_name("$A_PROBE") && accept(Symbol::LeftBracket);
+  const Expr probe = of_probe ? convert(expression(), Type::Int) : Expr();
+  const bool compared = of_probe && accept(Symbol::RightBracket) && accept(Symbol::Equal);
+  const Expr level = compared ? boolean(expression()) : Expr();
+  const bool deletes =
+      compared && accept_name("DO") && accept_name("DELDTG") && peek().kind == TokenKind::End;
+  if (!deletes && !failed()) {
+    refused_statement();
+  }
+  if (!failed()) {
+    emit(OpCode::SkipAction, {}, probe.value, level.value, block_);
+  }
+}
+
 Compiler::Handler Compiler::find_keyword(std::string_view name) {
   static const NameMap<Handler> kHandlers = [] {
     NameMap<Handler> map;

@@ -209,11 +209,35 @@ void Compiler::axis_by_name() {
   has_words_ = true;
 }
 
+/// MEASA[axis]=(mode, trigger), MEAWA[axis]=(mode, trigger)
+void Compiler::axis_measuring() {
+  const Token name = next();
+  expect(Symbol::LeftBracket);
+  const Expr axis = axis_operand();
+  expect(Symbol::RightBracket);
+  expect(Symbol::Assign);
+  expect(Symbol::LeftParen);
+  const Expr mode = convert(expression(), Type::Int, AlarmId::BadArguments);
+  expect(Symbol::Comma);
+  const Expr trigger = convert(expression(), Type::Int, AlarmId::BadArguments);
+  if (peek().is(Symbol::Comma)) {
+    fail(AlarmId::NotImplemented, name.where, std::string(name.text) + " with more than one trigger");
+  }
+  expect(Symbol::RightParen);
+  emit(OpCode::AxisMeasuring, mode.value, axis.value, trigger.value, name.where);
+  last().detail = name.text == "MEAWA" ? 1 : 0;
+  has_words_ = true;
+}
+
 /// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.
 bool Compiler::named_word() {
   const Token name = peek();
   if (name.text == "AX" && peek(1).is(Symbol::LeftBracket)) {
     axis_by_name();
+    return true;
+  }
+  if ((name.text == "MEASA" || name.text == "MEAWA") && peek(1).is(Symbol::LeftBracket)) {
+    axis_measuring();
     return true;
   }
   if (const auto code = find_g_code(name.text)) {

@@ -204,6 +204,7 @@ class Compiler {
   std::vector<Argument> argument_list();
   void call(CallSite site, ShortSpan where);
   void refused_statement();
+  void when_statement();
 
   // compile_words.cc
   void letter_item();
@@ -214,6 +215,7 @@ class Compiler {
   std::optional<double> number_at_once();
   void constant_word(Address address, double value, ShortSpan where);
   void axis_by_name();
+  void axis_measuring();
   bool named_word();
   void word(Address address, ShortSpan where);
   void emit_word(Address address, Modification modification, const Expr& value);

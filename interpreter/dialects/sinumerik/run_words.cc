@@ -39,6 +39,27 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
                   {number(op.b), static_cast<Modification>(op.count), true});
 }
 
+MaybeFailure Runner::take_axis_measuring(const Op& op) {
+  const double axis = number(op.a);
+  if (axis < 0.0) {
+    return failure(AlarmId::BadAxisIndex);
+  }
+  words_.axis_measuring[static_cast<std::size_t>(axis)] = {number(op.result), number(op.b),
+                                                           op.detail != 0};
+  return std::nullopt;
+}
+
+MaybeFailure Runner::take_skip_action(const Op& op) {
+  const double probe = number(op.a);
+  if (probe < 1.0 || probe > Channel::kMostProbes) {
+    return failure(AlarmId::IndexOne, fmt::format("$A_PROBE[{:.0f}]", probe));
+  }
+  channel_.skip_action = {static_cast<int>(probe), number(op.b) != 0.0
+                                                       ? machine::SignalEdge::Rising
+                                                       : machine::SignalEdge::Falling};
+  return std::nullopt;
+}
+
 MaybeFailure Runner::execute(const Op& op) {
   const CompiledProgram& program = *level().program;
   const NcBlock& block = program.nc_blocks[static_cast<std::size_t>(op.b.place)];

@@ -127,6 +127,10 @@ MaybeFailure Runner::other_step(const Op& op) {
       return take_word(op);
     case static_cast<int>(OpCode::AxisWord):
       return take_axis_word(op);
+    case static_cast<int>(OpCode::AxisMeasuring):
+      return take_axis_measuring(op);
+    case static_cast<int>(OpCode::SkipAction):
+      return take_skip_action(op);
     case static_cast<int>(OpCode::Execute):
       return execute(op);
     case static_cast<int>(OpCode::Function):

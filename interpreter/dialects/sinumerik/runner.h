@@ -129,6 +129,8 @@ class Runner {
   // run_words.cc
   MaybeFailure take_word(const Op& op);
   MaybeFailure take_axis_word(const Op& op);
+  MaybeFailure take_axis_measuring(const Op& op);
+  MaybeFailure take_skip_action(const Op& op);
   MaybeFailure set_word(std::size_t address, BlockWords::Word word);
   MaybeFailure execute(const Op& op);
 

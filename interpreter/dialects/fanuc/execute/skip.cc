@@ -6,7 +6,7 @@
 namespace g31::fanuc {
 namespace {
 
-using machine::AlreadyTouching;
+using machine::NoEdge;
 using machine::NoTouch;
 using machine::SkipOutcome;
 using machine::Touched;
@@ -28,7 +28,7 @@ runtime::TouchEvent event_of(Control& control, const NcBlock& block, const SkipO
                    control.stopped_skip = block.where;
                  },
                  [&](const NoTouch&) { control.silent_skip = block.where; },
-                 [&](const AlreadyTouching& touching) {
+                 [&](const NoEdge& touching) {
                    event.triggered = true;
                    event.contact = touching.contact;
                    control.warn(source::DiagnosticId::SkipSignalAlreadyOn, block.where);

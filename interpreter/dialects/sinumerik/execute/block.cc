@@ -65,7 +65,7 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
 }
 
 MaybeFailure refuse_unknown(const Block& block) {
-  for (const Address address : {Address::Turns, Address::MeasureOn}) {
+  for (const Address address : {Address::Turns}) {
     if (block.words.has(address)) {
       return failure(AlarmId::NotImplemented,
                      std::string(addresses()[index_of(address) - kAxisCount].name));
@@ -86,7 +86,7 @@ MaybeFailure move(Channel& channel, const Block& block) {
     return program_frame(channel, block, *frame);
   }
   const int motion = channel.group[1];
-  if (block.words.has(Address::Measure)) {
+  if (listens_to_probe(channel, block)) {
     return measure(channel, block);
   }
   const bool has_centre = block.words.has(Address::CentreX) || block.words.has(Address::CentreY) ||

@@ -28,7 +28,9 @@ MaybeFailure program_frame(Channel& channel, const Block& block, const GCode& co
 MaybeFailure move_straight(Channel& channel, const Block& block);
 /// G2, G3 and CIP.
 MaybeFailure move_along_circle(Channel& channel, const Block& block);
-/// MEAS
+/// Whether the block measures, or a synchronised action may end its move.
+bool listens_to_probe(const Channel& channel, const Block& block);
+/// MEAS, MEAW, MEASA, MEAWA and WHEN ... DO DELDTG
 MaybeFailure measure(Channel& channel, const Block& block);
 /// G4
 MaybeFailure dwell(Channel& channel, const Block& block);

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -16,30 +18,94 @@ runtime::TouchEvent event_of(const Channel& channel, const Block& block,
   event.where = block.where;
   event.q_M_latched = channel.port.position();
   event.q_M_stopped = channel.port.position();
-  std::visit(
-      runtime::Overloaded{
-          [&](const machine::Touched& touched) {
-            event.triggered = true;
-            event.q_M_latched = touched.q_M_latched;
-            event.q_M_stopped = touched.q_M_stopped;
-            event.contact = touched.contact;
-            event.signals = touched.signals;
-          },
-          [](const machine::NoTouch&) {},
-          [&](const machine::AlreadyTouching& touching) { event.contact = touching.contact; },
-      },
-      outcome);
+  std::visit(runtime::Overloaded{
+                 [&](const machine::Touched& touched) {
+                   event.triggered = true;
+                   event.q_M_latched = touched.q_M_latched;
+                   event.q_M_stopped = touched.q_M_stopped;
+                   event.contact = touched.contact;
+                   event.signals = touched.signals;
+                 },
+                 [](const machine::NoTouch&) {},
+                 [&](const machine::NoEdge& touching) { event.contact = touching.contact; },
+             },
+             outcome);
   return event;
 }
 
-/// The probe that MEAS=n names: 1 or 2, rising edge.
-Result<std::size_t, Failure> probe_of(double number) {
-  if (number == 1.0 || number == 2.0) {
-    return static_cast<std::size_t>(number);
+/// What the words of a block make of the probe.
+struct Measuring {
+  int probe = 1;
+  machine::SignalEdge edge = machine::SignalEdge::Rising;
+  machine::AfterSignal after = machine::AfterSignal::Stop;
+  bool by_action = false;  ///< DELDTG: nothing is latched
+};
+
+/// @param trigger  1 to 8, minus: falling edge
+Result<Measuring, Failure> of_trigger(double trigger, machine::AfterSignal after,
+                                      std::string_view word) {
+  const double probe = std::abs(trigger);
+  if (probe < 1.0 || probe > Channel::kMostProbes || probe != std::round(probe)) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("{}: {:g}", word, trigger));
   }
-  const bool known = std::abs(number) >= 1.0 && std::abs(number) <= 8.0;
-  return failure(known ? AlarmId::NotImplemented : AlarmId::ValueOutOfLimits,
-                 fmt::format("MEAS={:.0f}: rising edges of probe 1 and 2", number));
+  return Measuring{static_cast<int>(probe),
+                   trigger > 0.0 ? machine::SignalEdge::Rising : machine::SignalEdge::Falling,
+                   after, false};
+}
+
+/// MEASA and MEAWA of all axes together.
+Result<std::optional<Measuring>, Failure> of_axes(const BlockWords& words) {
+  const BlockWords::AxisMeasuring* first = nullptr;
+  for (const auto& axis : words.axis_measuring) {
+    const int mode = axis ? static_cast<int>(axis->mode) % 10 : 0;
+    if (mode == 0) {
+      continue;  // not this axis, or its measuring is broken off
+    }
+    if (mode > 3) {
+      return failure(AlarmId::NotImplemented, fmt::format("MEASA, mode {:.0f}", axis->mode));
+    }
+    if (first != nullptr && (first->trigger != axis->trigger || first->goes_on != axis->goes_on)) {
+      return failure(AlarmId::MeasuringTwice);
+    }
+    first = &*axis;
+  }
+  if (first == nullptr) {
+    return std::optional<Measuring>();
+  }
+  const auto found =
+      of_trigger(first->trigger,
+                 first->goes_on ? machine::AfterSignal::GoOn : machine::AfterSignal::Stop, "MEASA");
+  return found ? Result<std::optional<Measuring>, Failure>(found.value()) : found.error();
+}
+
+/// nullopt: the block does not measure after all.
+Result<std::optional<Measuring>, Failure> measuring_of(const Channel& channel,
+                                                       const BlockWords& words) {
+  auto found = of_axes(words);
+  if (!found) {
+    return found;
+  }
+  for (const Address address : {Address::Measure, Address::MeasureOn}) {
+    if (!words.has(address)) {
+      continue;
+    }
+    if (found.value()) {
+      return failure(AlarmId::MeasuringTwice);
+    }
+    const auto of_word = of_trigger(
+        words[address].value,
+        address == Address::Measure ? machine::AfterSignal::Stop : machine::AfterSignal::GoOn,
+        "MEAS");
+    if (!of_word) {
+      return of_word.error();
+    }
+    found = std::optional(of_word.value());
+  }
+  if (!found.value() && channel.skip_action) {
+    found = std::optional(Measuring{channel.skip_action->probe, channel.skip_action->edge,
+                                    machine::AfterSignal::Stop, true});
+  }
+  return found;
 }
 
 Result<machine::LinearMove, Failure> measuring_move(Channel& channel,
@@ -62,44 +128,76 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel,
   return move;
 }
 
-}  // namespace
-
-MaybeFailure measure(Channel& channel, const Block& block) {
-  const auto probe = probe_of(block.words[Address::Measure].value);
-  if (!probe) {
-    return probe.error();
+/// Where the program goes on after the move.
+void settle(Channel& channel, const runtime::TouchEvent& event, const Measuring& measuring,
+            const AxisPositions& q_W_end) {
+  if (event.triggered && !measuring.by_action) {
+    channel.measured[static_cast<std::size_t>(measuring.probe)] = true;
+    channel.q_M_measured = event.q_M_latched;
+    channel.q_W_measured = channel.to_work(event.q_M_latched);
   }
+  if (event.triggered && measuring.after == machine::AfterSignal::Stop) {
+    channel.arrived_at_machine();
+  } else {
+    channel.arrived_at_programmed(q_W_end);
+  }
+}
+
+MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring& measuring) {
   const auto q_W_end = programmed_end(channel, block);
   if (!q_W_end) {
     return q_W_end.error();
   }
-  const auto move = measuring_move(channel, q_W_end.value());
-  if (!move) {
-    return move.error();
+  const auto straight = measuring_move(channel, q_W_end.value());
+  if (!straight) {
+    return straight.error();
   }
-  channel.measured = {};
-  const auto outcome = channel.port.move_until_skip(move.value());
+  machine::SkipMove move(straight.value());
+  move.input = measuring.probe;
+  move.edge = measuring.edge;
+  move.after = measuring.after;
+  if (!measuring.by_action) {
+    channel.measured = {};
+  }
+  const auto outcome = channel.port.move_until_skip(move);
   if (!outcome) {
     channel.arrived_at_machine();
     return from_fault(outcome.error());
   }
-  if (std::holds_alternative<machine::AlreadyTouching>(outcome.value())) {
+  const bool no_edge = std::holds_alternative<machine::NoEdge>(outcome.value());
+  if (no_edge && !measuring.by_action) {
     return failure(AlarmId::ProbeDeflected);
   }
   runtime::TouchEvent event = event_of(channel, block, outcome.value());
-  event.q_M_commanded = move.value().q_M_end;
-  event.feed_mm_min = move.value().feed_mm_min;
-  channel.measured[probe.value()] = event.triggered;
-  if (event.triggered) {
-    channel.q_M_measured = event.q_M_latched;
-    channel.q_W_measured = channel.to_work(event.q_M_latched);
-    channel.arrived_at_machine();
-  } else {
-    channel.arrived_at_programmed(q_W_end.value());
-  }
+  event.triggered = event.triggered || no_edge;
+  event.q_M_commanded = move.way.q_M_end;
+  event.feed_mm_min = move.way.feed_mm_min;
+  settle(channel, event, measuring, q_W_end.value());
   channel.observer.on_move({31, event.q_M_stopped, event.feed_mm_min, 0.0});
   channel.observer.on_touch(event);
   return std::nullopt;
+}
+
+}  // namespace
+
+bool listens_to_probe(const Channel& channel, const Block& block) {
+  const bool by_axis =
+      std::any_of(block.words.axis_measuring.begin(), block.words.axis_measuring.end(),
+                  [](const auto& axis) { return axis.has_value(); });
+  return by_axis || block.words.has(Address::Measure) || block.words.has(Address::MeasureOn) ||
+         (channel.skip_action && block.words.has_axes());
+}
+
+MaybeFailure measure(Channel& channel, const Block& block) {
+  const auto measuring = measuring_of(channel, block.words);
+  channel.skip_action.reset();
+  if (!measuring) {
+    return measuring.error();
+  }
+  if (!measuring.value()) {
+    return move_straight(channel, block);
+  }
+  return measure_with(channel, block, *measuring.value());
 }
 
 }  // namespace g31::sinumerik

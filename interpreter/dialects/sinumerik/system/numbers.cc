@@ -38,6 +38,7 @@ Result<double, Failure> position(Channel& channel, const SystemAccess& access) {
     case static_cast<int>(SystemId::WorkNow):
       return axis_value(channel, access, channel.to_work(channel.port.position()));
     case static_cast<int>(SystemId::MachineMeasured):
+    case static_cast<int>(SystemId::MachineTrigger):
       return axis_value(channel, access, channel.q_M_measured);
     default:
       return axis_value(channel, access, channel.q_W_measured);
@@ -110,11 +111,11 @@ Result<double, Failure> indexed_state(const Channel& channel, const SystemAccess
     }
     return static_cast<double>(channel.group[static_cast<std::size_t>(which)]);
   }
-  if (which < 1 || which > 2) {
-    return failure(AlarmId::IndexOne, "there are the probes 1 and 2");
+  if (which < 1 || which > Channel::kMostProbes) {
+    return failure(AlarmId::IndexOne, "there are the probes 1 to 8");
   }
   if (access.id == SystemId::ProbeSignal) {
-    return failure(AlarmId::NotImplemented, "$A_PROBE");
+    return channel.port.skip_signal(which) ? 1.0 : 0.0;
   }
   return channel.measured[static_cast<std::size_t>(which)] ? 1.0 : 0.0;
 }
@@ -158,6 +159,8 @@ Result<double, Failure> number_of(Channel& channel, const SystemAccess& access) 
     case static_cast<int>(SystemId::WorkNow):
     case static_cast<int>(SystemId::MachineMeasured):
     case static_cast<int>(SystemId::WorkMeasured):
+    case static_cast<int>(SystemId::MachineTrigger):
+    case static_cast<int>(SystemId::WorkTrigger):
       return position(channel, access);
     case static_cast<int>(SystemId::ToolRadius):
     case static_cast<int>(SystemId::ToolLength):

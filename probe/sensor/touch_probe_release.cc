@@ -1,0 +1,88 @@
+// The part of TouchProbe that answers when the stylus comes free.
+
+#include <utility>
+
+#include "probe/sensor/pre_travel.h"
+#include "probe/sensor/touch_events.h"
+#include "probe/sensor/touch_probe.h"
+
+namespace g31::probe {
+namespace {
+
+/// Halvings that lead from a way of a metre down to the spacing of doubles.
+constexpr int kHalvings = 60;
+
+machine::Waypoint between(const machine::Waypoint& from, const machine::Waypoint& to,
+                          double share) {
+  machine::Waypoint point;
+  point.fraction = from.fraction + share * (to.fraction - from.fraction);
+  point.q_M = from.q_M + share * (to.q_M - from.q_M);
+  point.tilt = from.tilt.slerp(share, to.tilt);
+  return point;
+}
+
+}  // namespace
+
+std::optional<TouchProbe::PartHit> TouchProbe::signalling_touch(const machine::Waypoint& at) const {
+  if (setup_.state == ProbeState::Dead) {
+    return std::nullopt;
+  }
+  const machine::Sweep still{at.q_M, at.q_M, at.tilt, at.tilt};
+  for (const Ball& ball : balls_) {
+    const BallWay way = way_of(ball, still);
+    for (const Part& part : parts_->parts()) {
+      const MeshSweeper& sweeper = part.sweepers[ball.size];
+      const auto distance = sweeper.distance_if_touching(way.p_M_from);
+      if (!distance) {
+        continue;
+      }
+      const PartHit touch{sweeper.sweep(way.p_M_from, way.p_M_to), &part, &ball, way};
+      const Point n_S = R_MS_.transpose() * (at.tilt.conjugate() * touch.hit.n_M);
+      const auto wanted = deflection_to_trigger(setup_.at_switch, n_S);
+      if (wanted && ball.radius - *distance >= *wanted - kTouchBandMm) {
+        return touch;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+bool TouchProbe::signals_at(const machine::Waypoint& at) const {
+  return signalling_touch(at).has_value();
+}
+
+std::optional<machine::SkipTrigger> TouchProbe::first_release_along(
+    std::span<const machine::Waypoint> way) {
+  const std::uint64_t event = triggers_asked_++;
+  machine::SkipTrigger trigger;
+  auto touch = signalling_touch(way.front());
+  trigger.on_at_start = !touch;
+  if (trigger.on_at_start) {
+    return trigger;
+  }
+  double length = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const machine::Waypoint& from = way[i - 1];
+    const machine::Waypoint& to = way[i];
+    const double piece = machine::distance_mm(from.q_M, to.q_M);
+    if (auto next = signalling_touch(to)) {
+      touch = std::move(next);
+      length += piece;
+      continue;
+    }
+    double on = 0.0;
+    double off = 1.0;
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = 0.5 * (on + off);
+      (signalling_touch(between(from, to, middle)) ? on : off) = middle;
+    }
+    trigger.contact = contact_of(touch->hit, touch->part->name);
+    trigger.signals = setup_.state == ProbeState::DoubleTrigger ? 2 : 1;
+    trigger.delay_s = setup_.trigger_delay_s;
+    trigger.fraction = machine::fraction_after(way, length + off * piece + trigger_shift(event));
+    return trigger;
+  }
+  return std::nullopt;
+}
+
+}  // namespace g31::probe
