@@ -13,6 +13,16 @@ double place_or_none(std::size_t at) {
   return at == std::string::npos ? -1.0 : static_cast<double>(at);
 }
 
+/// -1: there is none of this name and duplo number.
+double tool_number(const std::map<int, Tool>& tools, const std::string& name, double duplo) {
+  for (const auto& [number, tool] : tools) {
+    if (tool.name == name && tool.duplo == duplo) {
+      return number;
+    }
+  }
+  return -1.0;
+}
+
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -41,6 +51,11 @@ MaybeFailure Runner::call_function(const Op& op) {
   }
   if (id == FunctionId::SPRINT) {
     return sprint_function(op, list);
+  }
+  if (id == FunctionId::GETT) {
+    const double duplo = list.size() > 1 ? rounded(number(list[1].value)) : 1.0;
+    number(op.result) = tool_number(channel_.tools, text(list[0].value), duplo);
+    return std::nullopt;
   }
   if (id == FunctionId::AXSTRING) {
     text(op.result) = shown(Type::Axis, number(list[0].value));
@@ -108,7 +123,7 @@ MaybeFailure Runner::text_function(FunctionId id, const Op& op, Arguments list) 
       return std::nullopt;
     case static_cast<int>(FunctionId::ISFILE):
       number(op.result) =
-          channel_.files.contains(first) || library_.find(first) != nullptr ? 1.0 : 0.0;
+          channel_.files.contains(file_name(first)) || library_.find(first) != nullptr ? 1.0 : 0.0;
       return std::nullopt;
     default:
       return search_function(id, op, list);
