@@ -127,7 +127,13 @@ AxisPositions Channel::tool_offset() const {
 }
 
 AxisPositions Channel::to_machine(const AxisPositions& q_W) const {
-  return active_frame().apply(q_W) + tool_offset();
+  if (suppression != 0) {
+    return active_frame().apply(q_W) + tool_offset();
+  }
+  if (!placement_) {
+    placement_ = {active_frame(), tool_offset()};
+  }
+  return placement_->frame.apply(q_W) + placement_->offset;
 }
 
 AxisPositions Channel::to_work(const AxisPositions& q_M) const {

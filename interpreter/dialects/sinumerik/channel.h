@@ -45,8 +45,6 @@ struct BlockWords {
     double trigger = 0.0;  ///< probe 1 or 2, minus: falling edge
     bool goes_on = false;  ///< MEAWA
   };
-  static constexpr std::size_t kMostMachineCodes = 5;
-
   std::array<Word, index_of(Address::Count)> words;
   std::array<double, kMostMachineCodes> machine_codes = {};
   std::size_t machine_code_count = 0;
@@ -107,7 +105,10 @@ class Channel {
   /// All frames in force, outermost first.
   [[nodiscard]] Frame active_frame() const;
   /// Something changed that positions depend on: work coordinates are to be asked for again.
-  void frames_changed() { is_stale_ = true; }
+  void frames_changed() {
+    is_stale_ = true;
+    placement_.reset();
+  }
 
   // Tools
   std::map<int, Tool> tools;
@@ -168,7 +169,14 @@ class Channel {
   runtime::Observer& observer;
 
  private:
+  /// What turns work coordinates into those of the machine.
+  struct Placement {
+    Frame frame;
+    AxisPositions offset;
+  };
+
   bool is_stale_ = false;
+  mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed
   AxisPositions q_W_programmed_ = AxisPositions::Zero();
   AxisPositions q_M_programmed_ = AxisPositions::Zero();
 };

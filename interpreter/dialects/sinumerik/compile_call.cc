@@ -107,7 +107,7 @@ void Compiler::mcall_statement() {
     return;
   }
   next();
-  site.name = name.text;
+  site.name = std::string(name.text);
   if (name.is_letter('L') && peek().kind == TokenKind::Integer) {
     site.name += next().text;
   } else if (name.kind != TokenKind::Name) {

@@ -44,6 +44,8 @@ struct FoundCode {
 
 /// @param name  upper case, without leading zeros: "G1", "SUPA", "G507"
 std::optional<FoundCode> find_g_code(std::string_view name);
+/// G and a number.
+std::optional<FoundCode> find_g_code(double number);
 
 /// A code of a block in one number, and back.
 constexpr std::uint16_t packed(FoundCode code) {

@@ -37,6 +37,7 @@ struct WorkingArea {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
   AxisPositions q_low = AxisPositions::Constant(-kFar);
   AxisPositions q_high = AxisPositions::Constant(kFar);
+  bool is_set = false;
 };
 
 /// Points that the machine's builder has set, machine coordinates.

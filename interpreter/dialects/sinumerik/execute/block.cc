@@ -30,7 +30,7 @@ MaybeFailure take_codes(Channel& channel, const Block& block) {
   }
   const int unit_before = channel.group[13];
   const int feed_before = channel.group[15];
-  for (const std::uint16_t bits : block.codes.codes) {
+  for (const std::uint16_t bits : block.codes) {
     const FoundCode code = unpacked(bits);
     const GCode& row = g_codes()[code.row];
     int& group = channel.group[static_cast<std::size_t>(row.group)];
@@ -151,7 +151,7 @@ MaybeFailure move(Channel& channel, const Block& block) {
 }  // namespace
 
 const GCode* Block::code_of(int group) const {
-  for (const std::uint16_t bits : codes.codes) {
+  for (const std::uint16_t bits : codes) {
     const GCode& row = g_codes()[unpacked(bits).row];
     if (row.group == group) {
       return &row;

@@ -85,7 +85,7 @@ Result<CompensationCommand, Failure> command_of(const Channel& channel, const Bl
   // A mirrored path has its part on the other side.
   const bool right = (channel.group[7] == kRight) != plane.is_mirrored;
   command.offset = right ? -radius_of(channel) : radius_of(channel);
-  const auto& codes = block.codes.codes;
+  const auto& codes = block.codes;
   command.written = std::any_of(codes.begin(), codes.end(), is_side)
                         ? CompensationCommand::Written::Here
                         : CompensationCommand::Written::Before;

@@ -8,7 +8,7 @@ namespace g31::sinumerik {
 /// One NC block with its words evaluated.
 struct Block {
   const BlockWords& words;
-  const NcBlock& codes;
+  std::span<const std::uint16_t> codes;  ///< packed
   source::Location where;
 
   /// The row of a group that stands in this block; nullptr: none.
