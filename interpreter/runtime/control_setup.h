@@ -40,6 +40,7 @@ struct ControlSetup {
   FeedSwitches feed_switches;
   std::set<int> block_skip;                  ///< switches that are on, 1..9
   std::string variables_file;                ///< non-volatile variables; "" = none
+  std::string files_folder;                  ///< where the program's files are; "" = nowhere
   /// "6001.1" is bit 1 of 6001, "3410" a value, "1240.X" a value of one axis.
   std::map<std::string, double> parameters;
   /// Where the machine's axes have their reference marks; parameters win.

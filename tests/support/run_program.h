@@ -3,13 +3,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "tools/cli/run_command.h"
 
@@ -47,6 +47,12 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// The content of a file; empty where there is none.
+inline std::string text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
 
 /// What `g31 run` left: exit code, document (null when none was written) and standard error.
 struct RunOutput {

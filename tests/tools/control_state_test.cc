@@ -13,13 +13,7 @@ namespace {
 using testing::run_program;
 using testing::RunOutput;
 using testing::TemporaryFolder;
-
-std::string text_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+using testing::text_of;
 
 RunOutput run(const TemporaryFolder& folder, const std::string& program, const std::string& sheet,
               const std::string& print = "#100") {

@@ -19,14 +19,7 @@ namespace {
 using testing::original_listings;
 using testing::run_program;
 using testing::RunOutput;
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  EXPECT_TRUE(file) << path;
-  std::ostringstream text;
-  text << file.rdbuf();
-  return std::move(text).str();
-}
+using testing::text_of;
 
 struct Figure {
   const char* program;

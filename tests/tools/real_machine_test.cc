@@ -17,6 +17,7 @@ namespace {
 using testing::run_program;
 using testing::RunOutput;
 using testing::TemporaryFolder;
+using testing::text_of;
 
 const char* const kRing = "parts/library/ring_gauge/ring.toml";
 
@@ -49,13 +50,6 @@ C0Y = 0.0
 [probe]
 repeatability_mm = 0.0
 )";
-
-std::string text_of(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 cli::RunOptions on_ring(std::vector<std::string> more_sheets) {
   cli::RunOptions options;

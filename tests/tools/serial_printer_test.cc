@@ -22,17 +22,12 @@ using testing::PlayedPrinter;
 using testing::run_program;
 using testing::RunOutput;
 using testing::TemporaryFolder;
+using testing::text_of;
 
 constexpr char kDC1 = '\x11';
 constexpr char kDC2 = '\x12';
 constexpr char kDC3 = '\x13';
 constexpr char kDC4 = '\x14';
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  EXPECT_TRUE(file) << path;
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// What a reader of ISO code makes of the bytes: bit 8 is a parity bit and must be right.
 std::string decoded_iso(std::string bytes) {

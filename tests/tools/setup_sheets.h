@@ -23,6 +23,7 @@ feed_override = 80.0
 dry_run = 1500.0
 block_skip = [1, 9]
 variables_file = "v55.vars"
+files = "logs"
 [parameters]
 "6001.1" = 1
 "6001.0" = false

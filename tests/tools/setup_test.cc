@@ -61,13 +61,13 @@ TEST_F(SetupReader, ControlKeysArrive) {
   EXPECT_EQ(control.feed_switches.override_percent, 80.0);
   EXPECT_EQ(control.feed_switches.dry_run_mm_min, 1500.0);
   EXPECT_EQ(control.variables_file, path_of("v55.vars"));
-  EXPECT_EQ(control.parameters,
-            (std::map<std::string, double>{{"6001.0", 0.0},
-                                           {"6001.1", 1.0},
-                                           {"6001.7", 1.0},
-                                           {"3410", 0.01},
-                                           {"5114", -7},
-                                           {"1241.Z", -150.5}}));
+  EXPECT_EQ(control.files_folder, path_of("logs"));
+  EXPECT_EQ(control.parameters, (std::map<std::string, double>{{"6001.0", 0.0},
+                                                               {"6001.1", 1.0},
+                                                               {"6001.7", 1.0},
+                                                               {"3410", 0.01},
+                                                               {"5114", -7},
+                                                               {"1241.Z", -150.5}}));
   EXPECT_EQ(control.macro_calls, (std::map<std::string, int>{{"G100", 9010}, {"M6", 99999999}}));
   EXPECT_EQ(control.variables,
             (std::map<std::string, std::optional<double>>{{"#515", 6.0},

@@ -86,7 +86,12 @@ class SinumerikSession final : public ControlSession {
   Result<runtime::ShownValue, std::string> variable(const std::string& name) override {
     return session_->variable(name);
   }
-  [[nodiscard]] std::map<std::string, double> permanent_variables() const override { return {}; }
+  [[nodiscard]] std::map<std::string, double> permanent_variables() const override {
+    return session_->permanent_variables();
+  }
+  void give_files(const std::map<std::string, std::string>& files) override {
+    session_->give_files(files);
+  }
   [[nodiscard]] std::map<std::string, std::string> files() const override {
     return session_->files();
   }

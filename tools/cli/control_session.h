@@ -33,7 +33,9 @@ class ControlSession {
   virtual Result<runtime::ShownValue, std::string> variable(const std::string& name) = 0;
   /// What a control keeps over power off.
   [[nodiscard]] virtual std::map<std::string, double> permanent_variables() const = 0;
-  /// What the program wrote, by file name.
+  /// Files that are there before the run; a control that writes none leaves them alone.
+  virtual void give_files(const std::map<std::string, std::string>& /*files*/) {}
+  /// All files after the run, by name.
   [[nodiscard]] virtual std::map<std::string, std::string> files() const = 0;
 };
 

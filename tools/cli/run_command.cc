@@ -13,6 +13,7 @@
 #include "tools/cli/control_session.h"
 #include "tools/cli/disk.h"
 #include "tools/cli/printouts.h"
+#include "tools/cli/program_files.h"
 #include "tools/cli/run_preparation.h"
 #include "tools/cli/scene.h"
 #include "tools/cli/variables_file.h"
@@ -106,12 +107,14 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
   return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
-/// Saves the permanent variables for the next run, if a file for them is named.
-std::optional<Refusal> keep_variables(const std::string& path, const ControlSession& session) {
-  if (path.empty()) {
-    return std::nullopt;
+/// Saves the program's files, and the permanent variables for the next run, if a file for them is
+/// named.
+std::optional<Refusal> keep_state(const std::string& path, const ProgramFiles& files,
+                                  const ControlSession& session) {
+  auto problem = files.save(session.files());
+  if (!problem && !path.empty()) {
+    problem = write_whole_file(path, variables_text(session.permanent_variables()));
   }
-  const auto problem = write_whole_file(path, variables_text(session.permanent_variables()));
   return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
@@ -183,6 +186,11 @@ ExitCode run_command(const RunOptions& options) {
   if (const auto wrong = set_up(session, job, *printouts.value())) {
     return refuse(*wrong);
   }
+  const auto files = ProgramFiles::open(job.control.files_folder);
+  if (!files) {
+    return refuse(refusal(ExitCode::BadUsage, files.error()));
+  }
+  session.give_files(files.value().at_start());
   report::RunResult result;
   result.outcome = session.run(options.budget);
   if (const auto wrong = finish_files(trace.value(), *printouts.value())) {
@@ -200,13 +208,13 @@ ExitCode run_command(const RunOptions& options) {
   result.control = prepared.value().control.name;
   result.seed = options.seed;
   result.variables = values.value();
-  result.files = session.files();
+  result.files = files.value().changed(session.files());
   result.machine_time_s = machine.time_s();
   result.probe_state = probe_state_of(job);
   if (const auto wrong = deliver(options, result, recorder)) {
     return refuse(*wrong);
   }
-  if (const auto wrong = keep_variables(job.control.variables_file, session)) {
+  if (const auto wrong = keep_state(job.control.variables_file, files.value(), session)) {
     return refuse(*wrong);
   }
   return exit_code_of(result.outcome);

@@ -140,7 +140,8 @@ class Channel {
   std::optional<SkipAction> skip_action;
 
   // Outside world
-  std::map<std::string, std::string> files;  ///< what WRITE made
+  std::map<std::string, std::string> files;  ///< what WRITE, READ and EXTWRITE work on
+  std::set<std::string> open_files;          ///< EXTOPEN
   std::string call_path;
   std::set<int> block_skip;  ///< switches that are on
   runtime::FeedSwitches feed_switches;

@@ -1,6 +1,18 @@
 #include "interpreter/dialects/sinumerik/compiler.h"
 
 namespace g31::sinumerik {
+namespace {
+
+/// Whether an argument is the variable that its parameter wants; see procedures.def.
+bool takes(char kind, const Argument& argument) {
+  const bool is_element = argument.form == Argument::Form::Element;
+  const bool is_variable = is_element || argument.form == Argument::Form::Whole;
+  return kind == 'V'   ? is_element && is_number(argument.type)
+         : kind == 'W' ? is_variable && argument.type == Type::String
+                       : true;
+}
+
+}  // namespace
 
 /// NAME, NAME(arguments), NAME P3
 void Compiler::call_by_name(std::string name, ShortSpan where) {
@@ -104,25 +116,25 @@ void Compiler::mcall_statement() {
   call(site, name.where);
 }
 
-/// RET, RET("label"), RET(target, , levels): back to the caller, there to a label.
+/// RET, RET(target, behind, levels): back to the caller or one further out, there to a label or
+/// block number, or behind it.
 void Compiler::ret_statement() {
   std::vector<Argument> list;
   if (accept(Symbol::LeftParen)) {
     list = argument_list();
   }
   expect_end();
-  for (std::size_t i = 1; i < list.size(); ++i) {
-    if (list[i].form != Argument::Form::Omitted) {
-      fail(AlarmId::NotImplemented, list[i].where, "RET with more than a target");
-    }
+  if (list.size() > 4) {
+    fail(AlarmId::ArgumentCount, list[4].where, "RET");
+  } else if (list.size() == 4 && list[3].form != Argument::Form::Omitted) {
+    fail(AlarmId::NotImplemented, list[3].where, "RET to the start of the program");
   }
   if (failed()) {
     return;
   }
   const std::uint32_t first = keep_arguments(list);
   emit(OpCode::Return, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, block_);
-  const bool has_target = !list.empty() && list.front().form != Argument::Form::Omitted;
-  last().count = has_target ? 1 : 0;
+  last().count = static_cast<std::uint16_t>(list.size());
 }
 
 void Compiler::procedure(ProcedureId id, ShortSpan where) {
@@ -143,7 +155,7 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
       expect(Symbol::Comma);
     }
     function_argument(kind, list);
-    if (!failed() && kind == 'V' && list.back().form != Argument::Form::Element) {
+    if (!failed() && !takes(kind, list.back())) {
       fail(AlarmId::ReferenceMissing, where, std::string(row.name));
     }
   }

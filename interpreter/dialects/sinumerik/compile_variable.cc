@@ -91,6 +91,16 @@ Compiler::Element Compiler::element_of(std::int32_t variable) {
   return element;
 }
 
+/// The text of a STRING variable that is no array.
+Expr Compiler::whole_text(std::int32_t variable, ShortSpan where) {
+  Expr text = target_of(variable, where);
+  if (program_->variables[static_cast<std::size_t>(variable)].storage == Storage::Reference) {
+    text.value = temporary(Type::String);
+    emit(OpCode::LoadText, text.value, number_constant(0.0), variable_number(variable), where);
+  }
+  return text;
+}
+
 /// The value of a variable, of its element or component; a whole array where no index follows.
 Expr Compiler::variable_access(std::int32_t variable, ShortSpan where) {
   const Variable known = program_->variables[static_cast<std::size_t>(variable)];
@@ -103,6 +113,9 @@ Expr Compiler::variable_access(std::int32_t variable, ShortSpan where) {
   if (known.shape.dimensions > 0 && !indexed) {
     result.is_whole_array = true;
     return result;
+  }
+  if (is_character(known)) {
+    return character_access(whole_text(variable, where));
   }
   const bool component = known.type == Type::Frame && known.shape.dimensions == 0 && indexed;
   const Element element = component ? Element{number_constant(0.0), true, 0} : element_of(variable);
@@ -252,6 +265,10 @@ void Compiler::assign_variable(std::int32_t variable, ShortSpan where) {
       known.type == Type::Frame && known.shape.dimensions == 0 && peek().is(Symbol::LeftBracket);
   if (component) {
     assign_component(target);
+    return;
+  }
+  if (is_character(known)) {
+    assign_character(whole_text(variable, where));
     return;
   }
   const Element element = element_of(variable);

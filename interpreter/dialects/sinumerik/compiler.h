@@ -122,6 +122,7 @@ class Compiler {
   std::int32_t find_variable(std::string_view name);
   std::int32_t import(const Variable& variable);
   Expr variable_access(std::int32_t variable, ShortSpan where);
+  Expr whole_text(std::int32_t variable, ShortSpan where);
   Element element_of(std::int32_t variable);
   Expr component_access(Expr frame);
   Expr system_access(const SystemName& name, ShortSpan where);
@@ -139,6 +140,12 @@ class Compiler {
   void repeat_value(const Expr& target);
   std::uint32_t keep_arguments(const std::vector<Argument>& list);
   Argument argument_of(const Expr& expr);
+
+  // compile_character.cc
+  bool is_character(const Variable& variable) const;
+  Expr character_access(Expr string);
+  void assign_character(const Expr& string);
+  Expr part_of(const Expr& string, const Expr& first, const Expr* length);
 
   // compile_structure.cc
   void if_statement();

@@ -31,6 +31,7 @@ class Globals {
   /// @returns nullptr when there is one of that name already
   const Variable* define(const Variable& variable);
 
+  [[nodiscard]] std::span<const Variable> variables() const { return variables_; }
   [[nodiscard]] const Variable& r_parameters() const { return variables_.front(); }
   [[nodiscard]] const std::vector<double>& initial_numbers() const { return numbers_; }
   [[nodiscard]] std::int32_t text_count() const { return text_count_; }

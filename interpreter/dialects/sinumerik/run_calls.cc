@@ -253,23 +253,40 @@ void Runner::restore_codes(const Level& from) {
   channel_.frames_changed();
 }
 
+/// What RET(target, behind, levels) says.
+Result<Runner::ReturnTarget, Failure> Runner::return_target(const Op& op) {
+  ReturnTarget target;
+  const Arguments list = arguments_of(op);
+  const auto given = [&](std::size_t i) {
+    return i < list.size() && list[i].form != Argument::Form::Omitted;
+  };
+  if (given(0)) {
+    target.label = list[0].type == Type::String
+                       ? upper(text(list[0].value))
+                       : fmt::format("N{:.0f}", rounded(number(list[0].value)));
+  }
+  target.behind = given(1) && number(list[1].value) != 0.0;
+  const double levels = given(2) ? rounded(number(list[2].value)) : 1.0;
+  if (levels < 1.0 || levels > static_cast<double>(std::max<std::size_t>(depth_, 1))) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("RET over {:.0f} levels", levels));
+  }
+  target.levels = static_cast<std::size_t>(levels);
+  return target;
+}
+
 /// Behind the call, or once more; RET(target) goes on at a label there.
 MaybeFailure Runner::return_from(const Op& op) {
+  const auto target = return_target(op);
+  if (!target) {
+    return target.error();
+  }
   if (depth_ == 0) {
     ended_ = true;
     return std::nullopt;
   }
   Level& done = level();
-  std::string target;
-  if (op.count > 0) {
-    const Argument& label = arguments_of(op).front();
-    if (label.type != Type::String) {
-      return failure(AlarmId::NotImplemented, "RET with a number");
-    }
-    target = upper(text(label.value));
-  }
-  restore_codes(done);
-  if (done.passes_left > 0) {
+  if (done.passes_left > 0 && target.value().label.empty() && target.value().levels == 1) {
+    restore_codes(done);
     --done.passes_left;
     done.step = 0;
     done.parts.clear();
@@ -278,14 +295,29 @@ MaybeFailure Runner::return_from(const Op& op) {
     use_level();
     return wrong;
   }
-  --depth_;
+  for (std::size_t i = 0; i < target.value().levels; ++i) {
+    restore_codes(level());
+    --depth_;
+  }
   use_level();
-  if (!target.empty()) {
-    const auto step = find_label(*level().program, target, level().step, Direction::Both);
-    if (!step) {
-      return failure(AlarmId::JumpTargetMissing, target);
+  return target.value().label.empty() ? std::nullopt : go_on_at(target.value());
+}
+
+MaybeFailure Runner::go_on_at(const ReturnTarget& target) {
+  const CompiledProgram& program = *level().program;
+  const auto step = find_label(program, target.label, level().step, Direction::Both);
+  if (!step) {
+    return failure(AlarmId::JumpTargetMissing, target.label);
+  }
+  level().step = *step;
+  if (target.behind) {
+    // The block of the label itself begins at its step; the one behind it is wanted.
+    const auto& ops = program.ops;
+    auto next = static_cast<std::size_t>(*step) + 1;
+    while (next < ops.size() && ops[next].code != OpCode::Block) {
+      ++next;
     }
-    level().step = *step;
+    level().step = static_cast<std::int32_t>(std::min(next, ops.size() - 1));
   }
   return std::nullopt;
 }

@@ -7,18 +7,6 @@ namespace {
 
 constexpr double kFirstAlarm = 60000.0;
 constexpr double kLastAlarm = 69999.0;
-constexpr double kNoFile = 4.0;   // error of DELETE
-constexpr double kBadName = 1.0;  // error of WRITE: the path is not allowed
-constexpr std::size_t kLongestLine = 200;
-
-/// A file in the part program memory, by its name without folders; "" when the path leaves it.
-std::string file_name(const std::string& path) {
-  if (path.find("..") != std::string::npos || path.empty()) {
-    return {};
-  }
-  const std::size_t slash = path.find_last_of("/\\");
-  return slash == std::string::npos ? path : path.substr(slash + 1);
-}
 
 }  // namespace
 
@@ -41,9 +29,12 @@ MaybeFailure Runner::procedure(const Op& op) {
     case ProcedureId::SETAL:
       return set_alarm(list);
     case ProcedureId::WRITE:
-      return write_file(list);
     case ProcedureId::DELETE:
-      return delete_file(list);
+    case ProcedureId::READ:
+    case ProcedureId::EXTOPEN:
+    case ProcedureId::EXTWRITE:
+    case ProcedureId::EXTCLOSE:
+      return file_procedure(static_cast<ProcedureId>(op.detail), list);
     case ProcedureId::SETMS:
       channel_.master_spindle = list.empty() ? 1.0 : number(list[0].value);
       return std::nullopt;
@@ -79,24 +70,6 @@ MaybeFailure Runner::set_alarm(Arguments list) {
   alarm.number = static_cast<int>(given);
   alarm.text = list.size() > 1 ? text(list[1].value) : std::string();
   return alarm;
-}
-
-MaybeFailure Runner::write_file(Arguments list) {
-  const std::string name = file_name(text(list[1].value));
-  const std::string& line = text(list[2].value);
-  if (name.empty() || line.size() > kLongestLine) {
-    set_result(list[0], kBadName);
-    return std::nullopt;
-  }
-  channel_.files[name] += line + "\n";
-  set_result(list[0], 0.0);
-  return std::nullopt;
-}
-
-MaybeFailure Runner::delete_file(Arguments list) {
-  const bool was_there = channel_.files.erase(file_name(text(list[1].value))) > 0;
-  set_result(list[0], was_there ? 0.0 : kNoFile);
-  return std::nullopt;
 }
 
 }  // namespace g31::sinumerik

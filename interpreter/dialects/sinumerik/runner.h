@@ -24,6 +24,10 @@ struct ShownValue {
   std::string text;
 };
 
+/// The name under which a program's file is kept: the path without its folders; "" when the path
+/// names none, or leads out of the control's memory.
+std::string file_name(std::string_view path);
+
 /// Steps through compiled programs: numbers, texts, jumps and calls.  What NC blocks command is
 /// done in execute/, what system variables show in system/.
 class Runner {
@@ -106,7 +110,14 @@ class Runner {
   MaybeFailure take_argument(Level& into, const Parameter& parameter, const BoundValue& value);
   MaybeFailure take_value(Level& into, const Variable& variable, const BoundValue& value);
   MaybeFailure take_reference(Level& into, const Variable& variable, const BoundValue& value);
+  struct ReturnTarget {
+    std::string label;  ///< or N and a number; empty: behind the call
+    bool behind = false;
+    std::size_t levels = 1;
+  };
+  Result<ReturnTarget, Failure> return_target(const Op& op);
   MaybeFailure return_from(const Op& op);
+  MaybeFailure go_on_at(const ReturnTarget& target);
   MaybeFailure end_program();
   MaybeFailure modal_call();
   void save_codes(Level& into);
@@ -115,8 +126,15 @@ class Runner {
   // run_procedures.cc
   MaybeFailure procedure(const Op& op);
   MaybeFailure set_alarm(Arguments list);
-  MaybeFailure write_file(Arguments list);
-  MaybeFailure delete_file(Arguments list);
+
+  // run_files.cc
+  MaybeFailure file_procedure(ProcedureId id, Arguments list);
+  double write_file(Arguments list);
+  double delete_file(Arguments list);
+  double read_file(Arguments list);
+  double open_external(Arguments list);
+  double write_external(Arguments list);
+  double close_external(Arguments list);
   void set_result(const Argument& target, double value);
 
   // run_words.cc

@@ -37,6 +37,35 @@ EdgeData edge_from(const runtime::ToolEntry& entry) {
   return edge;
 }
 
+/// With every digit; the exponent as the language writes it.
+std::string assignment(const std::string& name, double value) {
+  std::string number = fmt::format("{}", value);
+  if (const std::size_t exponent = number.find('e'); exponent != std::string::npos) {
+    number.replace(exponent, 1, "EX");
+  }
+  return fmt::format("{}={}", name, number);
+}
+
+/// "R5", "_OVR[0]", "$MA_MAX_AX_ACCEL[X]", "TABLE[1,2]"
+std::string name_of_element(const Variable& variable, std::int32_t element) {
+  if (variable.name == "R") {
+    return fmt::format("R{}", element);
+  }
+  if (variable.shape.dimensions == 0) {
+    return variable.name;
+  }
+  if (variable.name.starts_with("$MA_")) {
+    return fmt::format("{}[{}]", variable.name, kAxisLetters[static_cast<std::size_t>(element)]);
+  }
+  std::string indices;
+  for (int i = variable.shape.dimensions - 1; i >= 0; --i) {
+    const int size = variable.shape.size[static_cast<std::size_t>(i)];
+    indices = fmt::format("{}{}{}", element % size, indices.empty() ? "" : ",", indices);
+    element /= size;
+  }
+  return fmt::format("{}[{}]", variable.name, indices);
+}
+
 void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
                       std::vector<std::string>& refused) {
   for (const auto& [name, q_offset] : setup.work_offsets) {
@@ -59,12 +88,14 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
 
 }  // namespace
 
-Session::Session(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer) {
+Session::Session(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer)
+    : library_(library) {
   const std::vector<const CompiledProgram*> definitions = library.define();
   runner_ = std::make_unique<Runner>(library, port, observer);
   for (const CompiledProgram* const program : definitions) {
     runner_->run_definitions(*program);
   }
+  numbers_at_start_ = runner_->channel().numbers;
 }
 
 Session::~Session() = default;
@@ -83,9 +114,8 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   }
   for (const auto& [name, value] : setup.variables) {
     const bool is_fanuc_input = name.starts_with('#');
-    const auto wrong = is_fanuc_input
-                           ? std::optional<std::string>("no variable of this control")
-                           : runner_->run_text(fmt::format("{}={}", name, value.value_or(0.0)));
+    const auto wrong = is_fanuc_input ? std::optional<std::string>("no variable of this control")
+                                      : runner_->run_text(assignment(name, value.value_or(0.0)));
     if (wrong) {
       refused.push_back(fmt::format("variable {}: {}", name, *wrong));
     }
@@ -109,6 +139,27 @@ Result<runtime::ShownValue, std::string> Session::variable(const std::string& na
     return runtime::ShownValue(shown(Type::Axis, value.value().number));
   }
   return runtime::ShownValue(runtime::Cell(value.value().number));
+}
+
+std::map<std::string, double> Session::permanent_variables() const {
+  std::map<std::string, double> kept;
+  const std::vector<double>& numbers = runner_->channel().numbers;
+  for (const Variable& variable : library_.globals().variables()) {
+    if (!is_number(variable.type)) {
+      continue;
+    }
+    for (std::int32_t i = 0; i < variable.shape.count(); ++i) {
+      const auto place = static_cast<std::size_t>(variable.place + i);
+      if (numbers[place] != numbers_at_start_[place]) {
+        kept[name_of_element(variable, i)] = numbers[place];
+      }
+    }
+  }
+  return kept;
+}
+
+void Session::give_files(const std::map<std::string, std::string>& files) {
+  runner_->channel().files = files;
 }
 
 const std::map<std::string, std::string>& Session::files() const {

@@ -166,7 +166,8 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   }
   const bool no_edge = std::holds_alternative<machine::NoEdge>(outcome.value());
   if (no_edge && !measuring.by_action) {
-    return failure(AlarmId::ProbeDeflected);
+    return failure(measuring.edge == machine::SignalEdge::Rising ? AlarmId::ProbeDeflected
+                                                                 : AlarmId::ProbeNotDeflected);
   }
   runtime::TouchEvent event = event_of(channel, block, outcome.value());
   event.triggered = event.triggered || no_edge;

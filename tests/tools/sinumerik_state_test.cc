@@ -1,0 +1,122 @@
+// What a SINUMERIK control keeps from run to run: variables, and the files of its programs.
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_program.h"
+
+namespace g31::testing {
+namespace {
+
+namespace fs = std::filesystem;
+
+RunOutput run(const TemporaryFolder& folder, const std::string& program, const std::string& sheet,
+              const std::string& print = "R1-R9") {
+  cli::RunOptions options;
+  options.programs = {folder.write("case.mpf", program + "\nM30\n")};
+  options.setups = {folder.write("sheet.toml", sheet)};
+  options.prints = {print};
+  return run_program(options);
+}
+
+constexpr const char* kKeeping = "[control]\nvariables_file = \"machine.vars\"\n";
+constexpr const char* kFiles = "[control]\nfiles = \"logs\"\n";
+
+TEST(SinumerikVariables, OutliveTheRunWhenTheyDifferFromPowerOn) {
+  const TemporaryFolder folder;
+  const RunOutput first =
+      run(folder,
+          "R5=1.5 R6=0.1EX-12\n_OVR[4]=24.017 _OVI[2]=977\n$SNS_MEA_WP_BALL_DIAM[3]=5.9983\n"
+          "$MA_MAX_AX_ACCEL[Y]=3\n$SCS_MEA_FEED_MEASURE=300\nDEF REAL LOCAL=9",
+          kKeeping);
+  EXPECT_EQ(first.exit_code, 0);
+  EXPECT_EQ(text_of(folder.path("machine.vars")),
+            "$MA_MAX_AX_ACCEL[Y]=3\n$SNS_MEA_WP_BALL_DIAM[3]=5.9983\nR5=1.5\nR6=1e-13\n"
+            "_OVI[2]=977\n_OVR[4]=24.017\n");
+  const RunOutput next = run(folder,
+                             "R1=R5 R2=R6*10EX12 R3=_OVR[4] R4=_OVI[2]\n"
+                             "R7=$SNS_MEA_WP_BALL_DIAM[3] R8=$MA_MAX_AX_ACCEL[Y]",
+                             kKeeping);
+  EXPECT_EQ(next.document["variables"]["R1"], 1.5);
+  EXPECT_NEAR(next.document["variables"]["R2"].get<double>(), 1.0, 1e-12);
+  EXPECT_EQ(next.document["variables"]["R3"], 24.017);
+  EXPECT_EQ(next.document["variables"]["R4"], 977.0);
+  EXPECT_EQ(next.document["variables"]["R7"], 5.9983);
+  EXPECT_EQ(next.document["variables"]["R8"], 3.0);
+}
+
+TEST(SinumerikVariables, OfADefinitionFileCountFromItsInitialValues) {
+  const TemporaryFolder folder;
+  folder.write("MY.DEF", "%_N_MY_DEF\nDEF NCK REAL LIMIT=5\nDEF NCK INT TABLE[2,3]\nM17\n");
+  run(folder, "LIMIT=0 TABLE[1,2]=7", kKeeping);
+  EXPECT_EQ(text_of(folder.path("machine.vars")), "LIMIT=0\nTABLE[1,2]=7\n");
+  const RunOutput next = run(folder, "R1=LIMIT R2=TABLE[1,2]", kKeeping);
+  EXPECT_EQ(next.document["variables"]["R1"], 0.0);
+  EXPECT_EQ(next.document["variables"]["R2"], 7.0);
+}
+
+TEST(SinumerikFiles, LieInTheFolderOfTheSheetWhateverPathTheProgramNames) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path("logs"));
+  folder.write("logs/OLD.TXT", "FIRST\n");
+  folder.write("logs/GONE.TXT", "X\n");
+  folder.write("logs/KEPT.TXT", "Y\n");
+  const RunOutput output = run(folder,
+                               "DEF INT ERR\nDEF STRING[20] LINE\n"
+                               "READ(ERR,\"OLD.TXT\",1,1,LINE)\nR1=LINE==\"FIRST\"\n"
+                               "WRITE(ERR,\"//NC/MPF.DIR/OLD.TXT\",\"SECOND\")\n"
+                               "WRITE(ERR,\"/_N_WKS_DIR/_N_WP1_WPD/NEW.TXT\",\"HELLO\")\n"
+                               "DELETE(ERR,\"GONE.TXT\")\nR2=ERR\n"
+                               "WRITE(ERR,\"../OUT.TXT\",\"NO\")\nR3=ERR\n"
+                               "WRITE(ERR,\"/\",\"NO\")\nR4=ERR",
+                               kFiles);
+  EXPECT_EQ(output.exit_code, 0);
+  EXPECT_EQ(output.document["variables"]["R1"], 1.0);
+  EXPECT_EQ(output.document["variables"]["R2"], 0.0);
+  EXPECT_EQ(output.document["variables"]["R3"], 1.0);
+  EXPECT_EQ(output.document["variables"]["R4"], 1.0);
+  EXPECT_EQ(text_of(folder.path("logs/OLD.TXT")), "FIRST\nSECOND\n");
+  EXPECT_EQ(text_of(folder.path("logs/NEW.TXT")), "HELLO\n");
+  EXPECT_EQ(text_of(folder.path("logs/KEPT.TXT")), "Y\n");
+  EXPECT_FALSE(fs::exists(folder.path("logs/GONE.TXT")));
+  EXPECT_FALSE(fs::exists(folder.path("OUT.TXT")));
+  // The document tells what the program made, not what was there.
+  EXPECT_EQ(output.document["files"].size(), 2U);
+  EXPECT_EQ(output.document["files"]["NEW.TXT"], "HELLO\n");
+}
+
+TEST(SinumerikFiles, AreSavedAfterAnAlarmToo) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path("logs"));
+  const RunOutput output =
+      run(folder, "DEF INT ERR\nWRITE(ERR,\"A.TXT\",\"LINE\")\nSETAL(65000)", kFiles);
+  EXPECT_EQ(output.exit_code, 3);
+  EXPECT_EQ(text_of(folder.path("logs/A.TXT")), "LINE\n");
+}
+
+TEST(SinumerikFiles, LinksInTheFolderLeadNowhere) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path("logs"));
+  const std::string outside = folder.write("secret.txt", "SECRET\n");
+  fs::create_symlink(outside, folder.path("logs/LINK.TXT"));
+  const RunOutput output = run(folder,
+                               "DEF INT ERR\nDEF STRING[20] LINE\n"
+                               "READ(ERR,\"LINK.TXT\",1,1,LINE)\nR1=ERR\n"
+                               "WRITE(ERR,\"LINK.TXT\",\"OVERWRITTEN\")",
+                               kFiles);
+  EXPECT_EQ(output.document["variables"]["R1"], 3.0);
+  EXPECT_EQ(text_of(outside), "SECRET\n");
+  EXPECT_EQ(text_of(folder.path("logs/LINK.TXT")), "OVERWRITTEN\n");
+}
+
+TEST(SinumerikFiles, WithoutTheFolderNothingRuns) {
+  const TemporaryFolder folder;
+  const RunOutput output = run(folder, "R1=1", kFiles);
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_NE(output.errors.find("control.files"), std::string::npos) << output.errors;
+}
+
+}  // namespace
+}  // namespace g31::testing

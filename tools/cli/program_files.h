@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "machine/base/result.h"
+
+namespace g31::cli {
+
+/// The folder in which a program reads and writes its files (READ, WRITE, EXTWRITE); by name, all
+/// side by side.  Without a folder they live as long as the run.
+class ProgramFiles {
+ public:
+  using Contents = std::map<std::string, std::string>;
+
+  /// What lies in the folder; folders in it, hidden files and files of more than 16 MiB are none of
+  /// the program's.  @param folder  "": none.  @returns what is wrong with it
+  static Result<ProgramFiles, std::string> open(const std::string& folder);
+
+  [[nodiscard]] const Contents& at_start() const { return at_start_; }
+  /// What the program made or changed.
+  [[nodiscard]] Contents changed(const Contents& now) const;
+  /// Writes what has changed and removes what the program deleted, in the folder.
+  /// @returns why it could not be done
+  [[nodiscard]] std::optional<std::string> save(const Contents& now) const;
+
+ private:
+  std::string folder_;
+  Contents at_start_;
+};
+
+}  // namespace g31::cli
