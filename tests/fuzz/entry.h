@@ -6,13 +6,21 @@
 namespace g31::fuzz {
 
 /// Reads a text as a program file and as a later piece of one, compiles every program of it for
-/// every control and renders every message.  Whatever the bytes are, no more than that happens.
-void read_any_text(std::string_view bytes);
+/// every Fanuc control and renders every message.  Whatever the bytes are, no more than that
+/// happens.
+void read_fanuc_text(std::string_view bytes);
 
-/// Runs the main program of a text for at most kBlocks blocks, as the letters behind its `%` say
-/// (TapeChoices).  Nothing is read or written outside the text.  Every number that a result
-/// document would show must be one.
-void run_any_text(std::string_view bytes);
+/// The same of the SINUMERIK language: as a program, as definitions, as one expression; every step
+/// stands in the text and goes where there are steps.
+void read_sinumerik_text(std::string_view bytes);
+
+/// Runs the main program of a text on a Fanuc control for at most kBlocks blocks, as the letters
+/// behind its `%` say (TapeChoices).  Nothing is read or written outside the text.  Every number
+/// that a result document would show must be one.
+void run_fanuc_text(std::string_view bytes);
+
+/// The same on the SINUMERIK control.
+void run_sinumerik_text(std::string_view bytes);
 
 inline constexpr std::uint64_t kBlocks = 2000;
 

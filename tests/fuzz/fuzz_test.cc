@@ -17,6 +17,9 @@
 #include "interpreter/dialects/fanuc/functions.h"
 #include "interpreter/dialects/fanuc/g_codes.h"
 #include "interpreter/dialects/fanuc/output_format.h"
+#include "interpreter/dialects/sinumerik/functions.h"
+#include "interpreter/dialects/sinumerik/g_codes.h"
+#include "interpreter/dialects/sinumerik/words.h"
 #include "tests/fuzz/entry.h"
 #include "tests/fuzz/mutation.h"
 
@@ -31,10 +34,11 @@ std::string content(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The seeds, by name: the order in which folders list files is not the same everywhere.
-std::vector<std::string> corpus() {
+/// The seeds of a dialect, by name: the order in which folders list files is not the same
+/// everywhere.
+std::vector<std::string> corpus(const std::string& dialect) {
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator("tests/fuzz/corpus")) {
+  for (const auto& entry : std::filesystem::directory_iterator("tests/fuzz/corpus/" + dialect)) {
     paths.push_back(entry.path());
   }
   std::ranges::sort(paths);
@@ -61,9 +65,9 @@ std::string unescaped(std::string_view quoted) {
   return word;
 }
 
-std::vector<std::string> dictionary() {
+std::vector<std::string> dictionary(const std::string& dialect) {
   std::vector<std::string> words;
-  std::ifstream in("tests/fuzz/fanuc.dict");
+  std::ifstream in("tests/fuzz/" + dialect + ".dict");
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with('"')) {
       words.push_back(unescaped(line.substr(1, line.size() - 2)));
@@ -86,13 +90,13 @@ bool contains(std::string_view text, std::string_view word) {
 }
 
 template <typename Entry>
-void feed(Entry entry) {
-  const std::vector<std::string> texts = corpus();
+void feed(Entry entry, const std::string& dialect) {
+  const std::vector<std::string> texts = corpus(dialect);
   ASSERT_FALSE(texts.empty());
   for (const std::string& text : texts) {
     entry(text);
   }
-  const std::vector<std::string> words = dictionary();
+  const std::vector<std::string> words = dictionary(dialect);
   ASSERT_FALSE(words.empty());
   const bool traced = std::getenv("G31_FUZZ_TRACE") != nullptr;
   for (std::uint64_t number = 0; number < kMutations; ++number) {
@@ -104,15 +108,36 @@ void feed(Entry entry) {
   }
 }
 
+/// A word that the fuzzers do not know is one that they hardly ever try.
+void expect_known(const std::vector<std::string>& words, const std::string& dialect) {
+  const std::vector<std::string> known = dictionary(dialect);
+  std::string programs;
+  for (const std::string& text : corpus(dialect)) {
+    programs += text;
+  }
+  for (const std::string& word : words) {
+    EXPECT_TRUE(std::ranges::find(known, word) != known.end())
+        << word << " in " << dialect << ".dict";
+    EXPECT_TRUE(contains(programs, word)) << word << " in the corpus";
+  }
+}
+
 TEST(Fuzz, AnyTextIsRead) {
-  feed(read_any_text);
+  feed(read_fanuc_text, "fanuc");
 }
 
 TEST(Fuzz, AnyTextIsRun) {
-  feed(run_any_text);
+  feed(run_fanuc_text, "fanuc");
 }
 
-// A word that the fuzzers do not know is one that they hardly ever try.
+TEST(Fuzz, AnySinumerikTextIsRead) {
+  feed(read_sinumerik_text, "sinumerik");
+}
+
+TEST(Fuzz, AnySinumerikTextIsRun) {
+  feed(run_sinumerik_text, "sinumerik");
+}
+
 TEST(Fuzz, DictionaryAndCorpusKnowEveryWord) {
   std::vector<std::string> words;
   for (const fanuc::FunctionInfo& row : fanuc::functions()) {
@@ -124,15 +149,21 @@ TEST(Fuzz, DictionaryAndCorpusKnowEveryWord) {
   for (const fanuc::GCode& row : fanuc::g_codes()) {
     words.push_back(fmt::format("G{}", row.number.value()));
   }
-  const std::vector<std::string> known = dictionary();
-  std::string programs;
-  for (const std::string& text : corpus()) {
-    programs += text;
+  expect_known(words, "fanuc");
+}
+
+TEST(Fuzz, SinumerikDictionaryAndCorpusKnowEveryWord) {
+  std::vector<std::string> words;
+  for (const sinumerik::FunctionInfo& row : sinumerik::functions()) {
+    words.push_back(fmt::format("{}(", row.name));
   }
-  for (const std::string& word : words) {
-    EXPECT_TRUE(std::ranges::find(known, word) != known.end()) << word << " in fanuc.dict";
-    EXPECT_TRUE(contains(programs, word)) << word << " in the corpus";
+  for (const sinumerik::ProcedureInfo& row : sinumerik::procedures()) {
+    words.emplace_back(row.name);
   }
+  for (const sinumerik::GCode& row : sinumerik::g_codes()) {
+    words.emplace_back(row.name);
+  }
+  expect_known(words, "sinumerik");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "tests/fuzz/mutation.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "machine/base/contract.h"
 #include "machine/base/random.h"
@@ -29,7 +30,8 @@ class Draws {
 
 void change(std::string& text, Draws& draws, std::span<const std::string> texts,
             std::span<const std::string> words) {
-  constexpr std::string_view kBytes = "0123456789.-+*/[]#=()%\n\r GXYZIJKRQPLNOMHDF\x00\xFF";
+  using namespace std::string_view_literals;
+  constexpr auto kBytes = "0123456789.-+*/[]#=()%\n\r GXYZIJKRQPLNOMHDF,:;<>\"'$_\x00\xFF"sv;
   const std::size_t at = draws.below(text.size() + 1);
   const std::size_t length = std::min(draws.below(kPiece), text.size() - at);
   switch (draws.below(5)) {

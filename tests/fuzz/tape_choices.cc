@@ -72,7 +72,7 @@ const fanuc::Profile& TapeChoices::profile() const {
   return fanuc::profiles()[choice(0) % fanuc::profiles().size()];
 }
 
-runtime::ControlSetup TapeChoices::control_setup() const {
+runtime::ControlSetup TapeChoices::fanuc_setup() const {
   const unsigned sum = choice(1);
   runtime::ControlSetup setup;
   setup.lookahead_blocks = (sum & 1U) != 0 ? 4 : 0;
@@ -90,6 +90,24 @@ runtime::ControlSetup TapeChoices::control_setup() const {
   setup.macro_calls = {{"G100", 9010}, {"G101", 9011}, {"M100", 9020}};
   setup.tools[1] = {120.0, 0.1, 5.0, -0.01};
   setup.tools[2] = {-80.0, 0.0, 0.5, 0.0};
+  return setup;
+}
+
+runtime::ControlSetup TapeChoices::sinumerik_setup() const {
+  const unsigned sum = choice(1);
+  runtime::ControlSetup setup;
+  if ((sum & 2U) != 0) {
+    setup.block_skip = {1, 2};
+  }
+  if ((sum & 16U) != 0) {
+    setup.variables = {{"$SNS_MEA_WP_BALL_DIAM[0]", 6.0},
+                       {"$SCS_MEA_FEED_MEASURE", 100.0},
+                       {"R1", 1.5},
+                       {"$P_UIFR[1,Z,RT]", 30.0}};
+  }
+  setup.work_offsets["G54"] = AxisPositions::Constant(10.0);
+  setup.tools[1] = {120.0, 0.1, 3.0, -0.01, "PROBE", 710.0};
+  setup.tools[2] = {80.0, 0.0, 5.0, 0.0, "MILL", 120.0};
   return setup;
 }
 

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/angles.h"
 #include "interpreter/dialects/fanuc/scanner.h"
+#include "interpreter/runtime/angles.h"
 #include "machine/base/contract.h"
 
 namespace g31::fanuc {
@@ -258,9 +258,10 @@ Cell Evaluator::integer_operation(OpCode op, double a, double b) {
 }
 
 Cell Evaluator::trigonometric(FunctionId id, double argument) {
-  double result = id == FunctionId::COS ? cosine_deg(argument) : sine_deg(argument);
+  double result =
+      id == FunctionId::COS ? runtime::cosine_deg(argument) : runtime::sine_deg(argument);
   if (id == FunctionId::TAN) {
-    const double cosine = cosine_deg(argument);
+    const double cosine = runtime::cosine_deg(argument);
     if (cosine == 0.0) {
       return fail(AlarmId::DivisionByZero, fmt::format("TAN[{}]", argument));
     }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "interpreter/dialects/fanuc/angles.h"
+#include "interpreter/runtime/angles.h"
 
 namespace g31::fanuc {
 
@@ -31,7 +31,8 @@ void PolarCoordinates::add_radius(double radius, const Eigen::Vector2d& p_L_pres
 }
 
 Eigen::Vector2d PolarCoordinates::point() const {
-  return p_L_pole_ + radius_ * Eigen::Vector2d(cosine_deg(angle_deg_), sine_deg(angle_deg_));
+  return p_L_pole_ +
+         radius_ * Eigen::Vector2d(runtime::cosine_deg(angle_deg_), runtime::sine_deg(angle_deg_));
 }
 
 }  // namespace g31::fanuc

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/syntax/decimal.h"
+
 namespace g31::fanuc {
 namespace {
 
@@ -17,14 +19,6 @@ constexpr bool is_digit(char c) {
 constexpr bool is_letter(char c) {
   return c >= 'A' && c <= 'Z';
 }
-
-/// Powers of ten that a double holds exactly.
-constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                   1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                   1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-
-/// Up to this many digits mantissa and power of ten are exact, so one division rounds once.
-constexpr int kExactDigits = 15;
 
 /// @param written  digits, perhaps a point and, between them, what counts for nothing
 double value_of_many_digits(std::string_view written) {
@@ -105,7 +99,7 @@ std::optional<ScannedNumber> Scanner::number() {
     return std::nullopt;
   }
   const std::size_t begin = at_;
-  std::uint64_t mantissa = 0;  // of no use beyond kExactDigits
+  std::uint64_t mantissa = 0;  // of no use beyond syntax::kExactDigits
   int digits = 0;
   int before_point = 0;
   bool has_point = false;
@@ -127,8 +121,8 @@ std::optional<ScannedNumber> Scanner::number() {
     return std::nullopt;
   }
   const int decimals = has_point ? digits - before_point : 0;
-  const double value = digits <= kExactDigits
-                           ? static_cast<double>(mantissa) / kPowersOfTen[decimals]
+  const double value = digits <= syntax::kExactDigits
+                           ? syntax::decimal(mantissa, decimals)
                            : value_of_many_digits(text_.substr(begin, at_ - begin));
   // Made where the caller reads it: a copy would wait for the four stores.
   return std::optional<ScannedNumber>(

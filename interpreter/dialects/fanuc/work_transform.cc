@@ -1,6 +1,6 @@
 #include "interpreter/dialects/fanuc/work_transform.h"
 
-#include "interpreter/dialects/fanuc/angles.h"
+#include "interpreter/runtime/angles.h"
 #include "machine/base/contract.h"
 
 namespace g31::fanuc {
@@ -28,8 +28,8 @@ WorkTransform WorkTransform::scaling(const Point& p_L_centre, const Point& facto
 
 WorkTransform WorkTransform::rotation(const Plane& plane, const Eigen::Vector2d& centre,
                                       double angle_deg) {
-  const double cosine = cosine_deg(angle_deg);
-  const double sine = sine_deg(angle_deg);
+  const double cosine = runtime::cosine_deg(angle_deg);
+  const double sine = runtime::sine_deg(angle_deg);
   WorkTransform map;
   map.linear_(plane.first, plane.first) = cosine;
   map.linear_(plane.first, plane.second) = -sine;

@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/alarms.h"
 #include "interpreter/dialects/sinumerik/names.h"
 #include "interpreter/dialects/sinumerik/value_type.h"
+#include "interpreter/dialects/sinumerik/words.h"
 #include "interpreter/source/source_file.h"
 #include "interpreter/syntax/tree.h"
 
@@ -96,7 +98,8 @@ enum class OpCode : std::uint8_t {
   AxisWord,       ///< axis a (a number), value b, modification `count`
   AxisMeasuring,  ///< axis a, trigger b, mode in the number `result`; `detail` 1: MEAWA
   SkipAction,     ///< the next move ends when the signal of probe a is at level b
-  Execute,        ///< the NC block whose codes are nc_blocks[a.place]
+  Execute,        ///< the NC block nc_blocks[b.place]
+  NcBlock,        ///< Block and Execute in one: nothing is to be computed
   Call,           ///< calls[a.place]
   Return,         ///< behind the call; arguments: target, ...
   EndProgram,     ///< M2, M30, and the end of a main program
@@ -170,9 +173,23 @@ struct RepeatSite {
   std::int32_t end = -1;    ///< behind the last step of the part
 };
 
-/// G codes of an NC block as rows of g_codes.def.
+struct CompiledProgram;
+
+/// A word of an NC block whose value is known when compiling.
+struct ConstantWord {
+  double value = 0.0;
+  Address address = Address::FirstAxis;
+};
+
+/// G codes (packed) and constant words of an NC block: where they stand in the program's lists.
 struct NcBlock {
-  std::vector<std::uint16_t> codes;
+  std::uint32_t first_code = 0;
+  std::uint32_t first_word = 0;
+  std::uint16_t code_count = 0;
+  std::uint16_t word_count = 0;
+
+  [[nodiscard]] std::span<const std::uint16_t> codes_of(const CompiledProgram& program) const;
+  [[nodiscard]] std::span<const ConstantWord> words_of(const CompiledProgram& program) const;
 };
 
 /// Something wrong in a block that matters only when the program gets there.
@@ -200,6 +217,8 @@ struct CompiledProgram {
   std::vector<CallSite> calls;
   std::vector<RepeatSite> repeats;
   std::vector<NcBlock> nc_blocks;
+  std::vector<std::uint16_t> codes;
+  std::vector<ConstantWord> words;
   std::vector<BlockError> errors;
   NameMap<std::vector<std::int32_t>> labels;  ///< their steps, rising
   std::vector<BlockNumber> block_numbers;     ///< in their order
@@ -212,6 +231,13 @@ struct CompiledProgram {
   bool has_proc = false;
   bool saves_codes = false;  ///< SAVE
 };
+
+inline std::span<const std::uint16_t> NcBlock::codes_of(const CompiledProgram& program) const {
+  return std::span(program.codes).subspan(first_code, code_count);
+}
+inline std::span<const ConstantWord> NcBlock::words_of(const CompiledProgram& program) const {
+  return std::span(program.words).subspan(first_word, word_count);
+}
 
 /// The step of a jump from `from` to a label or "N100"; nullopt: there is none that way.
 std::optional<std::int32_t> find_label(const CompiledProgram& program, std::string_view name,

@@ -100,7 +100,7 @@ std::optional<Variable> Compiler::declared_variable(const DeclaredType& declared
     fail(AlarmId::DefinedTwice, name.where, name.text);
   }
   Variable variable;
-  variable.name = name.text;
+  variable.name = std::string(name.text);
   variable.type = declared.type;
   variable.longest = declared.longest;
   variable.shape = dimensions();
@@ -184,7 +184,7 @@ void Compiler::def_statement() {
 
 /// DEFINE name AS text
 void Compiler::define_statement() {
-  std::string name = next().text;
+  std::string name(next().text);
   if (name.size() == 1 && peek().kind == TokenKind::Integer) {
     name += next().text;
   }
@@ -194,7 +194,9 @@ void Compiler::define_statement() {
   }
   Macro macro;
   while (peek().kind != TokenKind::End) {
-    macro.tokens.push_back(next());
+    Token token = next();
+    token.text = macro.spellings.emplace_back(token.text);
+    macro.tokens.push_back(token);
   }
   NameMap<Macro>& macros = purpose_ == Purpose::Definitions ? definitions_->macros : macros_;
   if (!macros.emplace(name, std::move(macro)).second) {
@@ -257,7 +259,9 @@ void Compiler::proc_parameter() {
       preset(parameter);
     }
   }
-  program_->parameters.push_back(std::move(parameter));
+  if (!failed()) {
+    program_->parameters.push_back(std::move(parameter));
+  }
 }
 
 /// The value of a parameter that a call leaves out.

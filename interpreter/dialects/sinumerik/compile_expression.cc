@@ -52,7 +52,7 @@ constexpr std::string_view symbol_text(Symbol symbol) {
 /// The row of operators.def that a token is; -1: none.
 int operator_row(const Token& token) {
   const std::string_view text = token.kind == TokenKind::Symbol ? symbol_text(token.symbol)
-                                : token.kind == TokenKind::Name ? std::string_view(token.text)
+                                : token.kind == TokenKind::Name ? token.text
                                                                 : std::string_view();
   if (text.empty()) {
     return -1;
@@ -150,7 +150,7 @@ Expr Compiler::primary() {
   } else if (token.kind == TokenKind::Text) {
     next();
     result.type = Type::String;
-    result.value = text_constant(token.text);
+    result.value = text_constant(one_byte_each(token.text));
     result.is_constant = true;
     result.where = token.where;
   } else if (accept(Symbol::LeftParen)) {

@@ -31,8 +31,18 @@ std::optional<Compiler::Structure> Compiler::close(StructureKind kind) {
   return structure;
 }
 
+/// The innermost loop.  The end of one whose beginning is wrong can be reached by a jump into it.
+std::optional<Compiler::Structure> Compiler::close_loop(StructureKind kind) {
+  auto loop = close(kind);
+  if (loop && loop->head < 0) {
+    fail(AlarmId::BadNesting, block_, text_of(block_));
+    return std::nullopt;
+  }
+  return loop;
+}
+
 void Compiler::back_to(const Structure& loop) {
-  emit(OpCode::Jump, {}, {Bank::Constants, loop.head}, {}, block_);
+  emit(OpCode::Jump, {}, {Bank::Constants, loop.head + 1}, {}, block_);
   set_target(loop.exit, here());
 }
 
@@ -54,7 +64,7 @@ void Compiler::else_statement() {
     const std::int32_t done = emit(OpCode::Jump, {}, {}, {}, block_);
     set_target(structure->exit, here());
     structure->kind = StructureKind::Else;
-    structure->exit = done;
+    structure->exit = failed() ? -1 : done;
     structures_.push_back(*structure);
   }
 }
@@ -75,7 +85,7 @@ void Compiler::loop_statement() {
 
 void Compiler::endloop_statement() {
   expect_end();
-  if (const auto loop = close(StructureKind::Loop)) {
+  if (const auto loop = close_loop(StructureKind::Loop)) {
     back_to(*loop);
   }
 }
@@ -116,7 +126,7 @@ void Compiler::for_statement() {
 
 void Compiler::endfor_statement() {
   expect_end();
-  const auto loop = close(StructureKind::For);
+  const auto loop = close_loop(StructureKind::For);
   if (!loop) {
     return;
   }
@@ -144,7 +154,7 @@ void Compiler::while_statement() {
 
 void Compiler::endwhile_statement() {
   expect_end();
-  if (const auto loop = close(StructureKind::While)) {
+  if (const auto loop = close_loop(StructureKind::While)) {
     back_to(*loop);
   }
 }
@@ -166,8 +176,9 @@ void Compiler::repeatb_statement() {
 void Compiler::until_statement() {
   const Expr condition = boolean(expression());
   expect_end();
-  if (const auto loop = close(StructureKind::Repeat)) {
-    emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head}, condition.where);
+  if (const auto loop = close_loop(StructureKind::Repeat)) {
+    emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head + 1},
+         condition.where);
   }
 }
 
@@ -182,8 +193,11 @@ std::optional<std::string> Compiler::label_name() {
   }
   // A control wants two letters; one and a number leave no doubt either.
   const Token name = next();
-  const bool numbered = name.kind == TokenKind::Letter && peek().kind == TokenKind::Integer;
-  return numbered ? name.text + next().text : name.text;
+  std::string label(name.text);
+  if (name.kind == TokenKind::Letter && peek().kind == TokenKind::Integer) {
+    label += next().text;
+  }
+  return label;
 }
 
 void Compiler::repeat_part(bool one_block) {

@@ -1,13 +1,13 @@
+#include <algorithm>
+
 #include "interpreter/dialects/sinumerik/compiler.h"
 #include "interpreter/dialects/sinumerik/g_codes.h"
 
 namespace g31::sinumerik {
 namespace {
 
-std::string without_leading_zeros(const std::string& digits) {
-  const std::size_t first = digits.find_first_not_of('0');
-  return first == std::string::npos ? "0" : digits.substr(first);
-}
+/// The one spindle there is: S1=, M1=, SPOS[1]=.
+constexpr double kSpindle = 1.0;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ void Compiler::letter_item() {
   }
   next();
   if (letter.is_letter('L') && numbered) {
-    call_by_name("L" + next().text, letter.where);
+    call_by_name("L" + std::string(next().text), letter.where);
     return;
   }
   letter_word(letter);
@@ -39,15 +39,23 @@ void Compiler::letter_word(Token letter) {
       fail(AlarmId::NotImplemented, letter.where, "G with a computed number");
       return;
     }
-    g_code("G" + without_leading_zeros(peek().text), letter.where);
-    next();
+    const Token number = next();
+    g_code(find_g_code(number.number), {letter.where.begin, number.where.end});
     return;
   }
   const int axis = axis_index(letter.text.front());
-  std::string name = letter.text;
+  std::string name(letter.text);
+  double extension = kSpindle;
   // I1=, C3=, S1=, M2=: a number belongs to the address where = follows.
   if (numbered && is_assigned(1)) {
-    name += next().text;
+    const Token number = next();
+    name += number.text;
+    extension = number.number;
+  }
+  const bool of_spindle = letter.is_letter('M') || letter.is_letter('S') || letter.is_letter('T');
+  if (of_spindle && extension != kSpindle) {
+    fail(AlarmId::NoSuchAddress, letter.where, name);
+    return;
   }
   if (letter.is_letter('M')) {
     m_word(letter.where);
@@ -57,7 +65,6 @@ void Compiler::letter_word(Token letter) {
     word(static_cast<Address>(axis), letter.where);
     return;
   }
-  const bool of_spindle = letter.is_letter('S') || letter.is_letter('T');
   const auto address = find_address(of_spindle ? letter.text : name);
   if (!address) {
     fail(AlarmId::NoSuchAddress, letter.where, name);
@@ -66,10 +73,9 @@ void Compiler::letter_word(Token letter) {
   word(*address, letter.where);
 }
 
-void Compiler::g_code(std::string name, ShortSpan where) {
-  const auto code = find_g_code(name);
+void Compiler::g_code(std::optional<FoundCode> code, ShortSpan where) {
   if (!code) {
-    fail(AlarmId::UnknownGCode, where, name);
+    fail(AlarmId::UnknownGCode, where, text_of(where));
     return;
   }
   const GCode& row = g_codes()[code->row];
@@ -77,33 +83,68 @@ void Compiler::g_code(std::string name, ShortSpan where) {
     fail(AlarmId::NotImplemented, where, std::string(row.name) + ", " + std::string(row.text));
     return;
   }
-  for (const std::uint16_t bits : nc_.codes) {
-    if (g_codes()[unpacked(bits).row].group == row.group) {
-      fail(AlarmId::SameGroup, where, name);
+  for (std::size_t i = nc_.first_code; i < program_->codes.size(); ++i) {
+    if (g_codes()[unpacked(program_->codes[i]).row].group == row.group) {
+      fail(AlarmId::SameGroup, where, text_of(where));
       return;
     }
   }
-  nc_.codes.push_back(packed(*code));
+  program_->codes.push_back(packed(*code));
   has_words_ = true;
 }
 
 /// M2, M17 and M30 end the program behind everything else in their block.
 void Compiler::m_word(ShortSpan where) {
+  if (peek().kind == TokenKind::Integer) {
+    m_number(next().number, where);
+    return;
+  }
   Modification modification = Modification::None;
   const Expr value = convert(word_value(modification), Type::Int, AlarmId::BadArguments);
   if (failed()) {
     return;
   }
   if (value.is_constant) {
-    const double number = program_->constants[static_cast<std::size_t>(value.value.place)];
-    if (number == 2.0 || number == 17.0 || number == 30.0) {
-      ends_with_ = number == 17.0 ? OpCode::Return : OpCode::EndProgram;
-      return;
-    }
+    m_number(program_->constants[static_cast<std::size_t>(value.value.place)], where);
+    return;
   }
   Expr number = value;
   number.where = where;
   emit_word(Address::Machine, Modification::None, number);
+}
+
+void Compiler::m_number(double number, ShortSpan where) {
+  if (number == 2.0 || number == 17.0 || number == 30.0) {
+    ends_with_ = number == 17.0 ? OpCode::Return : OpCode::EndProgram;
+  } else {
+    constant_word(Address::Machine, number, where);
+  }
+}
+
+/// A number at once behind an address, perhaps with a sign.
+std::optional<double> Compiler::number_at_once() {
+  const bool negative = peek().is(Symbol::Minus);
+  const bool is_signed = negative || peek().is(Symbol::Plus);
+  const Token& number = peek(is_signed ? 1 : 0);
+  if (number.kind != TokenKind::Integer && number.kind != TokenKind::Real) {
+    return std::nullopt;
+  }
+  at_ += is_signed ? 2 : 1;
+  return negative ? -number.number : number.number;
+}
+
+/// A word that needs no step of its own: the block knows it.
+void Compiler::constant_word(Address address, double value, ShortSpan where) {
+  std::vector<ConstantWord>& words = program_->words;
+  const auto times =
+      std::count_if(words.begin() + nc_.first_word, words.end(),
+                    [address](const ConstantWord& word) { return word.address == address; });
+  if (times == most_in_block(address)) {
+    fail(address == Address::Machine ? AlarmId::AddressTooOften : AlarmId::AddressRepeated, where,
+         name_of(address));
+  }
+  words.push_back({value, address});
+  has_words_ = true;
 }
 
 /// What stands behind an address: a number at once, or = and an expression.
@@ -134,6 +175,10 @@ Expr Compiler::word_value(Modification& modification) {
 }
 
 void Compiler::word(Address address, ShortSpan where) {
+  if (const auto number = number_at_once()) {
+    constant_word(address, *number, where);
+    return;
+  }
   Modification modification = Modification::None;
   Expr value = word_value(modification);
   if (failed()) {
@@ -144,7 +189,8 @@ void Compiler::word(Address address, ShortSpan where) {
                           address == Address::CentreY || address == Address::CentreZ ||
                           address == Address::Spindle || address == Address::SpindleAsync ||
                           address == Address::MiddleX || address == Address::MiddleY ||
-                          address == Address::MiddleZ;
+                          address == Address::MiddleZ || address == Address::PolarAngle ||
+                          address == Address::PolarRadius;
   if (modification != Modification::None && !modifiable) {
     fail(AlarmId::BadModification, where, text_of(where));
     return;
@@ -189,12 +235,23 @@ void Compiler::axis_measuring() {
   expect(Symbol::Comma);
   const Expr trigger = convert(expression(), Type::Int, AlarmId::BadArguments);
   if (peek().is(Symbol::Comma)) {
-    fail(AlarmId::NotImplemented, name.where, name.text + " with more than one trigger");
+    fail(AlarmId::NotImplemented, name.where,
+         std::string(name.text) + " with more than one trigger");
   }
   expect(Symbol::RightParen);
   emit(OpCode::AxisMeasuring, mode.value, axis.value, trigger.value, name.where);
   last().detail = name.text == "MEAWA" ? 1 : 0;
   has_words_ = true;
+}
+
+/// [1] behind SPOS, SPOSA or LIMS.
+void Compiler::spindle_index(const Token& name) {
+  expect(Symbol::LeftBracket);
+  const Token number = next();
+  expect(Symbol::RightBracket);
+  if (number.kind != TokenKind::Integer || number.number != kSpindle) {
+    fail(AlarmId::NoSuchAddress, number.where, text_of({name.where.begin, number.where.end}) + "]");
+  }
 }
 
 /// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.
@@ -208,16 +265,23 @@ bool Compiler::named_word() {
     axis_measuring();
     return true;
   }
-  if (find_g_code(name.text)) {
+  if (const auto code = find_g_code(name.text)) {
     next();
-    g_code(name.text, name.where);
+    g_code(code, name.where);
     return true;
   }
   const auto address = find_address(name.text);
-  if (!address || !is_assigned(1)) {
+  const bool of_spindle =
+      address && (*address == Address::Spindle || *address == Address::SpindleAsync ||
+                  *address == Address::SpeedLimit);
+  const bool indexed = of_spindle && peek(1).is(Symbol::LeftBracket);
+  if (!address || (!is_assigned(1) && !indexed)) {
     return false;
   }
   next();
+  if (indexed) {
+    spindle_index(name);
+  }
   word(*address, name.where);
   return true;
 }

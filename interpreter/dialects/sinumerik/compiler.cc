@@ -20,6 +20,7 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
     : globals_(globals),
       purpose_(purpose),
       text_(source.file->text()),
+      scanner_(text_),
       whole_(source.text),
       program_(std::make_unique<CompiledProgram>()) {
   program_->name = source.name;
@@ -35,7 +36,18 @@ void Compiler::know_locals_of(const CompiledProgram& home) {
   has_letter_names_ = true;
 }
 
+/// Room for as many NC blocks of constant words as there are lines: a long program has little else.
+void Compiler::reserve() {
+  const std::string_view text = text_.substr(whole_.begin, whole_.end - whole_.begin);
+  const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  program_->ops.reserve(lines);
+  program_->spans.reserve(lines);
+  program_->nc_blocks.reserve(lines);
+  program_->words.reserve(4 * lines);
+}
+
 std::unique_ptr<CompiledProgram> Compiler::run() {
+  reserve();
   std::size_t begin = whole_.begin;
   while (begin < whole_.end) {
     const std::size_t found = text_.find('\n', begin);
@@ -51,7 +63,7 @@ std::unique_ptr<CompiledProgram> Compiler::run() {
 }
 
 std::unique_ptr<CompiledProgram> Compiler::run_expression() {
-  scan_block(text_, whole_, tokens_);
+  scanner_.scan(whole_, tokens_);
   find_letter_names();
   block_ = whole_;
   const Expr value = expression();
@@ -65,7 +77,7 @@ std::unique_ptr<CompiledProgram> Compiler::run_expression() {
 }
 
 void Compiler::block(ShortSpan span) {
-  scan_block(text_, span, tokens_);
+  scanner_.scan(span, tokens_);
   if (tokens_.size() == 1) {
     return;
   }
@@ -79,14 +91,14 @@ void Compiler::block(ShortSpan span) {
   error_.reset();
   number_temporaries_ = text_temporaries_ = frame_temporaries_ = 0;
   block_ = {tokens_.front().where.begin, tokens_[tokens_.size() - 2].where.end};
-  const std::size_t first = program_->ops.size();
+  first_step_ = program_->ops.size();
   emit(OpCode::Block, {}, {}, {}, block_);
   block_head();
   statement();
   if (failed()) {
-    take_back(first + 1);
+    take_back(first_step_ + 1);
   }
-  program_->ops[first].a.place = here();
+  program_->ops[first_step_].a.place = here();
   is_first_block_ = false;
 }
 
@@ -97,7 +109,8 @@ void Compiler::take_back(std::size_t first_step) {
   std::erase_if(jumps_, [&](const JumpToLabel& jump) {
     return static_cast<std::size_t>(jump.step) >= first_step;
   });
-  nc_.codes.clear();
+  program_->codes.resize(nc_.first_code);
+  program_->words.resize(nc_.first_word);
   has_words_ = false;
   ends_with_ = OpCode::Move;
   program_->errors.push_back(*error_);
@@ -176,16 +189,13 @@ void Compiler::item() {
   } else if (peek().is(Symbol::Assign) || peek().is(Symbol::LeftBracket)) {
     fail(AlarmId::NotDefined, name.where, name.text);
   } else {
-    call_by_name(name.text, name.where);
+    call_by_name(std::string(name.text), name.where);
   }
 }
 
 void Compiler::finish_words() {
   if (has_words_) {
-    program_->nc_blocks.push_back(nc_);
-    emit(OpCode::Execute, {}, {Bank::Constants, size_of(program_->nc_blocks) - 1}, {}, block_);
-    nc_.codes.clear();
-    has_words_ = false;
+    emit_nc_block();
   }
   if (ends_with_ != OpCode::Move) {
     emit(ends_with_, {}, {}, {}, block_);
@@ -193,11 +203,27 @@ void Compiler::finish_words() {
   }
 }
 
+void Compiler::emit_nc_block() {
+  const Operand block = {Bank::Constants, size_of(program_->nc_blocks)};
+  nc_.code_count = static_cast<std::uint16_t>(program_->codes.size() - nc_.first_code);
+  nc_.word_count = static_cast<std::uint16_t>(program_->words.size() - nc_.first_word);
+  program_->nc_blocks.push_back(nc_);
+  nc_.first_code = static_cast<std::uint32_t>(program_->codes.size());
+  nc_.first_word = static_cast<std::uint32_t>(program_->words.size());
+  has_words_ = false;
+  if (program_->ops.size() == first_step_ + 1) {
+    last().code = OpCode::NcBlock;
+    last().b = block;
+  } else {
+    emit(OpCode::Execute, {}, {}, block, block_);
+  }
+}
+
 /// Names that DEFINE has made are replaced once: what stands in their place is taken as it is.
 void Compiler::expand_macros() {
   std::vector<Token> all;
   for (std::size_t i = 0; i < tokens_.size(); ++i) {
-    std::string name = tokens_[i].text;
+    std::string name(tokens_[i].text);
     std::size_t used = 1;
     if (tokens_[i].kind == TokenKind::Letter && tokens_[i + 1].kind == TokenKind::Integer) {
       name += tokens_[i + 1].text;
@@ -215,7 +241,7 @@ void Compiler::expand_macros() {
     const ShortSpan where = tokens_[i].where;
     for (Token token : is_own ? macro->second.tokens : global->second.tokens) {
       token.where = where;
-      all.push_back(std::move(token));
+      all.push_back(token);
     }
     i += used - 1;
   }
@@ -310,9 +336,9 @@ void Compiler::expect_end() {
 }
 
 /// The first thing wrong in a block is the one that counts.
-void Compiler::fail(AlarmId id, ShortSpan where, std::string detail) {
+void Compiler::fail(AlarmId id, ShortSpan where, std::string_view detail) {
   if (!error_) {
-    error_ = BlockError{id, std::move(detail)};
+    error_ = BlockError{id, std::string(detail)};
     error_where_ = where.end > where.begin ? where : block_;
   }
 }

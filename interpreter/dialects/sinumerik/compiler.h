@@ -7,6 +7,7 @@
 
 #include "interpreter/dialects/sinumerik/compile.h"
 #include "interpreter/dialects/sinumerik/functions.h"
+#include "interpreter/dialects/sinumerik/g_codes.h"
 #include "interpreter/dialects/sinumerik/system_variables.h"
 #include "interpreter/dialects/sinumerik/words.h"
 
@@ -77,7 +78,9 @@ class Compiler {
   void statement();
   void item();
   void finish_words();
+  void emit_nc_block();
   void take_back(std::size_t first_step);
+  void reserve();
   void expand_macros();
   void find_letter_names();
   void resolve_jumps();
@@ -88,8 +91,8 @@ class Compiler {
   bool accept_name(std::string_view name);
   void expect(Symbol symbol);
   void expect_end();
-  void fail(AlarmId id, ShortSpan where, std::string detail = {});
-  void fail(AlarmId id, std::string detail = {}) { fail(id, peek().where, std::move(detail)); }
+  void fail(AlarmId id, ShortSpan where, std::string_view detail = {});
+  void fail(AlarmId id, std::string_view detail = {}) { fail(id, peek().where, detail); }
   [[nodiscard]] bool failed() const { return error_.has_value(); }
   [[nodiscard]] std::string text_of(ShortSpan where) const;
   std::int32_t emit(OpCode code, Operand result, Operand a, Operand b, ShortSpan where);
@@ -173,6 +176,7 @@ class Compiler {
   std::optional<std::string> label_name();
   void open(StructureKind kind, std::int32_t head, std::int32_t exit);
   std::optional<Structure> close(StructureKind kind);
+  std::optional<Structure> close_loop(StructureKind kind);
   void back_to(const Structure& loop);
 
   // compile_definition.cc
@@ -212,11 +216,15 @@ class Compiler {
   // compile_words.cc
   void letter_item();
   void letter_word(Token letter);
-  void g_code(std::string name, ShortSpan where);
+  void g_code(std::optional<FoundCode> code, ShortSpan where);
   void m_word(ShortSpan where);
+  void m_number(double number, ShortSpan where);
+  std::optional<double> number_at_once();
+  void constant_word(Address address, double value, ShortSpan where);
   void axis_by_name();
   void axis_measuring();
   bool named_word();
+  void spindle_index(const Token& name);
   void word(Address address, ShortSpan where);
   void emit_word(Address address, Modification modification, const Expr& value);
   Expr word_value(Modification& modification);
@@ -228,6 +236,7 @@ class Compiler {
   Globals* definitions_ = nullptr;
   Purpose purpose_;
   std::string_view text_;
+  Scanner scanner_;
   ShortSpan whole_;
   std::unique_ptr<CompiledProgram> program_;
   NameMap<std::int32_t> imported_;
@@ -241,9 +250,10 @@ class Compiler {
   std::int32_t number_temporaries_ = 0;
   std::int32_t text_temporaries_ = 0;
   std::int32_t frame_temporaries_ = 0;
-  NcBlock nc_;
+  NcBlock nc_;  ///< where codes and words of the block begin
   bool has_words_ = false;
   OpCode ends_with_ = OpCode::Move;  ///< Return or EndProgram behind the words of the block
+  std::size_t first_step_ = 0;       ///< of the block
   bool is_first_block_ = true;
   bool has_letter_names_ = false;  ///< a variable is called I, say
   std::vector<Structure> structures_;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "interpreter/dialects/sinumerik/names.h"
+#include "interpreter/runtime/angles.h"
 #include "machine/base/contract.h"
 
 namespace g31::sinumerik {
@@ -20,17 +21,6 @@ constexpr auto kRows = std::to_array<FunctionInfo>({
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-/// Quarter turns are exact: SIN(180) is 0 on the control.
-double sine(double degrees) {
-  const double turned = std::fmod(degrees, 360.0);
-  if (std::fmod(turned, 90.0) == 0.0) {
-    constexpr double kQuarters[] = {0.0, 1.0, 0.0, -1.0};
-    const int quarter = static_cast<int>(turned / 90.0);
-    return kQuarters[(quarter % 4 + 4) % 4];
-  }
-  return std::sin(turned * kRadians);
-}
-
 std::optional<double> within(double limit, double value, double result) {
   return std::abs(value) <= limit ? std::optional(result) : std::nullopt;
 }
@@ -38,11 +28,13 @@ std::optional<double> within(double limit, double value, double result) {
 std::optional<double> one_number(FunctionId id, double a) {
   switch (static_cast<int>(id)) {
     case static_cast<int>(FunctionId::SIN):
-      return sine(a);
+      return runtime::sine_deg(a);
     case static_cast<int>(FunctionId::COS):
-      return sine(a + 90.0);
+      return runtime::cosine_deg(a);
     case static_cast<int>(FunctionId::TAN):
-      return sine(a + 90.0) == 0.0 ? std::nullopt : std::optional(sine(a) / sine(a + 90.0));
+      return runtime::cosine_deg(a) == 0.0
+                 ? std::nullopt
+                 : std::optional(runtime::sine_deg(a) / runtime::cosine_deg(a));
     case static_cast<int>(FunctionId::ASIN):
       return within(1.0, a, std::asin(a) / kRadians);
     case static_cast<int>(FunctionId::ACOS):

@@ -1,6 +1,8 @@
 #include "interpreter/dialects/sinumerik/g_codes.h"
 
 #include <charconv>
+#include <string>
+#include <vector>
 
 #include "interpreter/dialects/sinumerik/names.h"
 
@@ -15,6 +17,7 @@ constexpr auto kRows = std::to_array<GCode>({
 
 constexpr int kFirstSettable = 505;
 constexpr int kLastSettable = 599;
+constexpr int kNumberCount = 1000;  // codes are G0 to G999
 
 }  // namespace
 
@@ -41,6 +44,17 @@ std::optional<FoundCode> find_g_code(std::string_view name) {
     return std::nullopt;
   }
   return FoundCode{kByName.at("G505"), static_cast<std::uint16_t>(number - kFirstSettable)};
+}
+
+std::optional<FoundCode> find_g_code(double number) {
+  static const std::vector<std::optional<FoundCode>> kByNumber = [] {
+    std::vector<std::optional<FoundCode>> codes;
+    for (int i = 0; i < kNumberCount; ++i) {
+      codes.push_back(find_g_code("G" + std::to_string(i)));
+    }
+    return codes;
+  }();
+  return number < kNumberCount ? kByNumber[static_cast<std::size_t>(number)] : std::nullopt;
 }
 
 int preset_number(int group) {

@@ -15,6 +15,11 @@ enum class GAction : std::uint8_t {
   Reference,
   FixedPoint,
   Frame,
+  AxialShift,   ///< G58, G59
+  SolidAngles,  ///< ROTS
+  Pole,
+  LowerLimit,  ///< G25, G26
+  UpperLimit,
   Refused,
 };
 
@@ -39,6 +44,8 @@ struct FoundCode {
 
 /// @param name  upper case, without leading zeros: "G1", "SUPA", "G507"
 std::optional<FoundCode> find_g_code(std::string_view name);
+/// G and a number.
+std::optional<FoundCode> find_g_code(double number);
 
 /// A code of a block in one number, and back.
 constexpr std::uint16_t packed(FoundCode code) {

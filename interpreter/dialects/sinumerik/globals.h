@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +18,7 @@ inline constexpr int kRParameters = 1000;
 /// DEFINE name AS text: the tokens stand in the place of the name.
 struct Macro {
   std::vector<Token> tokens;
+  std::deque<std::string> spellings;  ///< what the tokens say
 };
 
 /// The names that every program of a control sees: R parameters, machine and setting data, GUD and

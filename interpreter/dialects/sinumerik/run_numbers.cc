@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/runner.h"
+#include "machine/base/contract.h"
 
 namespace g31::sinumerik {
 namespace {
-
-constexpr double kLowestInt = -2147483648.0;
-constexpr double kHighestInt = 2147483647.0;
 
 /// A code as switch takes it: not every switch is about all of them.
 constexpr int at(OpCode code) {
@@ -19,10 +17,6 @@ std::int32_t bits(double number) {
   return static_cast<std::int32_t>(number);
 }
 
-bool is_int(double number) {
-  return number >= kLowestInt && number <= kHighestInt;
-}
-
 }  // namespace
 
 /// Keeps the reason; @returns false, for the way out.
@@ -31,141 +25,140 @@ bool Runner::failed(AlarmId id, std::string detail) {
   return false;
 }
 
-namespace {
+/// result = value, which must be a number.
+bool Runner::take(const Op& op, double value) {
+  if (!std::isfinite(value)) [[unlikely]] {
+    return failed(AlarmId::ArithmeticError, number(op.b) == 0.0 ? "division by zero" : "too large");
+  }
+  number(op.result) = value;
+  return true;
+}
 
-/// Comparisons and logic: steps that cannot fail.  nullopt: another step.
-std::optional<double> judged(OpCode code, double a, double b) {
-  const auto truth = [](bool holds) { return holds ? 1.0 : 0.0; };
-  switch (at(code)) {
-    case at(OpCode::Equal):
-      return truth(a == b);
-    case at(OpCode::NotEqual):
-      return truth(a != b);
-    case at(OpCode::Less):
-      return truth(a < b);
-    case at(OpCode::Greater):
-      return truth(a > b);
-    case at(OpCode::LessEqual):
-      return truth(a <= b);
-    case at(OpCode::GreaterEqual):
-      return truth(a >= b);
-    case at(OpCode::And):
-      return truth(a != 0.0 && b != 0.0);
-    case at(OpCode::Or):
-      return truth(a != 0.0 || b != 0.0);
-    case at(OpCode::Xor):
-      return truth((a != 0.0) != (b != 0.0));
-    case at(OpCode::BitAnd):
-      return bits(a) & bits(b);
-    case at(OpCode::BitOr):
-      return bits(a) | bits(b);
-    case at(OpCode::BitXor):
-      return bits(a) ^ bits(b);
-    default:
-      return std::nullopt;
+bool Runner::take_truth(const Op& op, bool holds) {
+  number(op.result) = holds ? 1.0 : 0.0;
+  return true;
+}
+
+/// Does steps on numbers, jumps and the beginnings of blocks up to a step of another kind, which it
+/// returns, or up to one that failed.  The hot loop: the level's step is looked up and left once.
+const Op& Runner::number_steps() {
+  Level& now = level();
+  const Op* const ops = now.program->ops.data();
+  const Op* op = ops + now.step;
+  const bool in_part = !now.parts.empty();
+  for (bool done = true;; ++op) {
+    if (op->code < OpCode::Jump) {
+      done = number_step(*op);
+    } else if (op->code == OpCode::Block) {
+      done = op->detail == 0 && !in_part && !channel_.budget.next_block();
+    } else if (op->code == OpCode::JumpIfNot) {
+      op = number(op->a) == 0.0 ? ops + op->b.place - 1 : op;
+    } else if (op->code == OpCode::Jump) {
+      op = ops + op->a.place - 1;
+    } else {
+      done = false;
+    }
+    if (!done) {
+      current_ = static_cast<std::int32_t>(op - ops);
+      now.step = current_ + 1;
+      return *op;
+    }
   }
 }
 
-}  // namespace
-
-/// Steps on numbers; the hot ones first.
-Runner::Taken Runner::number_step(const Op& op) {
-  if (op.code > OpCode::JumpIfNot) {
-    return Taken::NotMine;
-  }
-  const double a = op.code == OpCode::Jump ? 0.0 : number(op.a);
+bool Runner::number_step(const Op& op) {
   switch (at(op.code)) {
     case at(OpCode::Move):
-      number(op.result) = a;
-      return Taken::Done;
-    case at(OpCode::Negate):
-      number(op.result) = -a;
-      return Taken::Done;
-    case at(OpCode::Not):
-      number(op.result) = a == 0.0 ? 1.0 : 0.0;
-      return Taken::Done;
-    case at(OpCode::BitNot):
-      number(op.result) = ~bits(a);
-      return Taken::Done;
-    case at(OpCode::ToBool):
-      number(op.result) = a != 0.0 ? 1.0 : 0.0;
-      return Taken::Done;
-    case at(OpCode::Jump):
-      level().step = op.a.place;
-      return Taken::Done;
-    case at(OpCode::JumpIfNot):
-      level().step = a == 0.0 ? op.b.place : level().step;
-      return Taken::Done;
+      number(op.result) = number(op.a);
+      return true;
+    case at(OpCode::Add):
+      return take(op, number(op.a) + number(op.b));
+    case at(OpCode::Subtract):
+      return take(op, number(op.a) - number(op.b));
+    case at(OpCode::Multiply):
+      return take(op, number(op.a) * number(op.b));
+    case at(OpCode::Divide):
+      return take(op, number(op.a) / number(op.b));
+    case at(OpCode::Equal):
+      return take_truth(op, number(op.a) == number(op.b));
+    case at(OpCode::NotEqual):
+      return take_truth(op, number(op.a) != number(op.b));
+    case at(OpCode::Less):
+      return take_truth(op, number(op.a) < number(op.b));
+    case at(OpCode::Greater):
+      return take_truth(op, number(op.a) > number(op.b));
+    case at(OpCode::LessEqual):
+      return take_truth(op, number(op.a) <= number(op.b));
+    case at(OpCode::GreaterEqual):
+      return take_truth(op, number(op.a) >= number(op.b));
+    case at(OpCode::CheckInt):
+      return take_whole(op, Type::Int, AlarmId::ArithmeticError);
+    case at(OpCode::Math):
+      return mathematical_step(op);
     default:
-      break;
+      return rare_number_step(op);
   }
-  if (op.code >= OpCode::Equal && op.code <= OpCode::BitXor) {
-    number(op.result) = *judged(op.code, a, number(op.b));
-    return Taken::Done;
-  }
-  return checked_step(op);
 }
 
-/// Steps whose result may be no number.
-Runner::Taken Runner::checked_step(const Op& op) {
+bool Runner::rare_number_step(const Op& op) {
   const double a = number(op.a);
-  const double b = number(op.b);
-  double result = 0.0;
   switch (at(op.code)) {
-    case at(OpCode::Add):
-      result = a + b;
-      break;
-    case at(OpCode::Subtract):
-      result = a - b;
-      break;
-    case at(OpCode::Multiply):
-      result = a * b;
-      break;
-    case at(OpCode::Divide):
-      result = a / b;
-      break;
     case at(OpCode::DivideWhole):
-      result = std::trunc(a / b);
-      break;
+      return take(op, std::trunc(a / number(op.b)));
     case at(OpCode::Modulo):
-      result = std::fmod(a, b);
-      break;
-    case at(OpCode::Math): {
-      const auto id = static_cast<FunctionId>(op.detail);
-      const auto value = mathematics(id, a, b);
-      if (!value) {
-        failed(AlarmId::ArithmeticError,
-               fmt::format("{} of {}", info(id).name, shown(Type::Real, a)));
-        return Taken::Failed;
-      }
-      result = *value;
-      break;
-    }
+      return take(op, std::fmod(a, number(op.b)));
+    case at(OpCode::Negate):
+      return take(op, -a);
+    case at(OpCode::Not):
+      return take_truth(op, a == 0.0);
+    case at(OpCode::And):
+      return take_truth(op, a != 0.0 && number(op.b) != 0.0);
+    case at(OpCode::Or):
+      return take_truth(op, a != 0.0 || number(op.b) != 0.0);
+    case at(OpCode::Xor):
+      return take_truth(op, (a != 0.0) != (number(op.b) != 0.0));
+    case at(OpCode::BitAnd):
+      return take(op, bits(a) & bits(number(op.b)));
+    case at(OpCode::BitOr):
+      return take(op, bits(a) | bits(number(op.b)));
+    case at(OpCode::BitXor):
+      return take(op, bits(a) ^ bits(number(op.b)));
+    case at(OpCode::BitNot):
+      return take(op, ~bits(a));
+    case at(OpCode::ToBool):
+      return take_truth(op, a != 0.0);
+    case at(OpCode::ToChar):
+      return take_whole(op, Type::Char, AlarmId::BadConversion);
     case at(OpCode::ToInt):
-    case at(OpCode::CheckInt): {
-      result = rounded(a);
-      const bool converts = op.code == OpCode::ToInt;
-      if (!is_int(result)) {
-        failed(converts ? AlarmId::BadConversion : AlarmId::ArithmeticError,
-               fmt::format("{} is no INT", shown(Type::Real, a)));
-        return Taken::Failed;
-      }
-      break;
-    }
-    default:  // ToChar
-      result = rounded(a);
-      if (!(result >= 0.0 && result <= 255.0)) {
-        failed(AlarmId::BadConversion, fmt::format("{} is no CHAR", shown(Type::Real, a)));
-        return Taken::Failed;
-      }
-      break;
+      return take_whole(op, Type::Int, AlarmId::BadConversion);
+    default:
+      contract_violated("every step on numbers is somebody's", __FILE__, __LINE__);
   }
-  if (!std::isfinite(result)) [[unlikely]] {
-    failed(AlarmId::ArithmeticError, b == 0.0 ? "division by zero" : "too large");
-    return Taken::Failed;
+}
+
+/// result = a as INT or CHAR, the types of whole numbers; or an alarm.
+bool Runner::take_whole(const Op& op, Type type, AlarmId alarm) {
+  const double a = number(op.a);
+  const double whole = rounded(a);
+  const bool fits = type == Type::Char ? whole >= 0.0 && whole <= 255.0
+                                       : whole >= -2147483648.0 && whole <= 2147483647.0;
+  if (!fits) [[unlikely]] {
+    return failed(alarm, fmt::format("{} is no {}", shown(Type::Real, a), name_of(type)));
   }
-  number(op.result) = result;
-  return Taken::Done;
+  number(op.result) = whole;
+  return true;
+}
+
+bool Runner::mathematical_step(const Op& op) {
+  const auto id = static_cast<FunctionId>(op.detail);
+  const double a = number(op.a);
+  const auto value = mathematics(id, a, number(op.b));
+  if (!value) {
+    return failed(AlarmId::ArithmeticError,
+                  fmt::format("{} of {}", info(id).name, shown(Type::Real, a)));
+  }
+  number(op.result) = *value;
+  return true;
 }
 
 Reference Runner::variable(std::int32_t which) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/runner.h"
 
 namespace g31::sinumerik {
@@ -45,6 +46,9 @@ MaybeFailure Runner::procedure(const Op& op) {
       channel_.call_path = list.empty() ? std::string() : text(list[0].value);
       return std::nullopt;
     case ProcedureId::STOPRE:
+      return finish_motion(channel_);
+    case ProcedureId::FGROUP:
+      return set_feed_axes(list);
     case ProcedureId::STARTFIFO:
     case ProcedureId::STOPFIFO:
     case ProcedureId::FIFOCTRL:
@@ -54,10 +58,24 @@ MaybeFailure Runner::procedure(const Op& op) {
     case ProcedureId::DISPLOF:
     case ProcedureId::TRAFOOF:
     case ProcedureId::WAITS:
+    case ProcedureId::WAITP:
+    case ProcedureId::SPCON:
+    case ProcedureId::SPCOF:
       // Each block waits for the one before: there is nothing to stop.
       return std::nullopt;
   }
   return std::nullopt;
+}
+
+/// The machine counts F along the linear axes; rotary ones among them make no difference there.
+MaybeFailure Runner::set_feed_axes(Arguments list) {
+  std::size_t linear = 0;
+  for (const Argument& axis : list) {
+    linear += number(axis.value) < 3.0 ? 1U : 0U;
+  }
+  return list.empty() || linear == 3
+             ? std::nullopt
+             : std::optional(failure(AlarmId::NotImplemented, "FGROUP without X, Y or Z"));
 }
 
 /// SETAL(number, text): ends the program.

@@ -10,15 +10,12 @@ namespace g31::sinumerik {
 MaybeFailure Runner::set_word(std::size_t address, BlockWords::Word word) {
   BlockWords::Word& known = words_.words[address];
   if (static_cast<Address>(address) == Address::Machine) {
-    if (words_.machine_code_count == BlockWords::kMostMachineCodes) {
+    if (words_.machine_code_count == kMostMachineCodes) {
       return failure(AlarmId::AddressTooOften, "M");
     }
     words_.machine_codes[words_.machine_code_count++] = word.value;
   } else if (known.present) {
-    const std::string name = address < kAxisCount
-                                 ? std::string(1, kAxisLetters[address])
-                                 : std::string(addresses()[address - kAxisCount].name);
-    return failure(AlarmId::AddressRepeated, name);
+    return failure(AlarmId::AddressRepeated, std::string(name_of(static_cast<Address>(address))));
   }
   known = word;
   known.present = true;
@@ -64,11 +61,18 @@ MaybeFailure Runner::take_skip_action(const Op& op) {
 }
 
 MaybeFailure Runner::execute(const Op& op) {
-  const NcBlock& codes = level().program->nc_blocks[static_cast<std::size_t>(op.a.place)];
-  const bool moves = words_.has_axes();
-  MaybeFailure wrong = execute_block(channel_, {words_, codes, here()});
+  const CompiledProgram& program = *level().program;
+  const NcBlock& block = program.nc_blocks[static_cast<std::size_t>(op.b.place)];
+  for (const ConstantWord& word : block.words_of(program)) {
+    if (MaybeFailure wrong = set_word(index_of(word.address), {word.value})) {
+      return wrong;
+    }
+  }
+  const Block commands{words_, block.codes_of(program), here()};
+  const bool moves = modal_call_ && commands_motion(commands);
+  MaybeFailure wrong = execute_block(channel_, commands);
   words_ = BlockWords();
-  if (!wrong && moves && modal_call_) {
+  if (!wrong && moves) {
     return modal_call();
   }
   return wrong;

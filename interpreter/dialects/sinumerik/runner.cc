@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/runtime/stop_report.h"
 #include "machine/base/contract.h"
 
@@ -69,7 +70,11 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
   start(*main);
   channel_.arrived_at_machine();
   channel_.budget = runtime::BudgetWatch(budget);
-  if (const MaybeFailure reason = loop()) {
+  MaybeFailure reason = loop();
+  if (!reason) {
+    reason = finish_motion(channel_);
+  }
+  if (reason) {
     outcome = outcome_of(*reason);
   }
   outcome.diagnostics = channel_.diagnostics;
@@ -79,15 +84,8 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
 
 MaybeFailure Runner::loop() {
   while (!ended_) {
-    Level& now = level();
-    current_ = now.step;
-    const Op& op = now.program->ops[static_cast<std::size_t>(now.step)];
-    ++now.step;
-    const Taken taken = number_step(op);
-    if (taken == Taken::Done) {
-      continue;
-    }
-    if (taken == Taken::Failed) {
+    const Op& op = number_steps();
+    if (fault_) {
       return from_step();
     }
     if (MaybeFailure reason = other_step(op)) {
@@ -97,9 +95,10 @@ MaybeFailure Runner::loop() {
   return std::nullopt;
 }
 
-Failure Runner::from_step() {
-  Failure reason = std::move(*fault_);
-  fault_.reset();
+/// Why a step failed, if it did.
+MaybeFailure Runner::from_step() {
+  MaybeFailure reason;
+  reason.swap(fault_);
   return reason;
 }
 
@@ -126,6 +125,8 @@ MaybeFailure Runner::other_step(const Op& op) {
   switch (static_cast<int>(op.code)) {
     case static_cast<int>(OpCode::Block):
       return block(op);
+    case static_cast<int>(OpCode::NcBlock):
+      return nc_block(op);
     case static_cast<int>(OpCode::Word):
     case static_cast<int>(OpCode::TextWord):
       return take_word(op);
@@ -164,17 +165,30 @@ MaybeFailure Runner::other_step(const Op& op) {
   }
 }
 
-MaybeFailure Runner::block(const Op& op) {
+/// Whether a block is done: it is not when it is skipped, when it stands behind a part that REPEAT
+/// runs, and when the budget is spent, which is a fault.
+bool Runner::begins(const Op& op) {
   if (!level().parts.empty() && at_end_of_part(current_)) {
-    return std::nullopt;
+    return false;
   }
   if (const auto spent = channel_.budget.next_block()) {
-    return of_budget(*spent);
+    fault_ = of_budget(*spent);
+    return false;
   }
   if (op.detail != 0 && skips(op.detail - 1)) {
     level().step = op.a.place;
+    return false;
   }
-  return std::nullopt;
+  return true;
+}
+
+MaybeFailure Runner::block(const Op& op) {
+  begins(op);
+  return from_step();
+}
+
+MaybeFailure Runner::nc_block(const Op& op) {
+  return begins(op) ? execute(op) : from_step();
 }
 
 /// `/` and `/0` are the first switch, whether a sheet counts it as 0 or 1.
@@ -250,7 +264,7 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.text = failure.text.empty() ? std::string(row.text) : failure.text;
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
-  reason.where = here();
+  reason.where = failure.where.value_or(here());
   for (std::size_t i = depth_; i > 0; --i) {
     reason.calls.push_back({levels_[i - 1]->program->name, location_of(*levels_[i - 1])});
   }

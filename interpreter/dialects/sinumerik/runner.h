@@ -59,7 +59,9 @@ class Runner {
   MaybeFailure loop();
   MaybeFailure other_step(const Op& op);
   MaybeFailure value_step(const Op& op);
+  bool begins(const Op& op);
   MaybeFailure block(const Op& op);
+  MaybeFailure nc_block(const Op& op);
   MaybeFailure jump_to_text(const Op& op);
   bool at_end_of_part(std::int32_t step);
   MaybeFailure repeat_part(const Op& op);
@@ -68,11 +70,16 @@ class Runner {
   runtime::Outcome outcome_of(const Failure& failure);
   [[nodiscard]] source::Location location_of(const Level& level) const;
   [[nodiscard]] source::Location here() const;
-  Failure from_step();
+  MaybeFailure from_step();
 
   // run_numbers.cc
-  Taken number_step(const Op& op);
-  Taken checked_step(const Op& op);
+  const Op& number_steps();
+  bool number_step(const Op& op);
+  bool rare_number_step(const Op& op);
+  bool mathematical_step(const Op& op);
+  bool take(const Op& op, double value);
+  bool take_truth(const Op& op, bool holds);
+  bool take_whole(const Op& op, Type type, AlarmId alarm);
   Taken array_step(const Op& op);
   bool failed(AlarmId id, std::string detail = {});
   bool index(const Op& op);
@@ -126,6 +133,7 @@ class Runner {
   // run_procedures.cc
   MaybeFailure procedure(const Op& op);
   MaybeFailure set_alarm(Arguments list);
+  MaybeFailure set_feed_axes(Arguments list);
 
   // run_files.cc
   MaybeFailure file_procedure(ProcedureId id, Arguments list);
@@ -158,7 +166,7 @@ class Runner {
   std::vector<std::string> text_temporaries_;
   std::vector<Frame> frame_temporaries_;
   std::int32_t current_ = 0;  ///< the step being done
-  std::optional<Failure> fault_;
+  MaybeFailure fault_;        ///< why the step failed that is being done
   BlockWords words_;
   struct ModalCall {
     const CompiledProgram* program = nullptr;

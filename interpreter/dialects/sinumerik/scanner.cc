@@ -1,9 +1,11 @@
 #include "interpreter/dialects/sinumerik/scanner.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "interpreter/dialects/sinumerik/names.h"
+#include "interpreter/syntax/decimal.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -27,8 +29,8 @@ constexpr bool is_name_character(char c) {
   return is_letter(c) || is_digit(c) || c == '$';
 }
 
-/// A text of Latin-1 characters, whether the file has it in Latin-1 or in UTF-8: the control counts
-/// characters, and shows them by one byte.
+}  // namespace
+
 std::string one_byte_each(std::string_view text) {
   std::string bytes;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -45,146 +47,154 @@ std::string one_byte_each(std::string_view text) {
   return bytes;
 }
 
-/// Reads one block token by token.
-class BlockScanner {
- public:
-  BlockScanner(std::string_view text, syntax::ShortSpan block, std::vector<Token>& tokens)
-      : text_(text.substr(0, block.end)), at_(block.begin), tokens_(tokens) {}
-
-  void run() {
-    tokens_.clear();
-    while (at_ < text_.size() && text_[at_] != ';') {
-      const char c = text_[at_];
-      if (c == ' ' || c == '\t' || c == '\r') {
-        ++at_;
-        continue;
-      }
+void Scanner::scan(syntax::ShortSpan block, std::vector<Token>& tokens) {
+  tokens.clear();
+  tokens_ = &tokens;
+  at_ = block.begin;
+  end_ = block.end;
+  upper_.clear();
+  upper_.reserve(end_ - at_);  // names stay where they are written first
+  while (at_ < end_ && text_[at_] != ';') {
+    const char c = text_[at_];
+    if (c == ' ' || c == '\t' || c == '\r') {
+      ++at_;
+    } else {
       next(c);
     }
-    add(TokenKind::End, at_);
   }
+  add(TokenKind::End, at_);
+}
 
- private:
-  [[nodiscard]] char look(std::size_t ahead) const {
-    return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
+Token& Scanner::add(TokenKind kind, std::size_t begin) {
+  Token& token = tokens_->emplace_back();
+  token.kind = kind;
+  token.where = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
+  return token;
+}
+
+void Scanner::next(char c) {
+  if (is_digit(c) || (c == '.' && is_digit(look(1)))) {
+    number();
+  } else if (is_letter(c) || c == '$') {
+    word(c);
+  } else if (c == '"') {
+    string();
+  } else if (c == '\'') {
+    coded_number();
+  } else {
+    symbol();
   }
+}
 
-  Token& add(TokenKind kind, std::size_t begin) {
-    Token& token = tokens_.emplace_back();
-    token.kind = kind;
-    token.where = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(at_)};
-    return token;
-  }
-
-  void next(char c) {
-    if (is_digit(c) || (c == '.' && is_digit(look(1)))) {
-      number();
-    } else if (is_letter(c) || c == '$') {
-      word(c);
-    } else if (c == '"') {
-      string();
-    } else if (c == '\'') {
-      coded_number();
+void Scanner::number() {
+  const std::size_t begin = at_;
+  std::uint64_t mantissa = 0;  // of no use beyond kExactDigits
+  std::size_t points = 0;
+  std::size_t behind_point = 0;
+  for (; is_digit(look(0)) || look(0) == '.'; ++at_) {
+    if (text_[at_] == '.') {
+      ++points;
+      behind_point = at_ + 1;
     } else {
-      symbol();
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(text_[at_] - '0');
     }
   }
-
-  void number() {
-    const std::size_t begin = at_;
-    bool whole = true;
-    while (is_digit(look(0)) || look(0) == '.') {
-      whole = whole && look(0) != '.';
-      ++at_;
-    }
-    double value = 0.0;
+  double value = 0.0;
+  bool right = points <= 1;
+  if (right && at_ - begin - points <= syntax::kExactDigits) {
+    value = syntax::decimal(mantissa, points == 0 ? 0 : static_cast<int>(at_ - behind_point));
+  } else {
     const auto read = std::from_chars(text_.data() + begin, text_.data() + at_, value);
-    bool right = read.ec == std::errc() && read.ptr == text_.data() + at_;
-    if (upper(look(0)) == 'E' && upper(look(1)) == 'X') {
-      at_ += 2;
-      right = exponent(value) && right;
-      whole = false;
-    }
-    const bool fits = !whole || value <= 2147483648.0;
-    Token& token = add(!right          ? TokenKind::Unknown
-                       : whole && fits ? TokenKind::Integer
-                                       : TokenKind::Real,
-                       begin);
-    token.number = value;
-    if (token.kind == TokenKind::Integer) {
-      token.text = text_.substr(begin, at_ - begin);
-    }
+    right = read.ec == std::errc() && read.ptr == text_.data() + at_;
   }
-
-  bool exponent(double& value) {
-    const bool negative = look(0) == '-';
-    at_ += negative || look(0) == '+' ? 1U : 0U;
-    int power = 0;
-    const auto read = std::from_chars(text_.data() + at_, text_.data() + text_.size(), power);
-    at_ = static_cast<std::size_t>(read.ptr - text_.data());
-    value *= std::pow(10.0, negative ? -power : power);
-    return read.ec == std::errc() && std::isfinite(value);
+  bool whole = points == 0;
+  if (upper(look(0)) == 'E' && upper(look(1)) == 'X') {
+    at_ += 2;
+    right = exponent(value) && right;
+    whole = false;
   }
+  const bool fits = !whole || value <= 2147483648.0;
+  Token& token = add(!right          ? TokenKind::Unknown
+                     : whole && fits ? TokenKind::Integer
+                                     : TokenKind::Real,
+                     begin);
+  token.number = value;
+  if (token.kind == TokenKind::Integer) {
+    token.text = text_.substr(begin, at_ - begin);
+  }
+}
 
-  void word(char first) {
-    const std::size_t begin = at_;
-    const char second = look(1);
-    const bool is_address = is_letter(first) && first != '_' && !is_letter(second) && second != '$';
+bool Scanner::exponent(double& value) {
+  const bool negative = look(0) == '-';
+  at_ += negative || look(0) == '+' ? 1U : 0U;
+  int power = 0;
+  const auto read = std::from_chars(text_.data() + at_, text_.data() + end_, power);
+  at_ = static_cast<std::size_t>(read.ptr - text_.data());
+  value *= std::pow(10.0, negative ? -power : power);
+  return read.ec == std::errc() && std::isfinite(value);
+}
+
+void Scanner::word(char first) {
+  const std::size_t begin = at_;
+  const char second = look(1);
+  const bool is_address = is_letter(first) && first != '_' && !is_letter(second) && second != '$';
+  ++at_;
+  while (!is_address && is_name_character(look(0))) {
     ++at_;
-    while (!is_address && is_name_character(look(0))) {
-      ++at_;
+  }
+  add(is_address ? TokenKind::Letter : TokenKind::Name, begin).text = in_upper_case(begin, at_);
+}
+
+/// A piece of the text: as it stands, when it has no small letters.
+std::string_view Scanner::in_upper_case(std::size_t begin, std::size_t end) {
+  const std::string_view written = text_.substr(begin, end - begin);
+  if (std::ranges::all_of(written, [](char c) { return upper(c) == c; })) {
+    return written;
+  }
+  const std::size_t first = upper_.size();
+  for (const char c : written) {
+    upper_.push_back(upper(c));
+  }
+  return std::string_view(upper_).substr(first);
+}
+
+void Scanner::string() {
+  const std::size_t begin = at_;
+  const std::size_t end = text_.substr(0, end_).find('"', begin + 1);
+  at_ = end == text_.npos ? end_ : end + 1;
+  Token& token = add(end == text_.npos ? TokenKind::Unknown : TokenKind::Text, begin);
+  token.text = text_.substr(begin + 1, at_ - begin - (end == text_.npos ? 1 : 2));
+}
+
+/// 'HFF' and 'B101'
+void Scanner::coded_number() {
+  const std::size_t begin = at_;
+  const std::size_t end = text_.substr(0, end_).find('\'', begin + 1);
+  const char kind = upper(look(1));
+  at_ = end == text_.npos ? end_ : end + 1;
+  std::uint32_t bits = 0;
+  bool right = end != text_.npos && (kind == 'H' || kind == 'B') && end > begin + 2;
+  if (right) {
+    const char* const last = text_.data() + end;
+    const auto read = std::from_chars(text_.data() + begin + 2, last, bits, kind == 'H' ? 16 : 2);
+    right = read.ec == std::errc() && read.ptr == last;
+  }
+  Token& token = add(right ? TokenKind::Integer : TokenKind::Unknown, begin);
+  token.number = static_cast<double>(static_cast<std::int32_t>(bits));
+}
+
+void Scanner::symbol() {
+  const std::size_t begin = at_;
+  const std::string_view rest = text_.substr(at_, end_ - at_);
+  for (const SymbolRow& row : kSymbols) {
+    if (rest.front() == row.text.front() && rest.starts_with(row.text)) {
+      at_ += row.text.size();
+      add(TokenKind::Symbol, begin).symbol = row.symbol;
+      return;
     }
-    Token& token = add(is_address ? TokenKind::Letter : TokenKind::Name, begin);
-    token.text = upper(text_.substr(begin, at_ - begin));
   }
-
-  void string() {
-    const std::size_t begin = at_;
-    const std::size_t end = text_.find('"', begin + 1);
-    at_ = end == text_.npos ? text_.size() : end + 1;
-    Token& token = add(end == text_.npos ? TokenKind::Unknown : TokenKind::Text, begin);
-    token.text = one_byte_each(text_.substr(begin + 1, at_ - begin - (end == text_.npos ? 1 : 2)));
-  }
-
-  /// 'HFF' and 'B101'
-  void coded_number() {
-    const std::size_t begin = at_;
-    const std::size_t end = text_.find('\'', begin + 1);
-    const char kind = upper(look(1));
-    at_ = end == text_.npos ? text_.size() : end + 1;
-    std::uint32_t bits = 0;
-    bool right = end != text_.npos && (kind == 'H' || kind == 'B') && end > begin + 2;
-    if (right) {
-      const char* const last = text_.data() + end;
-      const auto read = std::from_chars(text_.data() + begin + 2, last, bits, kind == 'H' ? 16 : 2);
-      right = read.ec == std::errc() && read.ptr == last;
-    }
-    Token& token = add(right ? TokenKind::Integer : TokenKind::Unknown, begin);
-    token.number = static_cast<double>(static_cast<std::int32_t>(bits));
-  }
-
-  void symbol() {
-    const std::size_t begin = at_;
-    for (const SymbolRow& row : kSymbols) {
-      if (text_.substr(at_).starts_with(row.text)) {
-        at_ += row.text.size();
-        add(TokenKind::Symbol, begin).symbol = row.symbol;
-        return;
-      }
-    }
-    ++at_;
-    add(TokenKind::Unknown, begin);
-  }
-
-  std::string_view text_;
-  std::size_t at_;
-  std::vector<Token>& tokens_;
-};
-
-}  // namespace
-
-void scan_block(std::string_view text, syntax::ShortSpan block, std::vector<Token>& tokens) {
-  BlockScanner(text, block, tokens).run();
+  ++at_;
+  add(TokenKind::Unknown, begin);
 }
 
 }  // namespace g31::sinumerik

@@ -45,10 +45,10 @@ enum class Symbol : std::uint8_t {
 struct Token {
   TokenKind kind = TokenKind::End;
   Symbol symbol = Symbol::None;
+  syntax::ShortSpan where;
   double number = 0.0;
   /// Names and letters in upper case; digits of an integer; of a string what stands in the quotes.
-  std::string text;
-  syntax::ShortSpan where;
+  std::string_view text;
 
   [[nodiscard]] bool is(Symbol wanted) const {
     return kind == TokenKind::Symbol && symbol == wanted;
@@ -61,11 +61,43 @@ struct Token {
   }
 };
 
-/// The tokens of one block, an End at the end.  What is malformed (a string without its end, a
-/// constant of too many digits) is an Unknown token; who parses says so.
+/// Cuts one block after the other into tokens.
 ///
 /// A letter before a digit is an address: `G1X10` is four tokens.  Names begin with two letters, _
 /// or $.  `'HFF'` and `'B101'` are integers of 32 bits, 10EX3 is 10000.
-void scan_block(std::string_view text, syntax::ShortSpan block, std::vector<Token>& tokens);
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text) : text_(text) {}
+
+  /// The tokens of one block, an End at the end.  What is malformed (a string without its end, a
+  /// constant of too many digits) is an Unknown token; who parses says so.
+  ///
+  /// What tokens say lives as long as the text or, of names, until the next block is scanned.
+  void scan(syntax::ShortSpan block, std::vector<Token>& tokens);
+
+ private:
+  [[nodiscard]] char look(std::size_t ahead) const {
+    return at_ + ahead < end_ ? text_[at_ + ahead] : '\0';
+  }
+  void next(char c);
+  Token& add(TokenKind kind, std::size_t begin);
+  void number();
+  bool exponent(double& value);
+  void word(char first);
+  void string();
+  void coded_number();
+  void symbol();
+  std::string_view in_upper_case(std::size_t begin, std::size_t end);
+
+  std::string_view text_;
+  std::string upper_;  ///< the block in upper case, as far as it has names in lower case
+  std::size_t at_ = 0;
+  std::size_t end_ = 0;
+  std::vector<Token>* tokens_ = nullptr;
+};
+
+/// A text of Latin-1 characters, whether the file has it in Latin-1 or in UTF-8: the control counts
+/// characters, and shows them by one byte.
+std::string one_byte_each(std::string_view text);
 
 }  // namespace g31::sinumerik

@@ -44,6 +44,12 @@ std::optional<Address> find_address(std::string_view name) {
   return std::nullopt;
 }
 
+std::string_view name_of(Address address) {
+  const std::size_t index = index_of(address);
+  return index < kAxisCount ? std::string_view(kAxisLetters).substr(index, 1)
+                            : kAddresses[index - kAxisCount].name;
+}
+
 std::optional<Modification> find_modification(std::string_view name) {
   for (const ModificationRow& row : kModifications) {
     if (row.name == name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -33,6 +34,15 @@ std::span<const AddressInfo> addresses();
 
 /// @param name  upper case; axes are not among them
 std::optional<Address> find_address(std::string_view name);
+
+/// "X", "CR"
+std::string_view name_of(Address address);
+
+/// M may stand five times in a block, everything else once.
+inline constexpr std::size_t kMostMachineCodes = 5;
+constexpr std::ptrdiff_t most_in_block(Address address) {
+  return address == Address::Machine ? std::ptrdiff_t{kMostMachineCodes} : 1;
+}
 
 /// How the value of a word counts.
 enum class Modification : std::uint16_t {

@@ -1,9 +1,9 @@
-#include "interpreter/dialects/fanuc/angles.h"
+#include "interpreter/runtime/angles.h"
 
 #include <cmath>
 #include <numbers>
 
-namespace g31::fanuc {
+namespace g31::runtime {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
@@ -59,4 +59,4 @@ double cosine_deg(double degrees) {
   return sine_from(degrees, 1);
 }
 
-}  // namespace g31::fanuc
+}  // namespace g31::runtime
