@@ -135,6 +135,7 @@ MaybeFailure Runner::enter(const CompiledProgram& program, const std::vector<Bou
   into.passes_left = 0;
   into.is_modal_call = false;
   into.parts.clear();
+  into.waiting.clear();
   if (MaybeFailure wrong = take_arguments(into, values)) {
     return wrong;
   }
@@ -329,6 +330,15 @@ MaybeFailure Runner::go_on_at(const ReturnTarget& target) {
 /// M2, M30 and the last block: of a called program they are its end only.
 MaybeFailure Runner::end_program() {
   if (!level().parts.empty() && at_end_of_part(current_)) {
+    return std::nullopt;
+  }
+  if (!level().waiting.empty()) {
+    WaitingProgram& before = level().waiting.back();
+    level().program = before.program;
+    level().step = before.step;
+    level().parts = std::move(before.parts);
+    level().waiting.pop_back();
+    use_level();
     return std::nullopt;
   }
   return return_from(Op());
