@@ -12,7 +12,8 @@ namespace {
 struct Cut {
   PlanePoint begin;
   PlanePoint end;
-  std::optional<ArcShape> arc;
+  bool is_round = false;
+  ArcShape arc;  ///< of a round one
 };
 
 constexpr int kHalvings = 60;
@@ -56,7 +57,7 @@ std::optional<Cut> rounding_of(const PlaneWay& before, const PlaneWay& behind, d
     return std::nullopt;
   }
   const auto turn = to_left ? machine::Turn::Counterclockwise : machine::Turn::Clockwise;
-  return Cut{begin, end, ArcShape{centre->front(), turn}};
+  return Cut{begin, end, true, ArcShape{centre->front(), turn}};
 }
 
 /// As large as the ways allow, `radius` at most.
@@ -88,7 +89,7 @@ Cut chamfer_of(const PlaneWay& before, const PlaneWay& behind, const CornerWish&
                             : wish.size_mm / (2.0 * std::cos(half_turn));
   const double leg =
       std::min({wanted, (before.to - before.from).norm(), (behind.to - behind.from).norm()});
-  return {before.to - leg * in, before.to + leg * out, std::nullopt};
+  return {before.to - leg * in, before.to + leg * out, false, ArcShape()};
 }
 
 bool is_corner(const PlaneWay& before, const PlaneWay& behind) {
@@ -107,9 +108,12 @@ PathItems cut_blocks(const PathBlock& block, const PlanePoint& from, OffsetPlane
   PathItems items;
   PathBlock corner = block;
   corner.q_M_end = plane.moved(block.q_M_end, cut.end);
-  corner.arc = cut.arc;
-  const int g_arc = cut.arc && cut.arc->turn == machine::Turn::Clockwise ? 2 : 3;
-  corner.g = cut.arc ? g_arc : 1;
+  corner.arc.reset();
+  corner.g = 1;
+  if (cut.is_round) {
+    corner.arc = cut.arc;
+    corner.g = cut.arc.turn == machine::Turn::Clockwise ? 2 : 3;
+  }
   corner.feed_mm_min = feed_mm_min > 0.0 ? feed_mm_min : block.feed_mm_min;
   if ((cut.begin - from).norm() > kOnePointMm) {
     PathBlock shortened = block;

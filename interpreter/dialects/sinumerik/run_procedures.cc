@@ -29,6 +29,8 @@ MaybeFailure Runner::procedure(const Op& op) {
       return std::nullopt;
     case ProcedureId::SETAL:
       return set_alarm(list);
+    case ProcedureId::EXECSTRING:
+      return execute_text(text(list[0].value));
     case ProcedureId::WRITE:
     case ProcedureId::DELETE:
     case ProcedureId::READ:
@@ -64,6 +66,24 @@ MaybeFailure Runner::procedure(const Op& op) {
       // Each block waits for the one before: there is nothing to stop.
       return std::nullopt;
   }
+  return std::nullopt;
+}
+
+/// The text sees the variables of the level; behind it the program goes on.
+MaybeFailure Runner::execute_text(const std::string& source) {
+  Level& now = level();
+  const CompiledProgram*& made = texts_run_[{now.program, source}];
+  if (made == nullptr) {
+    made = library_.snippet(source, *now.program);
+  }
+  if (made->initial_numbers.size() != now.numbers.size() || !made->repeats.empty()) {
+    return failure(AlarmId::BadArguments, "EXECSTRING: no definitions and no repetitions");
+  }
+  now.waiting.push_back({now.program, now.step, std::move(now.parts)});
+  now.parts.clear();
+  now.program = made;
+  now.step = 0;
+  use_level();
   return std::nullopt;
 }
 

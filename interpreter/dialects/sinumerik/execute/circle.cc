@@ -21,9 +21,9 @@ constexpr double kChordErrorMm = 5e-4;
 
 /// A circle or helix in work coordinates, anywhere in space.
 struct SpatialArc {
-  Vector3 centre;  ///< of the start
-  Vector3 out;     ///< from the centre to the start
-  Vector3 ahead;   ///< square to it, as long, in the direction of travel
+  Vector3 centre = Vector3::Zero();  ///< of the start
+  Vector3 out = Vector3::Zero();     ///< from the centre to the start
+  Vector3 ahead = Vector3::Zero();   ///< square to it, as long, in the direction of travel
   double sweep = 0.0;
 };
 
