@@ -18,6 +18,13 @@ bool BlockWords::has_axes() const {
                      [](const Word& word) { return word.present; });
 }
 
+void BlockWords::clear() {
+  words.fill({});
+  machine_code_count = 0;
+  tool_name.reset();
+  axis_measuring.fill(std::nullopt);
+}
+
 Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals)
     : numbers(globals.initial_numbers()),
       texts(static_cast<std::size_t>(globals.text_count())),

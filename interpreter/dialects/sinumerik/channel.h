@@ -54,6 +54,7 @@ struct BlockWords {
   [[nodiscard]] bool has(Address address) const { return words[index_of(address)].present; }
   [[nodiscard]] const Word& axis(int index) const { return words[static_cast<std::size_t>(index)]; }
   [[nodiscard]] bool has_axes() const;
+  void clear();
 };
 
 /// Plane by storage indices; `normal` is the infeed axis.
