@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "interpreter/dialects/fanuc/compensation/corner.h"
+#include "interpreter/compensation/corner.h"
 #include "tests/interpreter/compensated_path.h"
 
-namespace g31::fanuc::testing {
+namespace g31::compensation::testing {
 namespace {
 
 /// Doubles and the tangent corners that are taken as smooth.
@@ -174,4 +174,4 @@ TEST(CutterDistance, CornersThatAreAlmostTangent) {
 }
 
 }  // namespace
-}  // namespace g31::fanuc::testing
+}  // namespace g31::compensation::testing

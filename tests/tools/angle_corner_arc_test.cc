@@ -262,79 +262,82 @@ TEST(ArcCycle, Alarms) {
   }
 }
 
-TEST(EdgeAngleCycle, AnglesOfEdgesInThePlaneAndUpwards) {
-  const std::string block = part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 0.0, 3.0]");
-  const std::string tilted = part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 2.0, 0.0]");
-  struct Edge {
-    const char* name;
-    std::string parts;
-    std::string program;
-    std::vector<ExpectedValue> expected;
-  };
-  const Edge kRows[] = {
-      {"lower edge",
-       block,
-       "X-20 Y-27\nZ-5\nCYCLE998(5,,,1,,2,,5,3,102,1,30)",
-       {{"_OVR[0]", 2.0},
-        {"_OVR[4]", 3.0},
-        {"_OVR[16]", 1.0},
-        {"_OVR[20]", 0.0},
-        {"_OVR[28]", 3.0},
-        {"_OVR[30]", 0.0},
-        {"_OVI[2]", 998},
-        {"_OVI[5]", 1},
-        {"_OVI[7]", 0},
-        {"_OVI[9]", 0},
-        {"$P_UIFR[1,Z,RT]", 0.0}}},
-      {"upper edge", block, "X-20 Y27\nZ-5\nCYCLE998(5,,,1,,,,6,5,102,2,30)", {{"_OVR[4]", 3.0}}},
-      {"left edge, parallel to the axis",
-       block,
-       "X-38 Y-10\nZ-5\nCYCLE998(100005,,,1,,,,6,5,201,1,20)",
-       {{"_OVR[4]", 3.0}}},
-      {"right edge", block, "X38 Y-10\nZ-5\nCYCLE998(5,,,1,,,,6,5,201,2,20)", {{"_OVR[4]", 3.0}}},
-      {"over the protection zone",
-       block,
-       "X-20 Y-50\nZ-5\nCYCLE998(1005,,,1,23,2,,5,3,102,1,30)",
-       {{"_OVR[4]", 3.0},
-        {"$AA_IW[Y]", -50.0 + 30.0 * std::tan(2.0 * std::numbers::pi / 180.0) -
-                          30.0 * (std::tan(5.0 * std::numbers::pi / 180.0) -
-                                  std::tan(2.0 * std::numbers::pi / 180.0))}}},
-      {"direction from DX",
-       block,
-       "X-20 Y50\nZ-5\nCYCLE998(101005,,,1,-23,2,,6,3,102,0,30)",
-       {{"_OVR[4]", 3.0}}},
-      {"top face against the first axis",
-       tilted,
-       "X-15 Z6\nCYCLE998(5,,,1,,,,6,5,103,2,30)",
-       {{"_OVR[4]", 2.0}}},
-      {"correction",
-       block,
-       "X-20 Y-27\nZ-5\nCYCLE998(105,1,,1,,2,,5,3,102,1,30)",
-       {{"_OVR[20]", 1.0},
-        {"$P_UIFR[1,Z,RT]", 1.0},
-        {"$P_UIFR[1,X,TR]", 100.0},
-        {"$P_UIFR[1,X,FI]", 0.0},
-        {"$P_UIFR[1,Y,TR]", 50.0},
-        {"_OVI[0]", 1},
-        {"_OVI[11]", 0}}},
-      {"with an empirical value",
-       block,
-       "$SCS_MEA_EMPIRIC_VALUE[0]=0.25\nX-20 Y-27\nZ-5\nCYCLE998(105,1,,1,,2,,5,3,102,1,30,,,,,,1)",
-       {{"_OVR[16]", 1.0},
-        {"_OVR[20]", 0.75},
-        {"_OVR[30]", 0.25},
-        {"_OVI[7]", 1},
-        {"$P_UIFR[1,Z,RT]", 0.75}}},
-      {"again, nothing is left",
-       block,
-       "X-20 Y-27\nZ-5\nCYCLE998(105,1,,1,,,,6,5,102,1,30)\nG54\nY-60\nX-20\nY-27\n"
-       "CYCLE998(5,,,1,,,,6,5,102,1,30)",
-       {{"_OVR[4]", 0.0}, {"$P_UIFR[1,Z,RT]", 3.0}}},
-  };
-  for (const Edge& row : kRows) {
+struct Edge {
+  const char* name;
+  std::string program;
+  std::vector<ExpectedValue> expected;
+};
+
+/// The block is turned by 3 degrees.
+void expect_edges(const std::vector<Edge>& edges, const std::string& turned = "0.0, 0.0, 3.0") {
+  const std::string block =
+      part("block", 100.0, 50.0, -300.0, fmt::format("rotate_deg = [{}]", turned));
+  for (const Edge& row : edges) {
     SCOPED_TRACE(row.name);
-    expect_measured(row.program, {row.parts, kCalibrated}, row.expected);
+    expect_measured(row.program, {block, kCalibrated}, row.expected);
   }
+}
+
+TEST(EdgeAngleCycle, AnglesOfEdgesInThePlane) {
+  expect_edges(
+      {{"lower edge",
+        "X-20 Y-27\nZ-5\nCYCLE998(5,,,1,,2,,5,3,102,1,30)",
+        {{"_OVR[0]", 2.0},
+         {"_OVR[4]", 3.0},
+         {"_OVR[16]", 1.0},
+         {"_OVR[20]", 0.0},
+         {"_OVR[28]", 3.0},
+         {"_OVR[30]", 0.0},
+         {"_OVI[2]", 998},
+         {"_OVI[5]", 1},
+         {"_OVI[7]", 0},
+         {"_OVI[9]", 0},
+         {"$P_UIFR[1,Z,RT]", 0.0}}},
+       {"upper edge", "X-20 Y27\nZ-5\nCYCLE998(5,,,1,,,,6,5,102,2,30)", {{"_OVR[4]", 3.0}}},
+       {"left edge, parallel to the axis",
+        "X-38 Y-10\nZ-5\nCYCLE998(100005,,,1,,,,6,5,201,1,20)",
+        {{"_OVR[4]", 3.0}}},
+       {"right edge", "X38 Y-10\nZ-5\nCYCLE998(5,,,1,,,,6,5,201,2,20)", {{"_OVR[4]", 3.0}}},
+       {"over the protection zone",
+        "X-20 Y-50\nZ-5\nCYCLE998(1005,,,1,23,2,,5,3,102,1,30)",
+        {{"_OVR[4]", 3.0},
+         {"$AA_IW[Y]", -50.0 + 30.0 * std::tan(2.0 * std::numbers::pi / 180.0) -
+                           30.0 * (std::tan(5.0 * std::numbers::pi / 180.0) -
+                                   std::tan(2.0 * std::numbers::pi / 180.0))}}},
+       {"direction from DX",
+        "X-20 Y50\nZ-5\nCYCLE998(101005,,,1,-23,2,,6,3,102,0,30)",
+        {{"_OVR[4]", 3.0}}}});
+}
+
+TEST(EdgeAngleCycle, AngleOfAFace) {
+  expect_edges({{"top face against the first axis",
+                 "X-15 Z6\nCYCLE998(5,,,1,,,,6,5,103,2,30)",
+                 {{"_OVR[4]", 2.0}}}},
+               "0.0, 2.0, 0.0");
+}
+
+TEST(EdgeAngleCycle, CorrectsTheRotation) {
+  expect_edges({{"correction",
+                 "X-20 Y-27\nZ-5\nCYCLE998(105,1,,1,,2,,5,3,102,1,30)",
+                 {{"_OVR[20]", 1.0},
+                  {"$P_UIFR[1,Z,RT]", 1.0},
+                  {"$P_UIFR[1,X,TR]", 100.0},
+                  {"$P_UIFR[1,X,FI]", 0.0},
+                  {"$P_UIFR[1,Y,TR]", 50.0},
+                  {"_OVI[0]", 1},
+                  {"_OVI[11]", 0}}},
+                {"with an empirical value",
+                 "$SCS_MEA_EMPIRIC_VALUE[0]=0.25\nX-20 "
+                 "Y-27\nZ-5\nCYCLE998(105,1,,1,,2,,5,3,102,1,30,,,,,,1)",
+                 {{"_OVR[16]", 1.0},
+                  {"_OVR[20]", 0.75},
+                  {"_OVR[30]", 0.25},
+                  {"_OVI[7]", 1},
+                  {"$P_UIFR[1,Z,RT]", 0.75}}},
+                {"again, nothing is left",
+                 "X-20 Y-27\nZ-5\nCYCLE998(105,1,,1,,,,6,5,102,1,30)\nG54\nY-60\nX-20\nY-27\n"
+                 "CYCLE998(5,,,1,,,,6,5,102,1,30)",
+                 {{"_OVR[4]", 0.0}, {"$P_UIFR[1,Z,RT]", 3.0}}}});
 }
 
 TEST(EdgeAngleCycle, ARotaryTableTakesTheAngleAndTheEdgeIsStraightAgain) {

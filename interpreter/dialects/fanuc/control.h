@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "interpreter/compensation/cutter_compensation.h"
 #include "interpreter/dialects/fanuc/calendar.h"
 #include "interpreter/dialects/fanuc/canned_cycles.h"
 #include "interpreter/dialects/fanuc/code_calls.h"
-#include "interpreter/dialects/fanuc/compensation/cutter_compensation.h"
 #include "interpreter/dialects/fanuc/coordinates.h"
 #include "interpreter/dialects/fanuc/evaluate.h"
 #include "interpreter/dialects/fanuc/failure.h"
@@ -68,8 +68,8 @@ struct BusyWait {
 
 /// Cutter compensation and what the present block says to it.
 struct CutterStage {
-  CutterCompensation path;
-  CompensationCommand command;
+  compensation::CutterCompensation path;
+  compensation::CompensationCommand command;
   bool fed = false;  ///< a motion or pause of the present block has come through
 };
 
@@ -126,8 +126,8 @@ struct Control {
   /// The last skip move, if it ended without a signal and nobody has asked for its result yet.
   std::optional<source::Location> silent_skip;
 
-  /// The last skip move, if its signal ended it and the program has neither moved nor read a position
-  /// since.
+  /// The last skip move, if its signal ended it and the program has neither moved nor read a
+  /// position since.
   std::optional<source::Location> stopped_skip;
 
   /// Another skip move follows: the one before was a protected positioning move, and if its

@@ -5,8 +5,10 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr int kInch = 1;             // numbers of group 13
-constexpr int kInchAndFeed = 3;      // G700
+constexpr int kInch = 1;            // numbers of group 13
+constexpr int kInchAndFeed = 3;     // G700
+constexpr int kDiameterAlways = 2;  // numbers of group 29
+constexpr int kDiameterAbsolute = 3;
 constexpr std::size_t kLength1 = 3;  // of $TC_DP
 constexpr std::size_t kAdapter1 = 21;
 constexpr std::size_t kWear1 = 12;
@@ -16,13 +18,6 @@ constexpr std::size_t kWear1 = 12;
 bool BlockWords::has_axes() const {
   return std::any_of(words.begin(), words.begin() + kAxisCount,
                      [](const Word& word) { return word.present; });
-}
-
-void BlockWords::clear() {
-  words.fill({});
-  machine_code_count = 0;
-  tool_name.reset();
-  axis_measuring.fill(std::nullopt);
 }
 
 Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals)
@@ -64,6 +59,19 @@ double Channel::stored(int axis, double value) const {
 
 double Channel::shown(int axis, double value) const {
   return axis < 3 ? value / mm_per_length() : value;
+}
+
+double Channel::stored_place(int axis, double value, Counts counts) const {
+  const bool doubled =
+      axis == kTransverseAxis && (group[29] == kDiameterAlways ||
+                                  (group[29] == kDiameterAbsolute && counts == Counts::Absolute));
+  return stored(axis, doubled ? value / 2.0 : value);
+}
+
+double Channel::shown_place(int axis, double value) const {
+  const bool doubled =
+      axis == kTransverseAxis && (group[29] == kDiameterAlways || group[29] == kDiameterAbsolute);
+  return shown(axis, doubled ? value * 2.0 : value);
 }
 
 Frame Channel::active_frame() const {
@@ -133,16 +141,22 @@ AxisPositions Channel::to_work(const AxisPositions& q_M) const {
 }
 
 AxisPositions Channel::present() {
-  return is_stale_ ? to_work(port.position()) : q_W_programmed_;
+  return is_stale_ ? to_work(machine_position()) : q_W_programmed_;
 }
 
-void Channel::arrived_at_programmed(const AxisPositions& q_W) {
+AxisPositions Channel::machine_position() const {
+  return cutter.path.engaged() ? q_M_programmed_ : port.position();
+}
+
+void Channel::arrived_at_programmed(const AxisPositions& q_W, const AxisPositions& q_M) {
   q_W_programmed_ = q_W;
+  q_M_programmed_ = q_M;
   is_stale_ = suppression != 0;
 }
 
 void Channel::arrived_at_machine() {
-  q_W_programmed_ = to_work(port.position());
+  q_M_programmed_ = port.position();
+  q_W_programmed_ = to_work(q_M_programmed_);
   is_stale_ = suppression != 0;
 }
 

@@ -11,6 +11,7 @@
 #include "interpreter/dialects/sinumerik/frame.h"
 #include "interpreter/dialects/sinumerik/g_codes.h"
 #include "interpreter/dialects/sinumerik/globals.h"
+#include "interpreter/dialects/sinumerik/motion_state.h"
 #include "interpreter/dialects/sinumerik/words.h"
 #include "interpreter/runtime/budget_watch.h"
 #include "interpreter/runtime/control_setup.h"
@@ -54,7 +55,6 @@ struct BlockWords {
   [[nodiscard]] bool has(Address address) const { return words[index_of(address)].present; }
   [[nodiscard]] const Word& axis(int index) const { return words[static_cast<std::size_t>(index)]; }
   [[nodiscard]] bool has_axes() const;
-  void clear();
 };
 
 /// Plane by storage indices; `normal` is the infeed axis.
@@ -78,7 +78,7 @@ class Channel {
   // Modal state
   std::array<int, kGroupCount> group = {};  ///< number within the group
   double feed = 0.0;                        ///< as programmed
-  double speed = 0.0;                       ///< rev/min, positive
+  Spindle spindle;
   double master_spindle = 1.0;
   [[nodiscard]] Plane plane() const;
   [[nodiscard]] double mm_per_length() const;
@@ -86,6 +86,10 @@ class Channel {
   /// A coordinate as programs write it, in mm or degrees; and back.
   [[nodiscard]] double stored(int axis, double value) const;
   [[nodiscard]] double shown(int axis, double value) const;
+  /// The same for places in the work coordinate system, where DIAMON counts.
+  enum class Counts { Absolute, Incremental };
+  [[nodiscard]] double stored_place(int axis, double value, Counts counts) const;
+  [[nodiscard]] double shown_place(int axis, double value) const;
 
   // Frames
   static constexpr int kSettableFrames = 100;  ///< 0 is G500
@@ -126,8 +130,20 @@ class Channel {
   AxisPositions present();
   /// The end that the program wrote last: what incremental words count from.
   [[nodiscard]] const AxisPositions& programmed() const { return q_W_programmed_; }
-  void arrived_at_programmed(const AxisPositions& q_W);
+  /// The same place in work and in machine coordinates.
+  void arrived_at_programmed(const AxisPositions& q_W, const AxisPositions& q_M);
   void arrived_at_machine();
+  /// Where the program has the axes: with a block that waits in the compensation as if it were
+  /// done.
+  [[nodiscard]] AxisPositions machine_position() const;
+
+  // Motion
+  Pole pole;
+  WorkingArea working_area;
+  MachinePoints points;
+  CutterStage cutter;
+  /// Direction in which the last path ended, machine coordinates; 0: there was none.
+  Eigen::Vector3d n_M_end = Eigen::Vector3d::Zero();
 
   // Measuring
   static constexpr int kMostProbes = 8;
@@ -162,6 +178,7 @@ class Channel {
   bool is_stale_ = false;
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed
   AxisPositions q_W_programmed_ = AxisPositions::Zero();
+  AxisPositions q_M_programmed_ = AxisPositions::Zero();
 };
 
 }  // namespace g31::sinumerik

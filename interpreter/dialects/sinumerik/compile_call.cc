@@ -144,17 +144,18 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
   const bool empty = !bracket || accept(Symbol::RightParen);
   for (std::size_t i = 0; i < row.parameters.size() && !failed(); ++i) {
     const char kind = row.parameters[i];
-    const bool is_optional = kind >= 'a' && kind <= 'z';
+    const bool is_optional = (kind >= 'a' && kind <= 'z') || kind == '*';
     if (empty || peek().is(Symbol::RightParen)) {
       if (!is_optional) {
         fail(AlarmId::ArgumentCount, where, std::string(row.name));
       }
       break;
     }
-    if (i > 0) {
+    if (!list.empty()) {
       expect(Symbol::Comma);
     }
     function_argument(kind, list);
+    i -= kind == '*' ? 1 : 0;  // any more of them
     if (!failed() && !takes(kind, list.back())) {
       fail(AlarmId::ReferenceMissing, where, std::string(row.name));
     }

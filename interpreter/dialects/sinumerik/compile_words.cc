@@ -4,6 +4,12 @@
 #include "interpreter/dialects/sinumerik/g_codes.h"
 
 namespace g31::sinumerik {
+namespace {
+
+/// The one spindle there is: S1=, M1=, SPOS[1]=.
+constexpr double kSpindle = 1.0;
+
+}  // namespace
 
 bool Compiler::is_assigned(std::size_t ahead) const {
   return peek(ahead).is(Symbol::Assign);
@@ -39,9 +45,17 @@ void Compiler::letter_word(const Token& letter) {
   }
   const int axis = axis_index(letter.text.front());
   std::string name(letter.text);
+  double extension = kSpindle;
   // I1=, C3=, S1=, M2=: a number belongs to the address where = follows.
   if (numbered && is_assigned(1)) {
-    name += next().text;
+    const Token number = next();
+    name += number.text;
+    extension = number.number;
+  }
+  const bool of_spindle = letter.is_letter('M') || letter.is_letter('S') || letter.is_letter('T');
+  if (of_spindle && extension != kSpindle) {
+    fail(AlarmId::NoSuchAddress, letter.where, name);
+    return;
   }
   if (letter.is_letter('M')) {
     m_word(letter.where);
@@ -51,7 +65,6 @@ void Compiler::letter_word(const Token& letter) {
     word(static_cast<Address>(axis), letter.where);
     return;
   }
-  const bool of_spindle = letter.is_letter('S') || letter.is_letter('T');
   const auto address = find_address(of_spindle ? letter.text : name);
   if (!address) {
     fail(AlarmId::NoSuchAddress, letter.where, name);
@@ -176,7 +189,8 @@ void Compiler::word(Address address, ShortSpan where) {
                           address == Address::CentreY || address == Address::CentreZ ||
                           address == Address::Spindle || address == Address::SpindleAsync ||
                           address == Address::MiddleX || address == Address::MiddleY ||
-                          address == Address::MiddleZ;
+                          address == Address::MiddleZ || address == Address::PolarAngle ||
+                          address == Address::PolarRadius;
   if (modification != Modification::None && !modifiable) {
     fail(AlarmId::BadModification, where, text_of(where));
     return;
@@ -230,6 +244,16 @@ void Compiler::axis_measuring() {
   has_words_ = true;
 }
 
+/// [1] behind SPOS, SPOSA or LIMS.
+void Compiler::spindle_index(const Token& name) {
+  expect(Symbol::LeftBracket);
+  const Token number = next();
+  expect(Symbol::RightBracket);
+  if (number.kind != TokenKind::Integer || number.number != kSpindle) {
+    fail(AlarmId::NoSuchAddress, number.where, text_of({name.where.begin, number.where.end}) + "]");
+  }
+}
+
 /// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.
 bool Compiler::named_word() {
   const Token name = peek();
@@ -247,10 +271,17 @@ bool Compiler::named_word() {
     return true;
   }
   const auto address = find_address(name.text);
-  if (!address || !is_assigned(1)) {
+  const bool of_spindle =
+      address && (*address == Address::Spindle || *address == Address::SpindleAsync ||
+                  *address == Address::SpeedLimit);
+  const bool indexed = of_spindle && peek(1).is(Symbol::LeftBracket);
+  if (!address || (!is_assigned(1) && !indexed)) {
     return false;
   }
   next();
+  if (indexed) {
+    spindle_index(name);
+  }
   word(*address, name.where);
   return true;
 }

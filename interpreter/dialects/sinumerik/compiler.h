@@ -225,6 +225,7 @@ class Compiler {
   void axis_by_name();
   void axis_measuring();
   bool named_word();
+  void spindle_index(const Token& name);
   void word(Address address, ShortSpan where);
   void emit_word(Address address, Modification modification, const Expr& value);
   Expr word_value(Modification& modification);

@@ -6,6 +6,7 @@
 #include "interpreter/dialects/sinumerik/alarms.h"
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/source/diagnostic.h"
+#include "interpreter/source/location.h"
 
 namespace g31::sinumerik {
 
@@ -16,7 +17,8 @@ struct Failure {
   runtime::Status status = runtime::Status::Alarm;
   /// 0: the row's own; SETAL gives its number; with Setup and Budget: the DiagnosticId.
   int number = 0;
-  std::string text;  ///< empty: the row's own
+  std::string text;                            ///< empty: the row's own
+  std::optional<source::Location> where = {};  ///< of another block than the running one
 };
 
 /// nullopt: all went well.

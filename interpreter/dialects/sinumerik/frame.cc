@@ -81,6 +81,10 @@ void Frame::set_angles(const Eigen::Vector3d& degrees) {
   turn_ = about(2, degrees.z()) * about(1, degrees.y()) * about(0, degrees.x());
 }
 
+void Frame::add_fine_shift(const AxisPositions& inner) {
+  fine_ += apply(inner) - apply(AxisPositions::Zero());
+}
+
 double Frame::component(int axis, Component component) const {
   switch (component) {
     case Component::Coarse:

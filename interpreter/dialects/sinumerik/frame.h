@@ -26,6 +26,10 @@ class Frame {
   /// Degrees about X, Y and Z: turned about Z, then the new Y, then the new X (RPY).
   [[nodiscard]] Eigen::Vector3d angles() const;
   void set_angles(const Eigen::Vector3d& degrees);
+  /// Turned so that the inner axes point along the columns: a rotation.
+  void set_turn(const Eigen::Matrix3d& turn) { turn_ = turn; }
+  /// Shifted further along its own axes; the fine shift takes it.
+  void add_fine_shift(const AxisPositions& inner);
 
  private:
   [[nodiscard]] AxisPositions factors() const;

@@ -15,6 +15,11 @@ enum class GAction : std::uint8_t {
   Reference,
   FixedPoint,
   Frame,
+  AxialShift,   ///< G58, G59
+  SolidAngles,  ///< ROTS
+  Pole,
+  LowerLimit,  ///< G25, G26
+  UpperLimit,
   Refused,
 };
 

@@ -38,6 +38,13 @@ struct RunningPart {
   std::int32_t passes_left = 0;
 };
 
+/// A program that waits for the text of EXECSTRING on its own level.
+struct WaitingProgram {
+  const CompiledProgram* program = nullptr;
+  std::int32_t step = 0;
+  std::vector<RunningPart> parts;
+};
+
 /// One program level.
 struct Level {
   const CompiledProgram* program = nullptr;
@@ -48,6 +55,7 @@ struct Level {
   std::vector<Reference> references;
   std::vector<bool> given;  ///< $P_SUBPAR
   std::vector<RunningPart> parts;
+  std::vector<WaitingProgram> waiting;
   std::vector<BoundValue> arguments;  ///< kept for further passes
   std::int32_t passes_left = 0;
   bool is_modal_call = false;

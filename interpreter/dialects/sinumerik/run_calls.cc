@@ -43,10 +43,14 @@ Result<double, Failure> converted(double value, const Variable& to) {
 
 }  // namespace
 
+ProgramLibrary::Near Runner::near() const {
+  return {levels_[depth_]->program->folder, program_name(channel_.call_path + "/").folder};
+}
+
 /// The program of a call: alarm 12550 where a name is unknown, 14011 where a text names a file.
 Result<const CompiledProgram*, Failure> Runner::called(const CallSite& site) {
   const std::string name = site.name.empty() ? text(site.text) : site.name;
-  if (const CompiledProgram* const program = library_.find(name)) {
+  if (const CompiledProgram* const program = library_.find(name, near())) {
     return program;
   }
   const bool is_l_number = name.size() > 1 && upper(name.front()) == 'L' && is_digit(name[1]);
@@ -135,6 +139,7 @@ MaybeFailure Runner::enter(const CompiledProgram& program, const std::vector<Bou
   into.passes_left = 0;
   into.is_modal_call = false;
   into.parts.clear();
+  into.waiting.clear();
   if (MaybeFailure wrong = take_arguments(into, values)) {
     return wrong;
   }
@@ -190,8 +195,10 @@ MaybeFailure Runner::take_value(Level& into, const Variable& variable, const Bou
   const auto place = static_cast<std::size_t>(variable.place);
   const bool both_numbers = is_number(value.type) && is_number(variable.type);
   const bool char_as_text = value.type == Type::Char && variable.type == Type::String;
+  const bool text_as_char =
+      value.type == Type::String && value.text.size() == 1 && variable.type == Type::Char;
   if (value.form == Form::Whole ||
-      (value.type != variable.type && !both_numbers && !char_as_text)) {
+      (value.type != variable.type && !both_numbers && !char_as_text && !text_as_char)) {
     return failure(
         AlarmId::WrongArgumentType,
         fmt::format("{}: {} is no {}", variable.name, name_of(value.type), name_of(variable.type)));
@@ -206,7 +213,9 @@ MaybeFailure Runner::take_value(Level& into, const Variable& variable, const Bou
   } else if (variable.type == Type::Frame) {
     into.frames[place] = *value.frame;
   } else {
-    const auto number = converted(value.number, variable);
+    const double given =
+        text_as_char ? static_cast<unsigned char>(value.text.front()) : value.number;
+    const auto number = converted(given, variable);
     if (!number) {
       return number.error();
     }
@@ -325,6 +334,15 @@ MaybeFailure Runner::go_on_at(const ReturnTarget& target) {
 /// M2, M30 and the last block: of a called program they are its end only.
 MaybeFailure Runner::end_program() {
   if (!level().parts.empty() && at_end_of_part(current_)) {
+    return std::nullopt;
+  }
+  if (!level().waiting.empty()) {
+    WaitingProgram& before = level().waiting.back();
+    level().program = before.program;
+    level().step = before.step;
+    level().parts = std::move(before.parts);
+    level().waiting.pop_back();
+    use_level();
     return std::nullopt;
   }
   return return_from(Op());

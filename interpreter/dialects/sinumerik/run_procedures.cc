@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/runner.h"
 
 namespace g31::sinumerik {
@@ -28,6 +29,8 @@ MaybeFailure Runner::procedure(const Op& op) {
       return std::nullopt;
     case ProcedureId::SETAL:
       return set_alarm(list);
+    case ProcedureId::EXECSTRING:
+      return execute_text(text(list[0].value));
     case ProcedureId::WRITE:
     case ProcedureId::DELETE:
     case ProcedureId::READ:
@@ -45,6 +48,9 @@ MaybeFailure Runner::procedure(const Op& op) {
       channel_.call_path = list.empty() ? std::string() : text(list[0].value);
       return std::nullopt;
     case ProcedureId::STOPRE:
+      return finish_motion(channel_);
+    case ProcedureId::FGROUP:
+      return set_feed_axes(list);
     case ProcedureId::STARTFIFO:
     case ProcedureId::STOPFIFO:
     case ProcedureId::FIFOCTRL:
@@ -54,10 +60,42 @@ MaybeFailure Runner::procedure(const Op& op) {
     case ProcedureId::DISPLOF:
     case ProcedureId::TRAFOOF:
     case ProcedureId::WAITS:
+    case ProcedureId::WAITP:
+    case ProcedureId::SPCON:
+    case ProcedureId::SPCOF:
       // Each block waits for the one before: there is nothing to stop.
       return std::nullopt;
   }
   return std::nullopt;
+}
+
+/// The text sees the variables of the level; behind it the program goes on.
+MaybeFailure Runner::execute_text(const std::string& source) {
+  Level& now = level();
+  const CompiledProgram*& made = texts_run_[{now.program, source}];
+  if (made == nullptr) {
+    made = library_.snippet(source, *now.program);
+  }
+  if (made->initial_numbers.size() != now.numbers.size() || !made->repeats.empty()) {
+    return failure(AlarmId::BadArguments, "EXECSTRING: no definitions and no repetitions");
+  }
+  now.waiting.push_back({now.program, now.step, std::move(now.parts)});
+  now.parts.clear();
+  now.program = made;
+  now.step = 0;
+  use_level();
+  return std::nullopt;
+}
+
+/// The machine counts F along the linear axes; rotary ones among them make no difference there.
+MaybeFailure Runner::set_feed_axes(Arguments list) {
+  std::size_t linear = 0;
+  for (const Argument& axis : list) {
+    linear += number(axis.value) < 3.0 ? 1U : 0U;
+  }
+  return list.empty() || linear == 3
+             ? std::nullopt
+             : std::optional(failure(AlarmId::NotImplemented, "FGROUP without X, Y or Z"));
 }
 
 /// SETAL(number, text): ends the program.

@@ -71,10 +71,11 @@ MaybeFailure Runner::execute(const Op& op) {
       return from_step();
     }
   }
-  const bool moves = words_.has_axes();
-  MaybeFailure wrong = execute_block(channel_, {words_, block.codes_of(program), here()});
-  words_.clear();
-  if (!wrong && moves && modal_call_) {
+  const Block commands{words_, block.codes_of(program), here()};
+  const bool moves = modal_call_ && commands_motion(commands);
+  MaybeFailure wrong = execute_block(channel_, commands);
+  words_ = BlockWords();
+  if (!wrong && moves) {
     return modal_call();
   }
   return wrong;

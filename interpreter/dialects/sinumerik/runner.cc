@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/runtime/stop_report.h"
 #include "machine/base/contract.h"
 
@@ -69,7 +70,11 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
   start(*main);
   channel_.arrived_at_machine();
   channel_.budget = runtime::BudgetWatch(budget);
-  if (const MaybeFailure reason = loop()) {
+  MaybeFailure reason = loop();
+  if (!reason) {
+    reason = finish_motion(channel_);
+  }
+  if (reason) {
     outcome = outcome_of(*reason);
   }
   outcome.diagnostics = channel_.diagnostics;
@@ -259,7 +264,7 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.text = failure.text.empty() ? std::string(row.text) : failure.text;
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
-  reason.where = here();
+  reason.where = failure.where.value_or(here());
   for (std::size_t i = depth_; i > 0; --i) {
     reason.calls.push_back({levels_[i - 1]->program->name, location_of(*levels_[i - 1])});
   }

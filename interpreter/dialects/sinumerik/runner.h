@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -110,6 +111,7 @@ class Runner {
 
   // run_calls.cc
   MaybeFailure call(const Op& op);
+  [[nodiscard]] ProgramLibrary::Near near() const;
   Result<const CompiledProgram*, Failure> called(const CallSite& site);
   std::vector<BoundValue> bound(const CallSite& site);
   MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
@@ -133,6 +135,8 @@ class Runner {
   // run_procedures.cc
   MaybeFailure procedure(const Op& op);
   MaybeFailure set_alarm(Arguments list);
+  MaybeFailure execute_text(const std::string& source);
+  MaybeFailure set_feed_axes(Arguments list);
 
   // run_files.cc
   MaybeFailure file_procedure(ProcedureId id, Arguments list);
@@ -157,6 +161,8 @@ class Runner {
   MaybeFailure write_system(const Op& op);
 
   ProgramLibrary& library_;
+  /// What EXECSTRING compiled, by program and text.
+  std::map<std::pair<const CompiledProgram*, std::string>, const CompiledProgram*> texts_run_;
   Channel channel_;
   std::vector<std::unique_ptr<Level>> levels_;
   std::size_t depth_ = 0;

@@ -106,6 +106,7 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   Channel& channel = runner_->channel();
   channel.block_skip = setup.block_skip;
   channel.feed_switches = setup.feed_switches;
+  channel.points.q_M_reference = setup.q_M_reference;
   configure_tables(channel, setup, refused);
   if (!setup.parameters.empty() || !setup.macro_calls.empty()) {
     refused.emplace_back(

@@ -11,6 +11,7 @@
 namespace g31::fanuc {
 namespace {
 
+using namespace compensation;
 using State = CompensationCommand::State;
 
 /// Codes whose moves are no part of a path to be compensated.
@@ -42,6 +43,7 @@ CompensationRules rules_of(const Control& control) {
 AlarmId alarm_of(CompensationError error) {
   switch (error) {
     case CompensationError::NoIntersection:
+    case CompensationError::StartOrEndWithinArc:  // of corners with arcs, which there are none of
       return AlarmId::NoIntersection;
     case CompensationError::ArcAtStartOrEnd:
       return AlarmId::ArcAtStartOrEnd;

@@ -1,11 +1,27 @@
+#include <utility>
+
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/circle_form.h"
+#include "interpreter/dialects/sinumerik/execute/feed.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
 
 namespace g31::sinumerik {
 namespace {
 
 constexpr int kOneBlockGroups[] = {2, 3, 9, 11};
+
+/// Another feed type wants a new F; behind G96 the spindle stays at the speed it has.
+void change_feed_type(Channel& channel, int before) {
+  if (feed_meaning(before) != feed_meaning(channel.group[15])) {
+    channel.feed = 0.0;
+  }
+  if (cuts_at_constant_speed(before) && !cuts_at_constant_speed(channel.group[15])) {
+    const int now = std::exchange(channel.group[15], before);
+    channel.spindle.speed = spindle_speed(channel, channel.present()[kTransverseAxis]);
+    channel.group[15] = now;
+  }
+}
 
 /// Sets the groups of the block's codes.
 MaybeFailure take_codes(Channel& channel, const Block& block) {
@@ -13,6 +29,7 @@ MaybeFailure take_codes(Channel& channel, const Block& block) {
     channel.group[static_cast<std::size_t>(group)] = 0;
   }
   const int unit_before = channel.group[13];
+  const int feed_before = channel.group[15];
   for (const std::uint16_t bits : block.codes) {
     const FoundCode code = unpacked(bits);
     const GCode& row = g_codes()[code.row];
@@ -26,6 +43,9 @@ MaybeFailure take_codes(Channel& channel, const Block& block) {
   channel.suppression = channel.group[9];
   if (channel.suppression != 0) {
     channel.frames_changed();
+  }
+  if (channel.group[15] != feed_before) {
+    change_feed_type(channel, feed_before);
   }
   if (channel.group[13] != unit_before) {
     channel.observer.on_length_unit(channel.mm_per_length() == 1.0 ? LengthUnit::Millimetre
@@ -43,58 +63,96 @@ void stop(Channel& channel, const Block& block) {
   }
 }
 
-/// F, S and SPOS.
-MaybeFailure take_technology(Channel& channel, const Block& block) {
-  const BlockWords& words = block.words;
-  const bool dwells = block.code_of(2) != nullptr && block.code_of(2)->action == GAction::Dwell;
-  if (words.has(Address::Feed) && !dwells) {
-    channel.feed = words[Address::Feed].value;
-  }
-  if (words.has(Address::Speed) && !dwells) {
-    channel.speed = words[Address::Speed].value;
-  }
-  for (const Address address : {Address::Spindle, Address::SpindleAsync}) {
-    if (words.has(address)) {
-      if (words[address].modification == Modification::Incremental) {
-        return failure(AlarmId::NotImplemented, "SPOS=IC(...)");
-      }
-      channel.port.orient_spindle(words[address].value);
-    }
-  }
-  return std::nullopt;
-}
+/// A word that counts only with this value.
+struct OnlyValue {
+  Address address;
+  double value;
+};
+constexpr OnlyValue kOnlyZero[] = {{Address::Conic, 0.0}, {Address::NormalOffset, 0.0}};
 
 MaybeFailure refuse_unknown(const Block& block) {
-  for (const Address address : {Address::Turns}) {
+  for (const Address address : {Address::Chamfer, Address::ChamferWidth,
+                                Address::Rounding, Address::ModalRounding}) {
     if (block.words.has(address)) {
       return failure(AlarmId::NotImplemented,
                      std::string(addresses()[index_of(address) - kAxisCount].name));
     }
   }
+  for (const OnlyValue& only : kOnlyZero) {
+    const BlockWords::Word& word = block.words[only.address];
+    if (word.present && word.value != only.value) {
+      const AddressInfo& row = addresses()[index_of(only.address) - kAxisCount];
+      return failure(AlarmId::NotImplemented, fmt::format("{}={:g}", row.name, word.value));
+    }
+  }
   return std::nullopt;
 }
 
+/// What group 2 or 3 does in the place of a motion; nullptr: nothing.
+using Special = MaybeFailure (*)(Channel&, const Block&, const GCode&);
+
+Special special_of(GAction action) {
+  switch (action) {
+    case GAction::Dwell:
+      return
+          [](Channel& channel, const Block& block, const GCode&) { return dwell(channel, block); };
+    case GAction::Reference:
+      return [](Channel& channel, const Block& block, const GCode&) {
+        return approach_reference(channel, block);
+      };
+    case GAction::FixedPoint:
+      return [](Channel& channel, const Block& block, const GCode&) {
+        return approach_fixed_point(channel, block);
+      };
+    case GAction::Frame:
+      return program_frame;
+    case GAction::AxialShift:
+      return shift_by_axis;
+    case GAction::SolidAngles:
+      return turn_by_solid_angles;
+    case GAction::Pole:
+      return set_pole;
+    case GAction::LowerLimit:
+    case GAction::UpperLimit:
+      return limit;
+    case GAction::Modal:
+    case GAction::OneBlock:
+    case GAction::Refused:
+      break;
+  }
+  return nullptr;
+}
+
+/// The code that takes the block's axis words for something else than a motion of the path.
+const GCode* special_code(const Block& block) {
+  for (const int group : {2, 3}) {
+    const GCode* const code = block.code_of(group);
+    if (code != nullptr && special_of(code->action) != nullptr) {
+      return code;
+    }
+  }
+  return nullptr;
+}
+
+bool is_circle(int motion) {
+  constexpr int kClockwise = 3;
+  constexpr int kThroughPoint = 5;
+  constexpr int kTangential = 15;
+  return (motion >= kClockwise && motion <= kThroughPoint) || motion == kTangential;
+}
+
 MaybeFailure move(Channel& channel, const Block& block) {
-  const GCode* const special = block.code_of(2);
-  if (special != nullptr && special->action == GAction::Dwell) {
-    return dwell(channel, block);
+  if (const GCode* const code = special_code(block)) {
+    return special_of(code->action)(channel, block, *code);
   }
-  if (special != nullptr) {
-    return failure(AlarmId::NotImplemented, std::string(special->name));
-  }
-  if (const GCode* const frame = block.code_of(3)) {
-    return program_frame(channel, block, *frame);
-  }
-  const int motion = channel.group[1];
   if (listens_to_probe(channel, block)) {
     return measure(channel, block);
   }
-  const bool has_centre = block.words.has(Address::CentreX) || block.words.has(Address::CentreY) ||
-                          block.words.has(Address::CentreZ);
-  if (motion >= 3 && (block.words.has_axes() || has_centre)) {
+  if (is_circle(channel.group[1]) &&
+      (commands_motion(block) || has_centre(block, channel.plane()))) {
     return move_along_circle(channel, block);
   }
-  return block.words.has_axes() ? move_straight(channel, block) : std::nullopt;
+  return commands_motion(block) ? move_straight(channel, block) : std::nullopt;
 }
 
 }  // namespace
@@ -107,6 +165,10 @@ const GCode* Block::code_of(int group) const {
     }
   }
   return nullptr;
+}
+
+bool commands_motion(const Block& block) {
+  return (block.words.has_axes() || is_polar(block)) && special_code(block) == nullptr;
 }
 
 MaybeFailure execute_block(Channel& channel, const Block& block) {
@@ -122,7 +184,13 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = select_tool(channel, block)) {
     return wrong;
   }
+  if (MaybeFailure wrong = read_compensation(channel, block)) {
+    return wrong;
+  }
   MaybeFailure wrong = move(channel, block);
+  if (!wrong) {
+    wrong = end_compensated_block(channel);
+  }
   if (channel.suppression != 0) {
     channel.suppression = 0;
     channel.arrived_at_machine();

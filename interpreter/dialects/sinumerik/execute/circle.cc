@@ -1,182 +1,200 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/circle_form.h"
+#include "interpreter/dialects/sinumerik/execute/feed.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
 
 namespace g31::sinumerik {
 namespace {
 
-using Vector = Eigen::Vector2d;
+using Vector3 = Eigen::Vector3d;
 using machine::Turn;
 
-constexpr double kEndTolerance = 0.01;  // mm, as $MC_CIRCLE_ERROR_CONST
+constexpr double kFullRad = 2.0 * std::numbers::pi;
+constexpr double kMostTurns = 999.0;
+/// How far chords may stand off a circle that no plane of the machine's axes holds, mm.
+constexpr double kChordErrorMm = 5e-4;
 
-constexpr Address kCentre[] = {Address::CentreX, Address::CentreY, Address::CentreZ};
-constexpr Address kMiddle[] = {Address::MiddleX, Address::MiddleY, Address::MiddleZ};
-
-/// A circle in its plane, work coordinates.
-struct Circle {
-  Plane plane;
-  Turn turn = Turn::Clockwise;
-  Vector start;
-  Vector end;
+/// A circle or helix in work coordinates, anywhere in space.
+struct SpatialArc {
+  Vector3 centre;  ///< of the start
+  Vector3 out;     ///< from the centre to the start
+  Vector3 ahead;   ///< square to it, as long, in the direction of travel
+  double sweep = 0.0;
 };
 
-Vector left_of(const Vector& v) {
-  return {-v.y(), v.x()};
+/// What all ways of doing a circle need.
+struct Job {
+  const Block& block;
+  AxisPositions q_W_start;
+  AxisPositions q_W_end;
+};
+
+Result<double, Failure> turns_of(const Block& block) {
+  const double turns = block.words[Address::Turns].value;
+  if (turns < 0.0 || turns > kMostTurns || turns != std::floor(turns)) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("TURN={:g}", turns));
+  }
+  return turns;
 }
 
-/// CR: the shorter way round, negative the longer one.
-Result<Vector, Failure> centre_by_radius(const Circle& circle, double radius) {
-  const Vector chord = circle.end - circle.start;
-  const double half = chord.norm() / 2.0;
-  const double size = std::abs(radius);
-  if (half == 0.0 || half > size + kEndTolerance) {
-    return failure(AlarmId::CircleRadius,
-                   fmt::format("CR={:.4f}, half the chord is {:.4f}", radius, half));
-  }
-  const double height = std::sqrt(std::max(0.0, (size - half) * (size + half)));
-  const double side = (circle.turn == Turn::Clockwise) == (radius > 0.0) ? -1.0 : 1.0;
-  return Vector(circle.start + chord / 2.0 + side * height * left_of(chord) / (2.0 * half));
+/// The other axes go along in proportion: what they are after a part of the way.
+AxisPositions along(const Job& job, double fraction) {
+  return job.q_W_start + fraction * (job.q_W_end - job.q_W_start);
 }
 
-/// I, J, K from the start; with AC in work coordinates.
-Vector centre_by_words(const Channel& channel, const Block& block, const Circle& circle) {
-  Vector centre = circle.start;
-  const int axes[] = {circle.plane.first, circle.plane.second};
-  for (int i = 0; i < 2; ++i) {
-    const BlockWords::Word& word = block.words[kCentre[axes[i]]];
-    const double value = channel.stored(axes[i], word.value);
-    if (word.present) {
-      centre[i] = word.modification == Modification::Absolute ? value : centre[i] + value;
-    }
-  }
-  return centre;
+Result<double, Failure> feed_of(Channel& channel, const Job& job, double length) {
+  return feed_in_force(channel, job.block, feed_way(channel, job.block, job.q_W_end, length));
 }
 
-/// AR and the end: the centre lies left or right of the chord.
-Result<Vector, Failure> centre_by_opening(const Circle& circle, double degrees) {
-  const Vector chord = circle.end - circle.start;
-  if (!(degrees > 0.0 && degrees < 360.0) || chord.norm() == 0.0) {
-    return failure(AlarmId::BadOpeningAngle, fmt::format("AR={:.4f}", degrees));
-  }
-  const double half = degrees / 2.0 * std::numbers::pi / 180.0;
-  const double side = circle.turn == Turn::Clockwise ? -1.0 : 1.0;
-  return Vector(circle.start + chord / 2.0 +
-                side * left_of(chord) / 2.0 * (std::cos(half) / std::sin(half)));
+SpatialArc in_space(const Circle& circle, const AxisPositions& q_W_start, double sweep) {
+  SpatialArc arc;
+  const Plane& plane = circle.plane;
+  const PlaneVector out = circle.start - circle.centre;
+  const double side = circle.turn == Turn::Counterclockwise ? 1.0 : -1.0;
+  arc.centre = q_W_start.head<3>();
+  arc.centre[plane.first] = circle.centre.x();
+  arc.centre[plane.second] = circle.centre.y();
+  arc.out = Vector3::Zero();
+  arc.out[plane.first] = out.x();
+  arc.out[plane.second] = out.y();
+  arc.ahead = Vector3::Zero();
+  arc.ahead[plane.first] = -side * out.y();
+  arc.ahead[plane.second] = side * out.x();
+  arc.sweep = sweep;
+  return arc;
 }
 
-/// CIP: the circle through three points, and the way round that meets the middle one.
-Result<Vector, Failure> centre_by_middle(const Channel& channel, const Block& block,
-                                         Circle& circle) {
-  Vector middle = circle.start;
-  const int axes[] = {circle.plane.first, circle.plane.second};
-  for (int i = 0; i < 2; ++i) {
-    const BlockWords::Word& word = block.words[kMiddle[axes[i]]];
-    const bool adds = word.modification == Modification::Incremental ||
-                      (word.modification == Modification::None && channel.group[14] == 2);
-    if (word.present) {
-      const double value = channel.stored(axes[i], word.value);
-      middle[i] = adds ? middle[i] + value : value;
-    }
-  }
-  const Vector a = middle - circle.start;
-  const Vector b = circle.end - circle.start;
-  const double cross = a.x() * b.y() - a.y() * b.x();
-  if (std::abs(cross) < 1e-9 * a.norm() * b.norm() || a.norm() == 0.0) {
+/// Through three points in space.
+Result<SpatialArc, Failure> through(const Vector3& start, const Vector3& middle,
+                                    const Vector3& end) {
+  const Vector3 a = middle - start;
+  const Vector3 b = end - start;
+  const Vector3 normal = a.cross(b);
+  const double area = normal.norm();
+  if (area < 1e-9 * a.norm() * b.norm() || a.norm() == 0.0) {
     return failure(AlarmId::BadIntermediatePoint);
   }
-  circle.turn = cross < 0.0 ? Turn::Clockwise : Turn::Counterclockwise;
-  const Vector offset((b.y() * a.squaredNorm() - a.y() * b.squaredNorm()) / (2.0 * cross),
-                      (a.x() * b.squaredNorm() - b.x() * a.squaredNorm()) / (2.0 * cross));
-  return Vector(circle.start + offset);
+  const Vector3 to_centre =
+      (a.squaredNorm() * b.cross(normal) + b.squaredNorm() * normal.cross(a)) / (2.0 * area * area);
+  SpatialArc arc;
+  arc.centre = start + to_centre;
+  arc.out = -to_centre;
+  arc.ahead = normal.cross(arc.out) / area;
+  const Vector3 last = end - arc.centre;
+  const double angle = std::atan2(last.dot(arc.ahead), last.dot(arc.out));
+  arc.sweep = angle > 0.0 ? angle : angle + kFullRad;
+  return arc;
 }
 
-Result<Vector, Failure> centre_of(const Channel& channel, const Block& block, Circle& circle) {
-  if (channel.group[1] == 5) {
-    return centre_by_middle(channel, block, circle);
+/// In chords, for a machine whose arcs lie in planes of its axes.
+MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& arc) {
+  if (channel.cutter.path.engaged()) {
+    return failure(AlarmId::NotImplemented, "a circle in a tilted plane with G41 or G42");
   }
-  if (block.words.has(Address::Radius)) {
-    return centre_by_radius(circle, block.words[Address::Radius].value * channel.mm_per_length());
+  const double radius = arc.out.norm();
+  const double rise =
+      (job.q_W_end - job.q_W_start).head<3>().dot(arc.out.cross(arc.ahead).normalized());
+  const auto feed = feed_of(channel, job, std::hypot(radius * arc.sweep, rise));
+  if (!feed) {
+    return feed.error();
   }
-  const bool by_centre =
-      block.words.has(kCentre[circle.plane.first]) || block.words.has(kCentre[circle.plane.second]);
-  if (block.words.has(Address::OpeningAngle)) {
-    return by_centre ? Result<Vector, Failure>(failure(AlarmId::NotImplemented, "AR with a centre"))
-                     : centre_by_opening(circle, block.words[Address::OpeningAngle].value);
+  const double step = 2.0 * std::acos(1.0 - std::min(1.0, kChordErrorMm / radius));
+  const int chords = static_cast<int>(std::ceil(arc.sweep / step));
+  for (int i = 1; i <= chords; ++i) {
+    const double fraction = static_cast<double>(i) / chords;
+    const double angle = arc.sweep * fraction;
+    AxisPositions q_W = along(job, fraction);
+    const Vector3 normal = arc.out.cross(arc.ahead).normalized();
+    q_W.head<3>() = arc.centre + std::cos(angle) * arc.out + std::sin(angle) * arc.ahead +
+                    fraction * rise * normal;
+    q_W = i == chords ? job.q_W_end : q_W;
+    compensation::PathBlock chord;
+    chord.q_M_end = channel.to_machine(q_W);
+    chord.feed_mm_min = feed.value();
+    chord.where = job.block.where;
+    chord.ends = i == chords ? block_end(channel) : machine::BlockEnd::PassOn;
+    if (MaybeFailure wrong = travel_to(channel, chord, q_W)) {
+      return wrong;
+    }
   }
-  const Vector centre = centre_by_words(channel, block, circle);
-  const double start = (circle.start - centre).norm();
-  const double end = (circle.end - centre).norm();
-  if (start == 0.0 || std::abs(start - end) > kEndTolerance) {
-    return failure(
-        AlarmId::CircleEnd,
-        fmt::format("the radius is {:.4f} at the start and {:.4f} at the end", start, end));
-  }
-  return centre;
+  return std::nullopt;
 }
 
-/// A mirrored frame turns the other way; a turned plane is not supported by the machine's arcs.
-Result<Turn, Failure> turn_in_machine(const Channel& channel, const Circle& circle) {
-  AxisPositions q[3] = {AxisPositions::Zero(), AxisPositions::Zero(), AxisPositions::Zero()};
-  q[1][circle.plane.first] = 1.0;
-  q[2][circle.plane.second] = 1.0;
-  const Frame frame = channel.active_frame();
-  const AxisPositions first = frame.apply(q[1]) - frame.apply(q[0]);
-  const AxisPositions second = frame.apply(q[2]) - frame.apply(q[0]);
-  const double out = std::abs(first[circle.plane.normal]) + std::abs(second[circle.plane.normal]);
-  const double stretch = std::abs(first.head<3>().norm() - second.head<3>().norm());
-  if (out > 1e-12 || stretch > 1e-12) {
-    return failure(AlarmId::NotImplemented, "a circle in a tilted or unequally scaled plane");
+/// As arcs of the machine: full turns first, then the way to the end.
+MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle, double turns) {
+  const double sweep = sweep_of(circle);
+  const double total = sweep + turns * kFullRad;
+  const Plane& plane = circle.plane;
+  const double rise = job.q_W_end[plane.normal] - job.q_W_start[plane.normal];
+  const double radius = (circle.start - circle.centre).norm();
+  const auto feed = feed_of(channel, job, std::hypot(radius * total, rise));
+  if (!feed) {
+    return feed.error();
   }
-  const double cross = first[circle.plane.first] * second[circle.plane.second] -
-                       first[circle.plane.second] * second[circle.plane.first];
-  const bool clockwise = (circle.turn == Turn::Clockwise) == (cross > 0.0);
-  return clockwise ? Turn::Clockwise : Turn::Counterclockwise;
+  AxisPositions q_W_centre = job.q_W_start;
+  q_W_centre[plane.first] = circle.centre.x();
+  q_W_centre[plane.second] = circle.centre.y();
+  const AxisPositions q_M_centre = channel.to_machine(q_W_centre);
+  const bool clockwise = (circle.turn == Turn::Clockwise) != plane_in_machine(channel).is_mirrored;
+  compensation::PathBlock path;
+  path.arc = compensation::ArcShape{{q_M_centre[plane.first], q_M_centre[plane.second]},
+                                    clockwise ? Turn::Clockwise : Turn::Counterclockwise};
+  path.g = clockwise ? 2 : 3;
+  path.feed_mm_min = feed.value();
+  path.where = job.block.where;
+  for (double turn = 1.0; turn <= turns; turn += 1.0) {
+    AxisPositions q_W = along(job, turn * kFullRad / total);
+    q_W[plane.first] = job.q_W_start[plane.first];
+    q_W[plane.second] = job.q_W_start[plane.second];
+    path.q_M_end = channel.to_machine(q_W);
+    path.ends = machine::BlockEnd::PassOn;
+    if (MaybeFailure wrong = travel_to(channel, path, q_W)) {
+      return wrong;
+    }
+  }
+  path.q_M_end = channel.to_machine(job.q_W_end);
+  path.ends = block_end(channel);
+  return travel_to(channel, path, job.q_W_end);
 }
 
-Vector in_plane(const AxisPositions& q, const Plane& plane) {
-  return {q[plane.first], q[plane.second]};
+MaybeFailure move_in_space(Channel& channel, const Job& job) {
+  const Vector3 middle = middle_of(channel, job.block, job.q_W_start).head<3>();
+  const auto arc = through(job.q_W_start.head<3>(), middle, job.q_W_end.head<3>());
+  if (!arc) {
+    return arc.error();
+  }
+  return move_in_chords(channel, job, arc.value());
 }
 
 }  // namespace
 
 MaybeFailure move_along_circle(Channel& channel, const Block& block) {
   const auto q_W_end = programmed_end(channel, block);
-  if (!q_W_end) {
-    return q_W_end.error();
+  const auto turns = turns_of(block);
+  if (!q_W_end || !turns) {
+    return !q_W_end ? q_W_end.error() : turns.error();
   }
-  const AxisPositions q_W_start = channel.present();
-  Circle circle;
-  circle.plane = channel.plane();
-  circle.turn = channel.group[1] == 3 ? Turn::Clockwise : Turn::Counterclockwise;
-  circle.start = in_plane(q_W_start, circle.plane);
-  circle.end = in_plane(q_W_end.value(), circle.plane);
-  const auto centre = centre_of(channel, block, circle);
-  if (!centre) {
-    return centre.error();
+  Job job{block, channel.present(), q_W_end.value()};
+  if (is_spatial(channel, block, job.q_W_start, job.q_W_end)) {
+    return move_in_space(channel, job);
   }
-  const auto turn = turn_in_machine(channel, circle);
-  const auto feed = feed_in_force(channel);
-  if (!turn || !feed) {
-    return !turn ? turn.error() : feed.error();
+  const auto circle = programmed_circle(channel, block, job.q_W_end);
+  if (!circle) {
+    return circle.error();
   }
-  AxisPositions q_W_centre = q_W_start;
-  q_W_centre[circle.plane.first] = centre.value().x();
-  q_W_centre[circle.plane.second] = centre.value().y();
-  const AxisPositions q_M_centre = channel.to_machine(q_W_centre);
-  machine::ArcMove move;
-  move.q_M_end = channel.to_machine(q_W_end.value());
-  move.first_axis = circle.plane.first;
-  move.second_axis = circle.plane.second;
-  move.centre_first = q_M_centre[circle.plane.first];
-  move.centre_second = q_M_centre[circle.plane.second];
-  move.turn = turn.value();
-  move.feed_mm_min = feed.value();
-  move.ends = block_end(channel);
-  return carry_out(channel, move, q_W_end.value(), move.turn == Turn::Clockwise ? 2 : 3);
+  if (circle.value().is_straight) {
+    return move_straight(channel, block);
+  }
+  if (plane_in_machine(channel).is_parallel) {
+    return move_in_arcs(channel, job, circle.value(), turns.value());
+  }
+  const double sweep = sweep_of(circle.value()) + turns.value() * kFullRad;
+  return move_in_chords(channel, job, in_space(circle.value(), job.q_W_start, sweep));
 }
 
 }  // namespace g31::sinumerik

@@ -15,18 +15,38 @@ struct Block {
   [[nodiscard]] const GCode* code_of(int group) const;
 };
 
+/// Whether the block moves along the path; in a block of TRANS, say, axis words do not.
+bool commands_motion(const Block& block);
+
 /// Does everything that a block commands.
 MaybeFailure execute_block(Channel& channel, const Block& block);
 
+/// Gives the machine what waits in the compensation, as if nothing came behind it: STOPRE, reading
+/// where the axes stand, the end of the program.
+MaybeFailure finish_motion(Channel& channel);
+
 // The parts, one a file.
 
+/// F, S, M3 to M5, M19, SPOS and the like.
+MaybeFailure take_technology(Channel& channel, const Block& block);
 /// T, D and M6.
 MaybeFailure select_tool(Channel& channel, const Block& block);
 /// TRANS, ROT, SCALE, MIRROR and their additive forms.
 MaybeFailure program_frame(Channel& channel, const Block& block, const GCode& code);
-/// Straight moves, rapid or at feed.
+/// G58 and G59
+MaybeFailure shift_by_axis(Channel& channel, const Block& block, const GCode& code);
+/// ROTS and AROTS
+MaybeFailure turn_by_solid_angles(Channel& channel, const Block& block, const GCode& code);
+/// G110, G111 and G112
+MaybeFailure set_pole(Channel& channel, const Block& block, const GCode& code);
+/// G25 and G26
+MaybeFailure limit(Channel& channel, const Block& block, const GCode& code);
+/// G74 and G75
+MaybeFailure approach_reference(Channel& channel, const Block& block);
+MaybeFailure approach_fixed_point(Channel& channel, const Block& block);
+/// Straight moves: rapid, at feed, threads.
 MaybeFailure move_straight(Channel& channel, const Block& block);
-/// G2, G3 and CIP.
+/// G2, G3, CIP and CT.
 MaybeFailure move_along_circle(Channel& channel, const Block& block);
 /// Whether the block measures, or a synchronised action may end its move.
 bool listens_to_probe(const Channel& channel, const Block& block);
@@ -35,17 +55,14 @@ MaybeFailure measure(Channel& channel, const Block& block);
 /// G4
 MaybeFailure dwell(Channel& channel, const Block& block);
 
-/// The end that the axis words say, work coordinates; axes without a word stay where they are.
+/// The end that the axis words or AP and RP say, work coordinates; axes without a word stay where
+/// they are.
 Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& block);
-/// mm/min
-Result<double, Failure> feed_in_force(const Channel& channel);
-/// Moves the machine, straight or along an arc, and tells the observer.
-/// @param q_W_end  where the move ends for the program
-/// @param g        of the report: 0 to 3
-template <typename Move>
-MaybeFailure carry_out(Channel& channel, const Move& move, const AxisPositions& q_W_end, int g);
-/// What a fault of the machine means here.
-Failure from_fault(const machine::MachineFault& fault);
+/// Whether AP or RP stands in the block.
+bool is_polar(const Block& block);
+/// Takes AP and RP into the axes of the plane.
+MaybeFailure take_polar(Channel& channel, const Block& block, AxisPositions& q_W_end);
+
 /// Whether G9, G60 or a rapid stops the axes at the end of the block.
 machine::BlockEnd block_end(const Channel& channel);
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
@@ -44,16 +45,87 @@ Result<Frame, Failure> frame_of_words(const Channel& channel, const Block& block
   return frame;
 }
 
+Eigen::Matrix3d about(int axis, double degrees) {
+  Frame frame;
+  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
+  angles[axis] = degrees;
+  frame.set_angles(angles);
+  Eigen::Matrix3d turn;
+  for (int i = 0; i < 3; ++i) {
+    AxisPositions q = AxisPositions::Zero();
+    q[i] = 1.0;
+    turn.col(i) = frame.apply(q).head<3>();
+  }
+  return turn;
+}
+
+/// The plane that two axes span, each turned about the other one by its solid angle; the first of
+/// them stays in the old plane of the first and the third axis.
+Eigen::Matrix3d turned_by(int first, double about_first, double about_second) {
+  const int second = (first + 1) % 3;
+  const int third = (first + 2) % 3;
+  Eigen::Matrix3d turn;
+  turn.col(first) = about(second, about_second).col(first);
+  const Eigen::Vector3d trace = about(first, about_first).col(second);
+  turn.col(third) = turn.col(first).cross(trace).normalized();
+  turn.col(second) = turn.col(third).cross(turn.col(first));
+  return turn;
+}
+
 }  // namespace
+
+MaybeFailure shift_by_axis(Channel& channel, const Block& block, const GCode& code) {
+  const Component part = code.name == "G58" ? Component::Coarse : Component::Fine;
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    const BlockWords::Word& word = block.words.axis(axis);
+    if (word.present) {
+      channel.program_frame.set_component(axis, part, channel.stored(axis, word.value));
+    }
+  }
+  channel.frames_changed();
+  return std::nullopt;
+}
+
+MaybeFailure turn_by_solid_angles(Channel& channel, const Block& block, const GCode& code) {
+  if (block.words.has(Address::PlaneRotation)) {
+    return program_frame(channel, block, code);
+  }
+  int missing = -1;
+  int given = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool present = block.words.axis(axis).present;
+    missing = present ? missing : axis;
+    given += present ? 1 : 0;
+  }
+  if (given != 2) {
+    return given == 1
+               ? program_frame(channel, block, code)
+               : std::optional(failure(AlarmId::UnexpectedParameter,
+                                       fmt::format("{} takes one or two angles", code.name)));
+  }
+  const int first = (missing + 1) % 3;
+  Frame frame;
+  frame.set_turn(
+      turned_by(first, block.words.axis(first).value, block.words.axis((first + 1) % 3).value));
+  const bool adds = code.name.front() == 'A';
+  channel.program_frame = adds ? channel.program_frame.chained(frame) : frame;
+  channel.frames_changed();
+  return std::nullopt;
+}
 
 MaybeFailure program_frame(Channel& channel, const Block& block, const GCode& code) {
   const bool adds = code.name.front() == 'A';
-  const std::string_view kind = adds ? code.name.substr(1) : code.name;
+  const std::string_view plain = adds ? code.name.substr(1) : code.name;
+  const std::string_view kind = plain == "ROTS" ? "ROT" : plain;
   const auto frame = frame_of_words(channel, block, kind);
   if (!frame) {
     return frame.error();
   }
-  channel.program_frame = adds ? channel.program_frame.chained(frame.value()) : frame.value();
+  if (adds && kind == "TRANS") {
+    channel.program_frame.add_fine_shift(frame.value().apply(AxisPositions::Zero()));
+  } else {
+    channel.program_frame = adds ? channel.program_frame.chained(frame.value()) : frame.value();
+  }
   channel.frames_changed();
   return std::nullopt;
 }

@@ -4,7 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/feed.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
 #include "interpreter/runtime/overloaded.h"
 
 namespace g31::sinumerik {
@@ -108,7 +109,7 @@ Result<std::optional<Measuring>, Failure> measuring_of(const Channel& channel,
   return found;
 }
 
-Result<machine::LinearMove, Failure> measuring_move(Channel& channel,
+Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Block& block,
                                                     const AxisPositions& q_W_end) {
   machine::LinearMove move;
   move.q_M_end = channel.to_machine(q_W_end);
@@ -118,7 +119,8 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel,
   if (channel.group[1] != 2) {
     return failure(AlarmId::NotImplemented, "MEAS on a circle");
   }
-  const auto feed = feed_in_force(channel);
+  const double length = feed_length(channel.port.position(), move.q_M_end);
+  const auto feed = feed_in_force(channel, block, feed_way(channel, block, q_W_end, length));
   if (!feed) {
     return feed.error();
   }
@@ -139,7 +141,7 @@ void settle(Channel& channel, const runtime::TouchEvent& event, const Measuring&
   if (event.triggered && measuring.after == machine::AfterSignal::Stop) {
     channel.arrived_at_machine();
   } else {
-    channel.arrived_at_programmed(q_W_end);
+    channel.arrived_at_programmed(q_W_end, event.q_M_commanded);
   }
 }
 
@@ -148,9 +150,12 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   if (!q_W_end) {
     return q_W_end.error();
   }
-  const auto straight = measuring_move(channel, q_W_end.value());
+  const auto straight = measuring_move(channel, block, q_W_end.value());
   if (!straight) {
     return straight.error();
+  }
+  if (MaybeFailure outside = outside_working_area(channel, straight.value().q_M_end)) {
+    return outside;
   }
   machine::SkipMove move(straight.value());
   move.input = measuring.probe;
@@ -186,7 +191,7 @@ bool listens_to_probe(const Channel& channel, const Block& block) {
       std::any_of(block.words.axis_measuring.begin(), block.words.axis_measuring.end(),
                   [](const auto& axis) { return axis.has_value(); });
   return by_axis || block.words.has(Address::Measure) || block.words.has(Address::MeasureOn) ||
-         (channel.skip_action && block.words.has_axes());
+         (channel.skip_action && commands_motion(block));
 }
 
 MaybeFailure measure(Channel& channel, const Block& block) {

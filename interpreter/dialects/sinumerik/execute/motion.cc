@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/feed.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
 
 namespace g31::sinumerik {
 namespace {
 
 constexpr double kTurn = 360.0;
+constexpr int kRapid = 1;        // of group 1: G0
+constexpr int kThread = 10;      // G33, G331, G332
+constexpr int kTangential = 15;  // CT
+constexpr Address kLeads[] = {Address::CentreX, Address::CentreY, Address::CentreZ};
 
 /// The nearest place of a rotary axis at `angle` that the modification allows.
 double rotary_end(double now, double angle, Modification modification) {
@@ -27,6 +32,20 @@ double rotary_end(double now, double angle, Modification modification) {
   return angle;
 }
 
+/// G33, G331 and G332: the lead counts along its axis, the feed along the path.
+Result<double, Failure> thread_feed(const Channel& channel, const Block& block,
+                                    const AxisPositions& q_M_way) {
+  const double speed = spindle_speed(channel, 0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const BlockWords::Word& lead = block.words[kLeads[axis]];
+    if (lead.present && lead.value != 0.0 && speed > 0.0 && q_M_way[axis] != 0.0) {
+      const double along_axis = std::abs(lead.value) * channel.mm_per_length() * speed;
+      return along_axis * q_M_way.head<3>().norm() / std::abs(q_M_way[axis]);
+    }
+  }
+  return failure(AlarmId::NoFeed, "a thread needs S and its lead I, J or K");
+}
+
 }  // namespace
 
 Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& block) {
@@ -38,7 +57,6 @@ Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& blo
     if (!word.present) {
       continue;
     }
-    const double value = channel.stored(axis, word.value);
     const bool turns = word.modification == Modification::Direct ||
                        word.modification == Modification::Plus ||
                        word.modification == Modification::Minus;
@@ -48,23 +66,18 @@ Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& blo
     }
     const bool adds = word.modification == Modification::Incremental ||
                       (word.modification == Modification::None && incremental);
+    const double value = channel.stored_place(
+        axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute);
     q_W_end[axis] = turns  ? rotary_end(q_W_now[axis], value, word.modification)
                     : adds ? channel.programmed()[axis] + value
                            : value;
   }
-  return q_W_end;
-}
-
-Result<double, Failure> feed_in_force(const Channel& channel) {
-  const bool by_revolution = channel.group[15] == 3 || channel.group[15] == 5;
-  const double feed = channel.feed * channel.mm_per_feed();
-  if (feed <= 0.0 || (by_revolution && channel.speed <= 0.0)) {
-    return failure(AlarmId::NoFeed, by_revolution ? "G95 needs F and S" : "");
+  if (is_polar(block)) {
+    if (MaybeFailure wrong = take_polar(channel, block, q_W_end)) {
+      return *wrong;
+    }
   }
-  const double programmed = by_revolution ? feed * channel.speed : feed;
-  const runtime::FeedSwitches& switches = channel.feed_switches;
-  return switches.dry_run_mm_min > 0.0 ? switches.dry_run_mm_min
-                                       : programmed * switches.override_percent / 100.0;
+  return q_W_end;
 }
 
 machine::BlockEnd block_end(const Channel& channel) {
@@ -72,65 +85,44 @@ machine::BlockEnd block_end(const Channel& channel) {
   return stops ? machine::BlockEnd::ExactStop : machine::BlockEnd::PassOn;
 }
 
-Failure from_fault(const machine::MachineFault& fault) {
-  Failure reason = failure(AlarmId::SoftLimit, fault.what);
-  reason.status = runtime::Status::Collision;
-  reason.number = fault.kind == machine::FaultKind::SoftLimit ? 0 : -1;
-  return reason;
-}
-
-template <typename Move>
-MaybeFailure carry_out(Channel& channel, const Move& move, const AxisPositions& q_W_end, int g) {
-  if (channel.budget.is_too_late()) {
-    return out_of_time();
-  }
-  const auto reached = channel.port.move(move);
-  if (!reached) {
-    channel.arrived_at_machine();
-    return from_fault(reached.error());
-  }
-  channel.arrived_at_programmed(q_W_end);
-  channel.observer.on_move({g, move.q_M_end, move.feed_mm_min, 0.0});
-  return std::nullopt;
-}
-
-template MaybeFailure carry_out(Channel&, const machine::LinearMove&, const AxisPositions&, int);
-template MaybeFailure carry_out(Channel&, const machine::ArcMove&, const AxisPositions&, int);
-
 MaybeFailure move_straight(Channel& channel, const Block& block) {
   const auto q_W_end = programmed_end(channel, block);
   if (!q_W_end) {
     return q_W_end.error();
   }
-  const bool rapid = channel.group[1] == 1;
-  machine::LinearMove move;
-  move.q_M_end = channel.to_machine(q_W_end.value());
-  move.traverse = rapid ? machine::Traverse::Rapid : machine::Traverse::Feed;
-  if (!rapid) {
-    const auto feed = feed_in_force(channel);
+  compensation::PathBlock path;
+  path.q_M_end = channel.to_machine(q_W_end.value());
+  path.where = block.where;
+  path.g = channel.group[1] == kRapid && block.code_of(2) == nullptr ? 0 : 1;
+  if (path.g == 1) {
+    const AxisPositions q_M_start = channel.machine_position();
+    const auto feed = channel.group[1] >= kThread && channel.group[1] < kTangential
+                          ? thread_feed(channel, block, path.q_M_end - q_M_start)
+                          : feed_in_force(channel, block,
+                                          feed_way(channel, block, q_W_end.value(),
+                                                   feed_length(q_M_start, path.q_M_end)));
     if (!feed) {
       return feed.error();
     }
-    move.feed_mm_min = feed.value();
-    move.ends = block_end(channel);
+    path.feed_mm_min = feed.value();
+    path.ends = block_end(channel);
   }
-  return carry_out(channel, move, q_W_end.value(), rapid ? 0 : 1);
+  return travel_to(channel, path, q_W_end.value());
 }
 
 MaybeFailure dwell(Channel& channel, const Block& block) {
   double seconds = block.words[Address::Feed].value;
   if (block.words.has(Address::Speed)) {
-    if (channel.speed <= 0.0) {
+    const double speed = spindle_speed(channel, channel.present()[kTransverseAxis]);
+    if (speed <= 0.0) {
       return failure(AlarmId::NoFeed, "G4 S needs a spindle speed");
     }
-    seconds = block.words[Address::Speed].value * 60.0 / channel.speed;
+    seconds = block.words[Address::Speed].value * 60.0 / speed;
   }
   if (!(seconds >= 0.0)) {
     return failure(AlarmId::ValueOutOfLimits, "G4");
   }
-  channel.port.dwell(seconds);
-  channel.observer.on_move({4, channel.port.position(), 0.0, seconds});
-  return std::nullopt;
+  return pause(channel, seconds);
 }
 
 }  // namespace g31::sinumerik

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/system/system.h"
 
 namespace g31::sinumerik {
@@ -28,21 +29,63 @@ Result<double, Failure> axis_value(const Channel& channel, const SystemAccess& a
   return channel.shown(axis, q[axis]);
 }
 
+/// In work coordinates, where DIAMON counts.
+Result<double, Failure> place_value(const Channel& channel, const SystemAccess& access,
+                                    const AxisPositions& q_W) {
+  const int axis = access.indices[0];
+  if (axis < 0) {
+    return failure(AlarmId::BadAxisIndex);
+  }
+  return channel.shown_place(axis, q_W[axis]);
+}
+
 /// $AA_..[axis], $P_EP[axis]
 Result<double, Failure> position(Channel& channel, const SystemAccess& access) {
+  const bool is_now = access.id == SystemId::MachineNow || access.id == SystemId::WorkNow;
+  if (MaybeFailure wrong = is_now ? finish_motion(channel) : std::nullopt) {
+    return *wrong;
+  }
   switch (static_cast<int>(access.id)) {
     case static_cast<int>(SystemId::BlockEnd):
-      return axis_value(channel, access, channel.programmed());
+      return place_value(channel, access, channel.programmed());
     case static_cast<int>(SystemId::MachineNow):
       return axis_value(channel, access, channel.port.position());
     case static_cast<int>(SystemId::WorkNow):
-      return axis_value(channel, access, channel.to_work(channel.port.position()));
+      return place_value(channel, access, channel.to_work(channel.port.position()));
     case static_cast<int>(SystemId::MachineMeasured):
     case static_cast<int>(SystemId::MachineTrigger):
       return axis_value(channel, access, channel.q_M_measured);
     default:
-      return axis_value(channel, access, channel.q_W_measured);
+      return place_value(channel, access, channel.q_W_measured);
   }
+}
+
+/// A point of the machine's builder; nullptr: there is none of this number, or no such axis.
+double* machine_point(Channel& channel, const SystemAccess& access) {
+  const int which = access.indices[0];
+  const int axis = access.indices[1];
+  const int count = access.id == SystemId::FixedPoint ? MachinePoints::kFixedPoints : 1;
+  if (which < 0 || which >= count || axis < 0) {
+    return nullptr;
+  }
+  AxisPositions& q_M = access.id == SystemId::FixedPoint
+                           ? channel.points.q_M_fixed[static_cast<std::size_t>(which)]
+                           : channel.points.q_M_reference;
+  return &q_M[axis];
+}
+
+Failure no_point(const SystemAccess& access) {
+  return access.indices[1] < 0
+             ? failure(AlarmId::BadAxisIndex)
+             : failure(AlarmId::IndexOne, fmt::format("point {}", access.indices[0]));
+}
+
+Result<double, Failure> point_value(Channel& channel, const SystemAccess& access) {
+  const double* const place = machine_point(channel, access);
+  if (place == nullptr) {
+    return no_point(access);
+  }
+  return channel.shown(access.indices[1], *place);
 }
 
 /// Of the active edge.
@@ -171,6 +214,9 @@ Result<double, Failure> number_of(Channel& channel, const SystemAccess& access) 
     case static_cast<int>(SystemId::ToolDuplo):
     case static_cast<int>(SystemId::ToolState):
       return tool_value(channel, access);
+    case static_cast<int>(SystemId::ReferencePoint):
+    case static_cast<int>(SystemId::FixedPoint):
+      return point_value(channel, access);
     case static_cast<int>(SystemId::ModalCode):
     case static_cast<int>(SystemId::Measured):
     case static_cast<int>(SystemId::ProbeSignal):
@@ -194,6 +240,14 @@ MaybeFailure set_number(Channel& channel, SystemAccess access, double value) {
     changed.set_component(frame_access.axis, component,
                           is_length ? channel.stored(frame_access.axis, value) : value);
     return set_frame(channel, frame_access, changed);
+  }
+  if (access.id == SystemId::ReferencePoint || access.id == SystemId::FixedPoint) {
+    double* const place = machine_point(channel, access);
+    if (place == nullptr) {
+      return no_point(access);
+    }
+    *place = channel.stored(access.indices[1], value);
+    return std::nullopt;
   }
   if (access.id == SystemId::ActiveEdgeData) {
     access.parameter = access.indices[0];

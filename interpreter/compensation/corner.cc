@@ -1,10 +1,11 @@
-#include "interpreter/dialects/fanuc/compensation/corner.h"
+#include "interpreter/compensation/corner.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
-namespace g31::fanuc {
+namespace g31::compensation {
 namespace {
 
 double cross(const PlanePoint& a, const PlanePoint& b) {
@@ -45,8 +46,8 @@ struct Tangents {
 };
 
 /// The points around an outside corner, without those beside the corner itself.
-CornerPoints around(const Tangents& at) {
-  if (at.before.dot(at.behind) >= -1e-12) {
+CornerPoints around(const Tangents& at, OutsideCorner outside) {
+  if (at.before.dot(at.behind) >= -1e-12 || outside == OutsideCorner::Intersection) {
     return {at.intersection()};
   }
   const double radius = std::abs(at.offset);
@@ -64,7 +65,7 @@ struct Fixed {
   bool last;
 };
 
-/// Leaves out what parameter 5010 makes of no account.
+/// Leaves out points that a minute distance makes of no account.
 CornerPoints without_minute(const CornerPoints& points, double limit_mm, Fixed fixed) {
   const double limit = std::max(limit_mm, kOnePointMm);
   CornerPoints kept{points.front()};
@@ -81,8 +82,31 @@ CornerPoints without_minute(const CornerPoints& points, double limit_mm, Fixed f
   return kept;
 }
 
+/// The tool goes round an outside corner along an arc.
+bool is_round(const Corner& corner, const Tangents& at) {
+  static const double kSharpest = std::cos(kSharpestDeg * std::numbers::pi / 180.0);
+  return corner.outside == OutsideCorner::Arc ||
+         (corner.outside == OutsideCorner::Intersection && at.before.dot(at.behind) < kSharpest);
+}
+
+/// Where a tangent from a point touches the circle about the corner; nullopt: the point is within.
+/// @param side  1: the centre lies to the right of the way from the point to the circle
+std::optional<PlanePoint> tangent_point(const Tangents& at, const PlanePoint& from, double side) {
+  const PlanePoint to_centre = at.p - from;
+  const double square = to_centre.squaredNorm();
+  const double radius = std::abs(at.offset);
+  if (square <= radius * radius) {
+    return std::nullopt;
+  }
+  const double along = std::sqrt(square - radius * radius);
+  return from + (along * to_centre + side * radius * left_of(to_centre)) * (along / square);
+}
+
 CornerPoints outside_points(const Corner& corner, const Tangents& at) {
-  CornerPoints points = around(at);
+  if (is_round(corner, at)) {
+    return {beside_end(corner.before, at.offset), beside_start(corner.behind, at.offset)};
+  }
+  CornerPoints points = around(at, corner.outside);
   const Fixed fixed{corner.before.arc.has_value(), corner.behind.arc.has_value()};
   if (fixed.first) {
     points.insert(points.begin(), beside_end(corner.before, at.offset));
@@ -210,13 +234,27 @@ std::optional<CornerPoints> corner_points(const Corner& corner) {
   return inside ? std::optional(CornerPoints{*inside}) : std::nullopt;
 }
 
+std::optional<ArcShape> corner_arc(const Corner& corner) {
+  const Tangents at(corner);
+  if (corner.offset_before != corner.offset_behind || at.are_smooth() || !at.turn_outside() ||
+      !is_round(corner, at)) {
+    return std::nullopt;
+  }
+  return ArcShape{at.p,
+                  at.offset > 0.0 ? machine::Turn::Clockwise : machine::Turn::Counterclockwise};
+}
+
 CornerPoints start_up_points(const Corner& corner, StartUp type) {
   const Tangents at(corner);
   const PlanePoint beside = beside_start(corner.behind, at.offset);
   if (type == StartUp::TypeA || at.are_smooth() || !at.turn_outside()) {
     return {beside};
   }
-  CornerPoints points = around(at);
+  if (is_round(corner, at)) {
+    const auto tangent = tangent_point(at, corner.before.from, std::copysign(1.0, at.offset));
+    return tangent ? CornerPoints{*tangent, beside} : CornerPoints{};
+  }
+  CornerPoints points = around(at, corner.outside);
   points.insert(points.begin(), beside_end(corner.before, at.offset));
   const Fixed fixed{false, corner.behind.arc.has_value()};
   if (fixed.last) {
@@ -231,7 +269,11 @@ CornerPoints cancel_points(const Corner& corner, StartUp type) {
   if (type == StartUp::TypeA || at.are_smooth() || !at.turn_outside()) {
     return {beside};
   }
-  CornerPoints points = around(at);
+  if (is_round(corner, at)) {
+    const auto tangent = tangent_point(at, corner.behind.to, -std::copysign(1.0, at.offset));
+    return tangent ? CornerPoints{beside, *tangent} : CornerPoints{};
+  }
+  CornerPoints points = around(at, corner.outside);
   const Fixed fixed{corner.before.arc.has_value(), false};
   if (fixed.first) {
     points.insert(points.begin(), beside);
@@ -240,4 +282,4 @@ CornerPoints cancel_points(const Corner& corner, StartUp type) {
   return without_minute(points, corner.minute_mm, fixed);
 }
 
-}  // namespace g31::fanuc
+}  // namespace g31::compensation

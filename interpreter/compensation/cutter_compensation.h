@@ -3,21 +3,23 @@
 #include <optional>
 #include <vector>
 
-#include "interpreter/dialects/fanuc/compensation/corner.h"
-#include "interpreter/dialects/fanuc/compensation/path_block.h"
+#include "interpreter/compensation/corner.h"
+#include "interpreter/compensation/path_block.h"
 #include "machine/base/result.h"
 
-namespace g31::fanuc {
+namespace g31::compensation {
 
-/// What control parameters say about the compensation.
+/// What a control says about the compensation.
 struct CompensationRules {
   StartUp start_up = StartUp::TypeA;
-  /// How many blocks without motion in the plane the control reads past: blocks read, 19625, less
-  /// two.
+  /// How many blocks without motion in the plane the control reads past.
   int idle_limit = 1;
-  double minute_mm = 0.0;  ///< 5010
-  /// 5008.0 = 1 switches the check off.
+  double minute_mm = 0.0;  ///< of corners
+  /// Whether straight blocks that would lead backwards are looked for.
   enum class InterferenceCheck { On, Off } check = InterferenceCheck::On;
+  OutsideCorner outside = OutsideCorner::Lines;
+  /// What the feed of a programmed arc counts along.
+  enum class ArcFeed { AtTool, AtContour, AtContourInside } arc_feed = ArcFeed::AtTool;
 };
 
 /// What a block commands: G40, or G41 or G42 and D, in the plane in force.
@@ -31,11 +33,12 @@ struct CompensationCommand {
 };
 
 enum class CompensationError {
-  NoIntersection,    ///< 033
-  ArcAtStartOrEnd,   ///< 034
-  PlaneChanged,      ///< 037
-  ArcWithoutRadius,  ///< 038: the offset arc is a point
-  Interference,      ///< 041: the tool would go backwards, or does not fit into an arc
+  NoIntersection,
+  StartOrEndWithinArc,  ///< of an outside corner that the tool would have to touch from inside
+  ArcAtStartOrEnd,
+  PlaneChanged,
+  ArcWithoutRadius,  ///< the offset arc is a point
+  Interference,      ///< the tool would go backwards, or does not fit into an arc
 };
 
 struct CompensationFault {
@@ -73,8 +76,11 @@ class CutterCompensation {
   /// A block without motion: a pause, or nothing that the machine would do.
   CompensationResult pass(std::optional<Pause> pause, const CompensationCommand& command);
 
-  /// Nothing more can be read ahead: whatever waits is given out (MB-160).
+  /// Nothing more can be read ahead: whatever waits is given out.
   CompensationResult flush();
+
+  /// How many blocks without motion in the plane stand behind the last one with it.
+  [[nodiscard]] int idle_blocks() const { return idle_; }
 
   /// Where the tool stands, were nothing more to be read.
   [[nodiscard]] AxisPositions position() const;
@@ -95,17 +101,23 @@ class CutterCompensation {
     Role role = Role::Normal;
     double offset = 0.0;
     CornerPoints start;  ///< points of the corner in front of it that are still to be passed
+    std::optional<ArcShape> start_arc;  ///< the way to the first of them, if it is no line
+  };
+  struct Join {
+    CornerPoints points;
+    std::optional<ArcShape> arc;  ///< from the first to the second
   };
 
   std::optional<CompensationFault> take_in_plane(const PathBlock& block,
                                                  const CompensationCommand& command);
   std::optional<CompensationFault> idle(std::optional<PathItem> item,
                                         const CompensationCommand& command);
-  std::optional<CompensationFault> finish_held(CornerPoints end);
-  std::optional<CompensationFault> clear_interference(CornerPoints& end);
+  std::optional<CompensationFault> finish_held(Join end);
+  std::optional<CompensationFault> clear_interference(Join& end);
   std::optional<CompensationFault> end_beside();
   [[nodiscard]] Held prepared(const PathBlock& block, const CompensationCommand& command) const;
-  [[nodiscard]] std::optional<CornerPoints> join(const Held& behind) const;
+  [[nodiscard]] Result<Join, CompensationError> join(const Held& behind) const;
+  [[nodiscard]] double contour_feed() const;
   [[nodiscard]] bool plane_changed(const CompensationCommand& command) const;
   void give_corner_lines();
   void give_path(const PlanePoint& end);
@@ -118,10 +130,11 @@ class CutterCompensation {
   AxisPositions q_M_path_ = AxisPositions::Zero();  ///< programmed
   AxisPositions q_M_tool_ = AxisPositions::Zero();  ///< given out so far
   std::optional<Held> held_;
-  PathItems between_;    ///< behind held_, without motion in the plane
-  int idle_ = 0;         ///< blocks without motion in the plane behind held_
-  CornerPoints corner_;  ///< what the last block left of its corner for the next one
+  PathItems between_;                   ///< behind held_, without motion in the plane
+  int idle_ = 0;                        ///< blocks without motion in the plane behind held_
+  CornerPoints corner_;                 ///< what the last block left of its corner for the next one
+  std::optional<ArcShape> corner_arc_;  ///< the way to its first point
   PathItems given_;
 };
 
-}  // namespace g31::fanuc
+}  // namespace g31::compensation

@@ -10,7 +10,7 @@
 #include "machine/port/machine_port.h"
 #include "machine/units/axis_positions.h"
 
-namespace g31::fanuc {
+namespace g31::compensation {
 
 /// A point or a direction in the offset plane: mm along its first and second axis.
 using PlanePoint = Eigen::Vector2d;
@@ -72,4 +72,4 @@ struct Pause {
 using PathItem = std::variant<PathBlock, Pause>;
 using PathItems = std::vector<PathItem>;
 
-}  // namespace g31::fanuc
+}  // namespace g31::compensation

@@ -1,13 +1,12 @@
-#include "interpreter/dialects/fanuc/compensation/cutter_compensation.h"
+#include "interpreter/compensation/cutter_compensation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "interpreter/runtime/overloaded.h"
 #include "machine/base/contract.h"
 
-namespace g31::fanuc {
+namespace g31::compensation {
 namespace {
 
 using State = CompensationCommand::State;
@@ -54,6 +53,7 @@ void CutterCompensation::engage(const AxisPositions& q_M, OffsetPlane plane) {
   q_M_tool_ = q_M;
   idle_ = 0;
   corner_.clear();
+  corner_arc_.reset();
 }
 
 CompensationResult CutterCompensation::given(const Fault& fault) {
@@ -152,11 +152,11 @@ Fault CutterCompensation::take_in_plane(const PathBlock& block,
     return CompensationFault{*refused, block.where};
   }
   if (held_) {
-    auto points = join(next);
-    if (!points) {
-      return CompensationFault{CompensationError::NoIntersection, block.where};
+    const auto end = join(next);
+    if (!end) {
+      return CompensationFault{end.error(), block.where};
     }
-    if (const Fault fault = finish_held(*std::move(points))) {
+    if (const Fault fault = finish_held(end.value())) {
       return fault;
     }
   } else if (block.arc) {
@@ -164,6 +164,7 @@ Fault CutterCompensation::take_in_plane(const PathBlock& block,
     corner_.assign(1, beside_start(next.way, next.offset));
   }
   next.start = std::exchange(corner_, {});
+  next.start_arc = std::exchange(corner_arc_, std::nullopt);
   const Role role = next.role;
   q_M_path_ = block.q_M_end;
   idle_ = 0;
@@ -172,60 +173,75 @@ Fault CutterCompensation::take_in_plane(const PathBlock& block,
   if (role != Role::Cancel) {
     return std::nullopt;
   }
-  const Fault fault = finish_held({held_->way.to});
+  const Fault fault = finish_held({{held_->way.to}, std::nullopt});
   mode_ = Mode::Off;
   return fault;
 }
 
 /// The corner between the block that waits and the next one.
-std::optional<CornerPoints> CutterCompensation::join(const Held& behind) const {
+Result<CutterCompensation::Join, CompensationError> CutterCompensation::join(
+    const Held& behind) const {
   const Held& before = *held_;
-  Corner corner{before.way, behind.way, before.offset,
-                offset_at_corner(before.offset, behind.offset), rules_.minute_mm};
+  const bool rapid = before.block.g == 0 || behind.block.g == 0;
+  // There is no arc at rapid: lines lead round the corner farther off.
+  Corner corner{before.way,       behind.way,
+                before.offset,    offset_at_corner(before.offset, behind.offset),
+                rules_.minute_mm, rapid ? OutsideCorner::Lines : rules_.outside};
+  if (behind.role == Role::Cancel && before.role == Role::StartUp) {
+    return Join{{before.way.to}, std::nullopt};
+  }
+  Join result;
   if (behind.role == Role::Cancel) {
     corner.offset_behind = before.offset;
-    return before.role == Role::StartUp ? CornerPoints{before.way.to}
-                                        : cancel_points(corner, rules_.start_up);
+    result.points = cancel_points(corner, rules_.start_up);
+  } else if (before.role == Role::StartUp) {
+    result.points = start_up_points(corner, rules_.start_up);
+  } else if (auto points = corner_points(corner)) {
+    result.points = *std::move(points);
+  } else {
+    return CompensationError::NoIntersection;
   }
-  if (before.role == Role::StartUp) {
-    return start_up_points(corner, rules_.start_up);
+  if (result.points.empty()) {
+    return CompensationError::StartOrEndWithinArc;
   }
-  return corner_points(corner);
+  result.arc = result.points.size() == 2 ? corner_arc(corner) : std::nullopt;
+  return result;
 }
 
 /// Gives out the block that waits, up to the first point of the corner behind it, and what waits
 /// between it and the next one.
-Fault CutterCompensation::finish_held(CornerPoints end) {
+Fault CutterCompensation::finish_held(Join end) {
   if (held_->role == Role::Normal && rules_.check == CompensationRules::InterferenceCheck::On) {
     if (const Fault fault = clear_interference(end)) {
       return fault;
     }
   }
   give_corner_lines();
-  give_path(end.front());
+  give_path(end.points.front());
   held_.reset();
   for (PathItem& item : std::exchange(between_, {})) {
     give_at_tool(std::move(item));
   }
-  corner_.assign(end.begin() + 1, end.end());
+  corner_.assign(end.points.begin() + 1, end.points.end());
+  corner_arc_ = end.arc;
   return std::nullopt;
 }
 
 /// Leaves out points of the corners at both ends of a straight block, from its middle outwards,
-/// until it leads forward; alarm 041 when no more can be left out.
-Fault CutterCompensation::clear_interference(CornerPoints& end) {
+/// until it leads forward; interference when no more can be left out.
+Fault CutterCompensation::clear_interference(Join& end) {
   CornerPoints& start = held_->start;
+  const bool has_arcs = held_->way.arc || held_->start_arc || end.arc;
   const auto begin = [&] { return start.empty() ? plane_.of(q_M_tool_) : start.back(); };
-  while (goes_backwards(held_->way, begin(), end.front())) {
-    const bool can_leave_out = !held_->way.arc && (!start.empty() || end.size() > 1);
-    if (!can_leave_out) {
+  while (goes_backwards(held_->way, begin(), end.points.front())) {
+    if (has_arcs || (start.empty() && end.points.size() == 1)) {
       return CompensationFault{CompensationError::Interference, held_->block.where};
     }
     if (!start.empty()) {
       start.pop_back();
     }
-    if (end.size() > 1) {
-      end.erase(end.begin());
+    if (end.points.size() > 1) {
+      end.points.erase(end.points.begin());
     }
   }
   return std::nullopt;
@@ -236,14 +252,15 @@ Fault CutterCompensation::end_beside() {
     return std::nullopt;
   }
   idle_ = 0;
-  return finish_held({beside_end(held_->way, held_->offset)});
+  return finish_held({{beside_end(held_->way, held_->offset)}, std::nullopt});
 }
 
 void CutterCompensation::give_corner_lines() {
   for (const PlanePoint& p : held_->start) {
     PathBlock line = held_->block;
-    line.arc.reset();
-    line.g = std::min(line.g, 1);
+    line.arc = held_->start_arc;
+    const int g_arc = line.arc && line.arc->turn == machine::Turn::Clockwise ? 2 : 3;
+    line.g = line.arc ? g_arc : std::min(line.g, 1);
     line.q_M_end = plane_.moved(q_M_tool_, p);
     if (!same_point(p, plane_.of(q_M_tool_))) {
       q_M_tool_ = line.q_M_end;
@@ -252,10 +269,23 @@ void CutterCompensation::give_corner_lines() {
   }
 }
 
+/// The feed of the tool centre along an arc that keeps the programmed one at the contour.
+double CutterCompensation::contour_feed() const {
+  const Held& held = *held_;
+  const double contour = (held.way.from - held.way.arc->centre).norm();
+  const double tool = offset_radius(*held.way.arc, held.way.from, held.offset);
+  const double ratio = tool / contour;
+  const bool inside_only = rules_.arc_feed == CompensationRules::ArcFeed::AtContourInside;
+  return held.block.feed_mm_min * (inside_only ? std::min(1.0, ratio) : ratio);
+}
+
 void CutterCompensation::give_path(const PlanePoint& end) {
   given_.emplace_back(held_->block);
   PathBlock& path = std::get<PathBlock>(given_.back());
   path.q_M_end = plane_.moved(path.q_M_end, end);
+  if (path.arc && rules_.arc_feed != CompensationRules::ArcFeed::AtTool) {
+    path.feed_mm_min = contour_feed();
+  }
   if (path.arc && same_point(end, plane_.of(q_M_tool_))) {
     if (same_point(held_->way.from, held_->way.to)) {
       path.q_M_end = plane_.moved(path.q_M_end, plane_.of(q_M_tool_));
@@ -276,4 +306,4 @@ void CutterCompensation::give_at_tool(PathItem item) {
   given_.push_back(std::move(item));
 }
 
-}  // namespace g31::fanuc
+}  // namespace g31::compensation

@@ -1,0 +1,131 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/execute/travel.h"
+
+namespace g31::sinumerik {
+namespace {
+
+using compensation::CompensationCommand;
+using compensation::CompensationRules;
+using State = CompensationCommand::State;
+
+// Numbers of groups 7, 16, 17 and 18.
+constexpr int kOff = 1;
+constexpr int kRight = 3;
+constexpr int kFeedAtTool = 2;    // CFTCP
+constexpr int kFeedInside = 3;    // CFIN
+constexpr int kRoundCorners = 2;  // KONT
+constexpr int kIntersection = 2;  // G451
+
+constexpr std::size_t kRadius = 6;  // of $TC_DP
+constexpr std::size_t kRadiusWear = 15;
+
+/// The compensation itself never gives up reading ahead: too many such blocks are an alarm.
+constexpr int kNoIdleLimit = 1'000'000;
+
+CompensationRules::ArcFeed arc_feed_of(int number) {
+  switch (number) {
+    case kFeedAtTool:
+      return CompensationRules::ArcFeed::AtTool;
+    case kFeedInside:
+      return CompensationRules::ArcFeed::AtContourInside;
+    default:
+      return CompensationRules::ArcFeed::AtContour;
+  }
+}
+
+CompensationRules rules_of(const Channel& channel) {
+  CompensationRules rules;
+  rules.start_up = channel.group[17] == kRoundCorners ? compensation::StartUp::TypeB
+                                                      : compensation::StartUp::TypeA;
+  rules.idle_limit = kNoIdleLimit;
+  rules.outside = channel.group[18] == kIntersection ? compensation::OutsideCorner::Intersection
+                                                     : compensation::OutsideCorner::Arc;
+  rules.arc_feed = arc_feed_of(channel.group[16]);
+  return rules;
+}
+
+double radius_of(const Channel& channel) {
+  const EdgeData* const edge = channel.active_edge();
+  return edge != nullptr ? (*edge)[kRadius] + (*edge)[kRadiusWear] : 0.0;
+}
+
+bool is_side(std::uint16_t bits) {
+  return g_codes()[unpacked(bits).row].group == 7;
+}
+
+/// Moves that are no part of a contour: the compensation ends in front of them.
+bool leaves(const Channel& channel, const Block& block) {
+  const GCode* const special = block.code_of(2);
+  const bool to_point = special != nullptr && (special->action == GAction::Reference ||
+                                               special->action == GAction::FixedPoint);
+  return to_point || channel.suppression != 0 || block.words.has(Address::Measure);
+}
+
+Result<CompensationCommand, Failure> command_of(const Channel& channel, const Block& block) {
+  CompensationCommand command;
+  const bool on = channel.group[7] != kOff && channel.edge != 0;
+  if (channel.group[7] != kOff && channel.tool == 0) {
+    return failure(AlarmId::CompensationWithoutTool);
+  }
+  if (on && channel.group[17] == kRoundCorners && channel.group[18] == kIntersection) {
+    return failure(AlarmId::NotImplemented, "KONT with G451");
+  }
+  const PlaneInMachine plane = plane_in_machine(channel);
+  if (on && !plane.is_parallel) {
+    return failure(AlarmId::NotImplemented, "G41 and G42 in a tilted or unequally scaled plane");
+  }
+  command.state = on ? State::On : State::Off;
+  command.plane = {channel.plane().first, channel.plane().second};
+  // A mirrored path has its part on the other side.
+  const bool right = (channel.group[7] == kRight) != plane.is_mirrored;
+  command.offset = right ? -radius_of(channel) : radius_of(channel);
+  const auto& codes = block.codes;
+  command.written = std::any_of(codes.begin(), codes.end(), is_side)
+                        ? CompensationCommand::Written::Here
+                        : CompensationCommand::Written::Before;
+  command.where = block.where;
+  return command;
+}
+
+}  // namespace
+
+PlaneInMachine plane_in_machine(const Channel& channel) {
+  const Plane plane = channel.plane();
+  AxisPositions q[3] = {AxisPositions::Zero(), AxisPositions::Zero(), AxisPositions::Zero()};
+  q[1][plane.first] = 1.0;
+  q[2][plane.second] = 1.0;
+  const Frame frame = channel.active_frame();
+  const AxisPositions first = frame.apply(q[1]) - frame.apply(q[0]);
+  const AxisPositions second = frame.apply(q[2]) - frame.apply(q[0]);
+  const double out = std::abs(first[plane.normal]) + std::abs(second[plane.normal]);
+  const double stretch = std::abs(first.head<3>().norm() - second.head<3>().norm());
+  const double cross =
+      first[plane.first] * second[plane.second] - first[plane.second] * second[plane.first];
+  return {out <= 1e-12 && stretch <= 1e-12, cross < 0.0};
+}
+
+MaybeFailure read_compensation(Channel& channel, const Block& block) {
+  CutterStage& cutter = channel.cutter;
+  if (channel.group[7] == kOff && !cutter.path.engaged()) {
+    return std::nullopt;
+  }
+  if (leaves(channel, block)) {
+    return leave_compensation(channel);
+  }
+  const auto command = command_of(channel, block);
+  if (!command) {
+    return command.error();
+  }
+  cutter.command = command.value();
+  cutter.fed = false;
+  cutter.path.set_rules(rules_of(channel));
+  if (cutter.command.state == State::On && !cutter.path.engaged()) {
+    cutter.path.engage(channel.port.position(), cutter.command.plane);
+  }
+  return std::nullopt;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "interpreter/dialects/sinumerik/execute/execute.h"
+
+namespace g31::sinumerik {
+
+/// What a feed may depend on: how long a way is and how far from the turning centre.
+struct FeedWay {
+  double length_mm = 0.0;       ///< G93
+  double radius_from_mm = 0.0;  ///< G96: work coordinate X where the way begins
+  double radius_to_mm = 0.0;    ///< and where it ends
+  double feed = 0.0;            ///< as programmed: F or FB
+};
+
+/// The way from where the axes stand.
+/// @param length_mm  along the path
+FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_end,
+                 double length_mm);
+
+/// mm/min, override and dry run included.  With G96 the mean over the way, so that its time is
+/// right.
+Result<double, Failure> feed_in_force(const Channel& channel, const Block& block,
+                                      const FeedWay& way);
+
+/// Override and dry run on a feed.
+double switched(const Channel& channel, double feed_mm_min);
+
+/// rev/min at a distance from the turning centre, mm
+double spindle_speed(const Channel& channel, double radius_mm);
+
+/// G96 or G961: S is a cutting speed.
+bool cuts_at_constant_speed(int feed_type);
+
+/// What of a feed type F means: programs give F anew when it changes.
+enum class FeedMeaning { InverseTime, PerMinute, PerRevolution };
+FeedMeaning feed_meaning(int feed_type);
+
+/// As the machine counts feed: the linear axes, or rotary ones that move alone.
+double feed_length(const AxisPositions& q_M_from, const AxisPositions& q_M_to);
+
+}  // namespace g31::sinumerik

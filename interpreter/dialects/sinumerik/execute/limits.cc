@@ -1,0 +1,49 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr int kAreaOn = 1;  // of group 28: WALIMON
+constexpr double kSlack = 1e-6;
+
+}  // namespace
+
+MaybeFailure limit(Channel& channel, const Block& block, const GCode& code) {
+  const bool is_lower = code.action == GAction::LowerLimit;
+  AxisPositions& q = is_lower ? channel.working_area.q_low : channel.working_area.q_high;
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    const BlockWords::Word& word = block.words.axis(axis);
+    if (word.present) {
+      q[axis] = channel.stored(axis, word.value);
+    }
+  }
+  if (block.words.has(Address::Speed)) {
+    (is_lower ? channel.spindle.lowest : channel.spindle.highest) =
+        block.words[Address::Speed].value;
+  }
+  return std::nullopt;
+}
+
+MaybeFailure outside_working_area(const Channel& channel, const AxisPositions& q_M_end) {
+  if (channel.group[28] != kAreaOn) {
+    return std::nullopt;
+  }
+  const AxisPositions q_tip = q_M_end - channel.tool_offset();
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    const double low = channel.working_area.q_low[axis] - kSlack;
+    const double high = channel.working_area.q_high[axis] + kSlack;
+    if (q_tip[axis] < low || q_tip[axis] > high) {
+      return failure(AlarmId::WorkingArea,
+                     fmt::format("{}{:.4f}{}", kAxisLetters[axis], q_tip[axis],
+                                 q_tip[axis] < low ? " is below G25" : " is above G26"));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,80 @@
+#include <algorithm>
+#include <cmath>
+
+#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/feed.h"
+
+namespace g31::sinumerik {
+namespace {
+
+// M codes
+constexpr double kClockwise = 3.0;
+constexpr double kCounterclockwise = 4.0;
+constexpr double kOrient = 19.0;
+
+/// F and S mean something else with G4, G25 and G26.
+bool is_technology(const Block& block) {
+  const GCode* const special = block.code_of(2);
+  const GCode* const limits = block.code_of(3);
+  const bool dwells = special != nullptr && special->action == GAction::Dwell;
+  return !dwells && (limits == nullptr || (limits->action != GAction::LowerLimit &&
+                                           limits->action != GAction::UpperLimit));
+}
+
+void take_speed(Channel& channel, double value) {
+  (cuts_at_constant_speed(channel.group[15]) ? channel.spindle.cutting_speed
+                                             : channel.spindle.speed) = value;
+}
+
+void orient(Channel& channel, double degrees) {
+  channel.spindle.angle = degrees;
+  channel.port.orient_spindle(degrees);
+}
+
+/// SPOS and SPOSA
+MaybeFailure orient_by(Channel& channel, const BlockWords::Word& word) {
+  if (word.modification != Modification::Incremental) {
+    orient(channel, word.value);
+    return std::nullopt;
+  }
+  if (!channel.spindle.angle) {
+    return failure(AlarmId::NotImplemented,
+                   "SPOS=IC(...) of a spindle that turned: where it "
+                   "stopped is not simulated");
+  }
+  orient(channel, *channel.spindle.angle + word.value);
+  return std::nullopt;
+}
+
+}  // namespace
+
+MaybeFailure take_technology(Channel& channel, const Block& block) {
+  const BlockWords& words = block.words;
+  if (is_technology(block)) {
+    channel.feed = words.has(Address::Feed) ? words[Address::Feed].value : channel.feed;
+    if (words.has(Address::Speed)) {
+      take_speed(channel, words[Address::Speed].value);
+    }
+  }
+  if (words.has(Address::SpeedLimit)) {
+    channel.spindle.limit = words[Address::SpeedLimit].value;
+  }
+  for (std::size_t i = 0; i < words.machine_code_count; ++i) {
+    const double code = words.machine_codes[i];
+    if (code == kClockwise || code == kCounterclockwise) {
+      channel.spindle.angle.reset();
+    } else if (code == kOrient) {
+      orient(channel, 0.0);
+    }
+  }
+  for (const Address address : {Address::Spindle, Address::SpindleAsync}) {
+    if (words.has(address)) {
+      if (MaybeFailure wrong = orient_by(channel, words[address])) {
+        return wrong;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace g31::sinumerik

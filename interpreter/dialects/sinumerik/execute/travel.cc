@@ -1,0 +1,185 @@
+#include "interpreter/dialects/sinumerik/execute/travel.h"
+
+#include "interpreter/runtime/overloaded.h"
+
+namespace g31::sinumerik {
+namespace {
+
+using compensation::ArcShape;
+using compensation::PathBlock;
+using compensation::PathItem;
+using compensation::Pause;
+
+template <typename Move>
+MaybeFailure to_machine(Channel& channel, const Move& move, int g) {
+  if (channel.budget.is_too_late()) {
+    return out_of_time();
+  }
+  if (MaybeFailure outside = outside_working_area(channel, move.q_M_end)) {
+    return outside;
+  }
+  const auto reached = channel.port.move(move);
+  if (!reached) {
+    return from_fault(reached.error());
+  }
+  channel.observer.on_move({g, move.q_M_end, move.feed_mm_min, 0.0});
+  return std::nullopt;
+}
+
+MaybeFailure to_machine(Channel& channel, const PathBlock& path) {
+  if (!path.arc) {
+    const auto traverse = path.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
+    return to_machine(
+        channel, machine::LinearMove{path.q_M_end, traverse, path.feed_mm_min, path.ends}, path.g);
+  }
+  const Plane plane = channel.plane();
+  machine::ArcMove move;
+  move.q_M_end = path.q_M_end;
+  move.first_axis = plane.first;
+  move.second_axis = plane.second;
+  move.centre_first = path.arc->centre.x();
+  move.centre_second = path.arc->centre.y();
+  move.turn = path.arc->turn;
+  move.feed_mm_min = path.feed_mm_min;
+  move.ends = path.ends;
+  return to_machine(channel, move, path.g);
+}
+
+MaybeFailure to_machine(Channel& channel, const Pause& wait) {
+  channel.port.dwell(wait.seconds);
+  channel.observer.on_move({4, channel.port.position(), 0.0, wait.seconds});
+  return std::nullopt;
+}
+
+AlarmId alarm_of(compensation::CompensationError error, bool ends) {
+  switch (error) {
+    case compensation::CompensationError::ArcAtStartOrEnd:
+      return ends ? AlarmId::CompensationEndsOnArc : AlarmId::CompensationStartsOnArc;
+    case compensation::CompensationError::PlaneChanged:
+      return AlarmId::PlaneInCompensation;
+    case compensation::CompensationError::StartOrEndWithinArc:
+      return ends ? AlarmId::KontEnd : AlarmId::KontStart;
+    case compensation::CompensationError::NoIntersection:
+    case compensation::CompensationError::ArcWithoutRadius:
+    case compensation::CompensationError::Interference:
+      break;
+  }
+  return AlarmId::CompensationCollision;
+}
+
+/// What came out of the compensation goes to the machine.
+MaybeFailure carry_out(Channel& channel, const compensation::CompensationResult& result) {
+  if (!result) {
+    const bool ends = channel.cutter.command.state == compensation::CompensationCommand::State::Off;
+    Failure wrong = failure(alarm_of(result.error().error, ends));
+    wrong.where = result.error().where;
+    return wrong;
+  }
+  for (const PathItem& item : result.value()) {
+    MaybeFailure wrong =
+        std::visit(runtime::Overloaded{[&](const Pause& wait) { return to_machine(channel, wait); },
+                                       [&](const PathBlock& path) {
+                                         MaybeFailure late = to_machine(channel, path);
+                                         if (late) {
+                                           late->where = path.where;
+                                         }
+                                         return late;
+                                       }},
+                   item);
+    if (wrong) {
+      return wrong;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Blocks without motion between two with it: $MC_CUTCOM_MAXNUM_DUMMY_BLOCKS as delivered.
+constexpr int kMostIdleBlocks = 3;
+
+MaybeFailure too_idle(const Channel& channel) {
+  return channel.cutter.path.idle_blocks() > kMostIdleBlocks
+             ? std::optional(failure(AlarmId::TooManyIdleBlocks))
+             : std::nullopt;
+}
+
+/// The direction in which a path ends; as it was when the path has no length.
+Eigen::Vector3d end_of(const Channel& channel, const PathBlock& path) {
+  const AxisPositions way = path.q_M_end - channel.machine_position();
+  if (!path.arc) {
+    return way.head<3>().norm() > 0.0 ? Eigen::Vector3d(way.head<3>().normalized())
+                                      : channel.n_M_end;
+  }
+  const Plane plane = channel.plane();
+  const double side = path.arc->turn == machine::Turn::Counterclockwise ? 1.0 : -1.0;
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  direction[plane.first] = -side * (path.q_M_end[plane.second] - path.arc->centre.y());
+  direction[plane.second] = side * (path.q_M_end[plane.first] - path.arc->centre.x());
+  return direction.normalized();
+}
+
+}  // namespace
+
+Failure from_fault(const machine::MachineFault& fault) {
+  Failure reason = failure(AlarmId::SoftLimit, fault.what);
+  reason.status = runtime::Status::Collision;
+  reason.number = fault.kind == machine::FaultKind::SoftLimit ? 0 : -1;
+  return reason;
+}
+
+MaybeFailure travel(Channel& channel, const PathBlock& path) {
+  channel.n_M_end = end_of(channel, path);
+  CutterStage& cutter = channel.cutter;
+  if (!cutter.path.engaged()) {
+    return to_machine(channel, path);
+  }
+  cutter.fed = true;
+  const bool moves = path.arc || (path.q_M_end - channel.machine_position()).norm() > 0.0;
+  MaybeFailure wrong = carry_out(channel, moves ? cutter.path.take(path, cutter.command)
+                                                : cutter.path.pass(std::nullopt, cutter.command));
+  return wrong ? wrong : too_idle(channel);
+}
+
+MaybeFailure travel_to(Channel& channel, const PathBlock& path, const AxisPositions& q_W_end) {
+  if (MaybeFailure wrong = travel(channel, path)) {
+    channel.arrived_at_machine();
+    return wrong;
+  }
+  channel.arrived_at_programmed(q_W_end, path.q_M_end);
+  return std::nullopt;
+}
+
+MaybeFailure pause(Channel& channel, double seconds) {
+  CutterStage& cutter = channel.cutter;
+  if (!cutter.path.engaged()) {
+    return to_machine(channel, Pause{seconds});
+  }
+  cutter.fed = true;
+  MaybeFailure wrong = carry_out(channel, cutter.path.pass(Pause{seconds}, cutter.command));
+  return wrong ? wrong : too_idle(channel);
+}
+
+MaybeFailure end_compensated_block(Channel& channel) {
+  CutterStage& cutter = channel.cutter;
+  if (!cutter.path.engaged() || cutter.fed) {
+    return std::nullopt;
+  }
+  MaybeFailure wrong = carry_out(channel, cutter.path.pass(std::nullopt, cutter.command));
+  return wrong ? wrong : too_idle(channel);
+}
+
+MaybeFailure finish_motion(Channel& channel) {
+  return channel.cutter.path.engaged() ? carry_out(channel, channel.cutter.path.flush())
+                                       : std::nullopt;
+}
+
+MaybeFailure leave_compensation(Channel& channel) {
+  if (!channel.cutter.path.engaged()) {
+    return std::nullopt;
+  }
+  MaybeFailure wrong = finish_motion(channel);
+  channel.cutter.path.disengage();
+  channel.arrived_at_machine();
+  return wrong;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "interpreter/compensation/path_block.h"
+#include "interpreter/dialects/sinumerik/execute/execute.h"
+
+namespace g31::sinumerik {
+
+// Every motion and pause of a program goes through here: the compensation stands between the
+// programmed path in machine coordinates and the machine.  Programs run one block ahead of the
+// machine in it.
+
+/// Moves along a path and tells the observer.
+MaybeFailure travel(Channel& channel, const compensation::PathBlock& path);
+
+/// The same, and the program stands at its end from then on.
+/// @param q_W_end  where the path ends for the program
+MaybeFailure travel_to(Channel& channel, const compensation::PathBlock& path,
+                       const AxisPositions& q_W_end);
+
+/// Lets time pass and tells the observer.
+MaybeFailure pause(Channel& channel, double seconds);
+
+/// What the block's G40 G41 G42, D and plane say; before its motion.
+MaybeFailure read_compensation(Channel& channel, const Block& block);
+/// Behind the block: one without motion counts as such.
+MaybeFailure end_compensated_block(Channel& channel);
+/// Does what waits and gives the axes free: the next compensated move starts from there.
+MaybeFailure leave_compensation(Channel& channel);
+
+/// How the plane lies in the machine, as the frames in force have it.
+struct PlaneInMachine {
+  bool is_parallel =
+      false;  ///< to a plane of the machine's axes, equally scaled in both of its own
+  bool is_mirrored = false;  ///< turns the other way round there
+};
+PlaneInMachine plane_in_machine(const Channel& channel);
+
+/// Alarm 10730 for an end outside of G25 and G26.
+MaybeFailure outside_working_area(const Channel& channel, const AxisPositions& q_M_end);
+
+/// What a fault of the machine means here.
+Failure from_fault(const machine::MachineFault& fault);
+
+}  // namespace g31::sinumerik

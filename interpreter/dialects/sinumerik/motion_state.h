@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "interpreter/compensation/cutter_compensation.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::sinumerik {
+
+/// The axis that DIAMON counts in diameters, and whose work coordinate G96 takes as the radius: X.
+inline constexpr int kTransverseAxis = 0;
+
+/// What programs said about the spindle.
+struct Spindle {
+  double speed = 0.0;          ///< rev/min
+  double cutting_speed = 0.0;  ///< m/min, S of G96
+  double lowest = 0.0;         ///< rev/min, G25 S and G26 S
+  double highest = std::numeric_limits<double>::infinity();
+  double limit = std::numeric_limits<double>::infinity();  ///< LIMS: with G96 only
+  std::optional<double> angle = 0.0;                       ///< degrees; nullopt: it turns
+};
+
+/// The pole of polar coordinates, and the last ones.
+struct Pole {
+  AxisPositions q_W = AxisPositions::Zero();
+  std::optional<double> angle;   ///< degrees, since the pole was set
+  std::optional<double> radius;  ///< mm
+};
+
+/// G25 and G26, machine coordinates of the tool tip.
+struct WorkingArea {
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  AxisPositions q_low = AxisPositions::Constant(-kFar);
+  AxisPositions q_high = AxisPositions::Constant(kFar);
+};
+
+/// Points that the machine's builder has set, machine coordinates.
+struct MachinePoints {
+  static constexpr int kFixedPoints = 4;
+  AxisPositions q_M_reference = AxisPositions::Zero();
+  std::array<AxisPositions, kFixedPoints> q_M_fixed = {
+      AxisPositions::Zero(), AxisPositions::Zero(), AxisPositions::Zero(), AxisPositions::Zero()};
+};
+
+/// Tool radius compensation and what the present block says to it.
+struct CutterStage {
+  compensation::CutterCompensation path;
+  compensation::CompensationCommand command;
+  bool fed = false;  ///< a motion or pause of the present block has come through
+};
+
+}  // namespace g31::sinumerik
