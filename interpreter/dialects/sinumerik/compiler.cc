@@ -390,7 +390,9 @@ Operand Compiler::temporary(Type type) {
 void Compiler::set_target(std::int32_t jump, std::int32_t target) {
   if (jump >= 0) {
     Op& op = program_->ops[static_cast<std::size_t>(jump)];
-    (op.code == OpCode::Jump ? op.a : op.b).place = target;
+    // Of a block that is wrong its alarm stays, behind its first step.
+    const std::int32_t alarm = static_cast<std::int32_t>(first_step_) + 1;
+    (op.code == OpCode::Jump ? op.a : op.b).place = failed() ? alarm : target;
   }
 }
 
