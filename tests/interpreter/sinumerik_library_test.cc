@@ -136,8 +136,15 @@ TEST(SinumerikLibrary, HoldsAnArchiveOfManyFiles) {
 }
 
 TEST(SinumerikDefinitions, AreGlobalAndHaveValues) {
-  ProgramRun run({{"main.mpf", "R1=GLOB\nM30\n%_N_UGUD_DEF\nDEF NCK REAL GLOB=1\nM17\n"},
-                  {"lib/UGUD.DEF", "%_N_UGUD_DEF\nDEF NCK REAL GLOB=2\nM17\n"}});
+  ProgramRun run({{"main.mpf", "R1=GLOB[1] R2=LIMIT\nGLOB[0]=5\nSUBA\nMYCODE\nM30\n"},
+                  {"lib/suba.spf", "R3=GLOB[0]\nUSERTXT[2]=\"X\"<<R3\nRET\n"},
+                  {"lib/UGUD.DEF",
+                   "%_N_UGUD_DEF\n"
+                   "DEF NCK REAL GLOB[3]=(1,2.5)\n"
+                   "DEF CHAN SYNRW APWP 4 STRING[20] USERTXT[4]\n"
+                   "DEFINE LIMIT AS 12\n"
+                   "DEFINE MYCODE AS R4=7\n"
+                   "M17\n"}});
   EXPECT_EQ(run.alarm(), 0);
   EXPECT_EQ(run.number("R1"), 2.5);
   EXPECT_EQ(run.number("R2"), 12.0);
@@ -153,8 +160,7 @@ TEST(SinumerikDefinitions, MustHaveAScope) {
 }
 
 TEST(SinumerikDefinitions, TheFirstFileOfANameCounts) {
-  ProgramRun run({{"main.mpf", "R1=GLOB\nM30\n"},
-                  {"own/UGUD.DEF", "%_N_UGUD_DEF\nDEF NCK REAL GLOB=1\nM17\n"},
+  ProgramRun run({{"main.mpf", "R1=GLOB\nM30\n%_N_UGUD_DEF\nDEF NCK REAL GLOB=1\nM17\n"},
                   {"lib/UGUD.DEF", "%_N_UGUD_DEF\nDEF NCK REAL GLOB=2\nM17\n"}});
   EXPECT_EQ(run.alarm(), 0);
   EXPECT_EQ(run.number("R1"), 1.0);
