@@ -21,6 +21,7 @@ namespace g31::testing {
 /// they begin with a semicolon and a blank instead of standing in brackets:
 ///
 ///   (CASE MB-086 null equals null, not zero)   begins a case; the program is what follows
+///   (SOURCE manual, chapter)         where the expectations are from, until the next such line
 ///   (CONTROL fanuc-30i)              controls to run it on, by default fanuc-16i and fanuc-30i
 ///   (PARAMETER 6006.0 = 1)           a control parameter before the start
 ///   (SET #500 = 2.5)                 a variable before the start
@@ -136,7 +137,7 @@ class ConformanceReader {
     } else if (word == "EXPECT") {
       target.expectations.push_back({line_, rest});
     } else {
-      return false;
+      return word == "SOURCE";
     }
     return true;
   }

@@ -142,15 +142,22 @@ std::optional<Refusal> finish_files(const Trace& trace, Printouts& printouts) {
 }
 
 /// Sets a control up for the job.
-std::optional<Refusal> set_up(ControlSession& session, const setup::Job& job,
-                              const Printouts& printouts) {
+/// What the control is to know before it starts.  @returns the files of the program
+Result<ProgramFiles, Refusal> set_up(ControlSession& session, const setup::Job& job,
+                                     const Printouts& printouts) {
   if (printouts.printer() != nullptr) {
     session.connect(*printouts.printer());
   }
   const auto refused = session.configure(job.control);
-  return refused.empty()
-             ? std::nullopt
-             : std::optional(refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; "))));
+  if (!refused.empty()) {
+    return refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; ")));
+  }
+  auto files = ProgramFiles::open(job.control.files_folder);
+  if (!files) {
+    return refusal(ExitCode::BadUsage, files.error());
+  }
+  session.give_files(files.value().at_start());
+  return files.value();
 }
 
 }  // namespace
@@ -183,14 +190,10 @@ ExitCode run_command(const RunOptions& options) {
     return refuse(opened.error());
   }
   ControlSession& session = *opened.value();
-  if (const auto wrong = set_up(session, job, *printouts.value())) {
-    return refuse(*wrong);
-  }
-  const auto files = ProgramFiles::open(job.control.files_folder);
+  const auto files = set_up(session, job, *printouts.value());
   if (!files) {
-    return refuse(refusal(ExitCode::BadUsage, files.error()));
+    return refuse(files.error());
   }
-  session.give_files(files.value().at_start());
   report::RunResult result;
   result.outcome = session.run(options.budget);
   if (const auto wrong = finish_files(trace.value(), *printouts.value())) {

@@ -353,6 +353,9 @@ Expr Compiler::plain_mathematics(FunctionId id, ShortSpan where) {
   Expr a = convert(expression(), Type::Real, AlarmId::BadArguments);
   Expr b = a;
   if (count == 2) {
+    if (peek().is(Symbol::RightParen)) {
+      fail(AlarmId::ArgumentCount, peek().where, std::string(info(id).name));
+    }
     expect(Symbol::Comma);
     b = convert(expression(), Type::Real, AlarmId::BadArguments);
   }

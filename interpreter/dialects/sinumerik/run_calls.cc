@@ -191,8 +191,10 @@ MaybeFailure Runner::take_value(Level& into, const Variable& variable, const Bou
   const auto place = static_cast<std::size_t>(variable.place);
   const bool both_numbers = is_number(value.type) && is_number(variable.type);
   const bool char_as_text = value.type == Type::Char && variable.type == Type::String;
+  const bool text_as_char =
+      value.type == Type::String && value.text.size() == 1 && variable.type == Type::Char;
   if (value.form == Form::Whole ||
-      (value.type != variable.type && !both_numbers && !char_as_text)) {
+      (value.type != variable.type && !both_numbers && !char_as_text && !text_as_char)) {
     return failure(
         AlarmId::WrongArgumentType,
         fmt::format("{}: {} is no {}", variable.name, name_of(value.type), name_of(variable.type)));
@@ -207,7 +209,9 @@ MaybeFailure Runner::take_value(Level& into, const Variable& variable, const Bou
   } else if (variable.type == Type::Frame) {
     into.frames[place] = *value.frame;
   } else {
-    const auto number = converted(value.number, variable);
+    const double given =
+        text_as_char ? static_cast<unsigned char>(value.text.front()) : value.number;
+    const auto number = converted(given, variable);
     if (!number) {
       return number.error();
     }
