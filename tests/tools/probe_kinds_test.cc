@@ -70,6 +70,37 @@ TEST(ProbeKinds, TheWorkProbeMayBeOnTheSecondInput) {
       61301);
 }
 
+TEST(MeasuringInInches, ResultsAreInTheUnitsOfTheProgram) {
+  for (const char* const unit : {"G70", "G700"}) {
+    SCOPED_TRACE(unit);
+    expect_measured(std::string("Z-5\n_OVR[3]=7 _OVR[24]=8\n") + unit +
+                        "\nCYCLE977(201,,4000001,1,1.5,,,0.1,0.5,,,,,,,\"MILL\",,0,0.2,0.02,-0.02,"
+                        "0.1,1,0,,,1)\n"
+                        "R1=$AA_IW[X] R2=$P_GG[13]\nG710",
+                    {ring(), kCalibrated},
+                    {{"_OVR[0]", 1.5},
+                     {"_OVR[4]", 40.0 / 25.4},
+                     {"_OVR[5]", 0.2 / 25.4},
+                     {"_OVR[6]", -0.3 / 25.4},
+                     {"_OVR[8]", 0.02},
+                     {"_OVR[16]", 40.0 / 25.4 - 1.5},
+                     {"_OVR[28]", 0.5},
+                     {"_OVR[29]", 0.2},
+                     {"_OVR[3]", 7.0},
+                     {"_OVR[24]", 8.0},
+                     {"_OVI[9]", 61304.0},
+                     {"$TC_DP6[2,1]", 5.0 + (40.0 - 38.1) / 2.0},
+                     {"R1", 0.2 / 25.4},
+                     {"R2", unit[2] == '0' && unit[3] == '0' ? 3.0 : 1.0}});
+  }
+  const std::string block = part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 0.0, 3.0]");
+  expect_measured("X-20 Y-27\nZ-5\nG700\nCYCLE998(105,1,,1,,2,,0.2,3,102,1,1.2)\nG710",
+                  {block, kCalibrated}, {{"_OVR[4]", 3.0}, {"$P_UIFR[1,Z,RT]", 1.0}});
+  expect_measured(
+      "Z-5\nG700\nCYCLE976(2,1,40/25.4,,,,0.2,0.2,10)\nG710", {ring()},
+      {{"_OVR[4]", 6.0 / 25.4}, {"$SNS_MEA_WP_BALL_DIAM[0]", 6.0}, {"$SNS_MEA_WP_FEED[0]", 254.0}});
+}
+
 TEST(ShopsOwnProgram, RunsBeforeAndAfterMeasuringAndBeforeAnAlarm) {
   const std::string own =
       "\nM30\n%_N_CUST_MEACYC_SPF\nPROC CUST_MEACYC\n"
