@@ -118,6 +118,32 @@ TEST(SinumerikLibrary, ReadsOnlyWhatIsCalled) {
   EXPECT_EQ(run.files().reads(), 2);
 }
 
+TEST(SinumerikLibrary, ChoosesAmongFoldersOfTheControl) {
+  const std::string in_spf = "%_N_SUB_SPF\n;$PATH=/_N_SPF_DIR\nR1=R1*10+1\nRET\n";
+  const std::string in_a = "%_N_SUB_SPF\n;$PATH=/_N_WKS_DIR/_N_A_WPD\nR1=R1*10+2\nRET\n";
+  const std::string in_b =
+      "%_N_SUB_SPF\n;$PATH=/_N_WKS_DIR/_N_B_WPD\nR1=R1*10+3\nRET\n"
+      "%_N_CALLER_SPF\n;$PATH=/_N_WKS_DIR/_N_B_WPD\nSUB\nRET\n"
+      "%_N_ONLY_SPF\n;$PATH=/_N_WKS_DIR/_N_B_WPD\nR2=R2*10+3\nRET\n"
+      "%_N_ONLY_SPF\n;$PATH=/_N_WKS_DIR/_N_A_WPD\nR2=R2*10+2\nRET\n";
+  ProgramRun run({{"main.mpf",
+                   "%_N_MAIN_MPF\n;$PATH=/_N_WKS_DIR/_N_A_WPD\n"
+                   "SUB\nCALLER\nPCALL /_N_SPF_DIR/_N_SUB_SPF\n"
+                   "CALL \"//NC:/WKS.DIR/B.WPD/SUB.SPF\"\n"
+                   "ONLY\nM30\n" +
+                       in_spf + in_b + in_a}});
+  EXPECT_EQ(run.alarm(), 0);
+  // The main program's own folder, the caller's, the two that are named.
+  EXPECT_EQ(run.number("R1"), 2313.0);
+  EXPECT_EQ(run.number("R2"), 2.0);
+
+  ProgramRun by_path({{"main.mpf",
+                       "%_N_MAIN_MPF\nONLY\nCALLPATH(\"/_N_WKS_DIR/_N_A_WPD\")\nONLY\n"
+                       "CALLPATH()\nONLY\nM30\n" +
+                           in_b}});
+  EXPECT_EQ(by_path.number("R2"), 323.0);
+}
+
 TEST(SinumerikLibrary, HoldsAnArchiveOfManyFiles) {
   std::string archive = "%_N_MAIN_MPF\n";
   for (int i = 0; i < 260; ++i) {

@@ -206,7 +206,8 @@ struct BlockNumber {
 
 /// One program, ready to run.
 struct CompiledProgram {
-  std::string name;  ///< "PART1"
+  std::string name;    ///< "PART1"
+  std::string folder;  ///< of $PATH; empty: not said
   const source::SourceFile* file = nullptr;
   std::vector<Op> ops;
   std::vector<ShortSpan> spans;  ///< one per op

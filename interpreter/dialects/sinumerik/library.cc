@@ -50,6 +50,26 @@ std::vector<Piece> pieces_of(std::string_view text) {
   return pieces;
 }
 
+/// "/_N_WKS_DIR/_N_PART_WPD" and "//NC:/WKS.DIR/PART.WPD" are PART_WPD.
+std::string folder_name(std::string_view path) {
+  while (path.ends_with('/') || path.ends_with(' ')) {
+    path.remove_suffix(1);
+  }
+  const std::size_t slash = path.find_last_of("/\\");
+  std::string name = upper(slash == std::string_view::npos ? path : path.substr(slash + 1));
+  name.erase(0, name.starts_with("_N_") ? 3 : 0);
+  std::ranges::replace(name, '.', '_');
+  return name;
+}
+
+/// What `;$PATH=/_N_WKS_DIR/_N_PART_WPD` in the first line says.
+std::string folder_in(std::string_view body) {
+  constexpr std::string_view kPath = ";$PATH=";
+  const std::size_t end = std::min(body.find_first_of("\r\n"), body.size());
+  return body.starts_with(kPath) ? folder_name(body.substr(kPath.size(), end - kPath.size()))
+                                 : std::string();
+}
+
 bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
@@ -58,6 +78,8 @@ bool is_blank(std::string_view text) {
 
 ProgramName program_name(std::string_view written) {
   const std::size_t slash = written.find_last_of("/\\");
+  const std::string folder =
+      slash == std::string_view::npos ? std::string() : folder_name(written.substr(0, slash));
   std::string name = upper(slash == std::string_view::npos ? written : written.substr(slash + 1));
   name.erase(0, name.find_first_not_of(" \t") == std::string::npos ? name.size()
                                                                    : name.find_first_not_of(" \t"));
@@ -67,9 +89,9 @@ ProgramName program_name(std::string_view written) {
   }
   const std::size_t mark = name.find_last_of("._");
   if (mark != std::string::npos && mark > 0 && is_suffix(name.substr(mark + 1))) {
-    return {name.substr(0, mark), name.substr(mark + 1)};
+    return {name.substr(0, mark), name.substr(mark + 1), folder};
   }
-  return {name, ""};
+  return {name, "", folder};
 }
 
 ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
@@ -118,6 +140,7 @@ void ProgramLibrary::take(std::string path, std::string text) {
     auto entry = std::make_unique<Entry>();
     const bool has_name = ("%" + piece.header).starts_with(kHeader);
     entry->name = has_name ? program_name(piece.header) : of_file;
+    entry->name.folder = folder_in(body);
     entry->source = {
         entry->name.stem,
         &file,
@@ -160,23 +183,33 @@ const CompiledProgram* ProgramLibrary::main_program() {
 const CompiledProgram* ProgramLibrary::compiled(Entry& entry) {
   if (entry.compiled == nullptr) {
     entry.compiled = compile(entry.source, globals_);
+    entry.compiled->folder = entry.name.folder;
   }
   return entry.compiled.get();
 }
 
-ProgramLibrary::Entry* ProgramLibrary::find_entry(const ProgramName& name) {
+ProgramLibrary::Entry* ProgramLibrary::find_entry(const ProgramName& name, const Near& near) {
   const auto found = by_stem_.find(name.stem);
   if (found == by_stem_.end()) {
     return nullptr;
   }
+  // From the best place to the worst; the last one takes any.
+  const std::string places[] = {name.folder, near.caller, "SPF_DIR", near.call_path};
+  const auto rank = [&](const Entry& entry) {
+    const auto* const place = std::ranges::find_if(places, [&](const std::string& folder) {
+      return !folder.empty() && folder == entry.name.folder;
+    });
+    return place - std::begin(places);
+  };
+  Entry* best = nullptr;
   for (Entry* const entry : found->second) {
     const bool fits =
         name.suffix.empty() ? entry->name.suffix != "DEF" : entry->name.suffix == name.suffix;
-    if (fits) {
-      return entry;
+    if (fits && (best == nullptr || rank(*entry) < rank(*best))) {
+      best = entry;
     }
   }
-  return nullptr;
+  return best;
 }
 
 /// Reads the next file that may hold the program.  @returns whether there was one
@@ -202,10 +235,10 @@ bool ProgramLibrary::load_for(const ProgramName& name) {
   return true;
 }
 
-const CompiledProgram* ProgramLibrary::find(std::string_view written) {
+const CompiledProgram* ProgramLibrary::find(std::string_view written, const Near& near) {
   const ProgramName name = program_name(written);
   do {
-    if (Entry* const entry = find_entry(name)) {
+    if (Entry* const entry = find_entry(name, near)) {
       return compiled(*entry);
     }
   } while (load_for(name));

@@ -16,12 +16,17 @@ namespace g31::sinumerik {
 struct ProgramName {
   std::string stem;    ///< upper case
   std::string suffix;  ///< "MPF", "SPF", "DEF"; empty: not said
+  std::string folder;  ///< the last one of its path, "SPF_DIR"; empty: not said
 };
 ProgramName program_name(std::string_view written);
 
 /// The programs that a run can call, in this order: those of the main file, further files, then
 /// folders as they were added.  A file holds one program, or many behind headers %_N_NAME_SPF.
 /// Files of a folder are read when they are first needed; definition files at once.
+///
+/// Programs of one name may lie in several folders of the control's memory, which `;$PATH=` behind
+/// a header names.  A call takes the one in the folder that it names; else that of the calling
+/// program's folder, of SPF_DIR, of CALLPATH, in this order; else the first one.
 class ProgramLibrary {
  public:
   /// @param files  must outlive the library
@@ -41,8 +46,13 @@ class ProgramLibrary {
   /// The text of the first file; nullptr when there is none.
   [[nodiscard]] const source::SourceFile* main_text() const;
 
+  /// Where a call looks beside SPF_DIR.
+  struct Near {
+    std::string caller;     ///< folder of the calling program
+    std::string call_path;  ///< CALLPATH
+  };
   /// A program by any form of its name, or nullptr.
-  const CompiledProgram* find(std::string_view name);
+  const CompiledProgram* find(std::string_view name, const Near& near);
 
   /// `text` as blocks among the local variables of `home`; lives as long as the library.
   const CompiledProgram* snippet(const std::string& text, const CompiledProgram& home);
@@ -53,14 +63,14 @@ class ProgramLibrary {
 
  private:
   struct Entry {
-    ProgramName name;
+    ProgramName name;  ///< with the folder of $PATH
     ProgramSource source;
     std::unique_ptr<CompiledProgram> compiled;
   };
 
   void take(std::string path, std::string text);
   ProgramSource loose_source(const std::string& text);
-  Entry* find_entry(const ProgramName& name);
+  Entry* find_entry(const ProgramName& name, const Near& near);
   bool load_for(const ProgramName& name);
   const CompiledProgram* compiled(Entry& entry);
 

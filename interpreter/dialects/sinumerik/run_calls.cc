@@ -43,10 +43,14 @@ Result<double, Failure> converted(double value, const Variable& to) {
 
 }  // namespace
 
+ProgramLibrary::Near Runner::near() const {
+  return {levels_[depth_]->program->folder, program_name(channel_.call_path + "/").folder};
+}
+
 /// The program of a call: alarm 12550 where a name is unknown, 14011 where a text names a file.
 Result<const CompiledProgram*, Failure> Runner::called(const CallSite& site) {
   const std::string name = site.name.empty() ? text(site.text) : site.name;
-  if (const CompiledProgram* const program = library_.find(name)) {
+  if (const CompiledProgram* const program = library_.find(name, near())) {
     return program;
   }
   const bool is_l_number = name.size() > 1 && upper(name.front()) == 'L' && is_digit(name[1]);

@@ -123,7 +123,9 @@ MaybeFailure Runner::text_function(FunctionId id, const Op& op, Arguments list) 
       return std::nullopt;
     case static_cast<int>(FunctionId::ISFILE):
       number(op.result) =
-          channel_.files.contains(file_name(first)) || library_.find(first) != nullptr ? 1.0 : 0.0;
+          channel_.files.contains(file_name(first)) || library_.find(first, near()) != nullptr
+              ? 1.0
+              : 0.0;
       return std::nullopt;
     default:
       return search_function(id, op, list);

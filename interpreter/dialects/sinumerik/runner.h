@@ -111,6 +111,7 @@ class Runner {
 
   // run_calls.cc
   MaybeFailure call(const Op& op);
+  [[nodiscard]] ProgramLibrary::Near near() const;
   Result<const CompiledProgram*, Failure> called(const CallSite& site);
   std::vector<BoundValue> bound(const CallSite& site);
   MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
