@@ -111,7 +111,7 @@ void ProgramLibrary::add_folder(const std::string& folder) {
     const std::string path = joined(folder, name);
     if (parts.suffix == "DEF") {
       // As with programs, the first one of a name counts: a copy of shipped definitions replaces them.
-      if (!loaded_.contains(path) && find_entry(parts) == nullptr) {
+      if (!loaded_.contains(path) && find_entry(parts, Near()) == nullptr) {
         add_file(path);
       }
     } else if (parts.suffix == "ARC") {
