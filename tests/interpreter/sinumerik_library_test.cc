@@ -185,6 +185,13 @@ TEST(SinumerikDefinitions, MustHaveAScope) {
   EXPECT_EQ(run.outcome().alarm->where.file->name(), "lib/UGUD.DEF");
 }
 
+TEST(SinumerikDefinitions, TheFirstFileOfANameCounts) {
+  ProgramRun run({{"main.mpf", "R1=GLOB\nM30\n%_N_UGUD_DEF\nDEF NCK REAL GLOB=1\nM17\n"},
+                  {"lib/UGUD.DEF", "%_N_UGUD_DEF\nDEF NCK REAL GLOB=2\nM17\n"}});
+  EXPECT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R1"), 1.0);
+}
+
 TEST(SinumerikTexts, TakeLatin1AndUtf8) {
   const std::string kMark = "\xEF\xBB\xBF";
   const std::string latin_1 = "DEF STRING[9] TT=\"\xE4\xF6\" ; \xFC\nR1=STRLEN(TT)\nM30\n";

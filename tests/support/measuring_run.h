@@ -21,7 +21,7 @@ struct ExpectedValue {
 };
 
 /// A probe of 6 mm diameter as tool 1, its length to the ball's lower end, a mill as tool 2; G54 at
-/// X100 Y50 Z-300.  Calibration record 1 is that of a perfect probe.
+/// X100 Y50 Z-300.  Stem and body take part.
 inline constexpr const char* kMeasuringSheet = R"([control]
 profile = "sinumerik-828d"
 [tools.1]
@@ -38,12 +38,18 @@ name = "MILL"
 ball_diameter = 6.0
 length = 117.0
 stem_diameter = 2.0
+stem_length = 60.0
+[[probe.body]]
+name = "probe body"
+length = 57.0
+diameter = 40.0
 [work_offsets.G54]
 X = 100.0
 Y = 50.0
 Z = -300.0
 )";
 
+/// Calibration record 1 is that of a perfect probe.
 inline constexpr const char* kCalibrated = R"([variables]
 "$SNS_MEA_WP_BALL_DIAM[0]" = 6.0
 "$SNS_MEA_WP_TRIG_PLUS_DIR_AX1[0]" = 3.0

@@ -193,6 +193,23 @@ TEST(MeasuringLog, TheUsersOwnLogAndArray) {
   EXPECT_EQ(file_of(own, "MY.TXT"), lines);
 }
 
+TEST(MeasuringLog, RowsInTheColumnsOfTheStandardLog) {
+  const MeasuringRun run = measured(
+      "R11=12.5 R12=12.4988 R13=-0.0012\nCYCLE150 "
+      "(31,11,\"MEAS_PROTOCOL.TXT\")\nS_PROTTEXT[0]=REP(\"\",10)\n"
+      "S_PROTTEXT[0]=\"SPRINT(_PROTVAL[35],'''Axis''','''Setpoint''','''Measurd''','''Difference'''"
+      ",'''Unit''')\"\n"
+      "S_PROTTEXT[1]=\"SPRINT(_PROTVAL[36],'''Z''',R11,R12,R13,S_TXT[3])\"\n"
+      "S_PROTTEXT[2]=SPRINT(\"X %10.3F\",R11)\nCYCLE160",
+      ring());
+  const std::string rows =
+      "Axis            Setpoint         Measurd          Difference       Unit\n"
+      "Z               12.5000          12.4988          -0.0012 mm\n"
+      "X     12.500\n";
+  EXPECT_EQ(file_of(run, "MEAS_PROTOCOL.TXT"), rows);
+  EXPECT_EQ(run.output.document.at("output"), rows + "Please acknowledge with NC-Start\n");
+}
+
 TEST(MeasuringLog, NewDeletesAppendGoesOnAndTheLastMeasurementCanBeWrittenLater) {
   const std::string measure = "Z-5\nCYCLE977(101,10001,,1,40.01,,,2,5)\n";
   // Off while measuring; the last measurement afterwards, new.

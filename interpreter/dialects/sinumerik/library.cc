@@ -109,8 +109,11 @@ void ProgramLibrary::add_folder(const std::string& folder) {
   for (const std::string& name : files_.list(folder)) {
     const ProgramName parts = program_name(name);
     const std::string path = joined(folder, name);
-    if (parts.suffix == "DEF" && !loaded_.contains(path)) {
-      add_file(path);
+    if (parts.suffix == "DEF") {
+      // As with programs, the first one of a name counts: a copy of shipped definitions replaces them.
+      if (!loaded_.contains(path) && find_entry(parts, Near()) == nullptr) {
+        add_file(path);
+      }
     } else if (parts.suffix == "ARC") {
       archives_.push_back(path);
     } else if (!parts.suffix.empty()) {

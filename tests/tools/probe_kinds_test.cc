@@ -1,0 +1,124 @@
+// L and star probes, records chosen by the tool, the second measuring input, and what a shop adds
+// to the measuring cycles.
+
+#include <gtest/gtest.h>
+
+#include "tests/support/measuring_run.h"
+
+namespace g31 {
+namespace {
+
+using testing::expect_measured;
+using testing::kCalibrated;
+using testing::MeasuringRun;
+using testing::part;
+using testing::run_measuring;
+
+std::string ring(double bore = 40.0) {
+  return part("ring", 100.2, 49.7, -300.0, fmt::format("bore = {:.3f}", bore));
+}
+
+TEST(ProbeKinds, AStarTouchesWithTheArmThatLeads) {
+  const std::string star =
+      "[tools.1]\nlength = 117.0\nradius = 20.0\ntype = 714.0\n[probe]\nlength = "
+      "117.0\ntrigger_delay_s = 0.001\n"
+      "[[probe.ball]]\nat = [17.0, 0.0, 0.0]\n[[probe.ball]]\nat = [-17.0, 0.0, 0.0]\n"
+      "[[probe.ball]]\nat = [0.0, 17.0, 0.0]\n[[probe.ball]]\nat = [0.0, -17.0, 0.0]\n";
+  expect_measured("Z-8\nCYCLE976(2,1,60,,,,5,25)\nX0 Y0\nCYCLE977(1,,,1,60,,,4,5)",
+                  {ring(60.0), star},
+                  {{"$SNS_MEA_WP_TRIG_PLUS_DIR_AX1[0]", 19.995},
+                   {"_OVR[4]", 60.0},
+                   {"_OVR[5]", 0.2},
+                   {"_OVR[6]", -0.3}},
+                  1e-4);
+  EXPECT_EQ(run_measuring("CYCLE978(0,,,1,0,5,1,3,2)", {ring(60.0), star}, {}).alarm(), 61309);
+  EXPECT_EQ(run_measuring("CYCLE977(3,,,1,60,,,4,5,,,,,1)", {ring(60.0), star}, {}).alarm(), 61309);
+}
+
+TEST(ProbeKinds, AnLProbePullsAgainstAFaceFromBelow) {
+  const std::string l_probe =
+      "[tools.1]\nlength = 114.0\nradius = 3.0\ntype = 713.0\n[probe]\nlength = "
+      "117.0\ntrigger_delay_s = 0.001\n"
+      "[[probe.ball]]\nat = [30.0, 0.0, 0.0]\n";
+  const std::string plate = part("block", 100.0, 50.0, -300.0, "");
+  expect_measured("X-80\nZ-26\nX-40\nCYCLE976(1000,1,-20,,3,0,6,5)\nCYCLE978(0,,,1,-20.1,6,1,3,1)",
+                  {plate, l_probe},
+                  {{"$SNS_MEA_WP_TRIG_PLUS_DIR_AX3[0]", -0.005},
+                   {"_OVR[4]", -20.0},
+                   {"_OVR[16]", 0.1},
+                   {"$AA_IW[Z]", -26.1}});
+  EXPECT_EQ(run_measuring("X-50\nCYCLE978(0,,,1,0,5,1,3,2)", {plate, l_probe}, {}).alarm(), 61309);
+}
+
+TEST(ProbeKinds, TheRecordMayBeTheTools) {
+  expect_measured(
+      "$TC_DPNT[1,1]=3\n$SNS_MEA_FUNCTION_MASK=40\nZ-5\nCYCLE976(2,1,40,,,,5,5)\n"
+      "CYCLE977(1,,,1,40,,,2,5)",
+      {ring()},
+      {{"$SNS_MEA_WP_BALL_DIAM[2]", 6.0},
+       {"$SNS_MEA_WP_BALL_DIAM[0]", 0.0},
+       {"_OVI[5]", 3.0},
+       {"_OVR[4]", 40.0}});
+}
+
+TEST(ProbeKinds, TheWorkProbeMayBeOnTheSecondInput) {
+  const std::string second = "[probe]\ninput = 2\n";
+  expect_measured("$MCS_MEA_FUNCTION_MASK=1\nZ-5\nCYCLE977(1,,,1,40,,,2,5)",
+                  {ring() + second, kCalibrated}, {{"_OVR[4]", 40.0}});
+  EXPECT_EQ(
+      run_measuring("Z-5\nCYCLE977(1,,,1,40,,,2,5)", {ring() + second, kCalibrated}, {}).alarm(),
+      61301);
+}
+
+TEST(MeasuringInInches, ResultsAreInTheUnitsOfTheProgram) {
+  for (const char* const unit : {"G70", "G700"}) {
+    SCOPED_TRACE(unit);
+    expect_measured(std::string("Z-5\n_OVR[3]=7 _OVR[24]=8\n") + unit +
+                        "\nCYCLE977(201,,4000001,1,1.5,,,0.1,0.5,,,,,,,\"MILL\",,0,0.2,0.02,-0.02,"
+                        "0.1,1,0,,,1)\n"
+                        "R1=$AA_IW[X] R2=$P_GG[13]\nG710",
+                    {ring(), kCalibrated},
+                    {{"_OVR[0]", 1.5},
+                     {"_OVR[4]", 40.0 / 25.4},
+                     {"_OVR[5]", 0.2 / 25.4},
+                     {"_OVR[6]", -0.3 / 25.4},
+                     {"_OVR[8]", 0.02},
+                     {"_OVR[16]", 40.0 / 25.4 - 1.5},
+                     {"_OVR[28]", 0.5},
+                     {"_OVR[29]", 0.2},
+                     {"_OVR[3]", 7.0},
+                     {"_OVR[24]", 8.0},
+                     {"_OVI[9]", 61304.0},
+                     {"$TC_DP6[2,1]", 5.0 + (40.0 - 38.1) / 2.0},
+                     {"R1", 0.2 / 25.4},
+                     {"R2", unit[2] == '0' && unit[3] == '0' ? 3.0 : 1.0}});
+  }
+  const std::string block = part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 0.0, 3.0]");
+  expect_measured("X-20 Y-27\nZ-5\nG700\nCYCLE998(105,1,,1,,2,,0.2,3,102,1,1.2)\nG710",
+                  {block, kCalibrated}, {{"_OVR[4]", 3.0}, {"$P_UIFR[1,Z,RT]", 1.0}});
+  expect_measured(
+      "Z-5\nG700\nCYCLE976(2,1,40/25.4,,,,0.2,0.2,10)\nG710", {ring()},
+      {{"_OVR[4]", 6.0 / 25.4}, {"$SNS_MEA_WP_BALL_DIAM[0]", 6.0}, {"$SNS_MEA_WP_FEED[0]", 254.0}});
+}
+
+TEST(ShopsOwnProgram, RunsBeforeAndAfterMeasuringAndBeforeAnAlarm) {
+  const std::string own =
+      "\nM30\n%_N_CUST_MEACYC_SPF\nPROC CUST_MEACYC\n"
+      "CASE _MV_CUST OF 977 GOTOF _M977 -977 GOTOF _ME977 1 GOTOF _MEACYC_ERROR DEFAULT GOTOF "
+      "_MEND\n"
+      "_M977:\nR1=R1+1\nGOTOF _AM_WP_MES\n_AM_WP_MES:\nR2=R2+1\nM17\n_ME977:\nR3=_OVR[4]\nM17\n"
+      "_MEACYC_ERROR:\nIF _OVI[2]==977\nR4=_OVI[9]\nENDIF\n_MEND:\nM17";
+  expect_measured("Z-5\nCYCLE977(1,,,1,40,,,2,5)\nCYCLE977(1,,,1,40,,,2,5)" + own,
+                  {ring(), kCalibrated}, {{"R1", 2.0}, {"R2", 2.0}, {"R3", 40.0}, {"R4", 0.0}});
+  const MeasuringRun run =
+      run_measuring("$SNS_MEA_ALARM_MASK=65536\nZ-5\nCYCLE977(1,,,1,40,,,2,0.1)" + own,
+                    {ring(), kCalibrated}, {"R3", "R4", "_OVR[17]"});
+  EXPECT_EQ(run.alarm(), 61303);
+  EXPECT_EQ(run.at("R4"), 61303);
+  EXPECT_EQ(run.at("R3"), 0.0);
+  // What was measured can be read nevertheless.
+  EXPECT_NEAR(run.at("_OVR[17]"), 0.2, 1e-6);
+}
+
+}  // namespace
+}  // namespace g31
