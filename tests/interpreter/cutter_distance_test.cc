@@ -97,9 +97,9 @@ std::vector<PlaneWay> as_programmed(std::vector<PlaneWay> contour) {
   return contour;
 }
 
-PathDriver drive(const std::vector<PlaneWay>& ways, double offset) {
+PathDriver drive(const std::vector<PlaneWay>& ways, double offset, const CompensationRules& rules) {
   const PlanePoint away = ways[0].from - 30.0 * direction_at_start(ways[0]);
-  PathDriver driver(away);
+  PathDriver driver(away, rules);
   driver.offset(offset).line(ways[0].from.x(), ways[0].from.y());
   for (const PlaneWay& way : ways) {
     if (!way.arc) {
@@ -114,9 +114,25 @@ PathDriver drive(const std::vector<PlaneWay>& ways, double offset) {
   return driver;
 }
 
+/// How far off the contour the way round an outside corner may lead, as a multiple of the offset.
+double most_at_corner(OutsideCorner outside) {
+  switch (outside) {
+    case OutsideCorner::Lines:
+      return std::numbers::sqrt2;
+    case OutsideCorner::Arc:
+      return 1.0;
+    case OutsideCorner::Intersection:
+      return 1.0 / std::cos(kSharpestDeg / 2.0 * std::numbers::pi / 180.0);
+  }
+  return 0.0;
+}
+
 /// Every item is either the offset of its own block, exactly, or goes around an outside corner.
-void expect_at_distance(const std::vector<PlaneWay>& ways, double offset) {
-  const PathDriver driver = drive(ways, offset);
+void expect_at_distance(const std::vector<PlaneWay>& ways, double offset,
+                        OutsideCorner outside = OutsideCorner::Lines) {
+  CompensationRules rules;
+  rules.outside = outside;
+  const PathDriver driver = drive(ways, offset, rules);
   ASSERT_FALSE(driver.fault().has_value());
   const double radius = std::abs(offset);
   const PathItems& items = driver.items();
@@ -132,7 +148,7 @@ void expect_at_distance(const std::vector<PlaneWay>& ways, double offset) {
         nearest = std::min(nearest, distance(p, way));
       }
       ASSERT_GE(nearest, radius - kToleranceMm) << "item " << i;
-      ASSERT_LE(nearest, radius * std::numbers::sqrt2 + kToleranceMm) << "item " << i;
+      ASSERT_LE(nearest, radius * most_at_corner(outside) + kToleranceMm) << "item " << i;
       if (is_path) {
         ASSERT_NEAR(left_of_endless(p, ways[number - 1]), offset, kToleranceMm) << "item " << i;
       }
@@ -150,6 +166,30 @@ TEST(CutterDistance, RandomContoursOfLinesAndArcsOnBothSides) {
     const double r = radius(random);
     ASSERT_NO_FATAL_FAILURE(expect_at_distance(ways, r));
     ASSERT_NO_FATAL_FAILURE(expect_at_distance(ways, -r));
+  }
+}
+
+TEST(CutterDistance, ArcsAtOutsideCornersKeepTheDistanceEverywhere) {
+  std::mt19937_64 random(20240512);
+  std::uniform_real_distribution<double> radius(0.2, 4.0);
+  for (int i = 0; i < 80; ++i) {
+    SCOPED_TRACE(i);
+    const auto ways = as_programmed(random_contour(random));
+    const double r = radius(random);
+    ASSERT_NO_FATAL_FAILURE(expect_at_distance(ways, r, OutsideCorner::Arc));
+    ASSERT_NO_FATAL_FAILURE(expect_at_distance(ways, -r, OutsideCorner::Arc));
+  }
+}
+
+TEST(CutterDistance, IntersectionsAtOutsideCornersUpToTheSharpestOne) {
+  std::mt19937_64 random(20240513);
+  std::uniform_real_distribution<double> radius(0.2, 4.0);
+  for (int i = 0; i < 80; ++i) {
+    SCOPED_TRACE(i);
+    const auto ways = as_programmed(random_contour(random));
+    const double r = radius(random);
+    ASSERT_NO_FATAL_FAILURE(expect_at_distance(ways, r, OutsideCorner::Intersection));
+    ASSERT_NO_FATAL_FAILURE(expect_at_distance(ways, -r, OutsideCorner::Intersection));
   }
 }
 

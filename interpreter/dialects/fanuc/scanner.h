@@ -25,10 +25,13 @@ inline constexpr auto kShown = [] {
 
 /// A number as it is written, without sign.
 struct ScannedNumber {
-  double value = 0.0;
-  std::uint8_t digits = 0;    ///< digits written, capped at 255
-  std::uint8_t decimals = 0;  ///< those behind the point, capped at 255
-  bool has_point = false;
+  ScannedNumber(double number, std::uint8_t all, std::uint8_t behind_point, bool point)
+      : value(number), digits(all), decimals(behind_point), has_point(point) {}
+
+  double value;
+  std::uint8_t digits;    ///< digits written, capped at 255
+  std::uint8_t decimals;  ///< those behind the point, capped at 255
+  bool has_point;
 };
 
 /// For messages: how many digits ScannedNumber::digits counted.

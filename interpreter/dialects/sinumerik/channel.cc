@@ -145,7 +145,7 @@ AxisPositions Channel::present() {
 }
 
 AxisPositions Channel::machine_position() const {
-  return cutter.path.engaged() ? q_M_programmed_ : port.position();
+  return cutter.path.engaged() || corners.path.holds() ? q_M_programmed_ : port.position();
 }
 
 void Channel::arrived_at_programmed(const AxisPositions& q_W, const AxisPositions& q_M) {

@@ -133,14 +133,14 @@ class Channel {
   /// The same place in work and in machine coordinates.
   void arrived_at_programmed(const AxisPositions& q_W, const AxisPositions& q_M);
   void arrived_at_machine();
-  /// Where the program has the axes: with a block that waits in the compensation as if it were
-  /// done.
+  /// Where the program has the axes: with a block that waits for the next one as if it were done.
   [[nodiscard]] AxisPositions machine_position() const;
 
   // Motion
   Pole pole;
   WorkingArea working_area;
   MachinePoints points;
+  CornerStage corners;
   CutterStage cutter;
   /// Direction in which the last path ended, machine coordinates; 0: there was none.
   Eigen::Vector3d n_M_end = Eigen::Vector3d::Zero();

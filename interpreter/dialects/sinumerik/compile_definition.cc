@@ -184,11 +184,13 @@ void Compiler::def_statement() {
 
 /// DEFINE name AS text
 void Compiler::define_statement() {
-  std::string name(next().text);
-  if (name.size() == 1 && peek().kind == TokenKind::Integer) {
+  const Token& first = next();
+  const bool is_name = first.kind == TokenKind::Name || first.kind == TokenKind::Letter;
+  std::string name(first.text);
+  if (first.kind == TokenKind::Letter && peek().kind == TokenKind::Integer) {
     name += next().text;
   }
-  if (!accept_name("AS")) {
+  if (!is_name || !accept_name("AS")) {
     fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
     return;
   }
@@ -198,8 +200,8 @@ void Compiler::define_statement() {
     token.text = macro.spellings.emplace_back(token.text);
     macro.tokens.push_back(token);
   }
-  NameMap<Macro>& macros = purpose_ == Purpose::Definitions ? definitions_->macros : macros_;
-  if (!macros.emplace(name, std::move(macro)).second) {
+  Macros& macros = purpose_ == Purpose::Definitions ? definitions_->macros : macros_;
+  if (!macros.define(name, std::move(macro))) {
     fail(AlarmId::MacroTwice, block_, name);
   }
 }

@@ -140,6 +140,8 @@ Expr Compiler::unary() {
 Expr Compiler::primary() {
   if (++depth_ > kDeepestNest) {
     fail(AlarmId::NestedTooDeep);
+    --depth_;
+    return {};
   }
   Expr result;
   const Token token = peek();

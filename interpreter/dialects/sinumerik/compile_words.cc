@@ -17,7 +17,7 @@ bool Compiler::is_assigned(std::size_t ahead) const {
 
 /// A single letter: R and its number, L a program, else a word.
 void Compiler::letter_item() {
-  const Token letter = peek();
+  const Token& letter = peek();
   const bool numbered = peek(1).kind == TokenKind::Integer;
   if (letter.is_letter('R') && (numbered || peek(1).is(Symbol::LeftBracket))) {
     next();
@@ -32,14 +32,14 @@ void Compiler::letter_item() {
   letter_word(letter);
 }
 
-void Compiler::letter_word(Token letter) {
+void Compiler::letter_word(const Token& letter) {
   const bool numbered = peek().kind == TokenKind::Integer || peek().kind == TokenKind::Real;
   if (letter.is_letter('G')) {
     if (peek().kind != TokenKind::Integer) {
       fail(AlarmId::NotImplemented, letter.where, "G with a computed number");
       return;
     }
-    const Token number = next();
+    const Token& number = next();
     g_code(find_g_code(number.number), {letter.where.begin, number.where.end});
     return;
   }

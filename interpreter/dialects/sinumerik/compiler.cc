@@ -44,6 +44,7 @@ void Compiler::reserve() {
   program_->spans.reserve(lines);
   program_->nc_blocks.reserve(lines);
   program_->words.reserve(4 * lines);
+  program_->block_numbers.reserve(lines);
 }
 
 std::unique_ptr<CompiledProgram> Compiler::run() {
@@ -81,7 +82,7 @@ void Compiler::block(ShortSpan span) {
   if (tokens_.size() == 1) {
     return;
   }
-  if (!macros_.empty() || !globals_.macros.empty()) {
+  if (std::ranges::any_of(tokens_, [this](const Token& token) { return may_be_macro(token); })) {
     expand_macros();
   }
   if (has_letter_names_) {
@@ -96,6 +97,7 @@ void Compiler::block(ShortSpan span) {
   block_head();
   statement();
   if (failed()) {
+    program_->ops[first_step_].code = OpCode::Block;  // whatever words it had
     take_back(first_step_ + 1);
   }
   program_->ops[first_step_].a.place = here();
@@ -219,6 +221,12 @@ void Compiler::emit_nc_block() {
   }
 }
 
+bool Compiler::may_be_macro(const Token& token) const {
+  return (token.kind == TokenKind::Name || token.kind == TokenKind::Letter) &&
+         (macros_.have_initial(token.text.front()) ||
+          globals_.macros.have_initial(token.text.front()));
+}
+
 /// Names that DEFINE has made are replaced once: what stands in their place is taken as it is.
 void Compiler::expand_macros() {
   std::vector<Token> all;
@@ -231,15 +239,14 @@ void Compiler::expand_macros() {
     }
     const bool is_name = tokens_[i].kind == TokenKind::Name || used == 2;
     const bool is_being_defined = i > 0 && tokens_[i - 1].is_name("DEFINE");
-    auto macro = macros_.find(name);
-    const bool is_own = macro != macros_.end();
-    const auto global = is_own ? globals_.macros.end() : globals_.macros.find(name);
-    if (!is_name || is_being_defined || (!is_own && global == globals_.macros.end())) {
+    const Macro* const own = macros_.find(name);
+    const Macro* const macro = own != nullptr ? own : globals_.macros.find(name);
+    if (!is_name || is_being_defined || macro == nullptr) {
       all.push_back(tokens_[i]);
       continue;
     }
     const ShortSpan where = tokens_[i].where;
-    for (Token token : is_own ? macro->second.tokens : global->second.tokens) {
+    for (Token token : macro->tokens) {
       token.where = where;
       all.push_back(token);
     }
@@ -305,8 +312,8 @@ const Token& Compiler::peek(std::size_t ahead) const {
   return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
 }
 
-Token Compiler::next() {
-  Token token = peek();
+const Token& Compiler::next() {
+  const Token& token = peek();
   at_ = std::min(at_ + 1, tokens_.size() - 1);
   return token;
 }
@@ -383,7 +390,9 @@ Operand Compiler::temporary(Type type) {
 void Compiler::set_target(std::int32_t jump, std::int32_t target) {
   if (jump >= 0) {
     Op& op = program_->ops[static_cast<std::size_t>(jump)];
-    (op.code == OpCode::Jump ? op.a : op.b).place = target;
+    // Of a block that is wrong its alarm stays, behind its first step.
+    const std::int32_t alarm = static_cast<std::int32_t>(first_step_) + 1;
+    (op.code == OpCode::Jump ? op.a : op.b).place = failed() ? alarm : target;
   }
 }
 

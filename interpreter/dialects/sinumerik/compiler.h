@@ -81,12 +81,13 @@ class Compiler {
   void emit_nc_block();
   void take_back(std::size_t first_step);
   void reserve();
+  [[nodiscard]] bool may_be_macro(const Token& token) const;
   void expand_macros();
   void find_letter_names();
   void resolve_jumps();
   void end_structures();
   const Token& peek(std::size_t ahead = 0) const;
-  Token next();
+  const Token& next();
   bool accept(Symbol symbol);
   bool accept_name(std::string_view name);
   void expect(Symbol symbol);
@@ -215,7 +216,7 @@ class Compiler {
 
   // compile_words.cc
   void letter_item();
-  void letter_word(Token letter);
+  void letter_word(const Token& letter);
   void g_code(std::optional<FoundCode> code, ShortSpan where);
   void m_word(ShortSpan where);
   void m_number(double number, ShortSpan where);
@@ -240,7 +241,7 @@ class Compiler {
   ShortSpan whole_;
   std::unique_ptr<CompiledProgram> program_;
   NameMap<std::int32_t> imported_;
-  NameMap<Macro> macros_;
+  Macros macros_;
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   int depth_ = 0;

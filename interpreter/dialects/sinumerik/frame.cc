@@ -81,6 +81,15 @@ void Frame::set_angles(const Eigen::Vector3d& degrees) {
   turn_ = about(2, degrees.z()) * about(1, degrees.y()) * about(0, degrees.x());
 }
 
+void Frame::set_solid_angles(int first, double about_first, double about_second) {
+  const int second = (first + 1) % 3;
+  const int third = (first + 2) % 3;
+  turn_.col(first) = about(second, about_second).col(first);
+  const Eigen::Vector3d trace = about(first, about_first).col(second);
+  turn_.col(third) = Eigen::Vector3d(turn_.col(first)).cross(trace).normalized();
+  turn_.col(second) = Eigen::Vector3d(turn_.col(third)).cross(Eigen::Vector3d(turn_.col(first)));
+}
+
 void Frame::add_fine_shift(const AxisPositions& inner) {
   fine_ += apply(inner) - apply(AxisPositions::Zero());
 }

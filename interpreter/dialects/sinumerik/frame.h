@@ -26,8 +26,10 @@ class Frame {
   /// Degrees about X, Y and Z: turned about Z, then the new Y, then the new X (RPY).
   [[nodiscard]] Eigen::Vector3d angles() const;
   void set_angles(const Eigen::Vector3d& degrees);
-  /// Turned so that the inner axes point along the columns: a rotation.
-  void set_turn(const Eigen::Matrix3d& turn) { turn_ = turn; }
+  /// Turned by two solid angles, degrees: the new plane is that of the axis `first`, turned about
+  /// the next one in the circle X Y Z, and of that one, turned about `first`; `first` stays in the
+  /// old plane of itself and the third axis.
+  void set_solid_angles(int first, double about_first, double about_second);
   /// Shifted further along its own axes; the fine shift takes it.
   void add_fine_shift(const AxisPositions& inner);
 

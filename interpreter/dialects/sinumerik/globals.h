@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,18 +7,12 @@
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/code.h"
-#include "interpreter/dialects/sinumerik/scanner.h"
+#include "interpreter/dialects/sinumerik/macros.h"
 
 namespace g31::sinumerik {
 
 /// R0 to R999.
 inline constexpr int kRParameters = 1000;
-
-/// DEFINE name AS text: the tokens stand in the place of the name.
-struct Macro {
-  std::vector<Token> tokens;
-  std::deque<std::string> spellings;  ///< what the tokens say
-};
 
 /// The names that every program of a control sees: R parameters, machine and setting data, GUD and
 /// the macros of definition files.  Compilers ask it for places; a channel makes the memory.
@@ -39,7 +32,7 @@ class Globals {
   [[nodiscard]] std::int32_t text_count() const { return text_count_; }
   [[nodiscard]] std::int32_t frame_count() const { return frame_count_; }
 
-  NameMap<Macro> macros;
+  Macros macros;
 
  private:
   std::vector<Variable> variables_;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "interpreter/compensation/contour_corners.h"
 #include "interpreter/compensation/cutter_compensation.h"
 #include "machine/units/axis_positions.h"
 
@@ -36,6 +37,7 @@ struct WorkingArea {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
   AxisPositions q_low = AxisPositions::Constant(-kFar);
   AxisPositions q_high = AxisPositions::Constant(kFar);
+  bool is_set = false;
 };
 
 /// Points that the machine's builder has set, machine coordinates.
@@ -46,10 +48,19 @@ struct MachinePoints {
       AxisPositions::Zero(), AxisPositions::Zero(), AxisPositions::Zero(), AxisPositions::Zero()};
 };
 
+/// Roundings and chamfers, and what the present block says to them.
+struct CornerStage {
+  compensation::ContourCorners path;
+  compensation::CornerWish wish;
+  double modal_radius_mm = 0.0;  ///< RNDM
+  double modal_feed = 0.0;       ///< FRCM, as programmed
+};
+
 /// Tool radius compensation and what the present block says to it.
 struct CutterStage {
   compensation::CutterCompensation path;
   compensation::CompensationCommand command;
+  compensation::CompensationCommand held_command;  ///< of the block that waits for its corner
   bool fed = false;  ///< a motion or pause of the present block has come through
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -25,6 +26,24 @@ double tool_number(const std::map<int, Tool>& tools, const std::string& name, do
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// CROTS; one angle alone turns as CROT does.
+MaybeFailure turn_by_two(Frame& result, const Eigen::Vector3d& degrees,
+                         const std::array<bool, 3>& given) {
+  const auto count = std::count(given.begin(), given.end(), true);
+  if (count > 2) {
+    return failure(AlarmId::ArgumentCount, "CROTS");
+  }
+  if (count < 2) {
+    result.set_angles(degrees);
+    return std::nullopt;
+  }
+  const auto missing =
+      static_cast<int>(std::find(given.begin(), given.end(), false) - given.begin());
+  const int first = (missing + 1) % 3;
+  result.set_solid_angles(first, degrees[first], degrees[(first + 1) % 3]);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -190,7 +209,9 @@ MaybeFailure Runner::frame_of_pairs(FunctionId id, Frame& result, Arguments list
   if (list.size() % step != 0) {
     return failure(AlarmId::ArgumentCount, std::string(info(id).name));
   }
+  const bool turns = id == FunctionId::CROT || id == FunctionId::CROTS;
   Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
+  std::array<bool, 3> given = {};
   for (std::size_t i = 0; i < list.size(); i += step) {
     const double axis = list[i].type == Type::Axis ? number(list[i].value) : kNoAxis;
     if (axis < 0.0 || (!mirrors && !is_number(list[i + 1].type))) {
@@ -198,9 +219,10 @@ MaybeFailure Runner::frame_of_pairs(FunctionId id, Frame& result, Arguments list
     }
     const int which = static_cast<int>(axis);
     const double value = mirrors ? 1.0 : number(list[i + 1].value);
-    if (id == FunctionId::CROT && which < 3) {
+    if (turns && which < 3) {
       degrees[which] = value;
-    } else if (id != FunctionId::CROT) {
+      given[static_cast<std::size_t>(which)] = true;
+    } else if (!turns) {
       const Component component = id == FunctionId::CTRANS   ? Component::Coarse
                                   : id == FunctionId::CFINE  ? Component::Fine
                                   : id == FunctionId::CSCALE ? Component::Scale
@@ -213,6 +235,8 @@ MaybeFailure Runner::frame_of_pairs(FunctionId id, Frame& result, Arguments list
   }
   if (id == FunctionId::CROT) {
     result.set_angles(degrees);
+  } else if (id == FunctionId::CROTS) {
+    return turn_by_two(result, degrees, given);
   }
   return std::nullopt;
 }

@@ -7,27 +7,29 @@
 
 namespace g31::sinumerik {
 
-MaybeFailure Runner::set_word(std::size_t address, BlockWords::Word word) {
+bool Runner::set_word(std::size_t address, BlockWords::Word word) {
   BlockWords::Word& known = words_.words[address];
   if (static_cast<Address>(address) == Address::Machine) {
     if (words_.machine_code_count == kMostMachineCodes) {
-      return failure(AlarmId::AddressTooOften, "M");
+      return failed(AlarmId::AddressTooOften, "M");
     }
     words_.machine_codes[words_.machine_code_count++] = word.value;
   } else if (known.present) {
-    return failure(AlarmId::AddressRepeated, std::string(name_of(static_cast<Address>(address))));
+    return failed(AlarmId::AddressRepeated, std::string(name_of(static_cast<Address>(address))));
   }
   known = word;
   known.present = true;
-  return std::nullopt;
+  return true;
 }
 
 MaybeFailure Runner::take_word(const Op& op) {
   if (op.code == OpCode::TextWord) {
     words_.tool_name = text(op.a);
-    return set_word(op.detail, {});
+    set_word(op.detail, {});
+  } else {
+    set_word(op.detail, {number(op.a), static_cast<Modification>(op.count), true});
   }
-  return set_word(op.detail, {number(op.a), static_cast<Modification>(op.count), true});
+  return from_step();
 }
 
 MaybeFailure Runner::take_axis_word(const Op& op) {
@@ -35,8 +37,9 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
   if (axis < 0.0) {
     return failure(AlarmId::BadAxisIndex);
   }
-  return set_word(static_cast<std::size_t>(axis),
-                  {number(op.b), static_cast<Modification>(op.count), true});
+  set_word(static_cast<std::size_t>(axis),
+           {number(op.b), static_cast<Modification>(op.count), true});
+  return from_step();
 }
 
 MaybeFailure Runner::take_axis_measuring(const Op& op) {
@@ -64,8 +67,8 @@ MaybeFailure Runner::execute(const Op& op) {
   const CompiledProgram& program = *level().program;
   const NcBlock& block = program.nc_blocks[static_cast<std::size_t>(op.b.place)];
   for (const ConstantWord& word : block.words_of(program)) {
-    if (MaybeFailure wrong = set_word(index_of(word.address), {word.value})) {
-      return wrong;
+    if (!set_word(index_of(word.address), {word.value})) {
+      return from_step();
     }
   }
   const Block commands{words_, block.codes_of(program), here()};

@@ -153,7 +153,7 @@ class Runner {
   MaybeFailure take_axis_word(const Op& op);
   MaybeFailure take_axis_measuring(const Op& op);
   MaybeFailure take_skip_action(const Op& op);
-  MaybeFailure set_word(std::size_t address, BlockWords::Word word);
+  bool set_word(std::size_t address, BlockWords::Word word);
   MaybeFailure execute(const Op& op);
 
   // run_system.cc

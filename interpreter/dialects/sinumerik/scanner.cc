@@ -91,14 +91,16 @@ void Scanner::number() {
   std::uint64_t mantissa = 0;  // of no use beyond kExactDigits
   std::size_t points = 0;
   std::size_t behind_point = 0;
-  for (; is_digit(look(0)) || look(0) == '.'; ++at_) {
-    if (text_[at_] == '.') {
+  std::size_t at = at_;  // kept out of memory while digits follow
+  for (; at < end_ && (is_digit(text_[at]) || text_[at] == '.'); ++at) {
+    if (text_[at] == '.') {
       ++points;
-      behind_point = at_ + 1;
+      behind_point = at + 1;
     } else {
-      mantissa = mantissa * 10 + static_cast<std::uint64_t>(text_[at_] - '0');
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(text_[at] - '0');
     }
   }
+  at_ = at;
   double value = 0.0;
   bool right = points <= 1;
   if (right && at_ - begin - points <= syntax::kExactDigits) {

@@ -1,6 +1,7 @@
 #include "interpreter/dialects/sinumerik/words.h"
 
 #include <array>
+#include <vector>
 
 #include "interpreter/dialects/sinumerik/names.h"
 
@@ -29,6 +30,18 @@ constexpr ModificationRow kModifications[] = {{"AC", Modification::Absolute},
                                               {"ACP", Modification::Plus},
                                               {"ACN", Modification::Minus}};
 
+/// Most addresses are one letter: A to Z.
+std::vector<std::optional<Address>> addresses_by_letter() {
+  std::vector<std::optional<Address>> all(26);
+  for (std::size_t i = 0; i < kAddresses.size(); ++i) {
+    if (kAddresses[i].name.size() == 1) {
+      all[static_cast<std::size_t>(kAddresses[i].name.front() - 'A')] =
+          static_cast<Address>(i + kAxisCount);
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::span<const AddressInfo> addresses() {
@@ -36,6 +49,10 @@ std::span<const AddressInfo> addresses() {
 }
 
 std::optional<Address> find_address(std::string_view name) {
+  static const std::vector<std::optional<Address>> kByLetter = addresses_by_letter();
+  if (name.size() == 1 && name.front() >= 'A' && name.front() <= 'Z') {
+    return kByLetter[static_cast<std::size_t>(name.front() - 'A')];
+  }
   for (std::size_t i = 0; i < kAddresses.size(); ++i) {
     if (kAddresses[i].name == name) {
       return static_cast<Address>(i + kAxisCount);

@@ -71,13 +71,6 @@ struct OnlyValue {
 constexpr OnlyValue kOnlyZero[] = {{Address::Conic, 0.0}, {Address::NormalOffset, 0.0}};
 
 MaybeFailure refuse_unknown(const Block& block) {
-  for (const Address address : {Address::Chamfer, Address::ChamferWidth,
-                                Address::Rounding, Address::ModalRounding}) {
-    if (block.words.has(address)) {
-      return failure(AlarmId::NotImplemented,
-                     std::string(addresses()[index_of(address) - kAxisCount].name));
-    }
-  }
   for (const OnlyValue& only : kOnlyZero) {
     const BlockWords::Word& word = block.words[only.address];
     if (word.present && word.value != only.value) {
@@ -185,6 +178,9 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
     return wrong;
   }
   if (MaybeFailure wrong = read_compensation(channel, block)) {
+    return wrong;
+  }
+  if (MaybeFailure wrong = read_corner(channel, block)) {
     return wrong;
   }
   MaybeFailure wrong = move(channel, block);

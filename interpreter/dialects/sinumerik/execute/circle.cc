@@ -21,9 +21,9 @@ constexpr double kChordErrorMm = 5e-4;
 
 /// A circle or helix in work coordinates, anywhere in space.
 struct SpatialArc {
-  Vector3 centre;  ///< of the start
-  Vector3 out;     ///< from the centre to the start
-  Vector3 ahead;   ///< square to it, as long, in the direction of travel
+  Vector3 centre = Vector3::Zero();  ///< of the start
+  Vector3 out = Vector3::Zero();     ///< from the centre to the start
+  Vector3 ahead = Vector3::Zero();   ///< square to it, as long, in the direction of travel
   double sweep = 0.0;
 };
 
@@ -91,10 +91,15 @@ Result<SpatialArc, Failure> through(const Vector3& start, const Vector3& middle,
   return arc;
 }
 
+bool wants_corner(const Channel& channel) {
+  return channel.corners.path.holds() ||
+         channel.corners.wish.kind != compensation::CornerWish::Kind::Sharp;
+}
+
 /// In chords, for a machine whose arcs lie in planes of its axes.
 MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& arc) {
-  if (channel.cutter.path.engaged()) {
-    return failure(AlarmId::NotImplemented, "a circle in a tilted plane with G41 or G42");
+  if (channel.cutter.path.engaged() || wants_corner(channel)) {
+    return failure(AlarmId::NotImplemented, "a circle in a tilted plane with G41, G42, RND or CHF");
   }
   const double radius = arc.out.norm();
   const double rise =
@@ -127,6 +132,9 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
 
 /// As arcs of the machine: full turns first, then the way to the end.
 MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle, double turns) {
+  if (turns > 0.0 && wants_corner(channel)) {
+    return failure(AlarmId::NotImplemented, "TURN with RND or CHF");
+  }
   const double sweep = sweep_of(circle);
   const double total = sweep + turns * kFullRad;
   const Plane& plane = circle.plane;
@@ -190,7 +198,11 @@ MaybeFailure move_along_circle(Channel& channel, const Block& block) {
   if (circle.value().is_straight) {
     return move_straight(channel, block);
   }
-  if (plane_in_machine(channel).is_parallel) {
+  const PlaneInMachine plane = plane_in_machine(channel);
+  if (!plane.is_even) {
+    return failure(AlarmId::NotImplemented, "a circle in an unequally scaled plane");
+  }
+  if (plane.is_parallel) {
     return move_in_arcs(channel, job, circle.value(), turns.value());
   }
   const double sweep = sweep_of(circle.value()) + turns.value() * kFullRad;

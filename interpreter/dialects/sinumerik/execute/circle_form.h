@@ -12,9 +12,9 @@ using PlaneVector = Eigen::Vector2d;
 struct Circle {
   Plane plane;
   machine::Turn turn = machine::Turn::Clockwise;
-  PlaneVector start;
-  PlaneVector end;
-  PlaneVector centre;
+  PlaneVector start = PlaneVector::Zero();
+  PlaneVector end = PlaneVector::Zero();
+  PlaneVector centre = PlaneVector::Zero();
   bool is_straight = false;  ///< CT to a point straight ahead
 };
 

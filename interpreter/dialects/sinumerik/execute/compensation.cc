@@ -22,6 +22,9 @@ constexpr int kIntersection = 2;  // G451
 constexpr std::size_t kRadius = 6;  // of $TC_DP
 constexpr std::size_t kRadiusWear = 15;
 
+/// How far directions and scales may differ by rounding.
+constexpr double kSame = 1e-12;
+
 /// The compensation itself never gives up reading ahead: too many such blocks are an alarm.
 constexpr int kNoIdleLimit = 1'000'000;
 
@@ -61,7 +64,7 @@ bool leaves(const Channel& channel, const Block& block) {
   const GCode* const special = block.code_of(2);
   const bool to_point = special != nullptr && (special->action == GAction::Reference ||
                                                special->action == GAction::FixedPoint);
-  return to_point || channel.suppression != 0 || block.words.has(Address::Measure);
+  return to_point || channel.suppression != 0 || listens_to_probe(channel, block);
 }
 
 Result<CompensationCommand, Failure> command_of(const Channel& channel, const Block& block) {
@@ -104,16 +107,21 @@ PlaneInMachine plane_in_machine(const Channel& channel) {
   const double stretch = std::abs(first.head<3>().norm() - second.head<3>().norm());
   const double cross =
       first[plane.first] * second[plane.second] - first[plane.second] * second[plane.first];
-  return {out <= 1e-12 && stretch <= 1e-12, cross < 0.0};
+  const bool is_even = stretch <= kSame;
+  return {out <= kSame && is_even, is_even, cross < 0.0, first.head<3>().norm()};
 }
 
 MaybeFailure read_compensation(Channel& channel, const Block& block) {
   CutterStage& cutter = channel.cutter;
-  if (channel.group[7] == kOff && !cutter.path.engaged()) {
-    return std::nullopt;
-  }
   if (leaves(channel, block)) {
     return leave_compensation(channel);
+  }
+  const bool begins_or_ends = block.code_of(7) != nullptr;
+  if (MaybeFailure wrong = begins_or_ends ? finish_corners(channel) : std::nullopt) {
+    return wrong;
+  }
+  if (channel.group[7] == kOff && !cutter.path.engaged()) {
+    return std::nullopt;
   }
   const auto command = command_of(channel, block);
   if (!command) {

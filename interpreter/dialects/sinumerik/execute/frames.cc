@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
@@ -45,33 +44,6 @@ Result<Frame, Failure> frame_of_words(const Channel& channel, const Block& block
   return frame;
 }
 
-Eigen::Matrix3d about(int axis, double degrees) {
-  Frame frame;
-  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
-  angles[axis] = degrees;
-  frame.set_angles(angles);
-  Eigen::Matrix3d turn;
-  for (int i = 0; i < 3; ++i) {
-    AxisPositions q = AxisPositions::Zero();
-    q[i] = 1.0;
-    turn.col(i) = frame.apply(q).head<3>();
-  }
-  return turn;
-}
-
-/// The plane that two axes span, each turned about the other one by its solid angle; the first of
-/// them stays in the old plane of the first and the third axis.
-Eigen::Matrix3d turned_by(int first, double about_first, double about_second) {
-  const int second = (first + 1) % 3;
-  const int third = (first + 2) % 3;
-  Eigen::Matrix3d turn;
-  turn.col(first) = about(second, about_second).col(first);
-  const Eigen::Vector3d trace = about(first, about_first).col(second);
-  turn.col(third) = turn.col(first).cross(trace).normalized();
-  turn.col(second) = turn.col(third).cross(turn.col(first));
-  return turn;
-}
-
 }  // namespace
 
 MaybeFailure shift_by_axis(Channel& channel, const Block& block, const GCode& code) {
@@ -105,8 +77,8 @@ MaybeFailure turn_by_solid_angles(Channel& channel, const Block& block, const GC
   }
   const int first = (missing + 1) % 3;
   Frame frame;
-  frame.set_turn(
-      turned_by(first, block.words.axis(first).value, block.words.axis((first + 1) % 3).value));
+  frame.set_solid_angles(first, block.words.axis(first).value,
+                         block.words.axis((first + 1) % 3).value);
   const bool adds = code.name.front() == 'A';
   channel.program_frame = adds ? channel.program_frame.chained(frame) : frame;
   channel.frames_changed();

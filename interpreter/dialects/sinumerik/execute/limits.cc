@@ -20,6 +20,7 @@ MaybeFailure limit(Channel& channel, const Block& block, const GCode& code) {
     const BlockWords::Word& word = block.words.axis(axis);
     if (word.present) {
       q[axis] = channel.stored(axis, word.value);
+      channel.working_area.is_set = true;
     }
   }
   if (block.words.has(Address::Speed)) {
@@ -30,7 +31,7 @@ MaybeFailure limit(Channel& channel, const Block& block, const GCode& code) {
 }
 
 MaybeFailure outside_working_area(const Channel& channel, const AxisPositions& q_M_end) {
-  if (channel.group[28] != kAreaOn) {
+  if (!channel.working_area.is_set || channel.group[28] != kAreaOn) {
     return std::nullopt;
   }
   const AxisPositions q_tip = q_M_end - channel.tool_offset();

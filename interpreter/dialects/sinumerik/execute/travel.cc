@@ -102,6 +102,36 @@ MaybeFailure too_idle(const Channel& channel) {
              : std::nullopt;
 }
 
+/// From the programmed path to that of the tool centre.
+MaybeFailure compensate(Channel& channel, const PathBlock& path,
+                        const compensation::CompensationCommand& command) {
+  compensation::CutterCompensation& cutter = channel.cutter.path;
+  if (!cutter.engaged()) {
+    return to_machine(channel, path);
+  }
+  MaybeFailure wrong = carry_out(channel, cutter.take(path, command));
+  return wrong ? wrong : too_idle(channel);
+}
+
+MaybeFailure compensate_all(Channel& channel, const compensation::PathItems& items,
+                            const compensation::CompensationCommand& command) {
+  for (const PathItem& item : items) {
+    if (MaybeFailure wrong = compensate(channel, std::get<PathBlock>(item), command)) {
+      return wrong;
+    }
+  }
+  return std::nullopt;
+}
+
+Failure cannot_cut(const compensation::CornerFault& fault) {
+  const bool at_arc = fault.error == compensation::CornerError::ChamferAtArc;
+  Failure wrong = failure(AlarmId::NotImplemented,
+                          at_arc ? "CHF and CHR at a circle"
+                                 : "RND and CHF where another axis moves along with the plane");
+  wrong.where = fault.where;
+  return wrong;
+}
+
 /// The direction in which a path ends; as it was when the path has no length.
 Eigen::Vector3d end_of(const Channel& channel, const PathBlock& path) {
   const AxisPositions way = path.q_M_end - channel.machine_position();
@@ -128,15 +158,28 @@ Failure from_fault(const machine::MachineFault& fault) {
 
 MaybeFailure travel(Channel& channel, const PathBlock& path) {
   channel.n_M_end = end_of(channel, path);
+  CornerStage& corners = channel.corners;
   CutterStage& cutter = channel.cutter;
-  if (!cutter.path.engaged()) {
-    return to_machine(channel, path);
-  }
   cutter.fed = true;
-  const bool moves = path.arc || (path.q_M_end - channel.machine_position()).norm() > 0.0;
-  MaybeFailure wrong = carry_out(channel, moves ? cutter.path.take(path, cutter.command)
-                                                : cutter.path.pass(std::nullopt, cutter.command));
-  return wrong ? wrong : too_idle(channel);
+  const AxisPositions q_M_from = channel.machine_position();
+  if (!path.arc && path.q_M_end == q_M_from && cutter.path.engaged()) {
+    MaybeFailure wrong = carry_out(channel, cutter.path.pass(std::nullopt, cutter.command));
+    return wrong ? wrong : too_idle(channel);
+  }
+  if (!corners.path.holds() && corners.wish.kind == compensation::CornerWish::Kind::Sharp) {
+    return compensate(channel, path, cutter.command);
+  }
+  const Plane plane = channel.plane();
+  const auto given = corners.path.take(path, q_M_from, {plane.first, plane.second}, corners.wish);
+  if (!given) {
+    return cannot_cut(given.error());
+  }
+  MaybeFailure wrong = compensate_all(channel, given.value().before, cutter.held_command);
+  if (!wrong) {
+    wrong = compensate_all(channel, given.value().now, cutter.command);
+  }
+  cutter.held_command = cutter.command;
+  return wrong;
 }
 
 MaybeFailure travel_to(Channel& channel, const PathBlock& path, const AxisPositions& q_W_end) {
@@ -150,6 +193,9 @@ MaybeFailure travel_to(Channel& channel, const PathBlock& path, const AxisPositi
 
 MaybeFailure pause(Channel& channel, double seconds) {
   CutterStage& cutter = channel.cutter;
+  if (MaybeFailure wrong = finish_corners(channel)) {
+    return wrong;
+  }
   if (!cutter.path.engaged()) {
     return to_machine(channel, Pause{seconds});
   }
@@ -167,13 +213,20 @@ MaybeFailure end_compensated_block(Channel& channel) {
   return wrong ? wrong : too_idle(channel);
 }
 
+MaybeFailure finish_corners(Channel& channel) {
+  return compensate_all(channel, channel.corners.path.flush(), channel.cutter.held_command);
+}
+
 MaybeFailure finish_motion(Channel& channel) {
+  if (MaybeFailure wrong = finish_corners(channel)) {
+    return wrong;
+  }
   return channel.cutter.path.engaged() ? carry_out(channel, channel.cutter.path.flush())
                                        : std::nullopt;
 }
 
 MaybeFailure leave_compensation(Channel& channel) {
-  if (!channel.cutter.path.engaged()) {
+  if (!channel.cutter.path.engaged() && !channel.corners.path.holds()) {
     return std::nullopt;
   }
   MaybeFailure wrong = finish_motion(channel);

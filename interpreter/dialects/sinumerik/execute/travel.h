@@ -5,9 +5,9 @@
 
 namespace g31::sinumerik {
 
-// Every motion and pause of a program goes through here: the compensation stands between the
-// programmed path in machine coordinates and the machine.  Programs run one block ahead of the
-// machine in it.
+// Every motion and pause of a program goes through here: roundings and chamfers, then the
+// compensation stand between the programmed path in machine coordinates and the machine.  Programs
+// run one block ahead of the machine in each.
 
 /// Moves along a path and tells the observer.
 MaybeFailure travel(Channel& channel, const compensation::PathBlock& path);
@@ -20,20 +20,27 @@ MaybeFailure travel_to(Channel& channel, const compensation::PathBlock& path,
 /// Lets time pass and tells the observer.
 MaybeFailure pause(Channel& channel, double seconds);
 
+/// What the block's RND, CHF, CHR and RNDM ask for; before its motion.
+MaybeFailure read_corner(Channel& channel, const Block& block);
 /// What the block's G40 G41 G42, D and plane say; before its motion.
 MaybeFailure read_compensation(Channel& channel, const Block& block);
 /// Behind the block: one without motion counts as such.
 MaybeFailure end_compensated_block(Channel& channel);
-/// Does what waits and gives the axes free: the next compensated move starts from there.
+/// Does what waits and gives the axes free: the next compensated move starts from there.  A block
+/// that waits for its corner gets none.
 MaybeFailure leave_compensation(Channel& channel);
 
 /// How the plane lies in the machine, as the frames in force have it.
 struct PlaneInMachine {
-  bool is_parallel =
-      false;  ///< to a plane of the machine's axes, equally scaled in both of its own
+  bool is_parallel = false;  ///< to a plane of the machine's axes, and evenly scaled
+  bool is_even = false;      ///< both of its axes have the same scale
   bool is_mirrored = false;  ///< turns the other way round there
+  double scale = 1.0;        ///< mm of the machine to one of the program
 };
 PlaneInMachine plane_in_machine(const Channel& channel);
+
+/// Gives the compensation the block that waits for its corner; it gets none.
+MaybeFailure finish_corners(Channel& channel);
 
 /// Alarm 10730 for an end outside of G25 and G26.
 MaybeFailure outside_working_area(const Channel& channel, const AxisPositions& q_M_end);

@@ -1,0 +1,197 @@
+#include "interpreter/compensation/contour_corners.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "interpreter/compensation/corner.h"
+
+namespace g31::compensation {
+namespace {
+
+/// A corner that is made: where it begins and ends, and its arc.
+struct Cut {
+  PlanePoint begin;
+  PlanePoint end;
+  bool is_round = false;
+  ArcShape arc;  ///< of a round one
+};
+
+constexpr int kHalvings = 60;
+constexpr double kStraightOnRad = 1e-9;
+
+double cross(const PlanePoint& a, const PlanePoint& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// The point of a way where a circle about `centre` touches it.
+PlanePoint touch(const PlaneWay& way, const PlanePoint& centre) {
+  if (way.arc) {
+    const double radius = (way.from - way.arc->centre).norm();
+    return way.arc->centre + radius * (centre - way.arc->centre).normalized();
+  }
+  const PlanePoint along = direction_at_start(way);
+  return way.from + along * along.dot(centre - way.from);
+}
+
+/// Whether a point of a way, endless, lies between its ends.
+bool lies_on(const PlaneWay& way, const PlanePoint& p) {
+  if (!way.arc) {
+    const double at = direction_at_start(way).dot(p - way.from);
+    return at >= 0.0 && at <= (way.to - way.from).norm();
+  }
+  const bool at_end = (p - way.from).norm() < kOnePointMm || (p - way.to).norm() < kOnePointMm;
+  return at_end || sweep_rad({way.from, p, way.arc}) <= sweep_rad(way);
+}
+
+/// nullopt: the ways are too short for this radius.
+std::optional<Cut> rounding_of(const PlaneWay& before, const PlaneWay& behind, double radius) {
+  const bool to_left = cross(direction_at_end(before), direction_at_start(behind)) > 0.0;
+  const double offset = to_left ? radius : -radius;
+  const auto centre = corner_points({before, behind, offset, offset});
+  if (!centre || centre->size() != 1) {
+    return std::nullopt;
+  }
+  const PlanePoint begin = touch(before, centre->front());
+  const PlanePoint end = touch(behind, centre->front());
+  if (!lies_on(before, begin) || !lies_on(behind, end)) {
+    return std::nullopt;
+  }
+  const auto turn = to_left ? machine::Turn::Counterclockwise : machine::Turn::Clockwise;
+  return Cut{begin, end, true, ArcShape{centre->front(), turn}};
+}
+
+/// As large as the ways allow, `radius` at most.
+std::optional<Cut> largest_rounding(const PlaneWay& before, const PlaneWay& behind, double radius) {
+  if (auto cut = rounding_of(before, behind, radius)) {
+    return cut;
+  }
+  std::optional<Cut> best;
+  double fits = 0.0;
+  double fails = radius;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (fits + fails) / 2.0;
+    if (auto cut = rounding_of(before, behind, middle)) {
+      best = std::move(cut);
+      fits = middle;
+    } else {
+      fails = middle;
+    }
+  }
+  return best;
+}
+
+Cut chamfer_of(const PlaneWay& before, const PlaneWay& behind, const CornerWish& wish) {
+  const PlanePoint in = direction_at_end(before);
+  const PlanePoint out = direction_at_start(behind);
+  const double half_turn = std::atan2(std::abs(cross(in, out)), in.dot(out)) / 2.0;
+  const double wanted = wish.kind == CornerWish::Kind::ChamferWidth
+                            ? wish.size_mm
+                            : wish.size_mm / (2.0 * std::cos(half_turn));
+  const double leg =
+      std::min({wanted, (before.to - before.from).norm(), (behind.to - behind.from).norm()});
+  return {before.to - leg * in, before.to + leg * out, false, ArcShape()};
+}
+
+bool is_corner(const PlaneWay& before, const PlaneWay& behind) {
+  const PlanePoint in = direction_at_end(before);
+  const PlanePoint out = direction_at_start(behind);
+  return std::abs(cross(in, out)) > kStraightOnRad;
+}
+
+bool is_flat(const AxisPositions& q_from, const AxisPositions& q_to, OffsetPlane plane) {
+  return (plane.moved(q_from, plane.of(q_to)) - q_to).norm() < kOnePointMm;
+}
+
+/// What a block becomes at its corner: shortened, and the corner itself.
+PathItems cut_blocks(const PathBlock& block, const PlanePoint& from, OffsetPlane plane,
+                     const Cut& cut, double feed_mm_min) {
+  PathItems items;
+  PathBlock corner = block;
+  corner.q_M_end = plane.moved(block.q_M_end, cut.end);
+  corner.arc.reset();
+  corner.g = 1;
+  if (cut.is_round) {
+    corner.arc = cut.arc;
+    corner.g = cut.arc.turn == machine::Turn::Clockwise ? 2 : 3;
+  }
+  corner.feed_mm_min = feed_mm_min > 0.0 ? feed_mm_min : block.feed_mm_min;
+  if ((cut.begin - from).norm() > kOnePointMm) {
+    PathBlock shortened = block;
+    shortened.q_M_end = plane.moved(block.q_M_end, cut.begin);
+    items.emplace_back(shortened);
+  }
+  items.emplace_back(corner);
+  return items;
+}
+
+PlaneWay way_of(const PathBlock& block, const AxisPositions& q_M_from, OffsetPlane plane) {
+  return {plane.of(q_M_from), plane.of(block.q_M_end), block.arc};
+}
+
+using MaybeCut = std::optional<Cut>;
+
+/// @param flat  nothing but the axes of the plane moves along either way
+Result<MaybeCut, CornerError> cut_between(const PlaneWay& before, const PlaneWay& behind,
+                                          const CornerWish& wish, bool flat) {
+  if (!is_corner(before, behind)) {
+    return MaybeCut();
+  }
+  if (!flat) {
+    return CornerError::NotFlat;
+  }
+  if (wish.kind == CornerWish::Kind::Rounding) {
+    return largest_rounding(before, behind, wish.size_mm);
+  }
+  if (before.arc || behind.arc) {
+    return CornerError::ChamferAtArc;
+  }
+  return MaybeCut(chamfer_of(before, behind, wish));
+}
+
+}  // namespace
+
+PathItems ContourCorners::flush() {
+  PathItems items;
+  if (held_) {
+    items.emplace_back(held_->block);
+    held_.reset();
+  }
+  return items;
+}
+
+Result<ContourCorners::Given, CornerFault> ContourCorners::take(const PathBlock& block,
+                                                                const AxisPositions& q_M_from,
+                                                                OffsetPlane plane,
+                                                                const CornerWish& wish) {
+  Given given;
+  const bool moves = block.g != 0 && (plane.of(block.q_M_end) - plane.of(q_M_from)).norm() > 0.0;
+  AxisPositions q_M_begin = q_M_from;
+  if (held_ && moves && plane == held_->plane) {
+    const PlaneWay before = way_of(held_->block, held_->q_M_from, plane);
+    const bool flat = is_flat(held_->q_M_from, held_->block.q_M_end, plane) &&
+                      is_flat(q_M_from, block.q_M_end, plane);
+    const auto cut = cut_between(before, way_of(block, q_M_from, plane), held_->wish, flat);
+    if (!cut) {
+      return CornerFault{cut.error(), held_->block.where};
+    }
+    if (cut.value()) {
+      given.before =
+          cut_blocks(held_->block, before.from, plane, *cut.value(), held_->wish.feed_mm_min);
+      q_M_begin = plane.moved(q_M_from, cut.value()->end);
+      held_.reset();
+    }
+  }
+  for (PathItem& item : flush()) {
+    given.before.push_back(std::move(item));
+  }
+  const bool is_cut_away =
+      q_M_begin != q_M_from && (q_M_begin - block.q_M_end).norm() < kOnePointMm;
+  if (wish.kind != CornerWish::Kind::Sharp && moves && !is_cut_away) {
+    held_ = Held{block, q_M_begin, plane, wish};
+  } else if (!is_cut_away) {
+    given.now.emplace_back(block);
+  }
+  return given;
+}
+
+}  // namespace g31::compensation

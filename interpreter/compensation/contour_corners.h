@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+
+#include "interpreter/compensation/path_block.h"
+#include "machine/base/result.h"
+
+namespace g31::compensation {
+
+/// What a block asks for at the corner behind it.
+struct CornerWish {
+  enum class Kind { Sharp, Rounding, ChamferLength, ChamferWidth } kind = Kind::Sharp;
+  double size_mm = 0.0;      ///< radius; length of the chamfer; what it takes off each way
+  double feed_mm_min = 0.0;  ///< of the rounding or chamfer; 0: that of the block in front of it
+};
+
+enum class CornerError {
+  ChamferAtArc,  ///< chamfers join straight ways
+  NotFlat,       ///< another axis moves along with one of the two ways
+};
+
+struct CornerFault {
+  CornerError error;
+  source::Location where;
+};
+
+/// Roundings and chamfers between the blocks of a contour, with one block read ahead.
+///
+/// Fed with programmed blocks in machine coordinates.  A corner too large for its ways becomes as
+/// large as they allow.  None is made where the next block does not move in the plane, moves at
+/// rapid, or goes on in the same direction.
+///
+/// Pure geometry: it knows neither the machine nor the program.
+class ContourCorners {
+ public:
+  /// What is to be done: `before` was waiting, `now` is of the block just taken.
+  struct Given {
+    PathItems before;
+    PathItems now;
+  };
+
+  [[nodiscard]] bool holds() const { return held_.has_value(); }
+
+  /// @param q_M_from  where the block begins as the program has it
+  Result<Given, CornerFault> take(const PathBlock& block, const AxisPositions& q_M_from,
+                                  OffsetPlane plane, const CornerWish& wish);
+
+  /// The block that waits, without a corner.
+  PathItems flush();
+
+ private:
+  struct Held {
+    PathBlock block;
+    AxisPositions q_M_from;
+    OffsetPlane plane;
+    CornerWish wish;
+  };
+
+  std::optional<Held> held_;
+};
+
+}  // namespace g31::compensation

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/execute/feed.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
+
+namespace g31::sinumerik {
+namespace {
+
+using compensation::CornerWish;
+using Kind = CornerWish::Kind;
+
+struct CornerWord {
+  Address address;
+  Kind kind;
+};
+constexpr CornerWord kWords[] = {{Address::Rounding, Kind::Rounding},
+                                 {Address::Chamfer, Kind::ChamferLength},
+                                 {Address::ChamferWidth, Kind::ChamferWidth}};
+
+/// Of the block, or RNDM.
+Result<CornerWish, Failure> wish_of(const Channel& channel, const BlockWords& words) {
+  CornerWish wish;
+  if (channel.corners.modal_radius_mm > 0.0) {
+    wish = {Kind::Rounding, channel.corners.modal_radius_mm, 0.0};
+  }
+  int given = 0;
+  for (const CornerWord& row : kWords) {
+    const BlockWords::Word& word = words[row.address];
+    if (!word.present) {
+      continue;
+    }
+    if (++given > 1) {
+      return failure(AlarmId::UnexpectedParameter, "one of RND, CHF and CHR in a block");
+    }
+    if (word.value < 0.0) {
+      return failure(AlarmId::ValueOutOfLimits, fmt::format("{:g}", word.value));
+    }
+    wish = {word.value > 0.0 ? row.kind : Kind::Sharp, word.value * channel.mm_per_length(), 0.0};
+  }
+  return wish;
+}
+
+}  // namespace
+
+MaybeFailure read_corner(Channel& channel, const Block& block) {
+  const BlockWords& words = block.words;
+  CornerStage& corners = channel.corners;
+  if (words.has(Address::ModalRounding)) {
+    corners.modal_radius_mm = words[Address::ModalRounding].value * channel.mm_per_length();
+  }
+  if (words.has(Address::ModalCornerFeed)) {
+    corners.modal_feed = words[Address::ModalCornerFeed].value;
+  }
+  const auto wish = wish_of(channel, words);
+  if (!wish) {
+    return wish.error();
+  }
+  corners.wish = wish.value();
+  if (corners.wish.kind == Kind::Sharp) {
+    return std::nullopt;
+  }
+  const PlaneInMachine plane = plane_in_machine(channel);
+  if (!plane.is_parallel) {
+    return failure(AlarmId::NotImplemented, "RND and CHF in a tilted or unequally scaled plane");
+  }
+  corners.wish.size_mm *= plane.scale;
+  const double feed =
+      words.has(Address::CornerFeed) ? words[Address::CornerFeed].value : corners.modal_feed;
+  if (feed > 0.0 && feed_meaning(channel.group[15]) != FeedMeaning::InverseTime) {
+    FeedWay way;
+    way.feed = feed;
+    way.radius_from_mm = way.radius_to_mm = channel.present()[kTransverseAxis];
+    const auto in_force = feed_in_force(channel, block, way);
+    if (!in_force) {
+      return in_force.error();
+    }
+    corners.wish.feed_mm_min = in_force.value();
+  }
+  return std::nullopt;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,115 @@
+// Roundings and chamfers as geometry: a rounding touches both of its ways.
+
+#include "interpreter/compensation/contour_corners.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace g31::compensation {
+namespace {
+
+using machine::Turn;
+
+AxisPositions at(const PlanePoint& p) {
+  AxisPositions q = AxisPositions::Zero();
+  q.head<2>() = p;
+  return q;
+}
+
+PathBlock block_to(const PlaneWay& way) {
+  PathBlock block;
+  block.q_M_end = at(way.to);
+  block.arc = way.arc;
+  block.feed_mm_min = 100.0;
+  return block;
+}
+
+PlanePoint polar(double degrees, double radius) {
+  const double angle = degrees * std::numbers::pi / 180.0;
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
+/// A way that ends (or begins) at the origin, along `degrees` there; half of them are arcs.
+PlaneWay way_at_origin(std::mt19937_64& random, double degrees, bool ends) {
+  std::uniform_real_distribution<double> size(40.0, 80.0);
+  const double sign = ends ? -1.0 : 1.0;
+  if (random() % 2 == 0) {
+    const PlanePoint far = polar(degrees, sign * size(random));
+    return ends ? PlaneWay{far, PlanePoint::Zero(), std::nullopt}
+                : PlaneWay{PlanePoint::Zero(), far, std::nullopt};
+  }
+  const double side = random() % 2 == 0 ? 1.0 : -1.0;
+  const double radius = size(random);
+  const PlanePoint centre = polar(degrees + 90.0 * side, radius);
+  const PlanePoint far = centre + polar(degrees - 90.0 * side + sign * side * 60.0, radius);
+  const ArcShape arc{centre, side > 0.0 ? Turn::Counterclockwise : Turn::Clockwise};
+  return ends ? PlaneWay{far, PlanePoint::Zero(), arc} : PlaneWay{PlanePoint::Zero(), far, arc};
+}
+
+/// What a rounding of this radius makes of two ways.
+std::vector<PlaneWay> rounded(const PlaneWay& before, const PlaneWay& behind, double radius) {
+  ContourCorners corners;
+  const CornerWish wish{CornerWish::Kind::Rounding, radius, 0.0};
+  PathItems items;
+  for (const auto& [way, asks] : {std::pair{before, wish}, std::pair{behind, CornerWish{}}}) {
+    const auto given = corners.take(block_to(way), at(way.from), OffsetPlane{}, asks);
+    EXPECT_TRUE(given);
+    items.insert(items.end(), given.value().before.begin(), given.value().before.end());
+    items.insert(items.end(), given.value().now.begin(), given.value().now.end());
+  }
+  std::vector<PlaneWay> ways;
+  PlanePoint from = before.from;
+  for (const PathItem& item : items) {
+    const PathBlock& block = std::get<PathBlock>(item);
+    ways.push_back({from, block.q_M_end.head<2>(), block.arc});
+    from = ways.back().to;
+  }
+  return ways;
+}
+
+TEST(ContourCorners, RoundingsGoOnInTheSameDirectionAtBothEnds) {
+  std::mt19937_64 random(20250101);
+  std::uniform_real_distribution<double> turn(10.0, 130.0);
+  std::uniform_real_distribution<double> radius(0.5, 5.0);
+  for (int i = 0; i < 400; ++i) {
+    SCOPED_TRACE(i);
+    const double degrees = random() % 2 == 0 ? turn(random) : -turn(random);
+    const PlaneWay before = way_at_origin(random, 0.0, true);
+    const PlaneWay behind = way_at_origin(random, degrees, false);
+    const double r = radius(random);
+    const auto ways = rounded(before, behind, r);
+    ASSERT_EQ(ways.size(), 3U);
+    ASSERT_TRUE(ways[1].arc.has_value());
+    EXPECT_NEAR((ways[1].from - ways[1].arc->centre).norm(), r, 1e-9);
+    EXPECT_NEAR((ways[1].to - ways[1].arc->centre).norm(), r, 1e-9);
+    EXPECT_LT((direction_at_end(ways[0]) - direction_at_start(ways[1])).norm(), 1e-7);
+    EXPECT_LT((direction_at_end(ways[1]) - direction_at_start(ways[2])).norm(), 1e-7);
+    EXPECT_LT(sweep_rad(ways[0]), sweep_rad(before) + 1e-9);
+    EXPECT_LT(sweep_rad(ways[2]), sweep_rad(behind) + 1e-9);
+    EXPECT_LT((ways[2].to - behind.to).norm(), 1e-12);
+  }
+}
+
+TEST(ContourCorners, RoundingsTooLargeEndAtTheEndOfAWay) {
+  std::mt19937_64 random(20250102);
+  std::uniform_real_distribution<double> turn(20.0, 120.0);
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    const double degrees = random() % 2 == 0 ? turn(random) : -turn(random);
+    const PlaneWay before{polar(180.0, 30.0), PlanePoint::Zero(), std::nullopt};
+    const PlaneWay behind{PlanePoint::Zero(), polar(degrees, 20.0), std::nullopt};
+    const auto ways = rounded(before, behind, 1000.0);
+    // 20 mm is what the tangent of half the turn makes of the radius.
+    const double r = 20.0 / std::tan(std::abs(degrees) * std::numbers::pi / 360.0);
+    ASSERT_EQ(ways.size(), 2U);
+    EXPECT_NEAR((ways[0].to - polar(180.0, 20.0)).norm(), 0.0, 2e-6);
+    EXPECT_NEAR((ways[1].to - behind.to).norm(), 0.0, 2e-6);
+    EXPECT_NEAR((ways[1].from - ways[1].arc->centre).norm(), r, 1e-5 * r);
+  }
+}
+
+}  // namespace
+}  // namespace g31::compensation
