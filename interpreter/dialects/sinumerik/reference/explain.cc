@@ -108,6 +108,16 @@ void add_variables(std::vector<Topic>& all) {
   }
 }
 
+void add_memory(std::vector<Topic>& all) {
+  for (const MemoryRow& row : memory_rows()) {
+    Entry entry{"system variable",
+                text(row.name),
+                text(row.text),
+                {{"type", text(name_of(row.type))}, {"access", "read and write"}}};
+    all.push_back({text(row.name), "", std::move(entry)});
+  }
+}
+
 void add_alarms(std::vector<Topic>& all) {
   for (const AlarmInfo& row : alarms()) {
     Entry entry{"alarm", fmt::format("{} {}", row.number, row.text), text(row.remedy), {}};
@@ -122,6 +132,7 @@ const std::vector<Topic>& topics() {
     add_language(all);
     add_words(all);
     add_variables(all);
+    add_memory(all);
     add_alarms(all);
     return all;
   }();
