@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kFirstAlarm = 60000.0;
 constexpr double kLastAlarm = 69999.0;
+constexpr std::size_t kMostTexts = 50'000;  // of EXECSTRING: what was compiled is kept
 
 }  // namespace
 
@@ -80,6 +81,9 @@ MaybeFailure Runner::procedure(const Op& op) {
 
 /// The text sees the variables of the level; behind it the program goes on.
 MaybeFailure Runner::execute_text(const std::string& source) {
+  if (texts_run_.size() >= kMostTexts) {
+    return failure(AlarmId::TooComplex, "EXECSTRING: too many different texts");
+  }
   Level& now = level();
   const CompiledProgram*& made = texts_run_[{now.program, source}];
   if (made == nullptr) {
