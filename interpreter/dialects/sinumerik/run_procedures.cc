@@ -59,7 +59,6 @@ MaybeFailure Runner::procedure(const Op& op) {
     case ProcedureId::WORKPIECE:
     case ProcedureId::GROUP_BEGIN:
     case ProcedureId::GROUP_END:
-    case ProcedureId::CYCLE832:
     case ProcedureId::DRFOF:
     case ProcedureId::STARTFIFO:
     case ProcedureId::STOPFIFO:
