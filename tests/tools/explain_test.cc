@@ -37,6 +37,13 @@ TEST(ExplainCommand, PrintsTheEntry) {
       "    access: read only\n");
 }
 
+TEST(ExplainCommand, KnowsTheFamilyOfANumberedName) {
+  const Output output = explain({.topics = {"R12", "R[5]", "G520"}, .control = "sinumerik-828d"});
+  EXPECT_EQ(output.code, ExitCode::Completed);
+  EXPECT_EQ(output.text.find("R0 to R999 (variable)\n"), 0U);
+  EXPECT_NE(output.text.find("G505 (G code)\n"), std::string::npos);
+}
+
 TEST(ExplainCommand, TakesTheWordAlarmAndItsNumberAsOneTopic) {
   const Output output = explain({.topics = {"alarm", "112", "G31"}});
   EXPECT_EQ(output.code, ExitCode::Completed);

@@ -119,10 +119,8 @@ Frame Channel::active_frame() const {
     case 2:  // SUPA
     case 3:  // G153
       return {};
-    default: {
-      const Frame& settable_now = settable[static_cast<std::size_t>(settable_number())];
+    default:
       return set_frame.chained(base).chained(settable_now).chained(program_frame);
-    }
   }
 }
 

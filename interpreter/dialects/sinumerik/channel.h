@@ -106,13 +106,16 @@ class Channel {
   // Frames
   static constexpr int kSettableFrames = 100;  ///< 0 is G500
   std::vector<Frame> settable;
+  Frame settable_now;  ///< $P_IFRAME: what G54 took when it was programmed last
   Frame base;
   Frame set_frame;
   Frame program_frame;
   int suppression = 0;  ///< number in group 9 of the running block
   [[nodiscard]] int settable_number() const { return group[8] - 1; }
-  [[nodiscard]] Frame& settable_frame() {
-    return settable[static_cast<std::size_t>(settable_number())];
+  /// G500 to G599, programmed or restored: $P_UIFR comes into force.
+  void take_settable() {
+    settable_now = settable[static_cast<std::size_t>(settable_number())];
+    frames_changed();
   }
   /// All frames in force, outermost first.
   [[nodiscard]] Frame active_frame() const;

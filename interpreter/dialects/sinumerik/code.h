@@ -59,12 +59,13 @@ enum class OpCode : std::uint8_t {
   BitXor,
   BitNot,
   ToBool,
-  ToChar,     ///< 0..255 or an alarm
-  ToInt,      ///< rounds; 32 bits or an alarm
-  CheckInt,   ///< a is whole; 32 bits or an alarm
-  Math,       ///< row `detail` of functions.def of a and b
-  Jump,       ///< to step a.place
-  JumpIfNot,  ///< to step b.place when number a is 0
+  ToChar,       ///< 0..255 or an alarm
+  ToInt,        ///< rounds; 32 bits or an alarm
+  CheckInt,     ///< a is whole; 32 bits or an alarm
+  CheckLimits,  ///< a lies within LLI and ULI of variable b, or an alarm
+  Math,         ///< row `detail` of functions.def of a and b
+  Jump,         ///< to step a.place
+  JumpIfNot,    ///< to step b.place when number a is 0
   // arrays: `detail` is the dimension, b the variable
   Index,  ///< result = result * size + a, checked
   Load,   ///< result = element a of variable b
@@ -126,6 +127,12 @@ enum class Storage : std::uint8_t {
   Reference,  ///< a VAR parameter: stands in the level's references
 };
 
+/// LLI and ULI of a DEF: what a variable takes.
+struct Limits {
+  std::optional<double> low;
+  std::optional<double> high;
+};
+
 /// A variable as a program sees it.
 struct Variable {
   std::string name;
@@ -134,6 +141,7 @@ struct Variable {
   std::int32_t place = 0;  ///< of its first element in its bank
   Shape shape;
   std::int32_t longest = 0;  ///< STRING[n]: n
+  Limits limits;
 };
 
 /// An argument of a call, a function or a list.
@@ -230,7 +238,8 @@ struct CompiledProgram {
   std::vector<Parameter> parameters;
   Argument result;  ///< of a program that is one expression
   bool has_proc = false;
-  bool saves_codes = false;  ///< SAVE
+  bool has_wrong_proc = false;  ///< whose alarm comes before any of its arguments
+  bool saves_codes = false;     ///< SAVE
 };
 
 inline std::span<const std::uint16_t> NcBlock::codes_of(const CompiledProgram& program) const {

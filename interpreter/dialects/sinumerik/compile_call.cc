@@ -70,6 +70,10 @@ void Compiler::call_statement() {
   }
   CallSite site;
   const Expr name = as_text(expression());
+  if (peek().is_name("BLOCK")) {
+    fail(AlarmId::NotImplemented, block_, "CALL BLOCK");
+    return;
+  }
   site.text = name.value;
   call(site, name.where);
 }
@@ -154,8 +158,12 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
     if (!list.empty()) {
       expect(Symbol::Comma);
     }
-    function_argument(kind, list);
-    i -= kind == '*' ? 1 : 0;  // any more of them
+    if (kind == 'o' && (peek().is(Symbol::Comma) || peek().is(Symbol::RightParen))) {
+      list.emplace_back();
+    } else {
+      function_argument(kind == 'o' ? '*' : kind, list);
+    }
+    i -= kind == '*' || kind == 'o' ? 1 : 0;  // any more of them
     if (!failed() && !takes(kind, list.back())) {
       fail(AlarmId::ReferenceMissing, where, std::string(row.name));
     }

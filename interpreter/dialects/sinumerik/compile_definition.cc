@@ -8,7 +8,9 @@ constexpr std::size_t kLongestName = 31;
 constexpr std::int32_t kLongestString = 200;
 constexpr int kLargestArray = 100'000;  // elements
 
-constexpr std::string_view kAccessRights[] = {"APR", "APW", "APRP", "APWP", "APRB", "APWB"};
+/// Access rights and the physical unit.
+constexpr std::string_view kNumbered[] = {"APR", "APW", "APRP", "APWP", "APRB", "APWB", "PHU"};
+constexpr std::string_view kDataClasses[] = {"DCM", "DCI", "DCU"};
 constexpr std::string_view kAttributes[] = {"SAVE",   "DISPLOF",   "DISPLON", "SBLOF",
                                             "SBLON",  "ACTBLOCNO", "ICYCOF",  "ICYCON",
                                             "PREPRO", "IPTRLOCK"};
@@ -142,17 +144,34 @@ std::int32_t Compiler::define(const Variable& variable) {
   return import(*global);
 }
 
-void Compiler::skip_access_rights() {
+/// A number, perhaps with a sign, that is known when compiling.
+std::optional<double> Compiler::signed_constant() {
+  const Expr value = unary();
+  if (!failed() && (!value.is_constant || !is_number(value.type))) {
+    fail(AlarmId::BadArguments, value.where, text_of(value.where));
+  }
+  return failed() ? std::nullopt
+                  : std::optional(program_->constants[static_cast<std::size_t>(value.value.place)]);
+}
+
+/// What stands about the type.  Rights, classes and units change nothing at a desk.
+Limits Compiler::definition_attributes() {
+  Limits limits;
   while (!failed() && peek().kind == TokenKind::Name) {
-    if (contains(kReadingAhead, peek().text)) {
+    if (contains(kReadingAhead, peek().text) || contains(kDataClasses, peek().text)) {
       next();
-    } else if (contains(kAccessRights, peek().text)) {
+    } else if (contains(kNumbered, peek().text)) {
       next();
       whole_constant();
+    } else if (accept_name("LLI")) {
+      limits.low = signed_constant();
+    } else if (accept_name("ULI")) {
+      limits.high = signed_constant();
     } else {
-      return;
+      break;
     }
   }
+  return limits;
 }
 
 /// DEF [NCK|CHAN] type name[sizes] = values, ...
@@ -161,14 +180,17 @@ void Compiler::def_statement() {
   if (scoped != (purpose_ == Purpose::Definitions)) {
     fail(AlarmId::BadDefinition, block_, "NCK and CHAN stand in definition files");
   }
-  skip_access_rights();
+  definition_attributes();
   const auto declared = declared_type();
   if (!declared) {
     return;
   }
-  skip_access_rights();
+  const Limits limits = definition_attributes();
   do {
-    const auto variable = declared_variable(*declared);
+    auto variable = declared_variable(*declared);
+    if (variable) {
+      variable->limits = limits;
+    }
     const std::int32_t index = variable ? define(*variable) : -1;
     if (index >= 0 && accept(Symbol::Assign)) {
       const Variable& known = program_->variables[static_cast<std::size_t>(index)];
@@ -212,11 +234,15 @@ void Compiler::proc_statement() {
     fail(AlarmId::BadDefinition, block_, "PROC");
     return;
   }
-  if (next().kind != TokenKind::Name) {
+  program_->has_proc = true;
+  const Token name = next();
+  const bool is_l_number = name.is_letter('L') && peek().kind == TokenKind::Integer;
+  if (is_l_number) {
+    next();
+  } else if (name.kind != TokenKind::Name) {
     fail(AlarmId::SyntaxInText, block_, "PROC and a name");
     return;
   }
-  program_->has_proc = true;
   if (accept(Symbol::LeftParen) && !accept(Symbol::RightParen)) {
     do {
       proc_parameter();

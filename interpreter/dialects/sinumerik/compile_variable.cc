@@ -320,9 +320,11 @@ void Compiler::assign_list(const Expr& target) {
   std::vector<Argument> list;
   while (!failed()) {
     const bool omitted = peek().is(Symbol::Comma) || peek().is(Symbol::RightParen);
-    list.push_back(
-        omitted ? Argument()
-                : argument_of(convert(expression(), target.type, AlarmId::InitialValueType)));
+    list.emplace_back();
+    if (!omitted) {
+      list.back() = argument_of(convert(expression(), target.type, AlarmId::InitialValueType));
+      check_limits(target, list.back().value);
+    }
     if (!accept(Symbol::Comma)) {
       break;
     }
@@ -338,6 +340,7 @@ void Compiler::repeat_value(const Expr& target) {
   expect(Symbol::LeftParen);
   std::vector<Argument> list = {
       argument_of(convert(expression(), target.type, AlarmId::InitialValueType))};
+  check_limits(target, list.front().value);
   if (accept(Symbol::Comma)) {
     list.push_back(argument_of(convert(expression(), Type::Int)));
   }
@@ -367,6 +370,13 @@ void Compiler::assign_component(Expr frame) {
   emit(OpCode::StoreFrame, changed, zero, variable_number(frame.variable), frame.where);
 }
 
+void Compiler::check_limits(const Expr& target, Operand value) {
+  const Variable& known = program_->variables[static_cast<std::size_t>(target.variable)];
+  if (!failed() && is_number(known.type) && (known.limits.low || known.limits.high)) {
+    emit(OpCode::CheckLimits, {}, value, variable_number(target.variable), target.where);
+  }
+}
+
 /// target = value, converted.
 void Compiler::store(const Expr& target, Expr value) {
   value = convert(std::move(value), target.type);
@@ -376,6 +386,7 @@ void Compiler::store(const Expr& target, Expr value) {
   if (failed()) {
     return;
   }
+  check_limits(target, value.value);
   const Variable& known = program_->variables[static_cast<std::size_t>(target.variable)];
   const ShortSpan where{target.where.begin, std::max(target.where.end, value.where.end)};
   const bool is_plain = target.is_constant && is_held_as_number(target.type);

@@ -35,6 +35,11 @@ void Compiler::letter_item() {
 void Compiler::letter_word(const Token& letter) {
   const bool numbered = peek().kind == TokenKind::Integer || peek().kind == TokenKind::Real;
   if (letter.is_letter('G')) {
+    if (peek().kind == TokenKind::Real) {
+      const ShortSpan whole{letter.where.begin, peek().where.end};
+      fail(AlarmId::UnknownGCode, whole, text_of(whole));
+      return;
+    }
     if (peek().kind != TokenKind::Integer) {
       fail(AlarmId::NotImplemented, letter.where, "G with a computed number");
       return;
@@ -65,7 +70,8 @@ void Compiler::letter_word(const Token& letter) {
     word(static_cast<Address>(axis), letter.where);
     return;
   }
-  const auto address = find_address(of_spindle ? letter.text : name);
+  const bool is_plain = of_spindle || letter.is_letter('H');
+  const auto address = find_address(is_plain ? letter.text : name);
   if (!address) {
     fail(AlarmId::NoSuchAddress, letter.where, name);
     return;

@@ -97,6 +97,7 @@ void Compiler::block(ShortSpan span) {
   block_head();
   statement();
   if (failed()) {
+    program_->has_wrong_proc = program_->has_wrong_proc || (is_first_block_ && program_->has_proc);
     program_->ops[first_step_].code = OpCode::Block;  // whatever words it had
     take_back(first_step_ + 1);
   }

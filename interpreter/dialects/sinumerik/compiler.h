@@ -134,6 +134,7 @@ class Compiler {
   Expr axis_operand();
   Expr component_operand();
   void store(const Expr& target, Expr value);
+  void check_limits(const Expr& target, Operand value);
   [[nodiscard]] Expr target_of(std::int32_t variable, ShortSpan where) const;
   void assign_variable(std::int32_t variable, ShortSpan where);
   void assign_element(const Expr& target);
@@ -141,6 +142,7 @@ class Compiler {
   void assign_system(const SystemName& name, ShortSpan where);
   void assign_list(const Expr& target);
   bool looks_like_list() const;
+  void check_limits(const Expr& target, const Expr& value);
   void repeat_value(const Expr& target);
   std::uint32_t keep_arguments(const std::vector<Argument>& list);
   Argument argument_of(const Expr& expr);
@@ -199,7 +201,8 @@ class Compiler {
   Shape dimensions();
   void preset(Parameter& parameter);
   std::int32_t define(const Variable& variable);
-  void skip_access_rights();
+  std::optional<double> signed_constant();
+  Limits definition_attributes();
 
   // compile_call.cc
   void call_by_name(std::string name, ShortSpan where);

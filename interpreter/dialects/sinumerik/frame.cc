@@ -11,6 +11,8 @@
 namespace g31::sinumerik {
 namespace {
 
+constexpr double kAngleSteps = 1e11;  // per degree
+
 double sine(double degrees) {
   return mathematics(FunctionId::SIN, degrees, 0.0).value_or(0.0);
 }
@@ -101,7 +103,8 @@ double Frame::component(int axis, Component component) const {
     case Component::Fine:
       return fine_[axis];
     case Component::Rotation:
-      return axis < 3 ? angles()[axis] : 0.0;
+      // The control keeps angles, this frame a matrix: 45 is to be read as 45.
+      return axis < 3 ? std::round(angles()[axis] * kAngleSteps) / kAngleSteps : 0.0;
     case Component::Scale:
       return scale_[axis];
     case Component::Mirror:

@@ -13,10 +13,28 @@ constexpr auto kData = std::to_array<MachineDatum>({
 #undef MACHINE_DATA
 });
 
+constexpr auto kMemory = std::to_array<MemoryRow>({
+#define MEMORY(name, type, count, text) {name, Type::type, count, text},
+#include "interpreter/dialects/sinumerik/memory.def"
+#undef MEMORY
+});
+
+Variable row_variable(std::string_view name, Type type, int count) {
+  Variable variable;
+  variable.name = name;
+  variable.type = type;
+  variable.shape = count > 0 ? Shape{1, {count, 1, 1}} : Shape{};
+  return variable;
+}
+
 }  // namespace
 
 std::span<const MachineDatum> machine_data() {
   return kData;
+}
+
+std::span<const MemoryRow> memory_rows() {
+  return kMemory;
 }
 
 Globals::Globals() {
@@ -25,12 +43,11 @@ Globals::Globals() {
   r.shape = {1, {kRParameters, 1, 1}};
   define(r);
   for (const MachineDatum& row : kData) {
-    Variable datum;
-    datum.name = row.name;
-    datum.type = row.type;
-    datum.shape = row.count > 0 ? Shape{1, {row.count, 1, 1}} : Shape{};
-    const std::int32_t place = define(datum)->place;
+    const std::int32_t place = define(row_variable(row.name, row.type, row.count))->place;
     std::fill(numbers_.begin() + place, numbers_.end(), row.preset);
+  }
+  for (const MemoryRow& row : kMemory) {
+    define(row_variable(row.name, row.type, row.count));
   }
 }
 

@@ -18,7 +18,7 @@ inline constexpr int kRParameters = 1000;
 /// the macros of definition files.  Compilers ask it for places; a channel makes the memory.
 class Globals {
  public:
-  /// R parameters and the rows of machine_data.def.
+  /// R parameters and the rows of machine_data.def and memory.def.
   Globals();
 
   [[nodiscard]] const Variable* find(std::string_view name) const;
@@ -53,5 +53,15 @@ struct MachineDatum {
 };
 
 std::span<const MachineDatum> machine_data();
+
+/// One row of memory.def.
+struct MemoryRow {
+  std::string_view name;
+  Type type;
+  int count;  ///< 0: no array
+  std::string_view text;
+};
+
+std::span<const MemoryRow> memory_rows();
 
 }  // namespace g31::sinumerik

@@ -164,6 +164,9 @@ MaybeFailure Runner::take_arguments(Level& into, const std::vector<BoundValue>& 
   into.frames.assign(static_cast<std::size_t>(program.frame_count), Frame());
   into.references.clear();
   into.given.assign(program.parameters.size(), false);
+  if (program.has_wrong_proc) {
+    return std::nullopt;
+  }
   if (values.size() > program.parameters.size()) {
     return failure(AlarmId::TooManyArguments, program.name);
   }
@@ -260,9 +263,13 @@ void Runner::restore_codes(const Level& from) {
   if (!from.program->saves_codes) {
     return;
   }
+  const int settable_before = channel_.settable_number();
   for (int i = 0; i < kGroupCount; ++i) {
     const auto at = static_cast<std::size_t>(i);
     channel_.group[at] = is_saved(i) ? from.saved_group[at] : channel_.group[at];
+  }
+  if (channel_.settable_number() != settable_before) {
+    channel_.take_settable();
   }
   channel_.program_frame = from.saved_frame;
   channel_.frames_changed();

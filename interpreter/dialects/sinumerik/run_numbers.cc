@@ -95,6 +95,8 @@ bool Runner::number_step(const Op& op) {
       return take_whole(op, Type::Int, AlarmId::ArithmeticError);
     case at(OpCode::Math):
       return mathematical_step(op);
+    case at(OpCode::CheckLimits):
+      return is_within_limits(op);
     default:
       return rare_number_step(op);
   }
@@ -134,6 +136,15 @@ bool Runner::rare_number_step(const Op& op) {
     default:
       contract_violated("every step on numbers is somebody's", __FILE__, __LINE__);
   }
+}
+
+bool Runner::is_within_limits(const Op& op) {
+  const Variable& into = level().program->variables[static_cast<std::size_t>(op.b.place)];
+  const double value = number(op.a);
+  const bool below = into.limits.low && value < *into.limits.low;
+  const bool above = into.limits.high && value > *into.limits.high;
+  return (!below && !above) || failed(below ? AlarmId::BelowLimit : AlarmId::AboveLimit,
+                                      fmt::format("{} = {}", into.name, shown(Type::Real, value)));
 }
 
 /// result = a as INT or CHAR, the types of whole numbers; or an alarm.

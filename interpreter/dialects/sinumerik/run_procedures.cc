@@ -45,6 +45,9 @@ MaybeFailure Runner::procedure(const Op& op) {
     case ProcedureId::GETSELT:
       set_result(list[0], channel_.selected_tool);
       return std::nullopt;
+    case ProcedureId::GETEXET:
+      set_result(list[0], channel_.tool);
+      return std::nullopt;
     case ProcedureId::CALLPATH:
       channel_.call_path = list.empty() ? std::string() : text(list[0].value);
       found_calls_.clear();
@@ -53,6 +56,11 @@ MaybeFailure Runner::procedure(const Op& op) {
       return finish_motion(channel_);
     case ProcedureId::FGROUP:
       return set_feed_axes(list);
+    case ProcedureId::CHANDATA:
+    case ProcedureId::WORKPIECE:
+    case ProcedureId::GROUP_BEGIN:
+    case ProcedureId::GROUP_END:
+    case ProcedureId::DRFOF:
     case ProcedureId::STARTFIFO:
     case ProcedureId::STOPFIFO:
     case ProcedureId::FIFOCTRL:

@@ -81,6 +81,7 @@ class Runner {
   bool take(const Op& op, double value);
   bool take_truth(const Op& op, bool holds);
   bool take_whole(const Op& op, Type type, AlarmId alarm);
+  bool is_within_limits(const Op& op);
   Taken array_step(const Op& op);
   bool failed(AlarmId id, std::string detail = {});
   bool index(const Op& op);

@@ -84,7 +84,7 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
     tool.edges[1] = edge_from(entry);
     channel.knows_tools = true;
   }
-  channel.frames_changed();
+  channel.take_settable();
 }
 
 }  // namespace

@@ -36,7 +36,9 @@ MaybeFailure take_codes(Channel& channel, const Block& block) {
     int& group = channel.group[static_cast<std::size_t>(row.group)];
     const bool changes = group != row.number + code.beyond;
     group = row.number + code.beyond;
-    if (changes && (row.group == 6 || row.group == 8)) {
+    if (row.group == 8) {
+      channel.take_settable();
+    } else if (changes && row.group == 6) {
       channel.frames_changed();
     }
   }

@@ -108,6 +108,22 @@ void add_variables(std::vector<Topic>& all) {
   }
 }
 
+void add_memory(std::vector<Topic>& all) {
+  all.push_back({"R",
+                 "",
+                 {"variable",
+                  "R0 to R999",
+                  "R parameters: R5 or R[index]",
+                  {{"type", "REAL"}, {"access", "read and write"}}}});
+  for (const MemoryRow& row : memory_rows()) {
+    Entry entry{"system variable",
+                text(row.name),
+                text(row.text),
+                {{"type", text(name_of(row.type))}, {"access", "read and write"}}};
+    all.push_back({text(row.name), "", std::move(entry)});
+  }
+}
+
 void add_alarms(std::vector<Topic>& all) {
   for (const AlarmInfo& row : alarms()) {
     Entry entry{"alarm", fmt::format("{} {}", row.number, row.text), text(row.remedy), {}};
@@ -122,10 +138,22 @@ const std::vector<Topic>& topics() {
     add_language(all);
     add_words(all);
     add_variables(all);
+    add_memory(all);
     add_alarms(all);
     return all;
   }();
   return kTopics;
+}
+
+/// The row that stands for a whole family: R for R12, G505 for G520.
+std::string family_of(const std::string& name) {
+  const bool numbered =
+      name.size() > 1 && name.size() < 5 && std::all_of(name.begin() + 1, name.end(), is_digit);
+  const int number = numbered ? std::stoi(name.substr(1)) : -1;
+  if (numbered && name.front() == 'R') {
+    return "R";
+  }
+  return number > 505 && name.front() == 'G' && number <= 599 ? "G505" : name;
 }
 
 }  // namespace
@@ -135,7 +163,7 @@ Entries explain(std::string_view topic) {
   name.erase(0, std::min(name.find_first_not_of(' '), name.size()));
   name.erase(name.find_last_not_of(' ') + 1);
   // An index or a number behind a name says no more: $AA_MW[X], $TC_DP6.
-  const std::string stem = name.substr(0, name.find_first_of("[("));
+  const std::string stem = family_of(name.substr(0, name.find_first_of("[(")));
   const auto system = find_system_variable(stem);
   Entries found;
   for (const Topic& known : topics()) {

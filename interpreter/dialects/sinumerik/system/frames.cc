@@ -28,14 +28,16 @@ Result<Frame*, Failure> stored_frame(Channel& channel, const SystemAccess& acces
       return &channel.settable[static_cast<std::size_t>(which)];
     }
     case static_cast<int>(SystemId::BaseFrames):
+    case static_cast<int>(SystemId::BaseFramesNow):
       if (!access.indices.empty() && access.indices.front() != 0) {
-        return failure(AlarmId::IndexOne, fmt::format("$P_CHBFR[{}]", access.indices.front()));
+        return failure(AlarmId::IndexOne, fmt::format("basic frame {}", access.indices.front()));
       }
       return &channel.base;
     case static_cast<int>(SystemId::BaseFrame):
+    case static_cast<int>(SystemId::FirstBaseFrame):
       return &channel.base;
     case static_cast<int>(SystemId::SettableFrame):
-      return &channel.settable_frame();
+      return &channel.settable_now;
     case static_cast<int>(SystemId::ProgramFrame):
       return &channel.program_frame;
     case static_cast<int>(SystemId::SetFrame):
