@@ -1,6 +1,7 @@
 #include "interpreter/dialects/sinumerik/channel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace g31::sinumerik {
 namespace {
@@ -26,7 +27,8 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       frames(static_cast<std::size_t>(globals.frame_count())),
       settable(kSettableFrames),
       port(machine),
-      observer(listener) {
+      observer(listener),
+      frame_save_mask_(static_cast<std::size_t>(globals.find("$MN_FRAME_SAVE_MASK")->place)) {
   for (int i = 0; i < kGroupCount; ++i) {
     group[static_cast<std::size_t>(i)] = preset_number(i);
   }
@@ -74,6 +76,10 @@ double Channel::shown_place(int axis, double value) const {
   return shown(axis, doubled ? value * 2.0 : value);
 }
 
+bool Channel::keeps_settable_frame() const {
+  return (std::lround(numbers[frame_save_mask_]) & 1) != 0;
+}
+
 Frame Channel::active_frame() const {
   switch (suppression) {
     case 1:  // G53
@@ -81,10 +87,8 @@ Frame Channel::active_frame() const {
     case 2:  // SUPA
     case 3:  // G153
       return {};
-    default: {
-      const Frame& settable_now = settable[static_cast<std::size_t>(settable_number())];
-      return set_frame.chained(base).chained(settable_now).chained(program_frame);
-    }
+    default:
+      return set_frame.chained(base).chained(settable_frame()).chained(program_frame);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
@@ -94,14 +95,22 @@ class Channel {
   // Frames
   static constexpr int kSettableFrames = 100;  ///< 0 is G500
   std::vector<Frame> settable;
+  /// What the settable frame was before a subprogram that kept it changed its data: counts until
+  /// one is programmed (MD10617 bit 0).
+  std::optional<Frame> kept_settable;
   Frame base;
   Frame set_frame;
   Frame program_frame;
   int suppression = 0;  ///< number in group 9 of the running block
   [[nodiscard]] int settable_number() const { return group[8] - 1; }
   [[nodiscard]] Frame& settable_frame() {
-    return settable[static_cast<std::size_t>(settable_number())];
+    return kept_settable ? *kept_settable : settable[static_cast<std::size_t>(settable_number())];
   }
+  [[nodiscard]] const Frame& settable_frame() const {
+    return kept_settable ? *kept_settable : settable[static_cast<std::size_t>(settable_number())];
+  }
+  /// MD10617 bit 0: SAVE restores the settable frame, too.
+  [[nodiscard]] bool keeps_settable_frame() const;
   /// All frames in force, outermost first.
   [[nodiscard]] Frame active_frame() const;
   /// Something changed that positions depend on: work coordinates are to be asked for again.
@@ -175,6 +184,7 @@ class Channel {
     AxisPositions offset;
   };
 
+  std::size_t frame_save_mask_;  ///< place of MD10617
   bool is_stale_ = false;
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed
   AxisPositions q_W_programmed_ = AxisPositions::Zero();

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -248,6 +249,10 @@ MaybeFailure Runner::take_reference(Level& into, const Variable& variable,
 void Runner::save_codes(Level& into) {
   into.saved_group = channel_.group;
   into.saved_frame = channel_.program_frame;
+  into.saved_settable.reset();
+  if (channel_.keeps_settable_frame()) {
+    into.saved_settable = std::as_const(channel_).settable_frame();
+  }
 }
 
 void Runner::restore_codes(const Level& from) {
@@ -259,6 +264,9 @@ void Runner::restore_codes(const Level& from) {
     channel_.group[at] = is_saved(i) ? from.saved_group[at] : channel_.group[at];
   }
   channel_.program_frame = from.saved_frame;
+  if (from.saved_settable) {
+    channel_.kept_settable = from.saved_settable;
+  }
   channel_.frames_changed();
 }
 

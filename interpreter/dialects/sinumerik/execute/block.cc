@@ -36,6 +36,10 @@ MaybeFailure take_codes(Channel& channel, const Block& block) {
     int& group = channel.group[static_cast<std::size_t>(row.group)];
     const bool changes = group != row.number + code.beyond;
     group = row.number + code.beyond;
+    if (row.group == 8 && channel.kept_settable) {
+      channel.kept_settable.reset();
+      channel.frames_changed();
+    }
     if (changes && (row.group == 6 || row.group == 8)) {
       channel.frames_changed();
     }
