@@ -6,6 +6,10 @@
 namespace g31::sinumerik {
 namespace {
 
+bool is_length(Component component) {
+  return component == Component::Coarse || component == Component::Fine;
+}
+
 constexpr int kInch = 1;            // numbers of group 13
 constexpr int kInchAndFeed = 3;     // G700
 constexpr int kDiameterAlways = 2;  // numbers of group 29
@@ -61,6 +65,14 @@ double Channel::stored(int axis, double value) const {
 
 double Channel::shown(int axis, double value) const {
   return axis < 3 ? value / mm_per_length() : value;
+}
+
+double Channel::stored_component(int axis, Component component, double value) const {
+  return is_length(component) ? stored(axis, value) : value;
+}
+
+double Channel::shown_component(int axis, Component component, double value) const {
+  return is_length(component) ? shown(axis, value) : value;
 }
 
 double Channel::stored_place(int axis, double value, Counts counts) const {

@@ -87,6 +87,9 @@ class Channel {
   /// A coordinate as programs write it, in mm or degrees; and back.
   [[nodiscard]] double stored(int axis, double value) const;
   [[nodiscard]] double shown(int axis, double value) const;
+  /// The same of a frame's component: shifts are lengths.
+  [[nodiscard]] double stored_component(int axis, Component component, double value) const;
+  [[nodiscard]] double shown_component(int axis, Component component, double value) const;
   /// The same for places in the work coordinate system, where DIAMON counts.
   enum class Counts { Absolute, Incremental };
   [[nodiscard]] double stored_place(int axis, double value, Counts counts) const;

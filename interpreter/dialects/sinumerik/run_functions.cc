@@ -227,10 +227,7 @@ MaybeFailure Runner::frame_of_pairs(FunctionId id, Frame& result, Arguments list
                                   : id == FunctionId::CFINE  ? Component::Fine
                                   : id == FunctionId::CSCALE ? Component::Scale
                                                              : Component::Mirror;
-      result.set_component(which, component,
-                           component == Component::Coarse || component == Component::Fine
-                               ? channel_.stored(which, value)
-                               : value);
+      result.set_component(which, component, channel_.stored_component(which, component, value));
     }
   }
   if (id == FunctionId::CROT) {

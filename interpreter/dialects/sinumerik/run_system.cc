@@ -44,7 +44,8 @@ MaybeFailure Runner::read_system(const Op& op) {
       return found.error();
     }
     if (access.component) {
-      number(op.result) = found.value().component(access.axis, *access.component);
+      number(op.result) = channel_.shown_component(
+          access.axis, *access.component, found.value().component(access.axis, *access.component));
     } else {
       frame(op.result) = found.value();
     }

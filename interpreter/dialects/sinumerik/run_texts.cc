@@ -121,9 +121,11 @@ Runner::Taken Runner::frame_step(const Op& op) {
         return Taken::Failed;
       }
       if (loads) {
-        number(op.result) = frame(op.a).component(axis, component);
+        number(op.result) =
+            channel_.shown_component(axis, component, frame(op.a).component(axis, component));
       } else {
-        frame(op.result).set_component(axis, component, number(list[0].value));
+        frame(op.result).set_component(
+            axis, component, channel_.stored_component(axis, component, number(list[0].value)));
       }
       return Taken::Done;
     }

@@ -236,9 +236,8 @@ MaybeFailure set_number(Channel& channel, SystemAccess access, double value) {
     }
     Frame changed = frame.value();
     const Component component = *frame_access.component;
-    const bool is_length = component == Component::Coarse || component == Component::Fine;
     changed.set_component(frame_access.axis, component,
-                          is_length ? channel.stored(frame_access.axis, value) : value);
+                          channel.stored_component(frame_access.axis, component, value));
     return set_frame(channel, frame_access, changed);
   }
   if (access.id == SystemId::ReferencePoint || access.id == SystemId::FixedPoint) {
