@@ -20,6 +20,32 @@ constexpr std::size_t kWear1 = 12;
 
 }  // namespace
 
+void BlockWords::set(std::size_t address, const Word& word) {
+  if (!words[address].present) {
+    set_[set_count_++] = static_cast<std::uint8_t>(address);
+  }
+  words[address] = word;
+  words[address].present = true;
+}
+
+void BlockWords::measure_axis(std::size_t axis, const AxisMeasuring& measuring) {
+  axis_measuring[axis] = measuring;
+  has_axis_measuring = true;
+}
+
+void BlockWords::clear() {
+  for (std::size_t i = 0; i < set_count_; ++i) {
+    words[set_[i]] = {};
+  }
+  set_count_ = 0;
+  machine_code_count = 0;
+  tool_name.reset();
+  if (has_axis_measuring) {
+    axis_measuring = {};
+    has_axis_measuring = false;
+  }
+}
+
 bool BlockWords::has_axes() const {
   return std::any_of(words.begin(), words.begin() + kAxisCount,
                      [](const Word& word) { return word.present; });

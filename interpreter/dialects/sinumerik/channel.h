@@ -51,11 +51,20 @@ struct BlockWords {
   std::size_t machine_code_count = 0;
   std::optional<std::string> tool_name;
   std::array<std::optional<AxisMeasuring>, kAxisCount> axis_measuring;
+  bool has_axis_measuring = false;
 
+  void set(std::size_t address, const Word& word);
+  void measure_axis(std::size_t axis, const AxisMeasuring& measuring);
+  /// As new.  Only what was set is touched: most blocks have few words.
+  void clear();
   [[nodiscard]] const Word& operator[](Address address) const { return words[index_of(address)]; }
   [[nodiscard]] bool has(Address address) const { return words[index_of(address)].present; }
   [[nodiscard]] const Word& axis(int index) const { return words[static_cast<std::size_t>(index)]; }
   [[nodiscard]] bool has_axes() const;
+
+ private:
+  std::array<std::uint8_t, index_of(Address::Count)> set_ = {};  ///< addresses of `words`
+  std::size_t set_count_ = 0;
 };
 
 /// Plane by storage indices; `normal` is the infeed axis.

@@ -50,8 +50,14 @@ ProgramLibrary::Near Runner::near() const {
 
 /// The program of a call: alarm 12550 where a name is unknown, 14011 where a text names a file.
 Result<const CompiledProgram*, Failure> Runner::called(const CallSite& site) {
+  if (const auto found = found_calls_.find(&site); found != found_calls_.end()) {
+    return found->second;
+  }
   const std::string name = site.name.empty() ? text(site.text) : site.name;
   if (const CompiledProgram* const program = library_.find(name, near())) {
+    if (!site.name.empty()) {
+      found_calls_.emplace(&site, program);
+    }
     return program;
   }
   const bool is_l_number = name.size() > 1 && upper(name.front()) == 'L' && is_digit(name[1]);

@@ -47,6 +47,7 @@ MaybeFailure Runner::procedure(const Op& op) {
       return std::nullopt;
     case ProcedureId::CALLPATH:
       channel_.call_path = list.empty() ? std::string() : text(list[0].value);
+      found_calls_.clear();
       return std::nullopt;
     case ProcedureId::STOPRE:
       return finish_motion(channel_);

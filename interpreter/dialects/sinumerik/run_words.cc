@@ -8,17 +8,16 @@
 namespace g31::sinumerik {
 
 bool Runner::set_word(std::size_t address, BlockWords::Word word) {
-  BlockWords::Word& known = words_.words[address];
+  const bool is_known = words_.words[address].present;
   if (static_cast<Address>(address) == Address::Machine) {
     if (words_.machine_code_count == kMostMachineCodes) {
       return failed(AlarmId::AddressTooOften, "M");
     }
     words_.machine_codes[words_.machine_code_count++] = word.value;
-  } else if (known.present) {
+  } else if (is_known) {
     return failed(AlarmId::AddressRepeated, std::string(name_of(static_cast<Address>(address))));
   }
-  known = word;
-  known.present = true;
+  words_.set(address, word);
   return true;
 }
 
@@ -47,8 +46,8 @@ MaybeFailure Runner::take_axis_measuring(const Op& op) {
   if (axis < 0.0) {
     return failure(AlarmId::BadAxisIndex);
   }
-  words_.axis_measuring[static_cast<std::size_t>(axis)] = {number(op.result), number(op.b),
-                                                           op.detail != 0};
+  words_.measure_axis(static_cast<std::size_t>(axis),
+                      {number(op.result), number(op.b), op.detail != 0});
   return std::nullopt;
 }
 
@@ -74,7 +73,7 @@ MaybeFailure Runner::execute(const Op& op) {
   const Block commands{words_, block.codes_of(program), here()};
   const bool moves = modal_call_ && commands_motion(commands);
   MaybeFailure wrong = execute_block(channel_, commands);
-  words_ = BlockWords();
+  words_.clear();
   if (!wrong && moves) {
     return modal_call();
   }

@@ -178,6 +178,8 @@ class Runner {
     std::vector<BoundValue> values;
   };
   std::optional<ModalCall> modal_call_;
+  /// What calls by name have found: programs stay, so it counts until CALLPATH.
+  std::unordered_map<const CallSite*, const CompiledProgram*> found_calls_;
   bool ended_ = false;
   std::optional<runtime::Outcome> definition_failure_;
 };

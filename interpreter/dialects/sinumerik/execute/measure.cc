@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -187,11 +186,8 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
 }  // namespace
 
 bool listens_to_probe(const Channel& channel, const Block& block) {
-  const bool by_axis =
-      std::any_of(block.words.axis_measuring.begin(), block.words.axis_measuring.end(),
-                  [](const auto& axis) { return axis.has_value(); });
-  return by_axis || block.words.has(Address::Measure) || block.words.has(Address::MeasureOn) ||
-         (channel.skip_action && commands_motion(block));
+  return block.words.has_axis_measuring || block.words.has(Address::Measure) ||
+         block.words.has(Address::MeasureOn) || (channel.skip_action && commands_motion(block));
 }
 
 MaybeFailure measure(Channel& channel, const Block& block) {
