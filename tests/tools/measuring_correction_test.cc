@@ -150,6 +150,22 @@ TEST(WorkOffsetCorrection, FineCoarseAndBasic) {
       block());
 }
 
+TEST(WorkOffsetCorrection, OfAGrooveIsAcrossItOnly) {
+  const std::string groove = part("groove", 100.2, 50.0, -300.0, "width = 20.0");
+  expect_rows({{"a set point of the centre along the groove does not count",
+                "Z-5\nCYCLE977(103,1,,1,20,,,2,1,,,,,1,,,,,,,,,,,,,,0.05,7)",
+                {{"_OVR[1]", 0.05},
+                 {"_OVR[2]", 0.0},
+                 {"_OVR[17]", 0.15},
+                 {"_OVR[18]", 0.0},
+                 {"$P_UIFR[1,X,FI]", 0.15},
+                 {"$P_UIFR[1,Y,FI]", 0.0}}},
+               {"an offset that is not in force keeps the other axis",
+                "$P_UIFR[2]=CTRANS(X,7,Y,8,Z,9)\nZ-5\nCYCLE977(103,10002,,1,20,,,2,1,,,,,1)",
+                {{"$P_UIFR[2,X,TR]", 100.2}, {"$P_UIFR[2,Y,TR]", 8.0}, {"$P_UIFR[2,Z,TR]", 9.0}}}},
+              groove);
+}
+
 TEST(WorkOffsetCorrection, InTurnedFramesTheShiftIsThatOfTheirParent) {
   const double c = std::cos(30.0 * std::numbers::pi / 180.0);
   const double s = 0.5;

@@ -1,6 +1,7 @@
 #include "interpreter/dialects/sinumerik/channel.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace g31::sinumerik {
 namespace {
@@ -56,7 +57,8 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       frames(static_cast<std::size_t>(globals.frame_count())),
       settable(kSettableFrames),
       port(machine),
-      observer(listener) {
+      observer(listener),
+      frame_save_mask_(static_cast<std::size_t>(globals.find("$MN_FRAME_SAVE_MASK")->place)) {
   for (int i = 0; i < kGroupCount; ++i) {
     group[static_cast<std::size_t>(i)] = preset_number(i);
   }
@@ -110,6 +112,10 @@ double Channel::shown_place(int axis, double value) const {
   const bool doubled =
       axis == kTransverseAxis && (group[29] == kDiameterAlways || group[29] == kDiameterAbsolute);
   return shown(axis, doubled ? value * 2.0 : value);
+}
+
+bool Channel::keeps_settable_frame() const {
+  return (std::lround(numbers[frame_save_mask_]) & 1) != 0;
 }
 
 Frame Channel::active_frame() const {

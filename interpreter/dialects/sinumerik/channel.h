@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
@@ -117,6 +118,8 @@ class Channel {
     settable_now = settable[static_cast<std::size_t>(settable_number())];
     frames_changed();
   }
+  /// MD10617 bit 0: SAVE restores the settable frame, too.
+  [[nodiscard]] bool keeps_settable_frame() const;
   /// All frames in force, outermost first.
   [[nodiscard]] Frame active_frame() const;
   /// Something changed that positions depend on: work coordinates are to be asked for again.
@@ -190,6 +193,7 @@ class Channel {
     AxisPositions offset;
   };
 
+  std::size_t frame_save_mask_;  ///< place of MD10617
   bool is_stale_ = false;
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed
   AxisPositions q_W_programmed_ = AxisPositions::Zero();

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,7 @@ struct Level {
   bool is_modal_call = false;
   std::array<int, kGroupCount> saved_group = {};  ///< SAVE
   Frame saved_frame;
+  std::optional<Frame> saved_settable;  ///< MD10617 bit 0
 };
 
 }  // namespace g31::sinumerik

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -257,6 +258,10 @@ MaybeFailure Runner::take_reference(Level& into, const Variable& variable,
 void Runner::save_codes(Level& into) {
   into.saved_group = channel_.group;
   into.saved_frame = channel_.program_frame;
+  into.saved_settable.reset();
+  if (channel_.keeps_settable_frame()) {
+    into.saved_settable = channel_.settable_now;
+  }
 }
 
 void Runner::restore_codes(const Level& from) {
@@ -272,6 +277,9 @@ void Runner::restore_codes(const Level& from) {
     channel_.take_settable();
   }
   channel_.program_frame = from.saved_frame;
+  if (from.saved_settable) {
+    channel_.settable_now = *from.saved_settable;
+  }
   channel_.frames_changed();
 }
 
