@@ -118,6 +118,10 @@ bool Channel::keeps_settable_frame() const {
   return (std::lround(numbers[frame_save_mask_]) & 1) != 0;
 }
 
+Frame Channel::frames_below() const {
+  return set_frame.chained(base).chained(settable_now);
+}
+
 Frame Channel::active_frame() const {
   switch (suppression) {
     case 1:  // G53
@@ -126,7 +130,7 @@ Frame Channel::active_frame() const {
     case 3:  // G153
       return {};
     default:
-      return set_frame.chained(base).chained(settable_now).chained(program_frame);
+      return frames_below().chained(program_frame);
   }
 }
 

@@ -111,6 +111,7 @@ class Channel {
   Frame base;
   Frame set_frame;
   Frame program_frame;
+  Eigen::Matrix3d tool_turn = Eigen::Matrix3d::Identity();  ///< what TOROT or TOFRAME made of it
   int suppression = 0;  ///< number in group 9 of the running block
   [[nodiscard]] int settable_number() const { return group[8] - 1; }
   /// G500 to G599, programmed or restored: $P_UIFR comes into force.
@@ -120,6 +121,8 @@ class Channel {
   }
   /// MD10617 bit 0: SAVE restores the settable frame, too.
   [[nodiscard]] bool keeps_settable_frame() const;
+  /// All frames but the programmable one, outermost first.
+  [[nodiscard]] Frame frames_below() const;
   /// All frames in force, outermost first.
   [[nodiscard]] Frame active_frame() const;
   /// Something changed that positions depend on: work coordinates are to be asked for again.

@@ -30,6 +30,9 @@ class Frame {
   /// the next one in the circle X Y Z, and of that one, turned about `first`; `first` stays in the
   /// old plane of itself and the third axis.
   void set_solid_angles(int first, double about_first, double about_second);
+  /// The rotation alone.
+  [[nodiscard]] const Eigen::Matrix3d& turn() const { return turn_; }
+  void set_turn(const Eigen::Matrix3d& turn) { turn_ = turn; }
   /// Shifted further along its own axes; the fine shift takes it.
   void add_fine_shift(const AxisPositions& inner);
 

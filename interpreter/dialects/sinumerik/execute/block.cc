@@ -9,6 +9,7 @@
 namespace g31::sinumerik {
 namespace {
 
+constexpr int kToolFrameGroup = 53;
 constexpr int kOneBlockGroups[] = {2, 3, 9, 11};
 
 /// Another feed type wants a new F; behind G96 the spindle stays at the speed it has.
@@ -169,6 +170,9 @@ bool commands_motion(const Block& block) {
 MaybeFailure execute_block(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = take_codes(channel, block)) {
     return wrong;
+  }
+  if (const GCode* const code = block.code_of(kToolFrameGroup)) {
+    turn_to_tool(channel, *code);
   }
   if (MaybeFailure wrong = refuse_unknown(block)) {
     return wrong;
