@@ -1,6 +1,8 @@
 // Frames in the direction of the tool.  Without a tool carrier that turns it, the tool stands along
 // the machine axis square to the plane.
 
+#include <Eigen/Geometry>
+
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 
 namespace g31::sinumerik {
@@ -27,7 +29,7 @@ Eigen::Matrix3d turned_to(const Eigen::Matrix3d& old, int along, const Eigen::Ve
   if (direction.dot(stays) < 0.0) {
     direction = -direction;
   }
-  Eigen::Matrix3d turned;
+  Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
   turned.col(along) = tool;
   turned.col(second) = direction.normalized();
   turned.col((along + 2) % 3) = tool.cross(Eigen::Vector3d(turned.col(second)));
