@@ -15,6 +15,8 @@ constexpr int kInchAndFeed = 3;     // G700
 constexpr int kDiameterAlways = 2;  // numbers of group 29
 constexpr int kDiameterAbsolute = 3;
 constexpr std::size_t kLength1 = 3;  // of $TC_DP
+constexpr std::size_t kRadius = 6;
+constexpr std::size_t kRadiusWear = 15;
 constexpr std::size_t kAdapter1 = 21;
 constexpr std::size_t kWear1 = 12;
 
@@ -155,6 +157,11 @@ const EdgeData* Channel::active_edge() const {
   }
   const auto row = found->second.edges.find(edge);
   return row != found->second.edges.end() ? &row->second : nullptr;
+}
+
+double Channel::tool_radius() const {
+  const EdgeData* const data = active_edge();
+  return data != nullptr ? (*data)[kRadius] + (*data)[kRadiusWear] : 0.0;
 }
 
 /// Length 1 counts square to the plane, 2 and 3 in its axes: G17 Z Y X, G18 Y X Z, G19 X Z Y.

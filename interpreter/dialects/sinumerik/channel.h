@@ -138,6 +138,8 @@ class Channel {
   int tool = 0;
   int edge = 0;
   [[nodiscard]] const EdgeData* active_edge() const;
+  /// mm, wear included; 0 without an edge
+  [[nodiscard]] double tool_radius() const;
   /// mm: what the active edge adds to the machine coordinates.
   [[nodiscard]] AxisPositions tool_offset() const;
   /// nullptr: no such tool, or no such edge

@@ -50,18 +50,6 @@ std::vector<Piece> pieces_of(std::string_view text) {
   return pieces;
 }
 
-/// "/_N_WKS_DIR/_N_PART_WPD" and "//NC:/WKS.DIR/PART.WPD" are PART_WPD.
-std::string folder_name(std::string_view path) {
-  while (path.ends_with('/') || path.ends_with(' ')) {
-    path.remove_suffix(1);
-  }
-  const std::size_t slash = path.find_last_of("/\\");
-  std::string name = upper(slash == std::string_view::npos ? path : path.substr(slash + 1));
-  name.erase(0, name.starts_with("_N_") ? 3 : 0);
-  std::ranges::replace(name, '.', '_');
-  return name;
-}
-
 /// What `;$PATH=/_N_WKS_DIR/_N_PART_WPD` in the first line says.
 std::string folder_in(std::string_view body) {
   constexpr std::string_view kPath = ";$PATH=";
@@ -75,6 +63,17 @@ bool is_blank(std::string_view text) {
 }
 
 }  // namespace
+
+std::string folder_name(std::string_view path) {
+  while (path.ends_with('/') || path.ends_with(' ')) {
+    path.remove_suffix(1);
+  }
+  const std::size_t slash = path.find_last_of("/\\");
+  std::string name = upper(slash == std::string_view::npos ? path : path.substr(slash + 1));
+  name.erase(0, name.starts_with("_N_") ? 3 : 0);
+  std::ranges::replace(name, '.', '_');
+  return name;
+}
 
 ProgramName program_name(std::string_view written) {
   const std::size_t slash = written.find_last_of("/\\");
@@ -110,7 +109,8 @@ void ProgramLibrary::add_folder(const std::string& folder) {
     const ProgramName parts = program_name(name);
     const std::string path = joined(folder, name);
     if (parts.suffix == "DEF") {
-      // As with programs, the first one of a name counts: a copy of shipped definitions replaces them.
+      // As with programs, the first one of a name counts: a copy of shipped definitions replaces
+      // them.
       if (!loaded_.contains(path) && find_entry(parts, Near()) == nullptr) {
         add_file(path);
       }

@@ -19,6 +19,8 @@ struct ProgramName {
   std::string folder;  ///< the last one of its path, "SPF_DIR"; empty: not said
 };
 ProgramName program_name(std::string_view written);
+/// The last folder of a path: "/_N_WKS_DIR/_N_PART_WPD" and "//NC:/WKS.DIR/PART.WPD" are PART_WPD.
+std::string folder_name(std::string_view path);
 
 /// The programs that a run can call, in this order: those of the main file, further files, then
 /// folders as they were added.  A file holds one program, or many behind headers %_N_NAME_SPF.

@@ -45,7 +45,7 @@ Result<double, Failure> converted(double value, const Variable& to) {
 }  // namespace
 
 ProgramLibrary::Near Runner::near() const {
-  return {levels_[depth_]->program->folder, program_name(channel_.call_path + "/").folder};
+  return {levels_[depth_]->program->folder, folder_name(channel_.call_path)};
 }
 
 /// The program of a call: alarm 12550 where a name is unknown, 14011 where a text names a file.

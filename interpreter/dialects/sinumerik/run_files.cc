@@ -51,7 +51,7 @@ std::string file_name(std::string_view path) {
   return name == "." || name.find('\0') != std::string::npos ? std::string() : name;
 }
 
-MaybeFailure Runner::file_procedure(ProcedureId id, Arguments list) {
+void Runner::file_procedure(ProcedureId id, Arguments list) {
   double error = 0.0;
   switch (static_cast<int>(id)) {
     case static_cast<int>(ProcedureId::WRITE):
@@ -74,7 +74,6 @@ MaybeFailure Runner::file_procedure(ProcedureId id, Arguments list) {
       break;
   }
   set_result(list[0], error);
-  return fault_ ? MaybeFailure(from_step()) : std::nullopt;
 }
 
 /// WRITE(error, file, line)

@@ -38,7 +38,8 @@ MaybeFailure Runner::procedure(const Op& op) {
     case ProcedureId::EXTOPEN:
     case ProcedureId::EXTWRITE:
     case ProcedureId::EXTCLOSE:
-      return file_procedure(static_cast<ProcedureId>(op.detail), list);
+      file_procedure(static_cast<ProcedureId>(op.detail), list);
+      return std::nullopt;
     case ProcedureId::SETMS:
       channel_.master_spindle = list.empty() ? 1.0 : number(list[0].value);
       return std::nullopt;

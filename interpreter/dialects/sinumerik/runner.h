@@ -140,7 +140,7 @@ class Runner {
   MaybeFailure set_feed_axes(Arguments list);
 
   // run_files.cc
-  MaybeFailure file_procedure(ProcedureId id, Arguments list);
+  void file_procedure(ProcedureId id, Arguments list);
   double write_file(Arguments list);
   double delete_file(Arguments list);
   double read_file(Arguments list);

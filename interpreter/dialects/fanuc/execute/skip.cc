@@ -2,6 +2,7 @@
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/runtime/overloaded.h"
+#include "interpreter/runtime/touch_event.h"
 
 namespace g31::fanuc {
 namespace {
@@ -11,31 +12,16 @@ using machine::NoTouch;
 using machine::SkipOutcome;
 using machine::Touched;
 
-/// The event of a skip move, and the warning that a missing signal deserves (MB-270, MB-277).
-runtime::TouchEvent event_of(Control& control, const NcBlock& block, const SkipOutcome& outcome) {
-  runtime::TouchEvent event;
-  event.block = "G31";
-  event.where = block.where;
-  event.q_M_latched = control.port.position();
-  event.q_M_stopped = control.port.position();
+/// What a missing signal, or one that was there already, deserves (MB-270, MB-277).
+void note_outcome(Control& control, const NcBlock& block, const SkipOutcome& outcome) {
   std::visit(runtime::Overloaded{
-                 [&](const Touched& touched) {
-                   event.triggered = true;
-                   event.q_M_latched = touched.q_M_latched;
-                   event.q_M_stopped = touched.q_M_stopped;
-                   event.contact = touched.contact;
-                   event.signals = touched.signals;
-                   control.stopped_skip = block.where;
-                 },
+                 [&](const Touched&) { control.stopped_skip = block.where; },
                  [&](const NoTouch&) { control.silent_skip = block.where; },
-                 [&](const NoEdge& touching) {
-                   event.triggered = true;
-                   event.contact = touching.contact;
+                 [&](const NoEdge&) {
                    control.warn(source::DiagnosticId::SkipSignalAlreadyOn, block.where);
                  },
              },
              outcome);
-  return event;
 }
 
 /// What P of G31 says about the signal (MB-278, MB-279).
@@ -141,9 +127,10 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
     control.coordinates.arrived_at_machine(control.port.position());
     return from_fault(outcome.error());
   }
-  runtime::TouchEvent event = event_of(control, block, outcome.value());
-  event.q_M_commanded = move.q_M_end;
-  event.feed_mm_min = move.feed_mm_min;
+  note_outcome(control, block, outcome.value());
+  runtime::TouchEvent event = runtime::touch_event(move, outcome.value(), control.port.position());
+  event.block = "G31";
+  event.where = block.where;
   control.q_W_skip = control.coordinates.to_work(event.q_M_latched);
   control.q_skip_offset = control.coordinates.tool_offset();
   if (event.triggered) {

@@ -25,7 +25,7 @@ void change_feed_type(Channel& channel, int before) {
 }
 
 /// Sets the groups of the block's codes.
-MaybeFailure take_codes(Channel& channel, const Block& block) {
+void take_codes(Channel& channel, const Block& block) {
   for (const int group : kOneBlockGroups) {
     channel.group[static_cast<std::size_t>(group)] = 0;
   }
@@ -54,7 +54,6 @@ MaybeFailure take_codes(Channel& channel, const Block& block) {
     channel.observer.on_length_unit(channel.mm_per_length() == 1.0 ? LengthUnit::Millimetre
                                                                    : LengthUnit::Inch);
   }
-  return std::nullopt;
 }
 
 void stop(Channel& channel, const Block& block) {
@@ -168,9 +167,7 @@ bool commands_motion(const Block& block) {
 }
 
 MaybeFailure execute_block(Channel& channel, const Block& block) {
-  if (MaybeFailure wrong = take_codes(channel, block)) {
-    return wrong;
-  }
+  take_codes(channel, block);
   if (const GCode* const code = block.code_of(kToolFrameGroup)) {
     turn_to_tool(channel, *code);
   }

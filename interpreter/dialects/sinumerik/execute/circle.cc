@@ -102,8 +102,8 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
     return failure(AlarmId::NotImplemented, "a circle in a tilted plane with G41, G42, RND or CHF");
   }
   const double radius = arc.out.norm();
-  const double rise =
-      (job.q_W_end - job.q_W_start).head<3>().dot(arc.out.cross(arc.ahead).normalized());
+  const Vector3 normal = arc.out.cross(arc.ahead).normalized();
+  const double rise = (job.q_W_end - job.q_W_start).head<3>().dot(normal);
   const auto feed = feed_of(channel, job, std::hypot(radius * arc.sweep, rise));
   if (!feed) {
     return feed.error();
@@ -114,7 +114,6 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
     const double fraction = static_cast<double>(i) / chords;
     const double angle = arc.sweep * fraction;
     AxisPositions q_W = along(job, fraction);
-    const Vector3 normal = arc.out.cross(arc.ahead).normalized();
     q_W.head<3>() = arc.centre + std::cos(angle) * arc.out + std::sin(angle) * arc.ahead +
                     fraction * rise * normal;
     q_W = i == chords ? job.q_W_end : q_W;

@@ -19,9 +19,6 @@ constexpr int kFeedInside = 3;    // CFIN
 constexpr int kRoundCorners = 2;  // KONT
 constexpr int kIntersection = 2;  // G451
 
-constexpr std::size_t kRadius = 6;  // of $TC_DP
-constexpr std::size_t kRadiusWear = 15;
-
 /// How far directions and scales may differ by rounding.
 constexpr double kSame = 1e-12;
 
@@ -48,11 +45,6 @@ CompensationRules rules_of(const Channel& channel) {
                                                      : compensation::OutsideCorner::Arc;
   rules.arc_feed = arc_feed_of(channel.group[16]);
   return rules;
-}
-
-double radius_of(const Channel& channel) {
-  const EdgeData* const edge = channel.active_edge();
-  return edge != nullptr ? (*edge)[kRadius] + (*edge)[kRadiusWear] : 0.0;
 }
 
 bool is_side(std::uint16_t bits) {
@@ -84,7 +76,7 @@ Result<CompensationCommand, Failure> command_of(const Channel& channel, const Bl
   command.plane = {channel.plane().first, channel.plane().second};
   // A mirrored path has its part on the other side.
   const bool right = (channel.group[7] == kRight) != plane.is_mirrored;
-  command.offset = right ? -radius_of(channel) : radius_of(channel);
+  command.offset = right ? -channel.tool_radius() : channel.tool_radius();
   const auto& codes = block.codes;
   command.written = std::any_of(codes.begin(), codes.end(), is_side)
                         ? CompensationCommand::Written::Here

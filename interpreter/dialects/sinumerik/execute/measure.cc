@@ -5,33 +5,10 @@
 
 #include "interpreter/dialects/sinumerik/execute/feed.h"
 #include "interpreter/dialects/sinumerik/execute/travel.h"
-#include "interpreter/runtime/overloaded.h"
+#include "interpreter/runtime/touch_event.h"
 
 namespace g31::sinumerik {
 namespace {
-
-/// The event of a measuring block; positions default to where the axes stand.
-runtime::TouchEvent event_of(const Channel& channel, const Block& block,
-                             const machine::SkipOutcome& outcome) {
-  runtime::TouchEvent event;
-  event.block = "MEAS";
-  event.where = block.where;
-  event.q_M_latched = channel.port.position();
-  event.q_M_stopped = channel.port.position();
-  std::visit(runtime::Overloaded{
-                 [&](const machine::Touched& touched) {
-                   event.triggered = true;
-                   event.q_M_latched = touched.q_M_latched;
-                   event.q_M_stopped = touched.q_M_stopped;
-                   event.contact = touched.contact;
-                   event.signals = touched.signals;
-                 },
-                 [](const machine::NoTouch&) {},
-                 [&](const machine::NoEdge& touching) { event.contact = touching.contact; },
-             },
-             outcome);
-  return event;
-}
 
 /// What the words of a block make of the probe.
 struct Measuring {
@@ -124,7 +101,6 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Bloc
     return feed.error();
   }
   move.traverse = machine::Traverse::Feed;
-  // Override and dry run leave a measuring feed alone.
   move.feed_mm_min = feed.value();
   return move;
 }
@@ -173,10 +149,10 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
     return failure(measuring.edge == machine::SignalEdge::Rising ? AlarmId::ProbeDeflected
                                                                  : AlarmId::ProbeNotDeflected);
   }
-  runtime::TouchEvent event = event_of(channel, block, outcome.value());
-  event.triggered = event.triggered || no_edge;
-  event.q_M_commanded = move.way.q_M_end;
-  event.feed_mm_min = move.way.feed_mm_min;
+  runtime::TouchEvent event =
+      runtime::touch_event(move.way, outcome.value(), channel.port.position());
+  event.block = "MEAS";
+  event.where = block.where;
   settle(channel, event, measuring, q_W_end.value());
   channel.observer.on_move({31, event.q_M_stopped, event.feed_mm_min, 0.0});
   channel.observer.on_touch(event);

@@ -8,9 +8,6 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr std::size_t kRadius = 6;  // of $TC_DP
-constexpr std::size_t kRadiusWear = 15;
-
 /// The simulated clock starts at noon of this day.
 constexpr int kFirstDay = 1;
 constexpr int kNoon = 12 * 3600;
@@ -92,7 +89,7 @@ Result<double, Failure> point_value(Channel& channel, const SystemAccess& access
 Result<double, Failure> active_edge_value(const Channel& channel, const SystemAccess& access) {
   const EdgeData* const edge = channel.active_edge();
   if (access.id == SystemId::ToolRadius) {
-    return edge != nullptr ? (*edge)[kRadius] + (*edge)[kRadiusWear] : 0.0;
+    return channel.tool_radius();
   }
   const int which = access.indices[0];
   if (access.id == SystemId::ToolLength) {
