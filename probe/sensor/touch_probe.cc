@@ -42,7 +42,7 @@ std::optional<machine::SkipTrigger> TouchProbe::first_trigger(const machine::Swe
     return std::nullopt;
   }
   const double length = signal->touch.way.length;
-  machine::SkipTrigger trigger = trigger_of(*signal);
+  machine::SkipTrigger trigger = trigger_of(signal->touch);
   trigger.on_at_start = signal->on_at_start;
   if (!trigger.on_at_start) {
     trigger.delay_s = setup_.trigger_delay_s;
@@ -67,7 +67,7 @@ std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
       if (distance > machine::length_of(of_ball)) {
         return std::nullopt;
       }
-      machine::SkipTrigger trigger = trigger_of(*signal);
+      machine::SkipTrigger trigger = trigger_of(signal->touch);
       trigger.on_at_start = signal->on_at_start && gone == 0.0;
       if (!trigger.on_at_start) {
         trigger.delay_s = setup_.trigger_delay_s;
@@ -98,9 +98,9 @@ std::optional<TouchProbe::Signal> TouchProbe::first_signal(const machine::Sweep&
   return more ? std::optional(Signal{touch, touch.hit.s + *more, false}) : std::nullopt;
 }
 
-machine::SkipTrigger TouchProbe::trigger_of(const Signal& signal) const {
+machine::SkipTrigger TouchProbe::trigger_of(const PartHit& touch) const {
   machine::SkipTrigger trigger;
-  trigger.contact = contact_of(signal.touch.hit, signal.touch.part->name);
+  trigger.contact = contact_of(touch.hit, touch.part->name);
   trigger.signals = setup_.state == ProbeState::DoubleTrigger ? 2 : 1;
   return trigger;
 }

@@ -127,7 +127,8 @@ class TouchProbe final : public machine::Surroundings {
   [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question) const;
   /// Where the deflection of a touch on this sweep is reached, be it behind its end.
   [[nodiscard]] std::optional<Signal> first_signal(const machine::Sweep& sweep) const;
-  [[nodiscard]] machine::SkipTrigger trigger_of(const Signal& signal) const;
+  /// Contact and number of signals.
+  [[nodiscard]] machine::SkipTrigger trigger_of(const PartHit& touch) const;
   /// The random shift of a trigger along the move, mm.
   [[nodiscard]] double trigger_shift(std::uint64_t event) const;
   /// A touch that the signal comes from, the tool standing still; none: it is off.

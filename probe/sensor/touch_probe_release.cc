@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "probe/collision/swept_section.h"
 #include "probe/sensor/pre_travel.h"
-#include "probe/sensor/touch_events.h"
 #include "probe/sensor/touch_probe.h"
 
 namespace g31::probe {
@@ -17,7 +17,7 @@ machine::Waypoint between(const machine::Waypoint& from, const machine::Waypoint
   machine::Waypoint point;
   point.fraction = from.fraction + share * (to.fraction - from.fraction);
   point.q_M = from.q_M + share * (to.q_M - from.q_M);
-  point.tilt = from.tilt.slerp(share, to.tilt);
+  point.tilt = turn_between(from.tilt, to.tilt, share);
   return point;
 }
 
@@ -54,11 +54,9 @@ bool TouchProbe::signals_at(const machine::Waypoint& at) const {
 std::optional<machine::SkipTrigger> TouchProbe::first_release_along(
     std::span<const machine::Waypoint> way) {
   const std::uint64_t event = triggers_asked_++;
-  machine::SkipTrigger trigger;
   auto touch = signalling_touch(way.front());
-  trigger.on_at_start = !touch;
-  if (trigger.on_at_start) {
-    return trigger;
+  if (!touch) {
+    return machine::SkipTrigger{0.0, true, 0.0, std::nullopt};
   }
   double length = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
@@ -76,8 +74,7 @@ std::optional<machine::SkipTrigger> TouchProbe::first_release_along(
       const double middle = 0.5 * (on + off);
       (signalling_touch(between(from, to, middle)) ? on : off) = middle;
     }
-    trigger.contact = contact_of(touch->hit, touch->part->name);
-    trigger.signals = setup_.state == ProbeState::DoubleTrigger ? 2 : 1;
+    machine::SkipTrigger trigger = trigger_of(*touch);
     trigger.delay_s = setup_.trigger_delay_s;
     trigger.fraction = machine::fraction_after(way, length + off * piece + trigger_shift(event));
     return trigger;
