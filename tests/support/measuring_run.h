@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,6 +74,14 @@ inline std::string part(const std::string& shape, double x, double y, double z,
       x, y, z, more);
 }
 
+/// The same, its middle 0.2 and -0.3 from the origin of G54.
+inline std::string part_aside(const std::string& shape, const std::string& more = {}) {
+  return part(shape, 100.2, 49.7, -300.0, more);
+}
+inline std::string ring_aside(double bore = 40.0) {
+  return part_aside("ring", fmt::format("bore = {:.4f}", bore));
+}
+
 /// What a program left.
 struct MeasuringRun {
   RunOutput output;
@@ -121,6 +131,22 @@ inline MeasuringRun expect_measured(const std::string& body, const std::vector<s
     }
   }
   return run;
+}
+
+/// A row of a table: a program on parts, and what it must leave.
+struct MeasuringCase {
+  const char* name;
+  std::string parts;
+  std::string program;
+  std::vector<ExpectedValue> expected;
+};
+
+/// Runs every row with a perfect, calibrated probe.
+inline void expect_measured(std::span<const MeasuringCase> cases, double tolerance = 1e-6) {
+  for (const MeasuringCase& row : cases) {
+    SCOPED_TRACE(row.name);
+    expect_measured(row.program, {row.parts, kCalibrated}, row.expected, tolerance);
+  }
 }
 
 }  // namespace g31::testing

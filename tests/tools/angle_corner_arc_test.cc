@@ -7,16 +7,8 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31 {
+namespace g31::testing {
 namespace {
-
-using testing::expect_measured;
-using testing::ExpectedValue;
-using testing::kBentProbe;
-using testing::kCalibrated;
-using testing::MeasuringRun;
-using testing::part;
-using testing::run_measuring;
 
 double sine(double degrees) {
   return std::sin(degrees * std::numbers::pi / 180.0);
@@ -61,15 +53,8 @@ std::vector<ExpectedValue> corner_at(double angle, double variant) {
           {"_OVI[9]", 0}};
 }
 
-struct Corner {
-  const char* name;
-  std::string parts;
-  std::string program;
-  std::vector<ExpectedValue> expected;
-};
-
 TEST(CornerCycle, SquareAndAnyCornersInsideAndOutside) {
-  const Corner kRows[] = {
+  const MeasuringCase kRows[] = {
       {"outside, position 1", block_with_corner(kCorner, -1, -1, 2.0),
        "X-12 Y-12\nZ-5\nCYCLE961(10006,,1,20,45,15,,,,,,,,0,,,10,5)", corner_at(2.0, 10006)},
       {"outside, position 2", block_with_corner(kCorner, 1, -1, 2.0),
@@ -119,10 +104,7 @@ TEST(CornerCycle, SquareAndAnyCornersInsideAndOutside) {
         {"_OVR[6]", 30.0},
         {"_OVR[8]", 60.0}}},
   };
-  for (const Corner& row : kRows) {
-    SCOPED_TRACE(row.name);
-    expect_measured(row.program, {row.parts, kCalibrated}, row.expected);
-  }
+  expect_measured(kRows);
 }
 
 TEST(CornerCycle, BringsTheProgramBackOnThePart) {
@@ -184,13 +166,7 @@ TEST(ArcCycle, InsideAndOutsideByThreeAndFourPoints) {
                                            {"_OVI[2]", 979},  {"_OVI[5]", 1},    {"_OVI[9]", 0}};
   const std::vector<ExpectedValue> spigot = {
       {"_OVR[4]", 30.0}, {"_OVR[5]", 0.2}, {"_OVR[6]", -0.3}};
-  struct Arc {
-    const char* name;
-    std::string parts;
-    std::string program;
-    std::vector<ExpectedValue> expected;
-  };
-  const Arc kRows[] = {
+  const MeasuringCase kRows[] = {
       {"hole, three points", ring, "Z-5\nCYCLE979(1,,,1,40,2,5,0,0,0,120)", hole},
       {"hole, four points, backwards", ring, "Z-5\nCYCLE979(1001,,,1,40,2,5,0,0,180,-90)", hole},
       {"hole from the middle", ring, "Z-5\nCYCLE979(1,,,1,40,25,5,0,0,10,100)", hole},
@@ -220,10 +196,7 @@ TEST(ArcCycle, InsideAndOutsideByThreeAndFourPoints) {
        "Z-5\nCYCLE979(201,,4000001,1,39.9,2,5,0,0,0,120,,\"MILL\")",
        {{"$TC_DP6[2,1]", 5.05}, {"_OVR[20]", 0.05}, {"_OVI[0]", 1}, {"_OVI[8]", 2}}},
   };
-  for (const Arc& row : kRows) {
-    SCOPED_TRACE(row.name);
-    expect_measured(row.program, {row.parts, kCalibrated}, row.expected, 1e-6);
-  }
+  expect_measured(kRows);
 }
 
 TEST(ArcCycle, WithACalibratedBentProbeAndWithReversal) {
@@ -448,4 +421,4 @@ TEST(TriangleInSpace, ShiftRotationAndDistortion) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::testing

@@ -7,16 +7,8 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31 {
+namespace g31::testing {
 namespace {
-
-using testing::expect_measured;
-using testing::ExpectedValue;
-using testing::kBentProbe;
-using testing::kCalibrated;
-using testing::MeasuringRun;
-using testing::part;
-using testing::run_measuring;
 
 constexpr double kDelay = 0.005;  // mm: 300 mm/min for 1 ms
 constexpr double kEffective = 3.0 - kDelay;
@@ -33,9 +25,6 @@ const std::string kDiameter = "$SNS_MEA_WP_BALL_DIAM[0]";
 const std::string kOff1 = "$SNS_MEA_WP_POS_DEV_AX1[0]";
 const std::string kOff2 = "$SNS_MEA_WP_POS_DEV_AX2[0]";
 
-std::string ring() {
-  return part("ring", 100.2, 49.7, -300.0, "bore = 40.0");
-}
 std::string ball() {
   return part("sphere", 99.8, 50.3, -300.0, "diameter = 25.0");
 }
@@ -59,28 +48,21 @@ std::vector<ExpectedValue> both_axes() {
   return joined(joined(first_axis(), second_axis()), {{kDiameter, 2.0 * kEffective}});
 }
 
-struct Calibration {
-  const char* name;
-  std::string parts;
-  std::string program;
-  std::vector<ExpectedValue> expected;
-};
-
 TEST(CalibrationCycle, RingBallAndEdgesGiveTheSameProbe) {
-  const Calibration kRows[] = {
-      {"ring, centre not known", ring(), "Z-5\nCYCLE976(2,1,40,,,,5,5)",
+  const MeasuringCase kRows[] = {
+      {"ring, centre not known", ring_aside(), "Z-5\nCYCLE976(2,1,40,,,,5,5)",
        joined(both_axes(), {{"_OVR[6]", 0.2}, {"_OVR[7]", -0.3}, {"$AA_IW[X]", 0.2}})},
-      {"ring, centre known", ring(), "X0.2 Y-0.3 Z-5\nCYCLE976(1,1,40,,,,5,5)", both_axes()},
+      {"ring, centre known", ring_aside(), "X0.2 Y-0.3 Z-5\nCYCLE976(1,1,40,,,,5,5)", both_axes()},
       {"ring, from an angle",
        part("ring", 100.2, 49.7, -300.0, "bore = 40.0\nrotate_deg = [0.0, 0.0, 30.0]"),
        "X0.2 Y-0.3 Z-5\nCYCLE976(100001,1,40,,,,5,5,,30)",
        joined(both_axes(), {{"_OVR[24]", 30.0}})},
-      {"ring, both directions of the first axis", ring(),
+      {"ring, both directions of the first axis", ring_aside(),
        "X0.2 Y-0.3 Z-5\nCYCLE976(2001,1,40,,1,,5,5)", first_axis()},
-      {"ring, both directions of the second axis", ring(),
+      {"ring, both directions of the second axis", ring_aside(),
        "X0.2 Y-0.3 Z-5\nCYCLE976(2001,1,40,,2,,5,5)", second_axis()},
       {"ring, one direction",
-       ring(),
+       ring_aside(),
        "X0.2 Y-0.3 Z-5\nCYCLE976(1001,1,40,,2,1,5,5)",
        {{kMinus2, -kEffective}, {kOff2, kY}, {kPlus2, 0.0}, {kPlus1, 0.0}}},
       {"ball, with the length", ball(), "CYCLE976(1000003,1,25,12.5,,,5,5)",
@@ -103,7 +85,7 @@ TEST(CalibrationCycle, RingBallAndEdgesGiveTheSameProbe) {
        "Y-10 Z-5\nCYCLE976(4,1,-15,,2,1,3,5)",
        {{kMinus2, -kEffective}, {kPlus2, 0.0}, {kOff2, kY}}},
   };
-  for (const Calibration& row : kRows) {
+  for (const MeasuringCase& row : kRows) {
     SCOPED_TRACE(row.name);
     expect_measured(row.program, {row.parts, kBentProbe},
                     joined(row.expected, {{"_OVI[2]", 976}, {"_OVI[5]", 1}, {"_OVI[9]", 0}}),
@@ -112,7 +94,7 @@ TEST(CalibrationCycle, RingBallAndEdgesGiveTheSameProbe) {
 }
 
 TEST(CalibrationCycle, WithoutThePlaceOfTheBallTheTriggersContainIt) {
-  expect_measured("X0.2 Y-0.3 Z-5\nCYCLE976(10001,1,40,,,,5,5)", {ring(), kBentProbe},
+  expect_measured("X0.2 Y-0.3 Z-5\nCYCLE976(10001,1,40,,,,5,5)", {ring_aside(), kBentProbe},
                   {{kMinus1, kX - kEffective},
                    {kPlus1, kX + kEffective},
                    {kMinus2, kY - kEffective},
@@ -128,7 +110,7 @@ TEST(CalibrationCycle, ResultsOfARingAreActualValuesAndWhatChanged) {
   const std::string old_record =
       "[variables]\n\"$SNS_MEA_WP_BALL_DIAM[2]\" = 5.0\n\"$SNS_MEA_WP_TRIG_MINUS_DIR_AX1[2]\" = "
       "-2.5\n";
-  expect_measured("Z-5\nCYCLE976(2,3,40,,,,5,4,300)", {ring() + old_record, kBentProbe},
+  expect_measured("Z-5\nCYCLE976(2,3,40,,,,5,4,300)", {ring_aside() + old_record, kBentProbe},
                   {{"_OVR[4]", 2 * kEffective},
                    {"_OVR[5]", 2 * kEffective - 5.0},
                    {"_OVR[6]", 0.2},
@@ -242,7 +224,8 @@ TEST(CalibrationCycle, ACalibratedProbeReadsTrueSizes) {
                                   "\nZ20\nX30\nZ3\nCYCLE976(0,1,0,,,,3,5)\nZ30\nG55 X0 Y0\nZ20\n" +
                                   row.program;
       const std::string offset = "[work_offsets.G55]\nX = 300.0\nY = 50.0\nZ = -300.0\n";
-      expect_measured(program, {ring() + row.shape + offset, kBentProbe}, row.expected, kNear);
+      expect_measured(program, {ring_aside() + row.shape + offset, kBentProbe}, row.expected,
+                      kNear);
     }
   }
 }
@@ -250,9 +233,9 @@ TEST(CalibrationCycle, ACalibratedProbeReadsTrueSizes) {
 TEST(CalibrationCycle, AnotherFeedMakesTheOldValuesWorthless) {
   const std::string twice =
       "X0.2 Y-0.3 Z-5\nCYCLE976(2001,1,40,,1,,5,5,300)\nCYCLE976(2001,1,40,,2,,5,5,{})";
-  expect_measured(fmt::format(fmt::runtime(twice), 300), {ring(), kBentProbe},
+  expect_measured(fmt::format(fmt::runtime(twice), 300), {ring_aside(), kBentProbe},
                   {{kPlus1, kEffective}, {kPlus2, kEffective}}, kNear);
-  expect_measured(fmt::format(fmt::runtime(twice), 600), {ring(), kBentProbe},
+  expect_measured(fmt::format(fmt::runtime(twice), 600), {ring_aside(), kBentProbe},
                   {{kPlus1, 0.0}, {kPlus2, kEffective - kDelay}, {"$SNS_MEA_WP_FEED[0]", 600.0}},
                   kNear);
 }
@@ -277,7 +260,8 @@ TEST(CalibrationCycle, RefusesWithItsOwnAlarmAndKeepsTheOldRecord) {
   };
   for (const Refusal& row : kRows) {
     SCOPED_TRACE(row.name);
-    const MeasuringRun run = run_measuring(row.program, {ring()}, {kDiameter, kPlus1, "_OVI[9]"});
+    const MeasuringRun run =
+        run_measuring(row.program, {ring_aside()}, {kDiameter, kPlus1, "_OVI[9]"});
     EXPECT_EQ(run.alarm(), row.alarm) << run.output.errors;
     EXPECT_EQ(run.at("_OVI[9]"), row.alarm);
     EXPECT_EQ(run.at(kDiameter), 0.0);
@@ -289,7 +273,7 @@ TEST(CalibrationCycle, AMonoProbeIsTurnedIntoEachDirection) {
   const std::string mono =
       "[tools.1]\nlength = 120.0\nradius = 3.0\ntype = 712.0\n[probe]\ntype = \"mono\"\n"
       "direction_deg = 30.0\ntrigger_delay_s = 0.001\n[variables]\n\"$TC_DP10[1,1]\" = 330.0\n";
-  expect_measured("Z-5\nCYCLE976(2,1,40,,,,5,5)\nCYCLE977(1,,,1,40,,,2,5)", {ring(), mono},
+  expect_measured("Z-5\nCYCLE976(2,1,40,,,,5,5)\nCYCLE977(1,,,1,40,,,2,5)", {ring_aside(), mono},
                   {{kPlus1, kEffective},
                    {kMinus2, -kEffective},
                    {"_OVR[4]", 40.0},
@@ -299,4 +283,4 @@ TEST(CalibrationCycle, AMonoProbeIsTurnedIntoEachDirection) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::testing

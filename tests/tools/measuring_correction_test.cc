@@ -8,21 +8,9 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31 {
+namespace g31::testing {
 namespace {
 
-using testing::expect_measured;
-using testing::ExpectedValue;
-using testing::kBentProbe;
-using testing::kCalibrated;
-using testing::MeasuringRun;
-using testing::part;
-using testing::run_measuring;
-
-/// The ring's centre is 0.2 and -0.3 from the origin of G54.
-std::string ring(double bore = 40.0) {
-  return part("ring", 100.2, 49.7, -300.0, fmt::format("bore = {:.4f}", bore));
-}
 /// Faces at X -29.8 and 30.2, top at 0.
 std::string block() {
   return part("block", 100.2, 50.0, -300.0, "");
@@ -86,7 +74,8 @@ TEST(OnePointCycle, SpindleReversalNeedsTheDiameterOnly) {
   expect_measured("X-40\nZ-5\nCYCLE978(10000,,,1,-30,5,1,1,1)",
                   {block(), std::string(kBentProbe) + diameter},
                   {{"_OVR[4]", -29.8}, {"_OVR[40]", 0.04}}, 1e-6);
-  expect_measured("Z-5\nCYCLE977(10001,,,1,40,,,2,5)", {ring(), std::string(kBentProbe) + diameter},
+  expect_measured("Z-5\nCYCLE977(10001,,,1,40,,,2,5)",
+                  {ring_aside(), std::string(kBentProbe) + diameter},
                   {{"_OVR[4]", 40.0}, {"_OVR[5]", 0.2}, {"_OVR[6]", -0.3}}, 1e-4);
 }
 
@@ -94,7 +83,7 @@ TEST(OnePointCycle, AlignmentTouchesWithOneSideOfTheProbe) {
   const std::string one_side =
       "[variables]\n\"$SNS_MEA_WP_TRIG_PLUS_DIR_AX1[0]\" = 2.995\n"
       "\"$SNS_MEA_WP_POS_DEV_AX1[0]\" = 0.02\n\"$SNS_MEA_WP_POS_DEV_AX2[0]\" = -0.03\n";
-  const std::vector<std::string> sheets = {ring(), std::string(kBentProbe) + one_side};
+  const std::vector<std::string> sheets = {ring_aside(), std::string(kBentProbe) + one_side};
   expect_measured("Z-5\nCYCLE977(20001,,,1,40,,,2,5)", sheets,
                   {{"_OVR[4]", 40.0}, {"_OVR[5]", 0.2}, {"_OVR[6]", -0.3}}, 1e-4);
   EXPECT_EQ(run_measuring("Z-5\nCYCLE977(1,,,1,40,,,2,5)", sheets, {}).alarm(), 61341);
@@ -139,7 +128,7 @@ TEST(WorkOffsetCorrection, FineCoarseAndBasic) {
                {"again, nothing is left",
                 "Z-5\nCYCLE977(101,1,,1,40,,,2,5)\nG54 X0 Y0\nCYCLE977(1,,,1,40,,,2,5)",
                 {{"_OVR[5]", 0.0}, {"_OVR[6]", 0.0}, {"_OVR[17]", 0.0}, {"_OVR[18]", 0.0}}}},
-              ring());
+              ring_aside());
   expect_rows(
       {{"one axis only",
         "X-40\nZ-5\nCYCLE978(100,1,,1,-30,5,1,1,1)",
@@ -208,7 +197,7 @@ TEST(ToolCorrection, EachComponentAndKind) {
        {"a replacement tool",
         "$TC_TP1[2]=3\n" + call("100000001", ",,,,,,,,,,,,,,3"),
         {{"$TC_DP15[2,1]", 0.05}, {"_OVI[8]", 2}, {"_OVI[10]", 3}}}},
-      ring(40.1));
+      ring_aside(40.1));
   expect_measured("Z5\nCYCLE977(202,,4000001,1,30,,,2,5,0,-15,,,,,\"MILL\")",
                   {part("cylinder", 100.0, 50.0, -300.0, "diameter = 30.2"), kCalibrated},
                   {{"$TC_DP6[2,1]", 4.9}});
@@ -242,13 +231,14 @@ TEST(ToolCorrection, RefusesToolsThatAreNotTheOne) {
   for (const Refusal& row : kRows) {
     SCOPED_TRACE(row.name);
     const std::string sheet = std::string(row.name).starts_with("two") ? twin : "";
-    const MeasuringRun run = run_measuring(std::string("Z-5\n") + row.program,
-                                           {ring(40.1) + sheet, kCalibrated}, {"$TC_DP15[2,1]"});
+    const MeasuringRun run =
+        run_measuring(std::string("Z-5\n") + row.program, {ring_aside(40.1) + sheet, kCalibrated},
+                      {"$TC_DP15[2,1]"});
     EXPECT_EQ(run.alarm(), row.alarm) << run.output.errors;
     EXPECT_EQ(run.at("$TC_DP15[2,1]"), 0.0);
   }
   expect_measured("$TC_TP1[3]=2\n$TC_TP8[3]=131\nZ-5\nCYCLE977(201,,1,1,40,,,2,5,,,,,,,\"MILL\")",
-                  {ring(40.1) + twin, kCalibrated},
+                  {ring_aside(40.1) + twin, kCalibrated},
                   {{"$TC_DP15[3,1]", 0.05}, {"$TC_DP15[2,1]", 0.0}, {"_OVI[8]", 3}});
 }
 
@@ -260,7 +250,7 @@ std::string judged(const std::string& limits) {
 TEST(Tolerance, LimitsMoveTheSetPointIntoTheirMiddle) {
   expect_measured(
       "Z-5\nCYCLE977(201,,4000001,1,10,,,2,5,,,,,,,\"MILL\",,0,0.05,0,-0.004,0,1,0,,,1)",
-      {ring(9.998), kCalibrated},
+      {ring_aside(9.998), kCalibrated},
       {{"_OVR[0]", 9.998},
        {"_OVR[8]", 0.002},
        {"_OVR[12]", -0.002},
@@ -294,7 +284,7 @@ TEST(Tolerance, ResultsOfADecision) {
   expect_measured(
       "$SCS_MEA_EMPIRIC_VALUE[4]=0.02\nZ-5\n"
       "CYCLE977(201,,4000001,1,40,,,2,5,,,,,,,\"MILL\",7,0.01,0.5,0.3,-0.3,0.2,3,20005,,,1)",
-      {ring(40.1), kCalibrated},
+      {ring_aside(40.1), kCalibrated},
       {{"_OVR[27]", 0.01},
        {"_OVR[28]", 5.0},
        {"_OVR[29]", 0.5},
@@ -332,7 +322,7 @@ TEST(Tolerance, BandsDecideWhatIsCorrected) {
        {"beyond TMV all of it is corrected, the mean value goes",
         "$SCS_MEA_AVERAGE_VALUE[0]=0.03\n" + judged("0.05,1,0.5,-0.5,0.0999,4,10000"),
         {{"$TC_DP6[2,1]", 5.05}, {"$SCS_MEA_AVERAGE_VALUE[0]", 0.0}}}},
-      ring(40.1));
+      ring_aside(40.1));
 }
 
 TEST(Tolerance, MeanValuesAsTheManualReckonsThem) {
@@ -380,7 +370,7 @@ TEST(Tolerance, RepeatsOnceWhereTheMaskAsksForIt) {
   for (const int mask : {8, 9}) {
     const MeasuringRun run = run_measuring(
         fmt::format("$SNS_MEA_FUNCTION_MASK={}\nZ-5\nCYCLE977(101,1,,1,40,,,2,0.1)", mask),
-        {ring(), kCalibrated}, {"$P_UIFR[1,X,FI]"});
+        {ring_aside(), kCalibrated}, {"$P_UIFR[1,X,FI]"});
     EXPECT_EQ(run.alarm(), 61303);
     EXPECT_EQ(run.at("$P_UIFR[1,X,FI]"), 0.0);
     std::size_t touches = 0;
@@ -448,9 +438,9 @@ TEST(MeasuringAlarms, AZoneThatIsTooSmallCollidesAndSaysWhere) {
 TEST(MeasuringAlarms, ADryRunMeasuresNothing) {
   expect_measured(
       "Z-5\n_OVR[4]=77\nCYCLE977(101,1,,1,40,,,2,5)",
-      {"[control]\nprofile = \"sinumerik-828d\"\ndry_run = 2000.0\n" + ring(), kCalibrated},
+      {"[control]\nprofile = \"sinumerik-828d\"\ndry_run = 2000.0\n" + ring_aside(), kCalibrated},
       {{"_OVR[4]", 77.0}, {"$P_UIFR[1,X,FI]", 0.0}});
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::testing

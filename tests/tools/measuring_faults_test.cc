@@ -8,14 +8,8 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31 {
+namespace g31::testing {
 namespace {
-
-using testing::expect_measured;
-using testing::kCalibrated;
-using testing::MeasuringRun;
-using testing::part;
-using testing::run_measuring;
 
 const std::string kRing = part("ring", 100.2, 49.7, -300.0, "bore = 40.0");
 const std::string kBlock = part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 0.0, 1.0]");
@@ -108,4 +102,4 @@ TEST(MeasuringFaults, TheProbeIsDeflectedAtTheCall) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::testing

@@ -8,13 +8,8 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31 {
+namespace g31::testing {
 namespace {
-
-using testing::kCalibrated;
-using testing::MeasuringRun;
-using testing::part;
-using testing::run_measuring;
 
 std::string without_clock(const std::string& text) {
   return std::regex_replace(text, std::regex("[0-9]{2}:[0-9]{2}:[0-9]{2}"), "hh:mm:ss");
@@ -29,10 +24,6 @@ MeasuringRun measured(const std::string& program, const std::string& parts,
   MeasuringRun run = run_measuring(program, {parts + more_sheets, kCalibrated}, {"R1"});
   EXPECT_EQ(run.output.exit_code, 0) << run.output.errors;
   return run;
-}
-
-std::string ring() {
-  return part("ring", 100.2, 49.7, -300.0, "bore = 40.0");
 }
 
 const char* const kHead = R"(*****************************************************
@@ -68,7 +59,7 @@ Diameter        40.0100          40.0000          -0.0100 mm
 
 TEST(MeasuringLog, ThreeMeasurementsOneAfterTheOther) {
   const std::string parts =
-      ring() + part("block", 300.0, 50.0, -300.0, "rotate_deg = [0.0, 0.0, 3.0]");
+      ring_aside() + part("block", 300.0, 50.0, -300.0, "rotate_deg = [0.0, 0.0, 3.0]");
   const MeasuringRun run = measured(
       "CYCLE150(10,1001,\"LOG.TXT\")\nZ-5\nCYCLE977(101,10001,,1,40.01,,,2,5)\nZ20\n"
       "$P_UIFR[1]=CTRANS(X,300,Y,50,Z,-300)\nG54\nX0 Y0\n"
@@ -116,7 +107,7 @@ TEST(MeasuringLog, AsATable) {
   const MeasuringRun run = measured(
       "CYCLE150(0,101,\"//NC:/WKS.DIR/LOG.CSV\")\nZ-5\nCYCLE977(101,10001,,1,40.01,,,2,5)\n"
       "CYCLE977(201,,1,1,40.01,,,2,5,,,,,,,\"MILL\")\nCYCLE977(1,,,1,40.01,,,2,5)",
-      ring());
+      ring_aside());
   EXPECT_EQ(file_of(run, "LOG.CSV"), R"(Date;2000-01-01;Time;hh:mm:ss
 Protocol;//NC:/WKS.DIR/LOG.CSV
 Program;_N_PART_MPF
@@ -155,7 +146,7 @@ TEST(MeasuringLog, LinesOfTheUserAmongTheResults) {
       "S_LOGTXT[1]=\"LARGESTDIMENSION:20.021\"\nS_LOGTXT[2]=\"SMALLESTDIMENSION:20.000\"\n"
       "S_LOGTXT[3]=\"SPINDLETEMPERATURE:\"<<R99<<\" DEG\"\nCYCLE160\nZ-5\n"
       "CYCLE977(101,10001,,1,40.01,,,2,5)",
-      ring());
+      ring_aside());
   EXPECT_EQ(file_of(run, "LOG.TXT"), std::string(kHead) +
                                          "HOLE DM 20H7\nLARGESTDIMENSION:20.021\n"
                                          "SMALLESTDIMENSION:20.000\nSPINDLETEMPERATURE:68.7 DEG\n" +
@@ -172,7 +163,7 @@ TEST(MeasuringLog, TheUsersOwnLogAndArray) {
       "MACHINE:ABC_12345\nLOGFILE COMPENSATION DATA\n \nVALUE1 = 123.456\nVALUE2 = 789.333\n";
   for (const char* const array : {"S_LOGTXT", "S_PROTTXT", "S_PROTTEXT"}) {
     SCOPED_TRACE(array);
-    const MeasuringRun run = measured(fmt::format(fmt::runtime(program), array), ring());
+    const MeasuringRun run = measured(fmt::format(fmt::runtime(program), array), ring_aside());
     EXPECT_EQ(file_of(run, "MY_PROT.TXT"), kExpected);
   }
   // An array of the user's definition file comes first, however long it is.
@@ -201,7 +192,7 @@ TEST(MeasuringLog, RowsInTheColumnsOfTheStandardLog) {
       ",'''Unit''')\"\n"
       "S_PROTTEXT[1]=\"SPRINT(_PROTVAL[36],'''Z''',R11,R12,R13,S_TXT[3])\"\n"
       "S_PROTTEXT[2]=SPRINT(\"X %10.3F\",R11)\nCYCLE160",
-      ring());
+      ring_aside());
   const std::string rows =
       "Axis            Setpoint         Measurd          Difference       Unit\n"
       "Z               12.5000          12.4988          -0.0012 mm\n"
@@ -213,13 +204,14 @@ TEST(MeasuringLog, RowsInTheColumnsOfTheStandardLog) {
 TEST(MeasuringLog, NewDeletesAppendGoesOnAndTheLastMeasurementCanBeWrittenLater) {
   const std::string measure = "Z-5\nCYCLE977(101,10001,,1,40.01,,,2,5)\n";
   // Off while measuring; the last measurement afterwards, new.
-  MeasuringRun run = measured(measure + "CYCLE150(30,2,\"LOG.TXT\")", ring());
+  MeasuringRun run = measured(measure + "CYCLE150(30,2,\"LOG.TXT\")", ring_aside());
   EXPECT_EQ(file_of(run, "LOG.TXT"), std::string(kHead) + kHole);
-  run = measured("CYCLE150(0,1,\"LOG.TXT\")\nCYCLE150(0,1,\"LOG.TXT\")\n" + measure, ring());
+  run = measured("CYCLE150(0,1,\"LOG.TXT\")\nCYCLE150(0,1,\"LOG.TXT\")\n" + measure, ring_aside());
   EXPECT_EQ(file_of(run, "LOG.TXT"), std::string(kHead) + kHole);
-  run = measured("CYCLE150(0,1,\"LOG.TXT\")\nCYCLE150(0,1001,\"LOG.TXT\")\n" + measure, ring());
+  run =
+      measured("CYCLE150(0,1,\"LOG.TXT\")\nCYCLE150(0,1001,\"LOG.TXT\")\n" + measure, ring_aside());
   EXPECT_EQ(file_of(run, "LOG.TXT"), std::string(kHead) + kHead + kHole);
-  run = measured("CYCLE150(0,1,\"LOG.TXT\")\nCYCLE150(0,0,\"\")\n" + measure, ring());
+  run = measured("CYCLE150(0,1,\"LOG.TXT\")\nCYCLE150(0,0,\"\")\n" + measure, ring_aside());
   EXPECT_EQ(file_of(run, "LOG.TXT"), kHead);
 }
 
@@ -248,7 +240,7 @@ Diameter        40.0100          40.0000          -0.0100 mm
   for (const Mode& row : kRows) {
     SCOPED_TRACE(row.name);
     const MeasuringRun run =
-        measured(std::string(row.switches) + "\nZ-5\nCYCLE977(1,,,1,40.01,,,2,5)", ring());
+        measured(std::string(row.switches) + "\nZ-5\nCYCLE977(1,,,1,40.01,,,2,5)", ring_aside());
     const std::string wait = row.stops > 0 ? "Please acknowledge with NC-Start\n" : "";
     EXPECT_EQ(run.output.document.at("output"), row.shows ? screen + wait : "");
     EXPECT_EQ(run.output.document.at("stops").size(), row.stops);
@@ -256,7 +248,7 @@ Diameter        40.0100          40.0000          -0.0100 mm
   const MeasuringRun oversize = measured(
       "CYCLE150(41,0,\"\")\nZ-5\nCYCLE977(201,,0,1,39.9,,,2,5,,,,,,,\"MILL\",,0,1,0.05,-0.05,0.5,1,"
       "0,,,1)",
-      ring());
+      ring_aside());
   const std::string shown = oversize.output.document.at("output");
   EXPECT_NE(shown.find("61304: oversize\n"), std::string::npos);
   EXPECT_NE(shown.find("Diameter        39.9000          40.0000           0.1000 mm\n"),
@@ -265,4 +257,4 @@ Diameter        40.0100          40.0000          -0.0100 mm
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::testing

@@ -11,13 +11,8 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31 {
+namespace g31::testing {
 namespace {
-
-using testing::expect_measured;
-using testing::ExpectedValue;
-using testing::kBentProbe;
-using testing::part;
 
 constexpr double kUnwritten = 99.5;
 const std::string kBefore = "_OVR[0]=REP(99.5)\n_OVI[0]=REP(99)\n";
@@ -87,11 +82,6 @@ void expect_results(const std::vector<Variant>& variants, const std::string& pro
   }
 }
 
-/// The cycles begin at (0.05, 0.02), the parts' middles are at (0.2, -0.3).
-std::string here(const std::string& shape, const std::string& sizes) {
-  return part(shape, 100.2, 49.7, -300.0, sizes);
-}
-
 TEST(MeasuringResults, OfHolesSpigotsGroovesAndRibs) {
   const std::string call =
       "X0.05 Y0.02\nZ{}\nCYCLE977({},,4000001,3,{},,,2,5,,{},,,{},1," + kLimits;
@@ -103,18 +93,18 @@ TEST(MeasuringResults, OfHolesSpigotsGroovesAndRibs) {
   const Values groove = joined(call_of(977, 203), tool_results(0.1, 0.5));
   const Values rib = joined(call_of(977, 204), tool_results(0.1, -0.5));
   expect_results(
-      {{"hole", here("ring", "bore = 40.1"), program(-5, 201, 40, 0, 1),
+      {{"hole", part_aside("ring", "bore = 40.1"), program(-5, 201, 40, 0, 1),
         joined(hole, dimensions(0, {40.0, 0.05, 0.02}, {40.1, 0.2, -0.3}))},
-       {"spigot", here("cylinder", "diameter = 30.1"), program(5, 202, 30, -15, 1),
+       {"spigot", part_aside("cylinder", "diameter = 30.1"), program(5, 202, 30, -15, 1),
         joined(pin, dimensions(0, {30.0, 0.05, 0.02}, {30.1, 0.2, -0.3}))},
-       {"groove, first axis", here("groove", "width = 20.1"), program(-5, 203, 20, 0, 1),
+       {"groove, first axis", part_aside("groove", "width = 20.1"), program(-5, 203, 20, 0, 1),
         joined(groove, dimensions(0, {20.0, 0.05, 0.02}, {20.1, 0.2, 0.02}))},
-       {"groove, second axis", here("groove", "width = 20.1\nrotate_deg = [0.0, 0.0, 90.0]"),
+       {"groove, second axis", part_aside("groove", "width = 20.1\nrotate_deg = [0.0, 0.0, 90.0]"),
         program(-5, 203, 20, 0, 2),
         joined(groove, dimensions(0, {20.0, 0.05, 0.02}, {20.1, 0.05, -0.3}))},
-       {"rib, first axis", here("rib", "width = 20.1"), program(5, 204, 20, -15, 1),
+       {"rib, first axis", part_aside("rib", "width = 20.1"), program(5, 204, 20, -15, 1),
         joined(rib, dimensions(0, {20.0, 0.05, 0.02}, {20.1, 0.2, 0.02}))},
-       {"rib, second axis", here("rib", "width = 20.1\nrotate_deg = [0.0, 0.0, 90.0]"),
+       {"rib, second axis", part_aside("rib", "width = 20.1\nrotate_deg = [0.0, 0.0, 90.0]"),
         program(5, 204, 20, -15, 2),
         joined(rib, dimensions(0, {20.0, 0.05, 0.02}, {20.1, 0.05, -0.3}))}},
       kThirdRecord);
@@ -125,10 +115,10 @@ TEST(MeasuringResults, OfRectanglesWithToleranceOfEitherSize) {
   const Values sizes = dimensions(0, {60.0, 40.0, 0.05, 0.02}, {60.1, 40.16, 0.2, -0.3});
   const std::string call = ",,4000001,3,,60,40,2,5,,-15,,,,1," + kLimits;
   expect_results(
-      {{"pocket", here("pocket", "length = 60.1\nwidth = 40.16"),
+      {{"pocket", part_aside("pocket", "length = 60.1\nwidth = 40.16"),
         "X0.05 Y0.02\nZ-5\nCYCLE977(205" + call,
         joined(joined(call_of(977, 205), tool_results(0.13, 0.5)), joined(second, sizes))},
-       {"spigot", here("block", "length = 60.1\nwidth = 40.16"),
+       {"spigot", part_aside("block", "length = 60.1\nwidth = 40.16"),
         "X0.05 Y0.02\nZ5\nCYCLE977(206" + call,
         joined(joined(call_of(977, 206), tool_results(0.13, -0.5)), joined(second, sizes))}},
       kThirdRecord);
@@ -137,13 +127,13 @@ TEST(MeasuringResults, OfRectanglesWithToleranceOfEitherSize) {
 TEST(MeasuringResults, OfAWorkOffset) {
   const Values corrected = {{"_OVI[0]", 1.0}, {"_OVI[11]", 0.0}};
   expect_results(
-      {{"hole", here("ring", "bore = 40.1"), "X0.05 Y0.02\nZ-5\nCYCLE977(101,1,,3,40,,,2,5)",
+      {{"hole", part_aside("ring", "bore = 40.1"), "X0.05 Y0.02\nZ-5\nCYCLE977(101,1,,3,40,,,2,5)",
         joined(joined(call_of(977, 101), corrected),
                dimensions(0, {40.0, 0.05, 0.02}, {40.1, 0.2, -0.3}))},
-       {"edge", here("block", ""), "X-40\nZ-5\nCYCLE978(100,1,,3,-30,5,1,1,1)",
+       {"edge", part_aside("block", ""), "X-40\nZ-5\nCYCLE978(100,1,,3,-30,5,1,1,1)",
         joined(joined(call_of(978, 100), corrected),
                dimensions(0, {-30.0, -30.0}, {-29.8, -29.8}))},
-       {"arc", here("ring", "bore = 40.1\nsagitta = 0.0000005"),
+       {"arc", part_aside("ring", "bore = 40.1\nsagitta = 0.0000005"),
         "Z-5\nCYCLE979(101,1,,3,40,2,5,0.05,0.02,0,120)",
         joined(joined(call_of(979, 101), corrected),
                dimensions(0, {40.0, 0.05, 0.02}, {40.1, 0.2, -0.3})),
@@ -152,7 +142,7 @@ TEST(MeasuringResults, OfAWorkOffset) {
 }
 
 TEST(MeasuringResults, OfOnePoint) {
-  const std::string block = here("block", "");
+  const std::string block = part_aside("block", "");
   const auto along = [](int axis, double wanted, double found, double tool_per_deviation) {
     Values all = joined(call_of(978, 200), tool_results(found - wanted, tool_per_deviation));
     all = joined(all, dimensions(0, {wanted}, {found}));
@@ -186,12 +176,12 @@ TEST(MeasuringResults, OfOnePoint) {
 TEST(MeasuringResults, OfArcs) {
   const std::string fine = "\nsagitta = 0.0000005";
   const std::string behind = ",,4000001,3,{},2,5,0.05,0.02,0,120,1," + kLimits;
-  expect_results({{"inside", here("ring", "bore = 40.1" + fine),
+  expect_results({{"inside", part_aside("ring", "bore = 40.1" + fine),
                    "Z-5\nCYCLE979(201" + fmt::format(fmt::runtime(behind), 40.0),
                    joined(joined(call_of(979, 201), tool_results(0.1, 0.5)),
                           dimensions(0, {40.0, 0.05, 0.02}, {40.1, 0.2, -0.3})),
                    2e-6},
-                  {"outside", here("cylinder", "diameter = 30.1" + fine),
+                  {"outside", part_aside("cylinder", "diameter = 30.1" + fine),
                    "X30\nZ-5\nCYCLE979(202" + fmt::format(fmt::runtime(behind), 30.0),
                    joined(joined(call_of(979, 202), tool_results(0.1, -0.5)),
                           dimensions(0, {30.0, 0.05, 0.02}, {30.1, 0.2, -0.3})),
@@ -293,7 +283,7 @@ TEST(MeasuringResults, OfRingBallAndFace) {
   const Values both = joined(joined(calibrated(2 * kTrigger), kFirst), joined(kSecond, kPlace));
   const Values third = {
       {"_OVR[18]", 0.1}, {"_OVR[19]", 0.0}, {"_OVR[16]", 0.005}, {"_OVR[17]", -0.195}};
-  const std::string ring = here("ring", "bore = 40.0");
+  const std::string ring = part_aside("ring", "bore = 40.0");
   const std::string ball = part("sphere", 99.8, 50.3, -300.0, "diameter = 25.0");
   const std::string turned_ball =
       part("sphere", 99.8, 50.3, -300.0, "diameter = 25.0\nrotate_deg = [0.0, 0.0, 20.0]");
@@ -339,4 +329,4 @@ TEST(MeasuringResults, OfEdgesAreThoseOfTheChosenAxis) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::testing

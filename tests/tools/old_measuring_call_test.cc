@@ -5,27 +5,14 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31 {
+namespace g31::testing {
 namespace {
-
-using testing::expect_measured;
-using testing::ExpectedValue;
-using testing::kBentProbe;
-using testing::kCalibrated;
-using testing::part;
-
-struct OldCall {
-  const char* name;
-  std::string parts;
-  const char* program;
-  std::vector<ExpectedValue> expected;
-};
 
 TEST(OldMeasuringCall, EachCycleTakesItsParametersFromVariables) {
   const std::string ring = part("ring", 100.2, 49.7, -300.0, "bore = 40.0");
   const std::string block = part("block", 100.2, 50.0, -300.0, "");
   const std::string turned = part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 0.0, 3.0]");
-  const OldCall kRows[] = {
+  const MeasuringCase kRows[] = {
       {"edge, work offset, direction from the set point",
        block,
        "X-40\nZ-5\n_MVAR=100 _SETVAL=-30 _MA=1 _KNUM=1 _FA=5 _TSA=1\nCYCLE978",
@@ -64,10 +51,7 @@ TEST(OldMeasuringCall, EachCycleTakesItsParametersFromVariables) {
        "Z-5\n_MVAR=1 _SETVAL=40 _INCA=120 _FA=2\nCYCLE979",
        {{"_OVR[4]", 40.0}}},
   };
-  for (const OldCall& row : kRows) {
-    SCOPED_TRACE(row.name);
-    expect_measured(row.program, {row.parts, kCalibrated}, row.expected, 2e-6);
-  }
+  expect_measured(kRows, 2e-6);
 }
 
 TEST(OldMeasuringCall, CalibrationAndMemories) {
@@ -86,4 +70,4 @@ TEST(OldMeasuringCall, CalibrationAndMemories) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::testing

@@ -4,12 +4,8 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31 {
+namespace g31::testing {
 namespace {
-
-using testing::MeasuringRun;
-using testing::part;
-using testing::TemporaryFolder;
 
 MeasuringRun run_printed(const std::string& program, const std::string& parts,
                          const std::vector<std::string>& names) {
@@ -72,4 +68,4 @@ TEST(PrintedMeasuringProgram, GrooveWithAUserLogOfItsResults) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::testing

@@ -5,18 +5,8 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31 {
+namespace g31::testing {
 namespace {
-
-using testing::expect_measured;
-using testing::kCalibrated;
-using testing::MeasuringRun;
-using testing::part;
-using testing::run_measuring;
-
-std::string ring(double bore = 40.0) {
-  return part("ring", 100.2, 49.7, -300.0, fmt::format("bore = {:.3f}", bore));
-}
 
 TEST(ProbeKinds, AStarTouchesWithTheArmThatLeads) {
   const std::string star =
@@ -25,14 +15,16 @@ TEST(ProbeKinds, AStarTouchesWithTheArmThatLeads) {
       "[[probe.ball]]\nat = [17.0, 0.0, 0.0]\n[[probe.ball]]\nat = [-17.0, 0.0, 0.0]\n"
       "[[probe.ball]]\nat = [0.0, 17.0, 0.0]\n[[probe.ball]]\nat = [0.0, -17.0, 0.0]\n";
   expect_measured("Z-8\nCYCLE976(2,1,60,,,,5,25)\nX0 Y0\nCYCLE977(1,,,1,60,,,4,5)",
-                  {ring(60.0), star},
+                  {ring_aside(60.0), star},
                   {{"$SNS_MEA_WP_TRIG_PLUS_DIR_AX1[0]", 19.995},
                    {"_OVR[4]", 60.0},
                    {"_OVR[5]", 0.2},
                    {"_OVR[6]", -0.3}},
                   1e-4);
-  EXPECT_EQ(run_measuring("CYCLE978(0,,,1,0,5,1,3,2)", {ring(60.0), star}, {}).alarm(), 61309);
-  EXPECT_EQ(run_measuring("CYCLE977(3,,,1,60,,,4,5,,,,,1)", {ring(60.0), star}, {}).alarm(), 61309);
+  EXPECT_EQ(run_measuring("CYCLE978(0,,,1,0,5,1,3,2)", {ring_aside(60.0), star}, {}).alarm(),
+            61309);
+  EXPECT_EQ(run_measuring("CYCLE977(3,,,1,60,,,4,5,,,,,1)", {ring_aside(60.0), star}, {}).alarm(),
+            61309);
 }
 
 TEST(ProbeKinds, AnLProbePullsAgainstAFaceFromBelow) {
@@ -54,7 +46,7 @@ TEST(ProbeKinds, TheRecordMayBeTheTools) {
   expect_measured(
       "$TC_DPNT[1,1]=3\n$SNS_MEA_FUNCTION_MASK=40\nZ-5\nCYCLE976(2,1,40,,,,5,5)\n"
       "CYCLE977(1,,,1,40,,,2,5)",
-      {ring()},
+      {ring_aside()},
       {{"$SNS_MEA_WP_BALL_DIAM[2]", 6.0},
        {"$SNS_MEA_WP_BALL_DIAM[0]", 0.0},
        {"_OVI[5]", 3.0},
@@ -64,10 +56,10 @@ TEST(ProbeKinds, TheRecordMayBeTheTools) {
 TEST(ProbeKinds, TheWorkProbeMayBeOnTheSecondInput) {
   const std::string second = "[probe]\ninput = 2\n";
   expect_measured("$MCS_MEA_FUNCTION_MASK=1\nZ-5\nCYCLE977(1,,,1,40,,,2,5)",
-                  {ring() + second, kCalibrated}, {{"_OVR[4]", 40.0}});
-  EXPECT_EQ(
-      run_measuring("Z-5\nCYCLE977(1,,,1,40,,,2,5)", {ring() + second, kCalibrated}, {}).alarm(),
-      61301);
+                  {ring_aside() + second, kCalibrated}, {{"_OVR[4]", 40.0}});
+  EXPECT_EQ(run_measuring("Z-5\nCYCLE977(1,,,1,40,,,2,5)", {ring_aside() + second, kCalibrated}, {})
+                .alarm(),
+            61301);
 }
 
 TEST(MeasuringInInches, ResultsAreInTheUnitsOfTheProgram) {
@@ -77,7 +69,7 @@ TEST(MeasuringInInches, ResultsAreInTheUnitsOfTheProgram) {
                         "\nCYCLE977(201,,4000001,1,1.5,,,0.1,0.5,,,,,,,\"MILL\",,0,0.2,0.02,-0.02,"
                         "0.1,1,0,,,1)\n"
                         "R1=$AA_IW[X] R2=$P_GG[13]\nG710",
-                    {ring(), kCalibrated},
+                    {ring_aside(), kCalibrated},
                     {{"_OVR[0]", 1.5},
                      {"_OVR[4]", 40.0 / 25.4},
                      {"_OVR[5]", 0.2 / 25.4},
@@ -97,7 +89,7 @@ TEST(MeasuringInInches, ResultsAreInTheUnitsOfTheProgram) {
   expect_measured("X-20 Y-27\nZ-5\nG700\nCYCLE998(105,1,,1,,2,,0.2,3,102,1,1.2)\nG710",
                   {block, kCalibrated}, {{"_OVR[4]", 3.0}, {"$P_UIFR[1,Z,RT]", 1.0}});
   expect_measured(
-      "Z-5\nG700\nCYCLE976(2,1,40/25.4,,,,0.2,0.2,10)\nG710", {ring()},
+      "Z-5\nG700\nCYCLE976(2,1,40/25.4,,,,0.2,0.2,10)\nG710", {ring_aside()},
       {{"_OVR[4]", 6.0 / 25.4}, {"$SNS_MEA_WP_BALL_DIAM[0]", 6.0}, {"$SNS_MEA_WP_FEED[0]", 254.0}});
 }
 
@@ -109,10 +101,11 @@ TEST(ShopsOwnProgram, RunsBeforeAndAfterMeasuringAndBeforeAnAlarm) {
       "_M977:\nR1=R1+1\nGOTOF _AM_WP_MES\n_AM_WP_MES:\nR2=R2+1\nM17\n_ME977:\nR3=_OVR[4]\nM17\n"
       "_MEACYC_ERROR:\nIF _OVI[2]==977\nR4=_OVI[9]\nENDIF\n_MEND:\nM17";
   expect_measured("Z-5\nCYCLE977(1,,,1,40,,,2,5)\nCYCLE977(1,,,1,40,,,2,5)" + own,
-                  {ring(), kCalibrated}, {{"R1", 2.0}, {"R2", 2.0}, {"R3", 40.0}, {"R4", 0.0}});
+                  {ring_aside(), kCalibrated},
+                  {{"R1", 2.0}, {"R2", 2.0}, {"R3", 40.0}, {"R4", 0.0}});
   const MeasuringRun run =
       run_measuring("$SNS_MEA_ALARM_MASK=65536\nZ-5\nCYCLE977(1,,,1,40,,,2,0.1)" + own,
-                    {ring(), kCalibrated}, {"R3", "R4", "_OVR[17]"});
+                    {ring_aside(), kCalibrated}, {"R3", "R4", "_OVR[17]"});
   EXPECT_EQ(run.alarm(), 61303);
   EXPECT_EQ(run.at("R4"), 61303);
   EXPECT_EQ(run.at("R3"), 0.0);
@@ -121,4 +114,4 @@ TEST(ShopsOwnProgram, RunsBeforeAndAfterMeasuringAndBeforeAnAlarm) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::testing
