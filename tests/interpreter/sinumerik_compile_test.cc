@@ -3,6 +3,8 @@
 #include <memory>
 #include <string>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include "interpreter/dialects/sinumerik/compile.h"
@@ -15,10 +17,10 @@ using sinumerik::CompiledProgram;
 using sinumerik::OpCode;
 
 struct Compiled {
-  explicit Compiled(std::string text)
+  explicit Compiled(std::string text, const sinumerik::Globals& globals = sinumerik::Globals())
       : file("deep.mpf", std::move(text)),
         program(compile({"DEEP", &file, {0, static_cast<std::uint32_t>(file.text().size())}},
-                        sinumerik::Globals())) {}
+                        globals)) {}
 
   source::SourceFile file;
   std::unique_ptr<CompiledProgram> program;
@@ -44,6 +46,121 @@ TEST(SinumerikCompile, ABlockOfNumbersIsOneStep) {
   EXPECT_EQ(ops[0].code, OpCode::NcBlock);
   EXPECT_EQ(ops[0].a.place, 1);
   EXPECT_EQ(ops[1].code, OpCode::Block);
+}
+
+/// Every letter may begin a macro's name, so no block can be taken as one of plain words.
+sinumerik::Globals macros_of_all_letters() {
+  sinumerik::Globals globals;
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    globals.macros.define(std::string(1, letter) + "_NAME_OF_NO_PROGRAM", {});
+  }
+  return globals;
+}
+
+std::string shown(sinumerik::Operand operand) {
+  return fmt::format("{}:{}", static_cast<int>(operand.bank), operand.place);
+}
+
+/// All that a program of NC blocks does.
+std::string shown(const CompiledProgram& program) {
+  std::string all;
+  for (std::size_t i = 0; i < program.ops.size(); ++i) {
+    const sinumerik::Op& op = program.ops[i];
+    all += fmt::format("{} {} {} {} {} {} at {}-{}\n", static_cast<int>(op.code), op.detail,
+                       op.count, shown(op.result), shown(op.a), shown(op.b), program.spans[i].begin,
+                       program.spans[i].end);
+  }
+  for (const sinumerik::NcBlock& block : program.nc_blocks) {
+    all += fmt::format("codes {}, words", fmt::join(block.codes_of(program), " "));
+    for (const sinumerik::ConstantWord& word : block.words_of(program)) {
+      all += fmt::format(" {}={}", static_cast<int>(word.address), word.value);
+    }
+    all += "\n";
+  }
+  for (const sinumerik::BlockNumber& block : program.block_numbers) {
+    all += fmt::format("N{} at {}\n", block.number, block.step);
+  }
+  for (const sinumerik::BlockError& error : program.errors) {
+    all += fmt::format("{} {}\n", static_cast<int>(error.id), error.detail);
+  }
+  return all;
+}
+
+TEST(SinumerikCompile, BlocksOfPlainWordsMeanWhatTheirTokensMean) {
+  const sinumerik::Globals through_tokens = macros_of_all_letters();
+  const char* const texts[] = {
+      "N10 G1 X1.5 Y-2 F100 M3",
+      "n10g01x1.5y-.25z+3.f1e",
+      " \t N5 ; only a comment",
+      "",
+      "   ; nothing",
+      "N20",
+      "N-20 X1",
+      "N1.5",
+      "G1 N20",
+      "X 10 Y\t-3\r",
+      "X- 10",
+      "X--1",
+      "X1EX3",
+      "X1E5",
+      "X10EX",
+      "X1.2.3",
+      "X.",
+      "X",
+      "X1X2",
+      "G0 G1",
+      "G1.5",
+      "G-1",
+      "G999",
+      "G505 G1",
+      "G2147483648",
+      "X123456789012345678",
+      "X0.1234567890123456",
+      "X000000000000001.5",
+      "N999999999 X1",
+      "N9999999999 X1",
+      "M3 M4 M5 M6 M7",
+      "M3 M4 M5 M6 M7 M8",
+      "M3.5",
+      "M-3",
+      "M30",
+      "G1 X1 M17",
+      "M2 X5",
+      "L10 P2",
+      "L1 X1",
+      "R1=5",
+      "R1 X1",
+      "X1=5",
+      "X=5 Y3",
+      "Y3 X=5",
+      "T1 D1 H2 S100",
+      "T1.5",
+      "E5",
+      "X5 SUPA",
+      "SUPA X5",
+      "X5Y",
+      "A10 B-5 C1 I1 J2 K3 P4 Q1 U1 V2 W3",
+      "I1=5 X3",
+      "/N10 X1",
+      "N10 /2 X1",
+      ":10 X1",
+      "X1:",
+      "LABEL: X1",
+      "N10 LABEL: G1 X1 F1",
+      "X1 \"text\"",
+      "X'HFF'",
+      "X1 $P_EP",
+      "X$AA_IM[X]",
+      "X1 _A",
+      "X1\x80",
+      "X1;Y\"",
+  };
+  for (const std::string text : texts) {
+    SCOPED_TRACE(text);
+    const Compiled plain(text + "\nG1 X1");
+    const Compiled compared(text + "\nG1 X1", through_tokens);
+    EXPECT_EQ(shown(*plain.program), shown(*compared.program));
+  }
 }
 
 }  // namespace

@@ -53,7 +53,10 @@ std::unique_ptr<CompiledProgram> Compiler::run() {
   while (begin < whole_.end) {
     const std::size_t found = text_.find('\n', begin);
     const std::size_t end = std::min<std::size_t>(found, whole_.end);
-    block({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+    const ShortSpan line{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+    if (!plain_block(line)) {
+      block(line);
+    }
     begin = end + 1;
   }
   block_ = {whole_.end, whole_.end};
@@ -70,7 +73,7 @@ std::unique_ptr<CompiledProgram> Compiler::run_expression() {
   const Expr value = expression();
   expect_end();
   if (failed()) {
-    take_back(0);
+    raise_from(0);
   }
   program_->result = argument_of(value);
   emit(OpCode::EndProgram, {}, {}, {}, block_);
@@ -88,24 +91,32 @@ void Compiler::block(ShortSpan span) {
   if (has_letter_names_) {
     find_letter_names();
   }
-  at_ = 0;
-  error_.reset();
-  number_temporaries_ = text_temporaries_ = frame_temporaries_ = 0;
-  block_ = {tokens_.front().where.begin, tokens_[tokens_.size() - 2].where.end};
-  first_step_ = program_->ops.size();
-  emit(OpCode::Block, {}, {}, {}, block_);
+  begin_block({tokens_.front().where.begin, tokens_[tokens_.size() - 2].where.end});
   block_head();
   statement();
   if (failed()) {
     program_->has_wrong_proc = program_->has_wrong_proc || (is_first_block_ && program_->has_proc);
     program_->ops[first_step_].code = OpCode::Block;  // whatever words it had
-    take_back(first_step_ + 1);
+    raise_from(first_step_ + 1);
   }
+  end_block();
+}
+
+void Compiler::begin_block(ShortSpan block) {
+  at_ = 0;
+  error_.reset();
+  number_temporaries_ = text_temporaries_ = frame_temporaries_ = 0;
+  block_ = block;
+  first_step_ = program_->ops.size();
+  emit(OpCode::Block, {}, {}, {}, block_);
+}
+
+void Compiler::end_block() {
   program_->ops[first_step_].a.place = here();
   is_first_block_ = false;
 }
 
-/// What the block has left so far is worth nothing; the alarm takes its place.
+/// What the block has left so far is worth nothing.
 void Compiler::take_back(std::size_t first_step) {
   program_->ops.resize(first_step);
   program_->spans.resize(first_step);
@@ -116,6 +127,11 @@ void Compiler::take_back(std::size_t first_step) {
   program_->words.resize(nc_.first_word);
   has_words_ = false;
   ends_with_ = OpCode::Move;
+}
+
+/// The alarm takes the place of the block's steps.
+void Compiler::raise_from(std::size_t first_step) {
+  take_back(first_step);
   program_->errors.push_back(*error_);
   emit(OpCode::Raise, {}, {Bank::Constants, size_of(program_->errors) - 1}, {}, error_where_);
 }

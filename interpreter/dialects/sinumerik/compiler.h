@@ -8,6 +8,7 @@
 #include "interpreter/dialects/sinumerik/compile.h"
 #include "interpreter/dialects/sinumerik/functions.h"
 #include "interpreter/dialects/sinumerik/g_codes.h"
+#include "interpreter/dialects/sinumerik/plain_words.h"
 #include "interpreter/dialects/sinumerik/system_variables.h"
 #include "interpreter/dialects/sinumerik/words.h"
 
@@ -73,6 +74,8 @@ class Compiler {
 
   // compiler.cc: blocks, tokens, steps
   void block(ShortSpan span);
+  void begin_block(ShortSpan block);
+  void end_block();
   void block_head();
   void label_or_number();
   void statement();
@@ -80,6 +83,7 @@ class Compiler {
   void finish_words();
   void emit_nc_block();
   void take_back(std::size_t first_step);
+  void raise_from(std::size_t first_step);
   void reserve();
   [[nodiscard]] bool may_be_macro(const Token& token) const;
   void expand_macros();
@@ -103,6 +107,10 @@ class Compiler {
   Operand text_constant(std::string value);
   Operand temporary(Type type);
   void set_target(std::int32_t jump, std::int32_t target);
+
+  // compile_plain.cc
+  bool plain_block(ShortSpan line);
+  bool plain_word(const PlainWord& word);
 
   // compile_expression.cc
   Expr expression(int level = 0);

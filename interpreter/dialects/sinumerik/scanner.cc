@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "interpreter/dialects/sinumerik/digits.h"
 #include "interpreter/dialects/sinumerik/names.h"
-#include "interpreter/syntax/decimal.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -88,28 +88,17 @@ void Scanner::next(char c) {
 
 void Scanner::number() {
   const std::size_t begin = at_;
-  std::uint64_t mantissa = 0;  // of no use beyond kExactDigits
-  std::size_t points = 0;
-  std::size_t behind_point = 0;
-  std::size_t at = at_;  // kept out of memory while digits follow
-  for (; at < end_ && (is_digit(text_[at]) || text_[at] == '.'); ++at) {
-    if (text_[at] == '.') {
-      ++points;
-      behind_point = at + 1;
-    } else {
-      mantissa = mantissa * 10 + static_cast<std::uint64_t>(text_[at] - '0');
-    }
-  }
-  at_ = at;
+  const Digits digits = digits_at(text_.substr(0, end_), begin);
+  at_ = digits.end;
   double value = 0.0;
-  bool right = points <= 1;
-  if (right && at_ - begin - points <= syntax::kExactDigits) {
-    value = syntax::decimal(mantissa, points == 0 ? 0 : static_cast<int>(at_ - behind_point));
+  bool right = digits.points <= 1;
+  if (digits.are_exact(begin)) {
+    value = digits.value();
   } else {
     const auto read = std::from_chars(text_.data() + begin, text_.data() + at_, value);
-    right = read.ec == std::errc() && read.ptr == text_.data() + at_;
+    right = right && read.ec == std::errc() && read.ptr == text_.data() + at_;
   }
-  bool whole = points == 0;
+  bool whole = digits.points == 0;
   if (upper(look(0)) == 'E' && upper(look(1)) == 'X') {
     at_ += 2;
     right = exponent(value) && right;
