@@ -1,8 +1,10 @@
 // Files of the SINUMERIK: names, archives, definition files, characters.
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -217,6 +219,86 @@ TEST(SinumerikAlarms, TellPlaceAndCalls) {
   EXPECT_EQ(where.file->line_column(where.span.begin).line, 3);
   ASSERT_EQ(run.outcome().alarm->calls.size(), 1U);
   EXPECT_EQ(run.outcome().alarm->calls[0].where.file->name(), "main.mpf");
+}
+
+/// More text than a window has, without a block.
+std::string long_comment() {
+  std::string text;
+  while (text.size() < 600'000) {
+    text += "; nothing to do in this line, nor in the one behind it\n";
+  }
+  return text;
+}
+
+double line_of_alarm(const ProgramRun& run) {
+  const source::Location where = run.outcome().alarm->where;
+  return where.file->line_column(where.span.begin).line;
+}
+
+/// A program too long to be compiled at once: `parts`, with many comment lines behind each.
+ProgramRun long_run(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) {
+    text += part + "\n" + long_comment();
+  }
+  return ProgramRun({{"main.mpf", text},
+                     {"lib/sub.spf", "PROC SUB(INT AA)\nR9=R9+AA\nRET\n"},
+                     {"lib/back.spf", "R9=R9+1\nRET(\"HERE\")\n"}});
+}
+
+TEST(SinumerikAlarms, EndTheProgramThatWaitsForAText) {
+  std::map<std::string, std::string> files;
+  files["main.mpf"] = "R1=1\nEXECSTRING(\"R1=2 X=1/0\")\nR1=50\nM30\n";
+  ProgramRun run(std::move(files));
+  EXPECT_EQ(run.alarm(), 14051);
+  EXPECT_EQ(run.number("R1"), 2.0);
+}
+
+TEST(SinumerikLongProgram, GoesOnFromWindowToWindow) {
+  ProgramRun run = long_run({"G1 F100\nN1 X1", "R1=R1+1 X=R1", "N3 X7 M8", "R1=R1*10\nM30\nR1=5"});
+  EXPECT_EQ(run.outcome().status, runtime::Status::Completed);
+  EXPECT_EQ(run.number("R1"), 10.0);
+  EXPECT_EQ(run.number("$AA_IW[X]"), 7.0);
+  EXPECT_EQ(run.outcome().blocks, 6);
+}
+
+TEST(SinumerikLongProgram, JumpsCallsAndLoopsReachAllOfIt) {
+  ProgramRun jump = long_run({"N10 R1=R1+1", "R2=R2+1", "IF R1<3 GOTOB N10", "R3=R1\nM30"});
+  EXPECT_EQ(jump.number("R3"), 3.0);
+  EXPECT_EQ(jump.number("R2"), 3.0);
+
+  ProgramRun ahead = long_run({"R1=1", "GOTOF OUT", "R1=2", "OUT: R1=R1+10"});
+  EXPECT_EQ(ahead.number("R1"), 11.0);
+
+  ProgramRun calls = long_run({"R9=1", "SUB(10)", "SUB(100)", "R1=R9"});
+  EXPECT_EQ(calls.number("R1"), 111.0);
+
+  ProgramRun returns = long_run({"R1=1", "BACK", "R1=R1+10", "HERE: R1=R1+100"});
+  EXPECT_EQ(returns.number("R1"), 101.0);
+  EXPECT_EQ(returns.number("R9"), 1.0);
+
+  ProgramRun loop = long_run({"R1=0", "FOR R2=1 TO 3\nR1=R1+R2", "ENDFOR", "R1=R1*2"});
+  EXPECT_EQ(loop.number("R1"), 12.0);
+
+  ProgramRun part = long_run({"N10 R1=R1+1\nN20 R2=R2+1", "R3=1", "REPEAT N10 N20 P=4"});
+  EXPECT_EQ(part.number("R1"), 5.0);
+  EXPECT_EQ(part.number("R2"), 5.0);
+
+  ProgramRun texts = long_run({"R1=1", "EXECSTRING(\"R1=R1+1\")", "R1=R1*2"});
+  EXPECT_EQ(texts.number("R1"), 4.0);
+}
+
+TEST(SinumerikLongProgram, TellsTheLineOfAnAlarm) {
+  const auto lines_of_comment = std::ranges::count(long_comment(), '\n');
+  const ProgramRun in_window = long_run({"R1=1", "R1=2", "G1 F100 X=1/0", "M30"});
+  EXPECT_EQ(in_window.alarm(), 14051);
+  EXPECT_EQ(line_of_alarm(in_window), 2 + 2 * lines_of_comment + 1);
+  const ProgramRun in_whole = long_run({"R1=1", "GOTOF HERE\nHERE:", "G1 F100 X=1/0", "M30"});
+  EXPECT_EQ(in_whole.alarm(), 14051);
+  EXPECT_EQ(line_of_alarm(in_whole), 3 + 2 * lines_of_comment + 1);
+  const ProgramRun wrong_word = long_run({"R1=1", "R1=2", "G1 Q5", "M30"});
+  EXPECT_EQ(wrong_word.alarm(), 12050);
+  EXPECT_EQ(line_of_alarm(wrong_word), 2 + 2 * lines_of_comment + 1);
 }
 
 }  // namespace

@@ -22,11 +22,13 @@ constexpr std::size_t kWear1 = 12;
 
 }  // namespace
 
-void BlockWords::set(std::size_t address, const Word& word) {
+void BlockWords::set(std::size_t address, double value, Modification modification) {
   if (!words[address].present) {
     set_[set_count_++] = static_cast<std::uint8_t>(address);
   }
-  words[address] = word;
+  // Part by part: a Word that is copied as a whole costs the wait for its parts.
+  words[address].value = value;
+  words[address].modification = modification;
   words[address].present = true;
 }
 

@@ -53,7 +53,7 @@ struct BlockWords {
   std::array<std::optional<AxisMeasuring>, kAxisCount> axis_measuring;
   bool has_axis_measuring = false;
 
-  void set(std::size_t address, const Word& word);
+  void set(std::size_t address, double value, Modification modification);
   void measure_axis(std::size_t axis, const AxisMeasuring& measuring);
   /// As new.  Only what was set is touched: most blocks have few words.
   void clear();
@@ -165,8 +165,8 @@ class Channel {
   MachinePoints points;
   CornerStage corners;
   CutterStage cutter;
-  /// Direction in which the last path ended, machine coordinates; 0: there was none.
-  Eigen::Vector3d n_M_end = Eigen::Vector3d::Zero();
+  /// Of any length along the end of the last path, machine coordinates; 0: there was none.
+  Eigen::Vector3d along_M_end = Eigen::Vector3d::Zero();
 
   // Measuring
   static constexpr int kMostProbes = 8;

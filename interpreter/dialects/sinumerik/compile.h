@@ -12,12 +12,26 @@ namespace g31::sinumerik {
 struct ProgramSource {
   std::string name;
   const source::SourceFile* file = nullptr;
-  ShortSpan text;  ///< without its header
+  ShortSpan text;           ///< without its header
+  std::string folder = {};  ///< of $PATH; empty: not said
 };
 
 /// Compiles a program.  Nothing in it can make this fail: a block that is wrong becomes a step that
 /// raises the alarm when the program gets there, as the control does.
 std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Globals& globals);
+
+/// A piece of a program that can be run before what follows is known.
+struct CompiledWindow {
+  std::unique_ptr<CompiledProgram> program;
+  std::uint32_t end = 0;  ///< the line behind it
+};
+
+/// Compiles the blocks from `begin` on up to the first one that says something of others (a jump,
+/// label, call or definition), some hundred kilobytes of text at most.  The
+/// steps of such pieces are those that compile() makes, one piece behind the other, but for the
+/// EndWindow behind each; at the end of the program stands its EndProgram.
+CompiledWindow compile_window(const ProgramSource& source, const Globals& globals,
+                              std::uint32_t begin);
 
 /// Compiles `text` as blocks that run among the local variables of `home`: what --set and --print
 /// name.

@@ -9,9 +9,27 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr std::int32_t kMostTemporaries = kTemporaryCount;
+constexpr std::uint32_t kWindowBytes = 1U << 18;
+constexpr std::uint32_t kBytesOfLine = 32;  // roughly
 
 std::int32_t size_of(const auto& list) {
   return static_cast<std::int32_t>(list.size());
+}
+
+/// Steps that need no other block, and no caller.
+bool stands_alone(const Op& op) {
+  switch (static_cast<int>(op.code)) {
+    case static_cast<int>(OpCode::Jump):
+    case static_cast<int>(OpCode::JumpIfNot):
+    case static_cast<int>(OpCode::JumpText):
+    case static_cast<int>(OpCode::Call):
+    case static_cast<int>(OpCode::RepeatPart):
+      return false;
+    case static_cast<int>(OpCode::Procedure):
+      return static_cast<ProcedureId>(op.detail) != ProcedureId::EXECSTRING;
+    default:
+      return true;
+  }
 }
 
 }  // namespace
@@ -24,6 +42,7 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
       whole_(source.text),
       program_(std::make_unique<CompiledProgram>()) {
   program_->name = source.name;
+  program_->folder = source.folder;
   program_->file = source.file;
 }
 
@@ -36,10 +55,8 @@ void Compiler::know_locals_of(const CompiledProgram& home) {
   has_letter_names_ = true;
 }
 
-/// Room for as many NC blocks of constant words as there are lines: a long program has little else.
-void Compiler::reserve() {
-  const std::string_view text = text_.substr(whole_.begin, whole_.end - whole_.begin);
-  const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n'));
+/// Room for that many NC blocks of constant words: a long program has little else.
+void Compiler::reserve(std::size_t lines) {
   program_->ops.reserve(lines);
   program_->spans.reserve(lines);
   program_->nc_blocks.reserve(lines);
@@ -47,23 +64,65 @@ void Compiler::reserve() {
   program_->block_numbers.reserve(lines);
 }
 
+/// Without its line end.
+ShortSpan Compiler::line_from(std::uint32_t begin) const {
+  const std::size_t found = text_.find('\n', begin);
+  return {begin, static_cast<std::uint32_t>(std::min<std::size_t>(found, whole_.end))};
+}
+
 std::unique_ptr<CompiledProgram> Compiler::run() {
-  reserve();
-  std::size_t begin = whole_.begin;
-  while (begin < whole_.end) {
-    const std::size_t found = text_.find('\n', begin);
-    const std::size_t end = std::min<std::size_t>(found, whole_.end);
-    const ShortSpan line{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  const std::string_view text = text_.substr(whole_.begin, whole_.end - whole_.begin);
+  reserve(static_cast<std::size_t>(std::ranges::count(text, '\n')));
+  for (std::uint32_t begin = whole_.begin; begin < whole_.end;) {
+    const ShortSpan line = line_from(begin);
     if (!plain_block(line)) {
       block(line);
     }
-    begin = end + 1;
+    begin = line.end + 1;
   }
+  end_of_text();
+  return std::move(program_);
+}
+
+void Compiler::end_of_text() {
   block_ = {whole_.end, whole_.end};
   end_structures();
   resolve_jumps();
   emit(OpCode::EndProgram, {}, {}, {}, block_);
-  return std::move(program_);
+}
+
+/// Compiles a block that says nothing of other blocks: no jump, label, call or definition.
+/// @returns false: it is not such a one; its steps are taken back
+bool Compiler::lone_block(ShortSpan line) {
+  const std::size_t first_step = program_->ops.size();
+  block(line);
+  const bool is_lone = structures_.empty() && program_->labels.empty() &&
+                       program_->locals.empty() && !program_->has_proc && macros_.empty() &&
+                       std::all_of(program_->ops.begin() + static_cast<std::ptrdiff_t>(first_step),
+                                   program_->ops.end(), stands_alone);
+  if (!is_lone) {
+    take_back(first_step);
+  }
+  return is_lone;
+}
+
+CompiledWindow Compiler::run_window(std::uint32_t begin) {
+  const std::uint32_t most = std::min(whole_.end - begin, kWindowBytes);
+  reserve(most / kBytesOfLine);
+  std::uint32_t at = begin;
+  while (at < whole_.end && at - begin < most) {
+    const ShortSpan line = line_from(at);
+    if (!plain_block(line) && !lone_block(line)) {
+      break;
+    }
+    at = line.end + 1;
+  }
+  if (at < whole_.end) {
+    emit(OpCode::EndWindow, {}, {}, {}, {at, at});
+  } else {
+    end_of_text();
+  }
+  return {std::move(program_), at};
 }
 
 std::unique_ptr<CompiledProgram> Compiler::run_expression() {
@@ -415,6 +474,11 @@ void Compiler::set_target(std::int32_t jump, std::int32_t target) {
 
 std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Globals& globals) {
   return Compiler(source, globals, Compiler::Purpose::Program).run();
+}
+
+CompiledWindow compile_window(const ProgramSource& source, const Globals& globals,
+                              std::uint32_t begin) {
+  return Compiler(source, globals, Compiler::Purpose::Program).run_window(begin);
 }
 
 std::unique_ptr<CompiledProgram> compile_among(const ProgramSource& source, const Globals& globals,

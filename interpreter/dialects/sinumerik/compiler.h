@@ -39,6 +39,8 @@ class Compiler {
   void define_in(Globals& globals) { definitions_ = &globals; }
 
   std::unique_ptr<CompiledProgram> run();
+  /// Blocks from `begin` on that say nothing of others.
+  CompiledWindow run_window(std::uint32_t begin);
   /// The whole text is one expression.
   std::unique_ptr<CompiledProgram> run_expression();
 
@@ -74,6 +76,7 @@ class Compiler {
 
   // compiler.cc: blocks, tokens, steps
   void block(ShortSpan span);
+  bool lone_block(ShortSpan line);
   void begin_block(ShortSpan block);
   void end_block();
   void block_head();
@@ -84,7 +87,9 @@ class Compiler {
   void emit_nc_block();
   void take_back(std::size_t first_step);
   void raise_from(std::size_t first_step);
-  void reserve();
+  [[nodiscard]] ShortSpan line_from(std::uint32_t begin) const;
+  void reserve(std::size_t lines);
+  void end_of_text();
   [[nodiscard]] bool may_be_macro(const Token& token) const;
   void expand_macros();
   void find_letter_names();

@@ -39,7 +39,9 @@ AxisPositions Frame::factors() const {
 
 AxisPositions Frame::apply(const AxisPositions& q) const {
   AxisPositions outer = factors().cwiseProduct(q);
-  outer.head<3>() = (turn_ * outer.head<3>()).eval();
+  if (!turn_.isIdentity(0.0)) {
+    outer.head<3>() = (turn_ * outer.head<3>()).eval();
+  }
   return outer + coarse_ + fine_;
 }
 

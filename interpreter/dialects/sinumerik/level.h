@@ -48,6 +48,13 @@ struct WaitingProgram {
 
 /// One program level.
 struct Level {
+  /// Local variables as DEF and PROC leave them.
+  void make_locals() {
+    numbers.assign(program->initial_numbers.begin(), program->initial_numbers.end());
+    texts.assign(static_cast<std::size_t>(program->text_count), std::string());
+    frames.assign(static_cast<std::size_t>(program->frame_count), Frame());
+  }
+
   const CompiledProgram* program = nullptr;
   std::int32_t step = 0;
   std::vector<double> numbers;

@@ -32,18 +32,16 @@ struct Piece {
 std::vector<Piece> pieces_of(std::string_view text) {
   std::vector<Piece> pieces;
   Piece now;
-  std::size_t begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin);
-    if (line.starts_with('%')) {
-      now.end = begin;
-      pieces.push_back(now);
-      now = {};
-      now.header = upper(first_word(line.substr(1)));
-      now.begin = std::min(end + 1, text.size());
+  for (std::size_t at = text.find('%'); at != text.npos; at = text.find('%', at + 1)) {
+    if (at > 0 && text[at - 1] != '\n') {
+      continue;
     }
-    begin = end + 1;
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    now.end = at;
+    pieces.push_back(now);
+    now = {};
+    now.header = upper(first_word(text.substr(at + 1, end - at - 1)));
+    now.begin = std::min(end + 1, text.size());
   }
   now.end = text.size();
   pieces.push_back(now);
@@ -144,7 +142,8 @@ void ProgramLibrary::take(std::string path, std::string text) {
     entry->source = {
         entry->name.stem,
         &file,
-        {static_cast<std::uint32_t>(piece.begin), static_cast<std::uint32_t>(piece.end)}};
+        {static_cast<std::uint32_t>(piece.begin), static_cast<std::uint32_t>(piece.end)},
+        entry->name.folder};
     by_stem_[entry->name.stem].push_back(entry.get());
     entries_.push_back(std::move(entry));
   }
@@ -173,17 +172,25 @@ const CompiledProgram* ProgramLibrary::main_program() {
       continue;
     }
     if (entry->name.suffix == "MPF") {
-      return compiled(*entry);
+      return begun(*entry);
     }
     first = first == nullptr ? entry.get() : first;
   }
-  return first != nullptr ? compiled(*first) : nullptr;
+  return first != nullptr ? begun(*first) : nullptr;
+}
+
+const CompiledProgram* ProgramLibrary::begun(Entry& main) {
+  const ShortSpan text = main.source.text;
+  if (main.compiled != nullptr || text.end - text.begin <= kWholeProgramBytes) {
+    return compiled(main);
+  }
+  windows_ = std::make_unique<ProgramWindows>(main.source, globals_);
+  return windows_->next().program;
 }
 
 const CompiledProgram* ProgramLibrary::compiled(Entry& entry) {
   if (entry.compiled == nullptr) {
     entry.compiled = compile(entry.source, globals_);
-    entry.compiled->folder = entry.name.folder;
   }
   return entry.compiled.get();
 }

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/dialects/sinumerik/compile.h"
+#include "interpreter/dialects/sinumerik/program_windows.h"
 #include "interpreter/source/file_system.h"
 
 namespace g31::sinumerik {
@@ -43,8 +43,11 @@ class ProgramLibrary {
   /// @returns programs that set initial values, to be run first
   std::vector<const CompiledProgram*> define();
 
-  /// The first main program of the first file, else its first program; nullptr: there is none.
+  /// The first main program of the first file, else its first program; nullptr: there is none.  Of
+  /// a long one this is the first window: its EndWindow asks for the next one.
   const CompiledProgram* main_program();
+  /// Ends the life of the window before.
+  ProgramWindows::Place next_window() { return windows_->next(); }
   /// The text of the first file; nullptr when there is none.
   [[nodiscard]] const source::SourceFile* main_text() const;
 
@@ -72,6 +75,7 @@ class ProgramLibrary {
 
   void take(std::string path, std::string text);
   ProgramSource loose_source(const std::string& text);
+  const CompiledProgram* begun(Entry& main);
   Entry* find_entry(const ProgramName& name, const Near& near);
   bool load_for(const ProgramName& name);
   const CompiledProgram* compiled(Entry& entry);
@@ -80,6 +84,7 @@ class ProgramLibrary {
   Globals globals_;
   std::vector<std::unique_ptr<source::SourceFile>> texts_;
   std::vector<std::unique_ptr<Entry>> entries_;
+  std::unique_ptr<ProgramWindows> windows_;  ///< of the main program, if it is a long one
   std::map<std::string, std::vector<Entry*>, std::less<>> by_stem_;
   std::vector<std::multimap<std::string, std::string>> folders_;  ///< stem to path
   std::vector<std::string> archives_;                             ///< of folders, not yet read

@@ -25,6 +25,7 @@ class Macros {
     initials_.set(static_cast<unsigned char>(name.front()));
     return by_name_.emplace(name, std::move(macro)).second;
   }
+  [[nodiscard]] bool empty() const { return by_name_.empty(); }
   /// nullptr: there is none.
   [[nodiscard]] const Macro* find(std::string_view name) const {
     const auto found = by_name_.find(name);

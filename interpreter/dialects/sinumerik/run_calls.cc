@@ -160,9 +160,7 @@ MaybeFailure Runner::enter(const CompiledProgram& program, const std::vector<Bou
 
 MaybeFailure Runner::take_arguments(Level& into, const std::vector<BoundValue>& values) {
   const CompiledProgram& program = *into.program;
-  into.numbers.assign(program.initial_numbers.begin(), program.initial_numbers.end());
-  into.texts.assign(static_cast<std::size_t>(program.text_count), std::string());
-  into.frames.assign(static_cast<std::size_t>(program.frame_count), Frame());
+  into.make_locals();
   into.references.clear();
   into.given.assign(program.parameters.size(), false);
   if (program.has_wrong_proc) {

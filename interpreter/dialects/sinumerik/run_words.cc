@@ -7,26 +7,26 @@
 
 namespace g31::sinumerik {
 
-bool Runner::set_word(std::size_t address, BlockWords::Word word) {
+bool Runner::set_word(std::size_t address, double value, Modification modification) {
   const bool is_known = words_.words[address].present;
   if (static_cast<Address>(address) == Address::Machine) {
     if (words_.machine_code_count == kMostMachineCodes) {
       return failed(AlarmId::AddressTooOften, "M");
     }
-    words_.machine_codes[words_.machine_code_count++] = word.value;
+    words_.machine_codes[words_.machine_code_count++] = value;
   } else if (is_known) {
     return failed(AlarmId::AddressRepeated, std::string(name_of(static_cast<Address>(address))));
   }
-  words_.set(address, word);
+  words_.set(address, value, modification);
   return true;
 }
 
 MaybeFailure Runner::take_word(const Op& op) {
   if (op.code == OpCode::TextWord) {
     words_.tool_name = text(op.a);
-    set_word(op.detail, {});
+    set_word(op.detail, 0.0);
   } else {
-    set_word(op.detail, {number(op.a), static_cast<Modification>(op.count), true});
+    set_word(op.detail, number(op.a), static_cast<Modification>(op.count));
   }
   return from_step();
 }
@@ -36,8 +36,7 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
   if (axis < 0.0) {
     return failure(AlarmId::BadAxisIndex);
   }
-  set_word(static_cast<std::size_t>(axis),
-           {number(op.b), static_cast<Modification>(op.count), true});
+  set_word(static_cast<std::size_t>(axis), number(op.b), static_cast<Modification>(op.count));
   return from_step();
 }
 
@@ -66,7 +65,7 @@ MaybeFailure Runner::execute(const Op& op) {
   const CompiledProgram& program = *level().program;
   const NcBlock& block = program.nc_blocks[static_cast<std::size_t>(op.b.place)];
   for (const ConstantWord& word : block.words_of(program)) {
-    if (!set_word(index_of(word.address), {word.value})) {
+    if (!set_word(index_of(word.address), word.value)) {
       return from_step();
     }
   }

@@ -39,9 +39,16 @@ void Runner::start(const CompiledProgram& program) {
   modal_call_.reset();
   *levels_.front() = Level();
   level().program = &program;
-  level().numbers = program.initial_numbers;
-  level().texts.resize(static_cast<std::size_t>(program.text_count));
-  level().frames.resize(static_cast<std::size_t>(program.frame_count));
+  level().make_locals();
+  use_level();
+}
+
+/// What follows in a long program.  Windows have no local variables that could be lost.
+void Runner::begin_window() {
+  const ProgramWindows::Place place = library_.next_window();
+  level().program = place.program;
+  level().step = place.step;
+  level().make_locals();
   use_level();
 }
 
@@ -152,6 +159,9 @@ MaybeFailure Runner::other_step(const Op& op) {
       return return_from(op);
     case static_cast<int>(OpCode::EndProgram):
       return end_program();
+    case static_cast<int>(OpCode::EndWindow):
+      begin_window();
+      return std::nullopt;
     case static_cast<int>(OpCode::JumpText):
       return jump_to_text(op);
     case static_cast<int>(OpCode::RepeatPart):
@@ -284,6 +294,7 @@ MaybeFailure Runner::run_among(const CompiledProgram& program) {
   level().program = &program;
   level().step = 0;
   level().parts.clear();
+  level().waiting.clear();
   ended_ = false;
   use_level();
   MaybeFailure reason = loop();

@@ -57,6 +57,7 @@ class Runner {
   MaybeFailure run_among(const CompiledProgram& program);
   [[nodiscard]] const CompiledProgram& home() const;
   void start(const CompiledProgram& program);
+  void begin_window();
   MaybeFailure loop();
   MaybeFailure other_step(const Op& op);
   MaybeFailure value_step(const Op& op);
@@ -154,7 +155,7 @@ class Runner {
   MaybeFailure take_axis_word(const Op& op);
   MaybeFailure take_axis_measuring(const Op& op);
   MaybeFailure take_skip_action(const Op& op);
-  bool set_word(std::size_t address, BlockWords::Word word);
+  bool set_word(std::size_t address, double value, Modification modification = Modification::None);
   MaybeFailure execute(const Op& op);
 
   // run_system.cc

@@ -70,14 +70,27 @@ class DirectiveReader {
   std::size_t at_ = 0;
 };
 
+std::optional<std::string> character(double number) {
+  constexpr double kLast = 255.0;
+  return number >= 0.0 && number <= kLast ? std::optional(shown(Type::Char, number)) : std::nullopt;
+}
+
+/// Of 32 bits, the two's complement of negative ones.
+std::optional<std::string> hexadecimal(double number) {
+  const double whole = std::floor(number + 0.5);
+  if (!(whole >= -2147483648.0 && whole <= 4294967295.0)) {
+    return std::nullopt;
+  }
+  return fmt::format("{:X}", static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)));
+}
+
 std::optional<std::string> converted(const Directive& directive, const SprintValue& value) {
   const int places = directive.places.value_or(kPlaces);
   switch (directive.kind) {
     case 'B':
       return value.number != 0.0 ? "1" : "0";
     case 'C':
-      return value.type == Type::String ? value.text.substr(0, 1)
-                                        : std::string(1, static_cast<char>(value.number));
+      return value.type == Type::String ? value.text.substr(0, 1) : character(value.number);
     case 'D':
       return fmt::format("{:.0f}", std::floor(value.number + 0.5));
     case 'F':
@@ -87,8 +100,7 @@ std::optional<std::string> converted(const Directive& directive, const SprintVal
     case 'G':
       return fmt::format("{:.{}g}", value.number, directive.places.value_or(kPlaces));
     case 'X':
-      return fmt::format("{:X}", static_cast<std::uint32_t>(
-                                     static_cast<std::int64_t>(std::floor(value.number + 0.5))));
+      return hexadecimal(value.number);
     case 'S': {
       std::string text = value.type == Type::String ? value.text : shown(value.type, value.number);
       return directive.places ? text.substr(0, static_cast<std::size_t>(*directive.places)) : text;

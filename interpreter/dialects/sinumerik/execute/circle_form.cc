@@ -111,7 +111,7 @@ MaybeFailure through_middle(const Vector& middle, Circle& circle) {
 MaybeFailure tangential(const Channel& channel, Circle& circle) {
   AxisPositions q_M_ahead = channel.machine_position();
   const AxisPositions q_W = channel.to_work(q_M_ahead);
-  q_M_ahead.head<3>() += channel.n_M_end;
+  q_M_ahead.head<3>() += channel.along_M_end.normalized();
   Vector along = in_plane(channel.to_work(q_M_ahead) - q_W, circle.plane);
   const Vector chord = circle.end - circle.start;
   if (along.norm() < kNothing || chord.norm() < kNothing) {

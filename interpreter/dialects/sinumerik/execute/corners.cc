@@ -18,11 +18,11 @@ constexpr CornerWord kWords[] = {{Address::Rounding, Kind::Rounding},
                                  {Address::ChamferWidth, Kind::ChamferWidth}};
 
 /// Of the block, or RNDM.
-Result<CornerWish, Failure> wish_of(const Channel& channel, const BlockWords& words) {
-  CornerWish wish;
-  if (channel.corners.modal_radius_mm > 0.0) {
-    wish = {Kind::Rounding, channel.corners.modal_radius_mm, 0.0};
-  }
+MaybeFailure take_wish(Channel& channel, const BlockWords& words) {
+  CornerWish& wish = channel.corners.wish;
+  wish.kind = channel.corners.modal_radius_mm > 0.0 ? Kind::Rounding : Kind::Sharp;
+  wish.size_mm = channel.corners.modal_radius_mm;
+  wish.feed_mm_min = 0.0;
   int given = 0;
   for (const CornerWord& row : kWords) {
     const BlockWords::Word& word = words[row.address];
@@ -35,9 +35,10 @@ Result<CornerWish, Failure> wish_of(const Channel& channel, const BlockWords& wo
     if (word.value < 0.0) {
       return failure(AlarmId::ValueOutOfLimits, fmt::format("{:g}", word.value));
     }
-    wish = {word.value > 0.0 ? row.kind : Kind::Sharp, word.value * channel.mm_per_length(), 0.0};
+    wish.kind = word.value > 0.0 ? row.kind : Kind::Sharp;
+    wish.size_mm = word.value * channel.mm_per_length();
   }
-  return wish;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -51,11 +52,9 @@ MaybeFailure read_corner(Channel& channel, const Block& block) {
   if (words.has(Address::ModalCornerFeed)) {
     corners.modal_feed = words[Address::ModalCornerFeed].value;
   }
-  const auto wish = wish_of(channel, words);
-  if (!wish) {
-    return wish.error();
+  if (MaybeFailure wrong = take_wish(channel, words)) {
+    return wrong;
   }
-  corners.wish = wish.value();
   if (corners.wish.kind == Kind::Sharp) {
     return std::nullopt;
   }

@@ -80,9 +80,8 @@ double spindle_speed(const Channel& channel, double radius_mm) {
 }
 
 double feed_length(const AxisPositions& q_M_from, const AxisPositions& q_M_to) {
-  const AxisPositions way = q_M_to - q_M_from;
-  const double linear = way.head<3>().norm();
-  return linear > 0.0 ? linear : way.tail<3>().norm();
+  const double linear = (q_M_to.head<3>() - q_M_from.head<3>()).norm();
+  return linear > 0.0 ? linear : (q_M_to.tail<3>() - q_M_from.tail<3>()).norm();
 }
 
 FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_end,

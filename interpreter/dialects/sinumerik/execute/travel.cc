@@ -132,19 +132,19 @@ Failure cannot_cut(const compensation::CornerFault& fault) {
   return wrong;
 }
 
-/// The direction in which a path ends; as it was when the path has no length.
-Eigen::Vector3d end_of(const Channel& channel, const PathBlock& path) {
-  const AxisPositions way = path.q_M_end - channel.machine_position();
+/// Of any length along the end of a path; as it was when the path has no length.
+Eigen::Vector3d end_of(const Channel& channel, const AxisPositions& q_M_from,
+                       const PathBlock& path) {
   if (!path.arc) {
-    return way.head<3>().norm() > 0.0 ? Eigen::Vector3d(way.head<3>().normalized())
-                                      : channel.n_M_end;
+    const Eigen::Vector3d way = path.q_M_end.head<3>() - q_M_from.head<3>();
+    return way.isZero(0.0) ? channel.along_M_end : way;
   }
   const Plane plane = channel.plane();
   const double side = path.arc->turn == machine::Turn::Counterclockwise ? 1.0 : -1.0;
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   direction[plane.first] = -side * (path.q_M_end[plane.second] - path.arc->centre.y());
   direction[plane.second] = side * (path.q_M_end[plane.first] - path.arc->centre.x());
-  return direction.normalized();
+  return direction;
 }
 
 }  // namespace
@@ -157,11 +157,11 @@ Failure from_fault(const machine::MachineFault& fault) {
 }
 
 MaybeFailure travel(Channel& channel, const PathBlock& path) {
-  channel.n_M_end = end_of(channel, path);
+  const AxisPositions q_M_from = channel.machine_position();
+  channel.along_M_end = end_of(channel, q_M_from, path);
   CornerStage& corners = channel.corners;
   CutterStage& cutter = channel.cutter;
   cutter.fed = true;
-  const AxisPositions q_M_from = channel.machine_position();
   if (!path.arc && path.q_M_end == q_M_from && cutter.path.engaged()) {
     MaybeFailure wrong = carry_out(channel, cutter.path.pass(std::nullopt, cutter.command));
     return wrong ? wrong : too_idle(channel);
