@@ -315,6 +315,9 @@ Expr Compiler::arithmetic(OpCode code, Expr left, Expr right, ShortSpan where) {
 }
 
 Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
+  if (!failed() && from.is_whole_array) {
+    fail(AlarmId::InvalidIndex, from.where, "an array is no value");
+  }
   if (failed() || from.type == to) {
     return from;
   }
@@ -322,9 +325,7 @@ Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
   result.type = to;
   result.variable = -1;
   const bool to_number = is_number(to);
-  if (from.is_whole_array) {
-    fail(AlarmId::InvalidIndex, from.where, "an array is no value");
-  } else if (is_number(from.type) && to_number) {
+  if (is_number(from.type) && to_number) {
     const bool narrows = to == Type::Bool || (to == Type::Char && from.type != Type::Bool) ||
                          (to == Type::Int && from.type == Type::Real);
     if (narrows) {
