@@ -35,6 +35,11 @@ void BlockWords::measure_axis(std::size_t axis, const AxisMeasuring& measuring) 
   has_axis_measuring = true;
 }
 
+void BlockWords::position_axis(std::size_t axis, const Word& word) {
+  positioning[axis] = word;
+  has_positioning = true;
+}
+
 void BlockWords::clear() {
   for (std::size_t i = 0; i < set_count_; ++i) {
     words[set_[i]] = {};
@@ -46,6 +51,11 @@ void BlockWords::clear() {
     axis_measuring = {};
     has_axis_measuring = false;
   }
+  if (has_positioning) {
+    positioning = {};
+    has_positioning = false;
+  }
+  axis_settings.clear();
 }
 
 bool BlockWords::has_axes() const {

@@ -46,15 +46,25 @@ struct BlockWords {
     double trigger = 0.0;  ///< probe 1 or 2, minus: falling edge
     bool goes_on = false;  ///< MEAWA
   };
+  /// FA[axis], ACC[axis] and the like
+  struct AxisSetting {
+    AxisWordId word = AxisWordId::AxisFeed;
+    int axis = 0;  ///< or kSpindleAxis
+    double value = 0.0;
+  };
   std::array<Word, index_of(Address::Count)> words;
   std::array<double, kMostMachineCodes> machine_codes = {};
   std::size_t machine_code_count = 0;
   std::optional<std::string> tool_name;
   std::array<std::optional<AxisMeasuring>, kAxisCount> axis_measuring;
   bool has_axis_measuring = false;
+  std::array<Word, kAxisCount> positioning;  ///< POS[axis] and POSA[axis]
+  bool has_positioning = false;
+  std::vector<AxisSetting> axis_settings;
 
   void set(std::size_t address, const Word& word);
   void measure_axis(std::size_t axis, const AxisMeasuring& measuring);
+  void position_axis(std::size_t axis, const Word& word);
   /// As new.  Only what was set is touched: most blocks have few words.
   void clear();
   [[nodiscard]] const Word& operator[](Address address) const { return words[index_of(address)]; }
@@ -89,6 +99,7 @@ class Channel {
   std::array<int, kGroupCount> group = {};  ///< number within the group
   double feed = 0.0;                        ///< as programmed
   Spindle spindle;
+  AxisSettings axis_settings;
   double master_spindle = 1.0;
   [[nodiscard]] Plane plane() const;
   [[nodiscard]] double mm_per_length() const;

@@ -23,6 +23,15 @@ struct Spindle {
   double highest = std::numeric_limits<double>::infinity();
   double limit = std::numeric_limits<double>::infinity();  ///< LIMS: with G96 only
   std::optional<double> angle = 0.0;                       ///< degrees; nullopt: it turns
+  double override_percent = 100.0;                         ///< OVRA[S1]
+};
+
+/// What programs set of the axes one by one, and the overrides that they write.
+struct AxisSettings {
+  std::array<double, kAxisCount> feed = {};  ///< FA, mm/min or deg/min; 0: rapid
+  AxisPositions override_percent = AxisPositions::Constant(100.0);  ///< OVRA
+  AxisPositions mm_per_degree = AxisPositions::Constant(1.0);       ///< FGREF, of rotary axes
+  double path_override_percent = 100.0;                             ///< OVR
 };
 
 /// The pole of polar coordinates, and the last ones.

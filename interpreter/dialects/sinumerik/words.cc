@@ -1,5 +1,6 @@
 #include "interpreter/dialects/sinumerik/words.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -18,6 +19,13 @@ constexpr auto kProcedures = std::to_array<ProcedureInfo>({
 #define PROCEDURE(name, parameters, form, text) {#name, parameters, form, text},
 #include "interpreter/dialects/sinumerik/procedures.def"
 #undef PROCEDURE
+});
+
+constexpr auto kAxisWords = std::to_array<AxisWordInfo>({
+#define AXIS_WORD(id, name, role, least, most, text) \
+  {AxisWordId::id, name, AxisRole::role, least, most, text},
+#include "interpreter/dialects/sinumerik/axis_words.def"
+#undef AXIS_WORD
 });
 
 struct ModificationRow {
@@ -74,6 +82,19 @@ std::optional<Modification> find_modification(std::string_view name) {
     }
   }
   return std::nullopt;
+}
+
+std::span<const AxisWordInfo> axis_words() {
+  return kAxisWords;
+}
+
+const AxisWordInfo& info(AxisWordId id) {
+  return kAxisWords.at(static_cast<std::size_t>(id));
+}
+
+const AxisWordInfo* find_axis_word(std::string_view name) {
+  const auto found = std::ranges::find(kAxisWords, name, &AxisWordInfo::name);
+  return found != kAxisWords.end() ? &*found : nullptr;
 }
 
 std::span<const ProcedureInfo> procedures() {

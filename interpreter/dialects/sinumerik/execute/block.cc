@@ -174,6 +174,9 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = refuse_unknown(block)) {
     return wrong;
   }
+  if (MaybeFailure wrong = take_axis_settings(channel, block)) {
+    return wrong;
+  }
   if (MaybeFailure wrong = take_technology(channel, block)) {
     return wrong;
   }
@@ -186,7 +189,11 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = read_corner(channel, block)) {
     return wrong;
   }
-  MaybeFailure wrong = move(channel, block);
+  MaybeFailure wrong =
+      block.words.has_positioning ? move_positioning_axes(channel, block) : std::nullopt;
+  if (!wrong) {
+    wrong = move(channel, block);
+  }
   if (!wrong) {
     wrong = end_compensated_block(channel);
   }

@@ -57,6 +57,14 @@ MaybeFailure measure(Channel& channel, const Block& block);
 /// G4
 MaybeFailure dwell(Channel& channel, const Block& block);
 
+/// OVR, FA[axis], ACC[axis] and the like.
+MaybeFailure take_axis_settings(Channel& channel, const Block& block);
+/// POS[axis] and POSA[axis]: each axis for itself, before the path of the block.
+MaybeFailure move_positioning_axes(Channel& channel, const Block& block);
+
+/// Where the word of an axis sends it, work coordinates.  @param now  where it stands
+Result<double, Failure> programmed_place(const Channel& channel, int axis,
+                                         const BlockWords::Word& word, double now);
 /// The end that the axis words or AP and RP say, work coordinates; axes without a word stay where
 /// they are.
 Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& block);

@@ -70,19 +70,31 @@ FeedMeaning feed_meaning(int feed_type) {
 
 double spindle_speed(const Channel& channel, double radius_mm) {
   const Spindle& spindle = channel.spindle;
+  const double share = spindle.override_percent / 100.0;
   if (!cuts_at_constant_speed(channel.group[15])) {
     return spindle.speed <= 0.0
                ? 0.0
-               : std::clamp(spindle.speed, std::min(spindle.lowest, spindle.highest),
+               : std::clamp(spindle.speed * share, std::min(spindle.lowest, spindle.highest),
                             spindle.highest);
   }
-  return spindle.cutting_speed <= 0.0 ? 0.0 : 1.0 / TurnTime(channel).at(radius_mm);
+  return spindle.cutting_speed <= 0.0 ? 0.0 : share / TurnTime(channel).at(radius_mm);
 }
 
 double feed_length(const AxisPositions& q_M_from, const AxisPositions& q_M_to) {
   const AxisPositions way = q_M_to - q_M_from;
   const double linear = way.head<3>().norm();
   return linear > 0.0 ? linear : way.tail<3>().norm();
+}
+
+double feed_reference(const Channel& channel, const AxisPositions& q_M_from,
+                      const AxisPositions& q_M_to) {
+  const AxisPositions way = q_M_to - q_M_from;
+  const double rotary = way.tail<3>().norm();
+  const bool by_time = feed_meaning(channel.group[15]) == FeedMeaning::InverseTime;
+  if (by_time || rotary == 0.0 || way.head<3>().norm() > 0.0) {
+    return 1.0;
+  }
+  return rotary / way.cwiseProduct(channel.axis_settings.mm_per_degree).tail<3>().norm();
 }
 
 FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_end,
@@ -99,7 +111,8 @@ FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_
 double switched(const Channel& channel, double feed_mm_min) {
   const runtime::FeedSwitches& switches = channel.feed_switches;
   return switches.dry_run_mm_min > 0.0 ? switches.dry_run_mm_min
-                                       : feed_mm_min * switches.override_percent / 100.0;
+                                       : feed_mm_min * switches.override_percent / 100.0 *
+                                             channel.axis_settings.path_override_percent / 100.0;
 }
 
 Result<double, Failure> feed_in_force(const Channel& channel, const Block& block,

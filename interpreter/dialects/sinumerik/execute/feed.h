@@ -22,6 +22,11 @@ FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_
 Result<double, Failure> feed_in_force(const Channel& channel, const Block& block,
                                       const FeedWay& way);
 
+/// By how much FGREF makes the machine's feed another one than F: 1 but where rotary axes move
+/// alone and F counts on their radius.
+double feed_reference(const Channel& channel, const AxisPositions& q_M_from,
+                      const AxisPositions& q_M_to);
+
 /// Override and dry run on a feed.
 double switched(const Channel& channel, double feed_mm_min);
 

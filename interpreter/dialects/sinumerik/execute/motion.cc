@@ -48,29 +48,37 @@ Result<double, Failure> thread_feed(const Channel& channel, const Block& block,
 
 }  // namespace
 
-Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& block) {
-  const AxisPositions q_W_now = channel.present();
-  AxisPositions q_W_end = q_W_now;
+Result<double, Failure> programmed_place(const Channel& channel, int axis,
+                                         const BlockWords::Word& word, double now) {
+  const bool turns = word.modification == Modification::Direct ||
+                     word.modification == Modification::Plus ||
+                     word.modification == Modification::Minus;
+  if (turns && axis < 3) {
+    return failure(AlarmId::BadModification,
+                   fmt::format("{} is no rotary axis", kAxisLetters[axis]));
+  }
   const bool incremental = channel.group[14] == 2 && channel.suppression == 0;
+  const bool adds = word.modification == Modification::Incremental ||
+                    (word.modification == Modification::None && incremental);
+  const double value = channel.stored_place(
+      axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute);
+  return turns  ? rotary_end(now, value, word.modification)
+         : adds ? channel.programmed()[axis] + value
+                : value;
+}
+
+Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& block) {
+  AxisPositions q_W_end = channel.present();
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     const BlockWords::Word& word = block.words.axis(axis);
     if (!word.present) {
       continue;
     }
-    const bool turns = word.modification == Modification::Direct ||
-                       word.modification == Modification::Plus ||
-                       word.modification == Modification::Minus;
-    if (turns && axis < 3) {
-      return failure(AlarmId::BadModification,
-                     fmt::format("{} is no rotary axis", kAxisLetters[axis]));
+    const auto place = programmed_place(channel, axis, word, q_W_end[axis]);
+    if (!place) {
+      return place.error();
     }
-    const bool adds = word.modification == Modification::Incremental ||
-                      (word.modification == Modification::None && incremental);
-    const double value = channel.stored_place(
-        axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute);
-    q_W_end[axis] = turns  ? rotary_end(q_W_now[axis], value, word.modification)
-                    : adds ? channel.programmed()[axis] + value
-                           : value;
+    q_W_end[axis] = place.value();
   }
   if (is_polar(block)) {
     if (MaybeFailure wrong = take_polar(channel, block, q_W_end)) {
@@ -104,7 +112,7 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
     if (!feed) {
       return feed.error();
     }
-    path.feed_mm_min = feed.value();
+    path.feed_mm_min = feed.value() * feed_reference(channel, q_M_start, path.q_M_end);
     path.ends = block_end(channel);
   }
   return travel_to(channel, path, q_W_end.value());
