@@ -176,6 +176,7 @@ class Channel {
   MachinePoints points;
   CornerStage corners;
   CutterStage cutter;
+  std::optional<HeldLine> held_line;
   /// Direction in which the last path ended, machine coordinates; 0: there was none.
   Eigen::Vector3d n_M_end = Eigen::Vector3d::Zero();
 

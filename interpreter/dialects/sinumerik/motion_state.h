@@ -65,6 +65,18 @@ struct CornerStage {
   double modal_feed = 0.0;       ///< FRCM, as programmed
 };
 
+/// A straight line of which a block says only the angle (ANG): its end comes of the next block.
+struct HeldLine {
+  double degrees = 0.0;                           ///< from the first axis of the plane
+  AxisPositions q_W_end = AxisPositions::Zero();  ///< but for the plane
+  double feed = 0.0;                              ///< as programmed
+  int g = 1;                                      ///< 0 rapid
+  machine::BlockEnd ends = machine::BlockEnd::ExactStop;
+  compensation::CornerWish wish;
+  compensation::CompensationCommand command;
+  source::Location where;
+};
+
 /// Tool radius compensation and what the present block says to it.
 struct CutterStage {
   compensation::CutterCompensation path;

@@ -136,7 +136,28 @@ bool is_circle(int motion) {
   return (motion >= kClockwise && motion <= kThroughPoint) || motion == kTangential;
 }
 
+/// ANG is of straight lines, and a line that waits for its end wants such a one next.
+MaybeFailure judge_lines(Channel& channel, const Block& block) {
+  const bool has_angle = block.words.has(Address::Angle);
+  const bool listens = listens_to_probe(channel, block);
+  const bool is_special = special_code(block) != nullptr;
+  if (has_angle && (listens || is_special || is_polar(block) || is_circle(channel.group[1]))) {
+    return failure(AlarmId::BadSyntax, "ANG is the angle of a straight line, without AP and RP");
+  }
+  const bool acts = commands_motion(block) || listens || is_special || block.words.has_positioning;
+  const bool goes_on = has_angle && !block.words.has_positioning;
+  return channel.held_line && acts && !goes_on ? line_without_end(channel) : std::nullopt;
+}
+
 MaybeFailure move(Channel& channel, const Block& block) {
+  if (MaybeFailure wrong = judge_lines(channel, block)) {
+    return wrong;
+  }
+  if (block.words.has_positioning) {
+    if (MaybeFailure wrong = move_positioning_axes(channel, block)) {
+      return wrong;
+    }
+  }
   if (const GCode* const code = special_code(block)) {
     return special_of(code->action)(channel, block, *code);
   }
@@ -163,7 +184,8 @@ const GCode* Block::code_of(int group) const {
 }
 
 bool commands_motion(const Block& block) {
-  return (block.words.has_axes() || is_polar(block)) && special_code(block) == nullptr;
+  return (block.words.has_axes() || is_polar(block) || block.words.has(Address::Angle)) &&
+         special_code(block) == nullptr;
 }
 
 MaybeFailure execute_block(Channel& channel, const Block& block) {
@@ -189,11 +211,7 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = read_corner(channel, block)) {
     return wrong;
   }
-  MaybeFailure wrong =
-      block.words.has_positioning ? move_positioning_axes(channel, block) : std::nullopt;
-  if (!wrong) {
-    wrong = move(channel, block);
-  }
+  MaybeFailure wrong = move(channel, block);
   if (!wrong) {
     wrong = end_compensated_block(channel);
   }

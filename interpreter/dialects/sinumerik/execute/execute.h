@@ -70,6 +70,18 @@ Result<double, Failure> programmed_place(const Channel& channel, int axis,
 Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& block);
 /// Whether AP or RP stands in the block.
 bool is_polar(const Block& block);
+/// Takes ANG into the axis of the plane that has no word.  @param q_W_from  where the line begins
+MaybeFailure take_angle(const Channel& channel, const Block& block, AxisPositions& q_W_end,
+                        const AxisPositions& q_W_from);
+/// How many axes of the plane have a word.
+int plane_words(const Channel& channel, const Block& block);
+/// A line of which only ANG is known waits for the next one.
+MaybeFailure hold_line(Channel& channel, const Block& block);
+/// Moves along the line that waits, up to where the line of this block begins.
+/// @param q_W_block_end  where the line of this block ends, work coordinates
+MaybeFailure release_line(Channel& channel, const Block& block, const AxisPositions& q_W_block_end);
+/// The alarm of a line that still waits.
+MaybeFailure line_without_end(Channel& channel);
 /// Takes AP and RP into the axes of the plane.
 MaybeFailure take_polar(Channel& channel, const Block& block, AxisPositions& q_W_end);
 

@@ -68,7 +68,8 @@ Result<double, Failure> programmed_place(const Channel& channel, int axis,
 }
 
 Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& block) {
-  AxisPositions q_W_end = channel.present();
+  const AxisPositions q_W_now = channel.present();
+  AxisPositions q_W_end = q_W_now;
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     const BlockWords::Word& word = block.words.axis(axis);
     if (!word.present) {
@@ -79,6 +80,11 @@ Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& blo
       return place.error();
     }
     q_W_end[axis] = place.value();
+  }
+  if (block.words.has(Address::Angle) && plane_words(channel, block) > 0) {
+    if (MaybeFailure wrong = take_angle(channel, block, q_W_end, q_W_now)) {
+      return *wrong;
+    }
   }
   if (is_polar(block)) {
     if (MaybeFailure wrong = take_polar(channel, block, q_W_end)) {
@@ -94,9 +100,17 @@ machine::BlockEnd block_end(const Channel& channel) {
 }
 
 MaybeFailure move_straight(Channel& channel, const Block& block) {
+  if (block.words.has(Address::Angle) && plane_words(channel, block) == 0) {
+    return hold_line(channel, block);
+  }
   const auto q_W_end = programmed_end(channel, block);
   if (!q_W_end) {
     return q_W_end.error();
+  }
+  if (channel.held_line) {
+    if (MaybeFailure wrong = release_line(channel, block, q_W_end.value())) {
+      return wrong;
+    }
   }
   compensation::PathBlock path;
   path.q_M_end = channel.to_machine(q_W_end.value());

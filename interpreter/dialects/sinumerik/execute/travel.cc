@@ -218,6 +218,9 @@ MaybeFailure finish_corners(Channel& channel) {
 }
 
 MaybeFailure finish_motion(Channel& channel) {
+  if (MaybeFailure wrong = line_without_end(channel)) {
+    return wrong;
+  }
   if (MaybeFailure wrong = finish_corners(channel)) {
     return wrong;
   }
