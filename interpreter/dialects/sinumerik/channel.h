@@ -13,6 +13,7 @@
 #include "interpreter/dialects/sinumerik/g_codes.h"
 #include "interpreter/dialects/sinumerik/globals.h"
 #include "interpreter/dialects/sinumerik/motion_state.h"
+#include "interpreter/dialects/sinumerik/system_variables.h"
 #include "interpreter/dialects/sinumerik/words.h"
 #include "interpreter/runtime/budget_watch.h"
 #include "interpreter/runtime/control_setup.h"
@@ -31,6 +32,20 @@ struct Tool {
   double state = 2.0;  ///< bit 1: released
   std::map<int, EdgeData> edges;
   std::map<int, double> teeth;  ///< $TC_DPNT
+
+  /// A datum that is only kept, or that few tools have: $TC_SCPn, $TC_MOPn, $TC_TPn.
+  struct Datum {
+    SystemId id = SystemId::ToolDatum;
+    int edge = 0;  ///< 0: of the tool
+    int number = 0;
+    friend auto operator<=>(const Datum&, const Datum&) = default;
+  };
+  std::map<Datum, double> more;
+  /// 0: never written
+  [[nodiscard]] double datum(const Datum& which) const {
+    const auto found = more.find(which);
+    return found != more.end() ? found->second : 0.0;
+  }
 };
 
 /// The words of one NC block.
@@ -148,11 +163,14 @@ class Channel {
   int selected_tool = 0;
   int tool = 0;
   int edge = 0;
+  int additive = 0;  ///< DL
   [[nodiscard]] const EdgeData* active_edge() const;
   /// mm, wear included; 0 without an edge
   [[nodiscard]] double tool_radius() const;
   /// mm: what the active edge adds to the machine coordinates.
   [[nodiscard]] AxisPositions tool_offset() const;
+  /// mm: what DL adds to parameter 3 to 6 of the active edge.
+  [[nodiscard]] double additive_offset(int parameter) const;
   /// nullptr: no such tool, or no such edge
   Tool* find_tool(int number);
   EdgeData* find_edge(int number, int which);
@@ -191,6 +209,8 @@ class Channel {
     machine::SignalEdge edge = machine::SignalEdge::Rising;
   };
   std::optional<SkipAction> skip_action;
+
+  Clocks clocks;
 
   // Outside world
   std::map<std::string, std::string> files;  ///< what WRITE, READ and EXTWRITE work on

@@ -1,18 +1,15 @@
 #include "interpreter/dialects/sinumerik/compiler.h"
 
 namespace g31::sinumerik {
-namespace {
 
-/// Whether an argument is the variable that its parameter wants; see procedures.def.
-bool takes(char kind, const Argument& argument) {
+bool is_taken_by(char kind, const Argument& argument) {
   const bool is_element = argument.form == Argument::Form::Element;
-  const bool is_variable = is_element || argument.form == Argument::Form::Whole;
+  const bool is_whole = argument.form == Argument::Form::Whole;
   return kind == 'V'   ? is_element && is_number(argument.type)
-         : kind == 'W' ? is_variable && argument.type == Type::String
+         : kind == 'M' ? is_whole && argument.type == Type::Real
+         : kind == 'W' ? (is_element || is_whole) && argument.type == Type::String
                        : true;
 }
-
-}  // namespace
 
 /// NAME, NAME(arguments), NAME P3
 void Compiler::call_by_name(std::string name, ShortSpan where) {
@@ -164,7 +161,7 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
       function_argument(kind == 'o' ? '*' : kind, list);
     }
     i -= kind == '*' || kind == 'o' ? 1 : 0;  // any more of them
-    if (!failed() && !takes(kind, list.back())) {
+    if (!failed() && !is_taken_by(kind, list.back())) {
       fail(AlarmId::ReferenceMissing, where, std::string(row.name));
     }
   }

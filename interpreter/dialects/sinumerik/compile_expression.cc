@@ -395,6 +395,9 @@ Expr Compiler::call_function(FunctionId id, ShortSpan where) {
     }
     function_argument(kind, list);
     i -= kind == '*' ? 1 : 0;  // any more of them
+    if (!failed() && !is_taken_by(kind, list.back())) {
+      fail(AlarmId::ReferenceMissing, list.back().where, std::string(row.name));
+    }
   }
   Expr result;
   result.type = row.result;

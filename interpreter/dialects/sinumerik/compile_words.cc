@@ -107,6 +107,9 @@ void Compiler::m_word(ShortSpan where) {
   }
   Modification modification = Modification::None;
   const Expr value = convert(word_value(modification), Type::Int, AlarmId::BadArguments);
+  if (modification != Modification::None && modification != Modification::Quick) {
+    fail(AlarmId::BadModification, where, text_of(where));
+  }
   if (failed()) {
     return;
   }
@@ -191,13 +194,16 @@ void Compiler::word(Address address, ShortSpan where) {
     return;
   }
   const bool may_be_text = address == Address::Tool && value.type == Type::String;
+  const bool is_quick = modification == Modification::Quick &&
+                        (address == Address::Auxiliary || address == Address::Speed);
+  modification = is_quick ? Modification::None : modification;
   const bool modifiable = index_of(address) < kAxisCount || address == Address::CentreX ||
                           address == Address::CentreY || address == Address::CentreZ ||
                           address == Address::Spindle || address == Address::SpindleAsync ||
                           address == Address::MiddleX || address == Address::MiddleY ||
                           address == Address::MiddleZ || address == Address::PolarAngle ||
                           address == Address::PolarRadius;
-  if (modification != Modification::None && !modifiable) {
+  if (modification == Modification::Quick || (modification != Modification::None && !modifiable)) {
     fail(AlarmId::BadModification, where, text_of(where));
     return;
   }
@@ -262,7 +268,7 @@ void Compiler::axis_word(const AxisWordInfo& row) {
   Modification modification = Modification::None;
   const Expr value = convert(word_value(modification), Type::Real, AlarmId::BadArguments);
   const bool is_place = row.role == AxisRole::Path || row.role == AxisRole::Positioning;
-  if (modification != Modification::None && !is_place) {
+  if (modification == Modification::Quick || (modification != Modification::None && !is_place)) {
     fail(AlarmId::BadModification, where, row.name);
   }
   emit(OpCode::AxisWord, {}, axis.value, value.value, where);

@@ -266,4 +266,8 @@ class Compiler {
   std::vector<PartToRepeat> parts_;
 };
 
+/// Whether an argument is the variable that its parameter wants; see functions.def and
+/// procedures.def.
+bool is_taken_by(char kind, const Argument& argument);
+
 }  // namespace g31::sinumerik

@@ -24,6 +24,7 @@ struct Spindle {
   double limit = std::numeric_limits<double>::infinity();  ///< LIMS: with G96 only
   std::optional<double> angle = 0.0;                       ///< degrees; nullopt: it turns
   double override_percent = 100.0;                         ///< OVRA[S1]
+  int direction = -5;  ///< 3, 4, 5 of M3, M4, M5; -19 positioned; -5 nothing yet
 };
 
 /// What programs set of the axes one by one, and the overrides that they write.
@@ -75,6 +76,25 @@ struct HeldLine {
   compensation::CornerWish wish;
   compensation::CompensationCommand command;
   source::Location where;
+};
+
+/// The times that programs read, s; the machine's clock is the measure of all of them.
+struct Clocks {
+  static constexpr int kTimers = 100;
+  struct Timer {
+    double value = 0.0;
+    std::optional<double> since;  ///< nullopt: it stands
+    [[nodiscard]] double at(double now) const { return value + (since ? now - *since : 0.0); }
+  };
+  std::array<Timer, kTimers> timers;  ///< $AC_TIMER
+  double block_began = 0.0;
+  double cutting = 0.0;
+  // What was written to these variables, less the time then.
+  double operating_offset = 0.0;
+  double cycle_offset = 0.0;
+  double cutting_offset = 0.0;
+  double setup_offset = 0.0;
+  double power_on_offset = 0.0;
 };
 
 /// Tool radius compensation and what the present block says to it.

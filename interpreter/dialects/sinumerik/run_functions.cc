@@ -14,16 +14,6 @@ double place_or_none(std::size_t at) {
   return at == std::string::npos ? -1.0 : static_cast<double>(at);
 }
 
-/// -1: there is none of this name and duplo number.
-double tool_number(const std::map<int, Tool>& tools, const std::string& name, double duplo) {
-  for (const auto& [number, tool] : tools) {
-    if (tool.name == name && tool.duplo == duplo) {
-      return number;
-    }
-  }
-  return -1.0;
-}
-
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -71,10 +61,11 @@ MaybeFailure Runner::call_function(const Op& op) {
   if (id == FunctionId::SPRINT) {
     return sprint_function(op, list);
   }
-  if (id == FunctionId::GETT) {
-    const double duplo = list.size() > 1 ? rounded(number(list[1].value)) : 1.0;
-    number(op.result) = tool_number(channel_.tools, text(list[0].value), duplo);
-    return std::nullopt;
+  if (id == FunctionId::CALCDAT) {
+    return circle_function(op, list);
+  }
+  if (id >= FunctionId::GETT) {
+    return tool_function(id, op, list);
   }
   if (id == FunctionId::AXSTRING) {
     text(op.result) = shown(Type::Axis, number(list[0].value));

@@ -22,62 +22,46 @@ void Runner::set_result(const Argument& target, double value) {
 
 MaybeFailure Runner::procedure(const Op& op) {
   const Arguments list = arguments_of(op);
-  switch (static_cast<ProcedureId>(op.detail)) {
-    case ProcedureId::MSG:
+  switch (op.detail) {
+    case static_cast<int>(ProcedureId::MSG):
       if (!list.empty()) {
         channel_.observer.on_output(text(list[0].value) + "\n");
       }
       return std::nullopt;
-    case ProcedureId::SETAL:
+    case static_cast<int>(ProcedureId::SETAL):
       return set_alarm(list);
-    case ProcedureId::EXECSTRING:
+    case static_cast<int>(ProcedureId::EXECSTRING):
       return execute_text(text(list[0].value));
-    case ProcedureId::WRITE:
-    case ProcedureId::DELETE:
-    case ProcedureId::READ:
-    case ProcedureId::EXTOPEN:
-    case ProcedureId::EXTWRITE:
-    case ProcedureId::EXTCLOSE:
+    case static_cast<int>(ProcedureId::WRITE):
+    case static_cast<int>(ProcedureId::DELETE):
+    case static_cast<int>(ProcedureId::READ):
+    case static_cast<int>(ProcedureId::EXTOPEN):
+    case static_cast<int>(ProcedureId::EXTWRITE):
+    case static_cast<int>(ProcedureId::EXTCLOSE):
       file_procedure(static_cast<ProcedureId>(op.detail), list);
       return std::nullopt;
-    case ProcedureId::SETMS:
+    case static_cast<int>(ProcedureId::SETMS):
       channel_.master_spindle = list.empty() ? 1.0 : number(list[0].value);
       return std::nullopt;
-    case ProcedureId::GETSELT:
+    case static_cast<int>(ProcedureId::GETSELT):
       set_result(list[0], channel_.selected_tool);
       return std::nullopt;
-    case ProcedureId::GETEXET:
+    case static_cast<int>(ProcedureId::GETEXET):
       set_result(list[0], channel_.tool);
       return std::nullopt;
-    case ProcedureId::CALLPATH:
+    case static_cast<int>(ProcedureId::DELT):
+      return delete_tool(list);
+    case static_cast<int>(ProcedureId::CALLPATH):
       channel_.call_path = list.empty() ? std::string() : text(list[0].value);
       found_calls_.clear();
       return std::nullopt;
-    case ProcedureId::STOPRE:
+    case static_cast<int>(ProcedureId::STOPRE):
       return finish_motion(channel_);
-    case ProcedureId::FGROUP:
+    case static_cast<int>(ProcedureId::FGROUP):
       return set_feed_axes(list);
-    case ProcedureId::CHANDATA:
-    case ProcedureId::WORKPIECE:
-    case ProcedureId::GROUP_BEGIN:
-    case ProcedureId::GROUP_END:
-    case ProcedureId::DRFOF:
-    case ProcedureId::STARTFIFO:
-    case ProcedureId::STOPFIFO:
-    case ProcedureId::FIFOCTRL:
-    case ProcedureId::SBLON:
-    case ProcedureId::SBLOF:
-    case ProcedureId::DISPLON:
-    case ProcedureId::DISPLOF:
-    case ProcedureId::TRAFOOF:
-    case ProcedureId::WAITS:
-    case ProcedureId::WAITP:
-    case ProcedureId::SPCON:
-    case ProcedureId::SPCOF:
-      // Each block waits for the one before: there is nothing to stop.
-      return std::nullopt;
+    default:
+      return std::nullopt;  // nothing to do here: each block waits for the one before
   }
-  return std::nullopt;
 }
 
 /// The text sees the variables of the level; behind it the program goes on.

@@ -110,6 +110,12 @@ class Runner {
   MaybeFailure sprint_function(const Op& op, Arguments list);
   bool is_variable(std::string_view name);
 
+  // run_tools.cc
+  MaybeFailure tool_function(FunctionId id, const Op& op, Arguments list);
+  MaybeFailure new_tool(const Op& op, const std::string& name, double duplo);
+  MaybeFailure delete_tool(Arguments list);
+  MaybeFailure circle_function(const Op& op, Arguments list);
+
   // run_calls.cc
   MaybeFailure call(const Op& op);
   [[nodiscard]] ProgramLibrary::Near near() const;

@@ -32,11 +32,9 @@ struct ModificationRow {
   std::string_view name;
   Modification modification;
 };
-constexpr ModificationRow kModifications[] = {{"AC", Modification::Absolute},
-                                              {"IC", Modification::Incremental},
-                                              {"DC", Modification::Direct},
-                                              {"ACP", Modification::Plus},
-                                              {"ACN", Modification::Minus}};
+constexpr ModificationRow kModifications[] = {
+    {"AC", Modification::Absolute}, {"IC", Modification::Incremental}, {"DC", Modification::Direct},
+    {"ACP", Modification::Plus},    {"ACN", Modification::Minus},      {"QU", Modification::Quick}};
 
 /// Most addresses are one letter: A to Z.
 std::vector<std::optional<Address>> addresses_by_letter() {

@@ -52,6 +52,7 @@ enum class Modification : std::uint16_t {
   Direct,       ///< DC: rotary, the shorter way
   Plus,         ///< ACP
   Minus,        ///< ACN
+  Quick,        ///< QU: an auxiliary function that does not wait; here nothing does
 };
 
 /// @param name  upper case

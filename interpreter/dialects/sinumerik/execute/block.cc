@@ -189,6 +189,7 @@ bool commands_motion(const Block& block) {
 }
 
 MaybeFailure execute_block(Channel& channel, const Block& block) {
+  channel.clocks.block_began = channel.port.time_s();
   take_codes(channel, block);
   if (const GCode* const code = block.code_of(kToolFrameGroup)) {
     turn_to_tool(channel, *code);

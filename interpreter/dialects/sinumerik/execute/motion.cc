@@ -27,6 +27,7 @@ double rotary_end(double now, double angle, Modification modification) {
     case Modification::None:
     case Modification::Absolute:
     case Modification::Incremental:
+    case Modification::Quick:
       break;
   }
   return angle;

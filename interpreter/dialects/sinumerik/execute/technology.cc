@@ -10,7 +10,9 @@ namespace {
 // M codes
 constexpr double kClockwise = 3.0;
 constexpr double kCounterclockwise = 4.0;
+constexpr double kStop = 5.0;
 constexpr double kOrient = 19.0;
+constexpr int kPositioned = -19;  // of $P_SDIR
 
 /// F and S mean something else with G4, G25 and G26.
 bool is_technology(const Block& block) {
@@ -27,6 +29,7 @@ void take_speed(Channel& channel, double value) {
 }
 
 void orient(Channel& channel, double degrees) {
+  channel.spindle.direction = kPositioned;
   channel.spindle.angle = degrees;
   channel.port.orient_spindle(degrees);
 }
@@ -63,6 +66,9 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
     const double code = words.machine_codes[i];
     if (code == kClockwise || code == kCounterclockwise) {
       channel.spindle.angle.reset();
+      channel.spindle.direction = static_cast<int>(code);
+    } else if (code == kStop) {
+      channel.spindle.direction = static_cast<int>(code);
     } else if (code == kOrient) {
       orient(channel, 0.0);
     }

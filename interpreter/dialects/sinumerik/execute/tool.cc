@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -53,6 +54,28 @@ MaybeFailure select_edge(Channel& channel, double number) {
     return failure(AlarmId::NoToolEdge, fmt::format("T{}, D{}", channel.tool, edge));
   }
   channel.edge = edge;
+  channel.additive = 0;
+  channel.frames_changed();
+  return std::nullopt;
+}
+
+/// DL: what $TC_SCP or $TC_ECP has made of the edge in force.
+MaybeFailure select_additive(Channel& channel, double number) {
+  constexpr double kMost = 6.0;
+  const Tool* const tool = channel.find_tool(channel.tool);
+  const auto is_of_it = [&](const auto& row) {
+    return row.first.edge == channel.edge && row.first.number / 10 == static_cast<int>(number) &&
+           (row.first.id == SystemId::AdditiveParameter ||
+            row.first.id == SystemId::SetupParameter);
+  };
+  const bool is_valid = number == std::floor(number) && number >= 0.0 && number <= kMost;
+  const bool is_there = number == 0.0 || (is_valid && tool != nullptr && channel.edge != 0 &&
+                                          std::ranges::any_of(tool->more, is_of_it));
+  if (!is_valid || !is_there) {
+    return failure(AlarmId::NoAdditiveOffset,
+                   fmt::format("T{}, D{}, DL={:g}", channel.tool, channel.edge, number));
+  }
+  channel.additive = static_cast<int>(number);
   channel.frames_changed();
   return std::nullopt;
 }
@@ -82,7 +105,12 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
       return wrong;
     }
   }
-  return words.has(Address::Edge) ? select_edge(channel, words[Address::Edge].value) : std::nullopt;
+  MaybeFailure wrong =
+      words.has(Address::Edge) ? select_edge(channel, words[Address::Edge].value) : std::nullopt;
+  if (!wrong && words.has(Address::Additive)) {
+    wrong = select_additive(channel, words[Address::Additive].value);
+  }
+  return wrong;
 }
 
 }  // namespace g31::sinumerik
