@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "interpreter/dialects/sinumerik/compiler.h"
 
 namespace g31::sinumerik {
@@ -175,9 +179,22 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
   last().count = static_cast<std::uint16_t>(list.size());
 }
 
-/// What g31 knows the name of, and no more.
+/// What g31 knows the name of, and no more: the row of the word before says why.
 void Compiler::refused_statement() {
-  fail(AlarmId::NotImplemented, block_, text_of(block_));
+  struct Row {
+    std::string_view name;
+    std::string_view text;
+  };
+  static constexpr auto kRows = std::to_array<Row>({
+#define KEYWORD(name, handler, form, text) {#name, text},
+#include "interpreter/dialects/sinumerik/keywords.def"
+#undef KEYWORD
+  });
+  const std::string_view name = tokens_[at_ - 1].text;
+  const auto row = std::ranges::find(kRows, name, &Row::name);
+  const bool is_known = row != kRows.end();
+  fail(AlarmId::NotImplemented, block_,
+       is_known ? std::string(name) + ": " + std::string(row->text) : text_of(block_));
 }
 
 /// WHEN $A_PROBE[n]==level DO DELDTG

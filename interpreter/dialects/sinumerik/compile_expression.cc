@@ -201,7 +201,11 @@ Expr Compiler::name_in_expression() {
   if (const auto system = find_system_variable(name.text)) {
     return system_access(*system, name.where);
   }
-  fail(AlarmId::NotDefined, name.where, name.text);
+  if (find_keyword(name.text) == &Compiler::refused_statement) {
+    refused_statement();
+  } else {
+    fail(AlarmId::NotDefined, name.where, name.text);
+  }
   return {};
 }
 

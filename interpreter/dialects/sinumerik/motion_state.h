@@ -31,8 +31,10 @@ struct Spindle {
 struct AxisSettings {
   std::array<double, kAxisCount> feed = {};  ///< FA, mm/min or deg/min; 0: rapid
   AxisPositions override_percent = AxisPositions::Constant(100.0);  ///< OVRA
+  std::array<bool, kAxisCount> counts = {true, true, true};         ///< FGROUP
   AxisPositions mm_per_degree = AxisPositions::Constant(1.0);       ///< FGREF, of rotary axes
-  double path_override_percent = 100.0;                             ///< OVR
+  bool counts_as_usual = true;           ///< neither FGROUP nor FGREF was written
+  double path_override_percent = 100.0;  ///< OVR
 };
 
 /// The pole of polar coordinates, and the last ones.

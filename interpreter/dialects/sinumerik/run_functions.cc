@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -61,6 +62,9 @@ MaybeFailure Runner::call_function(const Op& op) {
   if (id == FunctionId::SPRINT) {
     return sprint_function(op, list);
   }
+  if (id == FunctionId::MODAXVAL) {
+    return modulo_place(op, list);
+  }
   if (id == FunctionId::CALCDAT) {
     return circle_function(op, list);
   }
@@ -72,6 +76,18 @@ MaybeFailure Runner::call_function(const Op& op) {
     return std::nullopt;
   }
   return text_function(id, op, list);
+}
+
+/// MODAXVAL(axis, value)
+MaybeFailure Runner::modulo_place(const Op& op, Arguments list) {
+  const double axis = number(list[0].value);
+  if (axis < 0.0) {
+    return failure(AlarmId::BadAxisIndex, "MODAXVAL");
+  }
+  constexpr double kTurn = 360.0;
+  const double value = number(list[1].value);
+  number(op.result) = axis < 3.0 ? value : value - kTurn * std::floor(value / kTurn);
+  return std::nullopt;
 }
 
 MaybeFailure Runner::sprint_function(const Op& op, Arguments list) {
@@ -178,6 +194,10 @@ MaybeFailure Runner::frame_function(FunctionId id, const Op& op, Arguments list)
   Frame result;
   if (id == FunctionId::INVFRAME) {
     result = frame(list[0].value).inverse();
+  } else if (id == FunctionId::MEAFRAME) {
+    if (MaybeFailure wrong = measured_frame(result, list)) {
+      return wrong;
+    }
   } else if (id == FunctionId::CRPL) {
     const int which = static_cast<int>(rounded(number(list[0].value)));
     if (which < 0 || which > 3) {

@@ -1,3 +1,5 @@
+#include <array>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
@@ -85,15 +87,20 @@ MaybeFailure Runner::execute_text(const std::string& source) {
   return std::nullopt;
 }
 
-/// The machine counts F along the linear axes; rotary ones among them make no difference there.
+/// FGROUP(axis,...); without axes all linear ones.
 MaybeFailure Runner::set_feed_axes(Arguments list) {
-  std::size_t linear = 0;
-  for (const Argument& axis : list) {
-    linear += number(axis.value) < 3.0 ? 1U : 0U;
+  AxisSettings& settings = channel_.axis_settings;
+  std::array<bool, kAxisCount> counts = {list.empty(), list.empty(), list.empty()};
+  for (const Argument& argument : list) {
+    const double axis = argument.type == Type::Axis ? number(argument.value) : kNoAxis;
+    if (axis < 0.0) {
+      return failure(AlarmId::NotAnAxis, "FGROUP");
+    }
+    counts[static_cast<std::size_t>(axis)] = true;
   }
-  return list.empty() || linear == 3
-             ? std::nullopt
-             : std::optional(failure(AlarmId::NotImplemented, "FGROUP without X, Y or Z"));
+  settings.counts = counts;
+  settings.counts_as_usual = false;
+  return std::nullopt;
 }
 
 /// SETAL(number, text): ends the program.

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/circle_through.h"
 #include "interpreter/dialects/sinumerik/runner.h"
 
 namespace g31::sinumerik {
@@ -123,35 +122,6 @@ MaybeFailure Runner::delete_tool(Arguments list) {
     return failure(AlarmId::ToolInUse, fmt::format("T{}", which));
   }
   channel_.tools.erase(which);
-  return std::nullopt;
-}
-
-/// CALCDAT(points, n, result)
-MaybeFailure Runner::circle_function(const Op& op, Arguments list) {
-  const Reference points = variable(list[0].variable);
-  const Reference result = variable(list[2].variable);
-  const double count = rounded(number(list[1].value));
-  if (count != 3.0 && count != 4.0) {
-    return failure(AlarmId::BadArguments, fmt::format("CALCDAT: {:g} points, not 3 or 4", count));
-  }
-  const auto used = static_cast<std::size_t>(count);
-  const bool fits = points.shape.dimensions == 2 &&
-                    points.shape.size[0] >= static_cast<int>(used) && points.shape.size[1] == 2 &&
-                    result.shape.count() >= 3;
-  if (!fits) {
-    return failure(AlarmId::WrongDimension, "CALCDAT: points [n,2] and result [3]");
-  }
-  std::vector<Eigen::Vector2d> all;
-  for (std::size_t i = 0; i < used; ++i) {
-    all.emplace_back(points.numbers[2 * i], points.numbers[2 * i + 1]);
-  }
-  const auto circle = circle_through(all);
-  if (circle) {
-    result.numbers[0] = circle->centre.x();
-    result.numbers[1] = circle->centre.y();
-    result.numbers[2] = circle->radius;
-  }
-  number(op.result) = circle ? 1.0 : 0.0;
   return std::nullopt;
 }
 

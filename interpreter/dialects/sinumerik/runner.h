@@ -108,13 +108,17 @@ class Runner {
   MaybeFailure frame_function(FunctionId id, const Op& op, Arguments list);
   MaybeFailure frame_of_pairs(FunctionId id, Frame& result, Arguments list);
   MaybeFailure sprint_function(const Op& op, Arguments list);
+  MaybeFailure modulo_place(const Op& op, Arguments list);
   bool is_variable(std::string_view name);
 
   // run_tools.cc
   MaybeFailure tool_function(FunctionId id, const Op& op, Arguments list);
   MaybeFailure new_tool(const Op& op, const std::string& name, double duplo);
   MaybeFailure delete_tool(Arguments list);
+
+  // run_geometry.cc
   MaybeFailure circle_function(const Op& op, Arguments list);
+  MaybeFailure measured_frame(Frame& result, Arguments list);
 
   // run_calls.cc
   MaybeFailure call(const Op& op);

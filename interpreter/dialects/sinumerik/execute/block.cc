@@ -206,6 +206,9 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = select_tool(channel, block)) {
     return wrong;
   }
+  if (MaybeFailure wrong = take_tool_technology(channel, block)) {
+    return wrong;
+  }
   if (MaybeFailure wrong = read_compensation(channel, block)) {
     return wrong;
   }

@@ -31,6 +31,8 @@ MaybeFailure finish_motion(Channel& channel);
 MaybeFailure take_technology(Channel& channel, const Block& block);
 /// T, D and M6.
 MaybeFailure select_tool(Channel& channel, const Block& block);
+/// FZ and SVC, by the tool in force.
+MaybeFailure take_tool_technology(Channel& channel, const Block& block);
 /// TOFRAME, TOROT and their forms, TOROTOF.
 void turn_to_tool(Channel& channel, const GCode& code);
 /// TRANS, ROT, SCALE, MIRROR and their additive forms.

@@ -127,7 +127,7 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
     if (!feed) {
       return feed.error();
     }
-    path.feed_mm_min = feed.value() * feed_reference(channel, q_M_start, path.q_M_end);
+    path.feed_mm_min = feed.value();
     path.ends = block_end(channel);
   }
   return travel_to(channel, path, q_W_end.value());

@@ -32,6 +32,7 @@ void take_setting(Channel& channel, const BlockWords::AxisSetting& setting) {
           setting.value;
       return;
     case static_cast<int>(AxisWordId::ReferenceRadius):
+      settings.counts_as_usual = false;
       settings.mm_per_degree[setting.axis] = setting.value * channel.mm_per_length() * kMmPerDegree;
       return;
     default:

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/execute/feed.h"
 
@@ -10,6 +12,7 @@ namespace {
 // M codes
 constexpr double kClockwise = 3.0;
 constexpr double kCounterclockwise = 4.0;
+constexpr double kFullTurn = 360.0;
 constexpr double kStop = 5.0;
 constexpr double kOrient = 19.0;
 constexpr int kPositioned = -19;  // of $P_SDIR
@@ -57,6 +60,11 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
     channel.feed = words.has(Address::Feed) ? words[Address::Feed].value : channel.feed;
     if (words.has(Address::Speed)) {
       take_speed(channel, words[Address::Speed].value);
+    }
+  }
+  if (const auto& angle = words[Address::ThreadAngle]; angle.present) {
+    if (!(angle.value >= 0.0 && angle.value < kFullTurn)) {
+      return failure(AlarmId::ValueOutOfLimits, fmt::format("SF={:g}: 0 to 359.999", angle.value));
     }
   }
   if (words.has(Address::SpeedLimit)) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -81,6 +82,50 @@ MaybeFailure select_additive(Channel& channel, double number) {
 }
 
 }  // namespace
+
+namespace {
+
+constexpr int kPerRevolution = 3;  // of group 15: G95
+constexpr double kMmPerMetre = 1000.0;
+
+/// FZ
+MaybeFailure take_tooth_feed(Channel& channel, double per_tooth) {
+  if (channel.group[15] != kPerRevolution) {
+    return failure(AlarmId::WrongFeedType, fmt::format("FZ={:g}", per_tooth));
+  }
+  const Tool* const tool = channel.find_tool(channel.tool);
+  const double count =
+      tool != nullptr && tool->teeth.contains(channel.edge) ? tool->teeth.at(channel.edge) : 0.0;
+  if (!(per_tooth * count > 0.0)) {
+    return failure(AlarmId::FeedNotPositive, fmt::format("FZ={:g}, {:g} teeth", per_tooth, count));
+  }
+  channel.feed = per_tooth * count;
+  return std::nullopt;
+}
+
+/// SVC, m/min
+MaybeFailure take_cutting_speed(Channel& channel, double speed) {
+  const double radius = channel.tool_radius();
+  if (!(radius > 0.0) || !(speed > 0.0)) {
+    return failure(AlarmId::NoToolForSpeed,
+                   fmt::format("SVC={:g}, tool radius {:g}", speed, radius));
+  }
+  channel.spindle.speed = speed * kMmPerMetre / (2.0 * std::numbers::pi * radius);
+  return std::nullopt;
+}
+
+}  // namespace
+
+MaybeFailure take_tool_technology(Channel& channel, const Block& block) {
+  const BlockWords& words = block.words;
+  MaybeFailure wrong = words.has(Address::CuttingSpeed)
+                           ? take_cutting_speed(channel, words[Address::CuttingSpeed].value)
+                           : std::nullopt;
+  if (!wrong && words.has(Address::ToothFeed)) {
+    wrong = take_tooth_feed(channel, words[Address::ToothFeed].value);
+  }
+  return wrong;
+}
 
 MaybeFailure select_tool(Channel& channel, const Block& block) {
   const BlockWords& words = block.words;

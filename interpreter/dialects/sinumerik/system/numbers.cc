@@ -160,6 +160,8 @@ Result<double, Failure> number_of(Channel& channel, const SystemAccess& access) 
     case static_cast<int>(SystemId::MachineTrigger):
     case static_cast<int>(SystemId::WorkTrigger):
       return position(channel, access);
+    case static_cast<int>(SystemId::AxisMeasures):
+      return access.indices[0] < 0 ? Result<double, Failure>(failure(AlarmId::BadAxisIndex)) : 0.0;
     case static_cast<int>(SystemId::ReferencePoint):
     case static_cast<int>(SystemId::FixedPoint):
       return point_value(channel, access);
