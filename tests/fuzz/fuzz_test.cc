@@ -160,6 +160,11 @@ TEST(Fuzz, SinumerikDictionaryAndCorpusKnowEveryWord) {
   for (const sinumerik::ProcedureInfo& row : sinumerik::procedures()) {
     words.emplace_back(row.name);
   }
+  for (const sinumerik::AxisWordInfo& row : sinumerik::axis_words()) {
+    if (row.role != sinumerik::AxisRole::Refused) {
+      words.push_back(fmt::format("{}[", row.name));
+    }
+  }
   for (const sinumerik::GCode& row : sinumerik::g_codes()) {
     if (row.action != sinumerik::GAction::Refused) {
       words.emplace_back(row.name);

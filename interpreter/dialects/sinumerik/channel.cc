@@ -37,6 +37,11 @@ void BlockWords::measure_axis(std::size_t axis, const AxisMeasuring& measuring) 
   has_axis_measuring = true;
 }
 
+void BlockWords::position_axis(std::size_t axis, const Word& word) {
+  positioning[axis] = word;
+  has_positioning = true;
+}
+
 void BlockWords::clear() {
   for (std::size_t i = 0; i < set_count_; ++i) {
     words[set_[i]] = {};
@@ -48,6 +53,11 @@ void BlockWords::clear() {
     axis_measuring = {};
     has_axis_measuring = false;
   }
+  if (has_positioning) {
+    positioning = {};
+    has_positioning = false;
+  }
+  axis_settings.clear();
 }
 
 bool BlockWords::has_axes() const {
@@ -163,7 +173,20 @@ const EdgeData* Channel::active_edge() const {
 
 double Channel::tool_radius() const {
   const EdgeData* const data = active_edge();
-  return data != nullptr ? (*data)[kRadius] + (*data)[kRadiusWear] : 0.0;
+  return data != nullptr
+             ? (*data)[kRadius] + (*data)[kRadiusWear] + additive_offset(static_cast<int>(kRadius))
+             : 0.0;
+}
+
+double Channel::additive_offset(int parameter) const {
+  constexpr int kPerOffset = 10;
+  const auto found = tools.find(tool);
+  if (additive == 0 || found == tools.end()) {
+    return 0.0;
+  }
+  const int number = kPerOffset * additive + parameter;
+  return found->second.datum({SystemId::AdditiveParameter, edge, number}) +
+         found->second.datum({SystemId::SetupParameter, edge, number});
 }
 
 /// Length 1 counts square to the plane, 2 and 3 in its axes: G17 Z Y X, G18 Y X Z, G19 X Z Y.
@@ -176,7 +199,8 @@ AxisPositions Channel::tool_offset() const {
   const Plane now = plane();
   const int axes[] = {now.normal, now.second, now.first};
   for (std::size_t i = 0; i < 3; ++i) {
-    offset[axes[i]] = (*data)[kLength1 + i] + (*data)[kWear1 + i] + (*data)[kAdapter1 + i];
+    offset[axes[i]] = (*data)[kLength1 + i] + (*data)[kWear1 + i] + (*data)[kAdapter1 + i] +
+                      additive_offset(static_cast<int>(kLength1 + i));
   }
   return offset;
 }

@@ -13,6 +13,7 @@
 #include "interpreter/dialects/sinumerik/g_codes.h"
 #include "interpreter/dialects/sinumerik/globals.h"
 #include "interpreter/dialects/sinumerik/motion_state.h"
+#include "interpreter/dialects/sinumerik/system_variables.h"
 #include "interpreter/dialects/sinumerik/words.h"
 #include "interpreter/runtime/budget_watch.h"
 #include "interpreter/runtime/control_setup.h"
@@ -31,6 +32,20 @@ struct Tool {
   double state = 2.0;  ///< bit 1: released
   std::map<int, EdgeData> edges;
   std::map<int, double> teeth;  ///< $TC_DPNT
+
+  /// A datum that is only kept, or that few tools have: $TC_SCPn, $TC_MOPn, $TC_TPn.
+  struct Datum {
+    SystemId id = SystemId::ToolDatum;
+    int edge = 0;  ///< 0: of the tool
+    int number = 0;
+    friend auto operator<=>(const Datum&, const Datum&) = default;
+  };
+  std::map<Datum, double> more;
+  /// 0: never written
+  [[nodiscard]] double datum(const Datum& which) const {
+    const auto found = more.find(which);
+    return found != more.end() ? found->second : 0.0;
+  }
 };
 
 /// The words of one NC block.
@@ -46,15 +61,25 @@ struct BlockWords {
     double trigger = 0.0;  ///< probe 1 or 2, minus: falling edge
     bool goes_on = false;  ///< MEAWA
   };
+  /// FA[axis], ACC[axis] and the like
+  struct AxisSetting {
+    AxisWordId word = AxisWordId::AxisFeed;
+    int axis = 0;  ///< or kSpindleAxis
+    double value = 0.0;
+  };
   std::array<Word, index_of(Address::Count)> words;
   std::array<double, kMostMachineCodes> machine_codes = {};
   std::size_t machine_code_count = 0;
   std::optional<std::string> tool_name;
   std::array<std::optional<AxisMeasuring>, kAxisCount> axis_measuring;
   bool has_axis_measuring = false;
+  std::array<Word, kAxisCount> positioning;  ///< POS[axis] and POSA[axis]
+  bool has_positioning = false;
+  std::vector<AxisSetting> axis_settings;
 
   void set(std::size_t address, double value, Modification modification);
   void measure_axis(std::size_t axis, const AxisMeasuring& measuring);
+  void position_axis(std::size_t axis, const Word& word);
   /// As new.  Only what was set is touched: most blocks have few words.
   void clear();
   [[nodiscard]] const Word& operator[](Address address) const { return words[index_of(address)]; }
@@ -89,6 +114,7 @@ class Channel {
   std::array<int, kGroupCount> group = {};  ///< number within the group
   double feed = 0.0;                        ///< as programmed
   Spindle spindle;
+  AxisSettings axis_settings;
   double master_spindle = 1.0;
   [[nodiscard]] Plane plane() const;
   [[nodiscard]] double mm_per_length() const;
@@ -137,11 +163,14 @@ class Channel {
   int selected_tool = 0;
   int tool = 0;
   int edge = 0;
+  int additive = 0;  ///< DL
   [[nodiscard]] const EdgeData* active_edge() const;
   /// mm, wear included; 0 without an edge
   [[nodiscard]] double tool_radius() const;
   /// mm: what the active edge adds to the machine coordinates.
   [[nodiscard]] AxisPositions tool_offset() const;
+  /// mm: what DL adds to parameter 3 to 6 of the active edge.
+  [[nodiscard]] double additive_offset(int parameter) const;
   /// nullptr: no such tool, or no such edge
   Tool* find_tool(int number);
   EdgeData* find_edge(int number, int which);
@@ -165,6 +194,7 @@ class Channel {
   MachinePoints points;
   CornerStage corners;
   CutterStage cutter;
+  std::optional<HeldLine> held_line;
   /// Of any length along the end of the last path, machine coordinates; 0: there was none.
   Eigen::Vector3d along_M_end = Eigen::Vector3d::Zero();
 
@@ -179,6 +209,8 @@ class Channel {
     machine::SignalEdge edge = machine::SignalEdge::Rising;
   };
   std::optional<SkipAction> skip_action;
+
+  Clocks clocks;
 
   // Outside world
   std::map<std::string, std::string> files;  ///< what WRITE, READ and EXTWRITE work on

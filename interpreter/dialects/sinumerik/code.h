@@ -96,7 +96,7 @@ enum class OpCode : std::uint8_t {
   Block,          ///< a block begins; `detail` is 1 + its skip level
   Word,           ///< address `detail`, modification `count`, value a
   TextWord,       ///< the same with text a
-  AxisWord,       ///< axis a (a number), value b, modification `count`
+  AxisWord,       ///< row `detail` of axis_words.def of axis a, value b, modification `count`
   AxisMeasuring,  ///< axis a, trigger b, mode in the number `result`; `detail` 1: MEAWA
   SkipAction,     ///< the next move ends when the signal of probe a is at level b
   Execute,        ///< the NC block nc_blocks[b.place]

@@ -1,18 +1,19 @@
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "interpreter/dialects/sinumerik/compiler.h"
 
 namespace g31::sinumerik {
-namespace {
 
-/// Whether an argument is the variable that its parameter wants; see procedures.def.
-bool takes(char kind, const Argument& argument) {
+bool is_taken_by(char kind, const Argument& argument) {
   const bool is_element = argument.form == Argument::Form::Element;
-  const bool is_variable = is_element || argument.form == Argument::Form::Whole;
+  const bool is_whole = argument.form == Argument::Form::Whole;
   return kind == 'V'   ? is_element && is_number(argument.type)
-         : kind == 'W' ? is_variable && argument.type == Type::String
+         : kind == 'M' ? is_whole && argument.type == Type::Real
+         : kind == 'W' ? (is_element || is_whole) && argument.type == Type::String
                        : true;
 }
-
-}  // namespace
 
 /// NAME, NAME(arguments), NAME P3
 void Compiler::call_by_name(std::string name, ShortSpan where) {
@@ -164,7 +165,7 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
       function_argument(kind == 'o' ? '*' : kind, list);
     }
     i -= kind == '*' || kind == 'o' ? 1 : 0;  // any more of them
-    if (!failed() && !takes(kind, list.back())) {
+    if (!failed() && !is_taken_by(kind, list.back())) {
       fail(AlarmId::ReferenceMissing, where, std::string(row.name));
     }
   }
@@ -178,9 +179,22 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
   last().count = static_cast<std::uint16_t>(list.size());
 }
 
-/// What g31 knows the name of, and no more.
+/// What g31 knows the name of, and no more: the row of the word before says why.
 void Compiler::refused_statement() {
-  fail(AlarmId::NotImplemented, block_, text_of(block_));
+  struct Row {
+    std::string_view name;
+    std::string_view text;
+  };
+  static constexpr auto kRows = std::to_array<Row>({
+#define KEYWORD(name, handler, form, text) {#name, text},
+#include "interpreter/dialects/sinumerik/keywords.def"
+#undef KEYWORD
+  });
+  const std::string_view name = tokens_[at_ - 1].text;
+  const auto row = std::ranges::find(kRows, name, &Row::name);
+  const bool is_known = row != kRows.end();
+  fail(AlarmId::NotImplemented, block_,
+       is_known ? std::string(name) + ": " + std::string(row->text) : text_of(block_));
 }
 
 /// WHEN $A_PROBE[n]==level DO DELDTG

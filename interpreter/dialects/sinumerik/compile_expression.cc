@@ -201,7 +201,11 @@ Expr Compiler::name_in_expression() {
   if (const auto system = find_system_variable(name.text)) {
     return system_access(*system, name.where);
   }
-  fail(AlarmId::NotDefined, name.where, name.text);
+  if (find_keyword(name.text) == &Compiler::refused_statement) {
+    refused_statement();
+  } else {
+    fail(AlarmId::NotDefined, name.where, name.text);
+  }
   return {};
 }
 
@@ -315,6 +319,9 @@ Expr Compiler::arithmetic(OpCode code, Expr left, Expr right, ShortSpan where) {
 }
 
 Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
+  if (!failed() && from.is_whole_array) {
+    fail(AlarmId::InvalidIndex, from.where, "an array is no value");
+  }
   if (failed() || from.type == to) {
     return from;
   }
@@ -322,9 +329,7 @@ Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
   result.type = to;
   result.variable = -1;
   const bool to_number = is_number(to);
-  if (from.is_whole_array) {
-    fail(AlarmId::InvalidIndex, from.where, "an array is no value");
-  } else if (is_number(from.type) && to_number) {
+  if (is_number(from.type) && to_number) {
     const bool narrows = to == Type::Bool || (to == Type::Char && from.type != Type::Bool) ||
                          (to == Type::Int && from.type == Type::Real);
     if (narrows) {
@@ -394,6 +399,9 @@ Expr Compiler::call_function(FunctionId id, ShortSpan where) {
     }
     function_argument(kind, list);
     i -= kind == '*' ? 1 : 0;  // any more of them
+    if (!failed() && !is_taken_by(kind, list.back())) {
+      fail(AlarmId::ReferenceMissing, list.back().where, std::string(row.name));
+    }
   }
   Expr result;
   result.type = row.result;

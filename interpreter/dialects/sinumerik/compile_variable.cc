@@ -380,9 +380,6 @@ void Compiler::check_limits(const Expr& target, Operand value) {
 /// target = value, converted.
 void Compiler::store(const Expr& target, Expr value) {
   value = convert(std::move(value), target.type);
-  if (!failed() && value.is_whole_array) {
-    fail(AlarmId::InvalidIndex, value.where, "an array is no value");
-  }
   if (failed()) {
     return;
   }

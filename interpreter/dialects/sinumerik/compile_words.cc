@@ -107,6 +107,9 @@ void Compiler::m_word(ShortSpan where) {
   }
   Modification modification = Modification::None;
   const Expr value = convert(word_value(modification), Type::Int, AlarmId::BadArguments);
+  if (modification != Modification::None && modification != Modification::Quick) {
+    fail(AlarmId::BadModification, where, text_of(where));
+  }
   if (failed()) {
     return;
   }
@@ -191,13 +194,16 @@ void Compiler::word(Address address, ShortSpan where) {
     return;
   }
   const bool may_be_text = address == Address::Tool && value.type == Type::String;
+  const bool is_quick = modification == Modification::Quick &&
+                        (address == Address::Auxiliary || address == Address::Speed);
+  modification = is_quick ? Modification::None : modification;
   const bool modifiable = index_of(address) < kAxisCount || address == Address::CentreX ||
                           address == Address::CentreY || address == Address::CentreZ ||
                           address == Address::Spindle || address == Address::SpindleAsync ||
                           address == Address::MiddleX || address == Address::MiddleY ||
                           address == Address::MiddleZ || address == Address::PolarAngle ||
                           address == Address::PolarRadius;
-  if (modification != Modification::None && !modifiable) {
+  if (modification == Modification::Quick || (modification != Modification::None && !modifiable)) {
     fail(AlarmId::BadModification, where, text_of(where));
     return;
   }
@@ -216,37 +222,74 @@ void Compiler::emit_word(Address address, Modification modification, const Expr&
   has_words_ = true;
 }
 
-/// AX[axis]=value
-void Compiler::axis_by_name() {
-  const ShortSpan where = next().where;
+/// X, AX1, a variable of type AXIS; where a setting is of the spindle, too, S, S1 or SPI(1).
+Expr Compiler::bracketed_axis(const AxisWordInfo& row) {
   expect(Symbol::LeftBracket);
-  const Expr axis = axis_operand();
+  const Token name = peek();
+  const bool by_function = name.is_name("SPI");
+  const bool of_spindle = row.role == AxisRole::Setting && (name.is_letter('S') || by_function);
+  Expr axis;
+  if (of_spindle) {
+    next();
+    if (by_function) {
+      expect(Symbol::LeftParen);
+    }
+    const double number = peek().kind == TokenKind::Integer ? next().number : kSpindle;
+    if (number != kSpindle) {
+      fail(AlarmId::NoSuchAddress, name.where, text_of(name.where));
+    }
+    if (by_function) {
+      expect(Symbol::RightParen);
+    }
+    axis = constant(Type::Axis, kSpindleAxis, name.where);
+  } else {
+    axis = axis_operand();
+  }
   expect(Symbol::RightBracket);
+  return axis;
+}
+
+/// AX[axis]=value, POS[axis]=value, FA[axis]=value
+void Compiler::axis_word(const AxisWordInfo& row) {
+  const ShortSpan where = next().where;
+  if (row.role == AxisRole::Refused) {
+    fail(AlarmId::NotImplemented, where, std::string(row.name) + ": " + std::string(row.text));
+    return;
+  }
+  const Expr axis = bracketed_axis(row);
+  if (row.role == AxisRole::Measuring) {
+    axis_measuring(row, axis, where);
+    return;
+  }
+  if (!peek().is(Symbol::Assign)) {
+    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+    return;
+  }
   Modification modification = Modification::None;
   const Expr value = convert(word_value(modification), Type::Real, AlarmId::BadArguments);
+  const bool is_place = row.role == AxisRole::Path || row.role == AxisRole::Positioning;
+  if (modification == Modification::Quick || (modification != Modification::None && !is_place)) {
+    fail(AlarmId::BadModification, where, row.name);
+  }
   emit(OpCode::AxisWord, {}, axis.value, value.value, where);
+  last().detail = static_cast<std::uint8_t>(row.id);
   last().count = static_cast<std::uint16_t>(modification);
   has_words_ = true;
 }
 
 /// MEASA[axis]=(mode, trigger), MEAWA[axis]=(mode, trigger)
-void Compiler::axis_measuring() {
-  const Token name = next();
-  expect(Symbol::LeftBracket);
-  const Expr axis = axis_operand();
-  expect(Symbol::RightBracket);
+void Compiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where) {
   expect(Symbol::Assign);
   expect(Symbol::LeftParen);
   const Expr mode = convert(expression(), Type::Int, AlarmId::BadArguments);
   expect(Symbol::Comma);
   const Expr trigger = convert(expression(), Type::Int, AlarmId::BadArguments);
   if (peek().is(Symbol::Comma)) {
-    fail(AlarmId::NotImplemented, name.where,
-         std::string(name.text) + " with more than one trigger");
+    fail(AlarmId::NotImplemented, where, std::string(row.name) + " with more than one trigger");
   }
   expect(Symbol::RightParen);
-  emit(OpCode::AxisMeasuring, mode.value, axis.value, trigger.value, name.where);
-  last().detail = name.text == "MEAWA" ? 1 : 0;
+  emit(OpCode::AxisMeasuring, mode.value, axis.value, trigger.value, where);
+  last().detail = row.id == AxisWordId::MeasureAxesOn ? 1 : 0;
   has_words_ = true;
 }
 
@@ -263,12 +306,10 @@ void Compiler::spindle_index(const Token& name) {
 /// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.
 bool Compiler::named_word() {
   const Token name = peek();
-  if (name.text == "AX" && peek(1).is(Symbol::LeftBracket)) {
-    axis_by_name();
-    return true;
-  }
-  if ((name.text == "MEASA" || name.text == "MEAWA") && peek(1).is(Symbol::LeftBracket)) {
-    axis_measuring();
+  const AxisWordInfo* const of_axis =
+      peek(1).is(Symbol::LeftBracket) ? find_axis_word(name.text) : nullptr;
+  if (of_axis != nullptr) {
+    axis_word(*of_axis);
     return true;
   }
   if (const auto code = find_g_code(name.text)) {

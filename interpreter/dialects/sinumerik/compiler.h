@@ -238,8 +238,9 @@ class Compiler {
   void m_number(double number, ShortSpan where);
   std::optional<double> number_at_once();
   void constant_word(Address address, double value, ShortSpan where);
-  void axis_by_name();
-  void axis_measuring();
+  Expr bracketed_axis(const AxisWordInfo& row);
+  void axis_word(const AxisWordInfo& row);
+  void axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where);
   bool named_word();
   void spindle_index(const Token& name);
   void word(Address address, ShortSpan where);
@@ -277,5 +278,9 @@ class Compiler {
   std::vector<JumpToLabel> jumps_;
   std::vector<PartToRepeat> parts_;
 };
+
+/// Whether an argument is the variable that its parameter wants; see functions.def and
+/// procedures.def.
+bool is_taken_by(char kind, const Argument& argument);
 
 }  // namespace g31::sinumerik

@@ -23,6 +23,18 @@ struct Spindle {
   double highest = std::numeric_limits<double>::infinity();
   double limit = std::numeric_limits<double>::infinity();  ///< LIMS: with G96 only
   std::optional<double> angle = 0.0;                       ///< degrees; nullopt: it turns
+  double override_percent = 100.0;                         ///< OVRA[S1]
+  int direction = -5;  ///< 3, 4, 5 of M3, M4, M5; -19 positioned; -5 nothing yet
+};
+
+/// What programs set of the axes one by one, and the overrides that they write.
+struct AxisSettings {
+  std::array<double, kAxisCount> feed = {};  ///< FA, mm/min or deg/min; 0: rapid
+  AxisPositions override_percent = AxisPositions::Constant(100.0);  ///< OVRA
+  std::array<bool, kAxisCount> counts = {true, true, true};         ///< FGROUP
+  AxisPositions mm_per_degree = AxisPositions::Constant(1.0);       ///< FGREF, of rotary axes
+  bool counts_as_usual = true;           ///< neither FGROUP nor FGREF was written
+  double path_override_percent = 100.0;  ///< OVR
 };
 
 /// The pole of polar coordinates, and the last ones.
@@ -54,6 +66,37 @@ struct CornerStage {
   compensation::CornerWish wish;
   double modal_radius_mm = 0.0;  ///< RNDM
   double modal_feed = 0.0;       ///< FRCM, as programmed
+};
+
+/// A straight line of which a block says only the angle (ANG): its end comes of the next block.
+struct HeldLine {
+  double degrees = 0.0;                           ///< from the first axis of the plane
+  AxisPositions q_W_end = AxisPositions::Zero();  ///< but for the plane
+  double feed = 0.0;                              ///< as programmed
+  int g = 1;                                      ///< 0 rapid
+  machine::BlockEnd ends = machine::BlockEnd::ExactStop;
+  compensation::CornerWish wish;
+  compensation::CompensationCommand command;
+  source::Location where;
+};
+
+/// The times that programs read, s; the machine's clock is the measure of all of them.
+struct Clocks {
+  static constexpr int kTimers = 100;
+  struct Timer {
+    double value = 0.0;
+    std::optional<double> since;  ///< nullopt: it stands
+    [[nodiscard]] double at(double now) const { return value + (since ? now - *since : 0.0); }
+  };
+  std::array<Timer, kTimers> timers;  ///< $AC_TIMER
+  double block_began = 0.0;
+  double cutting = 0.0;
+  // What was written to these variables, less the time then.
+  double operating_offset = 0.0;
+  double cycle_offset = 0.0;
+  double cutting_offset = 0.0;
+  double setup_offset = 0.0;
+  double power_on_offset = 0.0;
 };
 
 /// Tool radius compensation and what the present block says to it.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,16 +13,6 @@ using Form = Argument::Form;
 
 double place_or_none(std::size_t at) {
   return at == std::string::npos ? -1.0 : static_cast<double>(at);
-}
-
-/// -1: there is none of this name and duplo number.
-double tool_number(const std::map<int, Tool>& tools, const std::string& name, double duplo) {
-  for (const auto& [number, tool] : tools) {
-    if (tool.name == name && tool.duplo == duplo) {
-      return number;
-    }
-  }
-  return -1.0;
 }
 
 char lower(char c) {
@@ -71,16 +62,32 @@ MaybeFailure Runner::call_function(const Op& op) {
   if (id == FunctionId::SPRINT) {
     return sprint_function(op, list);
   }
-  if (id == FunctionId::GETT) {
-    const double duplo = list.size() > 1 ? rounded(number(list[1].value)) : 1.0;
-    number(op.result) = tool_number(channel_.tools, text(list[0].value), duplo);
-    return std::nullopt;
+  if (id == FunctionId::MODAXVAL) {
+    return modulo_place(op, list);
+  }
+  if (id == FunctionId::CALCDAT) {
+    return circle_function(op, list);
+  }
+  if (id >= FunctionId::GETT) {
+    return tool_function(id, op, list);
   }
   if (id == FunctionId::AXSTRING) {
     text(op.result) = shown(Type::Axis, number(list[0].value));
     return std::nullopt;
   }
   return text_function(id, op, list);
+}
+
+/// MODAXVAL(axis, value)
+MaybeFailure Runner::modulo_place(const Op& op, Arguments list) {
+  const double axis = number(list[0].value);
+  if (axis < 0.0) {
+    return failure(AlarmId::BadAxisIndex, "MODAXVAL");
+  }
+  constexpr double kTurn = 360.0;
+  const double value = number(list[1].value);
+  number(op.result) = axis < 3.0 ? value : value - kTurn * std::floor(value / kTurn);
+  return std::nullopt;
 }
 
 MaybeFailure Runner::sprint_function(const Op& op, Arguments list) {
@@ -187,6 +194,10 @@ MaybeFailure Runner::frame_function(FunctionId id, const Op& op, Arguments list)
   Frame result;
   if (id == FunctionId::INVFRAME) {
     result = frame(list[0].value).inverse();
+  } else if (id == FunctionId::MEAFRAME) {
+    if (MaybeFailure wrong = measured_frame(result, list)) {
+      return wrong;
+    }
   } else if (id == FunctionId::CRPL) {
     const int which = static_cast<int>(rounded(number(list[0].value)));
     if (which < 0 || which > 3) {

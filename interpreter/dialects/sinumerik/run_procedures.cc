@@ -1,3 +1,5 @@
+#include <array>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
@@ -22,62 +24,46 @@ void Runner::set_result(const Argument& target, double value) {
 
 MaybeFailure Runner::procedure(const Op& op) {
   const Arguments list = arguments_of(op);
-  switch (static_cast<ProcedureId>(op.detail)) {
-    case ProcedureId::MSG:
+  switch (op.detail) {
+    case static_cast<int>(ProcedureId::MSG):
       if (!list.empty()) {
         channel_.observer.on_output(text(list[0].value) + "\n");
       }
       return std::nullopt;
-    case ProcedureId::SETAL:
+    case static_cast<int>(ProcedureId::SETAL):
       return set_alarm(list);
-    case ProcedureId::EXECSTRING:
+    case static_cast<int>(ProcedureId::EXECSTRING):
       return execute_text(text(list[0].value));
-    case ProcedureId::WRITE:
-    case ProcedureId::DELETE:
-    case ProcedureId::READ:
-    case ProcedureId::EXTOPEN:
-    case ProcedureId::EXTWRITE:
-    case ProcedureId::EXTCLOSE:
+    case static_cast<int>(ProcedureId::WRITE):
+    case static_cast<int>(ProcedureId::DELETE):
+    case static_cast<int>(ProcedureId::READ):
+    case static_cast<int>(ProcedureId::EXTOPEN):
+    case static_cast<int>(ProcedureId::EXTWRITE):
+    case static_cast<int>(ProcedureId::EXTCLOSE):
       file_procedure(static_cast<ProcedureId>(op.detail), list);
       return std::nullopt;
-    case ProcedureId::SETMS:
+    case static_cast<int>(ProcedureId::SETMS):
       channel_.master_spindle = list.empty() ? 1.0 : number(list[0].value);
       return std::nullopt;
-    case ProcedureId::GETSELT:
+    case static_cast<int>(ProcedureId::GETSELT):
       set_result(list[0], channel_.selected_tool);
       return std::nullopt;
-    case ProcedureId::GETEXET:
+    case static_cast<int>(ProcedureId::GETEXET):
       set_result(list[0], channel_.tool);
       return std::nullopt;
-    case ProcedureId::CALLPATH:
+    case static_cast<int>(ProcedureId::DELT):
+      return delete_tool(list);
+    case static_cast<int>(ProcedureId::CALLPATH):
       channel_.call_path = list.empty() ? std::string() : text(list[0].value);
       found_calls_.clear();
       return std::nullopt;
-    case ProcedureId::STOPRE:
+    case static_cast<int>(ProcedureId::STOPRE):
       return finish_motion(channel_);
-    case ProcedureId::FGROUP:
+    case static_cast<int>(ProcedureId::FGROUP):
       return set_feed_axes(list);
-    case ProcedureId::CHANDATA:
-    case ProcedureId::WORKPIECE:
-    case ProcedureId::GROUP_BEGIN:
-    case ProcedureId::GROUP_END:
-    case ProcedureId::DRFOF:
-    case ProcedureId::STARTFIFO:
-    case ProcedureId::STOPFIFO:
-    case ProcedureId::FIFOCTRL:
-    case ProcedureId::SBLON:
-    case ProcedureId::SBLOF:
-    case ProcedureId::DISPLON:
-    case ProcedureId::DISPLOF:
-    case ProcedureId::TRAFOOF:
-    case ProcedureId::WAITS:
-    case ProcedureId::WAITP:
-    case ProcedureId::SPCON:
-    case ProcedureId::SPCOF:
-      // Each block waits for the one before: there is nothing to stop.
-      return std::nullopt;
+    default:
+      return std::nullopt;  // nothing to do here: each block waits for the one before
   }
-  return std::nullopt;
 }
 
 /// The text sees the variables of the level; behind it the program goes on.
@@ -101,15 +87,20 @@ MaybeFailure Runner::execute_text(const std::string& source) {
   return std::nullopt;
 }
 
-/// The machine counts F along the linear axes; rotary ones among them make no difference there.
+/// FGROUP(axis,...); without axes all linear ones.
 MaybeFailure Runner::set_feed_axes(Arguments list) {
-  std::size_t linear = 0;
-  for (const Argument& axis : list) {
-    linear += number(axis.value) < 3.0 ? 1U : 0U;
+  AxisSettings& settings = channel_.axis_settings;
+  std::array<bool, kAxisCount> counts = {list.empty(), list.empty(), list.empty()};
+  for (const Argument& argument : list) {
+    const double axis = argument.type == Type::Axis ? number(argument.value) : kNoAxis;
+    if (axis < 0.0) {
+      return failure(AlarmId::NotAnAxis, "FGROUP");
+    }
+    counts[static_cast<std::size_t>(axis)] = true;
   }
-  return list.empty() || linear == 3
-             ? std::nullopt
-             : std::optional(failure(AlarmId::NotImplemented, "FGROUP without X, Y or Z"));
+  settings.counts = counts;
+  settings.counts_as_usual = false;
+  return std::nullopt;
 }
 
 /// SETAL(number, text): ends the program.

@@ -38,6 +38,10 @@ MaybeFailure Runner::read_system(const Op& op) {
     text(op.result) = which <= depth_ ? levels_[which]->program->name : std::string();
     return std::nullopt;
   }
+  if (id == SystemId::ProgramFolder) {
+    text(op.result) = level().program->folder;
+    return std::nullopt;
+  }
   if (row.type == Type::Frame) {
     const auto found = frame_of(channel_, access);
     if (!found) {

@@ -36,8 +36,43 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
   if (axis < 0.0) {
     return failure(AlarmId::BadAxisIndex);
   }
-  set_word(static_cast<std::size_t>(axis), number(op.b), static_cast<Modification>(op.count));
-  return from_step();
+  const AxisWordInfo& row = info(static_cast<AxisWordId>(op.detail));
+  const BlockWords::Word word{number(op.b), static_cast<Modification>(op.count), true};
+  if (row.role == AxisRole::Setting || row.role == AxisRole::AxisSetting) {
+    return take_axis_setting({row.id, static_cast<int>(axis), word.value});
+  }
+  const auto index = static_cast<std::size_t>(axis);
+  if (row.role == AxisRole::Path) {
+    set_word(index, word.value, word.modification);
+    return from_step();
+  }
+  if (words_.positioning[index].present) {
+    return failure(AlarmId::AddressRepeated, fmt::format("{}[{}]", row.name, kAxisLetters[index]));
+  }
+  words_.position_axis(index, word);
+  return std::nullopt;
+}
+
+MaybeFailure Runner::take_axis_setting(const BlockWords::AxisSetting& setting) {
+  const AxisWordInfo& row = info(setting.word);
+  const std::string shown = fmt::format(
+      "{}[{}]={:g}", row.name,
+      setting.axis == kSpindleAxis ? 'S' : kAxisLetters[static_cast<std::size_t>(setting.axis)],
+      setting.value);
+  for (const BlockWords::AxisSetting& known : words_.axis_settings) {
+    if (known.word == setting.word && known.axis == setting.axis) {
+      return failure(AlarmId::AddressRepeated, shown);
+    }
+  }
+  if (setting.word == AxisWordId::AxisFeed && setting.value < 0.0) {
+    return failure(AlarmId::NegativeAxisFeed, shown);
+  }
+  if (setting.value < row.least || setting.value > row.most) {
+    return failure(AlarmId::ValueOutOfLimits,
+                   fmt::format("{}: {:g} to {:g}", shown, row.least, row.most));
+  }
+  words_.axis_settings.push_back(setting);
+  return std::nullopt;
 }
 
 MaybeFailure Runner::take_axis_measuring(const Op& op) {

@@ -109,7 +109,17 @@ class Runner {
   MaybeFailure frame_function(FunctionId id, const Op& op, Arguments list);
   MaybeFailure frame_of_pairs(FunctionId id, Frame& result, Arguments list);
   MaybeFailure sprint_function(const Op& op, Arguments list);
+  MaybeFailure modulo_place(const Op& op, Arguments list);
   bool is_variable(std::string_view name);
+
+  // run_tools.cc
+  MaybeFailure tool_function(FunctionId id, const Op& op, Arguments list);
+  MaybeFailure new_tool(const Op& op, const std::string& name, double duplo);
+  MaybeFailure delete_tool(Arguments list);
+
+  // run_geometry.cc
+  MaybeFailure circle_function(const Op& op, Arguments list);
+  MaybeFailure measured_frame(Frame& result, Arguments list);
 
   // run_calls.cc
   MaybeFailure call(const Op& op);
@@ -153,6 +163,7 @@ class Runner {
   // run_words.cc
   MaybeFailure take_word(const Op& op);
   MaybeFailure take_axis_word(const Op& op);
+  MaybeFailure take_axis_setting(const BlockWords::AxisSetting& setting);
   MaybeFailure take_axis_measuring(const Op& op);
   MaybeFailure take_skip_action(const Op& op);
   bool set_word(std::size_t address, double value, Modification modification = Modification::None);

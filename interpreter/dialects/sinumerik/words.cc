@@ -1,5 +1,6 @@
 #include "interpreter/dialects/sinumerik/words.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -20,15 +21,20 @@ constexpr auto kProcedures = std::to_array<ProcedureInfo>({
 #undef PROCEDURE
 });
 
+constexpr auto kAxisWords = std::to_array<AxisWordInfo>({
+#define AXIS_WORD(id, name, role, least, most, text) \
+  {AxisWordId::id, name, AxisRole::role, least, most, text},
+#include "interpreter/dialects/sinumerik/axis_words.def"
+#undef AXIS_WORD
+});
+
 struct ModificationRow {
   std::string_view name;
   Modification modification;
 };
-constexpr ModificationRow kModifications[] = {{"AC", Modification::Absolute},
-                                              {"IC", Modification::Incremental},
-                                              {"DC", Modification::Direct},
-                                              {"ACP", Modification::Plus},
-                                              {"ACN", Modification::Minus}};
+constexpr ModificationRow kModifications[] = {
+    {"AC", Modification::Absolute}, {"IC", Modification::Incremental}, {"DC", Modification::Direct},
+    {"ACP", Modification::Plus},    {"ACN", Modification::Minus},      {"QU", Modification::Quick}};
 
 /// Most addresses are one letter: A to Z.
 std::vector<std::optional<Address>> addresses_by_letter() {
@@ -74,6 +80,19 @@ std::optional<Modification> find_modification(std::string_view name) {
     }
   }
   return std::nullopt;
+}
+
+std::span<const AxisWordInfo> axis_words() {
+  return kAxisWords;
+}
+
+const AxisWordInfo& info(AxisWordId id) {
+  return kAxisWords.at(static_cast<std::size_t>(id));
+}
+
+const AxisWordInfo* find_axis_word(std::string_view name) {
+  const auto found = std::ranges::find(kAxisWords, name, &AxisWordInfo::name);
+  return found != kAxisWords.end() ? &*found : nullptr;
 }
 
 std::span<const ProcedureInfo> procedures() {

@@ -52,10 +52,37 @@ enum class Modification : std::uint16_t {
   Direct,       ///< DC: rotary, the shorter way
   Plus,         ///< ACP
   Minus,        ///< ACN
+  Quick,        ///< QU: an auxiliary function that does not wait; here nothing does
 };
 
 /// @param name  upper case
 std::optional<Modification> find_modification(std::string_view name);
+
+/// Words with an axis in brackets: rows of axis_words.def.
+enum class AxisWordId : std::uint8_t {
+#define AXIS_WORD(id, name, role, least, most, text) id,
+#include "interpreter/dialects/sinumerik/axis_words.def"
+#undef AXIS_WORD
+};
+
+enum class AxisRole : std::uint8_t { Path, Positioning, Measuring, Setting, AxisSetting, Refused };
+
+struct AxisWordInfo {
+  AxisWordId id;
+  std::string_view name;
+  AxisRole role;
+  double least;  ///< of a setting
+  double most;
+  std::string_view text;
+};
+
+std::span<const AxisWordInfo> axis_words();
+const AxisWordInfo& info(AxisWordId id);
+/// @param name  upper case; nullptr: no such word
+const AxisWordInfo* find_axis_word(std::string_view name);
+
+/// What a setting of the spindle has in the place of an axis.
+inline constexpr int kSpindleAxis = kAxisCount;
 
 /// Rows of procedures.def.
 enum class ProcedureId : std::uint8_t {

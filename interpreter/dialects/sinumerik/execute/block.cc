@@ -136,7 +136,28 @@ bool is_circle(int motion) {
   return (motion >= kClockwise && motion <= kThroughPoint) || motion == kTangential;
 }
 
+/// ANG is of straight lines, and a line that waits for its end wants such a one next.
+MaybeFailure judge_lines(Channel& channel, const Block& block) {
+  const bool has_angle = block.words.has(Address::Angle);
+  const bool listens = listens_to_probe(channel, block);
+  const bool is_special = special_code(block) != nullptr;
+  if (has_angle && (listens || is_special || is_polar(block) || is_circle(channel.group[1]))) {
+    return failure(AlarmId::BadSyntax, "ANG is the angle of a straight line, without AP and RP");
+  }
+  const bool acts = commands_motion(block) || listens || is_special || block.words.has_positioning;
+  const bool goes_on = has_angle && !block.words.has_positioning;
+  return channel.held_line && acts && !goes_on ? line_without_end(channel) : std::nullopt;
+}
+
 MaybeFailure move(Channel& channel, const Block& block) {
+  if (MaybeFailure wrong = judge_lines(channel, block)) {
+    return wrong;
+  }
+  if (block.words.has_positioning) {
+    if (MaybeFailure wrong = move_positioning_axes(channel, block)) {
+      return wrong;
+    }
+  }
   if (const GCode* const code = special_code(block)) {
     return special_of(code->action)(channel, block, *code);
   }
@@ -163,10 +184,12 @@ const GCode* Block::code_of(int group) const {
 }
 
 bool commands_motion(const Block& block) {
-  return (block.words.has_axes() || is_polar(block)) && special_code(block) == nullptr;
+  return (block.words.has_axes() || is_polar(block) || block.words.has(Address::Angle)) &&
+         special_code(block) == nullptr;
 }
 
 MaybeFailure execute_block(Channel& channel, const Block& block) {
+  channel.clocks.block_began = channel.port.time_s();
   take_codes(channel, block);
   if (const GCode* const code = block.code_of(kToolFrameGroup)) {
     turn_to_tool(channel, *code);
@@ -174,10 +197,16 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = refuse_unknown(block)) {
     return wrong;
   }
+  if (MaybeFailure wrong = take_axis_settings(channel, block)) {
+    return wrong;
+  }
   if (MaybeFailure wrong = take_technology(channel, block)) {
     return wrong;
   }
   if (MaybeFailure wrong = select_tool(channel, block)) {
+    return wrong;
+  }
+  if (MaybeFailure wrong = take_tool_technology(channel, block)) {
     return wrong;
   }
   if (MaybeFailure wrong = read_compensation(channel, block)) {

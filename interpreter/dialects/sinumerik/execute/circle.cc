@@ -47,8 +47,14 @@ AxisPositions along(const Job& job, double fraction) {
   return job.q_W_start + fraction * (job.q_W_end - job.q_W_start);
 }
 
-Result<double, Failure> feed_of(Channel& channel, const Job& job, double length) {
-  return feed_in_force(channel, job.block, feed_way(channel, job.block, job.q_W_end, length));
+Result<double, Failure> feed_of(Channel& channel, const Job& job, double arc_mm, double rise_mm) {
+  FeedWay way = feed_way(channel, job.block, job.q_W_end, std::hypot(arc_mm, rise_mm));
+  const auto share = helix_share(channel, arc_mm, rise_mm);
+  if (!share) {
+    return share.error();
+  }
+  way.share = share.value();
+  return feed_in_force(channel, job.block, way);
 }
 
 SpatialArc in_space(const Circle& circle, const AxisPositions& q_W_start, double sweep) {
@@ -104,7 +110,7 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
   const double radius = arc.out.norm();
   const Vector3 normal = arc.out.cross(arc.ahead).normalized();
   const double rise = (job.q_W_end - job.q_W_start).head<3>().dot(normal);
-  const auto feed = feed_of(channel, job, std::hypot(radius * arc.sweep, rise));
+  const auto feed = feed_of(channel, job, radius * arc.sweep, rise);
   if (!feed) {
     return feed.error();
   }
@@ -139,7 +145,7 @@ MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle
   const Plane& plane = circle.plane;
   const double rise = job.q_W_end[plane.normal] - job.q_W_start[plane.normal];
   const double radius = (circle.start - circle.centre).norm();
-  const auto feed = feed_of(channel, job, std::hypot(radius * total, rise));
+  const auto feed = feed_of(channel, job, radius * total, rise);
   if (!feed) {
     return feed.error();
   }

@@ -31,6 +31,8 @@ MaybeFailure finish_motion(Channel& channel);
 MaybeFailure take_technology(Channel& channel, const Block& block);
 /// T, D and M6.
 MaybeFailure select_tool(Channel& channel, const Block& block);
+/// FZ and SVC, by the tool in force.
+MaybeFailure take_tool_technology(Channel& channel, const Block& block);
 /// TOFRAME, TOROT and their forms, TOROTOF.
 void turn_to_tool(Channel& channel, const GCode& code);
 /// TRANS, ROT, SCALE, MIRROR and their additive forms.
@@ -57,11 +59,31 @@ MaybeFailure measure(Channel& channel, const Block& block);
 /// G4
 MaybeFailure dwell(Channel& channel, const Block& block);
 
+/// OVR, FA[axis], ACC[axis] and the like.
+MaybeFailure take_axis_settings(Channel& channel, const Block& block);
+/// POS[axis] and POSA[axis]: each axis for itself, before the path of the block.
+MaybeFailure move_positioning_axes(Channel& channel, const Block& block);
+
+/// Where the word of an axis sends it, work coordinates.  @param now  where it stands
+Result<double, Failure> programmed_place(const Channel& channel, int axis,
+                                         const BlockWords::Word& word, double now);
 /// The end that the axis words or AP and RP say, work coordinates; axes without a word stay where
 /// they are.
 Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& block);
 /// Whether AP or RP stands in the block.
 bool is_polar(const Block& block);
+/// Takes ANG into the axis of the plane that has no word.  @param q_W_from  where the line begins
+MaybeFailure take_angle(const Channel& channel, const Block& block, AxisPositions& q_W_end,
+                        const AxisPositions& q_W_from);
+/// How many axes of the plane have a word.
+int plane_words(const Channel& channel, const Block& block);
+/// A line of which only ANG is known waits for the next one.
+MaybeFailure hold_line(Channel& channel, const Block& block);
+/// Moves along the line that waits, up to where the line of this block begins.
+/// @param q_W_block_end  where the line of this block ends, work coordinates
+MaybeFailure release_line(Channel& channel, const Block& block, const AxisPositions& q_W_block_end);
+/// The alarm of a line that still waits.
+MaybeFailure line_without_end(Channel& channel);
 /// Takes AP and RP into the axes of the plane.
 MaybeFailure take_polar(Channel& channel, const Block& block, AxisPositions& q_W_end);
 

@@ -1,6 +1,7 @@
 #include "interpreter/dialects/sinumerik/execute/feed.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -49,6 +50,22 @@ class TurnTime {
   double most_;
 };
 
+/// On a straight way: the feed of the machine, which is that of the linear axes, or of rotary ones
+/// that move alone, over that of the axes of FGROUP.  Where none of them moves, F is of the others.
+double straight_share(const AxisSettings& settings, const AxisPositions& q_M_way) {
+  AxisPositions counted = q_M_way.cwiseProduct(settings.mm_per_degree);
+  const double all_rotary = counted.tail<3>().norm();
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    counted[static_cast<int>(axis)] *= settings.counts[axis] ? 1.0 : 0.0;
+  }
+  const double linear = q_M_way.head<3>().norm();
+  const double of_machine = linear > 0.0 ? linear : q_M_way.tail<3>().norm();
+  const double of_group = counted.norm() > 0.0 ? counted.norm()
+                          : linear > 0.0       ? linear
+                                               : all_rotary;
+  return of_machine > 0.0 ? of_machine / of_group : 1.0;
+}
+
 }  // namespace
 
 bool cuts_at_constant_speed(int feed_type) {
@@ -70,18 +87,32 @@ FeedMeaning feed_meaning(int feed_type) {
 
 double spindle_speed(const Channel& channel, double radius_mm) {
   const Spindle& spindle = channel.spindle;
+  const double share = spindle.override_percent / 100.0;
   if (!cuts_at_constant_speed(channel.group[15])) {
     return spindle.speed <= 0.0
                ? 0.0
-               : std::clamp(spindle.speed, std::min(spindle.lowest, spindle.highest),
+               : std::clamp(spindle.speed * share, std::min(spindle.lowest, spindle.highest),
                             spindle.highest);
   }
-  return spindle.cutting_speed <= 0.0 ? 0.0 : 1.0 / TurnTime(channel).at(radius_mm);
+  return spindle.cutting_speed <= 0.0 ? 0.0 : share / TurnTime(channel).at(radius_mm);
 }
 
 double feed_length(const AxisPositions& q_M_from, const AxisPositions& q_M_to) {
   const double linear = (q_M_to.head<3>() - q_M_from.head<3>()).norm();
   return linear > 0.0 ? linear : (q_M_to.tail<3>() - q_M_from.tail<3>()).norm();
+}
+
+Result<double, Failure> helix_share(const Channel& channel, double arc_mm, double rise_mm) {
+  const Plane plane = channel.plane();
+  const std::array<bool, kAxisCount>& counts = channel.axis_settings.counts;
+  const auto has = [&](int axis) { return counts[static_cast<std::size_t>(axis)]; };
+  if (has(plane.first) != has(plane.second)) {
+    return failure(AlarmId::NotImplemented, "a circle with one axis of its plane in FGROUP");
+  }
+  const double length = std::hypot(arc_mm, rise_mm);
+  const double counted =
+      std::hypot(has(plane.first) ? arc_mm : 0.0, has(plane.normal) ? rise_mm : 0.0);
+  return counted > 0.0 ? length / counted : 1.0;
 }
 
 FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_end,
@@ -92,19 +123,24 @@ FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_
   way.radius_to_mm = q_W_end[kTransverseAxis];
   way.feed =
       block.words.has(Address::BlockFeed) ? block.words[Address::BlockFeed].value : channel.feed;
+  if (!channel.axis_settings.counts_as_usual) {
+    way.share = straight_share(channel.axis_settings,
+                               channel.to_machine(q_W_end) - channel.machine_position());
+  }
   return way;
 }
 
 double switched(const Channel& channel, double feed_mm_min) {
   const runtime::FeedSwitches& switches = channel.feed_switches;
   return switches.dry_run_mm_min > 0.0 ? switches.dry_run_mm_min
-                                       : feed_mm_min * switches.override_percent / 100.0;
+                                       : feed_mm_min * switches.override_percent / 100.0 *
+                                             channel.axis_settings.path_override_percent / 100.0;
 }
 
 Result<double, Failure> feed_in_force(const Channel& channel, const Block& block,
                                       const FeedWay& way) {
   const int type = channel.group[15];
-  const double feed = way.feed * channel.mm_per_feed();
+  const double feed = way.feed * channel.mm_per_feed() * way.share;
   if (feed_meaning(type) == FeedMeaning::InverseTime) {
     if (!(way.feed > 0.0) || !block.words.has(Address::Feed)) {
       return failure(AlarmId::NoFeed, "G93 needs F in every block");

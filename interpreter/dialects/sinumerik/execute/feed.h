@@ -10,6 +10,7 @@ struct FeedWay {
   double radius_from_mm = 0.0;  ///< G96: work coordinate X where the way begins
   double radius_to_mm = 0.0;    ///< and where it ends
   double feed = 0.0;            ///< as programmed: F or FB
+  double share = 1.0;           ///< feed of the machine over that of the axes of FGROUP
 };
 
 /// The way from where the axes stand.
@@ -21,6 +22,12 @@ FeedWay feed_way(Channel& channel, const Block& block, const AxisPositions& q_W_
 /// right.
 Result<double, Failure> feed_in_force(const Channel& channel, const Block& block,
                                       const FeedWay& way);
+
+/// On a helix: the feed of the machine over that of the axes of FGROUP.  Alarm 12140 where FGROUP
+/// has one axis of the plane only.
+/// @param arc_mm   length in the plane
+/// @param rise_mm  square to it
+Result<double, Failure> helix_share(const Channel& channel, double arc_mm, double rise_mm);
 
 /// Override and dry run on a feed.
 double switched(const Channel& channel, double feed_mm_min);

@@ -27,6 +27,7 @@ double rotary_end(double now, double angle, Modification modification) {
     case Modification::None:
     case Modification::Absolute:
     case Modification::Incremental:
+    case Modification::Quick:
       break;
   }
   return angle;
@@ -48,29 +49,43 @@ Result<double, Failure> thread_feed(const Channel& channel, const Block& block,
 
 }  // namespace
 
+Result<double, Failure> programmed_place(const Channel& channel, int axis,
+                                         const BlockWords::Word& word, double now) {
+  const bool turns = word.modification == Modification::Direct ||
+                     word.modification == Modification::Plus ||
+                     word.modification == Modification::Minus;
+  if (turns && axis < 3) {
+    return failure(AlarmId::BadModification,
+                   fmt::format("{} is no rotary axis", kAxisLetters[axis]));
+  }
+  const bool incremental = channel.group[14] == 2 && channel.suppression == 0;
+  const bool adds = word.modification == Modification::Incremental ||
+                    (word.modification == Modification::None && incremental);
+  const double value = channel.stored_place(
+      axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute);
+  return turns  ? rotary_end(now, value, word.modification)
+         : adds ? channel.programmed()[axis] + value
+                : value;
+}
+
 Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& block) {
   const AxisPositions q_W_now = channel.present();
   AxisPositions q_W_end = q_W_now;
-  const bool incremental = channel.group[14] == 2 && channel.suppression == 0;
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     const BlockWords::Word& word = block.words.axis(axis);
     if (!word.present) {
       continue;
     }
-    const bool turns = word.modification == Modification::Direct ||
-                       word.modification == Modification::Plus ||
-                       word.modification == Modification::Minus;
-    if (turns && axis < 3) {
-      return failure(AlarmId::BadModification,
-                     fmt::format("{} is no rotary axis", kAxisLetters[axis]));
+    const auto place = programmed_place(channel, axis, word, q_W_end[axis]);
+    if (!place) {
+      return place.error();
     }
-    const bool adds = word.modification == Modification::Incremental ||
-                      (word.modification == Modification::None && incremental);
-    const double value = channel.stored_place(
-        axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute);
-    q_W_end[axis] = turns  ? rotary_end(q_W_now[axis], value, word.modification)
-                    : adds ? channel.programmed()[axis] + value
-                           : value;
+    q_W_end[axis] = place.value();
+  }
+  if (block.words.has(Address::Angle) && plane_words(channel, block) > 0) {
+    if (MaybeFailure wrong = take_angle(channel, block, q_W_end, q_W_now)) {
+      return *wrong;
+    }
   }
   if (is_polar(block)) {
     if (MaybeFailure wrong = take_polar(channel, block, q_W_end)) {
@@ -86,9 +101,17 @@ machine::BlockEnd block_end(const Channel& channel) {
 }
 
 MaybeFailure move_straight(Channel& channel, const Block& block) {
+  if (block.words.has(Address::Angle) && plane_words(channel, block) == 0) {
+    return hold_line(channel, block);
+  }
   const auto q_W_end = programmed_end(channel, block);
   if (!q_W_end) {
     return q_W_end.error();
+  }
+  if (channel.held_line) {
+    if (MaybeFailure wrong = release_line(channel, block, q_W_end.value())) {
+      return wrong;
+    }
   }
   compensation::PathBlock path;
   path.q_M_end = channel.to_machine(q_W_end.value());

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/execute/feed.h"
 
@@ -10,7 +12,10 @@ namespace {
 // M codes
 constexpr double kClockwise = 3.0;
 constexpr double kCounterclockwise = 4.0;
+constexpr double kFullTurn = 360.0;
+constexpr double kStop = 5.0;
 constexpr double kOrient = 19.0;
+constexpr int kPositioned = -19;  // of $P_SDIR
 
 /// F and S mean something else with G4, G25 and G26.
 bool is_technology(const Block& block) {
@@ -27,6 +32,7 @@ void take_speed(Channel& channel, double value) {
 }
 
 void orient(Channel& channel, double degrees) {
+  channel.spindle.direction = kPositioned;
   channel.spindle.angle = degrees;
   channel.port.orient_spindle(degrees);
 }
@@ -56,6 +62,11 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
       take_speed(channel, words[Address::Speed].value);
     }
   }
+  if (const auto& angle = words[Address::ThreadAngle]; angle.present) {
+    if (!(angle.value >= 0.0 && angle.value < kFullTurn)) {
+      return failure(AlarmId::ValueOutOfLimits, fmt::format("SF={:g}: 0 to 359.999", angle.value));
+    }
+  }
   if (words.has(Address::SpeedLimit)) {
     channel.spindle.limit = words[Address::SpeedLimit].value;
   }
@@ -63,6 +74,9 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
     const double code = words.machine_codes[i];
     if (code == kClockwise || code == kCounterclockwise) {
       channel.spindle.angle.reset();
+      channel.spindle.direction = static_cast<int>(code);
+    } else if (code == kStop) {
+      channel.spindle.direction = static_cast<int>(code);
     } else if (code == kOrient) {
       orient(channel, 0.0);
     }

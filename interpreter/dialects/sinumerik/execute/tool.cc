@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -53,11 +55,77 @@ MaybeFailure select_edge(Channel& channel, double number) {
     return failure(AlarmId::NoToolEdge, fmt::format("T{}, D{}", channel.tool, edge));
   }
   channel.edge = edge;
+  channel.additive = 0;
+  channel.frames_changed();
+  return std::nullopt;
+}
+
+/// DL: what $TC_SCP or $TC_ECP has made of the edge in force.
+MaybeFailure select_additive(Channel& channel, double number) {
+  constexpr double kMost = 6.0;
+  const Tool* const tool = channel.find_tool(channel.tool);
+  const auto is_of_it = [&](const auto& row) {
+    return row.first.edge == channel.edge && row.first.number / 10 == static_cast<int>(number) &&
+           (row.first.id == SystemId::AdditiveParameter ||
+            row.first.id == SystemId::SetupParameter);
+  };
+  const bool is_valid = number == std::floor(number) && number >= 0.0 && number <= kMost;
+  const bool is_there = number == 0.0 || (is_valid && tool != nullptr && channel.edge != 0 &&
+                                          std::ranges::any_of(tool->more, is_of_it));
+  if (!is_valid || !is_there) {
+    return failure(AlarmId::NoAdditiveOffset,
+                   fmt::format("T{}, D{}, DL={:g}", channel.tool, channel.edge, number));
+  }
+  channel.additive = static_cast<int>(number);
   channel.frames_changed();
   return std::nullopt;
 }
 
 }  // namespace
+
+namespace {
+
+constexpr int kPerRevolution = 3;  // of group 15: G95
+constexpr double kMmPerMetre = 1000.0;
+
+/// FZ
+MaybeFailure take_tooth_feed(Channel& channel, double per_tooth) {
+  if (channel.group[15] != kPerRevolution) {
+    return failure(AlarmId::WrongFeedType, fmt::format("FZ={:g}", per_tooth));
+  }
+  const Tool* const tool = channel.find_tool(channel.tool);
+  const double count =
+      tool != nullptr && tool->teeth.contains(channel.edge) ? tool->teeth.at(channel.edge) : 0.0;
+  if (!(per_tooth * count > 0.0)) {
+    return failure(AlarmId::FeedNotPositive, fmt::format("FZ={:g}, {:g} teeth", per_tooth, count));
+  }
+  channel.feed = per_tooth * count;
+  return std::nullopt;
+}
+
+/// SVC, m/min
+MaybeFailure take_cutting_speed(Channel& channel, double speed) {
+  const double radius = channel.tool_radius();
+  if (!(radius > 0.0) || !(speed > 0.0)) {
+    return failure(AlarmId::NoToolForSpeed,
+                   fmt::format("SVC={:g}, tool radius {:g}", speed, radius));
+  }
+  channel.spindle.speed = speed * kMmPerMetre / (2.0 * std::numbers::pi * radius);
+  return std::nullopt;
+}
+
+}  // namespace
+
+MaybeFailure take_tool_technology(Channel& channel, const Block& block) {
+  const BlockWords& words = block.words;
+  MaybeFailure wrong = words.has(Address::CuttingSpeed)
+                           ? take_cutting_speed(channel, words[Address::CuttingSpeed].value)
+                           : std::nullopt;
+  if (!wrong && words.has(Address::ToothFeed)) {
+    wrong = take_tooth_feed(channel, words[Address::ToothFeed].value);
+  }
+  return wrong;
+}
 
 MaybeFailure select_tool(Channel& channel, const Block& block) {
   const BlockWords& words = block.words;
@@ -82,7 +150,12 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
       return wrong;
     }
   }
-  return words.has(Address::Edge) ? select_edge(channel, words[Address::Edge].value) : std::nullopt;
+  MaybeFailure wrong =
+      words.has(Address::Edge) ? select_edge(channel, words[Address::Edge].value) : std::nullopt;
+  if (!wrong && words.has(Address::Additive)) {
+    wrong = select_additive(channel, words[Address::Additive].value);
+  }
+  return wrong;
 }
 
 }  // namespace g31::sinumerik

@@ -18,7 +18,9 @@ MaybeFailure to_machine(Channel& channel, const Move& move, int g) {
   if (MaybeFailure outside = outside_working_area(channel, move.q_M_end)) {
     return outside;
   }
+  const double began = channel.port.time_s();
   const auto reached = channel.port.move(move);
+  channel.clocks.cutting += g == 0 ? 0.0 : channel.port.time_s() - began;
   if (!reached) {
     return from_fault(reached.error());
   }
@@ -218,6 +220,9 @@ MaybeFailure finish_corners(Channel& channel) {
 }
 
 MaybeFailure finish_motion(Channel& channel) {
+  if (MaybeFailure wrong = line_without_end(channel)) {
+    return wrong;
+  }
   if (MaybeFailure wrong = finish_corners(channel)) {
     return wrong;
   }

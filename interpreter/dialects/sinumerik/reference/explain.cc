@@ -80,6 +80,18 @@ void add_words(std::vector<Topic>& all) {
     }
     all.push_back({text(row.name), "", std::move(entry)});
   }
+  for (const AxisWordInfo& row : axis_words()) {
+    Entry entry{"address of an axis",
+                text(row.name),
+                text(row.text),
+                {{"form", fmt::format("{}[axis]=...", row.name)}}};
+    if (row.role == AxisRole::Refused) {
+      entry.facts.push_back({"here", "not yet: alarm 12140"});
+    } else if (row.most > 0.0) {
+      entry.facts.push_back({"values", fmt::format("{:g} to {:g}", row.least, row.most)});
+    }
+    all.push_back({text(row.name), "", std::move(entry)});
+  }
   for (const AddressInfo& row : addresses()) {
     all.push_back({text(row.name), "", {"address", text(row.name), text(row.text), {}}});
   }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -7,15 +8,6 @@
 
 namespace g31::sinumerik {
 namespace {
-
-/// The simulated clock starts at noon of this day.
-constexpr int kFirstDay = 1;
-constexpr int kNoon = 12 * 3600;
-
-Failure no_edge(const SystemAccess& access) {
-  return failure(AlarmId::NoToolEdge,
-                 fmt::format("T{}, D{}", access.indices[0], access.indices[1]));
-}
 
 Result<double, Failure> axis_value(const Channel& channel, const SystemAccess& access,
                                    const AxisPositions& q) {
@@ -36,9 +28,14 @@ Result<double, Failure> place_value(const Channel& channel, const SystemAccess& 
   return channel.shown_place(axis, q_W[axis]);
 }
 
+/// The present position within some of the frames.
+AxisPositions within(const Channel& channel, const Frame& frame) {
+  return frame.undo(channel.port.position() - channel.tool_offset());
+}
+
 /// $AA_..[axis], $P_EP[axis]
 Result<double, Failure> position(Channel& channel, const SystemAccess& access) {
-  const bool is_now = access.id == SystemId::MachineNow || access.id == SystemId::WorkNow;
+  const bool is_now = access.id >= SystemId::MachineNow && access.id <= SystemId::SettableNow;
   if (MaybeFailure wrong = is_now ? finish_motion(channel) : std::nullopt) {
     return *wrong;
   }
@@ -46,7 +43,12 @@ Result<double, Failure> position(Channel& channel, const SystemAccess& access) {
     case static_cast<int>(SystemId::BlockEnd):
       return place_value(channel, access, channel.programmed());
     case static_cast<int>(SystemId::MachineNow):
+    case static_cast<int>(SystemId::BasicNow):
       return axis_value(channel, access, channel.port.position());
+    case static_cast<int>(SystemId::BasicZeroNow):
+      return place_value(channel, access, within(channel, channel.set_frame.chained(channel.base)));
+    case static_cast<int>(SystemId::SettableNow):
+      return place_value(channel, access, within(channel, channel.frames_below()));
     case static_cast<int>(SystemId::WorkNow):
       return place_value(channel, access, channel.to_work(channel.port.position()));
     case static_cast<int>(SystemId::MachineMeasured):
@@ -85,64 +87,6 @@ Result<double, Failure> point_value(Channel& channel, const SystemAccess& access
   return channel.shown(access.indices[1], *place);
 }
 
-/// Of the active edge.
-Result<double, Failure> active_edge_value(const Channel& channel, const SystemAccess& access) {
-  const EdgeData* const edge = channel.active_edge();
-  if (access.id == SystemId::ToolRadius) {
-    return channel.tool_radius();
-  }
-  const int which = access.indices[0];
-  if (access.id == SystemId::ToolLength) {
-    if (which < 1 || which > 3) {
-      return failure(AlarmId::IndexOne, fmt::format("$P_TOOLL[{}]", which));
-    }
-    const Plane plane = channel.plane();
-    const int axes[] = {plane.normal, plane.second, plane.first};
-    return channel.tool_offset()[axes[which - 1]];
-  }
-  if (which < 1 || which >= static_cast<int>(EdgeData().size())) {
-    return failure(AlarmId::IndexOne, fmt::format("$P_AD[{}]", which));
-  }
-  return edge != nullptr ? (*edge)[static_cast<std::size_t>(which)] : 0.0;
-}
-
-/// $TC_..
-Result<double, Failure> tool_value(Channel& channel, const SystemAccess& access) {
-  if (access.id == SystemId::ToolDuplo || access.id == SystemId::ToolState) {
-    const Tool* const tool = channel.find_tool(access.indices[0]);
-    if (tool == nullptr) {
-      return failure(AlarmId::BadTNumber, fmt::format("T{}", access.indices[0]));
-    }
-    return access.id == SystemId::ToolDuplo ? tool->duplo : tool->state;
-  }
-  EdgeData* const edge = channel.find_edge(access.indices[0], access.indices[1]);
-  if (edge == nullptr) {
-    return no_edge(access);
-  }
-  if (access.id == SystemId::EdgeTeeth) {
-    return channel.find_tool(access.indices[0])->teeth[access.indices[1]];
-  }
-  return (*edge)[static_cast<std::size_t>(access.parameter)];
-}
-
-double clock(const Channel& channel, SystemId id) {
-  const auto seconds = static_cast<std::int64_t>(channel.port.time_s()) + kNoon;
-  switch (static_cast<int>(id)) {
-    case static_cast<int>(SystemId::Day):
-      return static_cast<double>(kFirstDay + seconds / 86400 % 31);
-    case static_cast<int>(SystemId::Month):
-      return 1.0;
-    case static_cast<int>(SystemId::Year):
-      return 0.0;  // 2000
-    case static_cast<int>(SystemId::Hour):
-      return static_cast<double>(seconds / 3600 % 24);
-    case static_cast<int>(SystemId::Minute):
-      return static_cast<double>(seconds / 60 % 60);
-    default:
-      return static_cast<double>(seconds % 60);
-  }
-}
-
 Result<double, Failure> indexed_state(const Channel& channel, const SystemAccess& access) {
   const int which = access.indices[0];
   if (access.id == SystemId::ModalCode) {
@@ -150,6 +94,11 @@ Result<double, Failure> indexed_state(const Channel& channel, const SystemAccess
       return failure(AlarmId::IndexOne, fmt::format("$P_GG[{}]", which));
     }
     return static_cast<double>(channel.group[static_cast<std::size_t>(which)]);
+  }
+  if (access.id == SystemId::GeometryAxis) {
+    return which < 1 || which > 3 ? Result<double, Failure>(failure(
+                                        AlarmId::IndexOne, fmt::format("$P_ACTGEOAX[{}]", which)))
+                                  : static_cast<double>(which - 1);
   }
   if (which < 1 || which > Channel::kMostProbes) {
     return failure(AlarmId::IndexOne, "there are the probes 1 to 8");
@@ -166,6 +115,12 @@ Result<double, Failure> plain_state(const Channel& channel, SystemId id) {
       return static_cast<double>(channel.tool);
     case static_cast<int>(SystemId::EdgeNumber):
       return static_cast<double>(channel.edge);
+    case static_cast<int>(SystemId::AdditiveNumber):
+      return static_cast<double>(channel.additive);
+    case static_cast<int>(SystemId::ToolCount):
+      return static_cast<double>(channel.tools.size());
+    case static_cast<int>(SystemId::Channel):
+      return 1.0;
     case static_cast<int>(SystemId::Feed):
       return channel.feed;
     case static_cast<int>(SystemId::FirstAxis):
@@ -186,7 +141,7 @@ Result<double, Failure> plain_state(const Channel& channel, SystemId id) {
     case static_cast<int>(SystemId::InLog):
       return 0.0;
     default:
-      return clock(channel, id);
+      return date(channel, id);
   }
 }
 
@@ -197,30 +152,35 @@ Result<double, Failure> number_of(Channel& channel, const SystemAccess& access) 
     case static_cast<int>(SystemId::BlockEnd):
     case static_cast<int>(SystemId::MachineNow):
     case static_cast<int>(SystemId::WorkNow):
+    case static_cast<int>(SystemId::BasicNow):
+    case static_cast<int>(SystemId::BasicZeroNow):
+    case static_cast<int>(SystemId::SettableNow):
     case static_cast<int>(SystemId::MachineMeasured):
     case static_cast<int>(SystemId::WorkMeasured):
     case static_cast<int>(SystemId::MachineTrigger):
     case static_cast<int>(SystemId::WorkTrigger):
       return position(channel, access);
-    case static_cast<int>(SystemId::ToolRadius):
-    case static_cast<int>(SystemId::ToolLength):
-    case static_cast<int>(SystemId::ActiveEdgeData):
-      return active_edge_value(channel, access);
-    case static_cast<int>(SystemId::EdgeParameter):
-    case static_cast<int>(SystemId::EdgeTeeth):
-    case static_cast<int>(SystemId::ToolDuplo):
-    case static_cast<int>(SystemId::ToolState):
-      return tool_value(channel, access);
+    case static_cast<int>(SystemId::AxisMeasures):
+      return access.indices[0] < 0 ? Result<double, Failure>(failure(AlarmId::BadAxisIndex)) : 0.0;
     case static_cast<int>(SystemId::ReferencePoint):
     case static_cast<int>(SystemId::FixedPoint):
       return point_value(channel, access);
     case static_cast<int>(SystemId::ModalCode):
     case static_cast<int>(SystemId::Measured):
     case static_cast<int>(SystemId::ProbeSignal):
+    case static_cast<int>(SystemId::GeometryAxis):
       return indexed_state(channel, access);
     default:
-      return plain_state(channel, access.id);
+      break;
   }
+  if (is_of_tools(access.id)) {
+    return tool_number_of(channel, access);
+  }
+  if (is_time(access.id)) {
+    return time_of(channel, access);
+  }
+  return is_of_spindle(access.id) ? spindle_number_of(channel, access)
+                                  : plain_state(channel, access.id);
 }
 
 MaybeFailure set_number(Channel& channel, SystemAccess access, double value) {
@@ -245,28 +205,8 @@ MaybeFailure set_number(Channel& channel, SystemAccess access, double value) {
     *place = channel.stored(access.indices[1], value);
     return std::nullopt;
   }
-  if (access.id == SystemId::ActiveEdgeData) {
-    access.parameter = access.indices[0];
-    access.indices = {channel.tool, channel.edge};
-    access.id = SystemId::EdgeParameter;
-    if (access.parameter < 1 || access.parameter >= static_cast<int>(EdgeData().size())) {
-      return failure(AlarmId::IndexOne, fmt::format("$P_AD[{}]", access.parameter));
-    }
-  }
-  Tool* const tool = channel.find_tool(access.indices[0]);
-  if (tool == nullptr) {
-    return failure(AlarmId::BadTNumber, fmt::format("T{}", access.indices[0]));
-  }
-  if (access.id == SystemId::EdgeParameter) {
-    // Writing to an edge that is not there makes it.
-    tool->edges[access.indices[1]][static_cast<std::size_t>(access.parameter)] = value;
-    channel.frames_changed();
-  } else if (access.id == SystemId::EdgeTeeth) {
-    tool->teeth[access.indices[1]] = value;
-  } else {
-    (access.id == SystemId::ToolDuplo ? tool->duplo : tool->state) = value;
-  }
-  return std::nullopt;
+  return is_time(access.id) ? set_time(channel, access, value)
+                            : set_tool_number(channel, std::move(access), value);
 }
 
 }  // namespace g31::sinumerik

@@ -1,0 +1,131 @@
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr double kMmPerDegree = std::numbers::pi / 180.0;  // on a radius of 1 mm
+
+struct PercentRow {
+  Address address;
+  double most;
+};
+constexpr PercentRow kPercents[] = {{Address::Override, 200.0}, {Address::RapidOverride, 100.0}};
+
+void take_setting(Channel& channel, const BlockWords::AxisSetting& setting) {
+  AxisSettings& settings = channel.axis_settings;
+  const bool of_spindle = setting.axis == kSpindleAxis;
+  switch (static_cast<int>(setting.word)) {
+    case static_cast<int>(AxisWordId::AxisFeed):
+      if (!of_spindle) {
+        const double unit = setting.axis < 3 ? channel.mm_per_feed() : 1.0;
+        settings.feed[static_cast<std::size_t>(setting.axis)] = setting.value * unit;
+      }
+      return;
+    case static_cast<int>(AxisWordId::AxisOverride):
+      (of_spindle ? channel.spindle.override_percent : settings.override_percent[setting.axis]) =
+          setting.value;
+      return;
+    case static_cast<int>(AxisWordId::ReferenceRadius):
+      settings.counts_as_usual = false;
+      settings.mm_per_degree[setting.axis] = setting.value * channel.mm_per_length() * kMmPerDegree;
+      return;
+    default:
+      return;  // the machine has its own
+  }
+}
+
+/// A geometry axis moves alone, in its own direction and beside the path only.
+MaybeFailure cannot_position(const Channel& channel, int axis, const AxisPositions& q_M_way) {
+  AxisPositions others = q_M_way;
+  others[axis] = 0.0;
+  if (!others.isZero(1e-9)) {
+    return failure(AlarmId::NotImplemented,
+                   fmt::format("POS[{}] in a frame that turns it away from its machine axis",
+                               kAxisLetters[axis]));
+  }
+  const Plane plane = channel.plane();
+  return channel.cutter.path.engaged() && (axis == plane.first || axis == plane.second)
+             ? std::optional(
+                   failure(AlarmId::NotImplemented,
+                           fmt::format("POS[{}] in the plane of G41 and G42", kAxisLetters[axis])))
+             : std::nullopt;
+}
+
+}  // namespace
+
+MaybeFailure take_axis_settings(Channel& channel, const Block& block) {
+  for (const PercentRow& row : kPercents) {
+    const BlockWords::Word& word = block.words[row.address];
+    if (word.present && !(word.value >= 1.0 && word.value <= row.most)) {
+      return failure(AlarmId::ValueOutOfLimits,
+                     fmt::format("{}={:g}: 1 to {:g}", name_of(row.address), word.value, row.most));
+    }
+  }
+  if (block.words.has(Address::Override)) {
+    channel.axis_settings.path_override_percent = block.words[Address::Override].value;
+  }
+  for (const BlockWords::AxisSetting& setting : block.words.axis_settings) {
+    take_setting(channel, setting);
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+MaybeFailure move_each(Channel& channel, const Block& block) {
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    const auto index = static_cast<std::size_t>(axis);
+    const BlockWords::Word& word = block.words.positioning[index];
+    if (!word.present) {
+      continue;
+    }
+    if (block.words.axis(axis).present) {
+      return failure(AlarmId::AddressRepeated,
+                     fmt::format("{0} and POS[{0}]", kAxisLetters[index]));
+    }
+    AxisPositions q_W_end = channel.present();
+    const auto place = programmed_place(channel, axis, word, q_W_end[axis]);
+    if (!place) {
+      return place.error();
+    }
+    q_W_end[axis] = place.value();
+    compensation::PathBlock path;
+    path.q_M_end = channel.to_machine(q_W_end);
+    if (MaybeFailure wrong =
+            cannot_position(channel, axis, path.q_M_end - channel.machine_position())) {
+      return wrong;
+    }
+    const AxisSettings& settings = channel.axis_settings;
+    path.feed_mm_min = settings.feed[index] * settings.override_percent[axis] / 100.0 *
+                       channel.feed_switches.override_percent / 100.0;
+    path.g = path.feed_mm_min > 0.0 ? 1 : 0;
+    path.where = block.where;
+    if (MaybeFailure wrong = travel_to(channel, path, q_W_end)) {
+      return wrong;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+MaybeFailure move_positioning_axes(Channel& channel, const Block& block) {
+  if (MaybeFailure wrong = finish_corners(channel)) {
+    return wrong;
+  }
+  // The corner of the block and the direction for CT are of its path.
+  const Eigen::Vector3d along_M_end = channel.along_M_end;
+  const compensation::CornerWish wish = std::exchange(channel.corners.wish, {});
+  MaybeFailure wrong = move_each(channel, block);
+  channel.corners.wish = wish;
+  channel.along_M_end = along_M_end;
+  return wrong;
+}
+
+}  // namespace g31::sinumerik

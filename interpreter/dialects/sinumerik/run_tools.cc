@@ -1,0 +1,128 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/runner.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr int kActive = 1;        // bit of $TC_TP8
+constexpr double kNoTool = -1.0;  // of GETT
+constexpr double kNoName = -1.0;  // of GETACTT
+constexpr double kNotInUse = -2.0;
+constexpr double kMostDuplo = 32000.0;
+
+using Row = std::pair<const int, Tool>;
+
+double number_of_tool(const std::map<int, Tool>& tools, const std::string& name, double duplo) {
+  const auto found = std::ranges::find_if(
+      tools, [&](const Row& row) { return row.second.name == name && row.second.duplo == duplo; });
+  return found != tools.end() ? found->first : kNoTool;
+}
+
+/// The highest duplo number of a name; 0: there is none of it.
+double last_duplo(const std::map<int, Tool>& tools, const std::string& name) {
+  double last = 0.0;
+  for (const auto& [number, tool] : tools) {
+    last = tool.name == name ? std::max(last, tool.duplo) : last;
+  }
+  return last;
+}
+
+/// The tool of a name with the lowest duplo number; 0: there is none.
+int first_of_name(const std::map<int, Tool>& tools, const std::string& name) {
+  int first = 0;
+  for (const auto& [number, tool] : tools) {
+    if (tool.name == name && (first == 0 || tool.duplo < tools.at(first).duplo)) {
+      first = number;
+    }
+  }
+  return first;
+}
+
+/// The tool of a name that is in use: its number, or why there is none.
+double tool_in_use(const Channel& channel, const std::string& name) {
+  for (const int number : {channel.tool, channel.selected_tool}) {
+    const auto found = channel.tools.find(number);
+    if (found != channel.tools.end() && found->second.name == name) {
+      return number;
+    }
+  }
+  double result = kNoName;
+  for (const auto& [number, tool] : channel.tools) {
+    if (tool.name == name) {
+      if ((static_cast<int>(tool.state) & kActive) != 0) {
+        return number;
+      }
+      result = kNotInUse;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+MaybeFailure Runner::tool_function(FunctionId id, const Op& op, Arguments list) {
+  if (id == FunctionId::GETDNO) {
+    const auto tool = static_cast<int>(rounded(number(list[0].value)));
+    const double edge = rounded(number(list[1].value));
+    if (channel_.find_tool(tool) == nullptr) {
+      return failure(AlarmId::BadTNumber, fmt::format("T{}", tool));
+    }
+    number(op.result) = channel_.find_edge(tool, static_cast<int>(edge)) != nullptr ? edge : 0.0;
+    return std::nullopt;
+  }
+  if (id == FunctionId::GETACTT) {
+    const double found = tool_in_use(channel_, text(list[1].value));
+    if (found > 0.0) {
+      set_result(list[0], found);
+    }
+    number(op.result) = std::min(found, 0.0);
+    return std::nullopt;
+  }
+  const std::string name = text(list[0].value);
+  const bool has_duplo = list.size() > 1;
+  const double duplo = has_duplo ? rounded(number(list[1].value)) : 1.0;
+  if (id == FunctionId::NEWT) {
+    return new_tool(op, name, has_duplo ? duplo : last_duplo(channel_.tools, name) + 1.0);
+  }
+  number(op.result) = number_of_tool(channel_.tools, name, duplo);
+  return std::nullopt;
+}
+
+MaybeFailure Runner::new_tool(const Op& op, const std::string& name, double duplo) {
+  const bool is_valid = !name.empty() && duplo >= 1.0 && duplo <= kMostDuplo;
+  if (!is_valid || number_of_tool(channel_.tools, name, duplo) != kNoTool) {
+    return failure(AlarmId::ToolExists, fmt::format("\"{}\", {:g}", name, duplo));
+  }
+  int free = 1;
+  while (channel_.tools.contains(free)) {
+    ++free;
+  }
+  Tool& tool = channel_.tools[free];
+  tool.name = name;
+  tool.duplo = duplo;
+  tool.edges[1] = EdgeData();
+  number(op.result) = free;
+  return std::nullopt;
+}
+
+/// DELT(name, duplo)
+MaybeFailure Runner::delete_tool(Arguments list) {
+  const std::string name = text(list[0].value);
+  const double found = list.size() > 1
+                           ? number_of_tool(channel_.tools, name, rounded(number(list[1].value)))
+                           : first_of_name(channel_.tools, name);
+  if (found <= 0.0) {
+    return failure(AlarmId::BadToolName, name);
+  }
+  const auto which = static_cast<int>(found);
+  if (which == channel_.tool || which == channel_.selected_tool) {
+    return failure(AlarmId::ToolInUse, fmt::format("T{}", which));
+  }
+  channel_.tools.erase(which);
+  return std::nullopt;
+}
+
+}  // namespace g31::sinumerik
