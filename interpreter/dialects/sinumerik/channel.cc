@@ -150,15 +150,6 @@ EdgeData* Channel::find_edge(int number, int which) {
   return row != found->edges.end() ? &row->second : nullptr;
 }
 
-const EdgeData* Channel::active_edge() const {
-  const auto found = tools.find(tool);
-  if (edge == 0 || found == tools.end()) {
-    return nullptr;
-  }
-  const auto row = found->second.edges.find(edge);
-  return row != found->second.edges.end() ? &row->second : nullptr;
-}
-
 double Channel::tool_radius() const {
   const EdgeData* const data = active_edge();
   return data != nullptr ? (*data)[kRadius] + (*data)[kRadiusWear] : 0.0;

@@ -70,7 +70,7 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
                       std::vector<std::string>& refused) {
   for (const auto& [name, q_offset] : setup.work_offsets) {
     if (name == "EXT") {
-      channel.base = shifted(q_offset);
+      channel.stored_base = shifted(q_offset);
     } else if (const auto number = settable_in_name(name)) {
       channel.settable[static_cast<std::size_t>(*number)] = shifted(q_offset);
     } else {
@@ -84,7 +84,7 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
     tool.edges[1] = edge_from(entry);
     channel.knows_tools = true;
   }
-  channel.take_settable();
+  channel.take_stored_frames();
 }
 
 }  // namespace

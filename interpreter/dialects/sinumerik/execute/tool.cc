@@ -49,10 +49,12 @@ MaybeFailure select_edge(Channel& channel, double number) {
     return failure(AlarmId::BadDNumber, fmt::format("D{}", number));
   }
   const int edge = static_cast<int>(number);
-  if (edge != 0 && channel.tool != 0 && channel.find_edge(channel.tool, edge) == nullptr) {
+  const EdgeData* const data = edge != 0 ? channel.find_edge(channel.tool, edge) : nullptr;
+  if (edge != 0 && channel.tool != 0 && data == nullptr) {
     return failure(AlarmId::NoToolEdge, fmt::format("T{}, D{}", channel.tool, edge));
   }
   channel.edge = edge;
+  channel.edge_now = data != nullptr ? std::optional(*data) : std::nullopt;
   channel.frames_changed();
   return std::nullopt;
 }

@@ -252,6 +252,10 @@ MaybeFailure set_number(Channel& channel, SystemAccess access, double value) {
     if (access.parameter < 1 || access.parameter >= static_cast<int>(EdgeData().size())) {
       return failure(AlarmId::IndexOne, fmt::format("$P_AD[{}]", access.parameter));
     }
+    if (channel.edge_now) {
+      (*channel.edge_now)[static_cast<std::size_t>(access.parameter)] = value;
+      channel.frames_changed();
+    }
   }
   Tool* const tool = channel.find_tool(access.indices[0]);
   if (tool == nullptr) {
@@ -260,7 +264,6 @@ MaybeFailure set_number(Channel& channel, SystemAccess access, double value) {
   if (access.id == SystemId::EdgeParameter) {
     // Writing to an edge that is not there makes it.
     tool->edges[access.indices[1]][static_cast<std::size_t>(access.parameter)] = value;
-    channel.frames_changed();
   } else if (access.id == SystemId::EdgeTeeth) {
     tool->teeth[access.indices[1]] = value;
   } else {
