@@ -26,11 +26,11 @@ constexpr const char* kFiles = "[control]\nfiles = \"logs\"\n";
 
 TEST(SinumerikVariables, OutliveTheRunWhenTheyDifferFromPowerOn) {
   const TemporaryFolder folder;
-  const RunOutput first =
-      run(folder,
-          "R5=1.5 R6=0.1EX-12\n_OVR[4]=24.017 _OVI[2]=977\n$SNS_MEA_WP_BALL_DIAM[3]=5.9983\n"
-          "$MA_MAX_AX_ACCEL[Y]=3\n$SCS_MEA_FEED_MEASURE=300\nDEF REAL LOCAL=9",
-          kKeeping);
+  const RunOutput first = run(folder,
+                              "DEF REAL LOCAL=9\nR5=1.5 R6=0.1EX-12\n_OVR[4]=24.017 "
+                              "_OVI[2]=977\n$SNS_MEA_WP_BALL_DIAM[3]=5.9983\n"
+                              "$MA_MAX_AX_ACCEL[Y]=3\n$SCS_MEA_FEED_MEASURE=300",
+                              kKeeping);
   EXPECT_EQ(first.exit_code, 0);
   EXPECT_EQ(text_of(folder.path("machine.vars")),
             "$MA_MAX_AX_ACCEL[Y]=3\n$SNS_MEA_WP_BALL_DIAM[3]=5.9983\nR5=1.5\nR6=1e-13\n"

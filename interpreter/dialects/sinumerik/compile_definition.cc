@@ -174,8 +174,20 @@ Limits Compiler::definition_attributes() {
   return limits;
 }
 
+/// Definitions stand before the first block that does something.  @returns whether this one does
+bool Compiler::begins_definition(std::string_view what) {
+  is_definition_ = true;
+  if (in_program_part_ && purpose_ == Purpose::Program) {
+    fail(AlarmId::BadDefinition, block_, what);
+  }
+  return !failed();
+}
+
 /// DEF [NCK|CHAN] type name[sizes] = values, ...
 void Compiler::def_statement() {
+  if (!begins_definition("DEF")) {
+    return;
+  }
   const bool scoped = accept_name("NCK") || accept_name("CHAN");
   if (scoped != (purpose_ == Purpose::Definitions)) {
     fail(AlarmId::BadDefinition, block_, "NCK and CHAN stand in definition files");
@@ -206,6 +218,7 @@ void Compiler::def_statement() {
 
 /// DEFINE name AS text
 void Compiler::define_statement() {
+  is_definition_ = true;
   const Token& first = next();
   const bool is_name = first.kind == TokenKind::Name || first.kind == TokenKind::Letter;
   std::string name(first.text);
@@ -230,6 +243,7 @@ void Compiler::define_statement() {
 
 /// PROC name(parameters) attributes
 void Compiler::proc_statement() {
+  is_definition_ = true;
   if (!is_first_block_ || program_->has_proc || purpose_ == Purpose::Definitions) {
     fail(AlarmId::BadDefinition, block_, "PROC");
     return;
@@ -328,6 +342,9 @@ void Compiler::proc_attributes() {
 void Compiler::extern_statement() {
   while (peek().kind != TokenKind::End) {
     next();
+  if (!begins_definition("EXTERN")) {
+    return;
+  }
   }
 }
 

@@ -34,6 +34,7 @@ void Compiler::know_locals_of(const CompiledProgram& home) {
   program_->text_count = home.text_count;
   program_->frame_count = home.frame_count;
   has_letter_names_ = true;
+  in_program_part_ = true;
 }
 
 /// Room for as many NC blocks of constant words as there are lines: a long program has little else.
@@ -154,7 +155,9 @@ void Compiler::label_or_number() {
 
 void Compiler::statement() {
   while (!failed() && peek().kind != TokenKind::End) {
+    is_definition_ = false;
     item();
+    in_program_part_ = in_program_part_ || !is_definition_;
   }
   if (!failed()) {
     finish_words();

@@ -183,6 +183,7 @@ class Compiler {
   void back_to(const Structure& loop);
 
   // compile_definition.cc
+  bool begins_definition(std::string_view what);
   void def_statement();
   void define_statement();
   void proc_statement();
@@ -259,6 +260,8 @@ class Compiler {
   OpCode ends_with_ = OpCode::Move;  ///< Return or EndProgram behind the words of the block
   std::size_t first_step_ = 0;       ///< of the block
   bool is_first_block_ = true;
+  bool is_definition_ = false;     ///< the statement being compiled
+  bool in_program_part_ = false;   ///< a statement that is no definition stood before
   bool has_letter_names_ = false;  ///< a variable is called I, say
   std::vector<Structure> structures_;
   std::vector<JumpToLabel> jumps_;
