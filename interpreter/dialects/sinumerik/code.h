@@ -82,7 +82,8 @@ enum class OpCode : std::uint8_t {
   MoveFrame,
   LoadFrame,
   StoreFrame,
-  Chain,           ///< frame a : frame b
+  Chain,  ///< frame a : frame b
+  EqualFrame,
   LoadComponent,   ///< arguments: axis, component; a frame operand
   StoreComponent,  ///< arguments: value, axis, component, then the frame is stored by its own step
   // with arguments [b.place, b.place + count)
