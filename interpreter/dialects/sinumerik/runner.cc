@@ -327,7 +327,7 @@ Result<ShownValue, std::string> Runner::value_of(const std::string& expression) 
   if (shown.type == Type::String) {
     shown.text = text(program->result.value);
   } else if (is_held_as_number(shown.type)) {
-    shown.number = number(program->result.value);
+    shown.number = without_sign_of_zero(number(program->result.value));
   }
   level().program = before;
   return shown.type == Type::Frame || shown.type == Type::None
