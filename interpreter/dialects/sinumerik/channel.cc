@@ -26,8 +26,10 @@ void BlockWords::set(std::size_t address, const Word& word) {
   if (!words[address].present) {
     set_[set_count_++] = static_cast<std::uint8_t>(address);
   }
+  const std::uint8_t times = words[address].times;
   words[address] = word;
   words[address].present = true;
+  words[address].times = static_cast<std::uint8_t>(times + 1);
 }
 
 void BlockWords::measure_axis(std::size_t axis, const AxisMeasuring& measuring) {

@@ -39,6 +39,7 @@ struct BlockWords {
     double value = 0.0;
     Modification modification = Modification::None;
     bool present = false;
+    std::uint8_t times = 0;  ///< it stands in the block
   };
   /// MEASA[axis] and MEAWA[axis]
   struct AxisMeasuring {
