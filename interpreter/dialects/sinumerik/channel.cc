@@ -143,6 +143,14 @@ Tool* Channel::find_tool(int number) {
   return found != tools.end() ? &found->second : nullptr;
 }
 
+Tool* Channel::tool_to_write(int number) {
+  if (loads_data && number > 0) {
+    knows_tools = true;
+    return &tools[number];
+  }
+  return find_tool(number);
+}
+
 EdgeData* Channel::find_edge(int number, int which) {
   Tool* const found = find_tool(number);
   if (found == nullptr) {

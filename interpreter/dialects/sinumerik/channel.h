@@ -140,7 +140,8 @@ class Channel {
 
   // Tools
   std::map<int, Tool> tools;
-  bool knows_tools = false;  ///< the set-up sheet has some
+  bool knows_tools = false;  ///< the set-up sheet or an INI file has some
+  bool loads_data = false;   ///< of an INI file: data of a new tool make it
   int selected_tool = 0;
   int tool = 0;
   int edge = 0;
@@ -152,6 +153,7 @@ class Channel {
   [[nodiscard]] AxisPositions tool_offset() const;
   /// nullptr: no such tool, or no such edge
   Tool* find_tool(int number);
+  Tool* tool_to_write(int number);
   EdgeData* find_edge(int number, int which);
 
   // Positions, mm and degrees

@@ -62,8 +62,8 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
         make_diagnostic(source::DiagnosticId::NoProgramInFile, {library_.main_text(), {}}));
     return outcome;
   }
-  if (definition_failure_) {
-    outcome = *definition_failure_;
+  if (early_failure_) {
+    outcome = *early_failure_;
     outcome.diagnostics = channel_.diagnostics;
     return outcome;
   }
@@ -304,11 +304,16 @@ std::optional<std::string> Runner::run_text(const std::string& source) {
                 : std::nullopt;
 }
 
-MaybeFailure Runner::run_definitions(const CompiledProgram& program) {
+void Runner::run_before(const CompiledProgram& program) {
+  // Data are lines without jumps: these are more than any archive has.
+  constexpr runtime::Budget kMost = {1'000'000, 10.0};
+  if (early_failure_) {
+    return;
+  }
+  channel_.budget = runtime::BudgetWatch(kMost);
   start(program);
-  MaybeFailure reason = loop();
-  if (reason) {
-    definition_failure_ = outcome_of(*reason);
+  if (const MaybeFailure reason = loop()) {
+    early_failure_ = outcome_of(*reason);
   }
   *levels_.front() = Level();
   return reason;

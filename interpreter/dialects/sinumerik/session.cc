@@ -94,8 +94,13 @@ Session::Session(ProgramLibrary& library, machine::MachinePort& port, runtime::O
   const std::vector<const CompiledProgram*> definitions = library.define();
   runner_ = std::make_unique<Runner>(library, port, observer);
   for (const CompiledProgram* const program : definitions) {
-    runner_->run_definitions(*program);
+    runner_->run_before(*program);
   }
+  runner_->channel().loads_data = true;
+  for (const CompiledProgram* const program : library.initial_data()) {
+    runner_->run_before(*program);
+  }
+  runner_->channel().loads_data = false;
   numbers_at_start_ = runner_->channel().numbers;
 }
 

@@ -257,7 +257,7 @@ MaybeFailure set_number(Channel& channel, SystemAccess access, double value) {
       channel.frames_changed();
     }
   }
-  Tool* const tool = channel.find_tool(access.indices[0]);
+  Tool* const tool = channel.tool_to_write(access.indices[0]);
   if (tool == nullptr) {
     return failure(AlarmId::BadTNumber, fmt::format("T{}", access.indices[0]));
   }
