@@ -239,8 +239,10 @@ struct CompiledProgram {
   std::vector<Parameter> parameters;
   Argument result;  ///< of a program that is one expression
   bool has_proc = false;
-  bool has_wrong_proc = false;  ///< whose alarm comes before any of its arguments
-  bool saves_codes = false;     ///< SAVE
+  bool has_wrong_proc = false;      ///< whose alarm comes before any of its arguments
+  bool saves_codes = false;         ///< SAVE
+  bool hides_blocks = false;        ///< DISPLOF
+  bool shows_actual_block = false;  ///< ACTBLOCNO
 };
 
 inline std::span<const std::uint16_t> NcBlock::codes_of(const CompiledProgram& program) const {

@@ -335,16 +335,18 @@ void Compiler::proc_attributes() {
       fail(AlarmId::AttributeNotAllowed, attribute.where, text_of(attribute.where));
     }
     program_->saves_codes = program_->saves_codes || attribute.text == "SAVE";
+    program_->hides_blocks = program_->hides_blocks || attribute.text == "DISPLOF";
+    program_->shows_actual_block = program_->shows_actual_block || attribute.text == "ACTBLOCNO";
   }
 }
 
 /// EXTERN says what the PROC of the called program says again; the PROC counts.
 void Compiler::extern_statement() {
-  while (peek().kind != TokenKind::End) {
-    next();
   if (!begins_definition("EXTERN")) {
     return;
   }
+  while (peek().kind != TokenKind::End) {
+    next();
   }
 }
 

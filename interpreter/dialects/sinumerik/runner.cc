@@ -245,10 +245,23 @@ MaybeFailure Runner::jump_to_text(const Op& op) {
   return std::nullopt;
 }
 
-source::Location Runner::location_of(const Level& level) const {
-  const CompiledProgram& program = *level.program;
+/// Where a level waits for the program that it called.
+source::Location Runner::place_of_call(std::size_t which) const {
+  const Level& level = *levels_[which];
   const auto step = static_cast<std::size_t>(std::max(level.step - 1, 0));
-  return {program.file, program.spans[step].widened()};
+  return {level.program->file, level.program->spans[step].widened()};
+}
+
+/// The level whose block an alarm shows.  DISPLOF hides the blocks of its program behind the call;
+/// ACTBLOCNO shows the block itself, of programs with DISPLOF that it calls, too.
+std::size_t Runner::shown_level() const {
+  std::size_t which = depth_;
+  for (; which > 0 && levels_[which]->program->hides_blocks; --which) {
+    if (levels_[which]->program->shows_actual_block) {
+      return depth_;
+    }
+  }
+  return which;
 }
 
 source::Location Runner::here() const {
@@ -264,9 +277,16 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.text = failure.text.empty() ? std::string(row.text) : failure.text;
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
-  reason.where = failure.where.value_or(here());
-  for (std::size_t i = depth_; i > 0; --i) {
-    reason.calls.push_back({levels_[i - 1]->program->name, location_of(*levels_[i - 1])});
+  const auto place_in = [&](std::size_t which) {
+    return which == depth_ ? failure.where.value_or(here()) : place_of_call(which);
+  };
+  const std::size_t shown = shown_level();
+  reason.where = place_in(shown);
+  for (std::size_t i = depth_; i > shown; --i) {
+    reason.inside.push_back({levels_[i]->program->name, place_in(i)});
+  }
+  for (std::size_t i = shown; i > 0; --i) {
+    reason.calls.push_back({levels_[i - 1]->program->name, place_in(i - 1)});
   }
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
   channel_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
@@ -315,8 +335,8 @@ void Runner::run_before(const CompiledProgram& program) {
   if (const MaybeFailure reason = loop()) {
     early_failure_ = outcome_of(*reason);
   }
+  channel_.budget = runtime::BudgetWatch(runtime::Budget{});
   *levels_.front() = Level();
-  return reason;
 }
 
 Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {

@@ -69,7 +69,8 @@ class Runner {
   Level& level() { return *levels_[depth_]; }
   void use_level();
   runtime::Outcome outcome_of(const Failure& failure);
-  [[nodiscard]] source::Location location_of(const Level& level) const;
+  [[nodiscard]] std::size_t shown_level() const;
+  [[nodiscard]] source::Location place_of_call(std::size_t which) const;
   [[nodiscard]] source::Location here() const;
   MaybeFailure from_step();
 
