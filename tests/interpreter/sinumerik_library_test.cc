@@ -329,6 +329,22 @@ TEST(SinumerikDataFiles, TellWhichLineIsWrong) {
   }
 }
 
+TEST(SinumerikDataFiles, MayHaveSystemDataThatG31HasNot) {
+  const std::string archive =
+      "R1=$TC_DP3[3,1] R2=$TC_DP6[3,1]\nM30\n%_N_TOA_INI\nCHANDATA(1)\n"
+      "$TC_TP2[3]=\"MILL\" $TC_TP3[3]=1 $TC_TP4[3]=2\n"
+      "$TC_MPP6[1,(2),3]=$TC_TP9[1]\n$TC_DP3[3,1]=80 $TC_TP3[4]=1 $TC_DP6[3,1]=5\nM17\n";
+  ProgramRun run({{"main.mpf", archive}});
+  ASSERT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R1"), 80.0);
+  EXPECT_EQ(run.number("R2"), 5.0);
+  ASSERT_EQ(run.outcome().diagnostics.size(), 1U);
+  const source::Diagnostic& note = run.outcome().diagnostics.front();
+  EXPECT_EQ(note.severity, source::Severity::Note);
+  EXPECT_EQ(line_of(note.where), "main.mpf:5");
+  EXPECT_EQ(note.message, "not simulated: 3 data of this file, $TC_TP3, $TC_TP4, $TC_MPP6");
+}
+
 TEST(SinumerikDataFiles, DoNotRunForEver) {
   ProgramRun run({{"main.mpf", std::string("M30\n%_N_RPA_INI\nAGAIN: R1=R1+1\nGOTOB AGAIN\n")}});
   EXPECT_EQ(run.outcome().status, runtime::Status::Budget);

@@ -207,6 +207,12 @@ struct BlockError {
   std::string detail;
 };
 
+/// A datum of an INI file that this control of g31 does not have.
+struct UnknownDatum {
+  std::string name;
+  ShortSpan where;
+};
+
 /// N and its number.
 struct BlockNumber {
   std::int32_t number = 0;
@@ -230,6 +236,7 @@ struct CompiledProgram {
   std::vector<std::uint16_t> codes;
   std::vector<ConstantWord> words;
   std::vector<BlockError> errors;
+  std::vector<UnknownDatum> unknown_data;     ///< each name once
   NameMap<std::vector<std::int32_t>> labels;  ///< their steps, rising
   std::vector<BlockNumber> block_numbers;     ///< in their order
   NameMap<std::int32_t> locals;               ///< names of local variables

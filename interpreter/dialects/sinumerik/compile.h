@@ -19,6 +19,10 @@ struct ProgramSource {
 /// raises the alarm when the program gets there, as the control does.
 std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Globals& globals);
 
+/// The same of an INI file: it may assign to system data that g31 does not have, which goes into
+/// CompiledProgram::unknown_data.
+std::unique_ptr<CompiledProgram> compile_data(const ProgramSource& source, const Globals& globals);
+
 /// Compiles `text` as blocks that run among the local variables of `home`: what --set and --print
 /// name.
 std::unique_ptr<CompiledProgram> compile_among(const ProgramSource& source, const Globals& globals,

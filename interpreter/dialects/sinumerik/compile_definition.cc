@@ -133,7 +133,7 @@ std::int32_t Compiler::define_local(Variable variable) {
 }
 
 std::int32_t Compiler::define(const Variable& variable) {
-  if (purpose_ == Purpose::Program) {
+  if (purpose_ != Purpose::Definitions) {
     return define_local(variable);
   }
   const Variable* const global = definitions_->define(variable);
@@ -177,7 +177,7 @@ Limits Compiler::definition_attributes() {
 /// Definitions stand before the first block that does something.  @returns whether this one does
 bool Compiler::begins_definition(std::string_view what) {
   is_definition_ = true;
-  if (in_program_part_ && purpose_ == Purpose::Program) {
+  if (in_program_part_ && purpose_ != Purpose::Definitions) {
     fail(AlarmId::BadDefinition, block_, what);
   }
   return !failed();

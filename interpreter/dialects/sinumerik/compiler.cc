@@ -192,6 +192,8 @@ void Compiler::item() {
     assign_variable(variable, name.where);
   } else if (const auto system = find_system_variable(name.text)) {
     assign_system(*system, name.where);
+  } else if (purpose_ == Purpose::Data && name.text.starts_with('$')) {
+    pass_over(name);
   } else if (peek().is(Symbol::Assign) || peek().is(Symbol::LeftBracket)) {
     fail(AlarmId::NotDefined, name.where, name.text);
   } else {
@@ -402,6 +404,10 @@ void Compiler::set_target(std::int32_t jump, std::int32_t target) {
 
 std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Globals& globals) {
   return Compiler(source, globals, Compiler::Purpose::Program).run();
+}
+
+std::unique_ptr<CompiledProgram> compile_data(const ProgramSource& source, const Globals& globals) {
+  return Compiler(source, globals, Compiler::Purpose::Data).run();
 }
 
 std::unique_ptr<CompiledProgram> compile_among(const ProgramSource& source, const Globals& globals,

@@ -28,7 +28,7 @@ struct Expr {
 /// Raise stands in its place.
 class Compiler {
  public:
-  enum class Purpose { Program, Definitions };
+  enum class Purpose { Program, Definitions, Data };
 
   Compiler(const ProgramSource& source, const Globals& globals, Purpose purpose);
 
@@ -141,6 +141,7 @@ class Compiler {
   void assign_component(Expr frame);
   void assign_system(const SystemName& name, ShortSpan where);
   void assign_list(const Expr& target);
+  void pass_over(const Token& datum);
   bool looks_like_list() const;
   void check_limits(const Expr& target, const Expr& value);
   void repeat_value(const Expr& target);

@@ -211,7 +211,9 @@ const CompiledProgram* ProgramLibrary::main_program() {
 
 const CompiledProgram* ProgramLibrary::compiled(Entry& entry) {
   if (entry.compiled == nullptr) {
-    entry.compiled = compile(entry.source, globals_);
+    const bool is_data = entry.name.suffix == kData;
+    entry.compiled =
+        is_data ? compile_data(entry.source, globals_) : compile(entry.source, globals_);
     entry.compiled->folder = entry.name.folder;
   }
   return entry.compiled.get();

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/runtime/stop_report.h"
@@ -20,6 +21,22 @@ Failure of_budget(runtime::BudgetWatch::Spent spent) {
                                        ? source::DiagnosticId::BudgetBlocks
                                        : source::DiagnosticId::BudgetTime);
   return reason;
+}
+
+/// An archive of a whole control has much that no program here asks for.
+source::Diagnostic unknown_data_note(const CompiledProgram& program) {
+  constexpr std::size_t kShown = 5;
+  const std::vector<UnknownDatum>& unknown = program.unknown_data;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min(unknown.size(), kShown); ++i) {
+    names.push_back(unknown[i].name);
+  }
+  source::Diagnostic note = make_diagnostic(
+      source::DiagnosticId::NotSimulated, {program.file, unknown.front().where.widened()},
+      fmt::format("{} data of this file, {}{}", unknown.size(), fmt::join(names, ", "),
+                  unknown.size() > kShown ? " and others" : ""));
+  note.severity = source::Severity::Note;
+  return note;
 }
 
 }  // namespace
@@ -334,6 +351,9 @@ void Runner::run_before(const CompiledProgram& program) {
   start(program);
   if (const MaybeFailure reason = loop()) {
     early_failure_ = outcome_of(*reason);
+  }
+  if (!program.unknown_data.empty()) {
+    channel_.diagnostics.push_back(unknown_data_note(program));
   }
   channel_.budget = runtime::BudgetWatch(runtime::Budget{});
   *levels_.front() = Level();
