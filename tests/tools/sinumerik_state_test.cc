@@ -118,5 +118,20 @@ TEST(SinumerikFiles, WithoutTheFolderNothingRuns) {
   EXPECT_NE(output.errors.find("control.files"), std::string::npos) << output.errors;
 }
 
+TEST(SinumerikDataFiles, OfTheCommandLineComeBeforeTheSheet) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {
+      folder.write("part.mpf", "R1=$P_UIFR[1,X,TR] R2=$P_UIFR[2,X,TR] R3=R9\nM30\n"),
+      folder.write("UFR.INI", "$P_UIFR[1,X,TR]=5\n$P_UIFR[2,X,TR]=6\nR9=7\n")};
+  options.setups = {folder.write("sheet.toml", "[work_offsets.G54]\nX = 100.0\n")};
+  options.prints = {"R1-R3"};
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_EQ(output.document["variables"]["R1"], 100.0);
+  EXPECT_EQ(output.document["variables"]["R2"], 6.0);
+  EXPECT_EQ(output.document["variables"]["R3"], 7.0);
+}
+
 }  // namespace
 }  // namespace g31::testing

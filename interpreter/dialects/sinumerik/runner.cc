@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/runtime/stop_report.h"
@@ -27,13 +26,13 @@ Failure of_budget(runtime::BudgetWatch::Spent spent) {
 source::Diagnostic unknown_data_note(const CompiledProgram& program) {
   constexpr std::size_t kShown = 5;
   const std::vector<UnknownDatum>& unknown = program.unknown_data;
-  std::vector<std::string> names;
+  std::string names;
   for (std::size_t i = 0; i < std::min(unknown.size(), kShown); ++i) {
-    names.push_back(unknown[i].name);
+    names += (i > 0 ? ", " : "") + unknown[i].name;
   }
   source::Diagnostic note = make_diagnostic(
       source::DiagnosticId::NotSimulated, {program.file, unknown.front().where.widened()},
-      fmt::format("{} data of this file, {}{}", unknown.size(), fmt::join(names, ", "),
+      fmt::format("{} data of this file, {}{}", unknown.size(), names,
                   unknown.size() > kShown ? " and others" : ""));
   note.severity = source::Severity::Note;
   return note;
