@@ -85,6 +85,9 @@ void Compiler::block(ShortSpan span) {
   }
   if (std::ranges::any_of(tokens_, [this](const Token& token) { return may_be_macro(token); })) {
     expand_macros();
+    if (tokens_.size() == 1) {
+      return;
+    }
   }
   if (has_letter_names_) {
     find_letter_names();
