@@ -15,11 +15,14 @@ struct CallSite {
 
 /// Why the control stopped the program.
 struct Alarm {
-  int number = 0;        ///< as in the result document: without letters
-  std::string text;      ///< what the control shows
+  int number = 0;    ///< as in the result document: without letters
+  std::string text;  ///< what the control shows
   source::Location where;
-  std::string detail;    ///< what exactly is wrong here; may be empty
-  std::string remedy;    ///< what would be right; may be empty
+  std::string detail;  ///< what exactly is wrong here; may be empty
+  std::string remedy;  ///< what would be right; may be empty
+  /// Programs behind the call at `where` that do not show their blocks: where each of them stood,
+  /// the innermost first, which is where the alarm arose.
+  std::vector<CallSite> inside;
   std::vector<CallSite> calls;  ///< innermost first
 };
 

@@ -29,8 +29,12 @@ Outcome outcome_of(StopReason reason) {
     diagnostic = make_diagnostic(source::DiagnosticId::CollisionStop, reason.where, reason.detail);
   } else {
     outcome.alarm = Alarm{reason.number, std::move(reason.text),   reason.where,
-                          reason.detail, std::move(reason.remedy), reason.calls};
+                          reason.detail, std::move(reason.remedy), reason.inside,
+                          reason.calls};
     diagnostic = message_of(*outcome.alarm);
+  }
+  for (const CallSite& place : reason.inside) {
+    diagnostic.notes.push_back({place.where, fmt::format("in {}", place.program)});
   }
   for (const CallSite& call : reason.calls) {
     diagnostic.notes.push_back({call.where, fmt::format("called from {}", call.program)});

@@ -16,7 +16,8 @@ struct StopReason {
   std::string detail;
   std::string remedy;
   source::Location where;
-  std::vector<CallSite> calls;  ///< innermost first
+  std::vector<CallSite> inside;  ///< what `where` hides: see Alarm
+  std::vector<CallSite> calls;   ///< innermost first
 };
 
 /// What is left of the run: its status, the alarm if it was one, and the message as its only

@@ -41,6 +41,7 @@ void read_sinumerik_text(std::string_view bytes) {
   judge_program(*compile_definitions(source, globals), size);
   const auto program = compile(source, globals);
   judge_program(*program, size);
+  judge_program(*compile_data(source, globals), size);
   judge_program(*compile_among(source, globals, *program), size);
   judge_program(*compile_expression(source, globals, *program), size);
 }

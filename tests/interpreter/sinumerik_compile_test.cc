@@ -157,8 +157,8 @@ TEST(SinumerikCompile, BlocksOfPlainWordsMeanWhatTheirTokensMean) {
   };
   for (const std::string text : texts) {
     SCOPED_TRACE(text);
-    const Compiled plain(text + "\nG1 X1");
-    const Compiled compared(text + "\nG1 X1", through_tokens);
+    const Compiled plain(text + "\nDEF INT NEW\nG1 X1");
+    const Compiled compared(text + "\nDEF INT NEW\nG1 X1", through_tokens);
     EXPECT_EQ(shown(*plain.program), shown(*compared.program));
   }
 }

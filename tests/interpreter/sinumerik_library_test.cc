@@ -1,6 +1,7 @@
 // Files of the SINUMERIK: names, archives, definition files, characters.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -299,6 +300,140 @@ TEST(SinumerikLongProgram, TellsTheLineOfAnAlarm) {
   const ProgramRun wrong_word = long_run({"R1=1", "R1=2", "G1 Q5", "M30"});
   EXPECT_EQ(wrong_word.alarm(), 12050);
   EXPECT_EQ(line_of_alarm(wrong_word), 2 + 2 * lines_of_comment + 1);
+}
+
+/// "main.mpf:2", or "" where there is no file.
+std::string line_of(const source::Location& where) {
+  return where.file == nullptr ? std::string()
+                               : where.file->name() + ":" +
+                                     std::to_string(where.file->line_column(where.span.begin).line);
+}
+
+/// Program and line of each.
+std::string lines_of(const std::vector<runtime::CallSite>& sites) {
+  std::string lines;
+  for (const runtime::CallSite& site : sites) {
+    lines += (lines.empty() ? "" : " ") + site.program + "@" + line_of(site.where);
+  }
+  return lines;
+}
+
+TEST(SinumerikAlarms, ShowTheCallOfProgramsWithDisplof) {
+  struct Case {
+    const char* what;
+    const char* outer;  ///< attributes of SUBA, which calls SUBB, where the alarm arises
+    const char* inner;
+    const char* where;
+    const char* inside;
+    const char* calls;
+  };
+  const Case kCases[] = {
+      {"all show themselves", "", "", "lib/subb.spf:2", "", "SUBA@lib/suba.spf:3 MAIN@main.mpf:2"},
+      {"all hide", "DISPLOF", "SAVE DISPLOF", "main.mpf:2",
+       "SUBB@lib/subb.spf:2 SUBA@lib/suba.spf:3", ""},
+      {"the inner one hides", "SAVE", "DISPLOF", "lib/suba.spf:3", "SUBB@lib/subb.spf:2",
+       "MAIN@main.mpf:2"},
+      {"only the outer one hides", "DISPLOF", "DISPLON", "lib/subb.spf:2", "",
+       "SUBA@lib/suba.spf:3 MAIN@main.mpf:2"},
+      {"ACTBLOCNO counts for what is called", "ACTBLOCNO DISPLOF", "DISPLOF", "lib/subb.spf:2", "",
+       "SUBA@lib/suba.spf:3 MAIN@main.mpf:2"},
+      {"ACTBLOCNO of the inner one", "DISPLOF", "DISPLOF ACTBLOCNO", "lib/subb.spf:2", "",
+       "SUBA@lib/suba.spf:3 MAIN@main.mpf:2"},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.what);
+    ProgramRun run(
+        {{"main.mpf", "R1=1\nSUBA(2)\nM30\n"},
+         {"lib/suba.spf", std::string("PROC SUBA(INT AA) ") + c.outer + "\n\nSUBB(AA)\nRET\n"},
+         {"lib/subb.spf",
+          std::string("PROC SUBB(INT AA) ") + c.inner + "\n  R1=R1/(AA-2)\nRET\n"}});
+    ASSERT_EQ(run.alarm(), 14051);
+    const runtime::Alarm& alarm = *run.outcome().alarm;
+    EXPECT_EQ(line_of(alarm.where), c.where);
+    EXPECT_EQ(lines_of(alarm.inside), c.inside);
+    EXPECT_EQ(lines_of(alarm.calls), c.calls);
+  }
+}
+
+TEST(SinumerikNumbers, ZeroHasNoSign) {
+  ProgramRun run({{"main.mpf", std::string("R1=0\nR2=-R1 R3=R1*(-1)\nM30\n")}});
+  EXPECT_FALSE(std::signbit(run.number("R2")));
+  EXPECT_FALSE(std::signbit(run.number("R3")));
+}
+
+TEST(SinumerikDataFiles, OfAnArchiveAreLoadedBeforeThePrograms) {
+  const std::string archive =
+      "%_N_PART_MPF\n"
+      "R1=$P_UIFR[2,X,TR] R2=R20 R3=GLOB[1] R4=$TC_DP3[3,1]\n"
+      "G55 T=\"MILL\" M6\nR5=$P_IFRAME[X,TR] R6=$P_TOOLNO R7=$P_BFRAME[Y,TR]\n"
+      "SETUP_INI\nM30\n"
+      "%_N_SETUP_INI_SPF\nR8=1\nRET\n"
+      "%_N_UFR_INI\n;$PATH=/_N_INI_DIR\nCHANDATA(1)\n"
+      "$P_UIFR[2,X,TR]=12.5\n$P_CHBFR[0,Y,TR]=3\nM17\n"
+      "%_N_TOA_INI\n$TC_TP2[3]=\"MILL\"\n$TC_DP1[3,1]=120 $TC_DP3[3,1]=80\nM17\n"
+      "%_N_RPA_INI\nR[20]=7\nM30\n"
+      "%_N_GUD_INI\nGLOB[1]=4\n"
+      "%_N_UGUD_DEF\nDEF NCK REAL GLOB[3]\nM17\n";
+  ProgramRun run({{"main.mpf", archive}});
+  ASSERT_EQ(run.alarm(), 0);
+  const double kExpected[] = {12.5, 7.0, 4.0, 80.0, 12.5, 3.0, 3.0, 1.0};
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_EQ(run.number("R" + std::to_string(i + 1)), kExpected[i]) << "R" << i + 1;
+  }
+}
+
+TEST(SinumerikDataFiles, OfAFolderAreNotLoaded) {
+  ProgramRun run({{"main.mpf", "R1=5\nM30\n"},
+                  {"lib/desktop.ini", "[.ShellClassInfo]\n"},
+                  {"lib/RPA.INI", "R[2]=7\n"}});
+  EXPECT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R2"), 0.0);
+}
+
+TEST(SinumerikDataFiles, TellWhichLineIsWrong) {
+  struct Case {
+    const char* what;
+    const char* line;
+    int alarm;
+  };
+  const Case kCases[] = {{"no such offset", "$P_UIFR[200,X,TR]=1", 17020},
+                         {"no such variable", "NOGUD=1", 12550},
+                         {"no T number", "$TC_DP3[0,1]=1", 17190}};
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.what);
+    ProgramRun run({{"main.mpf", std::string("R1=1\nM30\n%_N_UFR_INI\n$P_UIFR[1,X,TR]=5\n") +
+                                     c.line + "\nM17\n%_N_RPA_INI\nR[2]=7\n"}});
+    EXPECT_EQ(run.alarm(), c.alarm);
+    EXPECT_EQ(line_of(run.outcome().alarm->where), "main.mpf:5");
+    EXPECT_EQ(run.number("R1"), 0.0) << "nothing ran behind it";
+    EXPECT_EQ(run.number("R2"), 0.0);
+  }
+}
+
+TEST(SinumerikDataFiles, MayHaveSystemDataThatG31HasNot) {
+  const std::string archive =
+      "R1=$TC_DP3[3,1] R2=$TC_DP6[3,1]\nM30\n%_N_TOA_INI\nCHANDATA(1)\n"
+      "$TC_TP2[3]=\"MILL\" $TC_TP3[3]=1 $TC_TP4[3]=2\n"
+      "$TC_MPP6[1,(2),3]=$TC_TP9[1]\n$TC_DP3[3,1]=80 $TC_TP3[4]=1 $TC_DP6[3,1]=5\nM17\n";
+  ProgramRun run({{"main.mpf", archive}});
+  ASSERT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R1"), 80.0);
+  EXPECT_EQ(run.number("R2"), 5.0);
+  ASSERT_EQ(run.outcome().diagnostics.size(), 1U);
+  const source::Diagnostic& note = run.outcome().diagnostics.front();
+  EXPECT_EQ(note.severity, source::Severity::Note);
+  EXPECT_EQ(line_of(note.where), "main.mpf:5");
+  EXPECT_EQ(note.message, "not simulated: 3 data of this file, $TC_TP3, $TC_TP4, $TC_MPP6");
+}
+
+TEST(SinumerikDataFiles, DoNotRunForEver) {
+  ProgramRun run({{"main.mpf", std::string("M30\n%_N_RPA_INI\nAGAIN: R1=R1+1\nGOTOB AGAIN\n")}});
+  EXPECT_EQ(run.outcome().status, runtime::Status::Budget);
+}
+
+TEST(SinumerikDataFiles, SayWhichToolsThereAre) {
+  ProgramRun run({{"main.mpf", std::string("T4 M6\nM30\n%_N_TOA_INI\n$TC_DP3[3,1]=80\nM17\n")}});
+  EXPECT_EQ(run.outcome().status, runtime::Status::Setup);
 }
 
 }  // namespace

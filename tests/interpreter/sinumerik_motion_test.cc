@@ -91,7 +91,7 @@ TEST(SinumerikCircles, HaveTheirCentres) {
       {"DIAMON: I=AC is a diameter, I a radius", "DIAMON G2 X40 Y0 I=AC(20) J0 F100",
        "arc cw 20.000 0.000 0.000 centre X10.000 Y0.000 F100"},
       {"the corner of a compensated path",
-       "T1 M6\n$TC_DP6[1,1]=5\nG0 X-20 Y-10\nG41 G1 X0 Y0 F100\nY20\nX20 G40",
+       "T1 M6\n$TC_DP6[1,1]=5\nD1 G0 X-20 Y-10\nG41 G1 X0 Y0 F100\nY20\nX20 G40",
        "move 20.000 20.000 0.000 F100"},
   };
   for (const Case& c : kCases) {

@@ -405,6 +405,15 @@ TEST(TriangleInSpace, ShiftRotationAndDistortion) {
   EXPECT_EQ(run.at("ALM"), 0.0);
   EXPECT_NEAR(run.at("$P_UIFR[1,X,TR]"), 1.0, 1e-9);
   EXPECT_NEAR(run.at("$P_UIFR[1,Z,RT]"), 10.0, 1e-9);
+  // A basic frame and that of actual values: in force and stored.
+  const std::vector<std::string> outer = {"$P_BFRAME[Y,TR]", "$P_CHBFR[0,Y,TR]",
+                                          "$P_SETFRAME[Y,TR]", "$P_SETFR[Y,TR]"};
+  for (const int target : {1000, 2000}) {
+    run = run_plain(program(turned.c_str(), target, "G54\n"), outer);
+    for (std::size_t i = 0; i < outer.size(); ++i) {
+      EXPECT_NEAR(run.at(outer[i]), (i < 2) == (target == 1000) ? 2.0 : 0.0, 1e-9) << outer[i];
+    }
+  }
   // Out of the plane: about X by 90 degrees.
   run = run_plain(program("0,0,0,100,0,0,0,0,100", 0, ""), names);
   EXPECT_NEAR(run.at("R4"), 90.0, 1e-9);

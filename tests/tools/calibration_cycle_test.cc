@@ -171,7 +171,10 @@ TEST(CalibrationCycle, LengthOnAFace) {
                    {"$AA_IW[Z]", 3.5}});
   // 0 is downwards, too; the length takes the delay and an error of 0.3 mm.
   expect_measured("$TC_DP3[1,1]=119.7\nD1\nZ3\nCYCLE976(1000000,1,0.5,,,,3,5)", {plate, kBentProbe},
-                  {{kMinus3, 0.0}, {"_OVR[22]", 120.0 - kDelay}, {"$TC_DP3[1,1]", 120.0 - kDelay}});
+                  {{kMinus3, 0.0},
+                   {"_OVR[22]", 120.0 - kDelay},
+                   {"$TC_DP3[1,1]", 120.0 - kDelay},
+                   {"$P_TOOLL[1]", 120.0 - kDelay}});
   // Tool length to the ball's centre: the trigger is a radius away.
   expect_measured("$MNS_MEA_FUNCTION_MASK=1\n$TC_DP3[1,1]=117\nD1\nZ6\nCYCLE976(0,1,0.5,,,,3,5)",
                   {plate, kBentProbe}, {{kMinus3, kDelay - 3.0}, {"$AA_IW[Z]", 6.5}});

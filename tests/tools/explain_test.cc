@@ -1,8 +1,14 @@
 // `g31 explain` as a command: text, document, exit codes.
 
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <string>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/run_program.h"
 #include "tools/cli/explain_command.h"
 
 namespace g31::cli {
@@ -60,6 +66,52 @@ TEST(ExplainCommand, WritesADocument) {
   EXPECT_EQ(document["entries"][0]["kind"], "G code");
   EXPECT_EQ(document["entries"][0]["facts"]["in force"], "in its own block only");
   EXPECT_EQ(document["entries"][1]["name"], "#500");
+}
+
+TEST(ExplainCommand, KnowsWhatTheShippedSinumerikProgramsSayOfThemselves) {
+  const Output output = explain(
+      {.topics = {"cycle978", "_OVR[4]", "alarm", "61301", "61103"}, .control = "sinumerik-828d"});
+  EXPECT_EQ(output.code, ExitCode::Completed) << output.errors;
+  EXPECT_EQ(output.text.find("CYCLE978 (program)\n  One point of a surface across an axis.\n"
+                             "    form: CYCLE978(INT S_MVAR"),
+            0U);
+  const std::size_t results = output.text.find("_OVR[1000] (global variable)\n");
+  ASSERT_NE(results, std::string::npos);
+  EXPECT_NE(output.text.find("    [4]: measured value", results), std::string::npos);
+  EXPECT_EQ(output.text.find("    [5]:", results), std::string::npos) << "not asked for";
+  EXPECT_NE(output.text.find("61301 probe does not switch (alarm)\n  nothing was touched"),
+            std::string::npos);
+  EXPECT_NE(output.text.find("61103 Number of holes is zero (alarm)\n"), std::string::npos);
+  const Output all = explain({.topics = {"_OVI"}, .control = "sinumerik-828d"});
+  EXPECT_NE(all.text.find("    [2]:"), std::string::npos);
+  EXPECT_NE(all.text.find("    [9]:"), std::string::npos);
+}
+
+TEST(ExplainCommand, NamesTheControlThatKnowsATopic) {
+  const Output output = explain({.topics = {"CYCLE977"}});
+  EXPECT_EQ(output.code, ExitCode::BadUsage);
+  EXPECT_EQ(output.errors,
+            "g31: error: fanuc-16i does not know 'CYCLE977', --control sinumerik-828d does\n");
+  const Output near = explain({.topics = {"CYCLE9777"}, .control = "sinumerik-828d"});
+  EXPECT_NE(near.errors.find("did you mean 'CYCLE977'?"), std::string::npos) << near.errors;
+}
+
+/// Every alarm number in the shipped programs has an entry with a title and something to do.
+TEST(ExplainCommand, KnowsEveryAlarmOfTheMeasuringCycles) {
+  std::set<std::string> numbers;
+  const std::regex kRaised("_MC_ALARM\\((6[0-9]{4})\\)");
+  for (const auto& entry : std::filesystem::directory_iterator("macros/sinumerik")) {
+    const std::string text = testing::text_of(entry.path().string());
+    for (std::sregex_iterator at(text.begin(), text.end(), kRaised), end; at != end; ++at) {
+      numbers.insert((*at)[1]);
+    }
+  }
+  EXPECT_GE(numbers.size(), 20U);
+  for (const std::string& number : numbers) {
+    const Output output = explain({.topics = {number}, .control = "sinumerik-828d"});
+    EXPECT_EQ(output.code, ExitCode::Completed) << output.errors;
+    EXPECT_EQ(output.text.find("no more is known"), std::string::npos) << output.text;
+  }
 }
 
 TEST(ExplainCommand, NamesWhatIsNearToAnUnknownTopic) {

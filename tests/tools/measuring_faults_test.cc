@@ -1,7 +1,9 @@
 // Each measuring cycle with a work offset as its target, and what goes wrong with probe and part:
 // the cycle's own alarm, and the offset stays as it was.
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -65,6 +67,25 @@ TEST(MeasuringFaults, ThePartIsNotThere) {
   for (const MeasuringCall& row : kCalls) {
     SCOPED_TRACE(row.name);
     expect_refused(std::string(row.start) + "\n" + filled(row, 1, row.safe), elsewhere, 61301);
+  }
+}
+
+TEST(MeasuringFaults, TheAlarmShowsTheLineOfTheCall) {
+  for (const MeasuringCall& row : kCalls) {
+    SCOPED_TRACE(row.name);
+    const std::string call = filled(row, 2, row.safe);
+    const MeasuringRun run =
+        run_measuring(std::string(row.start) + "\n" + call, {row.parts, kCalibrated}, {});
+    const auto& alarm = run.output.document.at("alarm");
+    const auto lines_before = 3 + std::ranges::count(std::string_view(row.start), '\n') + 1;
+    EXPECT_TRUE(alarm.at("file").get<std::string>().ends_with("part.mpf")) << alarm.dump();
+    EXPECT_EQ(alarm.at("line"), lines_before + 1);
+    EXPECT_TRUE(alarm.at("calls").empty()) << alarm.dump();
+    EXPECT_EQ(alarm.at("inside").front().at("program"), "_MC_ALARM");
+    EXPECT_EQ(alarm.at("inside").back().at("program"), call.substr(0, 8));
+    // The message shows the line itself under its place, and what is inside below it.
+    EXPECT_LT(run.output.errors.find(call), run.output.errors.find("in _MC_ALARM"));
+    EXPECT_NE(run.output.errors.find("in _MC_ALARM"), std::string::npos);
   }
 }
 

@@ -26,11 +26,11 @@ constexpr const char* kFiles = "[control]\nfiles = \"logs\"\n";
 
 TEST(SinumerikVariables, OutliveTheRunWhenTheyDifferFromPowerOn) {
   const TemporaryFolder folder;
-  const RunOutput first =
-      run(folder,
-          "R5=1.5 R6=0.1EX-12\n_OVR[4]=24.017 _OVI[2]=977\n$SNS_MEA_WP_BALL_DIAM[3]=5.9983\n"
-          "$MA_MAX_AX_ACCEL[Y]=3\n$SCS_MEA_FEED_MEASURE=300\nDEF REAL LOCAL=9",
-          kKeeping);
+  const RunOutput first = run(folder,
+                              "DEF REAL LOCAL=9\nR5=1.5 R6=0.1EX-12\n_OVR[4]=24.017 "
+                              "_OVI[2]=977\n$SNS_MEA_WP_BALL_DIAM[3]=5.9983\n"
+                              "$MA_MAX_AX_ACCEL[Y]=3\n$SCS_MEA_FEED_MEASURE=300",
+                              kKeeping);
   EXPECT_EQ(first.exit_code, 0);
   EXPECT_EQ(text_of(folder.path("machine.vars")),
             "$MA_MAX_AX_ACCEL[Y]=3\n$SNS_MEA_WP_BALL_DIAM[3]=5.9983\nR5=1.5\nR6=1e-13\n"
@@ -116,6 +116,21 @@ TEST(SinumerikFiles, WithoutTheFolderNothingRuns) {
   const RunOutput output = run(folder, "R1=1", kFiles);
   EXPECT_EQ(output.exit_code, 2);
   EXPECT_NE(output.errors.find("control.files"), std::string::npos) << output.errors;
+}
+
+TEST(SinumerikDataFiles, OfTheCommandLineComeBeforeTheSheet) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {
+      folder.write("part.mpf", "R1=$P_UIFR[1,X,TR] R2=$P_UIFR[2,X,TR] R3=R9\nM30\n"),
+      folder.write("UFR.INI", "$P_UIFR[1,X,TR]=5\n$P_UIFR[2,X,TR]=6\nR9=7\n")};
+  options.setups = {folder.write("sheet.toml", "[work_offsets.G54]\nX = 100.0\n")};
+  options.prints = {"R1-R3"};
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_EQ(output.document["variables"]["R1"], 100.0);
+  EXPECT_EQ(output.document["variables"]["R2"], 6.0);
+  EXPECT_EQ(output.document["variables"]["R3"], 7.0);
 }
 
 }  // namespace

@@ -36,6 +36,32 @@ TEST(StudyExpression, ComputesAsPeopleRead) {
   }
 }
 
+TEST(StudyExpression, ReadsVariablesWithNames) {
+  struct Case {
+    const char* text;
+    std::vector<std::string> variables;
+  };
+  const Case kCases[] = {
+      {"_OVR[4]", {"_OVR[4]"}},
+      {"_OVR[04] - R010", {"_OVR[4]", "R10"}},
+      {"(_OVR[4] + _OVR[5])/2 + _OVR[4]", {"_OVR[4]", "_OVR[5]"}},
+      {"SQRT[R1*R1 + R2*R2]", {"R1", "R2"}},
+      {"$P_UIFR[1,X,TR]*[R1 - 2]", {"$P_UIFR[1,X,TR]", "R1"}},
+      {"MY_GUD", {"MY_GUD"}},
+      {"TABLE[1,2]", {"TABLE[1,2]"}},
+      {"MIN(SQRTS, #5)", {"SQRTS", "#5"}},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.text);
+    const auto parsed = Expression::parse(c.text);
+    ASSERT_TRUE(parsed) << parsed.error();
+    EXPECT_EQ(parsed.value().variables(), c.variables);
+  }
+  const auto difference = Expression::parse("_OVR[4] - R10*2");
+  ASSERT_TRUE(difference);
+  EXPECT_EQ(difference.value().value({20.5, 10.0}), 0.5);
+}
+
 TEST(StudyExpression, HasNoValueWhereThereIsNone) {
   for (const char* const text : {"#1", "1/0", "0/0", "SQRT[-1]", "1e308*10", "2+#1"}) {
     SCOPED_TRACE(text);
@@ -59,9 +85,11 @@ TEST(StudyExpression, SaysWhereItIsWrong) {
       {"[#1)", "at character 4: ']' is missing"},
       {"#1 2", "at character 4: '2' does not belong here"},
       {"SQRTT[#1]", "at character 1: there is no function SQRTT, did you mean SQRT?"},
-      {"COSINE[1]", "at character 1: there is no function COSINE, known are ABS, SQRT, MIN, MAX"},
+      {"COSINE(1)", "at character 1: there is no function COSINE, known are ABS, SQRT, MIN, MAX"},
       {"ABS #1", "at character 5: a function wants a bracket"},
       {"MIN[#1]", "at character 7: 2 values with a comma between them are wanted"},
+      {"_OVR[", "at character 1: there is no function _OVR, known are ABS, SQRT, MIN, MAX"},
+      {"R1[R2+1]", "at character 1: there is no function R1, known are ABS, SQRT, MIN, MAX"},
       {"1e999", "at character 1: a variable, a number or a bracket is wanted"},
   };
   for (const Case& c : kCases) {

@@ -39,33 +39,34 @@ std::optional<Refusal> load_programs(Library& library, const RunOptions& options
 
 class FanucSession final : public ControlSession {
  public:
-  FanucSession() : library_(disk_) {}
+  FanucSession(const fanuc::Profile& profile, fanuc::ProgramLibrary& library,
+               machine::MachinePort& port, runtime::Observer& observer)
+      : session_(profile, library, port, observer) {}
 
-  std::optional<Refusal> load(const RunOptions& options) { return fill_library(library_, options); }
-  void open(const fanuc::Profile& profile, machine::MachinePort& port,
-            runtime::Observer& observer) {
-    session_.emplace(profile, library_, port, observer);
-  }
-
-  void connect(runtime::PrinterPort& printer) override { session_->connect(printer); }
+  void connect(runtime::PrinterPort& printer) override { session_.connect(printer); }
   std::vector<std::string> configure(const runtime::ControlSetup& setup) override {
-    return session_->configure(setup);
+    return session_.configure(setup);
   }
-  runtime::Outcome run(const runtime::Budget& budget) override { return session_->run(budget); }
+  runtime::Outcome run(const runtime::Budget& budget) override { return session_.run(budget); }
   Result<runtime::ShownValue, std::string> variable(const std::string& name) override {
-    const auto value = session_->variable(name);
+    const auto value = session_.variable(name);
     return value ? Result<runtime::ShownValue, std::string>(runtime::ShownValue(value.value()))
                  : value.error();
   }
   [[nodiscard]] std::map<std::string, double> permanent_variables() const override {
-    return session_->permanent_variables();
+    return session_.permanent_variables();
   }
   [[nodiscard]] std::map<std::string, std::string> files() const override { return {}; }
 
  private:
-  Disk disk_;
-  fanuc::ProgramLibrary library_;
-  std::optional<fanuc::Session> session_;
+  fanuc::Session session_;
+};
+
+/// Programs of a Fanuc control and the session that runs them.
+struct FanucRun {
+  Disk disk;
+  fanuc::ProgramLibrary library{disk};
+  std::optional<FanucSession> session;
 };
 
 class SinumerikSession final : public ControlSession {
@@ -108,10 +109,15 @@ std::optional<Refusal> fill_library(fanuc::ProgramLibrary& library, const RunOpt
   return load_programs(library, options, "macros/fanuc");
 }
 
-Result<SessionPointer, Refusal> open_session(const Prepared& prepared, const RunOptions& options,
-                                             machine::MachinePort& port,
+SessionPointer open_session(const fanuc::Profile& profile, fanuc::ProgramLibrary& library,
+                            machine::MachinePort& port, runtime::Observer& observer) {
+  return std::make_shared<FanucSession>(profile, library, port, observer);
+}
+
+Result<SessionPointer, Refusal> open_session(const ChosenControl& control,
+                                             const RunOptions& options, machine::MachinePort& port,
                                              runtime::Observer& observer) {
-  if (prepared.control.profile == nullptr) {
+  if (control.profile == nullptr) {
     auto session = std::make_shared<SinumerikSession>();
     if (const auto wrong = session->load(options)) {
       return *wrong;
@@ -119,12 +125,12 @@ Result<SessionPointer, Refusal> open_session(const Prepared& prepared, const Run
     session->open(port, observer);
     return SessionPointer(session);
   }
-  auto session = std::make_shared<FanucSession>();
-  if (const auto wrong = session->load(options)) {
+  const auto run = std::make_shared<FanucRun>();
+  if (const auto wrong = fill_library(run->library, options)) {
     return *wrong;
   }
-  session->open(*prepared.control.profile, port, observer);
-  return SessionPointer(session);
+  run->session.emplace(*control.profile, run->library, port, observer);
+  return SessionPointer(run, &*run->session);
 }
 
 }  // namespace g31::cli

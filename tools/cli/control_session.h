@@ -43,8 +43,12 @@ using SessionPointer = std::shared_ptr<ControlSession>;
 
 /// Loads the programs for the control that was chosen.  Machine and observer must outlive the
 /// session.
-Result<SessionPointer, Refusal> open_session(const Prepared& prepared, const RunOptions& options,
-                                             machine::MachinePort& port,
+Result<SessionPointer, Refusal> open_session(const ChosenControl& control,
+                                             const RunOptions& options, machine::MachinePort& port,
                                              runtime::Observer& observer);
+
+/// The same with programs that are read already; all four must outlive the session.
+SessionPointer open_session(const fanuc::Profile& profile, fanuc::ProgramLibrary& library,
+                            machine::MachinePort& port, runtime::Observer& observer);
 
 }  // namespace g31::cli

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "interpreter/dialects/fanuc/reference/explain.h"
 #include "interpreter/dialects/sinumerik/reference/explain.h"
+#include "interpreter/dialects/sinumerik/reference/program_texts.h"
+#include "interpreter/dialects/sinumerik/session.h"
 #include "tools/cli/chosen_profile.h"
+#include "tools/cli/disk.h"
+#include "tools/cli/shipped.h"
 
 namespace g31::cli {
 namespace {
@@ -71,26 +76,52 @@ void print_json(const runtime::Entries& entries, std::string_view control) {
   print(document.dump(2) + "\n");
 }
 
+/// What the shipped programs of the SINUMERIK say of themselves; of an alarm the first place.
+const sinumerik::Topics& shipped_topics() {
+  static const sinumerik::Topics kTopics = [] {
+    sinumerik::Topics all;
+    std::set<std::string> known;
+    const std::string folder = shipped_folder("macros/sinumerik").value_or("");
+    Disk disk;
+    for (const std::string& name : disk.list(folder)) {
+      const bool is_program = name.ends_with(".SPF") || name.ends_with(".DEF");
+      const auto text = is_program ? disk.read(folder + "/" + name) : std::nullopt;
+      for (sinumerik::Topic& topic : sinumerik::topics_of_text(text.value_or(""))) {
+        if (known.insert(topic.name).second) {
+          all.push_back(std::move(topic));
+        }
+      }
+    }
+    return all;
+  }();
+  return kTopics;
+}
+
 /// What either dialect knows.
 runtime::Entries entries_about(const std::string& topic, const ChosenControl& control) {
   return control.profile != nullptr ? fanuc::reference::explain(topic, *control.profile)
-                                    : sinumerik::explain(topic);
+                                    : sinumerik::explain(topic, shipped_topics());
 }
 
 runtime::Entries everything(const ChosenControl& control) {
   return control.profile != nullptr ? fanuc::reference::everything(*control.profile)
-                                    : sinumerik::everything();
+                                    : sinumerik::everything(shipped_topics());
 }
 
 std::string unknown_text(const std::string& topic, const ChosenControl& control) {
-  const auto nearest = control.profile != nullptr ? fanuc::reference::nearest_topic(topic)
-                                                  : sinumerik::nearest_topic(topic);
+  if (control.profile != nullptr && !sinumerik::explain(topic, shipped_topics()).empty()) {
+    return fmt::format("g31: error: {} does not know '{}', --control {} does\n", control.name,
+                       topic, sinumerik::kControlName);
+  }
+  const auto nearest = control.profile != nullptr
+                           ? fanuc::reference::nearest_topic(topic)
+                           : sinumerik::nearest_topic(topic, shipped_topics());
   return fmt::format(
       "g31: error: nothing is known about '{}'{}\n", topic,
       nearest ? fmt::format(", did you mean '{}'?", *nearest)
       : control.profile != nullptr
           ? ": write #5061, G31, ATAN, GOTO, 'alarm 112' or 6001.1"
-          : ": write $AA_MW, G54, SUBSTR, CASE, 'alarm 14011' or $SCS_MEA_FEED_MEASURE");
+          : ": write $AA_MW, G54, SUBSTR, CYCLE977, _OVR[4], 61301 or $SCS_MEA_FEED_MEASURE");
 }
 
 }  // namespace

@@ -9,7 +9,8 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
       "explain", "Say what a variable, code, alarm, parameter, function or statement means.");
   auto* const topics = explain->add_option(
       "TOPIC", options.topics,
-      "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, PRB301, haas");
+      "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, PRB301, haas; of a "
+      "SINUMERIK $AA_MW, CYCLE977, _OVR[4], 61301, 55630");
   auto* const all = explain->add_flag("--all", options.all, "everything that the control has");
   explain->add_option("--control", options.control, "control profile (default fanuc-16i)")
       ->type_name("NAME");
@@ -26,7 +27,8 @@ std::string explain_examples() {
   return "Examples:\n"
          "  g31 explain '#5063' --control haas\n"
          "  g31 explain G31 'alarm 115' 6001.1\n"
-         "  g31 explain --all --control fanuc-30i --json\n\n";
+         "  g31 explain --all --control fanuc-30i --json\n"
+         "  g31 explain CYCLE977 '_OVR[4]' 61301 --control sinumerik-828d\n\n";
 }
 
 }  // namespace g31::cli

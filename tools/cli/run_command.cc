@@ -185,7 +185,7 @@ ExitCode run_command(const RunOptions& options) {
   if (trace.value() != nullptr) {
     machine.trace(prepared.value().trace_period_s, *trace.value());
   }
-  const auto opened = open_session(prepared.value(), options, machine, recorder);
+  const auto opened = open_session(prepared.value().control, options, machine, recorder);
   if (!opened) {
     return refuse(opened.error());
   }

@@ -36,14 +36,17 @@ void add_program_options(CLI::App& command, RunOptions& options) {
                   "set-up sheet (TOML); repeatable, later ones win key by key")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  command.add_option("--control", options.control, "control profile, for example fanuc-16i")
+  command
+      .add_option("--control", options.control,
+                  "control profile, for example fanuc-16i, sinumerik-828d")
       ->type_name("NAME");
   command.add_option("--lib", options.libraries, "folder of subprograms; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);
   command
-      .add_option("--set", options.assignments,
-                  "variable before the start, #500=1.5; an empty value is null; repeatable")
+      .add_option(
+          "--set", options.assignments,
+          "variable before the start, #500=1.5 or R1=1.5; an empty value is null (#); repeatable")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command.add_option("--seed", options.seed, "seed of every random model (default 0)")
@@ -60,7 +63,8 @@ void add_program_options(CLI::App& command, RunOptions& options) {
 CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   CLI::App* const run = app.add_subcommand("run", "Run an NC program on the simulated machine.");
   add_program_options(*run, options);
-  run->add_option("--print", options.prints, "variables to report at the end, #100-#149,#5061")
+  run->add_option("--print", options.prints,
+                  "variables to report at the end: #100-#149,#5061 or R1,_OVR[4]")
       ->type_name("NAMES")
       ->allow_extra_args(false);
   run->add_option("--json", options.json, "result document; - is standard output")
@@ -88,6 +92,9 @@ std::string run_examples() {
          "  g31 run O6001.nc --setup ring.toml --print '#517,#518'\n"
          "  g31 run part.nc -s machine.toml -s fixture.toml --lib macros --json - --touches\n"
          "  g31 run O9010.nc --set '#1=1' --set '#18=5' --control fanuc-30i\n"
+         "  g31 run part.mpf --control sinumerik-828d -s machine.toml --set R1=5 --print "
+         "'_OVR[4],R2'\n"
+         "  g31 run part.arc SUB.SPF -s machine.toml --lib cycles\n"
          "  g31 run part.nc -s machine.toml --printer printout.txt\n"
          "  g31 run part.nc -s machine.toml --printer /dev/ttyS0,4800,e,7,2\n\n"
          "A printer at a line, as a control feeds it (more in macros/README.md):\n"

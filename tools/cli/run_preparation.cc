@@ -17,9 +17,7 @@
 #include "tools/setup/toml_reader.h"
 
 namespace g31::cli {
-namespace {
 
-/// By --control, the sheets, the program's file ending or its text, in this order.
 Result<ChosenControl, Refusal> chosen_control(const RunOptions& options, const setup::Job& job) {
   std::string name = !options.control.empty() ? options.control : job.control.profile;
   if (name.empty() && !options.programs.empty()) {
@@ -33,21 +31,6 @@ Result<ChosenControl, Refusal> chosen_control(const RunOptions& options, const s
     return refusal(ExitCode::Setup, control.error());
   }
   return control.value();
-}
-
-}  // namespace
-
-Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
-                                                      const setup::Job& job) {
-  const auto control = chosen_control(options, job);
-  if (!control) {
-    return control.error();
-  }
-  if (control.value().profile == nullptr) {
-    return refusal(ExitCode::Setup, fmt::format("{}: only controls of the Fanuc dialect here",
-                                                control.value().name));
-  }
-  return control.value().profile;
 }
 
 std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job) {

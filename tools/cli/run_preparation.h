@@ -36,10 +36,8 @@ struct Prepared {
 /// Reads sheets and variables; chooses the control.
 Result<Prepared, Refusal> prepare(const RunOptions& options);
 
-/// The control of the Fanuc dialect that the command line or the sheet names, or the usual one; a
-/// refusal for another dialect's.
-Result<const fanuc::Profile*, Refusal> chosen_profile(const RunOptions& options,
-                                                      const setup::Job& job);
+/// The control by --control, the sheets, the program's file ending or its text, in this order.
+Result<ChosenControl, Refusal> chosen_control(const RunOptions& options, const setup::Job& job);
 
 /// Puts the variables file under the sheets' [variables] and --set over them.
 std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job);

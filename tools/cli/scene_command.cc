@@ -61,7 +61,7 @@ ExitCode scene_command(const SceneOptions& options) {
   }
   gltf::PathRecorder recorder(*scene.value().machine, drawn_tip(job));
   runtime::Observer nobody;
-  const auto opened = open_session(prepared.value(), options.run, recorder, nobody);
+  const auto opened = open_session(prepared.value().control, options.run, recorder, nobody);
   if (!opened) {
     return refuse(opened.error());
   }

@@ -19,7 +19,8 @@ CLI::App* add_scene_command(CLI::App& app, SceneOptions& options) {
 std::string scene_examples() {
   return "Examples:\n"
          "  g31 scene measure_ring.nc --setup ring.toml -o ring.glb\n"
-         "  g31 scene part.nc -s machine.toml -s fixture.toml -o part.gltf\n\n";
+         "  g31 scene part.nc -s machine.toml -s fixture.toml -o part.gltf\n"
+         "  g31 scene part.mpf --control sinumerik-828d -s machine.toml -o part.glb\n\n";
 }
 
 }  // namespace g31::cli

@@ -39,7 +39,8 @@ std::string study_examples() {
       "  g31 study parts/library/ring_gauge/table_3.toml\n"
       "  g31 study ring.toml --json ring.json --csv runs.csv --threads 2\n"
       "  g31 study ring.toml --shard 3/8 --json part-3.json\n"
-      "  g31 study --merge part-*.json --json ring.json\n\n"
+      "  g31 study --merge part-*.json --json ring.json\n"
+      "  g31 study hole.toml   (program = \"hole.mpf\", [results.diameter] value = \"_OVR[4]\")\n\n"
       "Keys of a study file (a value behind the text is what it is if not given):\n";
   for (const study::StudySectionRow& section : study::study_sections()) {
     text += fmt::format("  {:<22} {}\n", section.example, section.text);

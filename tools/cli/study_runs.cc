@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/library.h"
 #include "interpreter/dialects/fanuc/program_windows.h"
-#include "interpreter/dialects/fanuc/session.h"
 #include "interpreter/source/diagnostic.h"
 #include "machine/base/contract.h"
 #include "tools/cli/scene.h"
@@ -86,6 +86,23 @@ double rounded(double reading, const std::optional<double>& resolution) {
   return std::fabs(steps * *resolution - 1.0) < 1e-9
              ? std::round(reading * steps) / steps
              : std::round(reading / *resolution) * *resolution;
+}
+
+/// nullopt: vacant, a text, or no variable of this control
+std::optional<double> number_of(ControlSession& session, const std::string& name) {
+  const auto value = session.variable(name);
+  const auto* const cell = value.ok() ? std::get_if<runtime::Cell>(&value.value()) : nullptr;
+  return cell != nullptr && !cell->is_vacant() ? std::optional(cell->raw()) : std::nullopt;
+}
+
+/// Before the program ran: a local variable of it is not there yet, either.
+std::optional<std::string> why_no_number(ControlSession& session, const std::string& name) {
+  const auto value = session.variable(name);
+  if (!value) {
+    return fmt::format("{}: {}", name, value.error());
+  }
+  const bool is_text = std::holds_alternative<std::string>(value.value());
+  return is_text ? std::optional(fmt::format("{}: it is a text", name)) : std::nullopt;
 }
 
 }  // namespace
@@ -192,20 +209,18 @@ void StudyRuns::make_points() {
 
 /// What the control does not take, and what of it cannot be read, stops the study before it begins.
 std::optional<Refusal> StudyRuns::try_control() {
-  RunOptions options;
-  options.control = study_.control;
   const auto job = job_of(0, {});
-  const auto profile = cli::chosen_profile(options, job.value());
-  if (!profile) {
-    return profile.error();
+  const auto control = chosen_control(options_of(programs_.size() - 1), job.value());
+  if (!control) {
+    return control.error();
   }
-  profile_ = profile.value();
-  options.libraries = study_.libraries;
-  for (const std::string& program : programs_) {
-    options.programs = {program};
-    fanuc::ProgramLibrary library(disk_);
-    if (const auto wrong = fill_library(library, options)) {
-      return wrong;
+  control_ = control.value();
+  runtime::Observer nobody;
+  machine::MachiningCentre machine(job.value().machine, nullptr);
+  for (std::size_t program = 0; program < programs_.size(); ++program) {
+    if (const auto opened = open_session(*control_, options_of(program), machine, nobody);
+        !opened) {
+      return opened.error();
     }
   }
   Geometry& geometry = *geometries_.front();
@@ -213,24 +228,30 @@ std::optional<Refusal> StudyRuns::try_control() {
   if (!geometry.parts->ok()) {
     return geometry.parts->error();
   }
-  runtime::Observer nobody;
-  machine::MachiningCentre machine(job.value().machine, nullptr);
-  fanuc::Session session(*profile_, library_of(0), machine, nobody);
-  if (const auto refused = session.configure(job.value().control); !refused.empty()) {
+  const SessionPointer session = session_of(0, machine, nobody).value();
+  if (const auto refused = session->configure(job.value().control); !refused.empty()) {
     return refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; ")));
   }
   for (const std::string& name : variables_) {
-    if (const auto value = session.variable(name); !value) {
-      return refusal(ExitCode::BadUsage, fmt::format("a result reads {}: {}", name, value.error()));
+    if (const auto wrong = why_no_number(*session, name)) {
+      return refusal(ExitCode::BadUsage, fmt::format("a result reads {}", *wrong));
     }
   }
   return std::nullopt;
 }
 
+RunOptions StudyRuns::options_of(std::size_t program) const {
+  RunOptions options;
+  options.control = study_.control;
+  options.programs = {programs_[program]};
+  options.libraries = study_.libraries;
+  return options;
+}
+
 void StudyRuns::describe() {
   description_ = {study_.name,
                   std::filesystem::path(study_.program).filename().string(),
-                  std::string(profile_->name),
+                  std::string(control_->name),
                   study_.seed,
                   study_.repeats,
                   study_.confidence_percent,
@@ -429,14 +450,20 @@ fanuc::ProgramLibrary& StudyRuns::library_of(std::size_t program) {
   // A program in windows can be gone through once only.
   const bool is_long = disk_.size(programs_[program]).value_or(0) > fanuc::kWholeFileBytes;
   if (library == nullptr || is_long) {
-    RunOptions options;
-    options.programs = {programs_[program]};
-    options.libraries = study_.libraries;
     library = std::make_unique<fanuc::ProgramLibrary>(disk_);
     // That every file can be read was seen before the first run.
-    (void)fill_library(*library, options);
+    (void)fill_library(*library, options_of(program));
   }
   return *library;
+}
+
+Result<SessionPointer, Refusal> StudyRuns::session_of(std::size_t program,
+                                                      machine::MachinePort& machine,
+                                                      runtime::Observer& observer) {
+  if (control_->profile != nullptr) {
+    return open_session(*control_->profile, library_of(program), machine, observer);
+  }
+  return open_session(*control_, options_of(program), machine, observer);
 }
 
 StudyRuns::Ended StudyRuns::run_program(const setup::Job& job, const Parts& parts,
@@ -447,7 +474,11 @@ StudyRuns::Ended StudyRuns::run_program(const setup::Job& job, const Parts& part
   const auto surroundings = surroundings_of(job, parts.value(), seed);
   machine::MachiningCentre machine(job.machine, surroundings.get());
   runtime::Observer nobody;
-  fanuc::Session session(*profile_, library_of(program), machine, nobody);
+  const auto opened = session_of(program, machine, nobody);
+  if (!opened) {
+    return {"setup", opened.error().code, first_line(opened.error().text), {}, {}};
+  }
+  ControlSession& session = *opened.value();
   if (const auto refused = session.configure(job.control); !refused.empty()) {
     return {"setup", ExitCode::Setup, refused.front(), {}, {}};
   }
@@ -461,9 +492,7 @@ StudyRuns::Ended StudyRuns::run_program(const setup::Job& job, const Parts& part
   }
   const bool is_main = program + 1 == programs_.size();
   for (std::size_t i = 0; is_main && i < variables_.size(); ++i) {
-    const auto cell = session.variable(variables_[i]);
-    const bool is_number = cell.ok() && !cell.value().is_vacant();
-    ended.variables.push_back(is_number ? std::optional(cell.value().raw()) : std::nullopt);
+    ended.variables.push_back(number_of(session, variables_[i]));
   }
   if (!is_main) {
     ended.permanent = session.permanent_variables();

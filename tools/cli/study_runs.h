@@ -9,9 +9,10 @@
 #include <thread>
 #include <vector>
 
-#include "interpreter/dialects/fanuc/profile.h"
 #include "machine/base/result.h"
 #include "probe/sensor/touchable_parts.h"
+#include "tools/cli/chosen_profile.h"
+#include "tools/cli/control_session.h"
 #include "tools/cli/disk.h"
 #include "tools/cli/run_preparation.h"
 #include "tools/setup/sheet_stack.h"
@@ -22,8 +23,8 @@
 namespace g31::cli {
 
 /// Does the runs of a study.  Sheets are read once; parts and their trees are made once for each
-/// set-up that needs others, and shared, read-only, by all threads; programs are read once on each
-/// thread.
+/// set-up that needs others, and shared, read-only, by all threads; programs of a Fanuc are read
+/// once on each thread, those of a SINUMERIK for each run: what they define belongs to one session.
 class StudyRuns {
  public:
   /// Reads all sheets and programs and tries every listed value, so that what is wrong with them is
@@ -57,7 +58,10 @@ class StudyRuns {
   /// @param drawn  values of the study's drawn axes; empty: the sheets' own
   Result<setup::Job, Refusal> job_of(std::size_t point, const std::vector<double>& drawn) const;
   [[nodiscard]] const setup::SheetStack& stack_of(std::size_t point) const;
+  [[nodiscard]] RunOptions options_of(std::size_t program) const;
   fanuc::ProgramLibrary& library_of(std::size_t program);
+  Result<SessionPointer, Refusal> session_of(std::size_t program, machine::MachinePort& machine,
+                                             runtime::Observer& observer);
   void make_ready(std::size_t number);
   void let_go(std::size_t number);
   Ended run_drawn(std::size_t number, const study::Row& row);
@@ -73,7 +77,7 @@ class StudyRuns {
 
   const study::Study& study_;
   study::Description description_;
-  const fanuc::Profile* profile_ = nullptr;
+  std::optional<ChosenControl> control_;
   std::vector<std::string> programs_;      ///< those of `before`, then the main one
   std::vector<std::string> variables_;     ///< that results read
   std::vector<setup::SheetStack> stacks_;  ///< one for each combination of listed sheets

@@ -36,18 +36,26 @@ void add_place(Json& object, const Place& place) {
   object["column"] = place.column;
 }
 
+Json sites_json(const std::vector<runtime::CallSite>& sites) {
+  Json list = Json::array();
+  for (const runtime::CallSite& call : sites) {
+    Json site = {{"program", call.program}};
+    add_place(site, place_of(call.where));
+    list.push_back(std::move(site));
+  }
+  return list;
+}
+
 Json alarm_json(const runtime::Alarm& alarm) {
   Json object = {{"number", alarm.number}, {"text", alarm.text}};
   add_place(object, place_of(alarm.where));
   if (!alarm.detail.empty()) {
     object["detail"] = alarm.detail;
   }
-  object["calls"] = Json::array();
-  for (const runtime::CallSite& call : alarm.calls) {
-    Json site = {{"program", call.program}};
-    add_place(site, place_of(call.where));
-    object["calls"].push_back(std::move(site));
+  if (!alarm.inside.empty()) {
+    object["inside"] = sites_json(alarm.inside);
   }
+  object["calls"] = sites_json(alarm.calls);
   return object;
 }
 

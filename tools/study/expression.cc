@@ -11,6 +11,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/base/nearest_name.h"
+#include "tools/setup/variable_name.h"
 
 namespace g31::study {
 namespace {
@@ -109,12 +110,12 @@ class ExpressionParser {
     skip_spaces();
     const char next = at_ < text_.size() ? text_[at_] : '\0';
     if (next == '#') {
-      variable();
+      numbered_variable();
     } else if (next == '(' || next == '[') {
       ++at_;
       bracket(next == '(' ? ')' : ']', 1);
-    } else if (std::isalpha(static_cast<unsigned char>(next)) != 0) {
-      function();
+    } else if (std::isdigit(static_cast<unsigned char>(next)) == 0 && is_in_name(next)) {
+      name();
     } else {
       number();
     }
@@ -137,7 +138,7 @@ class ExpressionParser {
     --depth_;
   }
 
-  void variable() {
+  void numbered_variable() {
     const std::size_t begin = at_++;
     while (at_ < text_.size() && std::isdigit(static_cast<unsigned char>(text_[at_])) != 0) {
       ++at_;
@@ -146,7 +147,10 @@ class ExpressionParser {
       fail("a variable is # and a number");
       return;
     }
-    const std::string name(text_.substr(begin, at_ - begin));
+    variable(std::string(text_.substr(begin, at_ - begin)));
+  }
+
+  void variable(const std::string& name) {
     const auto known = std::ranges::find(built_.variables_, name);
     const auto index = static_cast<std::size_t>(known - built_.variables_.begin());
     if (known == built_.variables_.end()) {
@@ -167,22 +171,39 @@ class ExpressionParser {
     built_.steps_.push_back({Kind::Number, value, 0});
   }
 
-  void function() {
+  static bool is_in_name(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$';
+  }
+
+  /// A function, or a variable that has a name, perhaps with indices.
+  void name() {
     const std::size_t begin = at_;
-    while (at_ < text_.size() && std::isalpha(static_cast<unsigned char>(text_[at_])) != 0) {
+    while (at_ < text_.size() && is_in_name(text_[at_])) {
       ++at_;
     }
     const std::string_view name = text_.substr(begin, at_ - begin);
     const auto row = std::ranges::find(kFunctionNames, name);
-    if (row == kFunctionNames.end()) {
-      at_ = begin;
-      const auto nearest = nearest_name(name, kFunctionNames);
-      fail(fmt::format("there is no function {}, {}", name,
-                       nearest ? fmt::format("did you mean {}?", *nearest)
-                               : fmt::format("known are {}", fmt::join(kFunctionNames, ", "))));
+    if (row != kFunctionNames.end()) {
+      function(static_cast<int>(row - kFunctionNames.begin()));
       return;
     }
-    const auto index = static_cast<int>(row - kFunctionNames.begin());
+    const std::size_t end =
+        at_ < text_.size() && text_[at_] == '[' ? text_.find(']', at_) : at_ - 1;
+    const std::string_view whole = text_.substr(begin, end - begin + 1);
+    const auto known = setup::normal_variable_name(whole);
+    if (known && !take('(')) {
+      at_ = begin + whole.size();
+      variable(*known);
+      return;
+    }
+    at_ = begin;
+    const auto nearest = nearest_name(name, kFunctionNames);
+    fail(fmt::format("there is no function {}, {}", name,
+                     nearest ? fmt::format("did you mean {}?", *nearest)
+                             : fmt::format("known are {}", fmt::join(kFunctionNames, ", "))));
+  }
+
+  void function(int index) {
     const bool square = take('[');
     if (!square && !take('(')) {
       fail("a function wants a bracket");

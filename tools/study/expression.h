@@ -12,8 +12,9 @@ namespace g31::study {
 
 /// A result of a run: a variable of the control, or what is computed from several.
 ///
-/// `#160 - #161`, `SQRT[#110*#110 + #125*#125]`, `(#164 + #179)/2`: + - * / with their usual ranks,
-/// round or square brackets, the functions of result_functions.def.
+/// `#160 - #161`, `SQRT[#110*#110 + #125*#125]`, `(#164 + #179)/2`, `_OVR[4] - R10`: + - * / with
+/// their usual ranks, round or square brackets, the functions of result_functions.def.  Behind the
+/// name of a variable square brackets are its indices.
 class Expression {
  public:
   /// Error: what is wrong, with its place in the text counted from 1.

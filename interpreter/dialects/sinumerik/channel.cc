@@ -30,6 +30,7 @@ void BlockWords::set(std::size_t address, double value, Modification modificatio
   words[address].value = value;
   words[address].modification = modification;
   words[address].present = true;
+  words[address].times = static_cast<std::uint8_t>(times + 1);
 }
 
 void BlockWords::measure_axis(std::size_t axis, const AxisMeasuring& measuring) {
@@ -153,6 +154,14 @@ Tool* Channel::find_tool(int number) {
   return found != tools.end() ? &found->second : nullptr;
 }
 
+Tool* Channel::tool_to_write(int number) {
+  if (loads_data && number > 0) {
+    knows_tools = true;
+    return &tools[number];
+  }
+  return find_tool(number);
+}
+
 EdgeData* Channel::find_edge(int number, int which) {
   Tool* const found = find_tool(number);
   if (found == nullptr) {
@@ -162,31 +171,11 @@ EdgeData* Channel::find_edge(int number, int which) {
   return row != found->edges.end() ? &row->second : nullptr;
 }
 
-const EdgeData* Channel::active_edge() const {
-  const auto found = tools.find(tool);
-  if (edge == 0 || found == tools.end()) {
-    return nullptr;
-  }
-  const auto row = found->second.edges.find(edge);
-  return row != found->second.edges.end() ? &row->second : nullptr;
-}
-
 double Channel::tool_radius() const {
   const EdgeData* const data = active_edge();
   return data != nullptr
-             ? (*data)[kRadius] + (*data)[kRadiusWear] + additive_offset(static_cast<int>(kRadius))
+             ? (*data)[kRadius] + (*data)[kRadiusWear] + additive_now[kRadius - kLength1]
              : 0.0;
-}
-
-double Channel::additive_offset(int parameter) const {
-  constexpr int kPerOffset = 10;
-  const auto found = tools.find(tool);
-  if (additive == 0 || found == tools.end()) {
-    return 0.0;
-  }
-  const int number = kPerOffset * additive + parameter;
-  return found->second.datum({SystemId::AdditiveParameter, edge, number}) +
-         found->second.datum({SystemId::SetupParameter, edge, number});
 }
 
 /// Length 1 counts square to the plane, 2 and 3 in its axes: G17 Z Y X, G18 Y X Z, G19 X Z Y.
@@ -199,8 +188,8 @@ AxisPositions Channel::tool_offset() const {
   const Plane now = plane();
   const int axes[] = {now.normal, now.second, now.first};
   for (std::size_t i = 0; i < 3; ++i) {
-    offset[axes[i]] = (*data)[kLength1 + i] + (*data)[kWear1 + i] + (*data)[kAdapter1 + i] +
-                      additive_offset(static_cast<int>(kLength1 + i));
+    offset[axes[i]] =
+        (*data)[kLength1 + i] + (*data)[kWear1 + i] + (*data)[kAdapter1 + i] + additive_now[i];
   }
   return offset;
 }

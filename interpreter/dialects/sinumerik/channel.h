@@ -54,6 +54,7 @@ struct BlockWords {
     double value = 0.0;
     Modification modification = Modification::None;
     bool present = false;
+    std::uint8_t times = 0;  ///< it stands in the block
   };
   /// MEASA[axis] and MEAWA[axis]
   struct AxisMeasuring {
@@ -132,17 +133,23 @@ class Channel {
 
   // Frames
   static constexpr int kSettableFrames = 100;  ///< 0 is G500
+  /// What the control keeps: $P_UIFR, $P_CHBFR and $P_SETFR.
   std::vector<Frame> settable;
-  Frame settable_now;  ///< $P_IFRAME: what G54 took when it was programmed last
+  Frame stored_base;
+  Frame stored_set_frame;
+  /// What G500 to G599 took of them when programmed last: $P_IFRAME, $P_BFRAME and $P_SETFRAME.
+  Frame settable_now;
   Frame base;
   Frame set_frame;
   Frame program_frame;
   Eigen::Matrix3d tool_turn = Eigen::Matrix3d::Identity();  ///< what TOROT or TOFRAME made of it
   int suppression = 0;  ///< number in group 9 of the running block
   [[nodiscard]] int settable_number() const { return group[8] - 1; }
-  /// G500 to G599, programmed or restored: $P_UIFR comes into force.
-  void take_settable() {
+  /// G500 to G599, programmed or restored: the stored frames come into force.
+  void take_stored_frames() {
     settable_now = settable[static_cast<std::size_t>(settable_number())];
+    base = stored_base;
+    set_frame = stored_set_frame;
     frames_changed();
   }
   /// MD10617 bit 0: SAVE restores the settable frame, too.
@@ -159,20 +166,22 @@ class Channel {
 
   // Tools
   std::map<int, Tool> tools;
-  bool knows_tools = false;  ///< the set-up sheet has some
+  bool knows_tools = false;  ///< the set-up sheet or an INI file has some
+  bool loads_data = false;   ///< of an INI file: data of a new tool make it
   int selected_tool = 0;
   int tool = 0;
   int edge = 0;
-  int additive = 0;  ///< DL
-  [[nodiscard]] const EdgeData* active_edge() const;
+  int additive = 0;                  ///< DL
+  std::optional<EdgeData> edge_now;  ///< its data when D or M6 took them
+  [[nodiscard]] const EdgeData* active_edge() const { return edge_now ? &*edge_now : nullptr; }
   /// mm, wear included; 0 without an edge
   [[nodiscard]] double tool_radius() const;
   /// mm: what the active edge adds to the machine coordinates.
   [[nodiscard]] AxisPositions tool_offset() const;
-  /// mm: what DL adds to parameter 3 to 6 of the active edge.
-  [[nodiscard]] double additive_offset(int parameter) const;
+  std::array<double, 4> additive_now = {};  ///< mm, what DL added to parameters 3 to 6 of the edge
   /// nullptr: no such tool, or no such edge
   Tool* find_tool(int number);
+  Tool* tool_to_write(int number);
   EdgeData* find_edge(int number, int which);
 
   // Positions, mm and degrees

@@ -82,7 +82,8 @@ enum class OpCode : std::uint8_t {
   MoveFrame,
   LoadFrame,
   StoreFrame,
-  Chain,           ///< frame a : frame b
+  Chain,  ///< frame a : frame b
+  EqualFrame,
   LoadComponent,   ///< arguments: axis, component; a frame operand
   StoreComponent,  ///< arguments: value, axis, component, then the frame is stored by its own step
   // with arguments [b.place, b.place + count)
@@ -207,6 +208,12 @@ struct BlockError {
   std::string detail;
 };
 
+/// A datum of an INI file that this control of g31 does not have.
+struct UnknownDatum {
+  std::string name;
+  ShortSpan where;
+};
+
 /// N and its number.
 struct BlockNumber {
   std::int32_t number = 0;
@@ -230,6 +237,7 @@ struct CompiledProgram {
   std::vector<std::uint16_t> codes;
   std::vector<ConstantWord> words;
   std::vector<BlockError> errors;
+  std::vector<UnknownDatum> unknown_data;     ///< each name once
   NameMap<std::vector<std::int32_t>> labels;  ///< their steps, rising
   std::vector<BlockNumber> block_numbers;     ///< in their order
   NameMap<std::int32_t> locals;               ///< names of local variables
@@ -239,8 +247,10 @@ struct CompiledProgram {
   std::vector<Parameter> parameters;
   Argument result;  ///< of a program that is one expression
   bool has_proc = false;
-  bool has_wrong_proc = false;  ///< whose alarm comes before any of its arguments
-  bool saves_codes = false;     ///< SAVE
+  bool has_wrong_proc = false;      ///< whose alarm comes before any of its arguments
+  bool saves_codes = false;         ///< SAVE
+  bool hides_blocks = false;        ///< DISPLOF
+  bool shows_actual_block = false;  ///< ACTBLOCNO
 };
 
 inline std::span<const std::uint16_t> NcBlock::codes_of(const CompiledProgram& program) const {

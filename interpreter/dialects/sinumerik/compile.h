@@ -20,6 +20,10 @@ struct ProgramSource {
 /// raises the alarm when the program gets there, as the control does.
 std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Globals& globals);
 
+/// The same of an INI file: it may assign to system data that g31 does not have, which goes into
+/// CompiledProgram::unknown_data.
+std::unique_ptr<CompiledProgram> compile_data(const ProgramSource& source, const Globals& globals);
+
 /// A piece of a program that can be run before what follows is known.
 struct CompiledWindow {
   std::unique_ptr<CompiledProgram> program;
@@ -27,9 +31,9 @@ struct CompiledWindow {
 };
 
 /// Compiles the blocks from `begin` on up to the first one that says something of others (a jump,
-/// label, call or definition), some hundred kilobytes of text at most.  The
-/// steps of such pieces are those that compile() makes, one piece behind the other, but for the
-/// EndWindow behind each; at the end of the program stands its EndProgram.
+/// label, call or definition), some hundred kilobytes of text at most.  The steps of such pieces
+/// are those that compile() makes, one piece behind the other, but for the EndWindow behind each;
+/// at the end of the program stands its EndProgram.
 CompiledWindow compile_window(const ProgramSource& source, const Globals& globals,
                               std::uint32_t begin);
 

@@ -133,7 +133,7 @@ std::int32_t Compiler::define_local(Variable variable) {
 }
 
 std::int32_t Compiler::define(const Variable& variable) {
-  if (purpose_ == Purpose::Program) {
+  if (purpose_ != Purpose::Definitions) {
     return define_local(variable);
   }
   const Variable* const global = definitions_->define(variable);
@@ -174,8 +174,20 @@ Limits Compiler::definition_attributes() {
   return limits;
 }
 
+/// Definitions stand before the first block that does something.  @returns whether this one does
+bool Compiler::begins_definition(std::string_view what) {
+  is_definition_ = true;
+  if (in_program_part_ && purpose_ != Purpose::Definitions) {
+    fail(AlarmId::BadDefinition, block_, what);
+  }
+  return !failed();
+}
+
 /// DEF [NCK|CHAN] type name[sizes] = values, ...
 void Compiler::def_statement() {
+  if (!begins_definition("DEF")) {
+    return;
+  }
   const bool scoped = accept_name("NCK") || accept_name("CHAN");
   if (scoped != (purpose_ == Purpose::Definitions)) {
     fail(AlarmId::BadDefinition, block_, "NCK and CHAN stand in definition files");
@@ -206,6 +218,7 @@ void Compiler::def_statement() {
 
 /// DEFINE name AS text
 void Compiler::define_statement() {
+  is_definition_ = true;
   const Token& first = next();
   const bool is_name = first.kind == TokenKind::Name || first.kind == TokenKind::Letter;
   std::string name(first.text);
@@ -230,6 +243,7 @@ void Compiler::define_statement() {
 
 /// PROC name(parameters) attributes
 void Compiler::proc_statement() {
+  is_definition_ = true;
   if (!is_first_block_ || program_->has_proc || purpose_ == Purpose::Definitions) {
     fail(AlarmId::BadDefinition, block_, "PROC");
     return;
@@ -321,11 +335,16 @@ void Compiler::proc_attributes() {
       fail(AlarmId::AttributeNotAllowed, attribute.where, text_of(attribute.where));
     }
     program_->saves_codes = program_->saves_codes || attribute.text == "SAVE";
+    program_->hides_blocks = program_->hides_blocks || attribute.text == "DISPLOF";
+    program_->shows_actual_block = program_->shows_actual_block || attribute.text == "ACTBLOCNO";
   }
 }
 
 /// EXTERN says what the PROC of the called program says again; the PROC counts.
 void Compiler::extern_statement() {
+  if (!begins_definition("EXTERN")) {
+    return;
+  }
   while (peek().kind != TokenKind::End) {
     next();
   }

@@ -246,6 +246,13 @@ Expr Compiler::compare(OpCode code, Expr left, Expr right, ShortSpan where) {
     return result;
   }
   const bool only_equals = code == OpCode::Equal || code == OpCode::NotEqual;
+  if (left.type == Type::Frame && right.type == Type::Frame && only_equals) {
+    emit(OpCode::EqualFrame, result.value, left.value, right.value, where);
+    if (code == OpCode::NotEqual) {
+      emit(OpCode::Not, result.value, result.value, {}, where);
+    }
+    return result;
+  }
   const bool fits = (is_number(left.type) && is_number(right.type)) || (are_axes && only_equals);
   if (!fits) {
     fail(AlarmId::WrongType, where,

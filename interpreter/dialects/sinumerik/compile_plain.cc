@@ -21,6 +21,7 @@ bool Compiler::plain_block(ShortSpan line) {
     read = words.next();
   }
   while (read == PlainWords::Read::Word && plain_word(words.word())) {
+    in_program_part_ = true;
     read = words.next();
   }
   if (read != PlainWords::Read::End || failed()) {

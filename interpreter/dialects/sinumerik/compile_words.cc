@@ -148,9 +148,9 @@ void Compiler::constant_word(Address address, double value, ShortSpan where) {
   const auto times =
       std::count_if(words.begin() + nc_.first_word, words.end(),
                     [address](const ConstantWord& word) { return word.address == address; });
-  if (times == most_in_block(address)) {
-    fail(address == Address::Machine ? AlarmId::AddressTooOften : AlarmId::AddressRepeated, where,
-         name_of(address));
+  const int most = most_in_block(address);
+  if (times == most) {
+    fail(most > 1 ? AlarmId::AddressTooOften : AlarmId::AddressRepeated, where, name_of(address));
   }
   words.push_back({value, address});
   has_words_ = true;

@@ -53,6 +53,7 @@ void Compiler::know_locals_of(const CompiledProgram& home) {
   program_->text_count = home.text_count;
   program_->frame_count = home.frame_count;
   has_letter_names_ = true;
+  in_program_part_ = true;
 }
 
 /// Room for that many NC blocks of constant words: a long program has little else.
@@ -232,7 +233,9 @@ void Compiler::label_or_number() {
 
 void Compiler::statement() {
   while (!failed() && peek().kind != TokenKind::End) {
+    is_definition_ = false;
     item();
+    in_program_part_ = in_program_part_ || !is_definition_;
   }
   if (!failed()) {
     finish_words();
@@ -267,6 +270,8 @@ void Compiler::item() {
     assign_variable(variable, name.where);
   } else if (const auto system = find_system_variable(name.text)) {
     assign_system(*system, name.where);
+  } else if (purpose_ == Purpose::Data && name.text.starts_with('$')) {
+    pass_over(name);
   } else if (peek().is(Symbol::Assign) || peek().is(Symbol::LeftBracket)) {
     fail(AlarmId::NotDefined, name.where, name.text);
   } else {
@@ -482,6 +487,10 @@ std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Glob
 CompiledWindow compile_window(const ProgramSource& source, const Globals& globals,
                               std::uint32_t begin) {
   return Compiler(source, globals, Compiler::Purpose::Program).run_window(begin);
+}
+
+std::unique_ptr<CompiledProgram> compile_data(const ProgramSource& source, const Globals& globals) {
+  return Compiler(source, globals, Compiler::Purpose::Data).run();
 }
 
 std::unique_ptr<CompiledProgram> compile_among(const ProgramSource& source, const Globals& globals,

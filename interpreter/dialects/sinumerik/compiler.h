@@ -29,7 +29,7 @@ struct Expr {
 /// Raise stands in its place.
 class Compiler {
  public:
-  enum class Purpose { Program, Definitions };
+  enum class Purpose { Program, Definitions, Data };
 
   Compiler(const ProgramSource& source, const Globals& globals, Purpose purpose);
 
@@ -154,6 +154,7 @@ class Compiler {
   void assign_component(Expr frame);
   void assign_system(const SystemName& name, ShortSpan where);
   void assign_list(const Expr& target);
+  void pass_over(const Token& datum);
   bool looks_like_list() const;
   void check_limits(const Expr& target, const Expr& value);
   void repeat_value(const Expr& target);
@@ -196,6 +197,7 @@ class Compiler {
   void back_to(const Structure& loop);
 
   // compile_definition.cc
+  bool begins_definition(std::string_view what);
   void def_statement();
   void define_statement();
   void proc_statement();
@@ -273,6 +275,8 @@ class Compiler {
   OpCode ends_with_ = OpCode::Move;  ///< Return or EndProgram behind the words of the block
   std::size_t first_step_ = 0;       ///< of the block
   bool is_first_block_ = true;
+  bool is_definition_ = false;     ///< the statement being compiled
+  bool in_program_part_ = false;   ///< a statement that is no definition stood before
   bool has_letter_names_ = false;  ///< a variable is called I, say
   std::vector<Structure> structures_;
   std::vector<JumpToLabel> jumps_;

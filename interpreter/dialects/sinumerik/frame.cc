@@ -98,6 +98,19 @@ void Frame::add_fine_shift(const AxisPositions& inner) {
   fine_ += apply(inner) - apply(AxisPositions::Zero());
 }
 
+bool operator==(const Frame& a, const Frame& b) {
+  constexpr Component kAll[] = {Component::Coarse, Component::Fine, Component::Rotation,
+                                Component::Scale, Component::Mirror};
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    for (const Component component : kAll) {
+      if (a.component(axis, component) != b.component(axis, component)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 double Frame::component(int axis, Component component) const {
   switch (component) {
     case Component::Coarse:

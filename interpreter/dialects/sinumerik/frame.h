@@ -36,6 +36,9 @@ class Frame {
   /// Shifted further along its own axes; the fine shift takes it.
   void add_fine_shift(const AxisPositions& inner);
 
+  /// Every component is the same.
+  friend bool operator==(const Frame& a, const Frame& b);
+
  private:
   [[nodiscard]] AxisPositions factors() const;
 

@@ -56,6 +56,25 @@ std::string folder_in(std::string_view body) {
                                  : std::string();
 }
 
+/// Programs with assignments of data that loading runs.  It is no suffix of programs to call: those
+/// may well be named SETUP_INI.
+constexpr std::string_view kData = "INI";
+
+ProgramName name_of_text(std::string_view written, std::string_view before_suffix) {
+  ProgramName name = program_name(written);
+  const std::string end = std::string(before_suffix) + std::string(kData);
+  if (name.suffix.empty() && name.stem.ends_with(end)) {
+    name.suffix = kData;
+    name.stem.erase(name.stem.size() - end.size());
+  }
+  return name;
+}
+
+/// What runs when its turn comes, not when somebody calls it.
+bool is_callable(const ProgramName& name) {
+  return name.suffix != "DEF" && name.suffix != kData;
+}
+
 bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
@@ -127,7 +146,7 @@ void ProgramLibrary::take(std::string path, std::string text) {
   if (text.starts_with(kByteOrderMark)) {
     text.replace(0, kByteOrderMark.size(), kByteOrderMark.size(), ' ');
   }
-  const ProgramName of_file = program_name(path);
+  const ProgramName of_file = name_of_text(path, ".");
   texts_.push_back(std::make_unique<source::SourceFile>(std::move(path), std::move(text)));
   const source::SourceFile& file = *texts_.back();
   for (const Piece& piece : pieces_of(file.text())) {
@@ -137,7 +156,7 @@ void ProgramLibrary::take(std::string path, std::string text) {
     }
     auto entry = std::make_unique<Entry>();
     const bool has_name = ("%" + piece.header).starts_with(kHeader);
-    entry->name = has_name ? program_name(piece.header) : of_file;
+    entry->name = has_name ? name_of_text(piece.header, "_") : of_file;
     entry->name.folder = folder_in(body);
     entry->source = {
         entry->name.stem,
@@ -160,6 +179,16 @@ std::vector<const CompiledProgram*> ProgramLibrary::define() {
   return all;
 }
 
+std::vector<const CompiledProgram*> ProgramLibrary::initial_data() {
+  std::vector<const CompiledProgram*> all;
+  for (const auto& entry : entries_) {
+    if (entry->name.suffix == kData) {
+      all.push_back(compiled(*entry));
+    }
+  }
+  return all;
+}
+
 const source::SourceFile* ProgramLibrary::main_text() const {
   return texts_.empty() ? nullptr : texts_.front().get();
 }
@@ -168,7 +197,7 @@ const CompiledProgram* ProgramLibrary::main_program() {
   const source::SourceFile* const text = main_text();
   Entry* first = nullptr;
   for (const auto& entry : entries_) {
-    if (entry->source.file != text || entry->name.suffix == "DEF") {
+    if (entry->source.file != text || !is_callable(entry->name)) {
       continue;
     }
     if (entry->name.suffix == "MPF") {
@@ -190,7 +219,9 @@ const CompiledProgram* ProgramLibrary::begun(Entry& main) {
 
 const CompiledProgram* ProgramLibrary::compiled(Entry& entry) {
   if (entry.compiled == nullptr) {
-    entry.compiled = compile(entry.source, globals_);
+    const bool is_data = entry.name.suffix == kData;
+    entry.compiled =
+        is_data ? compile_data(entry.source, globals_) : compile(entry.source, globals_);
   }
   return entry.compiled.get();
 }
@@ -211,7 +242,7 @@ ProgramLibrary::Entry* ProgramLibrary::find_entry(const ProgramName& name, const
   Entry* best = nullptr;
   for (Entry* const entry : found->second) {
     const bool fits =
-        name.suffix.empty() ? entry->name.suffix != "DEF" : entry->name.suffix == name.suffix;
+        name.suffix.empty() ? is_callable(entry->name) : entry->name.suffix == name.suffix;
     if (fits && (best == nullptr || rank(*entry) < rank(*best))) {
       best = entry;
     }

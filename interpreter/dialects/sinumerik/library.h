@@ -15,7 +15,7 @@ namespace g31::sinumerik {
 /// What a program name says: "_N_PART_SPF", "PART.SPF", "//NC/SPF.DIR/PART", "part" are all PART.
 struct ProgramName {
   std::string stem;    ///< upper case
-  std::string suffix;  ///< "MPF", "SPF", "DEF"; empty: not said
+  std::string suffix;  ///< "MPF", "SPF", "DEF", "INI"; empty: not said
   std::string folder;  ///< the last one of its path, "SPF_DIR"; empty: not said
 };
 ProgramName program_name(std::string_view written);
@@ -24,7 +24,8 @@ std::string folder_name(std::string_view path);
 
 /// The programs that a run can call, in this order: those of the main file, further files, then
 /// folders as they were added.  A file holds one program, or many behind headers %_N_NAME_SPF.
-/// Files of a folder are read when they are first needed; definition files at once.
+/// Files of a folder are read when they are first needed; definition files at once, INI files
+/// never.
 ///
 /// Programs of one name may lie in several folders of the control's memory, which `;$PATH=` behind
 /// a header names.  A call takes the one in the folder that it names; else that of the calling
@@ -42,6 +43,9 @@ class ProgramLibrary {
   /// Reads the definition files; to be called once, before anything is run.
   /// @returns programs that set initial values, to be run first
   std::vector<const CompiledProgram*> define();
+  /// The INI files: %_N_UFR_INI in an archive that was read, or UFR.INI given by itself.  Loading
+  /// them is running them; to be called behind define().
+  std::vector<const CompiledProgram*> initial_data();
 
   /// The first main program of the first file, else its first program; nullptr: there is none.  Of
   /// a long one this is the first window: its EndWindow asks for the next one.

@@ -272,7 +272,7 @@ void Runner::restore_codes(const Level& from) {
     channel_.group[at] = is_saved(i) ? from.saved_group[at] : channel_.group[at];
   }
   if (channel_.settable_number() != settable_before) {
-    channel_.take_settable();
+    channel_.take_stored_frames();
   }
   channel_.program_frame = from.saved_frame;
   if (from.saved_settable) {

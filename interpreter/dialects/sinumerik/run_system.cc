@@ -79,7 +79,7 @@ MaybeFailure Runner::write_system(const Op& op) {
     return set_frame(channel_, access, frame(value.value));
   }
   if (value.type == Type::String) {
-    Tool* const tool = channel_.find_tool(access.indices[0]);
+    Tool* const tool = channel_.tool_to_write(access.indices[0]);
     if (tool == nullptr) {
       return failure(AlarmId::BadTNumber, fmt::format("T{}", access.indices[0]));
     }

@@ -111,6 +111,9 @@ Runner::Taken Runner::frame_step(const Op& op) {
     case static_cast<int>(OpCode::Chain):
       frame(op.result) = frame(op.a).chained(frame(op.b));
       return Taken::Done;
+    case static_cast<int>(OpCode::EqualFrame):
+      number(op.result) = frame(op.a) == frame(op.b) ? 1.0 : 0.0;
+      return Taken::Done;
     case static_cast<int>(OpCode::LoadComponent):
     case static_cast<int>(OpCode::StoreComponent): {
       const bool loads = op.code == OpCode::LoadComponent;

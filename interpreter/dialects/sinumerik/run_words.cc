@@ -8,14 +8,14 @@
 namespace g31::sinumerik {
 
 bool Runner::set_word(std::size_t address, double value, Modification modification) {
-  const bool is_known = words_.words[address].present;
-  if (static_cast<Address>(address) == Address::Machine) {
-    if (words_.machine_code_count == kMostMachineCodes) {
-      return failed(AlarmId::AddressTooOften, "M");
-    }
+  const auto which = static_cast<Address>(address);
+  const int most = most_in_block(which);
+  if (words_.words[address].times == most) {
+    return failed(most > 1 ? AlarmId::AddressTooOften : AlarmId::AddressRepeated,
+                  std::string(name_of(which)));
+  }
+  if (which == Address::Machine) {
     words_.machine_codes[words_.machine_code_count++] = value;
-  } else if (is_known) {
-    return failed(AlarmId::AddressRepeated, std::string(name_of(static_cast<Address>(address))));
   }
   words_.set(address, value, modification);
   return true;

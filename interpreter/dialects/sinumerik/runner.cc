@@ -22,6 +22,22 @@ Failure of_budget(runtime::BudgetWatch::Spent spent) {
   return reason;
 }
 
+/// An archive of a whole control has much that no program here asks for.
+source::Diagnostic unknown_data_note(const CompiledProgram& program) {
+  constexpr std::size_t kShown = 5;
+  const std::vector<UnknownDatum>& unknown = program.unknown_data;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(unknown.size(), kShown); ++i) {
+    names += (i > 0 ? ", " : "") + unknown[i].name;
+  }
+  source::Diagnostic note = make_diagnostic(
+      source::DiagnosticId::NotSimulated, {program.file, unknown.front().where.widened()},
+      fmt::format("{} data of this file, {}{}", unknown.size(), names,
+                  unknown.size() > kShown ? " and others" : ""));
+  note.severity = source::Severity::Note;
+  return note;
+}
+
 }  // namespace
 
 Runner::Runner(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer)
@@ -69,8 +85,8 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
         make_diagnostic(source::DiagnosticId::NoProgramInFile, {library_.main_text(), {}}));
     return outcome;
   }
-  if (definition_failure_) {
-    outcome = *definition_failure_;
+  if (early_failure_) {
+    outcome = *early_failure_;
     outcome.diagnostics = channel_.diagnostics;
     return outcome;
   }
@@ -255,10 +271,23 @@ MaybeFailure Runner::jump_to_text(const Op& op) {
   return std::nullopt;
 }
 
-source::Location Runner::location_of(const Level& level) const {
-  const CompiledProgram& program = *level.program;
+/// Where a level waits for the program that it called.
+source::Location Runner::place_of_call(std::size_t which) const {
+  const Level& level = *levels_[which];
   const auto step = static_cast<std::size_t>(std::max(level.step - 1, 0));
-  return {program.file, program.spans[step].widened()};
+  return {level.program->file, level.program->spans[step].widened()};
+}
+
+/// The level whose block an alarm shows.  DISPLOF hides the blocks of its program behind the call;
+/// ACTBLOCNO shows the block itself, of programs with DISPLOF that it calls, too.
+std::size_t Runner::shown_level() const {
+  std::size_t which = depth_;
+  for (; which > 0 && levels_[which]->program->hides_blocks; --which) {
+    if (levels_[which]->program->shows_actual_block) {
+      return depth_;
+    }
+  }
+  return which;
 }
 
 source::Location Runner::here() const {
@@ -274,9 +303,16 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.text = failure.text.empty() ? std::string(row.text) : failure.text;
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
-  reason.where = failure.where.value_or(here());
-  for (std::size_t i = depth_; i > 0; --i) {
-    reason.calls.push_back({levels_[i - 1]->program->name, location_of(*levels_[i - 1])});
+  const auto place_in = [&](std::size_t which) {
+    return which == depth_ ? failure.where.value_or(here()) : place_of_call(which);
+  };
+  const std::size_t shown = shown_level();
+  reason.where = place_in(shown);
+  for (std::size_t i = depth_; i > shown; --i) {
+    reason.inside.push_back({levels_[i]->program->name, place_in(i)});
+  }
+  for (std::size_t i = shown; i > 0; --i) {
+    reason.calls.push_back({levels_[i - 1]->program->name, place_in(i - 1)});
   }
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
   channel_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
@@ -315,14 +351,22 @@ std::optional<std::string> Runner::run_text(const std::string& source) {
                 : std::nullopt;
 }
 
-MaybeFailure Runner::run_definitions(const CompiledProgram& program) {
-  start(program);
-  MaybeFailure reason = loop();
-  if (reason) {
-    definition_failure_ = outcome_of(*reason);
+void Runner::run_before(const CompiledProgram& program) {
+  // Data are lines without jumps: these are more than any archive has.
+  constexpr runtime::Budget kMost = {1'000'000, 10.0};
+  if (early_failure_) {
+    return;
   }
+  channel_.budget = runtime::BudgetWatch(kMost);
+  start(program);
+  if (const MaybeFailure reason = loop()) {
+    early_failure_ = outcome_of(*reason);
+  }
+  if (!program.unknown_data.empty()) {
+    channel_.diagnostics.push_back(unknown_data_note(program));
+  }
+  channel_.budget = runtime::BudgetWatch(runtime::Budget{});
   *levels_.front() = Level();
-  return reason;
 }
 
 Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {
@@ -338,7 +382,7 @@ Result<ShownValue, std::string> Runner::value_of(const std::string& expression) 
   if (shown.type == Type::String) {
     shown.text = text(program->result.value);
   } else if (is_held_as_number(shown.type)) {
-    shown.number = number(program->result.value);
+    shown.number = without_sign_of_zero(number(program->result.value));
   }
   level().program = before;
   return shown.type == Type::Frame || shown.type == Type::None

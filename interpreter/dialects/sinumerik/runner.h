@@ -42,9 +42,9 @@ class Runner {
   /// The value of an expression after a run.
   Result<ShownValue, std::string> value_of(const std::string& expression);
 
-  /// Sets the initial values of a definition file.
-  /// @returns why that failed; the outcome of the next run says it, too
-  MaybeFailure run_definitions(const CompiledProgram& program);
+  /// Sets the initial values of a definition file, or runs an INI file.  The outcome of the next
+  /// run says what went wrong first.
+  void run_before(const CompiledProgram& program);
 
   Channel& channel() { return channel_; }
 
@@ -70,7 +70,8 @@ class Runner {
   Level& level() { return *levels_[depth_]; }
   void use_level();
   runtime::Outcome outcome_of(const Failure& failure);
-  [[nodiscard]] source::Location location_of(const Level& level) const;
+  [[nodiscard]] std::size_t shown_level() const;
+  [[nodiscard]] source::Location place_of_call(std::size_t which) const;
   [[nodiscard]] source::Location here() const;
   MaybeFailure from_step();
 
@@ -194,7 +195,7 @@ class Runner {
   /// What calls by name have found: programs stay, so it counts until CALLPATH.
   std::unordered_map<const CallSite*, const CompiledProgram*> found_calls_;
   bool ended_ = false;
-  std::optional<runtime::Outcome> definition_failure_;
+  std::optional<runtime::Outcome> early_failure_;
 };
 
 }  // namespace g31::sinumerik

@@ -70,7 +70,7 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
                       std::vector<std::string>& refused) {
   for (const auto& [name, q_offset] : setup.work_offsets) {
     if (name == "EXT") {
-      channel.base = shifted(q_offset);
+      channel.stored_base = shifted(q_offset);
     } else if (const auto number = settable_in_name(name)) {
       channel.settable[static_cast<std::size_t>(*number)] = shifted(q_offset);
     } else {
@@ -84,7 +84,7 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
     tool.edges[1] = edge_from(entry);
     channel.knows_tools = true;
   }
-  channel.take_settable();
+  channel.take_stored_frames();
 }
 
 }  // namespace
@@ -94,8 +94,13 @@ Session::Session(ProgramLibrary& library, machine::MachinePort& port, runtime::O
   const std::vector<const CompiledProgram*> definitions = library.define();
   runner_ = std::make_unique<Runner>(library, port, observer);
   for (const CompiledProgram* const program : definitions) {
-    runner_->run_definitions(*program);
+    runner_->run_before(*program);
   }
+  runner_->channel().loads_data = true;
+  for (const CompiledProgram* const program : library.initial_data()) {
+    runner_->run_before(*program);
+  }
+  runner_->channel().loads_data = false;
   numbers_at_start_ = runner_->channel().numbers;
 }
 

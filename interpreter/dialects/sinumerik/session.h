@@ -39,8 +39,9 @@ class Session {
   /// none.  Local variables are those of the main program.
   Result<runtime::ShownValue, std::string> variable(const std::string& name);
 
-  /// R parameters, GUD and data that differ from what they are after power on: numbers by the name
-  /// that a program writes.  Texts, frames and tools are not among them: the sheet says those.
+  /// R parameters, GUD and data that differ from what they are after power on and loading: numbers
+  /// by the name that a program writes.  Texts, frames and tools are not among them: the sheet says
+  /// those.
   [[nodiscard]] std::map<std::string, double> permanent_variables() const;
 
   /// The files that READ, WRITE and DELETE find, by name.
@@ -50,7 +51,7 @@ class Session {
  private:
   const ProgramLibrary& library_;
   std::unique_ptr<Runner> runner_;
-  std::vector<double> numbers_at_start_;  ///< as definition files leave them
+  std::vector<double> numbers_at_start_;  ///< as definition and INI files leave them
 };
 
 }  // namespace g31::sinumerik

@@ -25,11 +25,6 @@ struct Directive {
   char scale = '\0';  ///< of %P
 };
 
-std::string real_text(double number) {
-  std::string text = fmt::format("{:.{}g}", number, kShownDigits);
-  return text == "-0" ? "0" : text;
-}
-
 class DirectiveReader {
  public:
   explicit DirectiveReader(std::string_view rest) : rest_(rest) {}
@@ -86,6 +81,7 @@ std::optional<std::string> hexadecimal(double number) {
 
 std::optional<std::string> converted(const Directive& directive, const SprintValue& value) {
   const int places = directive.places.value_or(kPlaces);
+  const double number = without_sign_of_zero(value.number);
   switch (directive.kind) {
     case 'B':
       return value.number != 0.0 ? "1" : "0";
@@ -94,11 +90,11 @@ std::optional<std::string> converted(const Directive& directive, const SprintVal
     case 'D':
       return fmt::format("{:.0f}", std::floor(value.number + 0.5));
     case 'F':
-      return fmt::format("{:.{}f}", value.number, places);
+      return fmt::format("{:.{}f}", number, places);
     case 'E':
-      return fmt::format("{:.{}e}", value.number, places);
+      return fmt::format("{:.{}e}", number, places);
     case 'G':
-      return fmt::format("{:.{}g}", value.number, directive.places.value_or(kPlaces));
+      return fmt::format("{:.{}g}", number, directive.places.value_or(kPlaces));
     case 'X':
       return hexadecimal(value.number);
     case 'S': {
@@ -131,14 +127,15 @@ std::string filled(const Directive& directive, std::string text) {
 
 }  // namespace
 
-std::string shown(Type type, double number) {
+std::string shown(Type type, double value) {
+  const double number = without_sign_of_zero(value);
   switch (type) {
     case Type::Char:
       return std::string(1, static_cast<char>(static_cast<unsigned char>(number)));
     case Type::Axis:
       return number < 0.0 ? "" : std::string(1, kAxisLetters[static_cast<std::size_t>(number)]);
     case Type::Real:
-      return real_text(number);
+      return fmt::format("{:.{}g}", number, kShownDigits);
     case Type::None:
     case Type::Bool:
     case Type::Int:

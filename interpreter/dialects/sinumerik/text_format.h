@@ -13,6 +13,11 @@ namespace g31::sinumerik {
 /// 0 or 1, CHAR as its character, AXIS as its name.
 std::string shown(Type type, double number);
 
+/// Arithmetic knows a negative zero; the control shows 0.
+constexpr double without_sign_of_zero(double number) {
+  return number + 0.0;
+}
+
 /// The number that a text shows, blanks around it left out; nullopt: it shows none.
 std::optional<double> number_in(std::string_view text);
 

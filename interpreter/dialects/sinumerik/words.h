@@ -38,10 +38,14 @@ std::optional<Address> find_address(std::string_view name);
 /// "X", "CR"
 std::string_view name_of(Address address);
 
-/// M may stand five times in a block, everything else once.
-inline constexpr std::size_t kMostMachineCodes = 5;
-constexpr std::ptrdiff_t most_in_block(Address address) {
-  return address == Address::Machine ? std::ptrdiff_t{kMostMachineCodes} : 1;
+inline constexpr int kMostMachineCodes = 5;
+inline constexpr int kMostAuxiliaryCodes = 3;
+
+/// How often an address may stand in a block.
+constexpr int most_in_block(Address address) {
+  return address == Address::Machine     ? kMostMachineCodes
+         : address == Address::Auxiliary ? kMostAuxiliaryCodes
+                                         : 1;
 }
 
 /// How the value of a word counts.

@@ -38,7 +38,7 @@ void take_codes(Channel& channel, const Block& block) {
     const bool changes = group != row.number + code.beyond;
     group = row.number + code.beyond;
     if (row.group == 8) {
-      channel.take_settable();
+      channel.take_stored_frames();
     } else if (changes && row.group == 6) {
       channel.frames_changed();
     }

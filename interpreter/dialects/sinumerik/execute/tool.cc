@@ -51,13 +51,28 @@ MaybeFailure select_edge(Channel& channel, double number) {
     return failure(AlarmId::BadDNumber, fmt::format("D{}", number));
   }
   const int edge = static_cast<int>(number);
-  if (edge != 0 && channel.tool != 0 && channel.find_edge(channel.tool, edge) == nullptr) {
+  const EdgeData* const data = edge != 0 ? channel.find_edge(channel.tool, edge) : nullptr;
+  if (edge != 0 && channel.tool != 0 && data == nullptr) {
     return failure(AlarmId::NoToolEdge, fmt::format("T{}, D{}", channel.tool, edge));
   }
   channel.edge = edge;
+  channel.edge_now = data != nullptr ? std::optional(*data) : std::nullopt;
   channel.additive = 0;
+  channel.additive_now = {};
   channel.frames_changed();
   return std::nullopt;
+}
+
+/// What DL adds to parameters 3 to 6 of an edge.
+std::array<double, 4> additive_of(const Tool& tool, int edge, int additive) {
+  constexpr int kPerOffset = 10;
+  std::array<double, 4> sums = {};
+  for (int i = 0; i < 4 && additive > 0; ++i) {
+    const int number = kPerOffset * additive + 3 + i;
+    sums[static_cast<std::size_t>(i)] = tool.datum({SystemId::AdditiveParameter, edge, number}) +
+                                        tool.datum({SystemId::SetupParameter, edge, number});
+  }
+  return sums;
 }
 
 /// DL: what $TC_SCP or $TC_ECP has made of the edge in force.
@@ -77,6 +92,8 @@ MaybeFailure select_additive(Channel& channel, double number) {
                    fmt::format("T{}, D{}, DL={:g}", channel.tool, channel.edge, number));
   }
   channel.additive = static_cast<int>(number);
+  channel.additive_now = tool != nullptr ? additive_of(*tool, channel.edge, channel.additive)
+                                         : std::array<double, 4>();
   channel.frames_changed();
   return std::nullopt;
 }

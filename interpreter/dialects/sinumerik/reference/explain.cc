@@ -32,18 +32,11 @@ constexpr auto kKeywords = std::to_array<Keyword>({
 #undef KEYWORD
 });
 
-/// A row, under every name that a user may give it.
-struct Topic {
-  std::string name;
-  std::string other;  ///< a number, say; empty: none
-  Entry entry;
-};
-
 std::string text(std::string_view view) {
   return std::string(view);
 }
 
-void add_language(std::vector<Topic>& all) {
+void add_language(Topics& all) {
   for (const Keyword& row : kKeywords) {
     all.push_back({text(row.name),
                    "",
@@ -72,7 +65,7 @@ void add_language(std::vector<Topic>& all) {
   }
 }
 
-void add_words(std::vector<Topic>& all) {
+void add_words(Topics& all) {
   for (const GCode& row : g_codes()) {
     Entry entry{"G code", text(row.name), text(row.text), {{"group", std::to_string(row.group)}}};
     if (row.action == GAction::Refused) {
@@ -97,7 +90,7 @@ void add_words(std::vector<Topic>& all) {
   }
 }
 
-void add_variables(std::vector<Topic>& all) {
+void add_variables(Topics& all) {
   for (const SystemVariable& row : system_variables()) {
     all.push_back({text(row.name),
                    "",
@@ -120,7 +113,7 @@ void add_variables(std::vector<Topic>& all) {
   }
 }
 
-void add_memory(std::vector<Topic>& all) {
+void add_memory(Topics& all) {
   all.push_back({"R",
                  "",
                  {"variable",
@@ -136,7 +129,7 @@ void add_memory(std::vector<Topic>& all) {
   }
 }
 
-void add_alarms(std::vector<Topic>& all) {
+void add_alarms(Topics& all) {
   for (const AlarmInfo& row : alarms()) {
     Entry entry{"alarm", fmt::format("{} {}", row.number, row.text), text(row.remedy), {}};
     all.push_back(
@@ -144,9 +137,9 @@ void add_alarms(std::vector<Topic>& all) {
   }
 }
 
-const std::vector<Topic>& topics() {
-  static const std::vector<Topic> kTopics = [] {
-    std::vector<Topic> all;
+const Topics& topics() {
+  static const Topics kTopics = [] {
+    Topics all;
     add_language(all);
     add_words(all);
     add_variables(all);
@@ -168,39 +161,61 @@ std::string family_of(const std::string& name) {
   return number > 505 && name.front() == 'G' && number <= 599 ? "G505" : name;
 }
 
+/// "[4]" behind a name, or nothing.
+std::string index_in(std::string_view name) {
+  const std::size_t bracket = name.find('[');
+  return bracket == std::string_view::npos ? std::string() : std::string(name.substr(bracket));
+}
+
+/// Of the facts about single elements only that of the element asked for.
+Entry about_element(Entry entry, const std::string& index) {
+  if (!index.empty()) {
+    std::erase_if(entry.facts, [&](const runtime::Fact& fact) {
+      return fact.name.starts_with('[') && fact.name != index;
+    });
+  }
+  return entry;
+}
+
 }  // namespace
 
-Entries explain(std::string_view topic) {
+Entries explain(std::string_view topic, const Topics& shipped) {
   std::string name = upper(topic);
   name.erase(0, std::min(name.find_first_not_of(' '), name.size()));
   name.erase(name.find_last_not_of(' ') + 1);
-  // An index or a number behind a name says no more: $AA_MW[X], $TC_DP6.
+  // An index or a number behind a name seldom says more: $AA_MW[X], $TC_DP6, but _OVR[4].
   const std::string stem = family_of(name.substr(0, name.find_first_of("[(")));
   const auto system = find_system_variable(stem);
   Entries found;
-  for (const Topic& known : topics()) {
-    const bool is_system = system && known.name == system->row->name;
-    if (known.name == stem || known.other == stem || is_system) {
-      found.push_back(known.entry);
+  for (const Topics* const list : {&topics(), &shipped}) {
+    for (const Topic& known : *list) {
+      const bool is_system = system && known.name == system->row->name;
+      if (known.name == stem || known.other == stem || is_system) {
+        found.push_back(about_element(known.entry, index_in(name)));
+      }
     }
   }
   return found;
 }
 
-std::optional<std::string> nearest_topic(std::string_view topic) {
+std::optional<std::string> nearest_topic(std::string_view topic, const Topics& shipped) {
   std::vector<std::string_view> known;
-  for (const Topic& row : topics()) {
-    known.push_back(row.name);
+  for (const Topics* const list : {&topics(), &shipped}) {
+    for (const Topic& row : *list) {
+      known.push_back(row.name);
+    }
   }
   const std::string name = upper(topic);
   const auto nearest = nearest_name(name, known);
   return nearest ? std::optional(std::string(*nearest)) : std::nullopt;
 }
 
-Entries everything() {
+Entries everything(const Topics& shipped) {
   Entries all;
-  for (const Topic& row : topics()) {
-    all.push_back(row.entry);
+  for (const Topics* const list : {&topics(), &shipped}) {
+    for (const Topic& row : *list) {
+      all.push_back(row.entry);
+    }
   }
   return all;
 }

@@ -32,17 +32,19 @@ Result<Frame*, Failure> stored_frame(Channel& channel, const SystemAccess& acces
       if (!access.indices.empty() && access.indices.front() != 0) {
         return failure(AlarmId::IndexOne, fmt::format("basic frame {}", access.indices.front()));
       }
-      return &channel.base;
-    case static_cast<int>(SystemId::BaseFrame):
+      return access.id == SystemId::BaseFrames ? &channel.stored_base : &channel.base;
     case static_cast<int>(SystemId::FirstBaseFrame):
+      return &channel.stored_base;
+    case static_cast<int>(SystemId::BaseFrame):
       return &channel.base;
     case static_cast<int>(SystemId::SettableFrame):
       return &channel.settable_now;
     case static_cast<int>(SystemId::ProgramFrame):
       return &channel.program_frame;
     case static_cast<int>(SystemId::SetFrame):
-    case static_cast<int>(SystemId::StoredSetFrame):
       return &channel.set_frame;
+    case static_cast<int>(SystemId::StoredSetFrame):
+      return &channel.stored_set_frame;
     default:
       return static_cast<Frame*>(nullptr);
   }

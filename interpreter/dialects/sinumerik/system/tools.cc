@@ -127,18 +127,21 @@ MaybeFailure set_tool_number(Channel& channel, SystemAccess access, double value
     if (access.parameter < 1 || access.parameter >= static_cast<int>(EdgeData().size())) {
       return failure(AlarmId::IndexOne, fmt::format("$P_AD[{}]", access.parameter));
     }
+    if (channel.edge_now) {
+      (*channel.edge_now)[static_cast<std::size_t>(access.parameter)] = value;
+      channel.frames_changed();
+    }
   }
+  Tool* const known = channel.tool_to_write(access.indices[0]);
   if (MaybeFailure wrong = missing(channel, access)) {
     return wrong;
   }
-  Tool& tool = *channel.find_tool(access.indices[0]);
+  Tool& tool = *known;
   if (access.id == SystemId::EdgeParameter) {
     // Writing to an edge that is not there makes it.
     tool.edges[access.indices[1]][static_cast<std::size_t>(access.parameter)] = value;
-    channel.frames_changed();
   } else if (is_kept(access.id)) {
     tool.more[datum_of(access)] = value;
-    channel.frames_changed();
   } else if (access.id == SystemId::EdgeTeeth) {
     tool.teeth[access.indices[1]] = value;
   } else {
