@@ -23,6 +23,9 @@ void Compiler::call_by_name(std::string name, ShortSpan where) {
 
 std::vector<Argument> Compiler::argument_list() {
   std::vector<Argument> list;
+  if (accept(Symbol::RightParen)) {
+    return list;
+  }
   while (!failed()) {
     const bool omitted = peek().is(Symbol::Comma) || peek().is(Symbol::RightParen);
     if (omitted) {

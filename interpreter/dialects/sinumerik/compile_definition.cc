@@ -15,6 +15,8 @@ constexpr std::string_view kAttributes[] = {"SAVE",   "DISPLOF",   "DISPLON", "S
                                             "SBLON",  "ACTBLOCNO", "ICYCOF",  "ICYCON",
                                             "PREPRO", "IPTRLOCK"};
 constexpr std::string_view kReadingAhead[] = {"SYNR", "SYNW", "SYNRW"};
+/// When a variable takes its first value again.
+constexpr std::string_view kInitialTimes[] = {"INIPO", "INIRE", "INICF", "PRLOC"};
 
 bool contains(auto& list, std::string_view name) {
   for (const std::string_view known : list) {
@@ -158,7 +160,8 @@ std::optional<double> Compiler::signed_constant() {
 Limits Compiler::definition_attributes() {
   Limits limits;
   while (!failed() && peek().kind == TokenKind::Name) {
-    if (contains(kReadingAhead, peek().text) || contains(kDataClasses, peek().text)) {
+    if (contains(kReadingAhead, peek().text) || contains(kDataClasses, peek().text) ||
+        contains(kInitialTimes, peek().text)) {
       next();
     } else if (contains(kNumbered, peek().text)) {
       next();
@@ -298,7 +301,14 @@ void Compiler::preset(Parameter& parameter) {
     return;
   }
   const Variable& variable = program_->variables[static_cast<std::size_t>(parameter.variable)];
-  const Expr value = unary();
+  Expr value = unary();
+  const bool is_text = value.is_constant && value.type == Type::String;
+  if (is_text && variable.type == Type::Char) {
+    const std::string& text = program_->text_constants[static_cast<std::size_t>(value.value.place)];
+    value = text.size() == 1
+                ? constant(Type::Char, static_cast<unsigned char>(text.front()), value.where)
+                : value;
+  }
   const bool same_kind = (value.type == Type::String) == (variable.type == Type::String);
   if (!failed() && (!value.is_constant || !same_kind)) {
     fail(AlarmId::InitialValueType, value.where, text_of(value.where));

@@ -68,6 +68,7 @@ class Compiler {
     Operand number;
     bool is_fixed = false;  ///< `number` is a constant, `offset` its value
     std::int32_t offset = 0;
+    bool is_open = false;  ///< the brackets go on: a character or component of it follows
   };
   using Handler = void (Compiler::*)();
 
@@ -107,6 +108,8 @@ class Compiler {
   // compile_expression.cc
   Expr expression(int level = 0);
   Expr unary();
+  Expr inverted(const Token& token, Expr operand);
+  Expr text_literal(const Token& token);
   Expr primary();
   Expr name_in_expression();
   Expr letter_in_expression();
@@ -126,7 +129,9 @@ class Compiler {
   std::int32_t find_variable(std::string_view name);
   std::int32_t import(const Variable& variable);
   Expr variable_access(std::int32_t variable, ShortSpan where);
-  Expr whole_text(std::int32_t variable, ShortSpan where);
+  Element element_or_part(std::int32_t variable);
+  Expr loaded(const Expr& target);
+  void place(Expr& target, const Element& element) const;
   Element element_of(std::int32_t variable);
   Expr component_access(Expr frame);
   Expr system_access(const SystemName& name, ShortSpan where);
@@ -138,7 +143,7 @@ class Compiler {
   [[nodiscard]] Expr target_of(std::int32_t variable, ShortSpan where) const;
   void assign_variable(std::int32_t variable, ShortSpan where);
   void assign_element(const Expr& target);
-  void assign_component(Expr frame);
+  void assign_component(const Expr& frame);
   void assign_system(const SystemName& name, ShortSpan where);
   void assign_list(const Expr& target);
   bool looks_like_list() const;
@@ -148,9 +153,8 @@ class Compiler {
   Argument argument_of(const Expr& expr);
 
   // compile_character.cc
-  bool is_character(const Variable& variable) const;
-  Expr character_access(Expr string);
-  void assign_character(const Expr& string);
+  Expr character_access(const Expr& string);
+  void assign_character(const Expr& target);
   Expr part_of(const Expr& string, const Expr& first, const Expr* length);
 
   // compile_structure.cc

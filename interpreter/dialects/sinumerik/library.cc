@@ -245,6 +245,14 @@ const CompiledProgram* ProgramLibrary::find(std::string_view written, const Near
   return nullptr;
 }
 
+const CompiledProgram* ProgramLibrary::written(const std::string& name, const std::string& text) {
+  texts_.push_back(std::make_unique<source::SourceFile>(name, text));
+  const ProgramSource source{
+      program_name(name).stem, texts_.back().get(), {0, static_cast<std::uint32_t>(text.size())}};
+  others_.push_back(compile(source, globals_));
+  return others_.back().get();
+}
+
 ProgramSource ProgramLibrary::loose_source(const std::string& text) {
   texts_.push_back(std::make_unique<source::SourceFile>("command line", text));
   return {"", texts_.back().get(), {0, static_cast<std::uint32_t>(text.size())}};

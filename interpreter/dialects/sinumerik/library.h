@@ -56,6 +56,9 @@ class ProgramLibrary {
   /// A program by any form of its name, or nullptr.
   const CompiledProgram* find(std::string_view name, const Near& near);
 
+  /// A file that the run wrote itself, as a program; lives as long as the library.
+  const CompiledProgram* written(const std::string& name, const std::string& text);
+
   /// `text` as blocks among the local variables of `home`; lives as long as the library.
   const CompiledProgram* snippet(const std::string& text, const CompiledProgram& home);
   /// The same of one expression.

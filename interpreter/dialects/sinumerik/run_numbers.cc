@@ -200,7 +200,7 @@ bool Runner::index(const Op& op) {
   const double place = rounded(number(op.a));
   const int size = shape.size[op.detail];
   if (!(place >= 0.0 && place < size)) {
-    constexpr AlarmId kAlarms[] = {AlarmId::IndexOne, AlarmId::IndexTwo, AlarmId::InvalidIndex};
+    constexpr AlarmId kAlarms[] = {AlarmId::IndexOne, AlarmId::IndexTwo, AlarmId::IndexThree};
     return failed(kAlarms[op.detail],
                   fmt::format("{}[{}] of {}", known.name, shown(Type::Real, place), size));
   }

@@ -114,6 +114,7 @@ class Runner {
   MaybeFailure call(const Op& op);
   [[nodiscard]] ProgramLibrary::Near near() const;
   Result<const CompiledProgram*, Failure> called(const CallSite& site);
+  const CompiledProgram* written_program(std::string_view name);
   std::vector<BoundValue> bound(const CallSite& site);
   MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
   MaybeFailure take_arguments(Level& into, const std::vector<BoundValue>& values);
@@ -164,6 +165,8 @@ class Runner {
   ProgramLibrary& library_;
   /// What EXECSTRING compiled, by program and text.
   std::map<std::pair<const CompiledProgram*, std::string>, const CompiledProgram*> texts_run_;
+  /// The same of files that the run wrote, by name and text.
+  std::map<std::pair<std::string, std::string>, const CompiledProgram*> written_;
   Channel channel_;
   std::vector<std::unique_ptr<Level>> levels_;
   std::size_t depth_ = 0;
