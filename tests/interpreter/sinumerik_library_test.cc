@@ -161,6 +161,21 @@ TEST(SinumerikLibrary, HoldsAnArchiveOfManyFiles) {
   EXPECT_EQ(run.number("R1"), sum);
 }
 
+TEST(SinumerikDefinitions, CountFromTheStartInAnArchiveOfAFolder) {
+  ProgramRun run({{"main.mpf", "R1=COUNTER R2=LIMIT\nDEEP\nR3=COUNTER R4=KEPT\nM30\n"},
+                  {"lib/MGUD.DEF", "DEF NCK INT KEPT=5\nM17\n"},
+                  {"lib/all.arc",
+                   "%_N_UGUD_DEF\n;$PATH=/_N_DEF_DIR\nDEF NCK INT COUNTER=7\nM17\n"
+                   "%_N_MGUD_DEF\n;$PATH=/_N_DEF_DIR\nDEF NCK INT KEPT=6\nM17\n"
+                   "%_N_UMAC_DEF\n;$PATH=/_N_DEF_DIR\nDEFINE LIMIT AS 12.5\nM17\n"
+                   "%_N_DEEP_SPF\n;$PATH=/_N_SPF_DIR\nCOUNTER=COUNTER+1\nM17\n"}});
+  EXPECT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R1"), 7.0);
+  EXPECT_EQ(run.number("R2"), 12.5);
+  EXPECT_EQ(run.number("R3"), 8.0);
+  EXPECT_EQ(run.number("R4"), 5.0);  // the first one of a name counts
+}
+
 TEST(SinumerikDefinitions, AreGlobalAndHaveValues) {
   ProgramRun run({{"main.mpf", "R1=GLOB[1] R2=LIMIT\nGLOB[0]=5\nSUBA\nMYCODE\nM30\n"},
                   {"lib/suba.spf", "R3=GLOB[0]\nUSERTXT[2]=\"X\"<<R3\nRET\n"},

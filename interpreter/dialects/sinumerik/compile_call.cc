@@ -186,14 +186,16 @@ void Compiler::refused_statement() {
   fail(AlarmId::NotImplemented, block_, text_of(block_));
 }
 
-/// WHEN $A_PROBE[n]==level DO DELDTG
+/// WHEN $A_PROBE[n]==level DO DELDTG, the condition in brackets or not
 void Compiler::when_statement() {
+  const bool bracket = accept(Symbol::LeftParen);
   const bool of_probe = accept_name("$A_PROBE") && accept(Symbol::LeftBracket);
   const Expr probe = of_probe ? convert(expression(), Type::Int) : Expr();
   const bool compared = of_probe && accept(Symbol::RightBracket) && accept(Symbol::Equal);
   const Expr level = compared ? boolean(expression()) : Expr();
+  const bool closed = compared && (!bracket || accept(Symbol::RightParen));
   const bool deletes =
-      compared && accept_name("DO") && accept_name("DELDTG") && peek().kind == TokenKind::End;
+      closed && accept_name("DO") && accept_name("DELDTG") && peek().kind == TokenKind::End;
   if (!deletes && !failed()) {
     refused_statement();
   }

@@ -99,7 +99,7 @@ ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
     return Added::Unreadable;
   }
   loaded_.insert(path);
-  take(path, std::move(*text));
+  take(path, std::move(*text), Wanted::Everything);
   return Added::Yes;
 }
 
@@ -116,6 +116,10 @@ void ProgramLibrary::add_folder(const std::string& folder) {
       }
     } else if (parts.suffix == "ARC") {
       archives_.push_back(path);
+      auto text = loaded_.contains(path) ? std::nullopt : files_.read(path);
+      if (text) {
+        take(path, std::move(*text), Wanted::Definitions);
+      }
     } else if (!parts.suffix.empty()) {
       known.emplace(parts.stem, path);
     }
@@ -124,7 +128,7 @@ void ProgramLibrary::add_folder(const std::string& folder) {
 }
 
 /// Keeps the programs of a file.
-void ProgramLibrary::take(std::string path, std::string text) {
+void ProgramLibrary::take(std::string path, std::string text, Wanted wanted) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) {
     text.replace(0, kByteOrderMark.size(), kByteOrderMark.size(), ' ');
@@ -137,9 +141,14 @@ void ProgramLibrary::take(std::string path, std::string text) {
     if (piece.header.empty() && is_blank(body)) {
       continue;
     }
-    auto entry = std::make_unique<Entry>();
     const bool has_name = ("%" + piece.header).starts_with(kHeader);
-    entry->name = has_name ? program_name(piece.header) : of_file;
+    const ProgramName name = has_name ? program_name(piece.header) : of_file;
+    const bool is_new_definition = name.suffix == "DEF" && find_entry(name, Near()) == nullptr;
+    if (wanted == Wanted::Definitions && !is_new_definition) {
+      continue;
+    }
+    auto entry = std::make_unique<Entry>();
+    entry->name = name;
     entry->name.folder = folder_in(body);
     entry->source = {
         entry->name.stem,

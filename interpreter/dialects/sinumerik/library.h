@@ -24,7 +24,8 @@ std::string folder_name(std::string_view path);
 
 /// The programs that a run can call, in this order: those of the main file, further files, then
 /// folders as they were added.  A file holds one program, or many behind headers %_N_NAME_SPF.
-/// Files of a folder are read when they are first needed; definition files at once.
+/// Files of a folder are read when they are first needed; definitions at once, those in archives
+/// too.
 ///
 /// Programs of one name may lie in several folders of the control's memory, which `;$PATH=` behind
 /// a header names.  A call takes the one in the folder that it names; else that of the calling
@@ -73,7 +74,8 @@ class ProgramLibrary {
     std::unique_ptr<CompiledProgram> compiled;
   };
 
-  void take(std::string path, std::string text);
+  enum class Wanted { Everything, Definitions };
+  void take(std::string path, std::string text, Wanted wanted);
   ProgramSource loose_source(const std::string& text);
   Entry* find_entry(const ProgramName& name, const Near& near);
   bool load_for(const ProgramName& name);
