@@ -222,6 +222,23 @@ TEST(SinumerikTexts, TakeLatin1AndUtf8) {
   }
 }
 
+TEST(SinumerikTexts, FindAHeaderBehindAByteOrderMark) {
+  std::map<std::string, std::string> files;
+  files["main.mpf"] = "\xEF\xBB\xBF%_N_PART_MPF\r\nR1=1\r\nM30\r\n";
+  ProgramRun run(std::move(files));
+  EXPECT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R1"), 1.0);
+}
+
+TEST(SinumerikTexts, TakeControlCharactersAsBlanks) {
+  std::map<std::string, std::string> files;
+  files["main.mpf"] = std::string("\0\0R1=5\x1B\n\tR2=6\x7F\nM30\n\x1A\0", 21);
+  ProgramRun run(std::move(files));
+  EXPECT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R1"), 5.0);
+  EXPECT_EQ(run.number("R2"), 6.0);
+}
+
 TEST(SinumerikAlarms, TellPlaceAndCalls) {
   ProgramRun run({{"main.mpf", "R1=1\nSUBA(2)\nM30\n"},
                   {"lib/suba.spf", "PROC SUBA(INT AA)\n\n  R1=R1/(AA-2)\nRET\n"}});

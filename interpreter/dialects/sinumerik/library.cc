@@ -28,14 +28,16 @@ struct Piece {
   std::size_t end = 0;
 };
 
-/// Cuts a text at its headers.  Any other line that begins with % is a header without a name.
+/// Cuts a text at its headers, which may have blanks before them: a byte order mark has become
+/// such.  Any other line that begins with % is a header without a name.
 std::vector<Piece> pieces_of(std::string_view text) {
   std::vector<Piece> pieces;
   Piece now;
   std::size_t begin = 0;
   while (begin < text.size()) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = text.substr(begin, end - begin);
+    std::string_view line = text.substr(begin, end - begin);
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
     if (line.starts_with('%')) {
       now.end = begin;
       pieces.push_back(now);
