@@ -80,6 +80,7 @@ class Runner {
   bool mathematical_step(const Op& op);
   bool take(const Op& op, double value);
   bool take_truth(const Op& op, bool holds);
+  [[nodiscard]] bool is_less(double a, double b) const;
   bool take_whole(const Op& op, Type type, AlarmId alarm);
   bool is_within_limits(const Op& op);
   Taken array_step(const Op& op);
