@@ -334,6 +334,16 @@ void Compiler::proc_attributes() {
   }
 }
 
+/// REDEF changes who may see and write data: here everybody may.
+void Compiler::redef_statement() {
+  while (!failed() && peek().kind != TokenKind::End) {
+    if (peek().is_name("LLI") || peek().is_name("ULI")) {
+      fail(AlarmId::NotImplemented, peek().where, "REDEF with limits");
+    }
+    next();
+  }
+}
+
 /// EXTERN says what the PROC of the called program says again; the PROC counts.
 void Compiler::extern_statement() {
   while (peek().kind != TokenKind::End) {

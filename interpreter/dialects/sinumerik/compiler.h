@@ -185,12 +185,14 @@ class Compiler {
   std::optional<Structure> close(StructureKind kind);
   std::optional<Structure> close_loop(StructureKind kind);
   void back_to(const Structure& loop);
+  void keep_element(Expr& counter);
 
   // compile_definition.cc
   void def_statement();
   void define_statement();
   void proc_statement();
   void extern_statement();
+  void redef_statement();
   void proc_parameter();
   void proc_attributes();
   struct DeclaredType {
