@@ -134,9 +134,22 @@ std::int32_t Compiler::define_local(Variable variable) {
   return index;
 }
 
+/// What another definition file has defined in the same way: one's own archive holds what is
+/// shipped with the cycles, too.  -1: nothing of the kind.
+std::int32_t Compiler::defined_alike(const Variable& variable) {
+  const Variable* const known = globals_.find(variable.name);
+  const bool is_alike = known != nullptr && !imported_.contains(variable.name) &&
+                        known->type == variable.type && known->shape == variable.shape &&
+                        known->longest == variable.longest && !peek().is(Symbol::Assign);
+  return is_alike ? import(*known) : -1;
+}
+
 std::int32_t Compiler::define(const Variable& variable) {
   if (purpose_ == Purpose::Program) {
     return define_local(variable);
+  }
+  if (const std::int32_t known = defined_alike(variable); known >= 0) {
+    return known;
   }
   const Variable* const global = definitions_->define(variable);
   if (global == nullptr) {

@@ -206,6 +206,7 @@ class Compiler {
   std::optional<std::int32_t> whole_constant();
   Shape dimensions();
   void preset(Parameter& parameter);
+  std::int32_t defined_alike(const Variable& variable);
   std::int32_t define(const Variable& variable);
   std::optional<double> signed_constant();
   Limits definition_attributes();
