@@ -164,6 +164,21 @@ TEST(SinumerikLibrary, HoldsAnArchiveOfManyFiles) {
   EXPECT_EQ(run.number("R1"), sum);
 }
 
+TEST(SinumerikDefinitions, CountFromTheStartInAnArchiveOfAFolder) {
+  ProgramRun run({{"main.mpf", "R1=COUNTER R2=LIMIT\nDEEP\nR3=COUNTER R4=KEPT\nM30\n"},
+                  {"lib/MGUD.DEF", "DEF NCK INT KEPT=5\nM17\n"},
+                  {"lib/all.arc",
+                   "%_N_UGUD_DEF\n;$PATH=/_N_DEF_DIR\nDEF NCK INT COUNTER=7\nM17\n"
+                   "%_N_MGUD_DEF\n;$PATH=/_N_DEF_DIR\nDEF NCK INT KEPT=6\nM17\n"
+                   "%_N_UMAC_DEF\n;$PATH=/_N_DEF_DIR\nDEFINE LIMIT AS 12.5\nM17\n"
+                   "%_N_DEEP_SPF\n;$PATH=/_N_SPF_DIR\nCOUNTER=COUNTER+1\nM17\n"}});
+  EXPECT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R1"), 7.0);
+  EXPECT_EQ(run.number("R2"), 12.5);
+  EXPECT_EQ(run.number("R3"), 8.0);
+  EXPECT_EQ(run.number("R4"), 5.0);  // the first one of a name counts
+}
+
 TEST(SinumerikDefinitions, AreGlobalAndHaveValues) {
   ProgramRun run({{"main.mpf", "R1=GLOB[1] R2=LIMIT\nGLOB[0]=5\nSUBA\nMYCODE\nM30\n"},
                   {"lib/suba.spf", "R3=GLOB[0]\nUSERTXT[2]=\"X\"<<R3\nRET\n"},
@@ -208,6 +223,23 @@ TEST(SinumerikTexts, TakeLatin1AndUtf8) {
     EXPECT_EQ(run.number("R1"), 2.0);
     EXPECT_EQ(run.text("TT"), "\xE4\xF6");
   }
+}
+
+TEST(SinumerikTexts, FindAHeaderBehindAByteOrderMark) {
+  std::map<std::string, std::string> files;
+  files["main.mpf"] = "\xEF\xBB\xBF%_N_PART_MPF\r\nR1=1\r\nM30\r\n";
+  ProgramRun run(std::move(files));
+  EXPECT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R1"), 1.0);
+}
+
+TEST(SinumerikTexts, TakeControlCharactersAsBlanks) {
+  std::map<std::string, std::string> files;
+  files["main.mpf"] = std::string("\0\0R1=5\x1B\n\tR2=6\x7F\nM30\n\x1A\0", 21);
+  ProgramRun run(std::move(files));
+  EXPECT_EQ(run.alarm(), 0);
+  EXPECT_EQ(run.number("R1"), 5.0);
+  EXPECT_EQ(run.number("R2"), 6.0);
 }
 
 TEST(SinumerikAlarms, TellPlaceAndCalls) {
@@ -413,8 +445,8 @@ TEST(SinumerikDataFiles, TellWhichLineIsWrong) {
 TEST(SinumerikDataFiles, MayHaveSystemDataThatG31HasNot) {
   const std::string archive =
       "R1=$TC_DP3[3,1] R2=$TC_DP6[3,1]\nM30\n%_N_TOA_INI\nCHANDATA(1)\n"
-      "$TC_TP2[3]=\"MILL\" $TC_TP3[3]=1 $TC_TP4[3]=2\n"
-      "$TC_MPP6[1,(2),3]=$TC_TP9[1]\n$TC_DP3[3,1]=80 $TC_TP3[4]=1 $TC_DP6[3,1]=5\nM17\n";
+      "$TC_TP2[3]=\"MILL\" $TC_MAP3[3]=1 $TC_MPP2[3]=2\n"
+      "$TC_MPP6[1,(2),3]=$TC_TP9[1]\n$TC_DP3[3,1]=80 $TC_MAP3[4]=1 $TC_DP6[3,1]=5\nM17\n";
   ProgramRun run({{"main.mpf", archive}});
   ASSERT_EQ(run.alarm(), 0);
   EXPECT_EQ(run.number("R1"), 80.0);
@@ -423,7 +455,7 @@ TEST(SinumerikDataFiles, MayHaveSystemDataThatG31HasNot) {
   const source::Diagnostic& note = run.outcome().diagnostics.front();
   EXPECT_EQ(note.severity, source::Severity::Note);
   EXPECT_EQ(line_of(note.where), "main.mpf:5");
-  EXPECT_EQ(note.message, "not simulated: 3 data of this file, $TC_TP3, $TC_TP4, $TC_MPP6");
+  EXPECT_EQ(note.message, "not simulated: 3 data of this file, $TC_MAP3, $TC_MPP2, $TC_MPP6");
 }
 
 TEST(SinumerikDataFiles, DoNotRunForEver) {

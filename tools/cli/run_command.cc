@@ -79,7 +79,7 @@ std::string shown(const runtime::ShownValue& value) {
                         [](runtime::Cell cell) {
                           return cell.is_vacant() ? "null" : fmt::format("{}", cell.raw());
                         },
-                        [](const std::string& text) { return text; },
+                        [](const std::string& text) { return report::bytes_as_text(text); },
                     },
                     value);
 }

@@ -115,21 +115,6 @@ const char* severity_name(source::Severity severity) {
   contract_violated("every severity has a name", __FILE__, __LINE__);
 }
 
-/// Bytes of the printer port as text: each byte is the code point of its value.
-std::string bytes_as_text(const std::string& bytes) {
-  std::string text;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      text.push_back(c);
-    } else {
-      text.push_back(static_cast<char>(0xC0 | (byte >> 6)));
-      text.push_back(static_cast<char>(0x80 | (byte & 0x3F)));
-    }
-  }
-  return text;
-}
-
 Json json_of(const runtime::ShownValue& value) {
   return std::visit(
       runtime::Overloaded{
@@ -157,6 +142,20 @@ Json list_of(const Events& events, Convert convert) {
 }
 
 }  // namespace
+
+std::string bytes_as_text(const std::string& bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      text.push_back(c);
+    } else {
+      text.push_back(static_cast<char>(0xC0 | (byte >> 6)));
+      text.push_back(static_cast<char>(0x80 | (byte & 0x3F)));
+    }
+  }
+  return text;
+}
 
 const char* status_name(runtime::Status status) {
   switch (status) {

@@ -30,7 +30,7 @@ void BlockWords::set(std::size_t address, double value, Modification modificatio
   words[address].value = value;
   words[address].modification = modification;
   words[address].present = true;
-  words[address].times = static_cast<std::uint8_t>(times + 1);
+  ++words[address].times;
 }
 
 void BlockWords::measure_axis(std::size_t axis, const AxisMeasuring& measuring) {
@@ -73,7 +73,9 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       settable(kSettableFrames),
       port(machine),
       observer(listener),
-      frame_save_mask_(static_cast<std::size_t>(globals.find("$MN_FRAME_SAVE_MASK")->place)) {
+      frame_save_mask_(static_cast<std::size_t>(globals.find("$MN_FRAME_SAVE_MASK")->place)),
+      program_function_mask_(
+          static_cast<std::size_t>(globals.find("$MN_PROG_FUNCTION_MASK")->place)) {
   for (int i = 0; i < kGroupCount; ++i) {
     group[static_cast<std::size_t>(i)] = preset_number(i);
   }
@@ -131,6 +133,10 @@ double Channel::shown_place(int axis, double value) const {
 
 bool Channel::keeps_settable_frame() const {
   return (std::lround(numbers[frame_save_mask_]) & 1) != 0;
+}
+
+bool Channel::orders_exactly() const {
+  return (std::lround(numbers[program_function_mask_]) & 1) != 0;
 }
 
 Frame Channel::frames_below() const {

@@ -154,6 +154,8 @@ class Channel {
   }
   /// MD10617 bit 0: SAVE restores the settable frame, too.
   [[nodiscard]] bool keeps_settable_frame() const;
+  /// Whether > and < make a difference where == makes none ($MN_PROG_FUNCTION_MASK).
+  [[nodiscard]] bool orders_exactly() const;
   /// All frames but the programmable one, outermost first.
   [[nodiscard]] Frame frames_below() const;
   /// All frames in force, outermost first.
@@ -239,7 +241,8 @@ class Channel {
     AxisPositions offset;
   };
 
-  std::size_t frame_save_mask_;  ///< place of MD10617
+  std::size_t frame_save_mask_;        ///< place of MD10617
+  std::size_t program_function_mask_;  ///< place of MD10280
   bool is_stale_ = false;
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed
   AxisPositions q_W_programmed_ = AxisPositions::Zero();

@@ -24,6 +24,9 @@ void Compiler::call_by_name(std::string name, ShortSpan where) {
 
 std::vector<Argument> Compiler::argument_list() {
   std::vector<Argument> list;
+  if (accept(Symbol::RightParen)) {
+    return list;
+  }
   while (!failed()) {
     const bool omitted = peek().is(Symbol::Comma) || peek().is(Symbol::RightParen);
     if (omitted) {
@@ -197,14 +200,16 @@ void Compiler::refused_statement() {
        is_known ? std::string(name) + ": " + std::string(row->text) : text_of(block_));
 }
 
-/// WHEN $A_PROBE[n]==level DO DELDTG
+/// WHEN $A_PROBE[n]==level DO DELDTG, the condition in brackets or not
 void Compiler::when_statement() {
+  const bool bracket = accept(Symbol::LeftParen);
   const bool of_probe = accept_name("$A_PROBE") && accept(Symbol::LeftBracket);
   const Expr probe = of_probe ? convert(expression(), Type::Int) : Expr();
   const bool compared = of_probe && accept(Symbol::RightBracket) && accept(Symbol::Equal);
   const Expr level = compared ? boolean(expression()) : Expr();
+  const bool closed = compared && (!bracket || accept(Symbol::RightParen));
   const bool deletes =
-      compared && accept_name("DO") && accept_name("DELDTG") && peek().kind == TokenKind::End;
+      closed && accept_name("DO") && accept_name("DELDTG") && peek().kind == TokenKind::End;
   if (!deletes && !failed()) {
     refused_statement();
   }

@@ -1,13 +1,8 @@
-// NAME[2] of a STRING: one of its characters, counted from 0.
+// NAME[2] of a STRING, NAME[1,2] of an array of them: one character, counted from 0.
 
 #include "interpreter/dialects/sinumerik/compiler.h"
 
 namespace g31::sinumerik {
-
-bool Compiler::is_character(const Variable& variable) const {
-  return variable.type == Type::String && variable.shape.dimensions == 0 &&
-         peek().is(Symbol::LeftBracket);
-}
 
 /// SUBSTR(string, first, length)
 Expr Compiler::part_of(const Expr& string, const Expr& first, const Expr* length) {
@@ -27,8 +22,8 @@ Expr Compiler::part_of(const Expr& string, const Expr& first, const Expr* length
   return part;
 }
 
-Expr Compiler::character_access(Expr string) {
-  expect(Symbol::LeftBracket);
+/// n] behind a string and a bracket.
+Expr Compiler::character_access(const Expr& string) {
   const Expr index = convert(expression(), Type::Int, AlarmId::IndexType);
   expect(Symbol::RightBracket);
   if (failed()) {
@@ -39,8 +34,8 @@ Expr Compiler::character_access(Expr string) {
 }
 
 /// The text in front of the character, the new one, the text behind it.
-void Compiler::assign_character(const Expr& string) {
-  expect(Symbol::LeftBracket);
+void Compiler::assign_character(const Expr& target) {
+  const Expr string = loaded(target);
   const Expr index = convert(expression(), Type::Int, AlarmId::IndexType);
   expect(Symbol::RightBracket);
   expect(Symbol::Assign);
@@ -52,8 +47,6 @@ void Compiler::assign_character(const Expr& string) {
   const Expr one = constant(Type::Int, 1.0, string.where);
   const Expr before = part_of(string, begin, &index);
   const Expr behind = part_of(string, arithmetic(OpCode::Add, index, one, string.where), nullptr);
-  Expr target = string;
-  target.element = number_constant(0.0);
   store(target, concatenate(concatenate(before, value, string.where), behind, string.where));
 }
 

@@ -15,6 +15,8 @@ constexpr std::string_view kAttributes[] = {"SAVE",   "DISPLOF",   "DISPLON", "S
                                             "SBLON",  "ACTBLOCNO", "ICYCOF",  "ICYCON",
                                             "PREPRO", "IPTRLOCK"};
 constexpr std::string_view kReadingAhead[] = {"SYNR", "SYNW", "SYNRW"};
+/// When a variable takes its first value again.
+constexpr std::string_view kInitialTimes[] = {"INIPO", "INIRE", "INICF", "PRLOC"};
 
 bool contains(auto& list, std::string_view name) {
   for (const std::string_view known : list) {
@@ -132,9 +134,22 @@ std::int32_t Compiler::define_local(Variable variable) {
   return index;
 }
 
+/// What another definition file has defined in the same way: one's own archive holds what is
+/// shipped with the cycles, too.  -1: nothing of the kind.
+std::int32_t Compiler::defined_alike(const Variable& variable) {
+  const Variable* const known = globals_.find(variable.name);
+  const bool is_alike = known != nullptr && !imported_.contains(variable.name) &&
+                        known->type == variable.type && known->shape == variable.shape &&
+                        known->longest == variable.longest && !peek().is(Symbol::Assign);
+  return is_alike ? import(*known) : -1;
+}
+
 std::int32_t Compiler::define(const Variable& variable) {
   if (purpose_ != Purpose::Definitions) {
     return define_local(variable);
+  }
+  if (const std::int32_t known = defined_alike(variable); known >= 0) {
+    return known;
   }
   const Variable* const global = definitions_->define(variable);
   if (global == nullptr) {
@@ -158,7 +173,8 @@ std::optional<double> Compiler::signed_constant() {
 Limits Compiler::definition_attributes() {
   Limits limits;
   while (!failed() && peek().kind == TokenKind::Name) {
-    if (contains(kReadingAhead, peek().text) || contains(kDataClasses, peek().text)) {
+    if (contains(kReadingAhead, peek().text) || contains(kDataClasses, peek().text) ||
+        contains(kInitialTimes, peek().text)) {
       next();
     } else if (contains(kNumbered, peek().text)) {
       next();
@@ -312,7 +328,14 @@ void Compiler::preset(Parameter& parameter) {
     return;
   }
   const Variable& variable = program_->variables[static_cast<std::size_t>(parameter.variable)];
-  const Expr value = unary();
+  Expr value = unary();
+  const bool is_text = value.is_constant && value.type == Type::String;
+  if (is_text && variable.type == Type::Char) {
+    const std::string& text = program_->text_constants[static_cast<std::size_t>(value.value.place)];
+    value = text.size() == 1
+                ? constant(Type::Char, static_cast<unsigned char>(text.front()), value.where)
+                : value;
+  }
   const bool same_kind = (value.type == Type::String) == (variable.type == Type::String);
   if (!failed() && (!value.is_constant || !same_kind)) {
     fail(AlarmId::InitialValueType, value.where, text_of(value.where));
@@ -337,6 +360,16 @@ void Compiler::proc_attributes() {
     program_->saves_codes = program_->saves_codes || attribute.text == "SAVE";
     program_->hides_blocks = program_->hides_blocks || attribute.text == "DISPLOF";
     program_->shows_actual_block = program_->shows_actual_block || attribute.text == "ACTBLOCNO";
+  }
+}
+
+/// REDEF changes who may see and write data: here everybody may.
+void Compiler::redef_statement() {
+  while (!failed() && peek().kind != TokenKind::End) {
+    if (peek().is_name("LLI") || peek().is_name("ULI")) {
+      fail(AlarmId::NotImplemented, peek().where, "REDEF with limits");
+    }
+    next();
   }
 }
 

@@ -3,12 +3,14 @@
 
 #include "interpreter/dialects/sinumerik/compiler.h"
 #include "interpreter/dialects/sinumerik/operators.h"
+#include "interpreter/dialects/sinumerik/text_format.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::sinumerik {
 namespace {
 
 constexpr int kSignLevel = 10;    // closer than any operator with two operands
+constexpr int kJoinLevel = 2;     // closer than <<
 constexpr int kDeepestNest = 64;  // of brackets and signs
 
 constexpr std::string_view symbol_text(Symbol symbol) {
@@ -62,6 +64,16 @@ int operator_row(const Token& token) {
   return found != rows.end() ? static_cast<int>(found - rows.begin()) : -1;
 }
 
+/// 'H12345678F': a constant in digits of its own that has too many of them.
+bool is_long_constant(std::string_view text) {
+  if (text.size() < 4 || text.front() != '\'' || text.back() != '\'') {
+    return false;
+  }
+  const char kind = upper(text[1]);
+  const std::string_view digits = kind == 'H' ? "0123456789ABCDEFabcdef" : kind == 'B' ? "01" : "";
+  return text.substr(2, text.size() - 3).find_first_not_of(digits) == std::string_view::npos;
+}
+
 ShortSpan joined(ShortSpan first, ShortSpan last) {
   return {std::min(first.begin, last.begin), std::max(first.end, last.end)};
 }
@@ -104,7 +116,8 @@ Expr Compiler::unary() {
   const bool negates = token.is(Symbol::Minus);
   const bool inverts = token.is_name("NOT");
   const bool flips = token.is_name("B_NOT");
-  if (!negates && !inverts && !flips && !token.is(Symbol::Plus)) {
+  const bool shows = token.is(Symbol::Concat);  // <<R1 is a text
+  if (!negates && !inverts && !flips && !shows && !token.is(Symbol::Plus)) {
     return primary();
   }
   next();
@@ -113,18 +126,25 @@ Expr Compiler::unary() {
     --depth_;
     return {};
   }
-  Expr operand = expression(kSignLevel);
+  Expr operand = expression(shows ? kJoinLevel : kSignLevel);
   --depth_;
   if (failed() || token.is(Symbol::Plus)) {
     return operand;
   }
+  return shows ? as_text(std::move(operand)) : inverted(token, std::move(operand));
+}
+
+/// - NOT B_NOT
+Expr Compiler::inverted(const Token& token, Expr operand) {
+  const bool negates = token.is(Symbol::Minus);
+  const bool inverts = token.is_name("NOT");
   if (negates && operand.is_constant && is_number(operand.type)) {
     const double value = program_->constants[static_cast<std::size_t>(operand.value.place)];
     return constant(operand.type, -value, joined(token.where, operand.where));
   }
-  operand = inverts ? boolean(std::move(operand))
-            : flips ? convert(std::move(operand), Type::Int)
-                    : std::move(operand);
+  operand = inverts   ? boolean(std::move(operand))
+            : negates ? std::move(operand)
+                      : convert(std::move(operand), Type::Int);
   if (!failed() && !is_number(operand.type)) {
     fail(AlarmId::WrongType, operand.where, std::string(name_of(operand.type)));
   }
@@ -151,10 +171,7 @@ Expr Compiler::primary() {
     result = constant(whole ? Type::Int : Type::Real, token.number, token.where);
   } else if (token.kind == TokenKind::Text) {
     next();
-    result.type = Type::String;
-    result.value = text_constant(one_byte_each(token.text));
-    result.is_constant = true;
-    result.where = token.where;
+    result = text_literal(token);
   } else if (accept(Symbol::LeftParen)) {
     result = expression();
     result.where = joined(token.where, peek().where);
@@ -165,9 +182,24 @@ Expr Compiler::primary() {
   } else if (token.kind == TokenKind::Letter) {
     result = letter_in_expression();
   } else {
-    fail(AlarmId::SyntaxInText, text_of(token.where));
+    const std::string text = text_of(token.where);
+    fail(is_long_constant(text) ? AlarmId::ConstantTooLarge : AlarmId::SyntaxInText, text);
   }
   --depth_;
+  return result;
+}
+
+Expr Compiler::text_literal(const Token& token) {
+  const auto text = with_characters(one_byte_each(token.text));
+  if (!text) {
+    fail(text.error(), token.where, text_of(token.where));
+    return {};
+  }
+  Expr result;
+  result.type = Type::String;
+  result.value = text_constant(text.value());
+  result.is_constant = true;
+  result.where = token.where;
   return result;
 }
 
@@ -352,7 +384,7 @@ Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
     emit(OpCode::TextToNumber, result.value, from.value, {}, from.where);
     last().detail = static_cast<std::uint8_t>(to);
     result.is_constant = false;
-  } else if (from.type == Type::Char && to == Type::String) {
+  } else if ((from.type == Type::Char || from.type == Type::Bool) && to == Type::String) {
     return as_text(std::move(from));
   } else {
     fail(mismatch, from.where,

@@ -20,8 +20,8 @@ bool Compiler::plain_block(ShortSpan line) {
     program_->block_numbers.push_back({static_cast<std::int32_t>(words.word().value), here() - 1});
     read = words.next();
   }
+  const bool has_statement = read == PlainWords::Read::Word;
   while (read == PlainWords::Read::Word && plain_word(words.word())) {
-    in_program_part_ = true;
     read = words.next();
   }
   if (read != PlainWords::Read::End || failed()) {
@@ -29,6 +29,7 @@ bool Compiler::plain_block(ShortSpan line) {
     take_back(first_step_);
     return false;
   }
+  in_program_part_ = in_program_part_ || has_statement;
   block_ = words.where();
   program_->spans.back() = block_;
   finish_words();

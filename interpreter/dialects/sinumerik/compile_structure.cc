@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "interpreter/dialects/sinumerik/compiler.h"
 
 namespace g31::sinumerik {
@@ -90,6 +92,20 @@ void Compiler::endloop_statement() {
   }
 }
 
+/// The element that FOR counts in, for the blocks behind it: what its index is made of may change.
+void Compiler::keep_element(Expr& counter) {
+  Variable element;
+  element.name = fmt::format("element of FOR {}", here());  // no name of a program
+  element.type = Type::Int;
+  const std::int32_t index = define_local(element);
+  if (index >= 0) {
+    const Variable& kept = program_->variables[static_cast<std::size_t>(index)];
+    const Operand place = {Bank::Locals, kept.place};
+    emit(OpCode::Move, place, counter.element, {}, counter.where);
+    counter.element = place;
+  }
+}
+
 /// FOR variable = first TO last: the end value is asked for at each pass.
 void Compiler::for_statement() {
   Expr counter = primary();
@@ -100,7 +116,7 @@ void Compiler::for_statement() {
   }
   expect(Symbol::Assign);
   if (!failed() && counter.element.bank == Bank::Temporaries) {
-    fail(AlarmId::NotImplemented, counter.where, "FOR with a computed element");
+    keep_element(counter);
   }
   counter.is_constant = counter.value.bank != Bank::Temporaries;
   if (!failed()) {

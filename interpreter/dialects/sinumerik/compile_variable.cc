@@ -11,6 +11,11 @@ Operand variable_number(std::int32_t variable) {
   return {Bank::Constants, variable};
 }
 
+/// Characters or components, which a further index names.
+bool has_parts(const Variable& variable) {
+  return variable.type == Type::String || variable.type == Type::Frame;
+}
+
 Bank bank_of(Storage storage) {
   return storage == Storage::Global ? Bank::Globals : Bank::Locals;
 }
@@ -75,30 +80,41 @@ Compiler::Element Compiler::element_of(std::int32_t variable) {
       break;
     }
   }
-  if (bracket && !failed()) {
+  element.is_open = bracket && has_parts(known) && accept(Symbol::Comma);
+  if (bracket && !element.is_open && !failed()) {
     if (peek().is(Symbol::Comma)) {
-      fail(AlarmId::InvalidIndex, peek().where, known.name);
+      fail(AlarmId::NoSuchElement, peek().where, known.name);
     }
     expect(Symbol::RightBracket);
   }
-  if (bracket && known.shape.dimensions == 0 && !failed()) {
-    fail(known.type == Type::String ? AlarmId::NoSingleCharacter : AlarmId::InvalidIndex, block_,
-         known.name);
-  }
-  if (dimension < known.shape.dimensions && !failed()) {
-    fail(AlarmId::InvalidIndex, block_, known.name);
+  const bool fits = dimension == known.shape.dimensions && !(bracket && dimension == 0);
+  if (!fits && !failed()) {
+    fail(AlarmId::NoSuchElement, block_, known.name);
   }
   return element;
 }
 
-/// The text of a STRING variable that is no array.
-Expr Compiler::whole_text(std::int32_t variable, ShortSpan where) {
-  Expr text = target_of(variable, where);
-  if (program_->variables[static_cast<std::size_t>(variable)].storage == Storage::Reference) {
-    text.value = temporary(Type::String);
-    emit(OpCode::LoadText, text.value, number_constant(0.0), variable_number(variable), where);
+/// What stands behind the name of a variable: an element, or at once a part of the only one.
+Compiler::Element Compiler::element_or_part(std::int32_t variable) {
+  const Variable& known = program_->variables[static_cast<std::size_t>(variable)];
+  if (known.shape.dimensions == 0 && has_parts(known) && accept(Symbol::LeftBracket)) {
+    return {number_constant(0.0), true, 0, true};
   }
-  return text;
+  return element_of(variable);
+}
+
+/// The value of an element: where it stands, or fetched from there.
+Expr Compiler::loaded(const Expr& target) {
+  if (target.is_constant) {
+    return target;
+  }
+  Expr value = target;
+  value.value = temporary(target.type);
+  const OpCode code = target.type == Type::String  ? OpCode::LoadText
+                      : target.type == Type::Frame ? OpCode::LoadFrame
+                                                   : OpCode::Load;
+  emit(code, value.value, target.element, variable_number(target.variable), target.where);
+  return value;
 }
 
 /// The value of a variable, of its element or component; a whole array where no index follows.
@@ -114,28 +130,19 @@ Expr Compiler::variable_access(std::int32_t variable, ShortSpan where) {
     result.is_whole_array = true;
     return result;
   }
-  if (is_character(known)) {
-    return character_access(whole_text(variable, where));
-  }
-  const bool component = known.type == Type::Frame && known.shape.dimensions == 0 && indexed;
-  const Element element = component ? Element{number_constant(0.0), true, 0} : element_of(variable);
-  result.element = element.number;
+  const Element element = element_or_part(variable);
+  place(result, element);
   result.where.end = peek().where.begin > where.end ? where.end : peek().where.begin;
-  if (element.is_fixed && known.storage != Storage::Reference) {
-    result.value = {bank_of(known.storage), known.place + element.offset};
-  } else {
-    result.value = temporary(known.type);
-    const OpCode code = known.type == Type::String  ? OpCode::LoadText
-                        : known.type == Type::Frame ? OpCode::LoadFrame
-                                                    : OpCode::Load;
-    emit(code, result.value, element.number, variable_number(variable), where);
+  result = loaded(result);
+  result.is_constant = false;
+  if (element.is_open) {
+    return known.type == Type::Frame ? component_access(result) : character_access(result);
   }
-  return component ? component_access(result) : result;
+  return result;
 }
 
-/// [X,TR] behind a frame.
+/// X,TR] behind a frame and a bracket.
 Expr Compiler::component_access(Expr frame) {
-  expect(Symbol::LeftBracket);
   const Expr axis = axis_operand();
   expect(Symbol::Comma);
   const Expr component = component_operand();
@@ -259,27 +266,26 @@ Expr Compiler::target_of(std::int32_t variable, ShortSpan where) const {
 }
 
 void Compiler::assign_variable(std::int32_t variable, ShortSpan where) {
-  const Variable known = program_->variables[static_cast<std::size_t>(variable)];
   Expr target = target_of(variable, where);
-  const bool component =
-      known.type == Type::Frame && known.shape.dimensions == 0 && peek().is(Symbol::LeftBracket);
-  if (component) {
-    assign_component(target);
+  const Element element = element_or_part(variable);
+  place(target, element);
+  if (element.is_open) {
+    target.type == Type::Frame ? assign_component(target) : assign_character(target);
     return;
   }
-  if (is_character(known)) {
-    assign_character(whole_text(variable, where));
-    return;
-  }
-  const Element element = element_of(variable);
-  target.element = element.number;
-  target.is_constant = element.is_fixed && known.storage != Storage::Reference;
-  target.value.place += element.offset;
   if (!accept(Symbol::Assign)) {
     fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
     return;
   }
   assign_element(target);
+}
+
+/// Makes a variable the element of it that an index list says.
+void Compiler::place(Expr& target, const Element& element) const {
+  const Variable& known = program_->variables[static_cast<std::size_t>(target.variable)];
+  target.element = element.number;
+  target.is_constant = element.is_fixed && known.storage != Storage::Reference;
+  target.value = {bank_of(known.storage), known.place + element.offset};
 }
 
 /// What stands behind `=`: a value, or a list for an array from this element on.
@@ -352,22 +358,20 @@ void Compiler::repeat_value(const Expr& target) {
 }
 
 /// A frame's component: the frame is read, changed and stored.
-void Compiler::assign_component(Expr frame) {
-  expect(Symbol::LeftBracket);
+void Compiler::assign_component(const Expr& frame) {
   const Expr axis = axis_operand();
   expect(Symbol::Comma);
   const Expr component = component_operand();
   expect(Symbol::RightBracket);
   expect(Symbol::Assign);
   const Expr value = convert(expression(), Type::Real);
-  const Operand zero = number_constant(0.0);
   const Operand changed = temporary(Type::Frame);
-  emit(OpCode::LoadFrame, changed, zero, variable_number(frame.variable), frame.where);
+  emit(OpCode::LoadFrame, changed, frame.element, variable_number(frame.variable), frame.where);
   const std::uint32_t first =
       keep_arguments({argument_of(value), argument_of(axis), argument_of(component)});
   emit(OpCode::StoreComponent, changed, {}, {Bank::Constants, static_cast<std::int32_t>(first)},
        frame.where);
-  emit(OpCode::StoreFrame, changed, zero, variable_number(frame.variable), frame.where);
+  emit(OpCode::StoreFrame, changed, frame.element, variable_number(frame.variable), frame.where);
 }
 
 void Compiler::check_limits(const Expr& target, Operand value) {

@@ -322,7 +322,7 @@ bool Compiler::named_word() {
       address && (*address == Address::Spindle || *address == Address::SpindleAsync ||
                   *address == Address::SpeedLimit);
   const bool indexed = of_spindle && peek(1).is(Symbol::LeftBracket);
-  if (!address || (!is_assigned(1) && !indexed)) {
+  if (!address || (!is_assigned(1) && !indexed && peek(1).kind != TokenKind::End)) {
     return false;
   }
   next();

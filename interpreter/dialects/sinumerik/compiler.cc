@@ -290,6 +290,10 @@ void Compiler::finish_words() {
 }
 
 void Compiler::emit_nc_block() {
+  if (purpose_ == Purpose::Definitions) {
+    fail(AlarmId::BadDefinition, block_, "a definition file has definitions only");
+    return;
+  }
   const Operand block = {Bank::Constants, size_of(program_->nc_blocks)};
   nc_.code_count = static_cast<std::uint16_t>(program_->codes.size() - nc_.first_code);
   nc_.word_count = static_cast<std::uint16_t>(program_->words.size() - nc_.first_word);

@@ -71,6 +71,7 @@ class Compiler {
     Operand number;
     bool is_fixed = false;  ///< `number` is a constant, `offset` its value
     std::int32_t offset = 0;
+    bool is_open = false;  ///< the brackets go on: a character or component of it follows
   };
   using Handler = void (Compiler::*)();
 
@@ -120,6 +121,8 @@ class Compiler {
   // compile_expression.cc
   Expr expression(int level = 0);
   Expr unary();
+  Expr inverted(const Token& token, Expr operand);
+  Expr text_literal(const Token& token);
   Expr primary();
   Expr name_in_expression();
   Expr letter_in_expression();
@@ -139,7 +142,9 @@ class Compiler {
   std::int32_t find_variable(std::string_view name);
   std::int32_t import(const Variable& variable);
   Expr variable_access(std::int32_t variable, ShortSpan where);
-  Expr whole_text(std::int32_t variable, ShortSpan where);
+  Element element_or_part(std::int32_t variable);
+  Expr loaded(const Expr& target);
+  void place(Expr& target, const Element& element) const;
   Element element_of(std::int32_t variable);
   Expr component_access(Expr frame);
   Expr system_access(const SystemName& name, ShortSpan where);
@@ -151,7 +156,7 @@ class Compiler {
   [[nodiscard]] Expr target_of(std::int32_t variable, ShortSpan where) const;
   void assign_variable(std::int32_t variable, ShortSpan where);
   void assign_element(const Expr& target);
-  void assign_component(Expr frame);
+  void assign_component(const Expr& frame);
   void assign_system(const SystemName& name, ShortSpan where);
   void assign_list(const Expr& target);
   void pass_over(const Token& datum);
@@ -162,9 +167,8 @@ class Compiler {
   Argument argument_of(const Expr& expr);
 
   // compile_character.cc
-  bool is_character(const Variable& variable) const;
-  Expr character_access(Expr string);
-  void assign_character(const Expr& string);
+  Expr character_access(const Expr& string);
+  void assign_character(const Expr& target);
   Expr part_of(const Expr& string, const Expr& first, const Expr* length);
 
   // compile_structure.cc
@@ -195,6 +199,7 @@ class Compiler {
   std::optional<Structure> close(StructureKind kind);
   std::optional<Structure> close_loop(StructureKind kind);
   void back_to(const Structure& loop);
+  void keep_element(Expr& counter);
 
   // compile_definition.cc
   bool begins_definition(std::string_view what);
@@ -202,6 +207,7 @@ class Compiler {
   void define_statement();
   void proc_statement();
   void extern_statement();
+  void redef_statement();
   void proc_parameter();
   void proc_attributes();
   struct DeclaredType {
@@ -215,6 +221,7 @@ class Compiler {
   std::optional<std::int32_t> whole_constant();
   Shape dimensions();
   void preset(Parameter& parameter);
+  std::int32_t defined_alike(const Variable& variable);
   std::int32_t define(const Variable& variable);
   std::optional<double> signed_constant();
   Limits definition_attributes();

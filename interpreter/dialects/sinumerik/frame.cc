@@ -55,8 +55,9 @@ AxisPositions Frame::undo(const AxisPositions& q) const {
 
 Frame Frame::chained(const Frame& inner) const {
   Frame all;
-  all.coarse_ = apply(inner.coarse_ + inner.fine_) - fine_;
-  all.fine_ = fine_;
+  const AxisPositions q_origin = apply(AxisPositions::Zero());
+  all.coarse_ = coarse_ + apply(inner.coarse_) - q_origin;
+  all.fine_ = fine_ + apply(inner.fine_) - q_origin;
   const Eigen::Vector3d mine = factors().head<3>();
   all.turn_ = turn_ * mine.asDiagonal() * inner.turn_ * mine.cwiseInverse().asDiagonal();
   all.scale_ = scale_.cwiseProduct(inner.scale_);

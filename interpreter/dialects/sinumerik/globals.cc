@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "machine/units/axis_positions.h"
+
 namespace g31::sinumerik {
 namespace {
 
@@ -23,7 +25,11 @@ Variable row_variable(std::string_view name, Type type, int count) {
   Variable variable;
   variable.name = name;
   variable.type = type;
-  variable.shape = count > 0 ? Shape{1, {count, 1, 1}} : Shape{};
+  constexpr int kAxes = static_cast<int>(kAxisCount);
+  const bool twice = name.starts_with("$MA_") && count > kAxes;
+  variable.shape = twice       ? Shape{2, {count / kAxes, kAxes, 1}}
+                   : count > 0 ? Shape{1, {count, 1, 1}}
+                               : Shape{};
   return variable;
 }
 

@@ -28,12 +28,19 @@ struct Piece {
   std::size_t end = 0;
 };
 
-/// Cuts a text at its headers.  Any other line that begins with % is a header without a name.
+/// Whether only blanks stand before it in its line.
+bool is_first_of_line(std::string_view text, std::size_t at) {
+  const std::size_t before = text.substr(0, at).find_last_not_of(' ');
+  return before == text.npos || text[before] == '\n';
+}
+
+/// Cuts a text at its headers, which may have blanks before them: a byte order mark has become
+/// such.  Any other line that begins with % is a header without a name.
 std::vector<Piece> pieces_of(std::string_view text) {
   std::vector<Piece> pieces;
   Piece now;
   for (std::size_t at = text.find('%'); at != text.npos; at = text.find('%', at + 1)) {
-    if (at > 0 && text[at - 1] != '\n') {
+    if (!is_first_of_line(text, at)) {
       continue;
     }
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -116,7 +123,7 @@ ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
     return Added::Unreadable;
   }
   loaded_.insert(path);
-  take(path, std::move(*text));
+  take(path, std::move(*text), Wanted::Everything);
   return Added::Yes;
 }
 
@@ -133,6 +140,10 @@ void ProgramLibrary::add_folder(const std::string& folder) {
       }
     } else if (parts.suffix == "ARC") {
       archives_.push_back(path);
+      auto text = loaded_.contains(path) ? std::nullopt : files_.read(path);
+      if (text) {
+        take(path, std::move(*text), Wanted::Definitions);
+      }
     } else if (!parts.suffix.empty()) {
       known.emplace(parts.stem, path);
     }
@@ -141,7 +152,7 @@ void ProgramLibrary::add_folder(const std::string& folder) {
 }
 
 /// Keeps the programs of a file.
-void ProgramLibrary::take(std::string path, std::string text) {
+void ProgramLibrary::take(std::string path, std::string text, Wanted wanted) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (text.starts_with(kByteOrderMark)) {
     text.replace(0, kByteOrderMark.size(), kByteOrderMark.size(), ' ');
@@ -154,9 +165,14 @@ void ProgramLibrary::take(std::string path, std::string text) {
     if (piece.header.empty() && is_blank(body)) {
       continue;
     }
-    auto entry = std::make_unique<Entry>();
     const bool has_name = ("%" + piece.header).starts_with(kHeader);
-    entry->name = has_name ? name_of_text(piece.header, "_") : of_file;
+    const ProgramName name = has_name ? name_of_text(piece.header, "_") : of_file;
+    const bool is_new_definition = name.suffix == "DEF" && find_entry(name, Near()) == nullptr;
+    if (wanted == Wanted::Definitions && !is_new_definition) {
+      continue;
+    }
+    auto entry = std::make_unique<Entry>();
+    entry->name = name;
     entry->name.folder = folder_in(body);
     entry->source = {
         entry->name.stem,
@@ -281,6 +297,14 @@ const CompiledProgram* ProgramLibrary::find(std::string_view written, const Near
     }
   } while (load_for(name));
   return nullptr;
+}
+
+const CompiledProgram* ProgramLibrary::written(const std::string& name, const std::string& text) {
+  texts_.push_back(std::make_unique<source::SourceFile>(name, text));
+  const ProgramSource source{
+      program_name(name).stem, texts_.back().get(), {0, static_cast<std::uint32_t>(text.size())}};
+  others_.push_back(compile(source, globals_));
+  return others_.back().get();
 }
 
 ProgramSource ProgramLibrary::loose_source(const std::string& text) {

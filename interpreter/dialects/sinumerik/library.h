@@ -24,8 +24,8 @@ std::string folder_name(std::string_view path);
 
 /// The programs that a run can call, in this order: those of the main file, further files, then
 /// folders as they were added.  A file holds one program, or many behind headers %_N_NAME_SPF.
-/// Files of a folder are read when they are first needed; definition files at once, INI files
-/// never.
+/// Files of a folder are read when they are first needed; definitions at once, those in archives
+/// too; INI files never.
 ///
 /// Programs of one name may lie in several folders of the control's memory, which `;$PATH=` behind
 /// a header names.  A call takes the one in the folder that it names; else that of the calling
@@ -63,6 +63,9 @@ class ProgramLibrary {
   /// A program by any form of its name, or nullptr.
   const CompiledProgram* find(std::string_view name, const Near& near);
 
+  /// A file that the run wrote itself, as a program; lives as long as the library.
+  const CompiledProgram* written(const std::string& name, const std::string& text);
+
   /// `text` as blocks among the local variables of `home`; lives as long as the library.
   const CompiledProgram* snippet(const std::string& text, const CompiledProgram& home);
   /// The same of one expression.
@@ -77,7 +80,8 @@ class ProgramLibrary {
     std::unique_ptr<CompiledProgram> compiled;
   };
 
-  void take(std::string path, std::string text);
+  enum class Wanted { Everything, Definitions };
+  void take(std::string path, std::string text, Wanted wanted);
   ProgramSource loose_source(const std::string& text);
   const CompiledProgram* begun(Entry& main);
   Entry* find_entry(const ProgramName& name, const Near& near);

@@ -12,6 +12,7 @@ using Form = Argument::Form;
 
 constexpr std::size_t kDeepestLevel = 16;  // main program included
 constexpr double kMostPasses = 9999.0;
+constexpr std::size_t kMostWritten = 10'000;  // programs that a run writes and calls: all are kept
 
 /// Groups that SAVE restores: all but the motion of one block.
 constexpr bool is_saved(int group) {
@@ -60,9 +61,28 @@ Result<const CompiledProgram*, Failure> Runner::called(const CallSite& site) {
     }
     return program;
   }
+  if (const CompiledProgram* const program = written_program(name)) {
+    return program;
+  }
   const bool is_l_number = name.size() > 1 && upper(name.front()) == 'L' && is_digit(name[1]);
   return failure(site.name.empty() || is_l_number ? AlarmId::ProgramNotFound : AlarmId::NotDefined,
                  name);
+}
+
+/// A program that WRITE has made, as it is now; nullptr: there is none.
+const CompiledProgram* Runner::written_program(std::string_view name) {
+  const ProgramName wanted = program_name(name);
+  for (const auto& [file, content] : channel_.files) {
+    const ProgramName parts = program_name(file);
+    const bool fits = parts.stem == wanted.stem && (wanted.suffix.empty() || parts.suffix.empty() ||
+                                                    wanted.suffix == parts.suffix);
+    if (fits && written_.size() < kMostWritten) {
+      const CompiledProgram*& made = written_[{file, content}];
+      made = made == nullptr ? library_.written(file, content) : made;
+      return made;
+    }
+  }
+  return nullptr;
 }
 
 /// What the call gives, taken before the level changes.
@@ -202,17 +222,18 @@ MaybeFailure Runner::take_argument(Level& into, const Parameter& parameter,
 MaybeFailure Runner::take_value(Level& into, const Variable& variable, const BoundValue& value) {
   const auto place = static_cast<std::size_t>(variable.place);
   const bool both_numbers = is_number(value.type) && is_number(variable.type);
-  const bool char_as_text = value.type == Type::Char && variable.type == Type::String;
+  const bool as_text =
+      (value.type == Type::Char || value.type == Type::Bool) && variable.type == Type::String;
   const bool text_as_char =
       value.type == Type::String && value.text.size() == 1 && variable.type == Type::Char;
   if (value.form == Form::Whole ||
-      (value.type != variable.type && !both_numbers && !char_as_text && !text_as_char)) {
+      (value.type != variable.type && !both_numbers && !as_text && !text_as_char)) {
     return failure(
         AlarmId::WrongArgumentType,
         fmt::format("{}: {} is no {}", variable.name, name_of(value.type), name_of(variable.type)));
   }
   if (variable.type == Type::String) {
-    const std::string given = char_as_text ? shown(Type::Char, value.number) : value.text;
+    const std::string given = as_text ? shown(value.type, value.number) : value.text;
     if (given.size() > static_cast<std::size_t>(variable.longest)) {
       return failure(AlarmId::StringTooLong, fmt::format("{}: \"{}\" in STRING[{}]", variable.name,
                                                          given, variable.longest));

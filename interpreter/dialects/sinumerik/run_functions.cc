@@ -171,12 +171,13 @@ MaybeFailure Runner::search_function(FunctionId id, const Op& op, Arguments list
     return std::nullopt;
   }
   const std::string& wanted = text(list[1].value);
-  if (id != FunctionId::MINDEX && wanted.size() != 1) {
+  const bool wants_one = id == FunctionId::INDEX || id == FunctionId::RINDEX;
+  if (wants_one && wanted.size() != 1) {
     return failure(AlarmId::BadArguments, fmt::format("{}: one character", info(id).name));
   }
-  const std::size_t at = id == FunctionId::RINDEX  ? in.rfind(wanted)
-                         : id == FunctionId::INDEX ? in.find(wanted)
-                                                   : in.find_first_of(wanted);
+  const std::size_t at = id == FunctionId::RINDEX   ? in.rfind(wanted)
+                         : id == FunctionId::MINDEX ? in.find_first_of(wanted)
+                                                    : in.find(wanted);
   number(op.result) = place_or_none(at);
   return std::nullopt;
 }

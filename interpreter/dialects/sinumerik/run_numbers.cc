@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,6 +12,12 @@ namespace {
 /// A code as switch takes it: not every switch is about all of them.
 constexpr int at(OpCode code) {
   return static_cast<int>(code);
+}
+
+/// Whether a comparison takes two numbers as equal: what binary digits lose makes no difference.
+bool are_equal(double a, double b) {
+  constexpr double kRelative = 1e-12;
+  return a == b || std::abs(a - b) <= kRelative * std::max(std::abs(a), std::abs(b));
 }
 
 std::int32_t bits(double number) {
@@ -37,6 +44,10 @@ bool Runner::take(const Op& op, double value) {
 bool Runner::take_truth(const Op& op, bool holds) {
   number(op.result) = holds ? 1.0 : 0.0;
   return true;
+}
+
+bool Runner::is_less(double a, double b) const {
+  return a < b && (!are_equal(a, b) || channel_.orders_exactly());
 }
 
 /// Does steps on numbers, jumps and the beginnings of blocks up to a step of another kind, which it
@@ -80,17 +91,17 @@ bool Runner::number_step(const Op& op) {
     case at(OpCode::Divide):
       return take(op, number(op.a) / number(op.b));
     case at(OpCode::Equal):
-      return take_truth(op, number(op.a) == number(op.b));
+      return take_truth(op, are_equal(number(op.a), number(op.b)));
     case at(OpCode::NotEqual):
-      return take_truth(op, number(op.a) != number(op.b));
+      return take_truth(op, !are_equal(number(op.a), number(op.b)));
     case at(OpCode::Less):
-      return take_truth(op, number(op.a) < number(op.b));
+      return take_truth(op, is_less(number(op.a), number(op.b)));
     case at(OpCode::Greater):
-      return take_truth(op, number(op.a) > number(op.b));
+      return take_truth(op, is_less(number(op.b), number(op.a)));
     case at(OpCode::LessEqual):
-      return take_truth(op, number(op.a) <= number(op.b));
+      return take_truth(op, number(op.a) <= number(op.b) || are_equal(number(op.a), number(op.b)));
     case at(OpCode::GreaterEqual):
-      return take_truth(op, number(op.a) >= number(op.b));
+      return take_truth(op, number(op.a) >= number(op.b) || are_equal(number(op.a), number(op.b)));
     case at(OpCode::CheckInt):
       return take_whole(op, Type::Int, AlarmId::ArithmeticError);
     case at(OpCode::Math):
@@ -200,7 +211,7 @@ bool Runner::index(const Op& op) {
   const double place = rounded(number(op.a));
   const int size = shape.size[op.detail];
   if (!(place >= 0.0 && place < size)) {
-    constexpr AlarmId kAlarms[] = {AlarmId::IndexOne, AlarmId::IndexTwo, AlarmId::InvalidIndex};
+    constexpr AlarmId kAlarms[] = {AlarmId::IndexOne, AlarmId::IndexTwo, AlarmId::IndexThree};
     return failed(kAlarms[op.detail],
                   fmt::format("{}[{}] of {}", known.name, shown(Type::Real, place), size));
   }

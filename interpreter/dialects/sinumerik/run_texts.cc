@@ -83,12 +83,13 @@ Runner::Taken Runner::text_step(const Op& op) {
 
 bool Runner::store_text(const Op& op) {
   const Reference target = variable(op.b.place);
-  const std::string& value = text(op.result);
+  std::string value = text(op.result);
+  value.resize(std::min(value.find('\0'), value.size()));  // the character 0 ends a text
   if (value.size() > static_cast<std::size_t>(target.longest)) {
     return failed(AlarmId::StringTooLong,
                   fmt::format("\"{}\" in STRING[{}]", value, target.longest));
   }
-  target.texts[static_cast<std::size_t>(number(op.a))] = value;
+  target.texts[static_cast<std::size_t>(number(op.a))] = std::move(value);
   return true;
 }
 

@@ -82,6 +82,7 @@ class Runner {
   bool mathematical_step(const Op& op);
   bool take(const Op& op, double value);
   bool take_truth(const Op& op, bool holds);
+  [[nodiscard]] bool is_less(double a, double b) const;
   bool take_whole(const Op& op, Type type, AlarmId alarm);
   bool is_within_limits(const Op& op);
   Taken array_step(const Op& op);
@@ -126,6 +127,7 @@ class Runner {
   MaybeFailure call(const Op& op);
   [[nodiscard]] ProgramLibrary::Near near() const;
   Result<const CompiledProgram*, Failure> called(const CallSite& site);
+  const CompiledProgram* written_program(std::string_view name);
   std::vector<BoundValue> bound(const CallSite& site);
   MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
   MaybeFailure take_arguments(Level& into, const std::vector<BoundValue>& values);
@@ -177,6 +179,8 @@ class Runner {
   ProgramLibrary& library_;
   /// What EXECSTRING compiled, by program and text.
   std::map<std::pair<const CompiledProgram*, std::string>, const CompiledProgram*> texts_run_;
+  /// The same of files that the run wrote, by name and text.
+  std::map<std::pair<std::string, std::string>, const CompiledProgram*> written_;
   Channel channel_;
   std::vector<std::unique_ptr<Level>> levels_;
   std::size_t depth_ = 0;

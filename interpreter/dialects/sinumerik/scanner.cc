@@ -25,6 +25,11 @@ constexpr SymbolRow kSymbols[] = {
     {"*", Symbol::Times},         {"/", Symbol::Slash},       {":", Symbol::Colon},
 };
 
+/// Control characters count as blanks, and so does &.
+constexpr bool is_blank(char c) {
+  return (c >= '\0' && c <= ' ') || c == '\x7F' || c == '&';
+}
+
 constexpr bool is_name_character(char c) {
   return is_letter(c) || is_digit(c) || c == '$';
 }
@@ -47,6 +52,20 @@ std::string one_byte_each(std::string_view text) {
   return bytes;
 }
 
+std::string as_utf8(std::string_view bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80U) {
+      text.push_back(c);
+    } else {
+      text.push_back(static_cast<char>(0xC0U | (byte >> 6U)));
+      text.push_back(static_cast<char>(0x80U | (byte & 0x3FU)));
+    }
+  }
+  return text;
+}
+
 void Scanner::scan(syntax::ShortSpan block, std::vector<Token>& tokens) {
   tokens.clear();
   tokens_ = &tokens;
@@ -56,7 +75,7 @@ void Scanner::scan(syntax::ShortSpan block, std::vector<Token>& tokens) {
   upper_.reserve(end_ - at_);  // names stay where they are written first
   while (at_ < end_ && text_[at_] != ';') {
     const char c = text_[at_];
-    if (c == ' ' || c == '\t' || c == '\r') {
+    if (is_blank(c)) {
       ++at_;
     } else {
       next(c);

@@ -22,8 +22,33 @@ struct Directive {
   int width = 0;
   std::optional<int> places;
   char kind = '\0';
-  char scale = '\0';  ///< of %P
 };
+
+/// The exponent as the language writes it: 1.5e-07 is 1.5EX-07.
+std::string with_exponent(std::string text) {
+  const std::size_t exponent = text.find('e');
+  return exponent == std::string::npos ? text : text.replace(exponent, 1, "EX");
+}
+
+/// A constant within a text: its digits, and how many of them are eight bits.
+struct Coded {
+  int base = 0;
+  std::size_t most = 0;
+  std::string_view digits;
+};
+
+/// What stands at the beginning of `text`, if that is 'H..' or 'B..'.
+std::optional<Coded> coded_at(std::string_view text) {
+  const char kind = text.size() > 3 && text.front() == '\'' ? upper(text[1]) : '\0';
+  const std::size_t end = kind == 'H' || kind == 'B' ? text.find('\'', 2) : std::string_view::npos;
+  if (end == std::string_view::npos || end == 2) {
+    return std::nullopt;
+  }
+  Coded found{kind == 'H' ? 16 : 2, kind == 'H' ? 2U : 8U, text.substr(2, end - 2)};
+  const std::string_view valid = kind == 'H' ? "0123456789ABCDEFabcdef" : "01";
+  const bool is_number = found.digits.find_first_not_of(valid) == std::string_view::npos;
+  return is_number ? std::optional(found) : std::nullopt;
+}
 
 class DirectiveReader {
  public:
@@ -84,7 +109,8 @@ std::optional<std::string> converted(const Directive& directive, const SprintVal
   const double number = without_sign_of_zero(value.number);
   switch (directive.kind) {
     case 'B':
-      return value.number != 0.0 ? "1" : "0";
+      return (value.type == Type::String ? !value.text.empty() : value.number != 0.0) ? "TRUE"
+                                                                                      : "FALSE";
     case 'C':
       return value.type == Type::String ? value.text.substr(0, 1) : character(value.number);
     case 'D':
@@ -92,9 +118,9 @@ std::optional<std::string> converted(const Directive& directive, const SprintVal
     case 'F':
       return fmt::format("{:.{}f}", number, places);
     case 'E':
-      return fmt::format("{:.{}e}", number, places);
+      return with_exponent(fmt::format("{:.{}e}", number, places));
     case 'G':
-      return fmt::format("{:.{}g}", number, directive.places.value_or(kPlaces));
+      return with_exponent(fmt::format("{:.{}g}", number, places));
     case 'X':
       return hexadecimal(value.number);
     case 'S': {
@@ -135,7 +161,7 @@ std::string shown(Type type, double value) {
     case Type::Axis:
       return number < 0.0 ? "" : std::string(1, kAxisLetters[static_cast<std::size_t>(number)]);
     case Type::Real:
-      return fmt::format("{:.{}g}", number, kShownDigits);
+      return with_exponent(fmt::format("{:.{}g}", number, kShownDigits));
     case Type::None:
     case Type::Bool:
     case Type::Int:
@@ -144,6 +170,34 @@ std::string shown(Type type, double value) {
       return fmt::format("{:.0f}", number);
   }
   return {};
+}
+
+Result<std::string, AlarmId> with_characters(std::string_view written) {
+  constexpr std::string_view kQuotes = "'''";
+  if (written.find('\'') == std::string_view::npos) {
+    return std::string(written);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < written.size();) {
+    const std::string_view rest = written.substr(i);
+    const bool are_quotes = rest.starts_with(kQuotes);
+    const auto coded = are_quotes ? std::nullopt : coded_at(rest);
+    if (coded && coded->digits.size() > coded->most) {
+      return coded->base == 16 ? AlarmId::HexTooLong : AlarmId::BinaryTooLong;
+    }
+    if (coded) {
+      int code = 0;
+      std::from_chars(coded->digits.data(), coded->digits.data() + coded->digits.size(), code,
+                      coded->base);
+      text.push_back(static_cast<char>(static_cast<unsigned char>(code)));
+      i += coded->digits.size() + kQuotes.size();
+    } else {
+      const std::size_t plain = are_quotes ? kQuotes.size() : 1;
+      text += rest.substr(0, plain);
+      i += plain;
+    }
+  }
+  return text;
 }
 
 std::optional<double> number_in(std::string_view text) {

@@ -5,7 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/dialects/sinumerik/alarms.h"
 #include "interpreter/dialects/sinumerik/value_type.h"
+#include "machine/base/result.h"
 
 namespace g31::sinumerik {
 
@@ -17,6 +19,10 @@ std::string shown(Type type, double number);
 constexpr double without_sign_of_zero(double number) {
   return number + 0.0;
 }
+
+/// A text as it was written, each 'H41' or 'B01000001' in it made the character of that code, 0 to
+/// 255; three quotes on end are no such constant.  A longer one is alarm 12220 or 12230.
+Result<std::string, AlarmId> with_characters(std::string_view written);
 
 /// The number that a text shows, blanks around it left out; nullopt: it shows none.
 std::optional<double> number_in(std::string_view text);
