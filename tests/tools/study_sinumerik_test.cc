@@ -59,11 +59,19 @@ TEST(SinumerikStudy, ComputesWithRParametersAndResults) {
   EXPECT_EQ(json::parse(output.out).at("study").at("control"), "sinumerik-828d");
 }
 
+TEST(SinumerikStudy, ReadsLocalVariablesOfTheMainProgram) {
+  const SinumerikStudy study("DEF REAL DIA=1, LIST[3]\nLIST[2]=R5\nDIA=LIST[2]*2\nM30\n",
+                             "[variables]\nR5 = 3.0\n");
+  const StudyOutput output =
+      study_document(study.options("", "[results.a]\nvalue = \"DIA + LIST[2]\"\n"));
+  EXPECT_EQ(results_in(output), (std::vector<std::vector<double>>{{9.0}}));
+}
+
 TEST(SinumerikStudy, KeepsWhatAProgramBeforeLeaves) {
-  const SinumerikStudy study("R2=$SNS_MEA_WP_BALL_DIAM[0]+R1\nM30\n", "");
+  const SinumerikStudy study("DEF REAL SUM\nSUM=$SNS_MEA_WP_BALL_DIAM[0]+R1\nM30\n", "");
   study.folder().write("calibrate.mpf", "$SNS_MEA_WP_BALL_DIAM[0]=5.5\nR1=1\nM30\n");
   const StudyOutput output = study_document(
-      study.options("before = \"calibrate.mpf\"\n", "[results.a]\nvalue = \"R2\"\n"));
+      study.options("before = \"calibrate.mpf\"\n", "[results.a]\nvalue = \"SUM\"\n"));
   EXPECT_EQ(results_in(output), (std::vector<std::vector<double>>{{6.5}}));
 }
 

@@ -95,7 +95,7 @@ std::optional<double> number_of(ControlSession& session, const std::string& name
   return cell != nullptr && !cell->is_vacant() ? std::optional(cell->raw()) : std::nullopt;
 }
 
-/// Before the program ran: a local variable of it is not there yet, either.
+/// Before the program ran.
 std::optional<std::string> why_no_number(ControlSession& session, const std::string& name) {
   const auto value = session.variable(name);
   if (!value) {
@@ -228,7 +228,7 @@ std::optional<Refusal> StudyRuns::try_control() {
   if (!geometry.parts->ok()) {
     return geometry.parts->error();
   }
-  const SessionPointer session = session_of(0, machine, nobody).value();
+  const SessionPointer session = session_of(programs_.size() - 1, machine, nobody).value();
   if (const auto refused = session->configure(job.value().control); !refused.empty()) {
     return refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; ")));
   }

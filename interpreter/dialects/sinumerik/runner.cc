@@ -92,6 +92,7 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
     return outcome;
   }
   start(*main);
+  has_run_ = true;
   channel_.arrived_at_machine();
   channel_.budget = runtime::BudgetWatch(budget);
   MaybeFailure reason = loop();
@@ -371,7 +372,12 @@ void Runner::run_before(const CompiledProgram& program) {
 }
 
 Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {
-  const CompiledProgram* const program = library_.expression(expression, home());
+  const CompiledProgram* const main = has_run_ ? nullptr : library_.main_program();
+  const CompiledProgram* const program =
+      library_.expression(expression, main != nullptr ? *main : home());
+  if (main != nullptr) {
+    start(*program);
+  }
   if (const MaybeFailure reason = run_among(*program)) {
     return fmt::format("{} {}", info(reason->id).text, reason->detail);
   }

@@ -39,7 +39,7 @@ class Runner {
 
   /// Runs `text` on its own, among the variables of the main program.  @returns why it failed
   std::optional<std::string> run_text(const std::string& text);
-  /// The value of an expression after a run.
+  /// The value of an expression after a run; before it local variables have their first values.
   Result<ShownValue, std::string> value_of(const std::string& expression);
 
   /// Sets the initial values of a definition file, or runs an INI file.  The outcome of the next
@@ -199,6 +199,7 @@ class Runner {
   /// What calls by name have found: programs stay, so it counts until CALLPATH.
   std::unordered_map<const CallSite*, const CompiledProgram*> found_calls_;
   bool ended_ = false;
+  bool has_run_ = false;  ///< the main program
   std::optional<runtime::Outcome> early_failure_;
 };
 

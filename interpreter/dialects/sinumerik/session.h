@@ -36,7 +36,8 @@ class Session {
   runtime::Outcome run(const runtime::Budget& budget);
 
   /// The value of what `--print` names, any expression of the language; the reason when there is
-  /// none.  Local variables are those of the main program.
+  /// none.  Local variables are those of the main program; before the run they have their first
+  /// values.
   Result<runtime::ShownValue, std::string> variable(const std::string& name);
 
   /// R parameters, GUD and data that differ from what they are after power on and loading: numbers
