@@ -229,7 +229,7 @@ class Compiler {
   void axis_word(const AxisWordInfo& row);
   void axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where);
   bool named_word();
-  void spindle_index(const Token& name);
+  void spindle_index();
   void word(Address address, ShortSpan where);
   void emit_word(Address address, Modification modification, const Expr& value);
   Expr word_value(Modification& modification);
