@@ -176,6 +176,8 @@ class Compiler {
   void jump_to(Direction direction);
   bool jump_statement();
   void repeat_part(bool one_block);
+  void emit_part(PartToRepeat part, Operand passes);
+  void call_block();
   std::optional<std::string> label_name();
   void open(StructureKind kind, std::int32_t head, std::int32_t exit);
   std::optional<Structure> close(StructureKind kind);
