@@ -99,6 +99,7 @@ enum class OpCode : std::uint8_t {
   TextWord,       ///< the same with text a
   AxisWord,       ///< row `detail` of axis_words.def of axis a, value b, modification `count`
   AxisMeasuring,  ///< axis a, trigger b, mode in the number `result`; `detail` 1: MEAWA
+  CheckSpindle,   ///< there is a spindle of number a
   SkipAction,     ///< the next move ends when the signal of probe a is at level b
   Execute,        ///< the NC block nc_blocks[b.place]
   NcBlock,        ///< Block and Execute in one: nothing is to be computed

@@ -69,13 +69,14 @@ void Compiler::call(CallSite site, ShortSpan where) {
 /// CALL text
 void Compiler::call_statement() {
   if (peek().is_name("BLOCK")) {
-    fail(AlarmId::NotImplemented, block_, "CALL BLOCK");
+    call_block();
     return;
   }
   CallSite site;
   const Expr name = as_text(expression());
   if (peek().is_name("BLOCK")) {
-    fail(AlarmId::NotImplemented, block_, "CALL BLOCK");
+    fail(AlarmId::NotImplemented, block_,
+         "CALL BLOCK of another program: make a program of its own of the part");
     return;
   }
   site.text = name.value;

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/compiler.h"
@@ -236,13 +238,31 @@ void Compiler::repeat_part(bool one_block) {
     passes = convert(expression(), Type::Int);
   }
   expect_end();
+  emit_part(std::move(part), passes.value);
+}
+
+void Compiler::emit_part(PartToRepeat part, Operand passes) {
   part.site = program_->repeats.size();
   program_->repeats.emplace_back();
   part.step = emit(OpCode::RepeatPart, {}, {Bank::Constants, static_cast<std::int32_t>(part.site)},
-                   passes.value, block_);
+                   passes, block_);
   if (!failed()) {
-    parts_.push_back(part);
+    parts_.push_back(std::move(part));
   }
+}
+
+/// BLOCK first TO last behind CALL: the part of this program once, as REPEAT first last runs it.
+void Compiler::call_block() {
+  next();
+  PartToRepeat part;
+  part.first = label_name().value_or("");
+  const bool goes_to = accept_name("TO");
+  part.end = label_name().value_or("");
+  if (part.first.empty() || !goes_to || part.end.empty()) {
+    fail(AlarmId::SyntaxInText, block_, "CALL BLOCK first TO last");
+  }
+  expect_end();
+  emit_part(std::move(part), number_constant(1.0));
 }
 
 /// CASE (expression) OF value jump value jump DEFAULT jump.  A block ends with its line: the values

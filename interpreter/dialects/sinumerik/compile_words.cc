@@ -62,6 +62,9 @@ void Compiler::letter_word(const Token& letter) {
     fail(AlarmId::NoSuchAddress, letter.where, name);
     return;
   }
+  if (of_spindle && !letter.is_letter('T') && peek().is(Symbol::LeftBracket)) {
+    spindle_index();
+  }
   if (letter.is_letter('M')) {
     m_word(letter.where);
     return;
@@ -293,14 +296,16 @@ void Compiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSp
   has_words_ = true;
 }
 
-/// [1] behind SPOS, SPOSA or LIMS.
-void Compiler::spindle_index(const Token& name) {
+/// [n] behind M, S, SPOS, SPOSA or LIMS, and = behind it.
+void Compiler::spindle_index() {
+  const ShortSpan where = peek().where;
   expect(Symbol::LeftBracket);
-  const Token number = next();
+  const Expr number = convert(expression(), Type::Int, AlarmId::IndexType);
   expect(Symbol::RightBracket);
-  if (number.kind != TokenKind::Integer || number.number != kSpindle) {
-    fail(AlarmId::NoSuchAddress, number.where, text_of({name.where.begin, number.where.end}) + "]");
+  if (!failed() && !is_assigned(0)) {
+    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
   }
+  emit(OpCode::CheckSpindle, {}, number.value, {}, where);
 }
 
 /// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.
@@ -327,7 +332,7 @@ bool Compiler::named_word() {
   }
   next();
   if (indexed) {
-    spindle_index(name);
+    spindle_index();
   }
   word(*address, name.where);
   return true;

@@ -194,6 +194,8 @@ class Compiler {
   void jump_to(Direction direction);
   bool jump_statement();
   void repeat_part(bool one_block);
+  void emit_part(PartToRepeat part, Operand passes);
+  void call_block();
   std::optional<std::string> label_name();
   void open(StructureKind kind, std::int32_t head, std::int32_t exit);
   std::optional<Structure> close(StructureKind kind);
@@ -251,7 +253,7 @@ class Compiler {
   void axis_word(const AxisWordInfo& row);
   void axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where);
   bool named_word();
-  void spindle_index(const Token& name);
+  void spindle_index();
   void word(Address address, ShortSpan where);
   void emit_word(Address address, Modification modification, const Expr& value);
   Expr word_value(Modification& modification);

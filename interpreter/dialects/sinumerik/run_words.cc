@@ -85,6 +85,14 @@ MaybeFailure Runner::take_axis_measuring(const Op& op) {
   return std::nullopt;
 }
 
+/// Spindle 1, or 0 for the master spindle, which it is.
+MaybeFailure Runner::check_spindle(const Op& op) {
+  const double which = number(op.a);
+  return which == 0.0 || which == 1.0
+             ? std::nullopt
+             : std::optional(failure(AlarmId::NoSuchAddress, fmt::format("spindle {:g}", which)));
+}
+
 MaybeFailure Runner::take_skip_action(const Op& op) {
   const double probe = number(op.a);
   if (probe < 1.0 || probe > Channel::kMostProbes) {

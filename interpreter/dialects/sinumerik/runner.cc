@@ -159,6 +159,8 @@ MaybeFailure Runner::other_step(const Op& op) {
       return take_axis_word(op);
     case static_cast<int>(OpCode::AxisMeasuring):
       return take_axis_measuring(op);
+    case static_cast<int>(OpCode::CheckSpindle):
+      return check_spindle(op);
     case static_cast<int>(OpCode::SkipAction):
       return take_skip_action(op);
     case static_cast<int>(OpCode::Execute):

@@ -168,6 +168,7 @@ class Runner {
   MaybeFailure take_axis_word(const Op& op);
   MaybeFailure take_axis_setting(const BlockWords::AxisSetting& setting);
   MaybeFailure take_axis_measuring(const Op& op);
+  MaybeFailure check_spindle(const Op& op);
   MaybeFailure take_skip_action(const Op& op);
   bool set_word(std::size_t address, double value, Modification modification = Modification::None);
   MaybeFailure execute(const Op& op);

@@ -119,11 +119,12 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
   path.g = channel.group[1] == kRapid && block.code_of(2) == nullptr ? 0 : 1;
   if (path.g == 1) {
     const AxisPositions q_M_start = channel.machine_position();
-    const auto feed = channel.group[1] >= kThread && channel.group[1] < kTangential
-                          ? thread_feed(channel, block, path.q_M_end - q_M_start)
-                          : feed_in_force(channel, block,
-                                          feed_way(channel, block, q_W_end.value(),
-                                                   feed_length(q_M_start, path.q_M_end)));
+    const bool is_thread = channel.group[1] >= kThread && channel.group[1] < kTangential &&
+                           block.code_of(2) == nullptr;  // G63 has F
+    const auto feed = is_thread ? thread_feed(channel, block, path.q_M_end - q_M_start)
+                                : feed_in_force(channel, block,
+                                                feed_way(channel, block, q_W_end.value(),
+                                                         feed_length(q_M_start, path.q_M_end)));
     if (!feed) {
       return feed.error();
     }

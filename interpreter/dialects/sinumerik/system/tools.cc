@@ -51,6 +51,9 @@ double list_value(Channel& channel, const SystemAccess& access) {
   switch (static_cast<int>(access.id)) {
     case static_cast<int>(SystemId::ToolExists):
       return tool != nullptr ? 1.0 : 0.0;
+    case static_cast<int>(SystemId::ToolMagazine):
+    case static_cast<int>(SystemId::ToolPlace):
+      return 0.0;
     case static_cast<int>(SystemId::ToolAt):
       return number_at(channel.tools, which);
     case static_cast<int>(SystemId::EdgeCount):
@@ -107,7 +110,7 @@ Result<double, Failure> tool_value(Channel& channel, const SystemAccess& access)
 
 bool is_of_tools(SystemId id) {
   return (id >= SystemId::ToolRadius && id <= SystemId::ActiveEdgeData) ||
-         id == SystemId::ToolExists || (id >= SystemId::ToolAt && id <= SystemId::EdgeAt) ||
+         id == SystemId::ToolExists || (id >= SystemId::ToolAt && id <= SystemId::ToolPlace) ||
          (id >= SystemId::EdgeParameter && id <= SystemId::ToolState);
 }
 
@@ -115,8 +118,8 @@ Result<double, Failure> tool_number_of(Channel& channel, const SystemAccess& acc
   if (access.id <= SystemId::ActiveEdgeData) {
     return active_edge_value(channel, access);
   }
-  return access.id <= SystemId::EdgeAt ? Result<double, Failure>(list_value(channel, access))
-                                       : tool_value(channel, access);
+  return access.id <= SystemId::ToolPlace ? Result<double, Failure>(list_value(channel, access))
+                                          : tool_value(channel, access);
 }
 
 MaybeFailure set_tool_number(Channel& channel, SystemAccess access, double value) {
