@@ -53,6 +53,8 @@ MaybeFailure Runner::procedure(const Op& op) {
       return std::nullopt;
     case static_cast<int>(ProcedureId::DELT):
       return delete_tool(list);
+    case static_cast<int>(ProcedureId::TCA):
+      return select_named_tool(list);
     case static_cast<int>(ProcedureId::CALLPATH):
       channel_.call_path = list.empty() ? std::string() : text(list[0].value);
       found_calls_.clear();

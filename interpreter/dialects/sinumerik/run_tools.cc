@@ -108,14 +108,28 @@ MaybeFailure Runner::new_tool(const Op& op, const std::string& name, double dupl
   return std::nullopt;
 }
 
+/// The tool of a name and, if it is there, a duplo number; 0 or less: there is none.
+double Runner::tool_named(Arguments list) {
+  const std::string& name = text(list[0].value);
+  return list.size() > 1 ? number_of_tool(channel_.tools, name, rounded(number(list[1].value)))
+                         : first_of_name(channel_.tools, name);
+}
+
+/// TCA(name, duplo, holder)
+MaybeFailure Runner::select_named_tool(Arguments list) {
+  const double found = tool_named(list);
+  if (found <= 0.0) {
+    return failure(AlarmId::BadToolName, text(list[0].value));
+  }
+  channel_.selected_tool = static_cast<int>(found);
+  return std::nullopt;
+}
+
 /// DELT(name, duplo)
 MaybeFailure Runner::delete_tool(Arguments list) {
-  const std::string name = text(list[0].value);
-  const double found = list.size() > 1
-                           ? number_of_tool(channel_.tools, name, rounded(number(list[1].value)))
-                           : first_of_name(channel_.tools, name);
+  const double found = tool_named(list);
   if (found <= 0.0) {
-    return failure(AlarmId::BadToolName, name);
+    return failure(AlarmId::BadToolName, text(list[0].value));
   }
   const auto which = static_cast<int>(found);
   if (which == channel_.tool || which == channel_.selected_tool) {

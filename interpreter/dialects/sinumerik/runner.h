@@ -118,6 +118,8 @@ class Runner {
   MaybeFailure tool_function(FunctionId id, const Op& op, Arguments list);
   MaybeFailure new_tool(const Op& op, const std::string& name, double duplo);
   MaybeFailure delete_tool(Arguments list);
+  MaybeFailure select_named_tool(Arguments list);
+  double tool_named(Arguments list);
 
   // run_geometry.cc
   MaybeFailure circle_function(const Op& op, Arguments list);
