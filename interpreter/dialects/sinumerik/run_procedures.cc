@@ -25,7 +25,7 @@ MaybeFailure Runner::procedure(const Op& op) {
   switch (static_cast<ProcedureId>(op.detail)) {
     case ProcedureId::MSG:
       if (!list.empty()) {
-        channel_.observer.on_output(text(list[0].value) + "\n");
+        channel_.observer.on_message(text(list[0].value) + "\n");
       }
       return std::nullopt;
     case ProcedureId::SETAL:
