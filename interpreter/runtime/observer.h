@@ -54,8 +54,10 @@ class Observer {
   /// G20 and G21, G70 and G71: what lengths count from here on; millimetres at first.
   virtual void on_length_unit(LengthUnit) {}
   virtual void on_stop(const StopEvent&) {}
-  /// Bytes for the printer port (DPRNT) or the operator (MSG).
+  /// Bytes for the printer port (DPRNT).
   virtual void on_output(std::string_view) {}
+  /// A line for the operator (MSG), one byte a character; it stands among the printouts.
+  virtual void on_message(std::string_view text) { on_output(text); }
 };
 
 }  // namespace g31::runtime

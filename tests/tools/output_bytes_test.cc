@@ -1,4 +1,4 @@
-// What DPRNT and BPRNT send reaches standard output byte for byte.
+// What DPRNT and BPRNT send reaches standard output byte for byte; messages are text.
 
 #include <string>
 
@@ -22,6 +22,23 @@ TEST(OutputBytes, ReachStandardOutputAsTheyAre) {
   const std::string bytes = ::testing::internal::GetCapturedStdout();
   EXPECT_EQ(static_cast<int>(code), 0);
   EXPECT_EQ(bytes, std::string("A \x00\x00\x01\x96\xFF\xE7\x00\x00\nZ- 1638.4\n", 21));
+}
+
+TEST(OutputBytes, OfMessagesAreLettersForATerminal) {
+  const testing::TemporaryFolder folder;
+  cli::RunOptions options;
+  // MSG in Latin-1, as old archives have it.
+  options.programs = {
+      folder.write("main.mpf", "DEF STRING[9] TT=\"\xDF\"\nMSG(\"Gr\xFC\"<<TT<<\"e\")\nM30\n")};
+  options.control = "sinumerik-828d";
+  options.prints = {"TT"};
+  ::testing::internal::CaptureStdout();
+  const auto code = cli::run_command(options);
+  const std::string text = ::testing::internal::GetCapturedStdout();
+  EXPECT_EQ(static_cast<int>(code), 0);
+  EXPECT_EQ(text,
+            "Gr\xC3\xBC\xC3\x9F"
+            "e\nTT = \xC3\x9F\n");
 }
 
 }  // namespace

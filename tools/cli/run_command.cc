@@ -38,6 +38,12 @@ class EchoingRecorder final : public report::RunRecorder {
     }
     printouts_.write(text);
   }
+  void on_message(std::string_view text) override {
+    if (keeps_) {
+      RunRecorder::on_output(text);
+    }
+    printouts_.write(report::bytes_as_text(std::string(text)));
+  }
   void on_stop(const runtime::StopEvent& event) override {
     if (keeps_) {
       RunRecorder::on_stop(event);

@@ -366,8 +366,8 @@ void Compiler::proc_attributes() {
 /// REDEF changes who may see and write data: here everybody may.
 void Compiler::redef_statement() {
   while (!failed() && peek().kind != TokenKind::End) {
-    if (peek().is_name("LLI") || peek().is_name("ULI")) {
-      fail(AlarmId::NotImplemented, peek().where, "REDEF with limits");
+    if (peek().is_name("LLI") || peek().is_name("ULI") || peek().is(Symbol::Assign)) {
+      fail(AlarmId::NotImplemented, peek().where, "REDEF with limits or a value");
     }
     next();
   }

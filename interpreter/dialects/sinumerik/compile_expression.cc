@@ -357,6 +357,23 @@ Expr Compiler::arithmetic(OpCode code, Expr left, Expr right, ShortSpan where) {
   return result;
 }
 
+/// A number in its new type: where that has fewer values, a step rounds and checks it.
+void Compiler::narrow(Expr& value, Type from) {
+  const Type to = value.type;
+  const bool narrows = to == Type::Bool || (to == Type::Char && from != Type::Bool) ||
+                       (to == Type::Int && from == Type::Real);
+  if (!narrows) {
+    return;
+  }
+  const OpCode code = to == Type::Bool   ? OpCode::ToBool
+                      : to == Type::Char ? OpCode::ToChar
+                                         : OpCode::ToInt;
+  const Operand given = value.value;
+  value.value = temporary(to);
+  emit(code, value.value, given, {}, value.where);
+  value.is_constant = false;
+}
+
 Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
   if (!failed() && from.is_whole_array) {
     fail(AlarmId::InvalidIndex, from.where, "an array is no value");
@@ -369,16 +386,7 @@ Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
   result.variable = -1;
   const bool to_number = is_number(to);
   if (is_number(from.type) && to_number) {
-    const bool narrows = to == Type::Bool || (to == Type::Char && from.type != Type::Bool) ||
-                         (to == Type::Int && from.type == Type::Real);
-    if (narrows) {
-      const OpCode code = to == Type::Bool   ? OpCode::ToBool
-                          : to == Type::Char ? OpCode::ToChar
-                                             : OpCode::ToInt;
-      result.value = temporary(to);
-      emit(code, result.value, from.value, {}, from.where);
-      result.is_constant = false;
-    }
+    narrow(result, from.type);
   } else if (from.type == Type::String && (to == Type::Bool || to == Type::Char)) {
     result.value = temporary(to);
     emit(OpCode::TextToNumber, result.value, from.value, {}, from.where);

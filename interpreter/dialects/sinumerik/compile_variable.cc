@@ -40,56 +40,56 @@ std::int32_t Compiler::import(const Variable& variable) {
   return found->second;
 }
 
+/// Counts one more index in: at once where it is known, else by a step.
+void Compiler::add_index(Element& element, std::int32_t variable, const Expr& index,
+                         int dimension) {
+  if (!failed() && !is_held_as_number(index.type)) {
+    fail(AlarmId::IndexType, index.where, std::string(name_of(index.type)));
+  }
+  if (failed()) {
+    return;
+  }
+  const Variable& known = program_->variables[static_cast<std::size_t>(variable)];
+  const int size = known.shape.size[static_cast<std::size_t>(dimension)];
+  const double value =
+      index.is_constant ? program_->constants[static_cast<std::size_t>(index.value.place)] : -1.0;
+  const bool inside = value >= 0.0 && value < size && value == static_cast<std::int32_t>(value) &&
+                      known.storage != Storage::Reference;
+  if (element.is_fixed && inside) {
+    element.offset = element.offset * size + static_cast<std::int32_t>(value);
+    element.number = number_constant(element.offset);
+    return;
+  }
+  const Operand result = temporary(Type::Int);
+  emit(OpCode::Move, result, element.number, {}, index.where);
+  emit(OpCode::Index, result, index.value, variable_number(variable), index.where);
+  last().detail = static_cast<std::uint8_t>(dimension);
+  element = {result, false, 0};
+}
+
 /// The element that [..] behind a variable names; number 0 where there are no brackets.
 Compiler::Element Compiler::element_of(std::int32_t variable) {
   const Variable known = program_->variables[static_cast<std::size_t>(variable)];
   Element element{number_constant(0.0), true, 0};
-  const bool is_r = known.name == "R" && peek().kind == TokenKind::Integer;
+  if (known.name == "R" && peek().kind == TokenKind::Integer) {
+    const Token& number = next();
+    add_index(element, variable, constant(Type::Int, number.number, number.where), 0);
+    return element;
+  }
+  const bool bracket = accept(Symbol::LeftBracket);
+  const int most = bracket ? std::max(1, known.shape.dimensions) : 0;
   int dimension = 0;
-  const bool bracket = !is_r && accept(Symbol::LeftBracket);
-  while ((bracket || is_r) && !failed() && dimension < std::max(1, known.shape.dimensions)) {
-    if (dimension > 0 && peek().is(Symbol::RightBracket)) {
-      break;  // too few of them: said below
-    }
-    if (dimension > 0) {
-      expect(Symbol::Comma);
-    }
-    Expr index = is_r ? constant(Type::Int, next().number, peek().where) : expression();
-    if (!failed() && !is_held_as_number(index.type)) {
-      fail(AlarmId::IndexType, index.where, std::string(name_of(index.type)));
-      break;
-    }
-    const auto at = static_cast<std::size_t>(dimension);
-    const double value =
-        index.is_constant ? program_->constants[static_cast<std::size_t>(index.value.place)] : -1.0;
-    const bool inside = value >= 0.0 && value < known.shape.size[at] &&
-                        value == static_cast<std::int32_t>(value) &&
-                        known.storage != Storage::Reference;
-    if (element.is_fixed && inside) {
-      element.offset = element.offset * known.shape.size[at] + static_cast<std::int32_t>(value);
-      element.number = number_constant(element.offset);
-    } else {
-      const Operand result = temporary(Type::Int);
-      emit(OpCode::Move, result, element.number, {}, index.where);
-      emit(OpCode::Index, result, index.value, variable_number(variable), index.where);
-      last().detail = static_cast<std::uint8_t>(dimension);
-      element = {result, false, 0};
-    }
-    ++dimension;
-    if (is_r) {
-      break;
-    }
+  while (!failed() && dimension < most && (dimension == 0 || accept(Symbol::Comma))) {
+    add_index(element, variable, expression(), dimension++);
   }
   element.is_open = bracket && has_parts(known) && accept(Symbol::Comma);
-  if (bracket && !element.is_open && !failed()) {
-    if (peek().is(Symbol::Comma)) {
-      fail(AlarmId::NoSuchElement, peek().where, known.name);
-    }
-    expect(Symbol::RightBracket);
-  }
-  const bool fits = dimension == known.shape.dimensions && !(bracket && dimension == 0);
+  const bool too_many = bracket && peek().is(Symbol::Comma);
+  const bool fits = dimension == known.shape.dimensions && !too_many;
   if (!fits && !failed()) {
-    fail(AlarmId::NoSuchElement, block_, known.name);
+    fail(AlarmId::NoSuchElement, too_many ? peek().where : block_, known.name);
+  }
+  if (bracket && !element.is_open) {
+    expect(Symbol::RightBracket);
   }
   return element;
 }

@@ -134,6 +134,7 @@ class Compiler {
   Expr concatenate(Expr left, Expr right, ShortSpan where);
   Expr arithmetic(OpCode code, Expr left, Expr right, ShortSpan where);
   Expr convert(Expr from, Type to, AlarmId mismatch = AlarmId::WrongType);
+  void narrow(Expr& value, Type from);
   Expr as_text(Expr from);
   Expr boolean(Expr from) { return convert(std::move(from), Type::Bool); }
   Expr constant(Type type, double value, ShortSpan where);
@@ -145,6 +146,7 @@ class Compiler {
   Element element_or_part(std::int32_t variable);
   Expr loaded(const Expr& target);
   void place(Expr& target, const Element& element) const;
+  void add_index(Element& element, std::int32_t variable, const Expr& index, int dimension);
   Element element_of(std::int32_t variable);
   Expr component_access(Expr frame);
   Expr system_access(const SystemName& name, ShortSpan where);

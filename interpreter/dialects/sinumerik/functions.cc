@@ -50,7 +50,7 @@ std::optional<double> one_number(FunctionId id, double a) {
     case static_cast<int>(FunctionId::ROUND):
       return rounded(a);
     case static_cast<int>(FunctionId::ROUNDUP):
-      return a < 0.0 ? std::floor(a) : std::ceil(a);
+      return std::ceil(a) + 0.0;  // no -0
     case static_cast<int>(FunctionId::LN):
       return a <= 0.0 ? std::nullopt : std::optional(std::log(a));
     case static_cast<int>(FunctionId::EXP):

@@ -27,7 +27,7 @@ MaybeFailure Runner::procedure(const Op& op) {
   switch (op.detail) {
     case static_cast<int>(ProcedureId::MSG):
       if (!list.empty()) {
-        channel_.observer.on_output(text(list[0].value) + "\n");
+        channel_.observer.on_message(text(list[0].value) + "\n");
       }
       return std::nullopt;
     case static_cast<int>(ProcedureId::SETAL):
