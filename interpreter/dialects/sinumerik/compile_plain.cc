@@ -24,15 +24,18 @@ bool Compiler::plain_block(ShortSpan line) {
   while (read == PlainWords::Read::Word && plain_word(words.word())) {
     read = words.next();
   }
-  if (read != PlainWords::Read::End || failed()) {
+  block_ = words.where();
+  program_->spans.back() = block_;
+  const bool is_plain = read == PlainWords::Read::End;
+  if (is_plain && !failed()) {
+    finish_words();
+  }
+  if (!is_plain || failed()) {
     program_->block_numbers.resize(numbers_before);
     take_back(first_step_);
     return false;
   }
   in_program_part_ = in_program_part_ || has_statement;
-  block_ = words.where();
-  program_->spans.back() = block_;
-  finish_words();
   end_block();
   return true;
 }
