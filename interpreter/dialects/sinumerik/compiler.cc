@@ -9,136 +9,12 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr std::int32_t kMostTemporaries = kTemporaryCount;
-constexpr std::uint32_t kWindowBytes = 1U << 18;
-constexpr std::uint32_t kBytesOfLine = 32;  // roughly
 
 std::int32_t size_of(const auto& list) {
   return static_cast<std::int32_t>(list.size());
 }
 
-/// Steps that need no other block, and no caller.
-bool stands_alone(const Op& op) {
-  switch (static_cast<int>(op.code)) {
-    case static_cast<int>(OpCode::Jump):
-    case static_cast<int>(OpCode::JumpIfNot):
-    case static_cast<int>(OpCode::JumpText):
-    case static_cast<int>(OpCode::Call):
-    case static_cast<int>(OpCode::RepeatPart):
-      return false;
-    case static_cast<int>(OpCode::Procedure):
-      return static_cast<ProcedureId>(op.detail) != ProcedureId::EXECSTRING;
-    default:
-      return true;
-  }
-}
-
 }  // namespace
-
-Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose purpose)
-    : globals_(globals),
-      purpose_(purpose),
-      text_(source.file->text()),
-      scanner_(text_),
-      whole_(source.text),
-      program_(std::make_unique<CompiledProgram>()) {
-  program_->name = source.name;
-  program_->folder = source.folder;
-  program_->file = source.file;
-}
-
-void Compiler::know_locals_of(const CompiledProgram& home) {
-  program_->variables = home.variables;
-  program_->locals = home.locals;
-  program_->initial_numbers = home.initial_numbers;
-  program_->text_count = home.text_count;
-  program_->frame_count = home.frame_count;
-  has_letter_names_ = true;
-  in_program_part_ = true;
-}
-
-/// Room for that many NC blocks of constant words: a long program has little else.
-void Compiler::reserve(std::size_t lines) {
-  program_->ops.reserve(lines);
-  program_->spans.reserve(lines);
-  program_->nc_blocks.reserve(lines);
-  program_->words.reserve(4 * lines);
-  program_->block_numbers.reserve(lines);
-}
-
-/// Without its line end.
-ShortSpan Compiler::line_from(std::uint32_t begin) const {
-  const std::size_t found = text_.find('\n', begin);
-  return {begin, static_cast<std::uint32_t>(std::min<std::size_t>(found, whole_.end))};
-}
-
-std::unique_ptr<CompiledProgram> Compiler::run() {
-  const std::string_view text = text_.substr(whole_.begin, whole_.end - whole_.begin);
-  reserve(static_cast<std::size_t>(std::ranges::count(text, '\n')));
-  for (std::uint32_t begin = whole_.begin; begin < whole_.end;) {
-    const ShortSpan line = line_from(begin);
-    if (!plain_block(line)) {
-      block(line);
-    }
-    begin = line.end + 1;
-  }
-  end_of_text();
-  return std::move(program_);
-}
-
-void Compiler::end_of_text() {
-  block_ = {whole_.end, whole_.end};
-  end_structures();
-  resolve_jumps();
-  emit(OpCode::EndProgram, {}, {}, {}, block_);
-}
-
-/// Compiles a block that says nothing of other blocks: no jump, label, call or definition.
-/// @returns false: it is not such a one; its steps are taken back
-bool Compiler::lone_block(ShortSpan line) {
-  const std::size_t first_step = program_->ops.size();
-  block(line);
-  const bool is_lone = structures_.empty() && program_->labels.empty() &&
-                       program_->locals.empty() && !program_->has_proc && macros_.empty() &&
-                       std::all_of(program_->ops.begin() + static_cast<std::ptrdiff_t>(first_step),
-                                   program_->ops.end(), stands_alone);
-  if (!is_lone) {
-    take_back(first_step);
-  }
-  return is_lone;
-}
-
-CompiledWindow Compiler::run_window(std::uint32_t begin) {
-  const std::uint32_t most = std::min(whole_.end - begin, kWindowBytes);
-  reserve(most / kBytesOfLine);
-  std::uint32_t at = begin;
-  while (at < whole_.end && at - begin < most) {
-    const ShortSpan line = line_from(at);
-    if (!plain_block(line) && !lone_block(line)) {
-      break;
-    }
-    at = line.end + 1;
-  }
-  if (at < whole_.end) {
-    emit(OpCode::EndWindow, {}, {}, {}, {at, at});
-  } else {
-    end_of_text();
-  }
-  return {std::move(program_), at};
-}
-
-std::unique_ptr<CompiledProgram> Compiler::run_expression() {
-  scanner_.scan(whole_, tokens_);
-  find_letter_names();
-  block_ = whole_;
-  const Expr value = expression();
-  expect_end();
-  if (failed()) {
-    raise_from(0);
-  }
-  program_->result = argument_of(value);
-  emit(OpCode::EndProgram, {}, {}, {}, block_);
-  return std::move(program_);
-}
 
 void Compiler::block(ShortSpan span) {
   scanner_.scan(span, tokens_);
@@ -195,8 +71,7 @@ void Compiler::take_back(std::size_t first_step) {
 /// The alarm takes the place of the block's steps.
 void Compiler::raise_from(std::size_t first_step) {
   take_back(first_step);
-  program_->errors.push_back(*error_);
-  emit(OpCode::Raise, {}, {Bank::Constants, size_of(program_->errors) - 1}, {}, error_where_);
+  emit(OpCode::Raise, {}, error_constant(*error_), {}, error_where_);
 }
 
 void Compiler::block_head() {
@@ -355,47 +230,6 @@ void Compiler::find_letter_names() {
   }
 }
 
-void Compiler::end_structures() {
-  for (const Structure& open : structures_) {
-    if (open.head >= 0) {
-      program_->errors.push_back({AlarmId::BadNesting, "its end is missing"});
-      Op& head = program_->ops[static_cast<std::size_t>(open.head)];
-      head = {OpCode::Raise, 0, 0, {}, {Bank::Constants, size_of(program_->errors) - 1}, {}};
-      program_->spans[static_cast<std::size_t>(open.head)] = open.where;
-    }
-  }
-}
-
-void Compiler::resolve_jumps() {
-  for (const JumpToLabel& jump : jumps_) {
-    Op& op = program_->ops[static_cast<std::size_t>(jump.step)];
-    const auto target = find_label(*program_, jump.label, jump.step, jump.direction);
-    if (target) {
-      op.a.place = *target;
-    } else if (jump.direction == Direction::BothQuiet) {
-      op.a.place = jump.step + 1;
-    } else {
-      program_->errors.push_back({AlarmId::JumpTargetMissing, jump.label});
-      op = {OpCode::Raise, 0, 0, {}, {Bank::Constants, size_of(program_->errors) - 1}, {}};
-    }
-  }
-  for (const PartToRepeat& part : parts_) {
-    RepeatSite& site = program_->repeats[part.site];
-    const auto first = find_label(*program_, part.first, part.step, Direction::Both);
-    site.first = first.value_or(-1);
-    if (part.one_block && first) {
-      site.end = program_->ops[static_cast<std::size_t>(*first)].a.place;
-    } else if (first) {
-      const auto end = part.end.empty()
-                           ? std::nullopt
-                           : find_label(*program_, part.end, *first, Direction::Forward);
-      const std::size_t last = static_cast<std::size_t>(end.value_or(part.step));
-      site.end = end ? program_->ops[last].a.place : part.end == "ENDLABEL" ? part.step : -1;
-      site.first = site.end < 0 ? -1 : site.first;
-    }
-  }
-}
-
 const Token& Compiler::peek(std::size_t ahead) const {
   return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
 }
@@ -459,6 +293,11 @@ Operand Compiler::number_constant(double value) {
   return {Bank::Constants, size_of(program_->constants) - 1};
 }
 
+Operand Compiler::error_constant(BlockError error) {
+  program_->errors.push_back(std::move(error));
+  return {Bank::Constants, size_of(program_->errors) - 1};
+}
+
 Operand Compiler::text_constant(std::string value) {
   program_->text_constants.push_back(std::move(value));
   return {Bank::Constants, size_of(program_->text_constants) - 1};
@@ -482,76 +321,6 @@ void Compiler::set_target(std::int32_t jump, std::int32_t target) {
     const std::int32_t alarm = static_cast<std::int32_t>(first_step_) + 1;
     (op.code == OpCode::Jump ? op.a : op.b).place = failed() ? alarm : target;
   }
-}
-
-std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Globals& globals) {
-  return Compiler(source, globals, Compiler::Purpose::Program).run();
-}
-
-CompiledWindow compile_window(const ProgramSource& source, const Globals& globals,
-                              std::uint32_t begin) {
-  return Compiler(source, globals, Compiler::Purpose::Program).run_window(begin);
-}
-
-std::unique_ptr<CompiledProgram> compile_data(const ProgramSource& source, const Globals& globals) {
-  return Compiler(source, globals, Compiler::Purpose::Data).run();
-}
-
-std::unique_ptr<CompiledProgram> compile_among(const ProgramSource& source, const Globals& globals,
-                                               const CompiledProgram& home) {
-  Compiler compiler(source, globals, Compiler::Purpose::Program);
-  compiler.know_locals_of(home);
-  return compiler.run();
-}
-
-std::unique_ptr<CompiledProgram> compile_expression(const ProgramSource& source,
-                                                    const Globals& globals,
-                                                    const CompiledProgram& home) {
-  Compiler compiler(source, globals, Compiler::Purpose::Program);
-  compiler.know_locals_of(home);
-  return compiler.run_expression();
-}
-
-std::unique_ptr<CompiledProgram> compile_definitions(const ProgramSource& source,
-                                                     Globals& globals) {
-  Compiler compiler(source, globals, Compiler::Purpose::Definitions);
-  compiler.define_in(globals);
-  return compiler.run();
-}
-
-namespace {
-
-/// The steps of a label, rising.
-std::vector<std::int32_t> steps_of(const CompiledProgram& program, std::string_view name) {
-  if (const auto found = program.labels.find(name); found != program.labels.end()) {
-    return found->second;
-  }
-  std::vector<std::int32_t> steps;
-  std::int32_t number = 0;
-  const bool numbered = name.size() > 1 && name.front() == 'N' &&
-                        std::from_chars(name.data() + 1, name.data() + name.size(), number).ptr ==
-                            name.data() + name.size();
-  if (numbered) {
-    for (const BlockNumber& block : program.block_numbers) {
-      if (block.number == number) {
-        steps.push_back(block.step);
-      }
-    }
-  }
-  return steps;
-}
-
-}  // namespace
-
-std::optional<std::int32_t> find_label(const CompiledProgram& program, std::string_view name,
-                                       std::int32_t from, Direction direction) {
-  const std::vector<std::int32_t> steps = steps_of(program, name);
-  const auto behind = std::ranges::upper_bound(steps, from);
-  if (direction != Direction::Backward && behind != steps.end()) {
-    return *behind;
-  }
-  const bool looks_back = direction != Direction::Forward && behind != steps.begin();
-  return looks_back ? std::optional(*(behind - 1)) : std::nullopt;
 }
 
 }  // namespace g31::sinumerik

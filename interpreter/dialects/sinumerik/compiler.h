@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,11 @@ struct Expr {
   bool is_whole_array = false;
   bool is_constant = false;
 };
+
+/// From the beginning of one to the end of the other.
+inline ShortSpan joined(ShortSpan first, ShortSpan last) {
+  return {std::min(first.begin, last.begin), std::max(first.end, last.end)};
+}
 
 /// Translates one program block by block, in one go.  A block that is wrong is taken back and a
 /// Raise stands in its place.
@@ -75,7 +81,7 @@ class Compiler {
   };
   using Handler = void (Compiler::*)();
 
-  // compiler.cc: blocks, tokens, steps
+  // compiler.cc: blocks, tokens, steps; compile_program.cc: windows; compile_jumps.cc
   void block(ShortSpan span);
   bool lone_block(ShortSpan line);
   void begin_block(ShortSpan block);
@@ -111,6 +117,7 @@ class Compiler {
   [[nodiscard]] std::int32_t here() const;
   Operand number_constant(double value);
   Operand text_constant(std::string value);
+  Operand error_constant(BlockError error);
   Operand temporary(Type type);
   void set_target(std::int32_t jump, std::int32_t target);
 
