@@ -118,6 +118,11 @@ Special special_of(GAction action) {
   return nullptr;
 }
 
+/// Whether a word says where to go.
+bool has_place(const Block& block) {
+  return block.words.has_axes() || is_polar(block) || block.words.has(Address::Angle);
+}
+
 /// The code that takes the block's axis words for something else than a motion of the path.
 const GCode* special_code(const Block& block) {
   for (const int group : {2, 3}) {
@@ -139,6 +144,9 @@ bool is_circle(int motion) {
 /// ANG is of straight lines, and a line that waits for its end wants such a one next.
 MaybeFailure judge_lines(Channel& channel, const Block& block) {
   const bool has_angle = block.words.has(Address::Angle);
+  if (!has_angle && !channel.held_line) {
+    return std::nullopt;
+  }
   const bool listens = listens_to_probe(channel, block);
   const bool is_special = special_code(block) != nullptr;
   if (has_angle && (listens || is_special || is_polar(block) || is_circle(channel.group[1]))) {
@@ -164,11 +172,10 @@ MaybeFailure move(Channel& channel, const Block& block) {
   if (listens_to_probe(channel, block)) {
     return measure(channel, block);
   }
-  if (is_circle(channel.group[1]) &&
-      (commands_motion(block) || has_centre(block, channel.plane()))) {
+  if (is_circle(channel.group[1]) && (has_place(block) || has_centre(block, channel.plane()))) {
     return move_along_circle(channel, block);
   }
-  return commands_motion(block) ? move_straight(channel, block) : std::nullopt;
+  return has_place(block) ? move_straight(channel, block) : std::nullopt;
 }
 
 }  // namespace
@@ -184,8 +191,7 @@ const GCode* Block::code_of(int group) const {
 }
 
 bool commands_motion(const Block& block) {
-  return (block.words.has_axes() || is_polar(block) || block.words.has(Address::Angle)) &&
-         special_code(block) == nullptr;
+  return has_place(block) && special_code(block) == nullptr;
 }
 
 MaybeFailure execute_block(Channel& channel, const Block& block) {
