@@ -254,6 +254,13 @@ TEST(SinumerikAlarms, TellPlaceAndCalls) {
   EXPECT_EQ(run.outcome().alarm->calls[0].where.file->name(), "main.mpf");
 }
 
+/// "main.mpf:2", or "" where there is no file.
+std::string line_of(const source::Location& where) {
+  return where.file == nullptr ? std::string()
+                               : where.file->name() + ":" +
+                                     std::to_string(where.file->line_column(where.span.begin).line);
+}
+
 /// More text than a window has, without a block.
 std::string long_comment() {
   std::string text;
@@ -261,11 +268,6 @@ std::string long_comment() {
     text += "; nothing to do in this line, nor in the one behind it\n";
   }
   return text;
-}
-
-double line_of_alarm(const ProgramRun& run) {
-  const source::Location where = run.outcome().alarm->where;
-  return where.file->line_column(where.span.begin).line;
 }
 
 /// A program too long to be compiled at once: `parts`, with many comment lines behind each.
@@ -317,28 +319,31 @@ TEST(SinumerikLongProgram, JumpsCallsAndLoopsReachAllOfIt) {
   EXPECT_EQ(part.number("R1"), 5.0);
   EXPECT_EQ(part.number("R2"), 5.0);
 
+  const ProgramRun definition = long_run({"R1=1", "R1=2", "EXTERN SUB(INT)", "SUB(1)"});
+  EXPECT_EQ(definition.alarm(), 14500);
+
+  ProgramRun macro = long_run({"DEFINE TWICE AS *2", "R1=4", "R1=R1 TWICE", "R1=R1 TWICE"});
+  EXPECT_EQ(macro.number("R1"), 16.0);
+
+  ProgramRun local = long_run({"DEF INT NN=3", "R1=4", "R1=R1*NN", "R1=R1*NN"});
+  EXPECT_EQ(local.number("R1"), 36.0);
+
   ProgramRun texts = long_run({"R1=1", "EXECSTRING(\"R1=R1+1\")", "R1=R1*2"});
   EXPECT_EQ(texts.number("R1"), 4.0);
 }
 
 TEST(SinumerikLongProgram, TellsTheLineOfAnAlarm) {
   const auto lines_of_comment = std::ranges::count(long_comment(), '\n');
+  const auto in_main = [](auto line) { return "main.mpf:" + std::to_string(line); };
   const ProgramRun in_window = long_run({"R1=1", "R1=2", "G1 F100 X=1/0", "M30"});
   EXPECT_EQ(in_window.alarm(), 14051);
-  EXPECT_EQ(line_of_alarm(in_window), 2 + 2 * lines_of_comment + 1);
+  EXPECT_EQ(line_of(in_window.outcome().alarm->where), in_main(2 + 2 * lines_of_comment + 1));
   const ProgramRun in_whole = long_run({"R1=1", "GOTOF HERE\nHERE:", "G1 F100 X=1/0", "M30"});
   EXPECT_EQ(in_whole.alarm(), 14051);
-  EXPECT_EQ(line_of_alarm(in_whole), 3 + 2 * lines_of_comment + 1);
+  EXPECT_EQ(line_of(in_whole.outcome().alarm->where), in_main(3 + 2 * lines_of_comment + 1));
   const ProgramRun wrong_word = long_run({"R1=1", "R1=2", "G1 Q5", "M30"});
   EXPECT_EQ(wrong_word.alarm(), 12050);
-  EXPECT_EQ(line_of_alarm(wrong_word), 2 + 2 * lines_of_comment + 1);
-}
-
-/// "main.mpf:2", or "" where there is no file.
-std::string line_of(const source::Location& where) {
-  return where.file == nullptr ? std::string()
-                               : where.file->name() + ":" +
-                                     std::to_string(where.file->line_column(where.span.begin).line);
+  EXPECT_EQ(line_of(wrong_word.outcome().alarm->where), in_main(2 + 2 * lines_of_comment + 1));
 }
 
 /// Program and line of each.

@@ -192,7 +192,7 @@ Limits Compiler::definition_attributes() {
 
 /// Definitions stand before the first block that does something.  @returns whether this one does
 bool Compiler::begins_definition(std::string_view what) {
-  is_definition_ = true;
+  ++definitions_in_block_;
   if (in_program_part_ && purpose_ != Purpose::Definitions) {
     fail(AlarmId::BadDefinition, block_, what);
   }
@@ -234,7 +234,7 @@ void Compiler::def_statement() {
 
 /// DEFINE name AS text
 void Compiler::define_statement() {
-  is_definition_ = true;
+  ++definitions_in_block_;
   const Token& first = next();
   const bool is_name = first.kind == TokenKind::Name || first.kind == TokenKind::Letter;
   std::string name(first.text);
@@ -259,7 +259,7 @@ void Compiler::define_statement() {
 
 /// PROC name(parameters) attributes
 void Compiler::proc_statement() {
-  is_definition_ = true;
+  ++definitions_in_block_;
   if (!is_first_block_ || program_->has_proc || purpose_ == Purpose::Definitions) {
     fail(AlarmId::BadDefinition, block_, "PROC");
     return;

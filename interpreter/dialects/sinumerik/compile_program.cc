@@ -90,7 +90,7 @@ bool Compiler::lone_block(ShortSpan line) {
   const std::size_t first_step = program_->ops.size();
   block(line);
   const bool is_lone = structures_.empty() && program_->labels.empty() &&
-                       program_->locals.empty() && !program_->has_proc && macros_.empty() &&
+                       definitions_in_block_ == 0 &&
                        std::all_of(program_->ops.begin() + static_cast<std::ptrdiff_t>(first_step),
                                    program_->ops.end(), stands_alone);
   if (!is_lone) {

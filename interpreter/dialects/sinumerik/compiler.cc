@@ -43,6 +43,7 @@ void Compiler::block(ShortSpan span) {
 
 void Compiler::begin_block(ShortSpan block) {
   at_ = 0;
+  definitions_in_block_ = 0;
   error_.reset();
   number_temporaries_ = text_temporaries_ = frame_temporaries_ = 0;
   block_ = block;
@@ -108,9 +109,9 @@ void Compiler::label_or_number() {
 
 void Compiler::statement() {
   while (!failed() && peek().kind != TokenKind::End) {
-    is_definition_ = false;
+    const int before = definitions_in_block_;
     item();
-    in_program_part_ = in_program_part_ || !is_definition_;
+    in_program_part_ = in_program_part_ || definitions_in_block_ == before;
   }
   if (!failed()) {
     finish_words();

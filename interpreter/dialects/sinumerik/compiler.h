@@ -293,7 +293,7 @@ class Compiler {
   OpCode ends_with_ = OpCode::Move;  ///< Return or EndProgram behind the words of the block
   std::size_t first_step_ = 0;       ///< of the block
   bool is_first_block_ = true;
-  bool is_definition_ = false;     ///< the statement being compiled
+  int definitions_in_block_ = 0;   ///< so far
   bool in_program_part_ = false;   ///< a statement that is no definition stood before
   bool has_letter_names_ = false;  ///< a variable is called I, say
   std::vector<Structure> structures_;
