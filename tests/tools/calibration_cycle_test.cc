@@ -175,6 +175,14 @@ TEST(CalibrationCycle, LengthOnAFace) {
                    {"_OVR[22]", 120.0 - kDelay},
                    {"$TC_DP3[1,1]", 120.0 - kDelay},
                    {"$P_TOOLL[1]", 120.0 - kDelay}});
+  // An additive offset that is in force stays so; length and offset together are the true length.
+  expect_measured(
+      "$TC_DP3[1,1]=119.7 $TC_SCP13[1,1]=0.1\nD1 DL=1\nZ3\nCYCLE976(1000000,1,0.5,,,,3,5)",
+      {plate, kBentProbe},
+      {{"$TC_DP3[1,1]", 119.9 - kDelay},
+       {"$TC_SCP13[1,1]", 0.1},
+       {"$P_TOOLL[1]", 120.0 - kDelay},
+       {"$P_DLNO", 1}});
   // Tool length to the ball's centre: the trigger is a radius away.
   expect_measured("$MNS_MEA_FUNCTION_MASK=1\n$TC_DP3[1,1]=117\nD1\nZ6\nCYCLE976(0,1,0.5,,,,3,5)",
                   {plate, kBentProbe}, {{kMinus3, kDelay - 3.0}, {"$AA_IW[Z]", 6.5}});

@@ -72,9 +72,11 @@ TEST(ExplainCommand, KnowsWhatTheShippedSinumerikProgramsSayOfThemselves) {
   const Output output = explain(
       {.topics = {"cycle978", "_OVR[4]", "alarm", "61301", "61103"}, .control = "sinumerik-828d"});
   EXPECT_EQ(output.code, ExitCode::Completed) << output.errors;
-  EXPECT_EQ(output.text.find("CYCLE978 (program)\n  One point of a surface across an axis.\n"
-                             "    form: CYCLE978(INT S_MVAR"),
+  EXPECT_EQ(output.text.find("CYCLE978 (program)\n  One point of a surface across an axis. The "),
             0U);
+  EXPECT_NE(output.text.find("1 the additive one of DL=S_DLNUM"), std::string::npos);
+  EXPECT_NE(output.text.find("takes the additive one over.\n    form: CYCLE978(INT S_MVAR"),
+            std::string::npos);
   const std::size_t results = output.text.find("_OVR[1000] (global variable)\n");
   ASSERT_NE(results, std::string::npos);
   EXPECT_NE(output.text.find("    [4]: measured value", results), std::string::npos);

@@ -228,8 +228,8 @@ TEST(ToolCorrection, RefusesToolsThatAreNotTheOne) {
       {"two of the name, both in use",
        "$TC_TP1[3]=2\n$TC_TP8[2]=131\n$TC_TP8[3]=131\nCYCLE977(201,,1,1,40,,,2,5,,,,,,,\"MILL\")",
        61344},
-      {"additive offsets are not set up", "CYCLE977(201,,1000001,1,40,,,2,5,,,,,,,\"MILL\")",
-       61404},
+      {"an additive offset without its DL number",
+       "CYCLE977(201,,1000001,1,40,,,2,5,,,,,,,\"MILL\")", 61404},
   };
   const std::string twin = "[tools.3]\nradius = 5.0\nname = \"MILL\"\n";
   for (const Refusal& row : kRows) {

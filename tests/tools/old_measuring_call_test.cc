@@ -30,6 +30,11 @@ TEST(OldMeasuringCall, EachCycleTakesItsParametersFromVariables) {
        ring,
        "Z-5\n_MVAR=1 _SETVAL=39.9 _KNUM=4001 _TNUM=2 _TUL=1 _TLL=-1 _TDIF=1 _TSA=1\nCYCLE977",
        {{"$TC_DP15[2,1]", 0.05}, {"_OVR[8]", 1.0}, {"_OVR[29]", 1.0}}},
+      {"hole, with a DL number the additive offset",
+       ring,
+       "Z-5\n_MVAR=1 _SETVAL=39.9 _KNUM=4001 _DLNUM=2 _TNUM=2 _TUL=1 _TLL=-1 _TDIF=1 _TSA=1\n"
+       "CYCLE977",
+       {{"$TC_SCP26[2,1]", 0.05}, {"$TC_DP15[2,1]", 0.0}, {"_OVI[13]", 2}}},
       {"hole, measured only",
        ring,
        "Z-5\n_MVAR=1 _SETVAL=40 _KNUM=0\nCYCLE977",
