@@ -106,6 +106,7 @@ enum class OpCode : std::uint8_t {
   Call,           ///< calls[a.place]
   Return,         ///< behind the call; arguments: target, ...
   EndProgram,     ///< M2, M30, and the end of a main program
+  EndText,        ///< behind EXECSTRING, or of the command line
   EndWindow,      ///< on to what follows in a long program (ProgramWindows)
   JumpText,       ///< to the label that text a names; `detail` is a Direction
   RepeatPart,     ///< repeats[a.place], b times

@@ -39,11 +39,17 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
 }
 
 void Compiler::know_locals_of(const CompiledProgram& home) {
+  program_->name = home.name;
+  program_->folder = home.folder;
+  program_->saves_codes = home.saves_codes;
+  program_->hides_blocks = home.hides_blocks;
+  program_->shows_actual_block = home.shows_actual_block;
   program_->variables = home.variables;
   program_->locals = home.locals;
   program_->initial_numbers = home.initial_numbers;
   program_->text_count = home.text_count;
   program_->frame_count = home.frame_count;
+  end_ = OpCode::EndText;
   has_letter_names_ = true;
   in_program_part_ = true;
 }
@@ -81,7 +87,7 @@ void Compiler::end_of_text() {
   block_ = {whole_.end, whole_.end};
   end_structures();
   resolve_jumps();
-  emit(OpCode::EndProgram, {}, {}, {}, block_);
+  emit(end_, {}, {}, {}, block_);
 }
 
 /// Compiles a block that says nothing of other blocks: no jump, label, call or definition.
@@ -128,7 +134,7 @@ std::unique_ptr<CompiledProgram> Compiler::run_expression() {
     raise_from(0);
   }
   program_->result = argument_of(value);
-  emit(OpCode::EndProgram, {}, {}, {}, block_);
+  emit(OpCode::EndText, {}, {}, {}, block_);
   return std::move(program_);
 }
 

@@ -290,6 +290,7 @@ class Compiler {
   std::int32_t frame_temporaries_ = 0;
   NcBlock nc_;  ///< where codes and words of the block begin
   bool has_words_ = false;
+  OpCode end_ = OpCode::EndProgram;  ///< of the text
   OpCode ends_with_ = OpCode::Move;  ///< Return or EndProgram behind the words of the block
   std::size_t first_step_ = 0;       ///< of the block
   bool is_first_block_ = true;

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/code.h"
@@ -28,7 +30,7 @@ struct BoundValue {
   Type type = Type::None;
   double number = 0.0;
   std::string text;
-  const Frame* frame = nullptr;
+  std::shared_ptr<const Frame> frame;  ///< a copy: passes and modal calls take it later
   Reference reference;
 };
 
@@ -70,6 +72,17 @@ struct Level {
   std::array<int, kGroupCount> saved_group = {};  ///< SAVE
   Frame saved_frame;
   std::optional<Frame> saved_settable;  ///< MD10617 bit 0
+
+  /// Back to the program that waits for its EXECSTRING, wherever the text stands.
+  void leave_texts() {
+    if (!waiting.empty()) {
+      WaitingProgram own = std::move(waiting.front());
+      waiting.clear();
+      program = own.program;
+      step = own.step;
+      parts = std::move(own.parts);
+    }
+  }
 };
 
 }  // namespace g31::sinumerik

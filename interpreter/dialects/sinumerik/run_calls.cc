@@ -110,7 +110,7 @@ std::vector<BoundValue> Runner::bound(const CallSite& site) {
     if (argument.type == Type::String) {
       value.text = text(argument.value);
     } else if (argument.type == Type::Frame) {
-      value.frame = &frame(argument.value);
+      value.frame = std::make_shared<const Frame>(frame(argument.value));
     } else {
       value.number = number(argument.value);
     }
@@ -130,7 +130,7 @@ MaybeFailure Runner::call(const Op& op) {
   }
   std::vector<BoundValue> values = bound(site);
   if (site.is_modal) {
-    modal_call_ = ModalCall{program.value(), std::move(values)};
+    modal_call_ = ModalCall{program.value(), std::move(values), depth_};
     return std::nullopt;
   }
   const double passes = number(site.passes);
@@ -334,6 +334,7 @@ MaybeFailure Runner::return_from(const Op& op) {
     return std::nullopt;
   }
   Level& done = level();
+  done.leave_texts();
   if (done.passes_left > 0 && target.value().label.empty() && target.value().levels == 1) {
     restore_codes(done);
     --done.passes_left;
@@ -345,14 +346,29 @@ MaybeFailure Runner::return_from(const Op& op) {
     return wrong;
   }
   for (std::size_t i = 0; i < target.value().levels; ++i) {
-    restore_codes(level());
-    --depth_;
+    leave_level();
   }
   use_level();
   return target.value().label.empty() ? std::nullopt : go_on_at(target.value());
 }
 
+/// A modal call that refers to variables of the level ends with it.
+void Runner::leave_level() {
+  level().leave_texts();
+  restore_codes(level());
+  const auto refers = [](const BoundValue& value) {
+    return value.form == Form::Element || value.form == Form::Whole;
+  };
+  if (modal_call_ && modal_call_->depth == depth_ &&
+      std::ranges::any_of(modal_call_->values, refers)) {
+    modal_call_.reset();
+  }
+  --depth_;
+}
+
 MaybeFailure Runner::go_on_at(const ReturnTarget& target) {
+  level().leave_texts();
+  use_level();
   const CompiledProgram& program = *level().program;
   const auto step = find_label(program, target.label, level().step, Direction::Both);
   if (!step) {
@@ -376,16 +392,21 @@ MaybeFailure Runner::end_program() {
   if (!level().parts.empty() && at_end_of_part(current_)) {
     return std::nullopt;
   }
-  if (!level().waiting.empty()) {
-    WaitingProgram& before = level().waiting.back();
-    level().program = before.program;
-    level().step = before.step;
-    level().parts = std::move(before.parts);
-    level().waiting.pop_back();
-    use_level();
-    return std::nullopt;
-  }
   return return_from(Op());
+}
+
+/// The end of what EXECSTRING or the command line brought.
+void Runner::end_text() {
+  if (level().waiting.empty()) {
+    ended_ = true;
+    return;
+  }
+  WaitingProgram& before = level().waiting.back();
+  level().program = before.program;
+  level().step = before.step;
+  level().parts = std::move(before.parts);
+  level().waiting.pop_back();
+  use_level();
 }
 
 /// MCALL: behind a block that moves.

@@ -116,7 +116,7 @@ MaybeFailure Runner::execute(const Op& op) {
   const bool moves = modal_call_ && commands_motion(commands);
   MaybeFailure wrong = execute_block(channel_, commands);
   words_.clear();
-  if (!wrong && moves) {
+  if (!wrong && moves && !channel_.held_line) {
     return modal_call();
   }
   return wrong;

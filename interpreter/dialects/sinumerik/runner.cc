@@ -54,6 +54,7 @@ void Runner::start(const CompiledProgram& program) {
   depth_ = 0;
   ended_ = false;
   modal_call_.reset();
+  words_.clear();
   *levels_.front() = Level();
   level().program = &program;
   level().make_locals();
@@ -101,6 +102,7 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
   }
   if (reason) {
     outcome = outcome_of(*reason);
+    drop_motion(channel_);
   }
   outcome.diagnostics = channel_.diagnostics;
   outcome.blocks = channel_.budget.blocks();
@@ -179,6 +181,9 @@ MaybeFailure Runner::other_step(const Op& op) {
       return return_from(op);
     case static_cast<int>(OpCode::EndProgram):
       return end_program();
+    case static_cast<int>(OpCode::EndText):
+      end_text();
+      return std::nullopt;
     case static_cast<int>(OpCode::EndWindow):
       begin_window();
       return std::nullopt;
@@ -335,6 +340,7 @@ MaybeFailure Runner::run_among(const CompiledProgram& program) {
   level().step = 0;
   level().parts.clear();
   level().waiting.clear();
+  words_.clear();
   ended_ = false;
   use_level();
   MaybeFailure reason = loop();

@@ -145,6 +145,8 @@ class Runner {
   MaybeFailure return_from(const Op& op);
   MaybeFailure go_on_at(const ReturnTarget& target);
   MaybeFailure end_program();
+  void end_text();
+  void leave_level();
   MaybeFailure modal_call();
   void save_codes(Level& into);
   void restore_codes(const Level& from);
@@ -197,6 +199,7 @@ class Runner {
   struct ModalCall {
     const CompiledProgram* program = nullptr;
     std::vector<BoundValue> values;
+    std::size_t depth = 0;  ///< of the level that said MCALL
   };
   std::optional<ModalCall> modal_call_;
   /// What calls by name have found: programs stay, so it counts until CALLPATH.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -157,6 +158,15 @@ MaybeFailure judge_lines(Channel& channel, const Block& block) {
   return channel.held_line && acts && !goes_on ? line_without_end(channel) : std::nullopt;
 }
 
+/// Whether a block says something that would count for the line in front of it, too, were it only
+/// travelled now: frames, units, feed type, tool.
+bool changes_held_line(const Block& block) {
+  constexpr int kGroups[] = {3, 6, 8, 9, 13, 15, kToolFrameGroup};
+  constexpr Address kAddresses[] = {Address::Tool, Address::Edge, Address::Additive};
+  return std::ranges::any_of(kGroups, [&](int g) { return block.code_of(g) != nullptr; }) ||
+         std::ranges::any_of(kAddresses, [&](Address a) { return block.words.has(a); });
+}
+
 MaybeFailure move(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = judge_lines(channel, block)) {
     return wrong;
@@ -195,6 +205,9 @@ bool commands_motion(const Block& block) {
 }
 
 MaybeFailure execute_block(Channel& channel, const Block& block) {
+  if (channel.held_line && changes_held_line(block)) {
+    return line_without_end(channel);
+  }
   channel.clocks.block_began = channel.port.time_s();
   take_codes(channel, block);
   if (const GCode* const code = block.code_of(kToolFrameGroup)) {

@@ -25,6 +25,9 @@ MaybeFailure execute_block(Channel& channel, const Block& block);
 /// where the axes stand, the end of the program.
 MaybeFailure finish_motion(Channel& channel);
 
+/// An alarm: what waits is never travelled.
+void drop_motion(Channel& channel);
+
 // The parts, one a file.
 
 /// F, S, M3 to M5, M19, SPOS and the like.

@@ -230,6 +230,13 @@ MaybeFailure finish_motion(Channel& channel) {
                                        : std::nullopt;
 }
 
+void drop_motion(Channel& channel) {
+  channel.corners.path = {};
+  channel.cutter.path.disengage();
+  channel.held_line.reset();
+  channel.arrived_at_machine();
+}
+
 MaybeFailure leave_compensation(Channel& channel) {
   if (!channel.cutter.path.engaged() && !channel.corners.path.holds()) {
     return std::nullopt;
