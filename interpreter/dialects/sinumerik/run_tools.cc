@@ -82,11 +82,8 @@ MaybeFailure Runner::tool_function(FunctionId id, const Op& op, Arguments list) 
   }
   if (id == FunctionId::GETACTT) {
     const double found = tool_in_use(channel_, text(list[1].value));
-    if (found > 0.0) {
-      set_result(list[0], found);
-    }
     number(op.result) = std::min(found, 0.0);
-    return std::nullopt;
+    return found > 0.0 ? set_result(list[0], found) : std::nullopt;
   }
   const std::string name = text(list[0].value);
   const bool has_duplo = list.size() > 1;
