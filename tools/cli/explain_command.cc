@@ -81,11 +81,14 @@ const sinumerik::Topics& shipped_topics() {
   static const sinumerik::Topics kTopics = [] {
     sinumerik::Topics all;
     std::set<std::string> known;
-    const std::string folder = shipped_folder("macros/sinumerik").value_or("");
+    const auto folder = shipped_folder("macros/sinumerik");
+    if (!folder) {
+      return all;
+    }
     Disk disk;
-    for (const std::string& name : disk.list(folder)) {
+    for (const std::string& name : disk.list(*folder)) {
       const bool is_program = name.ends_with(".SPF") || name.ends_with(".DEF");
-      const auto text = is_program ? disk.read(folder + "/" + name) : std::nullopt;
+      const auto text = is_program ? disk.read(*folder + "/" + name) : std::nullopt;
       for (sinumerik::Topic& topic : sinumerik::topics_of_text(text.value_or(""))) {
         if (known.insert(topic.name).second) {
           all.push_back(std::move(topic));

@@ -37,8 +37,8 @@ struct CompiledWindow {
 CompiledWindow compile_window(const ProgramSource& source, const Globals& globals,
                               std::uint32_t begin);
 
-/// Compiles `text` as blocks that run among the local variables of `home`: what --set and --print
-/// name.
+/// Compiles `text` as blocks that run among the local variables of `home`: what --set says, and the
+/// text of EXECSTRING.
 std::unique_ptr<CompiledProgram> compile_among(const ProgramSource& source, const Globals& globals,
                                                const CompiledProgram& home);
 

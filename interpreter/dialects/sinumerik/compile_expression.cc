@@ -163,7 +163,7 @@ Expr Compiler::primary() {
   const Token token = peek();
   if (token.kind == TokenKind::Integer || token.kind == TokenKind::Real) {
     next();
-    const bool whole = token.kind == TokenKind::Integer && token.number <= 2147483647.0;
+    const bool whole = token.kind == TokenKind::Integer;
     result = constant(whole ? Type::Int : Type::Real, token.number, token.where);
   } else if (token.kind == TokenKind::Text) {
     next();

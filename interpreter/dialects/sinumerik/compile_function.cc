@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "interpreter/dialects/sinumerik/compiler.h"
 
 namespace g31::sinumerik {

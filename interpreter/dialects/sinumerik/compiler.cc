@@ -1,7 +1,6 @@
 #include "interpreter/dialects/sinumerik/compiler.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "interpreter/source/printable.h"
 
@@ -77,15 +76,15 @@ void Compiler::raise_from(std::size_t first_step) {
 
 void Compiler::block_head() {
   if (accept(Symbol::Slash)) {
-    int level = 0;
+    double level = 0.0;
     if (peek().kind == TokenKind::Integer) {
-      level = static_cast<int>(next().number);
+      level = next().number;
     }
-    if (level > 9) {
+    if (!(level >= 0.0 && level <= 9.0)) {
       fail(AlarmId::BadSkipLevel, block_);
       return;
     }
-    last().detail = static_cast<std::uint8_t>(1 + level);
+    last().detail = static_cast<std::uint8_t>(1.0 + level);
   }
   label_or_number();
 }

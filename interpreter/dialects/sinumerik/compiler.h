@@ -81,9 +81,8 @@ class Compiler {
   };
   using Handler = void (Compiler::*)();
 
-  // compiler.cc: blocks, tokens, steps; compile_program.cc: windows; compile_jumps.cc
+  // compiler.cc: blocks, tokens, steps
   void block(ShortSpan span);
-  bool lone_block(ShortSpan line);
   void begin_block(ShortSpan block);
   void end_block();
   void block_head();
@@ -94,14 +93,9 @@ class Compiler {
   void emit_nc_block();
   void take_back(std::size_t first_step);
   void raise_from(std::size_t first_step);
-  [[nodiscard]] ShortSpan line_from(std::uint32_t begin) const;
-  void reserve(std::size_t lines);
-  void end_of_text();
   [[nodiscard]] bool may_be_macro(const Token& token) const;
   void expand_macros();
   void find_letter_names();
-  void resolve_jumps();
-  void end_structures();
   const Token& peek(std::size_t ahead = 0) const;
   const Token& next();
   bool accept(Symbol symbol);
@@ -121,6 +115,16 @@ class Compiler {
   Operand temporary(Type type);
   void set_target(std::int32_t jump, std::int32_t target);
 
+  // compile_program.cc
+  bool lone_block(ShortSpan line);
+  [[nodiscard]] ShortSpan line_from(std::uint32_t begin) const;
+  void reserve(std::size_t lines);
+  void end_of_text();
+
+  // compile_jumps.cc
+  void resolve_jumps();
+  void end_structures();
+
   // compile_plain.cc
   bool plain_block(ShortSpan line);
   bool plain_word(const PlainWord& word);
@@ -133,9 +137,6 @@ class Compiler {
   Expr primary();
   Expr name_in_expression();
   Expr letter_in_expression();
-  Expr call_function(FunctionId id, ShortSpan where);
-  Expr plain_mathematics(FunctionId id, ShortSpan where);
-  void function_argument(char kind, std::vector<Argument>& list);
   Expr combine(int row, Expr left, Expr right);
   Expr compare(OpCode code, Expr left, Expr right, ShortSpan where);
   Expr concatenate(Expr left, Expr right, ShortSpan where);
@@ -145,6 +146,11 @@ class Compiler {
   Expr as_text(Expr from);
   Expr boolean(Expr from) { return convert(std::move(from), Type::Bool); }
   Expr constant(Type type, double value, ShortSpan where);
+
+  // compile_function.cc
+  Expr call_function(FunctionId id, ShortSpan where);
+  Expr plain_mathematics(FunctionId id, ShortSpan where);
+  void function_argument(char kind, std::vector<Argument>& list);
 
   // compile_variable.cc
   std::int32_t find_variable(std::string_view name);
@@ -170,7 +176,6 @@ class Compiler {
   void assign_list(const Expr& target);
   void pass_over(const Token& datum);
   bool looks_like_list() const;
-  void check_limits(const Expr& target, const Expr& value);
   void repeat_value(const Expr& target);
   std::uint32_t keep_arguments(const std::vector<Argument>& list);
   Argument argument_of(const Expr& expr);

@@ -86,6 +86,25 @@ double rounded(double value) {
   return std::floor(value + 0.5);
 }
 
+std::optional<double> kept_as(Type type, double value) {
+  const double whole = rounded(value);
+  switch (type) {
+    case Type::Bool:
+      return value != 0.0 ? 1.0 : 0.0;
+    case Type::Char:
+      return whole >= 0.0 && whole <= 255.0 ? std::optional(whole) : std::nullopt;
+    case Type::Int:
+      return whole >= -2147483648.0 && whole <= 2147483647.0 ? std::optional(whole) : std::nullopt;
+    case Type::None:
+    case Type::Real:
+    case Type::Axis:
+    case Type::String:
+    case Type::Frame:
+      return value;
+  }
+  return value;
+}
+
 std::optional<double> mathematics(FunctionId id, double a, double b) {
   std::optional<double> result;
   if (id == FunctionId::ATAN2) {

@@ -42,4 +42,7 @@ std::optional<double> mathematics(FunctionId id, double a, double b);
 /// As TO INT rounds: halves upwards, as the control does.
 double rounded(double value);
 
+/// A number as a variable of this type keeps it; nullopt: it is no INT or no CHAR.
+std::optional<double> kept_as(Type type, double value);
+
 }  // namespace g31::sinumerik

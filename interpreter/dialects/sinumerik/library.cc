@@ -5,7 +5,7 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr std::string_view kHeader = "%_N_";
+constexpr std::string_view kHeader = "_N_";  // behind %
 constexpr std::string_view kSuffixes[] = {"MPF", "SPF", "CYC", "DEF", "ARC", "CST", "CPF"};
 
 bool is_suffix(std::string_view text) {
@@ -165,7 +165,7 @@ void ProgramLibrary::take(std::string path, std::string text, Wanted wanted) {
     if (piece.header.empty() && is_blank(body)) {
       continue;
     }
-    const bool has_name = ("%" + piece.header).starts_with(kHeader);
+    const bool has_name = piece.header.starts_with(kHeader);
     const ProgramName name = has_name ? name_of_text(piece.header, "_") : of_file;
     const bool is_new_definition = name.suffix == "DEF" && find_entry(name, Near()) == nullptr;
     if (wanted == Wanted::Definitions && !is_new_definition) {

@@ -21,26 +21,10 @@ constexpr bool is_saved(int group) {
 
 /// A number as a parameter of another type takes it.
 Result<double, Failure> converted(double value, const Variable& to) {
-  const double whole = rounded(value);
-  switch (to.type) {
-    case Type::Bool:
-      return value != 0.0 ? 1.0 : 0.0;
-    case Type::Char:
-      return whole >= 0.0 && whole <= 255.0
-                 ? Result<double, Failure>(whole)
-                 : failure(AlarmId::BadConversion, fmt::format("{}: no CHAR", to.name));
-    case Type::Int:
-      return whole >= -2147483648.0 && whole <= 2147483647.0
-                 ? Result<double, Failure>(whole)
-                 : failure(AlarmId::BadConversion, fmt::format("{}: no INT", to.name));
-    case Type::None:
-    case Type::Real:
-    case Type::Axis:
-    case Type::String:
-    case Type::Frame:
-      return value;
-  }
-  return value;
+  const auto kept = kept_as(to.type, value);
+  return kept
+             ? Result<double, Failure>(*kept)
+             : failure(AlarmId::BadConversion, fmt::format("{}: no {}", to.name, name_of(to.type)));
 }
 
 }  // namespace
@@ -61,8 +45,9 @@ Result<const CompiledProgram*, Failure> Runner::called(const CallSite& site) {
     }
     return program;
   }
-  if (const CompiledProgram* const program = written_program(name)) {
-    return program;
+  const auto written = written_program(name);
+  if (!written || written.value() != nullptr) {
+    return written;
   }
   const bool is_l_number = name.size() > 1 && upper(name.front()) == 'L' && is_digit(name[1]);
   return failure(site.name.empty() || is_l_number ? AlarmId::ProgramNotFound : AlarmId::NotDefined,
@@ -70,19 +55,26 @@ Result<const CompiledProgram*, Failure> Runner::called(const CallSite& site) {
 }
 
 /// A program that WRITE has made, as it is now; nullptr: there is none.
-const CompiledProgram* Runner::written_program(std::string_view name) {
+Result<const CompiledProgram*, Failure> Runner::written_program(std::string_view name) {
   const ProgramName wanted = program_name(name);
   for (const auto& [file, content] : channel_.files) {
     const ProgramName parts = program_name(file);
     const bool fits = parts.stem == wanted.stem && (wanted.suffix.empty() || parts.suffix.empty() ||
                                                     wanted.suffix == parts.suffix);
-    if (fits && written_.size() < kMostWritten) {
-      const CompiledProgram*& made = written_[{file, content}];
-      made = made == nullptr ? library_.written(file, content) : made;
-      return made;
+    if (!fits) {
+      continue;
     }
+    if (const auto known = written_.find({file, content}); known != written_.end()) {
+      return known->second;
+    }
+    if (written_.size() >= kMostWritten) {
+      return failure(AlarmId::TooComplex, fmt::format("{}: too many programs are written", name));
+    }
+    const CompiledProgram* const made = library_.written(file, content);
+    written_.emplace(std::pair(file, content), made);
+    return made;
   }
-  return nullptr;
+  return static_cast<const CompiledProgram*>(nullptr);
 }
 
 /// What the call gives, taken before the level changes.

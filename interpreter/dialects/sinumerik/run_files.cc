@@ -51,7 +51,7 @@ std::string file_name(std::string_view path) {
   return name == "." || name.find('\0') != std::string::npos ? std::string() : name;
 }
 
-void Runner::file_procedure(ProcedureId id, Arguments list) {
+MaybeFailure Runner::file_procedure(ProcedureId id, Arguments list) {
   double error = 0.0;
   switch (static_cast<int>(id)) {
     case static_cast<int>(ProcedureId::WRITE):
@@ -73,7 +73,7 @@ void Runner::file_procedure(ProcedureId id, Arguments list) {
       error = close_external(list);
       break;
   }
-  set_result(list[0], error);
+  return set_result(list[0], error);
 }
 
 /// WRITE(error, file, line)

@@ -162,9 +162,9 @@ MaybeFailure Runner::search_function(FunctionId id, const Op& op, Arguments list
   const std::string& in = text(list[0].value);
   if (id == FunctionId::SUBSTR) {
     const double at = rounded(number(list[1].value));
-    const double length =
-        list.size() > 2 ? rounded(number(list[2].value)) : static_cast<double>(in.size());
-    const bool inside = at >= 0.0 && at < static_cast<double>(in.size()) && length > 0.0;
+    const double most = static_cast<double>(in.size());
+    const double length = list.size() > 2 ? std::min(rounded(number(list[2].value)), most) : most;
+    const bool inside = at >= 0.0 && at < most && length > 0.0;
     std::string part =
         inside ? in.substr(static_cast<std::size_t>(at), static_cast<std::size_t>(length)) : "";
     text(op.result) = std::move(part);
@@ -200,12 +200,13 @@ MaybeFailure Runner::frame_function(FunctionId id, const Op& op, Arguments list)
       return wrong;
     }
   } else if (id == FunctionId::CRPL) {
-    const int which = static_cast<int>(rounded(number(list[0].value)));
-    if (which < 0 || which > 3) {
+    const double which = rounded(number(list[0].value));
+    if (!(which >= 0.0 && which <= 3.0)) {
       return failure(AlarmId::BadArguments, "CRPL: the plane is 0 to 3");
     }
     constexpr int kNormals[] = {0, 2, 1, 0};
-    const int normal = which == 0 ? channel_.plane().normal : kNormals[which];
+    const auto row = static_cast<std::size_t>(which);
+    const int normal = row == 0 ? channel_.plane().normal : kNormals[row];
     result.set_component(normal, Component::Rotation, number(list[1].value));
   } else if (MaybeFailure wrong = frame_of_pairs(id, result, list)) {
     return wrong;

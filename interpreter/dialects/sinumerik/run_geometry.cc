@@ -59,7 +59,9 @@ MaybeFailure Runner::measured_frame(Frame& result, Arguments list) {
     return failure(AlarmId::WrongDimension, "MEAFRAME: three points each, [3,3]");
   }
   const auto fit = fitted(columns(ideal), columns(measured));
-  set_result(list[2], fit ? fit->left_over : kNoFit);
+  if (MaybeFailure wrong = set_result(list[2], fit ? fit->left_over : kNoFit)) {
+    return wrong;
+  }
   if (fit) {
     result.set_turn(fit->turn);
     for (int axis = 0; axis < 3; ++axis) {

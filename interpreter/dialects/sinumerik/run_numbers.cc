@@ -151,11 +151,18 @@ bool Runner::rare_number_step(const Op& op) {
 
 bool Runner::is_within_limits(const Op& op) {
   const Variable& into = level().program->variables[static_cast<std::size_t>(op.b.place)];
-  const double value = number(op.a);
+  fault_ = beyond_limits(into, number(op.a));
+  return !fault_;
+}
+
+/// LLI and ULI of a variable.
+MaybeFailure Runner::beyond_limits(const Variable& into, double value) {
   const bool below = into.limits.low && value < *into.limits.low;
   const bool above = into.limits.high && value > *into.limits.high;
-  return (!below && !above) || failed(below ? AlarmId::BelowLimit : AlarmId::AboveLimit,
-                                      fmt::format("{} = {}", into.name, shown(Type::Real, value)));
+  return below || above
+             ? std::optional(failure(below ? AlarmId::BelowLimit : AlarmId::AboveLimit,
+                                     fmt::format("{} = {}", into.name, shown(Type::Real, value))))
+             : std::nullopt;
 }
 
 /// result = a as INT or CHAR, the types of whole numbers; or an alarm.

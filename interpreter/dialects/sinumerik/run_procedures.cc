@@ -14,12 +14,22 @@ constexpr std::size_t kMostTexts = 50'000;  // of EXECSTRING: what was compiled 
 
 }  // namespace
 
-/// A procedure's result goes to the variable that its argument names.
-void Runner::set_result(const Argument& target, double value) {
+/// A procedure's result goes to the variable that its argument names, as an assignment would.
+MaybeFailure Runner::set_result(const Argument& target, double value) {
+  const Variable& into = level().program->variables[static_cast<std::size_t>(target.variable)];
   const Reference found = variable(target.variable);
-  if (found.numbers != nullptr) {
-    found.numbers[static_cast<std::size_t>(number(target.element))] = value;
+  const auto kept = kept_as(found.type, value);
+  if (!kept) {
+    return failure(AlarmId::BadConversion,
+                   fmt::format("{}: no {}", into.name, name_of(found.type)));
   }
+  if (MaybeFailure wrong = beyond_limits(into, *kept)) {
+    return wrong;
+  }
+  if (found.numbers != nullptr) {
+    found.numbers[static_cast<std::size_t>(number(target.element))] = *kept;
+  }
+  return std::nullopt;
 }
 
 MaybeFailure Runner::procedure(const Op& op) {
@@ -40,17 +50,14 @@ MaybeFailure Runner::procedure(const Op& op) {
     case static_cast<int>(ProcedureId::EXTOPEN):
     case static_cast<int>(ProcedureId::EXTWRITE):
     case static_cast<int>(ProcedureId::EXTCLOSE):
-      file_procedure(static_cast<ProcedureId>(op.detail), list);
-      return std::nullopt;
+      return file_procedure(static_cast<ProcedureId>(op.detail), list);
     case static_cast<int>(ProcedureId::SETMS):
       channel_.master_spindle = list.empty() ? 1.0 : number(list[0].value);
       return std::nullopt;
     case static_cast<int>(ProcedureId::GETSELT):
-      set_result(list[0], channel_.selected_tool);
-      return std::nullopt;
+      return set_result(list[0], channel_.selected_tool);
     case static_cast<int>(ProcedureId::GETEXET):
-      set_result(list[0], channel_.tool);
-      return std::nullopt;
+      return set_result(list[0], channel_.tool);
     case static_cast<int>(ProcedureId::DELT):
       return delete_tool(list);
     case static_cast<int>(ProcedureId::TCA):

@@ -22,7 +22,7 @@ MaybeFailure Runner::read_system(const Op& op) {
   for (const Argument& index : arguments_of(op)) {
     access.indices.push_back(static_cast<int>(number(index.value)));
   }
-  // These two know the levels; the channel does not.
+  // These know the levels; the channel does not.
   if (id == SystemId::ArgumentGiven) {
     const auto which = static_cast<std::size_t>(access.indices[0]);
     const auto& given = level().given;

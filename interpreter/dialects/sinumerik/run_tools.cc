@@ -21,6 +21,12 @@ double number_of_tool(const std::map<int, Tool>& tools, const std::string& name,
   return found != tools.end() ? found->first : kNoTool;
 }
 
+/// A number of a tool or edge, as a function is given it; 0, which none has, where it is too large.
+int numbered(double given) {
+  constexpr double kMost = 2147483647.0;
+  return given >= 1.0 && given <= kMost ? static_cast<int>(given) : 0;
+}
+
 /// The highest duplo number of a name; 0: there is none of it.
 double last_duplo(const std::map<int, Tool>& tools, const std::string& name) {
   double last = 0.0;
@@ -65,21 +71,19 @@ double tool_in_use(const Channel& channel, const std::string& name) {
 
 MaybeFailure Runner::tool_function(FunctionId id, const Op& op, Arguments list) {
   if (id == FunctionId::GETDNO) {
-    const auto tool = static_cast<int>(rounded(number(list[0].value)));
-    const double edge = rounded(number(list[1].value));
+    const double given = rounded(number(list[0].value));
+    const int tool = numbered(given);
     if (channel_.find_tool(tool) == nullptr) {
-      return failure(AlarmId::BadTNumber, fmt::format("T{}", tool));
+      return failure(AlarmId::BadTNumber, fmt::format("T{:.0f}", given));
     }
-    number(op.result) = channel_.find_edge(tool, static_cast<int>(edge)) != nullptr ? edge : 0.0;
+    const int edge = numbered(rounded(number(list[1].value)));
+    number(op.result) = channel_.find_edge(tool, edge) != nullptr ? edge : 0.0;
     return std::nullopt;
   }
   if (id == FunctionId::GETACTT) {
     const double found = tool_in_use(channel_, text(list[1].value));
-    if (found > 0.0) {
-      set_result(list[0], found);
-    }
     number(op.result) = std::min(found, 0.0);
-    return std::nullopt;
+    return found > 0.0 ? set_result(list[0], found) : std::nullopt;
   }
   const std::string name = text(list[0].value);
   const bool has_duplo = list.size() > 1;

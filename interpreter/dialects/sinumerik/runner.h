@@ -85,6 +85,7 @@ class Runner {
   [[nodiscard]] bool is_less(double a, double b) const;
   bool take_whole(const Op& op, Type type, AlarmId alarm);
   bool is_within_limits(const Op& op);
+  [[nodiscard]] static MaybeFailure beyond_limits(const Variable& into, double value);
   Taken array_step(const Op& op);
   bool failed(AlarmId id, std::string detail = {});
   bool index(const Op& op);
@@ -129,7 +130,7 @@ class Runner {
   MaybeFailure call(const Op& op);
   [[nodiscard]] ProgramLibrary::Near near() const;
   Result<const CompiledProgram*, Failure> called(const CallSite& site);
-  const CompiledProgram* written_program(std::string_view name);
+  Result<const CompiledProgram*, Failure> written_program(std::string_view name);
   std::vector<BoundValue> bound(const CallSite& site);
   MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
   MaybeFailure take_arguments(Level& into, const std::vector<BoundValue>& values);
@@ -158,14 +159,14 @@ class Runner {
   MaybeFailure set_feed_axes(Arguments list);
 
   // run_files.cc
-  void file_procedure(ProcedureId id, Arguments list);
+  MaybeFailure file_procedure(ProcedureId id, Arguments list);
   double write_file(Arguments list);
   double delete_file(Arguments list);
   double read_file(Arguments list);
   double open_external(Arguments list);
   double write_external(Arguments list);
   double close_external(Arguments list);
-  void set_result(const Argument& target, double value);
+  MaybeFailure set_result(const Argument& target, double value);
 
   // run_words.cc
   MaybeFailure take_word(const Op& op);

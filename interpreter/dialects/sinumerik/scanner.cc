@@ -123,7 +123,7 @@ void Scanner::number() {
     right = exponent(value) && right;
     whole = false;
   }
-  const bool fits = !whole || value <= 2147483648.0;
+  const bool fits = !whole || value <= 2147483647.0;
   Token& token = add(!right          ? TokenKind::Unknown
                      : whole && fits ? TokenKind::Integer
                                      : TokenKind::Real,

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kShownDigits = 10;  // of a REAL behind <<
 constexpr int kPlaces = 6;        // of %f and %e without their own
+constexpr int kMostWidth = 400;   // of what a directive makes, and of its places
 
 /// %[-+0][width][.places]kind
 struct Directive {
@@ -54,7 +55,7 @@ class DirectiveReader {
  public:
   explicit DirectiveReader(std::string_view rest) : rest_(rest) {}
 
-  /// @returns nullopt when it is cut off
+  /// @returns nullopt when it is cut off or one of its numbers is too large
   std::optional<Directive> read() {
     Directive directive;
     for (;
@@ -64,12 +65,15 @@ class DirectiveReader {
       directive.plus = directive.plus || rest_[at_] == '+';
       directive.zeros = directive.zeros || rest_[at_] == '0';
     }
-    directive.width = number().value_or(0);
+    const auto width = number();
+    directive.width = width.value_or(0);
+    bool fits = width.has_value();
     if (at_ < rest_.size() && rest_[at_] == '.') {
       ++at_;
-      directive.places = number().value_or(0);
+      directive.places = number();
+      fits = fits && directive.places.has_value();
     }
-    if (at_ == rest_.size()) {
+    if (at_ == rest_.size() || !fits) {
       return std::nullopt;
     }
     directive.kind = upper(rest_[at_++]);
@@ -78,12 +82,14 @@ class DirectiveReader {
   [[nodiscard]] std::size_t length() const { return at_; }
 
  private:
+  /// 0 where none stands.
   std::optional<int> number() {
     int value = 0;
     const auto read = std::from_chars(rest_.data() + at_, rest_.data() + rest_.size(), value);
-    const bool found = read.ptr != rest_.data() + at_ && value <= 400;
     at_ = static_cast<std::size_t>(read.ptr - rest_.data());
-    return found ? std::optional(value) : std::nullopt;
+    const bool fits =
+        read.ec != std::errc::result_out_of_range && value >= 0 && value <= kMostWidth;
+    return fits ? std::optional(value) : std::nullopt;
   }
 
   std::string_view rest_;
@@ -206,17 +212,24 @@ std::optional<double> number_in(std::string_view text) {
     return std::nullopt;
   }
   text = text.substr(first, text.find_last_not_of(' ') - first + 1);
-  if (text.starts_with('+')) {
+  const bool is_negative = text.starts_with('-');
+  if (is_negative || text.starts_with('+')) {
     text.remove_prefix(1);
   }
+  const std::size_t exponent = upper(text).find("EX");
+  const std::string_view mantissa = text.substr(0, exponent);
+  if (mantissa.find_first_not_of("0123456789.") != std::string_view::npos) {
+    return std::nullopt;
+  }
   std::string plain(text);
-  if (const std::size_t exponent = upper(text).find("EX"); exponent != std::string::npos) {
+  if (exponent != std::string::npos) {
     plain.replace(exponent, 2, "e");
   }
   double number = 0.0;
   const auto read = std::from_chars(plain.data(), plain.data() + plain.size(), number);
   const bool whole = read.ec == std::errc() && read.ptr == plain.data() + plain.size();
-  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+  return whole && std::isfinite(number) ? std::optional(is_negative ? -number : number)
+                                        : std::nullopt;
 }
 
 std::optional<std::string> sprint(std::string_view format, const std::vector<SprintValue>& values) {

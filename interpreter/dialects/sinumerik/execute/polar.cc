@@ -1,4 +1,5 @@
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
@@ -38,11 +39,6 @@ void add(const Polar& polar, const Plane& plane, AxisPositions& q) {
   q[plane.second] += polar.radius * mathematics(FunctionId::SIN, polar.degrees, 0.0).value_or(0.0);
 }
 
-bool has_plane_words(const Channel& channel, const Block& block) {
-  return block.words.axis(channel.plane().first).present ||
-         block.words.axis(channel.plane().second).present;
-}
-
 }  // namespace
 
 bool is_polar(const Block& block) {
@@ -50,7 +46,7 @@ bool is_polar(const Block& block) {
 }
 
 MaybeFailure take_polar(Channel& channel, const Block& block, AxisPositions& q_W_end) {
-  if (has_plane_words(channel, block)) {
+  if (plane_words(channel, block) > 0) {
     return failure(AlarmId::PolarMixed, "AP and RP with an axis of the plane");
   }
   Pole& pole = channel.pole;
@@ -75,7 +71,7 @@ MaybeFailure set_pole(Channel& channel, const Block& block, const GCode& code) {
                       : code.name == "G112" ? channel.pole.q_W
                                             : AxisPositions::Zero();
   if (is_polar(block)) {
-    if (has_plane_words(channel, block)) {
+    if (plane_words(channel, block) > 0) {
       return failure(AlarmId::PolarMixed, std::string(code.name));
     }
     Polar polar;

@@ -1,4 +1,6 @@
+#include <array>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -57,6 +59,64 @@ MaybeFailure cannot_position(const Channel& channel, int axis, const AxisPositio
              : std::nullopt;
 }
 
+/// Where POS sends an axis, work coordinates.
+Result<double, Failure> positioning_place(Channel& channel, const Block& block, int axis) {
+  const auto index = static_cast<std::size_t>(axis);
+  if (block.words.axis(axis).present) {
+    return failure(AlarmId::AddressRepeated, fmt::format("{0} and POS[{0}]", kAxisLetters[index]));
+  }
+  AxisPositions q_W_end = channel.present();
+  const auto place = programmed_place(channel, axis, block.words.positioning[index], q_W_end[axis]);
+  if (!place) {
+    return place.error();
+  }
+  q_W_end[axis] = place.value();
+  const AxisPositions q_M_way = channel.to_machine(q_W_end) - channel.machine_position();
+  if (MaybeFailure wrong = cannot_position(channel, axis, q_M_way)) {
+    return *wrong;
+  }
+  return place.value();
+}
+
+/// @param place_W  work coordinate of the axis
+MaybeFailure move_one(Channel& channel, const Block& block, int axis, double place_W) {
+  AxisPositions q_W_end = channel.present();
+  q_W_end[axis] = place_W;
+  compensation::PathBlock path;
+  path.q_M_end = channel.to_machine(q_W_end);
+  const AxisSettings& settings = channel.axis_settings;
+  path.feed_mm_min = settings.feed[static_cast<std::size_t>(axis)] *
+                     settings.override_percent[axis] / 100.0 *
+                     channel.feed_switches.override_percent / 100.0;
+  path.g = path.feed_mm_min > 0.0 ? 1 : 0;
+  path.where = block.where;
+  return travel_to(channel, path, q_W_end);
+}
+
+/// Nothing moves before all of them can: one does not change where another one goes.
+MaybeFailure move_each(Channel& channel, const Block& block) {
+  std::array<std::optional<double>, kAxisCount> places_W;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (!block.words.positioning[axis].present) {
+      continue;
+    }
+    const auto place = positioning_place(channel, block, static_cast<int>(axis));
+    if (!place) {
+      return place.error();
+    }
+    places_W[axis] = place.value();
+  }
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    MaybeFailure wrong = places_W[axis]
+                             ? move_one(channel, block, static_cast<int>(axis), *places_W[axis])
+                             : std::nullopt;
+    if (wrong) {
+      return wrong;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 MaybeFailure take_axis_settings(Channel& channel, const Block& block) {
@@ -75,45 +135,6 @@ MaybeFailure take_axis_settings(Channel& channel, const Block& block) {
   }
   return std::nullopt;
 }
-
-namespace {
-
-MaybeFailure move_each(Channel& channel, const Block& block) {
-  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
-    const auto index = static_cast<std::size_t>(axis);
-    const BlockWords::Word& word = block.words.positioning[index];
-    if (!word.present) {
-      continue;
-    }
-    if (block.words.axis(axis).present) {
-      return failure(AlarmId::AddressRepeated,
-                     fmt::format("{0} and POS[{0}]", kAxisLetters[index]));
-    }
-    AxisPositions q_W_end = channel.present();
-    const auto place = programmed_place(channel, axis, word, q_W_end[axis]);
-    if (!place) {
-      return place.error();
-    }
-    q_W_end[axis] = place.value();
-    compensation::PathBlock path;
-    path.q_M_end = channel.to_machine(q_W_end);
-    if (MaybeFailure wrong =
-            cannot_position(channel, axis, path.q_M_end - channel.machine_position())) {
-      return wrong;
-    }
-    const AxisSettings& settings = channel.axis_settings;
-    path.feed_mm_min = settings.feed[index] * settings.override_percent[axis] / 100.0 *
-                       channel.feed_switches.override_percent / 100.0;
-    path.g = path.feed_mm_min > 0.0 ? 1 : 0;
-    path.where = block.where;
-    if (MaybeFailure wrong = travel_to(channel, path, q_W_end)) {
-      return wrong;
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 MaybeFailure move_positioning_axes(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = finish_corners(channel)) {

@@ -10,6 +10,10 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr double kToolChange = 6.0;  // M6
+constexpr int kPerRevolution = 3;    // of group 15: G95
+constexpr double kMmPerMetre = 1000.0;
+constexpr int kPerAdditive = 10;     // numbers of $TC_SCP for one DL,
+constexpr int kFirstOfAdditive = 3;  // behind the tenfold of which its parameters begin
 
 /// The number of the tool that T names; 0 for none.
 Result<int, Failure> named_tool(const Channel& channel, const BlockWords& words) {
@@ -65,10 +69,9 @@ MaybeFailure select_edge(Channel& channel, double number) {
 
 /// What DL adds to parameters 3 to 6 of an edge.
 std::array<double, 4> additive_of(const Tool& tool, int edge, int additive) {
-  constexpr int kPerOffset = 10;
   std::array<double, 4> sums = {};
   for (int i = 0; i < 4 && additive > 0; ++i) {
-    const int number = kPerOffset * additive + 3 + i;
+    const int number = kPerAdditive * additive + kFirstOfAdditive + i;
     sums[static_cast<std::size_t>(i)] = tool.datum({SystemId::AdditiveParameter, edge, number}) +
                                         tool.datum({SystemId::SetupParameter, edge, number});
   }
@@ -80,7 +83,8 @@ MaybeFailure select_additive(Channel& channel, double number) {
   constexpr double kMost = 6.0;
   const Tool* const tool = channel.find_tool(channel.tool);
   const auto is_of_it = [&](const auto& row) {
-    return row.first.edge == channel.edge && row.first.number / 10 == static_cast<int>(number) &&
+    return row.first.edge == channel.edge &&
+           (row.first.number - kFirstOfAdditive) / kPerAdditive == static_cast<int>(number) &&
            (row.first.id == SystemId::AdditiveParameter ||
             row.first.id == SystemId::SetupParameter);
   };
@@ -97,13 +101,6 @@ MaybeFailure select_additive(Channel& channel, double number) {
   channel.frames_changed();
   return std::nullopt;
 }
-
-}  // namespace
-
-namespace {
-
-constexpr int kPerRevolution = 3;  // of group 15: G95
-constexpr double kMmPerMetre = 1000.0;
 
 /// FZ
 MaybeFailure take_tooth_feed(Channel& channel, double per_tooth) {

@@ -1,6 +1,8 @@
 #include "interpreter/dialects/sinumerik/reference/explain.h"
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 #include <fmt/format.h>
 

@@ -66,6 +66,9 @@ double list_value(Channel& channel, const SystemAccess& access) {
 bool is_kept_of_edge(SystemId id) {
   return id >= SystemId::AdditiveParameter && id <= SystemId::EdgeLife;
 }
+bool needs_edge(SystemId id) {
+  return is_kept_of_edge(id) || id == SystemId::EdgeTeeth;
+}
 bool is_kept(SystemId id) {
   return id >= SystemId::AdditiveParameter && id <= SystemId::ToolDatum;
 }
@@ -80,30 +83,30 @@ MaybeFailure missing(Channel& channel, const SystemAccess& access) {
   if (tool == nullptr) {
     return no_tool(access);
   }
-  return is_kept_of_edge(access.id) && !tool->edges.contains(access.indices[1])
+  return needs_edge(access.id) && !tool->edges.contains(access.indices[1])
              ? std::optional(no_edge(access))
              : std::nullopt;
 }
 
 /// $TC_..
 Result<double, Failure> tool_value(Channel& channel, const SystemAccess& access) {
-  const bool of_edge = access.id == SystemId::EdgeParameter || access.id == SystemId::EdgeTeeth;
-  if (!of_edge) {
-    if (MaybeFailure wrong = missing(channel, access)) {
-      return *wrong;
-    }
-    const Tool& tool = *channel.find_tool(access.indices[0]);
-    return is_kept(access.id)                 ? tool.datum(datum_of(access))
-           : access.id == SystemId::ToolDuplo ? tool.duplo
-                                              : tool.state;
+  if (access.id == SystemId::EdgeParameter) {
+    const EdgeData* const edge = channel.find_edge(access.indices[0], access.indices[1]);
+    return edge != nullptr
+               ? Result<double, Failure>((*edge)[static_cast<std::size_t>(access.parameter)])
+               : no_edge(access);
   }
-  const EdgeData* const edge = channel.find_edge(access.indices[0], access.indices[1]);
-  if (edge == nullptr) {
-    return no_edge(access);
+  if (MaybeFailure wrong = missing(channel, access)) {
+    return *wrong;
   }
-  return access.id == SystemId::EdgeTeeth
-             ? channel.find_tool(access.indices[0])->teeth[access.indices[1]]
-             : (*edge)[static_cast<std::size_t>(access.parameter)];
+  const Tool& tool = *channel.find_tool(access.indices[0]);
+  if (access.id == SystemId::EdgeTeeth) {
+    const auto teeth = tool.teeth.find(access.indices[1]);
+    return teeth != tool.teeth.end() ? teeth->second : 0.0;
+  }
+  return is_kept(access.id)                 ? tool.datum(datum_of(access))
+         : access.id == SystemId::ToolDuplo ? tool.duplo
+                                            : tool.state;
 }
 
 }  // namespace
@@ -130,10 +133,14 @@ MaybeFailure set_tool_number(Channel& channel, SystemAccess access, double value
     if (access.parameter < 1 || access.parameter >= static_cast<int>(EdgeData().size())) {
       return failure(AlarmId::IndexOne, fmt::format("$P_AD[{}]", access.parameter));
     }
-    if (channel.edge_now) {
-      (*channel.edge_now)[static_cast<std::size_t>(access.parameter)] = value;
-      channel.frames_changed();
+    if (!channel.edge_now) {
+      return no_edge(access);
     }
+    (*channel.edge_now)[static_cast<std::size_t>(access.parameter)] = value;
+    channel.frames_changed();
+  }
+  if (access.id == SystemId::EdgeParameter && access.indices[1] < 1) {
+    return no_edge(access);
   }
   Tool* const known = channel.tool_to_write(access.indices[0]);
   if (MaybeFailure wrong = missing(channel, access)) {
