@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/runtime/overloaded.h"
+#include "interpreter/source/latin_1.h"
 #include "tools/cli/control_session.h"
 #include "tools/cli/disk.h"
 #include "tools/cli/printouts.h"
@@ -42,7 +43,7 @@ class EchoingRecorder final : public report::RunRecorder {
     if (keeps_) {
       RunRecorder::on_output(text);
     }
-    printouts_.write(report::bytes_as_text(std::string(text)));
+    printouts_.write(source::as_utf8(text));
   }
   void on_stop(const runtime::StopEvent& event) override {
     if (keeps_) {
@@ -85,7 +86,7 @@ std::string shown(const runtime::ShownValue& value) {
                         [](runtime::Cell cell) {
                           return cell.is_vacant() ? "null" : fmt::format("{}", cell.raw());
                         },
-                        [](const std::string& text) { return report::bytes_as_text(text); },
+                        [](const std::string& text) { return source::as_utf8(text); },
                     },
                     value);
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "interpreter/runtime/overloaded.h"
+#include "interpreter/source/latin_1.h"
 #include "machine/base/contract.h"
 
 namespace g31::report {
@@ -119,7 +120,7 @@ Json json_of(const runtime::ShownValue& value) {
   return std::visit(
       runtime::Overloaded{
           [](runtime::Cell cell) { return cell.is_vacant() ? Json() : Json(cell.raw()); },
-          [](const std::string& text) { return Json(bytes_as_text(text)); },
+          [](const std::string& text) { return Json(source::as_utf8(text)); },
       },
       value);
 }
@@ -142,20 +143,6 @@ Json list_of(const Events& events, Convert convert) {
 }
 
 }  // namespace
-
-std::string bytes_as_text(const std::string& bytes) {
-  std::string text;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      text.push_back(c);
-    } else {
-      text.push_back(static_cast<char>(0xC0 | (byte >> 6)));
-      text.push_back(static_cast<char>(0x80 | (byte & 0x3F)));
-    }
-  }
-  return text;
-}
 
 const char* status_name(runtime::Status status) {
   switch (status) {
@@ -185,10 +172,10 @@ std::string run_document(const RunResult& result, const RunRecorder& recorder) {
   for (const auto& [name, value] : result.variables) {
     document["variables"][name] = json_of(value);
   }
-  document["output"] = bytes_as_text(recorder.output());
+  document["output"] = source::as_utf8(recorder.output());
   document["files"] = Json::object();
   for (const auto& [name, content] : result.files) {
-    document["files"][name] = bytes_as_text(content);
+    document["files"][name] = source::as_utf8(content);
   }
   document["stops"] = list_of(recorder.stops(), [](const Recorded<runtime::StopEvent>& stop) {
     Json object = {{"kind", stop.event.kind}, {"text", stop.event.text}};

@@ -28,9 +28,6 @@ struct RunResult {
 /// Bytes that are no UTF-8 in program texts are replaced by U+FFFD.
 std::string run_document(const RunResult& result, const RunRecorder& recorder);
 
-/// What a control holds or prints as text for people: each byte is the code point of its value.
-std::string bytes_as_text(const std::string& bytes);
-
 /// The `status` of the document: "completed", "alarm", "collision", "setup" or "budget".
 const char* status_name(runtime::Status status);
 

@@ -185,18 +185,9 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
 
 /// What g31 knows the name of, and no more: the row of the word before says why.
 void Compiler::refused_statement() {
-  struct Row {
-    std::string_view name;
-    std::string_view text;
-  };
-  static constexpr auto kRows = std::to_array<Row>({
-#define KEYWORD(name, handler, form, text) {#name, text},
-#include "interpreter/dialects/sinumerik/keywords.def"
-#undef KEYWORD
-  });
   const std::string_view name = tokens_[at_ - 1].text;
-  const auto row = std::ranges::find(kRows, name, &Row::name);
-  const bool is_known = row != kRows.end();
+  const auto row = std::ranges::find(keywords(), name, &KeywordInfo::name);
+  const bool is_known = row != keywords().end();
   fail(AlarmId::NotImplemented, block_,
        is_known ? std::string(name) + ": " + std::string(row->text) : text_of(block_));
 }

@@ -4,6 +4,7 @@
 #include "interpreter/dialects/sinumerik/compiler.h"
 #include "interpreter/dialects/sinumerik/operators.h"
 #include "interpreter/dialects/sinumerik/text_format.h"
+#include "interpreter/source/latin_1.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::sinumerik {
@@ -186,7 +187,7 @@ Expr Compiler::primary() {
 }
 
 Expr Compiler::text_literal(const Token& token) {
-  const auto text = with_characters(one_byte_each(token.text));
+  const auto text = with_characters(source::one_byte_each(token.text));
   if (!text) {
     fail(text.error(), token.where, text_of(token.where));
     return {};

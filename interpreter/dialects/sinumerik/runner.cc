@@ -8,6 +8,7 @@
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/scanner.h"
 #include "interpreter/runtime/stop_report.h"
+#include "interpreter/source/latin_1.h"
 #include "machine/base/contract.h"
 
 namespace g31::sinumerik {
@@ -309,7 +310,7 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   runtime::StopReason reason;
   reason.status = failure.status;
   reason.number = failure.number != 0 ? failure.number : row.number;
-  reason.text = failure.text.empty() ? std::string(row.text) : as_utf8(failure.text);
+  reason.text = failure.text.empty() ? std::string(row.text) : source::as_utf8(failure.text);
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
   const auto place_in = [&](std::size_t which) {

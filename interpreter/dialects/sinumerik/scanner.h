@@ -96,10 +96,4 @@ class Scanner {
   std::vector<Token>* tokens_ = nullptr;
 };
 
-/// A text of Latin-1 characters, whether the file has it in Latin-1 or in UTF-8: the control counts
-/// characters, and shows them by one byte.
-std::string one_byte_each(std::string_view text);
-/// The way back, for messages.
-std::string as_utf8(std::string_view bytes);
-
 }  // namespace g31::sinumerik

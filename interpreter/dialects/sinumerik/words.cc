@@ -21,6 +21,12 @@ constexpr auto kProcedures = std::to_array<ProcedureInfo>({
 #undef PROCEDURE
 });
 
+constexpr auto kKeywords = std::to_array<KeywordInfo>({
+#define KEYWORD(name, handler, form, text) {#name, form, text},
+#include "interpreter/dialects/sinumerik/keywords.def"
+#undef KEYWORD
+});
+
 constexpr auto kAxisWords = std::to_array<AxisWordInfo>({
 #define AXIS_WORD(id, name, role, least, most, text) \
   {AxisWordId::id, name, AxisRole::role, least, most, text},
@@ -93,6 +99,10 @@ const AxisWordInfo& info(AxisWordId id) {
 const AxisWordInfo* find_axis_word(std::string_view name) {
   const auto found = std::ranges::find(kAxisWords, name, &AxisWordInfo::name);
   return found != kAxisWords.end() ? &*found : nullptr;
+}
+
+std::span<const KeywordInfo> keywords() {
+  return kKeywords;
 }
 
 std::span<const ProcedureInfo> procedures() {

@@ -102,6 +102,15 @@ struct ProcedureInfo {
   std::string_view text;
 };
 
+/// Statements: rows of keywords.def.
+struct KeywordInfo {
+  std::string_view name;
+  std::string_view form;
+  std::string_view text;
+};
+
+std::span<const KeywordInfo> keywords();
+
 std::span<const ProcedureInfo> procedures();
 std::optional<ProcedureId> find_procedure(std::string_view name);
 

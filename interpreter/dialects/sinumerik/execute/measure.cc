@@ -139,7 +139,9 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   if (!measuring.by_action) {
     channel.measured = {};
   }
+  const double began = channel.port.time_s();
   const auto outcome = channel.port.move_until_skip(move);
+  channel.clocks.cutting += channel.port.time_s() - began;
   if (!outcome) {
     channel.arrived_at_machine();
     return from_fault(outcome.error());

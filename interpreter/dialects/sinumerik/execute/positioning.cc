@@ -90,7 +90,10 @@ MaybeFailure move_one(Channel& channel, const Block& block, int axis, double pla
                      channel.feed_switches.override_percent / 100.0;
   path.g = path.feed_mm_min > 0.0 ? 1 : 0;
   path.where = block.where;
-  return travel_to(channel, path, q_W_end);
+  const double cutting = channel.clocks.cutting;
+  MaybeFailure wrong = travel_to(channel, path, q_W_end);
+  channel.clocks.cutting = cutting;  // which counts the path only
+  return wrong;
 }
 
 /// Nothing moves before all of them can: one does not change where another one goes.

@@ -22,24 +22,12 @@ namespace {
 using runtime::Entries;
 using runtime::Entry;
 
-struct Keyword {
-  std::string_view name;
-  std::string_view form;
-  std::string_view text;
-};
-
-constexpr auto kKeywords = std::to_array<Keyword>({
-#define KEYWORD(name, handler, form, text) {#name, form, text},
-#include "interpreter/dialects/sinumerik/keywords.def"
-#undef KEYWORD
-});
-
 std::string text(std::string_view view) {
   return std::string(view);
 }
 
 void add_language(Topics& all) {
-  for (const Keyword& row : kKeywords) {
+  for (const KeywordInfo& row : keywords()) {
     all.push_back({text(row.name),
                    "",
                    {"statement", text(row.name), text(row.text), {{"form", text(row.form)}}}});

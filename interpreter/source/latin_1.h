@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace g31::source {
+
+/// A text of Latin-1 characters, whether a file has it in Latin-1 or in UTF-8: controls count
+/// characters, and keep them in one byte each.
+std::string one_byte_each(std::string_view text);
+
+/// The way back, for people: each byte is the code point of its value.
+std::string as_utf8(std::string_view bytes);
+
+}  // namespace g31::source
