@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -72,6 +73,12 @@ struct Level {
   std::array<int, kGroupCount> saved_group = {};  ///< SAVE
   Frame saved_frame;
   std::optional<Frame> saved_settable;  ///< MD10617 bit 0
+
+  /// Whether all VAR parameters refer to something.
+  [[nodiscard]] bool has_references() const {
+    const auto wanted = std::ranges::count_if(program->parameters, &Parameter::by_reference);
+    return references.size() == static_cast<std::size_t>(wanted);
+  }
 
   /// Back to the program that waits for its EXECSTRING, wherever the text stands.
   void leave_texts() {

@@ -53,6 +53,7 @@ Runner::Runner(ProgramLibrary& library, machine::MachinePort& port, runtime::Obs
 
 void Runner::start(const CompiledProgram& program) {
   depth_ = 0;
+  current_ = 0;
   ended_ = false;
   modal_call_.reset();
   words_.clear();
@@ -63,12 +64,18 @@ void Runner::start(const CompiledProgram& program) {
 }
 
 /// What follows in a long program.  Windows have no local variables that could be lost.
-void Runner::begin_window() {
+MaybeFailure Runner::begin_window() {
   const ProgramWindows::Place place = library_.next_window();
   level().program = place.program;
   level().step = place.step;
-  level().make_locals();
+  return take_no_arguments();
+}
+
+/// What nobody calls has its preset values, and nothing to refer to.
+MaybeFailure Runner::take_no_arguments() {
+  MaybeFailure wrong = take_arguments(level(), {});
   use_level();
+  return wrong;
 }
 
 void Runner::use_level() {
@@ -97,13 +104,19 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
   has_run_ = true;
   channel_.arrived_at_machine();
   channel_.budget = runtime::BudgetWatch(budget);
-  MaybeFailure reason = loop();
+  MaybeFailure reason = take_no_arguments();
+  if (!reason) {
+    reason = loop();
+  }
   if (!reason) {
     reason = finish_motion(channel_);
   }
   if (reason) {
     outcome = outcome_of(*reason);
     drop_motion(channel_);
+  }
+  if (!levels_.front()->has_references()) {
+    *levels_.front() = Level();  // its variables are nowhere
   }
   outcome.diagnostics = channel_.diagnostics;
   outcome.blocks = channel_.budget.blocks();
@@ -186,8 +199,7 @@ MaybeFailure Runner::other_step(const Op& op) {
       end_text();
       return std::nullopt;
     case static_cast<int>(OpCode::EndWindow):
-      begin_window();
-      return std::nullopt;
+      return begin_window();
     case static_cast<int>(OpCode::JumpText):
       return jump_to_text(op);
     case static_cast<int>(OpCode::RepeatPart):

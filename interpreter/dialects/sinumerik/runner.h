@@ -57,7 +57,8 @@ class Runner {
   MaybeFailure run_among(const CompiledProgram& program);
   [[nodiscard]] const CompiledProgram& home() const;
   void start(const CompiledProgram& program);
-  void begin_window();
+  MaybeFailure begin_window();
+  MaybeFailure take_no_arguments();
   MaybeFailure loop();
   MaybeFailure other_step(const Op& op);
   MaybeFailure value_step(const Op& op);
