@@ -7,8 +7,8 @@
 #include <sys/stat.h>
 
 #include "tests/support/run_program.h"
-#include "tools/cli/disk.h"
 #include "tools/cli/run_options.h"
+#include "tools/disk/disk.h"
 
 namespace g31 {
 namespace {
@@ -88,7 +88,7 @@ TEST(WriteWholeFile, SaysWhyItCannotAndLeavesNothing) {
         std::pair{folder.path("folder"), "Is a directory"},
         std::pair{folder.path("loop"), "Too many levels of symbolic links"}}) {
     SCOPED_TRACE(path);
-    const auto problem = cli::write_whole_file(path, "text");
+    const auto problem = disk::write_whole_file(path, "text");
     ASSERT_TRUE(problem.has_value());
     EXPECT_EQ(*problem, "cannot write " + path + ": " + why);
   }
@@ -99,14 +99,14 @@ TEST(WriteWholeFile, LeavesLinksAndPipesWhatTheyAre) {
   TemporaryFolder folder;
   const std::string file = folder.write("file", "before");
   fs::create_symlink("file", folder.path("link"));
-  EXPECT_EQ(cli::write_whole_file(folder.path("link"), "after"), std::nullopt);
+  EXPECT_EQ(disk::write_whole_file(folder.path("link"), "after"), std::nullopt);
   EXPECT_TRUE(fs::is_symlink(folder.path("link")));
-  EXPECT_EQ(cli::Disk().read(file), "after");
+  EXPECT_EQ(disk::Disk().read(file), "after");
 
   const std::string pipe = folder.path("pipe");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   std::fstream reader(pipe, std::ios::in | std::ios::out);
-  EXPECT_EQ(cli::write_whole_file(pipe, "line\n"), std::nullopt);
+  EXPECT_EQ(disk::write_whole_file(pipe, "line\n"), std::nullopt);
   std::string line;
   std::getline(reader, line);
   EXPECT_EQ(line, "line");

@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/run_program.h"
-#include "tools/cli/shipped.h"
 #include "tools/setup/duration.h"
 
 namespace g31 {

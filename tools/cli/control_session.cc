@@ -8,8 +8,8 @@
 
 #include "interpreter/dialects/fanuc/session.h"
 #include "interpreter/dialects/sinumerik/session.h"
-#include "tools/cli/disk.h"
-#include "tools/cli/shipped.h"
+#include "tools/disk/disk.h"
+#include "tools/disk/shipped.h"
 
 namespace g31::cli {
 namespace {
@@ -31,7 +31,7 @@ std::optional<Refusal> load_programs(Library& library, const RunOptions& options
     }
     library.add_folder(folder);
   }
-  if (const auto folder = shipped_folder(shipped)) {
+  if (const auto folder = disk::shipped_folder(shipped)) {
     library.add_folder(*folder);
   }
   return std::nullopt;
@@ -64,7 +64,7 @@ class FanucSession final : public ControlSession {
 
 /// Programs of a Fanuc control and the session that runs them.
 struct FanucRun {
-  Disk disk;
+  disk::Disk disk;
   fanuc::ProgramLibrary library{disk};
   std::optional<FanucSession> session;
 };
@@ -98,7 +98,7 @@ class SinumerikSession final : public ControlSession {
   }
 
  private:
-  Disk disk_;
+  disk::Disk disk_;
   sinumerik::ProgramLibrary library_;
   std::optional<sinumerik::Session> session_;
 };

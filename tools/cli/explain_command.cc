@@ -12,8 +12,8 @@
 #include "interpreter/dialects/sinumerik/reference/program_texts.h"
 #include "interpreter/dialects/sinumerik/session.h"
 #include "tools/cli/chosen_profile.h"
-#include "tools/cli/disk.h"
-#include "tools/cli/shipped.h"
+#include "tools/disk/disk.h"
+#include "tools/disk/shipped.h"
 
 namespace g31::cli {
 namespace {
@@ -81,11 +81,11 @@ const sinumerik::Topics& shipped_topics() {
   static const sinumerik::Topics kTopics = [] {
     sinumerik::Topics all;
     std::set<std::string> known;
-    const auto folder = shipped_folder("macros/sinumerik");
+    const auto folder = disk::shipped_folder("macros/sinumerik");
     if (!folder) {
       return all;
     }
-    Disk disk;
+    disk::Disk disk;
     for (const std::string& name : disk.list(*folder)) {
       const bool is_program = name.ends_with(".SPF") || name.ends_with(".DEF");
       const auto text = is_program ? disk.read(*folder + "/" + name) : std::nullopt;

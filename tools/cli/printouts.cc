@@ -89,7 +89,7 @@ Result<std::shared_ptr<Printouts>, Refusal> Printouts::open(const RunOptions& op
     printouts->stream_ = device.value();
     return printouts;
   }
-  const auto file = report::PartFile::create(options.printer);
+  const auto file = disk::PartFile::create(options.printer);
   if (!file) {
     return wrong_printer(options.printer, fmt::format("cannot write: {}", file.error()));
   }

@@ -9,7 +9,7 @@
 #include "interpreter/runtime/printer_port.h"
 #include "machine/base/result.h"
 #include "tools/cli/run_preparation.h"
-#include "tools/report/part_file.h"
+#include "tools/disk/part_file.h"
 
 namespace g31::cli {
 
@@ -38,7 +38,7 @@ class Printouts {
 
   std::string path_;
   std::FILE* stream_ = nullptr;  // standard output, a device or pipe of ours, or none
-  std::shared_ptr<report::PartFile> file_;
+  std::shared_ptr<disk::PartFile> file_;
   std::shared_ptr<runtime::PrinterPort> printer_;
   int error_ = 0;  // errno of the first failure
 };

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "tools/cli/disk.h"
+#include "tools/disk/disk.h"
 
 namespace g31::cli {
 namespace {
@@ -31,7 +31,7 @@ Result<ProgramFiles, std::string> ProgramFiles::open(const std::string& folder) 
     return files;
   }
   std::error_code error;
-  Disk disk;
+  disk::Disk disk;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     if (!is_for_program(entry)) {
       continue;
@@ -69,7 +69,7 @@ std::optional<std::string> ProgramFiles::save(const Contents& now) const {
     if (fs::is_symlink(path, error)) {
       fs::remove(path, error);  // it would lead out of the folder
     }
-    if (auto wrong = write_whole_file(path.string(), content)) {
+    if (auto wrong = disk::write_whole_file(path.string(), content)) {
       return wrong;
     }
   }

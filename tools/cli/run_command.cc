@@ -12,12 +12,12 @@
 #include "interpreter/runtime/overloaded.h"
 #include "interpreter/source/latin_1.h"
 #include "tools/cli/control_session.h"
-#include "tools/cli/disk.h"
 #include "tools/cli/printouts.h"
 #include "tools/cli/program_files.h"
 #include "tools/cli/run_preparation.h"
 #include "tools/cli/scene.h"
 #include "tools/cli/variables_file.h"
+#include "tools/disk/disk.h"
 #include "tools/report/run_document.h"
 #include "tools/report/run_recorder.h"
 #include "tools/report/trace_file.h"
@@ -110,7 +110,7 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
   if (options.json.empty() || options.json == "-") {
     return std::nullopt;
   }
-  const auto problem = write_whole_file(options.json, run_document(result, recorder));
+  const auto problem = disk::write_whole_file(options.json, run_document(result, recorder));
   return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }
 
@@ -120,7 +120,7 @@ std::optional<Refusal> keep_state(const std::string& path, const ProgramFiles& f
                                   const ControlSession& session) {
   auto problem = files.save(session.files());
   if (!problem && !path.empty()) {
-    problem = write_whole_file(path, variables_text(session.permanent_variables()));
+    problem = disk::write_whole_file(path, variables_text(session.permanent_variables()));
   }
   return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
 }

@@ -8,9 +8,9 @@
 
 #include "interpreter/source/diagnostic.h"
 #include "machine/base/contract.h"
-#include "tools/cli/disk.h"
-#include "tools/cli/shipped.h"
 #include "tools/cli/variables_file.h"
+#include "tools/disk/disk.h"
+#include "tools/disk/shipped.h"
 #include "tools/setup/assignment.h"
 #include "tools/setup/duration.h"
 #include "tools/setup/name_list.h"
@@ -22,7 +22,7 @@ Result<ChosenControl, Refusal> chosen_control(const RunOptions& options, const s
   std::string name = !options.control.empty() ? options.control : job.control.profile;
   if (name.empty() && !options.programs.empty()) {
     constexpr std::size_t kBeginning = 64;  // bytes: a header stands first
-    Disk disk;
+    disk::Disk disk;
     const auto beginning = disk.read_part(options.programs.front(), 0, kBeginning);
     name = control_of_program(options.programs.front(), beginning.value_or(""));
   }
@@ -35,7 +35,7 @@ Result<ChosenControl, Refusal> chosen_control(const RunOptions& options, const s
 
 std::optional<Refusal> take_variables(const RunOptions& options, setup::Job& job) {
   auto& variables = job.control.variables;
-  Disk disk;
+  disk::Disk disk;
   if (!job.control.variables_file.empty()) {
     if (const auto text = disk.read(job.control.variables_file)) {
       auto kept = parse_variables_text(*text);
@@ -77,7 +77,7 @@ Refusal refusal_of(const setup::SetupErrors& errors) {
 
 Result<Prepared, Refusal> prepare(const RunOptions& options) {
   Prepared prepared;
-  auto job = setup::read_job(options.setups, shipped_folder("machine/library").value_or(""));
+  auto job = setup::read_job(options.setups, disk::shipped_folder("machine/library").value_or(""));
   if (!job) {
     return refusal_of(job.error());
   }

@@ -9,9 +9,9 @@
 
 #include "interpreter/runtime/observer.h"
 #include "tools/cli/control_session.h"
-#include "tools/cli/disk.h"
 #include "tools/cli/run_preparation.h"
 #include "tools/cli/scene.h"
+#include "tools/disk/disk.h"
 #include "tools/gltf/gltf_document.h"
 #include "tools/gltf/path_recorder.h"
 
@@ -76,7 +76,7 @@ ExitCode scene_command(const SceneOptions& options) {
   }
   const std::string document =
       gltf::gltf_document(pictured(scene.value()), recorder.trace(), *form);
-  if (const auto problem = write_whole_file(options.output, document)) {
+  if (const auto problem = disk::write_whole_file(options.output, document)) {
     return refuse(refusal(ExitCode::BadUsage, *problem));
   }
   return exit_code_of(outcome);

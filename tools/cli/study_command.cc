@@ -14,9 +14,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "tools/cli/disk.h"
 #include "tools/cli/run_preparation.h"
 #include "tools/cli/study_runs.h"
+#include "tools/disk/disk.h"
 #include "tools/study/read_study.h"
 #include "tools/study/record.h"
 #include "tools/study/record_csv.h"
@@ -125,7 +125,7 @@ Made merge_shards(const StudyOptions& options) {
     return refusal(ExitCode::BadUsage,
                    "--merge takes shards only, no study file, --shard, --repeats or --seed");
   }
-  Disk disk;
+  disk::Disk disk;
   std::vector<study::Record> parts;
   for (const std::string& path : options.merge) {
     const auto text = disk.read(path);
@@ -146,7 +146,7 @@ Made merge_shards(const StudyOptions& options) {
 
 std::optional<Refusal> write_out(const std::string& path, std::string_view text) {
   if (path != "-") {
-    const auto problem = write_whole_file(path, text);
+    const auto problem = disk::write_whole_file(path, text);
     return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
   }
   std::fwrite(text.data(), 1, text.size(), stdout);

@@ -13,7 +13,7 @@
 #include "interpreter/source/diagnostic.h"
 #include "machine/base/contract.h"
 #include "tools/cli/scene.h"
-#include "tools/cli/shipped.h"
+#include "tools/disk/shipped.h"
 #include "tools/report/run_document.h"
 
 namespace g31::cli {
@@ -139,7 +139,7 @@ StudyRuns::StudyRuns(const study::Study& study) : study_(study), programs_(study
 StudyRuns::~StudyRuns() = default;
 
 std::optional<Refusal> StudyRuns::read_sheets() {
-  const std::string machines = shipped_folder("machine/library").value_or("");
+  const std::string machines = disk::shipped_folder("machine/library").value_or("");
   for (std::size_t point = 0; point < study::point_count(study_); ++point) {
     std::vector<std::string> sheets = study_.setups;
     const auto values = study::values_at(study_, point);
@@ -293,7 +293,7 @@ std::string StudyRuns::inputs() const {
       take(document->text);
     }
   }
-  Disk disk;
+  disk::Disk disk;
   for (const std::string& program : programs_) {
     take(disk.read(program).value_or(""));
   }

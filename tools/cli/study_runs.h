@@ -13,8 +13,8 @@
 #include "probe/sensor/touchable_parts.h"
 #include "tools/cli/chosen_profile.h"
 #include "tools/cli/control_session.h"
-#include "tools/cli/disk.h"
 #include "tools/cli/run_preparation.h"
+#include "tools/disk/disk.h"
 #include "tools/setup/sheet_stack.h"
 #include "tools/study/grid.h"
 #include "tools/study/record.h"
@@ -84,7 +84,7 @@ class StudyRuns {
   std::vector<std::unique_ptr<Point>> points_;
   std::vector<std::unique_ptr<Geometry>> geometries_;  ///< one for all points, or one for each
   bool draws_geometry_ = false;
-  Disk disk_;
+  disk::Disk disk_;
   std::mutex libraries_mutex_;
   std::map<std::thread::id, std::unique_ptr<Programs>> libraries_;
 };

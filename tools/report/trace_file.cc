@@ -9,7 +9,7 @@ namespace g31::report {
 
 Result<std::shared_ptr<TraceFile>, std::string> TraceFile::create(const std::string& path,
                                                                   const AxesPresent& axes) {
-  auto file = PartFile::create(path);
+  auto file = disk::PartFile::create(path);
   if (!file) {
     return fmt::format("cannot write {}: {}", path, file.error());
   }
@@ -25,7 +25,7 @@ Result<std::shared_ptr<TraceFile>, std::string> TraceFile::create(const std::str
   return std::shared_ptr<TraceFile>(new TraceFile(path, file.value(), axes));
 }
 
-TraceFile::TraceFile(const std::string& path, std::shared_ptr<PartFile> file,
+TraceFile::TraceFile(const std::string& path, std::shared_ptr<disk::PartFile> file,
                      const AxesPresent& axes)
     : path_(path), file_(std::move(file)), axes_(axes) {}
 

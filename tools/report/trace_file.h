@@ -7,7 +7,7 @@
 
 #include "machine/base/result.h"
 #include "machine/port/trace.h"
-#include "tools/report/part_file.h"
+#include "tools/disk/part_file.h"
 
 namespace g31::report {
 
@@ -29,11 +29,11 @@ class TraceFile final : public machine::TraceSink {
   std::optional<std::string> finish();
 
  private:
-  TraceFile(const std::string& path, std::shared_ptr<PartFile> file, const AxesPresent& axes);
+  TraceFile(const std::string& path, std::shared_ptr<disk::PartFile> file, const AxesPresent& axes);
   void append(std::string& line, const AxisPositions& q) const;
 
   std::string path_;
-  std::shared_ptr<PartFile> file_;
+  std::shared_ptr<disk::PartFile> file_;
   AxesPresent axes_;
   std::string line_;
 };

@@ -1,4 +1,4 @@
-#include "tools/report/part_file.h"
+#include "tools/disk/part_file.h"
 
 #include <cerrno>
 #include <cstring>
@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace g31::report {
+namespace g31::disk {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,4 +73,4 @@ std::optional<std::string> PartFile::finish() {
   return std::string(std::strerror(error_));
 }
 
-}  // namespace g31::report
+}  // namespace g31::disk

@@ -1,4 +1,4 @@
-#include "tools/cli/disk.h"
+#include "tools/disk/disk.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -9,9 +9,9 @@
 
 #include <fmt/format.h>
 
-#include "tools/report/part_file.h"
+#include "tools/disk/part_file.h"
 
-namespace g31::cli {
+namespace g31::disk {
 
 namespace fs = std::filesystem;
 
@@ -26,7 +26,7 @@ std::optional<std::string> write_into(const std::string& path, std::string_view 
 }
 
 std::optional<std::string> replace_file(const std::string& path, std::string_view text) {
-  const auto file = report::PartFile::create(path);
+  const auto file = PartFile::create(path);
   if (!file) {
     return file.error();
   }
@@ -92,4 +92,4 @@ std::optional<std::string> write_whole_file(const std::string& path, std::string
   return reason ? std::optional(fmt::format("cannot write {}: {}", path, *reason)) : std::nullopt;
 }
 
-}  // namespace g31::cli
+}  // namespace g31::disk

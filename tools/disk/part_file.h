@@ -8,7 +8,7 @@
 
 #include "machine/base/result.h"
 
-namespace g31::report {
+namespace g31::disk {
 
 /// A file that is written piece by piece under a temporary name beside it, so that memory stays
 /// small and nobody ever sees half of it; a link to a file stays one.
@@ -37,4 +37,4 @@ class PartFile {
   int error_ = 0;  // errno of the first failure
 };
 
-}  // namespace g31::report
+}  // namespace g31::disk

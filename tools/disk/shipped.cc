@@ -1,9 +1,9 @@
-#include "tools/cli/shipped.h"
+#include "tools/disk/shipped.h"
 
 #include <cstdlib>
 #include <filesystem>
 
-namespace g31::cli {
+namespace g31::disk {
 
 namespace fs = std::filesystem;
 
@@ -19,7 +19,8 @@ std::optional<std::string> shipped_folder(const std::string& name) {
     return installed.string();
   }
   // build/<preset>/tools/cli: the source tree is a few folders up.
-  for (int levels = 0; levels < 6 && above.has_parent_path(); ++levels, above = above.parent_path()) {
+  for (int levels = 0; levels < 6 && above.has_parent_path();
+       ++levels, above = above.parent_path()) {
     if (fs::is_directory(above / name, error)) {
       return (above / name).string();
     }
@@ -27,4 +28,4 @@ std::optional<std::string> shipped_folder(const std::string& name) {
   return std::nullopt;
 }
 
-}  // namespace g31::cli
+}  // namespace g31::disk

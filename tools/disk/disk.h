@@ -7,7 +7,7 @@
 
 #include "interpreter/source/file_system.h"
 
-namespace g31::cli {
+namespace g31::disk {
 
 /// The real disk.
 class Disk final : public source::FileSystem {
@@ -20,7 +20,8 @@ class Disk final : public source::FileSystem {
 };
 
 /// Writes a file under a temporary name beside it and renames it, so that nobody ever sees half of
-/// it; a link to a file stays one.  A device or a pipe gets the text as it is.  @returns why it could not be written; nullopt: it was
+/// it; a link to a file stays one.  A device or a pipe gets the text as it is.  @returns why it
+/// could not be written; nullopt: it was
 std::optional<std::string> write_whole_file(const std::string& path, std::string_view text);
 
-}  // namespace g31::cli
+}  // namespace g31::disk
