@@ -52,7 +52,7 @@ class Includes(CheckerTest):
             ("probe/sensor/a.h", "probe/contact/b.h"),
             ("interpreter/dialects/fanuc/execute/a.cc", "interpreter/dialects/fanuc/b.h"),
             ("tools/setup/a.cc", "interpreter/runtime/b.h"),
-            ("tools/cli/a.cc", "interpreter/dialects/fanuc/b.h"),
+            ("tools/session/a.cc", "interpreter/dialects/fanuc/b.h"),
             ("tests/probe/a_test.cc", "tests/support/b.h"),
             ("machine/base/a.h", "machine/base/b.h"),
         ]
@@ -77,6 +77,9 @@ class Includes(CheckerTest):
             ("interpreter/dialects/fanuc", "probe/sensor/b.h"),
             ("tools/setup", "interpreter/dialects/fanuc/b.h"),
             ("tools/setup", "tools/cli/b.h"),
+            ("tools/session", "tools/cli/b.h"),
+            ("tools/cli", "interpreter/dialects/fanuc/b.h"),
+            ("tools/study", "interpreter/dialects/sinumerik/b.h"),
             ("tools/report", "tools/setup/b.h"),
             ("probe/contact", "tools/setup/b.h"),
             ("machine/sim", "tests/support/b.h"),

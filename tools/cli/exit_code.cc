@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "machine/base/contract.h"
+
 namespace g31::cli {
 namespace {
 
@@ -15,6 +17,26 @@ constexpr auto kRows = std::to_array<ExitCodeRow>({
 
 std::span<const ExitCodeRow> exit_codes() {
   return kRows;
+}
+
+ExitCode exit_code_of(session::Ending ending) {
+  switch (ending) {
+    case session::Ending::Completed:
+      return ExitCode::Completed;
+    case session::Ending::Findings:
+      return ExitCode::Findings;
+    case session::Ending::BadInput:
+      return ExitCode::BadUsage;
+    case session::Ending::Alarm:
+      return ExitCode::Alarm;
+    case session::Ending::Collision:
+      return ExitCode::Collision;
+    case session::Ending::Setup:
+      return ExitCode::Setup;
+    case session::Ending::Budget:
+      return ExitCode::Budget;
+  }
+  contract_violated("every ending has an exit code", __FILE__, __LINE__);
 }
 
 }  // namespace g31::cli

@@ -3,6 +3,8 @@
 #include <span>
 #include <string_view>
 
+#include "tools/session/ending.h"
+
 namespace g31::cli {
 
 /// Rows of exit_codes.def.
@@ -18,5 +20,8 @@ struct ExitCodeRow {
 };
 
 std::span<const ExitCodeRow> exit_codes();
+
+/// What a run that came to this returns to the shell.
+ExitCode exit_code_of(session::Ending ending);
 
 }  // namespace g31::cli

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "interpreter/dialects/fanuc/reference/explain.h"
-#include "interpreter/dialects/sinumerik/reference/explain.h"
-#include "interpreter/dialects/sinumerik/reference/program_texts.h"
-#include "interpreter/dialects/sinumerik/session.h"
-#include "tools/cli/chosen_profile.h"
-#include "tools/disk/disk.h"
-#include "tools/disk/shipped.h"
+#include "interpreter/runtime/reference.h"
+#include "tools/cli/messages.h"
+#include "tools/session/manual.h"
 
 namespace g31::cli {
 namespace {
@@ -76,73 +71,34 @@ void print_json(const runtime::Entries& entries, std::string_view control) {
   print(document.dump(2) + "\n");
 }
 
-/// What the shipped programs of the SINUMERIK say of themselves; of an alarm the first place.
-const sinumerik::Topics& shipped_topics() {
-  static const sinumerik::Topics kTopics = [] {
-    sinumerik::Topics all;
-    std::set<std::string> known;
-    const auto folder = disk::shipped_folder("macros/sinumerik");
-    if (!folder) {
-      return all;
-    }
-    disk::Disk disk;
-    for (const std::string& name : disk.list(*folder)) {
-      const bool is_program = name.ends_with(".SPF") || name.ends_with(".DEF");
-      const auto text = is_program ? disk.read(*folder + "/" + name) : std::nullopt;
-      for (sinumerik::Topic& topic : sinumerik::topics_of_text(text.value_or(""))) {
-        if (known.insert(topic.name).second) {
-          all.push_back(std::move(topic));
-        }
-      }
-    }
-    return all;
-  }();
-  return kTopics;
-}
-
-/// What either dialect knows.
-runtime::Entries entries_about(const std::string& topic, const ChosenControl& control) {
-  return control.profile != nullptr ? fanuc::reference::explain(topic, *control.profile)
-                                    : sinumerik::explain(topic, shipped_topics());
-}
-
-runtime::Entries everything(const ChosenControl& control) {
-  return control.profile != nullptr ? fanuc::reference::everything(*control.profile)
-                                    : sinumerik::everything(shipped_topics());
-}
-
-std::string unknown_text(const std::string& topic, const ChosenControl& control) {
-  if (control.profile != nullptr && !sinumerik::explain(topic, shipped_topics()).empty()) {
-    return fmt::format("g31: error: {} does not know '{}', --control {} does\n", control.name,
-                       topic, sinumerik::kControlName);
+std::string unknown_text(const std::string& topic, const session::Control& control) {
+  const session::Suggestion suggestion = session::suggestion_for(topic, control);
+  if (suggestion.other_control) {
+    return fmt::format("g31: error: {} does not know '{}', --control {} does\n",
+                       session::name_of(control), topic,
+                       session::name_of(*suggestion.other_control));
   }
-  const auto nearest = control.profile != nullptr
-                           ? fanuc::reference::nearest_topic(topic)
-                           : sinumerik::nearest_topic(topic, shipped_topics());
-  return fmt::format(
-      "g31: error: nothing is known about '{}'{}\n", topic,
-      nearest ? fmt::format(", did you mean '{}'?", *nearest)
-      : control.profile != nullptr
-          ? ": write #5061, G31, ATAN, GOTO, 'alarm 112' or 6001.1"
-          : ": write $AA_MW, G54, SUBSTR, CYCLE977, _OVR[4], 61301 or $SCS_MEA_FEED_MEASURE");
+  return fmt::format("g31: error: nothing is known about '{}'{}\n", topic,
+                     suggestion.nearest_topic
+                         ? fmt::format(", did you mean '{}'?", *suggestion.nearest_topic)
+                         : fmt::format(": write {}", suggestion.examples));
 }
 
 }  // namespace
 
 ExitCode explain_command(const ExplainOptions& options) {
-  const auto control =
-      control_named(options.control.empty() ? kDefaultControl : std::string_view(options.control));
+  const auto control = options.control.empty() ? session::default_control()
+                                               : session::control_named(options.control);
   if (!control) {
-    std::fputs(fmt::format("g31: error: {}\n", control.error()).c_str(), stderr);
-    return ExitCode::Setup;
+    return refuse(session::bad_setup(control.error()));
   }
   runtime::Entries entries;
   if (options.all) {
-    entries = everything(control.value());
+    entries = session::everything(control.value());
   }
   ExitCode code = ExitCode::Completed;
   for (const std::string& topic : joined_topics(options.topics)) {
-    runtime::Entries found = entries_about(topic, control.value());
+    runtime::Entries found = session::explain(topic, control.value());
     if (found.empty()) {
       std::fputs(unknown_text(topic, control.value()).c_str(), stderr);
       code = ExitCode::BadUsage;
@@ -150,7 +106,7 @@ ExitCode explain_command(const ExplainOptions& options) {
     std::ranges::move(found, std::back_inserter(entries));
   }
   if (options.json) {
-    print_json(entries, control.value().name);
+    print_json(entries, session::name_of(control.value()));
   } else {
     print_text(entries);
   }

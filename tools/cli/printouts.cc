@@ -17,10 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+using session::Refusal;
 using Printer = std::shared_ptr<runtime::PrinterPort>;
 
 Refusal wrong_printer(const std::string& text, std::string_view why) {
-  return refusal(ExitCode::BadUsage, fmt::format("--printer {}: {}", text, why));
+  return session::bad_input(fmt::format("--printer {}: {}", text, why));
 }
 
 Result<Printer, Refusal> open_line(const RunOptions& options) {
@@ -62,7 +63,7 @@ Result<std::FILE*, Refusal> open_device(const std::string& path) {
 
 }  // namespace
 
-Result<std::shared_ptr<Printouts>, Refusal> Printouts::open(const RunOptions& options) {
+Result<std::shared_ptr<Printouts>, session::Refusal> Printouts::open(const RunOptions& options) {
   const std::shared_ptr<Printouts> printouts(new Printouts());
   if (options.printer.empty() || options.printer == "-") {
     if (options.json == "-" && !options.printer.empty()) {
@@ -113,7 +114,7 @@ void Printouts::write(std::string_view text) {
   }
 }
 
-std::optional<Refusal> Printouts::finish() {
+std::optional<session::Refusal> Printouts::finish() {
   if (file_ != nullptr) {
     const auto problem = file_->finish();
     return problem ? std::optional(wrong_printer(path_, fmt::format("cannot write: {}", *problem)))

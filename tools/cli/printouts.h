@@ -8,8 +8,9 @@
 
 #include "interpreter/runtime/printer_port.h"
 #include "machine/base/result.h"
-#include "tools/cli/run_preparation.h"
+#include "tools/cli/run_command.h"
 #include "tools/disk/part_file.h"
+#include "tools/session/refusal.h"
 
 namespace g31::cli {
 
@@ -18,7 +19,7 @@ class Printouts {
  public:
   /// As --printer says; without it to standard output, unless the document goes there.
   /// @returns why that cannot be
-  static Result<std::shared_ptr<Printouts>, Refusal> open(const RunOptions& options);
+  static Result<std::shared_ptr<Printouts>, session::Refusal> open(const RunOptions& options);
 
   Printouts(const Printouts&) = delete;
   Printouts& operator=(const Printouts&) = delete;
@@ -31,7 +32,7 @@ class Printouts {
   [[nodiscard]] runtime::PrinterPort* printer() const { return printer_.get(); }
 
   /// Closes a file.  @returns why it is not whole; nullopt: it is, or there is none
-  std::optional<Refusal> finish();
+  std::optional<session::Refusal> finish();
 
  private:
   Printouts() = default;

@@ -11,19 +11,21 @@
 
 #include "interpreter/runtime/overloaded.h"
 #include "interpreter/source/latin_1.h"
-#include "tools/cli/control_session.h"
+#include "tools/cli/messages.h"
 #include "tools/cli/printouts.h"
-#include "tools/cli/program_files.h"
-#include "tools/cli/run_preparation.h"
-#include "tools/cli/scene.h"
-#include "tools/cli/variables_file.h"
 #include "tools/disk/disk.h"
 #include "tools/report/run_document.h"
 #include "tools/report/run_recorder.h"
 #include "tools/report/trace_file.h"
+#include "tools/session/run.h"
+#include "tools/session/world.h"
+#include "tools/setup/duration.h"
+#include "tools/setup/name_list.h"
 
 namespace g31::cli {
 namespace {
+
+using session::Refusal;
 
 /// Prints while the program runs.  Without a document nothing is kept: an endless loop may print
 /// and stop for hours.
@@ -57,18 +59,27 @@ class EchoingRecorder final : public report::RunRecorder {
   bool keeps_;
 };
 
-/// Variables asked for by --print, with a refusal for names the control does not have.
-Result<std::vector<std::pair<std::string, runtime::ShownValue>>, Refusal> read_prints(
-    ControlSession& session, const std::vector<std::string>& names) {
-  std::vector<std::pair<std::string, runtime::ShownValue>> values;
-  for (const std::string& name : names) {
-    const auto value = session.variable(name);
-    if (!value) {
-      return refusal(ExitCode::BadUsage, fmt::format("--print: {}", value.error()));
-    }
-    values.emplace_back(name, value.value());
+/// What the command line alone says, checked before anything runs.
+struct Checked {
+  std::vector<std::string> prints;
+  double trace_period_s = 0.0;
+};
+
+Result<Checked, Refusal> checked(const RunOptions& options) {
+  Checked checked;
+  const auto period = setup::parse_duration(options.trace_period);
+  if (!period) {
+    return session::bad_input(fmt::format("--trace-period: {}", period.error()));
   }
-  return values;
+  checked.trace_period_s = period.value();
+  for (const std::string& list : options.prints) {
+    const auto names = setup::parse_name_list(list);
+    if (!names) {
+      return session::bad_input(fmt::format("--print {}: {}", list, names.error()));
+    }
+    checked.prints.insert(checked.prints.end(), names.value().begin(), names.value().end());
+  }
+  return checked;
 }
 
 /// What is the matter with the probe; "" for nothing.
@@ -104,25 +115,14 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
   }
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    return refusal(ExitCode::BadUsage,
-                   fmt::format("cannot write standard output: {}", std::strerror(errno)));
+    return session::bad_input(
+        fmt::format("cannot write standard output: {}", std::strerror(errno)));
   }
   if (options.json.empty() || options.json == "-") {
     return std::nullopt;
   }
   const auto problem = disk::write_whole_file(options.json, run_document(result, recorder));
-  return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
-}
-
-/// Saves the program's files, and the permanent variables for the next run, if a file for them is
-/// named.
-std::optional<Refusal> keep_state(const std::string& path, const ProgramFiles& files,
-                                  const ControlSession& session) {
-  auto problem = files.save(session.files());
-  if (!problem && !path.empty()) {
-    problem = disk::write_whole_file(path, variables_text(session.permanent_variables()));
-  }
-  return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
+  return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
 }
 
 using Trace = std::shared_ptr<report::TraceFile>;
@@ -137,97 +137,108 @@ Result<Trace, Refusal> open_trace(const std::string& path, const machine::Machin
     axes[i] = machine.axes[i].present;
   }
   const auto trace = report::TraceFile::create(path, axes);
-  return trace ? Result<Trace, Refusal>(trace.value()) : refusal(ExitCode::BadUsage, trace.error());
+  return trace ? Result<Trace, Refusal>(trace.value()) : session::bad_input(trace.error());
 }
 
 /// Closes what was written while the program ran.
 std::optional<Refusal> finish_files(const Trace& trace, Printouts& printouts) {
   if (const auto problem = trace != nullptr ? trace->finish() : std::nullopt) {
-    return refusal(ExitCode::BadUsage, *problem);
+    return session::bad_input(*problem);
   }
   return printouts.finish();
 }
 
-/// Sets a control up for the job.
-/// What the control is to know before it starts.  @returns the files of the program
-Result<ProgramFiles, Refusal> set_up(ControlSession& session, const setup::Job& job,
-                                     const Printouts& printouts) {
-  if (printouts.printer() != nullptr) {
-    session.connect(*printouts.printer());
+/// A run that can begin, with what it writes as it goes.
+struct Opened {
+  const RunOptions& options;
+  const Checked& line;
+  const session::Prepared& prepared;
+  session::Run& run;
+  machine::MachiningCentre& machine;
+  const report::RunRecorder& recorder;
+};
+
+/// What the document of a run tells, behind its end.
+report::RunResult result_of(const Opened& opened, const runtime::Outcome& outcome,
+                            const session::Run::NamedValues& values) {
+  report::RunResult result;
+  result.program = opened.options.programs.front();
+  result.control = session::name_of(opened.prepared.control);
+  result.seed = opened.options.seed;
+  result.outcome = outcome;
+  result.variables = values;
+  result.files = opened.run.changed_files();
+  result.machine_time_s = opened.machine.time_s();
+  result.probe_state = probe_state_of(opened.prepared.job);
+  return result;
+}
+
+ExitCode run_to_end(const Opened& opened, const Trace& trace, Printouts& printouts) {
+  const runtime::Outcome outcome = opened.run.session().run(opened.options.budget);
+  if (const auto wrong = finish_files(trace, printouts)) {
+    return refuse(*wrong);
   }
-  const auto refused = session.configure(job.control);
-  if (!refused.empty()) {
-    return refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; ")));
+  print_diagnostics(outcome);
+  if (outcome.status == runtime::Status::SyntaxError && !outcome.alarm) {
+    return ExitCode::BadUsage;
   }
-  auto files = ProgramFiles::open(job.control.files_folder);
-  if (!files) {
-    return refusal(ExitCode::BadUsage, files.error());
+  const auto values = opened.run.values(opened.line.prints);
+  if (!values) {
+    return refuse(session::bad_input(fmt::format("--print: {}", values.error())));
   }
-  session.give_files(files.value().at_start());
-  return files.value();
+  const auto result = result_of(opened, outcome, values.value());
+  if (const auto wrong = deliver(opened.options, result, opened.recorder)) {
+    return refuse(*wrong);
+  }
+  if (const auto wrong = opened.run.keep_state()) {
+    return refuse(*wrong);
+  }
+  return exit_code_of(session::ending_of(outcome));
 }
 
 }  // namespace
 
 ExitCode run_command(const RunOptions& options) {
-  auto prepared = prepare(options);
+  disk::Disk disk;
+  const auto prepared = session::prepare(options, disk);
   if (!prepared) {
     return refuse(prepared.error());
   }
-  const setup::Job& job = prepared.value().job;
+  const auto line = checked(options);
+  if (!line) {
+    return refuse(line.error());
+  }
+  const auto& [job, control] = prepared.value();
   const auto trace = open_trace(options.trace, job.machine);
   if (!trace) {
     return refuse(trace.error());
   }
-  const auto scene = build_scene(job, options.seed);
-  if (!scene) {
-    return refuse({ExitCode::Setup, setup::render(scene.error())});
+  const auto world = session::build_world(job, options.seed);
+  if (!world) {
+    return refuse(world.error());
   }
   const auto printouts = Printouts::open(options);
   if (!printouts) {
     return refuse(printouts.error());
   }
   EchoingRecorder recorder(options, *printouts.value());
-  machine::MachiningCentre& machine = *scene.value().machine;
+  machine::MachiningCentre& machine = *world.value().machine;
   if (trace.value() != nullptr) {
-    machine.trace(prepared.value().trace_period_s, *trace.value());
+    machine.trace(line.value().trace_period_s, *trace.value());
   }
-  const auto opened = open_session(prepared.value().control, options, machine, recorder);
-  if (!opened) {
-    return refuse(opened.error());
+  const auto programs = session::open_programs(control, options, disk);
+  if (!programs) {
+    return refuse(programs.error());
   }
-  ControlSession& session = *opened.value();
-  const auto files = set_up(session, job, *printouts.value());
-  if (!files) {
-    return refuse(files.error());
+  const auto run = session::Run::open(job, *programs.value(), machine, recorder);
+  if (!run) {
+    return refuse(run.error());
   }
-  report::RunResult result;
-  result.outcome = session.run(options.budget);
-  if (const auto wrong = finish_files(trace.value(), *printouts.value())) {
-    return refuse(*wrong);
+  if (runtime::PrinterPort* const printer = printouts.value()->printer()) {
+    run.value()->session().connect(*printer);
   }
-  print_diagnostics(result.outcome);
-  if (result.outcome.status == runtime::Status::SyntaxError && !result.outcome.alarm) {
-    return ExitCode::BadUsage;
-  }
-  const auto values = read_prints(session, prepared.value().prints);
-  if (!values) {
-    return refuse(values.error());
-  }
-  result.program = options.programs.front();
-  result.control = prepared.value().control.name;
-  result.seed = options.seed;
-  result.variables = values.value();
-  result.files = files.value().changed(session.files());
-  result.machine_time_s = machine.time_s();
-  result.probe_state = probe_state_of(job);
-  if (const auto wrong = deliver(options, result, recorder)) {
-    return refuse(*wrong);
-  }
-  if (const auto wrong = keep_state(job.control.variables_file, files.value(), session)) {
-    return refuse(*wrong);
-  }
-  return exit_code_of(result.outcome);
+  return run_to_end({options, line.value(), prepared.value(), *run.value(), machine, recorder},
+                    trace.value(), *printouts.value());
 }
 
 }  // namespace g31::cli

@@ -1,36 +1,31 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "interpreter/runtime/outcome.h"
 #include "tools/cli/exit_code.h"
+#include "tools/session/prepare.h"
 
 namespace g31::cli {
 
 /// What the command line of `g31 run` says.
-struct RunOptions {
-  std::vector<std::string> programs;
-  std::vector<std::string> setups;
-  std::string control;
-  std::vector<std::string> libraries;
-  std::vector<std::string> assignments;
+struct RunOptions : session::Request {
   std::vector<std::string> prints;
   std::string json;  ///< file, "-" for standard output, "" for none
   /// Where printouts go: "-" standard output, a file, or a line as parse_line_spec takes it; "" as
   /// "-", unless the document goes there.
   std::string printer;
-  double printer_wait_s = 30.0;    ///< how long the printer may keep the program waiting at a time
-  std::string trace;               ///< file of sampled positions, "" for none
+  double printer_wait_s = 30.0;  ///< how long the printer may keep the program waiting at a time
+  std::string trace;             ///< file of sampled positions, "" for none
   std::string trace_period = "1ms";  ///< as parse_duration takes it
   bool moves = false;
   bool touches = false;
-  std::uint64_t seed = 0;
   runtime::Budget budget;
 };
 
-/// Runs a program and reports: to standard output or the printer what it prints, standard error what is wrong.
+/// Runs a program and reports: to standard output or the printer what it prints, standard error
+/// what is wrong.
 ExitCode run_command(const RunOptions& options);
 
 }  // namespace g31::cli

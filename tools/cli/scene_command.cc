@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "interpreter/runtime/observer.h"
-#include "tools/cli/control_session.h"
-#include "tools/cli/run_preparation.h"
-#include "tools/cli/scene.h"
+#include "tools/cli/messages.h"
 #include "tools/disk/disk.h"
 #include "tools/gltf/gltf_document.h"
 #include "tools/gltf/path_recorder.h"
+#include "tools/session/run.h"
+#include "tools/session/world.h"
 
 namespace g31::cli {
 namespace {
@@ -34,9 +34,9 @@ Point drawn_tip(const setup::Job& job) {
   return {x, y, -job.probe->length_mm};
 }
 
-std::vector<gltf::PicturedPart> pictured(const Scene& scene) {
+std::vector<gltf::PicturedPart> pictured(const session::World& world) {
   std::vector<gltf::PicturedPart> parts;
-  for (const probe::ProbedPart& part : scene.parts) {
+  for (const probe::ProbedPart& part : world.parts) {
     parts.push_back({part.name, &part.mesh_M});
   }
   return parts;
@@ -47,39 +47,40 @@ std::vector<gltf::PicturedPart> pictured(const Scene& scene) {
 ExitCode scene_command(const SceneOptions& options) {
   const auto form = form_of(options.output);
   if (!form) {
-    return refuse(refusal(ExitCode::BadUsage,
-                          fmt::format("-o {}: a scene is a .glb or a .gltf file", options.output)));
+    return refuse(session::bad_input(
+        fmt::format("-o {}: a scene is a .glb or a .gltf file", options.output)));
   }
-  const auto prepared = prepare(options.run);
+  disk::Disk disk;
+  const auto prepared = session::prepare(options.run, disk);
   if (!prepared) {
     return refuse(prepared.error());
   }
-  const setup::Job& job = prepared.value().job;
-  const auto scene = build_scene(job, options.run.seed);
-  if (!scene) {
-    return refuse({ExitCode::Setup, setup::render(scene.error())});
+  const auto& [job, control] = prepared.value();
+  const auto world = session::build_world(job, options.run.seed);
+  if (!world) {
+    return refuse(world.error());
   }
-  gltf::PathRecorder recorder(*scene.value().machine, drawn_tip(job));
+  gltf::PathRecorder recorder(*world.value().machine, drawn_tip(job));
   runtime::Observer nobody;
-  const auto opened = open_session(prepared.value().control, options.run, recorder, nobody);
-  if (!opened) {
-    return refuse(opened.error());
+  const auto programs = session::open_programs(control, options.run, disk);
+  if (!programs) {
+    return refuse(programs.error());
   }
-  ControlSession& session = *opened.value();
-  if (const auto refused = session.configure(job.control); !refused.empty()) {
-    return refuse(refusal(ExitCode::Setup, fmt::format("{}", fmt::join(refused, "; "))));
+  const auto run = session::Run::open(job, *programs.value(), recorder, nobody);
+  if (!run) {
+    return refuse(run.error());
   }
-  const runtime::Outcome outcome = session.run(options.run.budget);
+  const runtime::Outcome outcome = run.value()->session().run(options.run.budget);
   print_diagnostics(outcome);
   if (outcome.status == runtime::Status::SyntaxError) {
     return ExitCode::BadUsage;
   }
   const std::string document =
-      gltf::gltf_document(pictured(scene.value()), recorder.trace(), *form);
+      gltf::gltf_document(pictured(world.value()), recorder.trace(), *form);
   if (const auto problem = disk::write_whole_file(options.output, document)) {
-    return refuse(refusal(ExitCode::BadUsage, *problem));
+    return refuse(session::bad_input(*problem));
   }
-  return exit_code_of(outcome);
+  return exit_code_of(session::ending_of(outcome));
 }
 
 }  // namespace g31::cli

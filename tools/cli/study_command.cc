@@ -14,8 +14,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "tools/cli/run_preparation.h"
-#include "tools/cli/study_runs.h"
+#include "tools/cli/messages.h"
 #include "tools/disk/disk.h"
 #include "tools/study/read_study.h"
 #include "tools/study/record.h"
@@ -23,6 +22,7 @@
 #include "tools/study/record_json.h"
 #include "tools/study/record_table.h"
 #include "tools/study/run_all.h"
+#include "tools/study/study_runs.h"
 
 namespace g31::cli {
 namespace {
@@ -76,6 +76,7 @@ std::optional<study::Shard> shard_from(std::string_view text) {
   return fits ? std::optional(shard) : std::nullopt;
 }
 
+using session::Refusal;
 using Made = Result<study::Record, Refusal>;
 
 Made run_study(const StudyOptions& options) {
@@ -83,30 +84,29 @@ Made run_study(const StudyOptions& options) {
   if (!options.shard.empty()) {
     shard = shard_from(options.shard);
     if (!shard) {
-      return refusal(
-          ExitCode::BadUsage,
+      return session::bad_input(
           fmt::format("--shard {}: write i/n, part i of n, for example 1/4", options.shard));
     }
     if (options.json.empty()) {
-      return refusal(ExitCode::BadUsage, "--shard needs --json FILE, which --merge takes");
+      return session::bad_input("--shard needs --json FILE, which --merge takes");
     }
   }
   const auto read = study::read_study(options.study);
   if (!read) {
-    return refusal_of(read.error());
+    return session::refusal_of(read.error());
   }
   study::Study study = read.value();
   study.repeats = options.repeats.value_or(study.repeats);
   study.seed = options.seed.value_or(study.seed);
   if (study::run_count(study) > study::kMostRuns) {
-    return refusal(ExitCode::BadUsage, fmt::format("{} runs are too many, {} at most",
-                                                   study::run_count(study), study::kMostRuns));
+    return session::bad_input(
+        fmt::format("{} runs are too many, {} at most", study::run_count(study), study::kMostRuns));
   }
-  const auto created = StudyRuns::create(study);
+  const auto created = study::StudyRuns::create(study);
   if (!created) {
     return created.error();
   }
-  StudyRuns& runs = *created.value();
+  study::StudyRuns& runs = *created.value();
   study::RunSpan span{0, study::run_count(study)};
   if (shard) {
     span = {study::first_run_of(*shard, span.end),
@@ -115,44 +115,48 @@ Made run_study(const StudyOptions& options) {
   study::Record record{runs.description(), shard, {}};
   ProgressBar progress(span.end - span.begin);
   record.rows = study::run_all(
-      span, options.threads, [&](std::size_t run) { return runs.run(run); },
+      span, options.threads,
+      [&](std::size_t number) {
+        study::StudyRun run = runs.run(number);
+        run.row.exit_code = static_cast<int>(exit_code_of(run.ending));
+        return std::move(run.row);
+      },
       [&] { progress.one_done(); });
   return record;
 }
 
 Made merge_shards(const StudyOptions& options) {
   if (!options.study.empty() || !options.shard.empty() || options.repeats || options.seed) {
-    return refusal(ExitCode::BadUsage,
-                   "--merge takes shards only, no study file, --shard, --repeats or --seed");
+    return session::bad_input(
+        "--merge takes shards only, no study file, --shard, --repeats or --seed");
   }
   disk::Disk disk;
   std::vector<study::Record> parts;
   for (const std::string& path : options.merge) {
     const auto text = disk.read(path);
     if (!text) {
-      return refusal(ExitCode::BadUsage, fmt::format("cannot read the shard {}", path));
+      return session::bad_input(fmt::format("cannot read the shard {}", path));
     }
     const auto part = study::parse_record(*text);
     if (!part) {
-      return refusal(ExitCode::BadUsage,
-                     fmt::format("{} is no shard of a study: {}", path, part.error()));
+      return session::bad_input(fmt::format("{} is no shard of a study: {}", path, part.error()));
     }
     parts.push_back(part.value());
   }
   const auto merged = study::merge(parts);
   return merged ? Made(merged.value())
-                : Made(refusal(ExitCode::BadUsage, fmt::format("--merge: {}", merged.error())));
+                : Made(session::bad_input(fmt::format("--merge: {}", merged.error())));
 }
 
 std::optional<Refusal> write_out(const std::string& path, std::string_view text) {
   if (path != "-") {
     const auto problem = disk::write_whole_file(path, text);
-    return problem ? std::optional(refusal(ExitCode::BadUsage, *problem)) : std::nullopt;
+    return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
   }
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    return refusal(ExitCode::BadUsage,
-                   fmt::format("cannot write standard output: {}", std::strerror(errno)));
+    return session::bad_input(
+        fmt::format("cannot write standard output: {}", std::strerror(errno)));
   }
   return std::nullopt;
 }
@@ -183,10 +187,10 @@ ExitCode worst_of(const study::Record& record) {
 
 ExitCode study_command(const StudyOptions& options) {
   if (options.study.empty() && options.merge.empty()) {
-    return refuse(refusal(ExitCode::BadUsage, "a study file is missing: g31 study FILE.toml"));
+    return refuse(session::bad_input("a study file is missing: g31 study FILE.toml"));
   }
   if (options.json == "-" && options.csv == "-") {
-    return refuse(refusal(ExitCode::BadUsage, "--json and --csv cannot both be standard output"));
+    return refuse(session::bad_input("--json and --csv cannot both be standard output"));
   }
   const Made made = options.merge.empty() ? run_study(options) : merge_shards(options);
   if (!made) {

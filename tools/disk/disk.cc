@@ -85,6 +85,11 @@ std::vector<std::string> Disk::list(const std::string& folder) {
   return names;
 }
 
+bool Disk::has_folder(const std::string& folder) {
+  std::error_code unreadable;
+  return fs::is_directory(folder, unreadable);
+}
+
 std::optional<std::string> write_whole_file(const std::string& path, std::string_view text) {
   std::error_code error;
   const bool is_special = fs::exists(path, error) && !fs::is_regular_file(path, error);

@@ -9,7 +9,7 @@
 
 namespace g31::disk {
 
-/// The real disk.
+/// The real disk.  Any number of threads may read at a time.
 class Disk final : public source::FileSystem {
  public:
   std::optional<std::string> read(const std::string& path) override;
@@ -17,6 +17,7 @@ class Disk final : public source::FileSystem {
   std::optional<std::string> read_part(const std::string& path, std::uint64_t offset,
                                        std::size_t length) override;
   std::vector<std::string> list(const std::string& folder) override;
+  bool has_folder(const std::string& folder) override;
 };
 
 /// Writes a file under a temporary name beside it and renames it, so that nobody ever sees half of

@@ -7,6 +7,7 @@
 #include "interpreter/runtime/overloaded.h"
 #include "interpreter/source/latin_1.h"
 #include "machine/base/contract.h"
+#include "tools/session/ending.h"
 
 namespace g31::report {
 namespace {
@@ -144,29 +145,12 @@ Json list_of(const Events& events, Convert convert) {
 
 }  // namespace
 
-const char* status_name(runtime::Status status) {
-  switch (status) {
-    case runtime::Status::Completed:
-      return "completed";
-    case runtime::Status::Alarm:
-    case runtime::Status::SyntaxError:
-      return "alarm";
-    case runtime::Status::Collision:
-      return "collision";
-    case runtime::Status::Setup:
-      return "setup";
-    case runtime::Status::Budget:
-      return "budget";
-  }
-  contract_violated("every status has a name", __FILE__, __LINE__);
-}
-
 std::string run_document(const RunResult& result, const RunRecorder& recorder) {
   Json document = {{"schema", "g31.run/1"},
                    {"program", std::filesystem::path(result.program).filename().string()},
                    {"control", result.control},
                    {"seed", result.seed},
-                   {"status", status_name(result.outcome.status)}};
+                   {"status", session::status_name(result.outcome.status)}};
   document["alarm"] = result.outcome.alarm ? alarm_json(*result.outcome.alarm) : Json();
   document["variables"] = Json::object();
   for (const auto& [name, value] : result.variables) {

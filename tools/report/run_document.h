@@ -28,7 +28,4 @@ struct RunResult {
 /// Bytes that are no UTF-8 in program texts are replaced by U+FFFD.
 std::string run_document(const RunResult& result, const RunRecorder& recorder);
 
-/// The `status` of the document: "completed", "alarm", "collision", "setup" or "budget".
-const char* status_name(runtime::Status status);
-
 }  // namespace g31::report

@@ -6,7 +6,7 @@
 
 #include "machine/base/result.h"
 
-namespace g31::cli {
+namespace g31::session {
 
 /// The folder in which a program reads and writes its files (READ, WRITE, EXTWRITE); by name, all
 /// side by side.  Without a folder they live as long as the run.
@@ -30,4 +30,4 @@ class ProgramFiles {
   Contents at_start_;
 };
 
-}  // namespace g31::cli
+}  // namespace g31::session

@@ -1,4 +1,4 @@
-#include "tools/cli/program_files.h"
+#include "tools/session/program_files.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 #include "tools/disk/disk.h"
 
-namespace g31::cli {
+namespace g31::session {
 namespace {
 
 namespace fs = std::filesystem;
@@ -82,4 +82,4 @@ std::optional<std::string> ProgramFiles::save(const Contents& now) const {
   return std::nullopt;
 }
 
-}  // namespace g31::cli
+}  // namespace g31::session

@@ -1,4 +1,4 @@
-#include "tools/cli/variables_file.h"
+#include "tools/session/variables_file.h"
 
 #include <charconv>
 
@@ -6,7 +6,7 @@
 
 #include "tools/setup/assignment.h"
 
-namespace g31::cli {
+namespace g31::session {
 
 std::string variables_text(const std::map<std::string, double>& variables) {
   std::string text;
@@ -38,4 +38,4 @@ Result<std::map<std::string, std::optional<double>>, std::string> parse_variable
   return variables;
 }
 
-}  // namespace g31::cli
+}  // namespace g31::session

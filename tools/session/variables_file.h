@@ -7,7 +7,7 @@
 
 #include "machine/base/result.h"
 
-namespace g31::cli {
+namespace g31::session {
 
 /// The non-volatile variables of a control as text: one `#500=1.5` a line, rising.
 std::string variables_text(const std::map<std::string, double>& variables);
@@ -17,4 +17,4 @@ std::string variables_text(const std::map<std::string, double>& variables);
 Result<std::map<std::string, std::optional<double>>, std::string> parse_variables_text(
     std::string_view text);
 
-}  // namespace g31::cli
+}  // namespace g31::session

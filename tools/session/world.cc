@@ -1,4 +1,4 @@
-#include "tools/cli/scene.h"
+#include "tools/session/world.h"
 
 #include <utility>
 #include <vector>
@@ -9,22 +9,23 @@
 #include "probe/sensor/scripted_signals.h"
 #include "probe/sensor/touch_probe.h"
 
-namespace g31::cli {
+namespace g31::session {
 namespace {
 
-setup::SetupError unusable(const setup::SheetPlace& place, std::string why) {
-  return {place.file,
-          place.line,
-          place.column,
-          setup::message_of(setup::SetupErrorId::PartUnusable, {why}),
-          std::string(setup::code_of(setup::SetupErrorId::PartUnusable)),
-          place.source_line,
-          {}};
+Refusal unusable(const setup::SheetPlace& place, std::string why) {
+  const setup::SetupError error{place.file,
+                                place.line,
+                                place.column,
+                                setup::message_of(setup::SetupErrorId::PartUnusable, {why}),
+                                std::string(setup::code_of(setup::SetupErrorId::PartUnusable)),
+                                place.source_line,
+                                {}};
+  return {Ending::Setup, {}, {error}};
 }
 
 }  // namespace
 
-Result<std::vector<probe::ProbedPart>, setup::SetupError> build_parts(const setup::Job& job) {
+Result<std::vector<probe::ProbedPart>, Refusal> build_parts(const setup::Job& job) {
   std::vector<probe::ProbedPart> built;
   if (job.skip_signals) {
     return built;
@@ -51,20 +52,20 @@ std::unique_ptr<machine::Surroundings> surroundings_of(
                    : nullptr;
 }
 
-Result<Scene, setup::SetupError> build_scene(const setup::Job& job, std::uint64_t seed) {
+Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed) {
   const auto parts = build_parts(job);
   if (!parts) {
     return parts.error();
   }
-  Scene scene;
-  scene.parts = parts.value();
+  World world;
+  world.parts = parts.value();
   const auto touchable =
       job.probe && !job.skip_signals
-          ? std::make_shared<const probe::TouchableParts>(*job.probe, scene.parts)
+          ? std::make_shared<const probe::TouchableParts>(*job.probe, world.parts)
           : nullptr;
-  scene.surroundings = surroundings_of(job, touchable, seed);
-  scene.machine = std::make_unique<machine::MachiningCentre>(job.machine, scene.surroundings.get());
-  return scene;
+  world.surroundings = surroundings_of(job, touchable, seed);
+  world.machine = std::make_unique<machine::MachiningCentre>(job.machine, world.surroundings.get());
+  return world;
 }
 
-}  // namespace g31::cli
+}  // namespace g31::session

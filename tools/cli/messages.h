@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "interpreter/runtime/outcome.h"
+#include "tools/cli/exit_code.h"
+#include "tools/session/refusal.h"
+
+namespace g31::cli {
+
+/// The messages of a run, on standard error.
+void print_diagnostics(const runtime::Outcome& outcome);
+
+/// Says why on standard error.
+ExitCode refuse(const session::Refusal& wrong);
+
+}  // namespace g31::cli

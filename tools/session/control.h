@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "interpreter/dialects/fanuc/profile.h"
+#include "machine/base/result.h"
+
+namespace g31::session {
+
+/// A control of the Fanuc dialect.
+struct FanucControl {
+  std::reference_wrapper<const fanuc::Profile> profile;
+};
+
+/// The SINUMERIK 828D.
+struct SinumerikControl {};
+
+/// A control that programs are written for.  What differs between dialects is a visitor, so that a
+/// further dialect does not compile until each of them knows it.
+using Control = std::variant<FanucControl, SinumerikControl>;
+
+/// What --control calls it.
+std::string_view name_of(const Control& control);
+
+/// The control of this name; else one line that names the nearest and all known ones.
+Result<Control, std::string> control_named(std::string_view name);
+
+/// The control where nothing names one.
+Control default_control();
+
+/// The control that a program's file ending speaks for (.MPF, .SPF and .ARC are SINUMERIK), else
+/// the first line of its text (%_N_NAME_MPF).
+Control control_of_program(const std::string& path, std::string_view text);
+
+}  // namespace g31::session

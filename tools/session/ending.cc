@@ -1,0 +1,50 @@
+#include "tools/session/ending.h"
+
+#include <algorithm>
+
+#include "interpreter/source/diagnostic.h"
+#include "machine/base/contract.h"
+
+namespace g31::session {
+
+Ending ending_of(const runtime::Outcome& outcome) {
+  switch (outcome.status) {
+    case runtime::Status::Completed: {
+      const bool findings =
+          std::ranges::any_of(outcome.diagnostics, [](const source::Diagnostic& diagnostic) {
+            return diagnostic.severity != source::Severity::Note;
+          });
+      return findings ? Ending::Findings : Ending::Completed;
+    }
+    case runtime::Status::Alarm:
+      return Ending::Alarm;
+    case runtime::Status::Collision:
+      return Ending::Collision;
+    case runtime::Status::Setup:
+      return Ending::Setup;
+    case runtime::Status::Budget:
+      return Ending::Budget;
+    case runtime::Status::SyntaxError:
+      return Ending::BadInput;
+  }
+  contract_violated("every status is an ending", __FILE__, __LINE__);
+}
+
+const char* status_name(runtime::Status status) {
+  switch (status) {
+    case runtime::Status::Completed:
+      return "completed";
+    case runtime::Status::Alarm:
+    case runtime::Status::SyntaxError:
+      return "alarm";
+    case runtime::Status::Collision:
+      return "collision";
+    case runtime::Status::Setup:
+      return "setup";
+    case runtime::Status::Budget:
+      return "budget";
+  }
+  contract_violated("every status has a name", __FILE__, __LINE__);
+}
+
+}  // namespace g31::session

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "interpreter/source/file_system.h"
+#include "tools/disk/shipped.h"
+#include "tools/session/programs.h"
+
+namespace g31::session {
+
+/// Fills a dialect's library in the order that Programs tells.
+/// @param shipped  the folder of the programs shipped with g31: "macros/fanuc"
+template <typename Library>
+std::optional<Refusal> load_programs(Library& library, const ProgramPaths& paths,
+                                     source::FileSystem& files, const std::string& shipped) {
+  for (const std::string& program : paths.programs) {
+    if (library.add_file(program) == Library::Added::Unreadable) {
+      return bad_input(fmt::format("cannot read the program {}", program));
+    }
+  }
+  library.add_folder(std::filesystem::path(paths.programs.front()).parent_path().string());
+  for (const std::string& folder : paths.libraries) {
+    if (!files.has_folder(folder)) {
+      return bad_input(fmt::format("--lib {}: no such folder", folder));
+    }
+    library.add_folder(folder);
+  }
+  if (const auto folder = disk::shipped_folder(shipped)) {
+    library.add_folder(*folder);
+  }
+  return std::nullopt;
+}
+
+}  // namespace g31::session

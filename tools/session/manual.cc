@@ -1,0 +1,85 @@
+#include "tools/session/manual.h"
+
+#include <set>
+#include <utility>
+
+#include "interpreter/dialects/fanuc/reference/explain.h"
+#include "interpreter/dialects/sinumerik/reference/explain.h"
+#include "interpreter/dialects/sinumerik/reference/program_texts.h"
+#include "interpreter/runtime/overloaded.h"
+#include "tools/disk/disk.h"
+#include "tools/disk/shipped.h"
+
+namespace g31::session {
+namespace {
+
+/// What the shipped programs of the SINUMERIK say of themselves; of an alarm the first place.
+const sinumerik::Topics& shipped_topics() {
+  static const sinumerik::Topics kTopics = [] {
+    sinumerik::Topics all;
+    std::set<std::string> known;
+    const auto folder = disk::shipped_folder("macros/sinumerik");
+    if (!folder) {
+      return all;
+    }
+    disk::Disk disk;
+    for (const std::string& name : disk.list(*folder)) {
+      const bool is_program = name.ends_with(".SPF") || name.ends_with(".DEF");
+      const auto text = is_program ? disk.read(*folder + "/" + name) : std::nullopt;
+      for (sinumerik::Topic& topic : sinumerik::topics_of_text(text.value_or(""))) {
+        if (known.insert(topic.name).second) {
+          all.push_back(std::move(topic));
+        }
+      }
+    }
+    return all;
+  }();
+  return kTopics;
+}
+
+}  // namespace
+
+runtime::Entries explain(const std::string& topic, const Control& control) {
+  return std::visit(
+      runtime::Overloaded{
+          [&](const FanucControl& chosen) {
+            return fanuc::reference::explain(topic, chosen.profile);
+          },
+          [&](const SinumerikControl&) { return sinumerik::explain(topic, shipped_topics()); },
+      },
+      control);
+}
+
+runtime::Entries everything(const Control& control) {
+  return std::visit(
+      runtime::Overloaded{
+          [](const FanucControl& chosen) { return fanuc::reference::everything(chosen.profile); },
+          [](const SinumerikControl&) { return sinumerik::everything(shipped_topics()); },
+      },
+      control);
+}
+
+Suggestion suggestion_for(const std::string& topic, const Control& control) {
+  return std::visit(
+      runtime::Overloaded{
+          [&](const FanucControl&) {
+            Suggestion suggestion;
+            if (!explain(topic, SinumerikControl{}).empty()) {
+              suggestion.other_control = SinumerikControl{};
+            }
+            suggestion.nearest_topic = fanuc::reference::nearest_topic(topic);
+            suggestion.examples = "#5061, G31, ATAN, GOTO, 'alarm 112' or 6001.1";
+            return suggestion;
+          },
+          [&](const SinumerikControl&) {
+            Suggestion suggestion;
+            suggestion.nearest_topic = sinumerik::nearest_topic(topic, shipped_topics());
+            suggestion.examples =
+                "$AA_MW, G54, SUBSTR, CYCLE977, _OVR[4], 61301 or $SCS_MEA_FEED_MEASURE";
+            return suggestion;
+          },
+      },
+      control);
+}
+
+}  // namespace g31::session

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/source/file_system.h"
+#include "machine/base/result.h"
+#include "tools/session/control.h"
+#include "tools/session/programs.h"
+#include "tools/session/refusal.h"
+#include "tools/setup/job.h"
+
+namespace g31::session {
+
+/// What is to be run, as a command line, a test file or a debugger says it.
+struct Request : ProgramPaths {
+  std::vector<std::string> setups;       ///< sheets; later ones win key by key
+  std::string control;                   ///< a name; empty: as the sheets or the program say
+  std::vector<std::string> assignments;  ///< "#500=1.5": variables before the start
+  std::uint64_t seed = 0;                ///< of every random model
+};
+
+/// Everything that a request and its sheets say, read and checked before anything runs.
+struct Prepared {
+  setup::Job job;  ///< its variables with those of the variables file and the assignments
+  Control control;
+};
+
+/// @param files  the program and the variables file; sheets come from the disk
+Result<Prepared, Refusal> prepare(const Request& request, source::FileSystem& files);
+
+/// The control by the request, the sheets, the program's file ending or its text, in this order.
+Result<Control, Refusal> chosen_control(const Request& request, const setup::Job& job,
+                                        source::FileSystem& files);
+
+/// Puts the variables file under the sheets' [variables], and assignments over them.
+std::optional<Refusal> take_variables(const std::vector<std::string>& assignments,
+                                      source::FileSystem& files, setup::Job& job);
+
+}  // namespace g31::session

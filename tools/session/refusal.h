@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "tools/session/ending.h"
+#include "tools/setup/setup_error.h"
+
+namespace g31::session {
+
+/// Why a run cannot begin, or what it leaves cannot be kept.
+struct Refusal {
+  Ending ending = Ending::BadInput;  ///< or Setup
+  std::string message;               ///< one line; empty: the errors of the sheets say it
+  setup::SetupErrors sheet_errors = {};
+};
+
+/// What is wrong with input.
+Refusal bad_input(std::string message);
+/// What is wrong with a set-up, found out behind its sheets.
+Refusal bad_setup(std::string message);
+/// What is wrong with sheets.
+Refusal refusal_of(setup::SetupErrors errors);
+
+/// Whole lines, as a person reads them: `g31: error: ...`, or each error of the sheets at its
+/// place.
+std::string render(const Refusal& refusal);
+
+}  // namespace g31::session

@@ -1,0 +1,47 @@
+#include "tools/session/run.h"
+
+#include <fmt/format.h>
+
+#include "tools/disk/disk.h"
+#include "tools/session/variables_file.h"
+
+namespace g31::session {
+
+Result<std::shared_ptr<Run>, Refusal> Run::open(const setup::Job& job, Programs& programs,
+                                                machine::MachinePort& machine,
+                                                runtime::Observer& observer) {
+  auto session = programs.session(machine, observer);
+  const auto refused = session->configure(job.control);
+  if (!refused.empty()) {
+    return bad_setup(fmt::format("{}", fmt::join(refused, "; ")));
+  }
+  auto files = ProgramFiles::open(job.control.files_folder);
+  if (!files) {
+    return bad_input(files.error());
+  }
+  session->give_files(files.value().at_start());
+  return std::shared_ptr<Run>(new Run(job, std::move(session), files.value()));
+}
+
+Result<Run::NamedValues, std::string> Run::values(const std::vector<std::string>& names) {
+  NamedValues values;
+  for (const std::string& name : names) {
+    const auto value = session_->variable(name);
+    if (!value) {
+      return value.error();
+    }
+    values.emplace_back(name, value.value());
+  }
+  return values;
+}
+
+std::optional<Refusal> Run::keep_state() const {
+  auto problem = files_.save(session_->files());
+  const std::string& path = job_.control.variables_file;
+  if (!problem && !path.empty()) {
+    problem = disk::write_whole_file(path, variables_text(session_->permanent_variables()));
+  }
+  return problem ? std::optional(bad_input(*problem)) : std::nullopt;
+}
+
+}  // namespace g31::session

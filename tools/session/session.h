@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/outcome.h"
+#include "interpreter/runtime/printer_port.h"
+#include "interpreter/runtime/shown_value.h"
+#include "machine/base/result.h"
+
+namespace g31::session {
+
+/// A control of either dialect with its programs, ready to run the main one once.
+class Session {
+ public:
+  Session() = default;
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  virtual ~Session() = default;
+
+  /// A printer at a serial line, which outlives the session; a control without one leaves it alone.
+  virtual void connect(runtime::PrinterPort& /*printer*/) {}
+  /// @returns what in the set-up this control cannot understand; empty: all of it
+  virtual std::vector<std::string> configure(const runtime::ControlSetup& setup) = 0;
+  virtual runtime::Outcome run(const runtime::Budget& budget) = 0;
+  /// The value of what --print names; the reason when there is none.
+  virtual Result<runtime::ShownValue, std::string> variable(const std::string& name) = 0;
+  /// What a control keeps over power off.
+  [[nodiscard]] virtual std::map<std::string, double> permanent_variables() const = 0;
+  /// Files that are there before the run; a control that writes none leaves them alone.
+  virtual void give_files(const std::map<std::string, std::string>& /*files*/) {}
+  /// All files after the run, by name.
+  [[nodiscard]] virtual std::map<std::string, std::string> files() const = 0;
+};
+
+}  // namespace g31::session
