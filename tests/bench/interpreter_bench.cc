@@ -7,7 +7,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/session.h"
+#include "interpreter/dialects/fanuc/run/session.h"
 #include "machine/sim/machining_centre.h"
 
 namespace g31 {

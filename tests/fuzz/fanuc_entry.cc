@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/dialects/fanuc/compile.h"
-#include "interpreter/dialects/fanuc/parse.h"
-#include "interpreter/dialects/fanuc/session.h"
+#include "interpreter/dialects/fanuc/code/compile.h"
+#include "interpreter/dialects/fanuc/text/parse.h"
+#include "interpreter/dialects/fanuc/run/session.h"
 #include "machine/base/contract.h"
 #include "tests/fuzz/entry.h"
 #include "tests/fuzz/tape_choices.h"

@@ -14,12 +14,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/dialects/fanuc/functions.h"
-#include "interpreter/dialects/fanuc/g_codes.h"
-#include "interpreter/dialects/fanuc/output_format.h"
-#include "interpreter/dialects/sinumerik/functions.h"
-#include "interpreter/dialects/sinumerik/g_codes.h"
-#include "interpreter/dialects/sinumerik/words.h"
+#include "interpreter/dialects/fanuc/vocabulary/functions.h"
+#include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
+#include "interpreter/dialects/fanuc/text/output_format.h"
+#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+#include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "tests/fuzz/entry.h"
 #include "tests/fuzz/mutation.h"
 

@@ -2,8 +2,8 @@
 #include <string>
 #include <variant>
 
-#include "interpreter/dialects/sinumerik/compile.h"
-#include "interpreter/dialects/sinumerik/session.h"
+#include "interpreter/dialects/sinumerik/code/compile.h"
+#include "interpreter/dialects/sinumerik/run/session.h"
 #include "machine/base/contract.h"
 #include "tests/fuzz/entry.h"
 #include "tests/fuzz/tape_choices.h"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string_view>
 
-#include "interpreter/dialects/fanuc/profile.h"
+#include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "interpreter/runtime/control_setup.h"
 #include "machine/port/surroundings.h"
 #include "machine/sim/machine_setup.h"

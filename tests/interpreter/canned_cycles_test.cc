@@ -1,6 +1,6 @@
 // Every canned cycle move by move, as the operator's manuals draw it (MB-306 to MB-313).
 
-#include "interpreter/dialects/fanuc/canned_cycles.h"
+#include "interpreter/dialects/fanuc/vocabulary/canned_cycles.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // DPRNT and BPRNT byte for byte; the numbers are those of the control manuals' examples as far as
 // the Macro B semantics (MB-239 to MB-248) quote them.
 
-#include "interpreter/dialects/fanuc/output_format.h"
+#include "interpreter/dialects/fanuc/text/output_format.h"
 
 #include <gtest/gtest.h>
 

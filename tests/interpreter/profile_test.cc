@@ -1,7 +1,7 @@
 // What controls of the family do differently (section 15 of the Macro B semantics), program by
 // program.
 
-#include "interpreter/dialects/fanuc/profile.h"
+#include "interpreter/dialects/fanuc/vocabulary/profile.h"
 
 #include <gtest/gtest.h>
 

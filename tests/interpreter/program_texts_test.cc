@@ -1,6 +1,6 @@
 // What the text of a SINUMERIK program tells `explain` about itself.
 
-#include "interpreter/dialects/sinumerik/reference/program_texts.h"
+#include "interpreter/dialects/sinumerik/explain/program_texts.h"
 
 #include <string>
 #include <vector>

@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
-#include "interpreter/dialects/sinumerik/compile.h"
+#include "interpreter/dialects/sinumerik/code/compile.h"
 
 namespace g31 {
 namespace {

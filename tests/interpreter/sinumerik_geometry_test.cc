@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "interpreter/dialects/sinumerik/circle_through.h"
-#include "interpreter/dialects/sinumerik/point_fit.h"
+#include "interpreter/dialects/sinumerik/execute/circle_through.h"
+#include "interpreter/dialects/sinumerik/execute/point_fit.h"
 
 namespace g31::sinumerik {
 namespace {

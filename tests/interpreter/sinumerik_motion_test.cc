@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "interpreter/dialects/sinumerik/session.h"
+#include "interpreter/dialects/sinumerik/run/session.h"
 #include "tests/support/recording_machine.h"
 
 namespace g31 {

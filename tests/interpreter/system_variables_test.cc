@@ -1,12 +1,12 @@
 // System variables by number, control and set-up; what each must show is that of MB-120 to MB-147.
 
-#include "interpreter/dialects/fanuc/system_variables.h"
+#include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
 
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "interpreter/dialects/fanuc/profile.h"
+#include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "tests/support/control_run.h"
 
 namespace g31::fanuc {

@@ -1,6 +1,6 @@
 // Texts from a tape: parity bits and block ends (MB-008, MB-009).
 
-#include "interpreter/dialects/fanuc/tape_code.h"
+#include "interpreter/dialects/fanuc/text/tape_code.h"
 
 #include <bit>
 #include <string>

@@ -1,6 +1,6 @@
 // Mirror, scaling and rotation against complex numbers and against their own inverses.
 
-#include "interpreter/dialects/fanuc/work_transform.h"
+#include "interpreter/dialects/fanuc/state/work_transform.h"
 
 #include <cmath>
 #include <complex>

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "interpreter/dialects/fanuc/session.h"
+#include "interpreter/dialects/fanuc/run/session.h"
 #include "interpreter/source/file_system.h"
 #include "machine/base/contract.h"
 #include "tests/support/recording_machine.h"

@@ -1,6 +1,6 @@
 // Programs beyond kWholeFileBytes run window by window; they must do what they would do whole.
 
-#include "interpreter/dialects/fanuc/program_windows.h"
+#include "interpreter/dialects/fanuc/code/program_windows.h"
 
 #include <string>
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/session.h"
+#include "interpreter/dialects/sinumerik/run/session.h"
 #include "interpreter/runtime/overloaded.h"
 #include "machine/base/contract.h"
 #include "machine/base/nearest_name.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <variant>
 
-#include "interpreter/dialects/fanuc/profile.h"
+#include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "machine/base/result.h"
 
 namespace g31::session {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
-#include "interpreter/dialects/fanuc/library.h"
-#include "interpreter/dialects/fanuc/program_windows.h"
-#include "interpreter/dialects/fanuc/session.h"
+#include "interpreter/dialects/fanuc/code/library.h"
+#include "interpreter/dialects/fanuc/code/program_windows.h"
+#include "interpreter/dialects/fanuc/run/session.h"
 #include "tools/session/load_programs.h"
 
 namespace g31::session {

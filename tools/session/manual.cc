@@ -3,9 +3,9 @@
 #include <set>
 #include <utility>
 
-#include "interpreter/dialects/fanuc/reference/explain.h"
-#include "interpreter/dialects/sinumerik/reference/explain.h"
-#include "interpreter/dialects/sinumerik/reference/program_texts.h"
+#include "interpreter/dialects/fanuc/explain/explain.h"
+#include "interpreter/dialects/sinumerik/explain/explain.h"
+#include "interpreter/dialects/sinumerik/explain/program_texts.h"
 #include "interpreter/runtime/overloaded.h"
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "interpreter/dialects/sinumerik/library.h"
-#include "interpreter/dialects/sinumerik/session.h"
+#include "interpreter/dialects/sinumerik/code/library.h"
+#include "interpreter/dialects/sinumerik/run/session.h"
 #include "tools/session/load_programs.h"
 
 namespace g31::session {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "interpreter/dialects/fanuc/control.h"
-#include "interpreter/dialects/fanuc/failure.h"
-#include "interpreter/dialects/fanuc/word_values.h"
+#include "interpreter/dialects/fanuc/state/control.h"
+#include "interpreter/dialects/fanuc/state/failure.h"
+#include "interpreter/dialects/fanuc/text/word_values.h"
 #include "interpreter/source/location.h"
 
 namespace g31::fanuc {

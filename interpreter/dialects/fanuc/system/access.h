@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "interpreter/dialects/fanuc/control.h"
-#include "interpreter/dialects/fanuc/system_variables.h"
+#include "interpreter/dialects/fanuc/state/control.h"
+#include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
 
 // How the rows of system_variables.def are read and written, one function for each kind; files by
 // subject.  Access rights are checked before: these functions serve programs and set-up sheets

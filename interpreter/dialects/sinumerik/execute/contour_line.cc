@@ -6,7 +6,7 @@
 #include "interpreter/dialects/sinumerik/execute/circle_form.h"
 #include "interpreter/dialects/sinumerik/execute/feed.h"
 #include "interpreter/dialects/sinumerik/execute/travel.h"
-#include "interpreter/dialects/sinumerik/functions.h"
+#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 
 namespace g31::sinumerik {
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
-#include "interpreter/dialects/sinumerik/functions.h"
+#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 
 namespace g31::sinumerik {
 namespace {

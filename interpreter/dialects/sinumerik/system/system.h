@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "interpreter/dialects/sinumerik/channel.h"
-#include "interpreter/dialects/sinumerik/system_variables.h"
+#include "interpreter/dialects/sinumerik/state/channel.h"
+#include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
 #include "machine/base/result.h"
 
 namespace g31::sinumerik {

@@ -1,0 +1,253 @@
+#include "interpreter/dialects/fanuc/code/compile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/code/compile_expression.h"
+#include "interpreter/dialects/fanuc/vocabulary/variable_ranges.h"
+#include "machine/base/contract.h"
+
+namespace g31::fanuc {
+namespace {
+
+using syntax::Block;
+using syntax::BlockKind;
+using syntax::Expr;
+using syntax::ExprKind;
+using syntax::Index;
+using syntax::kNone;
+
+/// Sequence numbers up to here exist on every control; the run judges larger ones (MB-172).
+constexpr double kAlwaysInRange = 99'999.0;
+
+class Compiler {
+ public:
+  Compiler(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
+           const Profile& profile, Extent extent)
+      : tree_(tree), program_(tree.programs.at(which)), profile_(profile) {
+    out_.extent = extent;
+    out_.number = program_.number;
+    out_.file = &file;
+    out_.tree = &tree;
+    out_.constants.emplace_back();
+  }
+
+  CompiledProgram run() {
+    const Index end = program_.first_block + program_.block_count;
+    out_.steps.reserve(program_.block_count);
+    out_.first_word =
+        end > program_.first_block ? tree_.blocks[program_.first_block].first_word : 0;
+    for (Index i = program_.first_block; i < end; ++i) {
+      step(i);
+    }
+    link_then();
+    link_loops();
+    if (out_.extent == Extent::Whole) {
+      std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
+      link_jumps();
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void step(Index block_index);
+  void assign(const Block& block, Step& step);
+  void nc_words(const Block& block, Step& step);
+  void link_then();
+  void link_loops();
+  void judge_loop(Step& step, std::size_t depth);
+  void link_jumps();
+  void mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::string message);
+
+  const syntax::Tree& tree_;
+  const syntax::Program& program_;
+  const Profile& profile_;
+  CompiledProgram out_;
+  ExpressionCompiler expressions_{tree_, profile_, out_};
+};
+
+void Compiler::mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::string message) {
+  step.kind = BlockKind::Bad;
+  step.number = static_cast<std::int32_t>(out_.errors.size());
+  out_.errors.push_back({static_cast<int>(id), where, std::move(message)});
+}
+
+void Compiler::step(Index block_index) {
+  const Block& block = tree_.blocks[block_index];
+  Step step;
+  step.kind = block.kind;
+  step.skip_switch = block.skip_switch;
+  step.number = block.number;
+  step.block = block_index;
+  if (block.sequence >= 0) {
+    out_.labels.push_back({block.sequence, static_cast<Index>(out_.steps.size())});
+  }
+  switch (block.kind) {
+    case BlockKind::Empty:
+    case BlockKind::Do:
+    case BlockKind::End:
+    case BlockKind::Output:
+    case BlockKind::SetNames:
+      break;
+    case BlockKind::Nc:
+      nc_words(block, step);
+      break;
+    case BlockKind::Assign:
+      assign(block, step);
+      break;
+    case BlockKind::IfGoto:
+      step.condition = expressions_.condition(block.condition);
+      step.value = expressions_.value(block.value);
+      break;
+    case BlockKind::Goto:
+      step.value = expressions_.value(block.value);
+      break;
+    case BlockKind::IfThen:
+      step.condition = expressions_.condition(block.condition);
+      if (!profile_.has_then) {
+        mark_bad(step, AlarmId::StatementFormat, block.span,
+                 "this control has no THEN, only IF [...] GOTO");
+      }
+      break;
+    case BlockKind::While:
+      step.condition = expressions_.condition(block.condition);
+      break;
+    case BlockKind::Bad: {
+      const syntax::SyntaxError& error = tree_.errors[static_cast<std::size_t>(block.number)];
+      mark_bad(step, static_cast<AlarmId>(error.error), error.where, error.message);
+      break;
+    }
+  }
+  if (auto misuse = expressions_.take_misuse()) {
+    mark_bad(step, misuse->id, misuse->where, std::move(misuse->message));
+  }
+  out_.steps.push_back(step);
+}
+
+void Compiler::assign(const Block& block, Step& step) {
+  const Expr& target = tree_.exprs[block.target];
+  if (target.kind == ExprKind::Variable && tree_.exprs[target.a].kind == ExprKind::Number) {
+    step.number = literal_variable(tree_.exprs[target.a]);
+    step.target_kind = is_local(step.number)    ? TargetKind::Local
+                       : is_common(step.number) ? TargetKind::Common
+                                                : TargetKind::Numbered;
+  } else {
+    step.target_kind = TargetKind::Computed;
+    step.target = expressions_.target_number(target);
+  }
+  step.value = expressions_.value(block.value);
+}
+
+void Compiler::nc_words(const Block& block, Step& step) {
+  for (Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
+    const syntax::Word& word = tree_.words[i];
+    out_.word_code.resize(i - out_.first_word, kNone);
+    out_.word_code.push_back(
+        word.form == syntax::ValueForm::Computed ? expressions_.value(word.expr) : kNone);
+    if (word.is_bare && !profile_.has_bare_expressions && step.kind != BlockKind::Bad) {
+      mark_bad(
+          step, AlarmId::IllegalAddress, word.span,
+          fmt::format("an expression after {} needs brackets: {}[...]", word.letter, word.letter));
+    }
+  }
+}
+
+void Compiler::link_then() {
+  for (std::size_t i = 0; i < out_.steps.size(); ++i) {
+    if (out_.steps[i].kind == BlockKind::IfThen) {
+      std::size_t after = i + 1;
+      while (after < out_.steps.size() && out_.steps[after].kind == BlockKind::IfThen) {
+        ++after;
+      }
+      out_.steps[i].jump = static_cast<Index>(std::min(after + 1, out_.steps.size()));
+    }
+  }
+}
+
+/// Loops that this control does not know by number, or not so deep (MB-179, MB-339, MB-371).
+void Compiler::judge_loop(Step& step, std::size_t depth) {
+  const LoopRule& rule = profile_.loops;
+  const syntax::ShortSpan where = tree_.blocks[step.block].span;
+  if (step.number > rule.largest_number) {
+    mark_bad(step, AlarmId::IllegalLoopNumber, where,
+             fmt::format("a loop number is 1 to {}", rule.largest_number));
+  } else if (depth > static_cast<std::size_t>(rule.nesting)) {
+    mark_bad(step, AlarmId::IllegalLoopNumber, where,
+             fmt::format("loops nest at most {} deep", rule.nesting));
+  }
+}
+
+void Compiler::link_loops() {
+  struct Loop {
+    Index step;
+    std::int32_t number;
+  };
+  std::vector<Loop> open;
+  for (Index i = 0; i < out_.steps.size(); ++i) {
+    Step& step = out_.steps[i];
+    if (step.kind == BlockKind::While || step.kind == BlockKind::Do) {
+      const bool is_open = std::ranges::find(open, step.number, &Loop::number) != open.end();
+      open.push_back({i, step.number});
+      if (is_open) {
+        mark_bad(step, AlarmId::EndMissing, tree_.blocks[step.block].span,
+                 "a loop of this number is open already");
+      } else {
+        judge_loop(step, open.size());
+      }
+    } else if (step.kind == BlockKind::End) {
+      if (open.empty() || open.back().number != step.number) {
+        const AlarmId id = open.empty() ? AlarmId::DoMissing : AlarmId::EndMissing;
+        mark_bad(step, id, tree_.blocks[step.block].span,
+                 open.empty() ? "this END has no DO"
+                              : "this END closes another loop than the innermost");
+        continue;
+      }
+      step.jump = open.back().step;
+      out_.steps[open.back().step].jump = i + 1;
+      open.pop_back();
+    }
+  }
+  for (const Loop& loop : open) {
+    Step& step = out_.steps[loop.step];
+    mark_bad(step, AlarmId::EndMissing, tree_.blocks[step.block].span, "this DO has no END");
+  }
+}
+
+void Compiler::link_jumps() {
+  for (Index i = 0; i < out_.steps.size(); ++i) {
+    Step& step = out_.steps[i];
+    if (step.kind != BlockKind::Goto && step.kind != BlockKind::IfGoto) {
+      continue;
+    }
+    const Op& target = out_.ops[step.value];
+    if (target.code != OpCode::End || target.a.bank != Bank::Constants) {
+      continue;
+    }
+    const double sequence = out_.constants[static_cast<std::size_t>(target.a.place)].or_zero();
+    if (sequence >= 1.0 && sequence <= kAlwaysInRange) {
+      const auto found = out_.find_label(static_cast<std::int32_t>(sequence), i);
+      step.jump = found.value_or(kNone);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Index> CompiledProgram::find_label(std::int32_t sequence, Index from) const {
+  const auto first = std::ranges::lower_bound(labels, sequence, {}, &Label::sequence);
+  const auto last = std::ranges::upper_bound(first, labels.end(), sequence, {}, &Label::sequence);
+  if (first == last) {
+    return std::nullopt;
+  }
+  const auto behind = std::ranges::upper_bound(first, last, from, {}, &Label::step);
+  return behind != last ? behind->step : first->step;
+}
+
+CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,
+                        const Profile& profile, Extent extent) {
+  return Compiler(file, tree, which, profile, extent).run();
+}
+
+}  // namespace g31::fanuc

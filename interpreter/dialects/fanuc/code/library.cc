@@ -1,0 +1,222 @@
+#include "interpreter/dialects/fanuc/code/library.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+#include "interpreter/dialects/fanuc/text/parse.h"
+#include "interpreter/dialects/fanuc/text/tape_code.h"
+
+namespace g31::fanuc {
+namespace {
+
+/// So much of a long file tells its code.
+constexpr std::size_t kLook = 4096;
+
+/// The program number that a file name says: optional O, digits, optional ending.
+std::optional<int> number_in_name(std::string_view name) {
+  const std::string_view stem = name.substr(0, name.find('.'));
+  const std::size_t skip = !stem.empty() && (stem[0] == 'O' || stem[0] == 'o') ? 1 : 0;
+  const std::string_view digits = stem.substr(skip);
+  int number = 0;
+  const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const bool whole = !digits.empty() && end.ec == std::errc() && end.ptr == digits.end();
+  return whole && number > 0 ? std::optional(number) : std::nullopt;
+}
+
+/// `./` is how people and programs write "this folder"; messages are better off without it.
+std::string joined(const std::string& folder, const std::string& name) {
+  return folder.empty() || folder == "." ? name : folder + "/" + name;
+}
+
+/// A file whose lines end with CR alone, as old computers and EIA readers leave it: a control knows
+/// LF only, so without this the whole file would be one block.
+void use_line_feeds(std::string& text) {
+  if (text.find('\n') == std::string::npos) {
+    std::ranges::replace(text, '\r', '\n');
+  }
+}
+
+}  // namespace
+
+ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
+  for (const auto& file : loaded_) {
+    if (file->path == path) {
+      return file.get();
+    }
+  }
+  auto text = files_.read(path);
+  if (!text || text->size() >= std::numeric_limits<std::uint32_t>::max()) {
+    return nullptr;
+  }
+  use_line_feeds(*text);
+  auto file = std::make_unique<File>();
+  file->path = path;
+  file->source = std::make_unique<source::SourceFile>(path, from_tape_code(*std::move(text)));
+  file->tree = parse(file->source->text());
+  loaded_.push_back(std::move(file));
+  return loaded_.back().get();
+}
+
+ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
+  const bool is_main = main_path_.empty();
+  if (is_main) {
+    main_path_ = path;
+    main_bytes_ = files_.size(path).value_or(0);
+    if (main_bytes_ > kWholeFileBytes &&
+        !is_tape_code(files_.read_part(path, 0, kLook).value_or(""))) {
+      windows_ = std::make_unique<ProgramWindows>(files_, path, main_bytes_);
+      return Added::Yes;
+    }
+  }
+  if (load(path) == nullptr) {
+    return Added::Unreadable;
+  }
+  if (!is_main) {
+    further_files_.push_back(path);
+  }
+  return Added::Yes;
+}
+
+void ProgramLibrary::add_folder(const std::string& folder) {
+  Folder added;
+  added.path = folder;
+  for (const std::string& name : files_.list(folder)) {
+    if (const auto number = number_in_name(name)) {
+      added.by_name.emplace(*number, name);
+    } else {
+      added.unnamed.push_back(name);
+    }
+  }
+  folders_.push_back(std::move(added));
+}
+
+const CompiledProgram* ProgramLibrary::compiled(File& file, std::size_t which) {
+  auto& slot = file.compiled[which];
+  if (slot == nullptr) {
+    slot = std::make_unique<CompiledProgram>(compile(*file.source, file.tree, which, *profile_));
+  }
+  return slot.get();
+}
+
+const CompiledProgram* ProgramLibrary::main_program() {
+  if (windows_ != nullptr) {
+    if (const CompiledProgram* const first = windows_->next(*profile_)) {
+      main_number_ = first->number;
+      return first;
+    }
+  }
+  return whole_main();
+}
+
+const source::SourceFile* ProgramLibrary::main_text() {
+  const File* const loaded = main_path_.empty() ? nullptr : load(main_path_);
+  return loaded != nullptr ? loaded->source.get() : nullptr;
+}
+
+const CompiledProgram* ProgramLibrary::whole_main() {
+  File* const loaded = main_path_.empty() ? nullptr : load(main_path_);
+  if (loaded == nullptr) {
+    return nullptr;
+  }
+  File& file = *loaded;
+  const auto& programs = file.tree.programs;
+  // An O number without blocks before the real program is what some editors leave behind.
+  const auto real = std::ranges::find_if(programs, [](const auto& p) { return p.block_count > 1; });
+  if (real != programs.end()) {
+    return compiled(file, static_cast<std::size_t>(real - programs.begin()));
+  }
+  return programs.empty() ? nullptr : compiled(file, 0);
+}
+
+std::optional<ProgramPlace> ProgramLibrary::behind(const CompiledProgram& program) {
+  if (program.extent == Extent::Whole) {
+    return std::nullopt;
+  }
+  const auto steps = static_cast<syntax::Index>(program.steps.size());
+  if (const CompiledProgram* const next = windows_->next(*profile_)) {
+    return ProgramPlace{next, 0};
+  }
+  if (windows_->must_be_whole()) {
+    return in_whole({&program, steps});
+  }
+  return std::nullopt;
+}
+
+std::optional<ProgramPlace> ProgramLibrary::in_whole(const ProgramPlace& place) {
+  if (place.program->extent == Extent::Whole) {
+    return place;
+  }
+  const CompiledProgram* const whole = whole_main();
+  return whole != nullptr
+             ? std::optional(ProgramPlace{whole, windows_->steps_before() + place.step})
+             : std::nullopt;
+}
+
+void ProgramLibrary::keep_text() {
+  if (windows_ != nullptr) {
+    windows_->keep_text();
+  }
+}
+
+const CompiledProgram* ProgramLibrary::find_in(File& file, int number) {
+  const auto& programs = file.tree.programs;
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    if (programs[i].number == number) {
+      return compiled(file, i);
+    }
+  }
+  return nullptr;
+}
+
+const CompiledProgram* ProgramLibrary::find_in(Folder& folder, int number) {
+  const auto named = folder.by_name.equal_range(number);
+  for (auto it = named.first; it != named.second; ++it) {
+    if (File* const file = load(joined(folder.path, it->second))) {
+      if (const CompiledProgram* const found = find_in(*file, number)) {
+        return found;
+      }
+      if (file->tree.programs.size() == 1 && file->tree.programs[0].number == 0) {
+        return compiled(*file, 0);  // no O word inside: the name is the number
+      }
+    }
+  }
+  for (const std::string& name : folder.unnamed) {
+    if (File* const file = load(joined(folder.path, name))) {
+      if (const CompiledProgram* const found = find_in(*file, number)) {
+        return found;
+      }
+    }
+  }
+  return nullptr;
+}
+
+const CompiledProgram* ProgramLibrary::find_in_main(int number) {
+  const bool is_long = windows_ != nullptr;
+  if (is_long && !main_has_further_) {
+    main_has_further_ = has_further_programs(files_, main_path_, main_bytes_);
+  }
+  if (is_long && !*main_has_further_ && main_number_ != number) {
+    return nullptr;
+  }
+  File* const file = main_path_.empty() ? nullptr : load(main_path_);
+  return file != nullptr ? find_in(*file, number) : nullptr;
+}
+
+const CompiledProgram* ProgramLibrary::find(int number) {
+  const auto known = known_.find(number);
+  if (known != known_.end()) {
+    return known->second;
+  }
+  const CompiledProgram* found = find_in_main(number);
+  for (std::size_t i = 0; i < further_files_.size() && found == nullptr; ++i) {
+    found = find_in(*load(further_files_[i]), number);
+  }
+  for (std::size_t i = 0; i < folders_.size() && found == nullptr; ++i) {
+    found = find_in(folders_[i], number);
+  }
+  known_[number] = found;
+  return found;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/code/compile.h"
+#include "interpreter/dialects/fanuc/code/program_windows.h"
+#include "interpreter/source/file_system.h"
+
+namespace g31::fanuc {
+
+/// A step of a program.
+struct ProgramPlace {
+  const CompiledProgram* program = nullptr;
+  syntax::Index step = 0;
+};
+
+/// The programs that a run can call: those of its main file first, then further files, then folders
+/// in the order given.  Files are read and compiled when they are first needed.  A long main file
+/// is read window by window (ProgramWindows).
+class ProgramLibrary {
+ public:
+  /// @param files  must outlive the library
+  explicit ProgramLibrary(source::FileSystem& files) : files_(files) {}
+
+  /// Programs are compiled for this control; to be called before any is asked for.
+  void compile_for(const Profile& profile) { profile_ = &profile; }
+
+  enum class Added { Yes, Unreadable };
+
+  /// Makes the programs of a file callable.
+  Added add_file(const std::string& path);
+
+  /// Programs of this folder become callable.  A file is taken for O1234 when the digits of its
+  /// name say so (O1234.nc, 1234, o01234.txt); failing that, when its text begins with O1234.
+  void add_folder(const std::string& folder);
+
+  /// The text of the first file; nullptr when there is none.
+  const source::SourceFile* main_text();
+
+  /// The first program of the first file that has blocks or a number; nullptr when there is none.
+  const CompiledProgram* main_program();
+
+  /// Where a program goes on behind its last step: in its next window, or, when windows end here,
+  /// in the whole program; nullopt: nowhere.
+  std::optional<ProgramPlace> behind(const CompiledProgram& program);
+
+  /// The same place in the whole program, whose labels are all known.
+  /// nullopt: the file is too long to be kept whole, or can no longer be read.
+  std::optional<ProgramPlace> in_whole(const ProgramPlace& place);
+
+  /// The text of the present window stays in memory, for messages.
+  void keep_text();
+
+  /// The program O`number`, or nullptr.
+  const CompiledProgram* find(int number);
+
+ private:
+  struct File {
+    std::string path;
+    std::unique_ptr<source::SourceFile> source;
+    syntax::Tree tree;
+    std::map<std::size_t, std::unique_ptr<CompiledProgram>> compiled;
+  };
+  struct Folder {
+    std::string path;
+    std::multimap<int, std::string> by_name;
+    std::vector<std::string> unnamed;  ///< files whose name says no number, not yet read
+  };
+
+  const CompiledProgram* compiled(File& file, std::size_t which);
+  const CompiledProgram* find_in(File& file, int number);
+  const CompiledProgram* find_in(Folder& folder, int number);
+  File* load(const std::string& path);
+  const CompiledProgram* whole_main();
+  const CompiledProgram* find_in_main(int number);
+
+  source::FileSystem& files_;
+  const Profile* profile_ = &profiles().front();
+  std::vector<std::unique_ptr<File>> loaded_;
+  std::vector<Folder> folders_;
+  std::vector<std::string> further_files_;
+  std::string main_path_;
+  std::uint64_t main_bytes_ = 0;
+  std::int32_t main_number_ = 0;             ///< of a long main program
+  std::unique_ptr<ProgramWindows> windows_;  ///< of the main file, if it is a long one
+  std::optional<bool> main_has_further_;     ///< programs, behind its first; asked for long ones
+  std::map<int, const CompiledProgram*> known_;
+};
+
+}  // namespace g31::fanuc

@@ -1,0 +1,103 @@
+#include "interpreter/dialects/fanuc/code/program_windows.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "interpreter/dialects/fanuc/text/parse.h"
+
+namespace g31::fanuc {
+namespace {
+
+using syntax::BlockKind;
+
+bool is_loop(const syntax::Block& block) {
+  return block.kind == BlockKind::While || block.kind == BlockKind::Do ||
+         block.kind == BlockKind::End;
+}
+
+}  // namespace
+
+ProgramWindows::ProgramWindows(source::FileSystem& files, std::string path, std::uint64_t bytes)
+    : files_(files), path_(std::move(path)), bytes_(bytes) {}
+
+/// Whole lines from the present offset.
+std::optional<std::string> ProgramWindows::next_text() {
+  for (std::size_t length = kWindowBytes;; length *= 2) {
+    auto text = files_.read_part(path_, offset_, length);
+    if (!text || text->empty()) {
+      return std::nullopt;
+    }
+    const bool is_last = offset_ + text->size() >= bytes_ || text->size() < length;
+    const std::size_t line_end = text->rfind('\n');
+    if (!is_last && line_end == std::string::npos) {
+      continue;  // one line longer than the window
+    }
+    if (!is_last) {
+      text->resize(line_end + 1);
+    }
+    return text;
+  }
+}
+
+bool ProgramWindows::can_be_split(const Window& window) const {
+  return window.tree.programs.size() == 1 && std::ranges::none_of(window.tree.blocks, is_loop);
+}
+
+const CompiledProgram* ProgramWindows::next(const Profile& profile) {
+  const bool is_first = window_ == nullptr;
+  if (!is_first && window_->tree.end < window_->source->text().size()) {
+    return nullptr;  // a % ended the program
+  }
+  auto text = next_text();
+  if (!text) {
+    return nullptr;
+  }
+  auto window = std::make_unique<Window>();
+  offset_ += text->size();
+  window->source = std::make_unique<source::SourceFile>(path_, *std::move(text), next_line_);
+  next_line_ = window->source->last_line();
+  window->tree =
+      parse(window->source->text(), is_first ? TextBegins::AtFile : TextBegins::InProgram);
+  if (window->tree.programs.size() == 1) {
+    window->program = compile(*window->source, window->tree, 0, profile, Extent::Window);
+  }
+  if (!can_be_split(*window)) {
+    must_be_whole_ = true;
+    return nullptr;
+  }
+  if (!is_first) {
+    window->program.number = window_->program.number;
+    steps_before_ += static_cast<syntax::Index>(window_->program.steps.size());
+    if (std::exchange(keep_text_, false)) {
+      kept_.push_back(std::move(window_->source));
+    }
+  }
+  window_ = std::move(window);
+  return &window_->program;
+}
+
+void ProgramWindows::keep_text() {
+  keep_text_ = true;
+}
+
+bool has_further_programs(source::FileSystem& files, const std::string& path, std::uint64_t bytes) {
+  char before = '\n';
+  int programs = 0;
+  for (std::uint64_t offset = 0; offset < bytes;) {
+    const auto text = files.read_part(path, offset, kWindowBytes);
+    if (!text || text->empty()) {
+      break;
+    }
+    offset += text->size();
+    for (const char c : *text) {
+      const bool begins_program = before == '\n' && (c == 'O' || c == 'o' || c == ':');
+      programs += begins_program ? 1 : 0;
+      const bool counts_for_nothing = c == ' ' || c == '\t' || c == '\r' || c == '\0';
+      before = counts_for_nothing ? before : c;
+    }
+  }
+  return programs > 1;
+}
+
+}  // namespace g31::fanuc

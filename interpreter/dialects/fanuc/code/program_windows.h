@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/code/compile.h"
+#include "interpreter/source/file_system.h"
+
+namespace g31::fanuc {
+
+/// Files beyond this size are run window by window; smaller ones are kept whole.
+inline constexpr std::uint64_t kWholeFileBytes = 4U << 20;
+
+/// How much text one window has, to the next line end.
+inline constexpr std::size_t kWindowBytes = 1U << 18;
+
+/// A long program as a run of windows: only one of them is in memory at a time, so that a program
+/// of any size runs in a few megabytes as long as it goes straight on.
+class ProgramWindows {
+ public:
+  /// @param files  must outlive the windows
+  ProgramWindows(source::FileSystem& files, std::string path, std::uint64_t bytes);
+
+  /// The next window, compiled for a control, which ends the life of the one before; nullptr when
+  /// there is none, or when the text cannot be split (see must_be_whole).
+  const CompiledProgram* next(const Profile& profile);
+
+  /// A loop or a further program was found: windows do not show where they end.
+  [[nodiscard]] bool must_be_whole() const { return must_be_whole_; }
+
+  /// Steps of the program before the present window.
+  [[nodiscard]] syntax::Index steps_before() const { return steps_before_; }
+
+  /// The present window's text stays when the next window comes: a message points into it.
+  void keep_text();
+
+ private:
+  struct Window {
+    std::unique_ptr<source::SourceFile> source;
+    syntax::Tree tree;
+    CompiledProgram program;
+  };
+
+  std::optional<std::string> next_text();
+  bool can_be_split(const Window& window) const;
+
+  source::FileSystem& files_;
+  std::string path_;
+  std::uint64_t bytes_;
+  std::uint64_t offset_ = 0;
+  int next_line_ = 1;
+  syntax::Index steps_before_ = 0;
+  bool must_be_whole_ = false;
+  std::unique_ptr<Window> window_;
+  std::vector<std::unique_ptr<source::SourceFile>> kept_;
+  bool keep_text_ = false;
+};
+
+/// Whether a further program begins at a line of the file behind the first one.  Reads the file
+/// once, piece by piece.
+bool has_further_programs(source::FileSystem& files, const std::string& path, std::uint64_t bytes);
+
+}  // namespace g31::fanuc

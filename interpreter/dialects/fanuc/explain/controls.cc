@@ -1,0 +1,67 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/explain/entry.h"
+
+namespace g31::fanuc::reference {
+namespace {
+
+std::string macro_alarm_text(const MacroAlarmRule& rule) {
+  return rule.number == MacroAlarmRule::Number::BasePlusValue
+             ? fmt::format("alarm {} + n, n {} to {}, text of {} characters", rule.base,
+                           rule.smallest, rule.largest, rule.text_length)
+             : fmt::format("alarm {}, n {} to {}, text of {} characters", rule.base, rule.smallest,
+                           rule.largest, rule.text_length);
+}
+
+std::string missing_codes(const Profile& profile) {
+  std::string list;
+  for (const GNumber code : profile.missing_g_codes) {
+    list += (list.empty() ? "" : ", ") + to_text(code);
+  }
+  return list.empty() ? "none" : list;
+}
+
+Entry entry_of(const Profile& profile) {
+  const OutputRule& output = profile.output;
+  return {
+      "control",
+      std::string(profile.name),
+      std::string(profile.text),
+      {{"digits of a number", std::to_string(profile.digit_limit)},
+       {"sequence numbers", fmt::format("1 to {}", profile.largest_sequence)},
+       {"loops",
+        fmt::format("DO 1 to {}, {} deep", profile.loops.largest_number, profile.loops.nesting)},
+       {"alarms", fmt::format("{}{:03} is division by zero", profile.alarm_prefix,
+                              number_of(AlarmId::DivisionByZero, profile.alarm_numbers))},
+       {"X#1+10 without brackets", profile.has_bare_expressions ? "yes" : "no"},
+       {"IF [] THEN", profile.has_then ? "yes" : "no"},
+       {"calls", fmt::format("{} macros, {} subprograms, {} together deep", profile.calls.macros,
+                             profile.calls.subprograms, profile.calls.together)},
+       {"#3000=n", macro_alarm_text(profile.macro_alarm)},
+       {"#5061 and on", profile.variables.meets({VariableGroup::SkipAtTip})
+                            ? "without the tool offset"
+                            : "with the tool offset"},
+       {"F in G31",
+        profile.skip_feed == SkipFeed::Modal ? "stays in force" : "counts for its block only"},
+       {"DPRNT", fmt::format("{} to {} digits a variable{}", output.fewest_digits,
+                             output.most_digits, output.needs_popen ? ", after POPEN" : "")},
+       {"G codes of the family it lacks", missing_codes(profile)}}};
+}
+
+}  // namespace
+
+Entries controls(std::string_view topic) {
+  const auto same_letter = [](char a, char b) {
+    return a == (b >= 'a' && b <= 'z' ? static_cast<char>(b - 'a' + 'A') : b);
+  };
+  for (const Profile& profile : profiles()) {
+    if (std::ranges::equal(topic, profile.name, same_letter)) {
+      return {entry_of(profile)};
+    }
+  }
+  return {};
+}
+
+}  // namespace g31::fanuc::reference

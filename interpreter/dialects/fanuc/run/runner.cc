@@ -1,0 +1,347 @@
+#include "interpreter/dialects/fanuc/run/runner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/compensation.h"
+#include "interpreter/dialects/fanuc/vocabulary/variable_ranges.h"
+#include "machine/base/contract.h"
+
+namespace g31::fanuc {
+namespace {
+
+using syntax::BlockKind;
+using syntax::kNone;
+
+}  // namespace
+
+Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
+               runtime::Observer& observer)
+    : library_(library), control_(profile, port, observer, system_) {
+  system_.attach(control_);
+  control_.here = [this] { return location_of(frame()); };
+}
+
+runtime::Outcome Runner::run(const runtime::Budget& budget) {
+  const CompiledProgram* const main = library_.main_program();
+  runtime::Outcome outcome;
+  if (main == nullptr) {
+    outcome.status = runtime::Status::SyntaxError;
+    outcome.diagnostics.push_back(make_diagnostic(source::DiagnosticId::NoProgramInFile, {library_.main_text(), {}}));
+    return outcome;
+  }
+  for (const syntax::SyntaxError& error : reachable_errors(*main)) {
+    const AlarmInfo& row = info(static_cast<AlarmId>(error.error));
+    outcome.status = runtime::Status::SyntaxError;
+    outcome.diagnostics.push_back({source::Severity::Error,
+                                   std::to_string(number_of(static_cast<AlarmId>(error.error),
+                                                            control_.profile.alarm_numbers)),
+                                   {main->file, error.where.widened()},
+                                   fmt::format("{}: {}", row.text, error.message),
+                                   std::string(row.remedy),
+                                   {}});
+  }
+  if (outcome.status == runtime::Status::SyntaxError) {
+    return outcome;
+  }
+  start(*main);
+  control_.budget = runtime::BudgetWatch(budget);
+  if (const MaybeFailure failure = loop()) {
+    outcome = outcome_of(*failure);
+  } else {
+    control_.report_silent_skip();
+  }
+  control_.tell_repeats();
+  outcome.diagnostics = control_.diagnostics;
+  outcome.blocks = control_.budget.blocks();
+  return outcome;
+}
+
+void Runner::start(const CompiledProgram& main) {
+  frames_.assign(1, Frame());
+  frame().program = &main;
+  control_.modal.word('O') = main.number;
+  control_.coordinates.arrived_at_machine(control_.port.position());
+}
+
+/// Statements that touch nothing but variables: the hot loop of a macro program.
+/// @returns whether the step was one of them; the evaluator knows of a fault
+bool Runner::fast_step(const Step& step, Frame& now) {
+  Evaluator& evaluator = control_.evaluator;
+  switch (step.kind) {
+    case BlockKind::Empty:
+    case BlockKind::Do:
+      return true;
+    case BlockKind::End:
+      now.step = step.jump;
+      return true;
+    case BlockKind::Assign: {
+      const bool is_common =
+          step.target_kind == TargetKind::Common && !control_.variables.is_protected(step.number);
+      if (!is_common && step.target_kind != TargetKind::Local) {
+        return false;
+      }
+      const Cell value = evaluator.evaluate(*now.program, step.value);
+      if (evaluator.failed()) [[unlikely]] {
+        return true;
+      }
+      if (is_common) {
+        control_.variables.set_common(step.number, value);
+      } else {
+        control_.variables.set_local(step.number, value);
+      }
+      return true;
+    }
+    case BlockKind::IfGoto:
+      if (step.jump == kNone) {
+        return false;
+      }
+      if (evaluator.condition(*now.program, step.condition)) {
+        now.step = step.jump;
+      }
+      return true;
+    case BlockKind::IfThen:
+    case BlockKind::While:
+      if (!evaluator.condition(*now.program, step.condition)) {
+        now.step = step.jump;
+      }
+      return true;
+    case BlockKind::Goto:
+    case BlockKind::Nc:
+    case BlockKind::Output:
+    case BlockKind::SetNames:
+    case BlockKind::Bad:
+      return false;
+  }
+  return false;
+}
+
+MaybeFailure Runner::loop() {
+  while (!ended_) {
+    Frame& now = frames_.back();
+    if (now.step >= now.program->steps.size()) {
+      if (auto failure = behind_last_step()) {
+        return failure;
+      }
+      continue;
+    }
+    if (const auto spent = control_.budget.next_block()) {
+      return budget_failure(*spent);
+    }
+    now.current = now.step;
+    const Step& next = now.program->steps[now.step++];
+    if (next.skip_switch != 0 && control_.block_skip.contains(next.skip_switch)) {
+      continue;
+    }
+    if (fast_step(next, now)) {
+      if (control_.evaluator.failed()) [[unlikely]] {
+        return from_evaluation();
+      }
+    } else if (auto failure = rare_step(next)) {
+      return failure;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Goes on in the next window of a long program, or says that the program has no end.
+MaybeFailure Runner::behind_last_step() {
+  const CompiledProgram& program = *frame().program;
+  const auto points_here = [&program](const source::Location& where) {
+    return where.file == program.file;
+  };
+  if (std::ranges::any_of(control_.diagnostics, points_here, &source::Diagnostic::where) ||
+      (control_.silent_skip && points_here(*control_.silent_skip)) ||
+      (control_.stopped_skip && points_here(*control_.stopped_skip))) {
+    library_.keep_text();
+  }
+  if (const auto next = library_.behind(program)) {
+    frame().program = next->program;
+    frame().step = next->step;
+    return std::nullopt;
+  }
+  Failure failure;
+  failure.id = AlarmId::EndOfRecord;
+  failure.detail = fmt::format("{} ends without M30, M02 or M99", name_of(program));
+  return failure;
+}
+
+MaybeFailure Runner::rare_step(const Step& step) {
+  switch (step.kind) {
+    case BlockKind::Nc:
+      return nc_block(step);
+    case BlockKind::Assign:
+      return assign(step);
+    case BlockKind::Goto:
+      return jump(step);
+    case BlockKind::IfGoto: {
+      const bool holds = control_.evaluator.condition(*frame().program, step.condition);
+      if (control_.evaluator.failed()) {
+        return from_evaluation();
+      }
+      return holds ? jump(step) : std::nullopt;
+    }
+    case BlockKind::Output:
+      return output(step);
+    case BlockKind::Bad:
+      return bad_block(step);
+    case BlockKind::SetNames:
+      return set_names(step);
+    case BlockKind::Empty:
+    case BlockKind::Do:
+    case BlockKind::End:
+    case BlockKind::IfThen:
+    case BlockKind::While:
+      break;
+  }
+  contract_violated("fast_step does these", __FILE__, __LINE__);
+}
+
+/// SETVN: on controls without names in programs they only show on the screen (MB-104).
+MaybeFailure Runner::set_names(const Step& step) {
+  const CompiledProgram& program = *frame().program;
+  const syntax::ShortSpan span = program.tree->blocks[step.block].text;
+  std::int32_t number = step.number;
+  const std::string_view list = program.file->text().substr(span.begin, span.end - span.begin);
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', begin), list.size());
+    std::string name = upper_case(list.substr(begin, comma - begin));
+    begin = comma + 1;
+    std::erase_if(name, [](char c) { return c == ' ' || c == '\t'; });
+    const NameRule& rule = control_.profile.names;
+    const bool in_range = is_common(number) && number >= rule.first && number <= rule.last;
+    if (!in_range || static_cast<int>(name.size()) > rule.longest) {
+      Failure failure;
+      failure.id = in_range ? AlarmId::NameFormat : AlarmId::IllegalVariable;
+      failure.detail =
+          in_range ? fmt::format("a name has at most {} characters", rule.longest)
+                   : fmt::format("SETVN names #{} to #{}, not #{}", rule.first, rule.last, number);
+      return failure;
+    }
+    control_.variables.names.give(std::move(name), number++);
+  }
+  return std::nullopt;
+}
+
+MaybeFailure Runner::bad_block(const Step& step) {
+  const syntax::SyntaxError& error = frame().program->errors[static_cast<std::size_t>(step.number)];
+  Failure failure;
+  failure.id = static_cast<AlarmId>(error.error);
+  failure.where = error.where;
+  failure.detail = error.message;
+  failure.status = runtime::Status::SyntaxError;
+  return failure;
+}
+
+MaybeFailure Runner::jump(const Step& step) {
+  if (step.jump != kNone) {
+    frame().step = step.jump;
+    return std::nullopt;
+  }
+  const CompiledProgram& program = *frame().program;
+  const Cell target = control_.evaluator.evaluate(program, step.value);
+  if (control_.evaluator.failed()) {
+    return from_evaluation();
+  }
+  const double rounded = std::round(target.or_zero());
+  Failure failure;
+  failure.where = program.op_spans[step.value];
+  if (rounded < 1.0 || rounded > control_.profile.largest_sequence) {
+    failure.id = AlarmId::IllegalJump;
+    failure.detail = fmt::format("GOTO {}", rounded);
+    return failure;
+  }
+  failure.id = AlarmId::JumpNotFound;
+  failure.detail = fmt::format("{} has no N{}", name_of(program), rounded);
+  return go_to(frame(), nearest_integer(rounded), std::move(failure));
+}
+
+/// A jump is ahead: the whole program must be known.
+MaybeFailure Runner::keep_whole(Frame& frame) {
+  const auto here = library_.in_whole({frame.program, frame.current});
+  if (!here) {
+    Failure failure;
+    failure.id = AlarmId::SequenceNotFound;
+    failure.detail = "a program file with jumps must be shorter than 4 GiB";
+    return failure;
+  }
+  frame.program = here->program;
+  frame.step += here->step - frame.current;
+  frame.current = here->step;
+  return std::nullopt;
+}
+
+/// The frame goes on at N `sequence`; `missing` is what it means when there is no such block.
+MaybeFailure Runner::go_to(Frame& frame, int sequence, Failure missing) {
+  if (auto failure = keep_whole(frame)) {
+    return failure;
+  }
+  const auto found = frame.program->find_label(sequence, frame.current);
+  if (!found) {
+    return missing;
+  }
+  frame.step = *found;
+  return std::nullopt;
+}
+
+MaybeFailure Runner::assign(const Step& step) {
+  const CompiledProgram& program = *frame().program;
+  std::int32_t number = step.number;
+  if (step.target_kind == TargetKind::Computed) {
+    const Cell index = control_.evaluator.evaluate(program, step.target);
+    if (control_.evaluator.failed()) {
+      return from_evaluation();
+    }
+    number = variable_number(index.or_zero());
+  }
+  const Cell value = control_.evaluator.evaluate(program, step.value);
+  if (control_.evaluator.failed()) {
+    return from_evaluation();
+  }
+  if (const auto refused = control_.variables.write(number, value)) {
+    Failure failure;
+    failure.id = *refused;
+    failure.where = program.tree->blocks[step.block].span;
+    failure.detail = fmt::format("#{} cannot be written", number);
+    return failure;
+  }
+  return assigned_system_variable(number, value.or_zero());
+}
+
+/// What an assignment to #3000 or #3006 sets off, with the comment behind it as text.
+MaybeFailure Runner::assigned_system_variable(int number, double value) {
+  if (number != 3000 && number != 3006) {
+    return std::nullopt;
+  }
+  const CompiledProgram& program = *frame().program;
+  const syntax::Block& block = program.tree->blocks[program.steps[frame().current].block];
+  const std::string text(
+      program.file->text().substr(block.text.begin, block.text.end - block.text.begin));
+  if (auto failure = end_read_ahead(control_)) {
+    return failure;
+  }
+  if (number == 3006) {
+    control_.observer.on_stop({"#3006", text, location(block.span)});
+    return std::nullopt;
+  }
+  Failure failure;
+  failure.id = AlarmId::MacroAlarm;
+  failure.where = block.span;
+  failure.alarm_text = text.empty() ? std::string(info(AlarmId::MacroAlarm).text) : text;
+  const MacroAlarmRule& rule = control_.profile.macro_alarm;
+  const int n = nearest_integer(value);
+  const bool plain =
+      rule.has_plain_numbers && control_.parameters.is_on(ParameterId::PlainAlarmNumber);
+  const bool adds = rule.number == MacroAlarmRule::Number::BasePlusValue;
+  failure.alarm_number = plain ? n : rule.base + (adds ? n : 0);
+  if (n < rule.smallest || n > rule.largest) {
+    failure.detail = fmt::format("#3000 takes {} to {}", rule.smallest, rule.largest);
+  } else if (!adds) {
+    failure.detail = fmt::format("number {}", n);
+  }
+  return failure;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/state/control.h"
+#include "interpreter/dialects/fanuc/system/control_variables.h"
+#include "interpreter/dialects/fanuc/code/library.h"
+#include "interpreter/runtime/outcome.h"
+
+namespace g31::fanuc {
+
+enum class CallKind {
+  Main,
+  Subprogram,  ///< M98: shares the caller's locals
+  Macro,       ///< G65: locals of its own
+};
+
+/// What called a program; in one that a code called, such codes are ordinary (MB-208).
+enum class CalledBy {
+  Program,
+  GCode,
+  Address,  ///< M, T, S, B and the like
+};
+
+/// Where a called program comes from.
+enum class Storage {
+  Memory,
+  External  ///< M198
+};
+
+/// G66 or G66.1 in force.
+struct ModalCall {
+  const CompiledProgram* program = nullptr;
+  int repeats = 1;
+  bool every_block = false;  ///< G66.1: each NC block becomes a call
+  /// The arguments at first; after a call of G66 what its macro left in them (MB-204).
+  Variables::Locals locals;
+};
+
+/// How a program is entered.
+struct Entry {
+  const CompiledProgram* program = nullptr;
+  CallKind kind = CallKind::Macro;
+  CalledBy by = CalledBy::Program;
+  int repeats = 1;
+  syntax::Index first_step = 0;
+  Storage storage = Storage::Memory;
+};
+
+/// One level of the call stack.
+struct Frame {
+  const CompiledProgram* program = nullptr;
+  syntax::Index step = 0;  ///< the next to execute
+  syntax::Index current = 0;
+  CallKind kind = CallKind::Main;
+  CalledBy by = CalledBy::Program;
+  Storage storage = Storage::Memory;
+  int repeats_left = 0;
+  /// Modal calls that motion in this program sets off, the last first; inside a modal call the
+  /// outer ones are left (MB-204).
+  std::vector<std::shared_ptr<ModalCall>> modal_calls;
+  std::shared_ptr<ModalCall> of_modal_call;  ///< the one that called this program, if any
+};
+
+/// Steps through compiled programs: statements, jumps and calls.  NC blocks go to execute/.
+class Runner {
+ public:
+  Runner(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
+         runtime::Observer& observer);
+
+  runtime::Outcome run(const runtime::Budget& budget);
+  Control& control() { return control_; }
+
+ private:
+  // runner.cc: the loop
+  void start(const CompiledProgram& main);
+  MaybeFailure loop();
+  bool fast_step(const Step& step, Frame& now);
+  MaybeFailure rare_step(const Step& step);
+  MaybeFailure set_names(const Step& step);
+  MaybeFailure bad_block(const Step& step);
+  MaybeFailure assign(const Step& step);
+  MaybeFailure assigned_system_variable(int number, double value);
+  MaybeFailure jump(const Step& step);
+  MaybeFailure output(const Step& step);  // runner_output.cc
+  MaybeFailure open_or_close(OutputStatement statement);
+  MaybeFailure refused_output(OutputStatement statement, syntax::ShortSpan block);
+  MaybeFailure behind_last_step();
+  MaybeFailure keep_whole(Frame& frame);
+  MaybeFailure go_to(Frame& frame, int sequence, Failure missing);
+
+  // runner_words.cc: NC blocks
+  MaybeFailure nc_block(const Step& step);
+  MaybeFailure evaluate_words(const Step& step);
+  bool skips_rest(const syntax::Word& word);
+  MaybeFailure execute(const BlockWords& words, source::Location where);
+  MaybeFailure plain_block(source::Location where);
+  MaybeFailure program_stop(int m, source::Location where);
+
+  // runner_calls.cc: which word calls what
+  Result<bool, Failure> call_in_block();
+  Result<bool, Failure> call_by_g(const EvaluatedWord& word, bool every_block);
+  Result<bool, Failure> call_by_m(const EvaluatedWord& word);
+  Result<bool, Failure> call_by_address(const EvaluatedWord& word);
+  MaybeFailure macro_call(const EvaluatedWord& code);
+  MaybeFailure set_modal_call(const EvaluatedWord& code);
+  MaybeFailure cancel_modal_call(const EvaluatedWord& code);
+  MaybeFailure modal_call();
+  MaybeFailure every_block_call();
+  MaybeFailure enter_macro(const Entry& entry, std::span<const EvaluatedWord> arguments);
+  MaybeFailure code_macro(const EvaluatedWord& code, int program, CalledBy by);
+  MaybeFailure code_subprogram(const EvaluatedWord& code, int program);
+  Result<Variables::Locals, Failure> with_arguments(Variables::Locals locals,
+                                                    std::span<const EvaluatedWord> arguments);
+  Result<const CompiledProgram*, Failure> called_program(const EvaluatedWord& p);
+  Result<int, Failure> repeats() const;
+  [[nodiscard]] double argument_value(const EvaluatedWord& word) const;
+  [[nodiscard]] bool may_call(CalledBy by) const;
+
+  // runner_levels.cc: into a program and out of it
+  MaybeFailure subprogram_call(const EvaluatedWord& m);
+  Result<Entry, Failure> subprogram_entry(const EvaluatedWord& m);
+  [[nodiscard]] bool calls_external(int m) const;
+  MaybeFailure return_from_call();
+  MaybeFailure enter(const Entry& entry);
+  [[nodiscard]] int levels(CallKind kind) const;
+
+  // runner_failure.cc: what became of it
+  Failure from_evaluation();
+  runtime::Outcome outcome_of(const Failure& failure);
+  [[nodiscard]] source::Location location(syntax::ShortSpan span) const;
+  [[nodiscard]] source::Location location_of(const Frame& frame) const;
+  [[nodiscard]] std::vector<runtime::CallSite> call_stack() const;
+  static std::string name_of(const CompiledProgram& program);
+
+  Frame& frame() { return frames_.back(); }
+
+  ProgramLibrary& library_;
+  ControlVariables system_;
+  Control control_;
+  std::vector<Frame> frames_;
+  BlockWords words_;
+  bool ended_ = false;
+};
+
+}  // namespace g31::fanuc

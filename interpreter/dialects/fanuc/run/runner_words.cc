@@ -1,0 +1,123 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/compensation.h"
+#include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/run/runner.h"
+#include "interpreter/dialects/fanuc/text/scanner.h"
+
+namespace g31::fanuc {
+namespace {
+
+using syntax::ValueForm;
+
+/// No address of any control takes more (MB-032); it keeps positions and times finite, too.
+constexpr double kLargestWord = 999'999'999.0;
+
+bool is_dwell(const BlockWords& words) {
+  const EvaluatedWord* const g = words.find('G');
+  return g != nullptr && g->number == 4.0;
+}
+
+}  // namespace
+
+MaybeFailure Runner::evaluate_words(const Step& step) {
+  const CompiledProgram& program = *frame().program;
+  const syntax::Block& block = program.tree->blocks[step.block];
+  words_.clear();
+  for (syntax::Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
+    const syntax::Word& word = program.tree->words[i];
+    if (word.letter == '/') {
+      if (skips_rest(word)) {
+        break;
+      }
+      continue;
+    }
+    double number = word.number;
+    if (word.form == ValueForm::Computed) {
+      const double increment = 1.0 / control_.scale.length_counts();
+      const Cell value = control_.evaluator.evaluate(
+          program, program.word_code[i - program.first_word], increment);
+      if (control_.evaluator.failed()) {
+        return from_evaluation();
+      }
+      if (value.is_vacant()) {
+        continue;
+      }
+      number = value.raw();
+    } else if (word.digits > control_.profile.word_digit_limit) {
+      return at_place(AlarmId::TooManyDigits, word.span, digit_count(word.digits));
+    }
+    if (std::abs(number) > kLargestWord) {
+      return at_place(AlarmId::TooManyDigits, word.span,
+                      fmt::format("{} is {:g}, beyond every address", word.letter, number));
+    }
+    words_.add(word, number);
+  }
+  return std::nullopt;
+}
+
+/// A `/` in the middle of a block: some controls skip from there, others refuse it (MB-006).
+bool Runner::skips_rest(const syntax::Word& word) {
+  control_.warn_once(source::DiagnosticId::SkipInsideBlock, location(word.span));
+  return control_.block_skip.contains(static_cast<int>(word.number));
+}
+
+MaybeFailure Runner::nc_block(const Step& step) {
+  if (control_.budget.is_too_late()) {
+    return budget_failure(runtime::BudgetWatch::Spent::Time);
+  }
+  if (auto failure = evaluate_words(step)) {
+    return failure;
+  }
+  const syntax::Block& block = frame().program->tree->blocks[step.block];
+  if (block.sequence >= 0) {
+    control_.modal.word('N') = block.sequence;
+    words_.set_sequence(block.sequence);
+  }
+  const auto called = call_in_block();
+  if (!called) {
+    return called.error();
+  }
+  return called.value() ? std::nullopt : plain_block(location(block.span));
+}
+
+/// What the words of a block do, calls apart.
+MaybeFailure Runner::execute(const BlockWords& words, source::Location where) {
+  if (auto failure = execute_block(control_, words, where)) {
+    return failure;
+  }
+  const bool compensates = control_.cutter.path.engaged();
+  if (!compensates && !control_.lookahead.is_judged()) {
+    return std::nullopt;
+  }
+  const BlockEffect effect = effect_of(words, control_.profile, control_.parameters);
+  control_.lookahead.executed(effect);
+  // Cutter compensation reads past a dwell, though statements behind it see the axes stand.
+  const bool breaks = effect == BlockEffect::Finishes && !is_dwell(words);
+  return compensates && breaks ? end_read_ahead(control_) : std::nullopt;
+}
+
+/// A block that calls nothing; its motion may set off a modal call.
+MaybeFailure Runner::plain_block(source::Location where) {
+  const EvaluatedWord* const m = words_.find('M');
+  if (auto failure = execute(words_, where)) {
+    return failure;
+  }
+  if (auto failure = program_stop(m != nullptr ? nearest_integer(m->number) : -1, where)) {
+    return failure;
+  }
+  return frame().modal_calls.empty() ? std::nullopt : modal_call();
+}
+
+/// M00, M01, M02, M30: recorded stops and the end.
+MaybeFailure Runner::program_stop(int m, source::Location where) {
+  if (m == 0 || m == 1) {
+    control_.observer.on_stop({m == 0 ? "M00" : "M01", "", where});
+  }
+  ended_ = m == 2 || m == 30;
+  return std::nullopt;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,163 @@
+#include "interpreter/dialects/fanuc/run/session.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/run/runner.h"
+
+namespace g31::fanuc {
+namespace {
+
+/// "#500" -> 500.
+std::optional<int> variable_in_name(std::string_view name) {
+  int number = 0;
+  if (name.size() < 2 || name[0] != '#') {
+    return std::nullopt;
+  }
+  const auto end = std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  const bool whole = end.ec == std::errc() && end.ptr == name.data() + name.size();
+  return whole ? std::optional(number) : std::nullopt;
+}
+
+/// Which system "G54".."G59", "EXT", "G54.1 P1" names, as Coordinates counts them.
+std::optional<int> system_in_name(std::string_view name) {
+  constexpr std::string_view kAdditional = "G54.1 P";
+  if (name == "EXT") {
+    return 0;
+  }
+  if (name.starts_with(kAdditional)) {
+    const auto digits = name.substr(kAdditional.size());
+    int p = 0;
+    const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), p);
+    const bool legal = end.ec == std::errc() && end.ptr == digits.data() + digits.size() &&
+                       p >= 1 && p <= Coordinates::kAdditional;
+    return legal ? std::optional(Coordinates::kSystems + p) : std::nullopt;
+  }
+  if (name.size() == 3 && name.starts_with("G5") && name[2] >= '4' && name[2] <= '9') {
+    return name[2] - '3';
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> configure_offsets(Control& control, const runtime::ControlSetup& setup) {
+  std::vector<std::string> refused;
+  for (const auto& [name, q_offset] : setup.work_offsets) {
+    const auto system = system_in_name(name);
+    if (!system) {
+      refused.push_back(
+          fmt::format("work offset {}: this control has EXT, G54 to G59, G54.1 Pn", name));
+      continue;
+    }
+    for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+      control.coordinates.set_system(*system, axis, q_offset[axis]);
+    }
+    control.expected_systems.insert(*system);
+  }
+  for (const auto& [number, entry] : setup.tools) {
+    if (number < 1 || number > OffsetTable::kLargest) {
+      refused.push_back(
+          fmt::format("tool {}: offset numbers are 1 to {}", number, OffsetTable::kLargest));
+      continue;
+    }
+    control.offsets.set(number, entry);
+    control.expected_tools.insert(number);
+  }
+  return refused;
+}
+
+void configure_calls(Control& control, const runtime::ControlSetup& setup,
+                     std::vector<std::string>& refused) {
+  for (const auto& [code, program] : setup.macro_calls) {
+    int number = 0;
+    const auto end = std::from_chars(code.data() + 1, code.data() + code.size(), number);
+    const bool known = code.size() >= 2 && (code[0] == 'G' || code[0] == 'M');
+    if (!known || end.ptr != code.data() + code.size()) {
+      refused.push_back(fmt::format("macro call {}: write G or M and a whole number", code));
+      continue;
+    }
+    (code[0] == 'G' ? control.code_calls.macro_by_g : control.code_calls.macro_by_m)[number] =
+        program;
+  }
+}
+
+}  // namespace
+
+Session::Session(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
+                 runtime::Observer& observer)
+    : runner_(std::make_unique<Runner>(profile, library, port, observer)) {
+  library.compile_for(profile);
+}
+
+Session::~Session() = default;
+
+std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) {
+  std::vector<std::string> refused;
+  const auto given = Parameters::from(setup.parameters);
+  if (!given) {
+    refused.push_back(
+        fmt::format("parameter {}: write NUMBER, NUMBER.BIT or NUMBER.AXIS", given.error()));
+    return refused;
+  }
+  Control& control = runner_->control();
+  Parameters parameters = given.value();
+  parameters.set_reference(setup.q_M_reference);
+  control.apply(parameters);
+  if (!setup.increment.empty()) {
+    control.scale.set_increment_system(setup.increment);
+  }
+  control.set_offset_memory(setup.offset_memory);
+  control.block_skip = setup.block_skip;
+  control.feed_switches = setup.feed_switches;
+  control.lookahead.set_depth(setup.lookahead_blocks);
+  refused = configure_offsets(control, setup);
+  configure_calls(control, setup, refused);
+  for (const auto& [name, value] : setup.variables) {
+    const auto number = variable_in_name(name);
+    const Cell cell = value ? Cell(*value) : Cell();
+    if (!number || control.variables.preset(*number, cell).has_value()) {
+      refused.push_back(fmt::format("variable {}: cannot be set on this control", name));
+    }
+  }
+  return refused;
+}
+
+void Session::connect(runtime::PrinterPort& printer) {
+  runner_->control().printer = &printer;
+}
+
+runtime::Outcome Session::run(const runtime::Budget& budget) {
+  return runner_->run(budget);
+}
+
+Result<Cell, std::string> Session::variable(const std::string& name) {
+  const auto number = variable_in_name(name);
+  if (!number) {
+    return fmt::format("{} is no variable of this control: write # and a number", name);
+  }
+  const auto value = runner_->control().variables.read(*number);
+  if (!value) {
+    return fmt::format("{} cannot be read on this control", name);
+  }
+  return value.value();
+}
+
+std::map<std::string, double> Session::permanent_variables() const {
+  std::map<std::string, double> kept;
+  for (int number = kFirstPermanent; number < kCommonEnd; ++number) {
+    const Cell value = runner_->control().variables.common(number);
+    if (!value.is_vacant()) {
+      kept.emplace(fmt::format("#{}", number), value.raw());
+    }
+  }
+  for (std::int32_t i = 0; i < kFurtherCommonCount; ++i) {
+    const Cell value = runner_->control().further_commons.at(static_cast<std::size_t>(i));
+    if (!value.is_vacant()) {
+      kept.emplace(fmt::format("#{}", kFirstFurther + i), value.raw());
+    }
+  }
+  return kept;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/code/library.h"
+#include "interpreter/dialects/fanuc/vocabulary/profile.h"
+#include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/observer.h"
+#include "interpreter/runtime/outcome.h"
+#include "interpreter/runtime/printer_port.h"
+#include "machine/port/machine_port.h"
+
+namespace g31::fanuc {
+
+class Runner;
+
+/// A control of the Fanuc dialect with its programs, ready to run one of them.
+class Session {
+ public:
+  /// All four must outlive the session.
+  Session(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
+          runtime::Observer& observer);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Takes over a set-up.  @returns what in it this control cannot understand; empty: all of it
+  std::vector<std::string> configure(const runtime::ControlSetup& setup);
+
+  /// Connects a printer that POPEN, PCLOS, DPRNT and BPRNT drive; it must outlive the session.
+  /// The observer hears the printouts with or without one.
+  void connect(runtime::PrinterPort& printer);
+
+  /// Runs the library's main program to its end.
+  runtime::Outcome run(const runtime::Budget& budget);
+
+  /// The value of a variable as `--print` names it ("#100"); the reason when there is none.
+  Result<runtime::Cell, std::string> variable(const std::string& name);
+
+  /// #500 to #999 that are not vacant: what a control keeps over power off.
+  [[nodiscard]] std::map<std::string, double> permanent_variables() const;
+
+ private:
+  std::unique_ptr<Runner> runner_;
+};
+
+}  // namespace g31::fanuc

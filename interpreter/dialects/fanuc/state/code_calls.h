@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <map>
+
+#include "interpreter/dialects/fanuc/vocabulary/parameters.h"
+#include "interpreter/dialects/fanuc/vocabulary/profile.h"
+
+namespace g31::fanuc {
+
+/// A subprogram that a word calls, and the common variable that takes the word's value.
+struct AddressCall {
+  int program = 0;  ///< 0: none
+  int variable = 0;
+};
+
+/// Which codes and addresses call a program, as parameters or the set-up sheet say.
+struct CodeCalls {
+  std::map<int, int> macro_by_g;             ///< G number to macro program (MB-207)
+  std::map<int, int> macro_by_m;             ///< M number to macro program (MB-209)
+  std::map<int, int> subprogram_by_m;        ///< M number to subprogram (MB-210)
+  std::array<AddressCall, 26> by_address{};  ///< by letter - A (MB-211, MB-212)
+
+  /// Parameters changed: calls of the old ones go, those of the new ones come; what the sheet named
+  /// by code stays.
+  void turn_over(const Parameters& before, const Parameters& now, const Profile& profile);
+
+ private:
+  void choose_addresses(const Parameters& parameters, const Profile& profile);
+};
+
+}  // namespace g31::fanuc

@@ -1,0 +1,150 @@
+#include "interpreter/dialects/fanuc/state/control.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace g31::fanuc {
+namespace {
+
+/// @param parameters  must outlive the rules
+EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
+  EvaluationRules rules;
+  const bool short_range =
+      profile.has_series_30i_functions && parameters.is_on(ParameterId::Range16i);
+  rules.largest_result = short_range ? kLargestOf16i : profile.largest_result;
+  rules.smallest_result = short_range ? kSmallestOf16i : profile.smallest_result;
+  rules.digit_limit = profile.digit_limit;
+  rules.signed_angles = parameters.is_on(ParameterId::SignedAngles);
+  rules.clear_small_sines = parameters.is_on(ParameterId::ClearSmallSines);
+  rules.has_series_30i_functions = profile.has_series_30i_functions;
+  rules.joins_conditions = parameters.is_on(ParameterId::JoinsConditions);
+  rules.parameters = &parameters;
+  rules.logic_operands = profile.logic_operands;
+  return rules;
+}
+
+/// The rows that the control has: memories A and B take the place of C, and parameter 6000.3 turns
+/// the numbers of C round, which leaves no room for the old work offset numbers (MB-122).
+VariableGroups variable_groups(const Profile& profile, const Parameters& parameters,
+                               OffsetMemory memory) {
+  using enum VariableGroup;
+  const VariableGroups groups = profile.variables;
+  if (!groups.meets({OffsetsC})) {
+    return groups;
+  }
+  switch (memory) {
+    case OffsetMemory::A:
+      return groups.without(OffsetsC).with(OffsetsA);
+    case OffsetMemory::B:
+      return groups.without(OffsetsC).with(OffsetsB);
+    case OffsetMemory::C:
+      break;
+  }
+  return parameters.is_on(ParameterId::OffsetsTurned)
+             ? groups.without(OffsetsC).without(LegacyOffsets).with(OffsetsCTurned)
+             : groups;
+}
+
+}  // namespace
+
+Modal::Modal() {
+  constexpr std::pair<int, GNumber> kPowerOn[] = {
+      {1, {0, 0}},   {2, {17, 0}},  {3, {90, 0}},  {4, {22, 0}},  {5, {94, 0}},  {6, {21, 0}},
+      {7, {40, 0}},  {8, {49, 0}},  {9, {80, 0}},  {10, {98, 0}}, {11, {50, 0}}, {12, {67, 0}},
+      {13, {97, 0}}, {14, {54, 0}}, {15, {64, 0}}, {16, {69, 0}}, {17, {15, 0}}, {22, {50, 1}}};
+  for (const auto& [number, code] : kPowerOn) {
+    group[static_cast<std::size_t>(number)] = code;
+  }
+}
+
+Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::Observer& listener,
+                 SystemVariables& system)
+    : profile(chosen),
+      port(machine),
+      observer(listener),
+      variables(system),
+      system_variables(chosen.variables),
+      evaluator(variables, rules_of(chosen, parameters)) {
+  scale.excess_decimals = profile.excess_decimals;
+}
+
+void Control::report_silent_skip() {
+  if (silent_skip) {
+    warn(source::DiagnosticId::SkipWithoutSignal, *silent_skip);
+    silent_skip.reset();
+  }
+}
+
+void Control::report_stopped_skip() {
+  if (stopped_skip) {
+    warn(source::DiagnosticId::ProtectedMoveStopped, *stopped_skip);
+    stopped_skip.reset();
+  }
+}
+
+void Control::report_read_ahead(const SystemVariable& row, std::int32_t number) {
+  const source::Location where = here();
+  if (const auto report = lookahead.judge(row, where, number)) {
+    diagnostics.push_back(make_diagnostic(*report, where, fmt::format("#{}", number)));
+  }
+}
+
+void Control::warn(source::DiagnosticId id, source::Location where) {
+  const auto [row, is_new] =
+      repeats_.try_emplace({id, where.file, where.span.begin}, Repeat{diagnostics.size(), 0});
+  ++row->second.times;
+  if (is_new) {
+    diagnostics.push_back(make_diagnostic(id, where));
+  }
+}
+
+void Control::tell_repeats() {
+  for (const auto& [place, repeat] : repeats_) {
+    if (repeat.times > 1) {
+      source::Diagnostic& diagnostic = diagnostics[repeat.diagnostic];
+      diagnostic.notes.push_back({diagnostic.where, fmt::format("{} times in all", repeat.times)});
+    }
+  }
+}
+
+void Control::warn_once(source::DiagnosticId id, source::Location where, std::string_view detail) {
+  if (warned_.emplace(id, detail).second) {
+    diagnostics.push_back(make_diagnostic(id, where, detail));
+  }
+}
+
+machine::BlockEnd Control::feed_end() const {
+  constexpr int kNoExactStop = 4;
+  const bool exact = stops_exactly || modal.group[15].whole == 61;
+  return exact && (override_control & kNoExactStop) == 0 ? machine::BlockEnd::ExactStop
+                                                         : machine::BlockEnd::PassOn;
+}
+
+void Control::apply(const Parameters& given) {
+  const Parameters before = parameters;
+  parameters = given;
+  code_calls.turn_over(before, parameters, profile);
+  evaluator.set_rules(rules_of(profile, parameters));
+  scale.calculator_point = parameters.is_on(ParameterId::CalculatorPoint);
+  variables.protect(nearest_integer(parameters.get(ParameterId::FirstProtected)),
+                    nearest_integer(parameters.get(ParameterId::LastProtected)));
+  choose_system_variables();
+}
+
+void Control::set_offset_memory(OffsetMemory memory) {
+  offsets.set_memory(memory);
+  choose_system_variables();
+}
+
+void Control::choose_system_variables() {
+  system_variables = SystemVariableIndex(variable_groups(profile, parameters, offsets.memory()));
+}
+
+void Control::set_unit(LengthUnit unit) {
+  modal.group[6] = {static_cast<std::int16_t>(unit == LengthUnit::Inch ? 20 : 21), 0};
+  scale.unit = unit;
+  observer.on_length_unit(unit);
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,196 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "interpreter/compensation/cutter_compensation.h"
+#include "interpreter/dialects/fanuc/state/calendar.h"
+#include "interpreter/dialects/fanuc/vocabulary/canned_cycles.h"
+#include "interpreter/dialects/fanuc/state/code_calls.h"
+#include "interpreter/dialects/fanuc/state/coordinates.h"
+#include "interpreter/dialects/fanuc/state/evaluate.h"
+#include "interpreter/dialects/fanuc/state/failure.h"
+#include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
+#include "interpreter/dialects/fanuc/state/lookahead.h"
+#include "interpreter/dialects/fanuc/state/offsets.h"
+#include "interpreter/dialects/fanuc/vocabulary/parameters.h"
+#include "interpreter/dialects/fanuc/state/polar.h"
+#include "interpreter/dialects/fanuc/vocabulary/profile.h"
+#include "interpreter/dialects/fanuc/state/signals.h"
+#include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
+#include "interpreter/dialects/fanuc/state/variables.h"
+#include "interpreter/dialects/fanuc/text/word_values.h"
+#include "interpreter/dialects/fanuc/state/work_transform.h"
+#include "interpreter/runtime/budget_watch.h"
+#include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/observer.h"
+#include "interpreter/runtime/printer_port.h"
+#include "machine/port/machine_port.h"
+
+namespace g31::fanuc {
+
+/// What stays in force from block to block.
+struct Modal {
+  /// By group; the power-on state of MB 0.1: G00 G17 G90 G94 G21 G40 G49 G80 G98 G54 G64.
+  std::array<GNumber, kGroupCount> group{};
+  double feed = 0.0;  ///< in the unit in force per minute; 0: none was ever given
+  /// The last word of each letter, as #4102 to #4120 show it.
+  std::array<double, 26> words{};  ///< by letter - A
+  [[nodiscard]] double& word(char letter) { return words[static_cast<std::size_t>(letter - 'A')]; }
+  int length_offset = 0;      ///< H in force
+  int additional_system = 0;  ///< P of G54.1, 0 in G54..G59
+
+  Modal();
+  [[nodiscard]] bool incremental() const { return group[3].whole == 91; }
+  [[nodiscard]] Plane plane() const { return plane_of(group[2]); }
+};
+
+/// What the blocks from G10 to G11 are (MB-260).
+enum class DataInput {
+  None,
+  Parameters,  ///< G10 L50: N and R, or N P and R
+  ToolLife     ///< G10 L3: not simulated
+};
+
+/// Reads of the clock since machine time last passed.
+struct BusyWait {
+  double since_s = -1.0;  ///< machine time of the first
+  int reads = 0;
+};
+
+/// Cutter compensation and what the present block says to it.
+struct CutterStage {
+  compensation::CutterCompensation path;
+  compensation::CompensationCommand command;
+  bool fed = false;  ///< a motion or pause of the present block has come through
+};
+
+/// The whole state of a running control.  One per run; nothing is global.
+struct Control {
+  Control(const Profile& chosen, machine::MachinePort& machine, runtime::Observer& listener,
+          SystemVariables& system);
+
+  const Profile& profile;
+  Parameters parameters;
+  machine::MachinePort& port;
+  runtime::Observer& observer;
+
+  Variables variables;
+  SystemVariableIndex system_variables;
+  Evaluator evaluator;
+  Modal modal;
+  Coordinates coordinates;
+  CutterStage cutter;
+  OffsetTable offsets;
+  WordScale scale;
+  std::set<int> block_skip;
+  runtime::FeedSwitches feed_switches;
+  CodeCalls code_calls;
+  std::set<int> expected_tools;    ///< numbers of the sheet's tool table; empty: anything goes
+  std::set<int> expected_systems;  ///< likewise for work offsets, as Coordinates counts them
+
+  AxisPositions q_W_skip = AxisPositions::Zero();       ///< #5061.., tool offset included; mm, deg
+  AxisPositions q_skip_offset = AxisPositions::Zero();  ///< the tool offset in it
+  runtime::PrinterPort* printer = nullptr;              ///< none: only the observer hears
+  bool printer_open = false;                            ///< between POPEN and PCLOS
+  std::array<Cell, kFurtherCommonCount> further_commons;  ///< #98000..
+  PmcSignals signals;                                     ///< #1000.., #1100..
+  Calendar calendar;                                      ///< #3011, #3012
+  BusyWait busy_wait;
+  double timer_offset_ms = 0.0;           ///< #3001 = simulated time + this
+  double hours_offset = 0.0;              ///< #3002 likewise
+  int single_block_control = 0;           ///< #3003
+  int override_control = 0;               ///< #3004
+  bool stops_exactly = false;             ///< G09 in the present block
+  int mirror_state = 0;                   ///< #3007
+  int restart_state = 0;                  ///< #3008
+  TransformStages transforms;             ///< G51.1, G51, G68
+  std::optional<PolarCoordinates> polar;  ///< G16
+  CycleData cycle;                        ///< of the canned cycle in force
+  /// Where the last G28 or G30 of each axis went through (L); none before the first.
+  std::array<std::optional<double>, kAxisCount> q_L_intermediate;
+  DataInput data_input = DataInput::None;
+  runtime::BudgetWatch budget{runtime::Budget{}};
+
+  Lookahead lookahead;
+  std::vector<source::Diagnostic> diagnostics;
+
+  /// The last skip move, if it ended without a signal and nobody has asked for its result yet.
+  std::optional<source::Location> silent_skip;
+
+  /// The last skip move, if its signal ended it and the program has neither moved nor read a
+  /// position since.
+  std::optional<source::Location> stopped_skip;
+
+  /// Another skip move follows: the one before was a protected positioning move, and if its
+  /// signal ended it, it met something.
+  void report_stopped_skip();
+
+  /// Somebody relies on a skip move that had no signal: the warning that it deserves.
+  /// A silent skip move that is followed by another one is a protected positioning move.
+  void report_silent_skip();
+
+  /// Where the program is now, for reports from inside an expression.
+  std::function<source::Location()> here;
+
+  /// A system variable is read ahead of the motion: the report that it deserves.
+  void report_read_ahead(const SystemVariable& row, std::int32_t number);
+
+  /// Warns of what a block did.  When the block does it again, only the count of the warning grows:
+  /// a loop may do it a million times.
+  void warn(source::DiagnosticId id, source::Location where);
+  /// Says at each warning how often it happened; to be called once, at the end.
+  void tell_repeats();
+
+  /// Warns of something that g31 does not simulate, at its first place only.
+  void warn_once(source::DiagnosticId id, source::Location where, std::string_view detail = {});
+
+  /// How a move at feed ends: G09 and G61 stop exactly, unless #3004 bit 2 forbids it.
+  [[nodiscard]] machine::BlockEnd feed_end() const;
+
+  /// Takes over parameters and what they change.
+  void apply(const Parameters& given);
+  /// Tool offset memory A, B or C, and with it the numbers of the offset variables.
+  void set_offset_memory(OffsetMemory memory);
+  /// G20, G21
+  void set_unit(LengthUnit unit);
+
+  /// Where the axes stand, in machine coordinates; a block that waits in cutter compensation counts
+  /// as done, its end beside the programmed one.
+  [[nodiscard]] AxisPositions position() const {
+    return cutter.path.engaged() ? cutter.path.position() : port.position();
+  }
+
+  /// mm of a value in the unit in force, and back.
+  [[nodiscard]] double to_mm(double value) const { return value * scale.mm_per_unit(); }
+  [[nodiscard]] double from_mm(double mm) const { return mm / scale.mm_per_unit(); }
+  /// A coordinate of an axis as variables show it, and back: linear axes in the unit in force.
+  [[nodiscard]] double shown(int axis, double value) const {
+    return is_linear(axis) ? from_mm(value) : value;
+  }
+  [[nodiscard]] double stored(int axis, double value) const {
+    return is_linear(axis) ? to_mm(value) : value;
+  }
+
+ private:
+  static bool is_linear(int axis) { return axis < 3; }
+  void choose_system_variables();
+
+  struct Repeat {
+    std::size_t diagnostic = 0;  ///< its place among the diagnostics
+    std::uint64_t times = 0;
+  };
+  std::map<std::tuple<source::DiagnosticId, const source::SourceFile*, std::size_t>, Repeat>
+      repeats_;
+  std::set<std::pair<source::DiagnosticId, std::string>> warned_;
+};
+
+}  // namespace g31::fanuc

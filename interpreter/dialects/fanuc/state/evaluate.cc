@@ -1,0 +1,355 @@
+#include "interpreter/dialects/fanuc/state/evaluate.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/text/scanner.h"
+#include "interpreter/runtime/angles.h"
+#include "machine/base/contract.h"
+
+namespace g31::fanuc {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kLargestParameter = 99'999.0;
+constexpr double kSmallSine = 1e-8;  // 6004.1 MFZ
+
+Cell truth(bool value) {
+  return Cell(value ? 1.0 : 0.0);
+}
+
+double add_subtract_multiply(OpCode code, double a, double b) {
+  return code == OpCode::Add ? a + b : code == OpCode::Subtract ? a - b : a * b;
+}
+
+/// Vacant differs from 0 only for EQ and NE (MB-086, MB-087).
+bool compare(OpCode code, Cell a, Cell b) {
+  const double x = a.or_zero();
+  const double y = b.or_zero();
+  if (code == OpCode::Equal || code == OpCode::NotEqual) {
+    return equal(a, b) == (code == OpCode::Equal);
+  }
+  if (code == OpCode::Greater || code == OpCode::GreaterEqual) {
+    return code == OpCode::Greater ? x > y : x >= y;
+  }
+  return code == OpCode::Less ? x < y : x <= y;
+}
+
+/// 16 -> 0x16: the BCD digits of an integer, or nullopt for what has none.
+std::optional<double> to_bcd(double value) {
+  const double whole = std::round(value);
+  if (whole < 0.0 || whole > 99'999'999.0) {
+    return std::nullopt;
+  }
+  auto rest = static_cast<std::uint64_t>(whole);
+  std::uint64_t digits = 0;
+  for (int shift = 0; rest != 0; shift += 4, rest /= 10) {
+    digits |= (rest % 10) << shift;
+  }
+  return static_cast<double>(digits);
+}
+
+std::optional<double> from_bcd(double value) {
+  const double whole = std::round(value);
+  if (whole < 0.0 || whole > 4294967295.0) {
+    return std::nullopt;
+  }
+  std::uint64_t result = 0;
+  std::uint64_t scale = 1;
+  for (auto rest = static_cast<std::uint64_t>(whole); rest != 0; rest >>= 4, scale *= 10) {
+    if ((rest & 15) > 9) {
+      return std::nullopt;
+    }
+    result += (rest & 15) * scale;
+  }
+  return static_cast<double>(result);
+}
+
+}  // namespace
+
+std::int32_t variable_number(double index) {
+  const double rounded = std::round(index);
+  return std::abs(rounded) < 1e9 ? static_cast<std::int32_t>(rounded) : -1;
+}
+
+std::optional<EvaluationFault> Evaluator::take_fault() {
+  std::optional<EvaluationFault> taken;
+  taken.swap(fault_);
+  return taken;
+}
+
+Cell Evaluator::fail(AlarmId id, std::string detail) {
+  fault_ = EvaluationFault{id, {}, std::move(detail)};
+  return {};
+}
+
+Cell Evaluator::read(std::int32_t number) {
+  const auto value = variables_.read(number);
+  if (!value) {
+    return fail(value.error(), fmt::format("#{} cannot be read", number));
+  }
+  return value.value();
+}
+
+bool Evaluator::condition(const CompiledProgram& program, syntax::Index code) {
+  return evaluate(program, code).or_zero() != 0.0;
+}
+
+bool Evaluator::is_in_range(double result) const {
+  const double size = std::abs(result);
+  return size <= rules_.largest_result && (size >= rules_.smallest_result || size == 0.0);
+}
+
+Cell Evaluator::in_range(double result) {
+  return is_in_range(result)
+             ? Cell(result)
+             : fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", result));
+}
+
+// The hot loop of macro programs.
+Cell Evaluator::evaluate(const CompiledProgram& program, syntax::Index code, double round_to) {
+  const Cell* const banks[] = {program.constants.data(), variables_.locals(), variables_.commons(),
+                               temporaries_.data()};
+  for (const Op* op = &program.ops[code];; ++op) {
+    const Cell a = banks[static_cast<std::size_t>(op->a.bank)][op->a.place];
+    if (op->code == OpCode::End) {
+      return a;
+    }
+    const Cell b = banks[static_cast<std::size_t>(op->b.bank)][op->b.place];
+    Cell& result = temporaries_[op->result];
+    if (op->code <= OpCode::Multiply) {
+      const double number = add_subtract_multiply(op->code, a.or_zero(), b.or_zero());
+      if (!is_in_range(number)) [[unlikely]] {
+        fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", number));
+        return at(program, *op);
+      }
+      result = Cell(number);
+    } else if (op->code >= OpCode::Equal && op->code <= OpCode::LessEqual) {
+      result = truth(compare(op->code, a, b));
+    } else {
+      result = rare_operation(program, *op, a, b, round_to);
+      if (fault_) [[unlikely]] {
+        return at(program, *op);
+      }
+    }
+  }
+}
+
+/// Gives the fault its place.
+Cell Evaluator::at(const CompiledProgram& program, const Op& op) {
+  fault_->where = program.op_spans[static_cast<std::size_t>(&op - program.ops.data())];
+  return {};
+}
+
+Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cell a, Cell b,
+                               double round_to) {
+  switch (op.code) {
+    case OpCode::Divide:
+      if (b.or_zero() == 0.0) {
+        return fail(AlarmId::DivisionByZero,
+                    b.is_vacant() ? "the divisor is vacant" : "the divisor is 0");
+      }
+      return in_range(a.or_zero() / b.or_zero());
+    case OpCode::Negate:
+      return a.is_vacant() ? Cell() : Cell(-a.raw());
+    case OpCode::Read:
+      return read(variable_number(a.or_zero()));
+    case OpCode::Call:
+      return function(op, a.or_zero(), round_to);
+    case OpCode::CallOfTwo:
+      return function_of_two(op, a.or_zero(), b.or_zero());
+    case OpCode::NumberOfName:
+      return number_of_name(program.names[static_cast<std::size_t>(b.or_zero())], a);
+    case OpCode::AxisParameter:
+      return axis_parameter(a.or_zero(), b.or_zero());
+    case OpCode::LogicSwitch:
+      return rules_.joins_conditions
+                 ? Cell()
+                 : fail(AlarmId::ExpressionFormat,
+                        "AND, OR and XOR between comparisons need parameter 6006.0 = 1");
+    case OpCode::DigitLimit:
+      return op.function <= rules_.digit_limit
+                 ? Cell()
+                 : fail(AlarmId::TooManyDigits, digit_count(op.function));
+    case OpCode::Modulo:
+    case OpCode::And:
+    case OpCode::Or:
+    case OpCode::Xor:
+      return integer_operation(op.code, a.or_zero(), b.or_zero());
+    case OpCode::Add:
+    case OpCode::Subtract:
+    case OpCode::Multiply:
+    case OpCode::Equal:
+    case OpCode::NotEqual:
+    case OpCode::Greater:
+    case OpCode::Less:
+    case OpCode::GreaterEqual:
+    case OpCode::LessEqual:
+    case OpCode::End:
+      break;
+  }
+  contract_violated("evaluate() does the frequent operations itself", __FILE__, __LINE__);
+}
+
+/// The number of the variable that a name means (MB-104, MB-105).
+Cell Evaluator::number_of_name(const std::string& name, Cell index) {
+  if (!rules_.has_series_30i_functions) {
+    return fail(AlarmId::ExpressionFormat, "this control has no names of variables");
+  }
+  const auto number = variables_.names.number(name, index);
+  return number ? Cell(number.value()) : fail(number.error(), fmt::format("[#{}]", name));
+}
+
+/// PRM[number], PRM[number,bit] (MB-072).
+Cell Evaluator::parameter(double number, std::optional<double> bit) {
+  const double place = std::round(number);
+  const double which = std::round(bit.value_or(0.0));
+  if (!rules_.has_series_30i_functions) {
+    return fail(AlarmId::ImproperCommand, "this control has no PRM");
+  }
+  if (place < 0.0 || place > kLargestParameter || which < 0.0 || which > 7.0) {
+    return fail(AlarmId::IllegalArgument, fmt::format("PRM[{},{}]", number, bit.value_or(0.0)));
+  }
+  const int whole = static_cast<int>(place);
+  return Cell(bit ? rules_.parameters->shown_bit(whole, static_cast<int>(which))
+                  : rules_.parameters->shown(whole));
+}
+
+/// PRM[number]/[axis], axes counted from 1 (MB-072).
+Cell Evaluator::axis_parameter(double number, double axis) {
+  const double place = std::round(number);
+  const double which = std::round(axis);
+  if (!rules_.has_series_30i_functions) {
+    return fail(AlarmId::ImproperCommand, "this control has no PRM");
+  }
+  if (place < 0.0 || place > kLargestParameter || which < 1.0 ||
+      which > static_cast<double>(kAxisCount)) {
+    return fail(AlarmId::IllegalArgument, fmt::format("PRM[{}]/[{}]", number, axis));
+  }
+  return Cell(
+      rules_.parameters->shown_for_axis(static_cast<int>(place), static_cast<int>(which) - 1));
+}
+
+/// MOD AND OR XOR: both operands made 32-bit integers (MB-067 to MB-069, MB-363).
+Cell Evaluator::integer_operation(OpCode op, double a, double b) {
+  const bool truncates = rules_.logic_operands == LogicOperands::Truncate && op != OpCode::Modulo;
+  const double x = truncates ? std::trunc(a) : std::round(a);
+  const double y = truncates ? std::trunc(b) : std::round(b);
+  constexpr double kLimit = 2147483648.0;
+  const bool fits = x >= -kLimit && x < 2.0 * kLimit && y >= -kLimit && y < 2.0 * kLimit;
+  if (!fits) {
+    return fail(AlarmId::IntegerOverflow, "an operand does not fit 32 bits");
+  }
+  if (op == OpCode::Modulo) {
+    return y == 0.0 ? fail(AlarmId::DivisionByZero, "the divisor of MOD is 0")
+                    : Cell(std::fmod(x, y) + 0.0);
+  }
+  const auto left = static_cast<std::int32_t>(static_cast<std::int64_t>(x));
+  const auto right = static_cast<std::int32_t>(static_cast<std::int64_t>(y));
+  if (op == OpCode::And) {
+    return Cell(static_cast<double>(left & right));
+  }
+  return Cell(static_cast<double>(op == OpCode::Or ? left | right : left ^ right));
+}
+
+Cell Evaluator::trigonometric(FunctionId id, double argument) {
+  double result =
+      id == FunctionId::COS ? runtime::cosine_deg(argument) : runtime::sine_deg(argument);
+  if (id == FunctionId::TAN) {
+    const double cosine = runtime::cosine_deg(argument);
+    if (cosine == 0.0) {
+      return fail(AlarmId::DivisionByZero, fmt::format("TAN[{}]", argument));
+    }
+    result /= cosine;
+  }
+  return Cell(rules_.clear_small_sines && std::abs(result) <= kSmallSine ? 0.0 : result);
+}
+
+Cell Evaluator::rounding_function(FunctionId id, double argument, double round_to) {
+  if (id == FunctionId::ROUND) {
+    // The guard absorbs the binary error of decimal fractions: 1.2345/0.001 counts as 1234.5.
+    const double scaled = argument / round_to;
+    const double guard = std::abs(scaled) * 4.0 * std::numeric_limits<double>::epsilon();
+    return Cell(round_to == 1.0 ? std::round(argument)
+                                : std::round(scaled + std::copysign(guard, scaled)) * round_to);
+  }
+  const double whole = std::trunc(argument);
+  const bool is_whole = whole == argument;
+  return Cell(id == FunctionId::FIX || is_whole ? whole : whole + std::copysign(1.0, argument));
+}
+
+Cell Evaluator::function(const Op& op, double argument, double round_to) {
+  const auto id = static_cast<FunctionId>(op.function);
+  if (!rules_.has_series_30i_functions && info(id).in_16i == InSeries16i::No) {
+    return fail(AlarmId::ImproperCommand, fmt::format("this control has no {}", info(id).name));
+  }
+  switch (id) {
+    case FunctionId::SIN:
+    case FunctionId::COS:
+    case FunctionId::TAN:
+      return trigonometric(id, argument);
+    case FunctionId::ASIN:
+    case FunctionId::ACOS: {
+      if (std::abs(argument) > 1.0) {
+        return fail(AlarmId::ArcusArgument, fmt::format("the argument is {}", argument));
+      }
+      const double angle =
+          (id == FunctionId::ASIN ? std::asin(argument) : std::acos(argument)) * kDegrees;
+      return Cell(angle < 0.0 && !rules_.signed_angles ? angle + 360.0 : angle);
+    }
+    case FunctionId::ATAN:
+      return Cell(std::atan(argument) * kDegrees);
+    case FunctionId::SQRT:
+      return argument < 0.0 ? fail(AlarmId::IllegalArgument, fmt::format("SQRT of {}", argument))
+                            : Cell(std::sqrt(argument));
+    case FunctionId::ABS:
+      return Cell(std::abs(argument));
+    case FunctionId::ROUND:
+    case FunctionId::FIX:
+    case FunctionId::FUP:
+      return rounding_function(id, argument, round_to);
+    case FunctionId::LN:
+      return argument <= 0.0 ? fail(AlarmId::IllegalArgument, fmt::format("LN of {}", argument))
+                             : Cell(std::log(argument));
+    case FunctionId::EXP:
+      return in_range(std::exp(argument));
+    case FunctionId::BIN:
+    case FunctionId::BCD: {
+      const auto result = id == FunctionId::BIN ? from_bcd(argument) : to_bcd(argument);
+      return result
+                 ? Cell(*result)
+                 : fail(AlarmId::IllegalArgument, fmt::format("{}[{}]", info(id).name, argument));
+    }
+    case FunctionId::ADP:
+      return Cell(argument);
+    case FunctionId::PRM:
+      return parameter(argument, std::nullopt);
+    case FunctionId::POW:
+      break;
+  }
+  contract_violated("POW has two arguments", __FILE__, __LINE__);
+}
+
+Cell Evaluator::function_of_two(const Op& op, double a, double b) {
+  const auto id = static_cast<FunctionId>(op.function);
+  if (id == FunctionId::PRM) {
+    return parameter(a, b);
+  }
+  if (id == FunctionId::POW) {
+    if (!rules_.has_series_30i_functions) {
+      return fail(AlarmId::ImproperCommand, "this control has no POW");
+    }
+    const double power = std::pow(a, b);
+    return power != power ? fail(AlarmId::IllegalArgument, fmt::format("POW[{},{}]", a, b))
+                          : in_range(power);
+  }
+  const double angle = std::atan2(a + 0.0, b + 0.0) * kDegrees;
+  return Cell(angle < 0.0 && !rules_.signed_angles ? angle + 360.0 : angle);
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,164 @@
+#include "interpreter/dialects/fanuc/text/scanner.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "interpreter/syntax/decimal.h"
+
+namespace g31::fanuc {
+namespace {
+
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+constexpr bool is_letter(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+
+/// @param written  digits, perhaps a point and, between them, what counts for nothing
+double value_of_many_digits(std::string_view written) {
+  std::string plain;
+  for (const char c : written) {
+    if (is_digit(c) || c == '.') {
+      plain.push_back(c);
+    }
+  }
+  double value = 0.0;
+  const auto end = std::from_chars(plain.data(), plain.data() + plain.size(), value);
+  if (end.ec == std::errc::result_out_of_range) {
+    const bool is_large = plain.find_first_not_of('0') < plain.find('.');
+    return is_large ? std::numeric_limits<double>::max() : 0.0;
+  }
+  return value;
+}
+
+}  // namespace
+
+std::string digit_count(std::uint8_t digits) {
+  return fmt::format("{} digits{}", digits, digits == 255 ? " or more" : "");
+}
+
+char Scanner::peek_behind_blanks() {
+  while (at_ < text_.size()) {
+    const char c = text_[at_];
+    if (c == ' ' || c == '\t' || c == '\r' || c == '\0') {
+      ++at_;
+    } else if (c == '(') {
+      skip_comment();
+    } else if (c == ')' && comment_.end != 0) {
+      ++at_;  // ends a comment nested in the last one: comments do not nest, but people write so
+    } else {
+      return kShown[static_cast<unsigned char>(c)];
+    }
+  }
+  return '\n';
+}
+
+void Scanner::skip_comment() {
+  const std::size_t begin = at_ + 1;
+  const std::size_t end = std::min(text_.find_first_of(")\n", begin), text_.size());
+  const bool goes_on =
+      comment_.end != 0 && at_ >= comment_.end &&
+      text_.substr(comment_.end, at_ - comment_.end).find_first_not_of(") \t\r") == text_.npos;
+  if (!goes_on) {
+    comment_ = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  }
+  at_ = end < text_.size() && text_[end] == ')' ? end + 1 : end;
+}
+
+bool Scanner::accept(char expected) {
+  if (peek() != expected) {
+    return false;
+  }
+  step();
+  return true;
+}
+
+void Scanner::skip_block() {
+  at_ = std::min(text_.find('\n', at_), text_.size());
+  if (at_ < text_.size()) {
+    ++at_;
+  }
+  comment_ = {};
+}
+
+/// Whether digits or the first point follow, perhaps behind blanks, which are stepped over.
+bool Scanner::number_goes_on(bool has_point) {
+  const char next = peek();
+  return is_digit(next) || (next == '.' && !has_point);
+}
+
+std::optional<ScannedNumber> Scanner::number() {
+  const char first = peek();
+  if (!is_digit(first) && first != '.') {
+    return std::nullopt;
+  }
+  const std::size_t begin = at_;
+  std::uint64_t mantissa = 0;  // of no use beyond syntax::kExactDigits
+  int digits = 0;
+  int before_point = 0;
+  bool has_point = false;
+  for (bool goes_on = true; goes_on; goes_on = number_goes_on(has_point)) {
+    std::size_t at = at_;  // kept out of memory while digits follow
+    for (; at < text_.size() && is_digit(text_[at]); ++at) {
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(text_[at] - '0');
+    }
+    digits += static_cast<int>(at - at_);
+    at_ = at;
+    if (at_ < text_.size() && text_[at_] == '.' && !has_point) {
+      has_point = true;
+      before_point = digits;
+      ++at_;
+    }
+  }
+  if (digits == 0) {
+    rewind(static_cast<std::uint32_t>(begin));
+    return std::nullopt;
+  }
+  const int decimals = has_point ? digits - before_point : 0;
+  const double value = digits <= syntax::kExactDigits
+                           ? syntax::decimal(mantissa, decimals)
+                           : value_of_many_digits(text_.substr(begin, at_ - begin));
+  // Made where the caller reads it: a copy would wait for the four stores.
+  return std::optional<ScannedNumber>(
+      std::in_place, value, static_cast<std::uint8_t>(std::min(digits, 255)),
+      static_cast<std::uint8_t>(std::min(decimals, 255)), has_point);
+}
+
+std::string_view Scanner::letters() {
+  std::size_t count = 0;
+  for (char c = peek(); is_letter(c) && count < sizeof letters_; c = peek()) {
+    letters_[count++] = c;
+    step();
+  }
+  return {letters_, count};
+}
+
+syntax::ShortSpan Scanner::name() {
+  const auto counts = [](char c) { return is_letter(c) || is_digit(c) || c == '_'; };
+  peek();
+  const std::uint32_t begin = position();
+  while (at_ < text_.size() && counts(kShown[static_cast<unsigned char>(text_[at_])])) {
+    ++at_;
+  }
+  return {begin, position()};
+}
+
+bool Scanner::accept_word(std::string_view word) {
+  const std::uint32_t begin = position();
+  for (const char expected : word) {
+    if (peek() != expected) {
+      rewind(begin);
+      return false;
+    }
+    step();
+  }
+  return true;
+}
+
+}  // namespace g31::fanuc

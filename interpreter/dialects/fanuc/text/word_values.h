@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/vocabulary/profile.h"
+#include "interpreter/syntax/tree.h"
+#include "machine/units/length_unit.h"
+
+namespace g31::fanuc {
+
+/// A word with its value worked out; vacant ones are not among them (MB-083).
+struct EvaluatedWord {
+  char letter = 0;
+  syntax::ValueForm form = syntax::ValueForm::Integer;
+  std::uint8_t decimals = 0;  ///< Decimal: digits behind the point
+  double number = 0.0;
+  syntax::ShortSpan span;
+};
+
+/// The words of one block: all in order, and the last of each letter (MB-014).
+class BlockWords {
+ public:
+  void clear() {
+    words_.clear();
+    present_ = 0;
+    sequence_ = 0;
+  }
+  /// N of the block; 0: it has none.
+  void set_sequence(int number) { sequence_ = number; }
+  [[nodiscard]] int sequence() const { return sequence_; }
+  void add(const EvaluatedWord& word) {
+    note(word.letter);
+    words_.push_back(word);
+  }
+  /// A word as the program has it, with the value worked out.  Made in place: a copy of a struct
+  /// just written field by field waits for every one of them.
+  void add(const syntax::Word& word, double number) {
+    note(word.letter);
+    EvaluatedWord& added = words_.emplace_back();
+    added.letter = word.letter;
+    added.form = word.form;
+    added.decimals = word.decimals;
+    added.number = number;
+    added.span = word.span;
+  }
+  [[nodiscard]] bool has(char letter) const { return (present_ >> (letter - 'A') & 1U) != 0; }
+  [[nodiscard]] const EvaluatedWord* find(char letter) const {
+    return has(letter) ? &words_[last_[static_cast<std::size_t>(letter - 'A')]] : nullptr;
+  }
+  [[nodiscard]] const std::vector<EvaluatedWord>& all() const { return words_; }
+
+ private:
+  void note(char letter) {
+    last_[static_cast<std::size_t>(letter - 'A')] = static_cast<std::uint16_t>(words_.size());
+    present_ |= 1U << (letter - 'A');
+  }
+
+  std::vector<EvaluatedWord> words_;
+  std::array<std::uint16_t, 26> last_{};
+  std::uint32_t present_ = 0;
+  int sequence_ = 0;
+};
+
+/// How the control reads the number of a word: least increment, decimal point, unit in force.
+struct WordScale {
+  double counts_per_mm = 1000.0;  ///< least increments in a millimetre (IS-B)
+  double counts_per_inch = 10000.0;
+  double counts_per_degree = 1000.0;
+  bool calculator_point = false;  ///< 3401.0: a number without point counts mm
+  ExcessDecimals excess_decimals = ExcessDecimals::Truncate;
+  LengthUnit unit = LengthUnit::Millimetre;
+
+  /// "IS-A" (0.01 mm), "IS-B" (0.001 mm) or "IS-C" (0.0001 mm).
+  void set_increment_system(std::string_view name);
+
+  [[nodiscard]] double mm_per_unit() const { return mm_per(unit); }
+  [[nodiscard]] double length_counts() const {
+    return unit == LengthUnit::Inch ? counts_per_inch : counts_per_mm;
+  }
+
+  /// A length word in the unit in force.
+  [[nodiscard]] double length(const EvaluatedWord& word) const {
+    return scaled(word, length_counts());
+  }
+  /// A length word in mm.
+  [[nodiscard]] double length_mm(const EvaluatedWord& word) const {
+    return length(word) * mm_per_unit();
+  }
+  /// A rotary axis word in degrees.
+  [[nodiscard]] double angle_deg(const EvaluatedWord& word) const {
+    return scaled(word, counts_per_degree);
+  }
+  /// Seconds of X or U in G04.
+  [[nodiscard]] double seconds(const EvaluatedWord& word) const { return scaled(word, 1000.0); }
+
+ private:
+  [[nodiscard]] double scaled(const EvaluatedWord& word, double counts) const;
+};
+
+/// Rounds to a multiple of 1/counts, halves away from zero.  The scaled value is judged with a
+/// small guard, so that 1.2345 at 1000 counts is 1.235 though its double lies below (MB-023).
+double round_to_counts(double value, double counts);
+
+/// Nearest integer of a computed integer word; halves away from zero (MB-026).
+int nearest_integer(double value);
+
+}  // namespace g31::fanuc

@@ -1,0 +1,72 @@
+#include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace g31::fanuc {
+namespace {
+
+constexpr auto kRows = std::to_array<GCode>({
+#define G_CODE(whole, tenth, group, action, text) {{whole, tenth}, group, GAction::action, text},
+#include "interpreter/dialects/fanuc/vocabulary/g_codes.def"
+#undef G_CODE
+});
+
+constexpr std::size_t key(GNumber number) {
+  return static_cast<std::size_t>(number.whole) * 10 + static_cast<std::size_t>(number.tenth);
+}
+
+consteval bool rising() {
+  for (std::size_t i = 1; i < kRows.size(); ++i) {
+    if (key(kRows[i - 1].number) >= key(kRows[i].number)) {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(rising(), "g_codes.def: rows must rise");
+
+constexpr std::size_t kKeys = 1000 * 10;
+
+/// Row index + 1 by key: a million blocks look their codes up here.
+constexpr auto kIndex = [] {
+  std::array<std::uint8_t, kKeys> index{};
+  for (std::size_t i = 0; i < kRows.size(); ++i) {
+    index[key(kRows[i].number)] = static_cast<std::uint8_t>(i + 1);
+  }
+  return index;
+}();
+static_assert(kRows.size() < 255);
+
+}  // namespace
+
+std::string to_text(GNumber number) {
+  return number.tenth == 0 ? fmt::format("G{:02}", number.whole)
+                           : fmt::format("G{}.{}", number.whole, number.tenth);
+}
+
+std::optional<GNumber> g_number(double value) {
+  const auto plain = static_cast<std::int16_t>(value >= 0.0 && value < 1000.0 ? value : 0.0);
+  if (plain == value) {
+    return GNumber{plain, 0};
+  }
+  const double tenths = value * 10.0;
+  if (value < 0.0 || value >= 1000.0 || std::abs(tenths - std::round(tenths)) > 1e-6) {
+    return std::nullopt;
+  }
+  const int whole = static_cast<int>(std::round(tenths));
+  return GNumber{static_cast<std::int16_t>(whole / 10), static_cast<std::int8_t>(whole % 10)};
+}
+
+std::span<const GCode> g_codes() {
+  return kRows;
+}
+
+const GCode* find_g_code(GNumber number) {
+  const std::size_t place = key(number);
+  return place < kKeys && kIndex[place] != 0 ? &kRows[kIndex[place] - 1] : nullptr;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,152 @@
+#include "interpreter/dialects/fanuc/vocabulary/profile.h"
+
+#include <algorithm>
+#include <limits>
+
+// Every difference between the controls of the Fanuc dialect stands here, and only here.  The
+// members' comments in profile.h name the sources.
+
+namespace g31::fanuc {
+namespace {
+
+using enum VariableGroup;
+
+constexpr GNumber kUnitCodes[] = {{20, 0}, {21, 0}};
+
+/// Groups that MELDAS numbers otherwise: G54 12, G61 13, G66 14, G96 17, G15 18, G50.1 19 (MB-335).
+constexpr ModalLayout meldas_modal_layout() {
+  ModalLayout layout = fanuc_modal_layout();
+  constexpr std::uint8_t kShownAndOwn[][2] = {{12, 14}, {13, 15}, {14, 12}, {15, 18},
+                                              {17, 13}, {18, 17}, {19, 22}, {22, 0}};
+  for (const auto& pair : kShownAndOwn) {
+    layout[pair[0]] = pair[1];
+  }
+  return layout;
+}
+
+constexpr Profile fanuc_16i() {
+  Profile profile;
+  profile.name = "fanuc-16i";
+  profile.text = "Fanuc 16i, 18i, 21i";
+  return profile;
+}
+
+constexpr Profile fanuc_0i() {
+  Profile profile = fanuc_16i();
+  profile.name = "fanuc-0i";
+  profile.text = "Fanuc 0i-A to 0i-C; for 0i-D and 0i-F take fanuc-30i";
+  return profile;
+}
+
+constexpr Profile fanuc_30i() {
+  Profile profile = fanuc_16i();
+  profile.name = "fanuc-30i";
+  profile.text = "Fanuc 30i, 31i, 32i, 0i-D, 0i-F";
+  profile.alarm_numbers = AlarmNumbers::Series30i;
+  profile.alarm_prefix = "PS";
+  profile.excess_decimals = ExcessDecimals::Round;
+  profile.digit_limit = 12;
+  profile.word_digit_limit = 9;
+  profile.largest_result = std::numeric_limits<double>::max();
+  profile.smallest_result = 0.0;
+  profile.has_series_30i_functions = true;
+  profile.names = {100, 999, 31};
+  profile.largest_sequence = 99999999;
+  profile.offset_limit_mm = 10000.0;
+  profile.calls = {5, 10, 15};
+  profile.lone_cancel_is_alarm = true;
+  profile.dwell_is_fence = false;
+  profile.macro_alarm.largest = 4095;
+  profile.macro_alarm.text_length = 31;
+  profile.macro_alarm.has_plain_numbers = true;
+  profile.variables = profile.variables.with(Series30i).with(ExecutingModal);
+  profile.output.most_digits = 9;
+  return profile;
+}
+
+constexpr Profile meldas() {
+  Profile profile = fanuc_16i();
+  profile.name = "meldas";
+  profile.text = "Mitsubishi MELDAS M60, M70, M700";
+  profile.alarm_numbers = AlarmNumbers::Meldas;
+  profile.alarm_prefix = "P";
+  profile.digit_limit = 12;
+  profile.word_digit_limit = 12;
+  profile.largest_result = std::numeric_limits<double>::max();
+  profile.smallest_result = 0.0;
+  profile.loops = {127, 27};
+  profile.has_bare_expressions = true;
+  profile.calls = {4, 8, 8};
+  profile.lone_cancel_is_alarm = true;
+  profile.start_letter = 'H';
+  profile.cycle_repeats = 'L';
+  profile.macro_alarm.number = MacroAlarmRule::Number::Base;
+  profile.macro_alarm.base = 277;
+  profile.macro_alarm.smallest = 1;
+  profile.macro_alarm.largest = 9999;
+  profile.blocks_read = 5;
+  profile.modal_layout = meldas_modal_layout();
+  profile.variables = {Basic, OffsetsMeldas, ExternalOffset, SkipWithOffset, ExecutingModal};
+  profile.skip_feed = SkipFeed::OneBlock;
+  profile.skip_feed_parameter = ParameterId::SkipFeed;
+  return profile;
+}
+
+constexpr Profile mazatrol_iso() {
+  Profile profile = meldas();
+  profile.name = "mazatrol-iso";
+  profile.text = "Mazak EIA/ISO";
+  profile.alarm_prefix = "";
+  profile.has_symbol_logic = true;
+  profile.start_letter = 'Q';
+  return profile;
+}
+
+constexpr Profile haas() {
+  Profile profile = fanuc_16i();
+  profile.name = "haas";
+  profile.text = "Haas";
+  profile.cycle_repeats = 'L';
+  profile.largest_result = std::numeric_limits<double>::max();
+  profile.smallest_result = 0.0;
+  profile.logic_operands = LogicOperands::Truncate;
+  profile.macro_alarm.base = 1000;
+  profile.macro_alarm.largest = 999;
+  profile.variables = {Basic, LongOffsets, OffsetsHaas, ShiftAt5201, SkipAtTip, CommonAliases};
+  profile.output.fewest_digits = 1;
+  profile.output.style.overflow = OutputStyle::Overflow::Widen;
+  profile.output.style.plus_sign = OutputStyle::PlusSign::Omit;
+  return profile;
+}
+
+constexpr Profile brother() {
+  Profile profile = fanuc_16i();
+  profile.name = "brother";
+  profile.text = "Brother C00";
+  profile.has_then = false;
+  profile.loops = {4, 4};
+  profile.missing_g_codes = kUnitCodes;
+  profile.calls = {4, 8, 8};
+  profile.macro_alarm.base = 9000;
+  profile.macro_alarm.largest = 999;
+  profile.macro_alarm.text_length = 20;
+  profile.output.needs_popen = true;
+  profile.output.most_variables = 10;
+  return profile;
+}
+
+constexpr Profile kProfiles[] = {fanuc_16i(),    fanuc_30i(), fanuc_0i(), meldas(),
+                                 mazatrol_iso(), haas(),      brother()};
+
+}  // namespace
+
+std::span<const Profile> profiles() {
+  return kProfiles;
+}
+
+const Profile* find_profile(std::string_view name) {
+  const auto* const row = std::ranges::find(kProfiles, name, &Profile::name);
+  return row != std::end(kProfiles) ? row : nullptr;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "interpreter/dialects/fanuc/vocabulary/alarms.h"
+#include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
+#include "interpreter/dialects/fanuc/text/output_format.h"
+#include "interpreter/dialects/fanuc/vocabulary/parameters.h"
+#include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
+
+namespace g31::fanuc {
+
+/// What a literal with more decimals than the least increment becomes (MB-024).
+enum class ExcessDecimals { Truncate, Round };
+
+/// What F in a block of G31 does to later blocks (MB-267, MB-334).
+enum class SkipFeed {
+  Modal,    ///< it is the feed in force from now on
+  OneBlock  ///< it counts for this block only
+};
+
+/// Which alarm number `#3000=n` makes (MB-123, MB-339, MB-368, MB-372).
+struct MacroAlarmRule {
+  enum class Number { BasePlusValue, Base };
+  Number number = Number::BasePlusValue;
+  int base = 3000;
+  int smallest = 0;                ///< n
+  int largest = 200;               ///< n
+  int text_length = 26;            ///< characters that its screen shows
+  bool has_plain_numbers = false;  ///< parameter 6008.1 = 1 makes the number n itself
+};
+
+/// What AND, OR and XOR do to a number with a fraction (MB-069, MB-363).
+enum class LogicOperands { Round, Truncate };
+
+/// How deep calls nest (MB-201, MB-224, MB-336, MB-370).
+struct CallLevels {
+  int macros = 4;       ///< G65 and its like
+  int subprograms = 4;  ///< M98
+  int together = 8;
+};
+
+/// DO and END (MB-179, MB-181, MB-339, MB-371).
+struct LoopRule {
+  int largest_number = 3;
+  int nesting = 3;
+};
+
+/// Which group of the interpreter the control shows as #4000+n; 0: none.
+using ModalLayout = std::array<std::uint8_t, kGroupCount>;
+
+/// The interpreter's own groups are those of Fanuc (MB-134).
+constexpr ModalLayout fanuc_modal_layout() {
+  ModalLayout layout{};
+  for (std::size_t n = 0; n < layout.size(); ++n) {
+    layout[n] = static_cast<std::uint8_t>(n);
+  }
+  return layout;
+}
+
+/// Range of the results of expressions (MB-047); the 30i can be set to it (MB-046).
+inline constexpr double kLargestOf16i = 1e47;
+inline constexpr double kSmallestOf16i = 1e-29;
+
+/// What SETVN may name (MB-104).
+struct NameRule {
+  int first = 500;
+  int last = 519;
+  int longest = 8;  ///< characters
+};
+
+/// A control of the family, as data: the interpreter asks for the property, never for the name.
+/// What profile.cc does not say is as on the 16i.
+struct Profile {
+  std::string_view name;
+  std::string_view text;
+  AlarmNumbers alarm_numbers = AlarmNumbers::Series16i;
+  std::string_view alarm_prefix;  ///< letters before the number on its screen
+
+  // Numbers
+  ExcessDecimals excess_decimals = ExcessDecimals::Truncate;
+  int digit_limit = 8;                      ///< digits of a number in an expression (MB-027)
+  int word_digit_limit = 8;                 ///< digits of a number behind an address
+  double largest_result = kLargestOf16i;    ///< magnitude beyond it is alarm 111 (MB-047)
+  double smallest_result = kSmallestOf16i;  ///< magnitude below it, but not 0, is alarm 111
+  LogicOperands logic_operands = LogicOperands::Round;
+  bool has_series_30i_functions = false;
+
+  // Statements
+  int largest_sequence = 99999;  ///< N and GOTO (MB-003, MB-172)
+  LoopRule loops;
+  bool has_then = true;                      ///< IF [...] THEN (MB-371)
+  NameRule names;                            ///< of common variables
+  bool has_bare_expressions = false;         ///< X#1+10 without brackets (MB-332)
+  bool has_symbol_logic = false;             ///< && and || between comparisons (MB-350)
+  std::span<const GNumber> missing_g_codes;  ///< of g_codes.def, those it has not (MB-370)
+
+  // Calls
+  CallLevels calls;
+  bool lone_cancel_is_alarm = false;  ///< G67 without G66 (MB-206)
+  char start_letter = 'Q';  ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
+
+  bool dwell_is_fence = true;  ///< G04 waits until the axes stand before reading on (MB-162)
+
+  // #3000 and the system variables
+  MacroAlarmRule macro_alarm;
+  ModalLayout modal_layout = fanuc_modal_layout();
+  VariableGroups variables = {VariableGroup::Basic,          VariableGroup::LegacyOffsets,
+                              VariableGroup::LongOffsets,    VariableGroup::OffsetsC,
+                              VariableGroup::ExternalOffset, VariableGroup::SkipWithOffset};
+
+  // Offsets and canned cycles
+  double offset_limit_mm = 1000.0;  ///< G10 takes less than this (MB-263); in inches a tenth
+  char cycle_repeats = 'K';         ///< repeats of a canned cycle (MB-312)
+
+  // G31
+  SkipFeed skip_feed = SkipFeed::Modal;
+  std::optional<ParameterId> skip_feed_parameter;  ///< feed of G31 without F (MB-334)
+
+  int blocks_read = 3;  ///< in cutter compensation, where parameter 19625 says nothing
+
+  // DPRNT and BPRNT
+  OutputRule output;
+};
+
+/// All profiles, in the order of the documentation.
+std::span<const Profile> profiles();
+
+/// The profile of this name, or nullptr.
+const Profile* find_profile(std::string_view name);
+
+}  // namespace g31::fanuc

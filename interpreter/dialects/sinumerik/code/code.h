@@ -1,0 +1,272 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/vocabulary/alarms.h"
+#include "interpreter/dialects/sinumerik/vocabulary/names.h"
+#include "interpreter/dialects/sinumerik/vocabulary/value_type.h"
+#include "interpreter/dialects/sinumerik/vocabulary/words.h"
+#include "interpreter/source/source_file.h"
+#include "interpreter/syntax/tree.h"
+
+namespace g31::sinumerik {
+
+using syntax::ShortSpan;
+
+/// Where an operand stands.  Numbers, texts and frames have the same four banks each, every one an
+/// array: fetching an operand takes no decision.
+enum class Bank : std::uint8_t {
+  Constants,    ///< of the program
+  Locals,       ///< of the call level: what DEF and PROC made
+  Globals,      ///< R parameters and GUD
+  Temporaries,  ///< results within one block
+};
+
+struct Operand {
+  Bank bank = Bank::Constants;
+  std::int32_t place = 0;
+};
+
+/// What a step does.  Types are settled when compiling: an operation on INT is another one than on
+/// REAL only where the result differs.
+enum class OpCode : std::uint8_t {
+  // result = a op b, numbers
+  Move,
+  Add,
+  Subtract,
+  Multiply,
+  Divide,
+  DivideWhole,
+  Modulo,
+  Negate,
+  Not,
+  Equal,
+  NotEqual,
+  Less,
+  Greater,
+  LessEqual,
+  GreaterEqual,
+  And,
+  Or,
+  Xor,
+  BitAnd,
+  BitOr,
+  BitXor,
+  BitNot,
+  ToBool,
+  ToChar,       ///< 0..255 or an alarm
+  ToInt,        ///< rounds; 32 bits or an alarm
+  CheckInt,     ///< a is whole; 32 bits or an alarm
+  CheckLimits,  ///< a lies within LLI and ULI of variable b, or an alarm
+  Math,         ///< row `detail` of functions.def of a and b
+  Jump,         ///< to step a.place
+  JumpIfNot,    ///< to step b.place when number a is 0
+  // arrays: `detail` is the dimension, b the variable
+  Index,  ///< result = result * size + a, checked
+  Load,   ///< result = element a of variable b
+  Store,  ///< element a of variable b = result
+  // texts and frames
+  MoveText,
+  Concatenate,
+  NumberToText,  ///< a of type `detail`
+  TextToNumber,  ///< a as type `detail` (BOOL, CHAR)
+  EqualText,
+  LessText,
+  LoadText,
+  StoreText,
+  MoveFrame,
+  LoadFrame,
+  StoreFrame,
+  Chain,  ///< frame a : frame b
+  EqualFrame,
+  LoadComponent,   ///< arguments: axis, component; a frame operand
+  StoreComponent,  ///< arguments: value, axis, component, then the frame is stored by its own step
+  // with arguments [b.place, b.place + count)
+  Function,     ///< row `detail` of functions.def
+  ReadSystem,   ///< row `a.place` of system_variables.def
+  WriteSystem,  ///< the last argument is the value
+  Procedure,    ///< row `detail` of procedures.def
+  Fill,         ///< variable a from element `result` on: the arguments in turn
+  Repeat,       ///< variable a from element `result` on: argument 0, argument 1 times
+  // blocks and levels
+  Block,          ///< a block begins; `detail` is 1 + its skip level
+  Word,           ///< address `detail`, modification `count`, value a
+  TextWord,       ///< the same with text a
+  AxisWord,       ///< row `detail` of axis_words.def of axis a, value b, modification `count`
+  AxisMeasuring,  ///< axis a, trigger b, mode in the number `result`; `detail` 1: MEAWA
+  CheckSpindle,   ///< there is a spindle of number a
+  SkipAction,     ///< the next move ends when the signal of probe a is at level b
+  Execute,        ///< the NC block nc_blocks[b.place]
+  NcBlock,        ///< Block and Execute in one: nothing is to be computed
+  Call,           ///< calls[a.place]
+  Return,         ///< behind the call; arguments: target, ...
+  EndProgram,     ///< M2, M30, and the end of a main program
+  EndText,        ///< behind EXECSTRING, or of the command line
+  EndWindow,      ///< on to what follows in a long program (ProgramWindows)
+  JumpText,       ///< to the label that text a names; `detail` is a Direction
+  RepeatPart,     ///< repeats[a.place], b times
+  Raise,          ///< errors[a.place]
+};
+
+/// Which labels a jump looks at.
+enum class Direction : std::uint8_t { Forward, Backward, Both, BothQuiet };
+
+struct Op {
+  OpCode code = OpCode::Move;
+  std::uint8_t detail = 0;
+  std::uint16_t count = 0;
+  Operand result;
+  Operand a;
+  Operand b;
+};
+
+enum class Storage : std::uint8_t {
+  Local,
+  Global,
+  Reference,  ///< a VAR parameter: stands in the level's references
+};
+
+/// LLI and ULI of a DEF: what a variable takes.
+struct Limits {
+  std::optional<double> low;
+  std::optional<double> high;
+};
+
+/// A variable as a program sees it.
+struct Variable {
+  std::string name;
+  Type type = Type::Real;
+  Storage storage = Storage::Local;
+  std::int32_t place = 0;  ///< of its first element in its bank
+  Shape shape;
+  std::int32_t longest = 0;  ///< STRING[n]: n
+  Limits limits;
+};
+
+/// An argument of a call, a function or a list.
+struct Argument {
+  enum class Form : std::uint8_t { Omitted, Value, Element, Whole };
+  Form form = Form::Omitted;
+  Type type = Type::None;
+  Operand value;               ///< Value and Element: what it is worth now
+  std::int32_t variable = -1;  ///< Element, Whole: of variables
+  Operand element;             ///< Element: its number in the array
+  ShortSpan where;
+};
+
+/// A call of a program by name, P times.
+struct CallSite {
+  std::string name;  ///< empty: the name is text
+  Operand text;
+  Operand passes;
+  bool has_arguments = false;
+  bool is_modal = false;  ///< MCALL
+  std::uint32_t first_argument = 0;
+  std::uint32_t argument_count = 0;
+};
+
+/// What PROC says of one parameter.
+struct Parameter {
+  std::int32_t variable = 0;  ///< of variables
+  bool by_reference = false;
+  bool has_preset = false;
+  double number = 0.0;  ///< the preset value
+  std::string text;
+};
+
+/// REPEAT label, REPEAT start end, REPEATB label.
+struct RepeatSite {
+  std::int32_t first = -1;  ///< steps; -1: label missing
+  std::int32_t end = -1;    ///< behind the last step of the part
+};
+
+struct CompiledProgram;
+
+/// A word of an NC block whose value is known when compiling.
+struct ConstantWord {
+  double value = 0.0;
+  Address address = Address::FirstAxis;
+};
+
+/// G codes (packed) and constant words of an NC block: where they stand in the program's lists.
+struct NcBlock {
+  std::uint32_t first_code = 0;
+  std::uint32_t first_word = 0;
+  std::uint16_t code_count = 0;
+  std::uint16_t word_count = 0;
+
+  [[nodiscard]] std::span<const std::uint16_t> codes_of(const CompiledProgram& program) const;
+  [[nodiscard]] std::span<const ConstantWord> words_of(const CompiledProgram& program) const;
+};
+
+/// Something wrong in a block that matters only when the program gets there.
+struct BlockError {
+  AlarmId id = AlarmId::SyntaxInText;
+  std::string detail;
+};
+
+/// A datum of an INI file that this control of g31 does not have.
+struct UnknownDatum {
+  std::string name;
+  ShortSpan where;
+};
+
+/// N and its number.
+struct BlockNumber {
+  std::int32_t number = 0;
+  std::int32_t step = 0;
+};
+
+/// One program, ready to run.
+struct CompiledProgram {
+  std::string name;    ///< "PART1"
+  std::string folder;  ///< of $PATH; empty: not said
+  const source::SourceFile* file = nullptr;
+  std::vector<Op> ops;
+  std::vector<ShortSpan> spans;  ///< one per op
+  std::vector<double> constants;
+  std::vector<std::string> text_constants;
+  std::vector<Variable> variables;
+  std::vector<Argument> arguments;
+  std::vector<CallSite> calls;
+  std::vector<RepeatSite> repeats;
+  std::vector<NcBlock> nc_blocks;
+  std::vector<std::uint16_t> codes;
+  std::vector<ConstantWord> words;
+  std::vector<BlockError> errors;
+  std::vector<UnknownDatum> unknown_data;     ///< each name once
+  NameMap<std::vector<std::int32_t>> labels;  ///< their steps, rising
+  std::vector<BlockNumber> block_numbers;     ///< in their order
+  NameMap<std::int32_t> locals;               ///< names of local variables
+  std::vector<double> initial_numbers;        ///< of a new level
+  std::int32_t text_count = 0;
+  std::int32_t frame_count = 0;
+  std::vector<Parameter> parameters;
+  Argument result;  ///< of a program that is one expression
+  bool has_proc = false;
+  bool has_wrong_proc = false;      ///< whose alarm comes before any of its arguments
+  bool saves_codes = false;         ///< SAVE
+  bool hides_blocks = false;        ///< DISPLOF
+  bool shows_actual_block = false;  ///< ACTBLOCNO
+};
+
+inline std::span<const std::uint16_t> NcBlock::codes_of(const CompiledProgram& program) const {
+  return std::span(program.codes).subspan(first_code, code_count);
+}
+inline std::span<const ConstantWord> NcBlock::words_of(const CompiledProgram& program) const {
+  return std::span(program.words).subspan(first_word, word_count);
+}
+
+/// The step of a jump from `from` to a label or "N100"; nullopt: there is none that way.
+std::optional<std::int32_t> find_label(const CompiledProgram& program, std::string_view name,
+                                       std::int32_t from, Direction direction);
+
+/// More results than a block can need at a time.
+inline constexpr std::int32_t kTemporaryCount = 256;
+
+}  // namespace g31::sinumerik

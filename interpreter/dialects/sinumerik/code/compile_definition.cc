@@ -1,0 +1,386 @@
+#include "interpreter/dialects/sinumerik/code/compiler.h"
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr std::size_t kLongestName = 31;
+constexpr std::int32_t kLongestString = 200;
+constexpr int kLargestArray = 100'000;  // elements
+
+/// Access rights and the physical unit.
+constexpr std::string_view kNumbered[] = {"APR", "APW", "APRP", "APWP", "APRB", "APWB", "PHU"};
+constexpr std::string_view kDataClasses[] = {"DCM", "DCI", "DCU"};
+constexpr std::string_view kAttributes[] = {"SAVE",   "DISPLOF",   "DISPLON", "SBLOF",
+                                            "SBLON",  "ACTBLOCNO", "ICYCOF",  "ICYCON",
+                                            "PREPRO", "IPTRLOCK"};
+constexpr std::string_view kReadingAhead[] = {"SYNR", "SYNW", "SYNRW"};
+/// When a variable takes its first value again.
+constexpr std::string_view kInitialTimes[] = {"INIPO", "INIRE", "INICF", "PRLOC"};
+
+bool contains(auto& list, std::string_view name) {
+  for (const std::string_view known : list) {
+    if (known == name) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+/// A whole number that is known when compiling.
+std::optional<std::int32_t> Compiler::whole_constant() {
+  const Expr value = expression();
+  const double number = value.is_constant && is_number(value.type)
+                            ? program_->constants[static_cast<std::size_t>(value.value.place)]
+                            : -1.0;
+  if (!failed() && (number < 0.0 || number > kLargestArray || number != rounded(number))) {
+    fail(AlarmId::BadArguments, value.where, text_of(value.where));
+  }
+  return failed() ? std::nullopt : std::optional(static_cast<std::int32_t>(number));
+}
+
+/// [n] behind STRING.
+std::optional<std::int32_t> Compiler::string_length() {
+  if (!accept(Symbol::LeftBracket)) {
+    return 1;
+  }
+  const auto length = whole_constant();
+  expect(Symbol::RightBracket);
+  if (length && *length > kLongestString) {
+    fail(AlarmId::StringTooLong, block_, std::to_string(*length));
+  }
+  return length;
+}
+
+/// [a,b,c] behind a name; sizes may be left out where a parameter takes any array.
+Shape Compiler::dimensions() {
+  Shape shape;
+  if (!accept(Symbol::LeftBracket)) {
+    return shape;
+  }
+  do {
+    if (shape.dimensions == Shape::kMostDimensions) {
+      fail(AlarmId::TooManyDimensions, peek().where, text_of(peek().where));
+      return shape;
+    }
+    const auto at = static_cast<std::size_t>(shape.dimensions++);
+    if (!peek().is(Symbol::Comma) && !peek().is(Symbol::RightBracket)) {
+      shape.size[at] = whole_constant().value_or(1);
+    }
+  } while (!failed() && accept(Symbol::Comma));
+  expect(Symbol::RightBracket);
+  const double elements = 1.0 * shape.size[0] * shape.size[1] * shape.size[2];
+  if (elements > kLargestArray || elements < 1.0) {
+    fail(AlarmId::ValueOutOfLimits, block_, "size of the array");
+    shape = {};
+  }
+  return shape;
+}
+
+/// A type and, behind STRING, its length.
+std::optional<Compiler::DeclaredType> Compiler::declared_type() {
+  const Token word = next();
+  const auto type = word.kind == TokenKind::Name ? type_named(word.text) : std::nullopt;
+  if (!type) {
+    fail(AlarmId::SyntaxInText, word.where, text_of(word.where));
+    return std::nullopt;
+  }
+  return DeclaredType{*type, *type == Type::String ? string_length().value_or(1) : 0};
+}
+
+std::optional<Variable> Compiler::declared_variable(const DeclaredType& declared) {
+  const Token name = next();
+  const bool is_letter =
+      name.kind == TokenKind::Letter && !name.is_letter('R') && peek().kind != TokenKind::Integer;
+  has_letter_names_ = has_letter_names_ || is_letter;
+  if (name.kind != TokenKind::Name && !is_letter) {
+    fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
+  } else if (name.text.size() > kLongestName) {
+    fail(AlarmId::NameTooLong, name.where, name.text);
+  } else if (find_keyword(name.text) != nullptr || find_function(name.text) ||
+             find_g_code(name.text)) {
+    fail(AlarmId::DefinedTwice, name.where, name.text);
+  }
+  Variable variable;
+  variable.name = std::string(name.text);
+  variable.type = declared.type;
+  variable.longest = declared.longest;
+  variable.shape = dimensions();
+  return failed() ? std::nullopt : std::optional(variable);
+}
+
+std::int32_t Compiler::define_local(Variable variable) {
+  const auto index = static_cast<std::int32_t>(program_->variables.size());
+  if (!program_->locals.emplace(variable.name, index).second) {
+    fail(AlarmId::DefinedTwice, block_, variable.name);
+    return -1;
+  }
+  const int count = variable.shape.count();
+  if (variable.type == Type::String) {
+    variable.place = program_->text_count;
+    program_->text_count += count;
+  } else if (variable.type == Type::Frame) {
+    variable.place = program_->frame_count;
+    program_->frame_count += count;
+  } else {
+    variable.place = static_cast<std::int32_t>(program_->initial_numbers.size());
+    program_->initial_numbers.resize(
+        program_->initial_numbers.size() + static_cast<std::size_t>(count),
+        initial_number(variable.type));
+  }
+  program_->variables.push_back(variable);
+  return index;
+}
+
+/// What another definition file has defined in the same way: one's own archive holds what is
+/// shipped with the cycles, too.  -1: nothing of the kind.
+std::int32_t Compiler::defined_alike(const Variable& variable) {
+  const Variable* const known = globals_.find(variable.name);
+  const bool is_alike = known != nullptr && !imported_.contains(variable.name) &&
+                        known->type == variable.type && known->shape == variable.shape &&
+                        known->longest == variable.longest && !peek().is(Symbol::Assign);
+  return is_alike ? import(*known) : -1;
+}
+
+std::int32_t Compiler::define(const Variable& variable) {
+  if (purpose_ != Purpose::Definitions) {
+    return define_local(variable);
+  }
+  if (const std::int32_t known = defined_alike(variable); known >= 0) {
+    return known;
+  }
+  const Variable* const global = definitions_->define(variable);
+  if (global == nullptr) {
+    fail(AlarmId::DefinedTwice, block_, variable.name);
+    return -1;
+  }
+  return import(*global);
+}
+
+/// A number, perhaps with a sign, that is known when compiling.
+std::optional<double> Compiler::signed_constant() {
+  const Expr value = unary();
+  if (!failed() && (!value.is_constant || !is_number(value.type))) {
+    fail(AlarmId::BadArguments, value.where, text_of(value.where));
+  }
+  return failed() ? std::nullopt
+                  : std::optional(program_->constants[static_cast<std::size_t>(value.value.place)]);
+}
+
+/// What stands about the type.  Rights, classes and units change nothing at a desk.
+Limits Compiler::definition_attributes() {
+  Limits limits;
+  while (!failed() && peek().kind == TokenKind::Name) {
+    if (contains(kReadingAhead, peek().text) || contains(kDataClasses, peek().text) ||
+        contains(kInitialTimes, peek().text)) {
+      next();
+    } else if (contains(kNumbered, peek().text)) {
+      next();
+      whole_constant();
+    } else if (accept_name("LLI")) {
+      limits.low = signed_constant();
+    } else if (accept_name("ULI")) {
+      limits.high = signed_constant();
+    } else {
+      break;
+    }
+  }
+  return limits;
+}
+
+/// Definitions stand before the first block that does something.  @returns whether this one does
+bool Compiler::begins_definition(std::string_view what) {
+  ++definitions_in_block_;
+  if (in_program_part_ && purpose_ != Purpose::Definitions) {
+    fail(AlarmId::BadDefinition, block_, what);
+  }
+  return !failed();
+}
+
+/// DEF [NCK|CHAN] type name[sizes] = values, ...
+void Compiler::def_statement() {
+  if (!begins_definition("DEF")) {
+    return;
+  }
+  const bool scoped = accept_name("NCK") || accept_name("CHAN");
+  if (scoped != (purpose_ == Purpose::Definitions)) {
+    fail(AlarmId::BadDefinition, block_, "NCK and CHAN stand in definition files");
+  }
+  definition_attributes();
+  const auto declared = declared_type();
+  if (!declared) {
+    return;
+  }
+  const Limits limits = definition_attributes();
+  do {
+    auto variable = declared_variable(*declared);
+    if (variable) {
+      variable->limits = limits;
+    }
+    const std::int32_t index = variable ? define(*variable) : -1;
+    if (index >= 0 && accept(Symbol::Assign)) {
+      const Variable& known = program_->variables[static_cast<std::size_t>(index)];
+      Expr target = target_of(index, block_);
+      target.element = number_constant(0.0);
+      target.is_constant = true;
+      const bool is_list = known.shape.dimensions > 0 && peek().is(Symbol::LeftParen);
+      is_list ? assign_list(target) : assign_element(target);
+    }
+  } while (!failed() && accept(Symbol::Comma));
+  expect_end();
+}
+
+/// DEFINE name AS text
+void Compiler::define_statement() {
+  ++definitions_in_block_;
+  const Token& first = next();
+  const bool is_name = first.kind == TokenKind::Name || first.kind == TokenKind::Letter;
+  std::string name(first.text);
+  if (first.kind == TokenKind::Letter && peek().kind == TokenKind::Integer) {
+    name += next().text;
+  }
+  if (!is_name || !accept_name("AS")) {
+    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+    return;
+  }
+  Macro macro;
+  while (peek().kind != TokenKind::End) {
+    Token token = next();
+    token.text = macro.spellings.emplace_back(token.text);
+    macro.tokens.push_back(token);
+  }
+  Macros& macros = purpose_ == Purpose::Definitions ? definitions_->macros : macros_;
+  if (!macros.define(name, std::move(macro))) {
+    fail(AlarmId::MacroTwice, block_, name);
+  }
+}
+
+/// PROC name(parameters) attributes
+void Compiler::proc_statement() {
+  ++definitions_in_block_;
+  if (!is_first_block_ || program_->has_proc || purpose_ == Purpose::Definitions) {
+    fail(AlarmId::BadDefinition, block_, "PROC");
+    return;
+  }
+  program_->has_proc = true;
+  const Token name = next();
+  const bool is_l_number = name.is_letter('L') && peek().kind == TokenKind::Integer;
+  if (is_l_number) {
+    next();
+  } else if (name.kind != TokenKind::Name) {
+    fail(AlarmId::SyntaxInText, block_, "PROC and a name");
+    return;
+  }
+  if (accept(Symbol::LeftParen) && !accept(Symbol::RightParen)) {
+    do {
+      proc_parameter();
+    } while (!failed() && accept(Symbol::Comma));
+    expect(Symbol::RightParen);
+  }
+  proc_attributes();
+}
+
+void Compiler::proc_parameter() {
+  Parameter parameter;
+  parameter.by_reference = accept_name("VAR");
+  const auto declared = declared_type();
+  if (!declared) {
+    return;
+  }
+  auto variable = declared_variable(*declared);
+  if (!variable) {
+    return;
+  }
+  // An array is never copied: its parameter is the caller's array.
+  const bool refers = parameter.by_reference || variable->shape.dimensions > 0;
+  if (refers) {
+    std::int32_t references = 0;
+    for (const Parameter& known : program_->parameters) {
+      references += program_->variables[static_cast<std::size_t>(known.variable)].storage ==
+                            Storage::Reference
+                        ? 1
+                        : 0;
+    }
+    variable->storage = Storage::Reference;
+    variable->place = references;
+    parameter.by_reference = true;
+    parameter.variable = static_cast<std::int32_t>(program_->variables.size());
+    if (!program_->locals.emplace(variable->name, parameter.variable).second) {
+      fail(AlarmId::DefinedTwice, block_, variable->name);
+    }
+    program_->variables.push_back(*variable);
+  } else {
+    parameter.variable = define_local(*variable);
+    if (accept(Symbol::Assign)) {
+      preset(parameter);
+    }
+  }
+  if (!failed()) {
+    program_->parameters.push_back(std::move(parameter));
+  }
+}
+
+/// The value of a parameter that a call leaves out.
+void Compiler::preset(Parameter& parameter) {
+  if (failed()) {
+    return;
+  }
+  const Variable& variable = program_->variables[static_cast<std::size_t>(parameter.variable)];
+  Expr value = unary();
+  const bool is_text = value.is_constant && value.type == Type::String;
+  if (is_text && variable.type == Type::Char) {
+    const std::string& text = program_->text_constants[static_cast<std::size_t>(value.value.place)];
+    value = text.size() == 1
+                ? constant(Type::Char, static_cast<unsigned char>(text.front()), value.where)
+                : value;
+  }
+  const bool same_kind = (value.type == Type::String) == (variable.type == Type::String);
+  if (!failed() && (!value.is_constant || !same_kind)) {
+    fail(AlarmId::InitialValueType, value.where, text_of(value.where));
+  }
+  if (failed()) {
+    return;
+  }
+  parameter.has_preset = true;
+  if (value.type == Type::String) {
+    parameter.text = program_->text_constants[static_cast<std::size_t>(value.value.place)];
+  } else {
+    parameter.number = program_->constants[static_cast<std::size_t>(value.value.place)];
+  }
+}
+
+void Compiler::proc_attributes() {
+  while (!failed() && peek().kind != TokenKind::End) {
+    const Token attribute = next();
+    if (attribute.kind != TokenKind::Name || !contains(kAttributes, attribute.text)) {
+      fail(AlarmId::AttributeNotAllowed, attribute.where, text_of(attribute.where));
+    }
+    program_->saves_codes = program_->saves_codes || attribute.text == "SAVE";
+    program_->hides_blocks = program_->hides_blocks || attribute.text == "DISPLOF";
+    program_->shows_actual_block = program_->shows_actual_block || attribute.text == "ACTBLOCNO";
+  }
+}
+
+/// REDEF changes who may see and write data: here everybody may.
+void Compiler::redef_statement() {
+  while (!failed() && peek().kind != TokenKind::End) {
+    if (peek().is_name("LLI") || peek().is_name("ULI") || peek().is(Symbol::Assign)) {
+      fail(AlarmId::NotImplemented, peek().where, "REDEF with limits or a value");
+    }
+    next();
+  }
+}
+
+/// EXTERN says what the PROC of the called program says again; the PROC counts.
+void Compiler::extern_statement() {
+  if (!begins_definition("EXTERN")) {
+    return;
+  }
+  while (peek().kind != TokenKind::End) {
+    next();
+  }
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,99 @@
+#include <utility>
+
+#include "interpreter/dialects/sinumerik/code/compiler.h"
+
+namespace g31::sinumerik {
+
+Expr Compiler::plain_mathematics(FunctionId id, ShortSpan where) {
+  const std::size_t count = info(id).parameters.size();
+  expect(Symbol::LeftParen);
+  Expr a = convert(expression(), Type::Real, AlarmId::BadArguments);
+  Expr b = a;
+  if (count == 2) {
+    if (peek().is(Symbol::RightParen)) {
+      fail(AlarmId::ArgumentCount, peek().where, std::string(info(id).name));
+    }
+    expect(Symbol::Comma);
+    b = convert(expression(), Type::Real, AlarmId::BadArguments);
+  }
+  Expr result;
+  result.type = info(id).result;
+  result.where = joined(where, peek().where);
+  if (peek().is(Symbol::Comma)) {
+    fail(AlarmId::ArgumentCount, peek().where, std::string(info(id).name));
+  }
+  expect(Symbol::RightParen);
+  result.value = temporary(result.type);
+  emit(OpCode::Math, result.value, a.value, b.value, result.where);
+  last().detail = static_cast<std::uint8_t>(id);
+  return result;
+}
+
+Expr Compiler::call_function(FunctionId id, ShortSpan where) {
+  if (is_plain_mathematics(id)) {
+    return plain_mathematics(id, where);
+  }
+  const FunctionInfo& row = info(id);
+  expect(Symbol::LeftParen);
+  std::vector<Argument> list;
+  for (std::size_t i = 0; i < row.parameters.size() && !failed(); ++i) {
+    const char kind = row.parameters[i];
+    if (peek().is(Symbol::RightParen)) {
+      if (kind != '*' && kind >= 'A' && kind <= 'Z') {
+        fail(AlarmId::ArgumentCount, peek().where, std::string(row.name));
+      }
+      break;
+    }
+    if (!list.empty()) {
+      expect(Symbol::Comma);
+    }
+    function_argument(kind, list);
+    i -= kind == '*' ? 1 : 0;  // any more of them
+    if (!failed() && !is_taken_by(kind, list.back())) {
+      fail(AlarmId::ReferenceMissing, list.back().where, std::string(row.name));
+    }
+  }
+  Expr result;
+  result.type = row.result;
+  result.where = joined(where, peek().where);
+  if (!accept(Symbol::RightParen)) {
+    fail(peek().is(Symbol::Comma) ? AlarmId::ArgumentCount : AlarmId::SyntaxInText, peek().where,
+         std::string(row.name));
+  }
+  result.value = temporary(result.type);
+  const std::uint32_t first = keep_arguments(list);
+  emit(OpCode::Function, result.value, {}, {Bank::Constants, static_cast<std::int32_t>(first)},
+       result.where);
+  last().detail = static_cast<std::uint8_t>(id);
+  last().count = static_cast<std::uint16_t>(list.size());
+  return result;
+}
+
+void Compiler::function_argument(char kind, std::vector<Argument>& list) {
+  Expr value = expression();
+  if (failed()) {
+    return;
+  }
+  switch (kind) {
+    case 'N':
+    case 'n':
+      value = convert(std::move(value), Type::Real, AlarmId::BadArguments);
+      break;
+    case 'S':
+    case 's':
+    case 'C':
+      value = convert(std::move(value), Type::String, AlarmId::BadArguments);
+      break;
+    case 'A':
+      value = convert(std::move(value), Type::Axis, AlarmId::NotAnAxis);
+      break;
+    case 'F':
+      value = convert(std::move(value), Type::Frame, AlarmId::BadArguments);
+      break;
+    default:  // V keeps its variable, * any type
+      break;
+  }
+  list.push_back(argument_of(value));
+}
+
+}  // namespace g31::sinumerik

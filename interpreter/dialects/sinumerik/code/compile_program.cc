@@ -1,0 +1,176 @@
+#include <algorithm>
+
+#include "interpreter/dialects/sinumerik/code/compiler.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr std::uint32_t kWindowBytes = 1U << 18;
+constexpr std::uint32_t kBytesOfLine = 32;  // roughly
+
+/// Steps that need no other block, and no caller.
+bool stands_alone(const Op& op) {
+  switch (static_cast<int>(op.code)) {
+    case static_cast<int>(OpCode::Jump):
+    case static_cast<int>(OpCode::JumpIfNot):
+    case static_cast<int>(OpCode::JumpText):
+    case static_cast<int>(OpCode::Call):
+    case static_cast<int>(OpCode::RepeatPart):
+      return false;
+    case static_cast<int>(OpCode::Procedure):
+      return static_cast<ProcedureId>(op.detail) != ProcedureId::EXECSTRING;
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
+Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose purpose)
+    : globals_(globals),
+      purpose_(purpose),
+      text_(source.file->text()),
+      scanner_(text_),
+      whole_(source.text),
+      program_(std::make_unique<CompiledProgram>()) {
+  program_->name = source.name;
+  program_->folder = source.folder;
+  program_->file = source.file;
+}
+
+void Compiler::know_locals_of(const CompiledProgram& home) {
+  program_->name = home.name;
+  program_->folder = home.folder;
+  program_->saves_codes = home.saves_codes;
+  program_->hides_blocks = home.hides_blocks;
+  program_->shows_actual_block = home.shows_actual_block;
+  program_->variables = home.variables;
+  program_->locals = home.locals;
+  program_->initial_numbers = home.initial_numbers;
+  program_->text_count = home.text_count;
+  program_->frame_count = home.frame_count;
+  end_ = OpCode::EndText;
+  has_letter_names_ = true;
+  in_program_part_ = true;
+}
+
+/// Room for that many NC blocks of constant words: a long program has little else.
+void Compiler::reserve(std::size_t lines) {
+  program_->ops.reserve(lines);
+  program_->spans.reserve(lines);
+  program_->nc_blocks.reserve(lines);
+  program_->words.reserve(4 * lines);
+  program_->block_numbers.reserve(lines);
+}
+
+/// Without its line end.
+ShortSpan Compiler::line_from(std::uint32_t begin) const {
+  const std::size_t found = text_.find('\n', begin);
+  return {begin, static_cast<std::uint32_t>(std::min<std::size_t>(found, whole_.end))};
+}
+
+std::unique_ptr<CompiledProgram> Compiler::run() {
+  const std::string_view text = text_.substr(whole_.begin, whole_.end - whole_.begin);
+  reserve(static_cast<std::size_t>(std::ranges::count(text, '\n')));
+  for (std::uint32_t begin = whole_.begin; begin < whole_.end;) {
+    const ShortSpan line = line_from(begin);
+    if (!plain_block(line)) {
+      block(line);
+    }
+    begin = line.end + 1;
+  }
+  end_of_text();
+  return std::move(program_);
+}
+
+void Compiler::end_of_text() {
+  block_ = {whole_.end, whole_.end};
+  end_structures();
+  resolve_jumps();
+  emit(end_, {}, {}, {}, block_);
+}
+
+/// Compiles a block that says nothing of other blocks: no jump, label, call or definition.
+/// @returns false: it is not such a one; its steps are taken back
+bool Compiler::lone_block(ShortSpan line) {
+  const std::size_t first_step = program_->ops.size();
+  block(line);
+  const bool is_lone = structures_.empty() && program_->labels.empty() &&
+                       definitions_in_block_ == 0 &&
+                       std::all_of(program_->ops.begin() + static_cast<std::ptrdiff_t>(first_step),
+                                   program_->ops.end(), stands_alone);
+  if (!is_lone) {
+    take_back(first_step);
+  }
+  return is_lone;
+}
+
+CompiledWindow Compiler::run_window(std::uint32_t begin) {
+  const std::uint32_t most = std::min(whole_.end - begin, kWindowBytes);
+  reserve(most / kBytesOfLine);
+  std::uint32_t at = begin;
+  while (at < whole_.end && at - begin < most) {
+    const ShortSpan line = line_from(at);
+    if (!plain_block(line) && !lone_block(line)) {
+      break;
+    }
+    at = line.end + 1;
+  }
+  if (at < whole_.end) {
+    emit(OpCode::EndWindow, {}, {}, {}, {at, at});
+  } else {
+    end_of_text();
+  }
+  return {std::move(program_), at};
+}
+
+std::unique_ptr<CompiledProgram> Compiler::run_expression() {
+  scanner_.scan(whole_, tokens_);
+  find_letter_names();
+  block_ = whole_;
+  const Expr value = expression();
+  expect_end();
+  if (failed()) {
+    raise_from(0);
+  }
+  program_->result = argument_of(value);
+  emit(OpCode::EndText, {}, {}, {}, block_);
+  return std::move(program_);
+}
+
+std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Globals& globals) {
+  return Compiler(source, globals, Compiler::Purpose::Program).run();
+}
+
+CompiledWindow compile_window(const ProgramSource& source, const Globals& globals,
+                              std::uint32_t begin) {
+  return Compiler(source, globals, Compiler::Purpose::Program).run_window(begin);
+}
+
+std::unique_ptr<CompiledProgram> compile_data(const ProgramSource& source, const Globals& globals) {
+  return Compiler(source, globals, Compiler::Purpose::Data).run();
+}
+
+std::unique_ptr<CompiledProgram> compile_among(const ProgramSource& source, const Globals& globals,
+                                               const CompiledProgram& home) {
+  Compiler compiler(source, globals, Compiler::Purpose::Program);
+  compiler.know_locals_of(home);
+  return compiler.run();
+}
+
+std::unique_ptr<CompiledProgram> compile_expression(const ProgramSource& source,
+                                                    const Globals& globals,
+                                                    const CompiledProgram& home) {
+  Compiler compiler(source, globals, Compiler::Purpose::Program);
+  compiler.know_locals_of(home);
+  return compiler.run_expression();
+}
+
+std::unique_ptr<CompiledProgram> compile_definitions(const ProgramSource& source,
+                                                     Globals& globals) {
+  Compiler compiler(source, globals, Compiler::Purpose::Definitions);
+  compiler.define_in(globals);
+  return compiler.run();
+}
+
+}  // namespace g31::sinumerik

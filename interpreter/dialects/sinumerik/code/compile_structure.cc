@@ -1,0 +1,357 @@
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/code/compiler.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr std::size_t kDeepestStructure = 16;
+constexpr std::string_view kEndOfPart = "ENDLABEL";
+
+}  // namespace
+
+void Compiler::open(StructureKind kind, std::int32_t head, std::int32_t exit) {
+  if (structures_.size() == kDeepestStructure) {
+    fail(AlarmId::NestingTooDeep, block_);
+  }
+  Structure structure;
+  structure.kind = kind;
+  structure.where = block_;
+  structure.head = failed() ? -1 : head;
+  structure.exit = failed() ? -1 : exit;
+  structures_.push_back(structure);
+}
+
+/// The innermost structure, if it is of the kind that ends here.
+std::optional<Compiler::Structure> Compiler::close(StructureKind kind) {
+  if (structures_.empty() || structures_.back().kind != kind) {
+    fail(AlarmId::BadNesting, block_, text_of(block_));
+    return std::nullopt;
+  }
+  Structure structure = structures_.back();
+  structures_.pop_back();
+  return structure;
+}
+
+/// The innermost loop.  The end of one whose beginning is wrong can be reached by a jump into it.
+std::optional<Compiler::Structure> Compiler::close_loop(StructureKind kind) {
+  auto loop = close(kind);
+  if (loop && loop->head < 0) {
+    fail(AlarmId::BadNesting, block_, text_of(block_));
+    return std::nullopt;
+  }
+  return loop;
+}
+
+void Compiler::back_to(const Structure& loop) {
+  emit(OpCode::Jump, {}, {Bank::Constants, loop.head + 1}, {}, block_);
+  set_target(loop.exit, here());
+}
+
+/// IF condition [jump]: with a jump it needs no ENDIF.
+void Compiler::if_statement() {
+  const Expr condition = boolean(expression());
+  const std::int32_t step = emit(OpCode::JumpIfNot, {}, condition.value, {}, condition.where);
+  if (!failed() && jump_statement()) {
+    set_target(step, here());
+    return;
+  }
+  expect_end();
+  open(StructureKind::If, step, step);
+}
+
+void Compiler::else_statement() {
+  expect_end();
+  if (auto structure = close(StructureKind::If)) {
+    const std::int32_t done = emit(OpCode::Jump, {}, {}, {}, block_);
+    set_target(structure->exit, here());
+    structure->kind = StructureKind::Else;
+    structure->exit = failed() ? -1 : done;
+    structures_.push_back(*structure);
+  }
+}
+
+void Compiler::endif_statement() {
+  expect_end();
+  const bool in_else = !structures_.empty() && structures_.back().kind == StructureKind::Else;
+  if (const auto structure = close(in_else ? StructureKind::Else : StructureKind::If)) {
+    set_target(structure->exit, here());
+  }
+}
+
+void Compiler::loop_statement() {
+  expect_end();
+  const std::int32_t head = emit(OpCode::Jump, {}, {Bank::Constants, here() + 1}, {}, block_);
+  open(StructureKind::Loop, head, -1);
+}
+
+void Compiler::endloop_statement() {
+  expect_end();
+  if (const auto loop = close_loop(StructureKind::Loop)) {
+    back_to(*loop);
+  }
+}
+
+/// The element that FOR counts in, for the blocks behind it: what its index is made of may change.
+void Compiler::keep_element(Expr& counter) {
+  Variable element;
+  element.name = fmt::format("element of FOR {}", here());  // no name of a program
+  element.type = Type::Int;
+  const std::int32_t index = define_local(element);
+  if (index >= 0) {
+    const Variable& kept = program_->variables[static_cast<std::size_t>(index)];
+    const Operand place = {Bank::Locals, kept.place};
+    emit(OpCode::Move, place, counter.element, {}, counter.where);
+    counter.element = place;
+  }
+}
+
+/// FOR variable = first TO last: the end value is asked for at each pass.
+void Compiler::for_statement() {
+  Expr counter = primary();
+  const bool counts = !failed() && counter.variable >= 0 &&
+                      (counter.type == Type::Int || counter.type == Type::Real);
+  if (!failed() && !counts) {
+    fail(AlarmId::WrongType, counter.where, text_of(counter.where));
+  }
+  expect(Symbol::Assign);
+  if (!failed() && counter.element.bank == Bank::Temporaries) {
+    keep_element(counter);
+  }
+  counter.is_constant = counter.value.bank != Bank::Temporaries;
+  if (!failed()) {
+    store(counter, expression());
+  }
+  if (!failed() && !accept_name("TO")) {
+    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+  }
+  // The counter of a later pass is behind the condition's own steps: read it there again.
+  const std::int32_t head = emit(OpCode::Jump, {}, {Bank::Constants, here() + 1}, {}, block_);
+  const Expr end = convert(expression(), Type::Real);
+  expect_end();
+  Expr now = counter;
+  if (!failed() && !counter.is_constant) {
+    emit(OpCode::Load, now.value, counter.element, {Bank::Constants, counter.variable}, block_);
+  }
+  const Operand inside = temporary(Type::Bool);
+  emit(OpCode::LessEqual, inside, now.value, end.value, block_);
+  const std::int32_t exit = emit(OpCode::JumpIfNot, {}, inside, {}, block_);
+  open(StructureKind::For, head, exit);
+  structures_.back().counter = counter;
+}
+
+void Compiler::endfor_statement() {
+  expect_end();
+  const auto loop = close_loop(StructureKind::For);
+  if (!loop) {
+    return;
+  }
+  const Expr& counter = loop->counter;
+  if (!counter.is_constant) {
+    emit(OpCode::Load, counter.value, counter.element, {Bank::Constants, counter.variable}, block_);
+  }
+  Expr more;
+  more.type = Type::Real;
+  more.where = block_;
+  more.value = temporary(Type::Real);
+  emit(OpCode::Add, more.value, counter.value, number_constant(1.0), block_);
+  more.type = counter.type;
+  store(counter, more);
+  back_to(*loop);
+}
+
+void Compiler::while_statement() {
+  const std::int32_t head = emit(OpCode::Jump, {}, {Bank::Constants, here() + 1}, {}, block_);
+  const Expr condition = boolean(expression());
+  expect_end();
+  const std::int32_t exit = emit(OpCode::JumpIfNot, {}, condition.value, {}, condition.where);
+  open(StructureKind::While, head, exit);
+}
+
+void Compiler::endwhile_statement() {
+  expect_end();
+  if (const auto loop = close_loop(StructureKind::While)) {
+    back_to(*loop);
+  }
+}
+
+/// REPEAT alone begins a loop, with a label it repeats a part of the program.
+void Compiler::repeat_statement() {
+  if (peek().kind != TokenKind::End) {
+    repeat_part(false);
+    return;
+  }
+  const std::int32_t head = emit(OpCode::Jump, {}, {Bank::Constants, here() + 1}, {}, block_);
+  open(StructureKind::Repeat, head, -1);
+}
+
+void Compiler::repeatb_statement() {
+  repeat_part(true);
+}
+
+void Compiler::until_statement() {
+  const Expr condition = boolean(expression());
+  expect_end();
+  if (const auto loop = close_loop(StructureKind::Repeat)) {
+    emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head + 1},
+         condition.where);
+  }
+}
+
+/// A label or N and a number where one is expected.
+std::optional<std::string> Compiler::label_name() {
+  if (peek().is_letter('N') && peek(1).kind == TokenKind::Integer) {
+    next();
+    return "N" + std::to_string(static_cast<std::int64_t>(next().number));
+  }
+  if (peek().kind != TokenKind::Name && peek().kind != TokenKind::Letter) {
+    return std::nullopt;
+  }
+  // A control wants two letters; one and a number leave no doubt either.
+  const Token name = next();
+  std::string label(name.text);
+  if (name.kind == TokenKind::Letter && peek().kind == TokenKind::Integer) {
+    label += next().text;
+  }
+  return label;
+}
+
+void Compiler::repeat_part(bool one_block) {
+  const auto first = label_name();
+  if (!first) {
+    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+    return;
+  }
+  PartToRepeat part;
+  part.first = *first;
+  part.one_block = one_block;
+  part.end = kEndOfPart;
+  if (!one_block && (peek().kind == TokenKind::Name || peek().is_letter('N'))) {
+    part.end = label_name().value_or("");
+  }
+  Expr passes = constant(Type::Int, 1.0, block_);
+  if (peek().is_letter('P')) {
+    next();
+    accept(Symbol::Assign);
+    passes = convert(expression(), Type::Int);
+  }
+  expect_end();
+  emit_part(std::move(part), passes.value);
+}
+
+void Compiler::emit_part(PartToRepeat part, Operand passes) {
+  part.site = program_->repeats.size();
+  program_->repeats.emplace_back();
+  part.step = emit(OpCode::RepeatPart, {}, {Bank::Constants, static_cast<std::int32_t>(part.site)},
+                   passes, block_);
+  if (!failed()) {
+    parts_.push_back(std::move(part));
+  }
+}
+
+/// BLOCK first TO last behind CALL: the part of this program once, as REPEAT first last runs it.
+void Compiler::call_block() {
+  next();
+  PartToRepeat part;
+  part.first = label_name().value_or("");
+  const bool goes_to = accept_name("TO");
+  part.end = label_name().value_or("");
+  if (part.first.empty() || !goes_to || part.end.empty()) {
+    fail(AlarmId::SyntaxInText, block_, "CALL BLOCK first TO last");
+  }
+  expect_end();
+  emit_part(std::move(part), number_constant(1.0));
+}
+
+/// CASE (expression) OF value jump value jump DEFAULT jump.  A block ends with its line: the values
+/// stand on it.
+void Compiler::case_statement() {
+  const Expr value = expression();
+  if (!failed() && !accept_name("OF")) {
+    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+  }
+  while (!failed() && peek().kind != TokenKind::End && !accept_name("DEFAULT")) {
+    Expr wanted = unary();
+    if (failed()) {
+      return;
+    }
+    const Expr equal = compare(OpCode::Equal, value, wanted, wanted.where);
+    const std::int32_t past = emit(OpCode::JumpIfNot, {}, equal.value, {}, wanted.where);
+    if (!failed() && !jump_statement()) {
+      fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+    }
+    set_target(past, here());
+  }
+  if (!failed() && peek().kind != TokenKind::End && !jump_statement()) {
+    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+  }
+}
+
+/// A jump at this place, if there is one.
+bool Compiler::jump_statement() {
+  struct Row {
+    std::string_view name;
+    Direction direction;
+  };
+  constexpr Row kRows[] = {{"GOTOF", Direction::Forward},
+                           {"GOTOB", Direction::Backward},
+                           {"GOTO", Direction::Both},
+                           {"GOTOC", Direction::BothQuiet}};
+  for (const Row& row : kRows) {
+    if (accept_name(row.name)) {
+      jump_to(row.direction);
+      return true;
+    }
+  }
+  if (accept_name("GOTOS")) {
+    emit(OpCode::Jump, {}, {Bank::Constants, 0}, {}, block_);
+    return true;
+  }
+  return false;
+}
+
+/// To a label, a block number, or what a text says.
+void Compiler::jump_to(Direction direction) {
+  const bool is_text = peek().kind == TokenKind::Text ||
+                       (peek().kind == TokenKind::Name && find_variable(peek().text) >= 0);
+  const ShortSpan where = peek().where;
+  if (is_text) {
+    const Expr name = as_text(expression());
+    emit(OpCode::JumpText, {}, name.value, {}, name.where);
+    last().detail = static_cast<std::uint8_t>(direction);
+    return;
+  }
+  const auto label = label_name();
+  if (!label) {
+    fail(AlarmId::SyntaxInText, where, text_of(where));
+    return;
+  }
+  const std::int32_t step = emit(OpCode::Jump, {}, {}, {}, where);
+  jumps_.push_back({step, *label, direction});
+}
+
+void Compiler::jump(Direction direction) {
+  jump_to(direction);
+  expect_end();
+}
+
+void Compiler::goto_statement() {
+  jump(Direction::Both);
+}
+void Compiler::gotof_statement() {
+  jump(Direction::Forward);
+}
+void Compiler::gotob_statement() {
+  jump(Direction::Backward);
+}
+void Compiler::gotoc_statement() {
+  jump(Direction::BothQuiet);
+}
+void Compiler::gotos_statement() {
+  expect_end();
+  emit(OpCode::Jump, {}, {Bank::Constants, 0}, {}, block_);
+}
+
+}  // namespace g31::sinumerik

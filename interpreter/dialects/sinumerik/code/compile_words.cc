@@ -1,0 +1,341 @@
+#include <algorithm>
+
+#include "interpreter/dialects/sinumerik/code/compiler.h"
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+
+namespace g31::sinumerik {
+namespace {
+
+/// The one spindle there is: S1=, M1=, SPOS[1]=.
+constexpr double kSpindle = 1.0;
+
+}  // namespace
+
+bool Compiler::is_assigned(std::size_t ahead) const {
+  return peek(ahead).is(Symbol::Assign);
+}
+
+/// A single letter: R and its number, L a program, else a word.
+void Compiler::letter_item() {
+  const Token& letter = peek();
+  const bool numbered = peek(1).kind == TokenKind::Integer;
+  if (letter.is_letter('R') && (numbered || peek(1).is(Symbol::LeftBracket))) {
+    next();
+    assign_variable(find_variable("R"), letter.where);
+    return;
+  }
+  next();
+  if (letter.is_letter('L') && numbered) {
+    call_by_name("L" + std::string(next().text), letter.where);
+    return;
+  }
+  letter_word(letter);
+}
+
+void Compiler::letter_word(const Token& letter) {
+  const bool numbered = peek().kind == TokenKind::Integer || peek().kind == TokenKind::Real;
+  if (letter.is_letter('G')) {
+    if (peek().kind == TokenKind::Real) {
+      const ShortSpan whole{letter.where.begin, peek().where.end};
+      fail(AlarmId::UnknownGCode, whole, text_of(whole));
+      return;
+    }
+    if (peek().kind != TokenKind::Integer) {
+      fail(AlarmId::NotImplemented, letter.where, "G with a computed number");
+      return;
+    }
+    const Token& number = next();
+    g_code(find_g_code(number.number), {letter.where.begin, number.where.end});
+    return;
+  }
+  const int axis = axis_index(letter.text.front());
+  std::string name(letter.text);
+  double extension = kSpindle;
+  // I1=, C3=, S1=, M2=: a number belongs to the address where = follows.
+  if (numbered && is_assigned(1)) {
+    const Token number = next();
+    name += number.text;
+    extension = number.number;
+  }
+  const bool of_spindle = letter.is_letter('M') || letter.is_letter('S') || letter.is_letter('T');
+  if (of_spindle && extension != kSpindle) {
+    fail(AlarmId::NoSuchAddress, letter.where, name);
+    return;
+  }
+  if (of_spindle && !letter.is_letter('T') && peek().is(Symbol::LeftBracket)) {
+    spindle_index();
+  }
+  if (letter.is_letter('M')) {
+    m_word(letter.where);
+    return;
+  }
+  if (axis >= 0 && (name.size() == 1 || name.substr(1) == "1")) {
+    word(static_cast<Address>(axis), letter.where);
+    return;
+  }
+  const bool is_plain = of_spindle || letter.is_letter('H');
+  const auto address = find_address(is_plain ? letter.text : name);
+  if (!address) {
+    fail(AlarmId::NoSuchAddress, letter.where, name);
+    return;
+  }
+  word(*address, letter.where);
+}
+
+void Compiler::g_code(std::optional<FoundCode> code, ShortSpan where) {
+  if (!code) {
+    fail(AlarmId::UnknownGCode, where, text_of(where));
+    return;
+  }
+  const GCode& row = g_codes()[code->row];
+  if (row.action == GAction::Refused) {
+    fail(AlarmId::NotImplemented, where, std::string(row.name) + ", " + std::string(row.text));
+    return;
+  }
+  for (std::size_t i = nc_.first_code; i < program_->codes.size(); ++i) {
+    if (g_codes()[unpacked(program_->codes[i]).row].group == row.group) {
+      fail(AlarmId::SameGroup, where, text_of(where));
+      return;
+    }
+  }
+  program_->codes.push_back(packed(*code));
+  has_words_ = true;
+}
+
+/// M2, M17 and M30 end the program behind everything else in their block.
+void Compiler::m_word(ShortSpan where) {
+  if (peek().kind == TokenKind::Integer) {
+    m_number(next().number, where);
+    return;
+  }
+  Modification modification = Modification::None;
+  const Expr value = convert(word_value(modification), Type::Int, AlarmId::BadArguments);
+  if (modification != Modification::None && modification != Modification::Quick) {
+    fail(AlarmId::BadModification, where, text_of(where));
+  }
+  if (failed()) {
+    return;
+  }
+  if (value.is_constant) {
+    m_number(program_->constants[static_cast<std::size_t>(value.value.place)], where);
+    return;
+  }
+  Expr number = value;
+  number.where = where;
+  emit_word(Address::Machine, Modification::None, number);
+}
+
+void Compiler::m_number(double number, ShortSpan where) {
+  if (number == 2.0 || number == 17.0 || number == 30.0) {
+    ends_with_ = number == 17.0 ? OpCode::Return : OpCode::EndProgram;
+  } else {
+    constant_word(Address::Machine, number, where);
+  }
+}
+
+/// A number at once behind an address, perhaps with a sign.
+std::optional<double> Compiler::number_at_once() {
+  const bool negative = peek().is(Symbol::Minus);
+  const bool is_signed = negative || peek().is(Symbol::Plus);
+  const Token& number = peek(is_signed ? 1 : 0);
+  if (number.kind != TokenKind::Integer && number.kind != TokenKind::Real) {
+    return std::nullopt;
+  }
+  at_ += is_signed ? 2 : 1;
+  return negative ? -number.number : number.number;
+}
+
+/// A word that needs no step of its own: the block knows it.
+void Compiler::constant_word(Address address, double value, ShortSpan where) {
+  std::vector<ConstantWord>& words = program_->words;
+  const auto times =
+      std::count_if(words.begin() + nc_.first_word, words.end(),
+                    [address](const ConstantWord& word) { return word.address == address; });
+  const int most = most_in_block(address);
+  if (times == most) {
+    fail(most > 1 ? AlarmId::AddressTooOften : AlarmId::AddressRepeated, where, name_of(address));
+  }
+  words.push_back({value, address});
+  has_words_ = true;
+}
+
+/// What stands behind an address: a number at once, or = and an expression.
+Expr Compiler::word_value(Modification& modification) {
+  const bool assigned = accept(Symbol::Assign);
+  if (!assigned) {
+    const bool signed_number = peek().is(Symbol::Minus) || peek().is(Symbol::Plus);
+    const Token& number = peek(signed_number ? 1 : 0);
+    if (number.kind != TokenKind::Integer && number.kind != TokenKind::Real) {
+      fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+      return {};
+    }
+    return unary();
+  }
+  const Token name = peek();
+  const auto found = name.kind == TokenKind::Name && peek(1).is(Symbol::LeftParen)
+                         ? find_modification(name.text)
+                         : std::nullopt;
+  if (!found) {
+    return expression();
+  }
+  next();
+  modification = *found;
+  expect(Symbol::LeftParen);
+  Expr value = expression();
+  expect(Symbol::RightParen);
+  return value;
+}
+
+void Compiler::word(Address address, ShortSpan where) {
+  if (const auto number = number_at_once()) {
+    constant_word(address, *number, where);
+    return;
+  }
+  Modification modification = Modification::None;
+  Expr value = word_value(modification);
+  if (failed()) {
+    return;
+  }
+  const bool may_be_text = address == Address::Tool && value.type == Type::String;
+  const bool is_quick = modification == Modification::Quick &&
+                        (address == Address::Auxiliary || address == Address::Speed);
+  modification = is_quick ? Modification::None : modification;
+  const bool modifiable = index_of(address) < kAxisCount || address == Address::CentreX ||
+                          address == Address::CentreY || address == Address::CentreZ ||
+                          address == Address::Spindle || address == Address::SpindleAsync ||
+                          address == Address::MiddleX || address == Address::MiddleY ||
+                          address == Address::MiddleZ || address == Address::PolarAngle ||
+                          address == Address::PolarRadius;
+  if (modification == Modification::Quick || (modification != Modification::None && !modifiable)) {
+    fail(AlarmId::BadModification, where, text_of(where));
+    return;
+  }
+  if (!may_be_text) {
+    value = convert(std::move(value), Type::Real, AlarmId::BadArguments);
+  }
+  value.where = where;
+  emit_word(address, modification, value);
+}
+
+void Compiler::emit_word(Address address, Modification modification, const Expr& value) {
+  emit(value.type == Type::String ? OpCode::TextWord : OpCode::Word, {}, value.value, {},
+       value.where);
+  last().detail = static_cast<std::uint8_t>(address);
+  last().count = static_cast<std::uint16_t>(modification);
+  has_words_ = true;
+}
+
+/// X, AX1, a variable of type AXIS; where a setting is of the spindle, too, S, S1 or SPI(1).
+Expr Compiler::bracketed_axis(const AxisWordInfo& row) {
+  expect(Symbol::LeftBracket);
+  const Token name = peek();
+  const bool by_function = name.is_name("SPI");
+  const bool of_spindle = row.role == AxisRole::Setting && (name.is_letter('S') || by_function);
+  Expr axis;
+  if (of_spindle) {
+    next();
+    if (by_function) {
+      expect(Symbol::LeftParen);
+    }
+    const double number = peek().kind == TokenKind::Integer ? next().number : kSpindle;
+    if (number != kSpindle) {
+      fail(AlarmId::NoSuchAddress, name.where, text_of(name.where));
+    }
+    if (by_function) {
+      expect(Symbol::RightParen);
+    }
+    axis = constant(Type::Axis, kSpindleAxis, name.where);
+  } else {
+    axis = axis_operand();
+  }
+  expect(Symbol::RightBracket);
+  return axis;
+}
+
+/// AX[axis]=value, POS[axis]=value, FA[axis]=value
+void Compiler::axis_word(const AxisWordInfo& row) {
+  const ShortSpan where = next().where;
+  if (row.role == AxisRole::Refused) {
+    fail(AlarmId::NotImplemented, where, std::string(row.name) + ": " + std::string(row.text));
+    return;
+  }
+  const Expr axis = bracketed_axis(row);
+  if (row.role == AxisRole::Measuring) {
+    axis_measuring(row, axis, where);
+    return;
+  }
+  if (!peek().is(Symbol::Assign)) {
+    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+    return;
+  }
+  Modification modification = Modification::None;
+  const Expr value = convert(word_value(modification), Type::Real, AlarmId::BadArguments);
+  const bool is_place = row.role == AxisRole::Path || row.role == AxisRole::Positioning;
+  if (modification == Modification::Quick || (modification != Modification::None && !is_place)) {
+    fail(AlarmId::BadModification, where, row.name);
+  }
+  emit(OpCode::AxisWord, {}, axis.value, value.value, where);
+  last().detail = static_cast<std::uint8_t>(row.id);
+  last().count = static_cast<std::uint16_t>(modification);
+  has_words_ = true;
+}
+
+/// MEASA[axis]=(mode, trigger), MEAWA[axis]=(mode, trigger)
+void Compiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where) {
+  expect(Symbol::Assign);
+  expect(Symbol::LeftParen);
+  const Expr mode = convert(expression(), Type::Int, AlarmId::BadArguments);
+  expect(Symbol::Comma);
+  const Expr trigger = convert(expression(), Type::Int, AlarmId::BadArguments);
+  if (peek().is(Symbol::Comma)) {
+    fail(AlarmId::NotImplemented, where, std::string(row.name) + " with more than one trigger");
+  }
+  expect(Symbol::RightParen);
+  emit(OpCode::AxisMeasuring, mode.value, axis.value, trigger.value, where);
+  last().detail = row.id == AxisWordId::MeasureAxesOn ? 1 : 0;
+  has_words_ = true;
+}
+
+/// [n] behind M, S, SPOS, SPOSA or LIMS, and = behind it.
+void Compiler::spindle_index() {
+  const ShortSpan where = peek().where;
+  expect(Symbol::LeftBracket);
+  const Expr number = convert(expression(), Type::Int, AlarmId::IndexType);
+  expect(Symbol::RightBracket);
+  if (!failed() && !is_assigned(0)) {
+    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+  }
+  emit(OpCode::CheckSpindle, {}, number.value, {}, where);
+}
+
+/// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.
+bool Compiler::named_word() {
+  const Token name = peek();
+  const AxisWordInfo* const of_axis =
+      peek(1).is(Symbol::LeftBracket) ? find_axis_word(name.text) : nullptr;
+  if (of_axis != nullptr) {
+    axis_word(*of_axis);
+    return true;
+  }
+  if (const auto code = find_g_code(name.text)) {
+    next();
+    g_code(code, name.where);
+    return true;
+  }
+  const auto address = find_address(name.text);
+  const bool of_spindle =
+      address && (*address == Address::Spindle || *address == Address::SpindleAsync ||
+                  *address == Address::SpeedLimit);
+  const bool indexed = of_spindle && peek(1).is(Symbol::LeftBracket);
+  if (!address || (!is_assigned(1) && !indexed && peek(1).kind != TokenKind::End)) {
+    return false;
+  }
+  next();
+  if (indexed) {
+    spindle_index();
+  }
+  word(*address, name.where);
+  return true;
+}
+
+}  // namespace g31::sinumerik

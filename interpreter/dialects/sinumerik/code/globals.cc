@@ -1,0 +1,85 @@
+#include "interpreter/dialects/sinumerik/code/globals.h"
+
+#include <algorithm>
+#include <array>
+
+#include "machine/units/axis_positions.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr auto kData = std::to_array<MachineDatum>({
+#define MACHINE_DATA(number, name, type, count, preset, text) \
+  {number, name, Type::type, count, preset, text},
+#include "interpreter/dialects/sinumerik/vocabulary/machine_data.def"
+#undef MACHINE_DATA
+});
+
+constexpr auto kMemory = std::to_array<MemoryRow>({
+#define MEMORY(name, type, count, text) {name, Type::type, count, text},
+#include "interpreter/dialects/sinumerik/vocabulary/memory.def"
+#undef MEMORY
+});
+
+Variable row_variable(std::string_view name, Type type, int count) {
+  Variable variable;
+  variable.name = name;
+  variable.type = type;
+  constexpr int kAxes = static_cast<int>(kAxisCount);
+  const bool twice = name.starts_with("$MA_") && count > kAxes;
+  variable.shape = twice       ? Shape{2, {count / kAxes, kAxes, 1}}
+                   : count > 0 ? Shape{1, {count, 1, 1}}
+                               : Shape{};
+  return variable;
+}
+
+}  // namespace
+
+std::span<const MachineDatum> machine_data() {
+  return kData;
+}
+
+std::span<const MemoryRow> memory_rows() {
+  return kMemory;
+}
+
+Globals::Globals() {
+  Variable r;
+  r.name = "R";
+  r.shape = {1, {kRParameters, 1, 1}};
+  define(r);
+  for (const MachineDatum& row : kData) {
+    const std::int32_t place = define(row_variable(row.name, row.type, row.count))->place;
+    std::fill(numbers_.begin() + place, numbers_.end(), row.preset);
+  }
+  for (const MemoryRow& row : kMemory) {
+    define(row_variable(row.name, row.type, row.count));
+  }
+}
+
+const Variable* Globals::find(std::string_view name) const {
+  const auto found = by_name_.find(name);
+  return found != by_name_.end() ? &variables_[found->second] : nullptr;
+}
+
+const Variable* Globals::define(const Variable& variable) {
+  if (!by_name_.emplace(variable.name, variables_.size()).second) {
+    return nullptr;
+  }
+  Variable& defined = variables_.emplace_back(variable);
+  defined.storage = Storage::Global;
+  if (variable.type == Type::String) {
+    defined.place = text_count_;
+    text_count_ += variable.shape.count();
+  } else if (variable.type == Type::Frame) {
+    defined.place = frame_count_;
+    frame_count_ += variable.shape.count();
+  } else {
+    defined.place = static_cast<std::int32_t>(numbers_.size());
+    numbers_.resize(numbers_.size() + static_cast<std::size_t>(variable.shape.count()),
+                    initial_number(variable.type));
+  }
+  return &defined;
+}
+
+}  // namespace g31::sinumerik

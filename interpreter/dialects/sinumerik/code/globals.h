@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/code/code.h"
+#include "interpreter/dialects/sinumerik/text/macros.h"
+
+namespace g31::sinumerik {
+
+/// R0 to R999.
+inline constexpr int kRParameters = 1000;
+
+/// The names that every program of a control sees: R parameters, machine and setting data, GUD and
+/// the macros of definition files.  Compilers ask it for places; a channel makes the memory.
+class Globals {
+ public:
+  /// R parameters and the rows of machine_data.def and memory.def.
+  Globals();
+
+  [[nodiscard]] const Variable* find(std::string_view name) const;
+
+  /// @returns nullptr when there is one of that name already
+  const Variable* define(const Variable& variable);
+
+  [[nodiscard]] std::span<const Variable> variables() const { return variables_; }
+  [[nodiscard]] const Variable& r_parameters() const { return variables_.front(); }
+  [[nodiscard]] const std::vector<double>& initial_numbers() const { return numbers_; }
+  [[nodiscard]] std::int32_t text_count() const { return text_count_; }
+  [[nodiscard]] std::int32_t frame_count() const { return frame_count_; }
+
+  Macros macros;
+
+ private:
+  std::vector<Variable> variables_;
+  NameMap<std::size_t> by_name_;
+  std::vector<double> numbers_;
+  std::int32_t text_count_ = 0;
+  std::int32_t frame_count_ = 0;
+};
+
+/// One row of machine_data.def.
+struct MachineDatum {
+  int number;
+  std::string_view name;
+  Type type;
+  int count;  ///< 0: no array
+  double preset;
+  std::string_view text;
+};
+
+std::span<const MachineDatum> machine_data();
+
+/// One row of memory.def.
+struct MemoryRow {
+  std::string_view name;
+  Type type;
+  int count;  ///< 0: no array
+  std::string_view text;
+};
+
+std::span<const MemoryRow> memory_rows();
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,22 @@
+#include "interpreter/dialects/sinumerik/code/program_windows.h"
+
+#include <utility>
+
+namespace g31::sinumerik {
+
+ProgramWindows::Place ProgramWindows::next() {
+  if (program_ != nullptr) {
+    steps_before_ += static_cast<std::int32_t>(program_->ops.size()) - 1;  // EndWindow
+  }
+  CompiledWindow window = compile_window(source_, globals_, end_);
+  const bool begins_with_other = window.end == end_ && end_ < source_.text.end;
+  if (begins_with_other) {
+    program_ = compile(source_, globals_);
+    return {program_.get(), steps_before_};
+  }
+  program_ = std::move(window.program);
+  end_ = window.end;
+  return {program_.get(), 0};
+}
+
+}  // namespace g31::sinumerik

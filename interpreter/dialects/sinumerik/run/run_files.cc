@@ -1,0 +1,166 @@
+// Files that a program reads and writes.  All of them lie side by side in one place, whatever path
+// a program writes: nothing leads out of it.
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/run/runner.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr std::size_t kLongestLine = 200;
+constexpr std::size_t kLongestLineRead = 255;
+
+/// What the procedures say in their first argument (work preparation, file handling).
+namespace file_error {
+constexpr double kNone = 0.0;
+constexpr double kBadPath = 1.0;
+constexpr double kNoFile = 3.0;
+constexpr double kNoLine = 21.0;
+constexpr double kArrayTooSmall = 22.0;
+constexpr double kTooManyLines = 23.0;
+}  // namespace file_error
+
+/// The same of EXTOPEN, EXTWRITE and EXTCLOSE.
+namespace external_error {
+constexpr double kNotOpen = 1.0;
+constexpr double kTooLong = 3.0;
+constexpr double kOpenAlready = 5.0;
+constexpr double kBadPath = 16.0;
+}  // namespace external_error
+
+/// The lines of a text, without their ends.
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.push_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string file_name(std::string_view path) {
+  if (path.find("..") != std::string_view::npos || path.ends_with('/')) {
+    return {};
+  }
+  const std::size_t slash = path.find_last_of("/\\");
+  std::string name(slash == std::string_view::npos ? path : path.substr(slash + 1));
+  return name == "." || name.find('\0') != std::string::npos ? std::string() : name;
+}
+
+MaybeFailure Runner::file_procedure(ProcedureId id, Arguments list) {
+  double error = 0.0;
+  switch (static_cast<int>(id)) {
+    case static_cast<int>(ProcedureId::WRITE):
+      error = write_file(list);
+      break;
+    case static_cast<int>(ProcedureId::DELETE):
+      error = delete_file(list);
+      break;
+    case static_cast<int>(ProcedureId::READ):
+      error = read_file(list);
+      break;
+    case static_cast<int>(ProcedureId::EXTOPEN):
+      error = open_external(list);
+      break;
+    case static_cast<int>(ProcedureId::EXTWRITE):
+      error = write_external(list);
+      break;
+    default:
+      error = close_external(list);
+      break;
+  }
+  return set_result(list[0], error);
+}
+
+/// WRITE(error, file, line)
+double Runner::write_file(Arguments list) {
+  const std::string name = file_name(text(list[1].value));
+  const std::string& line = text(list[2].value);
+  if (name.empty() || line.size() > kLongestLine) {
+    return file_error::kBadPath;
+  }
+  channel_.files[name] += line + "\n";
+  return file_error::kNone;
+}
+
+double Runner::delete_file(Arguments list) {
+  const std::string name = file_name(text(list[1].value));
+  if (name.empty()) {
+    return file_error::kBadPath;
+  }
+  return channel_.files.erase(name) > 0 ? file_error::kNone : file_error::kNoFile;
+}
+
+/// READ(error, file, line, count, texts)
+double Runner::read_file(Arguments list) {
+  const std::string name = file_name(text(list[1].value));
+  if (name.empty()) {
+    return file_error::kBadPath;
+  }
+  const auto file = channel_.files.find(name);
+  if (file == channel_.files.end()) {
+    return file_error::kNoFile;
+  }
+  const std::vector<std::string_view> lines = lines_of(file->second);
+  const auto line_count = static_cast<double>(lines.size());
+  const double count = rounded(number(list[3].value));
+  const double line = rounded(number(list[2].value));
+  const double first = line == 0.0 ? line_count - count + 1.0 : line;  // 0: the last ones
+  if (first < 1.0 || first > line_count) {
+    return file_error::kNoLine;
+  }
+  if (count < 1.0 || first + count - 1.0 > line_count) {
+    return file_error::kTooManyLines;
+  }
+  const Reference target = variable(list[4].variable);
+  const auto at = static_cast<std::size_t>(
+      list[4].form == Argument::Form::Whole ? 0.0 : number(list[4].element));
+  const auto wanted = static_cast<std::size_t>(count);
+  if (at + wanted > static_cast<std::size_t>(target.shape.count())) {
+    return file_error::kArrayTooSmall;
+  }
+  for (std::size_t i = 0; i < wanted; ++i) {
+    const auto longest = std::min(kLongestLineRead, static_cast<std::size_t>(target.longest));
+    target.texts[at + i] = lines[static_cast<std::size_t>(first) - 1 + i].substr(0, longest);
+  }
+  return file_error::kNone;
+}
+
+/// EXTOPEN(error, file, mode, use, "APP" or "OVR")
+double Runner::open_external(Arguments list) {
+  const std::string name = file_name(text(list[1].value));
+  if (name.empty()) {
+    return external_error::kBadPath;
+  }
+  if (!channel_.open_files.insert(name).second) {
+    return external_error::kOpenAlready;
+  }
+  const bool appends = list.size() < 5 || upper(text(list[4].value)) != "OVR";
+  std::string& content = channel_.files[name];
+  content = appends ? std::move(content) : std::string();
+  return file_error::kNone;
+}
+
+double Runner::write_external(Arguments list) {
+  const std::string name = file_name(text(list[1].value));
+  if (!channel_.open_files.contains(name)) {
+    return external_error::kNotOpen;
+  }
+  const std::string& line = text(list[2].value);
+  if (line.size() > kLongestLine) {
+    return external_error::kTooLong;
+  }
+  channel_.files[name] += line + "\n";
+  return file_error::kNone;
+}
+
+double Runner::close_external(Arguments list) {
+  const bool was_open = channel_.open_files.erase(file_name(text(list[1].value))) > 0;
+  return was_open ? file_error::kNone : external_error::kNotOpen;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,74 @@
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/execute/circle_through.h"
+#include "interpreter/dialects/sinumerik/execute/point_fit.h"
+#include "interpreter/dialects/sinumerik/run/runner.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr double kNoFit = -1.0;
+
+bool is_triangle(const Reference& points) {
+  return points.shape.dimensions == 2 && points.shape.size[0] == 3 && points.shape.size[1] == 3;
+}
+
+/// The points of an array [3,3], as columns.
+Eigen::Matrix3d columns(const Reference& points) {
+  return Eigen::Map<const Eigen::Matrix3d>(points.numbers);
+}
+
+}  // namespace
+
+/// CALCDAT(points, n, result)
+MaybeFailure Runner::circle_function(const Op& op, Arguments list) {
+  const Reference points = variable(list[0].variable);
+  const Reference result = variable(list[2].variable);
+  const double count = rounded(number(list[1].value));
+  if (count != 3.0 && count != 4.0) {
+    return failure(AlarmId::BadArguments, fmt::format("CALCDAT: {:g} points, not 3 or 4", count));
+  }
+  const auto used = static_cast<std::size_t>(count);
+  const bool fits = points.shape.dimensions == 2 &&
+                    points.shape.size[0] >= static_cast<int>(used) && points.shape.size[1] == 2 &&
+                    result.shape.count() >= 3;
+  if (!fits) {
+    return failure(AlarmId::WrongDimension, "CALCDAT: points [n,2] and result [3]");
+  }
+  std::vector<Eigen::Vector2d> all;
+  for (std::size_t i = 0; i < used; ++i) {
+    all.emplace_back(points.numbers[2 * i], points.numbers[2 * i + 1]);
+  }
+  const auto circle = circle_through(all);
+  if (circle) {
+    result.numbers[0] = circle->centre.x();
+    result.numbers[1] = circle->centre.y();
+    result.numbers[2] = circle->radius;
+  }
+  number(op.result) = circle ? 1.0 : 0.0;
+  return std::nullopt;
+}
+
+/// MEAFRAME(ideal, measured, quality)
+MaybeFailure Runner::measured_frame(Frame& result, Arguments list) {
+  const Reference ideal = variable(list[0].variable);
+  const Reference measured = variable(list[1].variable);
+  if (!is_triangle(ideal) || !is_triangle(measured)) {
+    return failure(AlarmId::WrongDimension, "MEAFRAME: three points each, [3,3]");
+  }
+  const auto fit = fitted(columns(ideal), columns(measured));
+  if (MaybeFailure wrong = set_result(list[2], fit ? fit->left_over : kNoFit)) {
+    return wrong;
+  }
+  if (fit) {
+    result.set_turn(fit->turn);
+    for (int axis = 0; axis < 3; ++axis) {
+      result.set_component(axis, Component::Coarse, channel_.stored(axis, fit->shift[axis]));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,250 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "machine/base/contract.h"
+
+namespace g31::sinumerik {
+namespace {
+
+/// A code as switch takes it: not every switch is about all of them.
+constexpr int at(OpCode code) {
+  return static_cast<int>(code);
+}
+
+/// Whether a comparison takes two numbers as equal: what binary digits lose makes no difference.
+bool are_equal(double a, double b) {
+  constexpr double kRelative = 1e-12;
+  return a == b || std::abs(a - b) <= kRelative * std::max(std::abs(a), std::abs(b));
+}
+
+std::int32_t bits(double number) {
+  return static_cast<std::int32_t>(number);
+}
+
+}  // namespace
+
+/// Keeps the reason; @returns false, for the way out.
+bool Runner::failed(AlarmId id, std::string detail) {
+  fault_ = failure(id, std::move(detail));
+  return false;
+}
+
+/// result = value, which must be a number.
+bool Runner::take(const Op& op, double value) {
+  if (!std::isfinite(value)) [[unlikely]] {
+    return failed(AlarmId::ArithmeticError, number(op.b) == 0.0 ? "division by zero" : "too large");
+  }
+  number(op.result) = value;
+  return true;
+}
+
+bool Runner::take_truth(const Op& op, bool holds) {
+  number(op.result) = holds ? 1.0 : 0.0;
+  return true;
+}
+
+bool Runner::is_less(double a, double b) const {
+  return a < b && (!are_equal(a, b) || channel_.orders_exactly());
+}
+
+/// Does steps on numbers, jumps and the beginnings of blocks up to a step of another kind, which it
+/// returns, or up to one that failed.  The hot loop: the level's step is looked up and left once.
+const Op& Runner::number_steps() {
+  Level& now = level();
+  const Op* const ops = now.program->ops.data();
+  const Op* op = ops + now.step;
+  const bool in_part = !now.parts.empty();
+  for (bool done = true;; ++op) {
+    if (op->code < OpCode::Jump) {
+      done = number_step(*op);
+    } else if (op->code == OpCode::Block) {
+      done = op->detail == 0 && !in_part && !channel_.budget.next_block();
+    } else if (op->code == OpCode::JumpIfNot) {
+      op = number(op->a) == 0.0 ? ops + op->b.place - 1 : op;
+    } else if (op->code == OpCode::Jump) {
+      op = ops + op->a.place - 1;
+    } else {
+      done = false;
+    }
+    if (!done) {
+      current_ = static_cast<std::int32_t>(op - ops);
+      now.step = current_ + 1;
+      return *op;
+    }
+  }
+}
+
+bool Runner::number_step(const Op& op) {
+  switch (at(op.code)) {
+    case at(OpCode::Move):
+      number(op.result) = number(op.a);
+      return true;
+    case at(OpCode::Add):
+      return take(op, number(op.a) + number(op.b));
+    case at(OpCode::Subtract):
+      return take(op, number(op.a) - number(op.b));
+    case at(OpCode::Multiply):
+      return take(op, number(op.a) * number(op.b));
+    case at(OpCode::Divide):
+      return take(op, number(op.a) / number(op.b));
+    case at(OpCode::Equal):
+      return take_truth(op, are_equal(number(op.a), number(op.b)));
+    case at(OpCode::NotEqual):
+      return take_truth(op, !are_equal(number(op.a), number(op.b)));
+    case at(OpCode::Less):
+      return take_truth(op, is_less(number(op.a), number(op.b)));
+    case at(OpCode::Greater):
+      return take_truth(op, is_less(number(op.b), number(op.a)));
+    case at(OpCode::LessEqual):
+      return take_truth(op, number(op.a) <= number(op.b) || are_equal(number(op.a), number(op.b)));
+    case at(OpCode::GreaterEqual):
+      return take_truth(op, number(op.a) >= number(op.b) || are_equal(number(op.a), number(op.b)));
+    case at(OpCode::CheckInt):
+      return take_whole(op, Type::Int, AlarmId::ArithmeticError);
+    case at(OpCode::Math):
+      return mathematical_step(op);
+    case at(OpCode::CheckLimits):
+      return is_within_limits(op);
+    default:
+      return rare_number_step(op);
+  }
+}
+
+bool Runner::rare_number_step(const Op& op) {
+  const double a = number(op.a);
+  switch (at(op.code)) {
+    case at(OpCode::DivideWhole):
+      return take(op, std::trunc(a / number(op.b)));
+    case at(OpCode::Modulo):
+      return take(op, std::fmod(a, number(op.b)));
+    case at(OpCode::Negate):
+      return take(op, -a);
+    case at(OpCode::Not):
+      return take_truth(op, a == 0.0);
+    case at(OpCode::And):
+      return take_truth(op, a != 0.0 && number(op.b) != 0.0);
+    case at(OpCode::Or):
+      return take_truth(op, a != 0.0 || number(op.b) != 0.0);
+    case at(OpCode::Xor):
+      return take_truth(op, (a != 0.0) != (number(op.b) != 0.0));
+    case at(OpCode::BitAnd):
+      return take(op, bits(a) & bits(number(op.b)));
+    case at(OpCode::BitOr):
+      return take(op, bits(a) | bits(number(op.b)));
+    case at(OpCode::BitXor):
+      return take(op, bits(a) ^ bits(number(op.b)));
+    case at(OpCode::BitNot):
+      return take(op, ~bits(a));
+    case at(OpCode::ToBool):
+      return take_truth(op, a != 0.0);
+    case at(OpCode::ToChar):
+      return take_whole(op, Type::Char, AlarmId::BadConversion);
+    case at(OpCode::ToInt):
+      return take_whole(op, Type::Int, AlarmId::BadConversion);
+    default:
+      contract_violated("every step on numbers is somebody's", __FILE__, __LINE__);
+  }
+}
+
+bool Runner::is_within_limits(const Op& op) {
+  const Variable& into = level().program->variables[static_cast<std::size_t>(op.b.place)];
+  fault_ = beyond_limits(into, number(op.a));
+  return !fault_;
+}
+
+/// LLI and ULI of a variable.
+MaybeFailure Runner::beyond_limits(const Variable& into, double value) {
+  const bool below = into.limits.low && value < *into.limits.low;
+  const bool above = into.limits.high && value > *into.limits.high;
+  return below || above
+             ? std::optional(failure(below ? AlarmId::BelowLimit : AlarmId::AboveLimit,
+                                     fmt::format("{} = {}", into.name, shown(Type::Real, value))))
+             : std::nullopt;
+}
+
+/// result = a as INT or CHAR, the types of whole numbers; or an alarm.
+bool Runner::take_whole(const Op& op, Type type, AlarmId alarm) {
+  const double a = number(op.a);
+  const double whole = rounded(a);
+  const bool fits = type == Type::Char ? whole >= 0.0 && whole <= 255.0
+                                       : whole >= -2147483648.0 && whole <= 2147483647.0;
+  if (!fits) [[unlikely]] {
+    return failed(alarm, fmt::format("{} is no {}", shown(Type::Real, a), name_of(type)));
+  }
+  number(op.result) = whole;
+  return true;
+}
+
+bool Runner::mathematical_step(const Op& op) {
+  const auto id = static_cast<FunctionId>(op.detail);
+  const double a = number(op.a);
+  const auto value = mathematics(id, a, number(op.b));
+  if (!value) {
+    return failed(AlarmId::ArithmeticError,
+                  fmt::format("{} of {}", info(id).name, shown(Type::Real, a)));
+  }
+  number(op.result) = *value;
+  return true;
+}
+
+Reference Runner::variable(std::int32_t which) {
+  const Variable& known = level().program->variables[static_cast<std::size_t>(which)];
+  if (known.storage == Storage::Reference) {
+    return level().references[static_cast<std::size_t>(known.place)];
+  }
+  const bool is_global = known.storage == Storage::Global;
+  Reference found;
+  found.type = known.type;
+  found.shape = known.shape;
+  found.longest = known.longest;
+  if (known.type == Type::String) {
+    found.texts = (is_global ? channel_.texts : level().texts).data() + known.place;
+  } else if (known.type == Type::Frame) {
+    found.frames = (is_global ? channel_.frames : level().frames).data() + known.place;
+  } else {
+    found.numbers = (is_global ? channel_.numbers : level().numbers).data() + known.place;
+  }
+  return found;
+}
+
+/// result = result * size + a, when a is an index of that dimension.
+bool Runner::index(const Op& op) {
+  const Variable& known = level().program->variables[static_cast<std::size_t>(op.b.place)];
+  const Shape shape =
+      known.storage == Storage::Reference ? variable(op.b.place).shape : known.shape;
+  const double place = rounded(number(op.a));
+  const int size = shape.size[op.detail];
+  if (!(place >= 0.0 && place < size)) {
+    constexpr AlarmId kAlarms[] = {AlarmId::IndexOne, AlarmId::IndexTwo, AlarmId::IndexThree};
+    return failed(kAlarms[op.detail],
+                  fmt::format("{}[{}] of {}", known.name, shown(Type::Real, place), size));
+  }
+  double& result = number(op.result);
+  result = result * size + place;
+  return true;
+}
+
+Runner::Taken Runner::array_step(const Op& op) {
+  const auto taken = [](bool done) { return done ? Taken::Done : Taken::Failed; };
+  switch (at(op.code)) {
+    case at(OpCode::Index):
+      return taken(index(op));
+    case at(OpCode::Load):
+      number(op.result) = variable(op.b.place).numbers[static_cast<std::size_t>(number(op.a))];
+      return Taken::Done;
+    case at(OpCode::Store):
+      variable(op.b.place).numbers[static_cast<std::size_t>(number(op.a))] = number(op.result);
+      return Taken::Done;
+    case at(OpCode::Fill):
+      return taken(fill(op));
+    case at(OpCode::Repeat):
+      return taken(repeat_value(op));
+    default:
+      return Taken::NotMine;
+  }
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/run/runner.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr std::size_t kLongestText = 400;  // that << makes
+
+}  // namespace
+
+std::string& Runner::text(Operand place) {
+  const auto at = static_cast<std::size_t>(place.place);
+  switch (place.bank) {
+    case Bank::Constants:
+      // Never written: no step has a constant as its result.
+      return const_cast<std::string&>(level().program->text_constants[at]);
+    case Bank::Locals:
+      return level().texts[at];
+    case Bank::Globals:
+      return channel_.texts[at];
+    case Bank::Temporaries:
+      break;
+  }
+  return text_temporaries_[at];
+}
+
+Frame& Runner::frame(Operand place) {
+  const auto at = static_cast<std::size_t>(place.place);
+  return place.bank == Bank::Locals    ? level().frames[at]
+         : place.bank == Bank::Globals ? channel_.frames[at]
+                                       : frame_temporaries_[at];
+}
+
+Runner::Arguments Runner::arguments_of(const Op& op) {
+  return Arguments(level().program->arguments)
+      .subspan(static_cast<std::size_t>(op.b.place), op.count);
+}
+
+Runner::Taken Runner::text_step(const Op& op) {
+  switch (static_cast<int>(op.code)) {
+    case static_cast<int>(OpCode::MoveText):
+      text(op.result) = text(op.a);
+      return Taken::Done;
+    case static_cast<int>(OpCode::Concatenate): {
+      std::string joined = text(op.a) + text(op.b);
+      if (joined.size() > kLongestText) {
+        failed(AlarmId::ConcatenationTooLong);
+        return Taken::Failed;
+      }
+      text(op.result) = std::move(joined);
+      return Taken::Done;
+    }
+    case static_cast<int>(OpCode::NumberToText):
+      text(op.result) = shown(static_cast<Type>(op.detail), number(op.a));
+      return Taken::Done;
+    case static_cast<int>(OpCode::TextToNumber): {
+      const std::string& from = text(op.a);
+      const bool is_char = static_cast<Type>(op.detail) == Type::Char;
+      if (is_char && from.size() != 1) {
+        failed(AlarmId::BadConversion, fmt::format("\"{}\" is no CHAR", from));
+        return Taken::Failed;
+      }
+      number(op.result) =
+          is_char ? static_cast<unsigned char>(from.front()) : (from.empty() ? 0.0 : 1.0);
+      return Taken::Done;
+    }
+    case static_cast<int>(OpCode::EqualText):
+      number(op.result) = text(op.a) == text(op.b) ? 1.0 : 0.0;
+      return Taken::Done;
+    case static_cast<int>(OpCode::LessText):
+      number(op.result) = text(op.a) < text(op.b) ? 1.0 : 0.0;
+      return Taken::Done;
+    case static_cast<int>(OpCode::LoadText):
+      text(op.result) = variable(op.b.place).texts[static_cast<std::size_t>(number(op.a))];
+      return Taken::Done;
+    case static_cast<int>(OpCode::StoreText):
+      return store_text(op) ? Taken::Done : Taken::Failed;
+    default:
+      return Taken::NotMine;
+  }
+}
+
+bool Runner::store_text(const Op& op) {
+  const Reference target = variable(op.b.place);
+  std::string value = text(op.result);
+  value.resize(std::min(value.find('\0'), value.size()));  // the character 0 ends a text
+  if (value.size() > static_cast<std::size_t>(target.longest)) {
+    return failed(AlarmId::StringTooLong,
+                  fmt::format("\"{}\" in STRING[{}]", value, target.longest));
+  }
+  target.texts[static_cast<std::size_t>(number(op.a))] = std::move(value);
+  return true;
+}
+
+Runner::Taken Runner::frame_step(const Op& op) {
+  const auto component_of = [&](const Argument& axis, const Argument& component) {
+    return std::pair(static_cast<int>(number(axis.value)),
+                     static_cast<Component>(static_cast<int>(number(component.value))));
+  };
+  const auto* const list = level().program->arguments.data() + op.b.place;
+  switch (static_cast<int>(op.code)) {
+    case static_cast<int>(OpCode::MoveFrame):
+      frame(op.result) = frame(op.a);
+      return Taken::Done;
+    case static_cast<int>(OpCode::LoadFrame):
+      frame(op.result) = variable(op.b.place).frames[static_cast<std::size_t>(number(op.a))];
+      return Taken::Done;
+    case static_cast<int>(OpCode::StoreFrame):
+      variable(op.b.place).frames[static_cast<std::size_t>(number(op.a))] = frame(op.result);
+      return Taken::Done;
+    case static_cast<int>(OpCode::Chain):
+      frame(op.result) = frame(op.a).chained(frame(op.b));
+      return Taken::Done;
+    case static_cast<int>(OpCode::EqualFrame):
+      number(op.result) = frame(op.a) == frame(op.b) ? 1.0 : 0.0;
+      return Taken::Done;
+    case static_cast<int>(OpCode::LoadComponent):
+    case static_cast<int>(OpCode::StoreComponent): {
+      const bool loads = op.code == OpCode::LoadComponent;
+      const auto [axis, component] =
+          loads ? component_of(list[0], list[1]) : component_of(list[1], list[2]);
+      if (axis < 0) {
+        failed(AlarmId::BadAxisIndex);
+        return Taken::Failed;
+      }
+      if (loads) {
+        number(op.result) =
+            channel_.shown_component(axis, component, frame(op.a).component(axis, component));
+      } else {
+        frame(op.result).set_component(
+            axis, component, channel_.stored_component(axis, component, number(list[0].value)));
+      }
+      return Taken::Done;
+    }
+    default:
+      return Taken::NotMine;
+  }
+}
+
+bool Runner::set_element(const Reference& target, std::int32_t element, const Argument& value) {
+  if (element >= target.shape.count()) {
+    return failed(AlarmId::TooManyInitialValues);
+  }
+  const auto at = static_cast<std::size_t>(element);
+  const bool omitted = value.form == Argument::Form::Omitted;
+  if (target.type == Type::String) {
+    const std::string given = omitted ? std::string() : text(value.value);
+    if (given.size() > static_cast<std::size_t>(target.longest)) {
+      return failed(AlarmId::StringTooLong,
+                    fmt::format("\"{}\" in STRING[{}]", given, target.longest));
+    }
+    target.texts[at] = given;
+  } else if (target.type == Type::Frame) {
+    target.frames[at] = omitted ? Frame() : frame(value.value);
+  } else {
+    target.numbers[at] = omitted ? initial_number(target.type) : number(value.value);
+  }
+  return true;
+}
+
+/// A list: the elements in turn; an omitted value leaves its element alone.
+bool Runner::fill(const Op& op) {
+  const Reference target = variable(op.a.place);
+  auto element = static_cast<std::int32_t>(number(op.result));
+  for (const Argument& value : arguments_of(op)) {
+    const bool omitted = value.form == Argument::Form::Omitted;
+    if (!omitted && !set_element(target, element, value)) {
+      return false;
+    }
+    ++element;
+  }
+  return true;
+}
+
+/// REP(value, count): without a count to the end of the array.
+bool Runner::repeat_value(const Op& op) {
+  const Reference target = variable(op.a.place);
+  const Arguments list = arguments_of(op);
+  const auto first = static_cast<std::int32_t>(number(op.result));
+  const std::int32_t rest = target.shape.count() - first;
+  const double wanted = list.size() > 1 ? number(list[1].value) : rest;
+  if (wanted < 0.0 || wanted > rest) {
+    return failed(AlarmId::TooManyInitialValues);
+  }
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(wanted); ++i) {
+    if (!set_element(target, first + i, list[0])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,146 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/run/runner.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr int kActive = 1;        // bit of $TC_TP8
+constexpr double kNoTool = -1.0;  // of GETT
+constexpr double kNoName = -1.0;  // of GETACTT
+constexpr double kNotInUse = -2.0;
+constexpr double kMostDuplo = 32000.0;
+
+using Row = std::pair<const int, Tool>;
+
+double number_of_tool(const std::map<int, Tool>& tools, const std::string& name, double duplo) {
+  const auto found = std::ranges::find_if(
+      tools, [&](const Row& row) { return row.second.name == name && row.second.duplo == duplo; });
+  return found != tools.end() ? found->first : kNoTool;
+}
+
+/// A number of a tool or edge, as a function is given it; 0, which none has, where it is too large.
+int numbered(double given) {
+  constexpr double kMost = 2147483647.0;
+  return given >= 1.0 && given <= kMost ? static_cast<int>(given) : 0;
+}
+
+/// The highest duplo number of a name; 0: there is none of it.
+double last_duplo(const std::map<int, Tool>& tools, const std::string& name) {
+  double last = 0.0;
+  for (const auto& [number, tool] : tools) {
+    last = tool.name == name ? std::max(last, tool.duplo) : last;
+  }
+  return last;
+}
+
+/// The tool of a name with the lowest duplo number; 0: there is none.
+int first_of_name(const std::map<int, Tool>& tools, const std::string& name) {
+  int first = 0;
+  for (const auto& [number, tool] : tools) {
+    if (tool.name == name && (first == 0 || tool.duplo < tools.at(first).duplo)) {
+      first = number;
+    }
+  }
+  return first;
+}
+
+/// The tool of a name that is in use: its number, or why there is none.
+double tool_in_use(const Channel& channel, const std::string& name) {
+  for (const int number : {channel.tool, channel.selected_tool}) {
+    const auto found = channel.tools.find(number);
+    if (found != channel.tools.end() && found->second.name == name) {
+      return number;
+    }
+  }
+  double result = kNoName;
+  for (const auto& [number, tool] : channel.tools) {
+    if (tool.name == name) {
+      if ((static_cast<int>(tool.state) & kActive) != 0) {
+        return number;
+      }
+      result = kNotInUse;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+MaybeFailure Runner::tool_function(FunctionId id, const Op& op, Arguments list) {
+  if (id == FunctionId::GETDNO) {
+    const double given = rounded(number(list[0].value));
+    const int tool = numbered(given);
+    if (channel_.find_tool(tool) == nullptr) {
+      return failure(AlarmId::BadTNumber, fmt::format("T{:.0f}", given));
+    }
+    const int edge = numbered(rounded(number(list[1].value)));
+    number(op.result) = channel_.find_edge(tool, edge) != nullptr ? edge : 0.0;
+    return std::nullopt;
+  }
+  if (id == FunctionId::GETACTT) {
+    const double found = tool_in_use(channel_, text(list[1].value));
+    number(op.result) = std::min(found, 0.0);
+    return found > 0.0 ? set_result(list[0], found) : std::nullopt;
+  }
+  const std::string name = text(list[0].value);
+  const bool has_duplo = list.size() > 1;
+  const double duplo = has_duplo ? rounded(number(list[1].value)) : 1.0;
+  if (id == FunctionId::NEWT) {
+    return new_tool(op, name, has_duplo ? duplo : last_duplo(channel_.tools, name) + 1.0);
+  }
+  number(op.result) = number_of_tool(channel_.tools, name, duplo);
+  return std::nullopt;
+}
+
+MaybeFailure Runner::new_tool(const Op& op, const std::string& name, double duplo) {
+  const bool is_valid = !name.empty() && duplo >= 1.0 && duplo <= kMostDuplo;
+  if (!is_valid || number_of_tool(channel_.tools, name, duplo) != kNoTool) {
+    return failure(AlarmId::ToolExists, fmt::format("\"{}\", {:g}", name, duplo));
+  }
+  int free = 1;
+  while (channel_.tools.contains(free)) {
+    ++free;
+  }
+  Tool& tool = channel_.tools[free];
+  tool.name = name;
+  tool.duplo = duplo;
+  tool.edges[1] = EdgeData();
+  number(op.result) = free;
+  return std::nullopt;
+}
+
+/// The tool of a name and, if it is there, a duplo number; 0 or less: there is none.
+double Runner::tool_named(Arguments list) {
+  const std::string& name = text(list[0].value);
+  return list.size() > 1 ? number_of_tool(channel_.tools, name, rounded(number(list[1].value)))
+                         : first_of_name(channel_.tools, name);
+}
+
+/// TCA(name, duplo, holder)
+MaybeFailure Runner::select_named_tool(Arguments list) {
+  const double found = tool_named(list);
+  if (found <= 0.0) {
+    return failure(AlarmId::BadToolName, text(list[0].value));
+  }
+  channel_.selected_tool = static_cast<int>(found);
+  return std::nullopt;
+}
+
+/// DELT(name, duplo)
+MaybeFailure Runner::delete_tool(Arguments list) {
+  const double found = tool_named(list);
+  if (found <= 0.0) {
+    return failure(AlarmId::BadToolName, text(list[0].value));
+  }
+  const auto which = static_cast<int>(found);
+  if (which == channel_.tool || which == channel_.selected_tool) {
+    return failure(AlarmId::ToolInUse, fmt::format("T{}", which));
+  }
+  channel_.tools.erase(which);
+  return std::nullopt;
+}
+
+}  // namespace g31::sinumerik

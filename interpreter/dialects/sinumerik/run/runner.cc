@@ -1,0 +1,421 @@
+#include "interpreter/dialects/sinumerik/run/runner.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/text/scanner.h"
+#include "interpreter/runtime/stop_report.h"
+#include "interpreter/source/latin_1.h"
+#include "machine/base/contract.h"
+
+namespace g31::sinumerik {
+namespace {
+
+/// g31's own reason for an end, beside alarms.
+Failure of_budget(runtime::BudgetWatch::Spent spent) {
+  Failure reason;
+  reason.status = runtime::Status::Budget;
+  reason.number = static_cast<int>(spent == runtime::BudgetWatch::Spent::Blocks
+                                       ? source::DiagnosticId::BudgetBlocks
+                                       : source::DiagnosticId::BudgetTime);
+  return reason;
+}
+
+/// An archive of a whole control has much that no program here asks for.
+source::Diagnostic unknown_data_note(const CompiledProgram& program) {
+  constexpr std::size_t kShown = 5;
+  const std::vector<UnknownDatum>& unknown = program.unknown_data;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(unknown.size(), kShown); ++i) {
+    names += (i > 0 ? ", " : "") + unknown[i].name;
+  }
+  source::Diagnostic note = make_diagnostic(
+      source::DiagnosticId::NotSimulated, {program.file, unknown.front().where.widened()},
+      fmt::format("{} data of this file, {}{}", unknown.size(), names,
+                  unknown.size() > kShown ? " and others" : ""));
+  note.severity = source::Severity::Note;
+  return note;
+}
+
+}  // namespace
+
+Runner::Runner(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer)
+    : library_(library),
+      channel_(port, observer, library.globals()),
+      number_temporaries_(kTemporaryCount),
+      text_temporaries_(kTemporaryCount),
+      frame_temporaries_(kTemporaryCount) {
+  levels_.push_back(std::make_unique<Level>());
+}
+
+void Runner::start(const CompiledProgram& program) {
+  depth_ = 0;
+  current_ = 0;
+  ended_ = false;
+  modal_call_.reset();
+  words_.clear();
+  *levels_.front() = Level();
+  level().program = &program;
+  level().make_locals();
+  use_level();
+}
+
+/// What follows in a long program.  Windows have no local variables that could be lost.
+MaybeFailure Runner::begin_window() {
+  const ProgramWindows::Place place = library_.next_window();
+  level().program = place.program;
+  level().step = place.step;
+  return take_no_arguments();
+}
+
+/// What nobody calls has its preset values, and nothing to refer to.
+MaybeFailure Runner::take_no_arguments() {
+  MaybeFailure wrong = take_arguments(level(), {});
+  use_level();
+  return wrong;
+}
+
+void Runner::use_level() {
+  // Constants are never written: no step has one as its result.
+  banks_[0] = const_cast<double*>(level().program->constants.data());
+  banks_[1] = level().numbers.data();
+  banks_[2] = channel_.numbers.data();
+  banks_[3] = number_temporaries_.data();
+}
+
+runtime::Outcome Runner::run(const runtime::Budget& budget) {
+  runtime::Outcome outcome;
+  const CompiledProgram* const main = library_.main_program();
+  if (main == nullptr) {
+    outcome.status = runtime::Status::SyntaxError;
+    outcome.diagnostics.push_back(
+        make_diagnostic(source::DiagnosticId::NoProgramInFile, {library_.main_text(), {}}));
+    return outcome;
+  }
+  if (early_failure_) {
+    outcome = *early_failure_;
+    outcome.diagnostics = channel_.diagnostics;
+    return outcome;
+  }
+  start(*main);
+  has_run_ = true;
+  channel_.arrived_at_machine();
+  channel_.budget = runtime::BudgetWatch(budget);
+  MaybeFailure reason = take_no_arguments();
+  if (!reason) {
+    reason = loop();
+  }
+  if (!reason) {
+    reason = finish_motion(channel_);
+  }
+  if (reason) {
+    outcome = outcome_of(*reason);
+    drop_motion(channel_);
+  }
+  if (!levels_.front()->has_references()) {
+    *levels_.front() = Level();  // its variables are nowhere
+  }
+  outcome.diagnostics = channel_.diagnostics;
+  outcome.blocks = channel_.budget.blocks();
+  return outcome;
+}
+
+MaybeFailure Runner::loop() {
+  while (!ended_) {
+    const Op& op = number_steps();
+    if (fault_) {
+      return from_step();
+    }
+    if (MaybeFailure reason = other_step(op)) {
+      return reason;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Why a step failed, if it did.
+MaybeFailure Runner::from_step() {
+  MaybeFailure reason;
+  reason.swap(fault_);
+  return reason;
+}
+
+/// Arrays, texts and frames.
+MaybeFailure Runner::value_step(const Op& op) {
+  using Step = Taken (Runner::*)(const Op&);
+  for (const Step step : {&Runner::array_step, &Runner::text_step, &Runner::frame_step}) {
+    const Taken taken = (this->*step)(op);
+    if (taken == Taken::Failed) {
+      return from_step();
+    }
+    if (taken == Taken::Done) {
+      return std::nullopt;
+    }
+  }
+  contract_violated("every step is somebody's", __FILE__, __LINE__);
+}
+
+MaybeFailure Runner::other_step(const Op& op) {
+  const bool is_list = op.code == OpCode::Fill || op.code == OpCode::Repeat;
+  if (op.code < OpCode::Function || is_list) {
+    return value_step(op);
+  }
+  switch (static_cast<int>(op.code)) {
+    case static_cast<int>(OpCode::Block):
+      return block(op);
+    case static_cast<int>(OpCode::NcBlock):
+      return nc_block(op);
+    case static_cast<int>(OpCode::Word):
+    case static_cast<int>(OpCode::TextWord):
+      return take_word(op);
+    case static_cast<int>(OpCode::AxisWord):
+      return take_axis_word(op);
+    case static_cast<int>(OpCode::AxisMeasuring):
+      return take_axis_measuring(op);
+    case static_cast<int>(OpCode::CheckSpindle):
+      return check_spindle(op);
+    case static_cast<int>(OpCode::SkipAction):
+      return take_skip_action(op);
+    case static_cast<int>(OpCode::Execute):
+      return execute(op);
+    case static_cast<int>(OpCode::Function):
+      return call_function(op);
+    case static_cast<int>(OpCode::ReadSystem):
+      return read_system(op);
+    case static_cast<int>(OpCode::WriteSystem):
+      return write_system(op);
+    case static_cast<int>(OpCode::Procedure):
+      return procedure(op);
+    case static_cast<int>(OpCode::Call):
+      return call(op);
+    case static_cast<int>(OpCode::Return):
+      return return_from(op);
+    case static_cast<int>(OpCode::EndProgram):
+      return end_program();
+    case static_cast<int>(OpCode::EndText):
+      end_text();
+      return std::nullopt;
+    case static_cast<int>(OpCode::EndWindow):
+      return begin_window();
+    case static_cast<int>(OpCode::JumpText):
+      return jump_to_text(op);
+    case static_cast<int>(OpCode::RepeatPart):
+      return repeat_part(op);
+    case static_cast<int>(OpCode::Raise): {
+      const BlockError& error = level().program->errors[static_cast<std::size_t>(op.a.place)];
+      return failure(error.id, error.detail);
+    }
+    default:
+      contract_violated("every step is somebody's", __FILE__, __LINE__);
+  }
+}
+
+/// Whether a block is done: it is not when it is skipped, when it stands behind a part that REPEAT
+/// runs, and when the budget is spent, which is a fault.
+bool Runner::begins(const Op& op) {
+  if (!level().parts.empty() && at_end_of_part(current_)) {
+    return false;
+  }
+  if (const auto spent = channel_.budget.next_block()) {
+    fault_ = of_budget(*spent);
+    return false;
+  }
+  if (op.detail != 0 && skips(op.detail - 1)) {
+    level().step = op.a.place;
+    return false;
+  }
+  return true;
+}
+
+MaybeFailure Runner::block(const Op& op) {
+  begins(op);
+  return from_step();
+}
+
+MaybeFailure Runner::nc_block(const Op& op) {
+  return begins(op) ? execute(op) : from_step();
+}
+
+/// `/` and `/0` are the first switch, whether a sheet counts it as 0 or 1.
+bool Runner::skips(int which) const {
+  return channel_.block_skip.contains(which) || (which == 0 && channel_.block_skip.contains(1));
+}
+
+/// A part of the program that REPEAT runs is through: once more, or on behind REPEAT.
+bool Runner::at_end_of_part(std::int32_t step) {
+  RunningPart& part = level().parts.back();
+  const RepeatSite& site = level().program->repeats[static_cast<std::size_t>(part.site)];
+  if (site.end != step) {
+    return false;
+  }
+  if (--part.passes_left > 0) {
+    level().step = site.first;
+  } else {
+    level().step = part.back_to;
+    level().parts.pop_back();
+  }
+  return true;
+}
+
+MaybeFailure Runner::repeat_part(const Op& op) {
+  Level& now = level();
+  const bool is_running = !now.parts.empty() && now.parts.back().site == op.a.place;
+  if (is_running && at_end_of_part(current_)) {
+    return std::nullopt;
+  }
+  const RepeatSite& site = now.program->repeats[static_cast<std::size_t>(op.a.place)];
+  if (site.first < 0) {
+    return failure(AlarmId::SectionMissing);
+  }
+  const double passes = number(op.b);
+  if (passes < 0.0 || passes > 9999.0) {
+    return failure(AlarmId::BadRepeats, fmt::format("P{:.0f}", passes));
+  }
+  if (passes >= 1.0) {
+    now.parts.push_back({op.a.place, now.step, static_cast<std::int32_t>(passes)});
+    now.step = site.first;
+  }
+  return std::nullopt;
+}
+
+MaybeFailure Runner::jump_to_text(const Op& op) {
+  const std::string name = upper(text(op.a));
+  const auto direction = static_cast<Direction>(op.detail);
+  const auto target = find_label(*level().program, name, current_, direction);
+  if (target) {
+    level().step = *target;
+  } else if (direction != Direction::BothQuiet) {
+    return failure(AlarmId::JumpTargetMissing, name);
+  }
+  return std::nullopt;
+}
+
+/// Where a level waits for the program that it called.
+source::Location Runner::place_of_call(std::size_t which) const {
+  const Level& level = *levels_[which];
+  const auto step = static_cast<std::size_t>(std::max(level.step - 1, 0));
+  return {level.program->file, level.program->spans[step].widened()};
+}
+
+/// The level whose block an alarm shows.  DISPLOF hides the blocks of its program behind the call;
+/// ACTBLOCNO shows the block itself, of programs with DISPLOF that it calls, too.
+std::size_t Runner::shown_level() const {
+  std::size_t which = depth_;
+  for (; which > 0 && levels_[which]->program->hides_blocks; --which) {
+    if (levels_[which]->program->shows_actual_block) {
+      return depth_;
+    }
+  }
+  return which;
+}
+
+source::Location Runner::here() const {
+  const CompiledProgram& program = *levels_[depth_]->program;
+  return {program.file, program.spans[static_cast<std::size_t>(current_)].widened()};
+}
+
+runtime::Outcome Runner::outcome_of(const Failure& failure) {
+  const AlarmInfo& row = info(failure.id);
+  runtime::StopReason reason;
+  reason.status = failure.status;
+  reason.number = failure.number != 0 ? failure.number : row.number;
+  reason.text = failure.text.empty() ? std::string(row.text) : source::as_utf8(failure.text);
+  reason.detail = failure.detail;
+  reason.remedy = row.remedy;
+  const auto place_in = [&](std::size_t which) {
+    return which == depth_ ? failure.where.value_or(here()) : place_of_call(which);
+  };
+  const std::size_t shown = shown_level();
+  reason.where = place_in(shown);
+  for (std::size_t i = depth_; i > shown; --i) {
+    reason.inside.push_back({levels_[i]->program->name, place_in(i)});
+  }
+  for (std::size_t i = shown; i > 0; --i) {
+    reason.calls.push_back({levels_[i - 1]->program->name, place_in(i - 1)});
+  }
+  runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
+  channel_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
+  outcome.diagnostics.clear();
+  return outcome;
+}
+
+/// Runs blocks on the lowest level, whose variables stay as the main program left them.
+MaybeFailure Runner::run_among(const CompiledProgram& program) {
+  depth_ = 0;
+  if (level().program == nullptr) {
+    start(program);
+  }
+  const CompiledProgram* const before = level().program;
+  level().program = &program;
+  level().step = 0;
+  level().parts.clear();
+  level().waiting.clear();
+  words_.clear();
+  ended_ = false;
+  use_level();
+  MaybeFailure reason = loop();
+  level().program = before;
+  return reason;
+}
+
+const CompiledProgram& Runner::home() const {
+  static const CompiledProgram kNowhere;
+  return levels_.front()->program != nullptr ? *levels_.front()->program : kNowhere;
+}
+
+std::optional<std::string> Runner::run_text(const std::string& source) {
+  const CompiledProgram* const program = library_.snippet(source, home());
+  level().program = level().program == nullptr ? program : level().program;
+  const MaybeFailure reason = run_among(*program);
+  return reason ? std::optional(fmt::format("{} {}", info(reason->id).text, reason->detail))
+                : std::nullopt;
+}
+
+void Runner::run_before(const CompiledProgram& program) {
+  // Data are lines without jumps: these are more than any archive has.
+  constexpr runtime::Budget kMost = {1'000'000, 10.0};
+  if (early_failure_) {
+    return;
+  }
+  channel_.budget = runtime::BudgetWatch(kMost);
+  start(program);
+  if (const MaybeFailure reason = loop()) {
+    early_failure_ = outcome_of(*reason);
+  }
+  if (!program.unknown_data.empty()) {
+    channel_.diagnostics.push_back(unknown_data_note(program));
+  }
+  channel_.budget = runtime::BudgetWatch(runtime::Budget{});
+  *levels_.front() = Level();
+}
+
+Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {
+  const CompiledProgram* const main = has_run_ ? nullptr : library_.main_program();
+  const CompiledProgram* const program =
+      library_.expression(expression, main != nullptr ? *main : home());
+  if (main != nullptr) {
+    start(*program);
+  }
+  if (const MaybeFailure reason = run_among(*program)) {
+    return fmt::format("{} {}", info(reason->id).text, reason->detail);
+  }
+  ShownValue shown;
+  shown.type = program->result.type;
+  const CompiledProgram* const before = level().program;
+  level().program = program;
+  use_level();
+  if (shown.type == Type::String) {
+    shown.text = text(program->result.value);
+  } else if (is_held_as_number(shown.type)) {
+    shown.number = without_sign_of_zero(number(program->result.value));
+  }
+  level().program = before;
+  return shown.type == Type::Frame || shown.type == Type::None
+             ? Result<ShownValue, std::string>(std::string("is no single value"))
+             : shown;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,214 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/state/channel.h"
+#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
+#include "interpreter/dialects/sinumerik/state/level.h"
+#include "interpreter/dialects/sinumerik/code/library.h"
+#include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
+#include "interpreter/dialects/sinumerik/text/text_format.h"
+#include "interpreter/runtime/outcome.h"
+
+namespace g31::sinumerik {
+
+/// A value as --print shows it.
+struct ShownValue {
+  Type type = Type::None;
+  double number = 0.0;
+  std::string text;
+};
+
+/// The name under which a program's file is kept: the path without its folders; "" when the path
+/// names none, or leads out of the control's memory.
+std::string file_name(std::string_view path);
+
+/// Steps through compiled programs: numbers, texts, jumps and calls.  What NC blocks command is
+/// done in execute/, what system variables show in system/.
+class Runner {
+ public:
+  Runner(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer);
+
+  runtime::Outcome run(const runtime::Budget& budget);
+
+  /// Runs `text` on its own, among the variables of the main program.  @returns why it failed
+  std::optional<std::string> run_text(const std::string& text);
+  /// The value of an expression after a run; before it local variables have their first values.
+  Result<ShownValue, std::string> value_of(const std::string& expression);
+
+  /// Sets the initial values of a definition file, or runs an INI file.  The outcome of the next
+  /// run says what went wrong first.
+  void run_before(const CompiledProgram& program);
+
+  Channel& channel() { return channel_; }
+
+ private:
+  enum class Taken { Done, NotMine, Failed };
+  using Arguments = std::span<const Argument>;
+
+  // runner.cc
+  [[nodiscard]] bool skips(int which) const;
+  MaybeFailure run_among(const CompiledProgram& program);
+  [[nodiscard]] const CompiledProgram& home() const;
+  void start(const CompiledProgram& program);
+  MaybeFailure begin_window();
+  MaybeFailure take_no_arguments();
+  MaybeFailure loop();
+  MaybeFailure other_step(const Op& op);
+  MaybeFailure value_step(const Op& op);
+  bool begins(const Op& op);
+  MaybeFailure block(const Op& op);
+  MaybeFailure nc_block(const Op& op);
+  MaybeFailure jump_to_text(const Op& op);
+  bool at_end_of_part(std::int32_t step);
+  MaybeFailure repeat_part(const Op& op);
+  Level& level() { return *levels_[depth_]; }
+  void use_level();
+  runtime::Outcome outcome_of(const Failure& failure);
+  [[nodiscard]] std::size_t shown_level() const;
+  [[nodiscard]] source::Location place_of_call(std::size_t which) const;
+  [[nodiscard]] source::Location here() const;
+  MaybeFailure from_step();
+
+  // run_numbers.cc
+  const Op& number_steps();
+  bool number_step(const Op& op);
+  bool rare_number_step(const Op& op);
+  bool mathematical_step(const Op& op);
+  bool take(const Op& op, double value);
+  bool take_truth(const Op& op, bool holds);
+  [[nodiscard]] bool is_less(double a, double b) const;
+  bool take_whole(const Op& op, Type type, AlarmId alarm);
+  bool is_within_limits(const Op& op);
+  [[nodiscard]] static MaybeFailure beyond_limits(const Variable& into, double value);
+  Taken array_step(const Op& op);
+  bool failed(AlarmId id, std::string detail = {});
+  bool index(const Op& op);
+  Reference variable(std::int32_t which);
+  double& number(Operand place) {
+    return banks_[static_cast<std::size_t>(place.bank)][place.place];
+  }
+  std::string& text(Operand place);
+  Frame& frame(Operand place);
+
+  // run_texts.cc
+  Taken text_step(const Op& op);
+  Taken frame_step(const Op& op);
+  bool store_text(const Op& op);
+  bool fill(const Op& op);
+  bool repeat_value(const Op& op);
+  bool set_element(const Reference& target, std::int32_t element, const Argument& value);
+  Arguments arguments_of(const Op& op);
+
+  // run_functions.cc
+  MaybeFailure call_function(const Op& op);
+  MaybeFailure text_function(FunctionId id, const Op& op, Arguments list);
+  MaybeFailure search_function(FunctionId id, const Op& op, Arguments list);
+  MaybeFailure frame_function(FunctionId id, const Op& op, Arguments list);
+  MaybeFailure frame_of_pairs(FunctionId id, Frame& result, Arguments list);
+  MaybeFailure sprint_function(const Op& op, Arguments list);
+  MaybeFailure modulo_place(const Op& op, Arguments list);
+  bool is_variable(std::string_view name);
+
+  // run_tools.cc
+  MaybeFailure tool_function(FunctionId id, const Op& op, Arguments list);
+  MaybeFailure new_tool(const Op& op, const std::string& name, double duplo);
+  MaybeFailure delete_tool(Arguments list);
+  MaybeFailure select_named_tool(Arguments list);
+  double tool_named(Arguments list);
+
+  // run_geometry.cc
+  MaybeFailure circle_function(const Op& op, Arguments list);
+  MaybeFailure measured_frame(Frame& result, Arguments list);
+
+  // run_calls.cc
+  MaybeFailure call(const Op& op);
+  [[nodiscard]] ProgramLibrary::Near near() const;
+  Result<const CompiledProgram*, Failure> called(const CallSite& site);
+  Result<const CompiledProgram*, Failure> written_program(std::string_view name);
+  std::vector<BoundValue> bound(const CallSite& site);
+  MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
+  MaybeFailure take_arguments(Level& into, const std::vector<BoundValue>& values);
+  MaybeFailure take_argument(Level& into, const Parameter& parameter, const BoundValue& value);
+  MaybeFailure take_value(Level& into, const Variable& variable, const BoundValue& value);
+  MaybeFailure take_reference(Level& into, const Variable& variable, const BoundValue& value);
+  struct ReturnTarget {
+    std::string label;  ///< or N and a number; empty: behind the call
+    bool behind = false;
+    std::size_t levels = 1;
+  };
+  Result<ReturnTarget, Failure> return_target(const Op& op);
+  MaybeFailure return_from(const Op& op);
+  MaybeFailure go_on_at(const ReturnTarget& target);
+  MaybeFailure end_program();
+  void end_text();
+  void leave_level();
+  MaybeFailure modal_call();
+  void save_codes(Level& into);
+  void restore_codes(const Level& from);
+
+  // run_procedures.cc
+  MaybeFailure procedure(const Op& op);
+  MaybeFailure set_alarm(Arguments list);
+  MaybeFailure execute_text(const std::string& source);
+  MaybeFailure set_feed_axes(Arguments list);
+
+  // run_files.cc
+  MaybeFailure file_procedure(ProcedureId id, Arguments list);
+  double write_file(Arguments list);
+  double delete_file(Arguments list);
+  double read_file(Arguments list);
+  double open_external(Arguments list);
+  double write_external(Arguments list);
+  double close_external(Arguments list);
+  MaybeFailure set_result(const Argument& target, double value);
+
+  // run_words.cc
+  MaybeFailure take_word(const Op& op);
+  MaybeFailure take_axis_word(const Op& op);
+  MaybeFailure take_axis_setting(const BlockWords::AxisSetting& setting);
+  MaybeFailure take_axis_measuring(const Op& op);
+  MaybeFailure check_spindle(const Op& op);
+  MaybeFailure take_skip_action(const Op& op);
+  bool set_word(std::size_t address, double value, Modification modification = Modification::None);
+  MaybeFailure execute(const Op& op);
+
+  // run_system.cc
+  MaybeFailure read_system(const Op& op);
+  MaybeFailure write_system(const Op& op);
+
+  ProgramLibrary& library_;
+  /// What EXECSTRING compiled, by program and text.
+  std::map<std::pair<const CompiledProgram*, std::string>, const CompiledProgram*> texts_run_;
+  /// The same of files that the run wrote, by name and text.
+  std::map<std::pair<std::string, std::string>, const CompiledProgram*> written_;
+  Channel channel_;
+  std::vector<std::unique_ptr<Level>> levels_;
+  std::size_t depth_ = 0;
+  double* banks_[4] = {};
+  std::vector<double> number_temporaries_;
+  std::vector<std::string> text_temporaries_;
+  std::vector<Frame> frame_temporaries_;
+  std::int32_t current_ = 0;  ///< the step being done
+  MaybeFailure fault_;        ///< why the step failed that is being done
+  BlockWords words_;
+  struct ModalCall {
+    const CompiledProgram* program = nullptr;
+    std::vector<BoundValue> values;
+    std::size_t depth = 0;  ///< of the level that said MCALL
+  };
+  std::optional<ModalCall> modal_call_;
+  /// What calls by name have found: programs stay, so it counts until CALLPATH.
+  std::unordered_map<const CallSite*, const CompiledProgram*> found_calls_;
+  bool ended_ = false;
+  bool has_run_ = false;  ///< the main program
+  std::optional<runtime::Outcome> early_failure_;
+};
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/code/library.h"
+#include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/observer.h"
+#include "interpreter/runtime/outcome.h"
+#include "interpreter/runtime/shown_value.h"
+#include "machine/port/machine_port.h"
+
+namespace g31::sinumerik {
+
+/// What --control calls it.
+inline constexpr std::string_view kControlName = "sinumerik-828d";
+
+class Runner;
+
+/// A SINUMERIK control with its programs, ready to run one of them.
+class Session {
+ public:
+  /// All three must outlive the session.
+  Session(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// Takes over a set-up.  @returns what in it this control cannot understand; empty: all of it
+  std::vector<std::string> configure(const runtime::ControlSetup& setup);
+
+  /// Runs the library's main program to its end.
+  runtime::Outcome run(const runtime::Budget& budget);
+
+  /// The value of what `--print` names, any expression of the language; the reason when there is
+  /// none.  Local variables are those of the main program; before the run they have their first
+  /// values.
+  Result<runtime::ShownValue, std::string> variable(const std::string& name);
+
+  /// R parameters, GUD and data that differ from what they are after power on and loading: numbers
+  /// by the name that a program writes.  Texts, frames and tools are not among them: the sheet says
+  /// those.
+  [[nodiscard]] std::map<std::string, double> permanent_variables() const;
+
+  /// The files that READ, WRITE and DELETE find, by name.
+  void give_files(const std::map<std::string, std::string>& files);
+  [[nodiscard]] const std::map<std::string, std::string>& files() const;
+
+ private:
+  const ProgramLibrary& library_;
+  std::unique_ptr<Runner> runner_;
+  std::vector<double> numbers_at_start_;  ///< as definition and INI files leave them
+};
+
+}  // namespace g31::sinumerik

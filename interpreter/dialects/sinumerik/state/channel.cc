@@ -1,0 +1,237 @@
+#include "interpreter/dialects/sinumerik/state/channel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace g31::sinumerik {
+namespace {
+
+bool is_length(Component component) {
+  return component == Component::Coarse || component == Component::Fine;
+}
+
+constexpr int kInch = 1;            // numbers of group 13
+constexpr int kInchAndFeed = 3;     // G700
+constexpr int kDiameterAlways = 2;  // numbers of group 29
+constexpr int kDiameterAbsolute = 3;
+constexpr std::size_t kLength1 = 3;  // of $TC_DP
+constexpr std::size_t kRadius = 6;
+constexpr std::size_t kRadiusWear = 15;
+constexpr std::size_t kAdapter1 = 21;
+constexpr std::size_t kWear1 = 12;
+
+}  // namespace
+
+void BlockWords::set(std::size_t address, double value, Modification modification) {
+  if (!words[address].present) {
+    set_[set_count_++] = static_cast<std::uint8_t>(address);
+  }
+  // Part by part: a Word that is copied as a whole costs the wait for its parts.
+  words[address].value = value;
+  words[address].modification = modification;
+  words[address].present = true;
+  ++words[address].times;
+}
+
+void BlockWords::measure_axis(std::size_t axis, const AxisMeasuring& measuring) {
+  axis_measuring[axis] = measuring;
+  has_axis_measuring = true;
+}
+
+void BlockWords::position_axis(std::size_t axis, const Word& word) {
+  positioning[axis] = word;
+  has_positioning = true;
+}
+
+void BlockWords::clear() {
+  for (std::size_t i = 0; i < set_count_; ++i) {
+    words[set_[i]] = {};
+  }
+  set_count_ = 0;
+  machine_code_count = 0;
+  tool_name.reset();
+  if (has_axis_measuring) {
+    axis_measuring = {};
+    has_axis_measuring = false;
+  }
+  if (has_positioning) {
+    positioning = {};
+    has_positioning = false;
+  }
+  axis_settings.clear();
+}
+
+bool BlockWords::has_axes() const {
+  return std::any_of(words.begin(), words.begin() + kAxisCount,
+                     [](const Word& word) { return word.present; });
+}
+
+Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals)
+    : numbers(globals.initial_numbers()),
+      texts(static_cast<std::size_t>(globals.text_count())),
+      frames(static_cast<std::size_t>(globals.frame_count())),
+      settable(kSettableFrames),
+      port(machine),
+      observer(listener),
+      frame_save_mask_(static_cast<std::size_t>(globals.find("$MN_FRAME_SAVE_MASK")->place)),
+      program_function_mask_(
+          static_cast<std::size_t>(globals.find("$MN_PROG_FUNCTION_MASK")->place)) {
+  for (int i = 0; i < kGroupCount; ++i) {
+    group[static_cast<std::size_t>(i)] = preset_number(i);
+  }
+  group[9] = group[11] = group[2] = group[3] = 0;
+}
+
+Plane Channel::plane() const {
+  switch (group[6]) {
+    case 2:
+      return {2, 0, 1};  // G18: Z X
+    case 3:
+      return {1, 2, 0};  // G19: Y Z
+    default:
+      return {0, 1, 2};
+  }
+}
+
+double Channel::mm_per_length() const {
+  return mm_per(group[13] == kInch || group[13] == kInchAndFeed ? LengthUnit::Inch
+                                                                : LengthUnit::Millimetre);
+}
+
+double Channel::mm_per_feed() const {
+  return mm_per(group[13] == kInchAndFeed ? LengthUnit::Inch : LengthUnit::Millimetre);
+}
+
+double Channel::stored(int axis, double value) const {
+  return axis < 3 ? value * mm_per_length() : value;
+}
+
+double Channel::shown(int axis, double value) const {
+  return axis < 3 ? value / mm_per_length() : value;
+}
+
+double Channel::stored_component(int axis, Component component, double value) const {
+  return is_length(component) ? stored(axis, value) : value;
+}
+
+double Channel::shown_component(int axis, Component component, double value) const {
+  return is_length(component) ? shown(axis, value) : value;
+}
+
+double Channel::stored_place(int axis, double value, Counts counts) const {
+  const bool doubled =
+      axis == kTransverseAxis && (group[29] == kDiameterAlways ||
+                                  (group[29] == kDiameterAbsolute && counts == Counts::Absolute));
+  return stored(axis, doubled ? value / 2.0 : value);
+}
+
+double Channel::shown_place(int axis, double value) const {
+  const bool doubled =
+      axis == kTransverseAxis && (group[29] == kDiameterAlways || group[29] == kDiameterAbsolute);
+  return shown(axis, doubled ? value * 2.0 : value);
+}
+
+bool Channel::keeps_settable_frame() const {
+  return (std::lround(numbers[frame_save_mask_]) & 1) != 0;
+}
+
+bool Channel::orders_exactly() const {
+  return (std::lround(numbers[program_function_mask_]) & 1) != 0;
+}
+
+Frame Channel::frames_below() const {
+  return set_frame.chained(base).chained(settable_now);
+}
+
+Frame Channel::active_frame() const {
+  switch (suppression) {
+    case 1:  // G53
+      return set_frame.chained(base);
+    case 2:  // SUPA
+    case 3:  // G153
+      return {};
+    default:
+      return frames_below().chained(program_frame);
+  }
+}
+
+Tool* Channel::find_tool(int number) {
+  const auto found = tools.find(number);
+  return found != tools.end() ? &found->second : nullptr;
+}
+
+Tool* Channel::tool_to_write(int number) {
+  if (loads_data && number > 0) {
+    knows_tools = true;
+    return &tools[number];
+  }
+  return find_tool(number);
+}
+
+EdgeData* Channel::find_edge(int number, int which) {
+  Tool* const found = find_tool(number);
+  if (found == nullptr) {
+    return nullptr;
+  }
+  const auto row = found->edges.find(which);
+  return row != found->edges.end() ? &row->second : nullptr;
+}
+
+double Channel::tool_radius() const {
+  const EdgeData* const data = active_edge();
+  return data != nullptr
+             ? (*data)[kRadius] + (*data)[kRadiusWear] + additive_now[kRadius - kLength1]
+             : 0.0;
+}
+
+/// Length 1 counts square to the plane, 2 and 3 in its axes: G17 Z Y X, G18 Y X Z, G19 X Z Y.
+AxisPositions Channel::tool_offset() const {
+  AxisPositions offset = AxisPositions::Zero();
+  const EdgeData* const data = active_edge();
+  if (data == nullptr) {
+    return offset;
+  }
+  const Plane now = plane();
+  const int axes[] = {now.normal, now.second, now.first};
+  for (std::size_t i = 0; i < 3; ++i) {
+    offset[axes[i]] =
+        (*data)[kLength1 + i] + (*data)[kWear1 + i] + (*data)[kAdapter1 + i] + additive_now[i];
+  }
+  return offset;
+}
+
+AxisPositions Channel::to_machine(const AxisPositions& q_W) const {
+  if (suppression != 0) {
+    return active_frame().apply(q_W) + tool_offset();
+  }
+  if (!placement_) {
+    placement_ = {active_frame(), tool_offset()};
+  }
+  return placement_->frame.apply(q_W) + placement_->offset;
+}
+
+AxisPositions Channel::to_work(const AxisPositions& q_M) const {
+  return active_frame().undo(q_M - tool_offset());
+}
+
+AxisPositions Channel::present() {
+  return is_stale_ ? to_work(machine_position()) : q_W_programmed_;
+}
+
+AxisPositions Channel::machine_position() const {
+  return cutter.path.engaged() || corners.path.holds() ? q_M_programmed_ : port.position();
+}
+
+void Channel::arrived_at_programmed(const AxisPositions& q_W, const AxisPositions& q_M) {
+  q_W_programmed_ = q_W;
+  q_M_programmed_ = q_M;
+  is_stale_ = suppression != 0;
+}
+
+void Channel::arrived_at_machine() {
+  q_M_programmed_ = port.position();
+  q_W_programmed_ = to_work(q_M_programmed_);
+  is_stale_ = suppression != 0;
+}
+
+}  // namespace g31::sinumerik

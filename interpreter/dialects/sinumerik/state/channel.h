@@ -1,0 +1,252 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/state/failure.h"
+#include "interpreter/dialects/sinumerik/state/frame.h"
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+#include "interpreter/dialects/sinumerik/code/globals.h"
+#include "interpreter/dialects/sinumerik/state/motion_state.h"
+#include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
+#include "interpreter/dialects/sinumerik/vocabulary/words.h"
+#include "interpreter/runtime/budget_watch.h"
+#include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/observer.h"
+#include "machine/port/machine_port.h"
+#include "machine/units/length_unit.h"
+
+namespace g31::sinumerik {
+
+/// $TC_DP1.. of one cutting edge, by number.
+using EdgeData = std::array<double, 26>;
+
+struct Tool {
+  std::string name;
+  double duplo = 1.0;
+  double state = 2.0;  ///< bit 1: released
+  std::map<int, EdgeData> edges;
+  std::map<int, double> teeth;  ///< $TC_DPNT
+
+  /// A datum that is only kept, or that few tools have: $TC_SCPn, $TC_MOPn, $TC_TPn.
+  struct Datum {
+    SystemId id = SystemId::ToolDatum;
+    int edge = 0;  ///< 0: of the tool
+    int number = 0;
+    friend auto operator<=>(const Datum&, const Datum&) = default;
+  };
+  std::map<Datum, double> more;
+  /// 0: never written
+  [[nodiscard]] double datum(const Datum& which) const {
+    const auto found = more.find(which);
+    return found != more.end() ? found->second : 0.0;
+  }
+};
+
+/// The words of one NC block.
+struct BlockWords {
+  struct Word {
+    double value = 0.0;
+    Modification modification = Modification::None;
+    bool present = false;
+    std::uint8_t times = 0;  ///< it stands in the block
+  };
+  /// MEASA[axis] and MEAWA[axis]
+  struct AxisMeasuring {
+    double mode = 0.0;
+    double trigger = 0.0;  ///< probe 1 or 2, minus: falling edge
+    bool goes_on = false;  ///< MEAWA
+  };
+  /// FA[axis], ACC[axis] and the like
+  struct AxisSetting {
+    AxisWordId word = AxisWordId::AxisFeed;
+    int axis = 0;  ///< or kSpindleAxis
+    double value = 0.0;
+  };
+  std::array<Word, index_of(Address::Count)> words;
+  std::array<double, kMostMachineCodes> machine_codes = {};
+  std::size_t machine_code_count = 0;
+  std::optional<std::string> tool_name;
+  std::array<std::optional<AxisMeasuring>, kAxisCount> axis_measuring;
+  bool has_axis_measuring = false;
+  std::array<Word, kAxisCount> positioning;  ///< POS[axis] and POSA[axis]
+  bool has_positioning = false;
+  std::vector<AxisSetting> axis_settings;
+
+  void set(std::size_t address, double value, Modification modification);
+  void measure_axis(std::size_t axis, const AxisMeasuring& measuring);
+  void position_axis(std::size_t axis, const Word& word);
+  /// As new.  Only what was set is touched: most blocks have few words.
+  void clear();
+  [[nodiscard]] const Word& operator[](Address address) const { return words[index_of(address)]; }
+  [[nodiscard]] bool has(Address address) const { return words[index_of(address)].present; }
+  [[nodiscard]] const Word& axis(int index) const { return words[static_cast<std::size_t>(index)]; }
+  [[nodiscard]] bool has_axes() const;
+
+ private:
+  std::array<std::uint8_t, index_of(Address::Count)> set_ = {};  ///< addresses of `words`
+  std::size_t set_count_ = 0;
+};
+
+/// Plane by storage indices; `normal` is the infeed axis.
+struct Plane {
+  int first = 0;
+  int second = 1;
+  int normal = 2;
+};
+
+/// The state of one channel of the control: everything a program can read or change, except its
+/// local variables.
+class Channel {
+ public:
+  Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals);
+
+  // Global variables, by their places.
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  std::vector<Frame> frames;
+
+  // Modal state
+  std::array<int, kGroupCount> group = {};  ///< number within the group
+  double feed = 0.0;                        ///< as programmed
+  Spindle spindle;
+  AxisSettings axis_settings;
+  double master_spindle = 1.0;
+  [[nodiscard]] Plane plane() const;
+  [[nodiscard]] double mm_per_length() const;
+  [[nodiscard]] double mm_per_feed() const;
+  /// A coordinate as programs write it, in mm or degrees; and back.
+  [[nodiscard]] double stored(int axis, double value) const;
+  [[nodiscard]] double shown(int axis, double value) const;
+  /// The same of a frame's component: shifts are lengths.
+  [[nodiscard]] double stored_component(int axis, Component component, double value) const;
+  [[nodiscard]] double shown_component(int axis, Component component, double value) const;
+  /// The same for places in the work coordinate system, where DIAMON counts.
+  enum class Counts { Absolute, Incremental };
+  [[nodiscard]] double stored_place(int axis, double value, Counts counts) const;
+  [[nodiscard]] double shown_place(int axis, double value) const;
+
+  // Frames
+  static constexpr int kSettableFrames = 100;  ///< 0 is G500
+  /// What the control keeps: $P_UIFR, $P_CHBFR and $P_SETFR.
+  std::vector<Frame> settable;
+  Frame stored_base;
+  Frame stored_set_frame;
+  /// What G500 to G599 took of them when programmed last: $P_IFRAME, $P_BFRAME and $P_SETFRAME.
+  Frame settable_now;
+  Frame base;
+  Frame set_frame;
+  Frame program_frame;
+  Eigen::Matrix3d tool_turn = Eigen::Matrix3d::Identity();  ///< what TOROT or TOFRAME made of it
+  int suppression = 0;  ///< number in group 9 of the running block
+  [[nodiscard]] int settable_number() const { return group[8] - 1; }
+  /// G500 to G599, programmed or restored: the stored frames come into force.
+  void take_stored_frames() {
+    settable_now = settable[static_cast<std::size_t>(settable_number())];
+    base = stored_base;
+    set_frame = stored_set_frame;
+    frames_changed();
+  }
+  /// MD10617 bit 0: SAVE restores the settable frame, too.
+  [[nodiscard]] bool keeps_settable_frame() const;
+  /// Whether > and < make a difference where == makes none ($MN_PROG_FUNCTION_MASK).
+  [[nodiscard]] bool orders_exactly() const;
+  /// All frames but the programmable one, outermost first.
+  [[nodiscard]] Frame frames_below() const;
+  /// All frames in force, outermost first.
+  [[nodiscard]] Frame active_frame() const;
+  /// Something changed that positions depend on: work coordinates are to be asked for again.
+  void frames_changed() {
+    is_stale_ = true;
+    placement_.reset();
+  }
+
+  // Tools
+  std::map<int, Tool> tools;
+  bool knows_tools = false;  ///< the set-up sheet or an INI file has some
+  bool loads_data = false;   ///< of an INI file: data of a new tool make it
+  int selected_tool = 0;
+  int tool = 0;
+  int edge = 0;
+  int additive = 0;                  ///< DL
+  std::optional<EdgeData> edge_now;  ///< its data when D or M6 took them
+  [[nodiscard]] const EdgeData* active_edge() const { return edge_now ? &*edge_now : nullptr; }
+  /// mm, wear included; 0 without an edge
+  [[nodiscard]] double tool_radius() const;
+  /// mm: what the active edge adds to the machine coordinates.
+  [[nodiscard]] AxisPositions tool_offset() const;
+  std::array<double, 4> additive_now = {};  ///< mm, what DL added to parameters 3 to 6 of the edge
+  /// nullptr: no such tool, or no such edge
+  Tool* find_tool(int number);
+  Tool* tool_to_write(int number);
+  EdgeData* find_edge(int number, int which);
+
+  // Positions, mm and degrees
+  [[nodiscard]] AxisPositions to_machine(const AxisPositions& q_W) const;
+  [[nodiscard]] AxisPositions to_work(const AxisPositions& q_M) const;
+  /// Where the axes stand, in work coordinates: what an axis that is not programmed keeps.
+  AxisPositions present();
+  /// The end that the program wrote last: what incremental words count from.
+  [[nodiscard]] const AxisPositions& programmed() const { return q_W_programmed_; }
+  /// The same place in work and in machine coordinates.
+  void arrived_at_programmed(const AxisPositions& q_W, const AxisPositions& q_M);
+  void arrived_at_machine();
+  /// Where the program has the axes: with a block that waits for the next one as if it were done.
+  [[nodiscard]] AxisPositions machine_position() const;
+
+  // Motion
+  Pole pole;
+  WorkingArea working_area;
+  MachinePoints points;
+  CornerStage corners;
+  CutterStage cutter;
+  std::optional<HeldLine> held_line;
+  /// Of any length along the end of the last path, machine coordinates; 0: there was none.
+  Eigen::Vector3d along_M_end = Eigen::Vector3d::Zero();
+
+  // Measuring
+  static constexpr int kMostProbes = 8;
+  AxisPositions q_M_measured = AxisPositions::Zero();
+  AxisPositions q_W_measured = AxisPositions::Zero();
+  std::array<bool, kMostProbes + 1> measured = {};  ///< by probe, from 1
+  /// WHEN $A_PROBE[n]==level DO DELDTG, for the next move.
+  struct SkipAction {
+    int probe = 1;
+    machine::SignalEdge edge = machine::SignalEdge::Rising;
+  };
+  std::optional<SkipAction> skip_action;
+
+  Clocks clocks;
+
+  // Outside world
+  std::map<std::string, std::string> files;  ///< what WRITE, READ and EXTWRITE work on
+  std::set<std::string> open_files;          ///< EXTOPEN
+  std::string call_path;
+  std::set<int> block_skip;  ///< switches that are on
+  runtime::FeedSwitches feed_switches;
+  std::vector<source::Diagnostic> diagnostics;
+  runtime::BudgetWatch budget{runtime::Budget{}};
+  machine::MachinePort& port;
+  runtime::Observer& observer;
+
+ private:
+  /// What turns work coordinates into those of the machine.
+  struct Placement {
+    Frame frame;
+    AxisPositions offset;
+  };
+
+  std::size_t frame_save_mask_;        ///< place of MD10617
+  std::size_t program_function_mask_;  ///< place of MD10280
+  bool is_stale_ = false;
+  mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed
+  AxisPositions q_W_programmed_ = AxisPositions::Zero();
+  AxisPositions q_M_programmed_ = AxisPositions::Zero();
+};
+
+}  // namespace g31::sinumerik

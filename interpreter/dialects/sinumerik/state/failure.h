@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "interpreter/dialects/sinumerik/vocabulary/alarms.h"
+#include "interpreter/runtime/outcome.h"
+#include "interpreter/source/diagnostic.h"
+#include "interpreter/source/location.h"
+
+namespace g31::sinumerik {
+
+/// Why a block could not be executed.
+struct Failure {
+  AlarmId id = AlarmId::SyntaxInText;
+  std::string detail;
+  runtime::Status status = runtime::Status::Alarm;
+  /// 0: the row's own; SETAL gives its number; with Setup and Budget: the DiagnosticId.
+  int number = 0;
+  std::string text;                            ///< empty: the row's own
+  std::optional<source::Location> where = {};  ///< of another block than the running one
+};
+
+/// nullopt: all went well.
+using MaybeFailure = std::optional<Failure>;
+
+inline Failure failure(AlarmId id, std::string detail = {}) {
+  Failure reason;
+  reason.id = id;
+  reason.detail = std::move(detail);
+  return reason;
+}
+
+/// The wall time of the budget is spent.
+inline Failure out_of_time() {
+  Failure reason;
+  reason.status = runtime::Status::Budget;
+  reason.number = static_cast<int>(source::DiagnosticId::BudgetTime);
+  return reason;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,156 @@
+#include "interpreter/dialects/sinumerik/state/frame.h"
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
+#include "machine/base/contract.h"
+#include "machine/units/units.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr double kAngleSteps = 1e11;  // per degree
+
+double sine(double degrees) {
+  return mathematics(FunctionId::SIN, degrees, 0.0).value_or(0.0);
+}
+double cosine(double degrees) {
+  return mathematics(FunctionId::COS, degrees, 0.0).value_or(0.0);
+}
+
+/// About one axis; quarter turns are exact.
+Eigen::Matrix3d about(int axis, double degrees) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  const int a = (axis + 1) % 3;
+  const int b = (axis + 2) % 3;
+  turn(a, a) = turn(b, b) = cosine(degrees);
+  turn(b, a) = sine(degrees);
+  turn(a, b) = -turn(b, a);
+  return turn;
+}
+
+}  // namespace
+
+AxisPositions Frame::factors() const {
+  return scale_.cwiseProduct(mirror_);
+}
+
+AxisPositions Frame::apply(const AxisPositions& q) const {
+  AxisPositions outer = factors().cwiseProduct(q);
+  if (!turn_.isIdentity(0.0)) {
+    outer.head<3>() = (turn_ * outer.head<3>()).eval();
+  }
+  return outer + coarse_ + fine_;
+}
+
+AxisPositions Frame::undo(const AxisPositions& q) const {
+  AxisPositions inner = q - coarse_ - fine_;
+  if (!turn_.isIdentity(0.0)) {
+    inner.head<3>() = turn_.inverse() * inner.head<3>().eval();
+  }
+  return inner.cwiseQuotient(factors());
+}
+
+Frame Frame::chained(const Frame& inner) const {
+  Frame all;
+  const AxisPositions q_origin = apply(AxisPositions::Zero());
+  all.coarse_ = coarse_ + apply(inner.coarse_) - q_origin;
+  all.fine_ = fine_ + apply(inner.fine_) - q_origin;
+  const Eigen::Vector3d mine = factors().head<3>();
+  all.turn_ = turn_ * mine.asDiagonal() * inner.turn_ * mine.cwiseInverse().asDiagonal();
+  all.scale_ = scale_.cwiseProduct(inner.scale_);
+  all.mirror_ = mirror_.cwiseProduct(inner.mirror_);
+  return all;
+}
+
+Frame Frame::inverse() const {
+  Frame back;
+  back.coarse_ = undo(AxisPositions::Zero());
+  const Eigen::Vector3d mine = factors().head<3>();
+  back.turn_ = mine.cwiseInverse().asDiagonal() * turn_.inverse() * mine.asDiagonal();
+  back.scale_ = scale_.cwiseInverse();
+  back.mirror_ = mirror_;
+  return back;
+}
+
+Eigen::Vector3d Frame::angles() const {
+  const double x = std::atan2(turn_(2, 1), turn_(2, 2));
+  const double y = std::atan2(-turn_(2, 0), std::hypot(turn_(0, 0), turn_(1, 0)));
+  const double z = std::atan2(turn_(1, 0), turn_(0, 0));
+  return Eigen::Vector3d(x, y, z) * (180.0 / std::numbers::pi);
+}
+
+void Frame::set_angles(const Eigen::Vector3d& degrees) {
+  turn_ = about(2, degrees.z()) * about(1, degrees.y()) * about(0, degrees.x());
+}
+
+void Frame::set_solid_angles(int first, double about_first, double about_second) {
+  const int second = (first + 1) % 3;
+  const int third = (first + 2) % 3;
+  turn_.col(first) = about(second, about_second).col(first);
+  const Eigen::Vector3d trace = about(first, about_first).col(second);
+  turn_.col(third) = Eigen::Vector3d(turn_.col(first)).cross(trace).normalized();
+  turn_.col(second) = Eigen::Vector3d(turn_.col(third)).cross(Eigen::Vector3d(turn_.col(first)));
+}
+
+void Frame::add_fine_shift(const AxisPositions& inner) {
+  fine_ += apply(inner) - apply(AxisPositions::Zero());
+}
+
+bool operator==(const Frame& a, const Frame& b) {
+  constexpr Component kAll[] = {Component::Coarse, Component::Fine, Component::Rotation,
+                                Component::Scale, Component::Mirror};
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    for (const Component component : kAll) {
+      if (a.component(axis, component) != b.component(axis, component)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+double Frame::component(int axis, Component component) const {
+  switch (component) {
+    case Component::Coarse:
+      return coarse_[axis];
+    case Component::Fine:
+      return fine_[axis];
+    case Component::Rotation:
+      // The control keeps angles, this frame a matrix: 45 is to be read as 45.
+      return axis < 3 ? std::round(angles()[axis] * kAngleSteps) / kAngleSteps : 0.0;
+    case Component::Scale:
+      return scale_[axis];
+    case Component::Mirror:
+      return mirror_[axis] < 0.0 ? 1.0 : 0.0;
+  }
+  contract_violated("every component has a value", __FILE__, __LINE__);
+}
+
+void Frame::set_component(int axis, Component component, double value) {
+  switch (component) {
+    case Component::Coarse:
+      coarse_[axis] = value;
+      return;
+    case Component::Fine:
+      fine_[axis] = value;
+      return;
+    case Component::Rotation:
+      if (axis < 3) {
+        Eigen::Vector3d degrees = angles();
+        degrees[axis] = value;
+        set_angles(degrees);
+      }
+      return;
+    case Component::Scale:
+      scale_[axis] = value;
+      return;
+    case Component::Mirror:
+      mirror_[axis] = value != 0.0 ? -1.0 : 1.0;
+      return;
+  }
+}
+
+}  // namespace g31::sinumerik

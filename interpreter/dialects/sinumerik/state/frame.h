@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "interpreter/dialects/sinumerik/vocabulary/frame_components.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::sinumerik {
+
+/// A FRAME: positions of an inner system in terms of the outer one.  It mirrors and scales, then
+/// turns, then shifts; only the linear axes turn.
+class Frame {
+ public:
+  /// Inner to outer, and back.
+  [[nodiscard]] AxisPositions apply(const AxisPositions& q) const;
+  [[nodiscard]] AxisPositions undo(const AxisPositions& q) const;
+
+  /// This frame : inner.
+  [[nodiscard]] Frame chained(const Frame& inner) const;
+  [[nodiscard]] Frame inverse() const;
+
+  /// mm, degrees, factors, 0 or 1.
+  [[nodiscard]] double component(int axis, Component component) const;
+  void set_component(int axis, Component component, double value);
+
+  /// Degrees about X, Y and Z: turned about Z, then the new Y, then the new X (RPY).
+  [[nodiscard]] Eigen::Vector3d angles() const;
+  void set_angles(const Eigen::Vector3d& degrees);
+  /// Turned by two solid angles, degrees: the new plane is that of the axis `first`, turned about
+  /// the next one in the circle X Y Z, and of that one, turned about `first`; `first` stays in the
+  /// old plane of itself and the third axis.
+  void set_solid_angles(int first, double about_first, double about_second);
+  /// The rotation alone.
+  [[nodiscard]] const Eigen::Matrix3d& turn() const { return turn_; }
+  void set_turn(const Eigen::Matrix3d& turn) { turn_ = turn; }
+  /// Shifted further along its own axes; the fine shift takes it.
+  void add_fine_shift(const AxisPositions& inner);
+
+  /// Every component is the same.
+  friend bool operator==(const Frame& a, const Frame& b);
+
+ private:
+  [[nodiscard]] AxisPositions factors() const;
+
+  AxisPositions coarse_ = AxisPositions::Zero();
+  AxisPositions fine_ = AxisPositions::Zero();
+  Eigen::Matrix3d turn_ = Eigen::Matrix3d::Identity();
+  AxisPositions scale_ = AxisPositions::Ones();
+  AxisPositions mirror_ = AxisPositions::Ones();  ///< -1 where mirrored
+};
+
+}  // namespace g31::sinumerik

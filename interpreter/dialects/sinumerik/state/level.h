@@ -1,0 +1,95 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/code/code.h"
+#include "interpreter/dialects/sinumerik/state/frame.h"
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+
+namespace g31::sinumerik {
+
+/// A variable of the caller behind a VAR parameter.  Its memory does not move while it is called.
+struct Reference {
+  Type type = Type::None;
+  double* numbers = nullptr;
+  std::string* texts = nullptr;
+  Frame* frames = nullptr;
+  Shape shape;
+  std::int32_t longest = 0;
+};
+
+/// What a call gives for one parameter.
+struct BoundValue {
+  Argument::Form form = Argument::Form::Omitted;
+  Type type = Type::None;
+  double number = 0.0;
+  std::string text;
+  std::shared_ptr<const Frame> frame;  ///< a copy: passes and modal calls take it later
+  Reference reference;
+};
+
+/// One running part of REPEAT.
+struct RunningPart {
+  std::int32_t site = 0;
+  std::int32_t back_to = 0;  ///< the step behind REPEAT
+  std::int32_t passes_left = 0;
+};
+
+/// A program that waits for the text of EXECSTRING on its own level.
+struct WaitingProgram {
+  const CompiledProgram* program = nullptr;
+  std::int32_t step = 0;
+  std::vector<RunningPart> parts;
+};
+
+/// One program level.
+struct Level {
+  /// Local variables as DEF and PROC leave them.
+  void make_locals() {
+    numbers.assign(program->initial_numbers.begin(), program->initial_numbers.end());
+    texts.assign(static_cast<std::size_t>(program->text_count), std::string());
+    frames.assign(static_cast<std::size_t>(program->frame_count), Frame());
+  }
+
+  const CompiledProgram* program = nullptr;
+  std::int32_t step = 0;
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  std::vector<Frame> frames;
+  std::vector<Reference> references;
+  std::vector<bool> given;  ///< $P_SUBPAR
+  std::vector<RunningPart> parts;
+  std::vector<WaitingProgram> waiting;
+  std::vector<BoundValue> arguments;  ///< kept for further passes
+  std::int32_t passes_left = 0;
+  bool is_modal_call = false;
+  std::array<int, kGroupCount> saved_group = {};  ///< SAVE
+  Frame saved_frame;
+  std::optional<Frame> saved_settable;  ///< MD10617 bit 0
+
+  /// Whether all VAR parameters refer to something.
+  [[nodiscard]] bool has_references() const {
+    const auto wanted = std::ranges::count_if(program->parameters, &Parameter::by_reference);
+    return references.size() == static_cast<std::size_t>(wanted);
+  }
+
+  /// Back to the program that waits for its EXECSTRING, wherever the text stands.
+  void leave_texts() {
+    if (!waiting.empty()) {
+      WaitingProgram own = std::move(waiting.front());
+      waiting.clear();
+      program = own.program;
+      step = own.step;
+      parts = std::move(own.parts);
+    }
+  }
+};
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "interpreter/dialects/sinumerik/vocabulary/value_type.h"
+
+namespace g31::sinumerik {
+
+/// Rows of functions.def.
+enum class FunctionId : std::uint8_t {
+#define FUNCTION(name, result, parameters, form, text) name,
+#include "interpreter/dialects/sinumerik/vocabulary/functions.def"
+#undef FUNCTION
+};
+
+struct FunctionInfo {
+  std::string_view name;
+  Type result;
+  std::string_view parameters;
+  std::string_view form;
+  std::string_view text;
+};
+
+std::span<const FunctionInfo> functions();
+
+const FunctionInfo& info(FunctionId id);
+
+/// @param name  upper case
+std::optional<FunctionId> find_function(std::string_view name);
+
+/// Functions of one or two numbers that are computed on the spot; angles in degrees.
+constexpr bool is_plain_mathematics(FunctionId id) {
+  return id < FunctionId::BOUND;
+}
+
+/// The value of such a function; nullopt outside its domain (SQRT(-1), LN(0), ASIN(2)).
+std::optional<double> mathematics(FunctionId id, double a, double b);
+
+/// As TO INT rounds: halves upwards, as the control does.
+double rounded(double value);
+
+/// A number as a variable of this type keeps it; nullopt: it is no INT or no CHAR.
+std::optional<double> kept_as(Type type, double value);
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,70 @@
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+
+#include <charconv>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/vocabulary/names.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr auto kRows = std::to_array<GCode>({
+#define G_CODE(name, group, number, action, text) {name, group, number, GAction::action, text},
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.def"
+#undef G_CODE
+});
+
+constexpr int kFirstSettable = 505;
+constexpr int kLastSettable = 599;
+constexpr int kNumberCount = 1000;  // codes are G0 to G999
+
+}  // namespace
+
+std::span<const GCode> g_codes() {
+  return kRows;
+}
+
+std::optional<FoundCode> find_g_code(std::string_view name) {
+  static const NameMap<std::uint16_t> kByName = [] {
+    NameMap<std::uint16_t> map;
+    for (std::size_t i = 0; i < kRows.size(); ++i) {
+      map.emplace(std::string(kRows[i].name), static_cast<std::uint16_t>(i));
+    }
+    return map;
+  }();
+  if (const auto found = kByName.find(name); found != kByName.end()) {
+    return FoundCode{found->second, 0};
+  }
+  int number = 0;
+  if (name.starts_with('G') && name.size() == 4) {
+    std::from_chars(name.data() + 1, name.data() + name.size(), number);
+  }
+  if (number <= kFirstSettable || number > kLastSettable) {
+    return std::nullopt;
+  }
+  return FoundCode{kByName.at("G505"), static_cast<std::uint16_t>(number - kFirstSettable)};
+}
+
+std::optional<FoundCode> find_g_code(double number) {
+  static const std::vector<std::optional<FoundCode>> kByNumber = [] {
+    std::vector<std::optional<FoundCode>> codes;
+    for (int i = 0; i < kNumberCount; ++i) {
+      codes.push_back(find_g_code("G" + std::to_string(i)));
+    }
+    return codes;
+  }();
+  return number < kNumberCount ? kByNumber[static_cast<std::size_t>(number)] : std::nullopt;
+}
+
+int preset_number(int group) {
+  switch (group) {
+    case 13:
+    case 15:
+      return 2;  // G71, G94
+    default:
+      return 1;
+  }
+}
+
+}  // namespace g31::sinumerik

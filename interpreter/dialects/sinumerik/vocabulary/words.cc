@@ -1,0 +1,124 @@
+#include "interpreter/dialects/sinumerik/vocabulary/words.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/vocabulary/names.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr auto kAddresses = std::to_array<AddressInfo>({
+#define ADDRESS(id, name, text) {name, text},
+#include "interpreter/dialects/sinumerik/vocabulary/addresses.def"
+#undef ADDRESS
+});
+
+constexpr auto kProcedures = std::to_array<ProcedureInfo>({
+#define PROCEDURE(name, parameters, form, text) {#name, parameters, form, text},
+#include "interpreter/dialects/sinumerik/vocabulary/procedures.def"
+#undef PROCEDURE
+});
+
+constexpr auto kKeywords = std::to_array<KeywordInfo>({
+#define KEYWORD(name, handler, form, text) {#name, form, text},
+#include "interpreter/dialects/sinumerik/vocabulary/keywords.def"
+#undef KEYWORD
+});
+
+constexpr auto kAxisWords = std::to_array<AxisWordInfo>({
+#define AXIS_WORD(id, name, role, least, most, text) \
+  {AxisWordId::id, name, AxisRole::role, least, most, text},
+#include "interpreter/dialects/sinumerik/vocabulary/axis_words.def"
+#undef AXIS_WORD
+});
+
+struct ModificationRow {
+  std::string_view name;
+  Modification modification;
+};
+constexpr ModificationRow kModifications[] = {
+    {"AC", Modification::Absolute}, {"IC", Modification::Incremental}, {"DC", Modification::Direct},
+    {"ACP", Modification::Plus},    {"ACN", Modification::Minus},      {"QU", Modification::Quick}};
+
+/// Most addresses are one letter: A to Z.
+std::vector<std::optional<Address>> addresses_by_letter() {
+  std::vector<std::optional<Address>> all(26);
+  for (std::size_t i = 0; i < kAddresses.size(); ++i) {
+    if (kAddresses[i].name.size() == 1) {
+      all[static_cast<std::size_t>(kAddresses[i].name.front() - 'A')] =
+          static_cast<Address>(i + kAxisCount);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+std::span<const AddressInfo> addresses() {
+  return kAddresses;
+}
+
+std::optional<Address> find_address(std::string_view name) {
+  static const std::vector<std::optional<Address>> kByLetter = addresses_by_letter();
+  if (name.size() == 1 && name.front() >= 'A' && name.front() <= 'Z') {
+    return kByLetter[static_cast<std::size_t>(name.front() - 'A')];
+  }
+  for (std::size_t i = 0; i < kAddresses.size(); ++i) {
+    if (kAddresses[i].name == name) {
+      return static_cast<Address>(i + kAxisCount);
+    }
+  }
+  return std::nullopt;
+}
+
+std::string_view name_of(Address address) {
+  const std::size_t index = index_of(address);
+  return index < kAxisCount ? std::string_view(kAxisLetters).substr(index, 1)
+                            : kAddresses[index - kAxisCount].name;
+}
+
+std::optional<Modification> find_modification(std::string_view name) {
+  for (const ModificationRow& row : kModifications) {
+    if (row.name == name) {
+      return row.modification;
+    }
+  }
+  return std::nullopt;
+}
+
+std::span<const AxisWordInfo> axis_words() {
+  return kAxisWords;
+}
+
+const AxisWordInfo& info(AxisWordId id) {
+  return kAxisWords.at(static_cast<std::size_t>(id));
+}
+
+const AxisWordInfo* find_axis_word(std::string_view name) {
+  const auto found = std::ranges::find(kAxisWords, name, &AxisWordInfo::name);
+  return found != kAxisWords.end() ? &*found : nullptr;
+}
+
+std::span<const KeywordInfo> keywords() {
+  return kKeywords;
+}
+
+std::span<const ProcedureInfo> procedures() {
+  return kProcedures;
+}
+
+std::optional<ProcedureId> find_procedure(std::string_view name) {
+  static const NameMap<ProcedureId> kByName = [] {
+    NameMap<ProcedureId> map;
+    for (std::size_t i = 0; i < kProcedures.size(); ++i) {
+      map.emplace(std::string(kProcedures[i].name), static_cast<ProcedureId>(i));
+    }
+    return map;
+  }();
+  const auto found = kByName.find(name);
+  return found != kByName.end() ? std::optional(found->second) : std::nullopt;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "machine/units/axis_positions.h"
+
+namespace g31::sinumerik {
+
+/// What an NC word addresses: the axes in storage order, then the rows of addresses.def.
+enum class Address : std::uint8_t {
+  FirstAxis = 0,
+  LastAxis = kAxisCount - 1,
+#define ADDRESS(id, name, text) id,
+#include "interpreter/dialects/sinumerik/vocabulary/addresses.def"
+#undef ADDRESS
+  Count
+};
+
+constexpr std::size_t index_of(Address address) {
+  return static_cast<std::size_t>(address);
+}
+
+struct AddressInfo {
+  std::string_view name;
+  std::string_view text;
+};
+
+/// The rows of addresses.def.
+std::span<const AddressInfo> addresses();
+
+/// @param name  upper case; axes are not among them
+std::optional<Address> find_address(std::string_view name);
+
+/// "X", "CR"
+std::string_view name_of(Address address);
+
+inline constexpr int kMostMachineCodes = 5;
+inline constexpr int kMostAuxiliaryCodes = 3;
+
+/// How often an address may stand in a block.
+constexpr int most_in_block(Address address) {
+  return address == Address::Machine     ? kMostMachineCodes
+         : address == Address::Auxiliary ? kMostAuxiliaryCodes
+                                         : 1;
+}
+
+/// How the value of a word counts.
+enum class Modification : std::uint16_t {
+  None,
+  Absolute,     ///< AC
+  Incremental,  ///< IC
+  Direct,       ///< DC: rotary, the shorter way
+  Plus,         ///< ACP
+  Minus,        ///< ACN
+  Quick,        ///< QU: an auxiliary function that does not wait; here nothing does
+};
+
+/// @param name  upper case
+std::optional<Modification> find_modification(std::string_view name);
+
+/// Words with an axis in brackets: rows of axis_words.def.
+enum class AxisWordId : std::uint8_t {
+#define AXIS_WORD(id, name, role, least, most, text) id,
+#include "interpreter/dialects/sinumerik/vocabulary/axis_words.def"
+#undef AXIS_WORD
+};
+
+enum class AxisRole : std::uint8_t { Path, Positioning, Measuring, Setting, AxisSetting, Refused };
+
+struct AxisWordInfo {
+  AxisWordId id;
+  std::string_view name;
+  AxisRole role;
+  double least;  ///< of a setting
+  double most;
+  std::string_view text;
+};
+
+std::span<const AxisWordInfo> axis_words();
+const AxisWordInfo& info(AxisWordId id);
+/// @param name  upper case; nullptr: no such word
+const AxisWordInfo* find_axis_word(std::string_view name);
+
+/// What a setting of the spindle has in the place of an axis.
+inline constexpr int kSpindleAxis = kAxisCount;
+
+/// Rows of procedures.def.
+enum class ProcedureId : std::uint8_t {
+#define PROCEDURE(name, parameters, form, text) name,
+#include "interpreter/dialects/sinumerik/vocabulary/procedures.def"
+#undef PROCEDURE
+};
+
+struct ProcedureInfo {
+  std::string_view name;
+  std::string_view parameters;
+  std::string_view form;
+  std::string_view text;
+};
+
+/// Statements: rows of keywords.def.
+struct KeywordInfo {
+  std::string_view name;
+  std::string_view form;
+  std::string_view text;
+};
+
+std::span<const KeywordInfo> keywords();
+
+std::span<const ProcedureInfo> procedures();
+std::optional<ProcedureId> find_procedure(std::string_view name);
+
+}  // namespace g31::sinumerik
