@@ -6,8 +6,8 @@ namespace g31::runtime {
 
 /// What a numeric variable holds: a number, or vacant (never set, or set from #0).
 ///
-/// The lean form of a value for loops that run millions of times: eight bytes, vacant is the one NaN
-/// that is ever stored.  Arithmetic cannot produce another: every NaN is an alarm first.
+/// The lean form of a value for loops that run millions of times: eight bytes, vacant is the one
+/// NaN that is ever stored.  Arithmetic cannot produce another: every NaN is an alarm first.
 class Cell {
  public:
   constexpr Cell() = default;  ///< vacant
@@ -23,8 +23,7 @@ class Cell {
 
   /// EQ of Custom Macro B: vacant equals only vacant (MB-086).
   [[nodiscard]] friend constexpr bool equal(Cell a, Cell b) {
-    return a.is_vacant() || b.is_vacant() ? a.is_vacant() && b.is_vacant()
-                                          : a.number_ == b.number_;
+    return a.is_vacant() || b.is_vacant() ? a.is_vacant() && b.is_vacant() : a.number_ == b.number_;
   }
 
  private:

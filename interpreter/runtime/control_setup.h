@@ -38,14 +38,14 @@ struct ControlSetup {
   OffsetMemory offset_memory = OffsetMemory::C;
   int lookahead_blocks = 0;  ///< NC blocks buffered behind the running one; 0: every read waits
   FeedSwitches feed_switches;
-  std::set<int> block_skip;                  ///< switches that are on, 1..9
-  std::string variables_file;                ///< non-volatile variables; "" = none
-  std::string files_folder;                  ///< where the program's files are; "" = nowhere
+  std::set<int> block_skip;    ///< switches that are on, 1..9
+  std::string variables_file;  ///< non-volatile variables; "" = none
+  std::string files_folder;    ///< where the program's files are; "" = nowhere
   /// "6001.1" is bit 1 of 6001, "3410" a value, "1240.X" a value of one axis.
   std::map<std::string, double> parameters;
   /// Where the machine's axes have their reference marks; parameters win.
   AxisPositions q_M_reference = AxisPositions::Zero();
-  std::map<std::string, int> macro_calls;    ///< "G100" -> 9010
+  std::map<std::string, int> macro_calls;  ///< "G100" -> 9010
   /// "#515" -> 6.0; nullopt is vacant.  A string value is for dialects that have strings.
   std::map<std::string, std::optional<double>> variables;
   std::map<std::string, AxisPositions> work_offsets;  ///< "G54".."G59", "EXT", "G54.1 P1"

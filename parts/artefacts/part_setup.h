@@ -14,7 +14,7 @@ struct PartSetup {
   std::string name;
   std::string file;
   double step_sagitta_mm = 1e-3;  ///< > 0: how fine a STEP file becomes a mesh
-  std::string shape;  ///< "ring", ...; the table of shapes is artefacts/shapes.def
+  std::string shape;              ///< "ring", ...; the table of shapes is artefacts/shapes.def
   std::map<std::string, double> sizes;  ///< mm; the names a shape takes stand in its row
   Point p_M_at = Point::Zero();         ///< machine coordinates of the part's origin
   Point rotate_deg = Point::Zero();     ///< about X, then Y, then Z (fixed axes)

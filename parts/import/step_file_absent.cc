@@ -11,7 +11,8 @@ bool can_read_step() {
 Result<Mesh, std::string> read_step_file(const std::string&, double) {
   return std::string(
       "this g31 was built without Open CASCADE, which reads STEP; install "
-      "libocct-data-exchange-dev and build again with cmake -DG31_STEP=ON, or save the part as STL, "
+      "libocct-data-exchange-dev and build again with cmake -DG31_STEP=ON, or save the part as "
+      "STL, "
       "OBJ, PLY or 3MF");
 }
 

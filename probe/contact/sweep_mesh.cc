@@ -40,8 +40,7 @@ MeshSweeper::MeshSweeper(const parts::Mesh& mesh_M, double ball_radius)
     : radius_(ball_radius), mesh_(mesh_M) {
   G31_EXPECTS(std::isfinite(ball_radius) && ball_radius > 0.0);
   G31_EXPECTS(mesh_M.triangles.size() < kMostTriangles);
-  OffsetPatches patches =
-      offset_patches(in_slot_order(mesh_M, mesh_), mesh_.triangles(), radius_);
+  OffsetPatches patches = offset_patches(in_slot_order(mesh_M, mesh_), mesh_.triangles(), radius_);
   patch_tree_ = parts::Bvh(std::move(patches.boxes));
   patches_.reserve(patches.owners.size());
   for (const std::uint32_t index : patch_tree_.order()) {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "interpreter/dialects/fanuc/code/compile.h"
-#include "interpreter/dialects/fanuc/text/parse.h"
 #include "interpreter/dialects/fanuc/run/session.h"
+#include "interpreter/dialects/fanuc/text/parse.h"
 #include "machine/base/contract.h"
 #include "tests/fuzz/entry.h"
 #include "tests/fuzz/tape_choices.h"

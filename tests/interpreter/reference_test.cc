@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "interpreter/dialects/fanuc/vocabulary/alarms.h"
 #include "interpreter/dialects/fanuc/explain/explain.h"
+#include "interpreter/dialects/fanuc/vocabulary/alarms.h"
 
 namespace g31::fanuc::reference {
 namespace {

@@ -24,7 +24,8 @@ std::vector<std::string> calibration_programs() {
     programs.push_back(*listings + "/O6001.nc");
   } else {
     ::testing::Test::RecordProperty("original_listings", "missing");
-    std::printf("the original listings are not here (G31_HIROSE names their folder): shipped only\n");
+    std::printf(
+        "the original listings are not here (G31_HIROSE names their folder): shipped only\n");
   }
   return programs;
 }
@@ -73,8 +74,8 @@ TEST(RingGauge, ASingleTouchReadsTheBoreAndTheToolLength) {
 TEST(RingGauge, CalibrationFindsTheOvertravelOfATriggerDelay) {
   TemporaryFolder folder;
   for (const double delay_s : {0.001, 0.004, 0.0123}) {
-    const auto late = folder.write(
-        "late.toml", "[probe]\ntrigger_delay_s = " + std::to_string(delay_s) + "\n");
+    const auto late =
+        folder.write("late.toml", "[probe]\ntrigger_delay_s = " + std::to_string(delay_s) + "\n");
     for (const std::string& program : calibration_programs()) {
       SCOPED_TRACE(program + " with a delay of " + std::to_string(delay_s));
       const RunOutput calibrated = run_program(on_ring(program, {late}));
@@ -85,9 +86,8 @@ TEST(RingGauge, CalibrationFindsTheOvertravelOfATriggerDelay) {
 
       cli::RunOptions measure = on_ring("parts/library/ring_gauge/measure_ring.nc", {late});
       measure.libraries = {std::filesystem::path(program).parent_path().string()};
-      measure.assignments = {
-          "#517=" + std::to_string(variable(calibrated, "#517")),
-          "#518=" + std::to_string(variable(calibrated, "#518"))};
+      measure.assignments = {"#517=" + std::to_string(variable(calibrated, "#517")),
+                             "#518=" + std::to_string(variable(calibrated, "#518"))};
       const RunOutput measured = run_program(measure);
       ASSERT_EQ(measured.exit_code, 0) << measured.errors;
       EXPECT_NEAR(variable(measured, "#164"), 39.996, 1e-4);
@@ -113,8 +113,8 @@ TEST(RingGauge, AnEccentricBallIsCorrectedByTheVariablesOfTheMacro) {
 TEST(RingGauge, CalibrationInZFindsTheOvertravelDownwards) {
   TemporaryFolder folder;
   for (const double delay_s : {0.0, 0.004}) {
-    const auto late = folder.write(
-        "late.toml", "[probe]\ntrigger_delay_s = " + std::to_string(delay_s) + "\n");
+    const auto late =
+        folder.write("late.toml", "[probe]\ntrigger_delay_s = " + std::to_string(delay_s) + "\n");
     cli::RunOptions options = on_ring("macros/fanuc/O6002.nc", {late});
     options.prints = {"#519,#517"};
     const RunOutput output = run_program(options);
@@ -135,8 +135,8 @@ TEST(RingGauge, CalibrationInZFindsTheOvertravelDownwards) {
 
 TEST(RingGauge, EccentricityIsFoundInACentredRing) {
   TemporaryFolder folder;
-  const auto bent = folder.write(
-      "bent.toml", "[probe]\neccentricity = [0.02, -0.03]\ntrigger_delay_s = 0.002\n");
+  const auto bent =
+      folder.write("bent.toml", "[probe]\neccentricity = [0.02, -0.03]\ntrigger_delay_s = 0.002\n");
   cli::RunOptions options = on_ring("macros/fanuc/O6003.nc", {bent});
   options.prints = {"#530,#531"};
   RunOutput output = run_program(options);
@@ -191,7 +191,8 @@ TEST(RingGauge, MissingAndImpossibleArgumentsAreTheMacrosAlarms) {
   TemporaryFolder folder;
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
-    const auto program = folder.write("wrong.nc", std::string("O7\nG59 G90 G00 X0 Y0\n") + c.call + "\nM30\n");
+    const auto program =
+        folder.write("wrong.nc", std::string("O7\nG59 G90 G00 X0 Y0\n") + c.call + "\nM30\n");
     const RunOutput output = run_program(on_ring(program));
     EXPECT_EQ(output.exit_code, 3);
     const auto& alarm = output.document.at("alarm");
@@ -223,8 +224,8 @@ TEST(RingGauge, AProtectedMoveWithoutSignalIsNoWarning) {
 
 TEST(RingGauge, DrivingTheBallIntoTheRingIsACollision) {
   TemporaryFolder folder;
-  const auto program = folder.write("crash.nc",
-                                    "O9\nG59 G90 G00 X0 Y0\nG43 Z-5. H99\nG00 X30.\nM30\n");
+  const auto program =
+      folder.write("crash.nc", "O9\nG59 G90 G00 X0 Y0\nG43 Z-5. H99\nG00 X30.\nM30\n");
   const RunOutput output = run_program(on_ring(program));
   EXPECT_EQ(output.exit_code, 4);
   EXPECT_EQ(output.document.at("status"), "collision");

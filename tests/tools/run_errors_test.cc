@@ -29,11 +29,13 @@ TEST(RunErrors, OfTheProgramHaveAPlaceAndTheirCode) {
       {"a statement and words", "O1\nG01X1.#1=2\nM30\n", 2, "[127]"},
       {"END without DO", "O1\nEND1\nM30\n", 2, "case.nc:2:1: error:"},
       {"a missing subprogram", "O1\nG65 P1234\nM30\n", 3, "case.nc:2:5: error: NUMBER NOT FOUND"},
-      {"division by zero", "O1\n#2=1/#1\nM30\n", 3, "case.nc:2:4: error: DIVIDED BY ZERO: the divisor is vacant [112]"},
+      {"division by zero", "O1\n#2=1/#1\nM30\n", 3,
+       "case.nc:2:4: error: DIVIDED BY ZERO: the divisor is vacant [112]"},
       {"an unknown G code", "O1\nG99.9 X1.\nM30\n", 3, "case.nc:2:1: error: IMPROPER G-CODE"},
       {"no such block", "O1\nGOTO 7\nM30\n", 3, "[128]"},
       {"no end", "O1\nG00 X1.\n", 3, "[5010]"},
-      {"an endless loop", "O1\nN1 GOTO 1\nM30\n", 6, "case.nc:2:1: error: the budget of executed blocks"},
+      {"an endless loop", "O1\nN1 GOTO 1\nM30\n", 6,
+       "case.nc:2:1: error: the budget of executed blocks"},
       {"endless recursion", "O1\nG65 P1\nM30\n", 3, "called from O0001"},
       {"no feed", "O1\nG01 X1.\nM30\n", 3, "[11]"},
       {"nothing in the file", "", 2, "no program in this file"},
@@ -57,14 +59,20 @@ TEST(RunErrors, OfTheProgramHaveAPlaceAndTheirCode) {
 TEST(RunErrors, OfTheSetupHaveAPlaceAndTheirCode) {
   const Case kCases[] = {
       {"an unknown key", "[probe]\nball_diamter = 6\n", 2,
-       "sheet.toml:2:1: error: unknown key ball_diamter in [probe], did you mean ball_diameter? [SET103]"},
-      {"a mesh that is not there", "[[part]]\nfile = \"no.stl\"\n", 5, "sheet.toml:2:8: error: there is no file"},
-      {"a mesh that is none", "[[part]]\nfile = \"sheet.toml\"\n", 5, "sheet.toml:2:8: error: mesh file"},
+       "sheet.toml:2:1: error: unknown key ball_diamter in [probe], did you mean ball_diameter? "
+       "[SET103]"},
+      {"a mesh that is not there", "[[part]]\nfile = \"no.stl\"\n", 5,
+       "sheet.toml:2:8: error: there is no file"},
+      {"a mesh that is none", "[[part]]\nfile = \"sheet.toml\"\n", 5,
+       "sheet.toml:2:8: error: mesh file"},
       {"a ring without wall", "[[part]]\nshape = \"ring\"\nbore = 40.0\nouter_diameter = 30.0\n", 5,
        "sheet.toml:2:9: error:"},
-      {"an unknown control", "[control]\nprofile = \"fanuk-16i\"\n", 5, "did you mean 'fanuc-16i'?"},
-      {"a tool that the sheet has not", "[tools.1]\nlength = 1.0\n", 5, "H2 is not in the tool table"},
-      {"an offset that the sheet has not", "[work_offsets.G59]\nX = 1.0\n", 5, "G54 is not among the work offsets"},
+      {"an unknown control", "[control]\nprofile = \"fanuk-16i\"\n", 5,
+       "did you mean 'fanuc-16i'?"},
+      {"a tool that the sheet has not", "[tools.1]\nlength = 1.0\n", 5,
+       "H2 is not in the tool table"},
+      {"an offset that the sheet has not", "[work_offsets.G59]\nX = 1.0\n", 5,
+       "G54 is not among the work offsets"},
   };
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
@@ -91,10 +99,9 @@ TEST(RunErrors, OfTheCommandLineAreWrongUsage) {
   bad_value.assignments = {"#1=x"};
   cli::RunOptions bad_name = plain;
   bad_name.prints = {"nonsense"};
-  for (const auto& [options, says] : {std::pair{no_program, "cannot read the program"},
-                                      std::pair{no_folder, "no such folder"},
-                                      std::pair{bad_value, "--set #1=x"},
-                                      std::pair{bad_name, "nonsense is no variable"}}) {
+  for (const auto& [options, says] :
+       {std::pair{no_program, "cannot read the program"}, std::pair{no_folder, "no such folder"},
+        std::pair{bad_value, "--set #1=x"}, std::pair{bad_name, "nonsense is no variable"}}) {
     const RunOutput output = run_program(options);
     EXPECT_EQ(output.exit_code, 2);
     EXPECT_NE(output.errors.find(says), std::string::npos) << output.errors;

@@ -110,7 +110,7 @@ struct CompiledProgram {
   std::vector<Step> steps;
   std::vector<Op> ops;
   std::vector<Cell> constants;              ///< the first is vacant: #0
-  std::vector<std::string> names;  ///< of variables, upper case
+  std::vector<std::string> names;           ///< of variables, upper case
   std::vector<syntax::ShortSpan> op_spans;  ///< one per op, for messages
   std::vector<syntax::Index> word_code;     ///< per word of the program: code of its value
   syntax::Index first_word = 0;             ///< of the tree: word_code[0] belongs to it

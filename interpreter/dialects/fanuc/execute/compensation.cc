@@ -77,7 +77,8 @@ MaybeFailure wait(Control& control, double seconds) {
 MaybeFailure carry_out(Control& control, const PathBlock& block) {
   if (!block.arc) {
     const auto traverse = block.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
-    return to_machine(control, machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min, block.ends},
+    return to_machine(control,
+                      machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min, block.ends},
                       block.g);
   }
   machine::ArcMove move;
@@ -158,9 +159,8 @@ MaybeFailure leave(Control& control) {
 
 MaybeFailure travel(Control& control, const machine::LinearMove& move, int g) {
   control.stopped_skip.reset();
-  return control.cutter.path.engaged()
-             ? feed_path(control, move, std::nullopt, g)
-             : to_machine(control, move, g);
+  return control.cutter.path.engaged() ? feed_path(control, move, std::nullopt, g)
+                                       : to_machine(control, move, g);
 }
 
 MaybeFailure travel(Control& control, const machine::ArcMove& move, int g) {

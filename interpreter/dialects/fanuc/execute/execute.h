@@ -20,12 +20,12 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
 
 // One function per GAction that does more than set its group.
 
-MaybeFailure execute_motion(Control& control, const NcBlock& block);           // motion.cc
-MaybeFailure execute_machine_move(Control& control, const NcBlock& block);     // motion.cc
-MaybeFailure execute_arc(Control& control, const NcBlock& block);              // arc.cc
-MaybeFailure execute_skip(Control& control, const NcBlock& block);             // skip.cc
+MaybeFailure execute_motion(Control& control, const NcBlock& block);        // motion.cc
+MaybeFailure execute_machine_move(Control& control, const NcBlock& block);  // motion.cc
+MaybeFailure execute_arc(Control& control, const NcBlock& block);           // arc.cc
+MaybeFailure execute_skip(Control& control, const NcBlock& block);          // skip.cc
 MaybeFailure execute_tool_measurement(Control& control,
-                                      const NcBlock& block);  // measure_tool.cc
+                                      const NcBlock& block);                   // measure_tool.cc
 MaybeFailure execute_dwell(Control& control, const NcBlock& block);            // dwell.cc
 MaybeFailure execute_reference(Control& control, const NcBlock& block);        // reference.cc
 MaybeFailure execute_from_reference(Control& control, const NcBlock& block);   // reference.cc
@@ -43,8 +43,8 @@ MaybeFailure execute_scaling(Control& control, const NcBlock& block);        // 
 MaybeFailure execute_rotation(Control& control, const NcBlock& block);       // transforms.cc
 MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block);   // canned_cycle.cc
 
-/// M19 Rn: the spindle stops at n degrees, at 0 without an angle; P for those controls that write it
-/// so (spindle.cc).
+/// M19 Rn: the spindle stops at n degrees, at 0 without an angle; P for those controls that write
+/// it so (spindle.cc).
 void orient_spindle(Control& control, const BlockWords& words);
 
 /// A block between G10 L50 or L3 and G11 (data_input.cc).

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/explain/entry.h"
+#include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/dialects/fanuc/vocabulary/functions.h"
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
-#include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
-#include "interpreter/dialects/fanuc/explain/entry.h"
 #include "interpreter/dialects/fanuc/vocabulary/variable_names.h"
 #include "interpreter/source/diagnostic.h"
 
@@ -46,7 +46,7 @@ constexpr auto kMCodes = std::to_array<ProgramMCode>({
 });
 
 constexpr std::string_view kFunctionForms[] = {"{}[a]", "{0}[a], {0}[y]/[x]", "{}[a,b]",
-                                                "{0}[n], {0}[n,bit], {0}[n]/[axis]"};
+                                               "{0}[n], {0}[n,bit], {0}[n]/[axis]"};
 
 std::optional<double> number_in(std::string_view text) {
   double number = 0.0;

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/state/coordinates.h"
 #include "interpreter/dialects/fanuc/explain/entry.h"
+#include "interpreter/dialects/fanuc/state/coordinates.h"
 #include "interpreter/dialects/fanuc/vocabulary/variable_ranges.h"
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"

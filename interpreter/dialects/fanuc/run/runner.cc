@@ -29,7 +29,8 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
   runtime::Outcome outcome;
   if (main == nullptr) {
     outcome.status = runtime::Status::SyntaxError;
-    outcome.diagnostics.push_back(make_diagnostic(source::DiagnosticId::NoProgramInFile, {library_.main_text(), {}}));
+    outcome.diagnostics.push_back(
+        make_diagnostic(source::DiagnosticId::NoProgramInFile, {library_.main_text(), {}}));
     return outcome;
   }
   for (const syntax::SyntaxError& error : reachable_errors(*main)) {

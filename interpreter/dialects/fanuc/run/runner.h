@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "interpreter/dialects/fanuc/code/library.h"
 #include "interpreter/dialects/fanuc/state/control.h"
 #include "interpreter/dialects/fanuc/system/control_variables.h"
-#include "interpreter/dialects/fanuc/code/library.h"
 #include "interpreter/runtime/outcome.h"
 
 namespace g31::fanuc {

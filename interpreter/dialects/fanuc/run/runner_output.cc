@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/dialects/fanuc/run/runner.h"
+#include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/runtime/printer_port.h"
 #include "machine/base/contract.h"
 

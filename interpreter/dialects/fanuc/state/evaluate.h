@@ -5,10 +5,10 @@
 #include <string>
 
 #include "interpreter/dialects/fanuc/code/compile.h"
+#include "interpreter/dialects/fanuc/state/variables.h"
 #include "interpreter/dialects/fanuc/vocabulary/functions.h"
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
-#include "interpreter/dialects/fanuc/state/variables.h"
 
 namespace g31::fanuc {
 

@@ -5,10 +5,10 @@
 #include <set>
 #include <tuple>
 
+#include "interpreter/dialects/fanuc/text/word_values.h"
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
-#include "interpreter/dialects/fanuc/text/word_values.h"
 #include "interpreter/source/diagnostic.h"
 
 namespace g31::fanuc {

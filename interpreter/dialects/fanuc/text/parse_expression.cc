@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/vocabulary/functions.h"
 #include "interpreter/dialects/fanuc/text/parse.h"
+#include "interpreter/dialects/fanuc/vocabulary/functions.h"
 #include "interpreter/source/printable.h"
 
 namespace g31::fanuc {

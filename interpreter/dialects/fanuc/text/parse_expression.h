@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "interpreter/dialects/fanuc/vocabulary/alarms.h"
 #include "interpreter/dialects/fanuc/text/scanner.h"
+#include "interpreter/dialects/fanuc/vocabulary/alarms.h"
 #include "interpreter/syntax/tree.h"
 
 namespace g31::fanuc {

@@ -10,8 +10,8 @@ namespace g31::fanuc {
 
 /// What a G code makes the control do; the interpreter has one function for each.
 enum class GAction : std::uint8_t {
-  Modal,     ///< only sets its group
-  NoEffect,  ///< one-shot, and nothing that is simulated depends on it
+  Modal,      ///< only sets its group
+  NoEffect,   ///< one-shot, and nothing that is simulated depends on it
   ExactStop,  ///< one-shot: says how the motion of its block ends
   Motion,
   Dwell,

@@ -6,9 +6,9 @@
 #include <span>
 #include <string_view>
 
+#include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/dialects/fanuc/vocabulary/alarms.h"
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
-#include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
 

@@ -2,8 +2,8 @@
 #include <string_view>
 
 #include "interpreter/dialects/sinumerik/code/compiler.h"
-#include "interpreter/dialects/sinumerik/vocabulary/operators.h"
 #include "interpreter/dialects/sinumerik/text/text_format.h"
+#include "interpreter/dialects/sinumerik/vocabulary/operators.h"
 #include "interpreter/source/latin_1.h"
 #include "machine/units/axis_positions.h"
 

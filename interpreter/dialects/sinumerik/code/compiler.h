@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/code/compile.h"
+#include "interpreter/dialects/sinumerik/text/plain_words.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
-#include "interpreter/dialects/sinumerik/text/plain_words.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
 

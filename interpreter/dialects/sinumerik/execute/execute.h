@@ -1,7 +1,7 @@
 #pragma once
 
-#include "interpreter/dialects/sinumerik/state/channel.h"
 #include "interpreter/dialects/sinumerik/code/code.h"
+#include "interpreter/dialects/sinumerik/state/channel.h"
 
 namespace g31::sinumerik {
 

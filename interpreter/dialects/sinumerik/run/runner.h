@@ -8,12 +8,12 @@
 #include <unordered_map>
 #include <vector>
 
-#include "interpreter/dialects/sinumerik/state/channel.h"
-#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
-#include "interpreter/dialects/sinumerik/state/level.h"
 #include "interpreter/dialects/sinumerik/code/library.h"
-#include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
+#include "interpreter/dialects/sinumerik/state/channel.h"
+#include "interpreter/dialects/sinumerik/state/level.h"
 #include "interpreter/dialects/sinumerik/text/text_format.h"
+#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
+#include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
 #include "interpreter/runtime/outcome.h"
 
 namespace g31::sinumerik {

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/dialects/sinumerik/code/globals.h"
 #include "interpreter/dialects/sinumerik/state/failure.h"
 #include "interpreter/dialects/sinumerik/state/frame.h"
-#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
-#include "interpreter/dialects/sinumerik/code/globals.h"
 #include "interpreter/dialects/sinumerik/state/motion_state.h"
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "interpreter/runtime/budget_watch.h"

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/dialects/sinumerik/vocabulary/names.h"
 #include "interpreter/dialects/sinumerik/text/scanner.h"
+#include "interpreter/dialects/sinumerik/vocabulary/names.h"
 
 namespace g31::sinumerik {
 
