@@ -34,6 +34,10 @@ function(g31_link_file_by_file name)
   endif()
 endfunction()
 
+# What nearly every file includes is compiled once, tools/cmake/prelude.h, and once more for the tests.
+# A file includes what it needs all the same: the preset tidy builds without the prelude, and tells.
+option(G31_PRECOMPILED_HEADERS "Compile the standard library's, Eigen's, fmt's and GTest's headers once" ON)
+
 function(g31_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   if(arg_SOURCES)
@@ -44,6 +48,7 @@ function(g31_library name)
     if(g31_has_both_codes)
       target_compile_options(${name} PRIVATE -flto=auto -ffat-lto-objects)
     endif()
+    g31_take_prelude(${name} g31_prelude)
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE ${arg_DEPENDS})
@@ -52,11 +57,36 @@ function(g31_library name)
   endif()
 endfunction()
 
+# The first target named after a prelude makes it, the others take what it made.
+function(g31_take_prelude name prelude)
+  if(NOT G31_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  # All must agree on the macros that these headers look at.
+  target_link_libraries(${name} PRIVATE fmt::fmt Eigen3::Eigen)
+  get_property(maker GLOBAL PROPERTY ${prelude})
+  if(maker)
+    target_precompile_headers(${name} REUSE_FROM ${maker})
+  else()
+    set_property(GLOBAL PROPERTY ${prelude} ${name})
+    target_precompile_headers(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tools/cmake/${prelude}.h)
+  endif()
+endfunction()
+
+# Eigen without optimisation is so slow that a debug build would be of no use for whole runs.
+function(g31_always_optimise name)
+  if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+    target_compile_options(${name} PRIVATE -O2)
+    set_target_properties(${name} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
+  endif()
+endfunction()
+
 function(g31_test)
   cmake_parse_arguments(arg "" "NAME;PREFIX" "SOURCES;DEPENDS" ${ARGN})
   add_executable(${arg_NAME} ${arg_SOURCES})
   target_link_libraries(${arg_NAME} PRIVATE ${arg_DEPENDS} g31_warnings GTest::gtest_main)
   g31_link_file_by_file(${arg_NAME})
+  g31_take_prelude(${arg_NAME} g31_test_prelude)
   target_include_directories(${arg_NAME} PRIVATE ${PROJECT_SOURCE_DIR})
   # Tests run in the source folder: golden files and parts are named by their repository path.
   # They are listed when ctest starts, not while the build keeps every core busy.
