@@ -19,10 +19,6 @@ struct Cut {
 constexpr int kHalvings = 60;
 constexpr double kStraightOnRad = 1e-9;
 
-double cross(const PlanePoint& a, const PlanePoint& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// The point of a way where a circle about `centre` touches it.
 PlanePoint touch(const PlaneWay& way, const PlanePoint& centre) {
   if (way.arc) {

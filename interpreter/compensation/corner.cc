@@ -8,10 +8,6 @@
 namespace g31::compensation {
 namespace {
 
-double cross(const PlanePoint& a, const PlanePoint& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 PlanePoint left_of(const PlanePoint& direction) {
   return {-direction.y(), direction.x()};
 }

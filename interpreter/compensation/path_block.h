@@ -15,6 +15,11 @@ namespace g31::compensation {
 /// A point or a direction in the offset plane: mm along its first and second axis.
 using PlanePoint = Eigen::Vector2d;
 
+/// Positive where b points to the left of a.
+inline double cross(const PlanePoint& a, const PlanePoint& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 /// The plane of the compensation: storage indices of its axes; `first` turns towards `second`
 /// counterclockwise.
 struct OffsetPlane {

@@ -11,7 +11,7 @@
 namespace g31::source {
 namespace {
 
-constexpr auto kRows = std::to_array<DiagnosticInfo>({
+constexpr auto kDiagnosticRows = std::to_array<DiagnosticInfo>({
 #define DIAGNOSTIC(name, code, severity, text, remedy) {code, Severity::severity, text, remedy},
 #include "interpreter/source/diagnostics.def"
 #undef DIAGNOSTIC
@@ -63,11 +63,11 @@ std::string place(const Location& where) {
 }  // namespace
 
 std::span<const DiagnosticInfo> diagnostics() {
-  return kRows;
+  return kDiagnosticRows;
 }
 
 const DiagnosticInfo& info(DiagnosticId id) {
-  return kRows.at(static_cast<std::size_t>(id));
+  return kDiagnosticRows.at(static_cast<std::size_t>(id));
 }
 
 Diagnostic make_diagnostic(DiagnosticId id, Location where, std::string_view detail) {

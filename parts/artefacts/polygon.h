@@ -25,6 +25,9 @@ std::vector<Point2> tangent_polygon(double radius, std::size_t sides);
 /// @param corner_radius  0 for sharp corners, at most half of the shorter side
 std::vector<Point2> rectangle(const Point2& size, double corner_radius, std::size_t corner_sides);
 
+/// Of one circle: beyond it a mesh only costs.
+inline constexpr std::size_t kMostFacets = 100000;
+
 /// How many sides, a multiple of 4, keep the corners of a tangent polygon within the sagitta of
 /// its circle; nullopt: more than `most`.
 std::optional<std::size_t> sides_within(double radius, double sagitta, std::size_t most);

@@ -11,8 +11,6 @@
 namespace g31::parts {
 namespace {
 
-constexpr std::size_t kMostFacets = 100000;
-
 std::optional<std::string> why_impossible(const RingGauge& ring) {
   for (const double size :
        {ring.bore_mm, ring.outer_diameter_mm, ring.height_mm, ring.sagitta_mm}) {

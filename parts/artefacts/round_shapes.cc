@@ -11,7 +11,6 @@
 namespace g31::parts {
 namespace {
 
-constexpr std::size_t kMostFacets = 100000;
 /// Around a sphere: half a million facets in all.
 constexpr std::size_t kMostSphereSides = 1000;
 constexpr std::size_t kMostPrismSides = 1000;

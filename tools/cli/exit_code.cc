@@ -7,7 +7,7 @@
 namespace g31::cli {
 namespace {
 
-constexpr auto kRows = std::to_array<ExitCodeRow>({
+constexpr auto kExitCodeRows = std::to_array<ExitCodeRow>({
 #define EXIT_CODE(name, code, text) {ExitCode::name, text},
 #include "tools/cli/exit_codes.def"
 #undef EXIT_CODE
@@ -16,7 +16,7 @@ constexpr auto kRows = std::to_array<ExitCodeRow>({
 }  // namespace
 
 std::span<const ExitCodeRow> exit_codes() {
-  return kRows;
+  return kExitCodeRows;
 }
 
 ExitCode exit_code_of(session::Ending ending) {

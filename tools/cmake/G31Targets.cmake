@@ -34,9 +34,17 @@ function(g31_link_file_by_file name)
   endif()
 endfunction()
 
-# What nearly every file includes is compiled once, tools/cmake/prelude.h, and once more for the tests.
-# A file includes what it needs all the same: the preset tidy builds without the prelude, and tells.
+# What nearly every file includes is compiled once, and once more for the tests.  A file includes what it
+# needs all the same: the preset tidy builds without, and tells.
 option(G31_PRECOMPILED_HEADERS "Compile the standard library's, Eigen's, fmt's and GTest's headers once" ON)
+set(g31_prelude
+  <algorithm> <array> <charconv> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory>
+  <numbers> <optional> <set> <span> <string> <string_view> <unordered_map> <utility> <variant> <vector>
+  <Eigen/Core> <Eigen/Geometry> <fmt/format.h>)
+set(g31_test_prelude <gtest/gtest.h> ${g31_prelude})
+
+# A library is compiled several files at a time; the files of a batch share one anonymous namespace.
+option(G31_BATCHES "Compile libraries several files at a time" ON)
 
 function(g31_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
@@ -49,6 +57,9 @@ function(g31_library name)
       target_compile_options(${name} PRIVATE -flto=auto -ffat-lto-objects)
     endif()
     g31_take_prelude(${name} g31_prelude)
+    if(G31_BATCHES)
+      set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    endif()
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE ${arg_DEPENDS})
@@ -69,7 +80,7 @@ function(g31_take_prelude name prelude)
     target_precompile_headers(${name} REUSE_FROM ${maker})
   else()
     set_property(GLOBAL PROPERTY ${prelude} ${name})
-    target_precompile_headers(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tools/cmake/${prelude}.h)
+    target_precompile_headers(${name} PRIVATE ${${prelude}})
   endif()
 endfunction()
 

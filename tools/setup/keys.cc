@@ -47,7 +47,7 @@ consteval bool no_key_stands_twice() {
 static_assert(no_key_stands_twice(), "keys.def: a key of a section has one row");
 
 /// A whole number 0..kLargestNumber written in digits only.
-std::optional<int> number_from(std::string_view digits) {
+std::optional<int> whole_number_from(std::string_view digits) {
   int number = 0;
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, number);
@@ -62,14 +62,14 @@ std::optional<std::string> normal_axis(std::string_view name) {
 
 std::optional<std::string> normal_parameter(std::string_view name) {
   const std::size_t dot = std::min(name.find('.'), name.size());
-  const std::optional<int> number = number_from(name.substr(0, dot));
+  const std::optional<int> number = whole_number_from(name.substr(0, dot));
   if (!number || dot == name.size()) {
     return number ? std::optional(std::to_string(*number)) : std::nullopt;
   }
   if (const auto axis = normal_axis(name.substr(dot + 1))) {
     return std::to_string(*number) + "." + *axis;
   }
-  const std::optional<int> bit = number_from(name.substr(dot + 1));
+  const std::optional<int> bit = whole_number_from(name.substr(dot + 1));
   if (!bit || *bit > 7) {
     return std::nullopt;
   }
@@ -80,7 +80,7 @@ std::optional<std::string> normal_macro_call(std::string_view name) {
   if (!name.starts_with('G') && !name.starts_with('M')) {
     return std::nullopt;
   }
-  const std::optional<int> number = number_from(name.substr(1));
+  const std::optional<int> number = whole_number_from(name.substr(1));
   return number ? std::optional(name.front() + std::to_string(*number)) : std::nullopt;
 }
 
@@ -90,13 +90,13 @@ std::optional<std::string> normal_work_offset(std::string_view name) {
   }
   for (const std::string_view prefix : {"G54.1 P", "G154 P"}) {
     if (name.starts_with(prefix)) {
-      const std::optional<int> number = number_from(name.substr(prefix.size()));
+      const std::optional<int> number = whole_number_from(name.substr(prefix.size()));
       return number && *number >= 1 ? std::optional(std::string(prefix) + std::to_string(*number))
                                     : std::nullopt;
     }
   }
   const std::optional<int> code =
-      name.starts_with('G') ? number_from(name.substr(1)) : std::optional<int>();
+      name.starts_with('G') ? whole_number_from(name.substr(1)) : std::optional<int>();
   const bool known = code && ((*code >= 54 && *code <= 59) || (*code >= 505 && *code <= 599));
   return known ? std::optional("G" + std::to_string(*code)) : std::nullopt;
 }
@@ -156,7 +156,7 @@ std::optional<std::string> normal_name(NameForm form, std::string_view name) {
     case NameForm::WorkOffset:
       return normal_work_offset(name);
     case NameForm::ToolNumber: {
-      const std::optional<int> number = number_from(name);
+      const std::optional<int> number = whole_number_from(name);
       return number ? std::optional(std::to_string(*number)) : std::nullopt;
     }
     case NameForm::SizeName:

@@ -13,10 +13,6 @@
 namespace g31::setup {
 namespace {
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 /// Cuts at every `separator` that is not inside square brackets.
 std::vector<std::string_view> split_outside_brackets(std::string_view text, char separator) {
   std::vector<std::string_view> pieces;
@@ -61,7 +57,7 @@ std::size_t differing_number(std::string_view a, std::string_view b) {
 }
 
 /// A number without leading zeros and of at most nine digits.
-std::optional<std::size_t> number_from(std::string_view digits) {
+std::optional<std::size_t> index_from(std::string_view digits) {
   const bool plain = digits.size() == 1 || !digits.starts_with('0');
   if (digits.empty() || digits.size() > 9 || !plain) {
     return std::nullopt;
@@ -83,8 +79,8 @@ Result<NameRange, std::string> range_between(const std::string& first, const std
   const std::size_t at = differing_number(first, last);
   const NumberedName a = cut_at_number(first, at);
   const NumberedName b = cut_at_number(last, at);
-  const std::optional<std::size_t> from = number_from(a.digits);
-  const std::optional<std::size_t> to = number_from(b.digits);
+  const std::optional<std::size_t> from = index_from(a.digits);
+  const std::optional<std::size_t> to = index_from(b.digits);
   if (!from || !to || a.suffix != b.suffix) {
     return fmt::format("{}-{} is no range: its names may differ in one number only", first, last);
   }

@@ -16,7 +16,7 @@ struct Row {
   std::string_view text;
 };
 
-constexpr auto kRows = std::to_array<Row>({
+constexpr auto kSetupErrorRows = std::to_array<Row>({
 #define SETUP_ERROR(name, code, text) {code, text},
 #include "tools/setup/setup_errors.def"
 #undef SETUP_ERROR
@@ -29,7 +29,7 @@ constexpr std::size_t kShownColumns = 120;
 constexpr std::size_t kLongestDetail = 400;
 
 const Row& row_of(SetupErrorId id) {
-  return kRows.at(static_cast<std::size_t>(id));
+  return kSetupErrorRows.at(static_cast<std::size_t>(id));
 }
 
 /// How many bytes the UTF-8 character at the start of `text` has; 0 when it is not UTF-8.

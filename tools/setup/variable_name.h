@@ -6,6 +6,10 @@
 
 namespace g31::setup {
 
+inline bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 /// The one spelling of the name of an NC variable as sheets, `--set` and `--print` take it, or
 /// nullopt when it is none.
 ///

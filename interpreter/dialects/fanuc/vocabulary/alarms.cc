@@ -7,7 +7,7 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr auto kRows = std::to_array<AlarmInfo>({
+constexpr auto kAlarmRows = std::to_array<AlarmInfo>({
 #define ALARM(name, number_16i, number_30i, number_meldas, text, remedy) \
   {number_16i, number_30i, number_meldas, text, remedy},
 #include "interpreter/dialects/fanuc/vocabulary/alarms.def"
@@ -17,11 +17,11 @@ constexpr auto kRows = std::to_array<AlarmInfo>({
 }  // namespace
 
 std::span<const AlarmInfo> alarms() {
-  return kRows;
+  return kAlarmRows;
 }
 
 const AlarmInfo& info(AlarmId id) {
-  return kRows.at(static_cast<std::size_t>(id));
+  return kAlarmRows.at(static_cast<std::size_t>(id));
 }
 
 int number_of(const AlarmInfo& row, AlarmNumbers numbers) {

@@ -6,7 +6,7 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr auto kRows = std::to_array<CannedCycle>({
+constexpr auto kCannedCycleRows = std::to_array<CannedCycle>({
 #define CANNED_CYCLE(code, feeding, dwell, shift, retract)                                    \
   {code, CannedCycle::Feeding::feeding, CannedCycle::Dwell::dwell, CannedCycle::Shift::shift, \
    CannedCycle::Retract::retract},
@@ -17,8 +17,8 @@ constexpr auto kRows = std::to_array<CannedCycle>({
 }  // namespace
 
 const CannedCycle* find_canned_cycle(int code) {
-  const auto* const row = std::ranges::find(kRows, code, &CannedCycle::code);
-  return row != kRows.end() ? row : nullptr;
+  const auto* const row = std::ranges::find(kCannedCycleRows, code, &CannedCycle::code);
+  return row != kCannedCycleRows.end() ? row : nullptr;
 }
 
 }  // namespace g31::fanuc

@@ -5,7 +5,7 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr auto kRows = std::to_array<FunctionInfo>({
+constexpr auto kFunctionRows = std::to_array<FunctionInfo>({
 #define FUNCTION(name, arguments, series_16i, text) \
   {#name, Arguments::arguments, InSeries16i::series_16i, text},
 #include "interpreter/dialects/fanuc/vocabulary/functions.def"
@@ -13,9 +13,9 @@ constexpr auto kRows = std::to_array<FunctionInfo>({
 });
 
 consteval bool first_two_letters_differ() {
-  for (std::size_t i = 0; i < kRows.size(); ++i) {
-    for (std::size_t j = i + 1; j < kRows.size(); ++j) {
-      if (kRows[i].name.substr(0, 2) == kRows[j].name.substr(0, 2)) {
+  for (std::size_t i = 0; i < kFunctionRows.size(); ++i) {
+    for (std::size_t j = i + 1; j < kFunctionRows.size(); ++j) {
+      if (kFunctionRows[i].name.substr(0, 2) == kFunctionRows[j].name.substr(0, 2)) {
         return false;
       }
     }
@@ -27,16 +27,16 @@ static_assert(first_two_letters_differ(), "functions.def: abbreviations would be
 }  // namespace
 
 std::span<const FunctionInfo> functions() {
-  return kRows;
+  return kFunctionRows;
 }
 
 const FunctionInfo& info(FunctionId id) {
-  return kRows.at(static_cast<std::size_t>(id));
+  return kFunctionRows.at(static_cast<std::size_t>(id));
 }
 
 std::optional<FunctionId> find_function(std::string_view name) {
-  for (std::size_t i = 0; i < kRows.size(); ++i) {
-    if (name.size() >= 2 && kRows[i].name.starts_with(name)) {
+  for (std::size_t i = 0; i < kFunctionRows.size(); ++i) {
+    if (name.size() >= 2 && kFunctionRows[i].name.starts_with(name)) {
       return static_cast<FunctionId>(i);
     }
   }

@@ -8,7 +8,7 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr auto kRows = std::to_array<GCode>({
+constexpr auto kGCodeRows = std::to_array<GCode>({
 #define G_CODE(whole, tenth, group, action, text) {{whole, tenth}, group, GAction::action, text},
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.def"
 #undef G_CODE
@@ -18,27 +18,27 @@ constexpr std::size_t key(GNumber number) {
   return static_cast<std::size_t>(number.whole) * 10 + static_cast<std::size_t>(number.tenth);
 }
 
-consteval bool rising() {
-  for (std::size_t i = 1; i < kRows.size(); ++i) {
-    if (key(kRows[i - 1].number) >= key(kRows[i].number)) {
+consteval bool g_codes_rise() {
+  for (std::size_t i = 1; i < kGCodeRows.size(); ++i) {
+    if (key(kGCodeRows[i - 1].number) >= key(kGCodeRows[i].number)) {
       return false;
     }
   }
   return true;
 }
-static_assert(rising(), "g_codes.def: rows must rise");
+static_assert(g_codes_rise(), "g_codes.def: rows must rise");
 
 constexpr std::size_t kKeys = 1000 * 10;
 
 /// Row index + 1 by key: a million blocks look their codes up here.
 constexpr auto kIndex = [] {
   std::array<std::uint8_t, kKeys> index{};
-  for (std::size_t i = 0; i < kRows.size(); ++i) {
-    index[key(kRows[i].number)] = static_cast<std::uint8_t>(i + 1);
+  for (std::size_t i = 0; i < kGCodeRows.size(); ++i) {
+    index[key(kGCodeRows[i].number)] = static_cast<std::uint8_t>(i + 1);
   }
   return index;
 }();
-static_assert(kRows.size() < 255);
+static_assert(kGCodeRows.size() < 255);
 
 }  // namespace
 
@@ -61,12 +61,12 @@ std::optional<GNumber> g_number(double value) {
 }
 
 std::span<const GCode> g_codes() {
-  return kRows;
+  return kGCodeRows;
 }
 
 const GCode* find_g_code(GNumber number) {
   const std::size_t place = key(number);
-  return place < kKeys && kIndex[place] != 0 ? &kRows[kIndex[place] - 1] : nullptr;
+  return place < kKeys && kIndex[place] != 0 ? &kGCodeRows[kIndex[place] - 1] : nullptr;
 }
 
 }  // namespace g31::fanuc

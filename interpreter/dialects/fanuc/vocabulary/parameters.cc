@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kParameterBits = 8;
 
-constexpr auto kRows = std::to_array<ParameterInfo>({
+constexpr auto kParameterRows = std::to_array<ParameterInfo>({
 #define BIT_PARAMETER(name, number, bit, text) {number, number, bit, "", 0.0, text},
 #define VALUE_PARAMETER(name, first, last, unit, initial, text) \
   {first, last, std::nullopt, unit, initial, text},
@@ -21,32 +21,32 @@ constexpr auto kRows = std::to_array<ParameterInfo>({
 #undef BIT_PARAMETER
 });
 
-consteval bool rising() {
-  for (std::size_t i = 1; i < kRows.size(); ++i) {
-    const bool same_number = kRows[i].first == kRows[i - 1].last;
-    if (kRows[i].first < kRows[i - 1].last ||
-        (same_number && kRows[i].bit.value_or(0) <= kRows[i - 1].bit.value_or(0))) {
+consteval bool parameters_rise() {
+  for (std::size_t i = 1; i < kParameterRows.size(); ++i) {
+    const bool same_number = kParameterRows[i].first == kParameterRows[i - 1].last;
+    if (kParameterRows[i].first < kParameterRows[i - 1].last ||
+        (same_number && kParameterRows[i].bit.value_or(0) <= kParameterRows[i - 1].bit.value_or(0))) {
       return false;
     }
   }
   return true;
 }
-static_assert(rising(), "parameters.def: rows must rise");
+static_assert(parameters_rise(), "parameters.def: rows must rise");
 
 }  // namespace
 
 std::span<const ParameterInfo> parameter_rows() {
-  return kRows;
+  return kParameterRows;
 }
 
 const ParameterInfo& info(ParameterId id) {
-  return kRows.at(static_cast<std::size_t>(id));
+  return kParameterRows.at(static_cast<std::size_t>(id));
 }
 
 const ParameterInfo* find_parameter(int number) {
   const auto* const row = std::ranges::find_if(
-      kRows, [&](const ParameterInfo& r) { return r.first <= number && number <= r.last; });
-  return row != kRows.end() ? row : nullptr;
+      kParameterRows, [&](const ParameterInfo& r) { return r.first <= number && number <= r.last; });
+  return row != kParameterRows.end() ? row : nullptr;
 }
 
 Result<Parameters, std::string> Parameters::from(const std::map<std::string, double>& entries) {

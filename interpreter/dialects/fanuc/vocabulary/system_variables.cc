@@ -8,7 +8,7 @@ namespace {
 
 using enum VariableGroup;
 
-constexpr auto kRows = std::to_array<SystemVariable>({
+constexpr auto kSystemVariableRows = std::to_array<SystemVariable>({
 #define In(...) \
   { __VA_ARGS__ }
 #define SYSTEM_VARIABLE(first, last, shows, groups, unit, access, while_moving, text) \
@@ -21,12 +21,12 @@ constexpr auto kRows = std::to_array<SystemVariable>({
 /// Rows of one group never overlap; rows of groups that one control has together are compared for
 /// every control by a test.
 consteval bool rising_without_overlap() {
-  for (std::size_t i = 0; i < kRows.size(); ++i) {
-    if (kRows[i].first > kRows[i].last || (i > 0 && kRows[i - 1].first > kRows[i].first)) {
+  for (std::size_t i = 0; i < kSystemVariableRows.size(); ++i) {
+    if (kSystemVariableRows[i].first > kSystemVariableRows[i].last || (i > 0 && kSystemVariableRows[i - 1].first > kSystemVariableRows[i].first)) {
       return false;
     }
     for (std::size_t j = 0; j < i; ++j) {
-      if (kRows[j].groups.meets(kRows[i].groups) && kRows[j].last >= kRows[i].first) {
+      if (kSystemVariableRows[j].groups.meets(kSystemVariableRows[i].groups) && kSystemVariableRows[j].last >= kSystemVariableRows[i].first) {
         return false;
       }
     }
@@ -38,11 +38,11 @@ static_assert(rising_without_overlap(), "system_variables.def: rows must rise an
 }  // namespace
 
 std::span<const SystemVariable> system_variables() {
-  return kRows;
+  return kSystemVariableRows;
 }
 
 SystemVariableIndex::SystemVariableIndex(VariableGroups groups) {
-  for (const SystemVariable& row : kRows) {
+  for (const SystemVariable& row : kSystemVariableRows) {
     if (row.groups.meets(groups)) {
       rows_.push_back(&row);
     }

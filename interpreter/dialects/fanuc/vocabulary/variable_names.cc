@@ -8,7 +8,7 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr auto kRows = std::to_array<SystemName>({
+constexpr auto kSystemNameRows = std::to_array<SystemName>({
 #define SYSTEM_NAME(name, first, lowest, highest, text) {name, first, lowest, highest, text},
 #include "interpreter/dialects/fanuc/vocabulary/system_names.def"
 #undef SYSTEM_NAME
@@ -30,8 +30,8 @@ std::optional<SystemName> additional_offset(std::string_view name) {
 }
 
 std::optional<SystemName> find_system_name(std::string_view name) {
-  const auto row = std::ranges::find(kRows, name, &SystemName::name);
-  return row != kRows.end() ? std::optional(*row) : additional_offset(name);
+  const auto row = std::ranges::find(kSystemNameRows, name, &SystemName::name);
+  return row != kSystemNameRows.end() ? std::optional(*row) : additional_offset(name);
 }
 
 bool is_name_letter(char c) {
@@ -41,7 +41,7 @@ bool is_name_letter(char c) {
 }  // namespace
 
 std::span<const SystemName> system_names() {
-  return kRows;
+  return kSystemNameRows;
 }
 
 std::string upper_case(std::string_view text) {

@@ -295,11 +295,11 @@ bool Compiler::jump_statement() {
     std::string_view name;
     Direction direction;
   };
-  constexpr Row kRows[] = {{"GOTOF", Direction::Forward},
+  constexpr Row kStatementRows[] = {{"GOTOF", Direction::Forward},
                            {"GOTOB", Direction::Backward},
                            {"GOTO", Direction::Both},
                            {"GOTOC", Direction::BothQuiet}};
-  for (const Row& row : kRows) {
+  for (const Row& row : kStatementRows) {
     if (accept_name(row.name)) {
       jump_to(row.direction);
       return true;

@@ -8,7 +8,7 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr auto kData = std::to_array<MachineDatum>({
+constexpr auto kMachineData = std::to_array<MachineDatum>({
 #define MACHINE_DATA(number, name, type, count, preset, text) \
   {number, name, Type::type, count, preset, text},
 #include "interpreter/dialects/sinumerik/vocabulary/machine_data.def"
@@ -36,7 +36,7 @@ Variable row_variable(std::string_view name, Type type, int count) {
 }  // namespace
 
 std::span<const MachineDatum> machine_data() {
-  return kData;
+  return kMachineData;
 }
 
 std::span<const MemoryRow> memory_rows() {
@@ -48,7 +48,7 @@ Globals::Globals() {
   r.name = "R";
   r.shape = {1, {kRParameters, 1, 1}};
   define(r);
-  for (const MachineDatum& row : kData) {
+  for (const MachineDatum& row : kMachineData) {
     const std::int32_t place = define(row_variable(row.name, row.type, row.count))->place;
     std::fill(numbers_.begin() + place, numbers_.end(), row.preset);
   }

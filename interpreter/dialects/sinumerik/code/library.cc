@@ -65,13 +65,13 @@ std::string folder_in(std::string_view body) {
 
 /// Programs with assignments of data that loading runs.  It is no suffix of programs to call: those
 /// may well be named SETUP_INI.
-constexpr std::string_view kData = "INI";
+constexpr std::string_view kDataSuffix = "INI";
 
 ProgramName name_of_text(std::string_view written, std::string_view before_suffix) {
   ProgramName name = program_name(written);
-  const std::string end = std::string(before_suffix) + std::string(kData);
+  const std::string end = std::string(before_suffix) + std::string(kDataSuffix);
   if (name.suffix.empty() && name.stem.ends_with(end)) {
-    name.suffix = kData;
+    name.suffix = kDataSuffix;
     name.stem.erase(name.stem.size() - end.size());
   }
   return name;
@@ -79,7 +79,7 @@ ProgramName name_of_text(std::string_view written, std::string_view before_suffi
 
 /// What runs when its turn comes, not when somebody calls it.
 bool is_callable(const ProgramName& name) {
-  return name.suffix != "DEF" && name.suffix != kData;
+  return name.suffix != "DEF" && name.suffix != kDataSuffix;
 }
 
 bool is_blank(std::string_view text) {
@@ -198,7 +198,7 @@ std::vector<const CompiledProgram*> ProgramLibrary::define() {
 std::vector<const CompiledProgram*> ProgramLibrary::initial_data() {
   std::vector<const CompiledProgram*> all;
   for (const auto& entry : entries_) {
-    if (entry->name.suffix == kData) {
+    if (entry->name.suffix == kDataSuffix) {
       all.push_back(compiled(*entry));
     }
   }
@@ -235,7 +235,7 @@ const CompiledProgram* ProgramLibrary::begun(Entry& main) {
 
 const CompiledProgram* ProgramLibrary::compiled(Entry& entry) {
   if (entry.compiled == nullptr) {
-    const bool is_data = entry.name.suffix == kData;
+    const bool is_data = entry.name.suffix == kDataSuffix;
     entry.compiled =
         is_data ? compile_data(entry.source, globals_) : compile(entry.source, globals_);
   }

@@ -25,12 +25,6 @@ constexpr Address kMiddle[] = {Address::MiddleX, Address::MiddleY, Address::Midd
 Vector left_of(const Vector& v) {
   return {-v.y(), v.x()};
 }
-double cross(const Vector& a, const Vector& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-Vector in_plane(const AxisPositions& q, const Plane& plane) {
-  return {q[plane.first], q[plane.second]};
-}
 
 /// CR: the shorter way round, negative the longer one.
 Result<Vector, Failure> centre_by_radius(const Circle& circle, double radius) {

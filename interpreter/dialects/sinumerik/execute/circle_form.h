@@ -7,6 +7,15 @@ namespace g31::sinumerik {
 /// A point or a direction in the plane: mm along its first and second axis, work coordinates.
 using PlaneVector = Eigen::Vector2d;
 
+/// Positive where b points to the left of a.
+inline double cross(const PlaneVector& a, const PlaneVector& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+inline PlaneVector in_plane(const AxisPositions& q, const Plane& plane) {
+  return {q[plane.first], q[plane.second]};
+}
+
 /// A circle as a block programs it, in its plane and in work coordinates.  A start and an end that
 /// coincide make a full circle.
 struct Circle {

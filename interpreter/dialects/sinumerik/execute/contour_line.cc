@@ -19,14 +19,6 @@ PlaneVector direction_of(double degrees) {
           mathematics(FunctionId::SIN, degrees, 0.0).value_or(0.0)};
 }
 
-double cross(const PlaneVector& a, const PlaneVector& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-PlaneVector in_plane(const AxisPositions& q, const Plane& plane) {
-  return {q[plane.first], q[plane.second]};
-}
-
 bool adds(const Channel& channel, const BlockWords::Word& word) {
   return word.modification == Modification::Incremental ||
          (word.modification == Modification::None && channel.group[14] == 2);

@@ -5,30 +5,30 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr auto kRows = std::to_array<AlarmInfo>({
+constexpr auto kAlarmRows = std::to_array<AlarmInfo>({
 #define ALARM(name, number, text, remedy) {number, text, remedy},
 #include "interpreter/dialects/sinumerik/vocabulary/alarms.def"
 #undef ALARM
 });
 
-consteval bool is_rising() {
-  for (std::size_t i = 1; i < kRows.size(); ++i) {
-    if (kRows[i - 1].number >= kRows[i].number) {
+consteval bool alarms_rise() {
+  for (std::size_t i = 1; i < kAlarmRows.size(); ++i) {
+    if (kAlarmRows[i - 1].number >= kAlarmRows[i].number) {
       return false;
     }
   }
   return true;
 }
-static_assert(is_rising(), "alarms.def: numbers must rise");
+static_assert(alarms_rise(), "alarms.def: numbers must rise");
 
 }  // namespace
 
 std::span<const AlarmInfo> alarms() {
-  return kRows;
+  return kAlarmRows;
 }
 
 const AlarmInfo& info(AlarmId id) {
-  return kRows.at(static_cast<std::size_t>(id));
+  return kAlarmRows.at(static_cast<std::size_t>(id));
 }
 
 }  // namespace g31::sinumerik

@@ -12,7 +12,7 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr auto kRows = std::to_array<FunctionInfo>({
+constexpr auto kFunctionRows = std::to_array<FunctionInfo>({
 #define FUNCTION(name, result, parameters, form, text) \
   {#name, Type::result, parameters, form, text},
 #include "interpreter/dialects/sinumerik/vocabulary/functions.def"
@@ -63,18 +63,18 @@ std::optional<double> one_number(FunctionId id, double a) {
 }  // namespace
 
 std::span<const FunctionInfo> functions() {
-  return kRows;
+  return kFunctionRows;
 }
 
 const FunctionInfo& info(FunctionId id) {
-  return kRows.at(static_cast<std::size_t>(id));
+  return kFunctionRows.at(static_cast<std::size_t>(id));
 }
 
 std::optional<FunctionId> find_function(std::string_view name) {
   static const NameMap<FunctionId> kByName = [] {
     NameMap<FunctionId> map;
-    for (std::size_t i = 0; i < kRows.size(); ++i) {
-      map.emplace(std::string(kRows[i].name), static_cast<FunctionId>(i));
+    for (std::size_t i = 0; i < kFunctionRows.size(); ++i) {
+      map.emplace(std::string(kFunctionRows[i].name), static_cast<FunctionId>(i));
     }
     return map;
   }();

@@ -9,7 +9,7 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr auto kRows = std::to_array<GCode>({
+constexpr auto kGCodeRows = std::to_array<GCode>({
 #define G_CODE(name, group, number, action, text) {name, group, number, GAction::action, text},
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.def"
 #undef G_CODE
@@ -22,14 +22,14 @@ constexpr int kNumberCount = 1000;  // codes are G0 to G999
 }  // namespace
 
 std::span<const GCode> g_codes() {
-  return kRows;
+  return kGCodeRows;
 }
 
 std::optional<FoundCode> find_g_code(std::string_view name) {
   static const NameMap<std::uint16_t> kByName = [] {
     NameMap<std::uint16_t> map;
-    for (std::size_t i = 0; i < kRows.size(); ++i) {
-      map.emplace(std::string(kRows[i].name), static_cast<std::uint16_t>(i));
+    for (std::size_t i = 0; i < kGCodeRows.size(); ++i) {
+      map.emplace(std::string(kGCodeRows[i].name), static_cast<std::uint16_t>(i));
     }
     return map;
   }();

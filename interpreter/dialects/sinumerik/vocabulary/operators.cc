@@ -5,7 +5,7 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr auto kRows = std::to_array<OperatorInfo>({
+constexpr auto kOperatorRows = std::to_array<OperatorInfo>({
 #define OPERATOR(name, level, code, text) {name, level, OpCode::code, text},
 #include "interpreter/dialects/sinumerik/vocabulary/operators.def"
 #undef OPERATOR
@@ -14,7 +14,7 @@ constexpr auto kRows = std::to_array<OperatorInfo>({
 }  // namespace
 
 std::span<const OperatorInfo> operators() {
-  return kRows;
+  return kOperatorRows;
 }
 
 }  // namespace g31::sinumerik

@@ -9,7 +9,7 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr auto kRows = std::to_array<SystemVariable>({
+constexpr auto kSystemVariableRows = std::to_array<SystemVariable>({
 #define SYSTEM_VARIABLE(id, name, type, indices, access, text) \
   {SystemId::id, name, Type::type, indices, Access::access, text},
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.def"
@@ -39,7 +39,7 @@ bool is_member(const Family& family, int number) {
 
 std::optional<SystemName> find_member(std::string_view name) {
   for (const Family& family : kFamilies) {
-    const SystemVariable& row = kRows[static_cast<std::size_t>(family.id)];
+    const SystemVariable& row = kSystemVariableRows[static_cast<std::size_t>(family.id)];
     if (!name.starts_with(row.name)) {
       continue;
     }
@@ -61,13 +61,13 @@ bool is_family(SystemId id) {
 }  // namespace
 
 std::span<const SystemVariable> system_variables() {
-  return kRows;
+  return kSystemVariableRows;
 }
 
 std::optional<SystemName> find_system_variable(std::string_view name) {
   static const NameMap<const SystemVariable*> kByName = [] {
     NameMap<const SystemVariable*> map;
-    for (const SystemVariable& row : kRows) {
+    for (const SystemVariable& row : kSystemVariableRows) {
       map.emplace(std::string(row.name), &row);
     }
     return map;
