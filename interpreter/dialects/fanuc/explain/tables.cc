@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/explain/entry.h"
-#include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/dialects/fanuc/vocabulary/functions.h"
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
+#include "interpreter/dialects/fanuc/vocabulary/statements.h"
 #include "interpreter/dialects/fanuc/vocabulary/variable_names.h"
 #include "interpreter/source/diagnostic.h"
 

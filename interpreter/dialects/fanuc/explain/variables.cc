@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/explain/entry.h"
-#include "interpreter/dialects/fanuc/state/coordinates.h"
 #include "interpreter/dialects/fanuc/vocabulary/variable_ranges.h"
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
@@ -109,8 +108,8 @@ std::string system_name(int system) {
   if (system == 0) {
     return "external offset";
   }
-  return system <= Coordinates::kSystems ? fmt::format("G{}", kG53 + system)
-                                         : fmt::format("G54.1 P{}", system - Coordinates::kSystems);
+  return system <= kWorkSystems ? fmt::format("G{}", kG53 + system)
+                                : fmt::format("G54.1 P{}", system - kWorkSystems);
 }
 
 /// Which axis, offset or group one number of a row means; "" where the row says it.
@@ -119,7 +118,7 @@ std::string meaning_of(const SystemVariable& row, int number) {
   if (row.shows == Shows::WorkOffset || row.shows == Shows::AdditionalOffset) {
     const bool is_additional = row.shows == Shows::AdditionalOffset;
     const int place = is_additional ? index : number - kFirstWorkOffset;
-    const int first_system = is_additional ? Coordinates::kSystems + 1 : 0;
+    const int first_system = is_additional ? kWorkSystems + 1 : 0;
     return fmt::format("{}, {}", system_name(first_system + place / kNumbersPerSystem),
                        axis_name(place % kNumbersPerSystem));
   }

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "interpreter/dialects/fanuc/state/work_transform.h"
+#include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::fanuc {
@@ -20,8 +21,8 @@ namespace g31::fanuc {
 /// one.  Changing the tool offset moves nothing either; the next move takes it along (MB-295).
 class Coordinates {
  public:
-  static constexpr int kSystems = 6;       ///< G54..G59
-  static constexpr int kAdditional = 300;  ///< G54.1 P1..P300
+  static constexpr int kSystems = kWorkSystems;  ///< G54..G59
+  static constexpr int kAdditional = 300;        ///< G54.1 P1..P300
 
   Coordinates() { systems_.fill(AxisPositions::Zero()); }
 

@@ -1,28 +1,18 @@
 #include "interpreter/dialects/fanuc/text/output_format.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/text/scanner.h"
 #include "interpreter/dialects/fanuc/text/word_values.h"
 
 namespace g31::fanuc {
 namespace {
 
-constexpr auto kStatementRows = std::to_array<OutputStatementInfo>({
-#define OUTPUT_STATEMENT(name, has_format, text) {#name, HasFormat::has_format, text},
-#include "interpreter/dialects/fanuc/vocabulary/statements.def"
-#undef OUTPUT_STATEMENT
-});
-
 constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\0';
@@ -53,23 +43,6 @@ Result<OutputItem, std::string> take_variable(std::string_view& text) {
 }
 
 }  // namespace
-
-std::span<const OutputStatementInfo> output_statements() {
-  return kStatementRows;
-}
-
-const OutputStatementInfo& info(OutputStatement statement) {
-  return kStatementRows.at(static_cast<std::size_t>(statement));
-}
-
-std::optional<OutputStatement> find_output_statement(std::string_view name) {
-  for (std::size_t i = 0; i < kStatementRows.size(); ++i) {
-    if (name.size() >= 2 && kStatementRows[i].name.starts_with(name)) {
-      return static_cast<OutputStatement>(i);
-    }
-  }
-  return std::nullopt;
-}
 
 Result<std::vector<OutputItem>, std::string> parse_output_format(std::string_view text) {
   std::string plain;

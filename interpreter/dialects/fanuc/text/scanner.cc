@@ -12,10 +12,6 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 constexpr bool is_letter(char c) {
   return c >= 'A' && c <= 'Z';
 }

@@ -10,6 +10,10 @@
 
 namespace g31::fanuc {
 
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 /// What Scanner::peek shows of a character: letters as upper case; 0 where it has to look closer,
 /// at blanks and comments.
 inline constexpr auto kShown = [] {

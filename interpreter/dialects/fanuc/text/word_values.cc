@@ -7,11 +7,11 @@
 namespace g31::fanuc {
 namespace {
 
-constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5};
+constexpr double kPlainPowers[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5};
 
 /// Whether a number of so many decimals is on the grid of 1/counts, a power of ten.
 bool is_on_grid(std::size_t decimals, double counts) {
-  return decimals < std::size(kPowersOfTen) && kPowersOfTen[decimals] <= counts;
+  return decimals < std::size(kPlainPowers) && kPlainPowers[decimals] <= counts;
 }
 
 /// How far a decimal fraction may stand off its count: a few ulp of the scaled number.

@@ -8,6 +8,8 @@
 
 namespace g31::fanuc {
 
+inline constexpr int kWorkSystems = 6;  ///< G54 to G59
+
 /// What a G code makes the control do; the interpreter has one function for each.
 enum class GAction : std::uint8_t {
   Modal,      ///< only sets its group

@@ -6,10 +6,10 @@
 #include <span>
 #include <string_view>
 
-#include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/dialects/fanuc/vocabulary/alarms.h"
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
+#include "interpreter/dialects/fanuc/vocabulary/statements.h"
 #include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
 
 namespace g31::fanuc {

@@ -1,25 +1,12 @@
 #include "interpreter/dialects/sinumerik/code/globals.h"
 
 #include <algorithm>
-#include <array>
 
+#include "interpreter/dialects/sinumerik/vocabulary/machine_data.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::sinumerik {
 namespace {
-
-constexpr auto kMachineData = std::to_array<MachineDatum>({
-#define MACHINE_DATA(number, name, type, count, preset, text) \
-  {number, name, Type::type, count, preset, text},
-#include "interpreter/dialects/sinumerik/vocabulary/machine_data.def"
-#undef MACHINE_DATA
-});
-
-constexpr auto kMemory = std::to_array<MemoryRow>({
-#define MEMORY(name, type, count, text) {name, Type::type, count, text},
-#include "interpreter/dialects/sinumerik/vocabulary/memory.def"
-#undef MEMORY
-});
 
 Variable row_variable(std::string_view name, Type type, int count) {
   Variable variable;
@@ -35,24 +22,16 @@ Variable row_variable(std::string_view name, Type type, int count) {
 
 }  // namespace
 
-std::span<const MachineDatum> machine_data() {
-  return kMachineData;
-}
-
-std::span<const MemoryRow> memory_rows() {
-  return kMemory;
-}
-
 Globals::Globals() {
   Variable r;
   r.name = "R";
   r.shape = {1, {kRParameters, 1, 1}};
   define(r);
-  for (const MachineDatum& row : kMachineData) {
+  for (const MachineDatum& row : machine_data()) {
     const std::int32_t place = define(row_variable(row.name, row.type, row.count))->place;
     std::fill(numbers_.begin() + place, numbers_.end(), row.preset);
   }
-  for (const MemoryRow& row : kMemory) {
+  for (const MemoryRow& row : memory_rows()) {
     define(row_variable(row.name, row.type, row.count));
   }
 }

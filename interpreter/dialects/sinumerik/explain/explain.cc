@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/code/globals.h"
 #include "interpreter/dialects/sinumerik/vocabulary/alarms.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+#include "interpreter/dialects/sinumerik/vocabulary/machine_data.h"
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
 #include "interpreter/dialects/sinumerik/vocabulary/operators.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"

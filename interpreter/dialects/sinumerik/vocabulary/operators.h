@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "interpreter/dialects/sinumerik/code/code.h"
+#include "interpreter/dialects/sinumerik/vocabulary/op_code.h"
 
 namespace g31::sinumerik {
 

@@ -1,0 +1,31 @@
+#include "interpreter/dialects/sinumerik/vocabulary/machine_data.h"
+
+#include <array>
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr auto kMachineData = std::to_array<MachineDatum>({
+#define MACHINE_DATA(number, name, type, count, preset, text) \
+  {number, name, Type::type, count, preset, text},
+#include "interpreter/dialects/sinumerik/vocabulary/machine_data.def"
+#undef MACHINE_DATA
+});
+
+constexpr auto kMemory = std::to_array<MemoryRow>({
+#define MEMORY(name, type, count, text) {name, Type::type, count, text},
+#include "interpreter/dialects/sinumerik/vocabulary/memory.def"
+#undef MEMORY
+});
+
+}  // namespace
+
+std::span<const MachineDatum> machine_data() {
+  return kMachineData;
+}
+
+std::span<const MemoryRow> memory_rows() {
+  return kMemory;
+}
+
+}  // namespace g31::sinumerik
