@@ -35,15 +35,6 @@ ToolPlace AxisChain::for_part(const AxisPositions& q_M) const {
   return place;
 }
 
-Contact AxisChain::to_machine(const AxisPositions& q_M, const Contact& of_part) const {
-  if (!is_turned(q_M)) {
-    return of_part;
-  }
-  const Eigen::Isometry3d machine_from_part = part_from_machine(q_M).inverse();
-  return {machine_from_part * of_part.p_M_point, machine_from_part.linear() * of_part.n_M,
-          of_part.part};
-}
-
 bool AxisChain::is_turned(const AxisPositions& q_M) const {
   return has_rotary_axes_ && !q_M.tail<3>().isZero(0.0);
 }

@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 
-#include "machine/port/contact.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::machine {
@@ -51,15 +50,15 @@ class AxisChain {
   /// Where the tool is for the part.  With all rotary axes at 0 nothing changes, bit for bit.
   [[nodiscard]] ToolPlace for_part(const AxisPositions& q_M) const;
 
-  /// What was met in the frame of the part, in that of the machine.  @param q_M  of the axes then
-  [[nodiscard]] Contact to_machine(const AxisPositions& q_M, const Contact& of_part) const;
+  /// Whether the frame of the part is turned in that of the machine, or the tool against it.
+  [[nodiscard]] bool is_turned(const AxisPositions& q_M) const;
+
+  /// From the frame of the machine to that of the part.
+  [[nodiscard]] Eigen::Isometry3d part_from_machine(const AxisPositions& q_M) const;
 
  private:
-  [[nodiscard]] bool is_turned(const AxisPositions& q_M) const;
   [[nodiscard]] Eigen::Isometry3d joint(char axis, const AxisPositions& q_M) const;
   [[nodiscard]] Eigen::Isometry3d along(const std::string& axes, const AxisPositions& q_M) const;
-  /// From the machine's frame to the part's.
-  [[nodiscard]] Eigen::Isometry3d part_from_machine(const AxisPositions& q_M) const;
 
   AxisChainSetup setup_;
   Point p_T_tip_;

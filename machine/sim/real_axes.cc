@@ -57,7 +57,7 @@ std::optional<Timed<SkipTrigger>> RealAxes::first_trigger(const ServoMotion& mot
   Timed<SkipTrigger> timed{*std::move(trigger), 0.0};
   timed.time_s = way.time_s(timed.event.fraction);
   if (timed.event.contact) {
-    timed.event.contact = chain_.to_machine(motion.encoder_at(timed.time_s), *timed.event.contact);
+    timed.event.contact = in_machine(motion.encoder_at(timed.time_s), *timed.event.contact);
   }
   return timed;
 }
@@ -72,7 +72,7 @@ std::optional<Timed<Obstacle>> RealAxes::first_collision(const ServoMotion& moti
   }
   Timed<Obstacle> timed{*std::move(obstacle), 0.0};
   timed.time_s = way.time_s(timed.event.fraction);
-  timed.event.contact = chain_.to_machine(motion.encoder_at(timed.time_s), timed.event.contact);
+  timed.event.contact = in_machine(motion.encoder_at(timed.time_s), timed.event.contact);
   return timed;
 }
 
@@ -100,7 +100,12 @@ std::vector<Waypoint> RealAxes::way_taken(const Waypoint& tip_from, const AxisPo
 }
 
 Contact RealAxes::in_machine(const AxisPositions& q_M, const Contact& of_part) const {
-  return is_ideal_ ? of_part : chain_.to_machine(q_M, of_part);
+  if (is_ideal_ || !chain_.is_turned(q_M)) {
+    return of_part;
+  }
+  const Eigen::Isometry3d machine_from_part = chain_.part_from_machine(q_M).inverse();
+  return {machine_from_part * of_part.p_M_point, machine_from_part.linear() * of_part.n_M,
+          of_part.part};
 }
 
 void RealAxes::follow(const ServoMotion& motion, double until_s) {

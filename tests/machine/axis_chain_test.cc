@@ -102,20 +102,22 @@ TEST(AxisChain, WhichLinearAxesAreUnderTheTableDoesNotMatterForTheTouchOnIt) {
   const AxisChain on_slides(chain("CAXY", "Z"), p_T);
   expect_near(linear_axes(on_bed.for_part(q_M).q), linear_axes(on_slides.for_part(q_M).q),
               "for part");
-  const Contact of_part{{1, 2, 3}, {0, 0.6, 0.8}, "cube"};
-  expect_near(on_bed.to_machine(q_M, of_part).p_M_point,
-              on_slides.to_machine(q_M, of_part).p_M_point, "contact");
+  const Point p_P(1, 2, 3);
+  expect_near(on_bed.part_from_machine(q_M).inverse() * p_P,
+              on_slides.part_from_machine(q_M).inverse() * p_P, "contact");
 }
 
-TEST(AxisChain, AContactGoesBackToTheMachine) {
-  AxisChainSetup setup = chain("CA", "XYZ");
-  setup.rotary[0].p_M_centre = {0, 5, -450};
-  const Point p_T(0.25, 0, -120);
-  const AxisChain table(setup, p_T);
+TEST(RealAxes, AContactGoesBackToTheMachine) {
+  MachineSetup setup;
+  setup.chain = chain("CA", "XYZ");
+  setup.chain.rotary[0].p_M_centre = {0, 5, -450};
+  setup.p_T_tip = {0.25, 0, -120};
+  const RealAxes table(setup);
   const AxisPositions q_M = axes(50, 60, -30, -35, 0, 70);
+  const Point& p_T = setup.p_T_tip;
   // Where the tip is for the part, there it is for the machine: at the axes.
-  const Point tip_of_part = linear_axes(table.for_part(q_M).q) + p_T;
-  const Contact contact = table.to_machine(q_M, {tip_of_part, Point::UnitZ(), "cube"});
+  const Point tip_of_part = linear_axes(table.tip(q_M).q_M) + p_T;
+  const Contact contact = table.in_machine(q_M, {tip_of_part, Point::UnitZ(), "cube"});
   expect_near(contact.p_M_point, linear_axes(q_M) + p_T, "point");
   // C does not move its own axis; A at -35 turns the table by +35 about X.
   expect_near(contact.n_M, about_x(Point::UnitZ(), 35.0), "normal");
