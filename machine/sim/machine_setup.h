@@ -7,7 +7,7 @@
 #include "machine/errors/axis_play.h"
 #include "machine/errors/geometric_errors.h"
 #include "machine/port/machine_port.h"
-#include "machine/sim/axis_chain.h"
+#include "machine/kinematics/axis_chain.h"
 #include "machine/units/axis_positions.h"
 #include "machine/units/thermal_growth.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "machine/port/surroundings.h"
-#include "machine/sim/axis_chain.h"
+#include "machine/kinematics/axis_chain.h"
 #include "machine/sim/servo_motion.h"
 #include "machine/sim/true_position.h"
 

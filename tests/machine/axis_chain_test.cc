@@ -1,7 +1,7 @@
 // The forward transform of machines with tables that turn, against rotations written out, and
 // touches on such a table.
 
-#include "machine/sim/axis_chain.h"
+#include "machine/kinematics/axis_chain.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "machine/sim/axis_chain.h"
+#include "machine/kinematics/axis_chain.h"
 
 #include <algorithm>
 
