@@ -12,10 +12,6 @@ namespace {
 constexpr double kQuarterRad = 0.5 * std::numbers::pi;
 constexpr double kFullRad = 2.0 * std::numbers::pi;
 
-bool is_linear_axis(int axis) {
-  return axis >= 0 && axis < 3;
-}
-
 /// From a direction to another, turning one way: in (0, 2 pi] or [-2 pi, 0).
 double turn_between(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Turn turn) {
   const double shorter = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));

@@ -6,8 +6,8 @@
 
 #include "machine/errors/axis_play.h"
 #include "machine/errors/geometric_errors.h"
-#include "machine/port/machine_port.h"
 #include "machine/kinematics/axis_chain.h"
+#include "machine/port/machine_port.h"
 #include "machine/units/axis_positions.h"
 #include "machine/units/thermal_growth.h"
 
@@ -40,7 +40,9 @@ enum class Stopping {
 inline std::array<AxisSetup, kAxisCount> three_linear_axes() {
   std::array<AxisSetup, kAxisCount> axes;
   axes.fill(AxisSetup{});
-  axes[0].present = axes[1].present = axes[2].present = true;
+  for (int i = 0; i < kLinearAxisCount; ++i) {
+    axes[static_cast<std::size_t>(i)].present = true;
+  }
   return axes;
 }
 

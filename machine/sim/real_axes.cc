@@ -86,7 +86,7 @@ Waypoint RealAxes::tip(const AxisPositions& q_M) const {
 
 std::vector<Waypoint> RealAxes::way_taken(const Waypoint& tip_from, const AxisPositions& q_M_from,
                                           const AxisPositions& q_M_to) const {
-  const double turned_deg = (q_M_to - q_M_from).tail<3>().cwiseAbs().maxCoeff();
+  const double turned_deg = rotary_axes(q_M_to - q_M_from).cwiseAbs().maxCoeff();
   const int pieces = chain_.has_rotary_axes()
                          ? std::max(1, static_cast<int>(std::ceil(turned_deg / kSkipTurnDeg)))
                          : 1;

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "machine/port/surroundings.h"
 #include "machine/kinematics/axis_chain.h"
+#include "machine/port/surroundings.h"
 #include "machine/sim/machine_setup.h"
 #include "machine/sim/servo_motion.h"
 #include "machine/sim/true_position.h"

@@ -7,9 +7,8 @@
 namespace g31::machine {
 namespace {
 
-/// X Y Z come first in storage order, the rotary axes behind them.
 const char* unit_of_axis(std::size_t axis) {
-  return axis < 3 ? "mm" : "deg";
+  return is_linear_axis(static_cast<int>(axis)) ? "mm" : "deg";
 }
 
 }  // namespace

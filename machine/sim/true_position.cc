@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace g31::machine {
-namespace {
-
-constexpr Eigen::Index kLinearAxes = 3;
-
-}  // namespace
-
 TruePosition::TruePosition(const MachineSetup& setup)
     : geometry_(setup.geometric_errors),
       growth_(AxisPositions::Zero()),
@@ -18,7 +12,7 @@ TruePosition::TruePosition(const MachineSetup& setup)
     const auto row = static_cast<Eigen::Index>(i);
     const AxisSetup& axis = setup.axes[i];
     play_.emplace_back(axis.play, setup.q_M_start[row]);
-    if (row < kLinearAxes) {
+    if (is_linear_axis(static_cast<int>(i))) {
       growth_[row] = axis.scale_growth.per_unit();
       q_M_fixed_[row] = axis.scale_fixed_at;
     }
@@ -29,7 +23,7 @@ TruePosition::TruePosition(const MachineSetup& setup)
 
 AxisPositions TruePosition::without_play(const AxisPositions& q_M) const {
   AxisPositions q_M_true = q_M + growth_.cwiseProduct(q_M - q_M_fixed_);
-  q_M_true.head<kLinearAxes>() += geometry_.at(linear_axes(q_M), p_T_tip_);
+  q_M_true.head<kLinearAxisCount>() += geometry_.at(linear_axes(q_M), p_T_tip_);
   return q_M_true;
 }
 

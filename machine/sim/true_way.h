@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "machine/port/surroundings.h"
 #include "machine/kinematics/axis_chain.h"
+#include "machine/port/surroundings.h"
 #include "machine/sim/servo_motion.h"
 #include "machine/sim/true_position.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <iterator>
 
 #include <Eigen/Core>
 
@@ -8,19 +9,69 @@
 
 namespace g31 {
 
+/// What an axis does.
+enum class AxisKind {
+  Linear,  ///< goes straight: mm
+  Rotary   ///< turns: deg
+};
+
+/// Rows of axes.def.
+struct AxisRow {
+  char letter;
+  AxisKind kind;
+};
+inline constexpr AxisRow kAxes[] = {
+#define AXIS(letter, kind) {letter, AxisKind::kind},
+#include "machine/units/axes.def"
+#undef AXIS
+};
+
 /// How many axes a machine may have here, in this order: X Y Z A B C.
-inline constexpr std::size_t kAxisCount = 6;
+inline constexpr std::size_t kAxisCount = std::size(kAxes);
 
 /// The letters of the axes in storage order.
-inline constexpr char kAxisLetters[kAxisCount + 1] = "XYZABC";
+inline constexpr char kAxisLetters[] = {
+#define AXIS(letter, kind) letter,
+#include "machine/units/axes.def"
+#undef AXIS
+    '\0'};
 
-/// One number per axis: mm for X Y Z, degrees for A B C; written `q_M` for machine coordinates,
-/// `q_W` for work coordinates.  Axes a machine does not have stay 0.
+/// @param axis  storage index; what lies beyond the axes of a machine does not go straight
+constexpr bool is_linear_axis(int axis) {
+  return axis >= 0 && axis < static_cast<int>(kAxisCount) &&
+         kAxes[static_cast<std::size_t>(axis)].kind == AxisKind::Linear;
+}
+
+/// @param axis  storage index
+constexpr bool is_rotary_axis(int axis) {
+  return axis >= 0 && axis < static_cast<int>(kAxisCount) && !is_linear_axis(axis);
+}
+
+constexpr int count_axes(AxisKind kind) {
+  int count = 0;
+  for (const AxisRow& axis : kAxes) {
+    count += axis.kind == kind ? 1 : 0;
+  }
+  return count;
+}
+
+inline constexpr int kLinearAxisCount = count_axes(AxisKind::Linear);
+inline constexpr int kRotaryAxisCount = count_axes(AxisKind::Rotary);
+static_assert(is_linear_axis(kLinearAxisCount - 1) && is_rotary_axis(kLinearAxisCount),
+              "the linear axes stand first");
+
+/// One number per axis: mm for linear ones, degrees for rotary ones; written `q_M` for machine
+/// coordinates, `q_W` for work coordinates.  Axes a machine does not have stay 0.
 using AxisPositions = Eigen::Matrix<double, static_cast<int>(kAxisCount), 1>;
 
 /// The three linear axes as a point: on a three-axis machine the spindle gauge point.
 inline Point linear_axes(const AxisPositions& q) {
-  return q.head<3>();
+  return q.head<kLinearAxisCount>();
+}
+
+/// The rotary axes A B C, deg.
+inline Eigen::Matrix<double, kRotaryAxisCount, 1> rotary_axes(const AxisPositions& q) {
+  return q.tail<kRotaryAxisCount>();
 }
 
 /// The storage index of an axis letter, or -1.

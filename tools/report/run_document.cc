@@ -21,8 +21,8 @@ Json array_of(const Point& p) {
 /// X Y Z, and the rotary axes where one of them is not 0.
 Json array_of(const AxisPositions& q) {
   Json list = array_of(linear_axes(q));
-  if (!q.tail<3>().isZero(0.0)) {
-    for (Eigen::Index axis = 3; axis < q.size(); ++axis) {
+  if (!rotary_axes(q).isZero(0.0)) {
+    for (Eigen::Index axis = kLinearAxisCount; axis < q.size(); ++axis) {
       list.push_back(q[axis]);
     }
   }
@@ -63,7 +63,7 @@ Json alarm_json(const runtime::Alarm& alarm) {
 
 /// Positions of a program in inches are shown in inches: an object says so with `unit`.
 AxisPositions shown(AxisPositions q, LengthUnit unit) {
-  q.head<3>() /= mm_per(unit);
+  q.head<kLinearAxisCount>() /= mm_per(unit);
   return q;
 }
 

@@ -78,7 +78,7 @@ std::string text_of(const Sheet& sheet, KeyId id, const std::string& otherwise) 
 }
 
 bool is_linear(char letter) {
-  return axis_index(letter) < 3;
+  return is_linear_axis(axis_index(letter));
 }
 
 /// The sides as the sheet gives them: together they name every axis of the machine once.
@@ -115,7 +115,7 @@ void fill_rotary(machine::AxisChainSetup& chain, const std::string& letter, cons
   if (is_linear(letter.front())) {
     return;
   }
-  machine::RotaryLine& line = chain.rotary.at(index_of_axis(letter) - 3);
+  machine::RotaryLine& line = chain.rotary.at(index_of_axis(letter) - std::size_t{kLinearAxisCount});
   line.p_M_centre = point_from(keys, KeyId::AxisCentre);
   if (keys.find(KeyId::AxisDirection) != nullptr) {
     line.axis_M = point_from(keys, KeyId::AxisDirection);

@@ -43,7 +43,7 @@ const SectionRow* section_of(std::string_view path) {
 std::optional<std::size_t> component_in(std::string_view rest) {
   const bool ends = rest.size() > 2 && rest[rest.size() - 2] == '.';
   const int axis = ends ? axis_index(rest.back()) : -1;
-  return axis >= 0 && axis < 3 ? std::optional(static_cast<std::size_t>(axis)) : std::nullopt;
+  return is_linear_axis(axis) ? std::optional(static_cast<std::size_t>(axis)) : std::nullopt;
 }
 
 bool has_components(const KeyRow& row) {
