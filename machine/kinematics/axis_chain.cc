@@ -1,16 +1,21 @@
 #include "machine/kinematics/axis_chain.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
 
 #include "machine/units/units.h"
 
 namespace g31::machine {
 namespace {
 
-constexpr int kLinearAxes = 3;
+/// Linear axes whose directions span less than this leave a direction out; three at right angles
+/// span 1.
+constexpr double kLeastSpan = 1e-9;
 
 bool is_rotary(char axis) {
-  return axis_index(axis) >= kLinearAxes;
+  return is_rotary_axis(axis_index(axis));
 }
 
 }  // namespace
@@ -29,14 +34,46 @@ ToolPlace AxisChain::for_part(const AxisPositions& q_M) const {
   if (is_turned(q_M)) {
     const Eigen::Isometry3d table = along(setup_.table_side, q_M);
     const Eigen::Isometry3d tool = along(setup_.tool_side, q_M);
-    place.q.head<kLinearAxes>() = table * (tool * p_T_tip_) - p_T_tip_;
+    place.q.head<kLinearAxisCount>() = table * (tool * p_T_tip_) - p_T_tip_;
     place.tilt = Eigen::Quaterniond((table * tool).linear());
   }
   return place;
 }
 
+std::optional<AxisPositions> AxisChain::axes_for(const Point& p_P_tip,
+                                                 const AxisPositions& q_M_turned) const {
+  AxisPositions q_M = q_M_turned;
+  q_M.head<kLinearAxisCount>().setZero();
+  if (!is_turned(q_M)) {
+    q_M.head<kLinearAxisCount>() = p_P_tip - p_T_tip_;
+    return q_M;
+  }
+  // The place depends on the linear axes in straight lines: these are their directions for the
+  // part.
+  Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  for (const char axis : setup_.table_side + setup_.tool_side) {
+    if (is_rotary(axis)) {
+      motion = motion * joint(axis, q_M);
+    } else {
+      directions.col(axis_index(axis)) = motion.linear().col(axis_index(axis));
+    }
+  }
+  if (std::abs(directions.determinant()) < kLeastSpan) {
+    return std::nullopt;
+  }
+  q_M.head<kLinearAxisCount>() = directions.inverse() * (p_P_tip - motion * p_T_tip_);
+  return q_M;
+}
+
+Point AxisChain::tool_vector(const AxisPositions& q_M) const {
+  AxisPositions q_M_rotary = q_M;
+  q_M_rotary.head<kLinearAxisCount>().setZero();
+  return is_turned(q_M) ? Point(along(setup_.tool_side, q_M_rotary) * p_T_tip_) : p_T_tip_;
+}
+
 bool AxisChain::is_turned(const AxisPositions& q_M) const {
-  return has_rotary_axes_ && !q_M.tail<3>().isZero(0.0);
+  return has_rotary_axes_ && !rotary_axes(q_M).isZero(0.0);
 }
 
 Eigen::Isometry3d AxisChain::joint(char axis, const AxisPositions& q_M) const {
@@ -46,7 +83,7 @@ Eigen::Isometry3d AxisChain::joint(char axis, const AxisPositions& q_M) const {
     motion.translation()[index] = q_M[index];
     return motion;
   }
-  const RotaryLine& line = setup_.rotary.at(static_cast<std::size_t>(index - kLinearAxes));
+  const RotaryLine& line = setup_.rotary.at(static_cast<std::size_t>(index - kLinearAxisCount));
   motion.translate(line.p_M_centre);
   motion.rotate(Eigen::AngleAxisd(in_rad(deg(q_M[index])), line.axis_M));
   motion.translate(-line.p_M_centre);

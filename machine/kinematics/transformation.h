@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "machine/kinematics/axis_chain.h"
+
+namespace g31::machine {
+
+/// What a control does about rotary axes between the places of a program and the axes.
+enum class TransformationKind {
+  None,         ///< a place is one of the machine, whatever the rotary axes do
+  ToolCarrier,  ///< the tool's length goes along with the axes that turn the tool (TCARR)
+  FiveAxis,     ///< a place is one of the part, and the tip stays there (TRAORI, G43.4)
+};
+
+/// From places of the tool tip to axis positions, by what a *control* takes the machine for.  What
+/// the machine makes of these positions is AxisChain::for_part of what it is: with equal chains and
+/// tools FiveAxis brings the tip exactly there.
+class Transformation {
+ public:
+  /// @param p_T_tip  mm, the tool tip from the gauge point, as the control believes it
+  Transformation(TransformationKind kind, const AxisChainSetup& believed, const Point& p_T_tip)
+      : kind_(kind), chain_(believed, p_T_tip), p_T_tip_(p_T_tip) {}
+
+  /// nullopt: as the rotary axes stand, the linear ones do not lead everywhere.
+  /// @param p_tip       mm, frame of the machine, with FiveAxis of the part (work offset included)
+  /// @param q_M_turned  rotary axes as they stand; the linear ones do not count
+  [[nodiscard]] std::optional<AxisPositions> axes_for(const Point& p_tip,
+                                                      const AxisPositions& q_M_turned) const;
+
+ private:
+  TransformationKind kind_;
+  AxisChain chain_;
+  Point p_T_tip_;
+};
+
+}  // namespace g31::machine
