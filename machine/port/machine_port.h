@@ -6,6 +6,7 @@
 
 #include "machine/base/result.h"
 #include "machine/port/contact.h"
+#include "machine/port/skip_signal.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::machine {
@@ -61,19 +62,11 @@ struct NoEdge {
   std::optional<Contact> contact;
 };
 
-/// Which change of the skip signal counts.
-enum class SignalEdge {
-  Rising,  ///< the stylus is deflected
-  Falling  ///< it comes free
-};
-
 /// What the axes do after the signal.
 enum class AfterSignal {
   Stop,  ///< the rest of the way is not travelled
   GoOn   ///< the position is latched, the move goes to its end
 };
-
-inline constexpr int kAnyInput = 0;
 
 /// A straight move that listens to the skip signal.
 struct SkipMove {

@@ -57,7 +57,6 @@ struct MachineSetup {
   double in_position = 0.01;  ///< mm or deg, > 0: so near an exact stop takes the axes as arrived
   AxisChainSetup chain;
   errors::GeometricErrorSetup geometric_errors;
-  int probe_input = kAnyInput;    ///< measuring input of the skip signal; kAnyInput: all of them
   Point p_T_tip = Point::Zero();  ///< mm, from the spindle's gauge point: what angular errors move
 };
 

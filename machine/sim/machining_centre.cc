@@ -52,7 +52,6 @@ MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surrou
       dynamics_(setup),
       stopping_(setup.stopping),
       stop_delay_s_(setup.stop_delay_s),
-      probe_input_(setup.probe_input),
       surroundings_(surroundings),
       q_M_(setup.q_M_start),
       resolution_(resolutions(setup)),
@@ -67,7 +66,8 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
   }
   const StraightPath path(q_M_, move.q_M_end);
   if (path.moves()) {
-    if (auto fault = carry_out(path, dynamics_.profile(path, move), move.ends)) {
+    const Travel travel = move.traverse == Traverse::Rapid ? Travel::Rapid : Travel::Feed;
+    if (auto fault = carry_out(path, dynamics_.profile(path, move), {travel, move.ends})) {
       return *std::move(fault);
     }
   }
@@ -90,7 +90,8 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
       }
     }
   }
-  if (auto fault = carry_out(path, dynamics_.profile(path, arc.feed_mm_min), arc.ends)) {
+  if (auto fault =
+          carry_out(path, dynamics_.profile(path, arc.feed_mm_min), {Travel::Feed, arc.ends})) {
     return *std::move(fault);
   }
   q_M_ = arc.q_M_end;
@@ -119,13 +120,8 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMov
   return outcome;
 }
 
-bool MachiningCentre::is_wired(int input) const {
-  return surroundings_ != nullptr &&
-         (input == kAnyInput || probe_input_ == kAnyInput || input == probe_input_);
-}
-
 bool MachiningCentre::skip_signal(int input) const {
-  return is_wired(input) && surroundings_->signals_at(real_.tip(q_M_));
+  return surroundings_ != nullptr && surroundings_->signals_at(real_.tip(q_M_), input);
 }
 
 std::optional<MachineFault> MachiningCentre::damage(const AxisPositions& q_M_from,
@@ -133,29 +129,22 @@ std::optional<MachineFault> MachiningCentre::damage(const AxisPositions& q_M_fro
   if (surroundings_ == nullptr) {
     return std::nullopt;
   }
-  const std::vector<Waypoint> way = real_.way_taken(tip_from, q_M_from, q_M_);
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Waypoint& from = way[i - 1];
-    const Waypoint& to = way[i];
-    auto obstacle = differ(from, to)
-                        ? surroundings_->first_damage({from.q_M, to.q_M, from.tilt, to.tilt})
-                        : std::nullopt;
-    if (obstacle) {
-      G31_EXPECTS(is_fraction(obstacle->fraction));
-      const double fraction = from.fraction + obstacle->fraction * (to.fraction - from.fraction);
-      const AxisPositions q_M_stop = q_M_from + fraction * (q_M_ - q_M_from);
-      real_.stop_at(q_M_stop);
-      obstacle->contact = real_.in_machine(q_M_stop, obstacle->contact);
-      return stop_at(*std::move(obstacle), q_M_stop, 0.0);
-    }
+  const std::vector<Waypoint> taken = real_.way_taken(tip_from, q_M_from, q_M_);
+  auto obstacle = surroundings_->first_obstacle(Way(taken), Travel::Skip);
+  if (!obstacle) {
+    return std::nullopt;
   }
-  return std::nullopt;
+  G31_EXPECTS(is_fraction(obstacle->fraction));
+  const AxisPositions q_M_stop = q_M_from + obstacle->fraction * (q_M_ - q_M_from);
+  real_.stop_at(q_M_stop);
+  obstacle->contact = real_.in_machine(q_M_stop, obstacle->contact);
+  return stop_at(*std::move(obstacle), q_M_stop, 0.0);
 }
 
 void MachiningCentre::orient_spindle(double angle_deg) {
   G31_EXPECTS(std::isfinite(angle_deg));
   if (surroundings_ != nullptr) {
-    surroundings_->turn_spindle_to(angle_deg);
+    surroundings_->take(SpindleTurn{Rotation::Stopped, 0.0, angle_deg});
   }
 }
 
@@ -186,24 +175,26 @@ MachineFault MachiningCentre::stop_at(Obstacle obstacle, const AxisPositions& q_
   return {FaultKind::Collision, std::move(obstacle.what), q_M_, std::move(obstacle.contact)};
 }
 
-std::optional<Obstacle> MachiningCentre::obstacle_on(const StraightPath& path) {
-  return surroundings_->first_collision({path.from(), path.to()});
+std::optional<Obstacle> MachiningCentre::obstacle_on(const StraightPath& path, Travel travel) {
+  const Waypoint ends[] = {{0.0, path.from()}, {1.0, path.to()}};
+  return surroundings_->first_obstacle(Way(ends), travel);
 }
 
-std::optional<Obstacle> MachiningCentre::obstacle_on(const ArcPath& path) {
-  return surroundings_->first_collision_on_curve(
-      {[&path](double fraction) { return path.at(fraction); }, path.bend(), path.chord_count()});
+std::optional<Obstacle> MachiningCentre::obstacle_on(const ArcPath& path, Travel travel) {
+  const CurvedWay curve{[&path](double fraction) { return path.at(fraction); }, path.bend(),
+                        path.chord_count()};
+  return surroundings_->first_obstacle(Way(curve), travel);
 }
 
 template <typename Path>
 std::optional<MachineFault> MachiningCentre::carry_out(const Path& path,
                                                        const MotionProfile& profile,
-                                                       BlockEnd ends) {
+                                                       const Carriage& how) {
   if (!real_.are_ideal()) {
-    return carry_out_really(path, profile, ends);
+    return carry_out_really(path, profile, how);
   }
   if (surroundings_ != nullptr) {
-    auto obstacle = obstacle_on(path);
+    auto obstacle = obstacle_on(path, how.travel);
     if (obstacle) {
       G31_EXPECTS(is_fraction(obstacle->fraction));
       const double seconds = profile.time_at(obstacle->fraction * profile.length());
@@ -225,10 +216,10 @@ std::optional<MachineFault> MachiningCentre::carry_out(const Path& path,
 
 std::optional<MachineFault> MachiningCentre::carry_out_really(const CommandedPath& path,
                                                               const MotionProfile& profile,
-                                                              BlockEnd ends) {
+                                                              const Carriage& how) {
   const ServoMotion motion = real_.motion(path, profile.phases());
   if (surroundings_ != nullptr) {
-    auto obstacle = real_.first_collision(motion, ends, *surroundings_);
+    auto obstacle = real_.first_obstacle(motion, how, *surroundings_);
     if (obstacle) {
       const AxisPositions q_M_stop = motion.encoder_at(obstacle->time_s);
       follow(motion, obstacle->time_s);
@@ -236,7 +227,7 @@ std::optional<MachineFault> MachiningCentre::carry_out_really(const CommandedPat
       return stop_at(std::move(obstacle->event), q_M_stop, 0.0);
     }
   }
-  follow(motion, real_.done_s(motion, ends));
+  follow(motion, real_.done_s(motion, how.ends));
   return std::nullopt;
 }
 
@@ -246,11 +237,9 @@ std::optional<SkipOutcome> MachiningCentre::skip(const StraightPath& path,
   if (!real_.are_ideal()) {
     return skip_really(path, profile, move);
   }
-  if (is_wired(move.input)) {
+  if (surroundings_ != nullptr) {
     const Waypoint ends[] = {{0.0, path.from()}, {1.0, path.to()}};
-    auto trigger = move.edge == SignalEdge::Rising
-                       ? surroundings_->first_trigger({path.from(), path.to()})
-                       : surroundings_->first_release_along(ends);
+    auto trigger = surroundings_->first_signal(Way(ends), {move.input, move.edge});
     if (trigger) {
       return stop_for(*std::move(trigger), path, profile, move.after);
     }
@@ -300,8 +289,8 @@ std::optional<SkipOutcome> MachiningCentre::skip_really(const StraightPath& path
                                                         const MotionProfile& profile,
                                                         const SkipMove& move) {
   const ServoMotion motion = real_.motion(path, profile.phases());
-  if (is_wired(move.input)) {
-    auto trigger = real_.first_trigger(motion, move.edge, *surroundings_);
+  if (surroundings_ != nullptr) {
+    auto trigger = real_.first_signal(motion, {move.input, move.edge}, *surroundings_);
     if (trigger) {
       return stop_really(*std::move(trigger), path, profile, move.after);
     }

@@ -35,7 +35,7 @@ class MachiningCentre final : public MachinePort {
   Result<AxisPositions, MachineFault> move(const LinearMove& move) override;
 
   /// Moves along the arc to the end, exactly.  Faults as above; the travel limits are checked on
-  /// the whole arc.  The surroundings are asked chord by chord (see ArcPath::chord_count).
+  /// the whole arc.  The surroundings are asked about it as a curve.
   Result<AxisPositions, MachineFault> move(const ArcMove& arc) override;
 
   /// Moves until the skip signal.  From the contact the axes go on for the trigger's delay along
@@ -65,17 +65,15 @@ class MachiningCentre final : public MachinePort {
   std::optional<MachineFault> damage(const AxisPositions& q_M_from, const Waypoint& tip_from);
   [[nodiscard]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;
   MachineFault stop_at(Obstacle obstacle, const AxisPositions& q_M_stop, double seconds);
-  std::optional<Obstacle> obstacle_on(const StraightPath& path);
-  std::optional<Obstacle> obstacle_on(const ArcPath& path);
+  std::optional<Obstacle> obstacle_on(const StraightPath& path, Travel travel);
+  std::optional<Obstacle> obstacle_on(const ArcPath& path, Travel travel);
 
   // All the way along, or until something is in it.
   template <typename Path>
   std::optional<MachineFault> carry_out(const Path& path, const MotionProfile& profile,
-                                        BlockEnd ends);
+                                        const Carriage& how);
   std::optional<MachineFault> carry_out_really(const CommandedPath& path,
-                                               const MotionProfile& profile, BlockEnd ends);
-
-  [[nodiscard]] bool is_wired(int input) const;
+                                               const MotionProfile& profile, const Carriage& how);
 
   // Until the signal; nullopt: there is none.
   std::optional<SkipOutcome> skip(const StraightPath& path, const MotionProfile& profile,
@@ -96,7 +94,6 @@ class MachiningCentre final : public MachinePort {
   AxisDynamics dynamics_;
   Stopping stopping_;
   double stop_delay_s_;
-  int probe_input_;
   Surroundings* surroundings_;
   Clock clock_;
   AxisPositions q_M_;

@@ -44,13 +44,13 @@ double RealAxes::done_s(const ServoMotion& motion, BlockEnd end) const {
   return end == BlockEnd::ExactStop ? motion.in_position_s(in_position_) : motion.duration_s();
 }
 
-std::optional<Timed<SkipTrigger>> RealAxes::first_trigger(const ServoMotion& motion,
-                                                          SignalEdge edge,
-                                                          Surroundings& world) const {
+std::optional<Timed<SkipTrigger>> RealAxes::first_signal(const ServoMotion& motion,
+                                                         const Listening& to,
+                                                         Surroundings& world) const {
   const double until_s = done_s(motion, BlockEnd::ExactStop);
-  const TrueWay way(truth_, chain_, motion, until_s, {kTouchWayErrorMm, world.reach().signal});
-  auto trigger = edge == SignalEdge::Rising ? world.first_trigger_along(way.points())
-                                            : world.first_release_along(way.points());
+  const TrueWay way(truth_, chain_, motion, until_s,
+                    {kTouchWayErrorMm, world.tool_extent().signal_mm});
+  auto trigger = world.first_signal(Way(way.points()), to);
   if (!trigger) {
     return std::nullopt;
   }
@@ -62,11 +62,12 @@ std::optional<Timed<SkipTrigger>> RealAxes::first_trigger(const ServoMotion& mot
   return timed;
 }
 
-std::optional<Timed<Obstacle>> RealAxes::first_collision(const ServoMotion& motion, BlockEnd end,
-                                                         Surroundings& world) const {
-  const TrueWay way(truth_, chain_, motion, done_s(motion, end),
-                    {kMoveWayErrorMm, world.reach().body});
-  auto obstacle = world.first_collision_along(way.points());
+std::optional<Timed<Obstacle>> RealAxes::first_obstacle(const ServoMotion& motion,
+                                                        const Carriage& how,
+                                                        Surroundings& world) const {
+  const TrueWay way(truth_, chain_, motion, done_s(motion, how.ends),
+                    {kMoveWayErrorMm, world.tool_extent().body_mm});
+  auto obstacle = world.first_obstacle(Way(way.points()), how.travel);
   if (!obstacle) {
     return std::nullopt;
   }

@@ -18,6 +18,12 @@ struct Timed {
   double time_s = 0.0;  ///< since the beginning of the motion
 };
 
+/// How a motion is carried out.
+struct Carriage {
+  Travel travel = Travel::Feed;
+  BlockEnd ends = BlockEnd::ExactStop;
+};
+
 /// The axes of a machine as they are: behind their commands, beside their encoders, on tables that
 /// turn.  Keeps their state from motion to motion.
 class RealAxes {
@@ -35,12 +41,12 @@ class RealAxes {
   [[nodiscard]] double done_s(const ServoMotion& motion, BlockEnd end) const;
 
   /// What the world says to a motion; contacts in the machine's frame.
-  [[nodiscard]] std::optional<Timed<SkipTrigger>> first_trigger(const ServoMotion& motion,
-                                                                SignalEdge edge,
-                                                                Surroundings& world) const;
-  [[nodiscard]] std::optional<Timed<Obstacle>> first_collision(const ServoMotion& motion,
-                                                               BlockEnd end,
+  [[nodiscard]] std::optional<Timed<SkipTrigger>> first_signal(const ServoMotion& motion,
+                                                               const Listening& to,
                                                                Surroundings& world) const;
+  [[nodiscard]] std::optional<Timed<Obstacle>> first_obstacle(const ServoMotion& motion,
+                                                              const Carriage& how,
+                                                              Surroundings& world) const;
 
   /// Carries out a motion until some time.
   void follow(const ServoMotion& motion, double until_s);

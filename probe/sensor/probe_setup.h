@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "machine/port/skip_signal.h"
 #include "machine/units/point.h"
 #include "probe/collision/probe_section.h"
 
@@ -72,7 +73,8 @@ struct ProbeSetup {
   double length_mm = 120.0;       ///< spindle gauge line to ball centre, along -Z of the machine
   std::array<double, 2> eccentricity_mm = {0.0, 0.0};  ///< ball centre off the spindle axis, X Y
   double trigger_delay_s = 0.0;                        ///< >= 0
-  double repeatability_mm = 0.0;  ///< standard deviation of the trigger point along the move
+  double repeatability_mm = 0.0;   ///< standard deviation of the trigger point along the move
+  int input = machine::kAnyInput;  ///< measuring input that it is wired to; kAnyInput: all of them
   SwitchSetup at_switch;
   std::vector<StylusBall> further_balls;
   double deflection_limit_mm = std::numeric_limits<double>::infinity();  ///< > 0, see TouchProbe

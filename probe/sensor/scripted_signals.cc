@@ -12,16 +12,20 @@ ScriptedSignals::ScriptedSignals(std::vector<SkipSignal> signals) : signals_(std
   }
 }
 
-std::optional<machine::SkipTrigger> ScriptedSignals::first_trigger(const machine::Sweep& sweep) {
-  return next(sweep, machine::SignalEdge::Rising);
+std::optional<machine::SkipTrigger> ScriptedSignals::first_signal(const machine::Way& way,
+                                                                  const machine::Listening& to) {
+  const std::vector<machine::Waypoint> points = machine::points_of(way);
+  if (!machine::differ(points.front(), points.back())) {
+    return std::nullopt;
+  }
+  auto trigger = next({points.front().q_M, points.back().q_M}, to.edge);
+  if (trigger) {
+    trigger->fraction = machine::fraction_at_share(points, trigger->fraction);
+  }
+  return trigger;
 }
 
-std::optional<machine::SkipTrigger> ScriptedSignals::first_release_along(
-    std::span<const machine::Waypoint> way) {
-  return next({way.front().q_M, way.back().q_M}, machine::SignalEdge::Falling);
-}
-
-bool ScriptedSignals::signals_at(const machine::Waypoint& at) const {
+bool ScriptedSignals::signals_at(const machine::Waypoint& at, int /*input*/) const {
   if (!last_) {
     return false;
   }
@@ -55,7 +59,8 @@ std::optional<machine::SkipTrigger> ScriptedSignals::next(const machine::Sweep& 
   return trigger;
 }
 
-std::optional<machine::Obstacle> ScriptedSignals::first_collision(const machine::Sweep&) {
+std::optional<machine::Obstacle> ScriptedSignals::first_obstacle(const machine::Way& /*way*/,
+                                                                 machine::Travel /*travel*/) {
   return std::nullopt;
 }
 

@@ -24,17 +24,20 @@ class ScriptedSignals final : public machine::Surroundings {
   /// No signal: the list is used up, the signal has no `at`, its axis does not move in this sweep
   /// or ends before `at`.  An axis that starts at `at` or beyond it in the direction of its motion:
   /// the signal is on at the start.
-  std::optional<machine::SkipTrigger> first_trigger(const machine::Sweep& sweep) override;
-
-  /// A signal of the list that goes off instead of on.
-  std::optional<machine::SkipTrigger> first_release_along(
-      std::span<const machine::Waypoint> way) override;
+  /// With a falling edge the signal of the list goes off instead of on.  Whatever input a move
+  /// listens to, the signal is that of the move.
+  std::optional<machine::SkipTrigger> first_signal(const machine::Way& way,
+                                                   const machine::Listening& to) override;
 
   /// The signal that came last is there as long as its axis stays at its coordinate or beyond.
-  [[nodiscard]] bool signals_at(const machine::Waypoint& at) const override;
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
 
   /// Always nullopt.
-  std::optional<machine::Obstacle> first_collision(const machine::Sweep& sweep) override;
+  std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
+                                                  machine::Travel travel) override;
+
+  [[nodiscard]] machine::ToolExtent tool_extent() const override { return {}; }
+  void take(const machine::MachineEvent& /*event*/) override {}
 
  private:
   /// What the last skip move made of the signal.

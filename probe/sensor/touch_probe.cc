@@ -35,24 +35,23 @@ TouchProbe::TouchProbe(std::shared_ptr<const TouchableParts> parts, const ProbeS
   }
 }
 
-std::optional<machine::SkipTrigger> TouchProbe::first_trigger(const machine::Sweep& sweep) {
-  const std::uint64_t event = triggers_asked_++;
-  const auto signal = first_signal(sweep);
-  if (!signal || signal->distance > signal->touch.way.length) {
-    return std::nullopt;
-  }
-  const double length = signal->touch.way.length;
-  machine::SkipTrigger trigger = trigger_of(signal->touch);
-  trigger.on_at_start = signal->on_at_start;
-  if (!trigger.on_at_start) {
-    trigger.delay_s = setup_.trigger_delay_s;
-    trigger.fraction = std::clamp((signal->distance + trigger_shift(event)) / length, 0.0, 1.0);
-  }
-  return trigger;
+bool TouchProbe::is_wired(int input) const {
+  return input == machine::kAnyInput || setup_.input == machine::kAnyInput || input == setup_.input;
 }
 
-std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
-    std::span<const machine::Waypoint> way) {
+std::optional<machine::SkipTrigger> TouchProbe::first_signal(const machine::Way& way,
+                                                             const machine::Listening& to) {
+  if (!is_wired(to.input)) {
+    return std::nullopt;
+  }
+  const std::vector<machine::Waypoint> chords =
+      way.curve() != nullptr ? machine::points_of(way) : std::vector<machine::Waypoint>();
+  const Points points = way.curve() != nullptr ? Points(chords) : way.points();
+  return to.edge == machine::SignalEdge::Rising ? first_touch_along(points)
+                                                : first_release_along(points);
+}
+
+std::optional<machine::SkipTrigger> TouchProbe::first_touch_along(Points way) {
   const std::uint64_t event = triggers_asked_++;
   for (std::size_t i = 1; i < way.size(); ++i) {
     const machine::Waypoint& from = way[i - 1];
@@ -60,7 +59,7 @@ std::optional<machine::SkipTrigger> TouchProbe::first_trigger_along(
     if (!machine::differ(from, to)) {
       continue;
     }
-    if (const auto signal = first_signal({from.q_M, to.q_M, from.tilt, to.tilt})) {
+    if (const auto signal = first_signal(machine::sweep_between(from, to))) {
       const std::vector<machine::Waypoint> of_ball = way_of(*signal->touch.ball, way);
       const double gone = machine::length_of(std::span(of_ball).first(i));
       const double distance = gone + signal->distance;
@@ -111,8 +110,11 @@ double TouchProbe::trigger_shift(std::uint64_t event) const {
              : 0.0;
 }
 
-void TouchProbe::turn_spindle_to(double angle_deg) {
-  R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, angle_deg}});
+void TouchProbe::take(const machine::MachineEvent& event) {
+  const auto* const turn = std::get_if<machine::SpindleTurn>(&event);
+  if (turn != nullptr && turn->angle_deg) {
+    R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, *turn->angle_deg}});
+  }
 }
 
 void TouchProbe::add_ball(const Point& p_S, double diameter_mm) {
@@ -120,20 +122,20 @@ void TouchProbe::add_ball(const Point& p_S, double diameter_mm) {
   balls_.push_back({p_S, radius, parts_->size_of(radius)});
 }
 
-machine::Reach TouchProbe::reach() const {
+machine::ToolExtent TouchProbe::tool_extent() const {
   const Point& p_S_tip = balls_.front().p_S;
-  machine::Reach reach;
+  machine::ToolExtent extent;
   for (const Ball& ball : balls_) {
-    reach.signal = std::max(reach.signal, (R_MS_ * ball.p_S - p_S_tip).norm());
+    extent.signal_mm = std::max(extent.signal_mm, (R_MS_ * ball.p_S - p_S_tip).norm());
   }
-  reach.body = reach.signal;
+  extent.body_mm = extent.signal_mm;
   const double off_tip = (R_MS_ * p_S_tip - p_S_tip).norm();
   for (const std::vector<ProbeSection>* sections : {&setup_.stem, &setup_.bodies}) {
     for (const ProbeSection& section : *sections) {
-      reach.body = std::max(reach.body, off_tip + reach_of(section));
+      extent.body_mm = std::max(extent.body_mm, off_tip + reach_of(section));
     }
   }
-  return reach;
+  return extent;
 }
 
 Point TouchProbe::centre_of(const Ball& ball, const AxisPositions& q_M,
@@ -152,11 +154,10 @@ TouchProbe::BallWay TouchProbe::way_of(const Ball& ball, const machine::Sweep& s
   return way;
 }
 
-std::vector<machine::Waypoint> TouchProbe::way_of(const Ball& ball,
-                                                  std::span<const machine::Waypoint> way) const {
+std::vector<machine::Waypoint> TouchProbe::way_of(const Ball& ball, Points way) const {
   std::vector<machine::Waypoint> of_ball(way.begin(), way.end());
   for (machine::Waypoint& point : of_ball) {
-    point.q_M.head<3>() = centre_of(ball, point.q_M, point.tilt);
+    point.q_M.head<kLinearAxisCount>() = centre_of(ball, point.q_M, point.tilt);
   }
   return of_ball;
 }

@@ -41,37 +41,27 @@ class TouchProbe final : public machine::Surroundings {
   TouchProbe(std::shared_ptr<const TouchableParts> parts, const ProbeSetup& setup,
              std::uint64_t seed);
 
-  /// The contact in the answer is the true one; `fraction` carries deflection and random shift.
-  std::optional<machine::SkipTrigger> first_trigger(const machine::Sweep& sweep) override;
-
-  std::optional<machine::SkipTrigger> first_trigger_along(
-      std::span<const machine::Waypoint> way) override;
+  /// Rising: the contact in the answer is the true one; `fraction` carries deflection and random
+  /// shift.  Falling: where every ball has come out as far as the signal needs, shifted at random
+  /// as a touch is; the contact is that of the ball at the start of the piece where it happens.
+  std::optional<machine::SkipTrigger> first_signal(const machine::Way& way,
+                                                   const machine::Listening& to) override;
 
   /// Whether a ball is pushed in as far as the signal needs.
-  [[nodiscard]] bool signals_at(const machine::Waypoint& at) const override;
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
 
-  /// Where every ball has come out as far as the signal needs, shifted at random as a touch is.
-  /// The contact is that of the ball at the start of the piece where it happens.
-  std::optional<machine::SkipTrigger> first_release_along(
-      std::span<const machine::Waypoint> way) override;
+  /// On a skip move a rigid section touching, or a ball pushed deeper than the deflection limit,
+  /// measured along the surface normal; on others the ball touching a part, or a rigid section.
+  /// Leaving a contact of the ball is free, pushing deeper into it is not.
+  ///
+  /// Accuracy on a curve: kCurveErrorMm for the ball, kSectionTouchErrorMm for a rigid section.
+  std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
+                                                  machine::Travel travel) override;
 
-  /// The ball touching a part, or a rigid section.  Leaving a contact of the ball is free, pushing
-  /// deeper into it is not.
-  std::optional<machine::Obstacle> first_collision(const machine::Sweep& sweep) override;
+  [[nodiscard]] machine::ToolExtent tool_extent() const override;
 
-  /// A rigid section touching, or a ball pushed deeper than the deflection limit, measured along
-  /// the surface normal.
-  std::optional<machine::Obstacle> first_damage(const machine::Sweep& sweep) override;
-
-  /// Accuracy: kCurveErrorMm for the ball; a rigid section counts as touching within the chord
-  /// error of the sweep.
-  std::optional<machine::Obstacle> first_collision_on_curve(
-      const machine::CurvedSweep& sweep) override;
-
-  [[nodiscard]] machine::Reach reach() const override;
-
-  /// Positive angles turn the probe from +X towards +Y.
-  void turn_spindle_to(double angle_deg) override;
+  /// An angle of the spindle turns the probe, positive from +X towards +Y.
+  void take(const machine::MachineEvent& event) override;
 
  private:
   struct Ball {
@@ -103,6 +93,14 @@ class TouchProbe final : public machine::Surroundings {
     double distance = 0.0;  ///< mm of the ball's way from the start of the sweep
     bool on_at_start = false;
   };
+  using Points = std::span<const machine::Waypoint>;
+  [[nodiscard]] bool is_wired(int input) const;
+  std::optional<machine::SkipTrigger> first_touch_along(Points way);
+  std::optional<machine::SkipTrigger> first_release_along(Points way);
+  [[nodiscard]] std::optional<machine::Obstacle> collision_on(const machine::Sweep& sweep) const;
+  [[nodiscard]] std::optional<machine::Obstacle> collision_on(
+      const machine::CurvedWay& curve) const;
+  [[nodiscard]] std::optional<machine::Obstacle> damage_on(const machine::Sweep& sweep) const;
   using Sections = std::span<const ProbeSection>;
   [[nodiscard]] std::optional<machine::Obstacle> touch_of(Sections sections,
                                                           const machine::Sweep& sweep,
@@ -112,7 +110,7 @@ class TouchProbe final : public machine::Surroundings {
   /// Between two fractions of the curve.  Certified: chords are swept with the bulge of the curve
   /// as a margin, and halved until they are free or as good as the curve, kSectionTouchErrorMm.
   [[nodiscard]] std::optional<machine::Obstacle> rigid_touch_on_curve(
-      const machine::CurvedSweep& sweep, double begin, double end) const;
+      const machine::CurvedWay& curve, double begin, double end) const;
   /// The fraction of the sweep at which a ball that begins pushed in has come out; 0: it does not
   /// begin so.
   [[nodiscard]] double out_of_contact(const machine::Sweep& sweep) const;
@@ -122,8 +120,7 @@ class TouchProbe final : public machine::Surroundings {
                                 const Eigen::Quaterniond& tilt) const;
   [[nodiscard]] BallWay way_of(const Ball& ball, const machine::Sweep& sweep) const;
   /// The centres of a ball along a way, as linear axes.
-  [[nodiscard]] std::vector<machine::Waypoint> way_of(const Ball& ball,
-                                                      std::span<const machine::Waypoint> way) const;
+  [[nodiscard]] std::vector<machine::Waypoint> way_of(const Ball& ball, Points way) const;
   [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question) const;
   /// Where the deflection of a touch on this sweep is reached, be it behind its end.
   [[nodiscard]] std::optional<Signal> first_signal(const machine::Sweep& sweep) const;

@@ -28,7 +28,29 @@ std::optional<machine::Obstacle> earlier(std::optional<machine::Obstacle> a,
 
 }  // namespace
 
-std::optional<machine::Obstacle> TouchProbe::first_collision(const machine::Sweep& sweep) {
+std::optional<machine::Obstacle> TouchProbe::first_obstacle(const machine::Way& way,
+                                                            machine::Travel travel) {
+  if (way.curve() != nullptr) {
+    return collision_on(*way.curve());
+  }
+  const Points points = way.points();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const machine::Waypoint& from = points[i - 1];
+    const machine::Waypoint& to = points[i];
+    if (!machine::differ(from, to)) {
+      continue;
+    }
+    const machine::Sweep sweep = machine::sweep_between(from, to);
+    auto obstacle = travel == machine::Travel::Skip ? damage_on(sweep) : collision_on(sweep);
+    if (obstacle) {
+      obstacle->fraction = machine::fraction_between(from, to, obstacle->fraction);
+      return obstacle;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<machine::Obstacle> TouchProbe::collision_on(const machine::Sweep& sweep) const {
   auto rigid = rigid_touch(sweep);
   const PartHit touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
   if (touch.part == nullptr) {
@@ -38,14 +60,13 @@ std::optional<machine::Obstacle> TouchProbe::first_collision(const machine::Swee
   return earlier(std::move(rigid), std::move(ball));
 }
 
-std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
-    const machine::CurvedSweep& sweep) {
-  std::optional<machine::Obstacle> first = rigid_touch_on_curve(sweep, 0.0, 1.0);
+std::optional<machine::Obstacle> TouchProbe::collision_on(const machine::CurvedWay& curve) const {
+  std::optional<machine::Obstacle> first = rigid_touch_on_curve(curve, 0.0, 1.0);
   for (const Ball& ball : balls_) {
-    const Curve curve{[&](double t) { return centre_of(ball, sweep.q_M_at(t), kUpright); },
-                      sweep.bend};
+    const Curve of_ball{[&](double t) { return centre_of(ball, curve.q_M_at(t), kUpright); },
+                        curve.bend};
     for (const Part& part : parts_->parts()) {
-      const auto [t, hit] = first_contact_leaving_on_curve(part.sweepers[ball.size], curve);
+      const auto [t, hit] = first_contact_leaving_on_curve(part.sweepers[ball.size], of_ball);
       if (hit.status != SweepStatus::Miss) {
         first = earlier(std::move(first), obstacle_at(t, hit, part.name));
       }
@@ -54,7 +75,7 @@ std::optional<machine::Obstacle> TouchProbe::first_collision_on_curve(
   return first;
 }
 
-std::optional<machine::Obstacle> TouchProbe::first_damage(const machine::Sweep& sweep) {
+std::optional<machine::Obstacle> TouchProbe::damage_on(const machine::Sweep& sweep) const {
   PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
   if (touch.part != nullptr && touch.hit.status == SweepStatus::StartInContact &&
       touch.hit.n_M.dot(touch.way.along()) >= 0.0) {
@@ -117,14 +138,14 @@ double TouchProbe::out_of_contact(const machine::Sweep& sweep) const {
   return out > depth ? std::max(0.0, depth / out) : 1.0;
 }
 
-std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(const machine::CurvedSweep& sweep,
+std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(const machine::CurvedWay& curve,
                                                                   double begin, double end) const {
   if (parts_->solids().empty()) {
     return std::nullopt;
   }
-  const machine::Sweep chord{sweep.q_M_at(begin), sweep.q_M_at(end)};
+  const machine::Sweep chord{curve.q_M_at(begin), curve.q_M_at(end)};
   const double share = end - begin;
-  const double bulge = sweep.bend * share * share / 8.0;
+  const double bulge = curve.bend * share * share / 8.0;
   if (bulge <= kSectionTouchErrorMm) {
     auto obstacle = rigid_touch(chord);
     if (obstacle) {
@@ -137,8 +158,8 @@ std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(const machine:
     return std::nullopt;
   }
   const double middle = begin + 0.5 * share;
-  auto first = rigid_touch_on_curve(sweep, begin, middle);
-  return first ? first : rigid_touch_on_curve(sweep, middle, end);
+  auto first = rigid_touch_on_curve(curve, begin, middle);
+  return first ? first : rigid_touch_on_curve(curve, middle, end);
 }
 
 std::optional<machine::Obstacle> TouchProbe::over_deflection(const PartHit& touch) const {

@@ -15,7 +15,7 @@ constexpr int kHalvings = 60;
 machine::Waypoint between(const machine::Waypoint& from, const machine::Waypoint& to,
                           double share) {
   machine::Waypoint point;
-  point.fraction = from.fraction + share * (to.fraction - from.fraction);
+  point.fraction = machine::fraction_between(from, to, share);
   point.q_M = from.q_M + share * (to.q_M - from.q_M);
   point.tilt = turn_between(from.tilt, to.tilt, share);
   return point;
@@ -47,12 +47,11 @@ std::optional<TouchProbe::PartHit> TouchProbe::signalling_touch(const machine::W
   return std::nullopt;
 }
 
-bool TouchProbe::signals_at(const machine::Waypoint& at) const {
-  return signalling_touch(at).has_value();
+bool TouchProbe::signals_at(const machine::Waypoint& at, int input) const {
+  return is_wired(input) && signalling_touch(at).has_value();
 }
 
-std::optional<machine::SkipTrigger> TouchProbe::first_release_along(
-    std::span<const machine::Waypoint> way) {
+std::optional<machine::SkipTrigger> TouchProbe::first_release_along(Points way) {
   const std::uint64_t event = triggers_asked_++;
   auto touch = signalling_touch(way.front());
   if (!touch) {

@@ -5,6 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "machine/sim/machining_centre.h"
+#include "tests/support/world_of_pieces.h"
 
 namespace g31::machine {
 namespace {
@@ -43,12 +44,10 @@ BENCHMARK_CAPTURE(move_in_empty_world, rapid, Traverse::Rapid);
 BENCHMARK_CAPTURE(move_in_empty_world, feed, Traverse::Feed);
 
 /// A world that always answers the same and remembers nothing.
-class TriggerHalfway final : public Surroundings {
- public:
-  std::optional<SkipTrigger> first_trigger(const Sweep& /*sweep*/) override {
+class TriggerHalfway final : public testing::WorldOfPieces {
+  std::optional<SkipTrigger> trigger_on(const Sweep& /*sweep*/) override {
     return SkipTrigger{0.5, false, 0.001, std::nullopt};
   }
-  std::optional<Obstacle> first_collision(const Sweep& /*sweep*/) override { return std::nullopt; }
 };
 
 void move_until_skip(benchmark::State& state) {

@@ -7,14 +7,14 @@
 #include "parts/artefacts/ring_gauge.h"
 #include "parts/geometry/placement.h"
 #include "probe/sensor/touch_probe.h"
+#include "tests/support/world_of_pieces.h"
 
 namespace g31::fuzz {
 namespace {
 
 /// Every kind of answer in turn: none, late, at once, already there; an obstacle now and then.
-class ScriptedWorld final : public machine::Surroundings {
- public:
-  std::optional<machine::SkipTrigger> first_trigger(const machine::Sweep&) override {
+class ScriptedWorld final : public testing::WorldOfPieces {
+  std::optional<machine::SkipTrigger> trigger_on(const machine::Sweep& /*sweep*/) override {
     switch (triggers_++ % 5) {
       case 0:
         return machine::SkipTrigger{0.5, false, 0.0, std::nullopt};
@@ -28,7 +28,7 @@ class ScriptedWorld final : public machine::Surroundings {
         return machine::SkipTrigger{0.0, true, 0.0, std::nullopt};
     }
   }
-  std::optional<machine::Obstacle> first_collision(const machine::Sweep& sweep) override {
+  std::optional<machine::Obstacle> obstacle_on(const machine::Sweep& sweep) override {
     if (++moves_ % 400 != 0) {
       return std::nullopt;
     }
@@ -36,7 +36,6 @@ class ScriptedWorld final : public machine::Surroundings {
         0.5, "stylus ball touches clamp", {sweep.q_M_from.head<3>(), Point::UnitZ(), "clamp"}};
   }
 
- private:
   unsigned triggers_ = 0;
   unsigned moves_ = 0;
 };

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "machine/sim/machining_centre.h"
+#include "tests/support/world_of_pieces.h"
 
 namespace g31::machine {
 namespace {
@@ -125,10 +126,12 @@ TEST(RealAxes, AContactGoesBackToTheMachine) {
 }
 
 /// A plane of the part: all points p with n p = d; touched by the tip itself.
-class PlaneOfPart final : public Surroundings {
+class PlaneOfPart final : public testing::WorldOfPieces {
  public:
   PlaneOfPart(const Point& n, double d, const Point& p_T) : n_(n), d_(d), p_T_(p_T) {}
-  std::optional<SkipTrigger> first_trigger(const Sweep& sweep) override {
+
+ private:
+  std::optional<SkipTrigger> trigger_on(const Sweep& sweep) override {
     const double from = n_.dot(linear_axes(sweep.q_M_from) + p_T_) - d_;
     const double to = n_.dot(linear_axes(sweep.q_M_to) + p_T_) - d_;
     if (from * to > 0.0) {
@@ -138,19 +141,7 @@ class PlaneOfPart final : public Surroundings {
     const AxisPositions q = sweep.q_M_from + part * (sweep.q_M_to - sweep.q_M_from);
     return SkipTrigger{part, false, 0.0, Contact{linear_axes(q) + p_T_, n_, "plane"}};
   }
-  std::optional<Obstacle> first_collision(const Sweep&) override { return std::nullopt; }
-  std::optional<SkipTrigger> first_trigger_along(std::span<const Waypoint> way) override {
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      if (auto trigger = first_trigger({way[i - 1].q_M, way[i].q_M})) {
-        trigger->fraction =
-            way[i - 1].fraction + trigger->fraction * (way[i].fraction - way[i - 1].fraction);
-        return trigger;
-      }
-    }
-    return std::nullopt;
-  }
 
- private:
   Point n_;
   double d_;
   Point p_T_;

@@ -7,6 +7,7 @@
 #include "machine/sim/machining_centre.h"
 #include "machine/sim/true_way.h"
 #include "tests/support/scripted_surroundings.h"
+#include "tests/support/world_of_pieces.h"
 
 namespace g31::machine {
 namespace {
@@ -23,25 +24,15 @@ LinearMove feed(const AxisPositions& q_M_end) {
 }
 
 /// A plane x = at: touched by the true position, wherever the encoders are.
-class Wall final : public Surroundings {
+class Wall final : public testing::WorldOfPieces {
  public:
   explicit Wall(int axis, double at) : axis_(axis), at_(at) {}
-  std::optional<SkipTrigger> first_trigger(const Sweep& sweep) override {
+
+ private:
+  std::optional<SkipTrigger> trigger_on(const Sweep& sweep) override {
     const auto fraction = crossing(sweep.q_M_from, sweep.q_M_to);
     return fraction ? std::optional(SkipTrigger{*fraction, false, 0.0, {}}) : std::nullopt;
   }
-  std::optional<Obstacle> first_collision(const Sweep&) override { return std::nullopt; }
-  std::optional<SkipTrigger> first_trigger_along(std::span<const Waypoint> way) override {
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      if (const auto part = crossing(way[i - 1].q_M, way[i].q_M)) {
-        return SkipTrigger{
-            way[i - 1].fraction + *part * (way[i].fraction - way[i - 1].fraction), false, 0.0, {}};
-      }
-    }
-    return std::nullopt;
-  }
-
- private:
   [[nodiscard]] std::optional<double> crossing(const AxisPositions& q_M_from,
                                                const AxisPositions& q_M_to) const {
     const double way = q_M_to[axis_] - q_M_from[axis_];

@@ -54,20 +54,6 @@ TEST(MachiningCentreSkip, GoesOnToItsEndWhenOnlyThePositionIsWanted) {
   }
 }
 
-TEST(MachiningCentreSkip, AMoveThatListensToAnotherInputHearsNothing) {
-  MachineSetup setup = round_numbers();
-  setup.probe_input = 2;
-  ScriptedSurroundings world({{'X', 5.0, 0.0, false, {}}});
-  MachiningCentre centre(setup, &world);
-  SkipMove move(feed(axes(10, 0, 0), 600));
-  move.input = 1;
-  EXPECT_TRUE(std::holds_alternative<NoTouch>(centre.move_until_skip(move).value()));
-  EXPECT_TRUE(world.skip_sweeps().empty());
-  move.way = feed(axes(0, 0, 0), 600);
-  move.input = 2;
-  EXPECT_TRUE(std::holds_alternative<Touched>(centre.move_until_skip(move).value()));
-}
-
 TEST(MachiningCentreSkip, LatchesAndStops) {
   struct Case {
     const char* name;

@@ -12,6 +12,7 @@
 #include "parts/geometry/placement.h"
 #include "probe/sensor/touch_probe.h"
 #include "tests/probe/test_meshes.h"
+#include "tests/support/asked.h"
 
 namespace g31::probe {
 namespace {
@@ -37,8 +38,8 @@ AxisPositions at(double x, double y, double z) {
 std::optional<double> reading(TouchProbe& probe, double direction_deg) {
   constexpr double kReach = 20.0;
   const double angle = direction_deg * std::numbers::pi / 180.0;
-  const auto trigger = probe.first_trigger(
-      {at(0, 0, 110), at(kReach * std::cos(angle), kReach * std::sin(angle), 110)});
+  const auto trigger = testing::touch_on(
+      probe, {at(0, 0, 110), at(kReach * std::cos(angle), kReach * std::sin(angle), 110)});
   return trigger ? std::optional(kReach * trigger->fraction) : std::nullopt;
 }
 
@@ -58,7 +59,7 @@ TEST(ProbeModel, TheContactIsWhereTheBallTouchesAndTheSignalComesLater) {
   ProbeSetup setup;
   setup.at_switch.pre_travel_mm = 0.25;
   TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
-  const auto trigger = probe.first_trigger({at(5, 5, 143), at(5, 5, 123)});
+  const auto trigger = testing::touch_on(probe, {at(5, 5, 143), at(5, 5, 123)});
   ASSERT_TRUE(trigger.has_value());
   EXPECT_NEAR(20.0 * trigger->fraction, 10.25, 1e-12);
   EXPECT_NEAR((trigger->contact->p_M_point - Point(5, 5, 10)).norm(), 0.0, 1e-12);
@@ -71,7 +72,8 @@ TEST(ProbeModel, AtAnAngleTheDeflectionIsAlongTheNormal) {
   // 30 degrees to the face: half of the way goes in.
   const double down = 20.0;
   const double along = down * std::sqrt(3.0);
-  const auto trigger = probe.first_trigger({at(20, 100, 143), at(20 + along, 100, 143 - down)});
+  const auto trigger =
+      testing::touch_on(probe, {at(20, 100, 143), at(20 + along, 100, 143 - down)});
   ASSERT_TRUE(trigger.has_value());
   EXPECT_NEAR(down * trigger->fraction, 10.1, 1e-12);
 }
@@ -103,11 +105,11 @@ TEST(ProbeModel, AnEccentricBallTurnsWithTheSpindle) {
   // A ball that stands off by e towards a wall touches it e sooner, and the other one e later; off
   // the axis the chord is shorter by e^2 / 2R, the same on both sides.
   EXPECT_NEAR((offsets() - Point(0.02, -0.03, 0)).norm(), 0.0, 1e-6);
-  probe.turn_spindle_to(180.0);
+  probe.take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, 180.0});
   EXPECT_NEAR((offsets() - Point(-0.02, 0.03, 0)).norm(), 0.0, 1e-6);
-  probe.turn_spindle_to(90.0);
+  probe.take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, 90.0});
   EXPECT_NEAR((offsets() - Point(0.03, 0.02, 0)).norm(), 0.0, 1e-6);
-  probe.turn_spindle_to(-360.0);
+  probe.take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, -360.0});
   EXPECT_NEAR((offsets() - Point(0.02, -0.03, 0)).norm(), 0.0, 1e-6);
 }
 
@@ -117,7 +119,7 @@ TEST(ProbeModel, LobesAndMonoDirectionTurnWithTheSpindle) {
   TouchProbe probe(setup, {ring()}, 0);
   EXPECT_TRUE(reading(probe, 0).has_value());
   EXPECT_FALSE(reading(probe, 90).has_value());
-  probe.turn_spindle_to(90.0);
+  probe.take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, 90.0});
   EXPECT_FALSE(reading(probe, 0).has_value());
   EXPECT_TRUE(reading(probe, 90).has_value());
 }
@@ -126,15 +128,15 @@ TEST(ProbeModel, AMoveThatEndsBeforeTheDeflectionGivesNoSignalAndTheNextOneDoes)
   ProbeSetup setup;
   setup.at_switch.pre_travel_mm = 0.1;
   TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
-  EXPECT_FALSE(probe.first_trigger({at(5, 5, 143), at(5, 5, 132.95)}).has_value());
+  EXPECT_FALSE(testing::touch_on(probe, {at(5, 5, 143), at(5, 5, 132.95)}).has_value());
   // The stylus is 0.05 mm in: the signal is not on, it comes after 0.05 mm more.
-  const auto onwards = probe.first_trigger({at(5, 5, 132.95), at(5, 5, 131.95)});
+  const auto onwards = testing::touch_on(probe, {at(5, 5, 132.95), at(5, 5, 131.95)});
   ASSERT_TRUE(onwards.has_value());
   EXPECT_FALSE(onwards->on_at_start);
   EXPECT_NEAR(onwards->fraction, 0.05, 1e-11);
-  EXPECT_FALSE(probe.first_trigger({at(5, 5, 132.95), at(5, 5, 140)}).has_value());
+  EXPECT_FALSE(testing::touch_on(probe, {at(5, 5, 132.95), at(5, 5, 140)}).has_value());
   // 0.15 mm in, it is on, whatever the direction.
-  EXPECT_TRUE(probe.first_trigger({at(5, 5, 132.85), at(5, 5, 140)})->on_at_start);
+  EXPECT_TRUE(testing::touch_on(probe, {at(5, 5, 132.85), at(5, 5, 140)})->on_at_start);
 }
 
 TEST(ProbeModel, TheSignalGoesOffWhereTheDeflectionIsBelowThePreTravelAgain) {
@@ -143,21 +145,21 @@ TEST(ProbeModel, TheSignalGoesOffWhereTheDeflectionIsBelowThePreTravelAgain) {
   setup.trigger_delay_s = 0.002;
   TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
   // The ball touches the top face at Z133; the signal is on up to 132.9.
-  EXPECT_TRUE(probe.signals_at({0.0, at(5, 5, 132.85)}));
-  EXPECT_TRUE(probe.signals_at({0.0, at(5, 5, 132.9)}));
-  EXPECT_FALSE(probe.signals_at({0.0, at(5, 5, 132.91)}));
+  EXPECT_TRUE(probe.signals_at({0.0, at(5, 5, 132.85)}, 1));
+  EXPECT_TRUE(probe.signals_at({0.0, at(5, 5, 132.9)}, 1));
+  EXPECT_FALSE(probe.signals_at({0.0, at(5, 5, 132.91)}, 1));
   const machine::Waypoint way[] = {
       {0.0, at(5, 5, 132.5)}, {0.4, at(5, 5, 132.7)}, {1.0, at(5, 5, 133.5)}};
-  const auto trigger = probe.first_release_along(way);
+  const auto trigger = testing::release_along(probe, way);
   ASSERT_TRUE(trigger.has_value());
   EXPECT_FALSE(trigger->on_at_start);
   EXPECT_NEAR(trigger->fraction, 0.4 + 0.6 * 0.25, 1e-8);
   EXPECT_EQ(trigger->delay_s, 0.002);
   EXPECT_EQ(trigger->contact->part, "block");
   // Deeper in, or too short to come free: no edge.  From outside: none can come.
-  EXPECT_FALSE(probe.first_release_along(std::span(way).first(2)).has_value());
+  EXPECT_FALSE(testing::release_along(probe, std::span(way).first(2)).has_value());
   const machine::Waypoint free[] = {{0.0, at(5, 5, 133.0)}, {1.0, at(5, 5, 135.0)}};
-  EXPECT_TRUE(probe.first_release_along(free)->on_at_start);
+  EXPECT_TRUE(testing::release_along(probe, free)->on_at_start);
 }
 
 TEST(ProbeModel, FromTheDeflectionOfOneWallTheOtherOneIsFound) {
@@ -165,7 +167,7 @@ TEST(ProbeModel, FromTheDeflectionOfOneWallTheOtherOneIsFound) {
   setup.at_switch.pre_travel_mm = 0.0125;
   TouchProbe probe(setup, {ring()}, 0);
   const double stopped = kWay + 0.0125;
-  const auto across = probe.first_trigger({at(stopped, 0, 110), at(-20, 0, 110)});
+  const auto across = testing::touch_on(probe, {at(stopped, 0, 110), at(-20, 0, 110)});
   ASSERT_TRUE(across.has_value());
   EXPECT_FALSE(across->on_at_start) << "the stylus is as far out as the signal takes, not farther";
   EXPECT_NEAR(across->fraction * (stopped + 20.0), 2.0 * stopped, 1e-8);
@@ -178,11 +180,11 @@ TEST(ProbeModel, OnACrookedWayTheSignalComesAtTheSameDepth) {
   // Down to the face in three pieces; the touch is 0.5 mm before the end of the second one.
   const std::vector<machine::Waypoint> way = {
       {0.0, at(5, 5, 143)}, {0.4, at(5.1, 5, 137)}, {0.7, at(5.1, 5, 132.5)}, {1.0, at(5, 5, 130)}};
-  const auto trigger = probe.first_trigger_along(way);
+  const auto trigger = testing::touch_along(probe, way);
   ASSERT_TRUE(trigger.has_value());
   EXPECT_NEAR(trigger->fraction, 0.4 + 0.3 * (137.0 - 132.9) / 4.5, 1e-9);
   const std::vector<machine::Waypoint> short_way = {{0.0, at(5, 5, 143)}, {1.0, at(5, 5, 132.95)}};
-  EXPECT_FALSE(probe.first_trigger_along(short_way).has_value());
+  EXPECT_FALSE(testing::touch_along(probe, short_way).has_value());
 }
 
 TEST(ProbeModel, AStarStylusTouchesWithTheBallThatComesFirst) {
@@ -193,16 +195,16 @@ TEST(ProbeModel, AStarStylusTouchesWithTheBallThatComesFirst) {
   }
   TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
   // Main ball high above the block's height, the arm ball beside it: only that one touches.
-  const auto side = probe.first_trigger({at(-50, 5, 110), at(-20, 5, 110)});
+  const auto side = testing::touch_on(probe, {at(-50, 5, 110), at(-20, 5, 110)});
   ASSERT_TRUE(side.has_value());
   EXPECT_NEAR(30.0 * side->fraction, 50.0 - 20.0 - 2.0, 1e-12);
   EXPECT_NEAR((side->contact->p_M_point - Point(0, 5, 5)).norm(), 0.0, 1e-12);
   // A quarter of a turn later it is another arm.
-  probe.turn_spindle_to(90.0);
-  EXPECT_NEAR(30.0 * probe.first_trigger({at(-50, 5, 110), at(-20, 5, 110)})->fraction, 28.0,
+  probe.take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, 90.0});
+  EXPECT_NEAR(30.0 * testing::touch_on(probe, {at(-50, 5, 110), at(-20, 5, 110)})->fraction, 28.0,
               1e-12);
-  EXPECT_FALSE(probe.first_collision({at(-50, 5, 110), at(-23, 5, 110)}).has_value());
-  EXPECT_EQ(probe.first_collision({at(-50, 5, 110), at(-20, 5, 110)})->what,
+  EXPECT_FALSE(testing::collision_on(probe, {at(-50, 5, 110), at(-23, 5, 110)}).has_value());
+  EXPECT_EQ(testing::collision_on(probe, {at(-50, 5, 110), at(-20, 5, 110)})->what,
             "stylus ball touches block");
 }
 
@@ -211,9 +213,9 @@ TEST(ProbeModel, AnLStylusIsABallFarOffTheSpindleAxis) {
   setup.eccentricity_mm = {30.0, 0.0};
   TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
   const machine::Sweep sweep{at(-60, 5, 125), at(-20, 5, 125)};
-  EXPECT_NEAR(40.0 * probe.first_trigger(sweep)->fraction, 60.0 - 30.0 - 3.0, 1e-12);
-  probe.turn_spindle_to(180.0);
-  EXPECT_FALSE(probe.first_trigger(sweep).has_value());
+  EXPECT_NEAR(40.0 * testing::touch_on(probe, sweep)->fraction, 60.0 - 30.0 - 3.0, 1e-12);
+  probe.take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, 180.0});
+  EXPECT_FALSE(testing::touch_on(probe, sweep).has_value());
 }
 
 TEST(ProbeModel, ADeadProbeNeverTriggersAndStillCollides) {
@@ -221,8 +223,8 @@ TEST(ProbeModel, ADeadProbeNeverTriggersAndStillCollides) {
   setup.state = ProbeState::Dead;
   TouchProbe probe(setup, {ring()}, 0);
   EXPECT_FALSE(reading(probe, 0).has_value());
-  EXPECT_TRUE(probe.first_collision({at(0, 0, 110), at(20, 0, 110)}).has_value());
-  EXPECT_FALSE(probe.first_trigger({at(17, 0, 110), at(20, 0, 110)}).has_value());
+  EXPECT_TRUE(testing::collision_on(probe, {at(0, 0, 110), at(20, 0, 110)}).has_value());
+  EXPECT_FALSE(testing::touch_on(probe, {at(17, 0, 110), at(20, 0, 110)}).has_value());
 }
 
 TEST(ProbeModel, OnlyADoubleTriggerGivesTwoSignalsAndTheFirstIsTheSame) {
@@ -234,7 +236,7 @@ TEST(ProbeModel, OnlyADoubleTriggerGivesTwoSignalsAndTheFirstIsTheSame) {
     ProbeSetup setup;
     setup.state = state;
     TouchProbe probe(setup, {ring()}, 0);
-    const auto trigger = probe.first_trigger({at(0, 0, 110), at(20, 0, 110)});
+    const auto trigger = testing::touch_on(probe, {at(0, 0, 110), at(20, 0, 110)});
     ASSERT_TRUE(trigger.has_value());
     EXPECT_NEAR(20.0 * trigger->fraction, kWay, 1e-12);
     EXPECT_EQ(trigger->signals, state == ProbeState::DoubleTrigger ? 2 : 1);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/asked.h"
+
 namespace g31::probe {
 namespace {
 
@@ -43,7 +45,7 @@ TEST(ScriptedSignals, RisesWhereTheAxisReachesItsCoordinate) {
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
     ScriptedSignals signals({c.signal});
-    const auto trigger = signals.first_trigger({c.from, c.to});
+    const auto trigger = testing::touch_on(signals, {c.from, c.to});
     ASSERT_EQ(trigger.has_value(), c.answer != Answer::None);
     if (trigger) {
       EXPECT_EQ(trigger->on_at_start, c.answer == Answer::OnAtStart);
@@ -51,18 +53,19 @@ TEST(ScriptedSignals, RisesWhereTheAxisReachesItsCoordinate) {
       EXPECT_EQ(trigger->delay_s, 0.0);
       EXPECT_FALSE(trigger->contact.has_value());
     }
-    EXPECT_FALSE(signals.first_collision({c.from, c.to}).has_value());
+    EXPECT_FALSE(testing::collision_on(signals, {c.from, c.to}).has_value());
   }
 }
 
 TEST(ScriptedSignals, TakesOneSignalAMoveInOrderAndThenNoMore) {
   ScriptedSignals signals({{0, 1.0}, {1, 1.0}, {0, std::nullopt}, {0, 4.0}});
   const machine::Sweep sweep{xyz(0, 0, 0), xyz(10, 0, 0)};
-  EXPECT_EQ(signals.first_trigger(sweep)->fraction, 0.1);
-  EXPECT_FALSE(signals.first_trigger(sweep).has_value()) << "used up by a move of another axis";
-  EXPECT_FALSE(signals.first_trigger(sweep).has_value());
-  EXPECT_EQ(signals.first_trigger(sweep)->fraction, 0.4);
-  EXPECT_FALSE(signals.first_trigger(sweep).has_value());
+  EXPECT_EQ(testing::touch_on(signals, sweep)->fraction, 0.1);
+  EXPECT_FALSE(testing::touch_on(signals, sweep).has_value())
+      << "used up by a move of another axis";
+  EXPECT_FALSE(testing::touch_on(signals, sweep).has_value());
+  EXPECT_EQ(testing::touch_on(signals, sweep)->fraction, 0.4);
+  EXPECT_FALSE(testing::touch_on(signals, sweep).has_value());
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "machine/sim/machining_centre.h"
 #include "probe/sensor/touch_probe.h"
 #include "tests/probe/test_meshes.h"
+#include "tests/support/asked.h"
 
 namespace g31::probe {
 namespace {
@@ -156,12 +157,12 @@ TEST(TiltedProbe, TouchesWithTheBallsThatAreOffTheAxis) {
       setup, {{"plate", testing::moved_by(testing::box_mesh({400, 400, 10}), {-200, -200, 0})}}, 0);
   const Eigen::Quaterniond tilt = about(Point::UnitX(), -90.0 * kDegree);
   // The main ball from z = 100 to 0: the other one touches z = 10 with its 2 mm when it is at 42.
-  const auto trigger = probe.first_trigger({axes(0, 0, 220.0), axes(0, 0, 120.0), tilt, tilt});
+  const auto trigger = testing::touch_on(probe, {axes(0, 0, 220.0), axes(0, 0, 120.0), tilt, tilt});
   ASSERT_TRUE(trigger);
   EXPECT_NEAR(trigger->fraction, 0.58, 1e-12);
   ASSERT_TRUE(trigger->contact);
   EXPECT_LT((trigger->contact->p_M_point - Point(0, 0, 10)).norm(), 1e-9);
-  EXPECT_NEAR(probe.reach().signal, 30.0, 1e-12);
+  EXPECT_NEAR(probe.tool_extent().signal_mm, 30.0, 1e-12);
 }
 
 TEST(TiltedProbe, GivesWayAsItsSwitchDoesInTheDirectionsOfTheTool) {
@@ -175,12 +176,12 @@ TEST(TiltedProbe, GivesWayAsItsSwitchDoesInTheDirectionsOfTheTool) {
       setup, {{"plate", testing::moved_by(testing::box_mesh({400, 400, 10}), {-200, -200, 0})}}, 0);
   const AxisPositions from = axes(0, 0, 220.0);
   const AxisPositions to = axes(0, 0, 120.0);
-  EXPECT_TRUE(probe.first_trigger({from, to}));
+  EXPECT_TRUE(testing::touch_on(probe, {from, to}));
   const Eigen::Quaterniond aside = about(Point::UnitX(), -90.0 * kDegree);
-  EXPECT_FALSE(probe.first_trigger({from, to, aside, aside}));
+  EXPECT_FALSE(testing::touch_on(probe, {from, to, aside, aside}));
   // Turned about Y its direction +X looks down.
   const Eigen::Quaterniond down = about(Point::UnitY(), 90.0 * kDegree);
-  EXPECT_TRUE(probe.first_trigger({from, to, down, down}));
+  EXPECT_TRUE(testing::touch_on(probe, {from, to, down, down}));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "parts/artefacts/artefact.h"
 #include "parts/geometry/placement.h"
 #include "tests/probe/test_meshes.h"
+#include "tests/support/asked.h"
 
 namespace g31::probe {
 namespace {
@@ -54,7 +55,7 @@ TEST(TouchProbe, ReadsTheNominalBoreAlongTheAxes) {
   const Point centre = spindle_in_bore(setup);
   for (const Point& direction :
        {Point(1, 0, 0), Point(-1, 0, 0), Point(0, 1, 0), Point(0, -1, 0)}) {
-    const auto trigger = probe.first_trigger({at(centre), at(centre + 20.0 * direction)});
+    const auto trigger = testing::touch_on(probe, {at(centre), at(centre + 20.0 * direction)});
     ASSERT_TRUE(trigger.has_value());
     EXPECT_FALSE(trigger->on_at_start);
     EXPECT_NEAR(20.0 * trigger->fraction, kFreeTravelMm, 1e-12);
@@ -75,7 +76,7 @@ TEST(TouchProbe, ReadsEveryDirectionWithinATenthOfAMicrometre) {
     for (int i = 0; i < 5000; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / 5000.0;
       const Point direction(std::cos(angle), std::sin(angle), 0.0);
-      const auto trigger = probe.first_trigger({at(centre), at(centre + 20.0 * direction)});
+      const auto trigger = testing::touch_on(probe, {at(centre), at(centre + 20.0 * direction)});
       ASSERT_TRUE(trigger.has_value());
       const double diameter_error = 2.0 * (20.0 * trigger->fraction - kFreeTravelMm);
       EXPECT_GE(diameter_error, -1e-11) << "facets are tangent: a bore never reads too small";
@@ -91,7 +92,7 @@ TEST(TouchProbe, HoldsTheBallWhereLengthAndEccentricityPutIt) {
   setup.eccentricity_mm = {0.3, -0.2};
   setup.trigger_delay_s = 0.004;
   TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
-  const auto trigger = probe.first_trigger({at({5, 5, 150}), at({5, 5, 120})});
+  const auto trigger = testing::touch_on(probe, {at({5, 5, 150}), at({5, 5, 120})});
   ASSERT_TRUE(trigger.has_value());
   EXPECT_NEAR(150.0 - 30.0 * trigger->fraction, 120.0 + 10.0 + 3.0, 1e-12);
   EXPECT_NEAR((trigger->contact->p_M_point - Point(5.3, 4.8, 10.0)).norm(), 0.0, 1e-12);
@@ -107,22 +108,39 @@ TEST(TouchProbe, MeetsTheFirstOfSeveralParts) {
   TouchProbe probe(setup, {{"far", moved(100)}, {"near", moved(50)}, {"farther", moved(150)}}, 0);
   const Point start(0, 5, 5 + setup.length_mm);
   const Sweep sweep{at(start), at(start + Point(200, 0, 0))};
-  EXPECT_EQ(probe.first_trigger(sweep)->contact->part, "near");
-  EXPECT_NEAR(200.0 * probe.first_trigger(sweep)->fraction, 47.0, 1e-12);
-  EXPECT_EQ(probe.first_collision(sweep)->what, "stylus ball touches near");
+  EXPECT_EQ(testing::touch_on(probe, sweep)->contact->part, "near");
+  EXPECT_NEAR(200.0 * testing::touch_on(probe, sweep)->fraction, 47.0, 1e-12);
+  EXPECT_EQ(testing::collision_on(probe, sweep)->what, "stylus ball touches near");
 }
 
 TEST(TouchProbe, SaysNothingOnAFreeWayAndForRotaryAxesAlone) {
   ProbeSetup setup = straight_probe();
   TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
   const Sweep free{at({0, 0, 300}), at({0, 50, 300})};
-  EXPECT_FALSE(probe.first_trigger(free).has_value());
-  EXPECT_FALSE(probe.first_collision(free).has_value());
+  EXPECT_FALSE(testing::touch_on(probe, free).has_value());
+  EXPECT_FALSE(testing::collision_on(probe, free).has_value());
   AxisPositions turned = at({0, 0, 300});
   turned[5] = 90.0;
-  EXPECT_FALSE(probe.first_trigger({at({0, 0, 300}), turned}).has_value());
+  EXPECT_FALSE(testing::touch_on(probe, {at({0, 0, 300}), turned}).has_value());
   TouchProbe nothing(setup, std::vector<ProbedPart>{}, 0);
-  EXPECT_FALSE(nothing.first_trigger(free).has_value());
+  EXPECT_FALSE(testing::touch_on(nothing, free).has_value());
+}
+
+TEST(TouchProbe, AMoveThatListensToAnotherInputHearsNothing) {
+  ProbeSetup setup = straight_probe();
+  setup.input = 2;
+  TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, 0);
+  const machine::Waypoint down[] = {{0.0, at({5, 5, 150})}, {1.0, at({5, 5, 120})}};
+  const machine::Waypoint up[] = {down[1], {1.0, at({5, 5, 150})}};
+  for (const machine::SignalEdge edge :
+       {machine::SignalEdge::Rising, machine::SignalEdge::Falling}) {
+    const machine::Way way(edge == machine::SignalEdge::Rising ? down : up);
+    EXPECT_FALSE(probe.first_signal(way, {1, edge}));
+    EXPECT_TRUE(probe.first_signal(way, {2, edge}));
+    EXPECT_TRUE(probe.first_signal(way, {machine::kAnyInput, edge}));
+  }
+  EXPECT_FALSE(probe.signals_at({0.0, at({5, 5, 120})}, 1));
+  EXPECT_TRUE(probe.signals_at({0.0, at({5, 5, 120})}, 2));
 }
 
 TEST(TouchProbe, FindsTheSignalOnWhenAMoveBeginsInThePart) {
@@ -130,7 +148,7 @@ TEST(TouchProbe, FindsTheSignalOnWhenAMoveBeginsInThePart) {
   TouchProbe probe(setup, {{"ring", ring_mesh(Point::Zero())}}, 0);
   const Point deep = spindle_in_bore(setup) + Point(kFreeTravelMm + 0.05, 0, 0);
   for (const Point& to : {Point(deep + Point(1, 0, 0)), Point(deep - Point(1, 0, 0))}) {
-    const auto trigger = probe.first_trigger({at(deep), at(to)});
+    const auto trigger = testing::touch_on(probe, {at(deep), at(to)});
     ASSERT_TRUE(trigger.has_value());
     EXPECT_TRUE(trigger->on_at_start);
     EXPECT_EQ(trigger->fraction, 0.0);
@@ -165,7 +183,7 @@ TEST(TouchProbe, CollidesInAnOrdinaryMoveButLeavesAContactFreely) {
   };
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
-    const auto obstacle = probe.first_collision({at(c.from), at(c.to)});
+    const auto obstacle = testing::collision_on(probe, {at(c.from), at(c.to)});
     ASSERT_EQ(obstacle.has_value(), c.fraction.has_value());
     if (obstacle) {
       EXPECT_EQ(obstacle->what, "stylus ball touches ring");
@@ -182,7 +200,7 @@ TEST(TouchProbe, CollidesOnAnArcWhereTheBallMeetsThePart) {
       {{"far", parts::placed_mesh(block, {Point(-40, 0, 0), Point::Zero()})}, {"near", block}}, 0);
   // A circle of 30 mm in the plane Z5 around (5, 5 + 30 + gap): its lowest point is over the block.
   const auto arc = [&](double gap) {
-    return machine::CurvedSweep{
+    return machine::CurvedWay{
         [&setup, gap](double fraction) {
           const double angle = 2.0 * std::numbers::pi * fraction;
           return at(Point(5 + 30 * std::sin(angle), 13 + gap + 30 + 30 * std::cos(angle),
@@ -190,8 +208,8 @@ TEST(TouchProbe, CollidesOnAnArcWhereTheBallMeetsThePart) {
         },
         4.0 * std::numbers::pi * std::numbers::pi * 30.0, 1};
   };
-  EXPECT_FALSE(probe.first_collision_on_curve(arc(1e-6)).has_value());
-  const auto obstacle = probe.first_collision_on_curve(arc(-0.01));
+  EXPECT_FALSE(testing::collision_on(probe, arc(1e-6)).has_value());
+  const auto obstacle = testing::collision_on(probe, arc(-0.01));
   ASSERT_TRUE(obstacle.has_value());
   EXPECT_EQ(obstacle->what, "stylus ball touches near");
   const double angle = std::numbers::pi - std::acos(1.0 - 0.01 / 30.0);
@@ -206,7 +224,7 @@ std::vector<double> scattered(std::uint64_t seed, double repeatability_mm) {
   TouchProbe probe(setup, {{"block", testing::box_mesh({10, 10, 10})}}, seed);
   std::vector<double> errors;
   for (int i = 0; i < 4000; ++i) {
-    const auto trigger = probe.first_trigger({at({5, 5, 143}), at({5, 5, 123})});
+    const auto trigger = testing::touch_on(probe, {at({5, 5, 143}), at({5, 5, 123})});
     errors.push_back(20.0 * trigger->fraction - 10.0);
     // What is scattered is the signal; the touch itself is where it is.
     EXPECT_NEAR((trigger->contact->p_M_point - Point(5, 5, 10)).norm(), 0.0, 1e-12);

@@ -7,6 +7,7 @@
 
 #include "probe/sensor/touch_probe.h"
 #include "tests/probe/test_meshes.h"
+#include "tests/support/asked.h"
 
 namespace g31::probe {
 namespace {
@@ -39,7 +40,7 @@ ProbeSetup probe_with_body() {
 }
 
 /// Three quarters of a circle of this radius about the origin, from -Y on, the ball at z.
-machine::CurvedSweep circle(const ProbeSetup& setup, double radius, double z) {
+machine::CurvedWay circle(const ProbeSetup& setup, double radius, double z) {
   const double turn = 1.5 * std::numbers::pi;
   return {[=, length = setup.length_mm](double fraction) {
             const double angle = turn * fraction - 0.5 * std::numbers::pi;
@@ -61,7 +62,7 @@ TEST(WholeProbe, FollowsAnArcIntoAPost) {
     const double angle = std::atan2(-2.0, 64.0) - between;
     return (angle + 0.5 * std::numbers::pi) / (1.5 * std::numbers::pi);
   };
-  const auto met = probe.first_collision_on_curve(circle(setup, 80.0, 0.0));
+  const auto met = testing::collision_on(probe, circle(setup, 80.0, 0.0));
   ASSERT_TRUE(met);
   EXPECT_EQ(met->what, "probe body touches post");
   EXPECT_NEAR(met->fraction * 80.0 * 1.5 * std::numbers::pi,
@@ -73,10 +74,10 @@ TEST(WholeProbe, PassesAnArcWithoutTouchingByAHair) {
   TouchProbe probe(setup, {{"post", testing::moved_by(testing::box_mesh({4, 4, 80}), {60, -2, 0})}},
                    0);
   // Inside the circle of 40 mm the body ends at x = 60, where the post's face begins.
-  EXPECT_FALSE(probe.first_collision_on_curve(circle(setup, 39.9999, 0.0)));
-  EXPECT_TRUE(probe.first_collision_on_curve(circle(setup, 40.0001, 0.0)));
+  EXPECT_FALSE(testing::collision_on(probe, circle(setup, 39.9999, 0.0)));
+  EXPECT_TRUE(testing::collision_on(probe, circle(setup, 40.0001, 0.0)));
   // Above the post the body does not matter.
-  EXPECT_FALSE(probe.first_collision_on_curve(circle(setup, 80.0, 31.0)));
+  EXPECT_FALSE(testing::collision_on(probe, circle(setup, 80.0, 31.0)));
 }
 
 }  // namespace

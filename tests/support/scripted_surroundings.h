@@ -6,6 +6,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/port/surroundings.h"
+#include "tests/support/world_of_pieces.h"
 
 namespace g31::testing {
 
@@ -20,27 +21,28 @@ struct ScriptedSignal {
 
 /// A world that answers from two scripts, in order, and writes down the sweeps it was asked about.
 /// After a script's end there is no signal, and no obstacle.
-class ScriptedSurroundings final : public machine::Surroundings {
+class ScriptedSurroundings final : public WorldOfPieces {
  public:
   using Obstacles = std::vector<std::optional<machine::Obstacle>>;
 
   explicit ScriptedSurroundings(std::vector<ScriptedSignal> signals = {}, Obstacles obstacles = {})
       : signals_(std::move(signals)), obstacles_(std::move(obstacles)) {}
 
-  std::optional<machine::SkipTrigger> first_trigger(const machine::Sweep& sweep) override {
-    skip_sweeps_.push_back(sweep);
-    if (skip_sweeps_.size() > signals_.size()) {
+  /// The signals depend on the ends of a way only, the obstacles on each piece of it.
+  std::optional<machine::SkipTrigger> first_signal(const machine::Way& way,
+                                                   const machine::Listening& to) override {
+    if (to.edge == machine::SignalEdge::Falling) {
+      return WorldOfPieces::first_signal(way, to);
+    }
+    const std::vector<machine::Waypoint> points = machine::points_of(way);
+    if (!machine::differ(points.front(), points.back())) {
       return std::nullopt;
     }
-    return trigger(signals_[skip_sweeps_.size() - 1], sweep);
-  }
-
-  std::optional<machine::Obstacle> first_collision(const machine::Sweep& sweep) override {
-    move_sweeps_.push_back(sweep);
-    if (move_sweeps_.size() > obstacles_.size()) {
-      return std::nullopt;
+    auto trigger = trigger_on(machine::sweep_between(points.front(), points.back()));
+    if (trigger) {
+      trigger->fraction = machine::fraction_at_share(points, trigger->fraction);
     }
-    return obstacles_[move_sweeps_.size() - 1];
+    return trigger;
   }
 
   /// The sweeps of the skip moves and of the ordinary moves so far.
@@ -48,6 +50,22 @@ class ScriptedSurroundings final : public machine::Surroundings {
   [[nodiscard]] const std::vector<machine::Sweep>& move_sweeps() const { return move_sweeps_; }
 
  private:
+  std::optional<machine::SkipTrigger> trigger_on(const machine::Sweep& sweep) override {
+    skip_sweeps_.push_back(sweep);
+    if (skip_sweeps_.size() > signals_.size()) {
+      return std::nullopt;
+    }
+    return trigger(signals_[skip_sweeps_.size() - 1], sweep);
+  }
+
+  std::optional<machine::Obstacle> obstacle_on(const machine::Sweep& sweep) override {
+    move_sweeps_.push_back(sweep);
+    if (move_sweeps_.size() > obstacles_.size()) {
+      return std::nullopt;
+    }
+    return obstacles_[move_sweeps_.size() - 1];
+  }
+
   static std::optional<machine::SkipTrigger> trigger(const ScriptedSignal& signal,
                                                      const machine::Sweep& sweep) {
     if (signal.on_at_start) {

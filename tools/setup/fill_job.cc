@@ -175,11 +175,9 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
       job.part_places.push_back(place_of_body(table));
     }
   }
-  int probe_input = machine::kAnyInput;
   if (const auto probe = sheet.tables.find({SectionId::Probe, ""}); probe != sheet.tables.end()) {
     job.probe = probe_from(sheet, probe->second);
     fill_battery_input(job, TableKeys(probe->second));
-    probe_input = static_cast<int>(TableKeys(probe->second).get(KeyId::ProbeInput, 1.0));
   }
   if (const auto list = sheet.lists.find(SectionId::SkipSignal); list != sheet.lists.end()) {
     job.skip_signals.emplace();
@@ -188,8 +186,6 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
     }
   }
   job.machine = machine_from(sheet, errors);
-  // A list of signals belongs to moves, whatever input they listen to.
-  job.machine.probe_input = job.skip_signals ? machine::kAnyInput : probe_input;
   if (job.probe) {
     job.machine.p_T_tip = {job.probe->eccentricity_mm[0], job.probe->eccentricity_mm[1],
                            -job.probe->length_mm};

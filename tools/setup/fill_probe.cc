@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kUsualStemToBall = 0.6;  // diameters
 constexpr double kUsualBodyLengthMm = 50.0;
+constexpr double kUsualInput = 1.0;
 constexpr double kUsualBodyDiameterMm = 40.0;
 
 probe::ProbeSetup plain_probe_from(const TableKeys& keys) {
@@ -26,6 +27,7 @@ probe::ProbeSetup plain_probe_from(const TableKeys& keys) {
   probe.deflection_limit_mm = keys.get(KeyId::ProbeDeflection, probe.deflection_limit_mm);
   probe.trigger_delay_s = keys.get(KeyId::ProbeTriggerDelay, probe.trigger_delay_s);
   probe.repeatability_mm = keys.get(KeyId::ProbeRepeatability, probe.repeatability_mm);
+  probe.input = static_cast<int>(keys.get(KeyId::ProbeInput, kUsualInput));
   return probe;
 }
 
