@@ -51,6 +51,9 @@ class AxisChain {
   ///                 does not matter
   AxisChain(const AxisChainSetup& setup, const Point& p_T_tip);
 
+  /// @param p_T_tip  mm, the tool tip from now on, from the gauge point
+  void take_tool(const Point& p_T_tip) { p_T_tip_ = p_T_tip; }
+
   [[nodiscard]] bool has_rotary_axes() const { return has_rotary_axes_; }
 
   /// Where the tool is for the part.  With all rotary axes at 0 nothing changes, bit for bit.

@@ -5,6 +5,19 @@
 
 namespace g31::machine {
 
+/// A tool as the control that calls it believes it to be.
+struct Tool {
+  int number = 0;          ///< 0: none
+  double length_mm = 0.0;  ///< gauge line to tip, along -Z of the machine
+  double radius_mm = 0.0;
+};
+
+/// A tool comes into a spindle; what was there goes.
+struct ToolChange {
+  Tool tool;
+  int spindle = 1;
+};
+
 enum class Rotation {
   Stopped,           ///< M5
   Clockwise,         ///< M3, seen from the spindle towards the tool
@@ -19,7 +32,12 @@ struct SpindleTurn {
   int spindle = 1;
 };
 
+/// An M code for the machine's own logic, which may switch something.
+struct AuxiliaryCode {
+  int number = 0;
+};
+
 /// What a program tells a machine to do that is no motion.
-using MachineEvent = std::variant<SpindleTurn>;
+using MachineEvent = std::variant<ToolChange, SpindleTurn, AuxiliaryCode>;
 
 }  // namespace g31::machine

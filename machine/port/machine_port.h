@@ -6,6 +6,7 @@
 
 #include "machine/base/result.h"
 #include "machine/port/contact.h"
+#include "machine/port/machine_events.h"
 #include "machine/port/skip_signal.h"
 #include "machine/units/axis_positions.h"
 
@@ -116,10 +117,22 @@ class MachinePort {
   virtual Result<SkipOutcome, MachineFault> move_until_skip(const SkipMove& move) = 0;
 
   /// Whether the signal of a measuring input is on, the axes standing where they are.
-  [[nodiscard]] virtual bool skip_signal(int /*input*/) const { return false; }
+  [[nodiscard]] virtual bool skip_signal(int input) const = 0;
 
-  /// Stops the spindle at an angle (M19).  A machine whose spindle does nothing ignores it.
-  virtual void orient_spindle(double /*angle_deg*/) {}
+  /// How what is wired to a measuring input is placed to give a signal; nullopt: nothing is there.
+  [[nodiscard]] virtual std::optional<SensorState> sensor_state(int input) const = 0;
+
+  /// The digital input of the machine's own wiring; nullopt: nothing is wired to that number.
+  [[nodiscard]] virtual std::optional<bool> digital_input(int number) const = 0;
+
+  /// Puts a tool into a spindle.  Takes no time.
+  virtual void change_tool(const ToolChange& change) = 0;
+
+  /// Starts a spindle, stops it, or stops it at an angle.  Takes no time.
+  virtual void turn_spindle(const SpindleTurn& turn) = 0;
+
+  /// An M code that the control has no use for itself.
+  virtual void auxiliary_code(const AuxiliaryCode& code) = 0;
 
   /// Lets simulated time pass.  @param seconds >= 0
   virtual void dwell(double seconds) = 0;

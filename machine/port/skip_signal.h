@@ -16,4 +16,13 @@ struct Listening {
   SignalEdge edge = SignalEdge::Rising;
 };
 
+/// How what gives the signal of an input is placed to do so.
+enum class SensorState {
+  Ready,
+  Turning,      ///< the spindle that holds it turns
+  Dead,         ///< broken: it never gives a signal
+  SwitchedOff,  ///< the program has not switched it on
+  NotInPlace,   ///< another tool, or none, is where it belongs
+};
+
 }  // namespace g31::machine

@@ -17,9 +17,13 @@ enum class Travel {
   Skip,  ///< until a signal: what senses may touch
 };
 
-/// How far what the tool carries reaches from its tip: what turns is asked about in steps so fine
-/// that this makes no difference.
+/// What the tool is as far as the machine's own motion depends on it.
 struct ToolExtent {
+  /// mm, the tip from the gauge point: what angular errors and rotary axes move; nullopt: as the
+  /// machine's set-up says.
+  std::optional<Point> p_T_tip;
+  // How far what the tool carries reaches from its tip: what turns is asked about in steps so fine
+  // that this makes no difference.
   double signal_mm = 0.0;  ///< what a skip signal may come from
   double body_mm = 0.0;    ///< all of it
 };
@@ -62,6 +66,9 @@ class Surroundings {
 
   /// Whether the signal of a measuring input is on while the tool stands there.
   [[nodiscard]] virtual bool signals_at(const Waypoint& at, int input) const = 0;
+
+  /// Of what is wired to a measuring input; nullopt: nothing is.
+  [[nodiscard]] virtual std::optional<SensorState> sensor_state(int input) const = 0;
 
   /// Of the tool in the spindle.
   [[nodiscard]] virtual ToolExtent tool_extent() const = 0;

@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "machine/errors/axis_play.h"
 #include "machine/errors/geometric_errors.h"
@@ -46,6 +47,17 @@ inline std::array<AxisSetup, kAxisCount> three_linear_axes() {
   return axes;
 }
 
+/// A digital input that programs read, and what in the machine sets it.
+struct InputWire {
+  enum class Source {
+    Ready,  ///< what is at the measuring input can give its signal
+    Signal  ///< it gives it
+  };
+  int number = 0;  ///< as programs count digital inputs
+  Source source = Source::Ready;
+  int measuring_input = kAnyInput;
+};
+
 /// What the set-up sheet says about the machine.  The default is an ideal three-axis machine
 /// without travel limits.
 struct MachineSetup {
@@ -58,6 +70,7 @@ struct MachineSetup {
   AxisChainSetup chain;
   errors::GeometricErrorSetup geometric_errors;
   Point p_T_tip = Point::Zero();  ///< mm, from the spindle's gauge point: what angular errors move
+  std::vector<InputWire> wires;
 };
 
 }  // namespace g31::machine

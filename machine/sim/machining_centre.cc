@@ -52,6 +52,7 @@ MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surrou
       dynamics_(setup),
       stopping_(setup.stopping),
       stop_delay_s_(setup.stop_delay_s),
+      wires_(setup.wires),
       surroundings_(surroundings),
       q_M_(setup.q_M_start),
       resolution_(resolutions(setup)),
@@ -141,10 +142,45 @@ std::optional<MachineFault> MachiningCentre::damage(const AxisPositions& q_M_fro
   return stop_at(*std::move(obstacle), q_M_stop, 0.0);
 }
 
-void MachiningCentre::orient_spindle(double angle_deg) {
-  G31_EXPECTS(std::isfinite(angle_deg));
-  if (surroundings_ != nullptr) {
-    surroundings_->take(SpindleTurn{Rotation::Stopped, 0.0, angle_deg});
+std::optional<SensorState> MachiningCentre::sensor_state(int input) const {
+  return surroundings_ != nullptr ? surroundings_->sensor_state(input) : std::nullopt;
+}
+
+std::optional<bool> MachiningCentre::digital_input(int number) const {
+  const auto wire = std::ranges::find(wires_, number, &InputWire::number);
+  if (wire == wires_.end()) {
+    return std::nullopt;
+  }
+  if (wire->source == InputWire::Source::Signal) {
+    return skip_signal(wire->measuring_input);
+  }
+  const auto state = sensor_state(wire->measuring_input);
+  return state == SensorState::Ready || state == SensorState::Turning;
+}
+
+void MachiningCentre::change_tool(const ToolChange& change) {
+  G31_EXPECTS(change.tool.number >= 0 && std::isfinite(change.tool.length_mm));
+  tell(change);
+}
+
+void MachiningCentre::turn_spindle(const SpindleTurn& turn) {
+  G31_EXPECTS(turn.speed_rev_min >= 0.0);
+  G31_EXPECTS(!turn.angle_deg ||
+              (std::isfinite(*turn.angle_deg) && turn.rotation == Rotation::Stopped));
+  tell(turn);
+}
+
+void MachiningCentre::auxiliary_code(const AuxiliaryCode& code) {
+  tell(code);
+}
+
+void MachiningCentre::tell(const MachineEvent& event) {
+  if (surroundings_ == nullptr) {
+    return;
+  }
+  surroundings_->take(event);
+  if (const auto p_T_tip = surroundings_->tool_extent().p_T_tip) {
+    real_.take_tool(*p_T_tip);
   }
 }
 

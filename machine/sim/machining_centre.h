@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "machine/port/machine_port.h"
 #include "machine/port/surroundings.h"
@@ -50,9 +51,13 @@ class MachiningCentre final : public MachinePort {
   Result<SkipOutcome, MachineFault> move_until_skip(const SkipMove& move) override;
 
   [[nodiscard]] bool skip_signal(int input) const override;
+  [[nodiscard]] std::optional<SensorState> sensor_state(int input) const override;
+  [[nodiscard]] std::optional<bool> digital_input(int number) const override;
 
-  /// Takes no time; the surroundings turn what is in the spindle.
-  void orient_spindle(double angle_deg) override;
+  // What the surroundings make of these decides; nothing moves.
+  void change_tool(const ToolChange& change) override;
+  void turn_spindle(const SpindleTurn& turn) override;
+  void auxiliary_code(const AuxiliaryCode& code) override;
   void dwell(double seconds) override;
   [[nodiscard]] AxisPositions position() const override { return q_M_; }
   [[nodiscard]] double time_s() const override { return clock_.now_s(); }
@@ -61,6 +66,7 @@ class MachiningCentre final : public MachinePort {
   void trace(double period_s, TraceSink& sink);
 
  private:
+  void tell(const MachineEvent& event);
   /// What the way that a skip move took, of axes and tool tip, has broken.
   std::optional<MachineFault> damage(const AxisPositions& q_M_from, const Waypoint& tip_from);
   [[nodiscard]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;
@@ -94,6 +100,7 @@ class MachiningCentre final : public MachinePort {
   AxisDynamics dynamics_;
   Stopping stopping_;
   double stop_delay_s_;
+  std::vector<InputWire> wires_;
   Surroundings* surroundings_;
   Clock clock_;
   AxisPositions q_M_;

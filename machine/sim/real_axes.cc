@@ -118,6 +118,11 @@ void RealAxes::follow(const ServoMotion& motion, double until_s) {
   lag_ = motion.lag_at(until_s);
 }
 
+void RealAxes::take_tool(const Point& p_T_tip) {
+  truth_.take_tool(p_T_tip);
+  chain_.take_tool(p_T_tip);
+}
+
 void RealAxes::stop_at(const AxisPositions& q_M) {
   truth_.go_to(q_M);
   lag_.setZero();

@@ -65,6 +65,9 @@ class RealAxes {
   /// What was met in the frame of the part, in that of the machine.
   [[nodiscard]] Contact in_machine(const AxisPositions& q_M, const Contact& of_part) const;
 
+  /// Another tool is in the spindle.  @param p_T_tip  mm, its tip from the gauge point
+  void take_tool(const Point& p_T_tip);
+
   [[nodiscard]] const TruePosition& truth() const { return truth_; }
 
  private:

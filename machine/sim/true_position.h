@@ -25,6 +25,9 @@ class TruePosition {
   /// The same where the way has ended, and the next one will begin.
   AxisPositions go_to(const AxisPositions& q_M);
 
+  /// @param p_T_tip  mm, the tip of the tool from now on, from the gauge point
+  void take_tool(const Point& p_T_tip) { p_T_tip_ = p_T_tip; }
+
   [[nodiscard]] bool has_play() const { return has_play_; }
 
  private:

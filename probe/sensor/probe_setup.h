@@ -67,6 +67,16 @@ struct StylusBall {
   double diameter_mm = 6.0;             ///< > 0
 };
 
+/// How a probe gets into the spindle and is switched.  Without any of it, it is there and on.
+struct SwitchingSetup {
+  std::optional<int> tool;      ///< the number that it is; the spindle holds it at the start
+  std::optional<int> on_code;   ///< the M code that switches it on; with one it is off at the start
+  std::optional<int> off_code;  ///< and off
+
+  /// Whether programs bring the probe or switch it on, and so can forget to.
+  [[nodiscard]] bool is_up_to_program() const { return tool || on_code; }
+};
+
 /// What the set-up sheet says about the touch probe.  Lengths in mm.
 struct ProbeSetup {
   double ball_diameter_mm = 6.0;  ///< > 0
@@ -75,6 +85,7 @@ struct ProbeSetup {
   double trigger_delay_s = 0.0;                        ///< >= 0
   double repeatability_mm = 0.0;   ///< standard deviation of the trigger point along the move
   int input = machine::kAnyInput;  ///< measuring input that it is wired to; kAnyInput: all of them
+  SwitchingSetup switching;
   SwitchSetup at_switch;
   std::vector<StylusBall> further_balls;
   double deflection_limit_mm = std::numeric_limits<double>::infinity();  ///< > 0, see TouchProbe

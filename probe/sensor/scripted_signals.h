@@ -36,6 +36,10 @@ class ScriptedSignals final : public machine::Surroundings {
   std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
                                                   machine::Travel travel) override;
 
+  /// Always ready.
+  [[nodiscard]] std::optional<machine::SensorState> sensor_state(int /*input*/) const override {
+    return machine::SensorState::Ready;
+  }
   [[nodiscard]] machine::ToolExtent tool_extent() const override { return {}; }
   void take(const machine::MachineEvent& /*event*/) override {}
 

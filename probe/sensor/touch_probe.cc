@@ -16,6 +16,9 @@ namespace {
 /// The random stream of the trigger's repeatability; other models take other numbers.
 constexpr std::uint32_t kRepeatabilityStream = 1;
 
+/// The spindle that holds the probe.
+constexpr int kSpindle = 1;
+
 }  // namespace
 
 TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& parts,
@@ -25,14 +28,41 @@ TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& p
 TouchProbe::TouchProbe(std::shared_ptr<const TouchableParts> parts, const ProbeSetup& setup,
                        std::uint64_t seed)
     : setup_(setup), parts_(std::move(parts)), seed_(seed) {
-  G31_EXPECTS(setup.ball_diameter_mm > 0.0);
   G31_EXPECTS(setup.trigger_delay_s >= 0.0);
   G31_EXPECTS(setup.repeatability_mm >= 0.0);
-  const Point p_S_main(setup.eccentricity_mm[0], setup.eccentricity_mm[1], -setup.length_mm);
-  add_ball(p_S_main, setup.ball_diameter_mm);
-  for (const StylusBall& ball : setup.further_balls) {
-    add_ball(p_S_main + ball.p_S_from_main, ball.diameter_mm);
+  is_on_ = !setup.switching.on_code;
+  for (const ToolBody& body : bodies_of(setup)) {
+    add(body);
   }
+}
+
+void TouchProbe::add(const ToolBody& body) {
+  if (const auto* const ball = std::get_if<Ball>(&body.shape)) {
+    balls_.push_back({ball->p_S_centre, ball->radius_mm, parts_->size_of(ball->radius_mm)});
+  } else {
+    (body.gives_way ? stem_ : rigid_).push_back(std::get<ProbeSection>(body.shape));
+  }
+}
+
+bool TouchProbe::is_silent() const {
+  return !is_in_place_ || !is_on_ || setup_.state == ProbeState::Dead;
+}
+
+std::optional<machine::SensorState> TouchProbe::sensor_state(int input) const {
+  if (!is_wired(input)) {
+    return std::nullopt;
+  }
+  if (!is_in_place_) {
+    return machine::SensorState::NotInPlace;
+  }
+  if (!is_on_) {
+    return machine::SensorState::SwitchedOff;
+  }
+  if (setup_.state == ProbeState::Dead) {
+    return machine::SensorState::Dead;
+  }
+  return turns_ && setup_.switching.is_up_to_program() ? machine::SensorState::Turning
+                                                       : machine::SensorState::Ready;
 }
 
 bool TouchProbe::is_wired(int input) const {
@@ -43,6 +73,11 @@ std::optional<machine::SkipTrigger> TouchProbe::first_signal(const machine::Way&
                                                              const machine::Listening& to) {
   if (!is_wired(to.input)) {
     return std::nullopt;
+  }
+  if (is_silent()) {
+    return to.edge == machine::SignalEdge::Rising
+               ? std::nullopt
+               : std::optional(machine::SkipTrigger{0.0, true, 0.0, std::nullopt});
   }
   const std::vector<machine::Waypoint> chords =
       way.curve() != nullptr ? machine::points_of(way) : std::vector<machine::Waypoint>();
@@ -79,8 +114,8 @@ std::optional<machine::SkipTrigger> TouchProbe::first_touch_along(Points way) {
 }
 
 std::optional<TouchProbe::Signal> TouchProbe::first_signal(const machine::Sweep& sweep) const {
-  PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
-  if (touch.part == nullptr || setup_.state == ProbeState::Dead) {
+  PartHit touch = first_hit(sweep, &MeshSweeper::sweep, kSensed);
+  if (touch.part == nullptr) {
     return std::nullopt;
   }
   if (touch.hit.status == SweepStatus::StartInContact) {
@@ -88,7 +123,7 @@ std::optional<TouchProbe::Signal> TouchProbe::first_signal(const machine::Sweep&
       return Signal{touch, std::max(0.0, *more), *more < 0.0};
     }
     // The stylus comes free without a signal; then it may touch something else.
-    touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
+    touch = first_hit(sweep, &MeshSweeper::first_contact_leaving, kSensed);
     if (touch.part == nullptr) {
       return std::nullopt;
     }
@@ -111,26 +146,44 @@ double TouchProbe::trigger_shift(std::uint64_t event) const {
 }
 
 void TouchProbe::take(const machine::MachineEvent& event) {
-  const auto* const turn = std::get_if<machine::SpindleTurn>(&event);
-  if (turn != nullptr && turn->angle_deg) {
-    R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, *turn->angle_deg}});
+  std::visit([this](const auto& one) { note(one); }, event);
+}
+
+void TouchProbe::note(const machine::ToolChange& change) {
+  if (change.spindle != kSpindle) {
+    return;
+  }
+  is_in_place_ = !setup_.switching.tool || change.tool.number == *setup_.switching.tool;
+}
+
+void TouchProbe::note(const machine::SpindleTurn& turn) {
+  if (turn.spindle != kSpindle) {
+    return;
+  }
+  turns_ = turn.rotation != machine::Rotation::Stopped;
+  if (turn.angle_deg) {
+    R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, *turn.angle_deg}});
   }
 }
 
-void TouchProbe::add_ball(const Point& p_S, double diameter_mm) {
-  const double radius = 0.5 * diameter_mm;
-  balls_.push_back({p_S, radius, parts_->size_of(radius)});
+void TouchProbe::note(const machine::AuxiliaryCode& code) {
+  is_on_ = code.number == setup_.switching.on_code ||
+           (is_on_ && code.number != setup_.switching.off_code);
 }
 
 machine::ToolExtent TouchProbe::tool_extent() const {
-  const Point& p_S_tip = balls_.front().p_S;
   machine::ToolExtent extent;
-  for (const Ball& ball : balls_) {
+  if (!is_in_place_) {
+    return extent;
+  }
+  const Point& p_S_tip = balls_.front().p_S;
+  extent.p_T_tip = p_S_tip;
+  for (const Tip& ball : balls_) {
     extent.signal_mm = std::max(extent.signal_mm, (R_MS_ * ball.p_S - p_S_tip).norm());
   }
   extent.body_mm = extent.signal_mm;
   const double off_tip = (R_MS_ * p_S_tip - p_S_tip).norm();
-  for (const std::vector<ProbeSection>* sections : {&setup_.stem, &setup_.bodies}) {
+  for (const std::vector<ProbeSection>* sections : {&stem_, &rigid_}) {
     for (const ProbeSection& section : *sections) {
       extent.body_mm = std::max(extent.body_mm, off_tip + reach_of(section));
     }
@@ -138,7 +191,7 @@ machine::ToolExtent TouchProbe::tool_extent() const {
   return extent;
 }
 
-Point TouchProbe::centre_of(const Ball& ball, const AxisPositions& q_M,
+Point TouchProbe::centre_of(const Tip& ball, const AxisPositions& q_M,
                             const Eigen::Quaterniond& tilt) const {
   if (tilt.coeffs() == Eigen::Quaterniond::Identity().coeffs()) {
     return linear_axes(q_M) + R_MS_ * ball.p_S;
@@ -147,14 +200,14 @@ Point TouchProbe::centre_of(const Ball& ball, const AxisPositions& q_M,
   return linear_axes(q_M) + p_S_tip + tilt * (R_MS_ * ball.p_S - p_S_tip);
 }
 
-TouchProbe::BallWay TouchProbe::way_of(const Ball& ball, const machine::Sweep& sweep) const {
+TouchProbe::BallWay TouchProbe::way_of(const Tip& ball, const machine::Sweep& sweep) const {
   BallWay way{centre_of(ball, sweep.q_M_from, sweep.tilt_from),
               centre_of(ball, sweep.q_M_to, sweep.tilt_to)};
   way.length = way.along().norm();
   return way;
 }
 
-std::vector<machine::Waypoint> TouchProbe::way_of(const Ball& ball, Points way) const {
+std::vector<machine::Waypoint> TouchProbe::way_of(const Tip& ball, Points way) const {
   std::vector<machine::Waypoint> of_ball(way.begin(), way.end());
   for (machine::Waypoint& point : of_ball) {
     point.q_M.head<kLinearAxisCount>() = centre_of(ball, point.q_M, point.tilt);
@@ -162,11 +215,15 @@ std::vector<machine::Waypoint> TouchProbe::way_of(const Ball& ball, Points way) 
   return of_ball;
 }
 
-TouchProbe::PartHit TouchProbe::first_hit(const machine::Sweep& sweep, Question question) const {
+TouchProbe::PartHit TouchProbe::first_hit(const machine::Sweep& sweep, Question question,
+                                          const Asked& asked) const {
   PartHit first;
-  for (const Ball& ball : balls_) {
+  for (const Tip& ball : balls_) {
     const BallWay way = way_of(ball, sweep);
     for (const Part& part : parts_->parts()) {
+      if (!asked.is_of(part)) {
+        continue;
+      }
       const PartHit met{(part.sweepers[ball.size].*question)(way.p_M_from, way.p_M_to), &part,
                         &ball, way};
       if (met.hit.status == SweepStatus::StartInContact) {

@@ -58,13 +58,16 @@ class TouchProbe final : public machine::Surroundings {
   std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
                                                   machine::Travel travel) override;
 
+  [[nodiscard]] std::optional<machine::SensorState> sensor_state(int input) const override;
+
   [[nodiscard]] machine::ToolExtent tool_extent() const override;
 
-  /// An angle of the spindle turns the probe, positive from +X towards +Y.
+  /// A tool change brings the probe or takes it away, M codes switch it; an angle of the spindle
+  /// turns it, positive from +X towards +Y.
   void take(const machine::MachineEvent& event) override;
 
  private:
-  struct Ball {
+  struct Tip {
     Point p_S = Point::Zero();  ///< from the gauge point, at spindle angle 0
     double radius = 0.0;
     std::size_t size = 0;  ///< which of the sweepers of each part
@@ -81,12 +84,22 @@ class TouchProbe final : public machine::Surroundings {
   struct PartHit {
     SweepHit hit;
     const Part* part = nullptr;  ///< none: no part was met
-    const Ball* ball = nullptr;
+    const Tip* ball = nullptr;
     BallWay way;  ///< of that ball
 
     [[nodiscard]] double fraction() const { return way.length > 0.0 ? hit.s / way.length : 0.0; }
   };
   using Question = SweepHit (MeshSweeper::*)(const Point&, const Point&) const;
+  /// Which parts are asked about: those whose touch means this.
+  struct Asked {
+    Encounter Part::*when = nullptr;
+    Encounter encounter = Encounter::Free;
+
+    [[nodiscard]] bool is_of(const Part& part) const { return part.*when == encounter; }
+  };
+  static constexpr Asked kSensed{&Part::on_skip_moves, Encounter::Signal};
+  static constexpr Asked kBarred{&Part::on_moves, Encounter::Obstacle};
+  static constexpr Asked kBarredOnSkip{&Part::on_skip_moves, Encounter::Obstacle};
 
   struct Signal {
     PartHit touch;
@@ -115,13 +128,19 @@ class TouchProbe final : public machine::Surroundings {
   /// begin so.
   [[nodiscard]] double out_of_contact(const machine::Sweep& sweep) const;
   [[nodiscard]] std::optional<machine::Obstacle> over_deflection(const PartHit& touch) const;
-  void add_ball(const Point& p_S, double diameter_mm);
-  [[nodiscard]] Point centre_of(const Ball& ball, const AxisPositions& q_M,
+  void add(const ToolBody& body);
+  void note(const machine::ToolChange& change);
+  void note(const machine::SpindleTurn& turn);
+  void note(const machine::AuxiliaryCode& code);
+  /// Whether no touch can give a signal.
+  [[nodiscard]] bool is_silent() const;
+  [[nodiscard]] Point centre_of(const Tip& ball, const AxisPositions& q_M,
                                 const Eigen::Quaterniond& tilt) const;
-  [[nodiscard]] BallWay way_of(const Ball& ball, const machine::Sweep& sweep) const;
+  [[nodiscard]] BallWay way_of(const Tip& ball, const machine::Sweep& sweep) const;
   /// The centres of a ball along a way, as linear axes.
-  [[nodiscard]] std::vector<machine::Waypoint> way_of(const Ball& ball, Points way) const;
-  [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question) const;
+  [[nodiscard]] std::vector<machine::Waypoint> way_of(const Tip& ball, Points way) const;
+  [[nodiscard]] PartHit first_hit(const machine::Sweep& sweep, Question question,
+                                  const Asked& asked) const;
   /// Where the deflection of a touch on this sweep is reached, be it behind its end.
   [[nodiscard]] std::optional<Signal> first_signal(const machine::Sweep& sweep) const;
   /// Contact and number of signals.
@@ -138,11 +157,16 @@ class TouchProbe final : public machine::Surroundings {
                                                     const machine::Sweep& sweep) const;
 
   ProbeSetup setup_;
-  std::vector<Ball> balls_;
+  std::vector<Tip> balls_;
+  std::vector<ProbeSection> stem_;  // gives way with the balls
+  std::vector<ProbeSection> rigid_;
   std::shared_ptr<const TouchableParts> parts_;
   std::uint64_t seed_;
   std::uint64_t triggers_asked_ = 0;
   Eigen::Matrix3d R_MS_ = Eigen::Matrix3d::Identity();
+  bool is_in_place_ = true;
+  bool is_on_ = true;
+  bool turns_ = false;
 };
 
 }  // namespace g31::probe

@@ -30,6 +30,9 @@ std::optional<machine::Obstacle> earlier(std::optional<machine::Obstacle> a,
 
 std::optional<machine::Obstacle> TouchProbe::first_obstacle(const machine::Way& way,
                                                             machine::Travel travel) {
+  if (!is_in_place_) {
+    return std::nullopt;
+  }
   if (way.curve() != nullptr) {
     return collision_on(*way.curve());
   }
@@ -52,7 +55,7 @@ std::optional<machine::Obstacle> TouchProbe::first_obstacle(const machine::Way& 
 
 std::optional<machine::Obstacle> TouchProbe::collision_on(const machine::Sweep& sweep) const {
   auto rigid = rigid_touch(sweep);
-  const PartHit touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
+  const PartHit touch = first_hit(sweep, &MeshSweeper::first_contact_leaving, kBarred);
   if (touch.part == nullptr) {
     return rigid;
   }
@@ -62,10 +65,13 @@ std::optional<machine::Obstacle> TouchProbe::collision_on(const machine::Sweep& 
 
 std::optional<machine::Obstacle> TouchProbe::collision_on(const machine::CurvedWay& curve) const {
   std::optional<machine::Obstacle> first = rigid_touch_on_curve(curve, 0.0, 1.0);
-  for (const Ball& ball : balls_) {
+  for (const Tip& ball : balls_) {
     const Curve of_ball{[&](double t) { return centre_of(ball, curve.q_M_at(t), kUpright); },
                         curve.bend};
     for (const Part& part : parts_->parts()) {
+      if (!kBarred.is_of(part)) {
+        continue;
+      }
       const auto [t, hit] = first_contact_leaving_on_curve(part.sweepers[ball.size], of_ball);
       if (hit.status != SweepStatus::Miss) {
         first = earlier(std::move(first), obstacle_at(t, hit, part.name));
@@ -76,21 +82,26 @@ std::optional<machine::Obstacle> TouchProbe::collision_on(const machine::CurvedW
 }
 
 std::optional<machine::Obstacle> TouchProbe::damage_on(const machine::Sweep& sweep) const {
-  PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
+  PartHit touch = first_hit(sweep, &MeshSweeper::sweep, kSensed);
   if (touch.part != nullptr && touch.hit.status == SweepStatus::StartInContact &&
       touch.hit.n_M.dot(touch.way.along()) >= 0.0) {
     // The stylus comes free; then it may be pushed into something else.
-    touch = first_hit(sweep, &MeshSweeper::first_contact_leaving);
+    touch = first_hit(sweep, &MeshSweeper::first_contact_leaving, kSensed);
   }
-  auto body = touch_of(setup_.bodies, sweep);
-  auto stem = touch_of(setup_.stem, sweep);
+  const PartHit barred = first_hit(sweep, &MeshSweeper::first_contact_leaving, kBarredOnSkip);
+  auto body = touch_of(rigid_, sweep);
+  auto stem = touch_of(stem_, sweep);
   const double pushed_from = touch.part == nullptr                             ? 2.0
                              : touch.hit.status == SweepStatus::StartInContact ? 0.0
                                                                                : touch.fraction();
   if (stem && stem->fraction >= pushed_from) {
     stem.reset();
   }
-  return earlier(earlier(std::move(body), std::move(stem)), over_deflection(touch));
+  auto ball = barred.part != nullptr
+                  ? std::optional(obstacle_at(barred.fraction(), barred.hit, barred.part->name))
+                  : std::nullopt;
+  return earlier(earlier(std::move(body), std::move(stem)),
+                 earlier(over_deflection(touch), std::move(ball)));
 }
 
 std::optional<machine::Obstacle> TouchProbe::touch_of(Sections sections,
@@ -110,8 +121,8 @@ std::optional<machine::Obstacle> TouchProbe::touch_of(Sections sections,
 }
 
 std::optional<machine::Obstacle> TouchProbe::rigid_touch(const machine::Sweep& sweep) const {
-  auto body = touch_of(setup_.bodies, sweep);
-  auto stem = touch_of(setup_.stem, sweep);
+  auto body = touch_of(rigid_, sweep);
+  auto stem = touch_of(stem_, sweep);
   if (stem) {
     const double out = out_of_contact(sweep);
     if (out >= 1.0) {
@@ -119,7 +130,7 @@ std::optional<machine::Obstacle> TouchProbe::rigid_touch(const machine::Sweep& s
     } else if (out > 0.0) {
       const AxisPositions q_M_out = sweep.q_M_from + out * (sweep.q_M_to - sweep.q_M_from);
       const Eigen::Quaterniond tilt_out = turn_between(sweep.tilt_from, sweep.tilt_to, out);
-      stem = touch_of(setup_.stem, {q_M_out, sweep.q_M_to, tilt_out, sweep.tilt_to});
+      stem = touch_of(stem_, {q_M_out, sweep.q_M_to, tilt_out, sweep.tilt_to});
       if (stem) {
         stem->fraction = out + (1.0 - out) * stem->fraction;
       }
@@ -129,7 +140,7 @@ std::optional<machine::Obstacle> TouchProbe::rigid_touch(const machine::Sweep& s
 }
 
 double TouchProbe::out_of_contact(const machine::Sweep& sweep) const {
-  const PartHit touch = first_hit(sweep, &MeshSweeper::sweep);
+  const PartHit touch = first_hit(sweep, &MeshSweeper::sweep, kSensed);
   if (touch.part == nullptr || touch.hit.status != SweepStatus::StartInContact) {
     return 0.0;
   }
@@ -154,7 +165,7 @@ std::optional<machine::Obstacle> TouchProbe::rigid_touch_on_curve(const machine:
     return obstacle;
   }
   // Whether a stem in contact leaves it, only a chord that is as good as the curve can tell.
-  if (!touch_of(setup_.bodies, chord, bulge) && !touch_of(setup_.stem, chord, bulge)) {
+  if (!touch_of(rigid_, chord, bulge) && !touch_of(stem_, chord, bulge)) {
     return std::nullopt;
   }
   const double middle = begin + 0.5 * share;

@@ -24,13 +24,13 @@ machine::Waypoint between(const machine::Waypoint& from, const machine::Waypoint
 }  // namespace
 
 std::optional<TouchProbe::PartHit> TouchProbe::signalling_touch(const machine::Waypoint& at) const {
-  if (setup_.state == ProbeState::Dead) {
-    return std::nullopt;
-  }
   const machine::Sweep still{at.q_M, at.q_M, at.tilt, at.tilt};
-  for (const Ball& ball : balls_) {
+  for (const Tip& ball : balls_) {
     const BallWay way = way_of(ball, still);
     for (const Part& part : parts_->parts()) {
+      if (!kSensed.is_of(part)) {
+        continue;
+      }
       const MeshSweeper& sweeper = part.sweepers[ball.size];
       const auto distance = sweeper.distance_if_touching(way.p_M_from);
       if (!distance) {
@@ -48,7 +48,7 @@ std::optional<TouchProbe::PartHit> TouchProbe::signalling_touch(const machine::W
 }
 
 bool TouchProbe::signals_at(const machine::Waypoint& at, int input) const {
-  return is_wired(input) && signalling_touch(at).has_value();
+  return is_wired(input) && !is_silent() && signalling_touch(at).has_value();
 }
 
 std::optional<machine::SkipTrigger> TouchProbe::first_release_along(Points way) {

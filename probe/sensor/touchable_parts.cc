@@ -7,19 +7,28 @@
 namespace g31::probe {
 
 TouchableParts::TouchableParts(const ProbeSetup& setup, const std::vector<ProbedPart>& parts) {
-  G31_EXPECTS(setup.ball_diameter_mm > 0.0);
-  add_radius(0.5 * setup.ball_diameter_mm);
-  for (const StylusBall& ball : setup.further_balls) {
-    add_radius(0.5 * ball.diameter_mm);
+  bool has_sections = false;
+  for (const ToolBody& body : bodies_of(setup)) {
+    if (const auto* const ball = std::get_if<Ball>(&body.shape)) {
+      G31_EXPECTS(ball->radius_mm > 0.0);
+      add_radius(ball->radius_mm);
+    } else {
+      has_sections = true;
+    }
   }
   parts_.reserve(parts.size());
   for (const ProbedPart& part : parts) {
-    Part& built = parts_.emplace_back(Part{part.name, {}});
+    G31_EXPECTS(!is_on_tool_side(part.mount));
+    Part& built =
+        parts_.emplace_back(Part{part.name,
+                                 encounter_of(Role::SensingTip, part.role, machine::Travel::Feed),
+                                 encounter_of(Role::SensingTip, part.role, machine::Travel::Skip),
+                                 {}});
     built.sweepers.reserve(radii_.size());
     for (const double radius : radii_) {
       built.sweepers.emplace_back(part.mesh_M, radius);
     }
-    if (!setup.stem.empty() || !setup.bodies.empty()) {
+    if (has_sections) {
       solids_.emplace_back(part.mesh_M);
     }
   }

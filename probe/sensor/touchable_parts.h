@@ -4,18 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "parts/geometry/mesh.h"
 #include "probe/collision/collision_mesh.h"
 #include "probe/contact/sweep_mesh.h"
-#include "probe/sensor/probe_setup.h"
+#include "probe/sensor/bodies.h"
 
 namespace g31::probe {
-
-/// A part on the machine table, where it stands.
-struct ProbedPart {
-  std::string name;
-  parts::Mesh mesh_M;  ///< mm, machine frame
-};
 
 /// Parts with the trees that a probe asks: what takes long to make.  Immutable, so any number of
 /// probes on any number of threads may share one.
@@ -23,10 +16,14 @@ class TouchableParts {
  public:
   struct Part {
     std::string name;
+    // What it means that a sensing tip touches it.
+    Encounter on_moves = Encounter::Obstacle;
+    Encounter on_skip_moves = Encounter::Signal;
     std::vector<MeshSweeper> sweepers;  ///< one for each size of ball
   };
 
-  /// @param setup  only the sizes of its balls count, and whether it has a stem or bodies
+  /// @param setup  of its bodies only the sizes of balls count, and whether there are others
+  /// @param parts  on the work's side
   TouchableParts(const ProbeSetup& setup, const std::vector<ProbedPart>& parts);
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }

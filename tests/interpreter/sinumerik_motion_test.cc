@@ -39,6 +39,12 @@ class EndsMachine final : public machine::MachinePort {
       const machine::SkipMove&) override {
     return machine::SkipOutcome(machine::NoTouch{});
   }
+  [[nodiscard]] bool skip_signal(int) const override { return false; }
+  [[nodiscard]] std::optional<machine::SensorState> sensor_state(int) const override { return {}; }
+  [[nodiscard]] std::optional<bool> digital_input(int) const override { return {}; }
+  void change_tool(const machine::ToolChange&) override {}
+  void turn_spindle(const machine::SpindleTurn&) override {}
+  void auxiliary_code(const machine::AuxiliaryCode&) override {}
   void dwell(double) override {}
   [[nodiscard]] AxisPositions position() const override {
     return ends_.empty() ? AxisPositions(AxisPositions::Zero()) : ends_.back();

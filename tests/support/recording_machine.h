@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,8 +55,31 @@ class RecordingMachine final : public machine::MachinePort {
     return machine::SkipOutcome(machine::Touched{q_M_, q_M_, std::nullopt});
   }
 
-  void orient_spindle(double angle_deg) override {
-    log_.push_back(fmt::format("orient {:.6g}", angle_deg));
+  /// No signal is on, and nothing is wired.
+  [[nodiscard]] bool skip_signal(int /*input*/) const override { return false; }
+  [[nodiscard]] std::optional<machine::SensorState> sensor_state(int /*input*/) const override {
+    return std::nullopt;
+  }
+  [[nodiscard]] std::optional<bool> digital_input(int /*number*/) const override {
+    return std::nullopt;
+  }
+
+  void change_tool(const machine::ToolChange& change) override {
+    commands_.push_back(fmt::format("tool {} L{:.6g} R{:.6g}", change.tool.number,
+                                    change.tool.length_mm, change.tool.radius_mm));
+  }
+  void turn_spindle(const machine::SpindleTurn& turn) override {
+    if (turn.angle_deg) {
+      log_.push_back(fmt::format("orient {:.6g}", *turn.angle_deg));
+      return;
+    }
+    const char* const way = turn.rotation == machine::Rotation::Stopped     ? "stop"
+                            : turn.rotation == machine::Rotation::Clockwise ? "cw"
+                                                                            : "ccw";
+    commands_.push_back(fmt::format("spindle {} {} {:.6g}", turn.spindle, way, turn.speed_rev_min));
+  }
+  void auxiliary_code(const machine::AuxiliaryCode& code) override {
+    commands_.push_back(fmt::format("M{}", code.number));
   }
 
   void dwell(double seconds) override { log_.push_back(fmt::format("dwell {:.6g}", seconds)); }
@@ -64,6 +88,8 @@ class RecordingMachine final : public machine::MachinePort {
   [[nodiscard]] double time_s() const override { return 0.0; }
 
   [[nodiscard]] const std::vector<std::string>& log() const { return log_; }
+  /// What moves nothing, in order: "tool 5 L100 R8", "spindle 1 cw 3000", "M80".
+  [[nodiscard]] const std::vector<std::string>& commands() const { return commands_; }
   /// How the moves and arcs of the log end, in order; skip moves and dwells are not counted.
   [[nodiscard]] const std::vector<machine::BlockEnd>& ends() const { return ends_; }
 
@@ -98,6 +124,7 @@ class RecordingMachine final : public machine::MachinePort {
   std::size_t next_ = 0;
   AxisPositions q_M_;
   std::vector<std::string> log_;
+  std::vector<std::string> commands_;
   std::vector<machine::BlockEnd> ends_;
 };
 

@@ -33,6 +33,9 @@ class WorldOfPieces : public machine::Surroundings {
   [[nodiscard]] bool signals_at(const machine::Waypoint& /*at*/, int /*input*/) const override {
     return false;
   }
+  [[nodiscard]] std::optional<machine::SensorState> sensor_state(int /*input*/) const override {
+    return machine::SensorState::Ready;
+  }
   [[nodiscard]] machine::ToolExtent tool_extent() const override { return {}; }
   void take(const machine::MachineEvent& event) override { events_.push_back(event); }
 

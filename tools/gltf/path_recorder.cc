@@ -65,9 +65,11 @@ Result<machine::SkipOutcome, machine::MachineFault> PathRecorder::move_until_ski
   return outcome;
 }
 
-void PathRecorder::orient_spindle(double angle_deg) {
-  machine_.orient_spindle(angle_deg);
-  R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, angle_deg}});
+void PathRecorder::turn_spindle(const machine::SpindleTurn& turn) {
+  machine_.turn_spindle(turn);
+  if (turn.angle_deg) {
+    R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, *turn.angle_deg}});
+  }
 }
 
 Point PathRecorder::tip_at(const AxisPositions& q_M) const {

@@ -23,7 +23,17 @@ class PathRecorder final : public machine::MachinePort {
   Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(
       const machine::SkipMove& move) override;
   [[nodiscard]] bool skip_signal(int input) const override { return machine_.skip_signal(input); }
-  void orient_spindle(double angle_deg) override;
+  [[nodiscard]] std::optional<machine::SensorState> sensor_state(int input) const override {
+    return machine_.sensor_state(input);
+  }
+  [[nodiscard]] std::optional<bool> digital_input(int number) const override {
+    return machine_.digital_input(number);
+  }
+  void change_tool(const machine::ToolChange& change) override { machine_.change_tool(change); }
+  void turn_spindle(const machine::SpindleTurn& turn) override;
+  void auxiliary_code(const machine::AuxiliaryCode& code) override {
+    machine_.auxiliary_code(code);
+  }
   void dwell(double seconds) override { machine_.dwell(seconds); }
   [[nodiscard]] AxisPositions position() const override { return machine_.position(); }
   [[nodiscard]] double time_s() const override { return machine_.time_s(); }

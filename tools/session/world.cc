@@ -8,6 +8,7 @@
 #include "parts/import/mesh_file.h"
 #include "probe/sensor/scripted_signals.h"
 #include "probe/sensor/touch_probe.h"
+#include "probe/sensor/world.h"
 
 namespace g31::session {
 namespace {
@@ -48,8 +49,13 @@ std::unique_ptr<machine::Surroundings> surroundings_of(
   if (job.skip_signals) {
     return std::make_unique<probe::ScriptedSignals>(*job.skip_signals);
   }
-  return job.probe ? std::make_unique<probe::TouchProbe>(std::move(parts), *job.probe, seed)
-                   : nullptr;
+  if (!job.probe) {
+    return nullptr;
+  }
+  probe::World::Sets sets;
+  sets.push_back(std::make_unique<probe::TouchProbe>(std::move(parts), *job.probe, seed));
+  return std::make_unique<probe::World>(
+      std::move(sets), job.probe->switching.tool ? probe::Tools::Changing : probe::Tools::Fixed);
 }
 
 Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed) {

@@ -12,7 +12,8 @@ void orient_spindle(Control& control, const BlockWords& words) {
       continue;
     }
     const EvaluatedWord* const angle = words.has('R') ? words.find('R') : words.find('P');
-    control.port.orient_spindle(angle != nullptr ? angle->number : 0.0);
+    control.port.turn_spindle(
+        {machine::Rotation::Stopped, 0.0, angle != nullptr ? angle->number : 0.0});
   }
 }
 

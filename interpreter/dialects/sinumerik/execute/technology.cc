@@ -34,7 +34,7 @@ void take_speed(Channel& channel, double value) {
 void orient(Channel& channel, double degrees) {
   channel.spindle.direction = kPositioned;
   channel.spindle.angle = degrees;
-  channel.port.orient_spindle(degrees);
+  channel.port.turn_spindle({machine::Rotation::Stopped, 0.0, degrees});
 }
 
 /// SPOS and SPOSA

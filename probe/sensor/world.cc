@@ -1,0 +1,90 @@
+#include "probe/sensor/world.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "machine/base/contract.h"
+
+namespace g31::probe {
+namespace {
+
+using machine::SensorState;
+
+constexpr SensorState kReadiestFirst[] = {SensorState::Ready, SensorState::Turning,
+                                          SensorState::Dead, SensorState::SwitchedOff,
+                                          SensorState::NotInPlace};
+
+/// The one whose fraction is less; the first of equals.
+template <typename Event>
+void keep_earlier(std::optional<Event>& first, std::optional<Event> next) {
+  if (next && (!first || next->fraction < first->fraction)) {
+    first = std::move(next);
+  }
+}
+
+}  // namespace
+
+World::World(Sets sets, Tools tools) : sets_(std::move(sets)), tools_(tools) {
+  G31_EXPECTS(std::ranges::none_of(sets_, [](const auto& set) { return set == nullptr; }));
+}
+
+std::optional<machine::SkipTrigger> World::first_signal(const machine::Way& way,
+                                                        const machine::Listening& to) {
+  // Where one set is in place, the line is its own; else it is as low as all leave it.
+  const bool any_in_place = sensor_state(to.input) != SensorState::NotInPlace;
+  std::optional<machine::SkipTrigger> first;
+  for (const auto& set : sets_) {
+    if (!any_in_place || set->sensor_state(to.input) != SensorState::NotInPlace) {
+      keep_earlier(first, set->first_signal(way, to));
+    }
+  }
+  return first;
+}
+
+std::optional<machine::Obstacle> World::first_obstacle(const machine::Way& way,
+                                                       machine::Travel travel) {
+  std::optional<machine::Obstacle> first;
+  for (const auto& set : sets_) {
+    keep_earlier(first, set->first_obstacle(way, travel));
+  }
+  return first;
+}
+
+bool World::signals_at(const machine::Waypoint& at, int input) const {
+  return std::ranges::any_of(sets_, [&](const auto& set) { return set->signals_at(at, input); });
+}
+
+std::optional<SensorState> World::sensor_state(int input) const {
+  for (const SensorState state : kReadiestFirst) {
+    if (std::ranges::any_of(sets_,
+                            [&](const auto& s) { return s->sensor_state(input) == state; })) {
+      return state;
+    }
+  }
+  return std::nullopt;
+}
+
+machine::ToolExtent World::tool_extent() const {
+  machine::ToolExtent most;
+  for (const auto& set : sets_) {
+    const machine::ToolExtent extent = set->tool_extent();
+    most.p_T_tip = most.p_T_tip ? most.p_T_tip : extent.p_T_tip;
+    most.signal_mm = std::max(most.signal_mm, extent.signal_mm);
+    most.body_mm = std::max(most.body_mm, extent.body_mm);
+  }
+  if (!most.p_T_tip && tools_ == Tools::Changing) {
+    most.p_T_tip = Point(0.0, 0.0, -called_.length_mm);
+  }
+  return most;
+}
+
+void World::take(const machine::MachineEvent& event) {
+  if (const auto* const change = std::get_if<machine::ToolChange>(&event)) {
+    called_ = change->tool;
+  }
+  for (const auto& set : sets_) {
+    set->take(event);
+  }
+}
+
+}  // namespace g31::probe

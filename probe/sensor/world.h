@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "machine/port/surroundings.h"
+
+namespace g31::probe {
+
+/// Who says which tool the spindle holds.
+enum class Tools {
+  Fixed,     ///< nobody: what is there stays there, whatever tools programs call
+  Changing,  ///< programs: a tool that is none of the sets here is what the control believes
+};
+
+/// Several sets of bodies in one world: probes, tool probes, each of them surroundings of its own.
+///
+/// All are asked, and what comes first counts.  A set whose sensor is not in place keeps silent.  A
+/// tool that no set here is cuts: it touches nothing that is here but parts (encounters.def).
+class World final : public machine::Surroundings {
+ public:
+  using Sets = std::vector<std::unique_ptr<machine::Surroundings>>;
+
+  /// @param sets  none null
+  World(Sets sets, Tools tools);
+
+  std::optional<machine::SkipTrigger> first_signal(const machine::Way& way,
+                                                   const machine::Listening& to) override;
+  std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
+                                                  machine::Travel travel) override;
+  [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
+
+  /// Of several on one input, that of the one which is readiest.
+  [[nodiscard]] std::optional<machine::SensorState> sensor_state(int input) const override;
+
+  /// The tip of the set that is in place, else of the tool that was called.
+  [[nodiscard]] machine::ToolExtent tool_extent() const override;
+
+  void take(const machine::MachineEvent& event) override;
+
+ private:
+  Sets sets_;
+  Tools tools_;
+  machine::Tool called_;
+};
+
+}  // namespace g31::probe
