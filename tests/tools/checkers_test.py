@@ -3,6 +3,7 @@
 import importlib
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -112,6 +113,34 @@ class Includes(CheckerTest):
 
     def test_an_empty_tree_does_not_pass(self):
         self.finds({"README.md": "\n"}, "nothing was checked")
+
+
+class Names(CheckerTest):
+    CHECKER = "check_names.py"
+
+    def test_names_that_say_something_pass(self):
+        self.passes({"machine/sim/skip_stop.cc": "\n", "probe/contact/sweep_2.h": "\n"})
+
+    def test_names_that_say_nothing_are_found(self):
+        for file in ("machine/sim/utils.cc", "tools/common/a.h", "probe/mesh_helpers.h"):
+            with self.subTest(file):
+                self.finds({file: "\n"}, "says nothing about what is in it")
+
+    def test_another_spelling_is_found(self):
+        for file in ("machine/sim/SkipStop.cc", "tools/skip-stop.py", "probe/_a.h"):
+            with self.subTest(file):
+                self.finds({file: "\n"}, "names are lower case, words joined by _")
+
+
+@unittest.skipUnless(shutil.which("clang-format"), "clang-format is not here")
+class Format(CheckerTest):
+    CHECKER = "check_format.py"
+
+    def test_a_file_as_clang_format_writes_it_passes(self):
+        self.passes({"a.h": "int a();\n"})
+
+    def test_another_layout_is_found_with_its_line(self):
+        self.finds({"a.h": "int a();\nint  b();\n"}, "a.h:2: error: clang-format writes it otherwise")
 
 
 class Links(CheckerTest):

@@ -25,7 +25,8 @@ consteval bool parameters_rise() {
   for (std::size_t i = 1; i < kParameterRows.size(); ++i) {
     const bool same_number = kParameterRows[i].first == kParameterRows[i - 1].last;
     if (kParameterRows[i].first < kParameterRows[i - 1].last ||
-        (same_number && kParameterRows[i].bit.value_or(0) <= kParameterRows[i - 1].bit.value_or(0))) {
+        (same_number &&
+         kParameterRows[i].bit.value_or(0) <= kParameterRows[i - 1].bit.value_or(0))) {
       return false;
     }
   }
@@ -44,8 +45,9 @@ const ParameterInfo& info(ParameterId id) {
 }
 
 const ParameterInfo* find_parameter(int number) {
-  const auto* const row = std::ranges::find_if(
-      kParameterRows, [&](const ParameterInfo& r) { return r.first <= number && number <= r.last; });
+  const auto* const row = std::ranges::find_if(kParameterRows, [&](const ParameterInfo& r) {
+    return r.first <= number && number <= r.last;
+  });
   return row != kParameterRows.end() ? row : nullptr;
 }
 

@@ -22,11 +22,13 @@ constexpr auto kSystemVariableRows = std::to_array<SystemVariable>({
 /// every control by a test.
 consteval bool rising_without_overlap() {
   for (std::size_t i = 0; i < kSystemVariableRows.size(); ++i) {
-    if (kSystemVariableRows[i].first > kSystemVariableRows[i].last || (i > 0 && kSystemVariableRows[i - 1].first > kSystemVariableRows[i].first)) {
+    if (kSystemVariableRows[i].first > kSystemVariableRows[i].last ||
+        (i > 0 && kSystemVariableRows[i - 1].first > kSystemVariableRows[i].first)) {
       return false;
     }
     for (std::size_t j = 0; j < i; ++j) {
-      if (kSystemVariableRows[j].groups.meets(kSystemVariableRows[i].groups) && kSystemVariableRows[j].last >= kSystemVariableRows[i].first) {
+      if (kSystemVariableRows[j].groups.meets(kSystemVariableRows[i].groups) &&
+          kSystemVariableRows[j].last >= kSystemVariableRows[i].first) {
         return false;
       }
     }

@@ -296,9 +296,9 @@ bool Compiler::jump_statement() {
     Direction direction;
   };
   constexpr Row kStatementRows[] = {{"GOTOF", Direction::Forward},
-                           {"GOTOB", Direction::Backward},
-                           {"GOTO", Direction::Both},
-                           {"GOTOC", Direction::BothQuiet}};
+                                    {"GOTOB", Direction::Backward},
+                                    {"GOTO", Direction::Both},
+                                    {"GOTOC", Direction::BothQuiet}};
   for (const Row& row : kStatementRows) {
     if (accept_name(row.name)) {
       jump_to(row.direction);
