@@ -108,6 +108,10 @@ Bvh::Bvh(std::vector<Box> boxes) {
   nodes_.shrink_to_fit();
 }
 
+bool Bvh::may_meet(const Path& path, double reach) const {
+  return !nodes_.empty() && !PathQuery(*this, path, Point::Constant(reach)).misses();
+}
+
 std::size_t Bvh::memory_bytes() const {
   return nodes_.capacity() * sizeof(Node) + order_.capacity() * sizeof(std::uint32_t);
 }

@@ -47,6 +47,9 @@ class Bvh {
   template <typename Visit>
   void visit_along(const Path& path, const Point& reach, Visit&& visit) const;
 
+  /// Whether the path comes within `reach` mm of the box around everything.  "No" is certain.
+  [[nodiscard]] bool may_meet(const Path& path, double reach) const;
+
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace g31::probe {
 namespace {
@@ -25,14 +26,10 @@ double free_until(const SweptSection& swept, const ContactTriangle& triangle) {
 
 }  // namespace
 
-CollisionMesh::CollisionMesh(const parts::Mesh& mesh_M) : tree_(parts::triangle_boxes(mesh_M)) {
-  triangles_.reserve(mesh_M.triangles.size());
-  for (const std::uint32_t index : tree_.order()) {
-    const auto& corners = mesh_M.triangles[index];
-    triangles_.emplace_back(mesh_M.vertices[corners[0]], mesh_M.vertices[corners[1]],
-                            mesh_M.vertices[corners[2]]);
-  }
-}
+CollisionMesh::CollisionMesh(const parts::Mesh& mesh_M)
+    : CollisionMesh(std::make_shared<const ContactMesh>(mesh_M)) {}
+
+CollisionMesh::CollisionMesh(std::shared_ptr<const ContactMesh> mesh) : mesh_(std::move(mesh)) {}
 
 template <typename Visit>
 void CollisionMesh::visit_near(const SweptSection& swept, Visit&& visit) const {
@@ -42,8 +39,8 @@ void CollisionMesh::visit_near(const SweptSection& swept, Visit&& visit) const {
   const parts::Path path{0.5 * (box.min + box.max),
                          length > 0.0 ? Point(way / length) : Point(Point::UnitX()), length};
   const Point reach = 0.5 * (box.max - box.min) + Point::Constant(kSweptBandMm);
-  tree_.visit_along(path, reach,
-                    [&](std::uint32_t slot) { return visit(triangles_[slot]) * length; });
+  mesh_->tree().visit_along(
+      path, reach, [&](std::uint32_t slot) { return visit(mesh_->triangles()[slot]) * length; });
 }
 
 std::optional<SectionTouch> CollisionMesh::first_touch(const SweptSection& swept) const {

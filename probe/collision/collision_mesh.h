@@ -1,11 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
-#include <vector>
 
-#include "parts/geometry/bvh.h"
 #include "parts/geometry/mesh.h"
 #include "probe/collision/swept_section.h"
+#include "probe/contact/contact_mesh.h"
 
 namespace g31::probe {
 
@@ -29,6 +29,9 @@ class CollisionMesh {
   /// @param mesh_M  mm, machine frame; may be empty
   explicit CollisionMesh(const parts::Mesh& mesh_M);
 
+  /// The same with a mesh that balls share.
+  explicit CollisionMesh(std::shared_ptr<const ContactMesh> mesh);
+
   /// The first touch on the way, at fraction 0 if the section overlaps the mesh there.
   ///
   /// Certified: the space swept is one convex body that is tested as a whole, so no touch is passed
@@ -47,8 +50,7 @@ class CollisionMesh {
   [[nodiscard]] const ContactTriangle& most_opposed(const SweptSection& swept, double fraction,
                                                     const ContactTriangle& first) const;
 
-  parts::Bvh tree_;
-  std::vector<ContactTriangle> triangles_;  ///< in slot order of tree_
+  std::shared_ptr<const ContactMesh> mesh_;
 };
 
 }  // namespace g31::probe

@@ -2,10 +2,13 @@
 
 namespace g31::probe {
 
-ContactMesh::ContactMesh(const parts::Mesh& mesh) : tree_(parts::triangle_boxes(mesh)) {
+ContactMesh::ContactMesh(const parts::Mesh& mesh)
+    : tree_(parts::triangle_boxes(mesh)), mesh_{mesh.vertices, {}} {
+  mesh_.triangles.reserve(mesh.triangles.size());
   triangles_.reserve(mesh.triangles.size());
   for (const std::uint32_t index : tree_.order()) {
     const auto& corners = mesh.triangles[index];
+    mesh_.triangles.push_back(corners);
     triangles_.emplace_back(mesh.vertices[corners[0]], mesh.vertices[corners[1]],
                             mesh.vertices[corners[2]]);
   }
@@ -44,6 +47,12 @@ bool ContactMesh::rests_at(const Point& p, const Nearest& nearest) const {
     rests = rests && nearest_of(triangles_[slot], p).distance >= nearest.distance - kTouchBandMm;
   });
   return rests;
+}
+
+std::size_t ContactMesh::memory_bytes() const {
+  return tree_.memory_bytes() + triangles_.capacity() * sizeof(ContactTriangle) +
+         mesh_.vertices.capacity() * sizeof(Point) +
+         mesh_.triangles.capacity() * sizeof(mesh_.triangles.front());
 }
 
 }  // namespace g31::probe

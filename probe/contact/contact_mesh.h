@@ -29,14 +29,17 @@ struct Meeting {
   std::uint32_t slot = 0;
 };
 
-/// A mesh ready for contact with balls of any size; triangles are numbered by their slots in a
-/// tree. Immutable.
+/// A mesh ready for contact with balls of any size and with rigid bodies; triangles are numbered by
+/// their slots in a tree.  Immutable: balls and bodies share one.
 class ContactMesh {
  public:
   explicit ContactMesh(const parts::Mesh& mesh);
 
   [[nodiscard]] const std::vector<ContactTriangle>& triangles() const { return triangles_; }
   [[nodiscard]] const parts::Bvh& tree() const { return tree_; }
+
+  /// The mesh as given, its triangles by their slots.
+  [[nodiscard]] const parts::Mesh& mesh() const { return mesh_; }
 
   /// The triangle's number in the mesh as given.
   [[nodiscard]] std::uint32_t index_of(std::uint32_t slot) const { return tree_.order()[slot]; }
@@ -57,12 +60,11 @@ class ContactMesh {
   /// triangles around, but rests on none of them.
   [[nodiscard]] bool rests_at(const Point& p, const Nearest& nearest) const;
 
-  [[nodiscard]] std::size_t memory_bytes() const {
-    return tree_.memory_bytes() + triangles_.capacity() * sizeof(ContactTriangle);
-  }
+  [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
   parts::Bvh tree_;
+  parts::Mesh mesh_;
   std::vector<ContactTriangle> triangles_;
 };
 

@@ -5,16 +5,12 @@
 #include <utility>
 
 #include "machine/base/contract.h"
-#include "probe/contact/offset_patches.h"
 
 namespace g31::probe {
 namespace {
 
 /// A shorter move has no direction; only the overlap at its start counts.
 constexpr double kShortestMoveMm = 1e-12;
-
-/// What a Patch can number.
-constexpr std::size_t kMostTriangles = 1U << 28U;
 
 parts::Path path_between(const Point& from, const Point& to) {
   const Point travel = to - from;
@@ -25,32 +21,19 @@ parts::Path path_between(const Point& from, const Point& to) {
   return {from, travel / length, length};
 }
 
-parts::Mesh in_slot_order(const parts::Mesh& mesh, const ContactMesh& slots) {
-  parts::Mesh ordered{mesh.vertices, {}};
-  ordered.triangles.reserve(mesh.triangles.size());
-  for (std::uint32_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    ordered.triangles.push_back(mesh.triangles[slots.index_of(slot)]);
-  }
-  return ordered;
-}
-
 }  // namespace
 
 MeshSweeper::MeshSweeper(const parts::Mesh& mesh_M, double ball_radius)
-    : radius_(ball_radius), mesh_(mesh_M) {
+    : MeshSweeper(std::make_shared<const ContactMesh>(mesh_M), ball_radius) {}
+
+MeshSweeper::MeshSweeper(std::shared_ptr<const ContactMesh> mesh, double ball_radius)
+    : radius_(ball_radius), mesh_(std::move(mesh)), offsets_(std::make_unique<OffsetsOnce>()) {
   G31_EXPECTS(std::isfinite(ball_radius) && ball_radius > 0.0);
-  G31_EXPECTS(mesh_M.triangles.size() < kMostTriangles);
-  OffsetPatches patches = offset_patches(in_slot_order(mesh_M, mesh_), mesh_.triangles(), radius_);
-  patch_tree_ = parts::Bvh(std::move(patches.boxes));
-  patches_.reserve(patches.owners.size());
-  for (const std::uint32_t index : patch_tree_.order()) {
-    patches_.emplace_back(patches.owners[index].features, patches.owners[index].triangle);
-  }
 }
 
 SweepHit MeshSweeper::sweep(const Point& p_M_from, const Point& p_M_to) const {
   const parts::Path path = path_between(p_M_from, p_M_to);
-  const std::optional<Touch> start = mesh_.nearest_within(p_M_from, radius_ + kTouchBandMm);
+  const std::optional<Touch> start = mesh_->nearest_within(p_M_from, radius_ + kTouchBandMm);
   if (start && start->distance < radius_ - kTouchBandMm) {
     return hit_at(SweepStatus::StartInContact, path, {0.0, start->slot});
   }
@@ -66,7 +49,7 @@ SweepHit MeshSweeper::sweep(const Point& p_M_from, const Point& p_M_to) const {
     return {};
   }
   // In touch from the start and going in: the contact is here, not where the band is used up.
-  const ContactTriangle& triangle = mesh_.triangles()[first->slot];
+  const ContactTriangle& triangle = mesh_->triangles()[first->slot];
   if (nearest_of(triangle, p_M_from).distance <= radius_ + kTouchBandMm) {
     first->s = 0.0;
   }
@@ -78,7 +61,7 @@ SweepHit MeshSweeper::first_contact_leaving(const Point& p_M_from, const Point& 
   if (path.length == 0.0) {
     return {};
   }
-  const std::optional<Touch> start = mesh_.nearest_within(p_M_from, radius_ + kTouchBandMm);
+  const std::optional<Touch> start = mesh_->nearest_within(p_M_from, radius_ + kTouchBandMm);
   const std::optional<Meeting> first =
       start ? first_meeting_leaving(path, start->distance, kLeaveFreely) : first_meeting(path);
   return first ? hit_at(SweepStatus::Contact, path, *first) : SweepHit{};
@@ -89,9 +72,12 @@ double MeshSweeper::free_share(const Point& p_M_from, const Point& p_M_to, doubl
   const double radius = radius_ + slack;
   parts::Path rest = path;
   bool met = false;
-  patch_tree_.visit_along(path, slack + kBoxMarginMm, [&](std::uint32_t i) {
+  if (!comes_near(path, slack)) {
+    return 1.0;
+  }
+  offsets().visit_along(path, slack + kBoxMarginMm, [&](const PatchOwner& patch) {
     // All of the triangle: the way beside this one may meet a feature that this one passes by.
-    const ContactTriangle& triangle = mesh_.triangles()[patches_[i].slot()];
+    const ContactTriangle& triangle = mesh_->triangles()[patch.triangle];
     const bool at_once = nearest_of(triangle, path.from).distance <= radius;
     const double s = at_once ? 0.0 : sweep_triangle(rest, triangle, radius);
     if (s <= rest.length) {
@@ -107,7 +93,7 @@ double MeshSweeper::free_share(const Point& p_M_from, const Point& p_M_to, doubl
 }
 
 std::optional<double> MeshSweeper::distance_if_touching(const Point& p_M_centre) const {
-  const std::optional<Touch> touch = mesh_.nearest_within(p_M_centre, radius_ + kTouchBandMm);
+  const std::optional<Touch> touch = mesh_->nearest_within(p_M_centre, radius_ + kTouchBandMm);
   return touch ? std::optional(touch->distance) : std::nullopt;
 }
 
@@ -117,7 +103,7 @@ StraightLeaving MeshSweeper::leave(const Point& p_M_from, const Point& p_M_to,
   if (path.length == 0.0) {
     return {{}, 1.0};
   }
-  const Leaving leaving = leave_contact(mesh_, path, radius_, start_distance, rule);
+  const Leaving leaving = leave_contact(*mesh_, path, radius_, start_distance, rule);
   if (leaving.stop) {
     return {hit_at(SweepStatus::Contact, path, *leaving.stop), leaving.stop->s / path.length};
   }
@@ -126,13 +112,15 @@ StraightLeaving MeshSweeper::leave(const Point& p_M_from, const Point& p_M_to,
 
 std::optional<Meeting> MeshSweeper::first_meeting(const parts::Path& path) const {
   std::optional<Meeting> first;
+  if (!comes_near(path, 0.0)) {
+    return first;
+  }
   parts::Path rest = path;
-  patch_tree_.visit_along(path, kBoxMarginMm, [&](std::uint32_t i) {
-    const Patch patch = patches_[i];
+  offsets().visit_along(path, kBoxMarginMm, [&](const PatchOwner& patch) {
     const double s =
-        sweep_triangle(rest, mesh_.triangles()[patch.slot()], patch.features(), radius_);
+        sweep_triangle(rest, mesh_->triangles()[patch.triangle], patch.features, radius_);
     if (s < rest.length || (!first && s == rest.length)) {
-      first = Meeting{s, patch.slot()};
+      first = Meeting{s, patch.triangle};
       rest.length = s;
     }
     return rest.length;
@@ -143,7 +131,7 @@ std::optional<Meeting> MeshSweeper::first_meeting(const parts::Path& path) const
 std::optional<Meeting> MeshSweeper::first_meeting_leaving(const parts::Path& path,
                                                           double start_distance,
                                                           const LeavingRule& rule) const {
-  const Leaving leaving = leave_contact(mesh_, path, radius_, start_distance, rule);
+  const Leaving leaving = leave_contact(*mesh_, path, radius_, start_distance, rule);
   if (leaving.stop || leaving.free_from >= path.length) {
     return leaving.stop;
   }
@@ -162,16 +150,25 @@ SweepHit MeshSweeper::hit_at(SweepStatus status, const parts::Path& path,
   hit.status = status;
   hit.s = meeting.s;
   hit.p_M_centre = path.from + meeting.s * path.direction;
-  const Nearest nearest = nearest_of(mesh_.triangles()[meeting.slot], hit.p_M_centre);
+  const Nearest nearest = nearest_of(mesh_->triangles()[meeting.slot], hit.p_M_centre);
   hit.p_M_point = nearest.point;
   hit.n_M = nearest.normal;
-  hit.triangle = mesh_.index_of(meeting.slot);
+  hit.triangle = mesh_->index_of(meeting.slot);
   hit.cos_incidence = -path.direction.dot(nearest.normal);
   return hit;
 }
 
+bool MeshSweeper::comes_near(const parts::Path& path, double slack) const {
+  return mesh_->tree().may_meet(path, radius_ + slack + kBoxMarginMm);
+}
+
+const OffsetTree& MeshSweeper::offsets() const {
+  std::call_once(offsets_->made, [&] { offsets_->tree = OffsetTree(*mesh_, radius_); });
+  return offsets_->tree;
+}
+
 std::size_t MeshSweeper::memory_bytes() const {
-  return mesh_.memory_bytes() + patch_tree_.memory_bytes() + patches_.capacity() * sizeof(Patch);
+  return mesh_->memory_bytes() + offsets().memory_bytes();
 }
 
 }  // namespace g31::probe

@@ -2,15 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
-#include <vector>
 
 #include "machine/units/point.h"
-#include "parts/geometry/bvh.h"
 #include "parts/geometry/mesh.h"
 #include "probe/contact/contact_mesh.h"
 #include "probe/contact/leave_contact.h"
-#include "probe/contact/sweep_triangle.h"
+#include "probe/contact/offset_tree.h"
 
 namespace g31::probe {
 
@@ -44,8 +44,9 @@ struct StraightLeaving {
 /// may be asked from many threads at once.
 ///
 /// From a free start the way of the centre is tested against the patches of the surface on which a
-/// touching ball has its centre (offset_patches.h): how many triangles lie within the radius does
-/// not matter.  From a start in contact those have to be looked at.
+/// touching ball has its centre (offset_tree.h): how many triangles lie within the radius does not
+/// matter.  From a start in contact those have to be looked at.  The patches are made when the
+/// first way comes near the mesh.
 ///
 /// Accuracy: |distance - radius| <= kContactErrorMm at the contact, for coordinates and ways of up
 /// to 1000 mm; s is as good as that divided by cos_incidence.  A ball that goes in by more than
@@ -55,6 +56,9 @@ class MeshSweeper {
   /// @param mesh_M       in the machine frame; may be empty; fewer than 2^28 triangles
   /// @param ball_radius  mm, > 0
   MeshSweeper(const parts::Mesh& mesh_M, double ball_radius);
+
+  /// The same with a mesh that others share.
+  MeshSweeper(std::shared_ptr<const ContactMesh> mesh, double ball_radius);
 
   /// The first contact of the ball centre's way from `p_M_from` to `p_M_to`.
   ///
@@ -87,18 +91,14 @@ class MeshSweeper {
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
-  /// What to test where the centre meets a patch of the offset surface: 4 bits of Features, then 28
-  /// of the triangle's slot.
-  class Patch {
-   public:
-    Patch(Features features, std::uint32_t slot) : bits_(features << 28U | slot) {}
-    [[nodiscard]] Features features() const { return bits_ >> 28U; }
-    [[nodiscard]] std::uint32_t slot() const { return bits_ & 0x0FFF'FFFFU; }
-
-   private:
-    std::uint32_t bits_;
+  struct OffsetsOnce {
+    std::once_flag made;
+    OffsetTree tree;
   };
 
+  /// Whether some of the ways beside this one, at `slack` mm at most, may touch.
+  [[nodiscard]] bool comes_near(const parts::Path& path, double slack) const;
+  [[nodiscard]] const OffsetTree& offsets() const;
   /// From a free start.
   [[nodiscard]] std::optional<Meeting> first_meeting(const parts::Path& path) const;
   /// From a start in contact, or touching.
@@ -109,9 +109,8 @@ class MeshSweeper {
                                 const Meeting& meeting) const;
 
   double radius_;
-  ContactMesh mesh_;
-  parts::Bvh patch_tree_;       ///< of the offset surface
-  std::vector<Patch> patches_;  ///< in slot order of patch_tree_
+  std::shared_ptr<const ContactMesh> mesh_;
+  std::unique_ptr<OffsetsOnce> offsets_;
 };
 
 /// Five times the worst error seen; tests/probe/sweep_mesh_test.cc holds it against quadruple

@@ -1,6 +1,7 @@
 #include "probe/sensor/touchable_parts.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "machine/base/contract.h"
 
@@ -25,11 +26,12 @@ TouchableParts::TouchableParts(const ProbeSetup& setup, const std::vector<Probed
                                  encounter_of(Role::SensingTip, part.role, machine::Travel::Skip),
                                  {}});
     built.sweepers.reserve(radii_.size());
+    const auto mesh = std::make_shared<const ContactMesh>(part.mesh_M);
     for (const double radius : radii_) {
-      built.sweepers.emplace_back(part.mesh_M, radius);
+      built.sweepers.emplace_back(mesh, radius);
     }
     if (has_sections) {
-      solids_.emplace_back(part.mesh_M);
+      solids_.emplace_back(mesh);
     }
   }
 }

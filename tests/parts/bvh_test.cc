@@ -68,10 +68,12 @@ TEST(Bvh, VisitsEveryBoxNearAPointOrOnAPath) {
   std::mt19937_64 random(2);
   std::size_t met = 0;
   std::size_t visits = 0;
+  std::size_t passing = 0;
   for (int i = 0; i < 150; ++i) {
     const double reach = between(random, 0.0, 2.0);
     const Point direction = i % 3 == 0 ? Point(Point::Unit(i % 2)) : any_direction(random);
     const Path path{point_between(random, -15.0, 15.0), direction, between(random, 0.0, 30.0)};
+    bool any_along = false;
     std::vector<bool> near(boxes.size());
     std::vector<bool> along(boxes.size());
     tree.visit_near(path.from, reach, [&](std::uint32_t slot) {
@@ -88,9 +90,13 @@ TEST(Bvh, VisitsEveryBoxNearAPointOrOnAPath) {
       const bool wanted = surely_met(boxes[k], reach, path);
       EXPECT_TRUE(along[k] || !wanted);
       met += wanted ? 1 : 0;
+      any_along = any_along || along[k];
     }
+    EXPECT_TRUE(tree.may_meet(path, reach + 1e-9) || !any_along);
+    passing += tree.may_meet(path, reach + 1e-9) ? 0U : 1U;
   }
   EXPECT_GT(met, 250U);
+  EXPECT_GT(passing, 10U);
   EXPECT_LT(visits, 4 * met) << "the tree should spare the boxes that are out of reach";
 }
 
