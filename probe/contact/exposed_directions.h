@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "machine/units/point.h"
 #include "parts/geometry/box.h"
@@ -32,11 +31,26 @@ struct ExposedPiece {
 
 inline constexpr double kExposureSlackRad = 1e-7;
 
+/// All pieces of one set: there is at most one on each side of a cube.
+class ExposedPieces {
+ public:
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] const ExposedPiece* begin() const { return pieces_.data(); }
+  [[nodiscard]] const ExposedPiece* end() const { return pieces_.data() + count_; }
+
+  /// An empty one to fill in.
+  ExposedPiece& add() { return pieces_[count_++]; }
+
+ private:
+  std::array<ExposedPiece, 6> pieces_;
+  std::size_t count_ = 0;
+};
+
 /// @param edge  unit vector along the edge
 /// @param away  unit vectors at right angles to the edge, into each triangle there
-std::vector<ExposedPiece> exposed_around_edge(const Point& edge, std::span<const Point> away);
+ExposedPieces exposed_around_edge(const Point& edge, std::span<const Point> away);
 
 /// @param away  unit vectors along each edge from the vertex
-std::vector<ExposedPiece> exposed_around_vertex(std::span<const Point> away);
+ExposedPieces exposed_around_vertex(std::span<const Point> away);
 
 }  // namespace g31::probe

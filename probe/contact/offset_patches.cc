@@ -16,7 +16,8 @@ using parts::Corner;
 
 /// An edge from a vertex, seen from one of its triangles.
 struct Spoke {
-  std::uint32_t to = 0;  ///< place of the other end
+  std::uint32_t to = 0;      ///< place of the other end
+  std::uint32_t number = 0;  ///< in the order in which the fan has them
   std::uint32_t triangle = 0;
   std::uint32_t edge = 0;  ///< index of it in the triangle
 };
@@ -98,13 +99,20 @@ class PatchMaker {
       const std::uint32_t to_next = fans_.place_of(vertices[(corner.index + 1) % 3]);
       const std::uint32_t to_before = fans_.place_of(vertices[before]);
       if (to_next != v) {
-        spokes_.push_back({to_next, corner.triangle, corner.index});
+        add_spoke(to_next, corner.triangle, corner.index);
       }
       if (to_before != v) {
-        spokes_.push_back({to_before, corner.triangle, before});
+        add_spoke(to_before, corner.triangle, before);
       }
     }
-    std::ranges::stable_sort(spokes_, {}, &Spoke::to);
+    // By their ends, and what ends together as it comes: no sort that takes memory is needed.
+    std::ranges::sort(spokes_, {}, [](const Spoke& spoke) {
+      return std::uint64_t{spoke.to} << 32U | spoke.number;
+    });
+  }
+
+  void add_spoke(std::uint32_t to, std::uint32_t triangle, std::uint32_t edge) {
+    spokes_.push_back({to, static_cast<std::uint32_t>(spokes_.size()), triangle, edge});
   }
 
   void add_edge(std::span<const Spoke> spokes) {
