@@ -6,12 +6,6 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr std::string_view kHeader = "_N_";  // behind %
-constexpr std::string_view kSuffixes[] = {"MPF", "SPF", "CYC", "DEF", "ARC", "CST", "CPF"};
-
-bool is_suffix(std::string_view text) {
-  return std::ranges::find(kSuffixes, text) != std::end(kSuffixes);
-}
-
 std::string_view first_word(std::string_view line) {
   const std::size_t end = line.find_first_of(" \t\r;(");
   return line.substr(0, end);
@@ -63,59 +57,11 @@ std::string folder_in(std::string_view body) {
                                  : std::string();
 }
 
-/// Programs with assignments of data that loading runs.  It is no suffix of programs to call: those
-/// may well be named SETUP_INI.
-constexpr std::string_view kDataSuffix = "INI";
-
-ProgramName name_of_text(std::string_view written, std::string_view before_suffix) {
-  ProgramName name = program_name(written);
-  const std::string end = std::string(before_suffix) + std::string(kDataSuffix);
-  if (name.suffix.empty() && name.stem.ends_with(end)) {
-    name.suffix = kDataSuffix;
-    name.stem.erase(name.stem.size() - end.size());
-  }
-  return name;
-}
-
-/// What runs when its turn comes, not when somebody calls it.
-bool is_callable(const ProgramName& name) {
-  return name.suffix != "DEF" && name.suffix != kDataSuffix;
-}
-
 bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
 }  // namespace
-
-std::string folder_name(std::string_view path) {
-  while (path.ends_with('/') || path.ends_with(' ')) {
-    path.remove_suffix(1);
-  }
-  const std::size_t slash = path.find_last_of("/\\");
-  std::string name = upper(slash == std::string_view::npos ? path : path.substr(slash + 1));
-  name.erase(0, name.starts_with("_N_") ? 3 : 0);
-  std::ranges::replace(name, '.', '_');
-  return name;
-}
-
-ProgramName program_name(std::string_view written) {
-  const std::size_t slash = written.find_last_of("/\\");
-  const std::string folder =
-      slash == std::string_view::npos ? std::string() : folder_name(written.substr(0, slash));
-  std::string name = upper(slash == std::string_view::npos ? written : written.substr(slash + 1));
-  name.erase(0, name.find_first_not_of(" \t") == std::string::npos ? name.size()
-                                                                   : name.find_first_not_of(" \t"));
-  name.erase(name.find_last_not_of(" \t") + 1);
-  if (name.starts_with("_N_")) {
-    name.erase(0, 3);
-  }
-  const std::size_t mark = name.find_last_of("._");
-  if (mark != std::string::npos && mark > 0 && is_suffix(name.substr(mark + 1))) {
-    return {name.substr(0, mark), name.substr(mark + 1), folder};
-  }
-  return {name, "", folder};
-}
 
 ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
   auto text = files_.read(path);
@@ -132,7 +78,7 @@ void ProgramLibrary::add_folder(const std::string& folder) {
   for (const std::string& name : files_.list(folder)) {
     const ProgramName parts = program_name(name);
     const std::string path = joined(folder, name);
-    if (parts.suffix == "DEF") {
+    if (is_definition(parts)) {
       // As with programs, the first one of a name counts: a copy of shipped definitions replaces
       // them.
       if (!loaded_.contains(path) && find_entry(parts, Near()) == nullptr) {
@@ -167,7 +113,7 @@ void ProgramLibrary::take(std::string path, std::string text, Wanted wanted) {
     }
     const bool has_name = piece.header.starts_with(kHeader);
     const ProgramName name = has_name ? name_of_text(piece.header, "_") : of_file;
-    const bool is_new_definition = name.suffix == "DEF" && find_entry(name, Near()) == nullptr;
+    const bool is_new_definition = is_definition(name) && find_entry(name, Near()) == nullptr;
     if (wanted == Wanted::Definitions && !is_new_definition) {
       continue;
     }
@@ -187,7 +133,7 @@ void ProgramLibrary::take(std::string path, std::string text, Wanted wanted) {
 std::vector<const CompiledProgram*> ProgramLibrary::define() {
   std::vector<const CompiledProgram*> all;
   for (const auto& entry : entries_) {
-    if (entry->name.suffix == "DEF" && entry->compiled == nullptr) {
+    if (is_definition(entry->name) && entry->compiled == nullptr) {
       entry->compiled = compile_definitions(entry->source, globals_);
       all.push_back(entry->compiled.get());
     }
@@ -198,7 +144,7 @@ std::vector<const CompiledProgram*> ProgramLibrary::define() {
 std::vector<const CompiledProgram*> ProgramLibrary::initial_data() {
   std::vector<const CompiledProgram*> all;
   for (const auto& entry : entries_) {
-    if (entry->name.suffix == kDataSuffix) {
+    if (is_data(entry->name)) {
       all.push_back(compiled(*entry));
     }
   }
@@ -235,9 +181,8 @@ const CompiledProgram* ProgramLibrary::begun(Entry& main) {
 
 const CompiledProgram* ProgramLibrary::compiled(Entry& entry) {
   if (entry.compiled == nullptr) {
-    const bool is_data = entry.name.suffix == kDataSuffix;
-    entry.compiled =
-        is_data ? compile_data(entry.source, globals_) : compile(entry.source, globals_);
+    entry.compiled = is_data(entry.name) ? compile_data(entry.source, globals_)
+                                         : compile(entry.source, globals_);
   }
   return entry.compiled.get();
 }

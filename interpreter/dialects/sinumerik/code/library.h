@@ -7,20 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/dialects/sinumerik/code/program_name.h"
 #include "interpreter/dialects/sinumerik/code/program_windows.h"
 #include "interpreter/source/file_system.h"
 
 namespace g31::sinumerik {
-
-/// What a program name says: "_N_PART_SPF", "PART.SPF", "//NC/SPF.DIR/PART", "part" are all PART.
-struct ProgramName {
-  std::string stem;    ///< upper case
-  std::string suffix;  ///< "MPF", "SPF", "DEF", "INI"; empty: not said
-  std::string folder;  ///< the last one of its path, "SPF_DIR"; empty: not said
-};
-ProgramName program_name(std::string_view written);
-/// The last folder of a path: "/_N_WKS_DIR/_N_PART_WPD" and "//NC:/WKS.DIR/PART.WPD" are PART_WPD.
-std::string folder_name(std::string_view path);
 
 /// The programs that a run can call, in this order: those of the main file, further files, then
 /// folders as they were added.  A file holds one program, or many behind headers %_N_NAME_SPF.
