@@ -98,6 +98,47 @@ TEST(SinumerikProgramName, HasManyForms) {
   }
 }
 
+/// Runs "main.mpf" in a session of its own.  @returns R1 afterwards
+double r1_of_session(ProgramLibrary& library, const std::string& assignment, double value) {
+  testing::RecordingMachine machine;
+  runtime::Observer nobody;
+  sinumerik::Session session(library, machine, nobody);
+  runtime::ControlSetup setup;
+  setup.variables[assignment] = value;
+  EXPECT_TRUE(session.configure(setup).empty());
+  EXPECT_EQ(session.run({}).status, runtime::Status::Completed);
+  return std::get<Cell>(session.variable("R1").value()).raw();
+}
+
+TEST(SinumerikLibrary, IsReadOnceForAllSessionsWhichShareNoVariables) {
+  Files files({{"main.mpf", "COUNT=COUNT+R2\nTWICE(COUNT)\nM30\n"},
+               {"lib/gud.def", "DEF CHAN REAL COUNT=5\nM17\n"},
+               {"lib/twice.spf", "PROC TWICE(REAL A)\nR1=R1+2*A\nM17\n"}});
+  ProgramLibrary library(files);
+  library.add_file("main.mpf");
+  library.add_folder("lib");
+  EXPECT_EQ(r1_of_session(library, "R2", 1.0), 12.0);
+  const int reads = files.reads();
+  EXPECT_EQ(reads, 3);
+  EXPECT_EQ(r1_of_session(library, "R2", 2.0), 14.0);
+  EXPECT_EQ(r1_of_session(library, "R1", 1.0), 11.0);
+  EXPECT_EQ(files.reads(), reads);
+}
+
+TEST(SinumerikLibrary, WhatANameMeansDoesNotDependOnOtherSessions) {
+  Files files({{"main.mpf", "IF R2==1\nDEEP\nENDIF\nPART\nM30\n"},
+               {"lib/all.arc",
+                "%_N_DEEP_SPF\nM17\n%_N_PART_SPF\n;$PATH=/_N_SPF_DIR\nR1=2\nM17\n"},
+               {"lib/part.spf", "R1=1\nM17\n"}});
+  ProgramLibrary library(files);
+  library.add_file("main.mpf");
+  library.add_folder("lib");
+  EXPECT_EQ(r1_of_session(library, "R2", 0.0), 1.0);
+  // Only this session has opened the archive.
+  EXPECT_EQ(r1_of_session(library, "R2", 1.0), 2.0);
+  EXPECT_EQ(r1_of_session(library, "R2", 0.0), 1.0);
+}
+
 TEST(SinumerikLibrary, FindsProgramsInFilesAndArchives) {
   ProgramRun run(
       {{"main.mpf", "SUBA\nL0100\nDEEP\nM30\n"},

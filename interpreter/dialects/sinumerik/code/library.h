@@ -2,25 +2,31 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "interpreter/dialects/sinumerik/code/program_name.h"
-#include "interpreter/dialects/sinumerik/code/program_windows.h"
+#include "interpreter/dialects/sinumerik/code/globals.h"
+#include "interpreter/dialects/sinumerik/code/program_file.h"
 #include "interpreter/source/file_system.h"
 
 namespace g31::sinumerik {
 
-/// The programs that a run can call, in this order: those of the main file, further files, then
-/// folders as they were added.  A file holds one program, or many behind headers %_N_NAME_SPF.
-/// Files of a folder are read when they are first needed; definitions at once, those in archives
-/// too; INI files never.
+/// Programs in the order of their files.
+using ProgramList = std::vector<FiledProgram*>;
+
+/// The program with the best place among those of one stem, the first one of equals; nullptr:
+/// none has the suffix that the name says.
+FiledProgram* best_of(const ProgramList& programs, const ProgramName& name,
+                      const std::vector<std::string>& folders);
+
+/// The files of a control's memory, their texts and the code of their programs: what is the same
+/// for all sessions.  Files are added first; from then on any number of threads may ask.
 ///
-/// Programs of one name may lie in several folders of the control's memory, which `;$PATH=` behind
-/// a header names.  A call takes the one in the folder that it names; else that of the calling
-/// program's folder, of SPF_DIR, of CALLPATH, in this order; else the first one.
+/// Opened are the files that were added, and of folders the definition files and the definitions in
+/// archives.  All other files of folders are read when a session first needs them.
 class ProgramLibrary {
  public:
   /// @param files  must outlive the library
@@ -31,64 +37,49 @@ class ProgramLibrary {
   /// @returns nothing: a folder that cannot be read has no programs
   void add_folder(const std::string& folder);
 
-  /// Reads the definition files; to be called once, before anything is run.
-  /// @returns programs that set initial values, to be run first
-  std::vector<const CompiledProgram*> define();
-  /// The INI files: %_N_UFR_INI in an archive that was read, or UFR.INI given by itself.  Loading
-  /// them is running them; to be called behind define().
+  /// Reads the definition files, when it is asked for the first time, which ends the adding of
+  /// files.  @returns programs that set initial values, to be run first in every session
+  const std::vector<const CompiledProgram*>& definitions();
+  /// The INI files: %_N_UFR_INI in an archive that was added, or UFR.INI given by itself.  Loading
+  /// them is running them, behind the definitions.
   std::vector<const CompiledProgram*> initial_data();
 
-  /// The first main program of the first file, else its first program; nullptr: there is none.  Of
-  /// a long one this is the first window: its EndWindow asks for the next one.
-  const CompiledProgram* main_program();
-  /// Ends the life of the window before.
-  ProgramWindows::Place next_window() { return windows_->next(); }
+  /// The first main program of the first file, else its first program; nullptr: there is none.
+  [[nodiscard]] FiledProgram* main_program() const;
   /// The text of the first file; nullptr when there is none.
   [[nodiscard]] const source::SourceFile* main_text() const;
 
-  /// Where a call looks beside SPF_DIR.
-  struct Near {
-    std::string caller;     ///< folder of the calling program
-    std::string call_path;  ///< CALLPATH
-  };
-  /// A program by any form of its name, or nullptr.
-  const CompiledProgram* find(std::string_view name, const Near& near);
+  /// The opened programs of this stem.
+  [[nodiscard]] const ProgramList& opened(std::string_view stem) const;
+  [[nodiscard]] bool is_opened(const std::string& path) const { return opened_.contains(path); }
+  /// Files by the stem that their name says, for each folder.
+  [[nodiscard]] const std::vector<std::multimap<std::string, std::string>>& folders() const {
+    return folders_;
+  }
+  /// Archives of folders.
+  [[nodiscard]] const std::vector<std::string>& archives() const { return archives_; }
+  /// A file, read once; nullptr: it cannot be read.
+  ProgramFile* file(const std::string& path);
 
-  /// A file that the run wrote itself, as a program; lives as long as the library.
-  const CompiledProgram* written(const std::string& name, const std::string& text);
-
-  /// `text` as blocks among the local variables of `home`; lives as long as the library.
-  const CompiledProgram* snippet(const std::string& text, const CompiledProgram& home);
-  /// The same of one expression.
-  const CompiledProgram* expression(const std::string& text, const CompiledProgram& home);
-
+  /// Behind definitions() the same for ever.
   [[nodiscard]] const Globals& globals() const { return globals_; }
 
  private:
-  struct Entry {
-    ProgramName name;  ///< with the folder of $PATH
-    ProgramSource source;
-    std::unique_ptr<CompiledProgram> compiled;
-  };
-
-  enum class Wanted { Everything, Definitions };
-  void take(std::string path, std::string text, Wanted wanted);
-  ProgramSource loose_source(const std::string& text);
-  const CompiledProgram* begun(Entry& main);
-  Entry* find_entry(const ProgramName& name, const Near& near);
-  bool load_for(const ProgramName& name);
-  const CompiledProgram* compiled(Entry& entry);
+  void open(ProgramFile& file, bool only_definitions);
+  [[nodiscard]] bool is_new_definition(const ProgramName& name) const;
 
   source::FileSystem& files_;
   Globals globals_;
-  std::vector<std::unique_ptr<source::SourceFile>> texts_;
-  std::vector<std::unique_ptr<Entry>> entries_;
-  std::unique_ptr<ProgramWindows> windows_;  ///< of the main program, if it is a long one
-  std::map<std::string, std::vector<Entry*>, std::less<>> by_stem_;
-  std::vector<std::multimap<std::string, std::string>> folders_;  ///< stem to path
-  std::vector<std::string> archives_;                             ///< of folders, not yet read
-  std::set<std::string> loaded_;
-  std::vector<std::unique_ptr<CompiledProgram>> others_;
+  ProgramList programs_;  ///< opened
+  std::map<std::string, ProgramList, std::less<>> by_stem_;
+  const source::SourceFile* main_text_ = nullptr;
+  std::set<std::string> opened_;  ///< paths
+  std::vector<std::multimap<std::string, std::string>> folders_;
+  std::vector<std::string> archives_;
+  std::once_flag defined_;
+  std::vector<const CompiledProgram*> definitions_;
+  std::mutex read_mutex_;
+  std::map<std::string, std::unique_ptr<ProgramFile>> read_;  ///< nullptr: unreadable
 };
 
 }  // namespace g31::sinumerik

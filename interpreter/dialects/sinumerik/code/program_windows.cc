@@ -8,11 +8,11 @@ ProgramWindows::Place ProgramWindows::next() {
   if (program_ != nullptr) {
     steps_before_ += static_cast<std::int32_t>(program_->ops.size()) - 1;  // EndWindow
   }
-  CompiledWindow window = compile_window(source_, globals_, end_);
-  const bool begins_with_other = window.end == end_ && end_ < source_.text.end;
+  CompiledWindow window = compile_window(filed_.source(), globals_, end_);
+  const bool begins_with_other = window.end == end_ && end_ < filed_.source().text.end;
   if (begins_with_other) {
-    program_ = compile(source_, globals_);
-    return {program_.get(), steps_before_};
+    program_.reset();
+    return {&filed_.code(globals_), steps_before_};
   }
   program_ = std::move(window.program);
   end_ = window.end;

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "interpreter/dialects/sinumerik/code/compile.h"
+#include "interpreter/dialects/sinumerik/code/program_file.h"
 
 namespace g31::sinumerik {
 
@@ -13,9 +14,9 @@ inline constexpr std::uint32_t kWholeProgramBytes = 1U << 20;
 /// says something of others (a jump, label, call or definition) has it compiled as a whole.
 class ProgramWindows {
  public:
-  /// Both, and the text, must outlive the windows.
-  ProgramWindows(const ProgramSource& source, const Globals& globals)
-      : source_(source), globals_(globals), end_(source.text.begin) {}
+  /// Both must outlive the windows.
+  ProgramWindows(FiledProgram& program, const Globals& globals)
+      : filed_(program), globals_(globals), end_(program.source().text.begin) {}
 
   /// Where a run goes on.
   struct Place {
@@ -27,9 +28,9 @@ class ProgramWindows {
   Place next();
 
  private:
-  const ProgramSource& source_;
+  FiledProgram& filed_;
   const Globals& globals_;
-  std::unique_ptr<CompiledProgram> program_;  ///< present window, or the whole
+  std::unique_ptr<CompiledProgram> program_;  ///< present window
   std::uint32_t end_;                         ///< of the present window's text
   std::int32_t steps_before_ = 0;
 };

@@ -29,7 +29,7 @@ Result<double, Failure> converted(double value, const Variable& to) {
 
 }  // namespace
 
-ProgramLibrary::Near Runner::near() const {
+CallablePrograms::Near Runner::near() const {
   return {levels_[depth_]->program->folder, folder_name(channel_.call_path)};
 }
 
@@ -39,7 +39,7 @@ Result<const CompiledProgram*, Failure> Runner::called(const CallSite& site) {
     return found->second;
   }
   const std::string name = site.name.empty() ? text(site.text) : site.name;
-  if (const CompiledProgram* const program = library_.find(name, near())) {
+  if (const CompiledProgram* const program = programs_.find(name, near())) {
     if (!site.name.empty()) {
       found_calls_.emplace(&site, program);
     }
@@ -70,7 +70,7 @@ Result<const CompiledProgram*, Failure> Runner::written_program(std::string_view
     if (written_.size() >= kMostWritten) {
       return failure(AlarmId::TooComplex, fmt::format("{}: too many programs are written", name));
     }
-    const CompiledProgram* const made = library_.written(file, content);
+    const CompiledProgram* const made = programs_.written(file, content);
     written_.emplace(std::pair(file, content), made);
     return made;
   }

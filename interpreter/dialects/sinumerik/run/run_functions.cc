@@ -149,7 +149,7 @@ MaybeFailure Runner::text_function(FunctionId id, const Op& op, Arguments list) 
       return std::nullopt;
     case static_cast<int>(FunctionId::ISFILE):
       number(op.result) =
-          channel_.files.contains(file_name(first)) || library_.find(first, near()) != nullptr
+          channel_.files.contains(file_name(first)) || programs_.find(first, near()) != nullptr
               ? 1.0
               : 0.0;
       return std::nullopt;
@@ -188,7 +188,7 @@ bool Runner::is_variable(std::string_view name) {
   const bool is_r = stem.size() > 1 && stem.front() == 'R' &&
                     std::ranges::all_of(stem.substr(1), [](char c) { return is_digit(c); });
   return is_r || level().program->locals.contains(stem) ||
-         library_.globals().find(stem) != nullptr || find_system_variable(stem).has_value();
+         programs_.globals().find(stem) != nullptr || find_system_variable(stem).has_value();
 }
 
 MaybeFailure Runner::frame_function(FunctionId id, const Op& op, Arguments list) {

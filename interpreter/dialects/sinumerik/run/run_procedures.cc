@@ -83,7 +83,7 @@ MaybeFailure Runner::execute_text(const std::string& source) {
   Level& now = level();
   const CompiledProgram*& made = texts_run_[{now.program, source}];
   if (made == nullptr) {
-    made = library_.snippet(source, *now.program);
+    made = programs_.snippet(source, *now.program);
   }
   if (made->initial_numbers.size() != now.numbers.size() || !made->repeats.empty()) {
     return failure(AlarmId::BadArguments, "EXECSTRING: no definitions and no repetitions");

@@ -42,9 +42,9 @@ source::Diagnostic unknown_data_note(const CompiledProgram& program) {
 
 }  // namespace
 
-Runner::Runner(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer)
-    : library_(library),
-      channel_(port, observer, library.globals()),
+Runner::Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::Observer& observer)
+    : programs_(programs),
+      channel_(port, observer, programs.globals()),
       number_temporaries_(kTemporaryCount),
       text_temporaries_(kTemporaryCount),
       frame_temporaries_(kTemporaryCount) {
@@ -65,7 +65,7 @@ void Runner::start(const CompiledProgram& program) {
 
 /// What follows in a long program.  Windows have no local variables that could be lost.
 MaybeFailure Runner::begin_window() {
-  const ProgramWindows::Place place = library_.next_window();
+  const ProgramWindows::Place place = programs_.next_window();
   level().program = place.program;
   level().step = place.step;
   return take_no_arguments();
@@ -88,11 +88,11 @@ void Runner::use_level() {
 
 runtime::Outcome Runner::run(const runtime::Budget& budget) {
   runtime::Outcome outcome;
-  const CompiledProgram* const main = library_.main_program();
+  const CompiledProgram* const main = programs_.main_program();
   if (main == nullptr) {
     outcome.status = runtime::Status::SyntaxError;
     outcome.diagnostics.push_back(
-        make_diagnostic(source::DiagnosticId::NoProgramInFile, {library_.main_text(), {}}));
+        make_diagnostic(source::DiagnosticId::NoProgramInFile, {programs_.main_text(), {}}));
     return outcome;
   }
   if (early_failure_) {
@@ -367,7 +367,7 @@ const CompiledProgram& Runner::home() const {
 }
 
 std::optional<std::string> Runner::run_text(const std::string& source) {
-  const CompiledProgram* const program = library_.snippet(source, home());
+  const CompiledProgram* const program = programs_.snippet(source, home());
   level().program = level().program == nullptr ? program : level().program;
   const MaybeFailure reason = run_among(*program);
   return reason ? std::optional(fmt::format("{} {}", info(reason->id).text, reason->detail))
@@ -393,9 +393,9 @@ void Runner::run_before(const CompiledProgram& program) {
 }
 
 Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {
-  const CompiledProgram* const main = has_run_ ? nullptr : library_.main_program();
+  const CompiledProgram* const main = has_run_ ? nullptr : programs_.main_program();
   const CompiledProgram* const program =
-      library_.expression(expression, main != nullptr ? *main : home());
+      programs_.expression(expression, main != nullptr ? *main : home());
   if (main != nullptr) {
     start(*program);
   }

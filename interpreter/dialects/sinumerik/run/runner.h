@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "interpreter/dialects/sinumerik/code/library.h"
+#include "interpreter/dialects/sinumerik/code/callable_programs.h"
 #include "interpreter/dialects/sinumerik/state/channel.h"
 #include "interpreter/dialects/sinumerik/state/level.h"
 #include "interpreter/dialects/sinumerik/text/text_format.h"
@@ -33,7 +33,7 @@ std::string file_name(std::string_view path);
 /// done in execute/, what system variables show in system/.
 class Runner {
  public:
-  Runner(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer);
+  Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::Observer& observer);
 
   runtime::Outcome run(const runtime::Budget& budget);
 
@@ -129,7 +129,7 @@ class Runner {
 
   // run_calls.cc
   MaybeFailure call(const Op& op);
-  [[nodiscard]] ProgramLibrary::Near near() const;
+  [[nodiscard]] CallablePrograms::Near near() const;
   Result<const CompiledProgram*, Failure> called(const CallSite& site);
   Result<const CompiledProgram*, Failure> written_program(std::string_view name);
   std::vector<BoundValue> bound(const CallSite& site);
@@ -183,7 +183,7 @@ class Runner {
   MaybeFailure read_system(const Op& op);
   MaybeFailure write_system(const Op& op);
 
-  ProgramLibrary& library_;
+  CallablePrograms& programs_;
   /// What EXECSTRING compiled, by program and text.
   std::map<std::pair<const CompiledProgram*, std::string>, const CompiledProgram*> texts_run_;
   /// The same of files that the run wrote, by name and text.

@@ -93,9 +93,9 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
 }  // namespace
 
 Session::Session(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer)
-    : library_(library) {
-  const std::vector<const CompiledProgram*> definitions = library.define();
-  runner_ = std::make_unique<Runner>(library, port, observer);
+    : programs_(library) {
+  const auto& definitions = library.definitions();
+  runner_ = std::make_unique<Runner>(programs_, port, observer);
   for (const CompiledProgram* const program : definitions) {
     runner_->run_before(*program);
   }
@@ -154,7 +154,7 @@ Result<runtime::ShownValue, std::string> Session::variable(const std::string& na
 std::map<std::string, double> Session::permanent_variables() const {
   std::map<std::string, double> kept;
   const std::vector<double>& numbers = runner_->channel().numbers;
-  for (const Variable& variable : library_.globals().variables()) {
+  for (const Variable& variable : programs_.globals().variables()) {
     if (!is_number(variable.type)) {
       continue;
     }

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "interpreter/dialects/sinumerik/code/library.h"
+#include "interpreter/dialects/sinumerik/code/callable_programs.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/outcome.h"
@@ -23,7 +23,8 @@ class Runner;
 /// A SINUMERIK control with its programs, ready to run one of them.
 class Session {
  public:
-  /// All three must outlive the session.
+  /// All three must outlive the session; a library serves any number of sessions, on any number of
+  /// threads.
   Session(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer);
   ~Session();
   Session(const Session&) = delete;
@@ -50,7 +51,7 @@ class Session {
   [[nodiscard]] const std::map<std::string, std::string>& files() const;
 
  private:
-  const ProgramLibrary& library_;
+  CallablePrograms programs_;
   std::unique_ptr<Runner> runner_;
   std::vector<double> numbers_at_start_;  ///< as definition and INI files leave them
 };
