@@ -1,9 +1,5 @@
 #include "tools/session/sinumerik_programs.h"
 
-#include <mutex>
-#include <optional>
-#include <utility>
-
 #include "interpreter/dialects/sinumerik/code/library.h"
 #include "interpreter/dialects/sinumerik/run/session.h"
 #include "tools/session/load_programs.h"
@@ -11,12 +7,11 @@
 namespace g31::session {
 namespace {
 
-using Library = std::unique_ptr<sinumerik::ProgramLibrary>;
-
 class SinumerikSession final : public Session {
  public:
-  SinumerikSession(Library library, machine::MachinePort& machine, runtime::Observer& observer)
-      : library_(std::move(library)), session_(*library_, machine, observer) {}
+  SinumerikSession(sinumerik::ProgramLibrary& library, machine::MachinePort& machine,
+                   runtime::Observer& observer)
+      : session_(library, machine, observer) {}
 
   std::vector<std::string> configure(const runtime::ControlSetup& setup) override {
     return session_.configure(setup);
@@ -36,56 +31,30 @@ class SinumerikSession final : public Session {
   }
 
  private:
-  Library library_;
   sinumerik::Session session_;
 };
 
-/// What programs define belongs to one session, so each reads them anew.
 class SinumerikPrograms final : public Programs {
  public:
-  SinumerikPrograms(ProgramPaths paths, source::FileSystem& files)
-      : paths_(std::move(paths)), files_(files) {}
+  explicit SinumerikPrograms(source::FileSystem& files) : library_(files) {}
+
+  sinumerik::ProgramLibrary& library() { return library_; }
 
   std::unique_ptr<Session> session(machine::MachinePort& machine,
                                    runtime::Observer& observer) override {
-    return std::make_unique<SinumerikSession>(take(), machine, observer);
-  }
-
-  /// @returns what cannot be read
-  std::optional<Refusal> load_first() {
-    first_ = std::make_unique<sinumerik::ProgramLibrary>(files_);
-    return load(*first_);
+    return std::make_unique<SinumerikSession>(library_, machine, observer);
   }
 
  private:
-  std::optional<Refusal> load(sinumerik::ProgramLibrary& library) {
-    return load_programs(library, paths_, files_, "macros/sinumerik");
-  }
-  Library take() {
-    {
-      const std::lock_guard lock(mutex_);
-      if (first_ != nullptr) {
-        return std::move(first_);
-      }
-    }
-    auto library = std::make_unique<sinumerik::ProgramLibrary>(files_);
-    // That every file can be read was seen when the programs were opened.
-    (void)load(*library);
-    return library;
-  }
-
-  ProgramPaths paths_;
-  source::FileSystem& files_;
-  std::mutex mutex_;
-  Library first_;
+  sinumerik::ProgramLibrary library_;
 };
 
 }  // namespace
 
 Result<std::shared_ptr<Programs>, Refusal> open_sinumerik_programs(const ProgramPaths& paths,
                                                                    source::FileSystem& files) {
-  const auto programs = std::make_shared<SinumerikPrograms>(paths, files);
-  if (const auto wrong = programs->load_first()) {
+  const auto programs = std::make_shared<SinumerikPrograms>(files);
+  if (const auto wrong = load_programs(programs->library(), paths, files, "macros/sinumerik")) {
     return *wrong;
   }
   return std::shared_ptr<Programs>(programs);
