@@ -127,8 +127,7 @@ TEST(SinumerikLibrary, IsReadOnceForAllSessionsWhichShareNoVariables) {
 
 TEST(SinumerikLibrary, WhatANameMeansDoesNotDependOnOtherSessions) {
   Files files({{"main.mpf", "IF R2==1\nDEEP\nENDIF\nPART\nM30\n"},
-               {"lib/all.arc",
-                "%_N_DEEP_SPF\nM17\n%_N_PART_SPF\n;$PATH=/_N_SPF_DIR\nR1=2\nM17\n"},
+               {"lib/all.arc", "%_N_DEEP_SPF\nM17\n%_N_PART_SPF\n;$PATH=/_N_SPF_DIR\nR1=2\nM17\n"},
                {"lib/part.spf", "R1=1\nM17\n"}});
   ProgramLibrary library(files);
   library.add_file("main.mpf");

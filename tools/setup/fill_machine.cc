@@ -115,7 +115,8 @@ void fill_rotary(machine::AxisChainSetup& chain, const std::string& letter, cons
   if (is_linear(letter.front())) {
     return;
   }
-  machine::RotaryLine& line = chain.rotary.at(index_of_axis(letter) - std::size_t{kLinearAxisCount});
+  machine::RotaryLine& line =
+      chain.rotary.at(index_of_axis(letter) - std::size_t{kLinearAxisCount});
   line.p_M_centre = point_from(keys, KeyId::AxisCentre);
   if (keys.find(KeyId::AxisDirection) != nullptr) {
     line.axis_M = point_from(keys, KeyId::AxisDirection);
