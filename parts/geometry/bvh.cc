@@ -28,7 +28,7 @@ class Bvh::Builder {
       nodes_[here].child[lane] = is_leaf ? kLeaf + static_cast<std::uint32_t>(order_.size())
                                          : static_cast<std::uint32_t>(nodes_.size());
       if (is_leaf) {
-        order_.push_back(part.items.front().index);
+        order_.push_back(part.items.front().index());
       } else {
         build(part);
       }
@@ -102,10 +102,11 @@ Bvh::Bvh(std::vector<Box> boxes) {
     items.emplace_back(boxes[i], middle_, static_cast<std::uint32_t>(i));
   }
   std::vector<Box>().swap(boxes);
-  nodes_.reserve(items.size() / 5 + 1);
+  // More than most trees need, and what is not used is never touched; growing would for a moment
+  // take the memory twice.
+  nodes_.reserve(items.size() / 3 + 1);
   order_.reserve(items.size());
   Builder(nodes_, order_).build(group_of(items, 0));
-  nodes_.shrink_to_fit();
 }
 
 bool Bvh::may_meet(const Path& path, double reach) const {
@@ -113,7 +114,7 @@ bool Bvh::may_meet(const Path& path, double reach) const {
 }
 
 std::size_t Bvh::memory_bytes() const {
-  return nodes_.capacity() * sizeof(Node) + order_.capacity() * sizeof(std::uint32_t);
+  return nodes_.size() * sizeof(Node) + order_.size() * sizeof(std::uint32_t);
 }
 
 }  // namespace g31::parts

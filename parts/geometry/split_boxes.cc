@@ -23,29 +23,41 @@ float next_below(float x) {
   return -next_above(-x);
 }
 
-/// What of a group lies in one slice of it.
-struct Bin {
+/// What is known of some items.
+struct Summary {
   SmallBox box;
   SmallBox places;
   std::size_t count = 0;
 
   void include(const BoxItem& item) {
     const FloatPoint place = item.place();
-    box.include(item.box);
+    box.include(item.box());
     places.include(place, place);
     ++count;
   }
-  void include(const Bin& bin) {
-    box.include(bin.box);
-    places.include(bin.places);
-    count += bin.count;
+  void include(const Summary& more) {
+    box.include(more.box);
+    places.include(more.places);
+    count += more.count;
   }
-  [[nodiscard]] float cost() const { return box.half_surface() * static_cast<float>(count); }
 };
 
-BoxGroup group_of(std::span<BoxItem> items, int depth, const Bin& all) {
+BoxGroup group_of(std::span<BoxItem> items, int depth, const Summary& all) {
   return {items, all.box, all.places, all.box.half_surface(), depth};
 }
+
+/// A side of a split that grows bin by bin.
+struct Side {
+  SmallBox box;
+  std::size_t count = 0;
+
+  /// The cost of the side.
+  float include(const Summary& bin) {
+    box.include(bin.box);
+    count += bin.count;
+    return box.half_surface() * static_cast<float>(count);
+  }
+};
 
 /// The slices of a group across its longest axis.
 class Bins {
@@ -56,58 +68,55 @@ class Bins {
     const float extent = group.places.extent(axis);
     for (BoxItem& item : group.items) {
       const float share = (item.place(axis) - low) / extent * static_cast<float>(kBins);
-      item.bin = std::min(kBins - 1, static_cast<std::uint32_t>(share));
-      if (!has(item.bin)) {
-        bins_[item.bin] = Bin();
-        used_ |= 1U << item.bin;
+      const std::uint32_t bin = std::min(kBins - 1, static_cast<std::uint32_t>(share));
+      if ((used_ >> bin & 1U) == 0) {
+        bins_[bin] = Summary();
+        used_ |= 1U << bin;
       }
-      bins_[item.bin].include(item);
+      bins_[bin].include(item);
+      item.put_in(bin);  // after the box has been read: the other way round the processor waits
     }
   }
 
-  struct Split {
-    std::uint32_t border = 0;  ///< the first bin on the right side; 0: no split separates anything
-    Bin left;
-    Bin right;
-  };
-
-  [[nodiscard]] Split cheapest() const {
+  /// The first bin on the right side of the cheapest split; 0: no split separates anything.
+  [[nodiscard]] std::uint32_t cheapest_border() const {
     // Empty bins change nothing: only the first border after a bin that is used can be the best.
     std::array<float, kBins> right_cost;
-    Bin right;
+    Side right;
     for (std::uint32_t rest = used_; rest != 0;) {
       const auto last = static_cast<std::uint32_t>(std::bit_width(rest)) - 1;
-      right.include(bins_[last]);
-      right_cost[last] = right.cost();
+      right_cost[last] = right.include(bins_[last]);
       rest &= ~(1U << last);
     }
-    Split best;
+    std::uint32_t best = 0;
     float best_cost = kInfinity;
-    Bin left;
+    Side left;
     for (std::uint32_t rest = used_; (rest & (rest - 1)) != 0;) {
       const auto bin = static_cast<std::uint32_t>(std::countr_zero(rest));
-      left.include(bins_[bin]);
       rest &= rest - 1;
-      const float cost = left.cost() + right_cost[static_cast<std::size_t>(std::countr_zero(rest))];
+      const float cost =
+          left.include(bins_[bin]) + right_cost[static_cast<std::size_t>(std::countr_zero(rest))];
       if (cost < best_cost) {
         best_cost = cost;
-        best.border = bin + 1;
-        best.left = left;
-      }
-    }
-    for (std::uint32_t bin = best.border; bin < kBins; ++bin) {
-      if (has(bin)) {
-        best.right.include(bins_[bin]);
+        best = bin + 1;
       }
     }
     return best;
   }
 
- private:
-  [[nodiscard]] bool has(std::uint32_t bin) const { return (used_ >> bin & 1U) != 0; }
+  /// What lies in the bins before a border, and in those from there on.
+  [[nodiscard]] std::array<Summary, 2> sides_of(std::uint32_t border) const {
+    std::array<Summary, 2> sides;
+    for (std::uint32_t rest = used_; rest != 0; rest &= rest - 1) {
+      const auto bin = static_cast<std::uint32_t>(std::countr_zero(rest));
+      sides[bin < border ? 0 : 1].include(bins_[bin]);
+    }
+    return sides;
+  }
 
+ private:
   std::uint32_t used_ = 0;  ///< a bit for each bin that holds something
-  std::array<Bin, kBins> bins_;
+  std::array<Summary, kBins> bins_;
 };
 
 std::size_t longest_axis(const SmallBox& box) {
@@ -120,25 +129,18 @@ std::size_t longest_axis(const SmallBox& box) {
 
 }  // namespace
 
-float SmallBox::half_surface() const {
-  const float x = std::max(0.0F, extent(0));
-  const float y = std::max(0.0F, extent(1));
-  const float z = std::max(0.0F, extent(2));
-  return x * y + y * z + z * x;
-}
-
-BoxItem::BoxItem(const Box& exact, const Point& middle, std::uint32_t number) : index(number) {
-  box.min[3] = 0.0F;
-  box.max[3] = 0.0F;
+BoxItem::BoxItem(const Box& exact, const Point& middle, std::uint32_t index) {
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
-    box.min[i] = next_below(static_cast<float>(exact.min[axis] - middle[axis]));
-    box.max[i] = next_above(static_cast<float>(exact.max[axis] - middle[axis]));
+    box_.min[i] = next_below(static_cast<float>(exact.min[axis] - middle[axis]));
+    box_.max[i] = next_above(static_cast<float>(exact.max[axis] - middle[axis]));
   }
+  box_.min[3] = std::bit_cast<float>(index);
+  put_in(0);
 }
 
 BoxGroup group_of(std::span<BoxItem> items, int depth) {
-  Bin all;
+  Summary all;
   for (const BoxItem& item : items) {
     all.include(item);
   }
@@ -151,13 +153,13 @@ std::array<BoxGroup, 2> split_in_two(const BoxGroup& group) {
   const int depth = group.depth + 1;
   const std::span<BoxItem> items = group.items;
   if (group.depth < kHeuristicDepth && group.places.extent(axis) > 0.0F) {
-    const Bins::Split split = Bins(group, axis).cheapest();
-    if (split.border > 0) {
+    const Bins bins(group, axis);
+    if (const std::uint32_t border = bins.cheapest_border(); border > 0) {
       std::partition(items.begin(), items.end(),
-                     [&](const BoxItem& item) { return item.bin < split.border; });
-      const std::size_t left = split.left.count;
-      return {group_of(items.first(left), depth, split.left),
-              group_of(items.subspan(left), depth, split.right)};
+                     [&](const BoxItem& item) { return item.bin() < border; });
+      const auto [left, right] = bins.sides_of(border);
+      return {group_of(items.first(left.count), depth, left),
+              group_of(items.subspan(left.count), depth, right)};
     }
   }
   const std::size_t half = items.size() / 2;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -10,7 +11,7 @@
 
 namespace g31::parts {
 
-/// X, Y, Z and an unused 0 in one register: what the compilers do not see by themselves.
+/// X, Y, Z and one lane to spare in one register: what the compilers do not see by themselves.
 using FloatPoint [[gnu::vector_size(16)]] = float;
 
 /// An axis-aligned box in float32; an empty one until something is included.
@@ -25,25 +26,36 @@ struct SmallBox {
   void include(const SmallBox& box) { include(box.min, box.max); }
 
   [[nodiscard]] float extent(std::size_t axis) const { return max[axis] - min[axis]; }
-  [[nodiscard]] float half_surface() const;
+  [[nodiscard]] float half_surface() const {
+    const FloatPoint size = max - min;
+    const FloatPoint side = size > 0.0F ? size : FloatPoint{};
+    return side[0] * side[1] + side[1] * side[2] + side[2] * side[0];
+  }
 
  private:
   static constexpr float kNone = std::numeric_limits<float>::infinity();
 };
 
-/// One of the boxes that a tree is made of.
-struct BoxItem {
-  SmallBox box;
-  std::uint32_t index = 0;  ///< in the list that the tree was given
-  std::uint32_t bin = 0;    ///< of split_in_two
-
+/// One of the boxes that a tree is made of, in 32 bytes: two whole numbers take the lanes to spare.
+class BoxItem {
+ public:
   /// @param middle  the box is taken relative to it, and rounded outwards
-  BoxItem() = default;
-  BoxItem(const Box& exact, const Point& middle, std::uint32_t number);
+  /// @param index   in the list that the tree was given
+  BoxItem(const Box& exact, const Point& middle, std::uint32_t index);
+
+  [[nodiscard]] const SmallBox& box() const { return box_; }
+  [[nodiscard]] std::uint32_t index() const { return std::bit_cast<std::uint32_t>(box_.min[3]); }
+
+  /// Where split_in_two has put it.
+  [[nodiscard]] std::uint32_t bin() const { return std::bit_cast<std::uint32_t>(box_.max[3]); }
+  void put_in(std::uint32_t bin) { box_.max[3] = std::bit_cast<float>(bin); }
 
   /// Twice the centre.
-  [[nodiscard]] float place(std::size_t axis) const { return box.min[axis] + box.max[axis]; }
-  [[nodiscard]] FloatPoint place() const { return box.min + box.max; }
+  [[nodiscard]] float place(std::size_t axis) const { return box_.min[axis] + box_.max[axis]; }
+  [[nodiscard]] FloatPoint place() const { return box_.min + box_.max; }
+
+ private:
+  SmallBox box_;
 };
 
 /// Some boxes that lie together, and what is known of all of them.

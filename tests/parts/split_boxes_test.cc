@@ -78,8 +78,8 @@ TEST(SplitBoxes, FindsTheCheapestBorderAndKnowsBothSides) {
     ASSERT_EQ(left.items.size() + right.items.size(), before.size());
     std::vector<bool> seen(before.size());
     for (const BoxItem& item : items) {
-      EXPECT_FALSE(seen[item.index]);
-      seen[item.index] = true;
+      EXPECT_FALSE(seen[item.index()]);
+      seen[item.index()] = true;
     }
     for (const BoxGroup& side : {left, right}) {
       const BoxGroup anew = group_of(side.items, 8);
@@ -113,8 +113,8 @@ TEST(SplitBoxes, RoundsBoxesOutwards) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto exact = static_cast<float>(p[static_cast<Eigen::Index>(k)]);
       constexpr float kFar = std::numeric_limits<float>::infinity();
-      EXPECT_EQ(item.box.min[k], std::nextafter(exact, -kFar));
-      EXPECT_EQ(item.box.max[k], std::nextafter(exact, kFar));
+      EXPECT_EQ(item.box().min[k], std::nextafter(exact, -kFar));
+      EXPECT_EQ(item.box().max[k], std::nextafter(exact, kFar));
     }
   }
 }
