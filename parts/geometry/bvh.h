@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,22 +11,33 @@
 
 namespace g31::parts {
 
+class BoxItem;
+
 /// A bounding volume tree over boxes: which of them does a point or a path come near?
 ///
 /// Eight boxes a node, tested at once, in float32 about the middle of all; whatever float32 loses
 /// is added to the boxes again when they are tested, so no box is ever left out (some are visited
 /// that are up to 2^-19 of the tree's size out of reach).  224 bytes a node, about 36 bytes a box.
-/// Split by the surface area heuristic.  Immutable after building: queries may run on many threads.
+/// Split by the surface area heuristic.  Queries may run on many threads, and find the same
+/// whenever the nodes were made.
 ///
-/// Queries speak of *slots*: slot i is box order()[i] of the list given.  Neighbouring slots are
-/// neighbours in space, so the owner does well to keep his data in slot order.
+/// Queries speak of *slots*: slot i is box order()[i] of the list given.
 class Bvh {
  public:
-  Bvh() = default;
+  enum class Growth {
+    AtOnce,  ///< neighbouring slots are neighbours in space: the owner does well to keep his data
+             ///< so
+    WhereAsked,  ///< branches of a thousand boxes when a query comes to them; slots are as given
+  };
 
-  /// @param boxes  none empty; fewer than 2^31; given up before the tree takes memory of its own
-  explicit Bvh(std::vector<Box> boxes);
+  Bvh();
+  /// @param boxes  none empty; fewer than 2^30; given up before the tree takes memory of its own
+  explicit Bvh(std::vector<Box> boxes, Growth growth = Growth::AtOnce);
+  Bvh(Bvh&&) noexcept;
+  Bvh& operator=(Bvh&&) noexcept;
+  ~Bvh();
 
+  /// Empty where slots are as given.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return order_; }
 
   /// Calls visit(slot) for every box within `reach` mm of the point, nearest boxes first.
@@ -50,6 +62,7 @@ class Bvh {
   /// Whether the path comes within `reach` mm of the box around everything.  "No" is certain.
   [[nodiscard]] bool may_meet(const Path& path, double reach) const;
 
+  /// Of what is made by now.
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
@@ -60,7 +73,7 @@ class Bvh {
   struct alignas(32) Node {
     std::array<Lanes, 3> min;
     std::array<Lanes, 3> max;
-    std::array<std::uint32_t, kWidth> child;  ///< kLeaf + slot, or the index of a node
+    std::array<std::uint32_t, kWidth> child;  ///< kLeaf + slot, kBranch + its number, or a node's
   };
   struct Waiting {
     float at;  ///< how soon or how near
@@ -69,15 +82,27 @@ class Bvh {
   /// The nodes still to be looked at, nearest on top.
   class Stack;
   class Builder;
+  class Branches;
   /// A point or a path of points as the nodes see it.
   class PointQuery;
   class PathQuery;
 
+  /// The node of a child that is no leaf; makes it if it is a branch that nobody has come to.
+  [[nodiscard]] const Node& node_of(std::uint32_t child) const {
+    return nodes_[(child & kBranch) == 0 ? child : root_of_branch(child - kBranch)];
+  }
+  [[nodiscard]] std::uint32_t root_of_branch(std::uint32_t branch) const;
+  void build_whole(std::vector<BoxItem>& items);
+  void build_stem(std::vector<BoxItem> items);
+
   static constexpr std::uint32_t kLeaf = 0x8000'0000U;
+  static constexpr std::uint32_t kBranch = 0x4000'0000U;
   /// Added to every reach, of the size of the numbers that meet in float32 (2^-24 each).
   static constexpr double kFloatLoss = 0x1p-20;
 
-  std::vector<Node> nodes_;
+  std::unique_ptr<Node[]> nodes_;  // NOLINT(modernize-avoid-c-arrays): room that nobody touches
+  std::uint32_t node_count_ = 0;
+  std::unique_ptr<Branches> branches_;
   std::vector<std::uint32_t> order_;
   Box bounds_;
   Point middle_ = Point::Zero();

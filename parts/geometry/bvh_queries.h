@@ -154,12 +154,12 @@ class Bvh::PathQuery {
 template <typename Visit>
 void Bvh::visit_near(const Point& p, double reach, Visit&& visit) const {
   const Point outside = (p - p.cwiseMax(bounds_.min).cwiseMin(bounds_.max));
-  if (nodes_.empty() || outside.squaredNorm() > reach * reach) {
+  if (nodes_ == nullptr || outside.squaredNorm() > reach * reach) {
     return;
   }
   PointQuery query(*this, p, reach);
   Stack stack;
-  stack.push(query.distances(nodes_.front()), nodes_.front());
+  stack.push(query.distances(nodes_[0]), nodes_[0]);
   while (!stack.empty()) {
     const Waiting next = stack.pop();
     if (next.at > query.squared_limit()) {
@@ -168,7 +168,8 @@ void Bvh::visit_near(const Point& p, double reach, Visit&& visit) const {
     if ((next.child & kLeaf) != 0) {
       query.limit(visit(next.child - kLeaf));
     } else {
-      stack.push(query.distances(nodes_[next.child]), nodes_[next.child]);
+      const Node& node = node_of(next.child);
+      stack.push(query.distances(node), node);
     }
   }
 }
@@ -180,7 +181,7 @@ void Bvh::visit_along(const Path& path, double reach, Visit&& visit) const {
 
 template <typename Visit>
 void Bvh::visit_along(const Path& path, const Point& reach, Visit&& visit) const {
-  if (nodes_.empty()) {
+  if (nodes_ == nullptr) {
     return;
   }
   PathQuery query(*this, path, reach);
@@ -188,7 +189,7 @@ void Bvh::visit_along(const Path& path, const Point& reach, Visit&& visit) const
     return;
   }
   Stack stack;
-  stack.push(query.entries(nodes_.front()), nodes_.front());
+  stack.push(query.entries(nodes_[0]), nodes_[0]);
   while (!stack.empty()) {
     const Waiting next = stack.pop();
     if (next.at > query.limit()) {
@@ -197,7 +198,8 @@ void Bvh::visit_along(const Path& path, const Point& reach, Visit&& visit) const
     if ((next.child & kLeaf) != 0) {
       query.limit(visit(next.child - kLeaf));
     } else {
-      stack.push(query.entries(nodes_[next.child]), nodes_[next.child]);
+      const Node& node = node_of(next.child);
+      stack.push(query.entries(node), node);
     }
   }
 }

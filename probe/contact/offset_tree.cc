@@ -15,10 +15,10 @@ constexpr std::size_t kMostTriangles = 1U << 28U;
 OffsetTree::OffsetTree(const ContactMesh& mesh, double radius) {
   G31_EXPECTS(mesh.triangles().size() < kMostTriangles);
   OffsetPatches patches = offset_patches(mesh.mesh(), mesh.triangles(), radius);
-  tree_ = parts::Bvh(std::move(patches.boxes));
+  tree_ = parts::Bvh(std::move(patches.boxes), parts::Bvh::Growth::WhereAsked);
   patches_.reserve(patches.owners.size());
-  for (const std::uint32_t index : tree_.order()) {
-    patches_.emplace_back(patches.owners[index]);
+  for (const PatchOwner& owner : patches.owners) {
+    patches_.emplace_back(owner);
   }
 }
 

@@ -46,7 +46,7 @@ class OffsetTree {
   };
 
   parts::Bvh tree_;
-  std::vector<Patch> patches_;  ///< in slot order of tree_
+  std::vector<Patch> patches_;  ///< in the order of the boxes
 };
 
 }  // namespace g31::probe

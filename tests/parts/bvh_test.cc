@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -98,6 +99,45 @@ TEST(Bvh, VisitsEveryBoxNearAPointOrOnAPath) {
   EXPECT_GT(met, 250U);
   EXPECT_GT(passing, 10U);
   EXPECT_LT(visits, 4 * met) << "the tree should spare the boxes that are out of reach";
+}
+
+/// The numbers of all boxes that some points and paths come near, as they are visited.
+std::vector<std::uint32_t> visited(const Bvh& tree) {
+  std::vector<std::uint32_t> all;
+  std::mt19937_64 random(6);
+  for (int i = 0; i < 60; ++i) {
+    const Path path{point_between(random, -15.0, 15.0), any_direction(random), 20.0};
+    const auto note = [&](double interest) {
+      return [&all, &tree, interest](std::uint32_t slot) {
+        all.push_back(tree.order().empty() ? slot : tree.order()[slot]);
+        return interest;
+      };
+    };
+    tree.visit_near(path.from, 2.0, note(2.0));
+    tree.visit_along(path, 0.5, note(path.length));
+  }
+  return all;
+}
+
+TEST(Bvh, IsTheSameWheneverItsNodesAreMade) {
+  for (const std::size_t count : {1U, 5U, 1000U, 1025U, 20'000U}) {
+    const std::vector<Box> boxes = awkward_boxes(9, count);
+    const std::vector<std::uint32_t> wanted = visited(Bvh(boxes));
+    const Bvh growing(boxes, Bvh::Growth::WhereAsked);
+    const std::size_t at_first = growing.memory_bytes();
+    std::vector<std::vector<std::uint32_t>> found(4);
+    std::vector<std::thread> threads;
+    for (auto& one : found) {
+      threads.emplace_back([&] { one = visited(growing); });
+    }
+    for (std::thread& thread : threads) {
+      thread.join();
+    }
+    for (const auto& one : found) {
+      EXPECT_EQ(one, wanted);
+    }
+    EXPECT_EQ(growing.memory_bytes() > at_first, count > 100);
+  }
 }
 
 TEST(Bvh, DoesNotWalkBehindTheLimit) {
