@@ -32,7 +32,8 @@ void take_polar_words(Control& control, const NcBlock& block, AxisPositions& q_L
 }  // namespace
 
 double axis_value(const Control& control, const EvaluatedWord& word, std::size_t axis) {
-  return axis < 3 ? control.scale.length_mm(word) : control.scale.angle_deg(word);
+  return is_linear_axis(static_cast<int>(axis)) ? control.scale.length_mm(word)
+                                                : control.scale.angle_deg(word);
 }
 
 AxisPositions cartesian_end(const Control& control, const NcBlock& block) {

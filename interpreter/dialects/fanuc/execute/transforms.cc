@@ -29,7 +29,7 @@ Result<Point, Failure> scale_factors(const Control& control, const NcBlock& bloc
   const bool by_axis = control.parameters.is_on(ParameterId::ScaleByAxis) &&
                        (words.has('I') || words.has('J') || words.has('K'));
   Point factors;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const ParameterId usual = by_axis ? ParameterId::UsualAxisScale : ParameterId::UsualScale;
     double& factor = factors[axis];
     factor = control.parameters.get_for_axis(usual, 0, axis) * kThousandth;

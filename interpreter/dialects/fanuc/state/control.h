@@ -174,14 +174,13 @@ struct Control {
   [[nodiscard]] double from_mm(double mm) const { return mm / scale.mm_per_unit(); }
   /// A coordinate of an axis as variables show it, and back: linear axes in the unit in force.
   [[nodiscard]] double shown(int axis, double value) const {
-    return is_linear(axis) ? from_mm(value) : value;
+    return is_linear_axis(axis) ? from_mm(value) : value;
   }
   [[nodiscard]] double stored(int axis, double value) const {
-    return is_linear(axis) ? to_mm(value) : value;
+    return is_linear_axis(axis) ? to_mm(value) : value;
   }
 
  private:
-  static bool is_linear(int axis) { return axis < 3; }
   void choose_system_variables();
 
   struct Repeat {

@@ -16,7 +16,7 @@ WorkTransform WorkTransform::mirror(int axis, double at) {
 
 WorkTransform WorkTransform::scaling(const Point& p_L_centre, const Point& factors) {
   WorkTransform map;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     G31_EXPECTS(factors[axis] != 0.0);
     map.linear_(axis, axis) = factors[axis];
     map.inverse_(axis, axis) = 1.0 / factors[axis];

@@ -168,7 +168,7 @@ bool has_centre(const Block& block, const Plane& plane) {
 AxisPositions middle_of(const Channel& channel, const Block& block,
                         const AxisPositions& q_W_start) {
   AxisPositions middle = q_W_start;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const BlockWords::Word& word = block.words[kMiddle[axis]];
     const bool adds = word.modification == Modification::Incremental ||
                       (word.modification == Modification::None && channel.group[14] == 2);

@@ -26,7 +26,7 @@ Result<Frame, Failure> frame_of_words(const Channel& channel, const Block& block
       frame.set_component(axis, Component::Scale, word.value);
     } else if (kind == "MIRROR") {
       frame.set_component(axis, Component::Mirror, 1.0);
-    } else if (axis < 3) {
+    } else if (is_linear_axis(axis)) {
       degrees[axis] = word.value;
     } else {
       return failure(AlarmId::BadAxisIndex, fmt::format("ROT {}", kAxisLetters[axis]));
@@ -64,7 +64,7 @@ MaybeFailure turn_by_solid_angles(Channel& channel, const Block& block, const GC
   }
   int missing = -1;
   int given = 0;
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const bool present = block.words.axis(axis).present;
     missing = present ? missing : axis;
     given += present ? 1 : 0;

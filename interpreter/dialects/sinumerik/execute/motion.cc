@@ -37,7 +37,7 @@ double rotary_end(double now, double angle, Modification modification) {
 Result<double, Failure> thread_feed(const Channel& channel, const Block& block,
                                     const AxisPositions& q_M_way) {
   const double speed = spindle_speed(channel, 0.0);
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const BlockWords::Word& lead = block.words[kLeads[axis]];
     if (lead.present && lead.value != 0.0 && speed > 0.0 && q_M_way[axis] != 0.0) {
       const double along_axis = std::abs(lead.value) * channel.mm_per_length() * speed;
@@ -54,7 +54,7 @@ Result<double, Failure> programmed_place(const Channel& channel, int axis,
   const bool turns = word.modification == Modification::Direct ||
                      word.modification == Modification::Plus ||
                      word.modification == Modification::Minus;
-  if (turns && axis < 3) {
+  if (turns && is_linear_axis(axis)) {
     return failure(AlarmId::BadModification,
                    fmt::format("{} is no rotary axis", kAxisLetters[axis]));
   }

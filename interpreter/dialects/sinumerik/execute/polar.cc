@@ -80,7 +80,7 @@ MaybeFailure set_pole(Channel& channel, const Block& block, const GCode& code) {
     }
     add(polar, channel.plane(), q_W);
   }
-  for (int axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const BlockWords::Word& word = block.words.axis(axis);
     if (word.present) {
       q_W[axis] += channel.stored_place(axis, word.value, Channel::Counts::Absolute);

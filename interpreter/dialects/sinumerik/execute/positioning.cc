@@ -25,7 +25,7 @@ void take_setting(Channel& channel, const BlockWords::AxisSetting& setting) {
   switch (static_cast<int>(setting.word)) {
     case static_cast<int>(AxisWordId::AxisFeed):
       if (!of_spindle) {
-        const double unit = setting.axis < 3 ? channel.mm_per_feed() : 1.0;
+        const double unit = is_linear_axis(setting.axis) ? channel.mm_per_feed() : 1.0;
         settings.feed[static_cast<std::size_t>(setting.axis)] = setting.value * unit;
       }
       return;

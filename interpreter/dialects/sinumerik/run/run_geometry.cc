@@ -64,7 +64,7 @@ MaybeFailure Runner::measured_frame(Frame& result, Arguments list) {
   }
   if (fit) {
     result.set_turn(fit->turn);
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < kLinearAxisCount; ++axis) {
       result.set_component(axis, Component::Coarse, channel_.stored(axis, fit->shift[axis]));
     }
   }

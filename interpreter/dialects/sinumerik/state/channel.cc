@@ -103,11 +103,11 @@ double Channel::mm_per_feed() const {
 }
 
 double Channel::stored(int axis, double value) const {
-  return axis < 3 ? value * mm_per_length() : value;
+  return is_linear_axis(axis) ? value * mm_per_length() : value;
 }
 
 double Channel::shown(int axis, double value) const {
-  return axis < 3 ? value / mm_per_length() : value;
+  return is_linear_axis(axis) ? value / mm_per_length() : value;
 }
 
 double Channel::stored_component(int axis, Component component, double value) const {

@@ -120,7 +120,7 @@ double Frame::component(int axis, Component component) const {
       return fine_[axis];
     case Component::Rotation:
       // The control keeps angles, this frame a matrix: 45 is to be read as 45.
-      return axis < 3 ? std::round(angles()[axis] * kAngleSteps) / kAngleSteps : 0.0;
+      return is_linear_axis(axis) ? std::round(angles()[axis] * kAngleSteps) / kAngleSteps : 0.0;
     case Component::Scale:
       return scale_[axis];
     case Component::Mirror:
@@ -138,7 +138,7 @@ void Frame::set_component(int axis, Component component, double value) {
       fine_[axis] = value;
       return;
     case Component::Rotation:
-      if (axis < 3) {
+      if (is_linear_axis(axis)) {
         Eigen::Vector3d degrees = angles();
         degrees[axis] = value;
         set_angles(degrees);
