@@ -17,12 +17,14 @@ struct Listening {
 };
 
 /// How what gives the signal of an input is placed to do so.
-enum class SensorState {
-  Ready,
-  Turning,      ///< the spindle that holds it turns
-  Dead,         ///< broken: it never gives a signal
-  SwitchedOff,  ///< the program has not switched it on
-  NotInPlace,   ///< another tool, or none, is where it belongs
+struct SensorState {
+  bool in_place = true;     ///< the tool that carries it is where it belongs
+  bool switched_on = true;  ///< as far as programs switch it
+  bool stands = true;       ///< the spindle that holds it does not turn
+  bool works = true;        ///< it is not broken
+
+  [[nodiscard]] bool is_ready() const { return in_place && switched_on && works; }
+  bool operator==(const SensorState&) const = default;
 };
 
 }  // namespace g31::machine

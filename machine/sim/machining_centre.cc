@@ -155,7 +155,7 @@ std::optional<bool> MachiningCentre::digital_input(int number) const {
     return skip_signal(wire->measuring_input);
   }
   const auto state = sensor_state(wire->measuring_input);
-  return state == SensorState::Ready || state == SensorState::Turning;
+  return state && state->is_ready();
 }
 
 void MachiningCentre::change_tool(const ToolChange& change) {

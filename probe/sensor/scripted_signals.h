@@ -38,7 +38,7 @@ class ScriptedSignals final : public machine::Surroundings {
 
   /// Always ready.
   [[nodiscard]] std::optional<machine::SensorState> sensor_state(int /*input*/) const override {
-    return machine::SensorState::Ready;
+    return machine::SensorState();
   }
   [[nodiscard]] machine::ToolExtent tool_extent() const override { return {}; }
   void take(const machine::MachineEvent& /*event*/) override {}

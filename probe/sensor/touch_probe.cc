@@ -52,17 +52,12 @@ std::optional<machine::SensorState> TouchProbe::sensor_state(int input) const {
   if (!is_wired(input)) {
     return std::nullopt;
   }
-  if (!is_in_place_) {
-    return machine::SensorState::NotInPlace;
-  }
-  if (!is_on_) {
-    return machine::SensorState::SwitchedOff;
-  }
-  if (setup_.state == ProbeState::Dead) {
-    return machine::SensorState::Dead;
-  }
-  return turns_ && setup_.switching.is_up_to_program() ? machine::SensorState::Turning
-                                                       : machine::SensorState::Ready;
+  machine::SensorState state;
+  state.in_place = is_in_place_;
+  state.switched_on = is_on_;
+  state.stands = !turns_ || !setup_.switching.is_up_to_program();
+  state.works = setup_.state != ProbeState::Dead;
+  return state;
 }
 
 bool TouchProbe::is_wired(int input) const {

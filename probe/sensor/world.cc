@@ -8,12 +8,6 @@
 namespace g31::probe {
 namespace {
 
-using machine::SensorState;
-
-constexpr SensorState kReadiestFirst[] = {SensorState::Ready, SensorState::Turning,
-                                          SensorState::Dead, SensorState::SwitchedOff,
-                                          SensorState::NotInPlace};
-
 /// The one whose fraction is less; the first of equals.
 template <typename Event>
 void keep_earlier(std::optional<Event>& first, std::optional<Event> next) {
@@ -31,10 +25,11 @@ World::World(Sets sets, Tools tools) : sets_(std::move(sets)), tools_(tools) {
 std::optional<machine::SkipTrigger> World::first_signal(const machine::Way& way,
                                                         const machine::Listening& to) {
   // Where one set is in place, the line is its own; else it is as low as all leave it.
-  const bool any_in_place = sensor_state(to.input) != SensorState::NotInPlace;
+  const auto line = sensor_state(to.input);
   std::optional<machine::SkipTrigger> first;
   for (const auto& set : sets_) {
-    if (!any_in_place || set->sensor_state(to.input) != SensorState::NotInPlace) {
+    const auto state = set->sensor_state(to.input);
+    if (state && state->in_place == line->in_place) {
       keep_earlier(first, set->first_signal(way, to));
     }
   }
@@ -54,14 +49,15 @@ bool World::signals_at(const machine::Waypoint& at, int input) const {
   return std::ranges::any_of(sets_, [&](const auto& set) { return set->signals_at(at, input); });
 }
 
-std::optional<SensorState> World::sensor_state(int input) const {
-  for (const SensorState state : kReadiestFirst) {
-    if (std::ranges::any_of(sets_,
-                            [&](const auto& s) { return s->sensor_state(input) == state; })) {
-      return state;
+std::optional<machine::SensorState> World::sensor_state(int input) const {
+  std::optional<machine::SensorState> first;
+  for (const auto& set : sets_) {
+    const auto state = set->sensor_state(input);
+    if (state && (!first || (state->in_place && !first->in_place))) {
+      first = state;
     }
   }
-  return std::nullopt;
+  return first;
 }
 
 machine::ToolExtent World::tool_extent() const {

@@ -30,7 +30,7 @@ class World final : public machine::Surroundings {
                                                   machine::Travel travel) override;
   [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
 
-  /// Of several on one input, that of the one which is readiest.
+  /// Of several on one input, that of the first in place, else of the first.
   [[nodiscard]] std::optional<machine::SensorState> sensor_state(int input) const override;
 
   /// The tip of the set that is in place, else of the tool that was called.

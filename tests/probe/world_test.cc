@@ -38,6 +38,11 @@ ProbeSetup probe_of(int tool, int input, double length_mm = 120.0) {
   return setup;
 }
 
+constexpr SensorState kReady;
+constexpr SensorState kNotInPlace{.in_place = false};
+constexpr SensorState kSwitchedOff{.switched_on = false};
+constexpr SensorState kTurning{.stands = false};
+
 machine::Sweep down() {
   return {at(5, 5, 200), at(5, 5, 80)};
 }
@@ -101,10 +106,10 @@ TEST(TouchProbe, SensesPartsButMayNotTouchAClamp) {
 
 TEST(TouchProbe, KeepsSilentWhileAnotherToolIsInTheSpindle) {
   TouchProbe probe(probe_of(1, 1), kBlock, 0);
-  EXPECT_EQ(probe.sensor_state(1), SensorState::Ready);
+  EXPECT_EQ(probe.sensor_state(1), kReady);
   EXPECT_EQ(probe.sensor_state(2), std::nullopt);
   probe.take(ToolChange{{5, 100.0, 8.0}});
-  EXPECT_EQ(probe.sensor_state(1), SensorState::NotInPlace);
+  EXPECT_EQ(probe.sensor_state(1), kNotInPlace);
   EXPECT_FALSE(testing::touch_on(probe, down()));
   EXPECT_FALSE(testing::collision_on(probe, down()));
   EXPECT_FALSE(testing::damage_on(probe, down()));
@@ -116,14 +121,14 @@ TEST(TouchProbe, KeepsSilentWhileAnotherToolIsInTheSpindle) {
   EXPECT_TRUE(testing::collision_on(probe, down()));
   // Another spindle's tools are another matter.
   probe.take(ToolChange{{5, 100.0, 8.0}, 2});
-  EXPECT_EQ(probe.sensor_state(1), SensorState::Ready);
+  EXPECT_EQ(probe.sensor_state(1), kReady);
 }
 
 TEST(TouchProbe, WithoutANumberItIsThereWhateverToolIsCalled) {
   TouchProbe probe(ProbeSetup(), kBlock, 0);
   probe.take(ToolChange{{5, 100.0, 8.0}});
   probe.take(SpindleTurn{Rotation::Clockwise, 3000.0, {}});
-  EXPECT_EQ(probe.sensor_state(1), SensorState::Ready);
+  EXPECT_EQ(probe.sensor_state(1), kReady);
   EXPECT_TRUE(testing::touch_on(probe, down()));
 }
 
@@ -132,27 +137,30 @@ TEST(TouchProbe, IsSwitchedByItsCodes) {
   setup.switching.on_code = 80;
   setup.switching.off_code = 81;
   TouchProbe probe(setup, kBlock, 0);
-  EXPECT_EQ(probe.sensor_state(1), SensorState::SwitchedOff);
+  EXPECT_EQ(probe.sensor_state(1), kSwitchedOff);
   EXPECT_FALSE(testing::touch_on(probe, down()));
   EXPECT_TRUE(testing::damage_on(probe, down())) << "it breaks all the same";
   probe.take(machine::AuxiliaryCode{80});
-  EXPECT_EQ(probe.sensor_state(1), SensorState::Ready);
+  EXPECT_EQ(probe.sensor_state(1), kReady);
   EXPECT_TRUE(testing::touch_on(probe, down()));
   probe.take(machine::AuxiliaryCode{8});
-  EXPECT_EQ(probe.sensor_state(1), SensorState::Ready);
+  EXPECT_EQ(probe.sensor_state(1), kReady);
   probe.take(machine::AuxiliaryCode{81});
-  EXPECT_EQ(probe.sensor_state(1), SensorState::SwitchedOff);
+  EXPECT_EQ(probe.sensor_state(1), kSwitchedOff);
+  setup.state = ProbeState::Dead;
+  setup.switching.on_code.reset();
+  EXPECT_FALSE(TouchProbe(setup, kBlock, 0).sensor_state(1)->is_ready());
 }
 
 TEST(TouchProbe, TellsThatItsSpindleTurns) {
   TouchProbe probe(probe_of(1, 1), kBlock, 0);
   probe.take(SpindleTurn{Rotation::Counterclockwise, 500.0, {}, 2});
-  EXPECT_EQ(probe.sensor_state(1), SensorState::Ready);
+  EXPECT_EQ(probe.sensor_state(1), kReady);
   probe.take(SpindleTurn{Rotation::Counterclockwise, 500.0, {}});
-  EXPECT_EQ(probe.sensor_state(1), SensorState::Turning);
+  EXPECT_EQ(probe.sensor_state(1), kTurning);
   EXPECT_TRUE(testing::touch_on(probe, down())) << "the signal comes all the same";
   probe.take(SpindleTurn{Rotation::Stopped, 0.0, 90.0});
-  EXPECT_EQ(probe.sensor_state(1), SensorState::Ready);
+  EXPECT_EQ(probe.sensor_state(1), kReady);
 }
 
 TEST(World, HoldsASecondProbe) {
@@ -169,7 +177,7 @@ TEST(World, HoldsASecondProbe) {
   EXPECT_NEAR(touched_at(1, 1), 133.0, 1e-9);
   EXPECT_NEAR(touched_at(1, machine::kAnyInput), 133.0, 1e-9);
   EXPECT_EQ(touched_at(1, 2), 0.0);
-  EXPECT_EQ(world.sensor_state(2), SensorState::NotInPlace);
+  EXPECT_EQ(world.sensor_state(2), kNotInPlace);
   EXPECT_NEAR(touched_at(11, 2), 113.0, 1e-9);
   EXPECT_NEAR(touched_at(11, machine::kAnyInput), 113.0, 1e-9);
   EXPECT_EQ(world.tool_extent().p_T_tip, Point(0, 0, -100));

@@ -34,7 +34,7 @@ class WorldOfPieces : public machine::Surroundings {
     return false;
   }
   [[nodiscard]] std::optional<machine::SensorState> sensor_state(int /*input*/) const override {
-    return machine::SensorState::Ready;
+    return machine::SensorState();
   }
   [[nodiscard]] machine::ToolExtent tool_extent() const override { return {}; }
   void take(const machine::MachineEvent& event) override { events_.push_back(event); }
