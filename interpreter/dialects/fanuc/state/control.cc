@@ -91,21 +91,11 @@ void Control::report_read_ahead(const SystemVariable& row, std::int32_t number) 
 }
 
 void Control::warn(source::DiagnosticId id, source::Location where) {
-  const auto [row, is_new] =
-      repeats_.try_emplace({id, where.file, where.span.begin}, Repeat{diagnostics.size(), 0});
-  ++row->second.times;
-  if (is_new) {
-    diagnostics.push_back(make_diagnostic(id, where));
-  }
+  warnings_.add(diagnostics, id, where);
 }
 
 void Control::tell_repeats() {
-  for (const auto& [place, repeat] : repeats_) {
-    if (repeat.times > 1) {
-      source::Diagnostic& diagnostic = diagnostics[repeat.diagnostic];
-      diagnostic.notes.push_back({diagnostic.where, fmt::format("{} times in all", repeat.times)});
-    }
-  }
+  warnings_.tell_repeats(diagnostics);
 }
 
 void Control::warn_once(source::DiagnosticId id, source::Location where, std::string_view detail) {

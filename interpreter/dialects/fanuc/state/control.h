@@ -33,6 +33,7 @@
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/printer_port.h"
+#include "interpreter/runtime/warnings.h"
 #include "machine/port/machine_port.h"
 
 namespace g31::fanuc {
@@ -183,12 +184,7 @@ struct Control {
  private:
   void choose_system_variables();
 
-  struct Repeat {
-    std::size_t diagnostic = 0;  ///< its place among the diagnostics
-    std::uint64_t times = 0;
-  };
-  std::map<std::tuple<source::DiagnosticId, const source::SourceFile*, std::size_t>, Repeat>
-      repeats_;
+  runtime::Warnings warnings_;
   std::set<std::pair<source::DiagnosticId, std::string>> warned_;
 };
 

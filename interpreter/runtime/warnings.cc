@@ -1,0 +1,26 @@
+#include "interpreter/runtime/warnings.h"
+
+#include <fmt/format.h>
+
+namespace g31::runtime {
+
+void Warnings::add(std::vector<source::Diagnostic>& diagnostics, source::DiagnosticId id,
+                   source::Location where) {
+  const auto [row, is_new] =
+      repeats_.try_emplace({id, where.file, where.span.begin}, Repeat{diagnostics.size(), 0});
+  ++row->second.times;
+  if (is_new) {
+    diagnostics.push_back(make_diagnostic(id, where));
+  }
+}
+
+void Warnings::tell_repeats(std::vector<source::Diagnostic>& diagnostics) const {
+  for (const auto& [place, repeat] : repeats_) {
+    if (repeat.times > 1) {
+      source::Diagnostic& diagnostic = diagnostics[repeat.diagnostic];
+      diagnostic.notes.push_back({diagnostic.where, fmt::format("{} times in all", repeat.times)});
+    }
+  }
+}
+
+}  // namespace g31::runtime

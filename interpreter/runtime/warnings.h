@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "interpreter/source/diagnostic.h"
+
+namespace g31::runtime {
+
+/// Warnings of what blocks did, each place once: a loop may do it a million times.
+class Warnings {
+ public:
+  /// @param diagnostics  the same at each call
+  void add(std::vector<source::Diagnostic>& diagnostics, source::DiagnosticId id,
+           source::Location where);
+
+  /// Says at each warning how often it happened; to be called once, at the end.
+  void tell_repeats(std::vector<source::Diagnostic>& diagnostics) const;
+
+ private:
+  struct Repeat {
+    std::size_t diagnostic = 0;  ///< its place among the diagnostics
+    std::uint64_t times = 0;
+  };
+  std::map<std::tuple<source::DiagnosticId, const source::SourceFile*, std::size_t>, Repeat>
+      repeats_;
+};
+
+}  // namespace g31::runtime
