@@ -310,6 +310,33 @@ M30
 %
 (EXPECT ALARM 3 AT 5)
 
+(CASE MB-032 M counts from 0)
+%
+O1
+#30=-1
+M#30
+M30
+%
+(EXPECT ALARM 6 AT 4)
+
+(CASE MB-032 S counts from 0)
+%
+O1
+#30=-1
+S#30
+M30
+%
+(EXPECT ALARM 6 AT 4)
+
+(CASE MB-032 T counts from 0)
+%
+O1
+#30=-1
+T#30
+M30
+%
+(EXPECT ALARM 6 AT 4)
+
 (CASE MB-032 with as many digits as the address takes)
 (PARAMETER 3030 = 3)
 (PARAMETER 3031 = 5)

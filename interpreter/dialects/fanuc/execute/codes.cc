@@ -148,6 +148,9 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
       if (!number) {
         return number.error();
       }
+      if (number.value() < 0 && word.letter != 'D' && word.letter != 'H') {
+        return at_word(AlarmId::IllegalMinus, word, fmt::format("{} counts from 0", word.letter));
+      }
       control.modal.word(word.letter) = number.value();
       return refuse_long(control, word, number.value());
     }
