@@ -5,29 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "parts/artefacts/artefact.h"
-#include "tests/tools/setup_sheets.h"
+#include "tests/tools/setup_error_text.h"
 
 namespace g31::setup {
 namespace {
 
-/// A sheet and everything that is said about it.
-struct Case {
-  const char* name;
-  const char* sheet;
-  const char* text;
-};
-
-class SetupErrorText : public SetupSheets {
- protected:
-  SetupErrorText() { static_cast<void>(write("ring.stl", "")); }
-
-  void expect_text(const Case& c) const {
-    SCOPED_TRACE(c.name);
-    EXPECT_EQ(errors_of(read({c.sheet})), c.text);
-  }
-};
-
-const Case kNameTheKeyThatWasProbablyMeant[] = {
+const ErrorCase kNameTheKeyThatWasProbablyMeant[] = {
     {"an unknown section", "contrl = 1\n",
      R"(sheet1.toml:1:1: error: unknown key contrl in the sheet, did you mean control? [SET103]
     1 | contrl = 1
@@ -152,12 +135,12 @@ const Case kNameTheKeyThatWasProbablyMeant[] = {
 };
 
 TEST_F(SetupErrorText, NameTheKeyThatWasProbablyMeant) {
-  for (const Case& c : kNameTheKeyThatWasProbablyMeant) {
+  for (const ErrorCase& c : kNameTheKeyThatWasProbablyMeant) {
     expect_text(c);
   }
 }
 
-const Case kSayWhatAValueIsAndWhatItShouldBe[] = {
+const ErrorCase kSayWhatAValueIsAndWhatItShouldBe[] = {
     {"a string for a name", "[control]\nprofile = 7\n",
      R"(sheet1.toml:2:11: error: control.profile is a whole number, it should be a string [SET104]
     2 | profile = 7
@@ -358,12 +341,12 @@ const Case kSayWhatAValueIsAndWhatItShouldBe[] = {
 };
 
 TEST_F(SetupErrorText, SayWhatAValueIsAndWhatItShouldBe) {
-  for (const Case& c : kSayWhatAValueIsAndWhatItShouldBe) {
+  for (const ErrorCase& c : kSayWhatAValueIsAndWhatItShouldBe) {
     expect_text(c);
   }
 }
 
-const Case kStandAtTheirPlace[] = {
+const ErrorCase kStandAtTheirPlace[] = {
     {"an empty path", "[control]\nvariables_file = \"\"\n",
      R"(sheet1.toml:2:18: error: control.variables_file is "", it should be a string that is not empty [SET105]
     2 | variables_file = ""
@@ -490,7 +473,7 @@ sheet1.toml:6:13: error: control.increment is "", it should be "IS-A", "IS-B" or
 };
 
 TEST_F(SetupErrorText, StandAtTheirPlace) {
-  for (const Case& c : kStandAtTheirPlace) {
+  for (const ErrorCase& c : kStandAtTheirPlace) {
     expect_text(c);
   }
 }
