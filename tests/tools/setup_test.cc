@@ -144,6 +144,24 @@ TEST_F(SetupReader, WhatARealMachineDoesArrives) {
             (std::array<int, 3>{2, 1, 0}));
 }
 
+TEST_F(SetupReader, TheProbeIsATool) {
+  const Job read = job({kEveryKey});
+  EXPECT_EQ(read.probe->input, 2);
+  EXPECT_EQ(read.probe->switching.tool, 7);
+  EXPECT_EQ(read.probe->switching.on_code, 80);
+  EXPECT_EQ(read.probe->switching.off_code, 81);
+  ASSERT_EQ(read.machine.wires.size(), 2U);
+  EXPECT_EQ(read.machine.wires[0].number, 1004);
+  EXPECT_EQ(read.machine.wires[0].source, machine::InputWire::Source::Ready);
+  EXPECT_EQ(read.machine.wires[1].number, 5);
+  EXPECT_EQ(read.machine.wires[1].source, machine::InputWire::Source::Signal);
+  EXPECT_EQ(read.machine.wires[1].measuring_input, 2);
+  const Job plain = job({"[probe]\n"});
+  EXPECT_EQ(plain.probe->input, 1);
+  EXPECT_FALSE(plain.probe->switching.is_up_to_program());
+  EXPECT_TRUE(plain.machine.wires.empty());
+}
+
 TEST_F(SetupReader, TheSidesOfTheMachineSayWhichAxesItHas) {
   const machine::MachineSetup lathe = job({"[machine]\ntool_side = \"ZX\"\n"}).machine;
   EXPECT_TRUE(lathe.axes[0].present && lathe.axes[2].present);

@@ -59,6 +59,7 @@ std::string_view words_for(Limit limit) {
     case Limit::SwitchNumber:
       return "a list of numbers 1 to 9";
     case Limit::ProgramNumber:
+    case Limit::ToolOfProbe:
       return "1 to 99999999";
     case Limit::BlockCount:
       return "0 to 9999";
@@ -82,6 +83,10 @@ std::string_view words_for(Limit limit) {
       return "1000 to 1015";
     case Limit::MeasuringInput:
       return "1 to 8";
+    case Limit::DigitalInput:
+      return "1 to 64 for $A_IN, or 1000 to 1015 for #1000 to #1015";
+    case Limit::MachineCode:
+      return "M and a number of one to eight digits";
     case Limit::AxisLetter:
       return "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\"";
     case Limit::AxisLetters:
@@ -105,6 +110,7 @@ bool number_within(Limit limit, double number) {
     case Limit::SwitchNumber:
       return number >= 1.0 && number <= 9.0;
     case Limit::ProgramNumber:
+    case Limit::ToolOfProbe:
       return number >= 1.0 && number <= 99999999.0;
     case Limit::BlockCount:
       return number >= 0.0 && number <= 9999.0;
@@ -112,6 +118,8 @@ bool number_within(Limit limit, double number) {
       return number >= 1000.0 && number <= 1015.0;
     case Limit::MeasuringInput:
       return number >= 1.0 && number <= 8.0;
+    case Limit::DigitalInput:
+      return (number >= 1.0 && number <= 64.0) || (number >= 1000.0 && number <= 1015.0);
     case Limit::Any:
     case Limit::Rising:
     case Limit::NotEmpty:
@@ -123,6 +131,7 @@ bool number_within(Limit limit, double number) {
     case Limit::ProbeState:
     case Limit::AxisLetter:
     case Limit::AxisLetters:
+    case Limit::MachineCode:
     case Limit::NotAllZero:
     case Limit::RisingPlaces:
       return true;
@@ -137,6 +146,12 @@ bool are_axis_letters(const std::string& text) {
     }
   }
   return true;
+}
+
+bool is_machine_code(const std::string& text) {
+  constexpr std::size_t kMostDigits = 8;
+  return text.size() >= 2 && text.size() <= 1 + kMostDigits && text.front() == 'M' &&
+         std::all_of(text.begin() + 1, text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
 /// Of a list of pairs; a single number has no place.
@@ -170,6 +185,8 @@ bool text_within(Limit limit, const std::string& text) {
       return text.size() == 1 && axis_index(text.front()) >= 0;
     case Limit::AxisLetters:
       return are_axis_letters(text);
+    case Limit::MachineCode:
+      return is_machine_code(text);
     case Limit::Any:
     case Limit::Positive:
     case Limit::NotNegative:
@@ -179,6 +196,8 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::BlockCount:
     case Limit::InputNumber:
     case Limit::MeasuringInput:
+    case Limit::DigitalInput:
+    case Limit::ToolOfProbe:
     case Limit::Rising:
     case Limit::NotAllZero:
     case Limit::RisingPlaces:

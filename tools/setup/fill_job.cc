@@ -187,6 +187,8 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
   }
   job.machine = machine_from(sheet, errors);
   if (job.probe) {
+    const SheetTable& probe = sheet.tables.at({SectionId::Probe, ""});
+    job.machine.wires = wires_of(probe, job.probe->input);
     job.machine.p_T_tip = {job.probe->eccentricity_mm[0], job.probe->eccentricity_mm[1],
                            -job.probe->length_mm};
   }

@@ -48,6 +48,23 @@ probe::SwitchSetup switch_from(const TableKeys& keys) {
   return at_switch;
 }
 
+/// @pre "M" and a number
+std::optional<int> code_from(const TableKeys& keys, KeyId id) {
+  const Entry* const code = keys.find(id);
+  return code != nullptr ? std::optional(std::stoi(std::get<std::string>(code->value).substr(1)))
+                         : std::nullopt;
+}
+
+probe::SwitchingSetup switching_from(const TableKeys& keys) {
+  probe::SwitchingSetup switching;
+  if (const Entry* const tool = keys.find(KeyId::ProbeTool)) {
+    switching.tool = static_cast<int>(number_of(*tool));
+  }
+  switching.on_code = code_from(keys, KeyId::ProbeOn);
+  switching.off_code = code_from(keys, KeyId::ProbeOff);
+  return switching;
+}
+
 probe::ProbeState probe_state_from(const TableKeys& keys) {
   const std::string given = keys.get(KeyId::ProbeStateKind, std::string("ready"));
   const auto* const row = std::ranges::find(probe::kProbeStateNames, std::string_view(given),
@@ -131,6 +148,7 @@ probe::ProbeSetup probe_from(const Sheet& sheet, const SheetTable& table) {
   const TableKeys keys(table);
   probe::ProbeSetup probe = plain_probe_from(keys);
   probe.at_switch = switch_from(keys);
+  probe.switching = switching_from(keys);
   probe.state = probe_state_from(keys);
   for (const SheetTable& ball : list_of(sheet, SectionId::ProbeBall)) {
     probe.further_balls.push_back(ball_from(ball, probe.ball_diameter_mm));
@@ -140,6 +158,19 @@ probe::ProbeSetup probe_from(const Sheet& sheet, const SheetTable& table) {
   }
   fill_sections(probe, keys, list_of(sheet, SectionId::ProbeBody));
   return probe;
+}
+
+std::vector<machine::InputWire> wires_of(const SheetTable& table, int measuring_input) {
+  const TableKeys keys(table);
+  std::vector<machine::InputWire> wires;
+  using Source = machine::InputWire::Source;
+  for (const auto& [id, source] : {std::pair(KeyId::ProbeReadyInput, Source::Ready),
+                                   std::pair(KeyId::ProbeSignalInput, Source::Signal)}) {
+    if (const Entry* const number = keys.find(id)) {
+      wires.push_back({static_cast<int>(number_of(*number)), source, measuring_input});
+    }
+  }
+  return wires;
 }
 
 }  // namespace g31::setup

@@ -73,6 +73,9 @@ enum class Limit {
   ProbeState,
   InputNumber,     ///< 1000..1015
   MeasuringInput,  ///< 1..8
+  DigitalInput,    ///< 1..64 or 1000..1015
+  ToolOfProbe,     ///< 1..99999999
+  MachineCode,     ///< M and a number
   AxisLetter,
   AxisLetters,  ///< no letter twice
   NotAllZero,
