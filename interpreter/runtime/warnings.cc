@@ -23,4 +23,19 @@ void Warnings::tell_repeats(std::vector<source::Diagnostic>& diagnostics) const 
   }
 }
 
+std::vector<source::DiagnosticId> complaints_of(const machine::SensorState& state) {
+  using source::DiagnosticId;
+  if (!state.in_place) {
+    return {DiagnosticId::ProbeNotInPlace};
+  }
+  std::vector<DiagnosticId> complaints;
+  if (!state.switched_on) {
+    complaints.push_back(DiagnosticId::ProbeSwitchedOff);
+  }
+  if (!state.stands) {
+    complaints.push_back(DiagnosticId::ProbeTurning);
+  }
+  return complaints;
+}
+
 }  // namespace g31::runtime

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "interpreter/source/diagnostic.h"
+#include "machine/port/skip_signal.h"
 
 namespace g31::runtime {
 
@@ -28,5 +29,8 @@ class Warnings {
   std::map<std::tuple<source::DiagnosticId, const source::SourceFile*, std::size_t>, Repeat>
       repeats_;
 };
+
+/// What a move that listens to a sensor so placed deserves to be told; empty: nothing.
+std::vector<source::DiagnosticId> complaints_of(const machine::SensorState& state);
 
 }  // namespace g31::runtime

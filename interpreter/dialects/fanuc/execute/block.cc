@@ -140,7 +140,7 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   if (auto failure = select_offsets(control, words, codes.value())) {
     return failure;
   }
-  orient_spindle(control, words);
+  command_machine(control, words);
   if (codes.value().unsimulated != nullptr) {
     control.warn_once(source::DiagnosticId::NotSimulated, where, codes.value().unsimulated->text);
   }

@@ -43,9 +43,9 @@ MaybeFailure execute_scaling(Control& control, const NcBlock& block);        // 
 MaybeFailure execute_rotation(Control& control, const NcBlock& block);       // transforms.cc
 MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block);   // canned_cycle.cc
 
-/// M19 Rn: the spindle stops at n degrees, at 0 without an angle; P for those controls that write
-/// it so (spindle.cc).
-void orient_spindle(Control& control, const BlockWords& words);
+/// What M, S and T have the machine do: the spindle, the tool, the codes for its own logic
+/// (machine_codes.cc).
+void command_machine(Control& control, const BlockWords& words);
 
 /// A block between G10 L50 or L3 and G11 (data_input.cc).
 MaybeFailure execute_data_block(Control& control, const BlockWords& words);

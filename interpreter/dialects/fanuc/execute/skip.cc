@@ -122,6 +122,11 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   move.feed_mm_min = skip_speed(control, feed.value());
   control.silent_skip.reset();
   control.report_stopped_skip();
+  if (const auto state = control.port.sensor_state(machine::kAnyInput)) {
+    for (const source::DiagnosticId complaint : runtime::complaints_of(*state)) {
+      control.warn(complaint, block.where);
+    }
+  }
   const auto outcome = control.port.move_until_skip(move);
   if (!outcome) {
     control.coordinates.arrived_at_machine(control.port.position());

@@ -106,16 +106,18 @@ struct Control {
   PmcSignals signals;                                     ///< #1000.., #1100..
   Calendar calendar;                                      ///< #3011, #3012
   BusyWait busy_wait;
-  double timer_offset_ms = 0.0;           ///< #3001 = simulated time + this
-  double hours_offset = 0.0;              ///< #3002 likewise
-  int single_block_control = 0;           ///< #3003
-  int override_control = 0;               ///< #3004
-  bool stops_exactly = false;             ///< G09 in the present block
-  int mirror_state = 0;                   ///< #3007
-  int restart_state = 0;                  ///< #3008
-  TransformStages transforms;             ///< G51.1, G51, G68
-  std::optional<PolarCoordinates> polar;  ///< G16
-  CycleData cycle;                        ///< of the canned cycle in force
+  machine::Rotation rotation = machine::Rotation::Stopped;  ///< of the spindle
+  std::optional<int> called_tool;                           ///< the last T; none before the first
+  double timer_offset_ms = 0.0;                             ///< #3001 = simulated time + this
+  double hours_offset = 0.0;                                ///< #3002 likewise
+  int single_block_control = 0;                             ///< #3003
+  int override_control = 0;                                 ///< #3004
+  bool stops_exactly = false;                               ///< G09 in the present block
+  int mirror_state = 0;                                     ///< #3007
+  int restart_state = 0;                                    ///< #3008
+  TransformStages transforms;                               ///< G51.1, G51, G68
+  std::optional<PolarCoordinates> polar;                    ///< G16
+  CycleData cycle;                                          ///< of the canned cycle in force
   /// Where the last G28 or G30 of each axis went through (L); none before the first.
   std::array<std::optional<double>, kAxisCount> q_L_intermediate;
   DataInput data_input = DataInput::None;

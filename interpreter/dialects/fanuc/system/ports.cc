@@ -7,6 +7,8 @@ namespace g31::fanuc::system {
 namespace {
 
 constexpr double kBitsOfWord = 65536.0;
+constexpr int kFirstInputBit = 1000;
+constexpr int kInputBits = 16;
 
 Cell bit_of(std::uint16_t bits, int index) {
   return Cell((bits >> index & 1) != 0 ? 1.0 : 0.0);
@@ -41,6 +43,10 @@ std::size_t word_of(const Place& place) {
 }  // namespace
 
 ReadResult read_input_bit(Control& control, const Place& place) {
+  const int number = kFirstInputBit + place.index();
+  if (const auto wired = control.port.digital_input(number)) {
+    return Cell(*wired ? 1.0 : 0.0);
+  }
   return bit_of(control.signals.input_bits, place.index());
 }
 
@@ -49,8 +55,15 @@ WriteResult write_input_bit(Control& control, const Place& place, Cell value) {
   return std::nullopt;
 }
 
+/// What the machine's own wiring says goes over what was written.
 ReadResult read_input_bits(Control& control, const Place&) {
-  return Cell(control.signals.input_bits);
+  std::uint16_t bits = control.signals.input_bits;
+  for (int i = 0; i < kInputBits; ++i) {
+    if (const auto wired = control.port.digital_input(kFirstInputBit + i)) {
+      set_bit(bits, i, *wired ? 1.0 : 0.0);
+    }
+  }
+  return Cell(bits);
 }
 
 WriteResult write_input_bits(Control& control, const Place&, Cell value) {

@@ -139,6 +139,11 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   if (!measuring.by_action) {
     channel.measured = {};
   }
+  if (const auto state = channel.port.sensor_state(move.input)) {
+    for (const source::DiagnosticId complaint : runtime::complaints_of(*state)) {
+      channel.warnings.add(channel.diagnostics, complaint, block.where);
+    }
+  }
   const double began = channel.port.time_s();
   const auto outcome = channel.port.move_until_skip(move);
   channel.clocks.cutting += channel.port.time_s() - began;

@@ -37,18 +37,35 @@ void orient(Channel& channel, double degrees) {
   channel.port.turn_spindle({machine::Rotation::Stopped, 0.0, degrees});
 }
 
+/// As M3, M4 and M5 have it; the sign of S says nothing about the direction.
+void turn(Channel& channel) {
+  const int direction = channel.spindle.direction;
+  const machine::Rotation rotation =
+      direction == static_cast<int>(kClockwise)          ? machine::Rotation::Clockwise
+      : direction == static_cast<int>(kCounterclockwise) ? machine::Rotation::Counterclockwise
+                                                         : machine::Rotation::Stopped;
+  const bool stops = rotation == machine::Rotation::Stopped;
+  channel.port.turn_spindle({rotation, stops ? 0.0 : std::abs(channel.spindle.speed), {}});
+}
+
+bool turns(const Channel& channel) {
+  return channel.spindle.direction == static_cast<int>(kClockwise) ||
+         channel.spindle.direction == static_cast<int>(kCounterclockwise);
+}
+
 /// SPOS and SPOSA
 MaybeFailure orient_by(Channel& channel, const BlockWords::Word& word) {
-  if (word.modification != Modification::Incremental) {
-    orient(channel, word.value);
-    return std::nullopt;
-  }
-  if (!channel.spindle.angle) {
+  const bool adds = word.modification == Modification::Incremental;
+  if (adds && !channel.spindle.angle) {
     return failure(AlarmId::NotImplemented,
                    "SPOS=IC(...) of a spindle that turned: where it "
                    "stopped is not simulated");
   }
-  orient(channel, *channel.spindle.angle + word.value);
+  const double degrees = adds ? *channel.spindle.angle + word.value : word.value;
+  if (!std::isfinite(degrees)) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("SPOS={:g}", degrees));
+  }
+  orient(channel, degrees);
   return std::nullopt;
 }
 
@@ -60,6 +77,9 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
     channel.feed = words.has(Address::Feed) ? words[Address::Feed].value : channel.feed;
     if (words.has(Address::Speed)) {
       take_speed(channel, words[Address::Speed].value);
+      if (turns(channel)) {
+        turn(channel);
+      }
     }
   }
   if (const auto& angle = words[Address::ThreadAngle]; angle.present) {
@@ -75,11 +95,14 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
     if (code == kClockwise || code == kCounterclockwise) {
       channel.spindle.angle.reset();
       channel.spindle.direction = static_cast<int>(code);
+      turn(channel);
     } else if (code == kStop) {
       channel.spindle.direction = static_cast<int>(code);
+      turn(channel);
     } else if (code == kOrient) {
       orient(channel, 0.0);
     }
+    channel.port.auxiliary_code({static_cast<int>(code)});
   }
   for (const Address address : {Address::Spindle, Address::SpindleAsync}) {
     if (words.has(address)) {

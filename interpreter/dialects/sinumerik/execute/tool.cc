@@ -163,6 +163,11 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
     if (MaybeFailure wrong = select_edge(channel, channel.tool == 0 ? 0.0 : 1.0)) {
       return wrong;
     }
+    const double length = channel.tool_offset()[channel.plane().normal];
+    if (!std::isfinite(length)) {
+      return failure(AlarmId::ValueOutOfLimits, fmt::format("the length of T{}", channel.tool));
+    }
+    channel.port.change_tool({{channel.tool, length, channel.tool_radius()}});
   }
   MaybeFailure wrong =
       words.has(Address::Edge) ? select_edge(channel, words[Address::Edge].value) : std::nullopt;

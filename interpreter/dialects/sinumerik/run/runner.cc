@@ -118,6 +118,7 @@ runtime::Outcome Runner::run(const runtime::Budget& budget) {
   if (!levels_.front()->has_references()) {
     *levels_.front() = Level();  // its variables are nowhere
   }
+  channel_.warnings.tell_repeats(channel_.diagnostics);
   outcome.diagnostics = channel_.diagnostics;
   outcome.blocks = channel_.budget.blocks();
   return outcome;

@@ -18,6 +18,7 @@
 #include "interpreter/runtime/budget_watch.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
+#include "interpreter/runtime/warnings.h"
 #include "machine/port/machine_port.h"
 #include "machine/units/length_unit.h"
 
@@ -229,7 +230,9 @@ class Channel {
   std::string call_path;
   std::set<int> block_skip;  ///< switches that are on
   runtime::FeedSwitches feed_switches;
+  std::array<bool, 65> digital_inputs = {};  ///< $A_IN, where nothing is wired to it
   std::vector<source::Diagnostic> diagnostics;
+  runtime::Warnings warnings;  ///< which of them are of blocks
   runtime::BudgetWatch budget{runtime::Budget{}};
   machine::MachinePort& port;
   runtime::Observer& observer;

@@ -109,6 +109,22 @@ Result<double, Failure> indexed_state(const Channel& channel, const SystemAccess
   return channel.measured[static_cast<std::size_t>(which)] ? 1.0 : 0.0;
 }
 
+Failure no_input(int number) {
+  return failure(AlarmId::IndexOne, fmt::format("$A_IN[{}]", number));
+}
+
+bool is_input(const Channel& channel, int number) {
+  return number >= 0 && number < static_cast<int>(channel.digital_inputs.size());
+}
+
+Result<double, Failure> digital_input(const Channel& channel, int number) {
+  if (!is_input(channel, number)) {
+    return no_input(number);
+  }
+  const bool kept = channel.digital_inputs[static_cast<std::size_t>(number)];
+  return channel.port.digital_input(number).value_or(kept) ? 1.0 : 0.0;
+}
+
 Result<double, Failure> plain_state(const Channel& channel, SystemId id) {
   switch (static_cast<int>(id)) {
     case static_cast<int>(SystemId::ToolNumber):
@@ -165,6 +181,8 @@ Result<double, Failure> number_of(Channel& channel, const SystemAccess& access) 
     case static_cast<int>(SystemId::ReferencePoint):
     case static_cast<int>(SystemId::FixedPoint):
       return point_value(channel, access);
+    case static_cast<int>(SystemId::DigitalInput):
+      return digital_input(channel, access.indices[0]);
     case static_cast<int>(SystemId::ModalCode):
     case static_cast<int>(SystemId::Measured):
     case static_cast<int>(SystemId::ProbeSignal):
@@ -196,6 +214,13 @@ MaybeFailure set_number(Channel& channel, SystemAccess access, double value) {
     changed.set_component(frame_access.axis, component,
                           channel.stored_component(frame_access.axis, component, value));
     return set_frame(channel, frame_access, changed);
+  }
+  if (access.id == SystemId::DigitalInput) {
+    if (!is_input(channel, access.indices[0])) {
+      return no_input(access.indices[0]);
+    }
+    channel.digital_inputs[static_cast<std::size_t>(access.indices[0])] = value != 0.0;
+    return std::nullopt;
   }
   if (access.id == SystemId::ReferencePoint || access.id == SystemId::FixedPoint) {
     double* const place = machine_point(channel, access);

@@ -1,0 +1,79 @@
+#include "interpreter/dialects/fanuc/execute/execute.h"
+
+namespace g31::fanuc {
+namespace {
+
+constexpr int kClockwise = 3;
+constexpr int kCounterclockwise = 4;
+constexpr int kStop = 5;
+constexpr int kToolChange = 6;
+constexpr int kOrientation = 19;
+
+void turn(Control& control, machine::Rotation rotation) {
+  control.rotation = rotation;
+  const bool stops = rotation == machine::Rotation::Stopped;
+  control.port.turn_spindle({rotation, stops ? 0.0 : control.modal.word('S'), {}});
+}
+
+/// M19 Rn, or Pn for those controls that write it so.
+void orient(Control& control, const BlockWords& words) {
+  control.rotation = machine::Rotation::Stopped;
+  const EvaluatedWord* const angle = words.has('R') ? words.find('R') : words.find('P');
+  control.port.turn_spindle(
+      {machine::Rotation::Stopped, 0.0, angle != nullptr ? angle->number : 0.0});
+}
+
+/// M6: the tool that T called comes, with the offset of its own number.
+void change_tool(Control& control) {
+  if (!control.called_tool) {
+    return;
+  }
+  const int number = *control.called_tool;
+  const runtime::ToolEntry entry = control.offsets.get(number);
+  control.port.change_tool(
+      {{number, entry.length_mm + entry.length_wear_mm, entry.radius_mm + entry.radius_wear_mm}});
+}
+
+void command(Control& control, const BlockWords& words, int code) {
+  switch (code) {
+    case kClockwise:
+      turn(control, machine::Rotation::Clockwise);
+      break;
+    case kCounterclockwise:
+      turn(control, machine::Rotation::Counterclockwise);
+      break;
+    case kStop:
+      turn(control, machine::Rotation::Stopped);
+      break;
+    case kToolChange:
+      change_tool(control);
+      break;
+    case kOrientation:
+      orient(control, words);
+      break;
+    default:
+      break;
+  }
+  control.port.auxiliary_code({code});
+}
+
+}  // namespace
+
+void command_machine(Control& control, const BlockWords& words) {
+  if (const EvaluatedWord* const tool = words.find('T')) {
+    control.called_tool = nearest_integer(tool->number);
+  }
+  if (words.has('S') && control.rotation != machine::Rotation::Stopped) {
+    turn(control, control.rotation);
+  }
+  if (!words.has('M')) {
+    return;
+  }
+  for (const EvaluatedWord& word : words.all()) {
+    if (word.letter == 'M') {
+      command(control, words, nearest_integer(word.number));
+    }
+  }
+}
+
+}  // namespace g31::fanuc
