@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "machine/kinematics/axis_chain.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::runtime {
@@ -50,6 +51,8 @@ struct ControlSetup {
   std::map<std::string, std::optional<double>> variables;
   std::map<std::string, AxisPositions> work_offsets;  ///< "G54".."G59", "EXT", "G54.1 P1"
   std::map<int, ToolEntry> tools;                     ///< by H/D/T number
+  /// What the control takes the machine for; the machine is what it is.
+  machine::AxisChainSetup kinematics;
 };
 
 }  // namespace g31::runtime

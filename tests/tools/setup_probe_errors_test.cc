@@ -29,5 +29,25 @@ TEST_F(SetupErrorText, OfAProbeThatIsATool) {
   }
 }
 
+const ErrorCase kOfWhatTheControlBelieves[] = {
+    {"a belief about an axis that carries nothing", "[believed.axes.C]\ncentre = [0.0, 0.0, 1.0]\n",
+     R"(sheet1.toml:1:16: error: axis C carries neither part nor tool, so there is nothing to believe of it [SET114]
+    1 | [believed.axes.C]
+      |                ^
+      = table_side and tool_side of [machine] name its rotary axes
+)"},
+    {"a belief about a linear axis", "[believed.axes.X]\n",
+     R"(sheet1.toml:1:16: error: unknown key X in [believed.axes], which takes A, B and C [SET103]
+    1 | [believed.axes.X]
+      |                ^
+)"},
+};
+
+TEST_F(SetupErrorText, OfWhatTheControlBelieves) {
+  for (const ErrorCase& c : kOfWhatTheControlBelieves) {
+    expect_text(c);
+  }
+}
+
 }  // namespace
 }  // namespace g31::setup

@@ -91,6 +91,9 @@ EAZ = [[-10, 4]]
 A0Z = 5.0
 B0Z = -4
 C0Y = 8.0
+[believed.axes.B]
+centre = [1.0, 2.03, -400.0]
+direction = [0.0, -1.0, 0.0]
 [probe]
 ball_diameter = 5.9
 length = 119.5

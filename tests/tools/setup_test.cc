@@ -144,6 +144,26 @@ TEST_F(SetupReader, WhatARealMachineDoesArrives) {
             (std::array<int, 3>{2, 1, 0}));
 }
 
+TEST_F(SetupReader, WhatTheControlBelievesIsTheMachineUnlessSaidOtherwise) {
+  const Job read = job({kEveryKey});
+  EXPECT_NE(read.control.kinematics, read.machine.chain);
+  EXPECT_EQ(read.control.kinematics.tool_side, "YZ");
+  EXPECT_EQ(read.control.kinematics.rotary[1].p_M_centre, Point(1.0, 2.03, -400.0));
+  EXPECT_EQ(read.control.kinematics.rotary[1].axis_M, Point(0.0, -1.0, 0.0));
+  EXPECT_EQ(read.control.kinematics.rotary[0], read.machine.chain.rotary[0]);
+
+  const std::string table =
+      "[machine]\ntable_side = \"CA\"\n[machine.axes.A]\n"
+      "centre = [0.0, 20.0, -450.0]\ndirection = [1.0, 0.0, 0.1]\n";
+  const Job equal = job({table});
+  EXPECT_EQ(equal.control.kinematics, equal.machine.chain);
+  const Job half = job({table, "[believed.axes.A]\ncentre = [0.0, 20.01, -450.0]\n"});
+  EXPECT_EQ(half.control.kinematics.rotary[0].p_M_centre, Point(0.0, 20.01, -450.0));
+  EXPECT_EQ(half.control.kinematics.rotary[0].axis_M, Point(1.0, 0.0, 0.1));
+  EXPECT_EQ(half.machine.chain, equal.machine.chain) << "the machine stays what it is";
+  EXPECT_EQ(job({"[start]\nX = 0.0\n"}).control.kinematics, machine::AxisChainSetup());
+}
+
 TEST_F(SetupReader, TheProbeIsATool) {
   const Job read = job({kEveryKey});
   EXPECT_EQ(read.probe->input, 2);
@@ -239,6 +259,9 @@ TEST_F(SetupReader, EveryExampleOfTheTableIsASheet) {
     std::string sheet = std::string(row_of(row.section).example) + "\n";
     if (row.section == SectionId::Part && row.id != KeyId::PartFile && row.id != KeyId::PartShape) {
       sheet += "shape = \"ring\"\n";
+    }
+    if (row.section == SectionId::BelievedAxes) {
+      sheet = "[machine]\ntable_side = \"C\"\n" + sheet;
     }
     if (row.id == KeyId::SkipSignalAt) {
       sheet += "axis = \"X\"\n";

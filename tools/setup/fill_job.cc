@@ -99,6 +99,8 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
       return;
     case SectionId::Machine:
     case SectionId::MachineErrors:
+    case SectionId::Believed:
+    case SectionId::BelievedAxes:
       return;  // fill_machine
     case SectionId::MachineAxes:
       job.control.q_M_reference[static_cast<Eigen::Index>(index_of_axis(name))] =
@@ -186,6 +188,7 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
     }
   }
   job.machine = machine_from(sheet, errors);
+  job.control.kinematics = believed_kinematics(sheet, job.machine, errors);
   if (job.probe) {
     const SheetTable& probe = sheet.tables.at({SectionId::Probe, ""});
     job.machine.wires = wires_of(probe, job.probe->input);

@@ -111,15 +111,27 @@ void fill_chain(machine::MachineSetup& machine, const Sheet& sheet, ErrorList& e
   std::ranges::transform(linear, machine.geometric_errors.part_to_tool.begin(), axis_index);
 }
 
-void fill_rotary(machine::AxisChainSetup& chain, const std::string& letter, const TableKeys& keys) {
+/// The keys that say where a rotary axis is.
+struct RotaryKeys {
+  KeyId centre;
+  KeyId direction;
+};
+constexpr RotaryKeys kTrueAxis{KeyId::AxisCentre, KeyId::AxisDirection};
+constexpr RotaryKeys kBelievedAxis{KeyId::BelievedCentre, KeyId::BelievedDirection};
+
+/// What is given changes the line.
+void fill_rotary(machine::AxisChainSetup& chain, const std::string& letter, const TableKeys& keys,
+                 const RotaryKeys& names) {
   if (is_linear(letter.front())) {
     return;
   }
   machine::RotaryLine& line =
       chain.rotary.at(index_of_axis(letter) - std::size_t{kLinearAxisCount});
-  line.p_M_centre = point_from(keys, KeyId::AxisCentre);
-  if (keys.find(KeyId::AxisDirection) != nullptr) {
-    line.axis_M = point_from(keys, KeyId::AxisDirection);
+  if (keys.find(names.centre) != nullptr) {
+    line.p_M_centre = point_from(keys, names.centre);
+  }
+  if (keys.find(names.direction) != nullptr) {
+    line.axis_M = point_from(keys, names.direction);
   }
 }
 
@@ -135,7 +147,7 @@ machine::MachineSetup machine_from(const Sheet& sheet, ErrorList& errors) {
       fill_machine(machine, keys);
     } else if (place.first == SectionId::MachineAxes) {
       fill_axis(machine.axes.at(index_of_axis(place.second)), keys);
-      fill_rotary(machine.chain, place.second, keys);
+      fill_rotary(machine.chain, place.second, keys, kTrueAxis);
     } else if (place.first == SectionId::MachineErrors) {
       machine.geometric_errors = errors_from(table);
     }
@@ -143,6 +155,23 @@ machine::MachineSetup machine_from(const Sheet& sheet, ErrorList& errors) {
   machine.stopping = stopping_from(sheet);
   fill_chain(machine, sheet, errors);
   return machine;
+}
+
+machine::AxisChainSetup believed_kinematics(const Sheet& sheet,
+                                            const machine::MachineSetup& machine,
+                                            ErrorList& errors) {
+  machine::AxisChainSetup believed = machine.chain;
+  for (const auto& [place, table] : sheet.tables) {
+    if (place.first != SectionId::BelievedAxes) {
+      continue;
+    }
+    if ((believed.table_side + believed.tool_side).find(place.second) == std::string::npos) {
+      errors.add(SetupErrorId::NoSuchRotaryAxis, table.where, {place.second},
+                 "table_side and tool_side of [machine] name its rotary axes");
+    }
+    fill_rotary(believed, place.second, TableKeys(table), kBelievedAxis);
+  }
+  return believed;
 }
 
 }  // namespace g31::setup

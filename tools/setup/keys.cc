@@ -161,6 +161,10 @@ std::optional<std::string> normal_name(NameForm form, std::string_view name) {
     }
     case NameForm::SizeName:
       return std::string(name);
+    case NameForm::RotaryLetter: {
+      const std::optional<std::string> axis = normal_axis(name);
+      return axis && is_rotary_axis(axis_index(axis->front())) ? axis : std::nullopt;
+    }
     case NameForm::ErrorName:
       return is_error_name(name) ? std::optional(std::string(name)) : std::nullopt;
   }
@@ -198,6 +202,8 @@ std::vector<std::string_view> known_names(NameForm form) {
   switch (form) {
     case NameForm::AxisLetter:
       return {"X", "Y", "Z", "A", "B", "C"};
+    case NameForm::RotaryLetter:
+      return {"A", "B", "C"};
     case NameForm::WorkOffset:
       return {"G54", "G55", "G56", "G57", "G58", "G59", "EXT", "G54.1 P1"};
     case NameForm::Exact:
@@ -218,6 +224,8 @@ std::string_view rule_of(NameForm form) {
   switch (form) {
     case NameForm::AxisLetter:
       return "X, Y, Z, A, B and C";
+    case NameForm::RotaryLetter:
+      return "A, B and C";
     case NameForm::WorkOffset:
       return "G54 to G59, EXT, \"G54.1 Pn\", \"G154 Pn\" and G505 to G599";
     case NameForm::ToolNumber:

@@ -38,6 +38,7 @@ enum class NameForm {
   WorkOffset,       ///< G54..G59, EXT, G54.1 Pn, G154 Pn, G505..G599
   ToolNumber,       ///< 0..99999999
   SizeName,         ///< any name
+  RotaryLetter,     ///< A B C
   ErrorName,        ///< EXX: E, a direction X Y Z A B C, a linear axis X Y Z
 };
 
