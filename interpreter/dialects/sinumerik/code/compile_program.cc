@@ -18,7 +18,7 @@ bool stands_alone(const Op& op) {
     case static_cast<int>(OpCode::RepeatPart):
       return false;
     case static_cast<int>(OpCode::Procedure):
-      return static_cast<ProcedureId>(op.detail) != ProcedureId::EXECSTRING;
+      return !runs_text(static_cast<ProcedureId>(op.detail));
     default:
       return true;
   }

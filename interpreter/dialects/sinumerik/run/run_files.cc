@@ -51,31 +51,6 @@ std::string file_name(std::string_view path) {
   return name == "." || name.find('\0') != std::string::npos ? std::string() : name;
 }
 
-MaybeFailure Runner::file_procedure(ProcedureId id, Arguments list) {
-  double error = 0.0;
-  switch (static_cast<int>(id)) {
-    case static_cast<int>(ProcedureId::WRITE):
-      error = write_file(list);
-      break;
-    case static_cast<int>(ProcedureId::DELETE):
-      error = delete_file(list);
-      break;
-    case static_cast<int>(ProcedureId::READ):
-      error = read_file(list);
-      break;
-    case static_cast<int>(ProcedureId::EXTOPEN):
-      error = open_external(list);
-      break;
-    case static_cast<int>(ProcedureId::EXTWRITE):
-      error = write_external(list);
-      break;
-    default:
-      error = close_external(list);
-      break;
-  }
-  return set_result(list[0], error);
-}
-
 /// WRITE(error, file, line)
 double Runner::write_file(Arguments list) {
   const std::string name = file_name(text(list[1].value));

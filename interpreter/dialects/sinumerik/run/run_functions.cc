@@ -1,81 +1,62 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/run/runner.h"
+#include "machine/base/contract.h"
 
 namespace g31::sinumerik {
 namespace {
-
-using Form = Argument::Form;
-
-double place_or_none(std::size_t at) {
-  return at == std::string::npos ? -1.0 : static_cast<double>(at);
-}
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// CROTS; one angle alone turns as CROT does.
-MaybeFailure turn_by_two(Frame& result, const Eigen::Vector3d& degrees,
-                         const std::array<bool, 3>& given) {
-  const auto count = std::count(given.begin(), given.end(), true);
-  if (count > 2) {
-    return failure(AlarmId::ArgumentCount, "CROTS");
-  }
-  if (count < 2) {
-    result.set_angles(degrees);
-    return std::nullopt;
-  }
-  const auto missing =
-      static_cast<int>(std::find(given.begin(), given.end(), false) - given.begin());
-  const int first = (missing + 1) % 3;
-  result.set_solid_angles(first, degrees[first], degrees[(first + 1) % 3]);
-  return std::nullopt;
-}
-
 }  // namespace
 
 MaybeFailure Runner::call_function(const Op& op) {
-  const auto id = static_cast<FunctionId>(op.detail);
   const Arguments list = arguments_of(op);
-  if (id == FunctionId::BOUND) {
-    const double low = number(list[0].value);
-    const double high = number(list[1].value);
-    if (low > high) {
-      return failure(AlarmId::BadArguments, "BOUND: the lower limit is above the upper one");
-    }
-    number(op.result) = std::clamp(number(list[2].value), low, high);
-    return std::nullopt;
+  switch (static_cast<FunctionId>(op.detail)) {
+#define OfOne(f) break
+#define OfTwo(f) break
+#define Called(f) return f(op, list)
+#define FUNCTION(name, result, parameters, work, form, text) \
+  case FunctionId::name:                                     \
+    work;
+#include "interpreter/dialects/sinumerik/vocabulary/functions.def"
+#undef FUNCTION
+#undef Called
+#undef OfTwo
+#undef OfOne
   }
-  if (id == FunctionId::ISAXIS) {
-    const double axis = number(list[0].value);
-    number(op.result) = axis >= 1.0 && axis <= 3.0 ? 1.0 : 0.0;
-    return std::nullopt;
+  contract_violated("a function of numbers is a step of its own", __FILE__, __LINE__);
+}
+
+std::string Runner::function_name(const Op& op) {
+  return std::string(info(static_cast<FunctionId>(op.detail)).name);
+}
+
+/// BOUND(low, high, a)
+MaybeFailure Runner::bounded(const Op& op, Arguments list) {
+  const double low = number(list[0].value);
+  const double high = number(list[1].value);
+  if (low > high) {
+    return failure(AlarmId::BadArguments, "BOUND: the lower limit is above the upper one");
   }
-  if (id >= FunctionId::CTRANS) {
-    return frame_function(id, op, list);
-  }
-  if (id == FunctionId::SPRINT) {
-    return sprint_function(op, list);
-  }
-  if (id == FunctionId::MODAXVAL) {
-    return modulo_place(op, list);
-  }
-  if (id == FunctionId::CALCDAT) {
-    return circle_function(op, list);
-  }
-  if (id >= FunctionId::GETT) {
-    return tool_function(id, op, list);
-  }
-  if (id == FunctionId::AXSTRING) {
-    text(op.result) = shown(Type::Axis, number(list[0].value));
-    return std::nullopt;
-  }
-  return text_function(id, op, list);
+  number(op.result) = std::clamp(number(list[2].value), low, high);
+  return std::nullopt;
+}
+
+MaybeFailure Runner::is_geometry_axis(const Op& op, Arguments list) {
+  const double axis = number(list[0].value);
+  number(op.result) = axis >= 1.0 && axis <= 3.0 ? 1.0 : 0.0;
+  return std::nullopt;
+}
+
+MaybeFailure Runner::name_of_axis(const Op& op, Arguments list) {
+  text(op.result) = shown(Type::Axis, number(list[0].value));
+  return std::nullopt;
 }
 
 /// MODAXVAL(axis, value)
@@ -90,7 +71,8 @@ MaybeFailure Runner::modulo_place(const Op& op, Arguments list) {
   return std::nullopt;
 }
 
-MaybeFailure Runner::sprint_function(const Op& op, Arguments list) {
+/// SPRINT(format, values...)
+MaybeFailure Runner::formatted_text(const Op& op, Arguments list) {
   std::vector<SprintValue> values;
   for (const Argument& argument : list.subspan(1)) {
     SprintValue value;
@@ -112,74 +94,111 @@ MaybeFailure Runner::sprint_function(const Op& op, Arguments list) {
   return std::nullopt;
 }
 
-MaybeFailure Runner::text_function(FunctionId id, const Op& op, Arguments list) {
-  const std::string first = text(list[0].value);
-  switch (static_cast<int>(id)) {
-    case static_cast<int>(FunctionId::NUMBER): {
-      const auto value = number_in(first);
-      if (!value) {
-        return failure(AlarmId::NotANumber, fmt::format("\"{}\"", first));
-      }
-      number(op.result) = *value;
-      return std::nullopt;
-    }
-    case static_cast<int>(FunctionId::ISNUMBER):
-      number(op.result) = number_in(first) ? 1.0 : 0.0;
-      return std::nullopt;
-    case static_cast<int>(FunctionId::STRLEN):
-      number(op.result) = static_cast<double>(first.size());
-      return std::nullopt;
-    case static_cast<int>(FunctionId::TOUPPER):
-      text(op.result) = upper(first);
-      return std::nullopt;
-    case static_cast<int>(FunctionId::TOLOWER):
-      text(op.result) = first;
-      std::ranges::transform(text(op.result), text(op.result).begin(), lower);
-      return std::nullopt;
-    case static_cast<int>(FunctionId::AXNAME): {
-      const int axis = first.size() == 1 ? axis_index(upper(first.front())) : -1;
-      if (axis < 0) {
-        return failure(AlarmId::NoAxisName, fmt::format("\"{}\"", first));
-      }
-      number(op.result) = axis;
-      return std::nullopt;
-    }
-    case static_cast<int>(FunctionId::ISVAR):
-      number(op.result) = is_variable(first) ? 1.0 : 0.0;
-      return std::nullopt;
-    case static_cast<int>(FunctionId::ISFILE):
-      number(op.result) =
-          channel_.files.contains(file_name(first)) || programs_.find(first, near()) != nullptr
-              ? 1.0
-              : 0.0;
-      return std::nullopt;
-    default:
-      return search_function(id, op, list);
+MaybeFailure Runner::number_of_text(const Op& op, Arguments list) {
+  const std::string& given = text(list[0].value);
+  const auto value = number_in(given);
+  if (!value) {
+    return failure(AlarmId::NotANumber, fmt::format("\"{}\"", given));
   }
+  number(op.result) = *value;
+  return std::nullopt;
 }
 
-MaybeFailure Runner::search_function(FunctionId id, const Op& op, Arguments list) {
-  const std::string& in = text(list[0].value);
-  if (id == FunctionId::SUBSTR) {
-    const double at = rounded(number(list[1].value));
-    const double most = static_cast<double>(in.size());
-    const double length = list.size() > 2 ? std::min(rounded(number(list[2].value)), most) : most;
-    const bool inside = at >= 0.0 && at < most && length > 0.0;
-    std::string part =
-        inside ? in.substr(static_cast<std::size_t>(at), static_cast<std::size_t>(length)) : "";
-    text(op.result) = std::move(part);
-    return std::nullopt;
-  }
-  const std::string& wanted = text(list[1].value);
-  const bool wants_one = id == FunctionId::INDEX || id == FunctionId::RINDEX;
-  if (wants_one && wanted.size() != 1) {
-    return failure(AlarmId::BadArguments, fmt::format("{}: one character", info(id).name));
-  }
-  const std::size_t at = id == FunctionId::RINDEX   ? in.rfind(wanted)
-                         : id == FunctionId::MINDEX ? in.find_first_of(wanted)
-                                                    : in.find(wanted);
-  number(op.result) = place_or_none(at);
+MaybeFailure Runner::shows_number(const Op& op, Arguments list) {
+  number(op.result) = number_in(text(list[0].value)) ? 1.0 : 0.0;
   return std::nullopt;
+}
+
+MaybeFailure Runner::length_of_text(const Op& op, Arguments list) {
+  number(op.result) = static_cast<double>(text(list[0].value).size());
+  return std::nullopt;
+}
+
+MaybeFailure Runner::upper_case(const Op& op, Arguments list) {
+  std::string all = upper(text(list[0].value));
+  text(op.result) = std::move(all);
+  return std::nullopt;
+}
+
+MaybeFailure Runner::lower_case(const Op& op, Arguments list) {
+  std::string all = text(list[0].value);
+  std::ranges::transform(all, all.begin(), lower);
+  text(op.result) = std::move(all);
+  return std::nullopt;
+}
+
+MaybeFailure Runner::axis_of_name(const Op& op, Arguments list) {
+  const std::string& name = text(list[0].value);
+  const int axis = name.size() == 1 ? axis_index(upper(name.front())) : -1;
+  if (axis < 0) {
+    return failure(AlarmId::NoAxisName, fmt::format("\"{}\"", name));
+  }
+  number(op.result) = axis;
+  return std::nullopt;
+}
+
+MaybeFailure Runner::knows_variable(const Op& op, Arguments list) {
+  number(op.result) = is_variable(text(list[0].value)) ? 1.0 : 0.0;
+  return std::nullopt;
+}
+
+MaybeFailure Runner::knows_file(const Op& op, Arguments list) {
+  const std::string& path = text(list[0].value);
+  const bool is_there =
+      channel_.files.contains(file_name(path)) || programs_.find(path, near()) != nullptr;
+  number(op.result) = is_there ? 1.0 : 0.0;
+  return std::nullopt;
+}
+
+/// SUBSTR(text, first, length)
+MaybeFailure Runner::part_of_text(const Op& op, Arguments list) {
+  const std::string& in = text(list[0].value);
+  const double at = rounded(number(list[1].value));
+  const double most = static_cast<double>(in.size());
+  const double length = list.size() > 2 ? std::min(rounded(number(list[2].value)), most) : most;
+  const bool inside = at >= 0.0 && at < most && length > 0.0;
+  std::string part =
+      inside ? in.substr(static_cast<std::size_t>(at), static_cast<std::size_t>(length)) : "";
+  text(op.result) = std::move(part);
+  return std::nullopt;
+}
+
+/// A place in a text, from 0; -1: nowhere.
+MaybeFailure Runner::take_place(const Op& op, std::size_t at) {
+  number(op.result) = at == std::string::npos ? -1.0 : static_cast<double>(at);
+  return std::nullopt;
+}
+
+MaybeFailure Runner::needs_one_character(const Op& op, Arguments list) {
+  return text(list[1].value).size() == 1
+             ? std::nullopt
+             : std::optional(failure(AlarmId::BadArguments, function_name(op) + ": one character"));
+}
+
+/// INDEX(text, character)
+MaybeFailure Runner::first_place(const Op& op, Arguments list) {
+  if (MaybeFailure wrong = needs_one_character(op, list)) {
+    return wrong;
+  }
+  return take_place(op, text(list[0].value).find(text(list[1].value)));
+}
+
+/// RINDEX(text, character)
+MaybeFailure Runner::last_place(const Op& op, Arguments list) {
+  if (MaybeFailure wrong = needs_one_character(op, list)) {
+    return wrong;
+  }
+  return take_place(op, text(list[0].value).rfind(text(list[1].value)));
+}
+
+/// MINDEX(text, characters)
+MaybeFailure Runner::first_of_set(const Op& op, Arguments list) {
+  return take_place(op, text(list[0].value).find_first_of(text(list[1].value)));
+}
+
+/// MATCH(text, part)
+MaybeFailure Runner::place_of_part(const Op& op, Arguments list) {
+  return take_place(op, text(list[0].value).find(text(list[1].value)));
 }
 
 /// R1, NAME or NAME[..]: whether there is one of this name.
@@ -189,66 +208,6 @@ bool Runner::is_variable(std::string_view name) {
                     std::ranges::all_of(stem.substr(1), [](char c) { return is_digit(c); });
   return is_r || level().program->locals.contains(stem) ||
          programs_.globals().find(stem) != nullptr || find_system_variable(stem).has_value();
-}
-
-MaybeFailure Runner::frame_function(FunctionId id, const Op& op, Arguments list) {
-  Frame result;
-  if (id == FunctionId::INVFRAME) {
-    result = frame(list[0].value).inverse();
-  } else if (id == FunctionId::MEAFRAME) {
-    if (MaybeFailure wrong = measured_frame(result, list)) {
-      return wrong;
-    }
-  } else if (id == FunctionId::CRPL) {
-    const double which = rounded(number(list[0].value));
-    if (!(which >= 0.0 && which <= 3.0)) {
-      return failure(AlarmId::BadArguments, "CRPL: the plane is 0 to 3");
-    }
-    constexpr int kNormals[] = {0, 2, 1, 0};
-    const auto row = static_cast<std::size_t>(which);
-    const int normal = row == 0 ? channel_.plane().normal : kNormals[row];
-    result.set_component(normal, Component::Rotation, number(list[1].value));
-  } else if (MaybeFailure wrong = frame_of_pairs(id, result, list)) {
-    return wrong;
-  }
-  frame(op.result) = result;
-  return std::nullopt;
-}
-
-/// Axes and their values in turn; CMIRROR has axes only.
-MaybeFailure Runner::frame_of_pairs(FunctionId id, Frame& result, Arguments list) {
-  const bool mirrors = id == FunctionId::CMIRROR;
-  const std::size_t step = mirrors ? 1 : 2;
-  if (list.size() % step != 0) {
-    return failure(AlarmId::ArgumentCount, std::string(info(id).name));
-  }
-  const bool turns = id == FunctionId::CROT || id == FunctionId::CROTS;
-  Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
-  std::array<bool, 3> given = {};
-  for (std::size_t i = 0; i < list.size(); i += step) {
-    const double axis = list[i].type == Type::Axis ? number(list[i].value) : kNoAxis;
-    if (axis < 0.0 || (!mirrors && !is_number(list[i + 1].type))) {
-      return failure(AlarmId::NotAnAxis, std::string(info(id).name));
-    }
-    const int which = static_cast<int>(axis);
-    const double value = mirrors ? 1.0 : number(list[i + 1].value);
-    if (turns && which < 3) {
-      degrees[which] = value;
-      given[static_cast<std::size_t>(which)] = true;
-    } else if (!turns) {
-      const Component component = id == FunctionId::CTRANS   ? Component::Coarse
-                                  : id == FunctionId::CFINE  ? Component::Fine
-                                  : id == FunctionId::CSCALE ? Component::Scale
-                                                             : Component::Mirror;
-      result.set_component(which, component, channel_.stored_component(which, component, value));
-    }
-  }
-  if (id == FunctionId::CROT) {
-    result.set_angles(degrees);
-  } else if (id == FunctionId::CROTS) {
-    return turn_by_two(result, degrees, given);
-  }
-  return std::nullopt;
 }
 
 }  // namespace g31::sinumerik

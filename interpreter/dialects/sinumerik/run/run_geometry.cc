@@ -23,7 +23,7 @@ Eigen::Matrix3d columns(const Reference& points) {
 }  // namespace
 
 /// CALCDAT(points, n, result)
-MaybeFailure Runner::circle_function(const Op& op, Arguments list) {
+MaybeFailure Runner::circle_of_points(const Op& op, Arguments list) {
   const Reference points = variable(list[0].variable);
   const Reference result = variable(list[2].variable);
   const double count = rounded(number(list[1].value));
@@ -52,7 +52,7 @@ MaybeFailure Runner::circle_function(const Op& op, Arguments list) {
 }
 
 /// MEAFRAME(ideal, measured, quality)
-MaybeFailure Runner::measured_frame(Frame& result, Arguments list) {
+MaybeFailure Runner::measured_frame(const Op& op, Arguments list) {
   const Reference ideal = variable(list[0].variable);
   const Reference measured = variable(list[1].variable);
   if (!is_triangle(ideal) || !is_triangle(measured)) {
@@ -62,12 +62,14 @@ MaybeFailure Runner::measured_frame(Frame& result, Arguments list) {
   if (MaybeFailure wrong = set_result(list[2], fit ? fit->left_over : kNoFit)) {
     return wrong;
   }
+  Frame result;
   if (fit) {
     result.set_turn(fit->turn);
     for (int axis = 0; axis < kLinearAxisCount; ++axis) {
       result.set_component(axis, Component::Coarse, channel_.stored(axis, fit->shift[axis]));
     }
   }
+  frame(op.result) = result;
   return std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/run/runner.h"
+#include "machine/base/contract.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -34,49 +35,50 @@ MaybeFailure Runner::set_result(const Argument& target, double value) {
 
 MaybeFailure Runner::procedure(const Op& op) {
   const Arguments list = arguments_of(op);
-  switch (op.detail) {
-    case static_cast<int>(ProcedureId::MSG):
-      if (!list.empty()) {
-        channel_.observer.on_message(text(list[0].value) + "\n");
-      }
-      return std::nullopt;
-    case static_cast<int>(ProcedureId::SETAL):
-      return set_alarm(list);
-    case static_cast<int>(ProcedureId::EXECSTRING):
-      return execute_text(text(list[0].value));
-    case static_cast<int>(ProcedureId::WRITE):
-    case static_cast<int>(ProcedureId::DELETE):
-    case static_cast<int>(ProcedureId::READ):
-    case static_cast<int>(ProcedureId::EXTOPEN):
-    case static_cast<int>(ProcedureId::EXTWRITE):
-    case static_cast<int>(ProcedureId::EXTCLOSE):
-      return file_procedure(static_cast<ProcedureId>(op.detail), list);
-    case static_cast<int>(ProcedureId::SETMS):
-      channel_.master_spindle = list.empty() ? 1.0 : number(list[0].value);
-      return std::nullopt;
-    case static_cast<int>(ProcedureId::GETSELT):
-      return set_result(list[0], channel_.selected_tool);
-    case static_cast<int>(ProcedureId::GETEXET):
-      return set_result(list[0], channel_.tool);
-    case static_cast<int>(ProcedureId::DELT):
-      return delete_tool(list);
-    case static_cast<int>(ProcedureId::TCA):
-      return select_named_tool(list);
-    case static_cast<int>(ProcedureId::CALLPATH):
-      channel_.call_path = list.empty() ? std::string() : text(list[0].value);
-      found_calls_.clear();
-      return std::nullopt;
-    case static_cast<int>(ProcedureId::STOPRE):
-      return finish_motion(channel_);
-    case static_cast<int>(ProcedureId::FGROUP):
-      return set_feed_axes(list);
-    default:
-      return std::nullopt;  // nothing to do here: each block waits for the one before
+  switch (static_cast<ProcedureId>(op.detail)) {
+#define Done(f) return f(list)
+#define RunsText(f) return f(list)
+#define Reports(f) return set_result(list[0], f(list))
+#define Nothing() return std::nullopt
+#define PROCEDURE(name, parameters, work, form, text) \
+  case ProcedureId::name:                             \
+    work;
+#include "interpreter/dialects/sinumerik/vocabulary/procedures.def"
+#undef PROCEDURE
+#undef Nothing
+#undef Reports
+#undef RunsText
+#undef Done
   }
+  contract_violated("every procedure has a row", __FILE__, __LINE__);
 }
 
-/// The text sees the variables of the level; behind it the program goes on.
-MaybeFailure Runner::execute_text(const std::string& source) {
+/// MSG(text)
+MaybeFailure Runner::message(Arguments list) {
+  if (!list.empty()) {
+    channel_.observer.on_message(text(list[0].value) + "\n");
+  }
+  return std::nullopt;
+}
+
+MaybeFailure Runner::set_master_spindle(Arguments list) {
+  channel_.master_spindle = list.empty() ? 1.0 : number(list[0].value);
+  return std::nullopt;
+}
+
+MaybeFailure Runner::set_call_path(Arguments list) {
+  channel_.call_path = list.empty() ? std::string() : text(list[0].value);
+  found_calls_.clear();
+  return std::nullopt;
+}
+
+MaybeFailure Runner::stop_reading_ahead(Arguments /*list*/) {
+  return finish_motion(channel_);
+}
+
+/// EXECSTRING(text): it sees the variables of the level; behind it the program goes on.
+MaybeFailure Runner::execute_string(Arguments list) {
+  const std::string& source = text(list[0].value);
   if (texts_run_.size() >= kMostTexts) {
     return failure(AlarmId::TooComplex, "EXECSTRING: too many different texts");
   }

@@ -69,33 +69,37 @@ double tool_in_use(const Channel& channel, const std::string& name) {
 
 }  // namespace
 
-MaybeFailure Runner::tool_function(FunctionId id, const Op& op, Arguments list) {
-  if (id == FunctionId::GETDNO) {
-    const double given = rounded(number(list[0].value));
-    const int tool = numbered(given);
-    if (channel_.find_tool(tool) == nullptr) {
-      return failure(AlarmId::BadTNumber, fmt::format("T{:.0f}", given));
-    }
-    const int edge = numbered(rounded(number(list[1].value)));
-    number(op.result) = channel_.find_edge(tool, edge) != nullptr ? edge : 0.0;
-    return std::nullopt;
+/// GETDNO(tool, edge)
+MaybeFailure Runner::number_of_edge(const Op& op, Arguments list) {
+  const double given = rounded(number(list[0].value));
+  const int tool = numbered(given);
+  if (channel_.find_tool(tool) == nullptr) {
+    return failure(AlarmId::BadTNumber, fmt::format("T{:.0f}", given));
   }
-  if (id == FunctionId::GETACTT) {
-    const double found = tool_in_use(channel_, text(list[1].value));
-    number(op.result) = std::min(found, 0.0);
-    return found > 0.0 ? set_result(list[0], found) : std::nullopt;
-  }
-  const std::string name = text(list[0].value);
-  const bool has_duplo = list.size() > 1;
-  const double duplo = has_duplo ? rounded(number(list[1].value)) : 1.0;
-  if (id == FunctionId::NEWT) {
-    return new_tool(op, name, has_duplo ? duplo : last_duplo(channel_.tools, name) + 1.0);
-  }
-  number(op.result) = number_of_tool(channel_.tools, name, duplo);
+  const int edge = numbered(rounded(number(list[1].value)));
+  number(op.result) = channel_.find_edge(tool, edge) != nullptr ? edge : 0.0;
   return std::nullopt;
 }
 
-MaybeFailure Runner::new_tool(const Op& op, const std::string& name, double duplo) {
+/// GETACTT(variable, name)
+MaybeFailure Runner::named_tool_in_use(const Op& op, Arguments list) {
+  const double found = tool_in_use(channel_, text(list[1].value));
+  number(op.result) = std::min(found, 0.0);
+  return found > 0.0 ? set_result(list[0], found) : std::nullopt;
+}
+
+/// GETT(name, duplo)
+MaybeFailure Runner::named_tool(const Op& op, Arguments list) {
+  const double duplo = list.size() > 1 ? rounded(number(list[1].value)) : 1.0;
+  number(op.result) = number_of_tool(channel_.tools, text(list[0].value), duplo);
+  return std::nullopt;
+}
+
+/// NEWT(name, duplo)
+MaybeFailure Runner::new_tool(const Op& op, Arguments list) {
+  const std::string name = text(list[0].value);
+  const double duplo =
+      list.size() > 1 ? rounded(number(list[1].value)) : last_duplo(channel_.tools, name) + 1.0;
   const bool is_valid = !name.empty() && duplo >= 1.0 && duplo <= kMostDuplo;
   if (!is_valid || number_of_tool(channel_.tools, name, duplo) != kNoTool) {
     return failure(AlarmId::ToolExists, fmt::format("\"{}\", {:g}", name, duplo));
@@ -117,6 +121,16 @@ double Runner::tool_named(Arguments list) {
   const std::string& name = text(list[0].value);
   return list.size() > 1 ? number_of_tool(channel_.tools, name, rounded(number(list[1].value)))
                          : first_of_name(channel_.tools, name);
+}
+
+/// GETSELT(variable, spindle)
+double Runner::selected_tool(Arguments /*list*/) {
+  return channel_.selected_tool;
+}
+
+/// GETEXET(variable, spindle)
+double Runner::tool_in_spindle(Arguments /*list*/) {
+  return channel_.tool;
 }
 
 /// TCA(name, duplo, holder)

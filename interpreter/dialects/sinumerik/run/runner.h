@@ -106,26 +106,61 @@ class Runner {
   bool set_element(const Reference& target, std::int32_t element, const Argument& value);
   Arguments arguments_of(const Op& op);
 
-  // run_functions.cc
+  // run_functions.cc: the column `work` of functions.def
   MaybeFailure call_function(const Op& op);
-  MaybeFailure text_function(FunctionId id, const Op& op, Arguments list);
-  MaybeFailure search_function(FunctionId id, const Op& op, Arguments list);
-  MaybeFailure frame_function(FunctionId id, const Op& op, Arguments list);
-  MaybeFailure frame_of_pairs(FunctionId id, Frame& result, Arguments list);
-  MaybeFailure sprint_function(const Op& op, Arguments list);
+  [[nodiscard]] static std::string function_name(const Op& op);
+  MaybeFailure bounded(const Op& op, Arguments list);
+  MaybeFailure number_of_text(const Op& op, Arguments list);
+  MaybeFailure shows_number(const Op& op, Arguments list);
+  MaybeFailure length_of_text(const Op& op, Arguments list);
+  MaybeFailure part_of_text(const Op& op, Arguments list);
+  MaybeFailure upper_case(const Op& op, Arguments list);
+  MaybeFailure lower_case(const Op& op, Arguments list);
+  MaybeFailure formatted_text(const Op& op, Arguments list);
+  MaybeFailure axis_of_name(const Op& op, Arguments list);
+  MaybeFailure name_of_axis(const Op& op, Arguments list);
+  MaybeFailure is_geometry_axis(const Op& op, Arguments list);
+  MaybeFailure knows_variable(const Op& op, Arguments list);
+  MaybeFailure knows_file(const Op& op, Arguments list);
   MaybeFailure modulo_place(const Op& op, Arguments list);
-  bool is_variable(std::string_view name);
+  [[nodiscard]] bool is_variable(std::string_view name);
+  MaybeFailure take_place(const Op& op, std::size_t at);
+  MaybeFailure needs_one_character(const Op& op, Arguments list);
+  MaybeFailure first_place(const Op& op, Arguments list);
+  MaybeFailure last_place(const Op& op, Arguments list);
+  MaybeFailure first_of_set(const Op& op, Arguments list);
+  MaybeFailure place_of_part(const Op& op, Arguments list);
+
+  // run_frames.cc: those that make frames
+  MaybeFailure shift_frame(const Op& op, Arguments list);
+  MaybeFailure fine_shift_frame(const Op& op, Arguments list);
+  MaybeFailure turn_frame(const Op& op, Arguments list);
+  MaybeFailure solid_turn_frame(const Op& op, Arguments list);
+  MaybeFailure scale_frame(const Op& op, Arguments list);
+  MaybeFailure mirror_frame(const Op& op, Arguments list);
+  MaybeFailure plane_turn_frame(const Op& op, Arguments list);
+  MaybeFailure inverse_frame(const Op& op, Arguments list);
+  MaybeFailure frame_of_components(const Op& op, Arguments list, Component component);
+  struct AxisValue {
+    int axis = 0;
+    double value = 0.0;
+  };
+  Result<std::vector<AxisValue>, Failure> axis_values(const Op& op, Arguments list);
 
   // run_tools.cc
-  MaybeFailure tool_function(FunctionId id, const Op& op, Arguments list);
-  MaybeFailure new_tool(const Op& op, const std::string& name, double duplo);
+  MaybeFailure named_tool(const Op& op, Arguments list);
+  MaybeFailure new_tool(const Op& op, Arguments list);
+  MaybeFailure number_of_edge(const Op& op, Arguments list);
+  MaybeFailure named_tool_in_use(const Op& op, Arguments list);
+  double selected_tool(Arguments list);
+  double tool_in_spindle(Arguments list);
   MaybeFailure delete_tool(Arguments list);
   MaybeFailure select_named_tool(Arguments list);
   double tool_named(Arguments list);
 
   // run_geometry.cc
-  MaybeFailure circle_function(const Op& op, Arguments list);
-  MaybeFailure measured_frame(Frame& result, Arguments list);
+  MaybeFailure circle_of_points(const Op& op, Arguments list);
+  MaybeFailure measured_frame(const Op& op, Arguments list);
 
   // run_calls.cc
   MaybeFailure call(const Op& op);
@@ -153,21 +188,24 @@ class Runner {
   void save_codes(Level& into);
   void restore_codes(const Level& from);
 
-  // run_procedures.cc
+  // run_procedures.cc: the column `work` of procedures.def
   MaybeFailure procedure(const Op& op);
+  MaybeFailure set_result(const Argument& target, double value);
+  MaybeFailure message(Arguments list);
   MaybeFailure set_alarm(Arguments list);
-  MaybeFailure execute_text(const std::string& source);
+  MaybeFailure execute_string(Arguments list);
+  MaybeFailure set_master_spindle(Arguments list);
+  MaybeFailure set_call_path(Arguments list);
+  MaybeFailure stop_reading_ahead(Arguments list);
   MaybeFailure set_feed_axes(Arguments list);
 
   // run_files.cc
-  MaybeFailure file_procedure(ProcedureId id, Arguments list);
   double write_file(Arguments list);
   double delete_file(Arguments list);
   double read_file(Arguments list);
   double open_external(Arguments list);
   double write_external(Arguments list);
   double close_external(Arguments list);
-  MaybeFailure set_result(const Argument& target, double value);
 
   // run_words.cc
   MaybeFailure take_word(const Op& op);

@@ -13,7 +13,7 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr auto kFunctionRows = std::to_array<FunctionInfo>({
-#define FUNCTION(name, result, parameters, form, text) \
+#define FUNCTION(name, result, parameters, work, form, text) \
   {#name, Type::result, parameters, form, text},
 #include "interpreter/dialects/sinumerik/vocabulary/functions.def"
 #undef FUNCTION
@@ -25,40 +25,67 @@ std::optional<double> within(double limit, double value, double result) {
   return std::abs(value) <= limit ? std::optional(result) : std::nullopt;
 }
 
-std::optional<double> one_number(FunctionId id, double a) {
-  switch (static_cast<int>(id)) {
-    case static_cast<int>(FunctionId::SIN):
-      return runtime::sine_deg(a);
-    case static_cast<int>(FunctionId::COS):
-      return runtime::cosine_deg(a);
-    case static_cast<int>(FunctionId::TAN):
-      return runtime::cosine_deg(a) == 0.0
-                 ? std::nullopt
-                 : std::optional(runtime::sine_deg(a) / runtime::cosine_deg(a));
-    case static_cast<int>(FunctionId::ASIN):
-      return within(1.0, a, std::asin(a) / kRadians);
-    case static_cast<int>(FunctionId::ACOS):
-      return within(1.0, a, std::acos(a) / kRadians);
-    case static_cast<int>(FunctionId::SQRT):
-      return a < 0.0 ? std::nullopt : std::optional(std::sqrt(a));
-    case static_cast<int>(FunctionId::ABS):
-      return std::abs(a);
-    case static_cast<int>(FunctionId::POT):
-      return a * a;
-    case static_cast<int>(FunctionId::TRUNC):
-      return std::trunc(a);
-    case static_cast<int>(FunctionId::ROUND):
-      return rounded(a);
-    case static_cast<int>(FunctionId::ROUNDUP):
-      return std::ceil(a) + 0.0;  // no -0
-    case static_cast<int>(FunctionId::LN):
-      return a <= 0.0 ? std::nullopt : std::optional(std::log(a));
-    case static_cast<int>(FunctionId::EXP):
-      return std::exp(a);
-    default:
-      contract_violated("this function takes no single number", __FILE__, __LINE__);
-  }
+double sine(double degrees) {
+  return runtime::sine_deg(degrees);
 }
+double cosine(double degrees) {
+  return runtime::cosine_deg(degrees);
+}
+std::optional<double> tangent(double degrees) {
+  return cosine(degrees) == 0.0 ? std::nullopt : std::optional(sine(degrees) / cosine(degrees));
+}
+std::optional<double> arc_sine(double a) {
+  return within(1.0, a, std::asin(a) / kRadians);
+}
+std::optional<double> arc_cosine(double a) {
+  return within(1.0, a, std::acos(a) / kRadians);
+}
+double angle_of(double y, double x) {
+  return x == 0.0 && y == 0.0 ? 0.0 : std::atan2(y, x) / kRadians;
+}
+std::optional<double> square_root(double a) {
+  return a < 0.0 ? std::nullopt : std::optional(std::sqrt(a));
+}
+double magnitude(double a) {
+  return std::abs(a);
+}
+double square(double a) {
+  return a * a;
+}
+double truncated(double a) {
+  return std::trunc(a);
+}
+double rounded_up(double a) {
+  return std::ceil(a) + 0.0;  // no -0
+}
+std::optional<double> logarithm(double a) {
+  return a <= 0.0 ? std::nullopt : std::optional(std::log(a));
+}
+double exponential(double a) {
+  return std::exp(a);
+}
+double smaller(double a, double b) {
+  return std::min(a, b);
+}
+double larger(double a, double b) {
+  return std::max(a, b);
+}
+
+/// Whether the column `parameters` has as many numbers as `work` takes; 0: what a step takes is its
+/// own.
+consteval bool takes(std::string_view parameters, std::size_t numbers) {
+  return numbers == 0 || parameters == std::string_view("NN").substr(0, numbers);
+}
+#define OfOne(f) 1
+#define OfTwo(f) 2
+#define Called(f) 0
+#define FUNCTION(name, result, parameters, work, form, text) \
+  static_assert(takes(parameters, work), #name);
+#include "interpreter/dialects/sinumerik/vocabulary/functions.def"
+#undef FUNCTION
+#undef Called
+#undef OfTwo
+#undef OfOne
 
 }  // namespace
 
@@ -107,14 +134,19 @@ std::optional<double> kept_as(Type type, double value) {
 
 std::optional<double> mathematics(FunctionId id, double a, double b) {
   std::optional<double> result;
-  if (id == FunctionId::ATAN2) {
-    result = a == 0.0 && b == 0.0 ? 0.0 : std::atan2(a, b) / kRadians;
-  } else if (id == FunctionId::MINVAL) {
-    result = std::min(a, b);
-  } else if (id == FunctionId::MAXVAL) {
-    result = std::max(a, b);
-  } else {
-    result = one_number(id, a);
+  switch (id) {
+#define OfOne(f) result = f(a)
+#define OfTwo(f) result = f(a, b)
+#define Called(f) contract_violated("this function takes more than numbers", __FILE__, __LINE__)
+#define FUNCTION(name, result, parameters, work, form, text) \
+  case FunctionId::name:                                     \
+    work;                                                    \
+    break;
+#include "interpreter/dialects/sinumerik/vocabulary/functions.def"
+#undef FUNCTION
+#undef Called
+#undef OfTwo
+#undef OfOne
   }
   return result && std::isfinite(*result) ? result : std::nullopt;
 }

@@ -11,7 +11,7 @@ namespace g31::sinumerik {
 
 /// Rows of functions.def.
 enum class FunctionId : std::uint8_t {
-#define FUNCTION(name, result, parameters, form, text) name,
+#define FUNCTION(name, result, parameters, work, form, text) name,
 #include "interpreter/dialects/sinumerik/vocabulary/functions.def"
 #undef FUNCTION
 };
@@ -33,7 +33,20 @@ std::optional<FunctionId> find_function(std::string_view name);
 
 /// Functions of one or two numbers that are computed on the spot; angles in degrees.
 constexpr bool is_plain_mathematics(FunctionId id) {
-  return id < FunctionId::BOUND;
+  switch (id) {
+#define OfOne(f) true
+#define OfTwo(f) true
+#define Called(f) false
+#define FUNCTION(name, result, parameters, work, form, text) \
+  case FunctionId::name:                                     \
+    return work;
+#include "interpreter/dialects/sinumerik/vocabulary/functions.def"
+#undef FUNCTION
+#undef Called
+#undef OfTwo
+#undef OfOne
+  }
+  return false;
 }
 
 /// The value of such a function; nullopt outside its domain (SQRT(-1), LN(0), ASIN(2)).

@@ -16,7 +16,7 @@ constexpr auto kAddresses = std::to_array<AddressInfo>({
 });
 
 constexpr auto kProcedures = std::to_array<ProcedureInfo>({
-#define PROCEDURE(name, parameters, form, text) {#name, parameters, form, text},
+#define PROCEDURE(name, parameters, work, form, text) {#name, parameters, form, text},
 #include "interpreter/dialects/sinumerik/vocabulary/procedures.def"
 #undef PROCEDURE
 });

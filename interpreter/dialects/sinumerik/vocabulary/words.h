@@ -90,10 +90,30 @@ inline constexpr int kSpindleAxis = kAxisCount;
 
 /// Rows of procedures.def.
 enum class ProcedureId : std::uint8_t {
-#define PROCEDURE(name, parameters, form, text) name,
+#define PROCEDURE(name, parameters, work, form, text) name,
 #include "interpreter/dialects/sinumerik/vocabulary/procedures.def"
 #undef PROCEDURE
 };
+
+/// Whether what a procedure runs may jump and call.
+constexpr bool runs_text(ProcedureId id) {
+  switch (id) {
+#define Done(f) false
+#define RunsText(f) true
+#define Reports(f) false
+#define Nothing() false
+#define PROCEDURE(name, parameters, work, form, text) \
+  case ProcedureId::name:                             \
+    return work;
+#include "interpreter/dialects/sinumerik/vocabulary/procedures.def"
+#undef PROCEDURE
+#undef Nothing
+#undef Reports
+#undef RunsText
+#undef Done
+  }
+  return false;
+}
 
 struct ProcedureInfo {
   std::string_view name;
