@@ -1,66 +1,117 @@
-#include <fmt/format.h>
+#include <type_traits>
 
 #include "interpreter/dialects/sinumerik/run/runner.h"
 #include "interpreter/dialects/sinumerik/system/system.h"
+#include "machine/base/contract.h"
 
 namespace g31::sinumerik {
 namespace {
 
-SystemAccess access_of(SystemId id, int parameter) {
-  SystemAccess access;
-  access.id = id;
-  access.parameter = parameter;
-  return access;
+template <typename Value>
+consteval bool shows(Type type, Result<Value, Failure> (*)(Channel&, const SystemAccess&)) {
+  if constexpr (std::is_same_v<Value, double>) {
+    return is_held_as_number(type);
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    return type == Type::String;
+  } else {
+    return type == Type::Frame;
+  }
+}
+consteval bool shows(Type /*type*/, std::nullptr_t) {
+  return true;
+}
+#define Read(f) system::f
+#define Write(f, g) system::f
+#define Stored(f) system::f
+#define OfLevel(f) nullptr
+#define SYSTEM_VARIABLE(id, name, type, indices, work, text) \
+  static_assert(shows(Type::type, work), name " is of another type");
+#include "interpreter/dialects/sinumerik/vocabulary/system_variables.def"
+#undef SYSTEM_VARIABLE
+#undef OfLevel
+#undef Stored
+#undef Write
+#undef Read
+
+/// Takes axis and component from the end of a frame's indices, if they are there.
+MaybeFailure split(SystemAccess& access) {
+  const bool is_frame = system_variables()[static_cast<std::size_t>(access.id)].type == Type::Frame;
+  if (!is_frame || access.indices.size() < 2) {
+    return std::nullopt;
+  }
+  access.component = static_cast<Component>(access.indices.back());
+  access.indices.pop_back();
+  access.axis = access.indices.back();
+  access.indices.pop_back();
+  return access.axis < 0 ? std::optional(failure(AlarmId::BadAxisIndex)) : std::nullopt;
 }
 
 }  // namespace
 
-MaybeFailure Runner::read_system(const Op& op) {
-  const auto id = static_cast<SystemId>(op.a.place);
-  const SystemVariable& row = system_variables()[static_cast<std::size_t>(op.a.place)];
-  SystemAccess access = access_of(id, op.detail);
-  for (const Argument& index : arguments_of(op)) {
+Result<SystemAccess, Failure> Runner::system_access(const Op& op, Arguments indices) {
+  SystemAccess access;
+  access.id = static_cast<SystemId>(op.a.place);
+  access.parameter = op.detail;
+  for (const Argument& index : indices) {
     access.indices.push_back(static_cast<int>(number(index.value)));
   }
-  // These know the levels; the channel does not.
-  if (id == SystemId::ArgumentGiven) {
-    const auto which = static_cast<std::size_t>(access.indices[0]);
-    const auto& given = level().given;
-    number(op.result) = which >= 1 && which <= given.size() && given[which - 1] ? 1.0 : 0.0;
-    return std::nullopt;
+  if (MaybeFailure wrong = split(access)) {
+    return *wrong;
   }
-  if (id == SystemId::CallDepth) {
-    number(op.result) = static_cast<double>(depth_);
-    return std::nullopt;
+  return access;
+}
+
+MaybeFailure Runner::read_system(const Op& op) {
+  const auto found = system_access(op, arguments_of(op));
+  if (!found) {
+    return found.error();
   }
-  if (id == SystemId::ProgramName) {
-    const auto which = static_cast<std::size_t>(access.indices[0]);
-    text(op.result) = which <= depth_ ? levels_[which]->program->name : std::string();
-    return std::nullopt;
+  const SystemAccess& access = found.value();
+  switch (access.id) {
+#define Read(f) return show(op, access, system::f(channel_, access))
+#define Write(f, g) return show(op, access, system::f(channel_, access))
+#define Stored(f) return show(op, access, system::f(channel_, access))
+#define OfLevel(f) return show(op, access, f(access))
+#define SYSTEM_VARIABLE(id, name, type, indices, work, text) \
+  case SystemId::id:                                         \
+    work;
+#include "interpreter/dialects/sinumerik/vocabulary/system_variables.def"
+#undef SYSTEM_VARIABLE
+#undef OfLevel
+#undef Stored
+#undef Write
+#undef Read
   }
-  if (id == SystemId::ProgramFolder) {
-    text(op.result) = level().program->folder;
-    return std::nullopt;
+  contract_violated("every system variable has a row", __FILE__, __LINE__);
+}
+
+MaybeFailure Runner::write_system(const Op& op) {
+  const Arguments list = arguments_of(op);
+  const auto found = system_access(op, list.first(list.size() - 1));
+  if (!found) {
+    return found.error();
   }
-  if (row.type == Type::Frame) {
-    const auto found = frame_of(channel_, access);
-    if (!found) {
-      return found.error();
-    }
-    if (access.component) {
-      number(op.result) = channel_.shown_component(
-          access.axis, *access.component, found.value().component(access.axis, *access.component));
-    } else {
-      frame(op.result) = found.value();
-    }
-    return std::nullopt;
+  const SystemAccess& access = found.value();
+  switch (access.id) {
+#define Read(f) break
+#define Write(f, g) return set(access, list.back(), system::g)
+#define Stored(f) return set(access, list.back(), system::f)
+#define OfLevel(f) break
+#define SYSTEM_VARIABLE(id, name, type, indices, work, text) \
+  case SystemId::id:                                         \
+    work;
+#include "interpreter/dialects/sinumerik/vocabulary/system_variables.def"
+#undef SYSTEM_VARIABLE
+#undef OfLevel
+#undef Stored
+#undef Write
+#undef Read
   }
-  if (row.type == Type::String) {
-    const Tool* const tool = channel_.find_tool(access.indices[0]);
-    text(op.result) = tool != nullptr ? tool->name : std::string();
-    return std::nullopt;
-  }
-  const auto value = number_of(channel_, access);
+  contract_violated("what is only read is compiled to an alarm", __FILE__, __LINE__);
+}
+
+MaybeFailure Runner::show(const Op& op, const SystemAccess& /*access*/,
+                          const Result<double, Failure>& value) {
   if (!value) {
     return value.error();
   }
@@ -68,25 +119,82 @@ MaybeFailure Runner::read_system(const Op& op) {
   return std::nullopt;
 }
 
-MaybeFailure Runner::write_system(const Op& op) {
-  SystemAccess access = access_of(static_cast<SystemId>(op.a.place), op.detail);
-  const Arguments list = arguments_of(op);
-  for (const Argument& index : list.first(list.size() - 1)) {
-    access.indices.push_back(static_cast<int>(number(index.value)));
+MaybeFailure Runner::show(const Op& op, const SystemAccess& /*access*/,
+                          const Result<std::string, Failure>& value) {
+  if (!value) {
+    return value.error();
   }
-  const Argument& value = list.back();
-  if (value.type == Type::Frame) {
-    return set_frame(channel_, access, frame(value.value));
+  text(op.result) = value.value();
+  return std::nullopt;
+}
+
+MaybeFailure Runner::show(const Op& op, const SystemAccess& access,
+                          const Result<Frame, Failure>& value) {
+  if (!value) {
+    return value.error();
   }
-  if (value.type == Type::String) {
-    Tool* const tool = channel_.tool_to_write(access.indices[0]);
-    if (tool == nullptr) {
-      return failure(AlarmId::BadTNumber, fmt::format("T{}", access.indices[0]));
-    }
-    tool->name = text(value.value);
-    return std::nullopt;
+  if (access.component) {
+    number(op.result) = channel_.shown_component(
+        access.axis, *access.component, value.value().component(access.axis, *access.component));
+  } else {
+    frame(op.result) = value.value();
   }
+  return std::nullopt;
+}
+
+MaybeFailure Runner::show(const Op& op, const SystemAccess& access,
+                          const Result<Frame*, Failure>& place) {
+  return place ? show(op, access, Result<Frame, Failure>(*place.value())) : place.error();
+}
+
+MaybeFailure Runner::set(const SystemAccess& access, const Argument& value,
+                         MaybeFailure (*set_number)(Channel&, const SystemAccess&, double)) {
   return set_number(channel_, access, number(value.value));
+}
+
+MaybeFailure Runner::set(const SystemAccess& access, const Argument& value,
+                         MaybeFailure (*set_text)(Channel&, const SystemAccess&,
+                                                  const std::string&)) {
+  return set_text(channel_, access, text(value.value));
+}
+
+MaybeFailure Runner::set(const SystemAccess& access, const Argument& value,
+                         Result<Frame*, Failure> (*place_of)(Channel&, const SystemAccess&)) {
+  const auto place = place_of(channel_, access);
+  if (!place) {
+    return place.error();
+  }
+  Frame& stored = *place.value();
+  if (access.component) {
+    stored.set_component(
+        access.axis, *access.component,
+        channel_.stored_component(access.axis, *access.component, number(value.value)));
+  } else {
+    stored = frame(value.value);
+  }
+  channel_.frames_changed();
+  return std::nullopt;
+}
+
+// These know the levels; the channel does not.
+
+Result<double, Failure> Runner::argument_given(const SystemAccess& access) {
+  const auto which = static_cast<std::size_t>(access.indices[0]);
+  const auto& given = level().given;
+  return which >= 1 && which <= given.size() && given[which - 1] ? 1.0 : 0.0;
+}
+
+Result<double, Failure> Runner::call_depth(const SystemAccess& /*access*/) {
+  return static_cast<double>(depth_);
+}
+
+Result<std::string, Failure> Runner::level_name(const SystemAccess& access) {
+  const auto which = static_cast<std::size_t>(access.indices[0]);
+  return which <= depth_ ? levels_[which]->program->name : std::string();
+}
+
+Result<std::string, Failure> Runner::level_folder(const SystemAccess& /*access*/) {
+  return level().program->folder;
 }
 
 }  // namespace g31::sinumerik

@@ -18,6 +18,8 @@
 
 namespace g31::sinumerik {
 
+struct SystemAccess;
+
 /// A value as --print shows it.
 struct ShownValue {
   Type type = Type::None;
@@ -217,9 +219,25 @@ class Runner {
   bool set_word(std::size_t address, double value, Modification modification = Modification::None);
   MaybeFailure execute(const Op& op);
 
-  // run_system.cc
+  // run_system.cc: the column `work` of system_variables.def
   MaybeFailure read_system(const Op& op);
   MaybeFailure write_system(const Op& op);
+  Result<SystemAccess, Failure> system_access(const Op& op, Arguments indices);
+  MaybeFailure show(const Op& op, const SystemAccess& access, const Result<double, Failure>& value);
+  MaybeFailure show(const Op& op, const SystemAccess& access,
+                    const Result<std::string, Failure>& value);
+  MaybeFailure show(const Op& op, const SystemAccess& access, const Result<Frame, Failure>& value);
+  MaybeFailure show(const Op& op, const SystemAccess& access, const Result<Frame*, Failure>& place);
+  MaybeFailure set(const SystemAccess& access, const Argument& value,
+                   MaybeFailure (*set_number)(Channel&, const SystemAccess&, double));
+  MaybeFailure set(const SystemAccess& access, const Argument& value,
+                   MaybeFailure (*set_text)(Channel&, const SystemAccess&, const std::string&));
+  MaybeFailure set(const SystemAccess& access, const Argument& value,
+                   Result<Frame*, Failure> (*place_of)(Channel&, const SystemAccess&));
+  Result<double, Failure> argument_given(const SystemAccess& access);
+  Result<double, Failure> call_depth(const SystemAccess& access);
+  Result<std::string, Failure> level_name(const SystemAccess& access);
+  Result<std::string, Failure> level_folder(const SystemAccess& access);
 
   CallablePrograms& programs_;
   /// What EXECSTRING compiled, by program and text.

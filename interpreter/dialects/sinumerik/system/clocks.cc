@@ -1,18 +1,19 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
-#include "interpreter/dialects/sinumerik/execute/feed.h"
 #include "interpreter/dialects/sinumerik/system/system.h"
 
-namespace g31::sinumerik {
+namespace g31::sinumerik::system {
 namespace {
 
 /// The simulated clock starts at noon of this day.
 constexpr int kFirstDay = 1;
 constexpr int kNoon = 12 * 3600;
 constexpr double kSecondsPerMinute = 60.0;
-constexpr double kCounterclockwise = 4.0;
-constexpr double kStill = 5.0;
+
+std::int64_t seconds(const Channel& channel) {
+  return static_cast<std::int64_t>(channel.port.time_s()) + kNoon;
+}
 
 Result<Clocks::Timer*, Failure> timer_of(Channel& channel, const SystemAccess& access) {
   const int which = access.indices[0];
@@ -22,66 +23,94 @@ Result<Clocks::Timer*, Failure> timer_of(Channel& channel, const SystemAccess& a
   return &channel.clocks.timers[static_cast<std::size_t>(which)];
 }
 
-/// The offset of a counter that programs may set; nullptr: they may not.
-double* offset_of(Clocks& clocks, SystemId id) {
-  switch (static_cast<int>(id)) {
-    case static_cast<int>(SystemId::OperatingTime):
-      return &clocks.operating_offset;
-    case static_cast<int>(SystemId::CycleTime):
-      return &clocks.cycle_offset;
-    case static_cast<int>(SystemId::CuttingTime):
-      return &clocks.cutting_offset;
-    case static_cast<int>(SystemId::SetupTime):
-      return &clocks.setup_offset;
-    case static_cast<int>(SystemId::PowerOnTime):
-      return &clocks.power_on_offset;
-    default:
-      return nullptr;
-  }
+// What counters show as long as no program has set them.
+double running(const Channel& channel) {
+  return channel.port.time_s();
+}
+double cutting(const Channel& channel) {
+  return channel.clocks.cutting;
+}
+double minutes(const Channel& channel) {
+  return channel.port.time_s() / kSecondsPerMinute;
 }
 
-/// What a counter shows as long as nobody has set it.
-double counted(const Channel& channel, SystemId id) {
-  const double now = channel.port.time_s();
-  switch (static_cast<int>(id)) {
-    case static_cast<int>(SystemId::BlockTime):
-      return now - channel.clocks.block_began;
-    case static_cast<int>(SystemId::CuttingTime):
-      return channel.clocks.cutting;
-    case static_cast<int>(SystemId::SetupTime):
-    case static_cast<int>(SystemId::PowerOnTime):
-      return now / kSecondsPerMinute;
-    default:
-      return now;
+/// A counter that programs may set: what it counts, and what was written, less that.
+struct Counter {
+  double (*counted)(const Channel&);
+  double Clocks::*offset;
+};
+constexpr Counter kOperating = {running, &Clocks::operating_offset};
+constexpr Counter kCycle = {running, &Clocks::cycle_offset};
+constexpr Counter kCutting = {cutting, &Clocks::cutting_offset};
+constexpr Counter kSetup = {minutes, &Clocks::setup_offset};
+constexpr Counter kPowerOn = {minutes, &Clocks::power_on_offset};
+
+Number shown(Channel& channel, const Counter& counter) {
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return *wrong;
   }
+  return counter.counted(channel) + channel.clocks.*counter.offset;
+}
+
+MaybeFailure set(Channel& channel, const Counter& counter, double value) {
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return wrong;
+  }
+  channel.clocks.*counter.offset = value - counter.counted(channel);
+  return std::nullopt;
 }
 
 }  // namespace
 
-bool is_time(SystemId id) {
-  return id >= SystemId::BlockTime && id <= SystemId::PowerOnTime;
+Number day(Channel& channel, const SystemAccess& /*access*/) {
+  return static_cast<double>(kFirstDay + seconds(channel) / 86400 % 31);
 }
 
-Result<double, Failure> time_of(Channel& channel, const SystemAccess& access) {
+Number month(Channel& /*channel*/, const SystemAccess& /*access*/) {
+  return 1.0;
+}
+
+Number year(Channel& /*channel*/, const SystemAccess& /*access*/) {
+  return 0.0;  // 2000
+}
+
+Number hour(Channel& channel, const SystemAccess& /*access*/) {
+  return static_cast<double>(seconds(channel) / 3600 % 24);
+}
+
+Number minute(Channel& channel, const SystemAccess& /*access*/) {
+  return static_cast<double>(seconds(channel) / 60 % 60);
+}
+
+Number second(Channel& channel, const SystemAccess& /*access*/) {
+  return static_cast<double>(seconds(channel) % 60);
+}
+
+Number block_time(Channel& channel, const SystemAccess& /*access*/) {
   if (MaybeFailure wrong = finish_motion(channel)) {
     return *wrong;
   }
-  if (access.id == SystemId::Timer) {
-    const auto timer = timer_of(channel, access);
-    return timer ? Result<double, Failure>(timer.value()->at(channel.port.time_s()))
-                 : timer.error();
-  }
-  const double* const offset = offset_of(channel.clocks, access.id);
-  return counted(channel, access.id) + (offset != nullptr ? *offset : 0.0);
+  return running(channel) - channel.clocks.block_began;
 }
 
-MaybeFailure set_time(Channel& channel, const SystemAccess& access, double value) {
+Number net_time(Channel& channel, const SystemAccess& /*access*/) {
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return *wrong;
+  }
+  return running(channel);
+}
+
+Number timer(Channel& channel, const SystemAccess& access) {
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return *wrong;
+  }
+  const auto timer = timer_of(channel, access);
+  return timer ? Number(timer.value()->at(channel.port.time_s())) : timer.error();
+}
+
+MaybeFailure set_timer(Channel& channel, const SystemAccess& access, double value) {
   if (MaybeFailure wrong = finish_motion(channel)) {
     return wrong;
-  }
-  if (access.id != SystemId::Timer) {
-    *offset_of(channel.clocks, access.id) = value - counted(channel, access.id);
-    return std::nullopt;
   }
   const auto timer = timer_of(channel, access);
   if (!timer) {
@@ -93,43 +122,44 @@ MaybeFailure set_time(Channel& channel, const SystemAccess& access, double value
   return std::nullopt;
 }
 
-double date(const Channel& channel, SystemId id) {
-  const auto seconds = static_cast<std::int64_t>(channel.port.time_s()) + kNoon;
-  switch (static_cast<int>(id)) {
-    case static_cast<int>(SystemId::Day):
-      return static_cast<double>(kFirstDay + seconds / 86400 % 31);
-    case static_cast<int>(SystemId::Month):
-      return 1.0;
-    case static_cast<int>(SystemId::Year):
-      return 0.0;  // 2000
-    case static_cast<int>(SystemId::Hour):
-      return static_cast<double>(seconds / 3600 % 24);
-    case static_cast<int>(SystemId::Minute):
-      return static_cast<double>(seconds / 60 % 60);
-    default:
-      return static_cast<double>(seconds % 60);
-  }
+Number operating_time(Channel& channel, const SystemAccess& /*access*/) {
+  return shown(channel, kOperating);
 }
 
-bool is_of_spindle(SystemId id) {
-  return id >= SystemId::SpeedProgrammed && id <= SystemId::SpeedNow;
+MaybeFailure set_operating_time(Channel& channel, const SystemAccess& /*access*/, double value) {
+  return set(channel, kOperating, value);
 }
 
-Result<double, Failure> spindle_number_of(Channel& channel, const SystemAccess& access) {
-  const int which = access.indices[0];
-  if (which != 0 && which != 1) {
-    return failure(AlarmId::IndexOne, fmt::format("there is spindle 1, no {}", which));
-  }
-  const Spindle& spindle = channel.spindle;
-  if (access.id == SystemId::SpeedProgrammed) {
-    return cuts_at_constant_speed(channel.group[15]) ? spindle.cutting_speed : spindle.speed;
-  }
-  if (access.id != SystemId::SpeedNow) {
-    return static_cast<double>(spindle.direction);
-  }
-  const bool turns = spindle.direction > 0 && spindle.direction < kStill;
-  const double speed = turns ? spindle_speed(channel, channel.present()[kTransverseAxis]) : 0.0;
-  return spindle.direction == kCounterclockwise ? -speed : speed;
+Number cycle_time(Channel& channel, const SystemAccess& /*access*/) {
+  return shown(channel, kCycle);
 }
 
-}  // namespace g31::sinumerik
+MaybeFailure set_cycle_time(Channel& channel, const SystemAccess& /*access*/, double value) {
+  return set(channel, kCycle, value);
+}
+
+Number cutting_time(Channel& channel, const SystemAccess& /*access*/) {
+  return shown(channel, kCutting);
+}
+
+MaybeFailure set_cutting_time(Channel& channel, const SystemAccess& /*access*/, double value) {
+  return set(channel, kCutting, value);
+}
+
+Number setup_time(Channel& channel, const SystemAccess& /*access*/) {
+  return shown(channel, kSetup);
+}
+
+MaybeFailure set_setup_time(Channel& channel, const SystemAccess& /*access*/, double value) {
+  return set(channel, kSetup, value);
+}
+
+Number power_on_time(Channel& channel, const SystemAccess& /*access*/) {
+  return shown(channel, kPowerOn);
+}
+
+MaybeFailure set_power_on_time(Channel& channel, const SystemAccess& /*access*/, double value) {
+  return set(channel, kPowerOn, value);
+}
+
+}  // namespace g31::sinumerik::system

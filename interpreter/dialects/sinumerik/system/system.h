@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/state/channel.h"
@@ -18,28 +19,112 @@ struct SystemAccess {
   std::optional<Component> component;  ///< of a frame, of `axis`
 };
 
-/// The value of a variable that holds a number or an axis, in the units of the program.
-Result<double, Failure> number_of(Channel& channel, const SystemAccess& access);
-MaybeFailure set_number(Channel& channel, SystemAccess access, double value);
-
-// The parts, one a file.
-
-/// $P_TOOL.., $P_AD, $TC_..
-bool is_of_tools(SystemId id);
-Result<double, Failure> tool_number_of(Channel& channel, const SystemAccess& access);
-MaybeFailure set_tool_number(Channel& channel, SystemAccess access, double value);
-/// $AC_TIMER and its like; reading one waits for what moves.
-bool is_time(SystemId id);
-Result<double, Failure> time_of(Channel& channel, const SystemAccess& access);
-MaybeFailure set_time(Channel& channel, const SystemAccess& access, double value);
-/// Date and time of day of the simulated clock.
-double date(const Channel& channel, SystemId id);
-/// $P_S, $P_SDIR, $AA_S, $AC_SDIR
-bool is_of_spindle(SystemId id);
-Result<double, Failure> spindle_number_of(Channel& channel, const SystemAccess& access);
-
-/// A frame; the last two indices of a component become `axis` and `component` of the access.
-Result<Frame, Failure> frame_of(Channel& channel, SystemAccess& access);
-MaybeFailure set_frame(Channel& channel, SystemAccess access, const Frame& frame);
-
 }  // namespace g31::sinumerik
+
+/// What the column `work` of system_variables.def names; files by subject.  Numbers and axes are in
+/// the units of the program.
+namespace g31::sinumerik::system {
+
+using Number = Result<double, Failure>;
+using Text = Result<std::string, Failure>;
+using WholeFrame = Result<Frame, Failure>;
+using FramePlace = Result<Frame*, Failure>;
+
+// numbers.cc: what the channel simply knows
+Number zero(Channel& channel, const SystemAccess& access);
+Number tool_number(Channel& channel, const SystemAccess& access);
+Number edge_number(Channel& channel, const SystemAccess& access);
+Number additive_number(Channel& channel, const SystemAccess& access);
+Number tool_count(Channel& channel, const SystemAccess& access);
+Number channel_number(Channel& channel, const SystemAccess& access);
+Number feed(Channel& channel, const SystemAccess& access);
+Number first_axis(Channel& channel, const SystemAccess& access);
+Number second_axis(Channel& channel, const SystemAccess& access);
+Number third_axis(Channel& channel, const SystemAccess& access);
+Number geometry_axis(Channel& channel, const SystemAccess& access);
+Number settable_number(Channel& channel, const SystemAccess& access);
+Number dry_run(Channel& channel, const SystemAccess& access);
+Number modal_code(Channel& channel, const SystemAccess& access);
+Number master_spindle(Channel& channel, const SystemAccess& access);
+Number speed_programmed(Channel& channel, const SystemAccess& access);
+Number speed_now(Channel& channel, const SystemAccess& access);
+Number spindle_turn(Channel& channel, const SystemAccess& access);
+Number probe_signal(Channel& channel, const SystemAccess& access);
+Number probe_switched(Channel& channel, const SystemAccess& access);
+Number digital_input(Channel& channel, const SystemAccess& access);
+MaybeFailure set_digital_input(Channel& channel, const SystemAccess& access, double value);
+
+// positions.cc: present positions wait for what moves
+Number block_end(Channel& channel, const SystemAccess& access);
+Number machine_now(Channel& channel, const SystemAccess& access);
+Number work_now(Channel& channel, const SystemAccess& access);
+Number basic_zero_now(Channel& channel, const SystemAccess& access);
+Number settable_now(Channel& channel, const SystemAccess& access);
+Number machine_measured(Channel& channel, const SystemAccess& access);
+Number work_measured(Channel& channel, const SystemAccess& access);
+Number axis_measures(Channel& channel, const SystemAccess& access);
+Number reference_point(Channel& channel, const SystemAccess& access);
+MaybeFailure set_reference_point(Channel& channel, const SystemAccess& access, double value);
+Number fixed_point(Channel& channel, const SystemAccess& access);
+MaybeFailure set_fixed_point(Channel& channel, const SystemAccess& access, double value);
+
+// clocks.cc: all but the date wait for what moves
+Number day(Channel& channel, const SystemAccess& access);
+Number month(Channel& channel, const SystemAccess& access);
+Number year(Channel& channel, const SystemAccess& access);
+Number hour(Channel& channel, const SystemAccess& access);
+Number minute(Channel& channel, const SystemAccess& access);
+Number second(Channel& channel, const SystemAccess& access);
+Number block_time(Channel& channel, const SystemAccess& access);
+Number net_time(Channel& channel, const SystemAccess& access);
+Number timer(Channel& channel, const SystemAccess& access);
+MaybeFailure set_timer(Channel& channel, const SystemAccess& access, double value);
+Number operating_time(Channel& channel, const SystemAccess& access);
+MaybeFailure set_operating_time(Channel& channel, const SystemAccess& access, double value);
+Number cycle_time(Channel& channel, const SystemAccess& access);
+MaybeFailure set_cycle_time(Channel& channel, const SystemAccess& access, double value);
+Number cutting_time(Channel& channel, const SystemAccess& access);
+MaybeFailure set_cutting_time(Channel& channel, const SystemAccess& access, double value);
+Number setup_time(Channel& channel, const SystemAccess& access);
+MaybeFailure set_setup_time(Channel& channel, const SystemAccess& access, double value);
+Number power_on_time(Channel& channel, const SystemAccess& access);
+MaybeFailure set_power_on_time(Channel& channel, const SystemAccess& access, double value);
+
+// tools.cc
+Number tool_radius(Channel& channel, const SystemAccess& access);
+Number tool_length(Channel& channel, const SystemAccess& access);
+Number active_edge_datum(Channel& channel, const SystemAccess& access);
+MaybeFailure set_active_edge_datum(Channel& channel, const SystemAccess& access, double value);
+Number tool_exists(Channel& channel, const SystemAccess& access);
+Number tool_at(Channel& channel, const SystemAccess& access);
+Number edge_count(Channel& channel, const SystemAccess& access);
+Number edge_at(Channel& channel, const SystemAccess& access);
+Number edge_parameter(Channel& channel, const SystemAccess& access);
+MaybeFailure set_edge_parameter(Channel& channel, const SystemAccess& access, double value);
+Number edge_teeth(Channel& channel, const SystemAccess& access);
+MaybeFailure set_edge_teeth(Channel& channel, const SystemAccess& access, double value);
+Number datum_of_edge(Channel& channel, const SystemAccess& access);
+MaybeFailure set_datum_of_edge(Channel& channel, const SystemAccess& access, double value);
+Number datum_of_tool(Channel& channel, const SystemAccess& access);
+MaybeFailure set_datum_of_tool(Channel& channel, const SystemAccess& access, double value);
+Number tool_duplo(Channel& channel, const SystemAccess& access);
+MaybeFailure set_tool_duplo(Channel& channel, const SystemAccess& access, double value);
+Number tool_state(Channel& channel, const SystemAccess& access);
+MaybeFailure set_tool_state(Channel& channel, const SystemAccess& access, double value);
+Text tool_name(Channel& channel, const SystemAccess& access);
+MaybeFailure set_tool_name(Channel& channel, const SystemAccess& access, const std::string& name);
+
+// frames.cc
+FramePlace settable_frames(Channel& channel, const SystemAccess& access);
+FramePlace stored_bases(Channel& channel, const SystemAccess& access);
+FramePlace stored_base(Channel& channel, const SystemAccess& access);
+FramePlace bases(Channel& channel, const SystemAccess& access);
+FramePlace base(Channel& channel, const SystemAccess& access);
+FramePlace settable_frame(Channel& channel, const SystemAccess& access);
+FramePlace program_frame(Channel& channel, const SystemAccess& access);
+FramePlace set_frame(Channel& channel, const SystemAccess& access);
+FramePlace stored_set_frame(Channel& channel, const SystemAccess& access);
+WholeFrame active_base(Channel& channel, const SystemAccess& access);
+WholeFrame active_frame(Channel& channel, const SystemAccess& access);
+
+}  // namespace g31::sinumerik::system

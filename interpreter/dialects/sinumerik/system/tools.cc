@@ -4,37 +4,26 @@
 
 #include "interpreter/dialects/sinumerik/system/system.h"
 
-namespace g31::sinumerik {
+namespace g31::sinumerik::system {
 namespace {
 
+Failure no_edge(int tool, int edge) {
+  return failure(AlarmId::NoToolEdge, fmt::format("T{}, D{}", tool, edge));
+}
+
 Failure no_edge(const SystemAccess& access) {
-  return failure(AlarmId::NoToolEdge,
-                 fmt::format("T{}, D{}", access.indices[0], access.indices[1]));
+  return no_edge(access.indices[0], access.indices[1]);
 }
 
-Failure no_tool(const SystemAccess& access) {
-  return failure(AlarmId::BadTNumber, fmt::format("T{}", access.indices[0]));
+Failure no_tool(int tool) {
+  return failure(AlarmId::BadTNumber, fmt::format("T{}", tool));
 }
 
-/// Of the active edge.
-Result<double, Failure> active_edge_value(const Channel& channel, const SystemAccess& access) {
-  const EdgeData* const edge = channel.active_edge();
-  if (access.id == SystemId::ToolRadius) {
-    return channel.tool_radius();
-  }
-  const int which = access.indices[0];
-  if (access.id == SystemId::ToolLength) {
-    if (which < 1 || which > 3) {
-      return failure(AlarmId::IndexOne, fmt::format("$P_TOOLL[{}]", which));
-    }
-    const Plane plane = channel.plane();
-    const int axes[] = {plane.normal, plane.second, plane.first};
-    return channel.tool_offset()[axes[which - 1]];
-  }
-  if (which < 1 || which >= static_cast<int>(EdgeData().size())) {
-    return failure(AlarmId::IndexOne, fmt::format("$P_AD[{}]", which));
-  }
-  return edge != nullptr ? (*edge)[static_cast<std::size_t>(which)] : 0.0;
+/// $P_AD[n]: there are the parameters 1 to 25.
+MaybeFailure no_parameter(int which) {
+  return which >= 1 && which < static_cast<int>(EdgeData().size())
+             ? std::nullopt
+             : std::optional(failure(AlarmId::IndexOne, fmt::format("$P_AD[{}]", which)));
 }
 
 /// The number of the i-th row of a map, i from 1; 0: it has not so many.
@@ -44,120 +33,200 @@ double number_at(const Map& rows, int which) {
   return is_there ? static_cast<double>(std::next(rows.begin(), which - 1)->first) : 0.0;
 }
 
-/// $P_TOOLEXIST and the lists of tools and edges.
-double list_value(Channel& channel, const SystemAccess& access) {
-  const int which = access.indices[0];
-  const Tool* const tool = channel.find_tool(which);
-  switch (static_cast<int>(access.id)) {
-    case static_cast<int>(SystemId::ToolExists):
-      return tool != nullptr ? 1.0 : 0.0;
-    case static_cast<int>(SystemId::ToolMagazine):
-    case static_cast<int>(SystemId::ToolPlace):
-      return 0.0;
-    case static_cast<int>(SystemId::ToolAt):
-      return number_at(channel.tools, which);
-    case static_cast<int>(SystemId::EdgeCount):
-      return tool != nullptr ? static_cast<double>(tool->edges.size()) : 0.0;
-    default:
-      return tool != nullptr ? number_at(tool->edges, access.indices[1]) : 0.0;
-  }
+Tool::Datum datum_of(const SystemAccess& access, int edge) {
+  return {access.id, edge, access.parameter};
 }
 
-bool is_kept_of_edge(SystemId id) {
-  return id >= SystemId::AdditiveParameter && id <= SystemId::EdgeLife;
-}
-bool needs_edge(SystemId id) {
-  return is_kept_of_edge(id) || id == SystemId::EdgeTeeth;
-}
-bool is_kept(SystemId id) {
-  return id >= SystemId::AdditiveParameter && id <= SystemId::ToolDatum;
+using FoundTool = Result<Tool*, Failure>;
+
+/// The tool of the first index.
+FoundTool tool_of(Channel& channel, const SystemAccess& access) {
+  Tool* const tool = channel.find_tool(access.indices[0]);
+  return tool != nullptr ? FoundTool(tool) : no_tool(access.indices[0]);
 }
 
-Tool::Datum datum_of(const SystemAccess& access) {
-  return {access.id, is_kept_of_edge(access.id) ? access.indices[1] : 0, access.parameter};
+FoundTool tool_to_write(Channel& channel, const SystemAccess& access) {
+  Tool* const tool = channel.tool_to_write(access.indices[0]);
+  return tool != nullptr ? FoundTool(tool) : no_tool(access.indices[0]);
 }
 
-/// What is wrong with the tool or edge that a $TC_ variable names.
-MaybeFailure missing(Channel& channel, const SystemAccess& access) {
-  const Tool* const tool = channel.find_tool(access.indices[0]);
-  if (tool == nullptr) {
-    return no_tool(access);
-  }
-  return needs_edge(access.id) && !tool->edges.contains(access.indices[1])
-             ? std::optional(no_edge(access))
-             : std::nullopt;
+/// A tool that has the edge of the second index.
+FoundTool with_edge(FoundTool tool, const SystemAccess& access) {
+  return tool && !tool.value()->edges.contains(access.indices[1]) ? no_edge(access) : tool;
 }
 
-/// $TC_..
-Result<double, Failure> tool_value(Channel& channel, const SystemAccess& access) {
-  if (access.id == SystemId::EdgeParameter) {
-    const EdgeData* const edge = channel.find_edge(access.indices[0], access.indices[1]);
-    return edge != nullptr
-               ? Result<double, Failure>((*edge)[static_cast<std::size_t>(access.parameter)])
-               : no_edge(access);
+/// Writing to an edge that is not there makes it.
+MaybeFailure write_edge(Channel& channel, const SystemAccess& access, double value) {
+  if (access.indices[1] < 1) {
+    return no_edge(access);
   }
-  if (MaybeFailure wrong = missing(channel, access)) {
-    return *wrong;
+  const FoundTool tool = tool_to_write(channel, access);
+  if (!tool) {
+    return tool.error();
   }
-  const Tool& tool = *channel.find_tool(access.indices[0]);
-  if (access.id == SystemId::EdgeTeeth) {
-    const auto teeth = tool.teeth.find(access.indices[1]);
-    return teeth != tool.teeth.end() ? teeth->second : 0.0;
+  tool.value()->edges[access.indices[1]][static_cast<std::size_t>(access.parameter)] = value;
+  return std::nullopt;
+}
+
+Number value_of(Channel& channel, const SystemAccess& access, double Tool::*datum) {
+  const FoundTool tool = tool_of(channel, access);
+  return tool ? Number(tool.value()->*datum) : tool.error();
+}
+
+MaybeFailure set_value(Channel& channel, const SystemAccess& access, double Tool::*datum,
+                       double value) {
+  const FoundTool tool = tool_to_write(channel, access);
+  if (!tool) {
+    return tool.error();
   }
-  return is_kept(access.id)                 ? tool.datum(datum_of(access))
-         : access.id == SystemId::ToolDuplo ? tool.duplo
-                                            : tool.state;
+  tool.value()->*datum = value;
+  return std::nullopt;
 }
 
 }  // namespace
 
-bool is_of_tools(SystemId id) {
-  return (id >= SystemId::ToolRadius && id <= SystemId::ActiveEdgeData) ||
-         id == SystemId::ToolExists || (id >= SystemId::ToolAt && id <= SystemId::ToolPlace) ||
-         (id >= SystemId::EdgeParameter && id <= SystemId::ToolState);
+Number tool_radius(Channel& channel, const SystemAccess& /*access*/) {
+  return channel.tool_radius();
 }
 
-Result<double, Failure> tool_number_of(Channel& channel, const SystemAccess& access) {
-  if (access.id <= SystemId::ActiveEdgeData) {
-    return active_edge_value(channel, access);
+Number tool_length(Channel& channel, const SystemAccess& access) {
+  const int which = access.indices[0];
+  if (which < 1 || which > 3) {
+    return failure(AlarmId::IndexOne, fmt::format("$P_TOOLL[{}]", which));
   }
-  return access.id <= SystemId::ToolPlace ? Result<double, Failure>(list_value(channel, access))
-                                          : tool_value(channel, access);
+  const Plane plane = channel.plane();
+  const int axes[] = {plane.normal, plane.second, plane.first};
+  return channel.tool_offset()[axes[which - 1]];
 }
 
-MaybeFailure set_tool_number(Channel& channel, SystemAccess access, double value) {
-  if (access.id == SystemId::ActiveEdgeData) {
-    access.parameter = access.indices[0];
-    access.indices = {channel.tool, channel.edge};
-    access.id = SystemId::EdgeParameter;
-    if (access.parameter < 1 || access.parameter >= static_cast<int>(EdgeData().size())) {
-      return failure(AlarmId::IndexOne, fmt::format("$P_AD[{}]", access.parameter));
-    }
-    if (!channel.edge_now) {
-      return no_edge(access);
-    }
-    (*channel.edge_now)[static_cast<std::size_t>(access.parameter)] = value;
-    channel.frames_changed();
+Number active_edge_datum(Channel& channel, const SystemAccess& access) {
+  const int which = access.indices[0];
+  if (MaybeFailure wrong = no_parameter(which)) {
+    return *wrong;
   }
-  if (access.id == SystemId::EdgeParameter && access.indices[1] < 1) {
-    return no_edge(access);
-  }
-  Tool* const known = channel.tool_to_write(access.indices[0]);
-  if (MaybeFailure wrong = missing(channel, access)) {
+  const EdgeData* const edge = channel.active_edge();
+  return edge != nullptr ? (*edge)[static_cast<std::size_t>(which)] : 0.0;
+}
+
+MaybeFailure set_active_edge_datum(Channel& channel, const SystemAccess& access, double value) {
+  const int which = access.indices[0];
+  if (MaybeFailure wrong = no_parameter(which)) {
     return wrong;
   }
-  Tool& tool = *known;
-  if (access.id == SystemId::EdgeParameter) {
-    // Writing to an edge that is not there makes it.
-    tool.edges[access.indices[1]][static_cast<std::size_t>(access.parameter)] = value;
-  } else if (is_kept(access.id)) {
-    tool.more[datum_of(access)] = value;
-  } else if (access.id == SystemId::EdgeTeeth) {
-    tool.teeth[access.indices[1]] = value;
-  } else {
-    (access.id == SystemId::ToolDuplo ? tool.duplo : tool.state) = value;
+  if (!channel.edge_now) {
+    return no_edge(channel.tool, channel.edge);
   }
+  (*channel.edge_now)[static_cast<std::size_t>(which)] = value;
+  channel.frames_changed();
+  SystemAccess edge = access;
+  edge.parameter = which;
+  edge.indices = {channel.tool, channel.edge};
+  return write_edge(channel, edge, value);
+}
+
+Number tool_exists(Channel& channel, const SystemAccess& access) {
+  return channel.find_tool(access.indices[0]) != nullptr ? 1.0 : 0.0;
+}
+
+Number tool_at(Channel& channel, const SystemAccess& access) {
+  return number_at(channel.tools, access.indices[0]);
+}
+
+Number edge_count(Channel& channel, const SystemAccess& access) {
+  const Tool* const tool = channel.find_tool(access.indices[0]);
+  return tool != nullptr ? static_cast<double>(tool->edges.size()) : 0.0;
+}
+
+Number edge_at(Channel& channel, const SystemAccess& access) {
+  const Tool* const tool = channel.find_tool(access.indices[0]);
+  return tool != nullptr ? number_at(tool->edges, access.indices[1]) : 0.0;
+}
+
+Number edge_parameter(Channel& channel, const SystemAccess& access) {
+  const EdgeData* const edge = channel.find_edge(access.indices[0], access.indices[1]);
+  return edge != nullptr ? Number((*edge)[static_cast<std::size_t>(access.parameter)])
+                         : no_edge(access);
+}
+
+MaybeFailure set_edge_parameter(Channel& channel, const SystemAccess& access, double value) {
+  return write_edge(channel, access, value);
+}
+
+Number edge_teeth(Channel& channel, const SystemAccess& access) {
+  const FoundTool tool = with_edge(tool_of(channel, access), access);
+  if (!tool) {
+    return tool.error();
+  }
+  const auto teeth = tool.value()->teeth.find(access.indices[1]);
+  return teeth != tool.value()->teeth.end() ? teeth->second : 0.0;
+}
+
+MaybeFailure set_edge_teeth(Channel& channel, const SystemAccess& access, double value) {
+  const FoundTool tool = with_edge(tool_to_write(channel, access), access);
+  if (!tool) {
+    return tool.error();
+  }
+  tool.value()->teeth[access.indices[1]] = value;
   return std::nullopt;
 }
 
-}  // namespace g31::sinumerik
+Number datum_of_edge(Channel& channel, const SystemAccess& access) {
+  const FoundTool tool = with_edge(tool_of(channel, access), access);
+  return tool ? Number(tool.value()->datum(datum_of(access, access.indices[1]))) : tool.error();
+}
+
+MaybeFailure set_datum_of_edge(Channel& channel, const SystemAccess& access, double value) {
+  const FoundTool tool = with_edge(tool_to_write(channel, access), access);
+  if (!tool) {
+    return tool.error();
+  }
+  tool.value()->more[datum_of(access, access.indices[1])] = value;
+  return std::nullopt;
+}
+
+Number datum_of_tool(Channel& channel, const SystemAccess& access) {
+  const FoundTool tool = tool_of(channel, access);
+  return tool ? Number(tool.value()->datum(datum_of(access, 0))) : tool.error();
+}
+
+MaybeFailure set_datum_of_tool(Channel& channel, const SystemAccess& access, double value) {
+  const FoundTool tool = tool_to_write(channel, access);
+  if (!tool) {
+    return tool.error();
+  }
+  tool.value()->more[datum_of(access, 0)] = value;
+  return std::nullopt;
+}
+
+Number tool_duplo(Channel& channel, const SystemAccess& access) {
+  return value_of(channel, access, &Tool::duplo);
+}
+
+MaybeFailure set_tool_duplo(Channel& channel, const SystemAccess& access, double value) {
+  return set_value(channel, access, &Tool::duplo, value);
+}
+
+Number tool_state(Channel& channel, const SystemAccess& access) {
+  return value_of(channel, access, &Tool::state);
+}
+
+MaybeFailure set_tool_state(Channel& channel, const SystemAccess& access, double value) {
+  return set_value(channel, access, &Tool::state, value);
+}
+
+/// A tool that is not there has no name.
+Text tool_name(Channel& channel, const SystemAccess& access) {
+  const Tool* const tool = channel.find_tool(access.indices[0]);
+  return tool != nullptr ? tool->name : std::string();
+}
+
+MaybeFailure set_tool_name(Channel& channel, const SystemAccess& access, const std::string& name) {
+  const FoundTool tool = tool_to_write(channel, access);
+  if (!tool) {
+    return tool.error();
+  }
+  tool.value()->name = name;
+  return std::nullopt;
+}
+
+}  // namespace g31::sinumerik::system

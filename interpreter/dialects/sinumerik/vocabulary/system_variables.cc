@@ -10,10 +10,18 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr auto kSystemVariableRows = std::to_array<SystemVariable>({
-#define SYSTEM_VARIABLE(id, name, type, indices, access, text) \
-  {SystemId::id, name, Type::type, indices, Access::access, text},
+#define Read(f) Access::Read
+#define Write(f, g) Access::Write
+#define Stored(f) Access::Write
+#define OfLevel(f) Access::Read
+#define SYSTEM_VARIABLE(id, name, type, indices, work, text) \
+  {SystemId::id, name, Type::type, indices, work, text},
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.def"
 #undef SYSTEM_VARIABLE
+#undef OfLevel
+#undef Stored
+#undef Write
+#undef Read
 });
 
 /// Rows whose name is followed by a number: from where to where.

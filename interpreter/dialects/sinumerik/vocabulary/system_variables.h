@@ -11,7 +11,7 @@ namespace g31::sinumerik {
 
 /// Rows of system_variables.def.
 enum class SystemId : std::uint8_t {
-#define SYSTEM_VARIABLE(id, name, type, indices, access, text) id,
+#define SYSTEM_VARIABLE(id, name, type, indices, work, text) id,
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.def"
 #undef SYSTEM_VARIABLE
 };

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/system/system.h"
+
+namespace g31::sinumerik::system {
+namespace {
+
+Number axis_value(const Channel& channel, const SystemAccess& access, const AxisPositions& q) {
+  const int axis = access.indices[0];
+  if (axis < 0) {
+    return failure(AlarmId::BadAxisIndex);
+  }
+  return channel.shown(axis, q[axis]);
+}
+
+/// In work coordinates, where DIAMON counts.
+Number place_value(const Channel& channel, const SystemAccess& access, const AxisPositions& q_W) {
+  const int axis = access.indices[0];
+  if (axis < 0) {
+    return failure(AlarmId::BadAxisIndex);
+  }
+  return channel.shown_place(axis, q_W[axis]);
+}
+
+/// The present position within some of the frames.
+AxisPositions within(const Channel& channel, const Frame& frame) {
+  return frame.undo(channel.port.position() - channel.tool_offset());
+}
+
+/// A point of the machine's builder; its first index is below `count`, its second one an axis.
+Result<double*, Failure> machine_point(std::span<AxisPositions> points,
+                                       const SystemAccess& access) {
+  const int which = access.indices[0];
+  const int axis = access.indices[1];
+  if (axis < 0) {
+    return failure(AlarmId::BadAxisIndex);
+  }
+  if (which < 0 || which >= static_cast<int>(points.size())) {
+    return failure(AlarmId::IndexOne, fmt::format("point {}", which));
+  }
+  return &points[static_cast<std::size_t>(which)][axis];
+}
+
+Number point_value(const Channel& channel, std::span<AxisPositions> points,
+                   const SystemAccess& access) {
+  const auto place = machine_point(points, access);
+  return place ? Number(channel.shown(access.indices[1], *place.value())) : place.error();
+}
+
+MaybeFailure set_point(const Channel& channel, std::span<AxisPositions> points,
+                       const SystemAccess& access, double value) {
+  const auto place = machine_point(points, access);
+  if (!place) {
+    return place.error();
+  }
+  *place.value() = channel.stored(access.indices[1], value);
+  return std::nullopt;
+}
+
+std::span<AxisPositions> reference_points(Channel& channel) {
+  return {&channel.points.q_M_reference, 1};
+}
+
+}  // namespace
+
+Number block_end(Channel& channel, const SystemAccess& access) {
+  return place_value(channel, access, channel.programmed());
+}
+
+Number machine_now(Channel& channel, const SystemAccess& access) {
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return *wrong;
+  }
+  return axis_value(channel, access, channel.port.position());
+}
+
+Number work_now(Channel& channel, const SystemAccess& access) {
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return *wrong;
+  }
+  return place_value(channel, access, channel.to_work(channel.port.position()));
+}
+
+Number basic_zero_now(Channel& channel, const SystemAccess& access) {
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return *wrong;
+  }
+  return place_value(channel, access, within(channel, channel.set_frame.chained(channel.base)));
+}
+
+Number settable_now(Channel& channel, const SystemAccess& access) {
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return *wrong;
+  }
+  return place_value(channel, access, within(channel, channel.frames_below()));
+}
+
+Number machine_measured(Channel& channel, const SystemAccess& access) {
+  return axis_value(channel, access, channel.q_M_measured);
+}
+
+Number work_measured(Channel& channel, const SystemAccess& access) {
+  return place_value(channel, access, channel.q_W_measured);
+}
+
+Number axis_measures(Channel& /*channel*/, const SystemAccess& access) {
+  return access.indices[0] < 0 ? Number(failure(AlarmId::BadAxisIndex)) : 0.0;
+}
+
+Number reference_point(Channel& channel, const SystemAccess& access) {
+  return point_value(channel, reference_points(channel), access);
+}
+
+MaybeFailure set_reference_point(Channel& channel, const SystemAccess& access, double value) {
+  return set_point(channel, reference_points(channel), access, value);
+}
+
+Number fixed_point(Channel& channel, const SystemAccess& access) {
+  return point_value(channel, channel.points.q_M_fixed, access);
+}
+
+MaybeFailure set_fixed_point(Channel& channel, const SystemAccess& access, double value) {
+  return set_point(channel, channel.points.q_M_fixed, access, value);
+}
+
+}  // namespace g31::sinumerik::system
