@@ -1,0 +1,77 @@
+#include "interpreter/dialects/fanuc/code/exits.h"
+
+namespace g31::fanuc {
+namespace {
+
+using syntax::BlockKind;
+using syntax::Index;
+using syntax::kNone;
+
+void add_exit(StepExits& exits, Index step) {
+  exits.listed.at(exits.count++) = step;
+}
+
+/// What the words of an NC block end.
+void follow_words(const CompiledProgram& program, Index step, StepExits& exits) {
+  const syntax::Block& block = program.tree->blocks[program.steps[step].block];
+  bool names_target = false;
+  bool may_be_skipped = false;
+  for (Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
+    const syntax::Word& word = program.tree->words[i];
+    may_be_skipped |= word.letter == '/';
+    exits.ends |= !may_be_skipped && word.letter == 'M' &&
+                  word.form == syntax::ValueForm::Integer &&
+                  (word.number == 99.0 || word.number == 30.0 || word.number == 2.0);
+    names_target |= word.letter == 'P';
+  }
+  if (!exits.ends) {
+    add_exit(exits, step + 1);
+  } else {
+    exits.any_label = names_target;  // M99 P in a main program goes on at any block of it
+  }
+}
+
+}  // namespace
+
+StepExits exits_of(const CompiledProgram& program, Index index) {
+  const Step& step = program.steps[index];
+  StepExits exits;
+  if (step.skip_switch != 0) {
+    add_exit(exits, index + 1);
+  }
+  switch (step.kind) {
+    case BlockKind::Goto:
+    case BlockKind::IfGoto:
+      exits.any_label = step.jump == kNone;
+      if (!exits.any_label) {
+        add_exit(exits, step.jump);
+      }
+      if (step.kind == BlockKind::IfGoto) {
+        add_exit(exits, index + 1);
+      }
+      break;
+    case BlockKind::IfThen:
+    case BlockKind::While:
+      add_exit(exits, step.jump);
+      add_exit(exits, index + 1);
+      break;
+    case BlockKind::End:
+      add_exit(exits, step.jump);
+      break;
+    case BlockKind::Nc:
+      follow_words(program, index, exits);
+      break;
+    case BlockKind::Bad:
+      break;
+    case BlockKind::Empty:
+    case BlockKind::Assign:
+    case BlockKind::Do:
+    case BlockKind::Output:
+    case BlockKind::SetNames:
+      add_exit(exits, index + 1);
+      break;
+  }
+  return exits;
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "interpreter/dialects/fanuc/code/compile.h"
+
+namespace g31::fanuc {
+
+/// Where a program can go on behind one of its steps.
+struct StepExits {
+  std::array<syntax::Index, 3> listed = {};
+  std::size_t count = 0;   ///< of `listed`
+  bool any_label = false;  ///< any block with a sequence number: the target is known when running
+  bool ends = false;       ///< M02, M30, M99: nothing behind the step follows
+
+  /// Steps; one behind the last step is the end of the text.
+  [[nodiscard]] std::span<const syntax::Index> steps() const { return {listed.data(), count}; }
+};
+
+/// All ways that the program itself shows.  A jump whose target is computed, or is not there, may
+/// go to any label; an alarm is no way.
+StepExits exits_of(const CompiledProgram& program, syntax::Index step);
+
+}  // namespace g31::fanuc
