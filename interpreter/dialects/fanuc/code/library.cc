@@ -110,8 +110,22 @@ const CompiledProgram* ProgramLibrary::main_program() {
 }
 
 const source::SourceFile* ProgramLibrary::main_text() {
-  const File* const loaded = main_path_.empty() ? nullptr : load(main_path_);
+  return main_path_.empty() ? nullptr : text_of(main_path_);
+}
+
+const source::SourceFile* ProgramLibrary::text_of(const std::string& path) {
+  const File* const loaded = load(path);
   return loaded != nullptr ? loaded->source.get() : nullptr;
+}
+
+std::vector<const CompiledProgram*> ProgramLibrary::programs_of(const std::string& path) {
+  std::vector<const CompiledProgram*> all;
+  if (File* const file = load(path)) {
+    for (std::size_t i = 0; i < file->tree.programs.size(); ++i) {
+      all.push_back(compiled(*file, i));
+    }
+  }
+  return all;
 }
 
 const CompiledProgram* ProgramLibrary::whole_main() {

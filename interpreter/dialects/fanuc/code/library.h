@@ -44,6 +44,12 @@ class ProgramLibrary {
   /// The first program of the first file that has blocks or a number; nullptr when there is none.
   const CompiledProgram* main_program();
 
+  /// The text of a file as the control reads it; nullptr: it cannot be read.
+  const source::SourceFile* text_of(const std::string& path);
+
+  /// All programs of a file, compiled whole; none of one that cannot be read.
+  std::vector<const CompiledProgram*> programs_of(const std::string& path);
+
   /// Where a program goes on behind its last step: in its next window, or, when windows end here,
   /// in the whole program; nullopt: nowhere.
   std::optional<ProgramPlace> behind(const CompiledProgram& program);

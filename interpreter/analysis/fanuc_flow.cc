@@ -1,0 +1,255 @@
+#include "interpreter/analysis/fanuc_flow.h"
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "interpreter/analysis/flow_builder.h"
+#include "interpreter/dialects/fanuc/code/exits.h"
+
+namespace g31::analysis {
+namespace {
+
+using syntax::BlockKind;
+using syntax::Index;
+using syntax::ValueForm;
+using syntax::Word;
+
+constexpr std::int32_t kMacroAlarm = 3000;  // #3000
+
+std::string name_of(const fanuc::CompiledProgram& program) {
+  return program.number == 0 ? std::string() : fmt::format("O{:04}", program.number);
+}
+
+/// In messages.
+std::string shown_name(const fanuc::CompiledProgram& program) {
+  return program.number == 0 ? std::string("the program") : name_of(program);
+}
+
+class FanucTranslation {
+ public:
+  using AlarmId = fanuc::AlarmId;
+  using Bank = fanuc::Bank;
+  using OpCode = fanuc::OpCode;
+  using Step = fanuc::Step;
+
+  FanucTranslation(const fanuc::CompiledProgram& program, const fanuc::Profile& profile)
+      : program_(program), profile_(profile), builder_(name_of(program), *program.file) {}
+
+  Flow run() {
+    for (Index i = 0; i < program_.steps.size(); ++i) {
+      step(i);
+    }
+    return builder_.finish();
+  }
+
+ private:
+  void step(Index index);
+  void follow(Index index);
+  void nc_words(const syntax::Block& block);
+  void call(const syntax::Block& block, const Word& code);
+  void constant_jump(const Step& step, Index index, double sequence);
+  void stop(Fault fault);
+  [[nodiscard]] Fault fault_of(AlarmId id, syntax::ShortSpan where,
+                               const std::string& detail) const;
+  [[nodiscard]] std::optional<double> constant(fanuc::Operand operand) const;
+  [[nodiscard]] std::optional<double> constant_value(Index code) const;
+  [[nodiscard]] std::optional<bool> constant_condition(const Step& step) const;
+  [[nodiscard]] const Word* last_word(const syntax::Block& block, char letter) const;
+
+  const fanuc::CompiledProgram& program_;
+  const fanuc::Profile& profile_;
+  FlowBuilder builder_;
+  bool stops_ = false;  ///< an alarm ends every run of the present block
+};
+
+Fault FanucTranslation::fault_of(AlarmId id, syntax::ShortSpan where,
+                                 const std::string& detail) const {
+  const fanuc::AlarmInfo& row = fanuc::info(id);
+  const bool of_target = id == AlarmId::JumpNotFound || id == AlarmId::IllegalJump;
+  return {of_target                    ? Fault::Kind::Target
+          : id == AlarmId::EndOfRecord ? Fault::Kind::End
+                                       : Fault::Kind::Block,
+          fanuc::number_of(id, profile_.alarm_numbers), where,
+          fmt::format("{}: {}", row.text, detail), std::string(row.remedy)};
+}
+
+void FanucTranslation::stop(Fault fault) {
+  builder_.fault(std::move(fault));
+  stops_ = true;
+}
+
+void FanucTranslation::step(Index index) {
+  const Step& step = program_.steps[index];
+  const syntax::Block& block = program_.tree->blocks[step.block];
+  builder_.begin_block(block.span);
+  stops_ = false;
+  if (block.sequence >= 0) {
+    builder_.label(fmt::format("N{}", block.sequence));
+  }
+  if (step.kind == BlockKind::Bad) {
+    const syntax::SyntaxError& error = program_.errors[static_cast<std::size_t>(step.number)];
+    stop(fault_of(static_cast<AlarmId>(error.error), error.where, error.message));
+  } else if (step.kind == BlockKind::Nc) {
+    nc_words(block);
+  } else if (step.kind == BlockKind::Assign) {
+    stops_ = step.target_kind == fanuc::TargetKind::Numbered && step.number == kMacroAlarm;
+  }
+  follow(index);
+  Leaves& leaves = builder_.block().leaves;
+  leaves.by_alarm = stops_;
+  // A program that this block calls may end the run.
+  const bool may_end = leaves.by_end || leaves.by_return || builder_.has_call();
+  if (leaves.by_running_out && !may_end) {
+    builder_.fault(fault_of(AlarmId::EndOfRecord, block.span,
+                            fmt::format("{} ends without M30, M02 or M99", shown_name(program_))));
+  }
+}
+
+/// Where the program goes on: what the step's exits say, without ways that constants shut.
+void FanucTranslation::follow(Index index) {
+  const Step& step = program_.steps[index];
+  const auto condition = constant_condition(step);
+  const bool jumps = step.kind == BlockKind::Goto || step.kind == BlockKind::IfGoto;
+  const fanuc::StepExits exits = fanuc::exits_of(program_, index);
+  for (const Index to : exits.steps()) {
+    const bool is_next = to == index + 1;
+    const bool is_skip = is_next && step.skip_switch != 0;
+    const bool holds = jumps != is_next;  // the condition, on this way
+    const bool is_only_way = step.jump == index + 1;
+    const bool is_shut = stops_ || (condition && !is_only_way && holds != *condition);
+    if (is_shut && !is_skip) {
+      continue;
+    }
+    if (to < program_.steps.size()) {
+      const bool is_behind = is_next && step.kind != BlockKind::Goto;
+      builder_.edge(to, is_behind || is_skip ? EdgeKind::Next : EdgeKind::Jump);
+    } else {
+      builder_.block().leaves.by_running_out = true;
+    }
+  }
+  if (!exits.any_label || stops_ || condition == false) {
+    return;
+  }
+  const auto sequence = jumps ? constant_value(step.value) : std::nullopt;
+  if (sequence) {
+    constant_jump(step, index, *sequence);
+  } else {
+    builder_.block().to_any_label = true;
+  }
+}
+
+/// GOTO with a number that the compiler did not link.
+void FanucTranslation::constant_jump(const Step& step, Index index, double sequence) {
+  const double rounded = std::round(sequence);
+  const bool in_range = rounded >= 1.0 && rounded <= profile_.largest_sequence;
+  const auto found =
+      in_range ? program_.find_label(static_cast<std::int32_t>(rounded), index) : std::nullopt;
+  if (found) {
+    builder_.edge(*found, EdgeKind::Jump);
+    return;
+  }
+  builder_.fault(fault_of(in_range ? AlarmId::JumpNotFound : AlarmId::IllegalJump,
+                          program_.op_spans[step.value],
+                          in_range ? fmt::format("{} has no N{}", shown_name(program_), rounded)
+                                   : fmt::format("GOTO {}", rounded)));
+  stops_ = step.kind == BlockKind::Goto;
+}
+
+std::optional<double> FanucTranslation::constant(fanuc::Operand operand) const {
+  if (operand.bank != Bank::Constants) {
+    return std::nullopt;
+  }
+  const fanuc::Cell cell = program_.constants[static_cast<std::size_t>(operand.place)];
+  return cell.is_vacant() ? std::nullopt : std::optional(cell.raw());
+}
+
+std::optional<double> FanucTranslation::constant_value(Index code) const {
+  const fanuc::Op& op = program_.ops[code];
+  return op.code == OpCode::End ? constant(op.a) : std::nullopt;
+}
+
+/// What IF and WHILE find when both sides of their one comparison are numbers.
+std::optional<bool> FanucTranslation::constant_condition(const Step& step) const {
+  const bool asks = step.kind == BlockKind::IfGoto || step.kind == BlockKind::IfThen ||
+                    step.kind == BlockKind::While;
+  if (!asks) {
+    return std::nullopt;
+  }
+  const fanuc::Op& op = program_.ops[step.condition];
+  const auto a = constant(op.a);
+  const auto b = constant(op.b);
+  if (!a || !b || program_.ops[step.condition + 1].code != OpCode::End) {
+    return std::nullopt;
+  }
+  return op.code == OpCode::Equal          ? std::optional(*a == *b)
+         : op.code == OpCode::NotEqual     ? std::optional(*a != *b)
+         : op.code == OpCode::Greater      ? std::optional(*a > *b)
+         : op.code == OpCode::Less         ? std::optional(*a < *b)
+         : op.code == OpCode::GreaterEqual ? std::optional(*a >= *b)
+         : op.code == OpCode::LessEqual    ? std::optional(*a <= *b)
+                                           : std::nullopt;
+}
+
+const Word* FanucTranslation::last_word(const syntax::Block& block, char letter) const {
+  const Word* found = nullptr;
+  for (Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
+    found = program_.tree->words[i].letter == letter ? &program_.tree->words[i] : found;
+  }
+  return found;
+}
+
+/// Ends and calls; of several calls in a block the first counts.
+void FanucTranslation::nc_words(const syntax::Block& block) {
+  bool has_call = false;
+  for (Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
+    const Word& word = program_.tree->words[i];
+    const bool is_computed = word.form == ValueForm::Computed;
+    Leaves& leaves = builder_.block().leaves;
+    if (word.letter == 'M') {
+      leaves.by_end |= is_computed || word.number == 2.0 || word.number == 30.0;
+      leaves.by_return |= is_computed || word.number == 99.0;
+    }
+    const bool calls =
+        !is_computed && ((word.letter == 'G' &&
+                          (word.number == 65.0 || word.number == 66.0 || word.number == 66.1)) ||
+                         (word.letter == 'M' && (word.number == 98.0 || word.number == 198.0)));
+    if (calls && !has_call) {
+      has_call = true;
+      call(block, word);
+    }
+  }
+}
+
+void FanucTranslation::call(const syntax::Block& block, const Word& code) {
+  const Word* const p = last_word(block, 'P');
+  const bool is_subprogram = code.letter == 'M';
+  if (p == nullptr) {
+    // M98 Q100 calls the program itself.
+    if (!is_subprogram || last_word(block, profile_.start_letter) == nullptr) {
+      const bool may_be_skipped = last_word(block, '/') != nullptr;
+      builder_.fault(fault_of(AlarmId::CallWithoutProgram, code.span,
+                              fmt::format("{}{} without P", code.letter, code.number)));
+      stops_ = !may_be_skipped;
+    } else {
+      builder_.call({Call::Kind::Subprogram, name_of(program_), false, code.span});
+    }
+    return;
+  }
+  Call made;
+  made.kind = is_subprogram         ? Call::Kind::Subprogram
+              : code.number == 65.0 ? Call::Kind::Macro
+                                    : Call::Kind::Modal;
+  made.target = p->form == ValueForm::Integer ? fmt::format("O{:04}", p->number) : std::string();
+  made.where = p->span;
+  builder_.call(std::move(made));
+}
+
+}  // namespace
+
+Flow flow_of(const fanuc::CompiledProgram& program, const fanuc::Profile& profile) {
+  return FanucTranslation(program, profile).run();
+}
+
+}  // namespace g31::analysis

@@ -1,0 +1,78 @@
+#include <charconv>
+
+#include <fmt/format.h>
+
+#include "interpreter/analysis/fanuc_flow.h"
+#include "interpreter/analysis/program_set.h"
+#include "interpreter/dialects/fanuc/code/library.h"
+#include "machine/base/contract.h"
+
+namespace g31::analysis {
+namespace {
+
+/// P of M98 beyond four digits carries the count before the number (MB-214).
+constexpr int kCountFactor = 10'000;
+
+class FanucPrograms final : public ProgramSet {
+ public:
+  FanucPrograms(const fanuc::Profile& profile, source::FileSystem& files)
+      : profile_(profile), library_(files) {
+    library_.compile_for(profile);
+  }
+
+  bool add_file(const std::string& path) override {
+    return library_.add_file(path) == fanuc::ProgramLibrary::Added::Yes;
+  }
+  void add_folder(const std::string& folder) override { library_.add_folder(folder); }
+
+  const source::SourceFile& text(const std::string& path) override {
+    const source::SourceFile* const text = library_.text_of(path);
+    G31_EXPECTS(text != nullptr);
+    return *text;
+  }
+
+  std::vector<Flow> flows(const std::string& path) override {
+    std::vector<Flow> all;
+    const auto programs = library_.programs_of(path);
+    for (const fanuc::CompiledProgram* const program : programs) {
+      // An O number without blocks beside real programs is what some editors leave behind.
+      if (program->steps.size() > 1 || programs.size() == 1) {
+        all.push_back(flow_of(*program, profile_));
+      }
+    }
+    return all;
+  }
+
+  std::optional<Fault> missing_program(const Flow& caller, const Call& call) override {
+    if (call.target.empty() || call.target == caller.program) {
+      return std::nullopt;
+    }
+    int number = 0;
+    std::from_chars(call.target.data() + 1, call.target.data() + call.target.size(), number);
+    bool is_there = library_.find(number) != nullptr;
+    if (!is_there && call.kind == Call::Kind::Subprogram && number >= kCountFactor) {
+      number %= kCountFactor;
+      is_there = library_.find(number) != nullptr;
+    }
+    if (is_there) {
+      return std::nullopt;
+    }
+    const fanuc::AlarmInfo& row = fanuc::info(fanuc::AlarmId::CalledNotFound);
+    return Fault{Fault::Kind::Block, fanuc::number_of(row, profile_.alarm_numbers), call.where,
+                 fmt::format("{}: O{:04} is in none of the files and folders", row.text, number),
+                 std::string(row.remedy)};
+  }
+
+ private:
+  const fanuc::Profile& profile_;
+  fanuc::ProgramLibrary library_;
+};
+
+}  // namespace
+
+std::unique_ptr<ProgramSet> fanuc_programs(const fanuc::Profile& profile,
+                                           source::FileSystem& files) {
+  return std::make_unique<FanucPrograms>(profile, files);
+}
+
+}  // namespace g31::analysis

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "interpreter/source/diagnostic.h"
+#include "interpreter/source/location.h"
+#include "interpreter/source/source_file.h"
+#include "interpreter/syntax/tree.h"
+
+namespace g31::analysis {
+
+/// A block of a Flow, by its place among them.
+using BlockIndex = std::uint32_t;
+
+/// Consecutive rows of one of the lists of a Flow.
+struct Range {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  friend bool operator==(const Range&, const Range&) = default;
+};
+
+/// Why one block follows another.
+enum class EdgeKind : std::uint8_t {
+  Next,  ///< it stands behind it; the statement of a THEN stands behind its IF
+  Jump,  ///< GOTO and its like, branches, and ends of loops
+  Part,  ///< into a part that REPEAT runs, once more through it, and on behind REPEAT
+};
+
+struct Edge {
+  BlockIndex to = 0;
+  EdgeKind kind = EdgeKind::Next;
+  friend bool operator==(const Edge&, const Edge&) = default;
+};
+
+/// How a program may be left at a block.  Several may hold: M30 behind a / may end it or not.
+struct Leaves {
+  bool by_end = false;          ///< M02, M30: the run ends; of a SINUMERIK subprogram its return
+  bool by_return = false;       ///< M99, M17, RET, the end of a SINUMERIK text; a main program of a
+                                ///< Fanuc goes on at its first block
+  bool by_alarm = false;        ///< always: #3000, or a block that is wrong (its Fault)
+  bool by_running_out = false;  ///< nothing stands behind the last block, which is an alarm (Fanuc)
+  friend bool operator==(const Leaves&, const Leaves&) = default;
+};
+
+/// One NC block, as the control counts them: words, or one statement.  The statement of a Fanuc
+/// THEN is a block of its own.  The last block of a SINUMERIK program is the end of its text.
+struct Block {
+  syntax::ShortSpan span;  ///< without the line end
+  Range edges;             ///< of Flow::edges: blocks that may follow, rising, each once
+  Range faults;
+  Range calls;
+  Leaves leaves;
+  bool to_any_label = false;  ///< the target of its jump is known when running: a block of `labels`
+};
+
+/// What is wrong with a block, as the control will say when it gets there.
+struct Fault {
+  enum class Kind : std::uint8_t {
+    Block,         ///< cannot be understood, or the control has no such thing
+    Target,        ///< the block or the label that it jumps to is not there
+    End,           ///< nothing stands behind the last block, and nothing ended the program
+    NotSimulated,  ///< g31 does not run this yet; a control does
+  };
+  Kind kind = Kind::Block;
+  int alarm = 0;  ///< its number on the control
+  syntax::ShortSpan where;
+  std::string message;  ///< text of the alarm and what it is about
+  std::string remedy;
+};
+
+/// A call of another program, or its preparation.
+struct Call {
+  enum class Kind : std::uint8_t {
+    Subprogram,  ///< M98, M198, L, the program's name, CALL: once or P times
+    Macro,       ///< G65
+    Modal,       ///< G66, MCALL: blocks behind this one make the calls
+  };
+  Kind kind = Kind::Subprogram;
+  std::string target;    ///< "O9010", "CYCLE977"; empty: known when running
+  bool by_text = false;  ///< CALL "NAME": the target is a text
+  syntax::ShortSpan where;
+};
+
+/// A block that jumps can name: its sequence number or label.
+struct Label {
+  std::string name;  ///< "N100", "REPEAT_IT"
+  BlockIndex block = 0;
+};
+
+/// One picture of a program, the same for every dialect: what check, coverage and planning look
+/// at.  Plain values; spans are offsets in `file`.
+///
+/// Blocks stand in the order of the text, and a run begins at the first.  Every block that a run
+/// executes behind another one, in the same call of the program, is at the end of one of its edges,
+/// or a label where it is `to_any_label`, with these exceptions: blocks that belong to the call of
+/// another program stand in that program's flow; a called program may send its caller to a label
+/// (M99 P, RET with a target).  Not every edge can be taken: conditions are followed both ways
+/// unless they are constants.
+struct Flow {
+  std::string program;                       ///< "O9010", "CYCLE977"; empty: a Fanuc text without O
+  const source::SourceFile* file = nullptr;  ///< outlives the flow
+  std::vector<Block> blocks;
+  std::vector<Edge> edges;
+  std::vector<Fault> faults;
+  std::vector<Call> calls;
+  std::vector<Label> labels;  ///< in the order of their blocks
+  bool writes_files = false;  ///< and may call what it has written
+
+  [[nodiscard]] std::span<const Edge> edges_of(const Block& block) const {
+    return std::span(edges).subspan(block.edges.first, block.edges.count);
+  }
+  [[nodiscard]] std::span<const Fault> faults_of(const Block& block) const {
+    return std::span(faults).subspan(block.faults.first, block.faults.count);
+  }
+  [[nodiscard]] std::span<const Call> calls_of(const Block& block) const {
+    return std::span(calls).subspan(block.calls.first, block.calls.count);
+  }
+};
+
+/// For each block, whether a way of edges and labels leads to it from the first one.  Behind a
+/// block that is wrong it goes on with the next one, as it will when the block is mended.
+std::vector<bool> reached_blocks(const Flow& flow);
+
+}  // namespace g31::analysis

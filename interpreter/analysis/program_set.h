@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/analysis/flow.h"
+#include "interpreter/dialects/fanuc/vocabulary/profile.h"
+#include "interpreter/source/file_system.h"
+
+namespace g31::analysis {
+
+/// Programs of one control that may call each other, read and compiled but never run.  Looked up
+/// are those of the files, then those of the folders, each in the order added.
+class ProgramSet {
+ public:
+  ProgramSet() = default;
+  ProgramSet(const ProgramSet&) = delete;
+  ProgramSet& operator=(const ProgramSet&) = delete;
+  virtual ~ProgramSet() = default;
+
+  /// @returns whether the file could be read
+  virtual bool add_file(const std::string& path) = 0;
+  virtual void add_folder(const std::string& folder) = 0;
+
+  /// The text of a file that was added.
+  virtual const source::SourceFile& text(const std::string& path) = 0;
+  /// All programs of a file that was added, in its order; behind the last file and folder.
+  virtual std::vector<Flow> flows(const std::string& path) = 0;
+  /// Why a call of one of the flows cannot find its program; nullopt: it can, or only a run knows.
+  virtual std::optional<Fault> missing_program(const Flow& caller, const Call& call) = 0;
+};
+
+/// @param profile, files  outlive the programs
+std::unique_ptr<ProgramSet> fanuc_programs(const fanuc::Profile& profile,
+                                           source::FileSystem& files);
+
+/// Definition files that are added define names for all of them.
+/// @param files  outlives the programs
+std::unique_ptr<ProgramSet> sinumerik_programs(source::FileSystem& files);
+
+}  // namespace g31::analysis

@@ -1,0 +1,357 @@
+#include "interpreter/analysis/sinumerik_flow.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/analysis/flow_builder.h"
+#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
+#include "interpreter/dialects/sinumerik/vocabulary/names.h"
+
+namespace g31::analysis {
+namespace {
+
+using StepIndex = std::int32_t;
+
+/// A block before its place in the lists is known.
+struct Draft {
+  StepIndex first_step = 0;
+  syntax::ShortSpan span;
+  std::vector<Edge> edges;
+  std::vector<Fault> faults;
+  std::vector<Call> calls;
+  Leaves leaves;
+  bool to_any_label = false;
+};
+
+/// REPEAT runs blocks from `first` up to, not including, `end`, and goes on at `behind`.
+struct RepeatedPart {
+  BlockIndex first = 0;
+  BlockIndex end = 0;
+  BlockIndex behind = 0;
+};
+
+class SinumerikTranslation {
+ public:
+  using AlarmId = sinumerik::AlarmId;
+  using Bank = sinumerik::Bank;
+  using Op = sinumerik::Op;
+  using OpCode = sinumerik::OpCode;
+  using ProcedureId = sinumerik::ProcedureId;
+
+  explicit SinumerikTranslation(const sinumerik::CompiledProgram& program) : program_(program) {}
+
+  Flow run();
+
+ private:
+  void find_names_asked_for();
+  void cut_into_blocks();
+  void follow_block(BlockIndex index);
+  void follow(StepIndex step);
+  void go(StepIndex step, EdgeKind kind);
+  void next(StepIndex step) { go(step + 1, EdgeKind::Next); }
+  void jump_if_not(StepIndex step);
+  void jump_to_text(StepIndex step);
+  void repeat_part(StepIndex step);
+  void call(const sinumerik::CallSite& site, syntax::ShortSpan where);
+  void stop(AlarmId id, syntax::ShortSpan where, const std::string& detail);
+  void close_parts();
+  void add_edge(Draft& draft, Edge edge);
+  std::map<BlockIndex, std::vector<std::string>> label_names() const;
+  [[nodiscard]] bool writes_files() const;
+  [[nodiscard]] const Op& op(StepIndex step) const {
+    return program_.ops[static_cast<std::size_t>(step)];
+  }
+  [[nodiscard]] syntax::ShortSpan span(StepIndex step) const {
+    return program_.spans[static_cast<std::size_t>(step)];
+  }
+  [[nodiscard]] BlockIndex block_of(StepIndex step) const {
+    return block_of_[static_cast<std::size_t>(step)];
+  }
+  Draft& now() { return drafts_[now_]; }
+
+  const sinumerik::CompiledProgram& program_;
+  std::vector<Draft> drafts_;
+  std::vector<BlockIndex> block_of_;  ///< of each step
+  std::vector<RepeatedPart> parts_;
+  BlockIndex now_ = 0;
+  std::vector<StepIndex> open_;  ///< steps of the present block that are still to be followed
+  std::vector<bool> followed_;   ///< per step
+  std::set<std::string> asked_for_;
+};
+
+void SinumerikTranslation::cut_into_blocks() {
+  const auto last = static_cast<StepIndex>(program_.ops.size()) - 1;
+  for (StepIndex step = 0; step <= last; ++step) {
+    const OpCode code = op(step).code;
+    if (code == OpCode::Block || code == OpCode::NcBlock || step == last || drafts_.empty()) {
+      Draft draft;
+      draft.first_step = step;
+      draft.span = span(step);
+      drafts_.push_back(std::move(draft));
+    }
+    block_of_.push_back(static_cast<BlockIndex>(drafts_.size() - 1));
+  }
+}
+
+void SinumerikTranslation::add_edge(Draft& draft, Edge edge) {
+  if (std::ranges::find(draft.edges, edge.to, &Edge::to) == draft.edges.end()) {
+    draft.edges.push_back(edge);
+  }
+}
+
+/// The present block may go on at a step: its own, or the one where another block is entered.
+void SinumerikTranslation::go(StepIndex step, EdgeKind kind) {
+  const bool is_inside = block_of(step) == now_ && step != now().first_step;
+  if (!is_inside) {
+    const bool is_behind = block_of(step) == now_ + 1 && kind == EdgeKind::Next;
+    add_edge(now(), {block_of(step), is_behind ? EdgeKind::Next : kind});
+  } else if (!followed_[static_cast<std::size_t>(step)]) {
+    open_.push_back(step);
+  }
+}
+
+void SinumerikTranslation::follow_block(BlockIndex index) {
+  now_ = index;
+  open_.assign(1, now().first_step);
+  while (!open_.empty()) {
+    const StepIndex step = open_.back();
+    open_.pop_back();
+    if (!followed_[static_cast<std::size_t>(step)]) {
+      followed_[static_cast<std::size_t>(step)] = true;
+      follow(step);
+    }
+  }
+  const Draft& draft = now();
+  now().leaves.by_alarm = !draft.faults.empty() && draft.edges.empty() && !draft.to_any_label &&
+                          !draft.leaves.by_end && !draft.leaves.by_return;
+}
+
+/// Where a step goes on; one that computes goes on behind itself.
+void SinumerikTranslation::follow(StepIndex step) {
+  const Op& here = op(step);
+  const OpCode code = here.code;
+  if (code == OpCode::Jump) {
+    go(here.a.place, here.a.place == step + 1 ? EdgeKind::Next : EdgeKind::Jump);
+  } else if (code == OpCode::JumpIfNot) {
+    jump_if_not(step);
+  } else if (code == OpCode::JumpText) {
+    jump_to_text(step);
+  } else if (code == OpCode::RepeatPart) {
+    repeat_part(step);
+  } else if (code == OpCode::Raise) {
+    const auto& error = program_.errors[static_cast<std::size_t>(here.a.place)];
+    if (error.id == AlarmId::NotDefined && asked_for_.contains(sinumerik::upper(error.detail))) {
+      next(step);
+    } else {
+      stop(error.id, span(step), error.detail);
+    }
+  } else if (code == OpCode::EndProgram) {
+    const bool is_end_of_text = step + 1 == static_cast<StepIndex>(program_.ops.size());
+    (is_end_of_text ? now().leaves.by_return : now().leaves.by_end) = true;
+  } else if (code == OpCode::Return || code == OpCode::EndText || code == OpCode::EndWindow) {
+    now().leaves.by_return = true;
+  } else {
+    if (code == OpCode::Call) {
+      call(program_.calls[static_cast<std::size_t>(here.a.place)], span(step));
+    }
+    const bool may_be_skipped =
+        (code == OpCode::Block || code == OpCode::NcBlock) && here.detail != 0;
+    if (may_be_skipped) {
+      go(here.a.place, EdgeKind::Next);
+    }
+    next(step);
+  }
+}
+
+void SinumerikTranslation::stop(AlarmId id, syntax::ShortSpan where, const std::string& detail) {
+  const sinumerik::AlarmInfo& row = sinumerik::info(id);
+  const bool of_target = id == AlarmId::JumpTargetMissing || id == AlarmId::SectionMissing;
+  now().faults.push_back(
+      {of_target                       ? Fault::Kind::Target
+       : id == AlarmId::NotImplemented ? Fault::Kind::NotSimulated
+                                       : Fault::Kind::Block,
+       row.number, where,
+       detail.empty() ? std::string(row.text) : fmt::format("{}: {}", row.text, detail),
+       std::string(row.remedy)});
+}
+
+void SinumerikTranslation::jump_if_not(StepIndex step) {
+  const Op& here = op(step);
+  const bool is_constant = here.a.bank == Bank::Constants;
+  const double value =
+      is_constant ? program_.constants[static_cast<std::size_t>(here.a.place)] : 0.0;
+  if (!is_constant || value != 0.0) {
+    next(step);
+  }
+  if (!is_constant || value == 0.0) {
+    const bool is_behind = block_of(here.b.place) == now_ + 1;
+    go(here.b.place, is_behind ? EdgeKind::Next : EdgeKind::Jump);
+  }
+}
+
+void SinumerikTranslation::jump_to_text(StepIndex step) {
+  const Op& here = op(step);
+  const auto direction = static_cast<sinumerik::Direction>(here.detail);
+  const bool is_quiet = direction == sinumerik::Direction::BothQuiet;
+  if (here.a.bank != Bank::Constants) {
+    now().to_any_label = true;
+    if (is_quiet) {
+      next(step);
+    }
+    return;
+  }
+  const std::string name =
+      sinumerik::upper(program_.text_constants[static_cast<std::size_t>(here.a.place)]);
+  if (const auto target = find_label(program_, name, step, direction)) {
+    go(*target, EdgeKind::Jump);
+  } else if (is_quiet) {
+    next(step);
+  } else {
+    stop(AlarmId::JumpTargetMissing, span(step), name);
+  }
+}
+
+void SinumerikTranslation::repeat_part(StepIndex step) {
+  const auto& site = program_.repeats[static_cast<std::size_t>(op(step).a.place)];
+  if (site.first < 0) {
+    stop(AlarmId::SectionMissing, span(step), "");
+    return;
+  }
+  go(site.first, EdgeKind::Part);
+  next(step);
+  if (block_of(site.end) != now_) {
+    parts_.push_back({block_of(site.first), block_of(site.end), block_of(step + 1)});
+  }
+}
+
+void SinumerikTranslation::call(const sinumerik::CallSite& site, syntax::ShortSpan where) {
+  if (site.is_modal && site.name.empty()) {
+    return;  // MCALL alone ends modal calls
+  }
+  Call made;
+  made.kind = site.is_modal ? Call::Kind::Modal : Call::Kind::Subprogram;
+  made.where = where;
+  made.target = site.name;
+  made.by_text = site.name.empty();
+  if (site.name.empty() && site.text.bank == Bank::Constants) {
+    made.target = program_.text_constants[static_cast<std::size_t>(site.text.place)];
+  }
+  now().calls.push_back(std::move(made));
+}
+
+/// A way to the block behind a part leads through the part once more, or on behind its REPEAT,
+/// while the part is being repeated.
+void SinumerikTranslation::close_parts() {
+  std::map<BlockIndex, std::vector<RepeatedPart>> by_end;
+  for (const RepeatedPart& part : parts_) {
+    by_end[part.end].push_back(part);
+  }
+  for (Draft& draft : drafts_) {
+    for (std::size_t i = 0; i < draft.edges.size() && !by_end.empty(); ++i) {
+      const auto ending = by_end.find(draft.edges[i].to);
+      if (ending == by_end.end()) {
+        continue;
+      }
+      for (const RepeatedPart& part : ending->second) {
+        add_edge(draft, {part.first, EdgeKind::Part});
+        add_edge(draft, {part.behind, EdgeKind::Part});
+      }
+    }
+    for (const RepeatedPart& part : parts_) {
+      if (draft.to_any_label) {
+        add_edge(draft, {part.first, EdgeKind::Part});
+        add_edge(draft, {part.behind, EdgeKind::Part});
+      }
+    }
+  }
+}
+
+std::map<BlockIndex, std::vector<std::string>> SinumerikTranslation::label_names() const {
+  std::map<BlockIndex, std::vector<std::string>> names;
+  for (const auto& [name, steps] : program_.labels) {
+    for (const StepIndex step : steps) {
+      names[block_of(step)].push_back(name);
+    }
+  }
+  for (const sinumerik::BlockNumber& block : program_.block_numbers) {
+    names[block_of(block.step)].push_back(fmt::format("N{}", block.number));
+  }
+  for (auto& [block, list] : names) {
+    std::ranges::sort(list);  // the map of labels has no order of its own
+  }
+  return names;
+}
+
+bool SinumerikTranslation::writes_files() const {
+  return std::ranges::any_of(program_.ops, [](const Op& op) {
+    const auto id = static_cast<ProcedureId>(op.detail);
+    return op.code == OpCode::Procedure &&
+           (id == ProcedureId::WRITE || id == ProcedureId::EXTWRITE);
+  });
+}
+
+/// Names whose presence the program asks for with ISVAR: where they are missing it knows its way.
+void SinumerikTranslation::find_names_asked_for() {
+  for (const Op& op : program_.ops) {
+    const bool asks = op.code == OpCode::Function &&
+                      static_cast<sinumerik::FunctionId>(op.detail) == sinumerik::FunctionId::ISVAR;
+    if (!asks) {
+      continue;
+    }
+    const auto& name = program_.arguments[static_cast<std::size_t>(op.b.place)].value;
+    if (name.bank == Bank::Constants) {
+      const std::string& text = program_.text_constants[static_cast<std::size_t>(name.place)];
+      asked_for_.insert(sinumerik::upper(text.substr(0, text.find('['))));
+    }
+  }
+}
+
+Flow SinumerikTranslation::run() {
+  find_names_asked_for();
+  cut_into_blocks();
+  followed_.assign(program_.ops.size(), false);
+  for (BlockIndex i = 0; i < drafts_.size(); ++i) {
+    follow_block(i);
+  }
+  close_parts();
+  const auto names = label_names();
+  FlowBuilder builder(program_.name, *program_.file);
+  for (BlockIndex i = 0; i < drafts_.size(); ++i) {
+    Draft& draft = drafts_[i];
+    builder.begin_block(draft.span);
+    builder.block().leaves = draft.leaves;
+    builder.block().to_any_label = draft.to_any_label;
+    for (const Edge& edge : draft.edges) {
+      builder.edge(edge.to, edge.kind);
+    }
+    for (Fault& fault : draft.faults) {
+      builder.fault(std::move(fault));
+    }
+    for (Call& call : draft.calls) {
+      builder.call(std::move(call));
+    }
+    if (const auto found = names.find(i); found != names.end()) {
+      for (const std::string& name : found->second) {
+        builder.label(name);
+      }
+    }
+  }
+  if (writes_files()) {
+    builder.writes_files();
+  }
+  return builder.finish();
+}
+
+}  // namespace
+
+Flow flow_of(const sinumerik::CompiledProgram& program) {
+  return SinumerikTranslation(program).run();
+}
+
+}  // namespace g31::analysis

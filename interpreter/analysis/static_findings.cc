@@ -1,0 +1,106 @@
+#include "interpreter/analysis/static_findings.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace g31::analysis {
+namespace {
+
+RuleId rule_of(Fault::Kind kind) {
+  switch (kind) {
+    case Fault::Kind::Block:
+      return RuleId::WrongBlock;
+    case Fault::Kind::Target:
+      return RuleId::MissingTarget;
+    case Fault::Kind::End:
+      return RuleId::NoProgramEnd;
+    case Fault::Kind::NotSimulated:
+      return RuleId::NotSimulated;
+  }
+  return RuleId::WrongBlock;
+}
+
+/// Pictures, meshes and archives have control characters all over; a text has line ends, and one
+/// that came over a line perhaps NUL at both ends and a few DC codes.
+bool is_no_text(std::string_view text) {
+  constexpr std::size_t kOneIn = 50;
+  const std::size_t first = std::min(text.find_first_not_of('\0'), text.size());
+  const std::size_t last = text.find_last_not_of('\0');
+  const std::string_view inner =
+      last == text.npos ? std::string_view() : text.substr(first, last + 1 - first);
+  const auto controls = std::ranges::count_if(inner, [](char c) {
+    return c >= '\0' && c < ' ' && std::string_view("\t\n\r\f").find(c) == std::string_view::npos;
+  });
+  return static_cast<std::size_t>(controls) > inner.size() / kOneIn;
+}
+
+class Findings {
+ public:
+  explicit Findings(ProgramSet& programs) : programs_(programs) {}
+
+  void add(const Flow& flow) {
+    const std::vector<bool> reached = reached_blocks(flow);
+    for (BlockIndex i = 0; i < flow.blocks.size(); ++i) {
+      const Block& block = flow.blocks[i];
+      for (const Fault& fault : flow.faults_of(block)) {
+        add(flow, fault, rule_of(fault.kind), reached[i]);
+      }
+      for (const Call& call : flow.calls_of(block)) {
+        if (const auto fault = programs_.missing_program(flow, call)) {
+          add(flow, *fault, RuleId::MissingProgram, reached[i]);
+        }
+      }
+    }
+  }
+
+  std::vector<Finding> take() {
+    std::ranges::stable_sort(found_, {}, [](const Finding& f) { return f.where.span.begin; });
+    return std::move(found_);
+  }
+
+ private:
+  void add(const Flow& flow, const Fault& fault, RuleId rule, bool is_reached) {
+    if (!is_reached && fault.kind == Fault::Kind::End) {
+      return;
+    }
+    // What g31 lacks is no mistake of the program, wherever it stands.
+    if (!is_reached && rule != RuleId::NotSimulated) {
+      rule = RuleId::UnreachedFault;
+    }
+    found_.push_back(
+        {rule, fault.alarm, {flow.file, fault.where.widened()}, fault.message, fault.remedy});
+  }
+
+  ProgramSet& programs_;
+  std::vector<Finding> found_;
+};
+
+Finding no_program(const source::SourceFile& file, const std::string& why) {
+  Finding finding;
+  finding.rule = RuleId::NotAProgram;
+  finding.where.file = &file;
+  finding.message = why;
+  return finding;
+}
+
+}  // namespace
+
+std::vector<Finding> static_findings(ProgramSet& programs, const std::string& path) {
+  const source::SourceFile& file = programs.text(path);
+  if (is_no_text(file.text())) {
+    return {no_program(file, "this file is no text")};
+  }
+  const std::vector<Flow> flows = programs.flows(path);
+  if (flows.empty()) {
+    return {no_program(file, "no program in this file")};
+  }
+  Findings findings(programs);
+  for (const Flow& flow : flows) {
+    findings.add(flow);
+  }
+  return findings.take();
+}
+
+}  // namespace g31::analysis

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "interpreter/analysis/flow.h"
+
+namespace g31::testing {
+
+/// A flow as text, a line a block: its number and text, the blocks that may follow (`~` by a jump,
+/// `*` by REPEAT), how it may be left; below it its calls and faults, then the labels.
+inline std::string drawn(const analysis::Flow& flow) {
+  const auto text_at = [&](syntax::ShortSpan span) {
+    return flow.file->text().substr(span.begin, span.end - span.begin);
+  };
+  std::string text;
+  for (std::size_t i = 0; i < flow.blocks.size(); ++i) {
+    const analysis::Block& block = flow.blocks[i];
+    text += fmt::format("{} {}", i, text_at(block.span));
+    text += block.edges.count > 0 ? " >" : "";
+    for (const analysis::Edge& edge : flow.edges_of(block)) {
+      constexpr std::string_view kMarks[] = {"", "~", "*"};
+      text += fmt::format(" {}{}", kMarks[static_cast<std::size_t>(edge.kind)], edge.to);
+    }
+    text += block.to_any_label ? " any" : "";
+    text += block.leaves.by_end ? " end" : "";
+    text += block.leaves.by_return ? " return" : "";
+    text += block.leaves.by_alarm ? " alarm" : "";
+    text += block.leaves.by_running_out ? " out" : "";
+    text += "\n";
+    for (const analysis::Call& call : flow.calls_of(block)) {
+      constexpr std::string_view kKinds[] = {"call", "macro", "modal"};
+      text += fmt::format("  {} {} '{}'\n", kKinds[static_cast<std::size_t>(call.kind)],
+                          call.target.empty() ? "?" : call.target, text_at(call.where));
+    }
+    for (const analysis::Fault& fault : flow.faults_of(block)) {
+      constexpr std::string_view kKinds[] = {"fault", "target", "fault", "not simulated"};
+      text += fmt::format("  {} {} '{}' {}\n", kKinds[static_cast<std::size_t>(fault.kind)],
+                          fault.alarm, text_at(fault.where), fault.message);
+    }
+  }
+  if (!flow.labels.empty()) {
+    text += "labels";
+    for (const analysis::Label& label : flow.labels) {
+      text += fmt::format(" {}={}", label.name, label.block);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace g31::testing
