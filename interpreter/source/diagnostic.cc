@@ -20,18 +20,6 @@ constexpr auto kDiagnosticRows = std::to_array<DiagnosticInfo>({
 /// Longest piece of a source line that is shown.
 constexpr std::size_t kShownColumns = 120;
 
-std::string_view name_of(Severity severity) {
-  switch (severity) {
-    case Severity::Note:
-      return "note";
-    case Severity::Warning:
-      return "warning";
-    case Severity::Error:
-      return "error";
-  }
-  contract_violated("every Severity has a name", __FILE__, __LINE__);
-}
-
 /// The source line and the marker under it.
 std::string excerpt(const Location& where) {
   const LineColumn start = where.file->line_column(where.span.begin);
@@ -61,6 +49,18 @@ std::string place(const Location& where) {
 }
 
 }  // namespace
+
+std::string_view name_of(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      return "error";
+  }
+  contract_violated("every Severity has a name", __FILE__, __LINE__);
+}
 
 std::span<const DiagnosticInfo> diagnostics() {
   return kDiagnosticRows;

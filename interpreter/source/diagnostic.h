@@ -11,6 +11,9 @@ namespace g31::source {
 
 enum class Severity { Note, Warning, Error };
 
+/// "note", "warning", "error".
+std::string_view name_of(Severity severity);
+
 /// One line that belongs to a diagnostic: the call that led to it, the place of an earlier label.
 struct Note {
   Location where;

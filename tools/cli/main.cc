@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <malloc.h>
 
+#include "tools/cli/check_command.h"
+#include "tools/cli/check_options.h"
 #include "tools/cli/exit_code.h"
 #include "tools/cli/explain_command.h"
 #include "tools/cli/explain_options.h"
@@ -53,6 +55,9 @@ ExitCode dispatch(int argc, char** argv) {
   g31::cli::StudyOptions study;
   CLI::App* const study_app = g31::cli::add_study_command(app, study);
   study_app->footer(g31::cli::study_examples() + exit_code_help());
+  g31::cli::CheckOptions check;
+  CLI::App* const check_app = g31::cli::add_check_command(app, check);
+  check_app->footer(g31::cli::check_examples() + exit_code_help());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -63,6 +68,9 @@ ExitCode dispatch(int argc, char** argv) {
   }
   if (study_app->parsed()) {
     return study_command(study);
+  }
+  if (check_app->parsed()) {
+    return check_command(check);
   }
   return explain_app->parsed() ? explain_command(explain) : run_command(run);
 }

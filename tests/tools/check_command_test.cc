@@ -1,0 +1,254 @@
+// `g31 check` as a user meets it: what it prints, its document, its exit code.
+
+#include "tools/cli/check_command.h"
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+#include "tools/disk/shipped.h"
+
+namespace g31 {
+namespace {
+
+using nlohmann::json;
+using testing::TemporaryFolder;
+
+struct CheckOutput {
+  int exit_code = -1;
+  std::string text;
+  std::string errors;
+};
+
+CheckOutput checked(const cli::CheckOptions& options) {
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  CheckOutput output;
+  output.exit_code = static_cast<int>(cli::check_command(options));
+  output.text = ::testing::internal::GetCapturedStdout();
+  output.errors = ::testing::internal::GetCapturedStderr();
+  return output;
+}
+
+CheckOutput checked_files(const std::vector<std::string>& files) {
+  cli::CheckOptions options;
+  options.files = files;
+  return checked(options);
+}
+
+/// The lines that say a place, without the folder.
+std::vector<std::string> places(const std::string& text, const TemporaryFolder& folder) {
+  std::vector<std::string> found;
+  const std::string prefix = folder.path("");
+  for (std::size_t at = text.find(prefix); at != text.npos; at = text.find(prefix, at + 1)) {
+    const std::size_t begin = at + prefix.size();
+    found.push_back(text.substr(begin, text.find('\n', begin) - begin));
+  }
+  return found;
+}
+
+TEST(Check, SaysAllThatIsWrongInAllProgramsAtOnce) {
+  TemporaryFolder folder;
+  const std::string fanuc =
+      folder.write("part.nc", "O1\n#1=[2+\nGOTO 7\nN8 G65 P1234\nM30\nO2\nG00 X1.\n");
+  const std::string sinumerik =
+      folder.write("PART.MPF", "GOTOF NOWHERE\nSUBX(1)\nR1=\nREPEAT LAB\nM30\n");
+  const CheckOutput output = checked_files({fanuc, sinumerik});
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_EQ(output.errors, "");
+  EXPECT_EQ(
+      places(output.text, folder),
+      (std::vector<std::string>{
+          "part.nc:2:7: error: alarm 114, FORMAT ERROR IN MACRO: the block ends where a value is "
+          "expected [NC002]",
+          "part.nc:3:6: error: alarm 128, ILLEGAL MACRO SEQUENCE NUMBER: O0001 has no N7 [NC004]",
+          "part.nc:4:8: error: alarm 78, NUMBER NOT FOUND: O1234 is in none of the files and "
+          "folders [NC005]",
+          "part.nc:7:1: error: alarm 5010, END OF RECORD: O0002 ends without M30, M02 or M99 "
+          "[NC006]",
+          "PART.MPF:1:7: error: alarm 14080, jump destination not found: NOWHERE [NC004]",
+          "PART.MPF:2:1: error: alarm 12550, name not defined or option/function not available: "
+          "SUBX [NC005]",
+          "PART.MPF:3:1: error: alarm 12080, syntax error in text: the end of the block [NC002]",
+          "PART.MPF:4:1: error: alarm 14082, label, program section not found [NC004]",
+      }));
+}
+
+TEST(Check, ShowsTheLineAndWhatWouldBeRight) {
+  TemporaryFolder folder;
+  const CheckOutput output = checked_files({folder.write("case.nc", "O1\nG65 P1234\nM30\n")});
+  EXPECT_NE(output.text.find("[NC005]\n"
+                             "    2 | G65 P1234\n"
+                             "      |     ^~~~~\n"
+                             "      = give the file, or its folder with --lib\n"),
+            std::string::npos)
+      << output.text;
+  EXPECT_EQ(output.text.find('\033'), std::string::npos);
+}
+
+TEST(Check, CarefulProgramsPassWithoutAWord) {
+  TemporaryFolder folder;
+  const CheckOutput output = checked_files(
+      {folder.write("O0001.nc", "O1\nG65 P9 A1.\nIF[#100EQ#0]GOTO9\nM30\nN9#3000=1(NO)\n"),
+       folder.write("O0009.nc", "O9\n#100=#1\nM99\n"),
+       folder.write("PART.MPF", "SUB1(2)\nIF R1>1\n MSG(\"A\")\nENDIF\nM30\n"),
+       folder.write("SUB1.SPF", "PROC SUB1(REAL A)\nR1=A\nM17\n")});
+  EXPECT_EQ(output.exit_code, 0);
+  EXPECT_EQ(output.text, "");
+  EXPECT_EQ(output.errors, "");
+}
+
+TEST(Check, ShippedProgramsPassWithoutAWord) {
+  const auto macros = disk::shipped_folder("macros");
+  ASSERT_TRUE(macros);
+  const CheckOutput output = checked_files({*macros});
+  EXPECT_EQ(output.exit_code, 0);
+  EXPECT_EQ(output.text, "");
+}
+
+TEST(Check, SubprogramsMayLieInAnotherFolderOrFile) {
+  TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path("lib"));
+  std::filesystem::create_directory(folder.path("main"));
+  const std::string sub = folder.write("lib/O0009.nc", "O9\nM99\n");
+  const std::string main = folder.write("main/O0001.nc", "O1\nM98 P9\nM30\n");
+  EXPECT_EQ(checked_files({main}).exit_code, 1);
+  EXPECT_EQ(checked_files({main, sub}).exit_code, 0);
+  cli::CheckOptions options;
+  options.files = {main};
+  options.libraries = {folder.path("lib")};
+  EXPECT_EQ(checked(options).exit_code, 0);
+}
+
+TEST(Check, AFolderIsAllProgramsBelowIt) {
+  TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path("a/b"));
+  folder.write("z.nc", "O1\nGOTO 1\n");
+  folder.write("a/b/O1234", "O1234\nGOTO 2\n");
+  folder.write("a/P.MPF", "GOTO GONE\n");
+  folder.write("a/G.DEF", "DEF NCK REAL\n");
+  folder.write("a/notes.txt", "GOTO 3\n");
+  folder.write("table.def", "ROW(1)\n");
+  const CheckOutput output = checked_files({folder.path("")});
+  const auto found = places(output.text, folder);
+  ASSERT_EQ(found.size(), 4U) << output.text;
+  EXPECT_TRUE(found[0].starts_with("z.nc:2:6:"));
+  EXPECT_TRUE(found[1].starts_with("a/G.DEF:1:"));
+  EXPECT_TRUE(found[2].starts_with("a/P.MPF:1:6:"));
+  EXPECT_TRUE(found[3].starts_with("a/b/O1234:2:6:"));
+}
+
+TEST(Check, WhatNoWayLeadsToIsAWarning) {
+  TemporaryFolder folder;
+  const CheckOutput output =
+      checked_files({folder.write("case.nc", "O1\nM30\n#1=[2+\nG65 P1234\n")});
+  EXPECT_EQ(output.exit_code, 1);
+  const auto found = places(output.text, folder);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_TRUE(found[0].starts_with("case.nc:3:7: warning:"));
+  EXPECT_TRUE(found[1].ends_with("[NC003]"));
+}
+
+TEST(Check, TheDocumentHasTheShapeOfTheContract) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  // Columns count characters: the text before the number has one of two bytes and one of Latin-1.
+  options.files = {folder.write("case.nc", "O1\n(\xC3\xA4\xE4)G65 P1234\nM30\n")};
+  options.json = folder.path("findings.json");
+  EXPECT_EQ(checked(options).exit_code, 1);
+  const json document = json::parse(testing::text_of(options.json));
+  EXPECT_EQ(document, json::parse(R"({"schema": "g31.check/1", "findings": [{
+    "rule": "NC005", "level": "error",
+    "message": "alarm 78, NUMBER NOT FOUND: O1234 is in none of the files and folders",
+    "file": ")" + options.files[0] +
+                                  R"(", "line": 2, "column": 9, "end_line": 2, "end_column": 14,
+    "fix": null, "remedy": "give the file, or its folder with --lib", "alarm": 78}]})"));
+  options.json = "-";
+  EXPECT_EQ(json::parse(checked(options).text), document);
+  options.json = "";
+  options.format = cli::CheckOptions::Format::Json;
+  EXPECT_EQ(json::parse(checked(options).text), document);
+  options.format = cli::CheckOptions::Format::Github;
+  EXPECT_EQ(checked(options).text,
+            "::error file=" + options.files[0] +
+                ",line=2,col=9,endLine=2,endColumn=14,title=NC005::alarm 78, NUMBER NOT FOUND: "
+                "O1234 is in none of the files and folders\n");
+}
+
+TEST(Check, APlaceAtTheEndOfALineStaysOnIt) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("case.nc", "O1\n#1=[2+\nM30\n")};
+  options.format = cli::CheckOptions::Format::Json;
+  const json finding = json::parse(checked(options).text)["findings"][0];
+  EXPECT_EQ(finding["line"], 2);
+  EXPECT_EQ(finding["column"], 7);
+  EXPECT_EQ(finding["end_line"], 2);
+  EXPECT_EQ(finding["end_column"], 8);
+}
+
+TEST(Check, FilesThatAreNoProgramsHaveTheirOwnMessage) {
+  TemporaryFolder folder;
+  const CheckOutput output =
+      checked_files({folder.write("empty.nc", ""), folder.write("EMPTY.MPF", "\n\n"),
+                     folder.write("picture.nc", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16))});
+  EXPECT_EQ(output.exit_code, 1);
+  const auto found = places(output.text, folder);
+  ASSERT_EQ(found.size(), 3U) << output.text;
+  EXPECT_EQ(found[0], "empty.nc:1:1: error: no program in this file [NC001]");
+  EXPECT_EQ(found[1], "EMPTY.MPF:1:1: error: no program in this file [NC001]");
+  EXPECT_EQ(found[2], "picture.nc:1:1: error: this file is no text [NC001]");
+}
+
+TEST(Check, AMissingFileIsExitCodeTwoAndTheOthersAreCheckedAllTheSame) {
+  TemporaryFolder folder;
+  const CheckOutput output =
+      checked_files({folder.path("gone.nc"), folder.write("case.nc", "O1\nGOTO 1\nM30\n")});
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_EQ(places(output.text, folder).size(), 1U);
+  EXPECT_EQ(output.errors, "g31: error: " + folder.path("gone.nc") + ": no such file or folder\n");
+}
+
+TEST(Check, OptionsDecideWhatCounts) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("case.nc", "O1\nM30\n#1=[2+\n")};
+  options.fail_on = source::Severity::Error;
+  EXPECT_EQ(checked(options).exit_code, 0);
+  EXPECT_NE(checked(options).text, "");
+  options.fail_on = source::Severity::Warning;
+  options.disabled = {"NC003"};
+  EXPECT_EQ(checked(options).exit_code, 0);
+  EXPECT_EQ(checked(options).text, "");
+  options.disabled = {"NC03"};
+  EXPECT_EQ(checked(options).exit_code, 2);
+  EXPECT_NE(checked(options).errors.find("did you mean NC003?"), std::string::npos);
+  options.disabled = {};
+  options.libraries = {folder.path("gone")};
+  EXPECT_EQ(checked(options).exit_code, 2);
+  options.libraries = {};
+  options.control = "fanuk-16i";
+  EXPECT_EQ(checked(options).exit_code, 5);
+}
+
+TEST(Check, TheControlDecidesWhatIsWrong) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("case.nc", "O1\nIF[#1EQ1]THEN#2=1\nM30\n")};
+  EXPECT_EQ(checked(options).exit_code, 0);
+  options.control = "brother";
+  EXPECT_EQ(checked(options).exit_code, 1);
+}
+
+TEST(Check, ListsItsRules) {
+  cli::CheckOptions options;
+  options.lists_rules = true;
+  const CheckOutput output = checked(options);
+  EXPECT_EQ(output.exit_code, 0);
+  EXPECT_TRUE(output.text.starts_with("NC001  error    no program: ")) << output.text;
+}
+
+}  // namespace
+}  // namespace g31

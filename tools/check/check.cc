@@ -1,0 +1,114 @@
+#include "tools/check/check.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "interpreter/analysis/static_findings.h"
+#include "interpreter/runtime/overloaded.h"
+#include "tools/disk/shipped.h"
+
+namespace g31::check {
+namespace {
+
+using session::Control;
+
+/// The control that a file speaks for; definition files are none but SINUMERIK's.
+Control control_of(const std::string& path, source::FileSystem& files) {
+  constexpr std::size_t kBeginning = 64;  // bytes: a header stands first
+  const std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".DEF" || ending == ".def" || ending == ".INI" || ending == ".ini") {
+    return session::SinumerikControl{};
+  }
+  return session::control_of_program(path, files.read_part(path, 0, kBeginning).value_or(""));
+}
+
+std::unique_ptr<analysis::ProgramSet> programs_for(const Control& control,
+                                                   source::FileSystem& files) {
+  return std::visit(
+      runtime::Overloaded{
+          [&](const session::FanucControl& chosen) {
+            return analysis::fanuc_programs(chosen.profile, files);
+          },
+          [&](const session::SinumerikControl&) { return analysis::sinumerik_programs(files); },
+      },
+      control);
+}
+
+std::string shipped_for(const Control& control) {
+  const bool is_fanuc = std::holds_alternative<session::FanucControl>(control);
+  return disk::shipped_folder(is_fanuc ? "macros/fanuc" : "macros/sinumerik").value_or("");
+}
+
+/// Files of one folder for one control: they share what they can call.
+struct Group {
+  Control control;
+  std::string folder;
+  std::vector<std::string> files;
+};
+
+std::vector<Group> groups_of(const Request& request, source::FileSystem& files) {
+  std::vector<Group> groups;
+  std::map<std::pair<std::string, std::string>, std::size_t> known;
+  for (const std::string& path : request.paths.files) {
+    const Control control = request.control ? *request.control : control_of(path, files);
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    const auto [place, is_new] =
+        known.try_emplace({std::string(session::name_of(control)), folder}, groups.size());
+    if (is_new) {
+      groups.push_back({control, folder, {}});
+    }
+    groups[place->second].files.push_back(path);
+  }
+  return groups;
+}
+
+/// What programs of the group can call beside their own files.
+void add_callable(analysis::ProgramSet& programs, const Group& group,
+                  const std::vector<Group>& groups, const Request& request) {
+  for (const Group& other : groups) {
+    const bool is_callable = other.folder != group.folder &&
+                             session::name_of(other.control) == session::name_of(group.control);
+    for (const std::string& path : other.files) {
+      if (is_callable &&
+          std::ranges::find(request.paths.named, path) != request.paths.named.end()) {
+        (void)programs.add_file(path);  // unreadable ones are told with their own group
+      }
+    }
+  }
+  programs.add_folder(group.folder);
+  for (const std::string& folder : request.libraries) {
+    programs.add_folder(folder);
+  }
+  if (const std::string shipped = shipped_for(group.control); !shipped.empty()) {
+    programs.add_folder(shipped);
+  }
+}
+
+}  // namespace
+
+Findings check(const Request& request, source::FileSystem& files) {
+  Findings all;
+  std::map<std::string, std::vector<analysis::Finding>> by_file;
+  const std::vector<Group> groups = groups_of(request, files);
+  for (const Group& group : groups) {
+    auto programs = programs_for(group.control, files);
+    std::vector<std::string> readable;
+    for (const std::string& path : group.files) {
+      (programs->add_file(path) ? readable : all.unreadable).push_back(path);
+    }
+    add_callable(*programs, group, groups, request);
+    for (const std::string& path : readable) {
+      by_file[path] = analysis::static_findings(*programs, path);
+    }
+    all.programs.push_back(std::move(programs));
+  }
+  for (const std::string& path : request.paths.files) {
+    std::ranges::move(by_file[path], std::back_inserter(all.found));
+  }
+  return all;
+}
+
+}  // namespace g31::check

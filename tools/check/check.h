@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "interpreter/analysis/finding.h"
+#include "interpreter/analysis/program_set.h"
+#include "interpreter/source/file_system.h"
+#include "tools/check/program_paths.h"
+#include "tools/session/control.h"
+
+namespace g31::check {
+
+/// What is to be checked.
+struct Request {
+  ProgramPaths paths;
+  std::optional<session::Control> control;  ///< of all; without one each file speaks for itself
+  std::vector<std::string> libraries;       ///< folders of subprograms
+};
+
+/// The findings of some files, file by file, and the texts that they point into.
+struct Findings {
+  std::vector<std::unique_ptr<analysis::ProgramSet>> programs;
+  std::vector<analysis::Finding> found;
+  std::vector<std::string> unreadable;  ///< files
+};
+
+/// Looks up what a program calls as a run of it would: in its file, in the other files of its
+/// folder that are checked, in those that are named, in its folder, in the libraries and among the
+/// programs shipped with g31.
+Findings check(const Request& request, source::FileSystem& files);
+
+}  // namespace g31::check

@@ -1,0 +1,97 @@
+#include "tools/check/program_paths.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string_view>
+#include <utility>
+
+namespace g31::check {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
+bool is_one_of(const std::string& ending, std::initializer_list<std::string_view> endings) {
+  return std::ranges::find(endings, ending) != endings.end();
+}
+
+bool is_sinumerik(const std::string& ending) {
+  return is_one_of(ending, {".mpf", ".spf", ".arc"});
+}
+
+/// O1234, O1234.txt
+bool has_program_number(const std::string& stem) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return stem.size() > 1 && stem.front() == 'o' &&
+         std::all_of(stem.begin() + 1, stem.end(), is_digit);
+}
+
+bool is_program(const fs::path& path, bool beside_sinumerik) {
+  const std::string ending = lower(path.extension().string());
+  return is_sinumerik(ending) || has_program_number(lower(path.stem().string())) ||
+         is_one_of(ending, {".nc", ".cnc", ".tap", ".eia", ".iso", ".ncc", ".min"}) ||
+         (ending == ".def" && beside_sinumerik);
+}
+
+/// Folders before files of the same folder would depend on the file system: all paths are sorted.
+std::vector<std::string> programs_below(const std::string& folder) {
+  std::map<fs::path, std::vector<fs::path>> by_folder;
+  std::error_code error;
+  using Walk = fs::recursive_directory_iterator;
+  for (Walk it(folder, fs::directory_options::skip_permission_denied, error), end;
+       !error && it != end; it.increment(error)) {
+    std::error_code ignored;
+    if (it->is_regular_file(ignored)) {
+      by_folder[it->path().parent_path()].push_back(it->path());
+    }
+  }
+  std::vector<std::string> found;
+  for (auto& [place, files] : by_folder) {
+    const bool beside_sinumerik = std::ranges::any_of(
+        files, [](const fs::path& file) { return is_sinumerik(lower(file.extension().string())); });
+    std::ranges::sort(files);
+    for (const fs::path& file : files) {
+      if (is_program(file, beside_sinumerik)) {
+        found.push_back(file.lexically_normal().string());
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+ProgramPaths program_paths(const std::vector<std::string>& named) {
+  ProgramPaths paths;
+  std::set<std::string> known;
+  const auto add = [&](const std::string& file) {
+    const bool is_new = known.insert(fs::path(file).lexically_normal().string()).second;
+    if (is_new) {
+      paths.files.push_back(file);
+    }
+    return is_new;
+  };
+  for (const std::string& name : named) {
+    std::error_code error;
+    if (fs::is_directory(name, error)) {
+      std::ranges::for_each(programs_below(name), add);
+    } else if (fs::exists(name, error)) {
+      if (add(name)) {
+        paths.named.push_back(name);
+      }
+    } else {
+      paths.missing.push_back(name);
+    }
+  }
+  return paths;
+}
+
+}  // namespace g31::check

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace g31::check {
+
+/// What is meant by the files and folders of a command line.
+struct ProgramPaths {
+  std::vector<std::string> files;    ///< each once, in the order named; those of a folder by name
+  std::vector<std::string> named;    ///< of them those that are named themselves
+  std::vector<std::string> missing;  ///< named, but no file or folder
+};
+
+/// Files that are named, and the programs in folders and the folders below them, which are told by
+/// their names: O1234 with any ending, .nc and its like, .MPF, .SPF, .ARC, and .DEF beside those
+/// three.
+ProgramPaths program_paths(const std::vector<std::string>& named);
+
+}  // namespace g31::check

@@ -1,0 +1,139 @@
+#include "tools/cli/check_command.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "interpreter/analysis/finding.h"
+#include "machine/base/nearest_name.h"
+#include "tools/check/check.h"
+#include "tools/check/check_document.h"
+#include "tools/cli/messages.h"
+#include "tools/disk/disk.h"
+
+namespace g31::cli {
+namespace {
+
+using CheckFindings = std::vector<analysis::Finding>;
+
+source::Severity level_of(const analysis::Finding& finding) {
+  return analysis::info(finding.rule).level;
+}
+
+std::string list_of_rules() {
+  std::string text;
+  for (const analysis::Rule& rule : analysis::rules()) {
+    text += fmt::format("{}  {:7}  {}: {}\n", rule.code, source::name_of(rule.level), rule.title,
+                        rule.text);
+  }
+  return text;
+}
+
+/// What the command line says that is wrong; nullopt: nothing.
+std::optional<session::Refusal> why_not(const CheckOptions& options) {
+  std::vector<std::string_view> known;
+  for (const analysis::Rule& rule : analysis::rules()) {
+    known.push_back(rule.code);
+  }
+  for (const std::string& rule : options.disabled) {
+    if (std::ranges::find(known, rule) == known.end()) {
+      const auto nearest = nearest_name(rule, known);
+      return session::bad_input(
+          fmt::format("--disable {}: no such rule{}; g31 check --rules lists them", rule,
+                      nearest ? fmt::format(", did you mean {}?", *nearest) : ""));
+    }
+  }
+  disk::Disk disk;
+  for (const std::string& folder : options.libraries) {
+    if (!disk.has_folder(folder)) {
+      return session::bad_input(fmt::format("--lib {}: no such folder", folder));
+    }
+  }
+  return std::nullopt;
+}
+
+CheckFindings without_disabled(CheckFindings found, const std::vector<std::string>& disabled) {
+  std::erase_if(found, [&](const analysis::Finding& finding) {
+    return std::ranges::find(disabled, analysis::info(finding.rule).code) != disabled.end();
+  });
+  return found;
+}
+
+std::string text_of(const CheckFindings& found) {
+  std::string text;
+  for (const analysis::Finding& finding : found) {
+    text += render_text(analysis::diagnostic_of(finding));
+  }
+  return text;
+}
+
+std::optional<session::Refusal> print_out(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    return session::bad_input(
+        fmt::format("cannot write standard output: {}", std::strerror(errno)));
+  }
+  return std::nullopt;
+}
+
+/// The findings where they are wanted.
+std::optional<session::Refusal> hand_out(const CheckOptions& options, const CheckFindings& found) {
+  const bool as_document = options.format == CheckOptions::Format::Json || options.json == "-";
+  const bool as_annotations = options.format == CheckOptions::Format::Github;
+  auto wrong = print_out(as_document      ? check::check_document(found)
+                         : as_annotations ? check::github_annotations(found)
+                                          : text_of(found));
+  if (wrong || options.json.empty() || options.json == "-") {
+    return wrong;
+  }
+  const auto problem = disk::write_whole_file(options.json, check::check_document(found));
+  return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
+}
+
+}  // namespace
+
+ExitCode check_command(const CheckOptions& options) {
+  if (const auto wrong = why_not(options)) {
+    return refuse(*wrong);
+  }
+  if (options.lists_rules) {
+    const auto wrong = print_out(list_of_rules());
+    return wrong ? refuse(*wrong) : ExitCode::Completed;
+  }
+  check::Request request;
+  if (!options.control.empty()) {
+    const auto control = session::control_named(options.control);
+    if (!control) {
+      return refuse(session::bad_setup(control.error()));
+    }
+    request.control = control.value();
+  }
+  disk::Disk disk;
+  request.paths = check::program_paths(options.files);
+  request.libraries = options.libraries;
+  check::Findings checked = check::check(request, disk);
+  const CheckFindings found = without_disabled(std::move(checked.found), options.disabled);
+  if (const auto wrong = hand_out(options, found)) {
+    return refuse(*wrong);
+  }
+  for (const std::string& path : request.paths.missing) {
+    (void)refuse(session::bad_input(fmt::format("{}: no such file or folder", path)));
+  }
+  for (const std::string& path : checked.unreadable) {
+    (void)refuse(session::bad_input(fmt::format("cannot read the program {}", path)));
+  }
+  if (!request.paths.missing.empty() || !checked.unreadable.empty()) {
+    return ExitCode::BadUsage;
+  }
+  const bool fails = std::ranges::any_of(found, [&](const analysis::Finding& finding) {
+    return level_of(finding) >= options.fail_on;
+  });
+  return fails ? ExitCode::Findings : ExitCode::Completed;
+}
+
+}  // namespace g31::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "interpreter/source/diagnostic.h"
+#include "tools/cli/exit_code.h"
+
+namespace g31::cli {
+
+/// What the command line of `g31 check` says.
+struct CheckOptions {
+  enum class Format { Text, Json, Github };
+
+  std::vector<std::string> files;  ///< or folders
+  std::string control = {};        ///< "": each file speaks for itself
+  std::vector<std::string> libraries = {};
+  std::vector<std::string> disabled = {};  ///< codes of rules
+  Format format = Format::Text;
+  std::string json = {};  ///< file of the document, - for standard output; "": none
+  source::Severity fail_on = source::Severity::Warning;
+  bool lists_rules = false;
+};
+
+/// Prints what is wrong with programs as far as it can be told without running them.
+ExitCode check_command(const CheckOptions& options);
+
+}  // namespace g31::cli

@@ -1,0 +1,83 @@
+#include "tools/cli/check_options.h"
+
+#include <map>
+
+#include <CLI/CLI.hpp>
+
+namespace g31::cli {
+namespace {
+
+const std::map<std::string, CheckOptions::Format> kFormats = {
+    {"text", CheckOptions::Format::Text},
+    {"json", CheckOptions::Format::Json},
+    {"github", CheckOptions::Format::Github},
+};
+
+const std::map<std::string, source::Severity> kLevels = {
+    {"error", source::Severity::Error},
+    {"warning", source::Severity::Warning},
+    {"note", source::Severity::Note},
+};
+
+/// Takes the names of a map, and says them when another comes.
+template <typename Value>
+void add_choice(CLI::App& command, const std::string& name, Value& value,
+                const std::map<std::string, Value>& choices, const std::string& text) {
+  std::vector<std::string> names;
+  for (const auto& [known, meaning] : choices) {
+    names.push_back(known);
+  }
+  command
+      .add_option_function<std::string>(
+          name, [&value, &choices](const std::string& given) { value = choices.at(given); }, text)
+      ->check(CLI::IsMember(names))
+      ->type_name("NAME");
+}
+
+}  // namespace
+
+CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
+  CLI::App* const check = app.add_subcommand(
+      "check", "Say what is wrong with NC programs without running them: all of it at once.");
+  auto* const files = check->add_option("FILE", options.files,
+                                        "programs, or folders of them with all folders below");
+  check
+      ->add_option("--control", options.control,
+                   "control profile of all programs; without it by file ending and content")
+      ->type_name("NAME");
+  check->add_option("--lib", options.libraries, "folder of subprograms; repeatable")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  add_choice(*check, "--format", options.format, kFormats,
+             "text (default), json (the document), github (annotations)");
+  check->add_option("--json", options.json, "document g31.check/1; - is standard output")
+      ->type_name("FILE");
+  check->add_option("--disable", options.disabled, "leave out findings of this rule; repeatable")
+      ->type_name("RULE")
+      ->allow_extra_args(false);
+  add_choice(*check, "--fail-on", options.fail_on, kLevels,
+             "level from which on a finding makes exit code 1: error, warning (default), note");
+  auto* const rules = check->add_flag("--rules", options.lists_rules, "list the rules");
+  check->callback([files, rules] {
+    if (files->empty() && rules->empty()) {
+      throw CLI::RequiredError("FILE or --rules");
+    }
+  });
+  return check;
+}
+
+std::string check_examples() {
+  return "Examples:\n"
+         "  g31 check O6001.nc\n"
+         "  g31 check programs/ --lib macros --control fanuc-30i\n"
+         "  g31 check *.MPF *.SPF --json findings.json\n"
+         "  g31 check programs/ --format github --fail-on error\n"
+         "  g31 check --rules\n\n"
+         "Findings go to standard output, each with its place and its rule.  Subprograms are "
+         "looked up\n"
+         "in the file, beside it, in the other files named, in --lib and among those that come "
+         "with\n"
+         "g31; a G or M code that parameters make a macro call is taken as it is.\n\n";
+}
+
+}  // namespace g31::cli
