@@ -19,6 +19,7 @@ enum class Status {
   Collision,    ///< something touched that must not, or a soft limit
   Setup,        ///< the set-up sheet does not fit the program
   Budget,       ///< blocks or time spent
+  Interrupted,  ///< stopped from outside
   SyntaxError,  ///< refused before the first block
 };
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "machine/base/contract.h"
+
 namespace g31::runtime {
 namespace {
 
@@ -22,7 +24,8 @@ Outcome outcome_of(StopReason reason) {
   Outcome outcome;
   outcome.status = reason.status;
   source::Diagnostic diagnostic;
-  if (reason.status == Status::Setup || reason.status == Status::Budget) {
+  if (reason.status == Status::Setup || reason.status == Status::Budget ||
+      reason.status == Status::Interrupted) {
     diagnostic = make_diagnostic(static_cast<source::DiagnosticId>(reason.number), reason.where,
                                  reason.detail);
   } else if (reason.status == Status::Collision && reason.number < 0) {
@@ -41,6 +44,24 @@ Outcome outcome_of(StopReason reason) {
   }
   outcome.diagnostics.push_back(std::move(diagnostic));
   return outcome;
+}
+
+Status status_of(BlockWatch::Halt halt) {
+  return halt == BlockWatch::Halt::Stopped ? Status::Interrupted : Status::Budget;
+}
+
+source::DiagnosticId message_of(BlockWatch::Halt halt) {
+  switch (halt) {
+    case BlockWatch::Halt::Blocks:
+      return source::DiagnosticId::BudgetBlocks;
+    case BlockWatch::Halt::Time:
+      return source::DiagnosticId::BudgetTime;
+    case BlockWatch::Halt::Stopped:
+      return source::DiagnosticId::Interrupted;
+    case BlockWatch::Halt::Paused:
+      break;
+  }
+  contract_violated("a pause is no end", __FILE__, __LINE__);
 }
 
 }  // namespace g31::runtime

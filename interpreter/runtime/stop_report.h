@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/runtime/block_watch.h"
 #include "interpreter/runtime/outcome.h"
 
 namespace g31::runtime {
@@ -10,7 +11,8 @@ namespace g31::runtime {
 /// Why a run ended before its program did, and where.
 struct StopReason {
   Status status = Status::Alarm;
-  /// Of the alarm; with Setup and Budget the DiagnosticId; with Collision below 0: no alarm.
+  /// Of the alarm; with Setup, Budget and Interrupted the DiagnosticId; with Collision below 0: no
+  /// alarm.
   int number = 0;
   std::string text;  ///< of the alarm
   std::string detail;
@@ -23,5 +25,9 @@ struct StopReason {
 /// What is left of the run: its status, the alarm if it was one, and the message as its only
 /// diagnostic.
 Outcome outcome_of(StopReason reason);
+
+/// How a run ends that its watch halts; @pre not Halt::Paused
+Status status_of(BlockWatch::Halt halt);
+source::DiagnosticId message_of(BlockWatch::Halt halt);
 
 }  // namespace g31::runtime

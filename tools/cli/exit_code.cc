@@ -35,6 +35,8 @@ ExitCode exit_code_of(session::Ending ending) {
       return ExitCode::Setup;
     case session::Ending::Budget:
       return ExitCode::Budget;
+    case session::Ending::Interrupted:
+      return ExitCode::Interrupted;
   }
   contract_violated("every ending has an exit code", __FILE__, __LINE__);
 }

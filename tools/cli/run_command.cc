@@ -160,7 +160,7 @@ struct Opened {
 
 /// What the document of a run tells, behind its end.
 report::RunResult result_of(const Opened& opened, const runtime::Outcome& outcome,
-                            const session::Run::NamedValues& values) {
+                            const runtime::NamedValues& values) {
   report::RunResult result;
   result.program = opened.options.programs.front();
   result.control = session::name_of(opened.prepared.control);

@@ -24,6 +24,8 @@ Ending ending_of(const runtime::Outcome& outcome) {
       return Ending::Setup;
     case runtime::Status::Budget:
       return Ending::Budget;
+    case runtime::Status::Interrupted:
+      return Ending::Interrupted;
     case runtime::Status::SyntaxError:
       return Ending::BadInput;
   }
@@ -43,6 +45,8 @@ const char* status_name(runtime::Status status) {
       return "setup";
     case runtime::Status::Budget:
       return "budget";
+    case runtime::Status::Interrupted:
+      return "interrupted";
   }
   contract_violated("every status has a name", __FILE__, __LINE__);
 }

@@ -15,11 +15,13 @@ enum class Ending : std::uint8_t {
   Collision,
   Setup,  ///< the set-up does not fit: a missing tool, offset or mesh, an unknown control
   Budget,
+  Interrupted,
 };
 
 Ending ending_of(const runtime::Outcome& outcome);
 
-/// How reports name a status: "completed", "alarm", "collision", "setup" or "budget".
+/// How reports name a status: "completed", "alarm", "collision", "setup", "budget" or
+/// "interrupted".
 const char* status_name(runtime::Status status);
 
 }  // namespace g31::session

@@ -44,6 +44,11 @@ class FanucPrograms final : public Programs {
   std::vector<Library> idle_;
 };
 
+Result<runtime::ShownValue, std::string> shown(const Result<runtime::Cell, std::string>& value) {
+  return value ? Result<runtime::ShownValue, std::string>(runtime::ShownValue(value.value()))
+               : value.error();
+}
+
 class FanucSession final : public Session {
  public:
   FanucSession(FanucPrograms& programs, Library library, machine::MachinePort& machine,
@@ -60,11 +65,23 @@ class FanucSession final : public Session {
   std::vector<std::string> configure(const runtime::ControlSetup& setup) override {
     return session_->configure(setup);
   }
-  runtime::Outcome run(const runtime::Budget& budget) override { return session_->run(budget); }
+  void begin(const runtime::Budget& budget, runtime::BlockListener* listener) override {
+    session_->begin(budget, listener);
+  }
+  runtime::Advance advance() override { return session_->advance(); }
+  runtime::Outcome finish() override { return session_->finish(); }
+  [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const override {
+    return session_->call_levels();
+  }
+  runtime::NamedValues values(std::size_t level, runtime::Scope scope) override {
+    return session_->values(level, scope);
+  }
+  Result<runtime::ShownValue, std::string> evaluate(std::size_t level,
+                                                    const std::string& text) override {
+    return shown(session_->evaluate(level, text));
+  }
   Result<runtime::ShownValue, std::string> variable(const std::string& name) override {
-    const auto value = session_->variable(name);
-    return value ? Result<runtime::ShownValue, std::string>(runtime::ShownValue(value.value()))
-                 : value.error();
+    return shown(session_->variable(name));
   }
   [[nodiscard]] std::map<std::string, double> permanent_variables() const override {
     return session_->permanent_variables();

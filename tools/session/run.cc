@@ -23,8 +23,8 @@ Result<std::shared_ptr<Run>, Refusal> Run::open(const setup::Job& job, Programs&
   return std::shared_ptr<Run>(new Run(job, std::move(session), files.value()));
 }
 
-Result<Run::NamedValues, std::string> Run::values(const std::vector<std::string>& names) {
-  NamedValues values;
+Result<runtime::NamedValues, std::string> Run::values(const std::vector<std::string>& names) {
+  runtime::NamedValues values;
   for (const std::string& name : names) {
     const auto value = session_->variable(name);
     if (!value) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "interpreter/runtime/inspection.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/shown_value.h"
@@ -34,8 +35,8 @@ class Run {
 
   /// Values by name, in the order asked for; what is wrong with a name that the control does not
   /// have.
-  using NamedValues = std::vector<std::pair<std::string, runtime::ShownValue>>;
-  [[nodiscard]] Result<NamedValues, std::string> values(const std::vector<std::string>& names);
+  [[nodiscard]] Result<runtime::NamedValues, std::string> values(
+      const std::vector<std::string>& names);
 
   /// What the program made or changed, by name.
   [[nodiscard]] std::map<std::string, std::string> changed_files() const {

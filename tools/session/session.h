@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "interpreter/runtime/block_listener.h"
 #include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/inspection.h"
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/printer_port.h"
 #include "interpreter/runtime/shown_value.h"
@@ -25,7 +28,30 @@ class Session {
   virtual void connect(runtime::PrinterPort& /*printer*/) {}
   /// @returns what in the set-up this control cannot understand; empty: all of it
   virtual std::vector<std::string> configure(const runtime::ControlSetup& setup) = 0;
-  virtual runtime::Outcome run(const runtime::Budget& budget) = 0;
+
+  /// Stands before the first block of the main program.
+  /// @param listener  hears of each block; outlives the session; nullptr: none
+  virtual void begin(const runtime::Budget& budget, runtime::BlockListener* listener) = 0;
+  /// Goes on to the end, or to the next pause that the listener wants.
+  virtual runtime::Advance advance() = 0;
+  /// What became of the run, which ends here if it stands at a pause.
+  virtual runtime::Outcome finish() = 0;
+  /// All of it at once.
+  runtime::Outcome run(const runtime::Budget& budget) {
+    begin(budget, nullptr);
+    advance();
+    return finish();
+  }
+
+  // At a pause.  Level 0 is the innermost; nothing of the run changes for being looked at.
+
+  /// Innermost first.
+  [[nodiscard]] virtual std::vector<runtime::CallLevel> call_levels() const = 0;
+  virtual runtime::NamedValues values(std::size_t level, runtime::Scope scope) = 0;
+  /// The value of an expression among the variables of a level; the reason when it has none.
+  virtual Result<runtime::ShownValue, std::string> evaluate(std::size_t level,
+                                                            const std::string& text) = 0;
+
   /// The value of what --print names; the reason when there is none.
   virtual Result<runtime::ShownValue, std::string> variable(const std::string& name) = 0;
   /// What a control keeps over power off.

@@ -16,7 +16,21 @@ class SinumerikSession final : public Session {
   std::vector<std::string> configure(const runtime::ControlSetup& setup) override {
     return session_.configure(setup);
   }
-  runtime::Outcome run(const runtime::Budget& budget) override { return session_.run(budget); }
+  void begin(const runtime::Budget& budget, runtime::BlockListener* listener) override {
+    session_.begin(budget, listener);
+  }
+  runtime::Advance advance() override { return session_.advance(); }
+  runtime::Outcome finish() override { return session_.finish(); }
+  [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const override {
+    return session_.call_levels();
+  }
+  runtime::NamedValues values(std::size_t level, runtime::Scope scope) override {
+    return session_.values(level, scope);
+  }
+  Result<runtime::ShownValue, std::string> evaluate(std::size_t level,
+                                                    const std::string& text) override {
+    return session_.evaluate(level, text);
+  }
   Result<runtime::ShownValue, std::string> variable(const std::string& name) override {
     return session_.variable(name);
   }

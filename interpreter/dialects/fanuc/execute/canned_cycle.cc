@@ -80,8 +80,8 @@ MaybeFailure Hole::drill() {
 }
 
 MaybeFailure Hole::move(double level, machine::Traverse traverse) {
-  if (control_.budget.is_too_late()) {
-    return budget_failure(runtime::BudgetWatch::Spent::Time);
+  if (control_.watch.is_too_late()) {
+    return halt_failure(runtime::BlockWatch::Halt::Time);
   }
   q_L_[plane_.across] = level;
   return move_to(control_, control_.coordinates.to_machine(q_L_) + q_M_aside_, traverse,

@@ -24,49 +24,6 @@ Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::Machine
   control_.here = [this] { return location_of(frame()); };
 }
 
-runtime::Outcome Runner::run(const runtime::Budget& budget) {
-  const CompiledProgram* const main = library_.main_program();
-  runtime::Outcome outcome;
-  if (main == nullptr) {
-    outcome.status = runtime::Status::SyntaxError;
-    outcome.diagnostics.push_back(
-        make_diagnostic(source::DiagnosticId::NoProgramInFile, {library_.main_text(), {}}));
-    return outcome;
-  }
-  for (const syntax::SyntaxError& error : reachable_errors(*main)) {
-    const AlarmInfo& row = info(static_cast<AlarmId>(error.error));
-    outcome.status = runtime::Status::SyntaxError;
-    outcome.diagnostics.push_back({source::Severity::Error,
-                                   std::to_string(number_of(static_cast<AlarmId>(error.error),
-                                                            control_.profile.alarm_numbers)),
-                                   {main->file, error.where.widened()},
-                                   fmt::format("{}: {}", row.text, error.message),
-                                   std::string(row.remedy),
-                                   {}});
-  }
-  if (outcome.status == runtime::Status::SyntaxError) {
-    return outcome;
-  }
-  start(*main);
-  control_.budget = runtime::BudgetWatch(budget);
-  if (const MaybeFailure failure = loop()) {
-    outcome = outcome_of(*failure);
-  } else {
-    control_.report_silent_skip();
-  }
-  control_.tell_repeats();
-  outcome.diagnostics = control_.diagnostics;
-  outcome.blocks = control_.budget.blocks();
-  return outcome;
-}
-
-void Runner::start(const CompiledProgram& main) {
-  frames_.assign(1, Frame());
-  frame().program = &main;
-  control_.modal.word('O') = main.number;
-  control_.coordinates.arrived_at_machine(control_.port.position());
-}
-
 /// Statements that touch nothing but variables: the hot loop of a macro program.
 /// @returns whether the step was one of them; the evaluator knows of a fault
 bool Runner::fast_step(const Step& step, Frame& now) {
@@ -128,8 +85,10 @@ MaybeFailure Runner::loop() {
       }
       continue;
     }
-    if (const auto spent = control_.budget.next_block()) {
-      return budget_failure(*spent);
+    if (const auto halt = control_.watch.next_block([this] { return next_place(); })) {
+      is_paused_ = *halt == runtime::BlockWatch::Halt::Paused;
+      now.current = *halt == runtime::BlockWatch::Halt::Stopped ? now.step : now.current;
+      return is_paused_ ? std::nullopt : MaybeFailure(halt_failure(*halt));
     }
     now.current = now.step;
     const Step& next = now.program->steps[now.step++];
@@ -145,6 +104,17 @@ MaybeFailure Runner::loop() {
     }
   }
   return std::nullopt;
+}
+
+/// The block of the step that comes next.
+runtime::BlockPlace Runner::next_place() const {
+  const Frame& now = frames_.back();
+  const Step& step = now.program->steps[now.step];
+  runtime::BlockPlace place;
+  place.where = {now.program->file, now.program->tree->blocks[step.block].span.widened()};
+  place.depth = static_cast<std::uint16_t>(frames_.size() - 1);
+  place.is_skipped = step.skip_switch != 0 && control_.block_skip.contains(step.skip_switch);
+  return place;
 }
 
 /// Goes on in the next window of a long program, or says that the program has no end.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "interpreter/dialects/fanuc/code/library.h"
 #include "interpreter/dialects/fanuc/state/control.h"
 #include "interpreter/dialects/fanuc/system/control_variables.h"
+#include "interpreter/runtime/inspection.h"
 #include "interpreter/runtime/outcome.h"
 
 namespace g31::fanuc {
@@ -70,13 +72,31 @@ class Runner {
   Runner(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
          runtime::Observer& observer);
 
-  runtime::Outcome run(const runtime::Budget& budget);
+  // runner_advance.cc
+
+  /// Stands before the first block; a program that cannot run at all has ended already.
+  /// @param listener  outlives the run; nullptr: none
+  void begin(const runtime::Budget& budget, runtime::BlockListener* listener);
+  /// Goes on to the end, or to the next pause that the listener wants.
+  runtime::Advance advance();
+  /// What became of the run, which ends here if it has not ended.
+  runtime::Outcome finish();
+
+  /// At a pause, innermost first.
+  [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const;
+
   Control& control() { return control_; }
+  [[nodiscard]] const Control& control() const { return control_; }
+  /// Which level of local variables the programs of a level of calls have; 0: the main program's.
+  [[nodiscard]] std::size_t locals_level(std::size_t depth) const;
 
  private:
-  // runner.cc: the loop
+  bool refuse_broken(const CompiledProgram& main);
   void start(const CompiledProgram& main);
+
+  // runner.cc: the loop
   MaybeFailure loop();
+  [[nodiscard]] runtime::BlockPlace next_place() const;
   bool fast_step(const Step& step, Frame& now);
   MaybeFailure rare_step(const Step& step);
   MaybeFailure set_names(const Step& step);
@@ -142,7 +162,10 @@ class Runner {
   Control control_;
   std::vector<Frame> frames_;
   BlockWords words_;
-  bool ended_ = false;
+  bool ended_ = false;      ///< the program
+  bool is_paused_ = false;  ///< before the step that comes next
+  bool is_over_ = false;    ///< the run; outcome_ says how
+  runtime::Outcome outcome_;
 };
 
 }  // namespace g31::fanuc

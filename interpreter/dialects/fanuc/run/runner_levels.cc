@@ -52,6 +52,7 @@ MaybeFailure Runner::enter(const Entry& entry) {
   level.modal_calls = frame().modal_calls;
   frames_.push_back(std::move(level));
   control_.modal.word('O') = entry.program->number;
+  control_.watch.level_changed(frames_.size() - 1);
   return std::nullopt;
 }
 
@@ -163,6 +164,7 @@ MaybeFailure Runner::return_from_call() {
     }
     frames_.pop_back();
     control_.modal.word('O') = frame().program->number;
+    control_.watch.level_changed(frames_.size() - 1);
   }
   if (p == nullptr) {
     return std::nullopt;

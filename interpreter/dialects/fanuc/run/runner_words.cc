@@ -65,8 +65,8 @@ bool Runner::skips_rest(const syntax::Word& word) {
 }
 
 MaybeFailure Runner::nc_block(const Step& step) {
-  if (control_.budget.is_too_late()) {
-    return budget_failure(runtime::BudgetWatch::Spent::Time);
+  if (control_.watch.is_too_late()) {
+    return halt_failure(runtime::BlockWatch::Halt::Time);
   }
   if (auto failure = evaluate_words(step)) {
     return failure;

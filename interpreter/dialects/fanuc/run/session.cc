@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/run/inspector.h"
 #include "interpreter/dialects/fanuc/run/runner.h"
 
 namespace g31::fanuc {
@@ -86,7 +87,8 @@ void configure_calls(Control& control, const runtime::ControlSetup& setup,
 
 Session::Session(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
                  runtime::Observer& observer)
-    : runner_(std::make_unique<Runner>(profile, library, port, observer)) {
+    : runner_(std::make_unique<Runner>(profile, library, port, observer)),
+      inspector_(std::make_unique<Inspector>(*runner_)) {
   library.compile_for(profile);
 }
 
@@ -128,7 +130,33 @@ void Session::connect(runtime::PrinterPort& printer) {
 }
 
 runtime::Outcome Session::run(const runtime::Budget& budget) {
-  return runner_->run(budget);
+  begin(budget, nullptr);
+  advance();
+  return finish();
+}
+
+void Session::begin(const runtime::Budget& budget, runtime::BlockListener* listener) {
+  runner_->begin(budget, listener);
+}
+
+runtime::Advance Session::advance() {
+  return runner_->advance();
+}
+
+runtime::Outcome Session::finish() {
+  return runner_->finish();
+}
+
+std::vector<runtime::CallLevel> Session::call_levels() const {
+  return runner_->call_levels();
+}
+
+runtime::NamedValues Session::values(std::size_t level, runtime::Scope scope) {
+  return inspector_->values(level, scope);
+}
+
+Result<runtime::Cell, std::string> Session::evaluate(std::size_t level, const std::string& text) {
+  return inspector_->evaluate(level, text);
 }
 
 Result<Cell, std::string> Session::variable(const std::string& name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -8,7 +9,9 @@
 
 #include "interpreter/dialects/fanuc/code/library.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
+#include "interpreter/runtime/block_listener.h"
 #include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/inspection.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/printer_port.h"
@@ -16,6 +19,7 @@
 
 namespace g31::fanuc {
 
+class Inspector;
 class Runner;
 
 /// A control of the Fanuc dialect with its programs, ready to run one of them.
@@ -38,6 +42,18 @@ class Session {
   /// Runs the library's main program to its end.
   runtime::Outcome run(const runtime::Budget& budget);
 
+  /// The same block by block: from before its first one to each pause that the listener wants, and
+  /// to the end; finish() at a pause ends the run there.
+  /// @param listener  outlives the session; nullptr: none
+  void begin(const runtime::Budget& budget, runtime::BlockListener* listener);
+  runtime::Advance advance();
+  runtime::Outcome finish();
+
+  // At a pause and behind the end.  Level 0 is the innermost; nothing of the run changes.
+  [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const;
+  runtime::NamedValues values(std::size_t level, runtime::Scope scope);
+  Result<runtime::Cell, std::string> evaluate(std::size_t level, const std::string& text);
+
   /// The value of a variable as `--print` names it ("#100"); the reason when there is none.
   Result<runtime::Cell, std::string> variable(const std::string& name);
 
@@ -46,6 +62,7 @@ class Session {
 
  private:
   std::unique_ptr<Runner> runner_;
+  std::unique_ptr<Inspector> inspector_;
 };
 
 }  // namespace g31::fanuc

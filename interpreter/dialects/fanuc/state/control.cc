@@ -70,7 +70,7 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
 }
 
 void Control::report_silent_skip() {
-  if (silent_skip) {
+  if (silent_skip && !is_inspected) {
     warn(source::DiagnosticId::SkipWithoutSignal, *silent_skip);
     silent_skip.reset();
   }
@@ -84,6 +84,9 @@ void Control::report_stopped_skip() {
 }
 
 void Control::report_read_ahead(const SystemVariable& row, std::int32_t number) {
+  if (is_inspected) {
+    return;
+  }
   const source::Location where = here();
   if (const auto report = lookahead.judge(row, where, number)) {
     diagnostics.push_back(make_diagnostic(*report, where, fmt::format("#{}", number)));

@@ -29,7 +29,7 @@
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
-#include "interpreter/runtime/budget_watch.h"
+#include "interpreter/runtime/block_watch.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/printer_port.h"
@@ -121,7 +121,9 @@ struct Control {
   /// Where the last G28 or G30 of each axis went through (L); none before the first.
   std::array<std::optional<double>, kAxisCount> q_L_intermediate;
   DataInput data_input = DataInput::None;
-  runtime::BudgetWatch budget{runtime::Budget{}};
+  runtime::BlockWatch watch{runtime::Budget{}};
+  /// A value is looked at from outside the program: no report comes of it, and no time passes.
+  bool is_inspected = false;
 
   Lookahead lookahead;
   std::vector<source::Diagnostic> diagnostics;
@@ -136,6 +138,12 @@ struct Control {
   /// Another skip move follows: the one before was a protected positioning move, and if its
   /// signal ended it, it met something.
   void report_stopped_skip();
+  /// The program looks where the axes are: what stopped them does not go unnoticed.
+  void position_read() {
+    if (!is_inspected) {
+      stopped_skip.reset();
+    }
+  }
 
   /// Somebody relies on a skip move that had no signal: the warning that it deserves.
   /// A silent skip move that is followed by another one is a protected positioning move.

@@ -4,8 +4,9 @@
 #include <string>
 
 #include "interpreter/dialects/fanuc/vocabulary/alarms.h"
-#include "interpreter/runtime/budget_watch.h"
+#include "interpreter/runtime/block_watch.h"
 #include "interpreter/runtime/outcome.h"
+#include "interpreter/runtime/stop_report.h"
 #include "interpreter/source/diagnostic.h"
 #include "interpreter/source/location.h"
 #include "interpreter/syntax/tree.h"
@@ -19,7 +20,7 @@ struct Failure {
   source::Location block;   ///< an earlier block that was executed late; no file: the present one
   std::string detail;
   runtime::Status status = runtime::Status::Alarm;
-  /// 0: the row's own; macro alarms count from it; Setup and Budget: the DiagnosticId.
+  /// 0: the row's own; macro alarms count from it; Setup, Budget and Interrupted: the DiagnosticId.
   int alarm_number = 0;
   std::string alarm_text;  ///< empty: the row's own
 };
@@ -27,13 +28,11 @@ struct Failure {
 /// nullopt: the block was executed.
 using MaybeFailure = std::optional<Failure>;
 
-/// The end of a run whose budget is spent.
-inline Failure budget_failure(runtime::BudgetWatch::Spent spent) {
-  const bool by_blocks = spent == runtime::BudgetWatch::Spent::Blocks;
+/// The end of a run that its watch halts.
+inline Failure halt_failure(runtime::BlockWatch::Halt halt) {
   Failure failure;
-  failure.status = runtime::Status::Budget;
-  failure.alarm_number = static_cast<int>(by_blocks ? source::DiagnosticId::BudgetBlocks
-                                                    : source::DiagnosticId::BudgetTime);
+  failure.status = runtime::status_of(halt);
+  failure.alarm_number = static_cast<int>(runtime::message_of(halt));
   return failure;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "interpreter/dialects/fanuc/vocabulary/alarms.h"
@@ -81,6 +82,8 @@ class Variables {
   [[nodiscard]] const Locals& level() const { return locals_.back(); }
   void set_level(const Locals& locals) { locals_.back() = locals; }
   void pop_level() { locals_.pop_back(); }
+  /// The locals of an outer level change places with those of the present one; 0: the first.
+  void swap_with_present(std::size_t level) { std::swap(locals_[level], locals_.back()); }
 
  private:
   SystemVariables& system_;

@@ -4,7 +4,7 @@ namespace g31::fanuc::system {
 namespace {
 
 ReadResult axis_of(Control& control, const Place& place, const AxisPositions& q) {
-  control.stopped_skip.reset();
+  control.position_read();
   const int axis = place.index();
   if (axis >= static_cast<int>(kAxisCount)) {
     return AlarmId::IllegalVariable;

@@ -12,8 +12,8 @@ using compensation::Pause;
 
 template <typename Move>
 MaybeFailure to_machine(Channel& channel, const Move& move, int g) {
-  if (channel.budget.is_too_late()) {
-    return out_of_time();
+  if (channel.watch.is_too_late()) {
+    return halt_failure(runtime::BlockWatch::Halt::Time);
   }
   if (MaybeFailure outside = outside_working_area(channel, move.q_M_end)) {
     return outside;
@@ -220,6 +220,9 @@ MaybeFailure finish_corners(Channel& channel) {
 }
 
 MaybeFailure finish_motion(Channel& channel) {
+  if (channel.is_inspected) {
+    return std::nullopt;
+  }
   if (MaybeFailure wrong = line_without_end(channel)) {
     return wrong;
   }

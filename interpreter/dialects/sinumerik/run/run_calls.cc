@@ -166,6 +166,7 @@ MaybeFailure Runner::enter(const CompiledProgram& program, const std::vector<Bou
     save_codes(into);
   }
   ++depth_;
+  channel_.watch.level_changed(depth_);
   use_level();
   return std::nullopt;
 }
@@ -356,6 +357,7 @@ void Runner::leave_level() {
     modal_call_.reset();
   }
   --depth_;
+  channel_.watch.level_changed(depth_);
 }
 
 MaybeFailure Runner::go_on_at(const ReturnTarget& target) {

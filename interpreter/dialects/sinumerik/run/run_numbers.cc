@@ -61,7 +61,7 @@ const Op& Runner::number_steps() {
     if (op->code < OpCode::Jump) {
       done = number_step(*op);
     } else if (op->code == OpCode::Block) {
-      done = op->detail == 0 && !in_part && !channel_.budget.next_block();
+      done = op->detail == 0 && !in_part && channel_.watch.counts_at_once();
     } else if (op->code == OpCode::JumpIfNot) {
       op = number(op->a) == 0.0 ? ops + op->b.place - 1 : op;
     } else if (op->code == OpCode::Jump) {

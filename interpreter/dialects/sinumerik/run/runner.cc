@@ -12,35 +12,6 @@
 #include "machine/base/contract.h"
 
 namespace g31::sinumerik {
-namespace {
-
-/// g31's own reason for an end, beside alarms.
-Failure of_budget(runtime::BudgetWatch::Spent spent) {
-  Failure reason;
-  reason.status = runtime::Status::Budget;
-  reason.number = static_cast<int>(spent == runtime::BudgetWatch::Spent::Blocks
-                                       ? source::DiagnosticId::BudgetBlocks
-                                       : source::DiagnosticId::BudgetTime);
-  return reason;
-}
-
-/// An archive of a whole control has much that no program here asks for.
-source::Diagnostic unknown_data_note(const CompiledProgram& program) {
-  constexpr std::size_t kShown = 5;
-  const std::vector<UnknownDatum>& unknown = program.unknown_data;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(unknown.size(), kShown); ++i) {
-    names += (i > 0 ? ", " : "") + unknown[i].name;
-  }
-  source::Diagnostic note = make_diagnostic(
-      source::DiagnosticId::NotSimulated, {program.file, unknown.front().where.widened()},
-      fmt::format("{} data of this file, {}{}", unknown.size(), names,
-                  unknown.size() > kShown ? " and others" : ""));
-  note.severity = source::Severity::Note;
-  return note;
-}
-
-}  // namespace
 
 Runner::Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::Observer& observer)
     : programs_(programs),
@@ -86,46 +57,8 @@ void Runner::use_level() {
   banks_[3] = number_temporaries_.data();
 }
 
-runtime::Outcome Runner::run(const runtime::Budget& budget) {
-  runtime::Outcome outcome;
-  const CompiledProgram* const main = programs_.main_program();
-  if (main == nullptr) {
-    outcome.status = runtime::Status::SyntaxError;
-    outcome.diagnostics.push_back(
-        make_diagnostic(source::DiagnosticId::NoProgramInFile, {programs_.main_text(), {}}));
-    return outcome;
-  }
-  if (early_failure_) {
-    outcome = *early_failure_;
-    outcome.diagnostics = channel_.diagnostics;
-    return outcome;
-  }
-  start(*main);
-  has_run_ = true;
-  channel_.arrived_at_machine();
-  channel_.budget = runtime::BudgetWatch(budget);
-  MaybeFailure reason = take_no_arguments();
-  if (!reason) {
-    reason = loop();
-  }
-  if (!reason) {
-    reason = finish_motion(channel_);
-  }
-  if (reason) {
-    outcome = outcome_of(*reason);
-    drop_motion(channel_);
-  }
-  if (!levels_.front()->has_references()) {
-    *levels_.front() = Level();  // its variables are nowhere
-  }
-  channel_.warnings.tell_repeats(channel_.diagnostics);
-  outcome.diagnostics = channel_.diagnostics;
-  outcome.blocks = channel_.budget.blocks();
-  return outcome;
-}
-
 MaybeFailure Runner::loop() {
-  while (!ended_) {
+  while (!ended_ && !is_paused_) {
     const Op& op = number_steps();
     if (fault_) {
       return from_step();
@@ -214,14 +147,29 @@ MaybeFailure Runner::other_step(const Op& op) {
   }
 }
 
+/// The block that the step `op` begins.
+runtime::BlockPlace Runner::place_of(const Op& op) const {
+  runtime::BlockPlace place;
+  place.where = here();
+  place.depth = static_cast<std::uint16_t>(depth_);
+  place.is_shown = shown_level() == depth_;
+  place.is_skipped = op.detail != 0 && skips(op.detail - 1);
+  return place;
+}
+
 /// Whether a block is done: it is not when it is skipped, when it stands behind a part that REPEAT
-/// runs, and when the budget is spent, which is a fault.
+/// runs, at a pause, and when the watch ends the run, which is a fault.
 bool Runner::begins(const Op& op) {
   if (!level().parts.empty() && at_end_of_part(current_)) {
     return false;
   }
-  if (const auto spent = channel_.budget.next_block()) {
-    fault_ = of_budget(*spent);
+  if (const auto halt = channel_.watch.next_block([&] { return place_of(op); })) {
+    is_paused_ = *halt == runtime::BlockWatch::Halt::Paused;
+    if (is_paused_) {
+      level().step = current_;
+    } else {
+      fault_ = halt_failure(*halt);
+    }
     return false;
   }
   if (op.detail != 0 && skips(op.detail - 1)) {
@@ -341,82 +289,6 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   channel_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
   outcome.diagnostics.clear();
   return outcome;
-}
-
-/// Runs blocks on the lowest level, whose variables stay as the main program left them.
-MaybeFailure Runner::run_among(const CompiledProgram& program) {
-  depth_ = 0;
-  if (level().program == nullptr) {
-    start(program);
-  }
-  const CompiledProgram* const before = level().program;
-  level().program = &program;
-  level().step = 0;
-  level().parts.clear();
-  level().waiting.clear();
-  words_.clear();
-  ended_ = false;
-  use_level();
-  MaybeFailure reason = loop();
-  level().program = before;
-  return reason;
-}
-
-const CompiledProgram& Runner::home() const {
-  static const CompiledProgram kNowhere;
-  return levels_.front()->program != nullptr ? *levels_.front()->program : kNowhere;
-}
-
-std::optional<std::string> Runner::run_text(const std::string& source) {
-  const CompiledProgram* const program = programs_.snippet(source, home());
-  level().program = level().program == nullptr ? program : level().program;
-  const MaybeFailure reason = run_among(*program);
-  return reason ? std::optional(fmt::format("{} {}", info(reason->id).text, reason->detail))
-                : std::nullopt;
-}
-
-void Runner::run_before(const CompiledProgram& program) {
-  // Data are lines without jumps: these are more than any archive has.
-  constexpr runtime::Budget kMost = {1'000'000, 10.0};
-  if (early_failure_) {
-    return;
-  }
-  channel_.budget = runtime::BudgetWatch(kMost);
-  start(program);
-  if (const MaybeFailure reason = loop()) {
-    early_failure_ = outcome_of(*reason);
-  }
-  if (!program.unknown_data.empty()) {
-    channel_.diagnostics.push_back(unknown_data_note(program));
-  }
-  channel_.budget = runtime::BudgetWatch(runtime::Budget{});
-  *levels_.front() = Level();
-}
-
-Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {
-  const CompiledProgram* const main = has_run_ ? nullptr : programs_.main_program();
-  const CompiledProgram* const program =
-      programs_.expression(expression, main != nullptr ? *main : home());
-  if (main != nullptr) {
-    start(*program);
-  }
-  if (const MaybeFailure reason = run_among(*program)) {
-    return fmt::format("{} {}", info(reason->id).text, reason->detail);
-  }
-  ShownValue shown;
-  shown.type = program->result.type;
-  const CompiledProgram* const before = level().program;
-  level().program = program;
-  use_level();
-  if (shown.type == Type::String) {
-    shown.text = text(program->result.value);
-  } else if (is_held_as_number(shown.type)) {
-    shown.number = without_sign_of_zero(number(program->result.value));
-  }
-  level().program = before;
-  return shown.type == Type::Frame || shown.type == Type::None
-             ? Result<ShownValue, std::string>(std::string("is no single value"))
-             : shown;
 }
 
 }  // namespace g31::sinumerik

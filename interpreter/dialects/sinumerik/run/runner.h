@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/code/callable_programs.h"
@@ -14,6 +15,7 @@
 #include "interpreter/dialects/sinumerik/text/text_format.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
+#include "interpreter/runtime/inspection.h"
 #include "interpreter/runtime/outcome.h"
 
 namespace g31::sinumerik {
@@ -37,7 +39,23 @@ class Runner {
  public:
   Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::Observer& observer);
 
-  runtime::Outcome run(const runtime::Budget& budget);
+  // runner_advance.cc
+
+  /// Stands before the first block; a program that cannot run at all has ended already.
+  /// @param listener  outlives the run; nullptr: none
+  void begin(const runtime::Budget& budget, runtime::BlockListener* listener);
+  /// Goes on to the end, or to the next pause that the listener wants.
+  runtime::Advance advance();
+  /// What became of the run, which ends here if it has not ended.
+  runtime::Outcome finish();
+
+  // run_inspection.cc: at a pause; level 0 is the innermost
+
+  [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const;
+  /// Local variables and parameters, frames apart.
+  std::vector<std::pair<std::string, ShownValue>> local_values(std::size_t level);
+  /// The value of an expression among the variables of a level.  Nothing of the run changes.
+  Result<ShownValue, std::string> evaluate(std::size_t level, const std::string& expression);
 
   /// Runs `text` on its own, among the variables of the main program.  @returns why it failed
   std::optional<std::string> run_text(const std::string& text);
@@ -56,8 +74,7 @@ class Runner {
 
   // runner.cc
   [[nodiscard]] bool skips(int which) const;
-  MaybeFailure run_among(const CompiledProgram& program);
-  [[nodiscard]] const CompiledProgram& home() const;
+  [[nodiscard]] runtime::BlockPlace place_of(const Op& op) const;
   void start(const CompiledProgram& program);
   MaybeFailure begin_window();
   MaybeFailure take_no_arguments();
@@ -77,6 +94,15 @@ class Runner {
   [[nodiscard]] source::Location place_of_call(std::size_t which) const;
   [[nodiscard]] source::Location here() const;
   MaybeFailure from_step();
+
+  // runner_advance.cc
+  void end(const MaybeFailure& reason);
+
+  // run_inspection.cc
+  MaybeFailure run_among(const CompiledProgram& program, std::size_t depth);
+  Result<ShownValue, std::string> result_of(const CompiledProgram& program, std::size_t depth);
+  [[nodiscard]] const CompiledProgram& home(std::size_t depth) const;
+  [[nodiscard]] std::size_t depth_of(std::size_t level) const;
 
   // run_numbers.cc
   const Op& number_steps();
@@ -262,7 +288,12 @@ class Runner {
   std::optional<ModalCall> modal_call_;
   /// What calls by name have found: programs stay, so it counts until CALLPATH.
   std::unordered_map<const CallSite*, const CompiledProgram*> found_calls_;
-  bool ended_ = false;
+  /// What evaluate() compiled, by the program whose variables it names.
+  std::map<std::pair<const CompiledProgram*, std::string>, const CompiledProgram*> expressions_;
+  bool ended_ = false;      ///< the program
+  bool is_paused_ = false;  ///< before the block that comes next
+  bool is_over_ = false;    ///< the run; outcome_ says how
+  runtime::Outcome outcome_;
   bool has_run_ = false;  ///< the main program
   std::optional<runtime::Outcome> early_failure_;
 };

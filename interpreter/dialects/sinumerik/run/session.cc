@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/sinumerik/code/element_name.h"
 #include "interpreter/dialects/sinumerik/run/runner.h"
 
 namespace g31::sinumerik {
@@ -46,29 +47,6 @@ std::string assignment(const std::string& name, double value) {
   return fmt::format("{}={}", name, number);
 }
 
-/// "R5", "_OVR[0]", "$MA_MAX_AX_ACCEL[X]", "TABLE[1,2]"
-std::string name_of_element(const Variable& variable, std::int32_t element) {
-  if (variable.name == "R") {
-    return fmt::format("R{}", element);
-  }
-  if (variable.shape.dimensions == 0) {
-    return variable.name;
-  }
-  const bool by_axis = variable.name.starts_with("$MA_");
-  std::string indices;
-  for (int i = variable.shape.dimensions - 1; i >= 0; --i) {
-    const int size = variable.shape.size[static_cast<std::size_t>(i)];
-    const int index = element % size;
-    const bool is_axis = by_axis && i == variable.shape.dimensions - 1;
-    const std::string shown_index =
-        is_axis ? std::string(1, kAxisLetters[static_cast<std::size_t>(index)])
-                : std::to_string(index);
-    indices = shown_index + (indices.empty() ? "" : ",") + indices;
-    element /= size;
-  }
-  return fmt::format("{}[{}]", variable.name, indices);
-}
-
 void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
                       std::vector<std::string>& refused) {
   for (const auto& [name, q_offset] : setup.work_offsets) {
@@ -88,6 +66,16 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
     channel.knows_tools = true;
   }
   channel.take_stored_frames();
+}
+
+runtime::ShownValue shown_value(const ShownValue& value) {
+  if (value.type == Type::String) {
+    return value.text;
+  }
+  if (value.type == Type::Axis) {
+    return shown(Type::Axis, value.number);
+  }
+  return runtime::Cell(value.number);
 }
 
 }  // namespace
@@ -134,7 +122,46 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
 }
 
 runtime::Outcome Session::run(const runtime::Budget& budget) {
-  return runner_->run(budget);
+  begin(budget, nullptr);
+  advance();
+  return finish();
+}
+
+void Session::begin(const runtime::Budget& budget, runtime::BlockListener* listener) {
+  runner_->begin(budget, listener);
+}
+
+runtime::Advance Session::advance() {
+  return runner_->advance();
+}
+
+runtime::Outcome Session::finish() {
+  return runner_->finish();
+}
+
+std::vector<runtime::CallLevel> Session::call_levels() const {
+  return runner_->call_levels();
+}
+
+runtime::NamedValues Session::values(std::size_t level, runtime::Scope scope) {
+  runtime::NamedValues values;
+  if (scope == runtime::Scope::Local) {
+    for (const auto& [name, value] : runner_->local_values(level)) {
+      values.emplace_back(name, shown_value(value));
+    }
+    return values;
+  }
+  for (const auto& [name, number] : permanent_variables()) {
+    values.emplace_back(name, runtime::Cell(number));
+  }
+  return values;
+}
+
+Result<runtime::ShownValue, std::string> Session::evaluate(std::size_t level,
+                                                           const std::string& text) {
+  const auto value = runner_->evaluate(level, text);
+  return value ? Result<runtime::ShownValue, std::string>(shown_value(value.value()))
+               : value.error();
 }
 
 Result<runtime::ShownValue, std::string> Session::variable(const std::string& name) {
@@ -142,13 +169,7 @@ Result<runtime::ShownValue, std::string> Session::variable(const std::string& na
   if (!value) {
     return fmt::format("{}: {}", name, value.error());
   }
-  if (value.value().type == Type::String) {
-    return runtime::ShownValue(value.value().text);
-  }
-  if (value.value().type == Type::Axis) {
-    return runtime::ShownValue(shown(Type::Axis, value.value().number));
-  }
-  return runtime::ShownValue(runtime::Cell(value.value().number));
+  return shown_value(value.value());
 }
 
 std::map<std::string, double> Session::permanent_variables() const {
@@ -161,7 +182,7 @@ std::map<std::string, double> Session::permanent_variables() const {
     for (std::int32_t i = 0; i < variable.shape.count(); ++i) {
       const auto place = static_cast<std::size_t>(variable.place + i);
       if (numbers[place] != numbers_at_start_[place]) {
-        kept[name_of_element(variable, i)] = numbers[place];
+        kept[element_name(variable, i)] = numbers[place];
       }
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
@@ -7,7 +8,9 @@
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/code/callable_programs.h"
+#include "interpreter/runtime/block_listener.h"
 #include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/inspection.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/shown_value.h"
@@ -35,6 +38,20 @@ class Session {
 
   /// Runs the library's main program to its end.
   runtime::Outcome run(const runtime::Budget& budget);
+
+  /// The same block by block: from before its first one to each pause that the listener wants, and
+  /// to the end; finish() at a pause ends the run there.
+  /// @param listener  outlives the session; nullptr: none
+  void begin(const runtime::Budget& budget, runtime::BlockListener* listener);
+  runtime::Advance advance();
+  runtime::Outcome finish();
+
+  // At a pause.  Level 0 is the innermost; nothing of the run changes.
+  [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const;
+  /// Local: variables and parameters, frames apart.  Common: numbers that differ from what they are
+  /// after power on and loading.
+  runtime::NamedValues values(std::size_t level, runtime::Scope scope);
+  Result<runtime::ShownValue, std::string> evaluate(std::size_t level, const std::string& text);
 
   /// The value of what `--print` names, any expression of the language; the reason when there is
   /// none.  Local variables are those of the main program; before the run they have their first

@@ -15,7 +15,7 @@
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
-#include "interpreter/runtime/budget_watch.h"
+#include "interpreter/runtime/block_watch.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/warnings.h"
@@ -233,7 +233,9 @@ class Channel {
   std::array<bool, 65> digital_inputs = {};  ///< $A_IN, where nothing is wired to it
   std::vector<source::Diagnostic> diagnostics;
   runtime::Warnings warnings;  ///< which of them are of blocks
-  runtime::BudgetWatch budget{runtime::Budget{}};
+  runtime::BlockWatch watch{runtime::Budget{}};
+  /// A value is looked at from outside the program: nothing moves for it.
+  bool is_inspected = false;
   machine::MachinePort& port;
   runtime::Observer& observer;
 

@@ -4,7 +4,9 @@
 #include <string>
 
 #include "interpreter/dialects/sinumerik/vocabulary/alarms.h"
+#include "interpreter/runtime/block_watch.h"
 #include "interpreter/runtime/outcome.h"
+#include "interpreter/runtime/stop_report.h"
 #include "interpreter/source/diagnostic.h"
 #include "interpreter/source/location.h"
 
@@ -15,7 +17,8 @@ struct Failure {
   AlarmId id = AlarmId::SyntaxInText;
   std::string detail;
   runtime::Status status = runtime::Status::Alarm;
-  /// 0: the row's own; SETAL gives its number; with Setup and Budget: the DiagnosticId.
+  /// 0: the row's own; SETAL gives its number; with Setup, Budget and Interrupted: the
+  /// DiagnosticId.
   int number = 0;
   std::string text;                            ///< empty: the row's own
   std::optional<source::Location> where = {};  ///< of another block than the running one
@@ -31,11 +34,11 @@ inline Failure failure(AlarmId id, std::string detail = {}) {
   return reason;
 }
 
-/// The wall time of the budget is spent.
-inline Failure out_of_time() {
+/// The end of a run that its watch halts.
+inline Failure halt_failure(runtime::BlockWatch::Halt halt) {
   Failure reason;
-  reason.status = runtime::Status::Budget;
-  reason.number = static_cast<int>(source::DiagnosticId::BudgetTime);
+  reason.status = runtime::status_of(halt);
+  reason.number = static_cast<int>(runtime::message_of(halt));
   return reason;
 }
 

@@ -1,0 +1,154 @@
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/code/element_name.h"
+#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/source/latin_1.h"
+
+namespace g31::sinumerik {
+namespace {
+
+std::string why(const Failure& failure) {
+  return failure.detail.empty() ? std::string(info(failure.id).text)
+                                : fmt::format("{} {}", info(failure.id).text, failure.detail);
+}
+
+}  // namespace
+
+/// Runs blocks among the variables of a level, which goes on afterwards as if there had been none.
+MaybeFailure Runner::run_among(const CompiledProgram& program, std::size_t depth) {
+  const std::size_t depth_before = std::exchange(depth_, depth);
+  if (level().program == nullptr) {
+    start(program);
+  }
+  const CompiledProgram* const program_before = std::exchange(level().program, &program);
+  const std::int32_t step_before = std::exchange(level().step, 0);
+  const std::int32_t current_before = current_;
+  const bool ended_before = std::exchange(ended_, false);
+  const bool paused_before = std::exchange(is_paused_, false);
+  auto parts = std::exchange(level().parts, {});
+  auto waiting = std::exchange(level().waiting, {});
+  const auto watch = std::exchange(channel_.watch, runtime::BlockWatch(runtime::Budget{}));
+  words_.clear();
+  use_level();
+  MaybeFailure reason = loop();
+  channel_.watch = watch;
+  level().waiting = std::move(waiting);
+  level().parts = std::move(parts);
+  is_paused_ = paused_before;
+  ended_ = ended_before;
+  current_ = current_before;
+  level().step = step_before;
+  level().program = program_before;
+  depth_ = depth_before;
+  return reason;
+}
+
+const CompiledProgram& Runner::home(std::size_t depth) const {
+  static const CompiledProgram kNowhere;
+  return levels_[depth]->program != nullptr ? *levels_[depth]->program : kNowhere;
+}
+
+std::optional<std::string> Runner::run_text(const std::string& source) {
+  const CompiledProgram* const program = programs_.snippet(source, home(0));
+  level().program = level().program == nullptr ? program : level().program;
+  const MaybeFailure reason = run_among(*program, 0);
+  return reason ? std::optional(why(*reason)) : std::nullopt;
+}
+
+Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {
+  const CompiledProgram* const main = has_run_ ? nullptr : programs_.main_program();
+  const CompiledProgram* const program =
+      programs_.expression(expression, main != nullptr ? *main : home(0));
+  if (main != nullptr) {
+    start(*program);
+  }
+  return result_of(*program, 0);
+}
+
+Result<ShownValue, std::string> Runner::evaluate(std::size_t level, const std::string& expression) {
+  const std::size_t depth = depth_of(level);
+  const CompiledProgram*& made = expressions_[{&home(depth), expression}];
+  if (made == nullptr) {
+    made = programs_.expression(expression, home(depth));
+  }
+  channel_.is_inspected = true;
+  auto result = result_of(*made, depth);
+  channel_.is_inspected = false;
+  return result;
+}
+
+/// What the program of one expression comes to.
+Result<ShownValue, std::string> Runner::result_of(const CompiledProgram& program,
+                                                  std::size_t depth) {
+  const MaybeFailure reason = run_among(program, depth);
+  const std::size_t depth_before = std::exchange(depth_, depth);
+  const CompiledProgram* const program_before = std::exchange(level().program, &program);
+  use_level();
+  ShownValue shown;
+  shown.type = program.result.type;
+  if (!reason && shown.type == Type::String) {
+    shown.text = text(program.result.value);
+  } else if (!reason && is_held_as_number(shown.type)) {
+    shown.number = without_sign_of_zero(number(program.result.value));
+  }
+  level().program = program_before;
+  depth_ = depth_before;
+  if (level().program != nullptr) {
+    use_level();
+  }
+  if (reason) {
+    return why(*reason);
+  }
+  return shown.type == Type::Frame || shown.type == Type::None
+             ? Result<ShownValue, std::string>(std::string("is no single value"))
+             : shown;
+}
+
+std::size_t Runner::depth_of(std::size_t level) const {
+  return depth_ - std::min(level, depth_);
+}
+
+std::vector<runtime::CallLevel> Runner::call_levels() const {
+  std::vector<runtime::CallLevel> levels;
+  if (levels_[depth_]->program == nullptr) {
+    return levels;
+  }
+  const std::size_t shown = shown_level();
+  for (std::size_t i = depth_ + 1; i-- > 0;) {
+    levels.push_back(
+        {levels_[i]->program->name, i == depth_ ? here() : place_of_call(i), i <= shown});
+  }
+  return levels;
+}
+
+std::vector<std::pair<std::string, ShownValue>> Runner::local_values(std::size_t level) {
+  std::vector<std::pair<std::string, ShownValue>> values;
+  const std::size_t depth_before = std::exchange(depth_, depth_of(level));
+  const CompiledProgram& program = home(depth_);
+  for (std::size_t i = 0; i < program.variables.size(); ++i) {
+    const Variable& known = program.variables[i];
+    if (known.storage == Storage::Global || known.type == Type::Frame) {
+      continue;
+    }
+    const Reference found = variable(static_cast<std::int32_t>(i));
+    Variable shaped = known;
+    shaped.shape = found.shape;
+    for (std::int32_t element = 0; element < found.shape.count(); ++element) {
+      ShownValue value;
+      value.type = found.type;
+      if (found.texts != nullptr) {
+        value.text = found.texts[element];
+      } else if (found.numbers != nullptr) {
+        value.number = without_sign_of_zero(found.numbers[element]);
+      }
+      values.emplace_back(element_name(shaped, element), std::move(value));
+    }
+  }
+  depth_ = depth_before;
+  return values;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/run/runner.h"
+
+namespace g31::sinumerik {
+namespace {
+
+/// An archive of a whole control has much that no program here asks for.
+source::Diagnostic unknown_data_note(const CompiledProgram& program) {
+  constexpr std::size_t kShown = 5;
+  const std::vector<UnknownDatum>& unknown = program.unknown_data;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(unknown.size(), kShown); ++i) {
+    names += (i > 0 ? ", " : "") + unknown[i].name;
+  }
+  source::Diagnostic note = make_diagnostic(
+      source::DiagnosticId::NotSimulated, {program.file, unknown.front().where.widened()},
+      fmt::format("{} data of this file, {}{}", unknown.size(), names,
+                  unknown.size() > kShown ? " and others" : ""));
+  note.severity = source::Severity::Note;
+  return note;
+}
+
+}  // namespace
+
+void Runner::begin(const runtime::Budget& budget, runtime::BlockListener* listener) {
+  const CompiledProgram* const main = programs_.main_program();
+  is_over_ = true;
+  if (main == nullptr) {
+    outcome_.status = runtime::Status::SyntaxError;
+    outcome_.diagnostics.push_back(
+        make_diagnostic(source::DiagnosticId::NoProgramInFile, {programs_.main_text(), {}}));
+    return;
+  }
+  if (early_failure_) {
+    outcome_ = *early_failure_;
+    outcome_.diagnostics = channel_.diagnostics;
+    return;
+  }
+  start(*main);
+  has_run_ = true;
+  channel_.arrived_at_machine();
+  channel_.watch = runtime::BlockWatch(budget, listener);
+  if (const MaybeFailure wrong = take_no_arguments()) {
+    end(wrong);
+    return;
+  }
+  is_over_ = false;
+}
+
+runtime::Advance Runner::advance() {
+  if (is_over_) {
+    return runtime::Advance::Ended;
+  }
+  is_paused_ = false;
+  MaybeFailure reason = loop();
+  if (is_paused_) {
+    return runtime::Advance::Paused;
+  }
+  end(reason ? reason : finish_motion(channel_));
+  return runtime::Advance::Ended;
+}
+
+/// @param reason  why the run ends before its program does, if it does
+void Runner::end(const MaybeFailure& reason) {
+  is_over_ = true;
+  is_paused_ = false;
+  if (reason) {
+    outcome_ = outcome_of(*reason);
+    drop_motion(channel_);
+  }
+  if (!levels_.front()->has_references()) {
+    *levels_.front() = Level();  // its variables are nowhere
+  }
+  channel_.warnings.tell_repeats(channel_.diagnostics);
+  outcome_.diagnostics = channel_.diagnostics;
+  outcome_.blocks = channel_.watch.blocks();
+  channel_.watch = runtime::BlockWatch(runtime::Budget{});
+}
+
+runtime::Outcome Runner::finish() {
+  if (!is_over_) {
+    end(halt_failure(runtime::BlockWatch::Halt::Stopped));
+  }
+  return outcome_;
+}
+
+void Runner::run_before(const CompiledProgram& program) {
+  // Data are lines without jumps: these are more than any archive has.
+  constexpr runtime::Budget kMost = {1'000'000, 10.0};
+  if (early_failure_) {
+    return;
+  }
+  channel_.watch = runtime::BlockWatch(kMost);
+  start(program);
+  if (const MaybeFailure reason = loop()) {
+    early_failure_ = outcome_of(*reason);
+  }
+  if (!program.unknown_data.empty()) {
+    channel_.diagnostics.push_back(unknown_data_note(program));
+  }
+  channel_.watch = runtime::BlockWatch(runtime::Budget{});
+  *levels_.front() = Level();
+}
+
+}  // namespace g31::sinumerik

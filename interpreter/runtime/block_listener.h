@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "interpreter/source/location.h"
+
+namespace g31::runtime {
+
+/// A block that is about to begin.
+struct BlockPlace {
+  source::Location where;    ///< its text; holds as long as the session
+  std::uint16_t depth = 0;   ///< levels of calls above it; 0: the main program
+  bool is_shown = true;      ///< false: its program hides its blocks (DISPLOF)
+  bool is_skipped = false;   ///< block skip is on for it: it counts, and does nothing
+  std::uint64_t number = 0;  ///< from 1, in the order of the run
+};
+
+/// What becomes of a block.
+enum class Verdict : std::uint8_t {
+  Run,
+  Pause,  ///< before it begins; the run can be advanced from here
+  Stop,   ///< the run ends before it
+};
+
+/// Hears of each block before it begins.  A run is a function of its job and its seed: the same
+/// blocks with the same numbers come in every run of it, whatever the listener does at pauses.
+class BlockListener {
+ public:
+  BlockListener() = default;
+  BlockListener(const BlockListener&) = delete;
+  BlockListener& operator=(const BlockListener&) = delete;
+  virtual ~BlockListener() = default;
+
+  virtual Verdict on_block(const BlockPlace& place) = 0;
+  /// A call or a return: the levels of calls from here on.
+  virtual void on_level(std::uint16_t /*depth*/) {}
+};
+
+}  // namespace g31::runtime

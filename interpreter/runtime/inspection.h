@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interpreter/runtime/shown_value.h"
+#include "interpreter/source/location.h"
+
+namespace g31::runtime {
+
+/// How far a run has come.
+enum class Advance : std::uint8_t { Ended, Paused };
+
+/// One level of calls of a paused run.
+struct CallLevel {
+  std::string program;  ///< "O9010", "CYCLE977"
+  source::Location
+      where;             ///< of the innermost level: the block that comes next; of others the call
+  bool is_shown = true;  ///< false: its program hides its blocks (DISPLOF)
+};
+
+/// Which variables.
+enum class Scope : std::uint8_t {
+  Local,   ///< of one level of calls
+  Common,  ///< of all: #100 and above, R parameters, GUD
+};
+
+/// Variables by the names that programs write.
+using NamedValues = std::vector<std::pair<std::string, ShownValue>>;
+
+}  // namespace g31::runtime

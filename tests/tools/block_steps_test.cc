@@ -1,0 +1,240 @@
+// What a listener hears of blocks, and what can be seen of a run that it has paused.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_program.h"
+#include "tests/support/stepper.h"
+
+namespace g31 {
+namespace {
+
+using runtime::Advance;
+using runtime::Scope;
+using runtime::Verdict;
+using testing::Pauses;
+using testing::SteppedRun;
+using testing::TemporaryFolder;
+
+/// Hears everything and answers what it is told to at one block.
+class Heard final : public runtime::BlockListener {
+ public:
+  Heard() = default;
+  Heard(std::uint64_t number, Verdict verdict) : number_(number), verdict_(verdict) {}
+  Verdict on_block(const runtime::BlockPlace& place) override {
+    lines.push_back(place.where.file->line_column(place.where.span.begin).line);
+    depths.push_back(place.depth);
+    skipped.push_back(place.is_skipped);
+    shown.push_back(place.is_shown);
+    numbers.push_back(place.number);
+    return place.number == number_ ? verdict_ : Verdict::Run;
+  }
+  void on_level(std::uint16_t depth) override { levels.push_back(depth); }
+
+  std::vector<int> lines;
+  std::vector<int> depths;
+  std::vector<int> levels;
+  std::vector<bool> skipped;
+  std::vector<bool> shown;
+  std::vector<std::uint64_t> numbers;
+
+ private:
+  std::uint64_t number_ = 0;
+  Verdict verdict_ = Verdict::Run;
+};
+
+/// Programs in a folder of their own; the first one is the main program.
+class Job {
+ public:
+  Job(const std::string& control, const std::vector<std::pair<std::string, std::string>>& programs,
+      const std::string& sheet = "") {
+    request.control = control;
+    for (const auto& [name, text] : programs) {
+      const std::string path = folder_.write(name, text);
+      if (request.programs.empty()) {
+        request.programs = {path};
+      }
+    }
+    request.setups = {folder_.write("sheet.toml", sheet)};
+  }
+  session::Request request;
+
+ private:
+  TemporaryFolder folder_;
+};
+
+Job fanuc(const std::string& text, const std::string& sheet = "") {
+  return {"fanuc-30i", {{"main.nc", text}}, sheet};
+}
+
+TEST(BlockSteps, AListenerHearsEachBlockWithItsPlaceAndLevel) {
+  const Job job =
+      fanuc("O1\n#1=1\n/#1=9\nG65P2\nM30\nO2\nG4X1.\nM99\n", "control.block_skip = [1]\n");
+  Heard heard;
+  SteppedRun run(job.request, &heard, {});
+  EXPECT_EQ(run.session().advance(), Advance::Ended);
+  EXPECT_EQ(heard.lines, (std::vector<int>{1, 2, 3, 4, 6, 7, 8, 5}));
+  EXPECT_EQ(heard.depths, (std::vector<int>{0, 0, 0, 0, 1, 1, 1, 0}));
+  EXPECT_EQ(heard.skipped,
+            (std::vector<bool>{false, false, true, false, false, false, false, false}));
+  EXPECT_EQ(heard.levels, (std::vector<int>{1, 0}));
+  EXPECT_EQ(heard.numbers, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_EQ(run.session().finish().blocks, 8U);
+}
+
+TEST(BlockSteps, SinumerikTellsWhichProgramsHideTheirBlocks) {
+  const Job job("sinumerik-828d", {{"MAIN.MPF", "R1=1\nHIDDEN\nM30\n"},
+                                   {"HIDDEN.SPF", "PROC HIDDEN DISPLOF\nR2=R1+1\nRET\n"}});
+  Heard heard;
+  SteppedRun run(job.request, &heard, {});
+  EXPECT_EQ(run.session().advance(), Advance::Ended);
+  ASSERT_GE(heard.lines.size(), 4U);
+  EXPECT_EQ(heard.levels, (std::vector<int>{1, 0}));
+  for (std::size_t i = 0; i < heard.lines.size(); ++i) {
+    EXPECT_EQ(heard.shown[i], heard.depths[i] == 0) << i;
+    EXPECT_EQ(heard.numbers[i], i + 1);
+  }
+}
+
+TEST(BlockSteps, AStopEndsTheRunBeforeItsBlock) {
+  const Job job = fanuc("O1\n#500=1\n#500=2\n#500=3\nM30\n");
+  Heard heard(4, Verdict::Stop);
+  SteppedRun run(job.request, &heard, {});
+  EXPECT_EQ(run.session().advance(), Advance::Ended);
+  const runtime::Outcome outcome = run.session().finish();
+  EXPECT_EQ(outcome.status, runtime::Status::Interrupted);
+  EXPECT_EQ(outcome.blocks, 3U);
+  ASSERT_EQ(outcome.diagnostics.size(), 1U);
+  EXPECT_EQ(outcome.diagnostics.front().code, "PRB603");
+  EXPECT_EQ(testing::shown(outcome.diagnostics.front().where), "4:1");
+  EXPECT_EQ(run.session().permanent_variables().at("#500"), 2.0);
+}
+
+TEST(BlockSteps, ARunEndsWhereItPausesWhenItIsFinishedThere) {
+  const Job job("sinumerik-828d", {{"MAIN.MPF", "R1=1\nR1=2\nR1=3\nM30\n"}});
+  Heard heard(2, Verdict::Pause);
+  SteppedRun run(job.request, &heard, {});
+  EXPECT_EQ(run.session().advance(), Advance::Paused);
+  const runtime::Outcome outcome = run.session().finish();
+  EXPECT_EQ(outcome.status, runtime::Status::Interrupted);
+  EXPECT_EQ(outcome.blocks, 1U);
+  EXPECT_EQ(run.session().advance(), Advance::Ended);
+  EXPECT_EQ(run.session().permanent_variables().at("R1"), 1.0);
+}
+
+TEST(BlockSteps, AProgramThatCannotBeginHasEnded) {
+  const Job job = fanuc("O1\n#1=[1\nM30\n");
+  Heard heard;
+  SteppedRun run(job.request, &heard, {});
+  EXPECT_EQ(run.session().advance(), Advance::Ended);
+  EXPECT_EQ(run.session().finish().status, runtime::Status::SyntaxError);
+  EXPECT_TRUE(heard.lines.empty());
+  EXPECT_TRUE(run.session().call_levels().empty());
+}
+
+/// The variables of a level as name = value.
+std::map<std::string, std::string> locals(SteppedRun& run, std::size_t level) {
+  std::map<std::string, std::string> found;
+  for (const auto& [name, value] : run.session().values(level, Scope::Local)) {
+    found[name] = testing::shown(value);
+  }
+  return found;
+}
+
+/// What an expression comes to, or why it comes to nothing.
+std::string value(SteppedRun& run, std::size_t level, const std::string& text) {
+  const auto found = run.session().evaluate(level, text);
+  return found ? testing::shown(found.value()) : "? " + found.error();
+}
+
+TEST(BlockSteps, EachFanucLevelShowsItsOwnVariables) {
+  const Job job = fanuc("O1\n#1=1\n#100=10\nG65P2A5.B6.\nM30\nO2\nM98P3\nM99\nO3\n#3=7\nM99\n");
+  Pauses there = Pauses::at({9});  // O1, #1, #100, G65, O2, M98, O3, #3=7, M99
+  SteppedRun run(job.request, &there, {});
+  ASSERT_EQ(run.session().advance(), Advance::Paused);
+  const auto levels = run.session().call_levels();
+  ASSERT_EQ(levels.size(), 3U);
+  EXPECT_EQ(levels[0].program, "O0003");
+  EXPECT_EQ(testing::shown(levels[0].where), "11:1");
+  EXPECT_EQ(levels[1].program, "O0002");
+  EXPECT_EQ(testing::shown(levels[1].where), "7:1");
+  EXPECT_EQ(levels[2].program, "O0001");
+  EXPECT_EQ(testing::shown(levels[2].where), "4:1");
+  const std::map<std::string, std::string> macro = {{"#1", "5"}, {"#2", "6"}, {"#3", "7"}};
+  EXPECT_EQ(locals(run, 0), macro);
+  EXPECT_EQ(locals(run, 1), macro) << "M98 shares the locals of its caller";
+  EXPECT_EQ(locals(run, 2), (std::map<std::string, std::string>{{"#1", "1"}}));
+  EXPECT_EQ(value(run, 0, "#1+#100"), "15");
+  EXPECT_EQ(value(run, 2, "#1+#100"), "11");
+  EXPECT_EQ(value(run, 2, "#2"), "vacant");
+  EXPECT_EQ(value(run, 0, "#1 GT #2"), "0");
+  EXPECT_EQ(value(run, 0, "[#1 EQ 5] AND [#3 EQ 7]").front(), '?') << "6006.0 is off";
+  EXPECT_EQ(run.session().advance(), Advance::Ended);
+  EXPECT_EQ(run.session().finish().status, runtime::Status::Completed);
+}
+
+TEST(BlockSteps, AnExpressionThatCannotBeEvaluatedSaysWhy) {
+  const Job job = fanuc("O1\n#1=1\nM30\n");
+  Pauses each = Pauses::at_each(1);
+  SteppedRun run(job.request, &each, {});
+  ASSERT_EQ(run.session().advance(), Advance::Paused);
+  for (const std::string text :
+       {"", "#", "#1 #2=5", "1/0", "#1=5", "G1X5", "#1\nM30", "(A)", "]["}) {
+    EXPECT_EQ(value(run, 0, text).front(), '?') << text;
+  }
+  EXPECT_EQ(run.session().finish().status, runtime::Status::Interrupted);
+}
+
+TEST(BlockSteps, EachSinumerikLevelShowsItsOwnVariables) {
+  const Job job("sinumerik-828d",
+                {{"MAIN.MPF", "DEF INT COUNT=3\nDEF STRING[8] NAME=\"ABC\"\nSUB(2.5,COUNT)\nM30\n"},
+                 {"SUB.SPF", "PROC SUB(REAL WIDTH, VAR INT HOW)\nDEF BOOL LIST[2]\nHOW=4\nRET\n"}});
+  Heard heard;
+  {
+    SteppedRun whole(job.request, &heard, {});
+    whole.session().advance();
+  }
+  const auto ret = std::ranges::find(heard.lines, 4);
+  ASSERT_NE(ret, heard.lines.end());
+  Pauses there = Pauses::at({static_cast<std::uint64_t>(ret - heard.lines.begin()) + 1});
+  SteppedRun run(job.request, &there, {});
+  ASSERT_EQ(run.session().advance(), Advance::Paused);
+  const auto levels = run.session().call_levels();
+  ASSERT_EQ(levels.size(), 2U);
+  EXPECT_EQ(levels[0].program, "SUB");
+  EXPECT_EQ(levels[1].program, "MAIN");
+  EXPECT_EQ(testing::shown(levels[1].where), "3:1");
+  EXPECT_EQ(locals(run, 0),
+            (std::map<std::string, std::string>{
+                {"WIDTH", "2.5"}, {"HOW", "4"}, {"LIST[0]", "0"}, {"LIST[1]", "0"}}));
+  EXPECT_EQ(locals(run, 1),
+            (std::map<std::string, std::string>{{"COUNT", "4"}, {"NAME", "\"ABC\""}}));
+  EXPECT_EQ(value(run, 0, "WIDTH*HOW"), "10");
+  EXPECT_EQ(value(run, 1, "NAME<<COUNT"), "\"ABC4\"");
+  EXPECT_EQ(value(run, 1, "WIDTH").front(), '?');
+  EXPECT_EQ(value(run, 0, "1/0").front(), '?');
+  EXPECT_EQ(run.session().advance(), Advance::Ended);
+  EXPECT_EQ(run.session().finish().status, runtime::Status::Completed);
+}
+
+TEST(BlockSteps, TheTimeOfAPauseIsNoTimeOfTheRun) {
+  const Job job = fanuc("O1\n#1=1\n#1=2\nM30\n");
+  Pauses each = Pauses::at_each(3);
+  SteppedRun run(job.request, &each, {1000, 0.05});
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_EQ(run.session().advance(), Advance::Paused);
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  }
+  EXPECT_EQ(run.session().advance(), Advance::Ended);
+  EXPECT_EQ(run.session().finish().status, runtime::Status::Completed);
+}
+
+}  // namespace
+}  // namespace g31

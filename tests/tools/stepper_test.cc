@@ -1,0 +1,115 @@
+// Every program of tests/conformance block by block: the run pauses before each block, all
+// variables are read, expressions are evaluated, and it is what a run without a listener is; steps
+// back are runs again up to an earlier block.
+
+#include "tests/support/stepper.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/conformance_run.h"
+
+namespace g31 {
+namespace {
+
+using runtime::Advance;
+using testing::ConformanceCase;
+using testing::Pauses;
+using testing::SteppedRun;
+
+/// Loops of a million blocks are looked at for this long.
+constexpr std::uint64_t kMostPauses = 300;
+constexpr runtime::Budget kBudget = {200'000, 20.0};
+
+struct Dialect {
+  std::string folder;
+  std::string ending;
+  std::vector<std::string> expressions;  ///< some can be evaluated everywhere, some nowhere
+};
+
+const Dialect kFanuc = {"tests/conformance/fanuc",
+                        ".nc",
+                        {"#1+#100*2", "#500 EQ #0", "#5041", "#5061", "#3001", "#4001", "1/0"}};
+const Dialect kSinumerik = {
+    "tests/conformance/sinumerik",
+    ".mpf",
+    {"R1+2*R2", "R1==R2", "$AA_IW[X]", "$AA_MW[X]", "$P_EP[Y]", "$P_TOOLNO", "NO_SUCH_NAME"}};
+
+/// What each pause of a run shows; the run stands at its end behind.
+std::vector<std::string> states_of(SteppedRun& run, const std::vector<std::string>& expressions) {
+  std::vector<std::string> states;
+  while (run.session().advance() == Advance::Paused) {
+    states.push_back(run.state(expressions));
+  }
+  return states;
+}
+
+/// Some blocks to step back to: the last but one, the middle, the first.
+std::vector<std::size_t> steps_back(std::size_t count) {
+  if (count < 2) {
+    return {};
+  }
+  return count < 4 ? std::vector<std::size_t>{count - 2}
+                   : std::vector<std::size_t>{count - 2, count / 2, 0};
+}
+
+void expect_steps(const session::Request& request, const Dialect& dialect,
+                  const std::string& place) {
+  SCOPED_TRACE(place);
+  SteppedRun plain(request, nullptr, kBudget);
+  if (!plain.refused().empty()) {
+    return;  // a set-up that the control does not understand
+  }
+  EXPECT_EQ(plain.session().advance(), Advance::Ended);
+  const std::string result = plain.result();
+
+  Pauses each = Pauses::at_each(kMostPauses);
+  SteppedRun stepped(request, &each, kBudget);
+  const std::vector<std::string> states = states_of(stepped, dialect.expressions);
+  EXPECT_EQ(stepped.result(), result);
+
+  for (const std::size_t index : steps_back(states.size())) {
+    Pauses there = Pauses::at({index + 1});
+    SteppedRun again(request, &there, kBudget);
+    EXPECT_EQ(states_of(again, dialect.expressions), std::vector{states[index]});
+    EXPECT_EQ(again.result(), result);
+  }
+}
+
+void expect_file_steps(const std::string& name, const Dialect& dialect) {
+  const std::string path = dialect.folder + "/" + name + dialect.ending;
+  const auto cases = testing::ConformanceReader(path).read();
+  ASSERT_TRUE(cases) << cases.error();
+  for (const ConformanceCase& test : cases.value()) {
+    const testing::TemporaryFolder folder;
+    session::Request request;
+    request.programs = {folder.write("case" + dialect.ending, test.program)};
+    request.setups = {folder.write("sheet.toml", testing::sheet_of(test))};
+    request.control = test.controls.empty() ? "" : test.controls.front();
+    if (dialect.ending == kSinumerik.ending) {
+      request.control = "sinumerik-828d";
+    }
+    expect_steps(request, dialect, path + ": " + test.title.text);
+  }
+}
+
+class FanucSteps : public ::testing::TestWithParam<std::string> {};
+TEST_P(FanucSteps, MeetAPlainRun) {
+  expect_file_steps(GetParam(), kFanuc);
+}
+INSTANTIATE_TEST_SUITE_P(Fanuc, FanucSteps, ::testing::ValuesIn(testing::case_files(kFanuc.folder)),
+                         [](const auto& test) { return test.param; });
+
+class SinumerikSteps : public ::testing::TestWithParam<std::string> {};
+TEST_P(SinumerikSteps, MeetAPlainRun) {
+  expect_file_steps(GetParam(), kSinumerik);
+}
+INSTANTIATE_TEST_SUITE_P(Sinumerik, SinumerikSteps,
+                         ::testing::ValuesIn(testing::case_files(kSinumerik.folder)),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace g31
