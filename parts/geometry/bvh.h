@@ -13,6 +13,12 @@ namespace g31::parts {
 
 class BoxItem;
 
+/// A plane and what is beyond it: the points with normal . p > limit.
+struct Plane {
+  Point normal;        ///< unit vector
+  double limit = 0.0;  ///< mm
+};
+
 /// A bounding volume tree over boxes: which of them does a point or a path come near?
 ///
 /// Eight boxes a node, tested at once, in float32 about the middle of all; whatever float32 loses
@@ -59,6 +65,12 @@ class Bvh {
   template <typename Visit>
   void visit_along(const Path& path, const Point& reach, Visit&& visit) const;
 
+  /// The same, leaving out boxes that lie wholly beyond a plane; in the same order.
+  ///
+  /// @param planes  gives a range of Plane when asked, for each node anew
+  template <typename Planes, typename Visit>
+  void visit_along(const Path& path, const Point& reach, Planes&& planes, Visit&& visit) const;
+
   /// Whether the path comes within `reach` mm of the box around everything.  "No" is certain.
   [[nodiscard]] bool may_meet(const Path& path, double reach) const;
 
@@ -86,6 +98,10 @@ class Bvh {
   /// A point or a path of points as the nodes see it.
   class PointQuery;
   class PathQuery;
+
+  /// Takes children beyond a plane out of those that a path enters.
+  template <typename Range>
+  void leave_out_beyond(const Range& planes, const Node& node, Lanes& entries) const;
 
   /// The node of a child that is no leaf; makes it if it is a branch that nobody has come to.
   [[nodiscard]] const Node& node_of(std::uint32_t child) const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace g31::parts {
@@ -181,6 +182,38 @@ void Bvh::visit_along(const Path& path, double reach, Visit&& visit) const {
 
 template <typename Visit>
 void Bvh::visit_along(const Path& path, const Point& reach, Visit&& visit) const {
+  visit_along(
+      path, reach, [] { return std::span<const Plane>(); }, std::forward<Visit>(visit));
+}
+
+template <typename Range>
+void Bvh::leave_out_beyond(const Range& planes, const Node& node, Lanes& entries) const {
+  constexpr float kNone = std::numeric_limits<float>::infinity();
+  for (const Plane& plane : planes) {
+    const auto limit =
+        static_cast<float>(plane.limit - plane.normal.dot(middle_) + kFloatLoss * size_);
+    Lanes nearest;
+    nearest.fill(0.0F);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto across = static_cast<float>(plane.normal[static_cast<Eigen::Index>(axis)]);
+      const Lanes& near = across < 0.0F ? node.max[axis] : node.min[axis];
+      for (std::size_t lane = 0; lane < kWidth; ++lane) {
+        nearest[lane] += across * near[lane];
+      }
+    }
+    float first = kNone;
+    for (std::size_t lane = 0; lane < kWidth; ++lane) {
+      entries[lane] = nearest[lane] > limit ? kNone : entries[lane];
+      first = entries[lane] < first ? entries[lane] : first;
+    }
+    if (first == kNone) {
+      return;
+    }
+  }
+}
+
+template <typename Planes, typename Visit>
+void Bvh::visit_along(const Path& path, const Point& reach, Planes&& planes, Visit&& visit) const {
   if (nodes_ == nullptr) {
     return;
   }
@@ -189,7 +222,12 @@ void Bvh::visit_along(const Path& path, const Point& reach, Visit&& visit) const
     return;
   }
   Stack stack;
-  stack.push(query.entries(nodes_[0]), nodes_[0]);
+  const auto push = [&](const Node& node) {
+    Lanes entries = query.entries(node);
+    leave_out_beyond(planes(), node, entries);
+    stack.push(entries, node);
+  };
+  push(nodes_[0]);
   while (!stack.empty()) {
     const Waiting next = stack.pop();
     if (next.at > query.limit()) {
@@ -198,8 +236,7 @@ void Bvh::visit_along(const Path& path, const Point& reach, Visit&& visit) const
     if ((next.child & kLeaf) != 0) {
       query.limit(visit(next.child - kLeaf));
     } else {
-      const Node& node = node_of(next.child);
-      stack.push(query.entries(node), node);
+      push(node_of(next.child));
     }
   }
 }

@@ -4,8 +4,25 @@
 #include <cmath>
 #include <utility>
 
+#include "probe/collision/swept_clearance.h"
+
 namespace g31::probe {
 namespace {
+
+/// The way of a section as a tree of boxes sees it: a box about a point that goes along a path.
+struct BoxWay {
+  parts::Path path;
+  Point reach;
+
+  explicit BoxWay(const SweptSection& swept) {
+    const Point way = swept.way();
+    const double length = way.norm();
+    const parts::Box box = swept.start_box();
+    path = {0.5 * (box.min + box.max), length > 0.0 ? Point(way / length) : Point(Point::UnitX()),
+            length};
+    reach = 0.5 * (box.max - box.min) + Point::Constant(kSweptBandMm);
+  }
+};
 
 /// The fraction up to which the section is free of a triangle that it meets on the whole way.
 double free_until(const SweptSection& swept, const ContactTriangle& triangle) {
@@ -31,28 +48,23 @@ CollisionMesh::CollisionMesh(const parts::Mesh& mesh_M)
 
 CollisionMesh::CollisionMesh(std::shared_ptr<const ContactMesh> mesh) : mesh_(std::move(mesh)) {}
 
-template <typename Visit>
-void CollisionMesh::visit_near(const SweptSection& swept, Visit&& visit) const {
-  const Point way = swept.way();
-  const double length = way.norm();
-  const parts::Box box = swept.start_box();
-  const parts::Path path{0.5 * (box.min + box.max),
-                         length > 0.0 ? Point(way / length) : Point(Point::UnitX()), length};
-  const Point reach = 0.5 * (box.max - box.min) + Point::Constant(kSweptBandMm);
-  mesh_->tree().visit_along(
-      path, reach, [&](std::uint32_t slot) { return visit(mesh_->triangles()[slot]) * length; });
-}
-
 std::optional<SectionTouch> CollisionMesh::first_touch(const SweptSection& swept) const {
   double fraction = 1.0;
   const ContactTriangle* first = nullptr;
-  visit_near(swept, [&](const ContactTriangle& triangle) {
-    const SweptSection to_go = swept.piece(0.0, fraction);
-    if ((first == nullptr || fraction > 0.0) && meets(to_go, triangle)) {
+  const BoxWay way(swept);
+  SweptSection to_go = swept.piece(0.0, 1.0);
+  std::optional<SweptClearance> clearance;  // made when the way comes near
+  const auto planes = [&] { return (clearance ? *clearance : clearance.emplace(to_go)).planes(); };
+  mesh_->tree().visit_along(way.path, way.reach, planes, [&](std::uint32_t slot) {
+    const ContactTriangle& triangle = mesh_->triangles()[slot];
+    if ((first == nullptr || fraction > 0.0) && !clearance->is_clear_of(triangle) &&
+        meets(to_go, triangle)) {
       fraction *= free_until(to_go, triangle);
+      to_go = swept.piece(0.0, fraction);
+      clearance->shorten_to(to_go);
       first = &triangle;
     }
-    return fraction;
+    return fraction * way.path.length;
   });
   if (first == nullptr) {
     return std::nullopt;
@@ -84,12 +96,19 @@ const ContactTriangle& CollisionMesh::most_opposed(const SweptSection& swept, do
   at_rest.margin += 2.0 * kSectionTouchErrorMm;
   const ContactTriangle* best = &first;
   const Point way = swept.way();
-  visit_near(at_rest, [&](const ContactTriangle& triangle) {
+  SweptClearance clearance(at_rest);
+  for (const Point& direction : {way, first.normal, Point(-first.normal)}) {
+    clearance.add(direction);
+  }
+  const BoxWay at_place(at_rest);
+  const auto planes = [&] { return clearance.planes(); };
+  mesh_->tree().visit_along(at_place.path, at_place.reach, planes, [&](std::uint32_t slot) {
+    const ContactTriangle& triangle = mesh_->triangles()[slot];
     const bool is_better = std::abs(triangle.normal.dot(way)) > std::abs(best->normal.dot(way));
-    if (is_better && meets(at_rest, triangle)) {
+    if (is_better && !clearance.is_clear_of(triangle) && meets(at_rest, triangle)) {
       best = &triangle;
     }
-    return 1.0;
+    return at_place.path.length;
   });
   return *best;
 }

@@ -40,11 +40,6 @@ class CollisionMesh {
   [[nodiscard]] std::optional<SectionTouch> first_touch(const SweptSection& swept) const;
 
  private:
-  /// Calls visit(triangle) for all that the sweep may meet; `visit` returns the fraction of the way
-  /// that is still of interest.
-  template <typename Visit>
-  void visit_near(const SweptSection& swept, Visit&& visit) const;
-
   /// Of the triangles that the section has come to, the one that stands most across its way: on an
   /// edge several are touched at once.
   [[nodiscard]] const ContactTriangle& most_opposed(const SweptSection& swept, double fraction,

@@ -31,13 +31,13 @@ class Turned {
 class SweptBody {
  public:
   explicit SweptBody(const SweptSection& swept)
-      : swept_(&swept),
+      : swept_(swept),
         way_(swept.way()),
         turns_(swept.turns()),
         from_(*swept.section, swept.from.turn),
         to_(*swept.section, swept.to.turn) {}
 
-  [[nodiscard]] const SweptSection& swept() const { return *swept_; }
+  [[nodiscard]] const SweptSection& swept() const { return swept_; }
   [[nodiscard]] const Point& way() const { return way_; }
 
   [[nodiscard]] Point furthest(const Point& direction) const {
@@ -48,13 +48,13 @@ class SweptBody {
     } else if (direction.dot(way_) > 0.0) {
       p += way_;
     }
-    const double growth = swept_->growth();
+    const double growth = swept_.growth();
     const double norm = direction.norm();
     return growth > 0.0 && norm > 0.0 ? Point(p + growth / norm * direction) : p;
   }
 
  private:
-  const SweptSection* swept_;
+  SweptSection swept_;
   Point way_;
   bool turns_;
   Turned from_;

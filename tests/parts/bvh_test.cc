@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -138,6 +139,58 @@ TEST(Bvh, IsTheSameWheneverItsNodesAreMade) {
     }
     EXPECT_EQ(growing.memory_bytes() > at_first, count > 100);
   }
+}
+
+TEST(Bvh, LeavesOutWhatLiesBeyondAPlane) {
+  constexpr std::size_t kBoxes = 3000;
+  const std::vector<Box> boxes = awkward_boxes(9, kBoxes);
+  const Bvh tree(boxes);
+  std::mt19937_64 random(8);
+  std::size_t left_out = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Path path{point_between(random, -15.0, 15.0), any_direction(random), 20.0};
+    const Point reach(0.5, 1.0, 2.0);
+    std::vector<Plane> planes;
+    for (int k = 0; k < i % 4; ++k) {
+      const Point normal = any_direction(random);
+      planes.push_back({normal, normal.dot(path.from) + between(random, 0.0, 5.0)});
+    }
+    std::vector<std::uint32_t> all;
+    tree.visit_along(path, reach, [&](std::uint32_t slot) {
+      all.push_back(slot);
+      return path.length;
+    });
+    std::vector<std::uint32_t> near;
+    tree.visit_along(
+        path, reach, [&] { return std::span<const Plane>(planes); },
+        [&](std::uint32_t slot) {
+          near.push_back(slot);
+          return path.length;
+        });
+    // How far the box reaches over to this side of a plane that has it on the other, mm.
+    const auto beyond = [&](std::uint32_t slot) {
+      const Box& box = boxes[tree.order()[slot]];
+      double most = 0.0;
+      for (const Plane& plane : planes) {
+        const Point corner = (plane.normal.array() < 0.0).select(box.max, box.min);
+        most = std::max(most, corner.dot(plane.normal) - plane.limit);
+      }
+      return most;
+    };
+    std::vector<std::uint32_t> wanted;
+    constexpr double kLoss = 1e-4;
+    for (const std::uint32_t slot : all) {
+      const bool is_near = std::ranges::find(near, slot) != near.end();
+      EXPECT_TRUE(is_near || beyond(slot) > 0.0);
+      EXPECT_FALSE(is_near && beyond(slot) > kLoss);
+      if (is_near) {
+        wanted.push_back(slot);
+      }
+    }
+    EXPECT_EQ(near, wanted) << "in the same order";
+    left_out += all.size() - near.size();
+  }
+  EXPECT_GT(left_out, 100U);
 }
 
 TEST(Bvh, DoesNotWalkBehindTheLimit) {
