@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/vocabulary/axis_words.h"
 
 namespace g31::fanuc {
 namespace {
@@ -178,12 +179,6 @@ MaybeFailure refuse_repeats(const BlockWords& words) {
   return std::nullopt;
 }
 
-/// Codes whose axis words are no motion.
-constexpr GAction kTakeAxisWords[] = {
-    GAction::Dwell,        GAction::SetData,    GAction::LocalShift, GAction::SetPosition,
-    GAction::PresetSystem, GAction::Mirror,     GAction::MirrorOff,  GAction::Scaling,
-    GAction::Rotation,     GAction::StrokeCheck};
-
 }  // namespace
 
 bool commands_motion(const BlockWords& words) {
@@ -191,7 +186,7 @@ bool commands_motion(const BlockWords& words) {
   for (const EvaluatedWord& word : words.all()) {
     const auto number = word.letter == 'G' ? g_number(word.number) : std::nullopt;
     const GCode* const code = number ? find_g_code(*number) : nullptr;
-    if (code != nullptr && std::ranges::count(kTakeAxisWords, code->action) != 0) {
+    if (code != nullptr && takes_axis_words(code->action)) {
       return false;
     }
     has_axis = has_axis || axis_index(word.letter) >= 0;
