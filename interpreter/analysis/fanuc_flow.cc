@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/analysis/fanuc_accesses.h"
+#include "interpreter/analysis/fanuc_moves.h"
 #include "interpreter/analysis/flow_builder.h"
 #include "interpreter/dialects/fanuc/code/exits.h"
 
@@ -93,9 +95,11 @@ void FanucTranslation::step(Index index) {
     stop(fault_of(static_cast<AlarmId>(error.error), error.where, error.message));
   } else if (step.kind == BlockKind::Nc) {
     nc_words(block);
+    add_moves(program_, block, builder_);
   } else if (step.kind == BlockKind::Assign) {
     stops_ = step.target_kind == fanuc::TargetKind::Numbered && step.number == kMacroAlarm;
   }
+  add_accesses(program_, step, builder_);
   follow(index);
   Leaves& leaves = builder_.block().leaves;
   leaves.by_alarm = stops_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -52,6 +53,8 @@ struct Block {
   Range edges;             ///< of Flow::edges: blocks that may follow, rising, each once
   Range faults;
   Range calls;
+  Range accesses;  ///< in the order of the text, or of evaluation
+  Range moves;     ///< none or one
   Leaves leaves;
   bool to_any_label = false;  ///< the target of its jump is known when running: a block of `labels`
 };
@@ -84,6 +87,59 @@ struct Call {
   syntax::ShortSpan where;
 };
 
+/// A variable as a program names it.
+struct Variable {
+  enum class Scope : std::uint8_t {
+    Local,     ///< of a call of the program
+    Global,    ///< of all programs: common variables, R parameters, GUD
+    System,    ///< what the control keeps: #5061, $AA_MW
+    Computed,  ///< known when running: #[...] as "#[]", [#NAME] by what is written
+  };
+  Scope scope = Scope::Local;
+  std::string name;  ///< "#100", "R", "_OVR", "$AA_MW"
+  friend auto operator<=>(const Variable&, const Variable&) = default;
+};
+
+/// In the place of an element's number: there is but one, or only a run knows which.
+inline constexpr std::int32_t kWholeVariable = -1;
+
+/// What a block does with a variable.
+struct Access {
+  enum class Kind : std::uint8_t {
+    Read,
+    Write,
+    HandOver,  ///< to a call: the program called reads it, and writes it if its parameter is VAR
+  };
+  Kind kind = Kind::Read;
+  std::uint32_t variable = 0;             ///< of Flow::variables
+  std::int32_t element = kWholeVariable;  ///< of an array, counted from 0: R5, _OVR[5]
+  syntax::ShortSpan where;
+};
+
+/// An axis of a move and where it goes, as the program writes it: absolute or not, in the units and
+/// coordinates in force.
+struct AxisTarget {
+  char letter = '?';         ///< '?': an axis that only a run knows
+  bool is_computed = false;  ///< only a run knows the value
+  double value = 0.0;
+  syntax::ShortSpan where;
+};
+
+/// The motion that the words of a block command.
+struct Move {
+  enum class Kind : std::uint8_t {
+    AsBefore,   ///< by the code that is in force: G0, G1, G2, G3, a canned cycle
+    Rapid,      ///< G0
+    Line,       ///< G1
+    Arc,        ///< G2, G3, CIP, CT
+    Measuring,  ///< G31, G37, MEAS, MEASA: a signal may end it
+    Reference,  ///< G27 to G30, G74, G75
+    Cycle,      ///< a canned cycle, a thread
+  };
+  Kind kind = Kind::AsBefore;
+  Range axes;  ///< of Flow::axes; none: polar coordinates
+};
+
 /// A block that jumps can name: its sequence number or label.
 struct Label {
   std::string name;  ///< "N100", "REPEAT_IT"
@@ -97,8 +153,10 @@ struct Label {
 /// executes behind another one, in the same call of the program, is at the end of one of its edges,
 /// or a label where it is `to_any_label`, with these exceptions: blocks that belong to the call of
 /// another program stand in that program's flow; a called program may send its caller to a label
-/// (M99 P, RET with a target).  Not every edge can be taken: conditions are followed both ways
-/// unless they are constants.
+/// or behind it (M99 P, RET with a target); the head of a SINUMERIK loop is asked again without
+/// being executed again; a text that EXECSTRING runs has blocks of its own, and may end the
+/// program.  Not every edge can be taken: conditions are followed both ways unless they are
+/// constants.
 struct Flow {
   std::string program;                       ///< "O9010", "CYCLE977"; empty: a Fanuc text without O
   const source::SourceFile* file = nullptr;  ///< outlives the flow
@@ -106,6 +164,10 @@ struct Flow {
   std::vector<Edge> edges;
   std::vector<Fault> faults;
   std::vector<Call> calls;
+  std::vector<Variable> variables;  ///< each once, in the order of their first accesses
+  std::vector<Access> accesses;
+  std::vector<Move> moves;
+  std::vector<AxisTarget> axes;
   std::vector<Label> labels;  ///< in the order of their blocks
   bool writes_files = false;  ///< and may call what it has written
 
@@ -117,6 +179,15 @@ struct Flow {
   }
   [[nodiscard]] std::span<const Call> calls_of(const Block& block) const {
     return std::span(calls).subspan(block.calls.first, block.calls.count);
+  }
+  [[nodiscard]] std::span<const Access> accesses_of(const Block& block) const {
+    return std::span(accesses).subspan(block.accesses.first, block.accesses.count);
+  }
+  [[nodiscard]] std::span<const Move> moves_of(const Block& block) const {
+    return std::span(moves).subspan(block.moves.first, block.moves.count);
+  }
+  [[nodiscard]] std::span<const AxisTarget> axes_of(const Move& move) const {
+    return std::span(axes).subspan(move.axes.first, move.axes.count);
   }
 };
 

@@ -23,6 +23,8 @@ void FlowBuilder::begin_block(syntax::ShortSpan span) {
   block.edges.first = count_of(flow_.edges);
   block.faults.first = count_of(flow_.faults);
   block.calls.first = count_of(flow_.calls);
+  block.accesses.first = count_of(flow_.accesses);
+  block.moves.first = count_of(flow_.moves);
   flow_.blocks.push_back(block);
 }
 
@@ -39,6 +41,22 @@ void FlowBuilder::end_block() {
   close_range(block.edges, flow_.edges);
   close_range(block.faults, flow_.faults);
   close_range(block.calls, flow_.calls);
+  close_range(block.accesses, flow_.accesses);
+  close_range(block.moves, flow_.moves);
+}
+
+void FlowBuilder::access(const Variable& variable, Access access) {
+  const auto [place, is_new] = variables_.try_emplace(variable, count_of(flow_.variables));
+  if (is_new) {
+    flow_.variables.push_back(variable);
+  }
+  access.variable = place->second;
+  flow_.accesses.push_back(access);
+}
+
+void FlowBuilder::move(Move::Kind kind, const std::vector<AxisTarget>& axes) {
+  flow_.moves.push_back({kind, {count_of(flow_.axes), count_of(axes)}});
+  flow_.axes.insert(flow_.axes.end(), axes.begin(), axes.end());
 }
 
 bool FlowBuilder::has_call() const {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "interpreter/analysis/flow.h"
 
@@ -28,6 +32,9 @@ class FlowBuilder {
   void fault(Fault fault) { flow_.faults.push_back(std::move(fault)); }
   void call(Call call) { flow_.calls.push_back(std::move(call)); }
   [[nodiscard]] bool has_call() const;
+  /// @param access  its variable is told by the first parameter
+  void access(const Variable& variable, Access access);
+  void move(Move::Kind kind, const std::vector<AxisTarget>& axes);
   void label(std::string name) { flow_.labels.push_back({std::move(name), index()}); }
 
   void writes_files() { flow_.writes_files = true; }
@@ -40,6 +47,7 @@ class FlowBuilder {
 
   Flow flow_;
   std::vector<Edge> edges_;  ///< of the present block, as they come
+  std::map<Variable, std::uint32_t> variables_;
 };
 
 }  // namespace g31::analysis

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "interpreter/analysis/flow_builder.h"
+#include "interpreter/analysis/sinumerik_accesses.h"
+#include "interpreter/analysis/sinumerik_moves.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
 
@@ -160,6 +162,10 @@ void SinumerikTranslation::follow(StepIndex step) {
     if (code == OpCode::Call) {
       call(program_.calls[static_cast<std::size_t>(here.a.place)], span(step));
     }
+    const bool runs_text =
+        code == OpCode::Procedure && sinumerik::runs_text(static_cast<ProcedureId>(here.detail));
+    now().leaves.by_end = now().leaves.by_end || runs_text;
+    now().leaves.by_return = now().leaves.by_return || runs_text;
     const bool may_be_skipped =
         (code == OpCode::Block || code == OpCode::NcBlock) && here.detail != 0;
     if (may_be_skipped) {
@@ -225,7 +231,8 @@ void SinumerikTranslation::repeat_part(StepIndex step) {
   }
   go(site.first, EdgeKind::Part);
   next(step);
-  if (block_of(site.end) != now_) {
+  // What ends at this very step ends without a further block.
+  if (drafts_[block_of(site.end)].first_step == site.end) {
     parts_.push_back({block_of(site.first), block_of(site.end), block_of(step + 1)});
   }
 }
@@ -321,6 +328,7 @@ Flow SinumerikTranslation::run() {
   }
   close_parts();
   const auto names = label_names();
+  const SinumerikAccesses accesses(program_);
   FlowBuilder builder(program_.name, *program_.file);
   for (BlockIndex i = 0; i < drafts_.size(); ++i) {
     Draft& draft = drafts_[i];
@@ -336,6 +344,11 @@ Flow SinumerikTranslation::run() {
     for (Call& call : draft.calls) {
       builder.call(std::move(call));
     }
+    const bool is_last = i + 1 == drafts_.size();
+    const StepIndex end =
+        is_last ? static_cast<StepIndex>(program_.ops.size()) : drafts_[i + 1].first_step;
+    accesses.add(draft.first_step, end, builder);
+    add_moves(program_, draft.first_step, end, builder);
     if (const auto found = names.find(i); found != names.end()) {
       for (const std::string& name : found->second) {
         builder.label(name);

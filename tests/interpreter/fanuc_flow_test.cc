@@ -171,5 +171,38 @@ TEST(FanucFlow, BehindAWrongBlockTheWayGoesOn) {
   EXPECT_EQ(analysis::reached_blocks(flow), (std::vector<bool>{true, true, true, true, false}));
 }
 
+TEST(FanucFlow, VariablesAreReadAndWritten) {
+  const Flow flow = Pictured(
+                        "O1\n#3=#1+#[#2+1]*#100\nG65P#5A#6\nIF[#5061GT#0]GOTO#7\n"
+                        "G1X#8Y[-#9]F100.\n#[#10]=#5041\nWHILE[#1LT#2]DO1\nEND1\nM30\n")
+                        .flow;
+  EXPECT_EQ(testing::drawn_accesses(flow),
+            "1: r#1 r#[] r#2 r#100 w#3\n"
+            "2: r#5 r#6\n"
+            "3: r#5061 r#7\n"
+            "4: r#8 r#9\n"
+            "5: r#10 r#5041 w#[]\n"
+            "6: r#1 r#2\n");
+  using Scope = analysis::Variable::Scope;
+  EXPECT_EQ(flow.variables[0], (analysis::Variable{Scope::Local, "#1"}));
+  EXPECT_EQ(flow.variables[1], (analysis::Variable{Scope::Computed, "#[]"}));
+  EXPECT_EQ(flow.variables[3], (analysis::Variable{Scope::Global, "#100"}));
+  EXPECT_EQ(flow.variables[7], (analysis::Variable{Scope::System, "#5061"}));
+}
+
+TEST(FanucFlow, WordsOfABlockCommandItsMove) {
+  EXPECT_EQ(testing::drawn_moves(Pictured("O1\nG91G0X1.Y-2.\nX#1\nG31Z-10.F50\nG10L2P1X5.\n"
+                                          "G28Z0\nG81X3Z-5.R1.\nG65P1X1.\nG4X1.\nG2X1.I2.\n"
+                                          "G100X1.\nM98P5X1.\nG54\nM30\n")
+                                     .flow),
+            "1: rapid X1 Y-2\n"
+            "2: as before X?\n"
+            "3: measuring Z-10\n"
+            "5: reference Z0\n"
+            "6: cycle X3 Z-5\n"
+            "9: arc X1\n"
+            "11: as before X1\n");
+}
+
 }  // namespace
 }  // namespace g31

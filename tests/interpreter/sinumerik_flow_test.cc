@@ -104,6 +104,14 @@ TEST(SinumerikFlow, ARepeatedPartIsGoneThroughAgain) {
             "4 M30 end\n"
             "5  return\n"
             "labels PART=0 DONE=1\n");
+  // The REPEAT that stands behind its part is no block of a further pass.
+  EXPECT_EQ(drawn(PicturedText("PART: R1=R1+1\nDONE: R2=1\nREPEAT PART DONE\nM30\n").flow),
+            "0 PART: R1=R1+1 > 1\n"
+            "1 DONE: R2=1 > *0 2 *3\n"
+            "2 REPEAT PART DONE > *0 3\n"
+            "3 M30 end\n"
+            "4  return\n"
+            "labels PART=0 DONE=1\n");
   // Without an end label it goes up to its REPEAT.
   EXPECT_EQ(drawn(PicturedText("PART: R1=R1+1\nREPEAT PART\nM30\n").flow),
             "0 PART: R1=R1+1 > 1\n"
@@ -181,6 +189,49 @@ TEST(SinumerikFlow, ANameThatIsAskedForMayBeMissing) {
   const auto& flow = PicturedText("IF ISVAR(\"OWN\")\nR1=OWN\nENDIF\nR2=OTHER\n").flow;
   ASSERT_EQ(flow.faults.size(), 1U);
   EXPECT_EQ(flow.faults[0].message.substr(flow.faults[0].message.size() - 5), "OTHER");
+}
+
+TEST(SinumerikFlow, ATextThatIsRunMayEndTheProgram) {
+  EXPECT_EQ(drawn(PicturedText("EXECSTRING(\"RET\")\nM30\n").flow),
+            "0 EXECSTRING(\"RET\") > 1 end return\n"
+            "1 M30 end\n"
+            "2  return\n");
+}
+
+TEST(SinumerikFlow, VariablesAreReadAndWritten) {
+  const auto flow = PicturedText(
+                        "DEF REAL LEN,ROW[3]\nDEF STRING[9] WORD\nLEN=R1+ROW[1]*ROW[R2]\n"
+                        "ROW[2]=LEN\nR[R3]=$AA_IM[X]\nSUB(LEN,R4,1)\nG1 X=LEN Y10\nIF LEN>R5\n"
+                        "ENDIF\nWORD=\"A\"<<R6\nMSG(WORD)\nROW[0]=SET(R7,R8)\n$TC_DP3[1,1]=R9\n")
+                        .flow;
+  EXPECT_EQ(testing::drawn_accesses(flow),
+            "2: rR[2] rROW rROW[1] rR[1] wLEN\n"
+            "3: rLEN wROW[2]\n"
+            "4: rR[3] r$AA_IM wR\n"
+            "5: hLEN hR[4]\n"
+            "6: rLEN\n"
+            "7: rLEN rR[5]\n"
+            "9: rR[6] wWORD\n"
+            "10: hWORD\n"
+            "11: rR[7] rR[8] wROW\n"
+            "12: rR[9] w$TC_DP\n");
+  using Scope = analysis::Variable::Scope;
+  EXPECT_EQ(flow.variables[0], (analysis::Variable{Scope::Global, "R"}));
+  EXPECT_EQ(flow.variables[1], (analysis::Variable{Scope::Local, "ROW"}));
+}
+
+TEST(SinumerikFlow, WordsOfABlockCommandItsMove) {
+  EXPECT_EQ(testing::drawn_moves(PicturedText("G0 X1 Y-2\nX=R1 Z=IC(2)\nMEAS=1 G1 Z-10\nTRANS X5\n"
+                                              "G74 Z0\nG2 X1 I2\nG4 F1\nPOS[A]=3\nG1 AP=5 RP=R2\n"
+                                              "SUB(1)\nG54\nM30\n")
+                                     .flow),
+            "0: rapid X1 Y-2\n"
+            "1: as before X? Z2\n"
+            "2: measuring Z-10\n"
+            "4: reference Z0\n"
+            "5: arc X1\n"
+            "7: as before A3\n"
+            "8: line\n");
 }
 
 }  // namespace

@@ -51,4 +51,38 @@ inline std::string drawn(const analysis::Flow& flow) {
   return text;
 }
 
+/// What blocks do with variables, a line a block: r reads, w writes, h hands over.
+inline std::string drawn_accesses(const analysis::Flow& flow) {
+  std::string text;
+  for (std::size_t i = 0; i < flow.blocks.size(); ++i) {
+    const auto accesses = flow.accesses_of(flow.blocks[i]);
+    text += accesses.empty() ? "" : fmt::format("{}:", i);
+    for (const analysis::Access& access : accesses) {
+      text += fmt::format(" {}{}", "rwh"[static_cast<std::size_t>(access.kind)],
+                          flow.variables[access.variable].name);
+      text += access.element >= 0 ? fmt::format("[{}]", access.element) : "";
+    }
+    text += accesses.empty() ? "" : "\n";
+  }
+  return text;
+}
+
+/// The moves that blocks command, a line a block.
+inline std::string drawn_moves(const analysis::Flow& flow) {
+  constexpr std::string_view kKinds[] = {"as before", "rapid",     "line", "arc",
+                                         "measuring", "reference", "cycle"};
+  std::string text;
+  for (std::size_t i = 0; i < flow.blocks.size(); ++i) {
+    for (const analysis::Move& move : flow.moves_of(flow.blocks[i])) {
+      text += fmt::format("{}: {}", i, kKinds[static_cast<std::size_t>(move.kind)]);
+      for (const analysis::AxisTarget& axis : flow.axes_of(move)) {
+        text += fmt::format(" {}{}", axis.letter,
+                            axis.is_computed ? "?" : fmt::format("{}", axis.value));
+      }
+      text += "\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace g31::testing

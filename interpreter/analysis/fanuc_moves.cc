@@ -1,0 +1,89 @@
+#include "interpreter/analysis/fanuc_moves.h"
+
+#include <optional>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/vocabulary/axis_words.h"
+#include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::analysis {
+namespace {
+
+using fanuc::GAction;
+
+/// The move that a G code makes of its block; nullopt: it leaves that to others.
+std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
+  switch (code.action) {
+    case GAction::Motion:
+      return code.number.whole == 0   ? Move::Kind::Rapid
+             : code.number.whole == 1 ? Move::Kind::Line
+                                      : Move::Kind::Arc;
+    case GAction::Skip:
+    case GAction::MeasureTool:
+      return Move::Kind::Measuring;
+    case GAction::CheckReference:
+    case GAction::ToReference:
+    case GAction::FromReference:
+      return Move::Kind::Reference;
+    case GAction::CannedCycle:
+      return Move::Kind::Cycle;
+    case GAction::Modal:
+    case GAction::NoEffect:
+    case GAction::ExactStop:
+    case GAction::Dwell:
+    case GAction::SetData:
+    case GAction::EndData:
+    case GAction::ToolLength:
+    case GAction::LocalShift:
+    case GAction::MachineMove:
+    case GAction::WorkOffset:
+    case GAction::MacroCall:
+    case GAction::SetPosition:
+    case GAction::PresetSystem:
+    case GAction::PolarOn:
+    case GAction::PolarOff:
+    case GAction::Mirror:
+    case GAction::MirrorOff:
+    case GAction::Scaling:
+    case GAction::ScalingOff:
+    case GAction::Rotation:
+    case GAction::RotationOff:
+    case GAction::CycleOff:
+    case GAction::StrokeCheck:
+    case GAction::SurfaceSpeed:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void add_moves(const fanuc::CompiledProgram& program, const syntax::Block& block,
+               FlowBuilder& builder) {
+  Move::Kind kind = Move::Kind::AsBefore;
+  std::vector<AxisTarget> targets;
+  for (syntax::Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
+    const syntax::Word& word = program.tree->words[i];
+    const bool is_computed = word.form == syntax::ValueForm::Computed;
+    if (axis_index(word.letter) >= 0) {
+      targets.push_back({word.letter, is_computed, is_computed ? 0.0 : word.number, word.span});
+      continue;
+    }
+    const auto number =
+        word.letter == 'G' && !is_computed ? fanuc::g_number(word.number) : std::nullopt;
+    const fanuc::GCode* const code = number ? fanuc::find_g_code(*number) : nullptr;
+    const bool calls = code != nullptr && code->action == GAction::MacroCall;
+    if (word.letter == 'G' && (code == nullptr || calls || fanuc::takes_axis_words(code->action))) {
+      return;  // what an unknown code does with axis words is for others to say
+    }
+    if (code != nullptr) {
+      kind = move_of(*code).value_or(kind);
+    }
+  }
+  if (!targets.empty()) {
+    builder.move(kind, targets);
+  }
+}
+
+}  // namespace g31::analysis

@@ -1,0 +1,218 @@
+// Every conformance case, run one block further each time, goes along the edges of its flow.  A run
+// whose budget is n blocks says where it stopped: the n-th block, or the one behind it.
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "interpreter/analysis/program_set.h"
+#include "interpreter/runtime/observer.h"
+#include "tests/support/conformance_run.h"
+#include "tools/disk/disk.h"
+#include "tools/session/prepare.h"
+#include "tools/session/run.h"
+#include "tools/session/world.h"
+
+namespace g31 {
+namespace {
+
+using analysis::Block;
+using analysis::BlockIndex;
+using analysis::Edge;
+using analysis::Flow;
+using testing::ConformanceCase;
+
+constexpr std::uint64_t kMostBlocks = 60;
+
+/// Where a run has come to.
+struct Stand {
+  std::size_t depth = 0;  ///< calls
+  std::size_t offset = 0;
+};
+
+/// Blocks of one flow that begin at one place: an IF with THEN and its statement are two.
+struct Standing {
+  const Flow* flow = nullptr;
+  std::vector<BlockIndex> blocks;
+};
+
+bool is_label(const Flow& flow, BlockIndex block) {
+  return std::ranges::find(flow.labels, block, &analysis::Label::block) != flow.labels.end();
+}
+
+bool has_edge(const Flow& flow, BlockIndex from, BlockIndex to) {
+  const auto edges = flow.edges_of(flow.blocks[from]);
+  return std::ranges::find(edges, to, &Edge::to) != edges.end();
+}
+
+/// Whether the flow has a way from one block to another.  The head of a SINUMERIK loop is asked
+/// again without counting as a block.
+bool leads(const Flow& flow, BlockIndex from, BlockIndex to) {
+  const Block& block = flow.blocks[from];
+  const bool restarts = (block.leaves.by_return || block.leaves.by_end) && to == 0;
+  if (from == to || has_edge(flow, from, to) || restarts ||
+      (block.to_any_label && is_label(flow, to))) {
+    return true;
+  }
+  return std::ranges::any_of(flow.edges_of(block), [&](const Edge& edge) {
+    return edge.kind == analysis::EdgeKind::Jump && edge.to <= from && has_edge(flow, edge.to, to);
+  });
+}
+
+bool leads(const Standing& from, const Standing& to) {
+  return from.flow == to.flow && std::ranges::any_of(from.blocks, [&](BlockIndex a) {
+           return std::ranges::any_of(to.blocks,
+                                      [&](BlockIndex b) { return leads(*from.flow, a, b); });
+         });
+}
+
+/// One case: its flows, and runs of it.
+class Walked {
+ public:
+  Walked(const ConformanceCase& test, const std::string& control, const std::string& file) {
+    session::Request request;
+    path_ = folder_.write(file, test.program);
+    request.programs = {path_};
+    request.setups = {folder_.write("sheet.toml", testing::sheet_of(test))};
+    request.control = control;
+    const auto prepared = session::prepare(request, disk_);
+    if (!prepared) {
+      return;
+    }
+    prepared_ = std::make_unique<session::Prepared>(prepared.value());
+    const auto opened = session::open_programs(prepared_->control, request, disk_);
+    programs_ = opened ? opened.value() : nullptr;
+    const auto* const fanuc = std::get_if<session::FanucControl>(&prepared_->control);
+    set_ = fanuc != nullptr ? analysis::fanuc_programs(fanuc->profile, disk_)
+                            : analysis::sinumerik_programs(disk_);
+    set_->add_file(path_);
+    flows_ = set_->flows(path_);
+  }
+
+  /// Follows the run block by block.  @returns how many ways were held against the flow
+  int follow(const std::string& place) {
+    int held = 0;
+    for (std::uint64_t n = 1; programs_ != nullptr && n <= kMostBlocks; ++n) {
+      const auto stand = stand_after(n);
+      if (!stand) {
+        break;
+      }
+      const Standing now = standing_at(stand->offset);
+      if (now.flow != nullptr) {
+        held += held_against(*stand, now, place);
+      }
+    }
+    return held;
+  }
+
+ private:
+  int held_against(const Stand& stand, const Standing& now, const std::string& place) {
+    const bool is_entered = stand.depth > depth_;
+    const bool has_returned = stand.depth < depth_;
+    std::optional<Standing>& last = last_[stand.depth];
+    const bool is_known = last && !is_entered;
+    if (is_known) {
+      // A called program may send its caller to a label, or behind it.
+      const bool may_be_sent = has_returned || had_returned_;
+      const bool sent =
+          may_be_sent && std::ranges::any_of(now.blocks, [&](BlockIndex block) {
+            return is_label(*now.flow, block) || (block > 0 && is_label(*now.flow, block - 1));
+          });
+      EXPECT_TRUE(sent || leads(*last, now))
+          << place << ": no way from block " << last->blocks.front() << " to " << now.blocks.front()
+          << " of " << now.flow->program;
+    }
+    // On entering, a Fanuc shows the first block before it knows where it begins.
+    last = is_entered ? std::nullopt : std::optional(now);
+    depth_ = stand.depth;
+    had_returned_ = has_returned;
+    return is_known ? 1 : 0;
+  }
+
+  std::optional<Stand> stand_after(std::uint64_t blocks) {
+    const auto world = session::build_world(prepared_->job, 0);
+    runtime::Observer nobody;
+    if (!world) {
+      return std::nullopt;
+    }
+    const auto run = session::Run::open(prepared_->job, *programs_, *world.value().machine, nobody);
+    if (!run) {
+      return std::nullopt;
+    }
+    const runtime::Outcome outcome = run.value()->session().run({blocks, 20.0});
+    if (outcome.status != runtime::Status::Budget) {
+      return std::nullopt;
+    }
+    const source::Diagnostic& last = outcome.diagnostics.back();
+    const bool is_here = last.where.file != nullptr && last.where.file->name() == path_;
+    return Stand{last.notes.size(), is_here ? last.where.span.begin : std::string::npos};
+  }
+
+  Standing standing_at(std::size_t offset) const {
+    for (const Flow& flow : flows_) {
+      Standing found{&flow, {}};
+      for (BlockIndex i = 0; i < flow.blocks.size(); ++i) {
+        if (flow.blocks[i].span.begin == offset) {
+          found.blocks.push_back(i);
+        }
+      }
+      if (!found.blocks.empty()) {
+        return found;
+      }
+    }
+    return {};
+  }
+
+  testing::TemporaryFolder folder_;
+  disk::Disk disk_;
+  std::string path_;
+  std::unique_ptr<session::Prepared> prepared_;
+  std::shared_ptr<session::Programs> programs_;
+  std::unique_ptr<analysis::ProgramSet> set_;
+  std::vector<Flow> flows_;
+  std::map<std::size_t, std::optional<Standing>> last_;
+  std::size_t depth_ = 0;
+  bool had_returned_ = false;  ///< a Fanuc shows the block of the call before it goes on
+};
+
+/// @returns how many ways were held against flows
+int follow_file(const std::string& path, const std::string& control, const std::string& file) {
+  const auto cases = testing::ConformanceReader(path).read();
+  EXPECT_TRUE(cases) << cases.error();
+  int held = 0;
+  for (const ConformanceCase& test : cases.value()) {
+    const std::string on = control.empty() ? test.controls.front() : control;
+    held += Walked(test, on, file)
+                .follow(fmt::format("{}:{}: {}", path, test.title.line, test.title.text));
+  }
+  return held;
+}
+
+TEST(FlowConformance, FanucRunsGoAlongTheEdges) {
+  int held = 0;
+  for (const std::string& name : testing::case_files("tests/conformance/fanuc")) {
+    held += follow_file("tests/conformance/fanuc/" + name + ".nc", "", "case.nc");
+  }
+  EXPECT_GT(held, 1000);
+  RecordProperty("ways", held);
+}
+
+TEST(FlowConformance, SinumerikRunsGoAlongTheEdges) {
+  int held = 0;
+  for (const std::string& name : testing::case_files("tests/conformance/sinumerik")) {
+    held +=
+        follow_file("tests/conformance/sinumerik/" + name + ".mpf", "sinumerik-828d", "case.mpf");
+  }
+  EXPECT_GT(held, 1000);
+  RecordProperty("ways", held);
+}
+
+}  // namespace
+}  // namespace g31
