@@ -159,8 +159,8 @@ MaybeFailure Runner::set(const SystemAccess& access, const Argument& value,
 }
 
 MaybeFailure Runner::set(const SystemAccess& access, const Argument& value,
-                         Result<Frame*, Failure> (*place_of)(Channel&, const SystemAccess&)) {
-  const auto place = place_of(channel_, access);
+                         Result<Frame*, Failure> (*find_frame)(Channel&, const SystemAccess&)) {
+  const auto place = find_frame(channel_, access);
   if (!place) {
     return place.error();
   }

@@ -259,7 +259,7 @@ class Runner {
   MaybeFailure set(const SystemAccess& access, const Argument& value,
                    MaybeFailure (*set_text)(Channel&, const SystemAccess&, const std::string&));
   MaybeFailure set(const SystemAccess& access, const Argument& value,
-                   Result<Frame*, Failure> (*place_of)(Channel&, const SystemAccess&));
+                   Result<Frame*, Failure> (*find_frame)(Channel&, const SystemAccess&));
   Result<double, Failure> argument_given(const SystemAccess& access);
   Result<double, Failure> call_depth(const SystemAccess& access);
   Result<std::string, Failure> level_name(const SystemAccess& access);
