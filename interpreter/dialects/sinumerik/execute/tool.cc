@@ -158,7 +158,7 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
     changes = changes || words.machine_codes[i] == kToolChange;
   }
   if (changes) {
-    channel.tool = channel.selected_tool;
+    channel.tool = channel.selected_tool.value_or(0);
     // A new tool comes with its first edge.
     if (MaybeFailure wrong = select_edge(channel, channel.tool == 0 ? 0.0 : 1.0)) {
       return wrong;
@@ -167,7 +167,9 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
     if (!std::isfinite(length)) {
       return failure(AlarmId::ValueOutOfLimits, fmt::format("the length of T{}", channel.tool));
     }
-    channel.port.change_tool({{channel.tool, length, channel.tool_radius()}});
+    if (channel.selected_tool) {
+      channel.port.change_tool({{channel.tool, length, channel.tool_radius()}});
+    }
   }
   MaybeFailure wrong =
       words.has(Address::Edge) ? select_edge(channel, words[Address::Edge].value) : std::nullopt;

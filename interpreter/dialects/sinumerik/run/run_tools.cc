@@ -49,7 +49,7 @@ int first_of_name(const std::map<int, Tool>& tools, const std::string& name) {
 
 /// The tool of a name that is in use: its number, or why there is none.
 double tool_in_use(const Channel& channel, const std::string& name) {
-  for (const int number : {channel.tool, channel.selected_tool}) {
+  for (const int number : {channel.tool, channel.selected_tool.value_or(0)}) {
     const auto found = channel.tools.find(number);
     if (found != channel.tools.end() && found->second.name == name) {
       return number;
@@ -125,7 +125,7 @@ double Runner::tool_named(Arguments list) {
 
 /// GETSELT(variable, spindle)
 double Runner::selected_tool(Arguments /*list*/) {
-  return channel_.selected_tool;
+  return channel_.selected_tool.value_or(0);
 }
 
 /// GETEXET(variable, spindle)

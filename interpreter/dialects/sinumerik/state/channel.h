@@ -169,9 +169,9 @@ class Channel {
 
   // Tools
   std::map<int, Tool> tools;
-  bool knows_tools = false;  ///< the set-up sheet or an INI file has some
-  bool loads_data = false;   ///< of an INI file: data of a new tool make it
-  int selected_tool = 0;
+  bool knows_tools = false;          ///< the set-up sheet or an INI file has some
+  bool loads_data = false;           ///< of an INI file: data of a new tool make it
+  std::optional<int> selected_tool;  ///< the last T; none before the first
   int tool = 0;
   int edge = 0;
   int additive = 0;                  ///< DL
