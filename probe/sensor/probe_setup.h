@@ -71,7 +71,7 @@ struct StylusBall {
 struct SwitchingSetup {
   std::optional<int> tool;      ///< the number that it is; the spindle holds it at the start
   std::optional<int> on_code;   ///< the M code that switches it on; with one it is off at the start
-  std::optional<int> off_code;  ///< and off
+  std::optional<int> off_code;  ///< and off; the same code turn by turn does both
 
   /// Whether programs bring the probe or switch it on, and so can forget to.
   [[nodiscard]] bool is_up_to_program() const { return tool || on_code; }

@@ -162,8 +162,8 @@ void TouchProbe::note(const machine::SpindleTurn& turn) {
 }
 
 void TouchProbe::note(const machine::AuxiliaryCode& code) {
-  is_on_ = code.number == setup_.switching.on_code ||
-           (is_on_ && code.number != setup_.switching.off_code);
+  const bool switches_off = is_on_ && code.number == setup_.switching.off_code;
+  is_on_ = !switches_off && (is_on_ || code.number == setup_.switching.on_code);
 }
 
 machine::ToolExtent TouchProbe::tool_extent() const {

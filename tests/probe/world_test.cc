@@ -152,6 +152,20 @@ TEST(TouchProbe, IsSwitchedByItsCodes) {
   EXPECT_FALSE(TouchProbe(setup, kBlock, 0).sensor_state(1)->is_ready());
 }
 
+TEST(TouchProbe, OneCodeMaySwitchItOnAndOff) {
+  ProbeSetup setup;
+  setup.switching.on_code = 80;
+  setup.switching.off_code = 80;
+  TouchProbe probe(setup, kBlock, 0);
+  EXPECT_EQ(probe.sensor_state(1), kSwitchedOff);
+  for (const SensorState& state : {kReady, kSwitchedOff, kReady}) {
+    probe.take(machine::AuxiliaryCode{80});
+    EXPECT_EQ(probe.sensor_state(1), state);
+    probe.take(machine::AuxiliaryCode{81});
+    EXPECT_EQ(probe.sensor_state(1), state);
+  }
+}
+
 TEST(TouchProbe, TellsThatItsSpindleTurns) {
   TouchProbe probe(probe_of(1, 1), kBlock, 0);
   probe.take(SpindleTurn{Rotation::Counterclockwise, 500.0, {}, 2});
