@@ -21,6 +21,41 @@ const ErrorCase kOfAProbeThatIsATool[] = {
     2 | on = "G80"
       |      ^
 )"},
+    {"a tool by its name", "[probe]\ntool = \"PROBE\"\n",
+     R"(sheet1.toml:2:8: error: probe.tool is a string, it should be a whole number [SET104]
+    2 | tool = "PROBE"
+      |        ^
+      = for example: tool = 1
+)"},
+    {"a code without its letter", "[probe]\non = 80\n",
+     R"(sheet1.toml:2:6: error: probe.on is a whole number, it should be a string [SET104]
+    2 | on = 80
+      |      ^
+      = for example: on = "M80"
+)"},
+    {"a code that is too long", "[probe]\noff = \"M123456789\"\n",
+     R"(sheet1.toml:2:7: error: probe.off is "M123456789", it should be M and a number of one to eight digits [SET105]
+    2 | off = "M123456789"
+      |       ^
+)"},
+    {"a slip of the pen", "[probe]\nready_imput = 4\n",
+     R"(sheet1.toml:2:1: error: unknown key ready_imput in [probe], did you mean ready_input? [SET103]
+    2 | ready_imput = 4
+      | ^
+)"},
+    {"two things on one input", "[probe]\nready_input = 1004\nsignal_input = 1004\n",
+     R"(sheet1.toml:3:16: error: probe.signal_input is 1004, the input that probe.ready_input sets already [SET115]
+    3 | signal_input = 1004
+      |                ^
+      = each takes an input of its own
+)"},
+    {"the battery on the input of the signal",
+     "[probe]\nsignal_input = 1005\nlow_battery_input = 1005\n",
+     R"(sheet1.toml:3:21: error: probe.low_battery_input is 1005, the input that probe.signal_input sets already [SET115]
+    3 | low_battery_input = 1005
+      |                     ^
+      = each takes an input of its own
+)"},
 };
 
 TEST_F(SetupErrorText, OfAProbeThatIsATool) {
@@ -40,6 +75,43 @@ const ErrorCase kOfWhatTheControlBelieves[] = {
      R"(sheet1.toml:1:16: error: unknown key X in [believed.axes], which takes A, B and C [SET103]
     1 | [believed.axes.X]
       |                ^
+)"},
+    {"a belief about an axis that the control knows but nothing stands on",
+     "[machine.axes.C]\n[believed.axes.C]\n",
+     R"(sheet1.toml:2:16: error: axis C carries neither part nor tool, so there is nothing to believe of it [SET114]
+    2 | [believed.axes.C]
+      |                ^
+      = table_side and tool_side of [machine] name its rotary axes
+)"},
+    {"a key of another spelling",
+     "[machine]\ntable_side = \"C\"\n[believed.axes.C]\ncenter = [0.0, 0.0, 1.0]\n",
+     R"(sheet1.toml:4:1: error: unknown key center in [believed.axes.C], did you mean centre? [SET103]
+    4 | center = [0.0, 0.0, 1.0]
+      | ^
+)"},
+    {"what no transformation goes by",
+     "[machine]\ntable_side = \"C\"\n[believed.axes.C]\ntravel = [10.0, -10.0]\n",
+     R"(sheet1.toml:4:1: error: unknown key travel in [believed.axes.C], which takes centre, direction [SET103]
+    4 | travel = [10.0, -10.0]
+      | ^
+)"},
+    {"a centre with two numbers",
+     "[machine]\ntable_side = \"C\"\n[believed.axes.C]\ncentre = [0.0, 1.0]\n",
+     R"(sheet1.toml:4:10: error: believed.axes.C.centre is an array of 2, it should be an array of three numbers [SET104]
+    4 | centre = [0.0, 1.0]
+      |          ^
+      = for example: centre = [0.0, 0.0, -400.0]
+)"},
+    {"a direction that is none",
+     "[machine]\ntable_side = \"C\"\n[believed.axes.C]\ndirection = [0.0, 0.0, 0.0]\n",
+     R"(sheet1.toml:4:13: error: believed.axes.C.direction is [0, 0, 0], it should be three numbers, not all 0 [SET105]
+    4 | direction = [0.0, 0.0, 0.0]
+      |             ^
+)"},
+    {"a slip in the section", "[believed.axis.C]\n",
+     R"(sheet1.toml:1:11: error: unknown key axis in [believed], did you mean axes? [SET103]
+    1 | [believed.axis.C]
+      |           ^
 )"},
 };
 

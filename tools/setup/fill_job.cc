@@ -180,6 +180,7 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
   if (const auto probe = sheet.tables.find({SectionId::Probe, ""}); probe != sheet.tables.end()) {
     job.probe = probe_from(sheet, probe->second);
     fill_battery_input(job, TableKeys(probe->second));
+    refuse_shared_inputs(probe->second, errors);
   }
   if (const auto list = sheet.lists.find(SectionId::SkipSignal); list != sheet.lists.end()) {
     job.skip_signals.emplace();

@@ -1,10 +1,13 @@
 #include "tools/setup/fill_probe.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "machine/base/contract.h"
 #include "tools/setup/table_keys.h"
@@ -171,6 +174,26 @@ std::vector<machine::InputWire> wires_of(const SheetTable& table, int measuring_
     }
   }
   return wires;
+}
+
+void refuse_shared_inputs(const SheetTable& table, ErrorList& errors) {
+  const TableKeys keys(table);
+  std::map<int, std::string> taken;
+  for (const KeyId id :
+       {KeyId::ProbeReadyInput, KeyId::ProbeSignalInput, KeyId::ProbeBatteryInput}) {
+    const Entry* const input = keys.find(id);
+    if (input == nullptr) {
+      continue;
+    }
+    const auto number = static_cast<int>(number_of(*input));
+    const auto row = std::ranges::find(key_rows(), id, &KeyRow::id);
+    const std::string path = fmt::format("probe.{}", row->name);
+    const auto [first, is_free] = taken.try_emplace(number, path);
+    if (!is_free) {
+      errors.add(SetupErrorId::InputTaken, input->where,
+                 {path, std::to_string(number), first->second}, "each takes an input of its own");
+    }
+  }
 }
 
 }  // namespace g31::setup
