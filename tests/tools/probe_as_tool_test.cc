@@ -1,0 +1,107 @@
+// What a user is told whose program measures without its probe.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_program.h"
+
+namespace g31 {
+namespace {
+
+using testing::run_program;
+using testing::RunOutput;
+using testing::TemporaryFolder;
+
+constexpr const char* kSheet = R"([start]
+Z = 200.0
+[probe]
+tool = 1
+on = "M80"
+[[part]]
+shape = "cylinder"
+)";
+
+/// A program on that sheet.
+RunOutput run_with_probe(const TemporaryFolder& folder, const std::string& name,
+                         const std::string& program) {
+  cli::RunOptions options;
+  options.programs = {folder.write(name, program)};
+  options.setups = {folder.write("sheet.toml", kSheet)};
+  return run_program(options);
+}
+
+/// Standard error without the folder of the program.
+std::string said(const RunOutput& output, const TemporaryFolder& folder) {
+  std::string text = output.errors;
+  const std::string prefix = folder.path("");
+  for (std::size_t at = text.find(prefix); at != text.npos; at = text.find(prefix)) {
+    text.erase(at, prefix.size());
+  }
+  return text;
+}
+
+TEST(ProbeAsTool, ALoopWithoutItIsToldOnceWithTheNumberOfTimes) {
+  const TemporaryFolder folder;
+  const RunOutput output = run_with_probe(folder, "loop.nc",
+                                          "O1\n"
+                                          "T5 M6\n"
+                                          "#1=0\n"
+                                          "WHILE [#1 LT 3] DO1\n"
+                                          "G31 Z[190.-#1] F500.\n"
+                                          "#1=#1+1\n"
+                                          "END1\n"
+                                          "M30\n");
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_EQ(output.document["status"], "completed");
+  EXPECT_EQ(
+      said(output, folder),
+      R"(loop.nc:5:1: warning: a measuring move while the spindle does not hold the probe: no signal can come [PRB311]
+    5 | G31 Z[190.-#1] F500.
+      | ^~~~~~~~~~~~~~~~~~~~
+      = bring the tool that probe.tool of the set-up sheet names into the spindle: T and M6
+loop.nc:5:1: note: 3 times in all
+loop.nc:5:1: warning: the skip move ended at its end point without a signal [PRB301]
+    5 | G31 Z[190.-#1] F500.
+      | ^~~~~~~~~~~~~~~~~~~~
+      = on the control this is no alarm: compare #5061.. with the programmed end, or move further
+)");
+}
+
+TEST(ProbeAsTool, OffAndTurningAreToldByTheirPlaceInBothDialects) {
+  const TemporaryFolder folder;
+  const RunOutput fanuc = run_with_probe(folder, "off.nc", "O1\nM3 S100\nG31 Z190. F500.\nM30\n");
+  EXPECT_EQ(fanuc.exit_code, 1);
+  EXPECT_EQ(
+      said(fanuc, folder),
+      R"(off.nc:3:1: warning: a measuring move with a probe that is not switched on: no signal can come [PRB312]
+    3 | G31 Z190. F500.
+      | ^~~~~~~~~~~~~~~
+      = the M code that probe.on of the set-up sheet names switches it on
+off.nc:3:1: warning: a measuring move while the spindle turns with the probe [PRB313]
+    3 | G31 Z190. F500.
+      | ^~~~~~~~~~~~~~~
+      = M5 stops the spindle, M19 or SPOS at an angle
+off.nc:3:1: warning: the skip move ended at its end point without a signal [PRB301]
+    3 | G31 Z190. F500.
+      | ^~~~~~~~~~~~~~~
+      = on the control this is no alarm: compare #5061.. with the programmed end, or move further
+)");
+  const RunOutput sinumerik =
+      run_with_probe(folder, "off.mpf", "M3 S100\nMEAS=1 G1 Z190 F500\nM30\n");
+  EXPECT_EQ(sinumerik.exit_code, 1);
+  EXPECT_EQ(
+      said(sinumerik, folder),
+      R"(off.mpf:2:1: warning: a measuring move with a probe that is not switched on: no signal can come [PRB312]
+    2 | MEAS=1 G1 Z190 F500
+      | ^~~~~~~~~~~~~~~~~~~
+      = the M code that probe.on of the set-up sheet names switches it on
+off.mpf:2:1: warning: a measuring move while the spindle turns with the probe [PRB313]
+    2 | MEAS=1 G1 Z190 F500
+      | ^~~~~~~~~~~~~~~~~~~
+      = M5 stops the spindle, M19 or SPOS at an angle
+)");
+}
+
+}  // namespace
+}  // namespace g31
