@@ -184,3 +184,163 @@ M30
 (EXPECT #104 = 48)
 (EXPECT #106 = 0)
 (EXPECT #107 = 0)
+
+(CASE a probe that is off in a turning spindle: both are said)
+(SHEET [probe])
+(SHEET on = "M80")
+(SHEET [[part]])
+(SHEET shape = "cylinder")
+%
+O1
+M3 S100
+G31 Z150. F100.
+M30
+%
+(EXPECT WARNING PRB312 AT 8)
+(EXPECT WARNING PRB313 AT 8)
+
+(CASE S turns nothing by itself)
+(SHEET [probe])
+(SHEET tool = 1)
+(SHEET [[part]])
+(SHEET shape = "cylinder")
+%
+O1
+S3000
+G31 Z100. F100.
+M30
+%
+(EXPECT NO WARNING PRB313)
+
+(CASE one code switches the probe on and off turn by turn)
+(SHEET [probe])
+(SHEET on = "M80")
+(SHEET off = "M80")
+(SHEET [[part]])
+(SHEET shape = "cylinder")
+%
+O1
+M80
+G31 Z100. F100.
+#100=#5063
+G00 Z200.
+M80
+G31 Z150. F100.
+M30
+%
+(EXPECT #100 = 123)
+(EXPECT WARNING PRB312 AT 13)
+
+(CASE a probe that can only be switched off is on at the start)
+(SHEET [probe])
+(SHEET off = "M81")
+(SHEET [[part]])
+(SHEET shape = "cylinder")
+%
+O1
+G31 Z100. F100.
+#100=#5063
+G00 Z200.
+M081
+G31 Z150. F100.
+M30
+%
+(EXPECT #100 = 123)
+(EXPECT WARNING PRB312 AT 11)
+
+(CASE a T that calls a macro: the macro brings the tool)
+(PARAMETER 6001.5 = 1)
+(CONTROL fanuc-16i fanuc-30i)
+(SHEET [probe])
+(SHEET tool = 1)
+(SHEET [[part]])
+(SHEET shape = "cylinder")
+%
+O1
+T5
+G31 Z150. F100.
+T1
+G31 Z100. F100.
+#100=#5063
+M30
+O9000
+#26=#149
+T#26 M6
+M99
+%
+(EXPECT #100 = 123)
+(EXPECT WARNING PRB311 AT 10)
+
+(CASE an M6 that calls a macro: T is its argument)
+(PARAMETER 6080 = 6)
+(CONTROL fanuc-16i fanuc-30i)
+(SHEET [probe])
+(SHEET tool = 1)
+(SHEET [[part]])
+(SHEET shape = "cylinder")
+%
+O1
+T5 M6
+G31 Z150. F100.
+T1 M6
+G31 Z100. F100.
+#100=#5063
+M30
+O9020
+T#20 M6
+M99
+%
+(EXPECT #100 = 123)
+(EXPECT WARNING PRB311 AT 10)
+
+(CASE a torque limit skip listens to no probe)
+(CONTROL fanuc-30i)
+(SHEET [probe])
+(SHEET tool = 1)
+(SHEET [[part]])
+(SHEET shape = "cylinder")
+%
+O1
+T5 M6
+G31 P98 Z100. F100.
+M30
+%
+(EXPECT NO WARNING PRB311)
+(EXPECT MOVE 1 G31 Z100)
+
+(CASE what the probe sets goes over what was written)
+(SET #1004 = 1)
+(SHEET [probe])
+(SHEET on = "M80")
+(SHEET ready_input = 1004)
+%
+O1
+#100=#1004
+#101=#1032
+M80
+#102=#1004
+M30
+%
+(EXPECT #100 = 0)
+(EXPECT #101 = 0)
+(EXPECT #102 = 1)
+
+(CASE a tool may be longer than the way down, or shorter than nothing)
+(SHEET [probe])
+(SHEET tool = 1)
+(SHEET [tools.5])
+(SHEET length = -50.0)
+(SHEET [tools.6])
+(SHEET length = 900.0)
+(SHEET [[part]])
+(SHEET shape = "cylinder")
+%
+O1
+T5 M6
+G00 Z0
+T6 M6
+G31 Z-10. F100.
+M30
+%
+(EXPECT MOVE 2 G31 Z-10)
+(EXPECT WARNING PRB311 AT 14)
