@@ -73,6 +73,16 @@ def compare(arguments, workload, folder):
     print(row, flush=True)
 
 
+def compare_all(arguments, chosen, folder):
+    (folder / "tool.tbl").write_text("T1 P1 D0 Z0\n")
+    if not arguments.rs274:
+        print("no rs274 (Debian: linuxcnc-uspace): times of g31 alone")
+    print(f"{'workload':14} {'size':>9} {'g31 s':>9} {'MiB':>8} {'rs274 s':>9} {'MiB':>8} "
+          f"{'ratio':>8} {'target':>6}")
+    for workload in chosen:
+        compare(arguments, workload, folder)
+
+
 def memory(arguments, folder):
     program = folder / "large.nc"
     size = workloads.write_large(program, arguments.memory * 2**20)
@@ -96,17 +106,11 @@ def main():
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="g31_bench_", dir=arguments.folder) as name:
         folder = pathlib.Path(name)
-        (folder / "tool.tbl").write_text("T1 P1 D0 Z0\n")
         if arguments.memory:
             memory(arguments, folder)
             return
-        if not arguments.rs274:
-            print("no rs274 (Debian: linuxcnc-uspace): times of g31 alone")
-        print(f"{'workload':14} {'size':>9} {'g31 s':>9} {'MiB':>8} {'rs274 s':>9} {'MiB':>8} "
-              f"{'ratio':>8} {'target':>6}")
-        for workload in workloads.WORKLOADS:
-            if not arguments.only or workload.name in arguments.only:
-                compare(arguments, workload, folder)
+        compare_all(arguments, [workload for workload in workloads.WORKLOADS
+                                if not arguments.only or workload.name in arguments.only], folder)
 
 
 if __name__ == "__main__":

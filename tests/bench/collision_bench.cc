@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <random>
+#include <span>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -67,13 +68,8 @@ CentreWay way_of(Moves moves, std::mt19937_64& random) {
   return {};
 }
 
-void whole_probe_move(benchmark::State& state, Moves moves) {
+void time_moves(benchmark::State& state, std::span<const CentreWay> ways) {
   const std::vector<CollisionMesh>& parts = sphere(state.range(0));
-  std::mt19937_64 random(1);
-  std::vector<CentreWay> ways;
-  for (int i = 0; i < 64; ++i) {
-    ways.push_back(way_of(moves, random));
-  }
   std::size_t i = 0;
   std::size_t touches = 0;
   while (state.KeepRunning()) {
@@ -84,9 +80,36 @@ void whole_probe_move(benchmark::State& state, Moves moves) {
   state.counters["touching"] =
       benchmark::Counter(static_cast<double>(touches), benchmark::Counter::kAvgIterations);
 }
+
+void whole_probe_move(benchmark::State& state, Moves moves) {
+  std::mt19937_64 random(1);
+  std::vector<CentreWay> ways;
+  for (int i = 0; i < 64; ++i) {
+    ways.push_back(way_of(moves, random));
+  }
+  time_moves(state, ways);
+}
 BENCHMARK_CAPTURE(whole_probe_move, above, Moves::Above)->Arg(5)->Arg(50)->Arg(500);
 BENCHMARK_CAPTURE(whole_probe_move, past, Moves::Past)->Arg(5)->Arg(50)->Arg(500);
 BENCHMARK_CAPTURE(whole_probe_move, into, Moves::Into)->Arg(5)->Arg(50)->Arg(500);
+
+/// Any way, up and down too, that passes the part at 2 mm or less with any piece of the probe.
+void whole_probe_near_miss(benchmark::State& state) {
+  constexpr double kNearMm = 2.0;
+  const std::vector<CollisionMesh>& parts = sphere(state.range(0));
+  std::mt19937_64 random(3);
+  std::vector<CentreWay> ways;
+  while (ways.size() < 64) {
+    CentreWay way{200.0 * testing::any_direction(random), 200.0 * testing::any_direction(random)};
+    CentreWay grown = way;
+    grown.margin = kNearMm;
+    if (!first_touch(whole_probe(), parts, way) && first_touch(whole_probe(), parts, grown)) {
+      ways.push_back(way);
+    }
+  }
+  time_moves(state, ways);
+}
+BENCHMARK(whole_probe_near_miss)->Arg(5)->Arg(50)->Arg(500);
 
 }  // namespace
 }  // namespace g31::probe

@@ -164,16 +164,16 @@ def written_calls_rs274(count):
 
 
 WORKLOADS = [
-    Workload("lines", 1_000_000, 10,
+    Workload("lines", 1_000_000, 15,
              lambda n: fanuc_frame(1001, lines(n)), lambda n: rs274_frame(lines(n))),
-    Workload("arcs", 200_000, 10,
+    Workload("arcs", 200_000, 15,
              lambda n: fanuc_frame(1005, arcs(n)), lambda n: rs274_frame(arcs(n))),
-    Workload("loop", 2_000_000, 100,
+    Workload("loop", 2_000_000, 120,
              lambda n: fanuc_frame(1002, loop_fanuc(n)), lambda n: rs274_frame(loop_rs274(n))),
-    Workload("calls-in-loop", 200_000, 20,
+    Workload("calls-in-loop", 200_000, 50,
              lambda n: calls_fanuc(n, looped_calls_fanuc),
              lambda n: calls_rs274(n, looped_calls_rs274)),
-    Workload("calls-written", 200_000, 20,
+    Workload("calls-written", 200_000, 50,
              lambda n: calls_fanuc(n, written_calls_fanuc),
              lambda n: calls_rs274(n, written_calls_rs274)),
 ]
