@@ -13,10 +13,11 @@ namespace g31::runtime {
 
 /// One executed motion or dwell, as the result document lists it.
 struct MoveEvent {
-  int g = 0;                 ///< 0, 1, 2, 3, 31, or 4 for a dwell
-  AxisPositions q_M_to;      ///< where the axes ended, machine coordinates
-  double feed_mm_min = 0.0;  ///< 0 for rapid
-  double seconds = 0.0;      ///< only for g = 4
+  int g = 0;                    ///< 0, 1, 2, 3, 31, or 4 for a dwell
+  AxisPositions q_M_to;         ///< where the axes ended, machine coordinates
+  double feed_mm_min = 0.0;     ///< 0 for rapid
+  double seconds = 0.0;         ///< only for g = 4
+  source::Location where = {};  ///< the block that commands it
 };
 
 /// One skip move and what became of it.
@@ -39,6 +40,12 @@ struct StopEvent {
   source::Location where;
 };
 
+/// Text that leaves the program.
+struct OutputEvent {
+  std::string_view text;
+  source::Location where;  ///< the block that writes it
+};
+
 /// Hears what a running program does, in order.  Whoever runs the program decides what becomes of
 /// it: a document, a trace, a line on the terminal.  Every function may be left as it is.
 /// The places in events hold during the call only.
@@ -55,9 +62,9 @@ class Observer {
   virtual void on_length_unit(LengthUnit) {}
   virtual void on_stop(const StopEvent&) {}
   /// Bytes for the printer port (DPRNT).
-  virtual void on_output(std::string_view) {}
+  virtual void on_output(const OutputEvent&) {}
   /// A line for the operator (MSG), one byte a character; it stands among the printouts.
-  virtual void on_message(std::string_view text) { on_output(text); }
+  virtual void on_message(const OutputEvent& event) { on_output(event); }
 };
 
 }  // namespace g31::runtime

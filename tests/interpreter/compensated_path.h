@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/compensation/cutter_compensation.h"
+#include "interpreter/path/cutter_compensation.h"
 #include "interpreter/runtime/overloaded.h"
 
-namespace g31::compensation::testing {
+namespace g31::path::testing {
 
 using machine::Turn;
 using State = CompensationCommand::State;
@@ -117,4 +117,4 @@ class PathDriver {
   std::size_t blocks_ = 0;
 };
 
-}  // namespace g31::compensation::testing
+}  // namespace g31::path::testing

@@ -1,6 +1,6 @@
 // Roundings and chamfers as geometry: a rounding touches both of its ways.
 
-#include "interpreter/compensation/contour_corners.h"
+#include "interpreter/path/contour_corners.h"
 
 #include <cmath>
 #include <numbers>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::compensation {
+namespace g31::path {
 namespace {
 
 using machine::Turn;
@@ -112,4 +112,4 @@ TEST(ContourCorners, RoundingsTooLargeEndAtTheEndOfAWay) {
 }
 
 }  // namespace
-}  // namespace g31::compensation
+}  // namespace g31::path

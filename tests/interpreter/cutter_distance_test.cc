@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "interpreter/compensation/corner.h"
+#include "interpreter/path/corner.h"
 #include "tests/interpreter/compensated_path.h"
 
-namespace g31::compensation::testing {
+namespace g31::path::testing {
 namespace {
 
 /// Doubles and the tangent corners that are taken as smooth.
@@ -214,4 +214,4 @@ TEST(CutterDistance, CornersThatAreAlmostTangent) {
 }
 
 }  // namespace
-}  // namespace g31::compensation::testing
+}  // namespace g31::path::testing

@@ -62,7 +62,7 @@ class ControlRun final : public runtime::Observer {
   [[nodiscard]] const std::vector<std::string>& refused() const { return refused_; }
   [[nodiscard]] const RecordingMachine& machine() const { return machine_; }
 
-  void on_output(std::string_view text) override { output_ += text; }
+  void on_output(const runtime::OutputEvent& event) override { output_ += event.text; }
 
  private:
   FilesInMemory files_;

@@ -35,17 +35,17 @@ class EchoingRecorder final : public report::RunRecorder {
       : RunRecorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No}),
         printouts_(printouts),
         keeps_(!options.json.empty()) {}
-  void on_output(std::string_view text) override {
+  void on_output(const runtime::OutputEvent& event) override {
     if (keeps_) {
-      RunRecorder::on_output(text);
+      RunRecorder::on_output(event);
     }
-    printouts_.write(text);
+    printouts_.write(event.text);
   }
-  void on_message(std::string_view text) override {
+  void on_message(const runtime::OutputEvent& event) override {
     if (keeps_) {
-      RunRecorder::on_output(text);
+      RunRecorder::on_output(event);
     }
-    printouts_.write(source::as_utf8(text));
+    printouts_.write(source::as_utf8(event.text));
   }
   void on_stop(const runtime::StopEvent& event) override {
     if (keeps_) {

@@ -52,7 +52,7 @@ class RunRecorder : public runtime::Observer {
     stops_.push_back({event, place_of(event.where), unit_});
   }
   void on_length_unit(LengthUnit unit) override { unit_ = unit; }
-  void on_output(std::string_view text) override { output_ += text; }
+  void on_output(const runtime::OutputEvent& event) override { output_ += event.text; }
 
   [[nodiscard]] const RecordWhat& what() const { return what_; }
   [[nodiscard]] const std::vector<Recorded<runtime::MoveEvent>>& moves() const { return moves_; }

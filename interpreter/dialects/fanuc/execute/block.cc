@@ -128,6 +128,7 @@ MaybeFailure execute_words(Control& control, const NcBlock& block, double feed_b
 }  // namespace
 
 MaybeFailure execute_block(Control& control, const BlockWords& words, source::Location where) {
+  control.block = where;
   if (control.data_input != DataInput::None) {
     return execute_data_block(control, words);
   }

@@ -138,8 +138,7 @@ MaybeFailure Hole::draw_back(double done, double sign) {
 
 MaybeFailure Hole::dwell() {
   if (cycle_.dwell != CannedCycle::Dwell::None && data_.dwell_s > 0.0) {
-    control_.port.dwell(data_.dwell_s);
-    control_.observer.on_move({4, control_.port.position(), 0.0, data_.dwell_s});
+    control_.outlet.pause({data_.dwell_s, control_.block});
   }
   return std::nullopt;
 }

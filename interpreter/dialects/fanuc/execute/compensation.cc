@@ -1,17 +1,17 @@
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 
 #include <algorithm>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/codes.h"
-#include "interpreter/runtime/overloaded.h"
 #include "machine/base/contract.h"
 
 namespace g31::fanuc {
 namespace {
 
-using namespace compensation;
+using namespace path;
 using State = CompensationCommand::State;
 
 /// Codes whose moves are no part of a path to be compensated.
@@ -57,40 +57,12 @@ AlarmId alarm_of(CompensationError error) {
   contract_violated("every error has its alarm", __FILE__, __LINE__);
 }
 
-template <typename Move>
-MaybeFailure to_machine(Control& control, const Move& move, int g) {
-  const auto reached = control.port.move(move);
-  if (!reached) {
+MaybeFailure to_machine(Control& control, const PathBlock& block, const OffsetPlane& plane) {
+  if (const auto fault = control.outlet.move(block, plane)) {
     control.coordinates.arrived_at_machine(control.port.position());
-    return from_fault(reached.error());
+    return from_fault(*fault);
   }
-  control.observer.on_move({g, move.q_M_end, move.feed_mm_min, 0.0});
   return std::nullopt;
-}
-
-MaybeFailure wait(Control& control, double seconds) {
-  control.port.dwell(seconds);
-  control.observer.on_move({4, control.port.position(), 0.0, seconds});
-  return std::nullopt;
-}
-
-MaybeFailure carry_out(Control& control, const PathBlock& block) {
-  if (!block.arc) {
-    const auto traverse = block.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
-    return to_machine(control,
-                      machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min, block.ends},
-                      block.g);
-  }
-  machine::ArcMove move;
-  move.q_M_end = block.q_M_end;
-  move.first_axis = control.cutter.command.plane.first;
-  move.second_axis = control.cutter.command.plane.second;
-  move.centre_first = block.arc->centre.x();
-  move.centre_second = block.arc->centre.y();
-  move.turn = block.arc->turn;
-  move.feed_mm_min = block.feed_mm_min;
-  move.ends = block.ends;
-  return to_machine(control, move, block.g);
 }
 
 /// What came out of the compensation goes to the machine.
@@ -102,29 +74,28 @@ MaybeFailure carry_out(Control& control, const CompensationResult& result) {
     return failure;
   }
   for (const PathItem& item : result.value()) {
-    MaybeFailure failure = std::visit(
-        runtime::Overloaded{[&](const Pause& pause) { return wait(control, pause.seconds); },
-                            [&](const PathBlock& block) {
-                              MaybeFailure late = carry_out(control, block);
-                              if (late) {
-                                late->block = block.where;
-                              }
-                              return late;
-                            }},
-        item);
-    if (failure) {
-      return failure;
+    if (const auto* const pause = std::get_if<Pause>(&item)) {
+      control.outlet.pause(*pause);
+      continue;
+    }
+    const PathBlock& block = std::get<PathBlock>(item);
+    if (auto late = to_machine(control, block, control.cutter.command.plane)) {
+      late->block = block.where;
+      return late;
     }
   }
   return std::nullopt;
 }
 
-template <typename Move>
-MaybeFailure feed_path(Control& control, const Move& move, std::optional<ArcShape> arc, int g) {
+/// @param plane  of an arc
+MaybeFailure travel_along(Control& control, const PathBlock& block, const OffsetPlane& plane) {
+  control.stopped_skip.reset();
   CutterStage& cutter = control.cutter;
+  if (!cutter.compensation.engaged()) {
+    return to_machine(control, block, plane);
+  }
   cutter.fed = true;
-  const PathBlock block{move.q_M_end, arc, g, move.feed_mm_min, cutter.command.where, move.ends};
-  return carry_out(control, cutter.path.take(block, cutter.command));
+  return carry_out(control, cutter.compensation.take(block, cutter.command));
 }
 
 bool is_side(const EvaluatedWord& word) {
@@ -151,39 +122,37 @@ Failure refusal(const NcBlock& block) {
 /// Executes what waits and gives the axes free: the next move starts from where they stand.
 MaybeFailure leave(Control& control) {
   auto failure = end_read_ahead(control);
-  control.cutter.path.disengage();
+  control.cutter.compensation.disengage();
   return failure;
 }
 
 }  // namespace
 
 MaybeFailure travel(Control& control, const machine::LinearMove& move, int g) {
-  control.stopped_skip.reset();
-  return control.cutter.path.engaged() ? feed_path(control, move, std::nullopt, g)
-                                       : to_machine(control, move, g);
+  return travel_along(
+      control, {move.q_M_end, std::nullopt, g, move.feed_mm_min, control.block, move.ends}, {});
 }
 
 MaybeFailure travel(Control& control, const machine::ArcMove& move, int g) {
-  control.stopped_skip.reset();
-  if (!control.cutter.path.engaged()) {
-    return to_machine(control, move, g);
-  }
   const ArcShape arc{{move.centre_first, move.centre_second}, move.turn};
-  return feed_path(control, move, arc, g);
+  return travel_along(control, {move.q_M_end, arc, g, move.feed_mm_min, control.block, move.ends},
+                      {move.first_axis, move.second_axis});
 }
 
 MaybeFailure pause(Control& control, double seconds) {
-  if (!control.cutter.path.engaged()) {
-    return wait(control, seconds);
+  const Pause pause{seconds, control.block};
+  if (!control.cutter.compensation.engaged()) {
+    control.outlet.pause(pause);
+    return std::nullopt;
   }
   control.cutter.fed = true;
-  return carry_out(control, control.cutter.path.pass(Pause{seconds}, control.cutter.command));
+  return carry_out(control, control.cutter.compensation.pass(pause, control.cutter.command));
 }
 
 MaybeFailure read_compensation(Control& control, const NcBlock& block) {
   const int code = control.modal.group[7].whole;
   CutterStage& cutter = control.cutter;
-  if (code == 40 && !cutter.path.engaged()) {
+  if (code == 40 && !cutter.compensation.engaged()) {
     return std::nullopt;
   }
   if (needs_cancel(control, block)) {
@@ -206,24 +175,25 @@ MaybeFailure read_compensation(Control& control, const NcBlock& block) {
   command.where = block.where;
   cutter.command = command;
   cutter.fed = false;
-  if (command.state == State::On && !cutter.path.engaged()) {
-    cutter.path.set_rules(rules_of(control));
-    cutter.path.engage(control.port.position(), command.plane);
+  if (command.state == State::On && !cutter.compensation.engaged()) {
+    cutter.compensation.set_rules(rules_of(control));
+    cutter.compensation.engage(control.port.position(), command.plane);
   }
   return std::nullopt;
 }
 
 MaybeFailure end_compensated_block(Control& control) {
   CutterStage& cutter = control.cutter;
-  if (!cutter.path.engaged() || cutter.fed) {
+  if (!cutter.compensation.engaged() || cutter.fed) {
     return std::nullopt;
   }
-  return carry_out(control, cutter.path.pass(std::nullopt, cutter.command));
+  return carry_out(control, cutter.compensation.pass(std::nullopt, cutter.command));
 }
 
 MaybeFailure end_read_ahead(Control& control) {
-  return control.cutter.path.engaged() ? carry_out(control, control.cutter.path.flush())
-                                       : std::nullopt;
+  return control.cutter.compensation.engaged()
+             ? carry_out(control, control.cutter.compensation.flush())
+             : std::nullopt;
 }
 
 }  // namespace g31::fanuc

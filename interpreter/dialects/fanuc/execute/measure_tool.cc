@@ -65,7 +65,7 @@ Result<AxisPositions, Failure> touch(Control& control, const NcBlock& block,
   move.q_M_end = approach.at(approach.zone);
   move.traverse = machine::Traverse::Feed;
   move.feed_mm_min = approach.feed_mm_min;
-  const auto outcome = control.port.move_until_skip(move);
+  const auto outcome = control.outlet.move_until_skip(move);
   control.coordinates.arrived_at_machine(control.port.position());
   if (!outcome) {
     return from_fault(outcome.error());
@@ -83,8 +83,7 @@ Result<AxisPositions, Failure> touch(Control& control, const NcBlock& block,
     event.q_M_stopped = touched->q_M_stopped;
     event.contact = touched->contact;
   }
-  control.observer.on_move({31, event.q_M_stopped, move.feed_mm_min, 0.0});
-  control.observer.on_touch(event);
+  control.outlet.touched(event);
   if (!event.triggered) {
     return block_failure(AlarmId::NoArrivalSignal, "no signal came");
   }

@@ -127,7 +127,7 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
       control.warn(complaint, block.where);
     }
   }
-  const auto outcome = control.port.move_until_skip(move);
+  const auto outcome = control.outlet.move_until_skip(move);
   if (!outcome) {
     control.coordinates.arrived_at_machine(control.port.position());
     return from_fault(outcome.error());
@@ -143,8 +143,7 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   } else {
     control.coordinates.arrived_at_programmed(q_L_end);
   }
-  control.observer.on_move({31, event.q_M_stopped, move.feed_mm_min, 0.0});
-  control.observer.on_touch(event);
+  control.outlet.touched(event);
   return std::nullopt;
 }
 

@@ -43,7 +43,7 @@ class Printout {
       }
       whole += piece.bytes;
     }
-    control.observer.on_output(whole);
+    control.observer.on_output({whole, control.here()});
     return std::nullopt;
   }
 

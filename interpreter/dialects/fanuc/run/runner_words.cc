@@ -88,7 +88,7 @@ MaybeFailure Runner::execute(const BlockWords& words, source::Location where) {
   if (auto failure = execute_block(control_, words, where)) {
     return failure;
   }
-  const bool compensates = control_.cutter.path.engaged();
+  const bool compensates = control_.cutter.compensation.engaged();
   if (!compensates && !control_.lookahead.is_judged()) {
     return std::nullopt;
   }

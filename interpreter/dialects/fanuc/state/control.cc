@@ -63,6 +63,7 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
     : profile(chosen),
       port(machine),
       observer(listener),
+      outlet(machine, listener),
       variables(system),
       system_variables(chosen.variables),
       evaluator(variables, rules_of(chosen, parameters)) {

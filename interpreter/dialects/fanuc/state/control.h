@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "interpreter/compensation/cutter_compensation.h"
 #include "interpreter/dialects/fanuc/state/calendar.h"
 #include "interpreter/dialects/fanuc/state/code_calls.h"
 #include "interpreter/dialects/fanuc/state/coordinates.h"
@@ -29,6 +28,8 @@
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
+#include "interpreter/path/cutter_compensation.h"
+#include "interpreter/path/outlet.h"
 #include "interpreter/runtime/block_watch.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
@@ -69,8 +70,8 @@ struct BusyWait {
 
 /// Cutter compensation and what the present block says to it.
 struct CutterStage {
-  compensation::CutterCompensation path;
-  compensation::CompensationCommand command;
+  path::CutterCompensation compensation;
+  path::CompensationCommand command;
   bool fed = false;  ///< a motion or pause of the present block has come through
 };
 
@@ -83,6 +84,8 @@ struct Control {
   Parameters parameters;
   machine::MachinePort& port;
   runtime::Observer& observer;
+  path::Outlet outlet;
+  source::Location block;  ///< of NC words, the one that runs
 
   Variables variables;
   SystemVariableIndex system_variables;
@@ -177,7 +180,7 @@ struct Control {
   /// Where the axes stand, in machine coordinates; a block that waits in cutter compensation counts
   /// as done, its end beside the programmed one.
   [[nodiscard]] AxisPositions position() const {
-    return cutter.path.engaged() ? cutter.path.position() : port.position();
+    return cutter.compensation.engaged() ? cutter.compensation.position() : port.position();
   }
 
   /// mm of a value in the unit in force, and back.

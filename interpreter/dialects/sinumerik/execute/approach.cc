@@ -13,7 +13,7 @@ MaybeFailure approach(Channel& channel, const Block& block, const AxisPositions&
   if (MaybeFailure wrong = leave_compensation(channel)) {
     return wrong;
   }
-  compensation::PathBlock move;
+  path::PathBlock move;
   move.q_M_end = channel.port.position();
   move.g = 0;
   move.where = block.where;

@@ -98,13 +98,13 @@ Result<SpatialArc, Failure> through(const Vector3& start, const Vector3& middle,
 }
 
 bool wants_corner(const Channel& channel) {
-  return channel.corners.path.holds() ||
-         channel.corners.wish.kind != compensation::CornerWish::Kind::Sharp;
+  return channel.corners.contour.holds() ||
+         channel.corners.wish.kind != path::CornerWish::Kind::Sharp;
 }
 
 /// In chords, for a machine whose arcs lie in planes of its axes.
 MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& arc) {
-  if (channel.cutter.path.engaged() || wants_corner(channel)) {
+  if (channel.cutter.compensation.engaged() || wants_corner(channel)) {
     return failure(AlarmId::NotImplemented, "a circle in a tilted plane with G41, G42, RND or CHF");
   }
   const double radius = arc.out.norm();
@@ -123,7 +123,7 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
     q_W.head<3>() = arc.centre + std::cos(angle) * arc.out + std::sin(angle) * arc.ahead +
                     fraction * rise * normal;
     q_W = i == chords ? job.q_W_end : q_W;
-    compensation::PathBlock chord;
+    path::PathBlock chord;
     chord.q_M_end = channel.to_machine(q_W);
     chord.feed_mm_min = feed.value();
     chord.where = job.block.where;
@@ -154,9 +154,9 @@ MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle
   q_W_centre[plane.second] = circle.centre.y();
   const AxisPositions q_M_centre = channel.to_machine(q_W_centre);
   const bool clockwise = (circle.turn == Turn::Clockwise) != plane_in_machine(channel).is_mirrored;
-  compensation::PathBlock path;
-  path.arc = compensation::ArcShape{{q_M_centre[plane.first], q_M_centre[plane.second]},
-                                    clockwise ? Turn::Clockwise : Turn::Counterclockwise};
+  path::PathBlock path;
+  path.arc = path::ArcShape{{q_M_centre[plane.first], q_M_centre[plane.second]},
+                            clockwise ? Turn::Clockwise : Turn::Counterclockwise};
   path.g = clockwise ? 2 : 3;
   path.feed_mm_min = feed.value();
   path.where = job.block.where;

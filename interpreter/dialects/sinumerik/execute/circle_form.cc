@@ -214,7 +214,7 @@ double sweep_of(const Circle& circle) {
   const Vector b = circle.end - circle.centre;
   const double left = std::atan2(cross(a, b), a.dot(b));
   const double sweep = circle.turn == Turn::Counterclockwise ? left : -left;
-  const bool is_full = (circle.end - circle.start).norm() < compensation::kOnePointMm;
+  const bool is_full = (circle.end - circle.start).norm() < path::kOnePointMm;
   return is_full ? kFullRad : sweep > 0.0 ? sweep : sweep + kFullRad;
 }
 

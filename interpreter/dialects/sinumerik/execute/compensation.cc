@@ -7,8 +7,8 @@
 namespace g31::sinumerik {
 namespace {
 
-using compensation::CompensationCommand;
-using compensation::CompensationRules;
+using path::CompensationCommand;
+using path::CompensationRules;
 using State = CompensationCommand::State;
 
 // Numbers of groups 7, 16, 17 and 18.
@@ -38,11 +38,10 @@ CompensationRules::ArcFeed arc_feed_of(int number) {
 
 CompensationRules rules_of(const Channel& channel) {
   CompensationRules rules;
-  rules.start_up = channel.group[17] == kRoundCorners ? compensation::StartUp::TypeB
-                                                      : compensation::StartUp::TypeA;
+  rules.start_up = channel.group[17] == kRoundCorners ? path::StartUp::TypeB : path::StartUp::TypeA;
   rules.idle_limit = kNoIdleLimit;
-  rules.outside = channel.group[18] == kIntersection ? compensation::OutsideCorner::Intersection
-                                                     : compensation::OutsideCorner::Arc;
+  rules.outside = channel.group[18] == kIntersection ? path::OutsideCorner::Intersection
+                                                     : path::OutsideCorner::Arc;
   rules.arc_feed = arc_feed_of(channel.group[16]);
   return rules;
 }
@@ -112,7 +111,7 @@ MaybeFailure read_compensation(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = begins_or_ends ? finish_corners(channel) : std::nullopt) {
     return wrong;
   }
-  if (channel.group[7] == kOff && !cutter.path.engaged()) {
+  if (channel.group[7] == kOff && !cutter.compensation.engaged()) {
     return std::nullopt;
   }
   const auto command = command_of(channel, block);
@@ -121,9 +120,9 @@ MaybeFailure read_compensation(Channel& channel, const Block& block) {
   }
   cutter.command = command.value();
   cutter.fed = false;
-  cutter.path.set_rules(rules_of(channel));
-  if (cutter.command.state == State::On && !cutter.path.engaged()) {
-    cutter.path.engage(channel.port.position(), cutter.command.plane);
+  cutter.compensation.set_rules(rules_of(channel));
+  if (cutter.command.state == State::On && !cutter.compensation.engaged()) {
+    cutter.compensation.engage(channel.port.position(), cutter.command.plane);
   }
   return std::nullopt;
 }

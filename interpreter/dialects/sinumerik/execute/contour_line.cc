@@ -50,7 +50,7 @@ Result<PlaneVector, Failure> meeting_point(const Channel& channel, const Block& 
 /// As if the block of the held line were running.
 MaybeFailure travel_held(Channel& channel, const HeldLine& line, const Block& block,
                          const AxisPositions& q_W_end) {
-  compensation::PathBlock path;
+  path::PathBlock path;
   path.q_M_end = channel.to_machine(q_W_end);
   path.where = line.where;
   path.g = line.g;
@@ -65,9 +65,8 @@ MaybeFailure travel_held(Channel& channel, const HeldLine& line, const Block& bl
     }
     path.feed_mm_min = feed.value();
   }
-  const compensation::CornerWish wish = std::exchange(channel.corners.wish, line.wish);
-  const compensation::CompensationCommand command =
-      std::exchange(channel.cutter.command, line.command);
+  const path::CornerWish wish = std::exchange(channel.corners.wish, line.wish);
+  const path::CompensationCommand command = std::exchange(channel.cutter.command, line.command);
   MaybeFailure wrong = travel_to(channel, path, q_W_end);
   channel.corners.wish = wish;
   channel.cutter.command = command;

@@ -6,7 +6,7 @@
 namespace g31::sinumerik {
 namespace {
 
-using compensation::CornerWish;
+using path::CornerWish;
 using Kind = CornerWish::Kind;
 
 struct CornerWord {

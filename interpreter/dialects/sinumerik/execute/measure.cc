@@ -144,9 +144,7 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
       channel.warnings.add(channel.diagnostics, complaint, block.where);
     }
   }
-  const double began = channel.port.time_s();
-  const auto outcome = channel.port.move_until_skip(move);
-  channel.clocks.cutting += channel.port.time_s() - began;
+  const auto outcome = channel.outlet.move_until_skip(move);
   if (!outcome) {
     channel.arrived_at_machine();
     return from_fault(outcome.error());
@@ -161,8 +159,7 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   event.block = "MEAS";
   event.where = block.where;
   settle(channel, event, measuring, q_W_end.value());
-  channel.observer.on_move({31, event.q_M_stopped, event.feed_mm_min, 0.0});
-  channel.observer.on_touch(event);
+  channel.outlet.touched(event);
   return std::nullopt;
 }
 

@@ -113,7 +113,7 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
       return wrong;
     }
   }
-  compensation::PathBlock path;
+  path::PathBlock path;
   path.q_M_end = channel.to_machine(q_W_end.value());
   path.where = block.where;
   path.g = channel.group[1] == kRapid && block.code_of(2) == nullptr ? 0 : 1;
@@ -146,7 +146,7 @@ MaybeFailure dwell(Channel& channel, const Block& block) {
   if (!(seconds >= 0.0)) {
     return failure(AlarmId::ValueOutOfLimits, "G4");
   }
-  return pause(channel, seconds);
+  return pause(channel, {seconds, block.where});
 }
 
 }  // namespace g31::sinumerik

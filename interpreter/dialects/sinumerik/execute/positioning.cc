@@ -52,7 +52,7 @@ MaybeFailure cannot_position(const Channel& channel, int axis, const AxisPositio
                                kAxisLetters[axis]));
   }
   const Plane plane = channel.plane();
-  return channel.cutter.path.engaged() && (axis == plane.first || axis == plane.second)
+  return channel.cutter.compensation.engaged() && (axis == plane.first || axis == plane.second)
              ? std::optional(
                    failure(AlarmId::NotImplemented,
                            fmt::format("POS[{}] in the plane of G41 and G42", kAxisLetters[axis])))
@@ -82,7 +82,7 @@ Result<double, Failure> positioning_place(Channel& channel, const Block& block, 
 MaybeFailure move_one(Channel& channel, const Block& block, int axis, double place_W) {
   AxisPositions q_W_end = channel.present();
   q_W_end[axis] = place_W;
-  compensation::PathBlock path;
+  path::PathBlock path;
   path.q_M_end = channel.to_machine(q_W_end);
   const AxisSettings& settings = channel.axis_settings;
   path.feed_mm_min = settings.feed[static_cast<std::size_t>(axis)] *
@@ -90,9 +90,9 @@ MaybeFailure move_one(Channel& channel, const Block& block, int axis, double pla
                      channel.feed_switches.override_percent / 100.0;
   path.g = path.feed_mm_min > 0.0 ? 1 : 0;
   path.where = block.where;
-  const double cutting = channel.clocks.cutting;
+  const double cutting = channel.outlet.cutting_s;
   MaybeFailure wrong = travel_to(channel, path, q_W_end);
-  channel.clocks.cutting = cutting;  // which counts the path only
+  channel.outlet.cutting_s = cutting;  // which counts the path only
   return wrong;
 }
 
@@ -145,7 +145,7 @@ MaybeFailure move_positioning_axes(Channel& channel, const Block& block) {
   }
   // The corner of the block and the direction for CT are of its path.
   const Eigen::Vector3d along_M_end = channel.along_M_end;
-  const compensation::CornerWish wish = std::exchange(channel.corners.wish, {});
+  const path::CornerWish wish = std::exchange(channel.corners.wish, {});
   MaybeFailure wrong = move_each(channel, block);
   channel.corners.wish = wish;
   channel.along_M_end = along_M_end;

@@ -1,95 +1,59 @@
 #include "interpreter/dialects/sinumerik/execute/travel.h"
 
-#include "interpreter/runtime/overloaded.h"
+#include <variant>
 
 namespace g31::sinumerik {
 namespace {
 
-using compensation::ArcShape;
-using compensation::PathBlock;
-using compensation::PathItem;
-using compensation::Pause;
+using path::PathBlock;
+using path::PathItem;
+using path::Pause;
 
-template <typename Move>
-MaybeFailure to_machine(Channel& channel, const Move& move, int g) {
+MaybeFailure to_machine(Channel& channel, const PathBlock& path) {
   if (channel.watch.is_too_late()) {
     return halt_failure(runtime::BlockWatch::Halt::Time);
   }
-  if (MaybeFailure outside = outside_working_area(channel, move.q_M_end)) {
+  if (MaybeFailure outside = outside_working_area(channel, path.q_M_end)) {
     return outside;
   }
-  const double began = channel.port.time_s();
-  const auto reached = channel.port.move(move);
-  channel.clocks.cutting += g == 0 ? 0.0 : channel.port.time_s() - began;
-  if (!reached) {
-    return from_fault(reached.error());
-  }
-  channel.observer.on_move({g, move.q_M_end, move.feed_mm_min, 0.0});
-  return std::nullopt;
-}
-
-MaybeFailure to_machine(Channel& channel, const PathBlock& path) {
-  if (!path.arc) {
-    const auto traverse = path.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
-    return to_machine(
-        channel, machine::LinearMove{path.q_M_end, traverse, path.feed_mm_min, path.ends}, path.g);
-  }
   const Plane plane = channel.plane();
-  machine::ArcMove move;
-  move.q_M_end = path.q_M_end;
-  move.first_axis = plane.first;
-  move.second_axis = plane.second;
-  move.centre_first = path.arc->centre.x();
-  move.centre_second = path.arc->centre.y();
-  move.turn = path.arc->turn;
-  move.feed_mm_min = path.feed_mm_min;
-  move.ends = path.ends;
-  return to_machine(channel, move, path.g);
+  const auto fault = channel.outlet.move(path, {plane.first, plane.second});
+  return fault ? std::optional(from_fault(*fault)) : std::nullopt;
 }
 
-MaybeFailure to_machine(Channel& channel, const Pause& wait) {
-  channel.port.dwell(wait.seconds);
-  channel.observer.on_move({4, channel.port.position(), 0.0, wait.seconds});
-  return std::nullopt;
-}
-
-AlarmId alarm_of(compensation::CompensationError error, bool ends) {
+AlarmId alarm_of(path::CompensationError error, bool ends) {
   switch (error) {
-    case compensation::CompensationError::ArcAtStartOrEnd:
+    case path::CompensationError::ArcAtStartOrEnd:
       return ends ? AlarmId::CompensationEndsOnArc : AlarmId::CompensationStartsOnArc;
-    case compensation::CompensationError::PlaneChanged:
+    case path::CompensationError::PlaneChanged:
       return AlarmId::PlaneInCompensation;
-    case compensation::CompensationError::StartOrEndWithinArc:
+    case path::CompensationError::StartOrEndWithinArc:
       return ends ? AlarmId::KontEnd : AlarmId::KontStart;
-    case compensation::CompensationError::NoIntersection:
-    case compensation::CompensationError::ArcWithoutRadius:
-    case compensation::CompensationError::Interference:
+    case path::CompensationError::NoIntersection:
+    case path::CompensationError::ArcWithoutRadius:
+    case path::CompensationError::Interference:
       break;
   }
   return AlarmId::CompensationCollision;
 }
 
 /// What came out of the compensation goes to the machine.
-MaybeFailure carry_out(Channel& channel, const compensation::CompensationResult& result) {
+MaybeFailure carry_out(Channel& channel, const path::CompensationResult& result) {
   if (!result) {
-    const bool ends = channel.cutter.command.state == compensation::CompensationCommand::State::Off;
+    const bool ends = channel.cutter.command.state == path::CompensationCommand::State::Off;
     Failure wrong = failure(alarm_of(result.error().error, ends));
     wrong.where = result.error().where;
     return wrong;
   }
   for (const PathItem& item : result.value()) {
-    MaybeFailure wrong =
-        std::visit(runtime::Overloaded{[&](const Pause& wait) { return to_machine(channel, wait); },
-                                       [&](const PathBlock& path) {
-                                         MaybeFailure late = to_machine(channel, path);
-                                         if (late) {
-                                           late->where = path.where;
-                                         }
-                                         return late;
-                                       }},
-                   item);
-    if (wrong) {
-      return wrong;
+    if (const auto* const wait = std::get_if<Pause>(&item)) {
+      channel.outlet.pause(*wait);
+      continue;
+    }
+    const auto& path = std::get<PathBlock>(item);
+    if (MaybeFailure late = to_machine(channel, path)) {
+      late->where = path.where;
+      return late;
     }
   }
   return std::nullopt;
@@ -99,15 +63,15 @@ MaybeFailure carry_out(Channel& channel, const compensation::CompensationResult&
 constexpr int kMostIdleBlocks = 3;
 
 MaybeFailure too_idle(const Channel& channel) {
-  return channel.cutter.path.idle_blocks() > kMostIdleBlocks
+  return channel.cutter.compensation.idle_blocks() > kMostIdleBlocks
              ? std::optional(failure(AlarmId::TooManyIdleBlocks))
              : std::nullopt;
 }
 
 /// From the programmed path to that of the tool centre.
 MaybeFailure compensate(Channel& channel, const PathBlock& path,
-                        const compensation::CompensationCommand& command) {
-  compensation::CutterCompensation& cutter = channel.cutter.path;
+                        const path::CompensationCommand& command) {
+  path::CutterCompensation& cutter = channel.cutter.compensation;
   if (!cutter.engaged()) {
     return to_machine(channel, path);
   }
@@ -115,8 +79,8 @@ MaybeFailure compensate(Channel& channel, const PathBlock& path,
   return wrong ? wrong : too_idle(channel);
 }
 
-MaybeFailure compensate_all(Channel& channel, const compensation::PathItems& items,
-                            const compensation::CompensationCommand& command) {
+MaybeFailure compensate_all(Channel& channel, const path::PathItems& items,
+                            const path::CompensationCommand& command) {
   for (const PathItem& item : items) {
     if (MaybeFailure wrong = compensate(channel, std::get<PathBlock>(item), command)) {
       return wrong;
@@ -125,8 +89,8 @@ MaybeFailure compensate_all(Channel& channel, const compensation::PathItems& ite
   return std::nullopt;
 }
 
-Failure cannot_cut(const compensation::CornerFault& fault) {
-  const bool at_arc = fault.error == compensation::CornerError::ChamferAtArc;
+Failure cannot_cut(const path::CornerFault& fault) {
+  const bool at_arc = fault.error == path::CornerError::ChamferAtArc;
   Failure wrong = failure(AlarmId::NotImplemented,
                           at_arc ? "CHF and CHR at a circle"
                                  : "RND and CHF where another axis moves along with the plane");
@@ -164,15 +128,16 @@ MaybeFailure travel(Channel& channel, const PathBlock& path) {
   CornerStage& corners = channel.corners;
   CutterStage& cutter = channel.cutter;
   cutter.fed = true;
-  if (!path.arc && path.q_M_end == q_M_from && cutter.path.engaged()) {
-    MaybeFailure wrong = carry_out(channel, cutter.path.pass(std::nullopt, cutter.command));
+  if (!path.arc && path.q_M_end == q_M_from && cutter.compensation.engaged()) {
+    MaybeFailure wrong = carry_out(channel, cutter.compensation.pass(std::nullopt, cutter.command));
     return wrong ? wrong : too_idle(channel);
   }
-  if (!corners.path.holds() && corners.wish.kind == compensation::CornerWish::Kind::Sharp) {
+  if (!corners.contour.holds() && corners.wish.kind == path::CornerWish::Kind::Sharp) {
     return compensate(channel, path, cutter.command);
   }
   const Plane plane = channel.plane();
-  const auto given = corners.path.take(path, q_M_from, {plane.first, plane.second}, corners.wish);
+  const auto given =
+      corners.contour.take(path, q_M_from, {plane.first, plane.second}, corners.wish);
   if (!given) {
     return cannot_cut(given.error());
   }
@@ -193,30 +158,31 @@ MaybeFailure travel_to(Channel& channel, const PathBlock& path, const AxisPositi
   return std::nullopt;
 }
 
-MaybeFailure pause(Channel& channel, double seconds) {
+MaybeFailure pause(Channel& channel, const Pause& wait) {
   CutterStage& cutter = channel.cutter;
   if (MaybeFailure wrong = finish_corners(channel)) {
     return wrong;
   }
-  if (!cutter.path.engaged()) {
-    return to_machine(channel, Pause{seconds});
+  if (!cutter.compensation.engaged()) {
+    channel.outlet.pause(wait);
+    return std::nullopt;
   }
   cutter.fed = true;
-  MaybeFailure wrong = carry_out(channel, cutter.path.pass(Pause{seconds}, cutter.command));
+  MaybeFailure wrong = carry_out(channel, cutter.compensation.pass(wait, cutter.command));
   return wrong ? wrong : too_idle(channel);
 }
 
 MaybeFailure end_compensated_block(Channel& channel) {
   CutterStage& cutter = channel.cutter;
-  if (!cutter.path.engaged() || cutter.fed) {
+  if (!cutter.compensation.engaged() || cutter.fed) {
     return std::nullopt;
   }
-  MaybeFailure wrong = carry_out(channel, cutter.path.pass(std::nullopt, cutter.command));
+  MaybeFailure wrong = carry_out(channel, cutter.compensation.pass(std::nullopt, cutter.command));
   return wrong ? wrong : too_idle(channel);
 }
 
 MaybeFailure finish_corners(Channel& channel) {
-  return compensate_all(channel, channel.corners.path.flush(), channel.cutter.held_command);
+  return compensate_all(channel, channel.corners.contour.flush(), channel.cutter.held_command);
 }
 
 MaybeFailure finish_motion(Channel& channel) {
@@ -229,23 +195,24 @@ MaybeFailure finish_motion(Channel& channel) {
   if (MaybeFailure wrong = finish_corners(channel)) {
     return wrong;
   }
-  return channel.cutter.path.engaged() ? carry_out(channel, channel.cutter.path.flush())
-                                       : std::nullopt;
+  return channel.cutter.compensation.engaged()
+             ? carry_out(channel, channel.cutter.compensation.flush())
+             : std::nullopt;
 }
 
 void drop_motion(Channel& channel) {
-  channel.corners.path = {};
-  channel.cutter.path.disengage();
+  channel.corners.contour = {};
+  channel.cutter.compensation.disengage();
   channel.held_line.reset();
   channel.arrived_at_machine();
 }
 
 MaybeFailure leave_compensation(Channel& channel) {
-  if (!channel.cutter.path.engaged() && !channel.corners.path.holds()) {
+  if (!channel.cutter.compensation.engaged() && !channel.corners.contour.holds()) {
     return std::nullopt;
   }
   MaybeFailure wrong = finish_motion(channel);
-  channel.cutter.path.disengage();
+  channel.cutter.compensation.disengage();
   channel.arrived_at_machine();
   return wrong;
 }

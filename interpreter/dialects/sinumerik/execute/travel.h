@@ -1,7 +1,7 @@
 #pragma once
 
-#include "interpreter/compensation/path_block.h"
 #include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/path/path_block.h"
 
 namespace g31::sinumerik {
 
@@ -10,15 +10,14 @@ namespace g31::sinumerik {
 // run one block ahead of the machine in each.
 
 /// Moves along a path and tells the observer.
-MaybeFailure travel(Channel& channel, const compensation::PathBlock& path);
+MaybeFailure travel(Channel& channel, const path::PathBlock& path);
 
 /// The same, and the program stands at its end from then on.
 /// @param q_W_end  where the path ends for the program
-MaybeFailure travel_to(Channel& channel, const compensation::PathBlock& path,
-                       const AxisPositions& q_W_end);
+MaybeFailure travel_to(Channel& channel, const path::PathBlock& path, const AxisPositions& q_W_end);
 
 /// Lets time pass and tells the observer.
-MaybeFailure pause(Channel& channel, double seconds);
+MaybeFailure pause(Channel& channel, const path::Pause& wait);
 
 /// What the block's RND, CHF, CHR and RNDM ask for; before its motion.
 MaybeFailure read_corner(Channel& channel, const Block& block);

@@ -56,7 +56,7 @@ MaybeFailure Runner::procedure(const Op& op) {
 /// MSG(text)
 MaybeFailure Runner::message(Arguments list) {
   if (!list.empty()) {
-    channel_.observer.on_message(text(list[0].value) + "\n");
+    channel_.observer.on_message({text(list[0].value) + "\n", here()});
   }
   return std::nullopt;
 }

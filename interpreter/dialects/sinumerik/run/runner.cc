@@ -148,7 +148,7 @@ MaybeFailure Runner::other_step(const Op& op) {
 }
 
 /// The block that the step `op` begins.
-runtime::BlockPlace Runner::place_of(const Op& op) const {
+runtime::BlockPlace Runner::block_place(const Op& op) const {
   runtime::BlockPlace place;
   place.where = here();
   place.depth = static_cast<std::uint16_t>(depth_);
@@ -163,7 +163,7 @@ bool Runner::begins(const Op& op) {
   if (!level().parts.empty() && at_end_of_part(current_)) {
     return false;
   }
-  if (const auto halt = channel_.watch.next_block([&] { return place_of(op); })) {
+  if (const auto halt = channel_.watch.next_block([&] { return block_place(op); })) {
     is_paused_ = *halt == runtime::BlockWatch::Halt::Paused;
     if (is_paused_) {
       level().step = current_;

@@ -74,7 +74,7 @@ class Runner {
 
   // runner.cc
   [[nodiscard]] bool skips(int which) const;
-  [[nodiscard]] runtime::BlockPlace place_of(const Op& op) const;
+  [[nodiscard]] runtime::BlockPlace block_place(const Op& op) const;
   void start(const CompiledProgram& program);
   MaybeFailure begin_window();
   MaybeFailure take_no_arguments();

@@ -73,6 +73,7 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       settable(kSettableFrames),
       port(machine),
       observer(listener),
+      outlet(machine, listener),
       frame_save_mask_(static_cast<std::size_t>(globals.find("$MN_FRAME_SAVE_MASK")->place)),
       program_function_mask_(
           static_cast<std::size_t>(globals.find("$MN_PROG_FUNCTION_MASK")->place)) {
@@ -219,7 +220,8 @@ AxisPositions Channel::present() {
 }
 
 AxisPositions Channel::machine_position() const {
-  return cutter.path.engaged() || corners.path.holds() ? q_M_programmed_ : port.position();
+  return cutter.compensation.engaged() || corners.contour.holds() ? q_M_programmed_
+                                                                  : port.position();
 }
 
 void Channel::arrived_at_programmed(const AxisPositions& q_W, const AxisPositions& q_M) {

@@ -15,6 +15,7 @@
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
+#include "interpreter/path/outlet.h"
 #include "interpreter/runtime/block_watch.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
@@ -238,6 +239,7 @@ class Channel {
   bool is_inspected = false;
   machine::MachinePort& port;
   runtime::Observer& observer;
+  path::Outlet outlet;
 
  private:
   /// What turns work coordinates into those of the machine.

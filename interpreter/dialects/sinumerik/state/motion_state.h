@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "interpreter/compensation/contour_corners.h"
-#include "interpreter/compensation/cutter_compensation.h"
+#include "interpreter/path/contour_corners.h"
+#include "interpreter/path/cutter_compensation.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::sinumerik {
@@ -62,8 +62,8 @@ struct MachinePoints {
 
 /// Roundings and chamfers, and what the present block says to them.
 struct CornerStage {
-  compensation::ContourCorners path;
-  compensation::CornerWish wish;
+  path::ContourCorners contour;
+  path::CornerWish wish;
   double modal_radius_mm = 0.0;  ///< RNDM
   double modal_feed = 0.0;       ///< FRCM, as programmed
 };
@@ -75,8 +75,8 @@ struct HeldLine {
   double feed = 0.0;                              ///< as programmed
   int g = 1;                                      ///< 0 rapid
   machine::BlockEnd ends = machine::BlockEnd::ExactStop;
-  compensation::CornerWish wish;
-  compensation::CompensationCommand command;
+  path::CornerWish wish;
+  path::CompensationCommand command;
   source::Location where;
 };
 
@@ -90,7 +90,6 @@ struct Clocks {
   };
   std::array<Timer, kTimers> timers;  ///< $AC_TIMER
   double block_began = 0.0;
-  double cutting = 0.0;
   // What was written to these variables, less the time then.
   double operating_offset = 0.0;
   double cycle_offset = 0.0;
@@ -101,9 +100,9 @@ struct Clocks {
 
 /// Tool radius compensation and what the present block says to it.
 struct CutterStage {
-  compensation::CutterCompensation path;
-  compensation::CompensationCommand command;
-  compensation::CompensationCommand held_command;  ///< of the block that waits for its corner
+  path::CutterCompensation compensation;
+  path::CompensationCommand command;
+  path::CompensationCommand held_command;  ///< of the block that waits for its corner
   bool fed = false;  ///< a motion or pause of the present block has come through
 };
 

@@ -1,11 +1,11 @@
-#include "interpreter/compensation/contour_corners.h"
+#include "interpreter/path/contour_corners.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "interpreter/compensation/corner.h"
+#include "interpreter/path/corner.h"
 
-namespace g31::compensation {
+namespace g31::path {
 namespace {
 
 /// A corner that is made: where it begins and ends, and its arc.
@@ -190,4 +190,4 @@ Result<ContourCorners::Given, CornerFault> ContourCorners::take(const PathBlock&
   return given;
 }
 
-}  // namespace g31::compensation
+}  // namespace g31::path

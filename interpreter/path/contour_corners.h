@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "interpreter/compensation/path_block.h"
+#include "interpreter/path/path_block.h"
 #include "machine/base/result.h"
 
-namespace g31::compensation {
+namespace g31::path {
 
 /// What a block asks for at the corner behind it.
 struct CornerWish {
@@ -59,4 +59,4 @@ class ContourCorners {
   std::optional<Held> held_;
 };
 
-}  // namespace g31::compensation
+}  // namespace g31::path

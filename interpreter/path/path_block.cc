@@ -1,9 +1,9 @@
-#include "interpreter/compensation/path_block.h"
+#include "interpreter/path/path_block.h"
 
 #include <cmath>
 #include <numbers>
 
-namespace g31::compensation {
+namespace g31::path {
 namespace {
 
 /// The direction of travel on an arc, at a point of it.
@@ -38,4 +38,4 @@ double sweep_rad(const PlaneWay& way) {
   return sweep > 0.0 ? sweep : sweep + kFullRad;
 }
 
-}  // namespace g31::compensation
+}  // namespace g31::path

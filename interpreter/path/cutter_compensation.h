@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "interpreter/compensation/corner.h"
-#include "interpreter/compensation/path_block.h"
+#include "interpreter/path/corner.h"
+#include "interpreter/path/path_block.h"
 #include "machine/base/result.h"
 
-namespace g31::compensation {
+namespace g31::path {
 
 /// What a control says about the compensation.
 struct CompensationRules {
@@ -137,4 +137,4 @@ class CutterCompensation {
   PathItems given_;
 };
 
-}  // namespace g31::compensation
+}  // namespace g31::path

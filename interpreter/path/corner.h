@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "interpreter/compensation/path_block.h"
+#include "interpreter/path/path_block.h"
 
-namespace g31::compensation {
+namespace g31::path {
 
 /// How the compensation begins and ends at outside corners.
 enum class StartUp {
@@ -73,4 +73,4 @@ CornerPoints cancel_points(const Corner& corner, StartUp type);
 /// How far a corner point may stand off the exact one: nearly tangent arcs decide it.
 inline constexpr double kCornerErrorMm = 2e-6;
 
-}  // namespace g31::compensation
+}  // namespace g31::path

@@ -1,4 +1,4 @@
-#include "interpreter/compensation/cutter_compensation.h"
+#include "interpreter/path/cutter_compensation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "machine/base/contract.h"
 
-namespace g31::compensation {
+namespace g31::path {
 namespace {
 
 using State = CompensationCommand::State;
@@ -306,4 +306,4 @@ void CutterCompensation::give_at_tool(PathItem item) {
   given_.push_back(std::move(item));
 }
 
-}  // namespace g31::compensation
+}  // namespace g31::path

@@ -1,11 +1,11 @@
-#include "interpreter/compensation/corner.h"
+#include "interpreter/path/corner.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-namespace g31::compensation {
+namespace g31::path {
 namespace {
 
 PlanePoint left_of(const PlanePoint& direction) {
@@ -278,4 +278,4 @@ CornerPoints cancel_points(const Corner& corner, StartUp type) {
   return without_minute(points, corner.minute_mm, fixed);
 }
 
-}  // namespace g31::compensation
+}  // namespace g31::path

@@ -10,7 +10,7 @@
 #include "machine/port/machine_port.h"
 #include "machine/units/axis_positions.h"
 
-namespace g31::compensation {
+namespace g31::path {
 
 /// A point or a direction in the offset plane: mm along its first and second axis.
 using PlanePoint = Eigen::Vector2d;
@@ -65,16 +65,17 @@ struct PathBlock {
   std::optional<ArcShape> arc;                    ///< machine coordinates in the plane
   int g = 1;                                      ///< 0 rapid, 1 line, 2 and 3 arcs
   double feed_mm_min = 0.0;                       ///< > 0 but for g = 0
-  source::Location where;
+  source::Location where = {};
   machine::BlockEnd ends = machine::BlockEnd::ExactStop;
 };
 
 struct Pause {
   double seconds = 0.0;
+  source::Location where = {};
 };
 
 /// What the machine is to do, in order.
 using PathItem = std::variant<PathBlock, Pause>;
 using PathItems = std::vector<PathItem>;
 
-}  // namespace g31::compensation
+}  // namespace g31::path

@@ -1,0 +1,54 @@
+#include "interpreter/path/outlet.h"
+
+namespace g31::path {
+
+template <typename Move>
+std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const PathBlock& block) {
+  const double began_s = port_.time_s();
+  const auto reached = port_.move(move);
+  cutting_s += block.g == 0 ? 0.0 : port_.time_s() - began_s;
+  if (!reached) {
+    return reached.error();
+  }
+  observer_.on_move({block.g, block.q_M_end, block.feed_mm_min, 0.0, block.where});
+  return std::nullopt;
+}
+
+std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
+                                                  const OffsetPlane& plane) {
+  if (!block.arc) {
+    const auto traverse = block.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
+    return carry_out(machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min, block.ends},
+                     block);
+  }
+  machine::ArcMove move;
+  move.q_M_end = block.q_M_end;
+  move.first_axis = plane.first;
+  move.second_axis = plane.second;
+  move.centre_first = block.arc->centre.x();
+  move.centre_second = block.arc->centre.y();
+  move.turn = block.arc->turn;
+  move.feed_mm_min = block.feed_mm_min;
+  move.ends = block.ends;
+  return carry_out(move, block);
+}
+
+void Outlet::pause(const Pause& pause) {
+  port_.dwell(pause.seconds);
+  observer_.on_move({4, port_.position(), 0.0, pause.seconds, pause.where});
+}
+
+Result<machine::SkipOutcome, machine::MachineFault> Outlet::move_until_skip(
+    const machine::SkipMove& move) {
+  const double began_s = port_.time_s();
+  auto outcome = port_.move_until_skip(move);
+  cutting_s += port_.time_s() - began_s;
+  return outcome;
+}
+
+void Outlet::touched(const runtime::TouchEvent& event) {
+  observer_.on_move({31, event.q_M_stopped, event.feed_mm_min, 0.0, event.where});
+  observer_.on_touch(event);
+}
+
+}  // namespace g31::path

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "interpreter/path/path_block.h"
+#include "interpreter/runtime/observer.h"
+#include "machine/base/result.h"
+#include "machine/port/machine_port.h"
+
+namespace g31::path {
+
+/// The way out of an interpreter: blocks of motion and pauses, compensated where they are to be, go
+/// to the machine here, and the observer hears of each with the place of its block.
+class Outlet {
+ public:
+  /// Both outlive the outlet.
+  Outlet(machine::MachinePort& port, runtime::Observer& observer)
+      : port_(port), observer_(observer) {}
+
+  /// Moves the axes along a block: at rapid with g = 0, else at feed.
+  /// @param plane  of an arc
+  /// @returns the machine's fault; then the observer hears of no move
+  std::optional<machine::MachineFault> move(const PathBlock& block, const OffsetPlane& plane);
+
+  void pause(const Pause& pause);
+
+  /// A move that listens to a sensor.  What became of it in words of the program is touched().
+  Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(
+      const machine::SkipMove& move);
+  void touched(const runtime::TouchEvent& event);
+
+  /// Machine time of all moves at feed and of those that listen, s.
+  double cutting_s = 0.0;
+
+ private:
+  template <typename Move>
+  std::optional<machine::MachineFault> carry_out(const Move& move, const PathBlock& block);
+
+  machine::MachinePort& port_;
+  runtime::Observer& observer_;
+};
+
+}  // namespace g31::path
