@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/vocabulary/alarms.h"
@@ -38,12 +39,19 @@ enum class Direction : std::uint8_t { Forward, Backward, Both, BothQuiet };
 
 struct Op {
   OpCode code = OpCode::Move;
-  std::uint8_t detail = 0;
+  std::uint8_t detail = 0;  ///< what op_codes.def says: detail_of() a row, or a small number
   std::uint16_t count = 0;
   Operand result;
   Operand a;
   Operand b;
 };
+
+/// What `detail` keeps; no table may have more rows than it can tell apart.
+template <typename Id>
+constexpr std::uint8_t detail_of(Id id) {
+  static_assert(std::is_enum_v<Id> && sizeof(Id) <= sizeof(Op::detail));
+  return static_cast<std::uint8_t>(id);
+}
 
 enum class Storage : std::uint8_t {
   Local,

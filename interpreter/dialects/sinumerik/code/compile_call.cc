@@ -179,7 +179,7 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
   }
   const std::uint32_t first = keep_arguments(list);
   emit(OpCode::Procedure, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, where);
-  last().detail = static_cast<std::uint8_t>(id);
+  last().detail = detail_of(id);
   last().count = static_cast<std::uint16_t>(list.size());
 }
 

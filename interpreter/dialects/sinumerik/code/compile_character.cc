@@ -17,7 +17,7 @@ Expr Compiler::part_of(const Expr& string, const Expr& first, const Expr* length
   const std::uint32_t from = keep_arguments(list);
   emit(OpCode::Function, part.value, {}, {Bank::Constants, static_cast<std::int32_t>(from)},
        string.where);
-  last().detail = static_cast<std::uint8_t>(FunctionId::SUBSTR);
+  last().detail = detail_of(FunctionId::SUBSTR);
   last().count = static_cast<std::uint16_t>(list.size());
   return part;
 }

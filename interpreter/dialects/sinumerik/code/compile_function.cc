@@ -25,7 +25,7 @@ Expr Compiler::plain_mathematics(FunctionId id, ShortSpan where) {
   expect(Symbol::RightParen);
   result.value = temporary(result.type);
   emit(OpCode::Math, result.value, a.value, b.value, result.where);
-  last().detail = static_cast<std::uint8_t>(id);
+  last().detail = detail_of(id);
   return result;
 }
 
@@ -64,7 +64,7 @@ Expr Compiler::call_function(FunctionId id, ShortSpan where) {
   const std::uint32_t first = keep_arguments(list);
   emit(OpCode::Function, result.value, {}, {Bank::Constants, static_cast<std::int32_t>(first)},
        result.where);
-  last().detail = static_cast<std::uint8_t>(id);
+  last().detail = detail_of(id);
   last().count = static_cast<std::uint16_t>(list.size());
   return result;
 }

@@ -320,7 +320,7 @@ void Compiler::jump_to(Direction direction) {
   if (is_text) {
     const Expr name = as_text(expression());
     emit(OpCode::JumpText, {}, name.value, {}, name.where);
-    last().detail = static_cast<std::uint8_t>(direction);
+    last().detail = detail_of(direction);
     return;
   }
   const auto label = label_name();

@@ -220,7 +220,7 @@ void Compiler::word(Address address, ShortSpan where) {
 void Compiler::emit_word(Address address, Modification modification, const Expr& value) {
   emit(value.type == Type::String ? OpCode::TextWord : OpCode::Word, {}, value.value, {},
        value.where);
-  last().detail = static_cast<std::uint8_t>(address);
+  last().detail = detail_of(address);
   last().count = static_cast<std::uint16_t>(modification);
   has_words_ = true;
 }
@@ -275,7 +275,7 @@ void Compiler::axis_word(const AxisWordInfo& row) {
     fail(AlarmId::BadModification, where, row.name);
   }
   emit(OpCode::AxisWord, {}, axis.value, value.value, where);
-  last().detail = static_cast<std::uint8_t>(row.id);
+  last().detail = detail_of(row.id);
   last().count = static_cast<std::uint16_t>(modification);
   has_words_ = true;
 }

@@ -17,6 +17,8 @@ constexpr auto kGCodeRows = std::to_array<GCode>({
 
 constexpr int kFirstSettable = 505;
 constexpr int kLastSettable = 599;
+static_assert(kGCodeRows.size() <= kPackedCount && kLastSettable - kFirstSettable < kPackedCount,
+              "packed() keeps a row and what G505 adds to it in 8 bits each");
 constexpr int kNumberCount = 1000;  // codes are G0 to G999
 
 }  // namespace

@@ -47,7 +47,8 @@ std::optional<FoundCode> find_g_code(std::string_view name);
 /// G and a number.
 std::optional<FoundCode> find_g_code(double number);
 
-/// A code of a block in one number, and back.
+/// A code of a block in one number, and back: so many rows, and so many numbers beyond one.
+inline constexpr int kPackedCount = 256;
 constexpr std::uint16_t packed(FoundCode code) {
   return static_cast<std::uint16_t>(code.row | (code.beyond << 8));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
 
@@ -36,6 +37,11 @@ constexpr Family kFamilies[] = {
     {SystemId::EdgeLife, 1, 15},        {SystemId::ToolOfBuilder, 1, 10},
     {SystemId::ToolDatum, 3, 11},
 };
+
+/// A step keeps the number of a member in 8 bits.
+static_assert(std::ranges::all_of(kFamilies, [](const Family& family) {
+  return family.first >= 0 && family.last <= std::numeric_limits<std::uint8_t>::max();
+}));
 
 /// Additive offsets have 3 to 11 behind the number of DL.
 bool is_member(const Family& family, int number) {
