@@ -75,16 +75,6 @@ bool is_long_constant(std::string_view text) {
   return text.substr(2, text.size() - 3).find_first_not_of(digits) == std::string_view::npos;
 }
 
-bool is_comparison(OpCode code) {
-  return code >= OpCode::Equal && code <= OpCode::GreaterEqual;
-}
-bool is_logic(OpCode code) {
-  return code == OpCode::And || code == OpCode::Or || code == OpCode::Xor;
-}
-bool is_bitwise(OpCode code) {
-  return code == OpCode::BitAnd || code == OpCode::BitOr || code == OpCode::BitXor;
-}
-
 }  // namespace
 
 Expr Compiler::constant(Type type, double value, ShortSpan where) {
@@ -239,18 +229,41 @@ Expr Compiler::name_in_expression() {
 }
 
 Expr Compiler::combine(int row, Expr left, Expr right) {
-  const OpCode code = operators()[static_cast<std::size_t>(row)].code;
+  const OperatorInfo& found = operators()[static_cast<std::size_t>(row)];
   const ShortSpan where = joined(left.where, right.where);
   if (failed()) {
     return {};
   }
-  if (is_comparison(code)) {
-    return compare(code, std::move(left), std::move(right), where);
+  Type type = Type::None;
+  switch (found.kind) {
+    case OperatorKind::Comparison:
+      return compare(found.code, std::move(left), std::move(right), where);
+    case OperatorKind::Join:
+      return concatenate(std::move(left), std::move(right), where);
+    case OperatorKind::Arithmetic:
+      return arithmetic(found.code, std::move(left), std::move(right), where);
+    case OperatorKind::Logic:
+      type = Type::Bool;
+      left = boolean(std::move(left));
+      right = boolean(std::move(right));
+      break;
+    case OperatorKind::Bits:
+      type = Type::Int;
+      left = convert(std::move(left), type);
+      right = convert(std::move(right), type);
+      break;
+    case OperatorKind::Chain:
+      type = Type::Frame;
+      left = convert(std::move(left), type);
+      right = convert(std::move(right), type);
+      break;
   }
-  if (code == OpCode::Concatenate) {
-    return concatenate(std::move(left), std::move(right), where);
-  }
-  return arithmetic(code, std::move(left), std::move(right), where);
+  Expr result;
+  result.type = type;
+  result.where = where;
+  result.value = temporary(type);
+  emit(found.code, result.value, left.value, right.value, where);
+  return result;
 }
 
 Expr Compiler::compare(OpCode code, Expr left, Expr right, ShortSpan where) {
@@ -316,26 +329,14 @@ Expr Compiler::as_text(Expr from) {
   result.where = from.where;
   result.value = temporary(Type::String);
   emit(OpCode::NumberToText, result.value, from.value, {}, from.where);
-  last().detail = static_cast<std::uint8_t>(from.type);
+  last().detail = detail_of(from.type);
   return result;
 }
 
 Expr Compiler::arithmetic(OpCode code, Expr left, Expr right, ShortSpan where) {
   Expr result;
   result.where = where;
-  if (code == OpCode::Chain) {
-    left = convert(std::move(left), Type::Frame);
-    right = convert(std::move(right), Type::Frame);
-    result.type = Type::Frame;
-  } else if (is_logic(code)) {
-    left = boolean(std::move(left));
-    right = boolean(std::move(right));
-    result.type = Type::Bool;
-  } else if (is_bitwise(code)) {
-    left = convert(std::move(left), Type::Int);
-    right = convert(std::move(right), Type::Int);
-    result.type = Type::Int;
-  } else if (!is_number(left.type) || !is_number(right.type)) {
+  if (!is_number(left.type) || !is_number(right.type)) {
     fail(AlarmId::WrongType, where,
          std::string(name_of(left.type)) + " and " + std::string(name_of(right.type)));
   } else {
@@ -387,7 +388,7 @@ Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
   } else if (from.type == Type::String && (to == Type::Bool || to == Type::Char)) {
     result.value = temporary(to);
     emit(OpCode::TextToNumber, result.value, from.value, {}, from.where);
-    last().detail = static_cast<std::uint8_t>(to);
+    last().detail = detail_of(to);
     result.is_constant = false;
   } else if ((from.type == Type::Char || from.type == Type::Bool) && to == Type::String) {
     return as_text(std::move(from));

@@ -10,18 +10,10 @@ constexpr std::uint32_t kBytesOfLine = 32;  // roughly
 
 /// Steps that need no other block, and no caller.
 bool stands_alone(const Op& op) {
-  switch (static_cast<int>(op.code)) {
-    case static_cast<int>(OpCode::Jump):
-    case static_cast<int>(OpCode::JumpIfNot):
-    case static_cast<int>(OpCode::JumpText):
-    case static_cast<int>(OpCode::Call):
-    case static_cast<int>(OpCode::RepeatPart):
-      return false;
-    case static_cast<int>(OpCode::Procedure):
-      return !runs_text(static_cast<ProcedureId>(op.detail));
-    default:
-      return true;
-  }
+  constexpr OpCode kElsewhere[] = {OpCode::Jump, OpCode::JumpIfNot, OpCode::JumpText, OpCode::Call,
+                                   OpCode::RepeatPart};
+  const bool runs = op.code == OpCode::Procedure && runs_text(static_cast<ProcedureId>(op.detail));
+  return !runs && std::ranges::find(kElsewhere, op.code) == std::end(kElsewhere);
 }
 
 }  // namespace

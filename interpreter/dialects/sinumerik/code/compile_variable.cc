@@ -402,7 +402,7 @@ void Compiler::store(const Expr& target, Expr value) {
   Op& made = last();
   const bool is_result = value.value.bank == Bank::Temporaries &&
                          made.result.bank == Bank::Temporaries &&
-                         made.result.place == value.value.place && made.code <= OpCode::Math;
+                         made.result.place == value.value.place && is_number_step(made.code);
   if (is_result) {
     made.result = target.value;
   } else {

@@ -382,7 +382,7 @@ MaybeFailure Runner::go_on_at(const ReturnTarget& target) {
 }
 
 /// M2, M30 and the last block: of a called program they are its end only.
-MaybeFailure Runner::end_program() {
+MaybeFailure Runner::end_program(const Op& /*op*/) {
   if (!level().parts.empty() && at_end_of_part(current_)) {
     return std::nullopt;
   }
@@ -390,10 +390,10 @@ MaybeFailure Runner::end_program() {
 }
 
 /// The end of what EXECSTRING or the command line brought.
-void Runner::end_text() {
+MaybeFailure Runner::end_text(const Op& /*op*/) {
   if (level().waiting.empty()) {
     ended_ = true;
-    return;
+    return std::nullopt;
   }
   WaitingProgram& before = level().waiting.back();
   level().program = before.program;
@@ -401,6 +401,7 @@ void Runner::end_text() {
   level().parts = std::move(before.parts);
   level().waiting.pop_back();
   use_level();
+  return std::nullopt;
 }
 
 /// MCALL: behind a block that moves.

@@ -9,11 +9,6 @@
 namespace g31::sinumerik {
 namespace {
 
-/// A code as switch takes it: not every switch is about all of them.
-constexpr int at(OpCode code) {
-  return static_cast<int>(code);
-}
-
 /// Whether a comparison takes two numbers as equal: what binary digits lose makes no difference.
 bool are_equal(double a, double b) {
   constexpr double kRelative = 1e-12;
@@ -58,7 +53,7 @@ const Op& Runner::number_steps() {
   const Op* op = ops + now.step;
   const bool in_part = !now.parts.empty();
   for (bool done = true;; ++op) {
-    if (op->code < OpCode::Jump) {
+    if (is_number_step(op->code)) {
       done = number_step(*op);
     } else if (op->code == OpCode::Block) {
       done = op->detail == 0 && !in_part && channel_.watch.counts_at_once();
@@ -78,75 +73,76 @@ const Op& Runner::number_steps() {
 }
 
 bool Runner::number_step(const Op& op) {
-  switch (at(op.code)) {
-    case at(OpCode::Move):
+  switch (static_cast<NumberStep>(op.code)) {
+    case NumberStep::Move:
       number(op.result) = number(op.a);
       return true;
-    case at(OpCode::Add):
+    case NumberStep::Add:
       return take(op, number(op.a) + number(op.b));
-    case at(OpCode::Subtract):
+    case NumberStep::Subtract:
       return take(op, number(op.a) - number(op.b));
-    case at(OpCode::Multiply):
+    case NumberStep::Multiply:
       return take(op, number(op.a) * number(op.b));
-    case at(OpCode::Divide):
+    case NumberStep::Divide:
       return take(op, number(op.a) / number(op.b));
-    case at(OpCode::Equal):
+    case NumberStep::Equal:
       return take_truth(op, are_equal(number(op.a), number(op.b)));
-    case at(OpCode::NotEqual):
+    case NumberStep::NotEqual:
       return take_truth(op, !are_equal(number(op.a), number(op.b)));
-    case at(OpCode::Less):
+    case NumberStep::Less:
       return take_truth(op, is_less(number(op.a), number(op.b)));
-    case at(OpCode::Greater):
+    case NumberStep::Greater:
       return take_truth(op, is_less(number(op.b), number(op.a)));
-    case at(OpCode::LessEqual):
+    case NumberStep::LessEqual:
       return take_truth(op, number(op.a) <= number(op.b) || are_equal(number(op.a), number(op.b)));
-    case at(OpCode::GreaterEqual):
+    case NumberStep::GreaterEqual:
       return take_truth(op, number(op.a) >= number(op.b) || are_equal(number(op.a), number(op.b)));
-    case at(OpCode::CheckInt):
+    case NumberStep::CheckInt:
       return take_whole(op, Type::Int, AlarmId::ArithmeticError);
-    case at(OpCode::Math):
+    case NumberStep::Math:
       return mathematical_step(op);
-    case at(OpCode::CheckLimits):
+    case NumberStep::CheckLimits:
       return is_within_limits(op);
-    default:
+#define RARE_NUMBER_STEP(name) case NumberStep::name:
+#include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
       return rare_number_step(op);
   }
+  contract_violated("is_number_step() lets only these through", __FILE__, __LINE__);
 }
 
 bool Runner::rare_number_step(const Op& op) {
   const double a = number(op.a);
-  switch (at(op.code)) {
-    case at(OpCode::DivideWhole):
+  switch (static_cast<RareNumberStep>(op.code)) {
+    case RareNumberStep::DivideWhole:
       return take(op, std::trunc(a / number(op.b)));
-    case at(OpCode::Modulo):
+    case RareNumberStep::Modulo:
       return take(op, std::fmod(a, number(op.b)));
-    case at(OpCode::Negate):
+    case RareNumberStep::Negate:
       return take(op, -a);
-    case at(OpCode::Not):
+    case RareNumberStep::Not:
       return take_truth(op, a == 0.0);
-    case at(OpCode::And):
+    case RareNumberStep::And:
       return take_truth(op, a != 0.0 && number(op.b) != 0.0);
-    case at(OpCode::Or):
+    case RareNumberStep::Or:
       return take_truth(op, a != 0.0 || number(op.b) != 0.0);
-    case at(OpCode::Xor):
+    case RareNumberStep::Xor:
       return take_truth(op, (a != 0.0) != (number(op.b) != 0.0));
-    case at(OpCode::BitAnd):
+    case RareNumberStep::BitAnd:
       return take(op, bits(a) & bits(number(op.b)));
-    case at(OpCode::BitOr):
+    case RareNumberStep::BitOr:
       return take(op, bits(a) | bits(number(op.b)));
-    case at(OpCode::BitXor):
+    case RareNumberStep::BitXor:
       return take(op, bits(a) ^ bits(number(op.b)));
-    case at(OpCode::BitNot):
+    case RareNumberStep::BitNot:
       return take(op, ~bits(a));
-    case at(OpCode::ToBool):
+    case RareNumberStep::ToBool:
       return take_truth(op, a != 0.0);
-    case at(OpCode::ToChar):
+    case RareNumberStep::ToChar:
       return take_whole(op, Type::Char, AlarmId::BadConversion);
-    case at(OpCode::ToInt):
+    case RareNumberStep::ToInt:
       return take_whole(op, Type::Int, AlarmId::BadConversion);
-    default:
-      contract_violated("every step on numbers is somebody's", __FILE__, __LINE__);
   }
+  contract_violated("number_step() lets only these through", __FILE__, __LINE__);
 }
 
 bool Runner::is_within_limits(const Op& op) {
@@ -227,24 +223,22 @@ bool Runner::index(const Op& op) {
   return true;
 }
 
-Runner::Taken Runner::array_step(const Op& op) {
-  const auto taken = [](bool done) { return done ? Taken::Done : Taken::Failed; };
-  switch (at(op.code)) {
-    case at(OpCode::Index):
-      return taken(index(op));
-    case at(OpCode::Load):
+bool Runner::array_step(const Op& op) {
+  switch (static_cast<ArrayStep>(op.code)) {
+    case ArrayStep::Index:
+      return index(op);
+    case ArrayStep::Load:
       number(op.result) = variable(op.b.place).numbers[static_cast<std::size_t>(number(op.a))];
-      return Taken::Done;
-    case at(OpCode::Store):
+      return true;
+    case ArrayStep::Store:
       variable(op.b.place).numbers[static_cast<std::size_t>(number(op.a))] = number(op.result);
-      return Taken::Done;
-    case at(OpCode::Fill):
-      return taken(fill(op));
-    case at(OpCode::Repeat):
-      return taken(repeat_value(op));
-    default:
-      return Taken::NotMine;
+      return true;
+    case ArrayStep::Fill:
+      return fill(op);
+    case ArrayStep::Repeat:
+      return repeat_value(op);
   }
+  contract_violated("other_step() lets only these through", __FILE__, __LINE__);
 }
 
 }  // namespace g31::sinumerik

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/run/runner.h"
+#include "machine/base/contract.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -37,48 +38,45 @@ Runner::Arguments Runner::arguments_of(const Op& op) {
       .subspan(static_cast<std::size_t>(op.b.place), op.count);
 }
 
-Runner::Taken Runner::text_step(const Op& op) {
-  switch (static_cast<int>(op.code)) {
-    case static_cast<int>(OpCode::MoveText):
+bool Runner::text_step(const Op& op) {
+  switch (static_cast<TextStep>(op.code)) {
+    case TextStep::MoveText:
       text(op.result) = text(op.a);
-      return Taken::Done;
-    case static_cast<int>(OpCode::Concatenate): {
+      return true;
+    case TextStep::Concatenate: {
       std::string joined = text(op.a) + text(op.b);
       if (joined.size() > kLongestText) {
-        failed(AlarmId::ConcatenationTooLong);
-        return Taken::Failed;
+        return failed(AlarmId::ConcatenationTooLong);
       }
       text(op.result) = std::move(joined);
-      return Taken::Done;
+      return true;
     }
-    case static_cast<int>(OpCode::NumberToText):
+    case TextStep::NumberToText:
       text(op.result) = shown(static_cast<Type>(op.detail), number(op.a));
-      return Taken::Done;
-    case static_cast<int>(OpCode::TextToNumber): {
+      return true;
+    case TextStep::TextToNumber: {
       const std::string& from = text(op.a);
       const bool is_char = static_cast<Type>(op.detail) == Type::Char;
       if (is_char && from.size() != 1) {
-        failed(AlarmId::BadConversion, fmt::format("\"{}\" is no CHAR", from));
-        return Taken::Failed;
+        return failed(AlarmId::BadConversion, fmt::format("\"{}\" is no CHAR", from));
       }
       number(op.result) =
           is_char ? static_cast<unsigned char>(from.front()) : (from.empty() ? 0.0 : 1.0);
-      return Taken::Done;
+      return true;
     }
-    case static_cast<int>(OpCode::EqualText):
+    case TextStep::EqualText:
       number(op.result) = text(op.a) == text(op.b) ? 1.0 : 0.0;
-      return Taken::Done;
-    case static_cast<int>(OpCode::LessText):
+      return true;
+    case TextStep::LessText:
       number(op.result) = text(op.a) < text(op.b) ? 1.0 : 0.0;
-      return Taken::Done;
-    case static_cast<int>(OpCode::LoadText):
+      return true;
+    case TextStep::LoadText:
       text(op.result) = variable(op.b.place).texts[static_cast<std::size_t>(number(op.a))];
-      return Taken::Done;
-    case static_cast<int>(OpCode::StoreText):
-      return store_text(op) ? Taken::Done : Taken::Failed;
-    default:
-      return Taken::NotMine;
+      return true;
+    case TextStep::StoreText:
+      return store_text(op);
   }
+  contract_violated("other_step() lets only these through", __FILE__, __LINE__);
 }
 
 bool Runner::store_text(const Op& op) {
@@ -93,36 +91,35 @@ bool Runner::store_text(const Op& op) {
   return true;
 }
 
-Runner::Taken Runner::frame_step(const Op& op) {
+bool Runner::frame_step(const Op& op) {
   const auto component_of = [&](const Argument& axis, const Argument& component) {
     return std::pair(static_cast<int>(number(axis.value)),
                      static_cast<Component>(static_cast<int>(number(component.value))));
   };
   const auto* const list = level().program->arguments.data() + op.b.place;
-  switch (static_cast<int>(op.code)) {
-    case static_cast<int>(OpCode::MoveFrame):
+  switch (static_cast<FrameStep>(op.code)) {
+    case FrameStep::MoveFrame:
       frame(op.result) = frame(op.a);
-      return Taken::Done;
-    case static_cast<int>(OpCode::LoadFrame):
+      return true;
+    case FrameStep::LoadFrame:
       frame(op.result) = variable(op.b.place).frames[static_cast<std::size_t>(number(op.a))];
-      return Taken::Done;
-    case static_cast<int>(OpCode::StoreFrame):
+      return true;
+    case FrameStep::StoreFrame:
       variable(op.b.place).frames[static_cast<std::size_t>(number(op.a))] = frame(op.result);
-      return Taken::Done;
-    case static_cast<int>(OpCode::Chain):
+      return true;
+    case FrameStep::Chain:
       frame(op.result) = frame(op.a).chained(frame(op.b));
-      return Taken::Done;
-    case static_cast<int>(OpCode::EqualFrame):
+      return true;
+    case FrameStep::EqualFrame:
       number(op.result) = frame(op.a) == frame(op.b) ? 1.0 : 0.0;
-      return Taken::Done;
-    case static_cast<int>(OpCode::LoadComponent):
-    case static_cast<int>(OpCode::StoreComponent): {
+      return true;
+    case FrameStep::LoadComponent:
+    case FrameStep::StoreComponent: {
       const bool loads = op.code == OpCode::LoadComponent;
       const auto [axis, component] =
           loads ? component_of(list[0], list[1]) : component_of(list[1], list[2]);
       if (axis < 0) {
-        failed(AlarmId::BadAxisIndex);
-        return Taken::Failed;
+        return failed(AlarmId::BadAxisIndex);
       }
       if (loads) {
         number(op.result) =
@@ -131,11 +128,10 @@ Runner::Taken Runner::frame_step(const Op& op) {
         frame(op.result).set_component(
             axis, component, channel_.stored_component(axis, component, number(list[0].value)));
       }
-      return Taken::Done;
+      return true;
     }
-    default:
-      return Taken::NotMine;
   }
+  contract_violated("other_step() lets only these through", __FILE__, __LINE__);
 }
 
 bool Runner::set_element(const Reference& target, std::int32_t element, const Argument& value) {

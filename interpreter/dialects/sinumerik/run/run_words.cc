@@ -4,6 +4,7 @@
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/run/runner.h"
+#include "machine/base/contract.h"
 
 namespace g31::sinumerik {
 
@@ -22,12 +23,13 @@ bool Runner::set_word(std::size_t address, double value, Modification modificati
 }
 
 MaybeFailure Runner::take_word(const Op& op) {
-  if (op.code == OpCode::TextWord) {
-    words_.tool_name = text(op.a);
-    set_word(op.detail, 0.0);
-  } else {
-    set_word(op.detail, number(op.a), static_cast<Modification>(op.count));
-  }
+  set_word(op.detail, number(op.a), static_cast<Modification>(op.count));
+  return from_step();
+}
+
+MaybeFailure Runner::take_text_word(const Op& op) {
+  words_.tool_name = text(op.a);
+  set_word(op.detail, 0.0);
   return from_step();
 }
 
@@ -38,19 +40,26 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
   }
   const AxisWordInfo& row = info(static_cast<AxisWordId>(op.detail));
   const BlockWords::Word word{number(op.b), static_cast<Modification>(op.count), true};
-  if (row.role == AxisRole::Setting || row.role == AxisRole::AxisSetting) {
-    return take_axis_setting({row.id, static_cast<int>(axis), word.value});
-  }
   const auto index = static_cast<std::size_t>(axis);
-  if (row.role == AxisRole::Path) {
-    set_word(index, word.value, word.modification);
-    return from_step();
+  switch (row.role) {
+    case AxisRole::Setting:
+    case AxisRole::AxisSetting:
+      return take_axis_setting({row.id, static_cast<int>(axis), word.value});
+    case AxisRole::Path:
+      set_word(index, word.value, word.modification);
+      return from_step();
+    case AxisRole::Positioning:
+      if (words_.positioning[index].present) {
+        return failure(AlarmId::AddressRepeated,
+                       fmt::format("{}[{}]", row.name, kAxisLetters[index]));
+      }
+      words_.position_axis(index, word);
+      return std::nullopt;
+    case AxisRole::Measuring:
+    case AxisRole::Refused:
+      break;
   }
-  if (words_.positioning[index].present) {
-    return failure(AlarmId::AddressRepeated, fmt::format("{}[{}]", row.name, kAxisLetters[index]));
-  }
-  words_.position_axis(index, word);
-  return std::nullopt;
+  contract_violated("these are compiled to other steps", __FILE__, __LINE__);
 }
 
 MaybeFailure Runner::take_axis_setting(const BlockWords::AxisSetting& setting) {

@@ -35,7 +35,7 @@ void Runner::start(const CompiledProgram& program) {
 }
 
 /// What follows in a long program.  Windows have no local variables that could be lost.
-MaybeFailure Runner::begin_window() {
+MaybeFailure Runner::begin_window(const Op& /*op*/) {
   const ProgramWindows::Place place = programs_.next_window();
   level().program = place.program;
   level().step = place.step;
@@ -77,74 +77,34 @@ MaybeFailure Runner::from_step() {
   return reason;
 }
 
-/// Arrays, texts and frames.
-MaybeFailure Runner::value_step(const Op& op) {
-  using Step = Taken (Runner::*)(const Op&);
-  for (const Step step : {&Runner::array_step, &Runner::text_step, &Runner::frame_step}) {
-    const Taken taken = (this->*step)(op);
-    if (taken == Taken::Failed) {
-      return from_step();
-    }
-    if (taken == Taken::Done) {
-      return std::nullopt;
-    }
+MaybeFailure Runner::other_step(const Op& op) {
+  switch (op.code) {
+#define NUMBER_STEP(name) case OpCode::name:
+#define RARE_NUMBER_STEP(name) case OpCode::name:
+#define JUMP_STEP(name) case OpCode::name:
+#include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
+    break;
+#define ARRAY_STEP(name) case OpCode::name:
+#include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
+    return array_step(op) ? std::nullopt : from_step();
+#define TEXT_STEP(name) case OpCode::name:
+#include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
+    return text_step(op) ? std::nullopt : from_step();
+#define FRAME_STEP(name) case OpCode::name:
+#include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
+    return frame_step(op) ? std::nullopt : from_step();
+#define RUNNER_STEP(name, handler) \
+  case OpCode::name:               \
+    return handler(op);
+#include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
   }
-  contract_violated("every step is somebody's", __FILE__, __LINE__);
+  contract_violated("number_steps() does steps on numbers and jumps", __FILE__, __LINE__);
 }
 
-MaybeFailure Runner::other_step(const Op& op) {
-  const bool is_list = op.code == OpCode::Fill || op.code == OpCode::Repeat;
-  if (op.code < OpCode::Function || is_list) {
-    return value_step(op);
-  }
-  switch (static_cast<int>(op.code)) {
-    case static_cast<int>(OpCode::Block):
-      return block(op);
-    case static_cast<int>(OpCode::NcBlock):
-      return nc_block(op);
-    case static_cast<int>(OpCode::Word):
-    case static_cast<int>(OpCode::TextWord):
-      return take_word(op);
-    case static_cast<int>(OpCode::AxisWord):
-      return take_axis_word(op);
-    case static_cast<int>(OpCode::AxisMeasuring):
-      return take_axis_measuring(op);
-    case static_cast<int>(OpCode::CheckSpindle):
-      return check_spindle(op);
-    case static_cast<int>(OpCode::SkipAction):
-      return take_skip_action(op);
-    case static_cast<int>(OpCode::Execute):
-      return execute(op);
-    case static_cast<int>(OpCode::Function):
-      return call_function(op);
-    case static_cast<int>(OpCode::ReadSystem):
-      return read_system(op);
-    case static_cast<int>(OpCode::WriteSystem):
-      return write_system(op);
-    case static_cast<int>(OpCode::Procedure):
-      return procedure(op);
-    case static_cast<int>(OpCode::Call):
-      return call(op);
-    case static_cast<int>(OpCode::Return):
-      return return_from(op);
-    case static_cast<int>(OpCode::EndProgram):
-      return end_program();
-    case static_cast<int>(OpCode::EndText):
-      end_text();
-      return std::nullopt;
-    case static_cast<int>(OpCode::EndWindow):
-      return begin_window();
-    case static_cast<int>(OpCode::JumpText):
-      return jump_to_text(op);
-    case static_cast<int>(OpCode::RepeatPart):
-      return repeat_part(op);
-    case static_cast<int>(OpCode::Raise): {
-      const BlockError& error = level().program->errors[static_cast<std::size_t>(op.a.place)];
-      return failure(error.id, error.detail);
-    }
-    default:
-      contract_violated("every step is somebody's", __FILE__, __LINE__);
-  }
+/// What was wrong when the block was compiled.
+MaybeFailure Runner::raise(const Op& op) {
+  const BlockError& error = level().program->errors[static_cast<std::size_t>(op.a.place)];
+  return failure(error.id, error.detail);
 }
 
 /// The block that the step `op` begins.

@@ -69,24 +69,23 @@ class Runner {
   Channel& channel() { return channel_; }
 
  private:
-  enum class Taken { Done, NotMine, Failed };
   using Arguments = std::span<const Argument>;
 
   // runner.cc
   [[nodiscard]] bool skips(int which) const;
   [[nodiscard]] runtime::BlockPlace block_place(const Op& op) const;
   void start(const CompiledProgram& program);
-  MaybeFailure begin_window();
+  MaybeFailure begin_window(const Op& op);
   MaybeFailure take_no_arguments();
   MaybeFailure loop();
   MaybeFailure other_step(const Op& op);
-  MaybeFailure value_step(const Op& op);
   bool begins(const Op& op);
   MaybeFailure block(const Op& op);
   MaybeFailure nc_block(const Op& op);
   MaybeFailure jump_to_text(const Op& op);
   bool at_end_of_part(std::int32_t step);
   MaybeFailure repeat_part(const Op& op);
+  MaybeFailure raise(const Op& op);
   Level& level() { return *levels_[depth_]; }
   void use_level();
   runtime::Outcome outcome_of(const Failure& failure);
@@ -115,7 +114,7 @@ class Runner {
   bool take_whole(const Op& op, Type type, AlarmId alarm);
   bool is_within_limits(const Op& op);
   [[nodiscard]] static MaybeFailure beyond_limits(const Variable& into, double value);
-  Taken array_step(const Op& op);
+  bool array_step(const Op& op);
   bool failed(AlarmId id, std::string detail = {});
   bool index(const Op& op);
   Reference variable(std::int32_t which);
@@ -126,8 +125,8 @@ class Runner {
   Frame& frame(Operand place);
 
   // run_texts.cc
-  Taken text_step(const Op& op);
-  Taken frame_step(const Op& op);
+  bool text_step(const Op& op);
+  bool frame_step(const Op& op);
   bool store_text(const Op& op);
   bool fill(const Op& op);
   bool repeat_value(const Op& op);
@@ -209,8 +208,8 @@ class Runner {
   Result<ReturnTarget, Failure> return_target(const Op& op);
   MaybeFailure return_from(const Op& op);
   MaybeFailure go_on_at(const ReturnTarget& target);
-  MaybeFailure end_program();
-  void end_text();
+  MaybeFailure end_program(const Op& op);
+  MaybeFailure end_text(const Op& op);
   void leave_level();
   MaybeFailure modal_call();
   void save_codes(Level& into);
@@ -237,6 +236,7 @@ class Runner {
 
   // run_words.cc
   MaybeFailure take_word(const Op& op);
+  MaybeFailure take_text_word(const Op& op);
   MaybeFailure take_axis_word(const Op& op);
   MaybeFailure take_axis_setting(const BlockWords::AxisSetting& setting);
   MaybeFailure take_axis_measuring(const Op& op);

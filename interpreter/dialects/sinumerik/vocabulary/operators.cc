@@ -6,7 +6,8 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr auto kOperatorRows = std::to_array<OperatorInfo>({
-#define OPERATOR(name, level, code, text) {name, level, OpCode::code, text},
+#define OPERATOR(name, level, kind, code, text) \
+  {name, level, OperatorKind::kind, OpCode::code, text},
 #include "interpreter/dialects/sinumerik/vocabulary/operators.def"
 #undef OPERATOR
 });

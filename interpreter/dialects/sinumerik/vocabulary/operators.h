@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -7,10 +8,14 @@
 
 namespace g31::sinumerik {
 
+/// Which operands an operator takes, and what it makes of them.
+enum class OperatorKind : std::uint8_t { Comparison, Join, Logic, Bits, Arithmetic, Chain };
+
 /// One row of operators.def.
 struct OperatorInfo {
   std::string_view name;
   int level;  ///< the higher, the closer it binds
+  OperatorKind kind;
   OpCode code;
   std::string_view text;
 };

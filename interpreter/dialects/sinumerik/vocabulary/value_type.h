@@ -12,7 +12,7 @@ namespace g31::sinumerik {
 enum class Type : std::uint8_t { None, Bool, Char, Int, Real, Axis, String, Frame };
 
 constexpr bool is_number(Type type) {
-  return type >= Type::Bool && type <= Type::Real;
+  return type == Type::Bool || type == Type::Char || type == Type::Int || type == Type::Real;
 }
 constexpr bool is_held_as_number(Type type) {
   return is_number(type) || type == Type::Axis;
