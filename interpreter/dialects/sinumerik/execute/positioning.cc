@@ -7,6 +7,7 @@
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/execute/travel.h"
+#include "machine/base/contract.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -19,27 +20,54 @@ struct PercentRow {
 };
 constexpr PercentRow kPercents[] = {{Address::Override, 200.0}, {Address::RapidOverride, 100.0}};
 
-void take_setting(Channel& channel, const BlockWords::AxisSetting& setting) {
-  AxisSettings& settings = channel.axis_settings;
-  const bool of_spindle = setting.axis == kSpindleAxis;
-  switch (static_cast<int>(setting.word)) {
-    case static_cast<int>(AxisWordId::AxisFeed):
-      if (!of_spindle) {
-        const double unit = is_linear_axis(setting.axis) ? channel.mm_per_feed() : 1.0;
-        settings.feed[static_cast<std::size_t>(setting.axis)] = setting.value * unit;
-      }
-      return;
-    case static_cast<int>(AxisWordId::AxisOverride):
-      (of_spindle ? channel.spindle.override_percent : settings.override_percent[setting.axis]) =
-          setting.value;
-      return;
-    case static_cast<int>(AxisWordId::ReferenceRadius):
-      settings.counts_as_usual = false;
-      settings.mm_per_degree[setting.axis] = setting.value * channel.mm_per_length() * kMmPerDegree;
-      return;
-    default:
-      return;  // the machine has its own
+using Setting = BlockWords::AxisSetting;
+
+/// FA[axis]; of the spindle it says nothing.
+void take_feed(Channel& channel, const Setting& setting) {
+  if (setting.axis != kSpindleAxis) {
+    const double unit = is_linear_axis(setting.axis) ? channel.mm_per_feed() : 1.0;
+    channel.axis_settings.feed[static_cast<std::size_t>(setting.axis)] = setting.value * unit;
   }
+}
+
+/// OVRA[axis]
+void take_override(Channel& channel, const Setting& setting) {
+  (setting.axis == kSpindleAxis ? channel.spindle.override_percent
+                                : channel.axis_settings.override_percent[setting.axis]) =
+      setting.value;
+}
+
+/// FGREF[axis]
+void take_reference_radius(Channel& channel, const Setting& setting) {
+  channel.axis_settings.counts_as_usual = false;
+  channel.axis_settings.mm_per_degree[setting.axis] =
+      setting.value * channel.mm_per_length() * kMmPerDegree;
+}
+
+/// The machine has its own.
+void take_nothing(Channel& /*channel*/, const Setting& /*setting*/) {}
+
+void take_setting(Channel& channel, const Setting& setting) {
+  switch (setting.word) {
+#define Path() break
+#define Positioning() break
+#define Measuring() break
+#define Setting(f) return f(channel, setting)
+#define AxisSetting(f) return f(channel, setting)
+#define Refused() break
+#define AXIS_WORD(id, name, role, least, most, text) \
+  case AxisWordId::id:                               \
+    role;
+#include "interpreter/dialects/sinumerik/vocabulary/axis_words.def"
+#undef AXIS_WORD
+#undef Refused
+#undef AxisSetting
+#undef Setting
+#undef Measuring
+#undef Positioning
+#undef Path
+  }
+  contract_violated("only settings are kept as settings", __FILE__, __LINE__);
 }
 
 /// A geometry axis moves alone, in its own direction and beside the path only.

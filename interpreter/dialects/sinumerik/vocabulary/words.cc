@@ -28,10 +28,22 @@ constexpr auto kKeywords = std::to_array<KeywordInfo>({
 });
 
 constexpr auto kAxisWords = std::to_array<AxisWordInfo>({
+#define Path() AxisRole::Path
+#define Positioning() AxisRole::Positioning
+#define Measuring() AxisRole::Measuring
+#define Setting(f) AxisRole::Setting
+#define AxisSetting(f) AxisRole::AxisSetting
+#define Refused() AxisRole::Refused
 #define AXIS_WORD(id, name, role, least, most, text) \
-  {AxisWordId::id, name, AxisRole::role, least, most, text},
+  {AxisWordId::id, name, role, least, most, text},
 #include "interpreter/dialects/sinumerik/vocabulary/axis_words.def"
 #undef AXIS_WORD
+#undef Refused
+#undef AxisSetting
+#undef Setting
+#undef Measuring
+#undef Positioning
+#undef Path
 });
 
 struct ModificationRow {
