@@ -57,11 +57,44 @@ enum class OpCode : std::uint8_t {
   DigitLimit,     ///< a constant of `function` digits stands here; not every control takes it
 };
 
-/// Operators of the tree are operations of the same order.
+/// What an operator of the tree is as a step.
 constexpr OpCode operation_of(syntax::Operator op) {
-  static_assert(static_cast<int>(OpCode::LessEqual) ==
-                static_cast<int>(syntax::Operator::LessEqual));
-  return static_cast<OpCode>(op);
+  switch (op) {
+    case syntax::Operator::Add:
+      return OpCode::Add;
+    case syntax::Operator::Subtract:
+      return OpCode::Subtract;
+    case syntax::Operator::Multiply:
+      return OpCode::Multiply;
+    case syntax::Operator::Divide:
+      return OpCode::Divide;
+    case syntax::Operator::Modulo:
+      return OpCode::Modulo;
+    case syntax::Operator::And:
+      return OpCode::And;
+    case syntax::Operator::Or:
+      return OpCode::Or;
+    case syntax::Operator::Xor:
+      return OpCode::Xor;
+    case syntax::Operator::Equal:
+      return OpCode::Equal;
+    case syntax::Operator::NotEqual:
+      return OpCode::NotEqual;
+    case syntax::Operator::Greater:
+      return OpCode::Greater;
+    case syntax::Operator::Less:
+      return OpCode::Less;
+    case syntax::Operator::GreaterEqual:
+      return OpCode::GreaterEqual;
+    case syntax::Operator::LessEqual:
+      return OpCode::LessEqual;
+  }
+  return OpCode::End;
+}
+
+constexpr bool is_comparison(OpCode code) {
+  return code == OpCode::Equal || code == OpCode::NotEqual || code == OpCode::Greater ||
+         code == OpCode::Less || code == OpCode::GreaterEqual || code == OpCode::LessEqual;
 }
 
 struct Op {

@@ -23,7 +23,7 @@ using syntax::Operator;
 constexpr int kDigitsOfEveryControl = 8;
 
 bool is_comparison(const Expr& expr) {
-  return expr.kind == ExprKind::Binary && expr.op >= Operator::Equal;
+  return expr.kind == ExprKind::Binary && is_comparison(operation_of(expr.op));
 }
 
 /// AND, OR, XOR, && or ||, which may join conditions.

@@ -23,6 +23,25 @@ Cell truth(bool value) {
   return Cell(value ? 1.0 : 0.0);
 }
 
+/// The functions that can have a second argument, for a switch over all of them.
+enum class FunctionOfTwo : std::uint8_t {
+#define One(name)
+#define OneOrTwo(name) name = static_cast<std::uint8_t>(FunctionId::name),
+#define Two(name) name = static_cast<std::uint8_t>(FunctionId::name),
+#define Parameter(name) name = static_cast<std::uint8_t>(FunctionId::name),
+#define FUNCTION(name, arguments, series_16i, text) arguments(name)
+#include "interpreter/dialects/fanuc/vocabulary/functions.def"
+#undef FUNCTION
+#undef Parameter
+#undef Two
+#undef OneOrTwo
+#undef One
+};
+
+bool is_sum_or_product(OpCode code) {
+  return code == OpCode::Add || code == OpCode::Subtract || code == OpCode::Multiply;
+}
+
 double add_subtract_multiply(OpCode code, double a, double b) {
   return code == OpCode::Add ? a + b : code == OpCode::Subtract ? a - b : a * b;
 }
@@ -122,14 +141,14 @@ Cell Evaluator::evaluate(const CompiledProgram& program, syntax::Index code, dou
     }
     const Cell b = banks[static_cast<std::size_t>(op->b.bank)][op->b.place];
     Cell& result = temporaries_[op->result];
-    if (op->code <= OpCode::Multiply) {
+    if (is_sum_or_product(op->code)) {
       const double number = add_subtract_multiply(op->code, a.or_zero(), b.or_zero());
       if (!is_in_range(number)) [[unlikely]] {
         fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", number));
         return at(program, *op);
       }
       result = Cell(number);
-    } else if (op->code >= OpCode::Equal && op->code <= OpCode::LessEqual) {
+    } else if (is_comparison(op->code)) {
       result = truth(compare(op->code, a, b));
     } else {
       result = rare_operation(program, *op, a, b, round_to);
@@ -336,20 +355,23 @@ Cell Evaluator::function(const Op& op, double argument, double round_to) {
 }
 
 Cell Evaluator::function_of_two(const Op& op, double a, double b) {
-  const auto id = static_cast<FunctionId>(op.function);
-  if (id == FunctionId::PRM) {
-    return parameter(a, b);
-  }
-  if (id == FunctionId::POW) {
-    if (!rules_.has_series_30i_functions) {
-      return fail(AlarmId::ImproperCommand, "this control has no POW");
+  switch (static_cast<FunctionOfTwo>(op.function)) {
+    case FunctionOfTwo::PRM:
+      return parameter(a, b);
+    case FunctionOfTwo::POW: {
+      if (!rules_.has_series_30i_functions) {
+        return fail(AlarmId::ImproperCommand, "this control has no POW");
+      }
+      const double power = std::pow(a, b);
+      return power != power ? fail(AlarmId::IllegalArgument, fmt::format("POW[{},{}]", a, b))
+                            : in_range(power);
     }
-    const double power = std::pow(a, b);
-    return power != power ? fail(AlarmId::IllegalArgument, fmt::format("POW[{},{}]", a, b))
-                          : in_range(power);
+    case FunctionOfTwo::ATAN: {
+      const double angle = std::atan2(a + 0.0, b + 0.0) * kDegrees;
+      return Cell(angle < 0.0 && !rules_.signed_angles ? angle + 360.0 : angle);
+    }
   }
-  const double angle = std::atan2(a + 0.0, b + 0.0) * kDegrees;
-  return Cell(angle < 0.0 && !rules_.signed_angles ? angle + 360.0 : angle);
+  contract_violated("this function has one argument", __FILE__, __LINE__);
 }
 
 }  // namespace g31::fanuc

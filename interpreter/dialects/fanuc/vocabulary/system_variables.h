@@ -28,54 +28,11 @@ enum class Access {
 
 enum class WhileMoving { Enabled, Disabled };
 
-/// What a row of system_variables.def holds; the control has a piece of code for each.
+/// What a row of system_variables.def holds: rows of shows.def.
 enum class Shows : std::uint8_t {
-  InputBit,
-  InputBits,
-  InputWord,
-  OutputBit,
-  OutputBits,
-  OutputWord,
-  LengthGeometry,
-  LengthWear,
-  RadiusGeometry,
-  RadiusWear,
-  DiameterGeometry,
-  DiameterWear,
-  LegacyOffset,
-  MacroAlarm,
-  Timer,
-  CycleHours,
-  SingleBlock,
-  Override,
-  Settings,
-  MessageStop,
-  MirrorState,
-  RestartState,
-  Date,
-  TimeOfDay,
-  Null,
-  Pi,
-  Euler,
-  PartsCount,
-  PartsRequired,
-  ModalGroup,
-  ModalWord,
-  BlockEnd,
-  MachinePosition,
-  WorkPosition,
-  SkipPosition,
-  SkipTipPosition,
-  ToolOffset,
-  ServoDeviation,
-  HandleInterrupt,
-  DistanceToGo,
-  SkipDetected,
-  WorkOffset,
-  LocalShift,
-  AdditionalOffset,
-  FurtherCommon,
-  CommonAlias,
+#define SHOWS(name, read, write) name,
+#include "interpreter/dialects/fanuc/vocabulary/shows.def"
+#undef SHOWS
 };
 
 /// Sets of rows that controls have or have not.
