@@ -201,6 +201,43 @@ class Table(unittest.TestCase):
         self.assertEqual(shown, layers.HOME)
 
 
+class Tables(CheckerTest):
+    CHECKER = "check_tables.py"
+
+    def test_switches_and_comparisons_that_the_compiler_can_check_pass(self):
+        lines = (
+            "switch (static_cast<FunctionId>(op.detail)) {",
+            "case FunctionId::SIN: return sine(a);",
+            "case A::B: case A::C:",
+            "case '(': f(a);",
+            "case 7: f(static_cast<int>(A::B));",
+            "// case static_cast<int>(A::B): a < A::B",
+            'text = "a < A::B";',
+            "return code == A::B || code != A::C;",
+            "return i < Clocks::kTimers && i >= Place::first();",
+            "std::map<A::B, int> a; b = c < 1'000 && d > e;",
+            "if (a < Limits{}.most && b > Frame::Matrix(c)) {",
+        )
+        for line in lines:
+            with self.subTest(line):
+                self.passes({"a.cc": line + "\n"})
+
+    def test_casts_in_case_labels_are_found(self):
+        for line in ("case static_cast<int>(A::B):", "case static_cast<std::uint8_t>(n::A::B): f();", "case at(A::B):"):
+            with self.subTest(line):
+                self.finds({"a.cc": "\n" + line + "\n"}, "a.cc:2: error: a case label names its enumerator")
+
+    def test_switches_over_numbers_are_found(self):
+        for kind in ("int", "unsigned", "std::size_t", "std::uint8_t"):
+            with self.subTest(kind):
+                self.finds({"a.h": f"switch (static_cast<{kind}>(id)) {{\n"}, "a.h:1: error: a switch over numbers")
+
+    def test_the_order_of_enumerators_is_found(self):
+        for line in ("a = id >= A::B;", "if (a < n::Id::BOUND) {", "return Id::First <= id;", "x = c <= A::B && d;"):
+            with self.subTest(line):
+                self.finds({"a.cc": f"/* 1\n2 */ {line}\n"}, "a.cc:2: error: enumerators have no order")
+
+
 class Sizes(CheckerTest):
     CHECKER = "check_sizes.py"
 

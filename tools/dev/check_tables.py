@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""Fails where code gets round what the compiler knows of an enumeration.
+
+A row added to a table must be a compile error until something handles it.  Casts in case labels hide from the
+compiler which enumerators a switch leaves out; a comparison by order makes the place of a row mean something.
+Usage: check_tables.py REPOSITORY
+"""
+import pathlib
+import re
+import sys
+
+from source_tree import files_of, report
+
+NOT_CODE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|\'(?:[^\'\\\n]|\\.)+\'', re.DOTALL)
+# Digits in groups, 1'000'000, are no characters in quotes.
+DIGIT_MARK = re.compile(r"(?<=\d)'(?=\d)")
+COMPUTED_LABEL = re.compile(r"\bcase\s+(?:\w|::|[<>,\s])*\(")
+COMPUTED_SWITCH = re.compile(r"\bswitch \(static_cast<(?:unsigned|(?:std::)?u?int\w*|(?:std::)?size_t)>\(")
+ENUMERATOR = r"(?:\w+::)*[A-Z]\w*::[A-Z]\w*"
+ORDER = re.compile(rf"(?<=\s)[<>]=?\s+{ENUMERATOR}(?![\w:(<{{.])|(?<![\w:]){ENUMERATOR}\s+[<>]=?(?=\s)")
+
+
+def code_of(text):
+    """The text without comments and literals, every line where it was."""
+    text = DIGIT_MARK.sub(" ", text)
+    return NOT_CODE.sub(lambda found: "\n" * found[0].count("\n") or " ", text)
+
+
+def problems_of(here, text):
+    """Problems of one file."""
+    code = code_of(text)
+    for pattern, problem in (
+        (COMPUTED_LABEL, "a case label names its enumerator as it is: a cast hides the missing ones"),
+        (COMPUTED_SWITCH, "a switch over numbers: over the enumeration the compiler knows the missing ones"),
+        (ORDER, "enumerators have no order: a column of the table, or a switch over all of them"),
+    ):
+        for found in pattern.finditer(code):
+            yield here, code.count("\n", 0, found.start()) + 1, problem
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    files = files_of(root, ".h", ".cc")
+    problems = [
+        problem
+        for file in files
+        for problem in problems_of(file.relative_to(root).as_posix(), file.read_text(encoding="utf-8"))
+    ]
+    return report(problems, f"tables: {len(files)} files")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
