@@ -42,10 +42,15 @@ class Findings {
 
   void add(const Flow& flow) {
     const std::vector<bool> reached = reached_blocks(flow);
+    // A wrong block may be the end that is missing.
+    const bool is_readable =
+        std::ranges::find(flow.faults, Fault::Kind::Block, &Fault::kind) == flow.faults.end();
     for (BlockIndex i = 0; i < flow.blocks.size(); ++i) {
       const Block& block = flow.blocks[i];
       for (const Fault& fault : flow.faults_of(block)) {
-        add(flow, fault, rule_of(fault.kind), reached[i]);
+        if (fault.kind != Fault::Kind::End || (reached[i] && is_readable)) {
+          add(flow, fault, rule_of(fault.kind), reached[i]);
+        }
       }
       for (const Call& call : flow.calls_of(block)) {
         if (const auto fault = programs_.missing_program(flow, call)) {
@@ -62,9 +67,6 @@ class Findings {
 
  private:
   void add(const Flow& flow, const Fault& fault, RuleId rule, bool is_reached) {
-    if (!is_reached && fault.kind == Fault::Kind::End) {
-      return;
-    }
     // What g31 lacks is no mistake of the program, wherever it stands.
     if (!is_reached && rule != RuleId::NotSimulated) {
       rule = RuleId::UnreachedFault;

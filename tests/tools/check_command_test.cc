@@ -140,6 +140,15 @@ TEST(Check, AFolderIsAllProgramsBelowIt) {
   EXPECT_TRUE(found[3].starts_with("a/b/O1234:2:6:"));
 }
 
+TEST(Check, AWrongBlockMayBeTheEndThatIsMissing) {
+  TemporaryFolder folder;
+  const CheckOutput wrong_end = checked_files({folder.write("case.nc", "O1\nG00 X1.\nM30 ]\n")});
+  EXPECT_EQ(places(wrong_end.text, folder).size(), 1U) << wrong_end.text;
+  EXPECT_EQ(wrong_end.text.find("NC006"), std::string::npos);
+  const CheckOutput no_end = checked_files({folder.write("case.nc", "O1\nG00 X1.\n")});
+  EXPECT_NE(no_end.text.find("[NC006]"), std::string::npos);
+}
+
 TEST(Check, WhatNoWayLeadsToIsAWarning) {
   TemporaryFolder folder;
   const CheckOutput output =
