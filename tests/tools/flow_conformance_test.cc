@@ -16,6 +16,7 @@
 #include "interpreter/runtime/observer.h"
 #include "tests/support/conformance_run.h"
 #include "tools/disk/disk.h"
+#include "tools/disk/shipped.h"
 #include "tools/session/prepare.h"
 #include "tools/session/run.h"
 #include "tools/session/world.h"
@@ -93,6 +94,12 @@ class Walked {
     set_ = fanuc != nullptr ? analysis::fanuc_programs(fanuc->profile, disk_)
                             : analysis::sinumerik_programs(disk_);
     set_->add_file(path_);
+    // Definition files among the shipped programs define names for all.
+    const auto shipped =
+        disk::shipped_folder(fanuc != nullptr ? "macros/fanuc" : "macros/sinumerik");
+    if (shipped) {
+      set_->add_folder(*shipped);
+    }
     flows_ = set_->flows(path_);
   }
 
