@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "interpreter/dialects/fanuc/system/access.h"
 
@@ -25,11 +26,25 @@ constexpr auto kAccessors = std::to_array<Accessor>({
 #undef SHOWS
 });
 
+/// Which of the two an accessor has; told by type, for g++ 12 compares no functions in constants
+/// where undefined behaviour is looked for.
+struct Lets {
+  bool read;
+  bool write;
+};
+
+constexpr auto kLets = std::to_array<Lets>({
+#define SHOWS(name, read, write) \
+  {!std::is_null_pointer_v<decltype(read)>, !std::is_null_pointer_v<decltype(write)>},
+#include "interpreter/dialects/fanuc/vocabulary/shows.def"
+#undef SHOWS
+});
+
 consteval bool has_what_it_lets(Shows shows, Access access) {
-  const Accessor& accessor = kAccessors[static_cast<std::size_t>(shows)];
+  const Lets& lets = kLets[static_cast<std::size_t>(shows)];
   const bool reads = access != Access::Write;
   const bool writes = access != Access::Read;  // the set-up sheet writes inputs
-  return (!reads || accessor.read != nullptr) && (!writes || accessor.write != nullptr);
+  return (!reads || lets.read) && (!writes || lets.write);
 }
 #define SYSTEM_VARIABLE(first, last, shows, groups, unit, access, while_moving, text) \
   static_assert(has_what_it_lets(Shows::shows, Access::access),                       \
