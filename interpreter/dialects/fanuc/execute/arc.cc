@@ -103,16 +103,14 @@ MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d&
   q_W_centre[arc.plane.first] = centre.x();
   q_W_centre[arc.plane.second] = centre.y();
   const AxisPositions q_M_centre = control.coordinates.work_to_machine(q_W_centre);
-  machine::ArcMove move;
-  move.q_M_end = control.coordinates.work_to_machine(arc.q_W_end);
-  move.first_axis = arc.plane.first;
-  move.second_axis = arc.plane.second;
-  move.centre_first = q_M_centre[arc.plane.first];
-  move.centre_second = q_M_centre[arc.plane.second];
-  move.turn = arc.turn;
-  move.feed_mm_min = switched_feed(control, feed.value());
-  move.ends = control.feed_end();
-  return travel(control, move, arc.turn == Turn::Clockwise ? 2 : 3);
+  path::PathBlock block;
+  block.q_M_end = control.coordinates.work_to_machine(arc.q_W_end);
+  block.arc = path::ArcShape{{q_M_centre[arc.plane.first], q_M_centre[arc.plane.second]}, arc.turn};
+  block.g = arc.turn == Turn::Clockwise ? 2 : 3;
+  block.feed_mm_min = switched_feed(control, feed.value());
+  block.where = control.block;
+  block.ends = control.feed_end();
+  return travel(control, block);
 }
 
 /// Scaled by unequal factors an arc stays an arc, with the radius of its start; a straight piece

@@ -87,17 +87,6 @@ MaybeFailure carry_out(Control& control, const CompensationResult& result) {
   return std::nullopt;
 }
 
-/// @param plane  of an arc
-MaybeFailure travel_along(Control& control, const PathBlock& block, const OffsetPlane& plane) {
-  control.stopped_skip.reset();
-  CutterStage& cutter = control.cutter;
-  if (!cutter.compensation.engaged()) {
-    return to_machine(control, block, plane);
-  }
-  cutter.fed = true;
-  return carry_out(control, cutter.compensation.take(block, cutter.command));
-}
-
 bool is_side(const EvaluatedWord& word) {
   return word.letter == 'G' && (word.number == 41.0 || word.number == 42.0);
 }
@@ -128,15 +117,14 @@ MaybeFailure leave(Control& control) {
 
 }  // namespace
 
-MaybeFailure travel(Control& control, const machine::LinearMove& move, int g) {
-  return travel_along(
-      control, {move.q_M_end, std::nullopt, g, move.feed_mm_min, control.block, move.ends}, {});
-}
-
-MaybeFailure travel(Control& control, const machine::ArcMove& move, int g) {
-  const ArcShape arc{{move.centre_first, move.centre_second}, move.turn};
-  return travel_along(control, {move.q_M_end, arc, g, move.feed_mm_min, control.block, move.ends},
-                      {move.first_axis, move.second_axis});
+MaybeFailure travel(Control& control, const PathBlock& block) {
+  control.stopped_skip.reset();
+  CutterStage& cutter = control.cutter;
+  if (!cutter.compensation.engaged()) {
+    return to_machine(control, block, offset_plane(control));
+  }
+  cutter.fed = true;
+  return carry_out(control, cutter.compensation.take(block, cutter.command));
 }
 
 MaybeFailure pause(Control& control, double seconds) {

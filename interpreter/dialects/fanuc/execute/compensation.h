@@ -12,9 +12,8 @@ namespace g31::fanuc {
 // (BlockEffect::Finishes), #3000 and #3006 do break it: the block that waits then ends beside its
 // end.  Any other alarm ends the program with that block not done.
 
-/// Moves and tells the observer; `g` is how the document names the move.
-MaybeFailure travel(Control& control, const machine::LinearMove& move, int g);
-MaybeFailure travel(Control& control, const machine::ArcMove& move, int g);
+/// Moves along a block, machine coordinates, and tells the observer.
+MaybeFailure travel(Control& control, const path::PathBlock& block);
 
 /// Lets time pass and tells the observer.
 MaybeFailure pause(Control& control, double seconds);

@@ -90,18 +90,19 @@ double switched_feed(const Control& control, double feed_mm_min) {
 
 MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Traverse traverse,
                      int g) {
-  machine::LinearMove move;
-  move.q_M_end = q_M_end;
-  move.traverse = traverse;
+  path::PathBlock block;
+  block.q_M_end = q_M_end;
+  block.g = g;
+  block.where = control.block;
   if (traverse == machine::Traverse::Feed) {
     const auto feed = feed_in_force(control);
     if (!feed) {
       return feed.error();
     }
-    move.feed_mm_min = switched_feed(control, feed.value());
-    move.ends = control.feed_end();
+    block.feed_mm_min = switched_feed(control, feed.value());
+    block.ends = control.feed_end();
   }
-  return travel(control, move, g);
+  return travel(control, block);
 }
 
 MaybeFailure execute_motion(Control& control, const NcBlock& block) {
