@@ -192,6 +192,19 @@ TEST(BlockSteps, AnExpressionThatCannotBeEvaluatedSaysWhy) {
   EXPECT_EQ(run.session().finish().status, runtime::Status::Interrupted);
 }
 
+TEST(BlockSteps, TheEndOfARunCanBeLookedAtToo) {
+  const Job job = fanuc("O1\n#1=1\n#500=2\nG65P2A5.\nM30\nO2\nM30\n");
+  SteppedRun run(job.request, nullptr, {});
+  ASSERT_EQ(run.session().advance(), Advance::Ended);
+  const auto levels = run.session().call_levels();
+  ASSERT_EQ(levels.size(), 2U);
+  EXPECT_EQ(testing::shown(levels[0].where), "7:1") << "the last step of its program";
+  EXPECT_EQ(locals(run, 0), (std::map<std::string, std::string>{{"#1", "5"}}));
+  EXPECT_EQ(locals(run, 1), (std::map<std::string, std::string>{{"#1", "1"}}));
+  EXPECT_EQ(value(run, 1, "#1+#500"), "3");
+  EXPECT_EQ(run.session().permanent_variables(), (std::map<std::string, double>{{"#500", 2.0}}));
+}
+
 TEST(BlockSteps, EachSinumerikLevelShowsItsOwnVariables) {
   const Job job("sinumerik-828d",
                 {{"MAIN.MPF", "DEF INT COUNT=3\nDEF STRING[8] NAME=\"ABC\"\nSUB(2.5,COUNT)\nM30\n"},

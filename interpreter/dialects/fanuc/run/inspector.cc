@@ -1,6 +1,7 @@
 #include "interpreter/dialects/fanuc/run/inspector.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -40,17 +41,9 @@ void add(runtime::NamedValues& values, std::int32_t number, Cell value) {
 
 }  // namespace
 
-runtime::NamedValues Inspector::values(std::size_t level, runtime::Scope scope) {
-  Control& control = runner_.control();
+runtime::NamedValues common_values(const Control& control, std::int32_t first) {
   runtime::NamedValues values;
-  if (scope == runtime::Scope::Local) {
-    const Look look(control, locals_of(level));
-    for (std::int32_t number = 1; number <= kLocalCount; ++number) {
-      add(values, number, control.variables.local(number));
-    }
-    return values;
-  }
-  for (std::int32_t number = 0; number < kCommonEnd; ++number) {
+  for (std::int32_t number = first; number < kCommonEnd; ++number) {
     if (is_common(number)) {
       add(values, number, control.variables.common(number));
     }
@@ -61,11 +54,23 @@ runtime::NamedValues Inspector::values(std::size_t level, runtime::Scope scope) 
   return values;
 }
 
+runtime::NamedValues Inspector::values(std::size_t level, runtime::Scope scope) {
+  Control& control = runner_.control();
+  if (scope == runtime::Scope::Common) {
+    return common_values(control, 0);
+  }
+  runtime::NamedValues values;
+  const Look look(control, runner_.locals_of(level));
+  for (std::int32_t number = 1; number <= kLocalCount; ++number) {
+    add(values, number, control.variables.local(number));
+  }
+  return values;
+}
 Result<Cell, std::string> Inspector::evaluate(std::size_t level, const std::string& text) {
   if (std::ranges::any_of(text, [](unsigned char c) { return c < ' ' || c == '(' || c == ';'; })) {
     return std::string("is no expression: it has a comment or the end of a block in it");
   }
-  const Look look(runner_.control(), locals_of(level));
+  const Look look(runner_.control(), runner_.locals_of(level));
   Expression& condition = expression(fmt::format("IF[{}]GOTO1\n", text));
   if (condition.program.steps.front().kind == BlockKind::IfGoto) {
     return value_of(condition);
@@ -102,11 +107,6 @@ Result<Cell, std::string> Inspector::value_of(Expression& asked) {
                                                        fault->detail.empty() ? "" : ": ",
                                                        fault->detail))
                : value;
-}
-
-std::size_t Inspector::locals_of(std::size_t level) const {
-  const std::size_t calls = runner_.call_levels().size();
-  return calls == 0 ? 0 : runner_.locals_level(calls - 1 - std::min(level, calls - 1));
 }
 
 }  // namespace g31::fanuc

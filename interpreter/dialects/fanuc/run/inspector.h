@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -10,6 +11,10 @@
 #include "machine/base/result.h"
 
 namespace g31::fanuc {
+
+/// Common variables that are not vacant, by rising number.
+/// @param first  the lowest number of interest
+runtime::NamedValues common_values(const Control& control, std::int32_t first);
 
 /// Looks at the variables of a run from outside, at a pause or behind its end.  Nothing of the run
 /// changes for it: no time passes, no report is made, no variable is written.
@@ -36,7 +41,6 @@ class Inspector {
   };
   Expression& expression(const std::string& block);
   Result<Cell, std::string> value_of(Expression& asked);
-  [[nodiscard]] std::size_t locals_of(std::size_t level) const;
 
   Runner& runner_;
   std::map<std::string, std::unique_ptr<Expression>> expressions_;  ///< by the text of the block

@@ -82,16 +82,18 @@ class Runner {
   /// What became of the run, which ends here if it has not ended.
   runtime::Outcome finish();
 
-  /// At a pause, innermost first.
+  /// At a pause and behind the end, innermost first.
   [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const;
 
   Control& control() { return control_; }
   [[nodiscard]] const Control& control() const { return control_; }
-  /// Which level of local variables the programs of a level of calls have; 0: the main program's.
-  [[nodiscard]] std::size_t locals_level(std::size_t depth) const;
+  /// Which level of local variables a level of calls has; 0: the main program's.
+  /// @param level  0: the innermost
+  [[nodiscard]] std::size_t locals_of(std::size_t level) const;
 
  private:
   bool refuse_broken(const CompiledProgram& main);
+  void end(const MaybeFailure& failure);
   void start(const CompiledProgram& main);
 
   // runner.cc: the loop

@@ -55,26 +55,28 @@ runtime::Advance Runner::advance() {
   if (is_paused_) {
     return runtime::Advance::Paused;
   }
+  end(failure);
+  return runtime::Advance::Ended;
+}
+
+/// @param failure  why the run ends before its program does, if it does
+void Runner::end(const MaybeFailure& failure) {
   is_over_ = true;
+  is_paused_ = false;
   if (failure) {
     outcome_ = outcome_of(*failure);
   } else {
     control_.report_silent_skip();
   }
-  return runtime::Advance::Ended;
-}
-
-runtime::Outcome Runner::finish() {
-  if (frames_.empty()) {
-    return outcome_;
-  }
-  if (!is_over_) {
-    outcome_ = outcome_of(halt_failure(runtime::BlockWatch::Halt::Stopped));
-    is_over_ = true;
-  }
   control_.tell_repeats();
   outcome_.diagnostics = control_.diagnostics;
   outcome_.blocks = control_.watch.blocks();
+}
+
+runtime::Outcome Runner::finish() {
+  if (!is_over_) {
+    end(halt_failure(runtime::BlockWatch::Halt::Stopped));
+  }
   return outcome_;
 }
 
@@ -83,17 +85,23 @@ std::vector<runtime::CallLevel> Runner::call_levels() const {
   if (frames_.empty()) {
     return levels;
   }
-  levels.push_back({name_of(*frames_.back().program), next_place().where});
+  const Frame& innermost = frames_.back();
+  levels.push_back(
+      {name_of(*innermost.program), is_over_ ? location_of(innermost) : next_place().where});
   for (std::size_t i = frames_.size() - 1; i > 0; --i) {
     levels.push_back({name_of(*frames_[i - 1].program), location_of(frames_[i - 1])});
   }
   return levels;
 }
 
-std::size_t Runner::locals_level(std::size_t depth) const {
-  const auto own_locals = [](const Frame& level) { return level.kind == CallKind::Macro; };
+std::size_t Runner::locals_of(std::size_t level) const {
+  if (frames_.empty()) {
+    return 0;
+  }
+  const std::size_t calls = frames_.size() - std::min(level, frames_.size() - 1);
+  const auto own_locals = [](const Frame& called) { return called.kind == CallKind::Macro; };
   return static_cast<std::size_t>(
-      std::ranges::count_if(std::span(frames_).first(depth + 1), own_locals));
+      std::ranges::count_if(std::span(frames_).first(calls), own_locals));
 }
 
 }  // namespace g31::fanuc

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -173,17 +174,8 @@ Result<Cell, std::string> Session::variable(const std::string& name) {
 
 std::map<std::string, double> Session::permanent_variables() const {
   std::map<std::string, double> kept;
-  for (int number = kFirstPermanent; number < kCommonEnd; ++number) {
-    const Cell value = runner_->control().variables.common(number);
-    if (!value.is_vacant()) {
-      kept.emplace(fmt::format("#{}", number), value.raw());
-    }
-  }
-  for (std::int32_t i = 0; i < kFurtherCommonCount; ++i) {
-    const Cell value = runner_->control().further_commons.at(static_cast<std::size_t>(i));
-    if (!value.is_vacant()) {
-      kept.emplace(fmt::format("#{}", kFirstFurther + i), value.raw());
-    }
+  for (const auto& [name, value] : common_values(runner_->control(), kFirstPermanent)) {
+    kept.emplace(name, std::get<runtime::Cell>(value).raw());
   }
   return kept;
 }
