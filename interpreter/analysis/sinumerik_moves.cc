@@ -62,7 +62,7 @@ class SinumerikMove {
                (!is_reference && code.action != GAction::Modal && code.action != GAction::OneBlock);
     if (is_reference) {
       kind_ = Move::Kind::Reference;
-    } else if (code.group == 1) {
+    } else if (code.group == sinumerik::Group::Motion) {
       kind_ = code.name == "G0"   ? Move::Kind::Rapid
               : code.name == "G1" ? Move::Kind::Line
               : is_circle(code)   ? Move::Kind::Arc

@@ -114,8 +114,9 @@ TEST(SinumerikRows, EverySystemVariableTakesAValueAndShowsItAgainUnlessItIsOnlyR
 TEST(SinumerikRows, EveryGCodeSetsItsGroupOrIsRefused) {
   for (const GCode& row : g_codes()) {
     SCOPED_TRACE(std::string(row.name));
-    const bool is_modal = row.action == GAction::Modal && row.group > 0;
-    const std::string show = is_modal ? fmt::format("R1=$P_GG[{}]", row.group) : "R1=1";
+    const bool is_modal = row.action == GAction::Modal;
+    const std::string show =
+        is_modal ? fmt::format("R1=$P_GG[{}]", static_cast<int>(row.group)) : "R1=1";
     const std::string angles = row.action == GAction::SolidAngles ? " X1 Y1" : "";
     const Ran ran = run_of(fmt::format("{}{}{}\n{}", kTool, row.name, angles, show));
     if (row.action == GAction::Refused) {

@@ -135,7 +135,7 @@ MaybeFailure move_unequally_scaled(Control& control, const Arc& arc,
 }
 
 Turn programmed_turn(const Control& control) {
-  return control.modal.group[1].whole == 2 ? Turn::Clockwise : Turn::Counterclockwise;
+  return control.modal.group[Group::Motion].whole == 2 ? Turn::Clockwise : Turn::Counterclockwise;
 }
 
 /// Why the block's words make no arc in this plane.

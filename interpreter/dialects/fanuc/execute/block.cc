@@ -103,7 +103,7 @@ MaybeFailure select_offsets(Control& control, const BlockWords& words, const Cod
 
 /// An arc without an end: it has a centre, so it goes round (MB-302).
 bool is_full_circle(const Control& control, const NcBlock& block) {
-  const int g = control.modal.group[1].whole;
+  const int g = control.modal.group[Group::Motion].whole;
   const Plane plane = control.modal.plane();
   return (g == 2 || g == 3) &&
          (block.words.has(plane.first_centre) || block.words.has(plane.second_centre));

@@ -50,7 +50,8 @@ class Hole {
     return mm / control_.coordinates.transform().stretch(plane_.across);
   }
   [[nodiscard]] bool to_initial() const {
-    return control_.modal.group[10].whole == 98 || cycle_.feeding == CannedCycle::Feeding::Back;
+    return control_.modal.group[Group::CycleReturn].whole == 98 ||
+           cycle_.feeding == CannedCycle::Feeding::Back;
   }
 
   Control& control_;
@@ -273,7 +274,7 @@ MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block) {
   if (!repeats) {
     return repeats.error();
   }
-  const CannedCycle& cycle = *find_canned_cycle(control.modal.group[9].whole);
+  const CannedCycle& cycle = *find_canned_cycle(control.modal.group[Group::CannedCycle].whole);
   for (int i = 0; i < repeats.value(); ++i) {
     if (names_a_place(block, plane)) {
       if (auto failure = position(control, block, plane)) {

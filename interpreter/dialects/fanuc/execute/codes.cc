@@ -14,7 +14,7 @@ namespace g31::fanuc {
 namespace {
 
 void end_canned_cycle(Control& control) {
-  control.modal.group[9] = {80, 0};
+  control.modal.group[Group::CannedCycle] = {80, 0};
 }
 
 /// What a modal code does at once, before the other words of its block.
@@ -74,7 +74,7 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
     case GAction::PresetSystem:
       break;
   }
-  control.modal.group[static_cast<std::size_t>(code.group)] = code.number;
+  control.modal.group[code.group] = code.number;
 }
 
 /// Calls are taken out of a block before it comes here; these are left when another word calls,
@@ -95,7 +95,7 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
     return at_word(AlarmId::ImproperGCode, word,
                    fmt::format("the control has no G{}", word.number));
   }
-  if (code->group != 0) {
+  if (code->group != Group::OneShot) {
     take_modal_code(control, *code, codes);
   } else if (code->action == GAction::ExactStop) {
     control.stops_exactly = true;
@@ -109,7 +109,7 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
 /// revolution counts hundredths of a mm, or thousandths with parameter 1405.1 (inch: a tenth of
 /// that).
 double feed_of(const Control& control, const EvaluatedWord& word) {
-  const bool counts = control.modal.group[5].whole == 95 &&
+  const bool counts = control.modal.group[Group::FeedMode].whole == 95 &&
                       word.form == syntax::ValueForm::Integer && !control.scale.calculator_point;
   if (!counts) {
     return word.number;
@@ -164,7 +164,7 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
 int group_of(const EvaluatedWord& word) {
   const auto number = g_number(word.number);
   const GCode* const code = number ? find_g_code(*number) : nullptr;
-  return code != nullptr ? code->group : 0;
+  return code != nullptr ? static_cast<int>(code->group) : 0;
 }
 
 /// An address twice, or two G codes of one group (MB-014); several M are no repeat.
@@ -208,7 +208,8 @@ Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
       }
     }
   }
-  const auto unit = control.modal.group[6].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;
+  const auto unit =
+      control.modal.group[Group::Unit].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;
   if (unit != control.scale.unit) {
     control.set_unit(unit);
   }

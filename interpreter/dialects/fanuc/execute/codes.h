@@ -25,7 +25,7 @@ bool commands_motion(const BlockWords& words);
 Result<Codes, Failure> take_words(Control& control, const BlockWords& words);
 
 inline bool in_canned_cycle(const Control& control) {
-  return control.modal.group[9].whole != 80;
+  return control.modal.group[Group::CannedCycle].whole != 80;
 }
 
 }  // namespace g31::fanuc

@@ -138,7 +138,7 @@ MaybeFailure pause(Control& control, double seconds) {
 }
 
 MaybeFailure read_compensation(Control& control, const NcBlock& block) {
-  const int code = control.modal.group[7].whole;
+  const int code = control.modal.group[Group::CutterCompensation].whole;
   CutterStage& cutter = control.cutter;
   if (code == 40 && !cutter.compensation.engaged()) {
     return std::nullopt;

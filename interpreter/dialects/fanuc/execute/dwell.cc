@@ -5,7 +5,8 @@ namespace g31::fanuc {
 namespace {
 
 bool counts_turns(const Control& control) {
-  return control.modal.group[5].whole == 95 && control.parameters.is_on(ParameterId::DwellInTurns);
+  return control.modal.group[Group::FeedMode].whole == 95 &&
+         control.parameters.is_on(ParameterId::DwellInTurns);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ Result<double, Failure> feed_in_force(const Control& control) {
     return block_failure(AlarmId::NoFeed);
   }
   const double feed = control.to_mm(control.modal.feed);
-  if (control.modal.group[5].whole != 95) {
+  if (control.modal.group[Group::FeedMode].whole != 95) {
     return feed;
   }
   const double revolutions_per_minute = control.modal.words['S' - 'A'];
@@ -78,8 +78,9 @@ Result<double, Failure> feed_in_force(const Control& control) {
 double switched_feed(const Control& control, double feed_mm_min) {
   constexpr int kOverrideOff = 1 << 1;  // of #3004
   const auto& modal = control.modal;
-  const bool taps =
-      modal.group[15].whole == 63 || modal.group[9].whole == 74 || modal.group[9].whole == 84;
+  const bool taps = modal.group[Group::CuttingMode].whole == 63 ||
+                    modal.group[Group::CannedCycle].whole == 74 ||
+                    modal.group[Group::CannedCycle].whole == 84;
   const runtime::FeedSwitches& switches = control.feed_switches;
   if (switches.dry_run_mm_min > 0.0 && !taps) {
     return switches.dry_run_mm_min;
@@ -106,7 +107,7 @@ MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Tr
 }
 
 MaybeFailure execute_motion(Control& control, const NcBlock& block) {
-  const int g = control.modal.group[1].whole;
+  const int g = control.modal.group[Group::Motion].whole;
   if (g == 2 || g == 3) {
     return execute_arc(control, block);
   }
@@ -130,7 +131,7 @@ MaybeFailure execute_machine_move(Control& control, const NcBlock& block) {
       q_M_end[static_cast<Eigen::Index>(axis)] = axis_value(control, *word, axis);
     }
   }
-  const int g = control.modal.group[1].whole == 1 ? 1 : 0;
+  const int g = control.modal.group[Group::Motion].whole == 1 ? 1 : 0;
   const auto traverse = g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
   auto failure = move_to(control, q_M_end, traverse, g);
   control.coordinates.arrived_at_machine(control.port.position());

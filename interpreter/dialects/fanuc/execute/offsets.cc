@@ -32,7 +32,7 @@ MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumb
     }
     which = Coordinates::kSystems + number.value();
     control.modal.additional_system = number.value();
-    control.modal.group[14] = {54, 1};
+    control.modal.group[Group::WorkSystem] = {54, 1};
   }
   if (!control.expected_systems.empty() && !control.expected_systems.contains(which)) {
     return missing(source::DiagnosticId::SetupMissingOffset,
@@ -46,7 +46,7 @@ MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumb
 
 /// G43, G44, G49, and H, which waits for one of the first two under G49 (MB-135, MB-295, MB-296).
 MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
-  const int code = control.modal.group[8].whole;
+  const int code = control.modal.group[Group::ToolLength].whole;
   if (const EvaluatedWord* const h = words.find('H')) {
     const auto number = integer_of(*h);
     if (!number) {

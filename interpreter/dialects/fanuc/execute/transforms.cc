@@ -71,7 +71,7 @@ MaybeFailure execute_mirror_off(Control& control, const NcBlock& block) {
     }
     still_mirrored = still_mirrored || at;
   }
-  control.modal.group[22] = still_mirrored ? GNumber{51, 1} : GNumber{50, 1};
+  control.modal.group[Group::Mirror] = still_mirrored ? GNumber{51, 1} : GNumber{50, 1};
   apply(control);
   return std::nullopt;
 }

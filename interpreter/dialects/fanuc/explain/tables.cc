@@ -57,10 +57,10 @@ std::optional<double> number_in(std::string_view text) {
 
 Entry entry_of(const GCode& code, const Profile& profile) {
   Entry entry{"G code", to_text(code.number), std::string(code.text), {}};
-  if (code.group == 0) {
+  if (code.group == Group::OneShot) {
     entry.facts.push_back({"in force", "in its own block only"});
   } else {
-    const auto shown = std::ranges::find(profile.modal_layout, code.group);
+    const auto shown = std::ranges::find(profile.modal_layout, static_cast<int>(code.group));
     entry.facts.push_back({"in force", "until another code of its group"});
     if (shown != profile.modal_layout.end()) {
       entry.facts.push_back(

@@ -190,7 +190,8 @@ MaybeFailure Runner::set_modal_call(const EvaluatedWord& code) {
                    fmt::format("modal calls nest at most {} deep", control_.profile.calls.macros));
   }
   frame().modal_calls.push_back(std::move(call));
-  control_.modal.group[12] = {66, static_cast<std::int8_t>(code.number != 66.0 ? 1 : 0)};
+  control_.modal.group[Group::ModalCall] = {66,
+                                            static_cast<std::int8_t>(code.number != 66.0 ? 1 : 0)};
   return std::nullopt;
 }
 
@@ -202,7 +203,7 @@ MaybeFailure Runner::cancel_modal_call(const EvaluatedWord& code) {
   if (!calls.empty()) {
     calls.pop_back();
   }
-  control_.modal.group[12] = calls.empty() ? GNumber{67, 0} : GNumber{66, 0};
+  control_.modal.group[Group::ModalCall] = calls.empty() ? GNumber{67, 0} : GNumber{66, 0};
   return std::nullopt;
 }
 

@@ -49,12 +49,26 @@ VariableGroups variable_groups(const Profile& profile, const Parameters& paramet
 }  // namespace
 
 Modal::Modal() {
-  constexpr std::pair<int, GNumber> kPowerOn[] = {
-      {1, {0, 0}},   {2, {17, 0}},  {3, {90, 0}},  {4, {22, 0}},  {5, {94, 0}},  {6, {21, 0}},
-      {7, {40, 0}},  {8, {49, 0}},  {9, {80, 0}},  {10, {98, 0}}, {11, {50, 0}}, {12, {67, 0}},
-      {13, {97, 0}}, {14, {54, 0}}, {15, {64, 0}}, {16, {69, 0}}, {17, {15, 0}}, {22, {50, 1}}};
-  for (const auto& [number, code] : kPowerOn) {
-    group[static_cast<std::size_t>(number)] = code;
+  constexpr std::pair<Group, GNumber> kPowerOn[] = {{Group::Motion, {0, 0}},
+                                                    {Group::Plane, {17, 0}},
+                                                    {Group::Distance, {90, 0}},
+                                                    {Group::StrokeCheck, {22, 0}},
+                                                    {Group::FeedMode, {94, 0}},
+                                                    {Group::Unit, {21, 0}},
+                                                    {Group::CutterCompensation, {40, 0}},
+                                                    {Group::ToolLength, {49, 0}},
+                                                    {Group::CannedCycle, {80, 0}},
+                                                    {Group::CycleReturn, {98, 0}},
+                                                    {Group::Scaling, {50, 0}},
+                                                    {Group::ModalCall, {67, 0}},
+                                                    {Group::SpindleMode, {97, 0}},
+                                                    {Group::WorkSystem, {54, 0}},
+                                                    {Group::CuttingMode, {64, 0}},
+                                                    {Group::Rotation, {69, 0}},
+                                                    {Group::Polar, {15, 0}},
+                                                    {Group::Mirror, {50, 1}}};
+  for (const auto& [which, code] : kPowerOn) {
+    group[which] = code;
   }
 }
 
@@ -110,7 +124,7 @@ void Control::warn_once(source::DiagnosticId id, source::Location where, std::st
 
 machine::BlockEnd Control::feed_end() const {
   constexpr int kNoExactStop = 4;
-  const bool exact = stops_exactly || modal.group[15].whole == 61;
+  const bool exact = stops_exactly || modal.group[Group::CuttingMode].whole == 61;
   return exact && (override_control & kNoExactStop) == 0 ? machine::BlockEnd::ExactStop
                                                          : machine::BlockEnd::PassOn;
 }
@@ -136,7 +150,7 @@ void Control::choose_system_variables() {
 }
 
 void Control::set_unit(LengthUnit unit) {
-  modal.group[6] = {static_cast<std::int16_t>(unit == LengthUnit::Inch ? 20 : 21), 0};
+  modal.group[Group::Unit] = {static_cast<std::int16_t>(unit == LengthUnit::Inch ? 20 : 21), 0};
   scale.unit = unit;
   observer.on_length_unit(unit);
 }

@@ -42,7 +42,7 @@ namespace g31::fanuc {
 /// What stays in force from block to block.
 struct Modal {
   /// By group; the power-on state of MB 0.1: G00 G17 G90 G94 G21 G40 G49 G80 G98 G54 G64.
-  std::array<GNumber, kGroupCount> group{};
+  GroupCodes group;
   double feed = 0.0;  ///< in the unit in force per minute; 0: none was ever given
   /// The last word of each letter, as #4102 to #4120 show it.
   std::array<double, 26> words{};  ///< by letter - A
@@ -51,8 +51,8 @@ struct Modal {
   int additional_system = 0;  ///< P of G54.1, 0 in G54..G59
 
   Modal();
-  [[nodiscard]] bool incremental() const { return group[3].whole == 91; }
-  [[nodiscard]] Plane plane() const { return plane_of(group[2]); }
+  [[nodiscard]] bool incremental() const { return group[Group::Distance].whole == 91; }
+  [[nodiscard]] Plane plane() const { return plane_of(group[Group::Plane]); }
 };
 
 /// What the blocks from G10 to G11 are (MB-260).

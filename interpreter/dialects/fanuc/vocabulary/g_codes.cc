@@ -9,7 +9,8 @@ namespace g31::fanuc {
 namespace {
 
 constexpr auto kGCodeRows = std::to_array<GCode>({
-#define G_CODE(whole, tenth, group, action, text) {{whole, tenth}, group, GAction::action, text},
+#define G_CODE(whole, tenth, group, action, text) \
+  {{whole, tenth}, Group::group, GAction::action, text},
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.def"
 #undef G_CODE
 });

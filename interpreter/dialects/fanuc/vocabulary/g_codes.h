@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "machine/base/indexed_by.h"
+
 namespace g31::fanuc {
 
 inline constexpr int kWorkSystems = 6;  ///< G54 to G59
@@ -45,6 +47,14 @@ enum class GAction : std::uint8_t {
   SurfaceSpeed,
 };
 
+/// Groups of modal codes; the value is n of #4000+n, which shows the code in force.
+enum class Group : std::uint8_t {
+  OneShot = 0,  ///< none: in its own block only, shown nowhere
+#define G_GROUP(name, number, text) name = number,
+#include "interpreter/dialects/fanuc/vocabulary/g_groups.def"
+#undef G_GROUP
+};
+
 /// A G number as it is written: 54.1 is {54, 1}.
 struct GNumber {
   std::int16_t whole = 0;
@@ -62,12 +72,15 @@ std::optional<GNumber> g_number(double value);
 /// One row of g_codes.def.
 struct GCode {
   GNumber number;
-  int group;  ///< n of #4000+n, 0: one-shot
+  Group group;
   GAction action;
   std::string_view text;
 };
 
 inline constexpr int kGroupCount = 32;
+
+/// The code in force of each group.
+using GroupCodes = IndexedBy<Group, GNumber, kGroupCount>;
 
 /// All rows, rising.
 std::span<const GCode> g_codes();

@@ -10,48 +10,45 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr int kToolFrameGroup = 53;
-constexpr int kOneBlockGroups[] = {2, 3, 9, 11};
-
 /// Another feed type wants a new F; behind G96 the spindle stays at the speed it has.
 void change_feed_type(Channel& channel, int before) {
-  if (feed_meaning(before) != feed_meaning(channel.group[15])) {
+  if (feed_meaning(before) != feed_meaning(channel.group[Group::FeedType])) {
     channel.feed = 0.0;
   }
-  if (cuts_at_constant_speed(before) && !cuts_at_constant_speed(channel.group[15])) {
-    const int now = std::exchange(channel.group[15], before);
+  if (cuts_at_constant_speed(before) && !cuts_at_constant_speed(channel.group[Group::FeedType])) {
+    const int now = std::exchange(channel.group[Group::FeedType], before);
     channel.spindle.speed = spindle_speed(channel, channel.present()[kTransverseAxis]);
-    channel.group[15] = now;
+    channel.group[Group::FeedType] = now;
   }
 }
 
 /// Sets the groups of the block's codes.
 void take_codes(Channel& channel, const Block& block) {
-  for (const int group : kOneBlockGroups) {
-    channel.group[static_cast<std::size_t>(group)] = 0;
+  for (const Group group : kOneBlockGroups) {
+    channel.group[group] = 0;
   }
-  const int unit_before = channel.group[13];
-  const int feed_before = channel.group[15];
+  const int unit_before = channel.group[Group::Unit];
+  const int feed_before = channel.group[Group::FeedType];
   for (const std::uint16_t bits : block.codes) {
     const FoundCode code = unpacked(bits);
     const GCode& row = g_codes()[code.row];
-    int& group = channel.group[static_cast<std::size_t>(row.group)];
+    int& group = channel.group[row.group];
     const bool changes = group != row.number + code.beyond;
     group = row.number + code.beyond;
-    if (row.group == 8) {
+    if (row.group == Group::SettableFrame) {
       channel.take_stored_frames();
-    } else if (changes && row.group == 6) {
+    } else if (changes && row.group == Group::Plane) {
       channel.frames_changed();
     }
   }
-  channel.suppression = channel.group[9];
+  channel.suppression = channel.group[Group::FrameSuppression];
   if (channel.suppression != 0) {
     channel.frames_changed();
   }
-  if (channel.group[15] != feed_before) {
+  if (channel.group[Group::FeedType] != feed_before) {
     change_feed_type(channel, feed_before);
   }
-  if (channel.group[13] != unit_before) {
+  if (channel.group[Group::Unit] != unit_before) {
     channel.observer.on_length_unit(channel.mm_per_length() == 1.0 ? LengthUnit::Millimetre
                                                                    : LengthUnit::Inch);
   }
@@ -126,7 +123,7 @@ bool has_place(const Block& block) {
 
 /// The code that takes the block's axis words for something else than a motion of the path.
 const GCode* special_code(const Block& block) {
-  for (const int group : {2, 3}) {
+  for (const Group group : {Group::OneBlock, Group::ProgrammableFrame}) {
     const GCode* const code = block.code_of(group);
     if (code != nullptr && special_of(code->action) != nullptr) {
       return code;
@@ -136,10 +133,8 @@ const GCode* special_code(const Block& block) {
 }
 
 bool is_circle(int motion) {
-  constexpr int kClockwise = 3;
-  constexpr int kThroughPoint = 5;
-  constexpr int kTangential = 15;
-  return (motion >= kClockwise && motion <= kThroughPoint) || motion == kTangential;
+  return motion == number_in_group("G2") || motion == number_in_group("G3") ||
+         motion == number_in_group("CIP") || motion == number_in_group("CT");
 }
 
 /// ANG is of straight lines, and a line that waits for its end wants such a one next.
@@ -150,7 +145,8 @@ MaybeFailure judge_lines(Channel& channel, const Block& block) {
   }
   const bool listens = listens_to_probe(channel, block);
   const bool is_special = special_code(block) != nullptr;
-  if (has_angle && (listens || is_special || is_polar(block) || is_circle(channel.group[1]))) {
+  if (has_angle &&
+      (listens || is_special || is_polar(block) || is_circle(channel.group[Group::Motion]))) {
     return failure(AlarmId::BadSyntax, "ANG is the angle of a straight line, without AP and RP");
   }
   const bool acts = commands_motion(block) || listens || is_special || block.words.has_positioning;
@@ -161,9 +157,11 @@ MaybeFailure judge_lines(Channel& channel, const Block& block) {
 /// Whether a block says something that would count for the line in front of it, too, were it only
 /// travelled now: frames, units, feed type, tool.
 bool changes_held_line(const Block& block) {
-  constexpr int kGroups[] = {3, 6, 8, 9, 13, 15, kToolFrameGroup};
+  constexpr Group kGroups[] = {Group::ProgrammableFrame, Group::Plane, Group::SettableFrame,
+                               Group::FrameSuppression,  Group::Unit,  Group::FeedType,
+                               Group::ToolRotation};
   constexpr Address kAddresses[] = {Address::Tool, Address::Edge, Address::Additive};
-  return std::ranges::any_of(kGroups, [&](int g) { return block.code_of(g) != nullptr; }) ||
+  return std::ranges::any_of(kGroups, [&](Group g) { return block.code_of(g) != nullptr; }) ||
          std::ranges::any_of(kAddresses, [&](Address a) { return block.words.has(a); });
 }
 
@@ -182,7 +180,8 @@ MaybeFailure move(Channel& channel, const Block& block) {
   if (listens_to_probe(channel, block)) {
     return measure(channel, block);
   }
-  if (is_circle(channel.group[1]) && (has_place(block) || has_centre(block, channel.plane()))) {
+  if (is_circle(channel.group[Group::Motion]) &&
+      (has_place(block) || has_centre(block, channel.plane()))) {
     return move_along_circle(channel, block);
   }
   return has_place(block) ? move_straight(channel, block) : std::nullopt;
@@ -190,7 +189,7 @@ MaybeFailure move(Channel& channel, const Block& block) {
 
 }  // namespace
 
-const GCode* Block::code_of(int group) const {
+const GCode* Block::code_of(Group group) const {
   for (const std::uint16_t bits : codes) {
     const GCode& row = g_codes()[unpacked(bits).row];
     if (row.group == group) {
@@ -210,7 +209,7 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
   }
   channel.clocks.block_began = channel.port.time_s();
   take_codes(channel, block);
-  if (const GCode* const code = block.code_of(kToolFrameGroup)) {
+  if (const GCode* const code = block.code_of(Group::ToolRotation)) {
     turn_to_tool(channel, *code);
   }
   if (MaybeFailure wrong = refuse_unknown(block)) {

@@ -15,9 +15,9 @@ constexpr double kEndTolerance = 0.01;  // mm, as $MC_CIRCLE_ERROR_CONST
 constexpr double kNothing = 1e-9;
 
 // Numbers of group 1.
-constexpr int kClockwise = 3;
-constexpr int kThroughPoint = 5;
-constexpr int kTangential = 15;
+constexpr int kClockwise = number_in_group("G2");
+constexpr int kThroughPoint = number_in_group("CIP");
+constexpr int kTangential = number_in_group("CT");
 
 constexpr Address kCentre[] = {Address::CentreX, Address::CentreY, Address::CentreZ};
 constexpr Address kMiddle[] = {Address::MiddleX, Address::MiddleY, Address::MiddleZ};
@@ -171,7 +171,8 @@ AxisPositions middle_of(const Channel& channel, const Block& block,
   for (int axis = 0; axis < kLinearAxisCount; ++axis) {
     const BlockWords::Word& word = block.words[kMiddle[axis]];
     const bool adds = word.modification == Modification::Incremental ||
-                      (word.modification == Modification::None && channel.group[14] == 2);
+                      (word.modification == Modification::None &&
+                       channel.group[Group::Distance] == number_in_group("G91"));
     const double value = channel.stored_place(
         axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute);
     if (word.present) {
@@ -185,7 +186,7 @@ bool is_spatial(const Channel& channel, const Block& block, const AxisPositions&
                 const AxisPositions& q_W_end) {
   const int normal = channel.plane().normal;
   const double middle = middle_of(channel, block, q_W_start)[normal];
-  return channel.group[1] == kThroughPoint && block.words.has(kMiddle[normal]) &&
+  return channel.group[Group::Motion] == kThroughPoint && block.words.has(kMiddle[normal]) &&
          (middle != q_W_start[normal] || q_W_end[normal] != q_W_start[normal]);
 }
 
@@ -194,13 +195,14 @@ Result<Circle, Failure> programmed_circle(Channel& channel, const Block& block,
   const AxisPositions q_W_start = channel.present();
   Circle circle;
   circle.plane = channel.plane();
-  circle.turn = channel.group[1] == kClockwise ? Turn::Clockwise : Turn::Counterclockwise;
+  circle.turn =
+      channel.group[Group::Motion] == kClockwise ? Turn::Clockwise : Turn::Counterclockwise;
   circle.start = in_plane(q_W_start, circle.plane);
   circle.end = in_plane(q_W_end, circle.plane);
   MaybeFailure wrong;
-  if (channel.group[1] == kThroughPoint) {
+  if (channel.group[Group::Motion] == kThroughPoint) {
     wrong = through_middle(in_plane(middle_of(channel, block, q_W_start), circle.plane), circle);
-  } else if (channel.group[1] == kTangential) {
+  } else if (channel.group[Group::Motion] == kTangential) {
     wrong = tangential(channel, circle);
   } else {
     wrong = find_centre(channel, block, circle, q_W_end);

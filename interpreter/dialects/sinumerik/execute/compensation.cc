@@ -11,13 +11,12 @@ using path::CompensationCommand;
 using path::CompensationRules;
 using State = CompensationCommand::State;
 
-// Numbers of groups 7, 16, 17 and 18.
-constexpr int kOff = 1;
-constexpr int kRight = 3;
-constexpr int kFeedAtTool = 2;    // CFTCP
-constexpr int kFeedInside = 3;    // CFIN
-constexpr int kRoundCorners = 2;  // KONT
-constexpr int kIntersection = 2;  // G451
+constexpr int kOff = number_in_group("G40");
+constexpr int kRight = number_in_group("G42");
+constexpr int kFeedAtTool = number_in_group("CFTCP");
+constexpr int kFeedInside = number_in_group("CFIN");
+constexpr int kRoundCorners = number_in_group("KONT");
+constexpr int kIntersection = number_in_group("G451");
 
 /// How far directions and scales may differ by rounding.
 constexpr double kSame = 1e-12;
@@ -38,21 +37,23 @@ CompensationRules::ArcFeed arc_feed_of(int number) {
 
 CompensationRules rules_of(const Channel& channel) {
   CompensationRules rules;
-  rules.start_up = channel.group[17] == kRoundCorners ? path::StartUp::TypeB : path::StartUp::TypeA;
+  rules.start_up =
+      channel.group[Group::Approach] == kRoundCorners ? path::StartUp::TypeB : path::StartUp::TypeA;
   rules.idle_limit = kNoIdleLimit;
-  rules.outside = channel.group[18] == kIntersection ? path::OutsideCorner::Intersection
-                                                     : path::OutsideCorner::Arc;
-  rules.arc_feed = arc_feed_of(channel.group[16]);
+  rules.outside = channel.group[Group::OutsideCorner] == kIntersection
+                      ? path::OutsideCorner::Intersection
+                      : path::OutsideCorner::Arc;
+  rules.arc_feed = arc_feed_of(channel.group[Group::ArcFeed]);
   return rules;
 }
 
 bool is_side(std::uint16_t bits) {
-  return g_codes()[unpacked(bits).row].group == 7;
+  return g_codes()[unpacked(bits).row].group == Group::RadiusCompensation;
 }
 
 /// Moves that are no part of a contour: the compensation ends in front of them.
 bool leaves(const Channel& channel, const Block& block) {
-  const GCode* const special = block.code_of(2);
+  const GCode* const special = block.code_of(Group::OneBlock);
   const bool to_point = special != nullptr && (special->action == GAction::Reference ||
                                                special->action == GAction::FixedPoint);
   return to_point || channel.suppression != 0 || listens_to_probe(channel, block);
@@ -60,11 +61,12 @@ bool leaves(const Channel& channel, const Block& block) {
 
 Result<CompensationCommand, Failure> command_of(const Channel& channel, const Block& block) {
   CompensationCommand command;
-  const bool on = channel.group[7] != kOff && channel.edge != 0;
-  if (channel.group[7] != kOff && channel.tool == 0) {
+  const bool on = channel.group[Group::RadiusCompensation] != kOff && channel.edge != 0;
+  if (channel.group[Group::RadiusCompensation] != kOff && channel.tool == 0) {
     return failure(AlarmId::CompensationWithoutTool);
   }
-  if (on && channel.group[17] == kRoundCorners && channel.group[18] == kIntersection) {
+  if (on && channel.group[Group::Approach] == kRoundCorners &&
+      channel.group[Group::OutsideCorner] == kIntersection) {
     return failure(AlarmId::NotImplemented, "KONT with G451");
   }
   const PlaneInMachine plane = plane_in_machine(channel);
@@ -74,7 +76,7 @@ Result<CompensationCommand, Failure> command_of(const Channel& channel, const Bl
   command.state = on ? State::On : State::Off;
   command.plane = {channel.plane().first, channel.plane().second};
   // A mirrored path has its part on the other side.
-  const bool right = (channel.group[7] == kRight) != plane.is_mirrored;
+  const bool right = (channel.group[Group::RadiusCompensation] == kRight) != plane.is_mirrored;
   command.offset = right ? -channel.tool_radius() : channel.tool_radius();
   const auto& codes = block.codes;
   command.written = std::any_of(codes.begin(), codes.end(), is_side)
@@ -107,11 +109,11 @@ MaybeFailure read_compensation(Channel& channel, const Block& block) {
   if (leaves(channel, block)) {
     return leave_compensation(channel);
   }
-  const bool begins_or_ends = block.code_of(7) != nullptr;
+  const bool begins_or_ends = block.code_of(Group::RadiusCompensation) != nullptr;
   if (MaybeFailure wrong = begins_or_ends ? finish_corners(channel) : std::nullopt) {
     return wrong;
   }
-  if (channel.group[7] == kOff && !cutter.compensation.engaged()) {
+  if (channel.group[Group::RadiusCompensation] == kOff && !cutter.compensation.engaged()) {
     return std::nullopt;
   }
   const auto command = command_of(channel, block);

@@ -21,7 +21,8 @@ PlaneVector direction_of(double degrees) {
 
 bool adds(const Channel& channel, const BlockWords::Word& word) {
   return word.modification == Modification::Incremental ||
-         (word.modification == Modification::None && channel.group[14] == 2);
+         (word.modification == Modification::None &&
+          channel.group[Group::Distance] == number_in_group("G91"));
 }
 
 Failure undetermined(double degrees) {
@@ -111,7 +112,8 @@ MaybeFailure hold_line(Channel& channel, const Block& block) {
   if (channel.held_line) {
     return line_without_end(channel);
   }
-  if (channel.group[1] > 2) {
+  const int motion = channel.group[Group::Motion];
+  if (motion != number_in_group("G0") && motion != number_in_group("G1")) {
     return failure(AlarmId::BadSyntax, "ANG alone goes with G0 and G1");
   }
   HeldLine line;
@@ -123,7 +125,7 @@ MaybeFailure hold_line(Channel& channel, const Block& block) {
   line.q_W_end = q_W_end.value();
   line.feed =
       block.words.has(Address::BlockFeed) ? block.words[Address::BlockFeed].value : channel.feed;
-  line.g = channel.group[1] == 1 ? 0 : 1;
+  line.g = motion == number_in_group("G0") ? 0 : 1;
   line.ends = block_end(channel);
   line.where = block.where;
   line.wish = channel.corners.wish;

@@ -65,7 +65,7 @@ MaybeFailure read_corner(Channel& channel, const Block& block) {
   corners.wish.size_mm *= plane.scale;
   const double feed =
       words.has(Address::CornerFeed) ? words[Address::CornerFeed].value : corners.modal_feed;
-  if (feed > 0.0 && feed_meaning(channel.group[15]) != FeedMeaning::InverseTime) {
+  if (feed > 0.0 && feed_meaning(channel.group[Group::FeedType]) != FeedMeaning::InverseTime) {
     FeedWay way;
     way.feed = feed;
     way.radius_from_mm = way.radius_to_mm = channel.present()[kTransverseAxis];

@@ -12,7 +12,7 @@ struct Block {
   source::Location where;
 
   /// The row of a group that stands in this block; nullptr: none.
-  [[nodiscard]] const GCode* code_of(int group) const;
+  [[nodiscard]] const GCode* code_of(Group group) const;
 };
 
 /// Whether the block moves along the path; in a block of TRANS, say, axis words do not.

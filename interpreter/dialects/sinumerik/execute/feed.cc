@@ -9,11 +9,11 @@ namespace g31::sinumerik {
 namespace {
 
 // Numbers of group 15.
-constexpr int kInverseTime = 1;          // G93
-constexpr int kPerMinute = 2;            // G94
-constexpr int kCutting = 4;              // G96
-constexpr int kCuttingPerMinute = 7;     // G961
-constexpr int kPerMinuteAfterwards = 8;  // G971
+constexpr int kInverseTime = number_in_group("G93");
+constexpr int kPerMinute = number_in_group("G94");
+constexpr int kCutting = number_in_group("G96");
+constexpr int kCuttingPerMinute = number_in_group("G961");
+constexpr int kPerMinuteAfterwards = number_in_group("G971");
 
 constexpr double kMmPerMetre = 1000.0;
 
@@ -88,7 +88,7 @@ FeedMeaning feed_meaning(int feed_type) {
 double spindle_speed(const Channel& channel, double radius_mm) {
   const Spindle& spindle = channel.spindle;
   const double share = spindle.override_percent / 100.0;
-  if (!cuts_at_constant_speed(channel.group[15])) {
+  if (!cuts_at_constant_speed(channel.group[Group::FeedType])) {
     return spindle.speed <= 0.0
                ? 0.0
                : std::clamp(spindle.speed * share, std::min(spindle.lowest, spindle.highest),
@@ -139,7 +139,7 @@ double switched(const Channel& channel, double feed_mm_min) {
 
 Result<double, Failure> feed_in_force(const Channel& channel, const Block& block,
                                       const FeedWay& way) {
-  const int type = channel.group[15];
+  const int type = channel.group[Group::FeedType];
   const double feed = way.feed * channel.mm_per_feed() * way.share;
   if (feed_meaning(type) == FeedMeaning::InverseTime) {
     if (!(way.feed > 0.0) || !block.words.has(Address::Feed)) {

@@ -8,7 +8,7 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr int kAreaOn = 1;  // of group 28: WALIMON
+constexpr int kAreaOn = number_in_group("WALIMON");
 constexpr double kSlack = 1e-6;
 
 }  // namespace
@@ -31,7 +31,7 @@ MaybeFailure limit(Channel& channel, const Block& block, const GCode& code) {
 }
 
 MaybeFailure outside_working_area(const Channel& channel, const AxisPositions& q_M_end) {
-  if (!channel.working_area.is_set || channel.group[28] != kAreaOn) {
+  if (!channel.working_area.is_set || channel.group[Group::WorkingArea] != kAreaOn) {
     return std::nullopt;
   }
   const AxisPositions q_tip = q_M_end - channel.tool_offset();

@@ -89,10 +89,10 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Bloc
                                                     const AxisPositions& q_W_end) {
   machine::LinearMove move;
   move.q_M_end = channel.to_machine(q_W_end);
-  if (channel.group[1] == 1) {
+  if (channel.group[Group::Motion] == number_in_group("G0")) {
     return move;
   }
-  if (channel.group[1] != 2) {
+  if (channel.group[Group::Motion] != number_in_group("G1")) {
     return failure(AlarmId::NotImplemented, "MEAS on a circle");
   }
   const double length = feed_length(channel.port.position(), move.q_M_end);

@@ -9,9 +9,13 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr double kTurn = 360.0;
-constexpr int kRapid = 1;        // of group 1: G0
-constexpr int kThread = 10;      // G33, G331, G332
-constexpr int kTangential = 15;  // CT
+constexpr int kRapid = number_in_group("G0");
+constexpr int kIncremental = number_in_group("G91");
+
+bool is_thread(int motion) {
+  return motion == number_in_group("G33") || motion == number_in_group("G331") ||
+         motion == number_in_group("G332");
+}
 constexpr Address kLeads[] = {Address::CentreX, Address::CentreY, Address::CentreZ};
 
 /// The nearest place of a rotary axis at `angle` that the modification allows.
@@ -58,7 +62,8 @@ Result<double, Failure> programmed_place(const Channel& channel, int axis,
     return failure(AlarmId::BadModification,
                    fmt::format("{} is no rotary axis", kAxisLetters[axis]));
   }
-  const bool incremental = channel.group[14] == 2 && channel.suppression == 0;
+  const bool incremental =
+      channel.group[Group::Distance] == kIncremental && channel.suppression == 0;
   const bool adds = word.modification == Modification::Incremental ||
                     (word.modification == Modification::None && incremental);
   const double value = channel.stored_place(
@@ -96,7 +101,8 @@ Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& blo
 }
 
 machine::BlockEnd block_end(const Channel& channel) {
-  const bool stops = channel.group[11] == 1 || channel.group[10] == 1;
+  const bool stops = channel.group[Group::ExactStop] == number_in_group("G9") ||
+                     channel.group[Group::BlockTransition] == number_in_group("G60");
   return stops ? machine::BlockEnd::ExactStop : machine::BlockEnd::PassOn;
 }
 
@@ -116,15 +122,16 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
   path::PathBlock path;
   path.q_M_end = channel.to_machine(q_W_end.value());
   path.where = block.where;
-  path.g = channel.group[1] == kRapid && block.code_of(2) == nullptr ? 0 : 1;
+  path.g =
+      channel.group[Group::Motion] == kRapid && block.code_of(Group::OneBlock) == nullptr ? 0 : 1;
   if (path.g == 1) {
     const AxisPositions q_M_start = channel.machine_position();
-    const bool is_thread = channel.group[1] >= kThread && channel.group[1] < kTangential &&
-                           block.code_of(2) == nullptr;  // G63 has F
-    const auto feed = is_thread ? thread_feed(channel, block, path.q_M_end - q_M_start)
-                                : feed_in_force(channel, block,
-                                                feed_way(channel, block, q_W_end.value(),
-                                                         feed_length(q_M_start, path.q_M_end)));
+    const bool has_lead = is_thread(channel.group[Group::Motion]) &&
+                          block.code_of(Group::OneBlock) == nullptr;  // G63 has F
+    const auto feed = has_lead ? thread_feed(channel, block, path.q_M_end - q_M_start)
+                               : feed_in_force(channel, block,
+                                               feed_way(channel, block, q_W_end.value(),
+                                                        feed_length(q_M_start, path.q_M_end)));
     if (!feed) {
       return feed.error();
     }

@@ -19,16 +19,16 @@ constexpr int kPositioned = -19;  // of $P_SDIR
 
 /// F and S mean something else with G4, G25 and G26.
 bool is_technology(const Block& block) {
-  const GCode* const special = block.code_of(2);
-  const GCode* const limits = block.code_of(3);
+  const GCode* const special = block.code_of(Group::OneBlock);
+  const GCode* const limits = block.code_of(Group::ProgrammableFrame);
   const bool dwells = special != nullptr && special->action == GAction::Dwell;
   return !dwells && (limits == nullptr || (limits->action != GAction::LowerLimit &&
                                            limits->action != GAction::UpperLimit));
 }
 
 void take_speed(Channel& channel, double value) {
-  (cuts_at_constant_speed(channel.group[15]) ? channel.spindle.cutting_speed
-                                             : channel.spindle.speed) = value;
+  (cuts_at_constant_speed(channel.group[Group::FeedType]) ? channel.spindle.cutting_speed
+                                                          : channel.spindle.speed) = value;
 }
 
 void orient(Channel& channel, double degrees) {

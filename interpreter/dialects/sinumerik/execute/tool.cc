@@ -10,7 +10,7 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr double kToolChange = 6.0;  // M6
-constexpr int kPerRevolution = 3;    // of group 15: G95
+constexpr int kPerRevolution = number_in_group("G95");
 constexpr double kMmPerMetre = 1000.0;
 constexpr int kPerAdditive = 10;     // numbers of $TC_SCP for one DL,
 constexpr int kFirstOfAdditive = 3;  // behind the tenfold of which its parameters begin
@@ -104,7 +104,7 @@ MaybeFailure select_additive(Channel& channel, double number) {
 
 /// FZ
 MaybeFailure take_tooth_feed(Channel& channel, double per_tooth) {
-  if (channel.group[15] != kPerRevolution) {
+  if (channel.group[Group::FeedType] != kPerRevolution) {
     return failure(AlarmId::WrongFeedType, fmt::format("FZ={:g}", per_tooth));
   }
   const Tool* const tool = channel.find_tool(channel.tool);

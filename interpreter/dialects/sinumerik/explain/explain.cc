@@ -57,7 +57,10 @@ void add_language(Topics& all) {
 
 void add_words(Topics& all) {
   for (const GCode& row : g_codes()) {
-    Entry entry{"G code", text(row.name), text(row.text), {{"group", std::to_string(row.group)}}};
+    Entry entry{"G code",
+                text(row.name),
+                text(row.text),
+                {{"group", std::to_string(static_cast<int>(row.group))}}};
     if (row.action == GAction::Refused) {
       entry.facts.push_back({"here", "not yet: alarm 12140"});
     }

@@ -14,9 +14,9 @@ constexpr std::size_t kDeepestLevel = 16;  // main program included
 constexpr double kMostPasses = 9999.0;
 constexpr std::size_t kMostWritten = 10'000;  // programs that a run writes and calls: all are kept
 
-/// Groups that SAVE restores: all but the motion of one block.
-constexpr bool is_saved(int group) {
-  return group != 2 && group != 3 && group != 9 && group != 11;
+/// Groups that SAVE restores: all but those of one block.
+bool is_saved(Group group) {
+  return std::ranges::find(kOneBlockGroups, group) == std::end(kOneBlockGroups);
 }
 
 /// A number as a parameter of another type takes it.
@@ -283,7 +283,9 @@ void Runner::restore_codes(const Level& from) {
   const int settable_before = channel_.settable_number();
   for (int i = 0; i < kGroupCount; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    channel_.group[at] = is_saved(i) ? from.saved_group[at] : channel_.group[at];
+    if (is_saved(static_cast<Group>(i))) {
+      channel_.group.at(at) = from.saved_group.at(at);
+    }
   }
   if (channel_.settable_number() != settable_before) {
     channel_.take_stored_frames();

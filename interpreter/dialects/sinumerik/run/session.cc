@@ -13,7 +13,7 @@ namespace {
 /// "G54" is settable frame 1, "G505" 5, "G500" 0.
 std::optional<int> settable_in_name(const std::string& name) {
   const auto code = find_g_code(name);
-  if (!code || g_codes()[code->row].group != 8) {
+  if (!code || g_codes()[code->row].group != Group::SettableFrame) {
     return std::nullopt;
   }
   return g_codes()[code->row].number + code->beyond - 1;
@@ -27,14 +27,14 @@ Frame shifted(const AxisPositions& q) {
   return frame;
 }
 
-/// A line of the tool table as edge D1: 3 length, 6 radius, 12 and 15 their wear.
+/// A line of the tool table as edge D1.
 EdgeData edge_from(const runtime::ToolEntry& entry) {
   EdgeData edge = {};
-  edge[1] = entry.type;
-  edge[3] = entry.length_mm;
-  edge[6] = entry.radius_mm;
-  edge[12] = entry.length_wear_mm;
-  edge[15] = entry.radius_wear_mm;
+  edge[EdgeDatum::kType] = entry.type;
+  edge[EdgeDatum::kLength1] = entry.length_mm;
+  edge[EdgeDatum::kRadius] = entry.radius_mm;
+  edge[EdgeDatum::kWear1] = entry.length_wear_mm;
+  edge[EdgeDatum::kRadiusWear] = entry.radius_wear_mm;
   return edge;
 }
 

@@ -10,15 +10,12 @@ bool is_length(Component component) {
   return component == Component::Coarse || component == Component::Fine;
 }
 
-constexpr int kInch = 1;            // numbers of group 13
-constexpr int kInchAndFeed = 3;     // G700
-constexpr int kDiameterAlways = 2;  // numbers of group 29
-constexpr int kDiameterAbsolute = 3;
-constexpr std::size_t kLength1 = 3;  // of $TC_DP
-constexpr std::size_t kRadius = 6;
-constexpr std::size_t kRadiusWear = 15;
-constexpr std::size_t kAdapter1 = 21;
-constexpr std::size_t kWear1 = 12;
+constexpr int kInch = number_in_group("G70");
+constexpr int kInchAndFeed = number_in_group("G700");
+constexpr int kPlaneZx = number_in_group("G18");
+constexpr int kPlaneYz = number_in_group("G19");
+constexpr int kDiameterAlways = number_in_group("DIAMON");
+constexpr int kDiameterAbsolute = number_in_group("DIAM90");
 
 }  // namespace
 
@@ -78,29 +75,32 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       program_function_mask_(
           static_cast<std::size_t>(globals.find("$MN_PROG_FUNCTION_MASK")->place)) {
   for (int i = 0; i < kGroupCount; ++i) {
-    group[static_cast<std::size_t>(i)] = preset_number(i);
+    group.at(static_cast<std::size_t>(i)) = preset_number(static_cast<Group>(i));
   }
-  group[9] = group[11] = group[2] = group[3] = 0;
+  for (const Group one_block : kOneBlockGroups) {
+    group[one_block] = 0;
+  }
 }
 
 Plane Channel::plane() const {
-  switch (group[6]) {
-    case 2:
-      return {2, 0, 1};  // G18: Z X
-    case 3:
-      return {1, 2, 0};  // G19: Y Z
+  switch (group[Group::Plane]) {
+    case kPlaneZx:
+      return {2, 0, 1};
+    case kPlaneYz:
+      return {1, 2, 0};
     default:
       return {0, 1, 2};
   }
 }
 
 double Channel::mm_per_length() const {
-  return mm_per(group[13] == kInch || group[13] == kInchAndFeed ? LengthUnit::Inch
-                                                                : LengthUnit::Millimetre);
+  return mm_per(group[Group::Unit] == kInch || group[Group::Unit] == kInchAndFeed
+                    ? LengthUnit::Inch
+                    : LengthUnit::Millimetre);
 }
 
 double Channel::mm_per_feed() const {
-  return mm_per(group[13] == kInchAndFeed ? LengthUnit::Inch : LengthUnit::Millimetre);
+  return mm_per(group[Group::Unit] == kInchAndFeed ? LengthUnit::Inch : LengthUnit::Millimetre);
 }
 
 double Channel::stored(int axis, double value) const {
@@ -121,14 +121,15 @@ double Channel::shown_component(int axis, Component component, double value) con
 
 double Channel::stored_place(int axis, double value, Counts counts) const {
   const bool doubled =
-      axis == kTransverseAxis && (group[29] == kDiameterAlways ||
-                                  (group[29] == kDiameterAbsolute && counts == Counts::Absolute));
+      axis == kTransverseAxis &&
+      (group[Group::Diameter] == kDiameterAlways ||
+       (group[Group::Diameter] == kDiameterAbsolute && counts == Counts::Absolute));
   return stored(axis, doubled ? value / 2.0 : value);
 }
 
 double Channel::shown_place(int axis, double value) const {
-  const bool doubled =
-      axis == kTransverseAxis && (group[29] == kDiameterAlways || group[29] == kDiameterAbsolute);
+  const bool doubled = axis == kTransverseAxis && (group[Group::Diameter] == kDiameterAlways ||
+                                                   group[Group::Diameter] == kDiameterAbsolute);
   return shown(axis, doubled ? value * 2.0 : value);
 }
 
@@ -180,9 +181,9 @@ EdgeData* Channel::find_edge(int number, int which) {
 
 double Channel::tool_radius() const {
   const EdgeData* const data = active_edge();
-  return data != nullptr
-             ? (*data)[kRadius] + (*data)[kRadiusWear] + additive_now[kRadius - kLength1]
-             : 0.0;
+  return data != nullptr ? (*data)[EdgeDatum::kRadius] + (*data)[EdgeDatum::kRadiusWear] +
+                               additive_now[EdgeDatum::kRadius - EdgeDatum::kLength1]
+                         : 0.0;
 }
 
 /// Length 1 counts square to the plane, 2 and 3 in its axes: G17 Z Y X, G18 Y X Z, G19 X Z Y.
@@ -195,8 +196,8 @@ AxisPositions Channel::tool_offset() const {
   const Plane now = plane();
   const int axes[] = {now.normal, now.second, now.first};
   for (std::size_t i = 0; i < 3; ++i) {
-    offset[axes[i]] =
-        (*data)[kLength1 + i] + (*data)[kWear1 + i] + (*data)[kAdapter1 + i] + additive_now[i];
+    offset[axes[i]] = (*data)[EdgeDatum::kLength1 + i] + (*data)[EdgeDatum::kWear1 + i] +
+                      (*data)[EdgeDatum::kAdapter1 + i] + additive_now[i];
   }
   return offset;
 }

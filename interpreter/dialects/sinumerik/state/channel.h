@@ -25,7 +25,17 @@
 
 namespace g31::sinumerik {
 
-/// $TC_DP1.. of one cutting edge, by number.
+/// Numbers of $TC_DP.
+struct EdgeDatum {
+  static constexpr std::size_t kType = 1;
+  static constexpr std::size_t kLength1 = 3;  ///< to 5
+  static constexpr std::size_t kRadius = 6;
+  static constexpr std::size_t kWear1 = 12;  ///< of lengths, to 14
+  static constexpr std::size_t kRadiusWear = 15;
+  static constexpr std::size_t kAdapter1 = 21;  ///< lengths, to 23
+};
+
+/// $TC_DP1.. of one cutting edge, by EdgeDatum.
 using EdgeData = std::array<double, 26>;
 
 struct Tool {
@@ -114,8 +124,8 @@ class Channel {
   std::vector<Frame> frames;
 
   // Modal state
-  std::array<int, kGroupCount> group = {};  ///< number within the group
-  double feed = 0.0;                        ///< as programmed
+  GroupNumbers group;
+  double feed = 0.0;  ///< as programmed
   Spindle spindle;
   AxisSettings axis_settings;
   double master_spindle = 1.0;
@@ -146,7 +156,7 @@ class Channel {
   Frame program_frame;
   Eigen::Matrix3d tool_turn = Eigen::Matrix3d::Identity();  ///< what TOROT or TOFRAME made of it
   int suppression = 0;  ///< number in group 9 of the running block
-  [[nodiscard]] int settable_number() const { return group[8] - 1; }
+  [[nodiscard]] int settable_number() const { return group[Group::SettableFrame] - 1; }
   /// G500 to G599, programmed or restored: the stored frames come into force.
   void take_stored_frames() {
     settable_now = settable[static_cast<std::size_t>(settable_number())];

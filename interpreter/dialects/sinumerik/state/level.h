@@ -70,7 +70,7 @@ struct Level {
   std::vector<BoundValue> arguments;  ///< kept for further passes
   std::int32_t passes_left = 0;
   bool is_modal_call = false;
-  std::array<int, kGroupCount> saved_group = {};  ///< SAVE
+  GroupNumbers saved_group;  ///< SAVE
   Frame saved_frame;
   std::optional<Frame> saved_settable;  ///< MD10617 bit 0
 

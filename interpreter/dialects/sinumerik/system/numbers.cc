@@ -94,7 +94,7 @@ Number modal_code(Channel& channel, const SystemAccess& access) {
   if (which < 1 || which >= kGroupCount) {
     return failure(AlarmId::IndexOne, fmt::format("$P_GG[{}]", which));
   }
-  return static_cast<double>(channel.group[static_cast<std::size_t>(which)]);
+  return static_cast<double>(channel.group.at(static_cast<std::size_t>(which)));
 }
 
 Number master_spindle(Channel& channel, const SystemAccess& /*access*/) {
@@ -105,8 +105,8 @@ Number speed_programmed(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_spindle(access)) {
     return *wrong;
   }
-  return cuts_at_constant_speed(channel.group[15]) ? channel.spindle.cutting_speed
-                                                   : channel.spindle.speed;
+  return cuts_at_constant_speed(channel.group[Group::FeedType]) ? channel.spindle.cutting_speed
+                                                                : channel.spindle.speed;
 }
 
 Number spindle_turn(Channel& channel, const SystemAccess& access) {

@@ -10,7 +10,8 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr auto kGCodeRows = std::to_array<GCode>({
-#define G_CODE(name, group, number, action, text) {name, group, number, GAction::action, text},
+#define G_CODE(name, group, number, action, text) \
+  {name, Group::group, number, GAction::action, text},
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.def"
 #undef G_CODE
 });
@@ -59,14 +60,11 @@ std::optional<FoundCode> find_g_code(double number) {
   return number < kNumberCount ? kByNumber[static_cast<std::size_t>(number)] : std::nullopt;
 }
 
-int preset_number(int group) {
-  switch (group) {
-    case 13:
-    case 15:
-      return 2;  // G71, G94
-    default:
-      return 1;
-  }
+int preset_number(Group group) {
+  constexpr int kFirst = 1;
+  return group == Group::Unit       ? number_in_group("G71")
+         : group == Group::FeedType ? number_in_group("G94")
+                                    : kFirst;
 }
 
 }  // namespace g31::sinumerik

@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "machine/base/indexed_by.h"
+
 namespace g31::sinumerik {
 
 enum class GAction : std::uint8_t {
@@ -23,15 +25,40 @@ enum class GAction : std::uint8_t {
   Refused,
 };
 
+/// Groups of codes; the value is the number of $P_GG.
+enum class Group : std::uint8_t {
+#define G_GROUP(name, number, text) name = number,
+#include "interpreter/dialects/sinumerik/vocabulary/g_groups.def"
+#undef G_GROUP
+};
+
 struct GCode {
   std::string_view name;
-  int group;
+  Group group;
   int number;
   GAction action;
   std::string_view text;
 };
 
 inline constexpr int kGroupCount = 64;
+
+/// Whose codes count in their own block only.
+inline constexpr Group kOneBlockGroups[] = {Group::OneBlock, Group::ProgrammableFrame,
+                                            Group::FrameSuppression, Group::ExactStop};
+
+/// One value for each group: the number, within the group, of the code in force.
+using GroupNumbers = IndexedBy<Group, int, kGroupCount>;
+
+/// A code's number within its group, looked up when compiling.
+consteval int number_in_group(std::string_view code) {
+#define G_CODE(name, group, number, action, text) \
+  if (code == name) {                             \
+    return number;                                \
+  }
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.def"
+#undef G_CODE
+  throw "no such code";
+}
 
 /// All rows of g_codes.def.
 std::span<const GCode> g_codes();
@@ -57,6 +84,6 @@ constexpr FoundCode unpacked(std::uint16_t bits) {
 }
 
 /// The code of a group that is in force after reset.
-int preset_number(int group);
+int preset_number(Group group);
 
 }  // namespace g31::sinumerik
