@@ -490,8 +490,8 @@ TEST(SinumerikDataFiles, TellWhichLineIsWrong) {
 TEST(SinumerikDataFiles, MayHaveSystemDataThatG31HasNot) {
   const std::string archive =
       "R1=$TC_DP3[3,1] R2=$TC_DP6[3,1]\nM30\n%_N_TOA_INI\nCHANDATA(1)\n"
-      "$TC_TP2[3]=\"MILL\" $TC_MAP3[3]=1 $TC_MPP2[3]=2\n"
-      "$TC_MPP6[1,(2),3]=$TC_TP9[1]\n$TC_DP3[3,1]=80 $TC_MAP3[4]=1 $TC_DP6[3,1]=5\nM17\n";
+      "$TC_TP2[3]=\"MILL\" $TC_QAP3[3]=1 $TC_QPP2[3]=2\n"
+      "$TC_QPP6[1,(2),3]=$TC_TP9[1]\n$TC_DP3[3,1]=80 $TC_QAP3[4]=1 $TC_DP6[3,1]=5\nM17\n";
   ProgramRun run({{"main.mpf", archive}});
   ASSERT_EQ(run.alarm(), 0);
   EXPECT_EQ(run.number("R1"), 80.0);
@@ -500,7 +500,7 @@ TEST(SinumerikDataFiles, MayHaveSystemDataThatG31HasNot) {
   const source::Diagnostic& note = run.outcome().diagnostics.front();
   EXPECT_EQ(note.severity, source::Severity::Note);
   EXPECT_EQ(line_of(note.where), "main.mpf:5");
-  EXPECT_EQ(note.message, "not simulated: 3 data of this file, $TC_MAP3, $TC_MPP2, $TC_MPP6");
+  EXPECT_EQ(note.message, "not simulated: 3 data of this file, $TC_QAP3, $TC_QPP2, $TC_QPP6");
 }
 
 TEST(SinumerikDataFiles, DoNotRunForEver) {

@@ -61,8 +61,17 @@ FiledProgram* CallablePrograms::find_loaded(const ProgramName& name, const Near&
   return best_of(all, name, folders);
 }
 
+/// What ends as a suffix may be the name itself: LASER_ARC of LASER_ARC.SPF.
 const CompiledProgram* CallablePrograms::find(std::string_view written, const Near& near) {
   const ProgramName name = program_name(written);
+  const CompiledProgram* const program = find_named(name, near);
+  if (program != nullptr || name.suffix.empty()) {
+    return program;
+  }
+  return find_named({name.stem + "_" + name.suffix, "", name.folder}, near);
+}
+
+const CompiledProgram* CallablePrograms::find_named(const ProgramName& name, const Near& near) {
   do {
     if (FiledProgram* const program = find_loaded(name, near)) {
       return &program->code(globals());

@@ -54,6 +54,7 @@ class CallablePrograms {
 
  private:
   ProgramSource loose_source(const std::string& text);
+  const CompiledProgram* find_named(const ProgramName& name, const Near& near);
   FiledProgram* find_loaded(const ProgramName& name, const Near& near);
   bool load_for(const ProgramName& name);
   void load(const std::string& path);

@@ -94,8 +94,11 @@ std::optional<Variable> Compiler::declared_variable(const DeclaredType& declared
   const Token name = next();
   const bool is_letter =
       name.kind == TokenKind::Letter && !name.is_letter('R') && peek().kind != TokenKind::Integer;
-  has_letter_names_ = has_letter_names_ || is_letter;
-  if (name.kind != TokenKind::Name && !is_letter) {
+  // One letter and a number, such as L1: what is written elsewhere as L1 means the variable.
+  const bool is_numbered = name.kind == TokenKind::Letter && !name.is_letter('R') && !is_letter;
+  const std::string number(is_numbered ? next().text : std::string_view());
+  has_letter_names_ = has_letter_names_ || is_letter || is_numbered;
+  if (name.kind != TokenKind::Name && !is_letter && !is_numbered) {
     fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
   } else if (name.text.size() > kLongestName) {
     fail(AlarmId::NameTooLong, name.where, name.text);
@@ -104,7 +107,7 @@ std::optional<Variable> Compiler::declared_variable(const DeclaredType& declared
     fail(AlarmId::DefinedTwice, name.where, name.text);
   }
   Variable variable;
-  variable.name = std::string(name.text);
+  variable.name = std::string(name.text) + number;
   variable.type = declared.type;
   variable.longest = declared.longest;
   variable.shape = dimensions();
@@ -230,6 +233,16 @@ void Compiler::def_statement() {
     }
   } while (!failed() && accept(Symbol::Comma));
   expect_end();
+}
+
+/// APR 7 APW 11 on a line of their own: rights of what follows in a definition file.
+void Compiler::rights_statement() {
+  ++definitions_in_block_;
+  if (purpose_ != Purpose::Definitions) {
+    fail(AlarmId::BadDefinition, block_, "rights stand in definition files");
+    return;
+  }
+  whole_constant();
 }
 
 /// DEFINE name AS text

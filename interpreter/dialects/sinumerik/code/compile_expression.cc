@@ -220,6 +220,9 @@ Expr Compiler::name_in_expression() {
   if (const auto system = find_system_variable(name.text)) {
     return system_access(*system, name.where);
   }
+  if (const int axis = axis_named(name.text); axis >= 0) {
+    return constant(Type::Axis, axis, name.where);
+  }
   if (find_keyword(name.text) == &Compiler::refused_statement) {
     refused_statement();
   } else {

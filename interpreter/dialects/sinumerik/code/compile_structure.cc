@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@ namespace {
 
 constexpr std::size_t kDeepestStructure = 16;
 constexpr std::string_view kEndOfPart = "ENDLABEL";
+constexpr std::string_view kJumps[] = {"GOTOF", "GOTOB", "GOTO", "GOTOC", "GOTOS"};
 
 }  // namespace
 
@@ -50,12 +52,27 @@ void Compiler::back_to(const Structure& loop) {
   set_target(loop.exit, here());
 }
 
-/// IF condition [jump]: with a jump it needs no ENDIF.
+/// Whether a jump stands in what is left of the block.
+bool Compiler::jumps_behind() const {
+  for (std::size_t i = 0; peek(i).kind != TokenKind::End; ++i) {
+    if (peek(i).kind == TokenKind::Name &&
+        std::ranges::find(kJumps, peek(i).text) != std::end(kJumps)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// IF condition [jump]: with a jump it needs no ENDIF, even where the condition is wrong.
 void Compiler::if_statement() {
+  const bool is_jump = jumps_behind();
   const Expr condition = boolean(expression());
   const std::int32_t step = emit(OpCode::JumpIfNot, {}, condition.value, {}, condition.where);
   if (!failed() && jump_statement()) {
     set_target(step, here());
+    return;
+  }
+  if (is_jump && failed()) {
     return;
   }
   expect_end();
@@ -73,8 +90,20 @@ void Compiler::else_statement() {
   }
 }
 
+/// Whether an IF is open, whatever stands in it.
+bool Compiler::is_in_branch() const {
+  return std::ranges::any_of(structures_, [](const Structure& structure) {
+    return structure.kind == StructureKind::If || structure.kind == StructureKind::Else;
+  });
+}
+
+/// An ENDIF more than there are IF changes nothing; shipped cycles have such ones.
 void Compiler::endif_statement() {
   expect_end();
+  if (!is_in_branch()) {
+    emit(OpCode::SurplusEnd, {}, {}, {}, block_);
+    return;
+  }
   const bool in_else = !structures_.empty() && structures_.back().kind == StructureKind::Else;
   if (const auto structure = close(in_else ? StructureKind::Else : StructureKind::If)) {
     set_target(structure->exit, here());

@@ -32,12 +32,35 @@ void Compiler::letter_item() {
   letter_word(letter);
 }
 
+/// S2=, M[n]=, T[1]=: what follows a letter that may name its spindle.
+/// @returns false: it is the one with the tool, as without a number
+bool Compiler::word_of_another_spindle(const Token& letter, double extension) {
+  const Expr spindle =
+      extension != kSpindle ? constant(Type::Int, extension, letter.where) : bracketed_spindle();
+  if (is_tool_spindle(spindle)) {
+    return false;
+  }
+  if (!letter.is_letter('T')) {
+    spindle_word(letter.is_letter('M') ? Address::Machine : Address::Speed, spindle, letter.where);
+    return true;
+  }
+  if (extension != kSpindle) {
+    fail(AlarmId::NoSuchAddress, letter.where, text_of(letter.where));
+  }
+  emit(OpCode::CheckSpindle, {}, spindle.value, {}, letter.where);
+  return false;
+}
+
 void Compiler::letter_word(const Token& letter) {
   const bool numbered = peek().kind == TokenKind::Integer || peek().kind == TokenKind::Real;
   if (letter.is_letter('G')) {
     if (peek().kind == TokenKind::Real) {
       const ShortSpan whole{letter.where.begin, peek().where.end};
       fail(AlarmId::UnknownGCode, whole, text_of(whole));
+      return;
+    }
+    if (accept(Symbol::LeftBracket)) {
+      code_of_group(letter.where);
       return;
     }
     if (peek().kind != TokenKind::Integer) {
@@ -58,12 +81,9 @@ void Compiler::letter_word(const Token& letter) {
     extension = number.number;
   }
   const bool of_spindle = letter.is_letter('M') || letter.is_letter('S') || letter.is_letter('T');
-  if (of_spindle && extension != kSpindle) {
-    fail(AlarmId::NoSuchAddress, letter.where, name);
+  if (of_spindle && (extension != kSpindle || peek().is(Symbol::LeftBracket)) &&
+      word_of_another_spindle(letter, extension)) {
     return;
-  }
-  if (of_spindle && !letter.is_letter('T') && peek().is(Symbol::LeftBracket)) {
-    spindle_index();
   }
   if (letter.is_letter('M')) {
     m_word(letter.where);
@@ -80,6 +100,26 @@ void Compiler::letter_word(const Token& letter) {
     return;
   }
   word(*address, letter.where);
+}
+
+/// G[group]=number: as $P_GG shows it.
+void Compiler::code_of_group(ShortSpan where) {
+  const Expr group = convert(expression(), Type::Int, AlarmId::IndexType);
+  expect(Symbol::RightBracket);
+  expect(Symbol::Assign);
+  const Expr number = convert(expression(), Type::Int, AlarmId::BadArguments);
+  if (failed()) {
+    return;
+  }
+  if (group.is_constant && number.is_constant) {
+    const auto value = [&](const Expr& of) {
+      return program_->constants[static_cast<std::size_t>(of.value.place)];
+    };
+    g_code(find_g_code(value(group), value(number)), where);
+    return;
+  }
+  emit(OpCode::GroupCode, {}, group.value, number.value, where);
+  has_words_ = true;
 }
 
 void Compiler::g_code(std::optional<FoundCode> code, ShortSpan where) {
@@ -296,16 +336,34 @@ void Compiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSp
   has_words_ = true;
 }
 
-/// [n] behind M, S, SPOS, SPOSA or LIMS, and = behind it.
-void Compiler::spindle_index() {
-  const ShortSpan where = peek().where;
+/// [n] behind M, S, T, SPOS, SPOSA or LIMS; = follows.
+Expr Compiler::bracketed_spindle() {
   expect(Symbol::LeftBracket);
-  const Expr number = convert(expression(), Type::Int, AlarmId::IndexType);
+  Expr number = convert(expression(), Type::Int, AlarmId::IndexType);
   expect(Symbol::RightBracket);
   if (!failed() && !is_assigned(0)) {
     fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
   }
-  emit(OpCode::CheckSpindle, {}, number.value, {}, where);
+  return number;
+}
+
+/// Whether a number is known to be that of the spindle with the tool: 1, or 0 for the master
+/// spindle.
+bool Compiler::is_tool_spindle(const Expr& spindle) const {
+  const double number = spindle.is_constant
+                            ? program_->constants[static_cast<std::size_t>(spindle.value.place)]
+                            : -1.0;
+  return number == 0.0 || number == kSpindle;
+}
+
+/// S2=500, M[n]=3, SPOS[2]=90
+void Compiler::spindle_word(Address address, const Expr& spindle, ShortSpan where) {
+  Modification modification = Modification::None;
+  const Expr value = convert(word_value(modification), Type::Real, AlarmId::BadArguments);
+  emit(OpCode::SpindleWord, {}, spindle.value, value.value, where);
+  last().detail = detail_of(address);
+  last().count = static_cast<std::uint16_t>(modification);
+  has_words_ = true;
 }
 
 /// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.
@@ -322,6 +380,11 @@ bool Compiler::named_word() {
     g_code(code, name.where);
     return true;
   }
+  if (const int axis = axis_named(name.text); axis >= 0 && is_assigned(1)) {
+    next();
+    word(static_cast<Address>(axis), name.where);
+    return true;
+  }
   const auto address = find_address(name.text);
   const bool of_spindle =
       address && (*address == Address::Spindle || *address == Address::SpindleAsync ||
@@ -331,10 +394,12 @@ bool Compiler::named_word() {
     return false;
   }
   next();
-  if (indexed) {
-    spindle_index();
+  const Expr spindle = indexed ? bracketed_spindle() : constant(Type::Int, kSpindle, name.where);
+  if (is_tool_spindle(spindle)) {
+    word(*address, name.where);
+  } else {
+    spindle_word(*address, spindle, name.where);
   }
-  word(*address, name.where);
   return true;
 }
 

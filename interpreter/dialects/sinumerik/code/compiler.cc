@@ -218,11 +218,23 @@ void Compiler::expand_macros() {
   tokens_ = std::move(all);
 }
 
-/// A letter that DEF or PROC took as a name is one, unless a number follows it.
+/// A letter that DEF or PROC took as a name is one, unless a number follows it; a letter and a
+/// number are, where they are defined together.
 void Compiler::find_letter_names() {
   for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
     const bool numbered =
         tokens_[i + 1].kind == TokenKind::Integer || tokens_[i + 1].kind == TokenKind::Real;
+    if (tokens_[i].kind == TokenKind::Letter && tokens_[i + 1].kind == TokenKind::Integer) {
+      const auto known =
+          program_->locals.find(std::string(tokens_[i].text) + std::string(tokens_[i + 1].text));
+      if (known != program_->locals.end()) {
+        tokens_[i].kind = TokenKind::Name;
+        tokens_[i].text = known->first;
+        tokens_[i].where.end = tokens_[i + 1].where.end;
+        tokens_.erase(tokens_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        continue;
+      }
+    }
     if (tokens_[i].kind == TokenKind::Letter && !numbered &&
         program_->locals.contains(tokens_[i].text)) {
       tokens_[i].kind = TokenKind::Name;

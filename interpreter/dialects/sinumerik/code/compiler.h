@@ -205,6 +205,8 @@ class Compiler {
   void gotos_statement();
   void repeatb_statement();
   void jump(Direction direction);
+  [[nodiscard]] bool jumps_behind() const;
+  [[nodiscard]] bool is_in_branch() const;
   void jump_to(Direction direction);
   bool jump_statement();
   void repeat_part(bool one_block);
@@ -220,6 +222,7 @@ class Compiler {
   // compile_definition.cc
   bool begins_definition(std::string_view what);
   void def_statement();
+  void rights_statement();
   void define_statement();
   void proc_statement();
   void extern_statement();
@@ -258,6 +261,7 @@ class Compiler {
   // compile_words.cc
   void letter_item();
   void letter_word(const Token& letter);
+  void code_of_group(ShortSpan where);
   void g_code(std::optional<FoundCode> code, ShortSpan where);
   void m_word(ShortSpan where);
   void m_number(double number, ShortSpan where);
@@ -267,7 +271,10 @@ class Compiler {
   void axis_word(const AxisWordInfo& row);
   void axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where);
   bool named_word();
-  void spindle_index();
+  bool word_of_another_spindle(const Token& letter, double extension);
+  Expr bracketed_spindle();
+  [[nodiscard]] bool is_tool_spindle(const Expr& spindle) const;
+  void spindle_word(Address address, const Expr& spindle, ShortSpan where);
   void word(Address address, ShortSpan where);
   void emit_word(Address address, Modification modification, const Expr& value);
   Expr word_value(Modification& modification);

@@ -129,7 +129,7 @@ MaybeFailure Runner::lower_case(const Op& op, Arguments list) {
 
 MaybeFailure Runner::axis_of_name(const Op& op, Arguments list) {
   const std::string& name = text(list[0].value);
-  const int axis = name.size() == 1 ? axis_index(upper(name.front())) : -1;
+  const int axis = axis_named(upper(name));
   if (axis < 0) {
     return failure(AlarmId::NoAxisName, fmt::format("\"{}\"", name));
   }

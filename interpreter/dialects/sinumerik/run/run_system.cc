@@ -172,7 +172,7 @@ MaybeFailure Runner::set(const SystemAccess& access, const Argument& value,
   } else {
     stored = frame(value.value);
   }
-  channel_.frames_changed();
+  channel_.frame_written();
   return std::nullopt;
 }
 
@@ -191,6 +191,20 @@ Result<double, Failure> Runner::call_depth(const SystemAccess& /*access*/) {
 Result<std::string, Failure> Runner::level_name(const SystemAccess& access) {
   const auto which = static_cast<std::size_t>(access.indices[0]);
   return which <= depth_ ? levels_[which]->program->name : std::string();
+}
+
+Result<double, Failure> Runner::modal_call_active(const SystemAccess& /*access*/) {
+  return modal_call_ ? 1.0 : 0.0;
+}
+
+/// "/_N_WKS_DIR/_N_PART_WPD/" for "PART_WPD"; empty where the archive does not say.
+Result<std::string, Failure> Runner::level_path(const SystemAccess& access) {
+  const auto which = static_cast<std::size_t>(access.indices[0]);
+  const std::string folder = which <= depth_ ? levels_[which]->program->folder : std::string();
+  if (folder.empty()) {
+    return folder;
+  }
+  return (folder.ends_with("_WPD") ? "/_N_WKS_DIR/_N_" : "/_N_") + folder + "/";
 }
 
 Result<std::string, Failure> Runner::level_folder(const SystemAccess& /*access*/) {

@@ -7,6 +7,28 @@
 #include "machine/base/contract.h"
 
 namespace g31::sinumerik {
+namespace {
+
+/// What S, M and SPOS say of a spindle that is not simulated.
+void keep_of_spindle(Spindle& spindle, Address address, double value) {
+  constexpr double kOrient = 19.0;
+  constexpr double kFirstTurn = 3.0;
+  constexpr double kLastTurn = 5.0;
+  constexpr int kPositioned = -19;
+  const bool is_code = address == Address::Machine;
+  if (address == Address::Speed) {
+    spindle.speed = value;
+  } else if (address == Address::SpeedLimit) {
+    spindle.limit = value;
+  } else if (is_code && value >= kFirstTurn && value <= kLastTurn) {
+    spindle.direction = static_cast<int>(value);
+  } else if (!is_code || value == kOrient) {
+    spindle.direction = kPositioned;
+    spindle.angle = is_code ? 0.0 : value;
+  }
+}
+
+}  // namespace
 
 bool Runner::set_word(std::size_t address, double value, Modification modification) {
   const auto which = static_cast<Address>(address);
@@ -94,6 +116,35 @@ MaybeFailure Runner::take_axis_measuring(const Op& op) {
   return std::nullopt;
 }
 
+/// Spindle 1, or 0 for the master spindle, turns the tool; of others it is kept what programs say.
+MaybeFailure Runner::take_spindle_word(const Op& op) {
+  constexpr double kMost = 20.0;
+  const double which = number(op.a);
+  const auto address = static_cast<Address>(op.detail);
+  if (which == 0.0 || which == 1.0) {
+    set_word(op.detail, number(op.b), static_cast<Modification>(op.count));
+    return from_step();
+  }
+  if (which < 0.0 || which > kMost) {
+    return failure(AlarmId::NoSuchAddress, fmt::format("spindle {:g}", which));
+  }
+  keep_of_spindle(channel_.other_spindles[static_cast<int>(which)], address, number(op.b));
+  return std::nullopt;
+}
+
+MaybeFailure Runner::take_group_code(const Op& op) {
+  const auto code = find_g_code(number(op.a), number(op.b));
+  if (!code) {
+    return failure(AlarmId::UnknownGCode, fmt::format("G[{:g}]={:g}", number(op.a), number(op.b)));
+  }
+  const GCode& row = g_codes()[code->row];
+  if (row.action == GAction::Refused) {
+    return failure(AlarmId::NotImplemented, fmt::format("{}, {}", row.name, row.text));
+  }
+  words_.computed_codes.push_back(packed(*code));
+  return std::nullopt;
+}
+
 /// Spindle 1, or 0 for the master spindle, which it is.
 MaybeFailure Runner::check_spindle(const Op& op) {
   const double which = number(op.a);
@@ -121,7 +172,15 @@ MaybeFailure Runner::execute(const Op& op) {
       return from_step();
     }
   }
-  const Block commands{words_, block.codes_of(program), here()};
+  std::vector<std::uint16_t> with_computed;
+  std::span<const std::uint16_t> codes = block.codes_of(program);
+  if (!words_.computed_codes.empty()) {
+    with_computed.assign(codes.begin(), codes.end());
+    with_computed.insert(with_computed.end(), words_.computed_codes.begin(),
+                         words_.computed_codes.end());
+    codes = with_computed;
+  }
+  const Block commands{words_, codes, here()};
   const bool moves = modal_call_ && commands_motion(commands);
   MaybeFailure wrong = execute_block(channel_, commands);
   words_.clear();

@@ -107,6 +107,11 @@ MaybeFailure Runner::raise(const Op& op) {
   return failure(error.id, error.detail);
 }
 
+MaybeFailure Runner::surplus_end(const Op& /*op*/) {
+  channel_.warnings.add(channel_.diagnostics, source::DiagnosticId::SurplusEnd, here());
+  return std::nullopt;
+}
+
 /// The block that the step `op` begins.
 runtime::BlockPlace Runner::block_place(const Op& op) const {
   runtime::BlockPlace place;

@@ -86,6 +86,9 @@ class Runner {
   bool at_end_of_part(std::int32_t step);
   MaybeFailure repeat_part(const Op& op);
   MaybeFailure raise(const Op& op);
+  MaybeFailure surplus_end(const Op& op);
+  MaybeFailure take_spindle_word(const Op& op);
+  MaybeFailure take_group_code(const Op& op);
   Level& level() { return *levels_[depth_]; }
   void use_level();
   runtime::Outcome outcome_of(const Failure& failure);
@@ -264,6 +267,8 @@ class Runner {
   Result<double, Failure> call_depth(const SystemAccess& access);
   Result<std::string, Failure> level_name(const SystemAccess& access);
   Result<std::string, Failure> level_folder(const SystemAccess& access);
+  Result<std::string, Failure> level_path(const SystemAccess& access);
+  Result<double, Failure> modal_call_active(const SystemAccess& access);
 
   CallablePrograms& programs_;
   /// What EXECSTRING compiled, by program and text.

@@ -51,7 +51,7 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
                       std::vector<std::string>& refused) {
   for (const auto& [name, q_offset] : setup.work_offsets) {
     if (name == "EXT") {
-      channel.stored_base = shifted(q_offset);
+      channel.stored_frames.channel[0] = shifted(q_offset);
     } else if (const auto number = settable_in_name(name)) {
       channel.settable[static_cast<std::size_t>(*number)] = shifted(q_offset);
     } else {

@@ -56,6 +56,7 @@ void BlockWords::clear() {
     has_positioning = false;
   }
   axis_settings.clear();
+  computed_codes.clear();
 }
 
 bool BlockWords::has_axes() const {
@@ -73,7 +74,9 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       outlet(machine, listener),
       frame_save_mask_(static_cast<std::size_t>(globals.find("$MN_FRAME_SAVE_MASK")->place)),
       program_function_mask_(
-          static_cast<std::size_t>(globals.find("$MN_PROG_FUNCTION_MASK")->place)) {
+          static_cast<std::size_t>(globals.find("$MN_PROG_FUNCTION_MASK")->place)),
+      upper_soft_limits_(static_cast<std::size_t>(globals.find("$MA_POS_LIMIT_PLUS")->place)),
+      lower_soft_limits_(static_cast<std::size_t>(globals.find("$MA_POS_LIMIT_MINUS")->place)) {
   for (int i = 0; i < kGroupCount; ++i) {
     group.at(static_cast<std::size_t>(i)) = preset_number(static_cast<Group>(i));
   }
@@ -137,23 +140,83 @@ bool Channel::keeps_settable_frame() const {
   return (std::lround(numbers[frame_save_mask_]) & 1) != 0;
 }
 
+double Channel::upper_soft_limit(int axis) const {
+  return numbers[upper_soft_limits_ + static_cast<std::size_t>(axis)];
+}
+
+double Channel::lower_soft_limit(int axis) const {
+  return numbers[lower_soft_limits_ + static_cast<std::size_t>(axis)];
+}
+
 bool Channel::orders_exactly() const {
   return (std::lround(numbers[program_function_mask_]) & 1) != 0;
 }
 
+namespace {
+
+/// A frame that does nothing leaves the others as they are.
+void chain(Frame& all, const Frame& next) {
+  if (!(next == Frame())) {
+    all = all.chained(next);
+  }
+}
+
+Frame chained_with(Frame outer, const Frame& inner) {
+  chain(outer, inner);
+  return outer;
+}
+
+}  // namespace
+
+Frame FrameSet::bases() const {
+  Frame all;
+  for (const auto* const each : {&global, &channel}) {
+    for (const Frame& frame : *each) {
+      chain(all, frame);
+    }
+  }
+  return all;
+}
+
+Frame FrameSet::outer() const {
+  Frame all;
+  for (const Frame* const frame : {&part, &set, &external}) {
+    chain(all, *frame);
+  }
+  chain(all, bases());
+  return all;
+}
+
+Frame FrameSet::inner() const {
+  Frame all;
+  for (const Frame* const frame : {&tool, &workpiece, &transformation}) {
+    chain(all, *frame);
+  }
+  return all;
+}
+
+const Channel::Chains& Channel::chains() const {
+  if (!chains_) {
+    chains_ = {frames_now.outer(), frames_now.inner()};
+  }
+  return *chains_;
+}
+
 Frame Channel::frames_below() const {
-  return set_frame.chained(base).chained(settable_now);
+  Frame all = frames_outside().chained(settable_now);
+  chain(all, chains().inner);
+  return all;
 }
 
 Frame Channel::active_frame() const {
   switch (suppression) {
     case 1:  // G53
-      return set_frame.chained(base);
+      return frames_outside();
     case 2:  // SUPA
     case 3:  // G153
       return {};
     default:
-      return frames_below().chained(program_frame);
+      return chained_with(frames_below().chained(program_frame), frames_now.cycle);
   }
 }
 

@@ -89,6 +89,7 @@ struct BlockWords {
   std::array<Word, kAxisCount> positioning;  ///< POS[axis] and POSA[axis]
   bool has_positioning = false;
   std::vector<AxisSetting> axis_settings;
+  std::vector<std::uint16_t> computed_codes;  ///< G[group]=number, packed
 
   void set(std::size_t address, double value, Modification modification);
   void measure_axis(std::size_t axis, const AxisMeasuring& measuring);
@@ -112,6 +113,26 @@ struct Plane {
   int normal = 2;
 };
 
+/// Basic frames and system frames, as the control keeps them or as they are in force.
+struct FrameSet {
+  static constexpr std::size_t kBases = 16;
+  Frame part;                         ///< $P_PARTFRAME
+  Frame set;                          ///< $P_SETFRAME
+  Frame external;                     ///< $P_EXTFRAME
+  std::array<Frame, kBases> global;   ///< $P_NCBFRAME
+  std::array<Frame, kBases> channel;  ///< $P_CHBFRAME
+  Frame tool;                         ///< $P_TOOLFRAME
+  Frame workpiece;                    ///< $P_WPFRAME
+  Frame transformation;               ///< $P_TRAFRAME
+  Frame cycle;                        ///< $P_CYCFRAME
+
+  /// $P_ACTBFRAME
+  [[nodiscard]] Frame bases() const;
+  /// All outside of the settable frame, and all between it and the programmable one.
+  [[nodiscard]] Frame outer() const;
+  [[nodiscard]] Frame inner() const;
+};
+
 /// The state of one channel of the control: everything a program can read or change, except its
 /// local variables.
 class Channel {
@@ -127,6 +148,7 @@ class Channel {
   GroupNumbers group;
   double feed = 0.0;  ///< as programmed
   Spindle spindle;
+  std::map<int, Spindle> other_spindles;  ///< by number, 2 and on: not simulated
   AxisSettings axis_settings;
   double master_spindle = 1.0;
   [[nodiscard]] Plane plane() const;
@@ -145,14 +167,12 @@ class Channel {
 
   // Frames
   static constexpr int kSettableFrames = 100;  ///< 0 is G500
-  /// What the control keeps: $P_UIFR, $P_CHBFR and $P_SETFR.
+  /// What the control keeps: $P_UIFR, $P_CHBFR, $P_SETFR and so on.
   std::vector<Frame> settable;
-  Frame stored_base;
-  Frame stored_set_frame;
-  /// What G500 to G599 took of them when programmed last: $P_IFRAME, $P_BFRAME and $P_SETFRAME.
+  FrameSet stored_frames;
+  /// What G500 to G599 took of them when programmed last: $P_IFRAME, $P_CHBFRAME, $P_SETFRAME.
   Frame settable_now;
-  Frame base;
-  Frame set_frame;
+  FrameSet frames_now;
   Frame program_frame;
   Eigen::Matrix3d tool_turn = Eigen::Matrix3d::Identity();  ///< what TOROT or TOFRAME made of it
   int suppression = 0;  ///< number in group 9 of the running block
@@ -160,12 +180,21 @@ class Channel {
   /// G500 to G599, programmed or restored: the stored frames come into force.
   void take_stored_frames() {
     settable_now = settable[static_cast<std::size_t>(settable_number())];
-    base = stored_base;
-    set_frame = stored_set_frame;
+    frames_now = stored_frames;
+    frame_written();
+  }
+  /// A basic or system frame is another one now.
+  void frame_written() {
+    chains_.reset();
     frames_changed();
   }
+  /// All outside of the settable frame.
+  [[nodiscard]] const Frame& frames_outside() const { return chains().outer; }
   /// MD10617 bit 0: SAVE restores the settable frame, too.
   [[nodiscard]] bool keeps_settable_frame() const;
+  /// $MA_POS_LIMIT_PLUS and $MA_POS_LIMIT_MINUS
+  [[nodiscard]] double upper_soft_limit(int axis) const;
+  [[nodiscard]] double lower_soft_limit(int axis) const;
   /// Whether > and < make a difference where == makes none ($MN_PROG_FUNCTION_MASK).
   [[nodiscard]] bool orders_exactly() const;
   /// All frames but the programmable one, outermost first.
@@ -235,6 +264,15 @@ class Channel {
 
   Clocks clocks;
 
+  /// Data that are only kept: of which variable and row of its family, with which indices.
+  struct KeptDatum {
+    SystemId id = SystemId::ExternalShift;
+    int parameter = 0;
+    std::vector<int> indices;
+    friend auto operator<=>(const KeptDatum&, const KeptDatum&) = default;
+  };
+  std::map<KeptDatum, double> kept_data;
+
   // Outside world
   std::map<std::string, std::string> files;  ///< what WRITE, READ and EXTWRITE work on
   std::set<std::string> open_files;          ///< EXTOPEN
@@ -258,9 +296,19 @@ class Channel {
     AxisPositions offset;
   };
 
+  /// What basic and system frames make together.
+  struct Chains {
+    Frame outer;
+    Frame inner;
+  };
+  [[nodiscard]] const Chains& chains() const;
+
   std::size_t frame_save_mask_;        ///< place of MD10617
   std::size_t program_function_mask_;  ///< place of MD10280
+  std::size_t upper_soft_limits_;      ///< place of MD36110
+  std::size_t lower_soft_limits_;      ///< place of MD36100
   bool is_stale_ = false;
+  mutable std::optional<Chains> chains_;        ///< kept until one of them is written
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed
   AxisPositions q_W_programmed_ = AxisPositions::Zero();
   AxisPositions q_M_programmed_ = AxisPositions::Zero();

@@ -1,3 +1,5 @@
+#include <array>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/system/system.h"
@@ -5,12 +7,15 @@
 namespace g31::sinumerik::system {
 namespace {
 
-/// Of $P_CHBFR[n] and $P_CHBFRAME[n].
-FramePlace only_base(Frame& frame, const SystemAccess& access) {
-  if (!access.indices.empty() && access.indices.front() != 0) {
-    return failure(AlarmId::IndexOne, fmt::format("basic frame {}", access.indices.front()));
+using Bases = std::array<Frame, FrameSet::kBases>;
+
+/// $P_CHBFR[n] and the like; without an index 0.
+FramePlace base_of(Bases& all, const SystemAccess& access) {
+  const int which = access.indices.empty() ? 0 : access.indices.front();
+  if (which < 0 || which >= static_cast<int>(all.size())) {
+    return failure(AlarmId::IndexOne, fmt::format("basic frame {}", which));
   }
-  return &frame;
+  return &all[static_cast<std::size_t>(which)];
 }
 
 }  // namespace
@@ -24,19 +29,19 @@ FramePlace settable_frames(Channel& channel, const SystemAccess& access) {
 }
 
 FramePlace stored_bases(Channel& channel, const SystemAccess& access) {
-  return only_base(channel.stored_base, access);
+  return base_of(channel.stored_frames.channel, access);
 }
 
 FramePlace bases(Channel& channel, const SystemAccess& access) {
-  return only_base(channel.base, access);
+  return base_of(channel.frames_now.channel, access);
 }
 
 FramePlace stored_base(Channel& channel, const SystemAccess& /*access*/) {
-  return &channel.stored_base;
+  return &channel.stored_frames.channel.front();
 }
 
 FramePlace base(Channel& channel, const SystemAccess& /*access*/) {
-  return &channel.base;
+  return &channel.frames_now.channel.front();
 }
 
 FramePlace settable_frame(Channel& channel, const SystemAccess& /*access*/) {
@@ -47,16 +52,16 @@ FramePlace program_frame(Channel& channel, const SystemAccess& /*access*/) {
   return &channel.program_frame;
 }
 
-FramePlace set_frame(Channel& channel, const SystemAccess& /*access*/) {
-  return &channel.set_frame;
+FramePlace stored_global_bases(Channel& channel, const SystemAccess& access) {
+  return base_of(channel.stored_frames.global, access);
 }
 
-FramePlace stored_set_frame(Channel& channel, const SystemAccess& /*access*/) {
-  return &channel.stored_set_frame;
+FramePlace global_bases(Channel& channel, const SystemAccess& access) {
+  return base_of(channel.frames_now.global, access);
 }
 
 WholeFrame active_base(Channel& channel, const SystemAccess& /*access*/) {
-  return channel.base;
+  return channel.frames_now.bases();
 }
 
 WholeFrame active_frame(Channel& channel, const SystemAccess& /*access*/) {

@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/feed.h"
@@ -9,13 +11,19 @@ namespace {
 constexpr double kCounterclockwise = 4.0;
 constexpr double kStill = 5.0;
 
-/// Why a variable of a spindle has no such index.
-MaybeFailure no_spindle(const SystemAccess& access) {
+/// Of which spindle a variable is.
+Result<const Spindle*, Failure> spindle_of(const Channel& channel, const SystemAccess& access) {
+  static const Spindle kUnused;
+  constexpr int kMost = 20;
   const int which = access.indices[0];
-  return which == 0 || which == 1
-             ? std::nullopt
-             : std::optional(
-                   failure(AlarmId::IndexOne, fmt::format("there is spindle 1, no {}", which)));
+  if (which == 0 || which == 1) {
+    return &channel.spindle;
+  }
+  if (which < 0 || which > kMost) {
+    return failure(AlarmId::IndexOne, fmt::format("spindle {}", which));
+  }
+  const auto found = channel.other_spindles.find(which);
+  return found != channel.other_spindles.end() ? &found->second : &kUnused;
 }
 
 MaybeFailure no_probe(const SystemAccess& access) {
@@ -36,6 +44,26 @@ MaybeFailure no_input(const Channel& channel, const SystemAccess& access) {
 
 Number zero(Channel& /*channel*/, const SystemAccess& /*access*/) {
   return 0.0;
+}
+
+Number pi(Channel& /*channel*/, const SystemAccess& /*access*/) {
+  return std::numbers::pi;
+}
+
+/// Software 4.8: two digits each of version, revision and state.
+Number version(Channel& /*channel*/, const SystemAccess& /*access*/) {
+  return 480000.0;
+}
+
+Number nothing_of_axis(Channel& /*channel*/, const SystemAccess& access) {
+  return access.indices[0] < 0 ? Number(failure(AlarmId::BadAxisIndex)) : 0.0;
+}
+
+/// No magazines and no multitools are simulated.
+Number kind_of_number(Channel& channel, const SystemAccess& access) {
+  constexpr double kTool = 1.0;
+  constexpr double kNothing = -3.0;
+  return channel.find_tool(access.indices[0]) != nullptr ? kTool : kNothing;
 }
 
 Number tool_number(Channel& channel, const SystemAccess& /*access*/) {
@@ -102,27 +130,42 @@ Number master_spindle(Channel& channel, const SystemAccess& /*access*/) {
 }
 
 Number speed_programmed(Channel& channel, const SystemAccess& access) {
-  if (MaybeFailure wrong = no_spindle(access)) {
-    return *wrong;
+  const auto spindle = spindle_of(channel, access);
+  if (!spindle) {
+    return spindle.error();
   }
-  return cuts_at_constant_speed(channel.group[Group::FeedType]) ? channel.spindle.cutting_speed
-                                                                : channel.spindle.speed;
+  const bool at_constant_speed =
+      spindle.value() == &channel.spindle && cuts_at_constant_speed(channel.group[Group::FeedType]);
+  return at_constant_speed ? spindle.value()->cutting_speed : spindle.value()->speed;
 }
 
 Number spindle_turn(Channel& channel, const SystemAccess& access) {
-  if (MaybeFailure wrong = no_spindle(access)) {
-    return *wrong;
+  const auto spindle = spindle_of(channel, access);
+  return spindle ? Number(static_cast<double>(spindle.value()->direction)) : spindle.error();
+}
+
+Number spindle_mode(Channel& channel, const SystemAccess& access) {
+  constexpr int kPositioned = -19;
+  constexpr int kNothingYet = -5;
+  const auto spindle = spindle_of(channel, access);
+  if (!spindle) {
+    return spindle.error();
   }
-  return static_cast<double>(channel.spindle.direction);
+  const int turn = spindle.value()->direction;
+  return turn == kNothingYet ? 0.0 : turn == kPositioned ? 2.0 : 1.0;
 }
 
 Number speed_now(Channel& channel, const SystemAccess& access) {
-  if (MaybeFailure wrong = no_spindle(access)) {
-    return *wrong;
+  const auto found = spindle_of(channel, access);
+  if (!found) {
+    return found.error();
   }
-  const Spindle& spindle = channel.spindle;
+  const Spindle& spindle = *found.value();
   const bool turns = spindle.direction > 0 && spindle.direction < kStill;
-  const double speed = turns ? spindle_speed(channel, channel.present()[kTransverseAxis]) : 0.0;
+  const double speed = !turns ? 0.0
+                       : &spindle == &channel.spindle
+                           ? spindle_speed(channel, channel.present()[kTransverseAxis])
+                           : spindle.speed;
   return spindle.direction == kCounterclockwise ? -speed : speed;
 }
 

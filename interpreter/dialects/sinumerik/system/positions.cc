@@ -86,7 +86,7 @@ Number basic_zero_now(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = finish_motion(channel)) {
     return *wrong;
   }
-  return place_value(channel, access, within(channel, channel.set_frame.chained(channel.base)));
+  return place_value(channel, access, within(channel, channel.frames_outside()));
 }
 
 Number settable_now(Channel& channel, const SystemAccess& access) {
@@ -102,6 +102,18 @@ Number machine_measured(Channel& channel, const SystemAccess& access) {
 
 Number work_measured(Channel& channel, const SystemAccess& access) {
   return place_value(channel, access, channel.q_W_measured);
+}
+
+Number upper_soft_limit(Channel& channel, const SystemAccess& access) {
+  const int axis = access.indices[0];
+  return axis < 0 ? Number(failure(AlarmId::BadAxisIndex))
+                  : channel.shown(axis, channel.upper_soft_limit(axis));
+}
+
+Number lower_soft_limit(Channel& channel, const SystemAccess& access) {
+  const int axis = access.indices[0];
+  return axis < 0 ? Number(failure(AlarmId::BadAxisIndex))
+                  : channel.shown(axis, channel.lower_soft_limit(axis));
 }
 
 Number axis_measures(Channel& /*channel*/, const SystemAccess& access) {

@@ -32,6 +32,11 @@ using FramePlace = Result<Frame*, Failure>;
 
 // numbers.cc: what the channel simply knows
 Number zero(Channel& channel, const SystemAccess& access);
+Number pi(Channel& channel, const SystemAccess& access);
+Number version(Channel& channel, const SystemAccess& access);
+Number nothing_of_axis(Channel& channel, const SystemAccess& access);
+Number kind_of_number(Channel& channel, const SystemAccess& access);
+Number spindle_mode(Channel& channel, const SystemAccess& access);
 Number tool_number(Channel& channel, const SystemAccess& access);
 Number edge_number(Channel& channel, const SystemAccess& access);
 Number additive_number(Channel& channel, const SystemAccess& access);
@@ -62,6 +67,8 @@ Number basic_zero_now(Channel& channel, const SystemAccess& access);
 Number settable_now(Channel& channel, const SystemAccess& access);
 Number machine_measured(Channel& channel, const SystemAccess& access);
 Number work_measured(Channel& channel, const SystemAccess& access);
+Number upper_soft_limit(Channel& channel, const SystemAccess& access);
+Number lower_soft_limit(Channel& channel, const SystemAccess& access);
 Number axis_measures(Channel& channel, const SystemAccess& access);
 Number reference_point(Channel& channel, const SystemAccess& access);
 MaybeFailure set_reference_point(Channel& channel, const SystemAccess& access, double value);
@@ -114,6 +121,10 @@ MaybeFailure set_tool_state(Channel& channel, const SystemAccess& access, double
 Text tool_name(Channel& channel, const SystemAccess& access);
 MaybeFailure set_tool_name(Channel& channel, const SystemAccess& access, const std::string& name);
 
+// kept_data.cc: what is only kept
+Number kept_datum(Channel& channel, const SystemAccess& access);
+MaybeFailure set_kept_datum(Channel& channel, const SystemAccess& access, double value);
+
 // frames.cc
 FramePlace settable_frames(Channel& channel, const SystemAccess& access);
 FramePlace stored_bases(Channel& channel, const SystemAccess& access);
@@ -122,8 +133,16 @@ FramePlace bases(Channel& channel, const SystemAccess& access);
 FramePlace base(Channel& channel, const SystemAccess& access);
 FramePlace settable_frame(Channel& channel, const SystemAccess& access);
 FramePlace program_frame(Channel& channel, const SystemAccess& access);
-FramePlace set_frame(Channel& channel, const SystemAccess& access);
-FramePlace stored_set_frame(Channel& channel, const SystemAccess& access);
+FramePlace stored_global_bases(Channel& channel, const SystemAccess& access);
+FramePlace global_bases(Channel& channel, const SystemAccess& access);
+template <Frame FrameSet::*member>
+FramePlace stored_frame(Channel& channel, const SystemAccess& /*access*/) {
+  return &(channel.stored_frames.*member);
+}
+template <Frame FrameSet::*member>
+FramePlace frame_now(Channel& channel, const SystemAccess& /*access*/) {
+  return &(channel.frames_now.*member);
+}
 WholeFrame active_base(Channel& channel, const SystemAccess& access);
 WholeFrame active_frame(Channel& channel, const SystemAccess& access);
 

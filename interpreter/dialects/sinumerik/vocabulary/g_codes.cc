@@ -60,6 +60,18 @@ std::optional<FoundCode> find_g_code(double number) {
   return number < kNumberCount ? kByNumber[static_cast<std::size_t>(number)] : std::nullopt;
 }
 
+std::optional<FoundCode> find_g_code(double group, double number) {
+  for (std::size_t i = 0; i < kGCodeRows.size(); ++i) {
+    const GCode& row = kGCodeRows[i];
+    const double beyond = number - row.number;
+    const double most = row.name == "G505" ? kLastSettable - kFirstSettable : 0.0;
+    if (static_cast<double>(row.group) == group && beyond >= 0.0 && beyond <= most) {
+      return FoundCode{static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(beyond)};
+    }
+  }
+  return std::nullopt;
+}
+
 int preset_number(Group group) {
   constexpr int kFirst = 1;
   return group == Group::Unit       ? number_in_group("G71")

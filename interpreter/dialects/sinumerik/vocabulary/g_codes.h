@@ -74,6 +74,9 @@ std::optional<FoundCode> find_g_code(std::string_view name);
 /// G and a number.
 std::optional<FoundCode> find_g_code(double number);
 
+/// The code of a group that $P_GG shows as a number.
+std::optional<FoundCode> find_g_code(double group, double number);
+
 /// A code of a block in one number, and back: so many rows, and so many numbers beyond one.
 inline constexpr int kPackedCount = 256;
 constexpr std::uint16_t packed(FoundCode code) {

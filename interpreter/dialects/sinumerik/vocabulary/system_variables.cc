@@ -35,7 +35,11 @@ constexpr Family kFamilies[] = {
     {SystemId::EdgeParameter, 1, 25},   {SystemId::AdditiveParameter, 13, 71},
     {SystemId::SetupParameter, 13, 71}, {SystemId::EdgeOfBuilder, 1, 10},
     {SystemId::EdgeLife, 1, 15},        {SystemId::ToolOfBuilder, 1, 10},
-    {SystemId::ToolDatum, 3, 11},
+    {SystemId::ToolDatum, 3, 11},       {SystemId::MagazineDatum, 1, 10},
+    {SystemId::MagazinePlace, 1, 7},    {SystemId::MagazinePlaceBuilder, 1, 10},
+    {SystemId::MagazineBuilder, 1, 10}, {SystemId::MagazineDistance, 1, 2},
+    {SystemId::Multitool, 2, 8},        {SystemId::GrindingDatum, 1, 9},
+    {SystemId::CarrierDatum, 1, 60},
 };
 
 /// A step keeps the number of a member in 8 bits.

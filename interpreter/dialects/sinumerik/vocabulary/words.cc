@@ -108,6 +108,19 @@ const AxisWordInfo& info(AxisWordId id) {
   return kAxisWords.at(static_cast<std::size_t>(id));
 }
 
+int axis_named(std::string_view name) {
+  if (name.size() == 3 && name.starts_with("AX") && name[2] >= '1' &&
+      name[2] < '1' + static_cast<int>(kAxisCount)) {
+    return name[2] - '1';
+  }
+  if (name.size() == 3 && name.front() == 'M') {
+    name.remove_prefix(1);
+    return name[1] == '1' ? axis_index(name.front()) : -1;
+  }
+  const bool is_machine_axis = name.size() == 2 && name[1] == '1';
+  return name.size() == 1 || is_machine_axis ? axis_index(name.front()) : -1;
+}
+
 const AxisWordInfo* find_axis_word(std::string_view name) {
   const auto found = std::ranges::find(kAxisWords, name, &AxisWordInfo::name);
   return found != kAxisWords.end() ? &*found : nullptr;
