@@ -143,6 +143,24 @@ TEST(WorkOffsetCorrection, FineCoarseAndBasic) {
       block());
 }
 
+TEST(WorkOffsetCorrection, OfFurtherBasicFrames) {
+  expect_rows(
+      {{"basic frame 2",
+        "Z-5\nCYCLE977(101,11002,,1,40,,,2,5)",
+        {{"$P_CHBFRAME[1,X,TR]", 0.2},
+         {"$P_CHBFR[1,Y,TR]", -0.3},
+         {"$P_CHBFR[0,X,TR]", 0.0},
+         {"$P_UIFR[1,X,TR]", 100.0}}},
+       {"basic frame 2, fine, outside of one that turns",
+        "$P_CHBFR[2]=CROT(Z,90)\n$P_UIFR[1]=CTRANS(X,50,Y,-100,Z,-300)\nG54 G0 X0 Y0\n"
+        "Z-5\nCYCLE977(101,1002,,1,40,,,2,5)",
+        {{"$P_CHBFR[1,X,FI]", 0.2}, {"$P_CHBFR[1,Y,FI]", -0.3}, {"$P_CHBFR[2,Z,RT]", 90.0}}},
+       {"global basic frame",
+        "Z-5\nCYCLE977(101,13001,,1,40,,,2,5)",
+        {{"$P_NCBFRAME[0,X,TR]", 0.2}, {"$P_NCBFR[0,Y,TR]", -0.3}}}},
+      ring_aside());
+}
+
 TEST(WorkOffsetCorrection, OfAGrooveIsAcrossItOnly) {
   const std::string groove = part("groove", 100.2, 50.0, -300.0, "width = 20.0");
   expect_rows({{"a set point of the centre along the groove does not count",
@@ -403,6 +421,7 @@ TEST(MeasuringAlarms, AreTheCyclesOwnAndNothingIsCorrected) {
       {"a scaled offset", "$P_UIFR[1,X,SC]=2\nG54\nCYCLE978(100,1,,1,-30,5,1,1,1)", 61310},
       {"no such record", "CYCLE978(100,1,,99,-30,5,1,1,1)", 61313},
       {"no such work offset", "X-40\nZ-5\nCYCLE978(100,4001,,1,-30,5,1,1,1)", 61321},
+      {"no such basic frame", "X-40\nZ-5\nCYCLE978(100,1017,,1,-30,5,1,1,1)", 61321},
       {"no such axis", "CYCLE978(100,1,,1,-30,5,1,4,1)", 61325},
       {"no such direction", "CYCLE978(100,1,,1,-30,5,1,1,3)", 61326},
       {"a record that was never calibrated", "X-40\nZ-5\nCYCLE978(100,1,,2,-30,5,1,1,1)", 61341},
