@@ -15,8 +15,8 @@ constexpr int kCountFactor = 10'000;
 
 class FanucPrograms final : public ProgramSet {
  public:
-  FanucPrograms(const fanuc::Profile& profile, source::FileSystem& files)
-      : profile_(profile), library_(files) {
+  FanucPrograms(const fanuc::Profile& profile, source::SourceMap& sources)
+      : profile_(profile), library_(sources) {
     library_.compile_for(profile);
   }
 
@@ -71,8 +71,8 @@ class FanucPrograms final : public ProgramSet {
 }  // namespace
 
 std::unique_ptr<ProgramSet> fanuc_programs(const fanuc::Profile& profile,
-                                           source::FileSystem& files) {
-  return std::make_unique<FanucPrograms>(profile, files);
+                                           source::SourceMap& sources) {
+  return std::make_unique<FanucPrograms>(profile, sources);
 }
 
 }  // namespace g31::analysis

@@ -32,7 +32,7 @@ const Rule& info(RuleId id);
 struct Finding {
   RuleId rule = RuleId::WrongBlock;
   int alarm = 0;           ///< what the control stops with; 0: no alarm
-  source::Location where;  ///< has a file
+  source::Location where;  ///< known
   std::string message;     ///< one line, no final full stop
   std::string remedy;      ///< what would be right; may be empty
 };

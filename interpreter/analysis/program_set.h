@@ -7,7 +7,7 @@
 
 #include "interpreter/analysis/flow.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
-#include "interpreter/source/file_system.h"
+#include "interpreter/source/source_map.h"
 
 namespace g31::analysis {
 
@@ -32,12 +32,12 @@ class ProgramSet {
   virtual std::optional<Fault> missing_program(const Flow& caller, const Call& call) = 0;
 };
 
-/// @param profile, files  outlive the programs
+/// @param profile, sources  outlive the programs
 std::unique_ptr<ProgramSet> fanuc_programs(const fanuc::Profile& profile,
-                                           source::FileSystem& files);
+                                           source::SourceMap& sources);
 
 /// Definition files that are added define names for all of them.
-/// @param files  outlives the programs
-std::unique_ptr<ProgramSet> sinumerik_programs(source::FileSystem& files);
+/// @param sources  outlives the programs
+std::unique_ptr<ProgramSet> sinumerik_programs(source::SourceMap& sources);
 
 }  // namespace g31::analysis

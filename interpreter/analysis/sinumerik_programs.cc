@@ -11,7 +11,7 @@ namespace {
 
 class SinumerikPrograms final : public ProgramSet {
  public:
-  explicit SinumerikPrograms(source::FileSystem& files) : library_(files), callable_(library_) {}
+  explicit SinumerikPrograms(source::SourceMap& sources) : library_(sources), callable_(library_) {}
 
   bool add_file(const std::string& path) override {
     return library_.add_file(path) == sinumerik::ProgramLibrary::Added::Yes;
@@ -58,8 +58,8 @@ std::optional<Fault> SinumerikPrograms::missing_program(const Flow& caller, cons
 
 }  // namespace
 
-std::unique_ptr<ProgramSet> sinumerik_programs(source::FileSystem& files) {
-  return std::make_unique<SinumerikPrograms>(files);
+std::unique_ptr<ProgramSet> sinumerik_programs(source::SourceMap& sources) {
+  return std::make_unique<SinumerikPrograms>(sources);
 }
 
 }  // namespace g31::analysis

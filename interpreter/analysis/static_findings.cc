@@ -61,7 +61,7 @@ class Findings {
   }
 
   std::vector<Finding> take() {
-    std::ranges::stable_sort(found_, {}, [](const Finding& f) { return f.where.span.begin; });
+    std::ranges::stable_sort(found_, {}, [](const Finding& f) { return f.where.begin; });
     return std::move(found_);
   }
 
@@ -72,7 +72,7 @@ class Findings {
       rule = RuleId::UnreachedFault;
     }
     found_.push_back(
-        {rule, fault.alarm, {flow.file, fault.where.widened()}, fault.message, fault.remedy});
+        {rule, fault.alarm, flow.file->at(fault.where.widened()), fault.message, fault.remedy});
   }
 
   ProgramSet& programs_;
@@ -82,7 +82,7 @@ class Findings {
 Finding no_program(const source::SourceFile& file, const std::string& why) {
   Finding finding;
   finding.rule = RuleId::NotAProgram;
-  finding.where.file = &file;
+  finding.where = file.at({});
   finding.message = why;
   return finding;
 }

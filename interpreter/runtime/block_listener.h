@@ -8,7 +8,7 @@ namespace g31::runtime {
 
 /// A block that is about to begin.
 struct BlockPlace {
-  source::Location where;    ///< its text; holds as long as the session
+  source::Location where;    ///< its text
   std::uint16_t depth = 0;   ///< levels of calls above it; 0: the main program
   bool is_shown = true;      ///< false: its program hides its blocks (DISPLOF)
   bool is_skipped = false;   ///< block skip is on for it: it counts, and does nothing

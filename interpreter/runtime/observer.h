@@ -48,7 +48,6 @@ struct OutputEvent {
 
 /// Hears what a running program does, in order.  Whoever runs the program decides what becomes of
 /// it: a document, a trace, a line on the terminal.  Every function may be left as it is.
-/// The places in events hold during the call only.
 class Observer {
  public:
   Observer() = default;

@@ -7,7 +7,7 @@ namespace g31::runtime {
 void Warnings::add(std::vector<source::Diagnostic>& diagnostics, source::DiagnosticId id,
                    source::Location where) {
   const auto [row, is_new] =
-      repeats_.try_emplace({id, where.file, where.span.begin}, Repeat{diagnostics.size(), 0});
+      repeats_.try_emplace({id, where.file, where.begin}, Repeat{diagnostics.size(), 0});
   ++row->second.times;
   if (is_new) {
     diagnostics.push_back(make_diagnostic(id, where));

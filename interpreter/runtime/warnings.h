@@ -26,8 +26,7 @@ class Warnings {
     std::size_t diagnostic = 0;  ///< its place among the diagnostics
     std::uint64_t times = 0;
   };
-  std::map<std::tuple<source::DiagnosticId, const source::SourceFile*, std::size_t>, Repeat>
-      repeats_;
+  std::map<std::tuple<source::DiagnosticId, source::FileId, std::uint64_t>, Repeat> repeats_;
 };
 
 /// What a move that listens to a sensor so placed deserves to be told; empty: nothing.

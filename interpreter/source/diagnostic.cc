@@ -21,31 +21,31 @@ constexpr auto kDiagnosticRows = std::to_array<DiagnosticInfo>({
 constexpr std::size_t kShownColumns = 120;
 
 /// The source line and the marker under it.
-std::string excerpt(const Location& where) {
-  const LineColumn start = where.file->line_column(where.span.begin);
-  const std::string_view whole = where.file->line(start.line);
-  const std::size_t before = static_cast<std::size_t>(start.column) - 1;
+std::string excerpt(const ShownPlace& place, std::size_t length) {
+  const std::string_view whole = place.text;
+  const std::size_t before = static_cast<std::size_t>(place.column) - 1;
   const std::size_t cut = before > kShownColumns / 2 ? before - kShownColumns / 2 : 0;
   const std::size_t from = whole.size() > kShownColumns ? std::min(cut, whole.size()) : 0;
   const std::string_view line = whole.substr(from, kShownColumns);
 
   const std::size_t column = before - std::min(from, before);
   const std::size_t room = line.size() > column ? line.size() - column : 1;
-  const std::size_t width = std::clamp<std::size_t>(where.span.end - where.span.begin, 1, room);
+  const std::size_t width = std::clamp<std::size_t>(length, 1, room);
   const std::string in_front = printable(line.substr(0, column));
   const std::string marked = printable(line.substr(std::min(column, line.size()), width));
   const std::size_t tildes = std::max<std::size_t>(character_count(marked), 1) - 1;
   const std::size_t blanks = character_count(in_front) + (column - std::min(column, line.size()));
-  return fmt::format("{:5} | {}\n{:5} | {}^{}\n", start.line, printable(line), "",
+  return fmt::format("{:5} | {}\n{:5} | {}^{}\n", place.line, printable(line), "",
                      std::string(blanks, ' '), std::string(tildes, '~'));
 }
 
-std::string place(const Location& where) {
-  if (where.file == nullptr) {
+std::string prefix(const ShownPlace& place) {
+  if (place.file.empty()) {
     return {};
   }
-  const LineColumn start = where.file->line_column(where.span.begin);
-  return fmt::format("{}:{}:{}: ", printable(where.file->name()), start.line, start.column);
+  return place.line == 0
+             ? fmt::format("{}: ", printable(place.file))
+             : fmt::format("{}:{}:{}: ", printable(place.file), place.line, place.column);
 }
 
 }  // namespace
@@ -80,18 +80,18 @@ Diagnostic make_diagnostic(DiagnosticId id, Location where, std::string_view det
           {}};
 }
 
-std::string render_text(const Diagnostic& diagnostic) {
-  std::string text =
-      fmt::format("{}{}: {} [{}]\n", place(diagnostic.where), name_of(diagnostic.severity),
-                  printable(diagnostic.message), diagnostic.code);
-  if (diagnostic.where.file != nullptr) {
-    text += excerpt(diagnostic.where);
+std::string render_text(const Diagnostic& diagnostic, const SourceMap& sources) {
+  const ShownPlace place = sources.show(diagnostic.where);
+  std::string text = fmt::format("{}{}: {} [{}]\n", prefix(place), name_of(diagnostic.severity),
+                                 printable(diagnostic.message), diagnostic.code);
+  if (place.line > 0) {
+    text += excerpt(place, diagnostic.where.length);
   }
   if (!diagnostic.remedy.empty()) {
     text += fmt::format("{:5} = {}\n", "", diagnostic.remedy);
   }
   for (const Note& note : diagnostic.notes) {
-    text += fmt::format("{}note: {}\n", place(note.where), printable(note.message));
+    text += fmt::format("{}note: {}\n", prefix(sources.show(note.where)), printable(note.message));
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "interpreter/source/location.h"
+#include "interpreter/source/source_map.h"
 
 namespace g31::source {
 
@@ -25,7 +26,7 @@ struct Note {
 struct Diagnostic {
   Severity severity = Severity::Error;
   std::string code;     ///< the control's alarm number, or a row of diagnostics.def
-  Location where;       ///< without a file: the message stands alone
+  Location where;       ///< not known: the message stands alone
   std::string message;  ///< one line, no final full stop
   std::string remedy;   ///< what would be right; may be empty
   std::vector<Note> notes;
@@ -56,6 +57,8 @@ Diagnostic make_diagnostic(DiagnosticId id, Location where, std::string_view det
 
 /// The compiler-style form: `file:line:col: error: text [CODE]`, the line, a marker under it, the
 /// remedy and the notes.  Long lines are cut around the marker; control characters show as `?`.
-std::string render_text(const Diagnostic& diagnostic);
+/// Where the text is no longer to be had, the file stands alone.
+/// @param sources  of the programs that the places are in
+std::string render_text(const Diagnostic& diagnostic, const SourceMap& sources);
 
 }  // namespace g31::source

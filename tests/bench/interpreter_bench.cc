@@ -28,7 +28,8 @@ void run_text(benchmark::State& state, const std::string& text) {
   std::uint64_t blocks = 0;
   for (auto _ : state) {
     OneFile files(text);
-    fanuc::ProgramLibrary library(files);
+    source::SourceMap sources(files);
+    fanuc::ProgramLibrary library(sources);
     library.add_file("bench.nc");
     machine::MachiningCentre machine({}, nullptr);
     runtime::Observer silent;

@@ -49,7 +49,8 @@ void read_sinumerik_text(std::string_view bytes) {
 void run_sinumerik_text(std::string_view bytes) {
   const TapeChoices choices(bytes);
   OneFile files(kPath, bytes);
-  sinumerik::ProgramLibrary library(files);
+  source::SourceMap sources(files);
+  sinumerik::ProgramLibrary library(sources);
   library.add_file(kPath);
   const auto surroundings = choices.surroundings();
   machine::MachiningCentre machine(choices.machine_setup(), surroundings.get());
@@ -57,7 +58,7 @@ void run_sinumerik_text(std::string_view bytes) {
   sinumerik::Session session(library, machine, listener);
   // A name of the set-up may be a macro of the text: it need not be understood.
   session.configure(choices.sinumerik_setup());
-  judge(session.run({kBlocks, kWallSeconds}), machine);
+  judge(session.run({kBlocks, kWallSeconds}), sources, machine);
   for (const char* name : {"R1", "R2+R3", "$P_EP[X]", "$AA_IW[Z]", "$AA_MW[X]", "$P_UIFR[1,X,TR]",
                            "$P_ACTFRAME[Y,RT]", "$TC_DP3[1,1]", "\"R1=\"<<R1"}) {
     const auto value = session.variable(name);

@@ -20,14 +20,15 @@ void Listener::on_touch(const runtime::TouchEvent& event) {
   G31_EXPECTS(event.q_M_stopped.allFinite());
 }
 
-void render(const source::Diagnostic& diagnostic) {
+void render(const source::Diagnostic& diagnostic, const source::SourceMap& sources) {
   G31_EXPECTS(!diagnostic.message.empty());
-  G31_EXPECTS(!source::render_text(diagnostic).empty());
+  G31_EXPECTS(!source::render_text(diagnostic, sources).empty());
 }
 
-void judge(const runtime::Outcome& outcome, machine::MachiningCentre& machine) {
+void judge(const runtime::Outcome& outcome, const source::SourceMap& sources,
+           machine::MachiningCentre& machine) {
   for (const source::Diagnostic& diagnostic : outcome.diagnostics) {
-    render(diagnostic);
+    render(diagnostic, sources);
   }
   G31_EXPECTS(outcome.status == runtime::Status::Completed || !outcome.diagnostics.empty());
   G31_EXPECTS(machine.position().allFinite() && std::isfinite(machine.time_s()));

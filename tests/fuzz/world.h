@@ -36,9 +36,10 @@ class Listener final : public runtime::Observer {
 };
 
 /// Makes the text of a message; there must be one.
-void render(const source::Diagnostic& diagnostic);
+void render(const source::Diagnostic& diagnostic, const source::SourceMap& sources);
 
 /// What the end of every run must be like.
-void judge(const runtime::Outcome& outcome, machine::MachiningCentre& machine);
+void judge(const runtime::Outcome& outcome, const source::SourceMap& sources,
+           machine::MachiningCentre& machine);
 
 }  // namespace g31::fuzz

@@ -91,7 +91,7 @@ class PathDriver {
   }
 
   CompensationCommand here() {
-    command_.where.span = {blocks_, blocks_ + 1};
+    command_.where.begin = blocks_;
     ++blocks_;
     return command_;
   }

@@ -236,8 +236,7 @@ TEST(CompensatedProgram, Alarms) {
     EXPECT_EQ(ControlRun("fanuc-30i", c.blocks, radius(5.0)).alarm(), c.number);
     EXPECT_EQ(ControlRun("meldas", c.blocks, radius(5.0)).alarm(), c.meldas);
     ASSERT_TRUE(fanuc.outcome().alarm.has_value());
-    const source::Location& where = fanuc.outcome().alarm->where;
-    EXPECT_EQ(where.file->line_column(where.span.begin).line, c.line);
+    EXPECT_EQ(fanuc.line_of(fanuc.outcome().alarm->where), c.line);
   }
 }
 

@@ -285,7 +285,7 @@ TEST(CutterCompensation, WhatCannotBeCompensated) {
     c.program(driver);
     ASSERT_TRUE(driver.fault().has_value());
     EXPECT_EQ(driver.fault()->error, c.error);
-    EXPECT_EQ(driver.fault()->where.span.begin, c.block);
+    EXPECT_EQ(driver.fault()->where.begin, c.block);
   }
 }
 

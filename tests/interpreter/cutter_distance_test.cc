@@ -139,9 +139,9 @@ void expect_at_distance(const std::vector<PlaneWay>& ways, double offset,
   PlanePoint at = std::get<PathBlock>(items[0]).q_M_end.head<2>();
   for (std::size_t i = 1; i < items.size(); ++i) {
     const PathBlock& block = std::get<PathBlock>(items[i]);
-    const std::size_t number = block.where.span.begin;
+    const std::size_t number = block.where.begin;
     const bool is_path =
-        i + 1 == items.size() || std::get<PathBlock>(items[i + 1]).where.span.begin != number;
+        i + 1 == items.size() || std::get<PathBlock>(items[i + 1]).where.begin != number;
     for (const PlanePoint& p : samples(at, block)) {
       double nearest = 1e9;
       for (const PlaneWay& way : ways) {

@@ -48,7 +48,7 @@ class Files final : public source::FileSystem {
 class ProgramRun {
  public:
   explicit ProgramRun(std::map<std::string, std::string> files)
-      : files_(std::move(files)), library_(files_) {
+      : files_(std::move(files)), sources_(files_), library_(sources_) {
     library_.add_file("main.mpf");
     library_.add_folder("lib");
     session_ = std::make_unique<sinumerik::Session>(library_, machine_, observer_);
@@ -66,9 +66,15 @@ class ProgramRun {
     return value ? std::get<std::string>(value.value()) : value.error();
   }
   [[nodiscard]] const Files& files() const { return files_; }
+  /// "main.mpf:2", or "" where there is no place.
+  [[nodiscard]] std::string line_of(const source::Location& where) const {
+    const source::ShownPlace place = sources_.show(where);
+    return place.file.empty() ? std::string() : place.file + ":" + std::to_string(place.line);
+  }
 
  private:
   Files files_;
+  source::SourceMap sources_;
   ProgramLibrary library_;
   testing::RecordingMachine machine_;
   runtime::Observer observer_;
@@ -114,7 +120,8 @@ TEST(SinumerikLibrary, IsReadOnceForAllSessionsWhichShareNoVariables) {
   Files files({{"main.mpf", "COUNT=COUNT+R2\nTWICE(COUNT)\nM30\n"},
                {"lib/gud.def", "DEF CHAN REAL COUNT=5\nM17\n"},
                {"lib/twice.spf", "PROC TWICE(REAL A)\nR1=R1+2*A\nM17\n"}});
-  ProgramLibrary library(files);
+  source::SourceMap sources(files);
+  ProgramLibrary library(sources);
   library.add_file("main.mpf");
   library.add_folder("lib");
   EXPECT_EQ(r1_of_session(library, "R2", 1.0), 12.0);
@@ -129,7 +136,8 @@ TEST(SinumerikLibrary, WhatANameMeansDoesNotDependOnOtherSessions) {
   Files files({{"main.mpf", "IF R2==1\nDEEP\nENDIF\nPART\nM30\n"},
                {"lib/all.arc", "%_N_DEEP_SPF\nM17\n%_N_PART_SPF\n;$PATH=/_N_SPF_DIR\nR1=2\nM17\n"},
                {"lib/part.spf", "R1=1\nM17\n"}});
-  ProgramLibrary library(files);
+  source::SourceMap sources(files);
+  ProgramLibrary library(sources);
   library.add_file("main.mpf");
   library.add_folder("lib");
   EXPECT_EQ(r1_of_session(library, "R2", 0.0), 1.0);
@@ -240,7 +248,7 @@ TEST(SinumerikDefinitions, AreGlobalAndHaveValues) {
 TEST(SinumerikDefinitions, MustHaveAScope) {
   ProgramRun run({{"main.mpf", "M30\n"}, {"lib/UGUD.DEF", "DEF REAL GLOB\nM17\n"}});
   EXPECT_EQ(run.alarm(), 14500);
-  EXPECT_EQ(run.outcome().alarm->where.file->name(), "lib/UGUD.DEF");
+  EXPECT_EQ(run.line_of(run.outcome().alarm->where), "lib/UGUD.DEF:1");
 }
 
 TEST(SinumerikDefinitions, TheFirstFileOfANameCounts) {
@@ -287,18 +295,9 @@ TEST(SinumerikAlarms, TellPlaceAndCalls) {
                   {"lib/suba.spf", "PROC SUBA(INT AA)\n\n  R1=R1/(AA-2)\nRET\n"}});
   ASSERT_TRUE(run.outcome().alarm);
   EXPECT_EQ(run.alarm(), 14051);
-  const source::Location where = run.outcome().alarm->where;
-  EXPECT_EQ(where.file->name(), "lib/suba.spf");
-  EXPECT_EQ(where.file->line_column(where.span.begin).line, 3);
+  EXPECT_EQ(run.line_of(run.outcome().alarm->where), "lib/suba.spf:3");
   ASSERT_EQ(run.outcome().alarm->calls.size(), 1U);
-  EXPECT_EQ(run.outcome().alarm->calls[0].where.file->name(), "main.mpf");
-}
-
-/// "main.mpf:2", or "" where there is no file.
-std::string line_of(const source::Location& where) {
-  return where.file == nullptr ? std::string()
-                               : where.file->name() + ":" +
-                                     std::to_string(where.file->line_column(where.span.begin).line);
+  EXPECT_EQ(run.line_of(run.outcome().alarm->calls[0].where), "main.mpf:2");
 }
 
 /// More text than a window has, without a block.
@@ -377,20 +376,23 @@ TEST(SinumerikLongProgram, TellsTheLineOfAnAlarm) {
   const auto in_main = [](auto line) { return "main.mpf:" + std::to_string(line); };
   const ProgramRun in_window = long_run({"R1=1", "R1=2", "G1 F100 X=1/0", "M30"});
   EXPECT_EQ(in_window.alarm(), 14051);
-  EXPECT_EQ(line_of(in_window.outcome().alarm->where), in_main(2 + 2 * lines_of_comment + 1));
+  EXPECT_EQ(in_window.line_of(in_window.outcome().alarm->where),
+            in_main(2 + 2 * lines_of_comment + 1));
   const ProgramRun in_whole = long_run({"R1=1", "GOTOF HERE\nHERE:", "G1 F100 X=1/0", "M30"});
   EXPECT_EQ(in_whole.alarm(), 14051);
-  EXPECT_EQ(line_of(in_whole.outcome().alarm->where), in_main(3 + 2 * lines_of_comment + 1));
+  EXPECT_EQ(in_whole.line_of(in_whole.outcome().alarm->where),
+            in_main(3 + 2 * lines_of_comment + 1));
   const ProgramRun wrong_word = long_run({"R1=1", "R1=2", "G1 Q5", "M30"});
   EXPECT_EQ(wrong_word.alarm(), 12050);
-  EXPECT_EQ(line_of(wrong_word.outcome().alarm->where), in_main(2 + 2 * lines_of_comment + 1));
+  EXPECT_EQ(wrong_word.line_of(wrong_word.outcome().alarm->where),
+            in_main(2 + 2 * lines_of_comment + 1));
 }
 
 /// Program and line of each.
-std::string lines_of(const std::vector<runtime::CallSite>& sites) {
+std::string lines_of(const ProgramRun& run, const std::vector<runtime::CallSite>& sites) {
   std::string lines;
   for (const runtime::CallSite& site : sites) {
-    lines += (lines.empty() ? "" : " ") + site.program + "@" + line_of(site.where);
+    lines += (lines.empty() ? "" : " ") + site.program + "@" + run.line_of(site.where);
   }
   return lines;
 }
@@ -426,9 +428,9 @@ TEST(SinumerikAlarms, ShowTheCallOfProgramsWithDisplof) {
           std::string("PROC SUBB(INT AA) ") + c.inner + "\n  R1=R1/(AA-2)\nRET\n"}});
     ASSERT_EQ(run.alarm(), 14051);
     const runtime::Alarm& alarm = *run.outcome().alarm;
-    EXPECT_EQ(line_of(alarm.where), c.where);
-    EXPECT_EQ(lines_of(alarm.inside), c.inside);
-    EXPECT_EQ(lines_of(alarm.calls), c.calls);
+    EXPECT_EQ(run.line_of(alarm.where), c.where);
+    EXPECT_EQ(lines_of(run, alarm.inside), c.inside);
+    EXPECT_EQ(lines_of(run, alarm.calls), c.calls);
   }
 }
 
@@ -481,7 +483,7 @@ TEST(SinumerikDataFiles, TellWhichLineIsWrong) {
     ProgramRun run({{"main.mpf", std::string("R1=1\nM30\n%_N_UFR_INI\n$P_UIFR[1,X,TR]=5\n") +
                                      c.line + "\nM17\n%_N_RPA_INI\nR[2]=7\n"}});
     EXPECT_EQ(run.alarm(), c.alarm);
-    EXPECT_EQ(line_of(run.outcome().alarm->where), "main.mpf:5");
+    EXPECT_EQ(run.line_of(run.outcome().alarm->where), "main.mpf:5");
     EXPECT_EQ(run.number("R1"), 0.0) << "nothing ran behind it";
     EXPECT_EQ(run.number("R2"), 0.0);
   }
@@ -499,7 +501,7 @@ TEST(SinumerikDataFiles, MayHaveSystemDataThatG31HasNot) {
   ASSERT_EQ(run.outcome().diagnostics.size(), 1U);
   const source::Diagnostic& note = run.outcome().diagnostics.front();
   EXPECT_EQ(note.severity, source::Severity::Note);
-  EXPECT_EQ(line_of(note.where), "main.mpf:5");
+  EXPECT_EQ(run.line_of(note.where), "main.mpf:5");
   EXPECT_EQ(note.message, "not simulated: 3 data of this file, $TC_QAP3, $TC_QPP2, $TC_QPP6");
 }
 

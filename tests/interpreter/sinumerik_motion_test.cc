@@ -59,7 +59,8 @@ class EndsMachine final : public machine::MachinePort {
 template <typename Machine>
 void run(const std::string& program, Machine& machine) {
   OneFile file(program);
-  sinumerik::ProgramLibrary library(file);
+  source::SourceMap sources(file);
+  sinumerik::ProgramLibrary library(sources);
   library.add_file("main.mpf");
   runtime::Observer observer;
   sinumerik::Session session(library, machine, observer);

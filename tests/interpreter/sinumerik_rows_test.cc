@@ -37,7 +37,8 @@ struct Ran {
 
 Ran run_of(const std::string& program) {
   testing::FilesInMemory files({{"row.mpf", program + "\nM30\n"}});
-  ProgramLibrary library(files);
+  source::SourceMap sources(files);
+  ProgramLibrary library(sources);
   library.add_file("row.mpf");
   testing::RecordingMachine machine;
   runtime::Observer observer;

@@ -35,7 +35,8 @@ class ControlRun final : public runtime::Observer {
   ControlRun(std::string_view control, const std::string& program,
              const runtime::ControlSetup& setup = {}, std::vector<AxisPositions> touches = {})
       : files_({{"case.nc", "O0001\n" + program + "\nM30\n"}}),
-        library_(files_),
+        sources_(files_),
+        library_(sources_),
         machine_(std::move(touches)) {
     const fanuc::Profile* const profile = fanuc::find_profile(control);
     G31_EXPECTS(profile != nullptr);
@@ -58,6 +59,9 @@ class ControlRun final : public runtime::Observer {
     return outcome_.alarm ? outcome_.alarm->number : 0;
   }
   [[nodiscard]] const runtime::Outcome& outcome() const { return outcome_; }
+  [[nodiscard]] int line_of(const source::Location& where) const {
+    return sources_.show(where).line;
+  }
   [[nodiscard]] const std::string& output() const { return output_; }
   [[nodiscard]] const std::vector<std::string>& refused() const { return refused_; }
   [[nodiscard]] const RecordingMachine& machine() const { return machine_; }
@@ -66,6 +70,7 @@ class ControlRun final : public runtime::Observer {
 
  private:
   FilesInMemory files_;
+  source::SourceMap sources_;
   fanuc::ProgramLibrary library_;
   RecordingMachine machine_;
   std::unique_ptr<fanuc::Session> session_;

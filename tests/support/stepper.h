@@ -59,8 +59,8 @@ inline std::string shown(const runtime::ShownValue& value) {
       value);
 }
 
-inline std::string shown(const source::Location& where) {
-  const source::LineColumn place = where.file->line_column(where.span.begin);
+/// "line:column"
+inline std::string shown(const source::ShownPlace& place) {
   return fmt::format("{}:{}", place.line, place.column);
 }
 
@@ -96,6 +96,10 @@ class SteppedRun {
   [[nodiscard]] const std::string& refused() const { return refused_; }
   session::Session& session() { return run_->session(); }
 
+  [[nodiscard]] source::ShownPlace place(const source::Location& where) const {
+    return programs_->sources().show(where);
+  }
+
   /// All that can be seen of a paused run, as text.
   std::string state(const std::vector<std::string>& expressions) {
     std::string text = fmt::format("{} s at", machine().time_s());
@@ -104,7 +108,7 @@ class SteppedRun {
     }
     const auto levels = session().call_levels();
     for (std::size_t i = 0; i < levels.size(); ++i) {
-      text += fmt::format("\n{} {}{}", levels[i].program, shown(levels[i].where),
+      text += fmt::format("\n{} {}{}", levels[i].program, shown(place(levels[i].where)),
                           levels[i].is_shown ? "" : " hidden");
       text += values(i, runtime::Scope::Local);
       for (const std::string& expression : expressions) {
@@ -121,7 +125,7 @@ class SteppedRun {
     std::string text = fmt::format("{}, {} blocks, {} s", session::status_name(outcome.status),
                                    outcome.blocks, machine().time_s());
     for (const source::Diagnostic& diagnostic : outcome.diagnostics) {
-      text += "\n" + source::render_text(diagnostic);
+      text += "\n" + source::render_text(diagnostic, programs_->sources());
     }
     for (const auto& move : recorder_.moves()) {
       text += fmt::format("\nG{} F{}", move.event.g, move.event.feed_mm_min);

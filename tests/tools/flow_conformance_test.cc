@@ -91,8 +91,8 @@ class Walked {
     const auto opened = session::open_programs(prepared_->control, request, disk_);
     programs_ = opened ? opened.value() : nullptr;
     const auto* const fanuc = std::get_if<session::FanucControl>(&prepared_->control);
-    set_ = fanuc != nullptr ? analysis::fanuc_programs(fanuc->profile, disk_)
-                            : analysis::sinumerik_programs(disk_);
+    set_ = fanuc != nullptr ? analysis::fanuc_programs(fanuc->profile, sources_)
+                            : analysis::sinumerik_programs(sources_);
     set_->add_file(path_);
     // Definition files among the shipped programs define names for all.
     const auto shipped =
@@ -158,8 +158,8 @@ class Walked {
       return std::nullopt;
     }
     const source::Diagnostic& last = outcome.diagnostics.back();
-    const bool is_here = last.where.file != nullptr && last.where.file->name() == path_;
-    return Stand{last.notes.size(), is_here ? last.where.span.begin : std::string::npos};
+    const bool is_here = programs_->sources().show(last.where).file == path_;
+    return Stand{last.notes.size(), is_here ? last.where.begin : std::string::npos};
   }
 
   Standing standing_at(std::size_t offset) const {
@@ -179,6 +179,7 @@ class Walked {
 
   testing::TemporaryFolder folder_;
   disk::Disk disk_;
+  source::SourceMap sources_{disk_};
   std::string path_;
   std::unique_ptr<session::Prepared> prepared_;
   std::shared_ptr<session::Programs> programs_;

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "interpreter/analysis/program_set.h"
 #include "interpreter/analysis/static_findings.h"
 #include "interpreter/runtime/overloaded.h"
 #include "tools/disk/shipped.h"
@@ -26,13 +27,13 @@ Control control_of(const std::string& path, source::FileSystem& files) {
 }
 
 std::unique_ptr<analysis::ProgramSet> programs_for(const Control& control,
-                                                   source::FileSystem& files) {
+                                                   source::SourceMap& sources) {
   return std::visit(
       runtime::Overloaded{
           [&](const session::FanucControl& chosen) {
-            return analysis::fanuc_programs(chosen.profile, files);
+            return analysis::fanuc_programs(chosen.profile, sources);
           },
-          [&](const session::SinumerikControl&) { return analysis::sinumerik_programs(files); },
+          [&](const session::SinumerikControl&) { return analysis::sinumerik_programs(sources); },
       },
       control);
 }
@@ -89,12 +90,12 @@ void add_callable(analysis::ProgramSet& programs, const Group& group,
 
 }  // namespace
 
-Findings check(const Request& request, source::FileSystem& files) {
+Findings check(const Request& request, source::SourceMap& sources) {
   Findings all;
   std::map<std::string, std::vector<analysis::Finding>> by_file;
-  const std::vector<Group> groups = groups_of(request, files);
+  const std::vector<Group> groups = groups_of(request, sources.files());
   for (const Group& group : groups) {
-    auto programs = programs_for(group.control, files);
+    auto programs = programs_for(group.control, sources);
     std::vector<std::string> readable;
     for (const std::string& path : group.files) {
       (programs->add_file(path) ? readable : all.unreadable).push_back(path);
@@ -103,7 +104,6 @@ Findings check(const Request& request, source::FileSystem& files) {
     for (const std::string& path : readable) {
       by_file[path] = analysis::static_findings(*programs, path);
     }
-    all.programs.push_back(std::move(programs));
   }
   for (const std::string& path : request.paths.files) {
     std::ranges::move(by_file[path], std::back_inserter(all.found));

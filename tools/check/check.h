@@ -1,13 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "interpreter/analysis/finding.h"
-#include "interpreter/analysis/program_set.h"
-#include "interpreter/source/file_system.h"
+#include "interpreter/source/source_map.h"
 #include "tools/check/program_paths.h"
 #include "tools/session/control.h"
 
@@ -20,9 +18,8 @@ struct Request {
   std::vector<std::string> libraries;       ///< folders of subprograms
 };
 
-/// The findings of some files, file by file, and the texts that they point into.
+/// The findings of some files, file by file.
 struct Findings {
-  std::vector<std::unique_ptr<analysis::ProgramSet>> programs;
   std::vector<analysis::Finding> found;
   std::vector<std::string> unreadable;  ///< files
 };
@@ -30,6 +27,7 @@ struct Findings {
 /// Looks up what a program calls as a run of it would: in its file, in the other files of its
 /// folder that are checked, in those that are named, in its folder, in the libraries and among the
 /// programs shipped with g31.
-Findings check(const Request& request, source::FileSystem& files);
+/// @param sources  gets the files that are read, and so shows where the findings are
+Findings check(const Request& request, source::SourceMap& sources);
 
 }  // namespace g31::check

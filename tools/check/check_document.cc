@@ -16,31 +16,25 @@ std::string_view level_of(const analysis::Finding& finding) {
   return source::name_of(analysis::info(finding.rule).level);
 }
 
-/// A place as a document has it: 1-based, columns in characters.
-source::LineColumn place_of(const source::SourceFile& file, std::size_t offset) {
-  source::LineColumn place = file.line_column(offset);
-  const std::string_view line = file.line(place.line);
-  const auto before = std::min(static_cast<std::size_t>(place.column) - 1, line.size());
-  place.column =
-      1 + static_cast<int>(source::character_count(source::printable(line.substr(0, before))));
-  return place;
-}
-
-/// Where a finding stands: on one line, and never of no width.
+/// Where a finding stands: on one line, and never of no width.  Columns count characters from 1.
 struct Extent {
-  source::LineColumn begin;
-  source::LineColumn end;
+  std::string file;
+  int line = 0;
+  int column = 0;
+  int end_column = 0;
 };
 
-Extent extent_of(const analysis::Finding& finding) {
-  const source::SourceFile& file = *finding.where.file;
-  const source::Span span = finding.where.span;
-  const std::size_t line_end = std::min(file.text().find('\n', span.begin), file.text().size());
-  Extent extent;
-  extent.begin = place_of(file, span.begin);
-  extent.end = place_of(file, std::clamp(span.end, span.begin, std::max(span.begin, line_end)));
-  extent.end.column = std::max(extent.end.column, extent.begin.column + 1);
-  return extent;
+/// @param bytes  of the line before the column
+int column_of(std::string_view line, std::size_t bytes) {
+  return 1 + static_cast<int>(source::character_count(source::printable(line.substr(0, bytes))));
+}
+
+Extent extent_of(const analysis::Finding& finding, const source::SourceMap& sources) {
+  const source::ShownPlace place = sources.show(finding.where);
+  const auto before = static_cast<std::size_t>(std::max(place.column, 1)) - 1;
+  const int column = column_of(place.text, before);
+  const int end = column_of(place.text, before + finding.where.length);
+  return {place.file, place.line, column, std::max(end, column + 1)};
 }
 
 /// GitHub's own escapes.
@@ -56,20 +50,20 @@ std::string escaped(std::string_view text, bool is_property) {
 
 }  // namespace
 
-std::string check_document(std::span<const analysis::Finding> findings) {
+std::string check_document(std::span<const analysis::Finding> findings,
+                           const source::SourceMap& sources) {
   Json document = {{"schema", "g31.check/1"}};
   document["findings"] = Json::array();
   for (const analysis::Finding& finding : findings) {
-    const source::SourceFile& file = *finding.where.file;
-    const auto [begin, end] = extent_of(finding);
+    const Extent extent = extent_of(finding, sources);
     Json row = {{"rule", analysis::info(finding.rule).code},
                 {"level", level_of(finding)},
                 {"message", analysis::diagnostic_of(finding).message},
-                {"file", file.name()},
-                {"line", begin.line},
-                {"column", begin.column},
-                {"end_line", end.line},
-                {"end_column", end.column},
+                {"file", extent.file},
+                {"line", extent.line},
+                {"column", extent.column},
+                {"end_line", extent.line},
+                {"end_column", extent.end_column},
                 {"fix", nullptr}};
     row["remedy"] = finding.remedy;
     row["alarm"] = finding.alarm != 0 ? Json(finding.alarm) : Json(nullptr);
@@ -78,17 +72,17 @@ std::string check_document(std::span<const analysis::Finding> findings) {
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string github_annotations(std::span<const analysis::Finding> findings) {
+std::string github_annotations(std::span<const analysis::Finding> findings,
+                               const source::SourceMap& sources) {
   std::string text;
   for (const analysis::Finding& finding : findings) {
-    const source::SourceFile& file = *finding.where.file;
-    const auto [begin, end] = extent_of(finding);
+    const Extent extent = extent_of(finding, sources);
     const std::string_view level = level_of(finding);
     const auto message = source::printable(analysis::diagnostic_of(finding).message);
     text += fmt::format("::{} file={},line={},col={},endLine={},endColumn={},title={}::{}\n",
-                        level == "note" ? "notice" : level, escaped(file.name(), true), begin.line,
-                        begin.column, end.line, end.column, analysis::info(finding.rule).code,
-                        escaped(message, false));
+                        level == "note" ? "notice" : level, escaped(extent.file, true), extent.line,
+                        extent.column, extent.line, extent.end_column,
+                        analysis::info(finding.rule).code, escaped(message, false));
   }
   return text;
 }

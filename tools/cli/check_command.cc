@@ -64,10 +64,10 @@ CheckFindings without_disabled(CheckFindings found, const std::vector<std::strin
   return found;
 }
 
-std::string text_of(const CheckFindings& found) {
+std::string text_of(const CheckFindings& found, const source::SourceMap& sources) {
   std::string text;
   for (const analysis::Finding& finding : found) {
-    text += render_text(analysis::diagnostic_of(finding));
+    text += render_text(analysis::diagnostic_of(finding), sources);
   }
   return text;
 }
@@ -82,16 +82,17 @@ std::optional<session::Refusal> print_out(const std::string& text) {
 }
 
 /// The findings where they are wanted.
-std::optional<session::Refusal> hand_out(const CheckOptions& options, const CheckFindings& found) {
+std::optional<session::Refusal> hand_out(const CheckOptions& options, const CheckFindings& found,
+                                         const source::SourceMap& sources) {
   const bool as_document = options.format == CheckOptions::Format::Json || options.json == "-";
   const bool as_annotations = options.format == CheckOptions::Format::Github;
-  auto wrong = print_out(as_document      ? check::check_document(found)
-                         : as_annotations ? check::github_annotations(found)
-                                          : text_of(found));
+  auto wrong = print_out(as_document      ? check::check_document(found, sources)
+                         : as_annotations ? check::github_annotations(found, sources)
+                                          : text_of(found, sources));
   if (wrong || options.json.empty() || options.json == "-") {
     return wrong;
   }
-  const auto problem = disk::write_whole_file(options.json, check::check_document(found));
+  const auto problem = disk::write_whole_file(options.json, check::check_document(found, sources));
   return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
 }
 
@@ -114,11 +115,12 @@ ExitCode check_command(const CheckOptions& options) {
     request.control = control.value();
   }
   disk::Disk disk;
+  source::SourceMap sources(disk);
   request.paths = check::program_paths(options.files);
   request.libraries = options.libraries;
-  check::Findings checked = check::check(request, disk);
+  check::Findings checked = check::check(request, sources);
   const CheckFindings found = without_disabled(std::move(checked.found), options.disabled);
-  if (const auto wrong = hand_out(options, found)) {
+  if (const auto wrong = hand_out(options, found, sources)) {
     return refuse(*wrong);
   }
   for (const std::string& path : request.paths.missing) {

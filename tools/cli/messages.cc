@@ -6,9 +6,9 @@
 
 namespace g31::cli {
 
-void print_diagnostics(const runtime::Outcome& outcome) {
+void print_diagnostics(const runtime::Outcome& outcome, const source::SourceMap& sources) {
   for (const source::Diagnostic& diagnostic : outcome.diagnostics) {
-    std::fputs(render_text(diagnostic).c_str(), stderr);
+    std::fputs(render_text(diagnostic, sources).c_str(), stderr);
   }
 }
 

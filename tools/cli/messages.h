@@ -9,7 +9,8 @@
 namespace g31::cli {
 
 /// The messages of a run, on standard error.
-void print_diagnostics(const runtime::Outcome& outcome);
+/// @param sources  of the programs that ran
+void print_diagnostics(const runtime::Outcome& outcome, const source::SourceMap& sources);
 
 /// Says why on standard error.
 ExitCode refuse(const session::Refusal& wrong);

@@ -102,12 +102,23 @@ std::string shown(const runtime::ShownValue& value) {
                     value);
 }
 
+/// A run that can begin, with what it writes as it goes.
+struct Opened {
+  const RunOptions& options;
+  const Checked& line;
+  const session::Prepared& prepared;
+  session::Run& run;
+  machine::MachiningCentre& machine;
+  const report::RunRecorder& recorder;
+  const source::SourceMap& sources;
+};
+
 /// Where the result goes: the document, or the variables asked for as lines.
-std::optional<Refusal> deliver(const RunOptions& options, const report::RunResult& result,
-                               const report::RunRecorder& recorder) {
+std::optional<Refusal> deliver(const Opened& opened, const report::RunResult& result) {
+  const RunOptions& options = opened.options;
   std::string text;
   if (options.json == "-") {
-    text = run_document(result, recorder);
+    text = run_document(result, opened.recorder, opened.sources);
   } else {
     for (const auto& [name, value] : result.variables) {
       text += fmt::format("{} = {}\n", name, shown(value));
@@ -121,7 +132,8 @@ std::optional<Refusal> deliver(const RunOptions& options, const report::RunResul
   if (options.json.empty() || options.json == "-") {
     return std::nullopt;
   }
-  const auto problem = disk::write_whole_file(options.json, run_document(result, recorder));
+  const auto problem =
+      disk::write_whole_file(options.json, run_document(result, opened.recorder, opened.sources));
   return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
 }
 
@@ -148,16 +160,6 @@ std::optional<Refusal> finish_files(const Trace& trace, Printouts& printouts) {
   return printouts.finish();
 }
 
-/// A run that can begin, with what it writes as it goes.
-struct Opened {
-  const RunOptions& options;
-  const Checked& line;
-  const session::Prepared& prepared;
-  session::Run& run;
-  machine::MachiningCentre& machine;
-  const report::RunRecorder& recorder;
-};
-
 /// What the document of a run tells, behind its end.
 report::RunResult result_of(const Opened& opened, const runtime::Outcome& outcome,
                             const runtime::NamedValues& values) {
@@ -178,7 +180,7 @@ ExitCode run_to_end(const Opened& opened, const Trace& trace, Printouts& printou
   if (const auto wrong = finish_files(trace, printouts)) {
     return refuse(*wrong);
   }
-  print_diagnostics(outcome);
+  print_diagnostics(outcome, opened.sources);
   if (outcome.status == runtime::Status::SyntaxError && !outcome.alarm) {
     return ExitCode::BadUsage;
   }
@@ -187,7 +189,7 @@ ExitCode run_to_end(const Opened& opened, const Trace& trace, Printouts& printou
     return refuse(session::bad_input(fmt::format("--print: {}", values.error())));
   }
   const auto result = result_of(opened, outcome, values.value());
-  if (const auto wrong = deliver(opened.options, result, opened.recorder)) {
+  if (const auto wrong = deliver(opened, result)) {
     return refuse(*wrong);
   }
   if (const auto wrong = opened.run.keep_state()) {
@@ -237,7 +239,8 @@ ExitCode run_command(const RunOptions& options) {
   if (runtime::PrinterPort* const printer = printouts.value()->printer()) {
     run.value()->session().connect(*printer);
   }
-  return run_to_end({options, line.value(), prepared.value(), *run.value(), machine, recorder},
+  return run_to_end({options, line.value(), prepared.value(), *run.value(), machine, recorder,
+                     programs.value()->sources()},
                     trace.value(), *printouts.value());
 }
 

@@ -71,7 +71,7 @@ ExitCode scene_command(const SceneOptions& options) {
     return refuse(run.error());
   }
   const runtime::Outcome outcome = run.value()->session().run(options.run.budget);
-  print_diagnostics(outcome);
+  print_diagnostics(outcome, programs.value()->sources());
   if (outcome.status == runtime::Status::SyntaxError) {
     return ExitCode::BadUsage;
   }

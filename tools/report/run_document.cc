@@ -29,35 +29,38 @@ Json array_of(const AxisPositions& q) {
   return list;
 }
 
-void add_place(Json& object, const Place& place) {
+void add_place(Json& object, const source::Location& where, const source::SourceMap& sources) {
+  const source::ShownPlace place = sources.show(where);
   if (place.file.empty()) {
     return;
   }
-  object["file"] = place.file;
-  object["line"] = place.line;
-  object["column"] = place.column;
+  object["file"] = std::filesystem::path(place.file).filename().string();
+  if (place.line > 0) {
+    object["line"] = place.line;
+    object["column"] = place.column;
+  }
 }
 
-Json sites_json(const std::vector<runtime::CallSite>& sites) {
+Json sites_json(const std::vector<runtime::CallSite>& sites, const source::SourceMap& sources) {
   Json list = Json::array();
   for (const runtime::CallSite& call : sites) {
     Json site = {{"program", call.program}};
-    add_place(site, place_of(call.where));
+    add_place(site, call.where, sources);
     list.push_back(std::move(site));
   }
   return list;
 }
 
-Json alarm_json(const runtime::Alarm& alarm) {
+Json alarm_json(const runtime::Alarm& alarm, const source::SourceMap& sources) {
   Json object = {{"number", alarm.number}, {"text", alarm.text}};
-  add_place(object, place_of(alarm.where));
+  add_place(object, alarm.where, sources);
   if (!alarm.detail.empty()) {
     object["detail"] = alarm.detail;
   }
   if (!alarm.inside.empty()) {
-    object["inside"] = sites_json(alarm.inside);
+    object["inside"] = sites_json(alarm.inside, sources);
   }
-  object["calls"] = sites_json(alarm.calls);
+  object["calls"] = sites_json(alarm.calls, sources);
   return object;
 }
 
@@ -85,11 +88,11 @@ Json move_json(const Recorded<runtime::MoveEvent>& recorded) {
   return object;
 }
 
-Json touch_json(const Recorded<runtime::TouchEvent>& recorded) {
+Json touch_json(const Recorded<runtime::TouchEvent>& recorded, const source::SourceMap& sources) {
   const runtime::TouchEvent& touch = recorded.event;
   const double mm = mm_per(recorded.unit);
   Json object = {{"block", touch.block}};
-  add_place(object, recorded.place);
+  add_place(object, touch.where, sources);
   object["triggered"] = touch.triggered;
   object["commanded"] = array_of(shown(touch.q_M_commanded, recorded.unit));
   object["latched"] = array_of(shown(touch.q_M_latched, recorded.unit));
@@ -126,11 +129,17 @@ Json json_of(const runtime::ShownValue& value) {
       value);
 }
 
-Json diagnostic_json(const source::Diagnostic& diagnostic) {
+Json stop_json(const runtime::StopEvent& stop, const source::SourceMap& sources) {
+  Json object = {{"kind", stop.kind}, {"text", stop.text}};
+  add_place(object, stop.where, sources);
+  return object;
+}
+
+Json diagnostic_json(const source::Diagnostic& diagnostic, const source::SourceMap& sources) {
   Json object = {{"severity", severity_name(diagnostic.severity)},
                  {"code", diagnostic.code},
                  {"message", diagnostic.message}};
-  add_place(object, place_of(diagnostic.where));
+  add_place(object, diagnostic.where, sources);
   return object;
 }
 
@@ -145,13 +154,17 @@ Json list_of(const Events& events, Convert convert) {
 
 }  // namespace
 
-std::string run_document(const RunResult& result, const RunRecorder& recorder) {
+std::string run_document(const RunResult& result, const RunRecorder& recorder,
+                         const source::SourceMap& sources) {
+  const auto shown_by = [&](auto convert) {
+    return [&sources, convert](const auto& event) { return convert(event, sources); };
+  };
   Json document = {{"schema", "g31.run/1"},
                    {"program", std::filesystem::path(result.program).filename().string()},
                    {"control", result.control},
                    {"seed", result.seed},
                    {"status", session::status_name(result.outcome.status)}};
-  document["alarm"] = result.outcome.alarm ? alarm_json(*result.outcome.alarm) : Json();
+  document["alarm"] = result.outcome.alarm ? alarm_json(*result.outcome.alarm, sources) : Json();
   document["variables"] = Json::object();
   for (const auto& [name, value] : result.variables) {
     document["variables"][name] = json_of(value);
@@ -161,21 +174,17 @@ std::string run_document(const RunResult& result, const RunRecorder& recorder) {
   for (const auto& [name, content] : result.files) {
     document["files"][name] = source::as_utf8(content);
   }
-  document["stops"] = list_of(recorder.stops(), [](const Recorded<runtime::StopEvent>& stop) {
-    Json object = {{"kind", stop.event.kind}, {"text", stop.event.text}};
-    add_place(object, stop.place);
-    return object;
-  });
+  document["stops"] = list_of(recorder.stops(), shown_by(stop_json));
   if (recorder.what().moves == RecordWhat::Keep::Yes) {
     document["moves"] = list_of(recorder.moves(), move_json);
   }
   if (recorder.what().touches == RecordWhat::Keep::Yes) {
-    document["touches"] = list_of(recorder.touches(), touch_json);
+    document["touches"] = list_of(recorder.touches(), shown_by(touch_json));
   }
   if (!result.probe_state.empty()) {
     document["probe"] = {{"state", result.probe_state}};
   }
-  document["diagnostics"] = list_of(result.outcome.diagnostics, diagnostic_json);
+  document["diagnostics"] = list_of(result.outcome.diagnostics, shown_by(diagnostic_json));
   document["blocks"] = result.outcome.blocks;
   document["machine_time_s"] = result.machine_time_s;
   return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";

@@ -8,6 +8,7 @@
 
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/shown_value.h"
+#include "interpreter/source/source_map.h"
 #include "tools/report/run_recorder.h"
 
 namespace g31::report {
@@ -26,6 +27,8 @@ struct RunResult {
 
 /// The JSON text of schema `g31.run/1` (docs: the command-line contract), ending in a line break.
 /// Bytes that are no UTF-8 in program texts are replaced by U+FFFD.
-std::string run_document(const RunResult& result, const RunRecorder& recorder);
+/// @param sources  of the programs that ran
+std::string run_document(const RunResult& result, const RunRecorder& recorder,
+                         const source::SourceMap& sources);
 
 }  // namespace g31::report

@@ -16,20 +16,9 @@ struct RecordWhat {
   Keep touches = Keep::No;
 };
 
-/// A place in words: events know theirs only while they are heard.
-struct Place {
-  std::string file;  ///< name without folder; empty: no place
-  int line = 0;
-  int column = 0;
-};
-
-/// @param where  its file may be gone later
-Place place_of(const source::Location& where);
-
 template <typename Event>
 struct Recorded {
   Event event;
-  Place place;
   LengthUnit unit = LengthUnit::Millimetre;  ///< in force when it happened
 };
 
@@ -40,17 +29,15 @@ class RunRecorder : public runtime::Observer {
 
   void on_move(const runtime::MoveEvent& event) override {
     if (what_.moves == RecordWhat::Keep::Yes) {
-      moves_.push_back({event, {}, unit_});
+      moves_.push_back({event, unit_});
     }
   }
   void on_touch(const runtime::TouchEvent& event) override {
     if (what_.touches == RecordWhat::Keep::Yes) {
-      touches_.push_back({event, place_of(event.where), unit_});
+      touches_.push_back({event, unit_});
     }
   }
-  void on_stop(const runtime::StopEvent& event) override {
-    stops_.push_back({event, place_of(event.where), unit_});
-  }
+  void on_stop(const runtime::StopEvent& event) override { stops_.push_back(event); }
   void on_length_unit(LengthUnit unit) override { unit_ = unit; }
   void on_output(const runtime::OutputEvent& event) override { output_ += event.text; }
 
@@ -59,7 +46,7 @@ class RunRecorder : public runtime::Observer {
   [[nodiscard]] const std::vector<Recorded<runtime::TouchEvent>>& touches() const {
     return touches_;
   }
-  [[nodiscard]] const std::vector<Recorded<runtime::StopEvent>>& stops() const { return stops_; }
+  [[nodiscard]] const std::vector<runtime::StopEvent>& stops() const { return stops_; }
   [[nodiscard]] const std::string& output() const { return output_; }
 
  private:
@@ -67,7 +54,7 @@ class RunRecorder : public runtime::Observer {
   LengthUnit unit_ = LengthUnit::Millimetre;
   std::vector<Recorded<runtime::MoveEvent>> moves_;
   std::vector<Recorded<runtime::TouchEvent>> touches_;
-  std::vector<Recorded<runtime::StopEvent>> stops_;
+  std::vector<runtime::StopEvent> stops_;
   std::string output_;
 };
 

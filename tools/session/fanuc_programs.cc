@@ -18,14 +18,14 @@ using Library = std::unique_ptr<fanuc::ProgramLibrary>;
 class FanucPrograms final : public Programs {
  public:
   FanucPrograms(const fanuc::Profile& profile, ProgramPaths paths, source::FileSystem& files)
-      : profile_(profile), paths_(std::move(paths)), files_(files) {}
+      : Programs(files), profile_(profile), paths_(std::move(paths)) {}
 
   std::unique_ptr<Session> session(machine::MachinePort& machine,
                                    runtime::Observer& observer) override;
 
   /// @returns what cannot be read
   std::optional<Refusal> load_first() {
-    idle_.push_back(std::make_unique<fanuc::ProgramLibrary>(files_));
+    idle_.push_back(std::make_unique<fanuc::ProgramLibrary>(own_sources()));
     return load(*idle_.back());
   }
   [[nodiscard]] const fanuc::Profile& profile() const { return profile_; }
@@ -33,13 +33,12 @@ class FanucPrograms final : public Programs {
 
  private:
   std::optional<Refusal> load(fanuc::ProgramLibrary& library) {
-    return load_programs(library, paths_, files_, "macros/fanuc");
+    return load_programs(library, paths_, own_sources().files(), "macros/fanuc");
   }
   Library take();
 
   const fanuc::Profile& profile_;
   ProgramPaths paths_;
-  source::FileSystem& files_;
   std::mutex mutex_;
   std::vector<Library> idle_;
 };
@@ -108,7 +107,7 @@ Library FanucPrograms::take() {
       return library;
     }
   }
-  auto library = std::make_unique<fanuc::ProgramLibrary>(files_);
+  auto library = std::make_unique<fanuc::ProgramLibrary>(own_sources());
   // That every file can be read was seen when the programs were opened.
   (void)load(*library);
   return library;
@@ -116,7 +115,8 @@ Library FanucPrograms::take() {
 
 void FanucPrograms::give_back(Library library) {
   // A program in windows can be gone through once only.
-  const bool is_long = files_.size(paths_.programs.front()).value_or(0) > fanuc::kWholeFileBytes;
+  const bool is_long =
+      own_sources().files().size(paths_.programs.front()).value_or(0) > fanuc::kWholeFileBytes;
   if (!is_long) {
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(library));

@@ -6,6 +6,7 @@
 
 #include "interpreter/runtime/observer.h"
 #include "interpreter/source/file_system.h"
+#include "interpreter/source/source_map.h"
 #include "machine/base/result.h"
 #include "machine/port/machine_port.h"
 #include "tools/session/control.h"
@@ -25,7 +26,8 @@ struct ProgramPaths {
 /// first called, for all sessions.  Any number of threads may make and use sessions at a time.
 class Programs {
  public:
-  Programs() = default;
+  /// @param files  outlives the programs
+  explicit Programs(source::FileSystem& files) : sources_(files) {}
   Programs(const Programs&) = delete;
   Programs& operator=(const Programs&) = delete;
   virtual ~Programs() = default;
@@ -33,6 +35,16 @@ class Programs {
   /// A control as after power on.  Programs, machine and observer must outlive it.
   virtual std::unique_ptr<Session> session(machine::MachinePort& machine,
                                            runtime::Observer& observer) = 0;
+
+  /// Shows the places of all their sessions; those in texts that a session made, as long as it
+  /// lives.
+  [[nodiscard]] const source::SourceMap& sources() const { return sources_; }
+
+ protected:
+  source::SourceMap& own_sources() { return sources_; }
+
+ private:
+  source::SourceMap sources_;
 };
 
 /// @param files  must outlive the programs

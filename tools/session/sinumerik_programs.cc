@@ -50,7 +50,8 @@ class SinumerikSession final : public Session {
 
 class SinumerikPrograms final : public Programs {
  public:
-  explicit SinumerikPrograms(source::FileSystem& files) : library_(files) {}
+  explicit SinumerikPrograms(source::FileSystem& files)
+      : Programs(files), library_(own_sources()) {}
 
   sinumerik::ProgramLibrary& library() { return library_; }
 

@@ -69,9 +69,9 @@ std::string first_line(const Refusal& refusal) {
 }
 
 /// Why a run ended that did not complete: the last message says it.
-std::string note_of(const runtime::Outcome& outcome) {
+std::string note_of(const runtime::Outcome& outcome, const source::SourceMap& sources) {
   return outcome.diagnostics.empty() ? std::string(session::status_name(outcome.status))
-                                     : first_line(render_text(outcome.diagnostics.back()));
+                                     : first_line(render_text(outcome.diagnostics.back(), sources));
 }
 
 double rounded(double reading, const std::optional<double>& resolution) {
@@ -443,7 +443,7 @@ StudyRuns::Ended StudyRuns::run_program(const setup::Job& job, const Parts& part
   ended.status = session::status_name(outcome.status);
   ended.ending = session::ending_of(outcome);
   if (outcome.status != runtime::Status::Completed) {
-    ended.note = note_of(outcome);
+    ended.note = note_of(outcome, programs_[program]->sources());
     return ended;
   }
   const bool is_main = program + 1 == paths_.size();

@@ -156,6 +156,11 @@ struct CompiledProgram {
                                                         syntax::Index from) const;
 };
 
+/// Where a piece of a program stands.
+inline source::Location location_in(const CompiledProgram& program, syntax::ShortSpan span) {
+  return program.file->at(span.widened());
+}
+
 /// Compiles program `which` of the tree for a control; what that control lacks becomes an error.
 /// The file and the tree must outlive the result.
 CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,

@@ -52,7 +52,7 @@ ProgramLibrary::File* ProgramLibrary::load(const std::string& path) {
   use_line_feeds(*text);
   auto file = std::make_unique<File>();
   file->path = path;
-  file->source = std::make_unique<source::SourceFile>(path, from_tape_code(*std::move(text)));
+  file->source = &sources_.whole(path, from_tape_code(*std::move(text)));
   file->tree = parse(file->source->text());
   loaded_.push_back(std::move(file));
   return loaded_.back().get();
@@ -65,7 +65,7 @@ ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
     main_bytes_ = files_.size(path).value_or(0);
     if (main_bytes_ > kWholeFileBytes &&
         !is_tape_code(files_.read_part(path, 0, kLook).value_or(""))) {
-      windows_ = std::make_unique<ProgramWindows>(files_, path, main_bytes_);
+      windows_ = std::make_unique<ProgramWindows>(sources_, path, main_bytes_);
       return Added::Yes;
     }
   }
@@ -115,7 +115,7 @@ const source::SourceFile* ProgramLibrary::main_text() {
 
 const source::SourceFile* ProgramLibrary::text_of(const std::string& path) {
   const File* const loaded = load(path);
-  return loaded != nullptr ? loaded->source.get() : nullptr;
+  return loaded != nullptr ? loaded->source : nullptr;
 }
 
 std::vector<const CompiledProgram*> ProgramLibrary::programs_of(const std::string& path) {
@@ -165,12 +165,6 @@ std::optional<ProgramPlace> ProgramLibrary::in_whole(const ProgramPlace& place) 
   return whole != nullptr
              ? std::optional(ProgramPlace{whole, windows_->steps_before() + place.step})
              : std::nullopt;
-}
-
-void ProgramLibrary::keep_text() {
-  if (windows_ != nullptr) {
-    windows_->keep_text();
-  }
 }
 
 const CompiledProgram* ProgramLibrary::find_in(File& file, int number) {

@@ -8,7 +8,7 @@
 
 #include "interpreter/dialects/fanuc/code/compile.h"
 #include "interpreter/dialects/fanuc/code/program_windows.h"
-#include "interpreter/source/file_system.h"
+#include "interpreter/source/source_map.h"
 
 namespace g31::fanuc {
 
@@ -23,8 +23,9 @@ struct ProgramPlace {
 /// is read window by window (ProgramWindows).
 class ProgramLibrary {
  public:
-  /// @param files  must outlive the library
-  explicit ProgramLibrary(source::FileSystem& files) : files_(files) {}
+  /// @param sources  must outlive the library
+  explicit ProgramLibrary(source::SourceMap& sources)
+      : sources_(sources), files_(sources.files()) {}
 
   /// Programs are compiled for this control; to be called before any is asked for.
   void compile_for(const Profile& profile) { profile_ = &profile; }
@@ -58,16 +59,13 @@ class ProgramLibrary {
   /// nullopt: the file is too long to be kept whole, or can no longer be read.
   std::optional<ProgramPlace> in_whole(const ProgramPlace& place);
 
-  /// The text of the present window stays in memory, for messages.
-  void keep_text();
-
   /// The program O`number`, or nullptr.
   const CompiledProgram* find(int number);
 
  private:
   struct File {
     std::string path;
-    std::unique_ptr<source::SourceFile> source;
+    const source::SourceFile* source = nullptr;
     syntax::Tree tree;
     std::map<std::size_t, std::unique_ptr<CompiledProgram>> compiled;
   };
@@ -84,6 +82,7 @@ class ProgramLibrary {
   const CompiledProgram* whole_main();
   const CompiledProgram* find_in_main(int number);
 
+  source::SourceMap& sources_;
   source::FileSystem& files_;
   const Profile* profile_ = &profiles().front();
   std::vector<std::unique_ptr<File>> loaded_;

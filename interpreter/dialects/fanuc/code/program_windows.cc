@@ -18,13 +18,13 @@ bool is_loop(const syntax::Block& block) {
 
 }  // namespace
 
-ProgramWindows::ProgramWindows(source::FileSystem& files, std::string path, std::uint64_t bytes)
-    : files_(files), path_(std::move(path)), bytes_(bytes) {}
+ProgramWindows::ProgramWindows(source::SourceMap& sources, std::string path, std::uint64_t bytes)
+    : sources_(sources), path_(std::move(path)), bytes_(bytes) {}
 
 /// Whole lines from the present offset.
 std::optional<std::string> ProgramWindows::next_text() {
   for (std::size_t length = kWindowBytes;; length *= 2) {
-    auto text = files_.read_part(path_, offset_, length);
+    auto text = sources_.files().read_part(path_, offset_, length);
     if (!text || text->empty()) {
       return std::nullopt;
     }
@@ -46,21 +46,21 @@ bool ProgramWindows::can_be_split(const Window& window) const {
 
 const CompiledProgram* ProgramWindows::next(const Profile& profile) {
   const bool is_first = window_ == nullptr;
-  if (!is_first && window_->tree.end < window_->source->text().size()) {
+  if (!is_first && window_->tree.end < window_->source.text().size()) {
     return nullptr;  // a % ended the program
   }
   auto text = next_text();
   if (!text) {
     return nullptr;
   }
-  auto window = std::make_unique<Window>();
-  offset_ += text->size();
-  window->source = std::make_unique<source::SourceFile>(path_, *std::move(text), next_line_);
-  next_line_ = window->source->last_line();
-  window->tree =
-      parse(window->source->text(), is_first ? TextBegins::AtFile : TextBegins::InProgram);
+  auto window = std::make_unique<Window>(
+      Window{sources_.window(path_, offset_, next_line_, *std::move(text)), {}, {}});
+  const std::string_view lines = window->source.text();
+  offset_ += lines.size();
+  next_line_ += static_cast<int>(std::ranges::count(lines, '\n'));
+  window->tree = parse(lines, is_first ? TextBegins::AtFile : TextBegins::InProgram);
   if (window->tree.programs.size() == 1) {
-    window->program = compile(*window->source, window->tree, 0, profile, Extent::Window);
+    window->program = compile(window->source, window->tree, 0, profile, Extent::Window);
   }
   if (!can_be_split(*window)) {
     must_be_whole_ = true;
@@ -69,16 +69,9 @@ const CompiledProgram* ProgramWindows::next(const Profile& profile) {
   if (!is_first) {
     window->program.number = window_->program.number;
     steps_before_ += static_cast<syntax::Index>(window_->program.steps.size());
-    if (std::exchange(keep_text_, false)) {
-      kept_.push_back(std::move(window_->source));
-    }
   }
   window_ = std::move(window);
   return &window_->program;
-}
-
-void ProgramWindows::keep_text() {
-  keep_text_ = true;
 }
 
 bool has_further_programs(source::FileSystem& files, const std::string& path, std::uint64_t bytes) {

@@ -4,10 +4,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "interpreter/dialects/fanuc/code/compile.h"
-#include "interpreter/source/file_system.h"
+#include "interpreter/source/source_map.h"
 
 namespace g31::fanuc {
 
@@ -21,8 +20,8 @@ inline constexpr std::size_t kWindowBytes = 1U << 18;
 /// of any size runs in a few megabytes as long as it goes straight on.
 class ProgramWindows {
  public:
-  /// @param files  must outlive the windows
-  ProgramWindows(source::FileSystem& files, std::string path, std::uint64_t bytes);
+  /// @param sources  must outlive the windows
+  ProgramWindows(source::SourceMap& sources, std::string path, std::uint64_t bytes);
 
   /// The next window, compiled for a control, which ends the life of the one before; nullptr when
   /// there is none, or when the text cannot be split (see must_be_whole).
@@ -34,12 +33,9 @@ class ProgramWindows {
   /// Steps of the program before the present window.
   [[nodiscard]] syntax::Index steps_before() const { return steps_before_; }
 
-  /// The present window's text stays when the next window comes: a message points into it.
-  void keep_text();
-
  private:
   struct Window {
-    std::unique_ptr<source::SourceFile> source;
+    source::SourceFile source;
     syntax::Tree tree;
     CompiledProgram program;
   };
@@ -47,7 +43,7 @@ class ProgramWindows {
   std::optional<std::string> next_text();
   bool can_be_split(const Window& window) const;
 
-  source::FileSystem& files_;
+  source::SourceMap& sources_;
   std::string path_;
   std::uint64_t bytes_;
   std::uint64_t offset_ = 0;
@@ -55,8 +51,6 @@ class ProgramWindows {
   syntax::Index steps_before_ = 0;
   bool must_be_whole_ = false;
   std::unique_ptr<Window> window_;
-  std::vector<std::unique_ptr<source::SourceFile>> kept_;
-  bool keep_text_ = false;
 };
 
 /// Whether a further program begins at a line of the file behind the first one.  Reads the file

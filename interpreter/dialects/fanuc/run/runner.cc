@@ -111,7 +111,7 @@ runtime::BlockPlace Runner::next_place() const {
   const Frame& now = frames_.back();
   const Step& step = now.program->steps[now.step];
   runtime::BlockPlace place;
-  place.where = {now.program->file, now.program->tree->blocks[step.block].span.widened()};
+  place.where = location_in(*now.program, now.program->tree->blocks[step.block].span);
   place.depth = static_cast<std::uint16_t>(frames_.size() - 1);
   place.is_skipped = step.skip_switch != 0 && control_.block_skip.contains(step.skip_switch);
   return place;
@@ -120,14 +120,6 @@ runtime::BlockPlace Runner::next_place() const {
 /// Goes on in the next window of a long program, or says that the program has no end.
 MaybeFailure Runner::behind_last_step() {
   const CompiledProgram& program = *frame().program;
-  const auto points_here = [&program](const source::Location& where) {
-    return where.file == program.file;
-  };
-  if (std::ranges::any_of(control_.diagnostics, points_here, &source::Diagnostic::where) ||
-      (control_.silent_skip && points_here(*control_.silent_skip)) ||
-      (control_.stopped_skip && points_here(*control_.stopped_skip))) {
-    library_.keep_text();
-  }
   if (const auto next = library_.behind(program)) {
     frame().program = next->program;
     frame().step = next->step;

@@ -11,8 +11,10 @@ void Runner::begin(const runtime::Budget& budget, runtime::BlockListener* listen
   const CompiledProgram* const main = library_.main_program();
   if (main == nullptr) {
     outcome_.status = runtime::Status::SyntaxError;
+    const source::SourceFile* const text = library_.main_text();
     outcome_.diagnostics.push_back(
-        make_diagnostic(source::DiagnosticId::NoProgramInFile, {library_.main_text(), {}}));
+        make_diagnostic(source::DiagnosticId::NoProgramInFile,
+                        text != nullptr ? text->at({}) : source::Location()));
     is_over_ = true;
     return;
   }
@@ -31,7 +33,7 @@ bool Runner::refuse_broken(const CompiledProgram& main) {
     outcome_.status = runtime::Status::SyntaxError;
     outcome_.diagnostics.push_back({source::Severity::Error,
                                     std::to_string(number_of(id, control_.profile.alarm_numbers)),
-                                    {main.file, error.where.widened()},
+                                    location_in(main, error.where),
                                     fmt::format("{}: {}", row.text, error.message),
                                     std::string(row.remedy),
                                     {}});

@@ -13,12 +13,12 @@ std::string Runner::name_of(const CompiledProgram& program) {
 }
 
 source::Location Runner::location(syntax::ShortSpan span) const {
-  return {frames_.back().program->file, span.widened()};
+  return location_in(*frames_.back().program, span);
 }
 
 source::Location Runner::location_of(const Frame& frame) const {
   const CompiledProgram& program = *frame.program;
-  return {program.file, program.tree->blocks[program.steps[frame.current].block].span.widened()};
+  return location_in(program, program.tree->blocks[program.steps[frame.current].block].span);
 }
 
 std::vector<runtime::CallSite> Runner::call_stack() const {
@@ -49,7 +49,7 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.text = failure.alarm_text.empty() ? std::string(row.text) : failure.alarm_text;
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
-  reason.where = failure.block.file != nullptr ? failure.block : present;
+  reason.where = failure.block.is_known() ? failure.block : present;
   reason.calls = call_stack();
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
   control_.diagnostics.push_back(std::move(outcome.diagnostics.back()));

@@ -17,7 +17,7 @@ namespace g31::fanuc {
 struct Failure {
   AlarmId id = AlarmId::AddressNotFound;
   syntax::ShortSpan where;  ///< empty: the whole block
-  source::Location block;   ///< an earlier block that was executed late; no file: the present one
+  source::Location block;   ///< an earlier block that was executed late; not known: the present one
   std::string detail;
   runtime::Status status = runtime::Status::Alarm;
   /// 0: the row's own; macro alarms count from it; Setup, Budget and Interrupted: the DiagnosticId.

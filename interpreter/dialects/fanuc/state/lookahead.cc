@@ -121,7 +121,7 @@ std::optional<source::DiagnosticId> Lookahead::judge(const SystemVariable& row,
   if (!is_ahead() || (row.while_moving == WhileMoving::Enabled && !settled)) {
     return std::nullopt;
   }
-  if (!reported_.emplace(where.file, where.span.begin, number).second) {
+  if (!reported_.emplace(where.file, where.begin, number).second) {
     return std::nullopt;
   }
   return settled ? source::DiagnosticId::ReadAheadSettled : source::DiagnosticId::ReadAhead;

@@ -48,7 +48,7 @@ class Lookahead {
   int depth_ = 0;
   bool runs_ = false;      ///< a block since the last fence takes time
   int blocks_behind_ = 0;  ///< NC blocks since that block
-  std::set<std::tuple<const source::SourceFile*, std::size_t, std::int32_t>> reported_;
+  std::set<std::tuple<source::FileId, std::uint64_t, std::int32_t>> reported_;
 };
 
 }  // namespace g31::fanuc

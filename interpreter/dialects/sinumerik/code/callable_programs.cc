@@ -81,7 +81,7 @@ const CompiledProgram* CallablePrograms::find_named(const ProgramName& name, con
 }
 
 const CompiledProgram* CallablePrograms::written(const std::string& name, const std::string& text) {
-  texts_.push_back(std::make_unique<source::SourceFile>(name, text));
+  texts_.push_back(library_.sources().passing(name, text));
   const ProgramSource source{
       program_name(name).stem, texts_.back().get(), {0, static_cast<std::uint32_t>(text.size())}};
   made_.push_back(compile(source, globals()));
@@ -89,7 +89,7 @@ const CompiledProgram* CallablePrograms::written(const std::string& name, const 
 }
 
 ProgramSource CallablePrograms::loose_source(const std::string& text) {
-  texts_.push_back(std::make_unique<source::SourceFile>("command line", text));
+  texts_.push_back(library_.sources().passing("command line", text));
   return {"", texts_.back().get(), {0, static_cast<std::uint32_t>(text.size())}};
 }
 

@@ -66,7 +66,7 @@ class CallablePrograms {
       by_stem_;                   ///< of files that the library has not opened
   std::set<std::string> loaded_;  ///< their paths
   std::size_t next_archive_ = 0;
-  std::vector<std::unique_ptr<source::SourceFile>> texts_;
+  std::vector<std::shared_ptr<const source::SourceFile>> texts_;  ///< made by the session
   std::vector<std::unique_ptr<CompiledProgram>> made_;
 };
 

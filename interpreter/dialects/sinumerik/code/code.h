@@ -190,6 +190,11 @@ inline std::span<const ConstantWord> NcBlock::words_of(const CompiledProgram& pr
   return std::span(program.words).subspan(first_word, word_count);
 }
 
+/// Where a piece of a program stands.
+inline source::Location location_in(const CompiledProgram& program, ShortSpan span) {
+  return program.file->at(span.widened());
+}
+
 /// The step of a jump from `from` to a label or "N100"; nullopt: there is none that way.
 std::optional<std::int32_t> find_label(const CompiledProgram& program, std::string_view name,
                                        std::int32_t from, Direction direction);

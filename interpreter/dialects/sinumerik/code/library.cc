@@ -34,8 +34,9 @@ ProgramFile* ProgramLibrary::file(const std::string& path) {
   const std::lock_guard lock(read_mutex_);
   const auto [place, is_new] = read_.try_emplace(path);
   if (is_new) {
-    if (auto text = files_.read(path)) {
-      place->second = std::make_unique<ProgramFile>(path, *std::move(text));
+    if (auto text = sources_.files().read(path)) {
+      place->second = std::make_unique<ProgramFile>(
+          sources_.whole(path, ProgramFile::without_mark(*std::move(text))));
     }
   }
   return place->second.get();
@@ -54,7 +55,7 @@ ProgramLibrary::Added ProgramLibrary::add_file(const std::string& path) {
 
 void ProgramLibrary::add_folder(const std::string& folder) {
   std::multimap<std::string, std::string> known;
-  for (const std::string& name : files_.list(folder)) {
+  for (const std::string& name : sources_.files().list(folder)) {
     const ProgramName parts = program_name(name);
     const std::string path = joined(folder, name);
     if (is_definition(parts)) {

@@ -10,7 +10,7 @@
 
 #include "interpreter/dialects/sinumerik/code/globals.h"
 #include "interpreter/dialects/sinumerik/code/program_file.h"
-#include "interpreter/source/file_system.h"
+#include "interpreter/source/source_map.h"
 
 namespace g31::sinumerik {
 
@@ -29,8 +29,8 @@ FiledProgram* best_of(const ProgramList& programs, const ProgramName& name,
 /// archives.  All other files of folders are read when a session first needs them.
 class ProgramLibrary {
  public:
-  /// @param files  must outlive the library
-  explicit ProgramLibrary(source::FileSystem& files) : files_(files) {}
+  /// @param sources  must outlive the library
+  explicit ProgramLibrary(source::SourceMap& sources) : sources_(sources) {}
 
   enum class Added { Yes, Unreadable };
   Added add_file(const std::string& path);
@@ -58,6 +58,7 @@ class ProgramLibrary {
   }
   /// Archives of folders.
   [[nodiscard]] const std::vector<std::string>& archives() const { return archives_; }
+  [[nodiscard]] source::SourceMap& sources() const { return sources_; }
   /// A file, read once; nullptr: it cannot be read.
   ProgramFile* file(const std::string& path);
 
@@ -68,7 +69,7 @@ class ProgramLibrary {
   void open(ProgramFile& file, bool only_definitions);
   [[nodiscard]] bool is_new_definition(const ProgramName& name) const;
 
-  source::FileSystem& files_;
+  source::SourceMap& sources_;
   Globals globals_;
   ProgramList programs_;  ///< opened
   std::map<std::string, ProgramList, std::less<>> by_stem_;

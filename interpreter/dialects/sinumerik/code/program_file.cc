@@ -62,15 +62,6 @@ bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
-/// A byte order mark is blanks: offsets stay as they are.
-std::string without_mark(std::string text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) {
-    text.replace(0, kByteOrderMark.size(), kByteOrderMark.size(), ' ');
-  }
-  return text;
-}
-
 }  // namespace
 
 const CompiledProgram& FiledProgram::code(const Globals& globals) {
@@ -85,11 +76,18 @@ const CompiledProgram& FiledProgram::define_in(Globals& globals) {
   return *code_;
 }
 
-ProgramFile::ProgramFile(std::string path, std::string text) {
-  const ProgramName of_file = name_of_text(path, ".");
-  text_ = std::make_unique<source::SourceFile>(std::move(path), without_mark(std::move(text)));
-  for (const Piece& piece : pieces_of(text_->text())) {
-    const std::string_view body = text_->text().substr(piece.begin, piece.end - piece.begin);
+std::string ProgramFile::without_mark(std::string text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) {
+    text.replace(0, kByteOrderMark.size(), kByteOrderMark.size(), ' ');
+  }
+  return text;
+}
+
+ProgramFile::ProgramFile(const source::SourceFile& text) : text_(text) {
+  const ProgramName of_file = name_of_text(text.name(), ".");
+  for (const Piece& piece : pieces_of(text.text())) {
+    const std::string_view body = text.text().substr(piece.begin, piece.end - piece.begin);
     if (piece.header.empty() && is_blank(body)) {
       continue;
     }
@@ -98,7 +96,7 @@ ProgramFile::ProgramFile(std::string path, std::string text) {
     name.folder = folder_in(body);
     ProgramSource source{
         name.stem,
-        text_.get(),
+        &text_,
         {static_cast<std::uint32_t>(piece.begin), static_cast<std::uint32_t>(piece.end)},
         name.folder};
     programs_.push_back(std::make_unique<FiledProgram>(std::move(name), std::move(source)));

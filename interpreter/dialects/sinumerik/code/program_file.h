@@ -37,15 +37,19 @@ class FiledProgram {
 /// A file of programs: one, or many behind headers %_N_NAME_SPF.
 class ProgramFile {
  public:
-  ProgramFile(std::string path, std::string text);
+  /// @param text  without its byte order mark; outlives the file
+  explicit ProgramFile(const source::SourceFile& text);
 
-  [[nodiscard]] const source::SourceFile& text() const { return *text_; }
+  /// A byte order mark becomes blanks: places stay as they are.
+  static std::string without_mark(std::string text);
+
+  [[nodiscard]] const source::SourceFile& text() const { return text_; }
   [[nodiscard]] const std::vector<std::unique_ptr<FiledProgram>>& programs() const {
     return programs_;
   }
 
  private:
-  std::unique_ptr<source::SourceFile> text_;
+  const source::SourceFile& text_;
   std::vector<std::unique_ptr<FiledProgram>> programs_;
 };
 

@@ -211,7 +211,7 @@ MaybeFailure Runner::jump_to_text(const Op& op) {
 source::Location Runner::place_of_call(std::size_t which) const {
   const Level& level = *levels_[which];
   const auto step = static_cast<std::size_t>(std::max(level.step - 1, 0));
-  return {level.program->file, level.program->spans[step].widened()};
+  return location_in(*level.program, level.program->spans[step]);
 }
 
 /// The level whose block an alarm shows.  DISPLOF hides the blocks of its program behind the call;
@@ -228,7 +228,7 @@ std::size_t Runner::shown_level() const {
 
 source::Location Runner::here() const {
   const CompiledProgram& program = *levels_[depth_]->program;
-  return {program.file, program.spans[static_cast<std::size_t>(current_)].widened()};
+  return location_in(program, program.spans[static_cast<std::size_t>(current_)]);
 }
 
 runtime::Outcome Runner::outcome_of(const Failure& failure) {

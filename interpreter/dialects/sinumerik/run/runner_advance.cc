@@ -18,7 +18,7 @@ source::Diagnostic unknown_data_note(const CompiledProgram& program) {
     names += (i > 0 ? ", " : "") + unknown[i].name;
   }
   source::Diagnostic note = make_diagnostic(
-      source::DiagnosticId::NotSimulated, {program.file, unknown.front().where.widened()},
+      source::DiagnosticId::NotSimulated, location_in(program, unknown.front().where),
       fmt::format("{} data of this file, {}{}", unknown.size(), names,
                   unknown.size() > kShown ? " and others" : ""));
   note.severity = source::Severity::Note;
@@ -32,8 +32,10 @@ void Runner::begin(const runtime::Budget& budget, runtime::BlockListener* listen
   is_over_ = true;
   if (main == nullptr) {
     outcome_.status = runtime::Status::SyntaxError;
+    const source::SourceFile* const text = programs_.main_text();
     outcome_.diagnostics.push_back(
-        make_diagnostic(source::DiagnosticId::NoProgramInFile, {programs_.main_text(), {}}));
+        make_diagnostic(source::DiagnosticId::NoProgramInFile,
+                        text != nullptr ? text->at({}) : source::Location()));
     return;
   }
   if (early_failure_) {

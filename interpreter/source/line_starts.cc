@@ -1,0 +1,23 @@
+#include "interpreter/source/line_starts.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "machine/base/contract.h"
+
+namespace g31::source {
+
+LineStarts::LineStarts(std::string_view text) : size_(text.size()), starts_{0} {
+  for (std::size_t i = text.find('\n'); i != text.npos; i = text.find('\n', i + 1)) {
+    starts_.push_back(i + 1);
+  }
+}
+
+LineColumn LineStarts::at(std::size_t offset) const {
+  G31_EXPECTS(offset <= size_);
+  const auto next = std::ranges::upper_bound(starts_, offset);
+  return {static_cast<int>(next - starts_.begin()),
+          static_cast<int>(offset - *std::prev(next) + 1)};
+}
+
+}  // namespace g31::source

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace g31::source {
+
+/// 1-based, columns counted in bytes, as compilers and editors print them.
+struct LineColumn {
+  int line = 1;
+  int column = 1;
+  friend bool operator==(LineColumn, LineColumn) = default;
+};
+
+/// Where the lines of a text begin: at its beginning and behind each LF.
+class LineStarts {
+ public:
+  explicit LineStarts(std::string_view text);
+
+  /// @param offset  0 to the size of the text, whose end is a legal place for a message
+  [[nodiscard]] LineColumn at(std::size_t offset) const;
+
+ private:
+  std::size_t size_;
+  std::vector<std::size_t> starts_;
+};
+
+}  // namespace g31::source
