@@ -1,6 +1,7 @@
 #include "tools/setup/fill_probe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -122,6 +123,21 @@ probe::StylusBall ball_from(const SheetTable& table, double usual_diameter_mm) {
   return {point_from(keys, KeyId::ProbeBallAt), keys.get(KeyId::ProbeBallSize, usual_diameter_mm)};
 }
 
+/// The shortest turn of +Z into a direction; straight down, half a turn about X.  Eigen's
+/// FromTwoVectors answers the same and has its compiler spend ten seconds on a singular value
+/// decomposition.
+/// @pre along is not zero
+Eigen::Quaterniond turn_from_z(const Point& along) {
+  constexpr double kStraightDown = -1.0 + 1e-12;
+  const Point to = along.normalized();
+  if (to.z() < kStraightDown) {
+    return {0.0, 1.0, 0.0, 0.0};
+  }
+  const double s = std::sqrt((1.0 + to.z()) * 2.0);
+  const double inverse = 1.0 / s;
+  return {0.5 * s, -to.y() * inverse, to.x() * inverse, 0.0};
+}
+
 /// What holds a further ball: level from the axis of the stem, below the main ball straight from
 /// that.
 std::optional<probe::ProbeSection> arm_from(const SheetTable& table,
@@ -135,7 +151,7 @@ std::optional<probe::ProbeSection> arm_from(const SheetTable& table,
   }
   probe::ProbeSection arm{"stylus arm", 0.0, along.norm(), radius, radius, 0.0};
   arm.p_S = p_S_root;
-  arm.turn_S = Eigen::Quaterniond::FromTwoVectors(Point::UnitZ(), along);
+  arm.turn_S = turn_from_z(along);
   return arm;
 }
 
