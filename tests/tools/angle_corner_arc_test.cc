@@ -319,6 +319,59 @@ TEST(EdgeAngleCycle, ARotaryTableTakesTheAngleAndTheEdgeIsStraightAgain) {
       1e-5);
 }
 
+// A block turned by 2 degrees about X, then by -3 about Y: R = Ry Rx, as the angles of a frame
+// count.
+TEST(PlaneAngleCycle, AnglesByThreePoints) {
+  const std::string again = "\nG54\nZ8\nX-15 Y-10 Z4\nCYCLE998(6,,,1,,{},6,5,,,,30,0,0,20)";
+  expect_edges(
+      {{"measured only",
+        "X-15 Y-10 Z4\nCYCLE998(6,,,1,,,,6,5,,,,30,0,0,20)",
+        {{"_OVR[0]", 0.0},
+         {"_OVR[4]", 2.0},
+         {"_OVR[5]", -3.0},
+         {"_OVR[16]", 2.0},
+         {"_OVR[17]", -3.0},
+         {"_OVR[28]", 5.0},
+         {"_OVI[2]", 998},
+         {"$P_UIFR[1,X,RT]", 0.0}}},
+       {"corrected, nothing is left",
+        "X-15 Y-10 Z4\nCYCLE998(106,1,,1,,,,6,5,,,,30,0,0,20)" +
+            fmt::format(fmt::runtime(again), ","),
+        {{"_OVR[4]", 0.0},
+         {"_OVR[5]", 0.0},
+         {"$P_UIFR[1,X,RT]", 2.0},
+         {"$P_UIFR[1,Y,RT]", -3.0},
+         {"$P_UIFR[1,Z,RT]", 0.0},
+         {"$P_UIFR[1,X,TR]", 100.0}}},
+       {"corrected to angles that should be there",
+        "X-15 Y-10 Z4\nCYCLE998(106,1,,1,,1,-2,6,5,,,,30,0,0,20)" +
+            fmt::format(fmt::runtime(again), "1,-2"),
+        {{"_OVR[4]", 1.0}, {"_OVR[5]", -2.0}, {"_OVR[16]", 0.0}, {"_OVR[17]", 0.0}}},
+       {"points of any place, an offset that is not in force",
+        "X-15 Y-10 Z4\nCYCLE998(100106,2,,1,,,,6,5,,,,30,5,-3,20)",
+        {{"_OVR[21]", 2.0}, {"_OVR[22]", -3.0}, {"_OVR[23]", 0.0}, {"$P_UIFR[2,X,RT]", 2.0}}},
+       {"over a protection zone",
+        "X-15 Y-10 Z14\nCYCLE998(1106,1,,1,-10,,,6,5,,,,30,0,0,20)",
+        {{"$P_UIFR[1,X,RT]", 2.0}, {"$P_UIFR[1,Y,RT]", -3.0}}}},
+      "2.0, -3.0, 0.0");
+}
+
+TEST(PlaneAngleCycle, Alarms) {
+  const std::string block = part("block", 100.0, 50.0, -300.0, "rotate_deg = [2.0, -3.0, 0.0]");
+  const std::pair<const char*, int> kRows[] = {
+      {"CYCLE998(6,,,1,,,,6,2.5,,,,30,0,0,20)", 61303},     // 3 degrees are beyond TSA
+      {"CYCLE998(6,,,1,,,,6,5,,,,30,0,60,0)", 61331},       // three points on a line
+      {"CYCLE998(10106,1,,1,,,,6,5,,,,30,0,0,20)", 61307},  // no reversal
+      {"CYCLE998(106,1,5,1,,,,6,5,,,,30,0,0,20)", 61307}};  // no rotary axis
+  for (const auto& [call, alarm] : kRows) {
+    SCOPED_TRACE(call);
+    const MeasuringRun run = run_measuring(std::string("X-15 Y-10 Z4\n") + call,
+                                           {block, kCalibrated}, {"$P_UIFR[1,X,RT]"});
+    EXPECT_EQ(run.alarm(), alarm) << run.output.errors;
+    EXPECT_EQ(run.at("$P_UIFR[1,X,RT]"), 0.0);
+  }
+}
+
 TEST(EdgeAngleCycle, Alarms) {
   const std::string block = part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 0.0, 3.0]");
   struct Refusal {
