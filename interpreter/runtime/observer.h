@@ -7,7 +7,6 @@
 
 #include "interpreter/source/location.h"
 #include "machine/port/machine_port.h"
-#include "machine/units/length_unit.h"
 
 namespace g31::runtime {
 
@@ -57,8 +56,6 @@ class Observer {
 
   virtual void on_move(const MoveEvent&) {}
   virtual void on_touch(const TouchEvent&) {}
-  /// G20 and G21, G70 and G71: what lengths count from here on; millimetres at first.
-  virtual void on_length_unit(LengthUnit) {}
   virtual void on_stop(const StopEvent&) {}
   /// Bytes for the printer port (DPRNT).
   virtual void on_output(const OutputEvent&) {}

@@ -127,9 +127,9 @@ class SteppedRun {
     for (const source::Diagnostic& diagnostic : outcome.diagnostics) {
       text += "\n" + source::render_text(diagnostic, programs_->sources());
     }
-    for (const auto& move : recorder_.moves()) {
-      text += fmt::format("\nG{} F{}", move.event.g, move.event.feed_mm_min);
-      for (const double q : move.event.q_M_to) {
+    for (const runtime::MoveEvent& move : recorder_.moves()) {
+      text += fmt::format("\nG{} F{}", move.g, move.feed_mm_min);
+      for (const double q : move.q_M_to) {
         text += fmt::format(" {}", q);
       }
     }

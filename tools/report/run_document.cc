@@ -1,5 +1,6 @@
 #include "tools/report/run_document.h"
 
+#include <charconv>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
@@ -51,11 +52,19 @@ Json sites_json(const std::vector<runtime::CallSite>& sites, const source::Sourc
   return list;
 }
 
+/// A detail that is nothing but a number, such as the shop's own of a macro alarm, is one.
+Json detail_json(const std::string& detail) {
+  int number = 0;
+  const auto end = std::from_chars(detail.data(), detail.data() + detail.size(), number);
+  const bool whole = end.ec == std::errc() && end.ptr == detail.data() + detail.size();
+  return whole ? Json(number) : Json(detail);
+}
+
 Json alarm_json(const runtime::Alarm& alarm, const source::SourceMap& sources) {
   Json object = {{"number", alarm.number}, {"text", alarm.text}};
   add_place(object, alarm.where, sources);
   if (!alarm.detail.empty()) {
-    object["detail"] = alarm.detail;
+    object["detail"] = detail_json(alarm.detail);
   }
   if (!alarm.inside.empty()) {
     object["inside"] = sites_json(alarm.inside, sources);
@@ -64,47 +73,30 @@ Json alarm_json(const runtime::Alarm& alarm, const source::SourceMap& sources) {
   return object;
 }
 
-/// Positions of a program in inches are shown in inches: an object says so with `unit`.
-AxisPositions shown(AxisPositions q, LengthUnit unit) {
-  q.head<kLinearAxisCount>() /= mm_per(unit);
-  return q;
-}
-
-void add_unit(Json& object, LengthUnit unit) {
-  if (unit == LengthUnit::Inch) {
-    object["unit"] = "inch";
-  }
-}
-
-Json move_json(const Recorded<runtime::MoveEvent>& recorded) {
-  const runtime::MoveEvent& move = recorded.event;
-  Json object = {{"g", move.g}, {"to", array_of(shown(move.q_M_to, recorded.unit))}};
+Json move_json(const runtime::MoveEvent& move) {
+  Json object = {{"g", move.g}, {"to", array_of(move.q_M_to)}};
   if (move.g == 4) {
     object["t"] = move.seconds;
   } else if (move.feed_mm_min > 0.0) {
-    object["feed"] = move.feed_mm_min / mm_per(recorded.unit);
+    object["feed"] = move.feed_mm_min;
   }
-  add_unit(object, recorded.unit);
   return object;
 }
 
-Json touch_json(const Recorded<runtime::TouchEvent>& recorded, const source::SourceMap& sources) {
-  const runtime::TouchEvent& touch = recorded.event;
-  const double mm = mm_per(recorded.unit);
+Json touch_json(const runtime::TouchEvent& touch, const source::SourceMap& sources) {
   Json object = {{"block", touch.block}};
   add_place(object, touch.where, sources);
   object["triggered"] = touch.triggered;
-  object["commanded"] = array_of(shown(touch.q_M_commanded, recorded.unit));
-  object["latched"] = array_of(shown(touch.q_M_latched, recorded.unit));
-  object["stopped"] = array_of(shown(touch.q_M_stopped, recorded.unit));
-  object["contact"] = touch.contact ? array_of(Point(touch.contact->p_M_point / mm)) : Json();
+  object["commanded"] = array_of(touch.q_M_commanded);
+  object["latched"] = array_of(touch.q_M_latched);
+  object["stopped"] = array_of(touch.q_M_stopped);
+  object["contact"] = touch.contact ? array_of(touch.contact->p_M_point) : Json();
   object["normal"] = touch.contact ? array_of(touch.contact->n_M) : Json();
   object["part"] = touch.contact ? Json(touch.contact->part) : Json();
-  object["feed"] = touch.feed_mm_min / mm;
+  object["feed"] = touch.feed_mm_min;
   if (touch.signals != 1) {
     object["signals"] = touch.signals;
   }
-  add_unit(object, recorded.unit);
   return object;
 }
 

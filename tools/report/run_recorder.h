@@ -16,12 +16,6 @@ struct RecordWhat {
   Keep touches = Keep::No;
 };
 
-template <typename Event>
-struct Recorded {
-  Event event;
-  LengthUnit unit = LengthUnit::Millimetre;  ///< in force when it happened
-};
-
 /// Keeps what a running program does, for the result document.
 class RunRecorder : public runtime::Observer {
  public:
@@ -29,31 +23,27 @@ class RunRecorder : public runtime::Observer {
 
   void on_move(const runtime::MoveEvent& event) override {
     if (what_.moves == RecordWhat::Keep::Yes) {
-      moves_.push_back({event, unit_});
+      moves_.push_back(event);
     }
   }
   void on_touch(const runtime::TouchEvent& event) override {
     if (what_.touches == RecordWhat::Keep::Yes) {
-      touches_.push_back({event, unit_});
+      touches_.push_back(event);
     }
   }
   void on_stop(const runtime::StopEvent& event) override { stops_.push_back(event); }
-  void on_length_unit(LengthUnit unit) override { unit_ = unit; }
   void on_output(const runtime::OutputEvent& event) override { output_ += event.text; }
 
   [[nodiscard]] const RecordWhat& what() const { return what_; }
-  [[nodiscard]] const std::vector<Recorded<runtime::MoveEvent>>& moves() const { return moves_; }
-  [[nodiscard]] const std::vector<Recorded<runtime::TouchEvent>>& touches() const {
-    return touches_;
-  }
+  [[nodiscard]] const std::vector<runtime::MoveEvent>& moves() const { return moves_; }
+  [[nodiscard]] const std::vector<runtime::TouchEvent>& touches() const { return touches_; }
   [[nodiscard]] const std::vector<runtime::StopEvent>& stops() const { return stops_; }
   [[nodiscard]] const std::string& output() const { return output_; }
 
  private:
   RecordWhat what_;
-  LengthUnit unit_ = LengthUnit::Millimetre;
-  std::vector<Recorded<runtime::MoveEvent>> moves_;
-  std::vector<Recorded<runtime::TouchEvent>> touches_;
+  std::vector<runtime::MoveEvent> moves_;
+  std::vector<runtime::TouchEvent> touches_;
   std::vector<runtime::StopEvent> stops_;
   std::string output_;
 };

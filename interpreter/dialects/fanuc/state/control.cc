@@ -152,7 +152,6 @@ void Control::choose_system_variables() {
 void Control::set_unit(LengthUnit unit) {
   modal.group[Group::Unit] = {static_cast<std::int16_t>(unit == LengthUnit::Inch ? 20 : 21), 0};
   scale.unit = unit;
-  observer.on_length_unit(unit);
 }
 
 }  // namespace g31::fanuc

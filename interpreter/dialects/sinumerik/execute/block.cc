@@ -27,7 +27,6 @@ void take_codes(Channel& channel, const Block& block) {
   for (const Group group : kOneBlockGroups) {
     channel.group[group] = 0;
   }
-  const int unit_before = channel.group[Group::Unit];
   const int feed_before = channel.group[Group::FeedType];
   for (const std::uint16_t bits : block.codes) {
     const FoundCode code = unpacked(bits);
@@ -47,10 +46,6 @@ void take_codes(Channel& channel, const Block& block) {
   }
   if (channel.group[Group::FeedType] != feed_before) {
     change_feed_type(channel, feed_before);
-  }
-  if (channel.group[Group::Unit] != unit_before) {
-    channel.observer.on_length_unit(channel.mm_per_length() == 1.0 ? LengthUnit::Millimetre
-                                                                   : LengthUnit::Inch);
   }
 }
 
