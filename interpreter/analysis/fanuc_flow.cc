@@ -183,6 +183,9 @@ std::optional<bool> FanucTranslation::constant_condition(const Step& step) const
   }
   const fanuc::Op& op = program_.ops[step.condition];
   const auto a = constant(op.a);
+  if (op.code == OpCode::End) {
+    return a ? std::optional(*a != 0.0) : std::nullopt;
+  }
   const auto b = constant(op.b);
   if (!a || !b || program_.ops[step.condition + 1].code != OpCode::End) {
     return std::nullopt;

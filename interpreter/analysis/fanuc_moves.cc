@@ -52,6 +52,7 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
     case GAction::CycleOff:
     case GAction::StrokeCheck:
     case GAction::SurfaceSpeed:
+    case GAction::Unsimulated:
       return std::nullopt;
   }
   return std::nullopt;

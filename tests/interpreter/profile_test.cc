@@ -53,7 +53,7 @@ TEST(Profile, SaysWhatAlarmTheProgramMade) {
   const ControlRun meldas("meldas", "#3000=91(CHECK PROBE)");
   ASSERT_TRUE(meldas.outcome().alarm.has_value());
   EXPECT_EQ(meldas.outcome().alarm->text, "CHECK PROBE");
-  EXPECT_EQ(meldas.outcome().alarm->detail, "number 91");
+  EXPECT_EQ(meldas.outcome().alarm->detail, "91");
   runtime::ControlSetup plain;
   plain.parameters["6008.1"] = 1.0;
   EXPECT_EQ(ControlRun("fanuc-30i", "#3000=91(X)", plain).alarm(), 91);

@@ -121,7 +121,7 @@ TEST(SystemVariables, RefuseWhatTheControlLacksOrProtects) {
       {"modal data are not written", "fanuc-16i", "#4109=1", kProtected},
       {"legacy work offsets on MELDAS", "meldas", "#100=#2806", 241},
       {"a number that does not fit 32 bits", "fanuc-16i", "#1133=2147484.*1000.", 110},
-      {"aliases of what is no common variable", "haas", "#10300=1", kIllegal},
+      {"beyond the Haas variables", "haas", "#13000=1", kIllegal},
   };
   for (const Refused& c : kCases) {
     SCOPED_TRACE(c.name);
@@ -190,14 +190,13 @@ TEST(SystemVariables, CommonVariablesCanBeWriteProtected) {
   EXPECT_EQ(beside.value("#511"), 3.0);
 }
 
-TEST(SystemVariables, TheSkipPositionHasTheToolOffsetOrNot) {
+TEST(SystemVariables, TheSkipPositionHasTheToolOffset) {
   AxisPositions q_M_touch = AxisPositions::Zero();
   q_M_touch[2] = 40.0;
   ControlRun fanuc("fanuc-16i", "#11001=100\nG90G43H1G0Z50.\nG31Z-20.F100\nG49", {}, {q_M_touch});
   EXPECT_EQ(fanuc.value("#5063"), 40.0);
   ControlRun haas("haas", "#2001=100\nG90G43H1G0Z50.\nG31Z-20.F100\nG49", {}, {q_M_touch});
-  EXPECT_EQ(haas.value("#5063"), -60.0)
-      << "the tip, with the offset that was in force at the touch";
+  EXPECT_EQ(haas.value("#5063"), 40.0) << "as suites that subtract #5083 expect";
 }
 
 }  // namespace

@@ -35,8 +35,7 @@ TEST(ExplainCommand, PrintsTheEntry) {
   EXPECT_EQ(
       output.text,
       "#5063 (system variable)\n"
-      "  position latched by the last skip move, work coordinates, tool offset taken off: the "
-      "tip, axis n\n"
+      "  position latched by the last skip move, work coordinates, tool offset included, axis n\n"
       "    here: Z\n"
       "    numbers: #5061 to #5080\n"
       "    unit: mm or inch, whichever is in force; degrees of A, B and C\n"

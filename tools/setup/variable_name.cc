@@ -62,6 +62,16 @@ std::optional<std::string> normal_indices(std::string_view text) {
   }
 }
 
+/// #30012.003: a parameter of a Haas, and one of its elements, which has three digits.
+bool is_element(std::string_view stem) {
+  constexpr std::size_t kDigits = 5;
+  constexpr std::size_t kDigitsOfElement = 3;
+  const std::size_t point = stem.find('.');
+  return stem.starts_with('#') && point == kDigits + 1 &&
+         stem.size() == point + 1 + kDigitsOfElement && all_digits(stem.substr(1, kDigits)) &&
+         all_digits(stem.substr(point + 1));
+}
+
 /// What stands before the indices.
 std::optional<std::string> normal_stem(std::string_view stem) {
   const std::string_view number = stem.empty() ? stem : stem.substr(1);
@@ -70,6 +80,9 @@ std::optional<std::string> normal_stem(std::string_view stem) {
     const std::string_view shortest = without_leading_zeros(number);
     return shortest.size() <= kMostDigits ? std::optional(stem.front() + std::string(shortest))
                                           : std::nullopt;
+  }
+  if (is_element(stem)) {
+    return std::string(stem);
   }
   const bool named = is_identifier(stem) || (stem.starts_with('#') && is_identifier(number));
   return named ? std::optional(std::string(stem)) : std::nullopt;

@@ -546,3 +546,25 @@ M99
 (EXPECT #100 = 1)
 (EXPECT #101 = 2)
 (EXPECT MOVES 1)
+
+(CASE MB-209 P of a block that a code makes a call is an argument: #16)
+(SOURCE MB-205 counts P as #16 where it is an argument)
+(SHEET [macro_calls])
+(SHEET M165 = 9065)
+(SHEET G165 = 9065)
+%
+O1
+M165 P9814 D40. K2.
+#101=#100
+#103=#102
+G165 P7 D8.
+M30
+O9065
+#100=#16
+#102=#7
+M99
+%
+(EXPECT #101 = 9814)
+(EXPECT #103 = 40)
+(EXPECT #100 = 7)
+(EXPECT #102 = 8)

@@ -57,6 +57,7 @@ class Compiler {
   void nc_words(const Block& block, Step& step);
   void link_then();
   void link_loops();
+  [[nodiscard]] bool is_conditional(Index block) const;
   void judge_loop(Step& step, std::size_t depth);
   void link_jumps();
   void mark_bad(Step& step, AlarmId id, syntax::ShortSpan where, std::string message);
@@ -93,6 +94,10 @@ void Compiler::step(Index block_index) {
       break;
     case BlockKind::Nc:
       nc_words(block, step);
+      if (is_conditional(block_index) && !profile_.conditions_rule_blocks) {
+        mark_bad(step, AlarmId::StatementFormat, block.span,
+                 "THEN takes a macro statement, no loop and no NC words");
+      }
       break;
     case BlockKind::Assign:
       assign(block, step);
@@ -106,7 +111,7 @@ void Compiler::step(Index block_index) {
       break;
     case BlockKind::IfThen:
       step.condition = expressions_.condition(block.condition);
-      if (!profile_.has_then) {
+      if (!profile_.has_then && !block.is_bare) {
         mark_bad(step, AlarmId::StatementFormat, block.span,
                  "this control has no THEN, only IF [...] GOTO");
       }
@@ -124,6 +129,11 @@ void Compiler::step(Index block_index) {
     mark_bad(step, misuse->id, misuse->where, std::move(misuse->message));
   }
   out_.steps.push_back(step);
+}
+
+/// Whether the block is what an IF decides upon.
+bool Compiler::is_conditional(Index block) const {
+  return block > program_.first_block && tree_.blocks[block - 1].kind == BlockKind::IfThen;
 }
 
 void Compiler::assign(const Block& block, Step& step) {

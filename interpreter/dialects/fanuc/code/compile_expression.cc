@@ -37,7 +37,7 @@ bool is_junction(const Expr& expr) {
 }  // namespace
 
 std::int32_t literal_variable(const Expr& number) {
-  return static_cast<std::int32_t>(std::round(std::min(number.number, 1e9)));
+  return written_variable(number.number);
 }
 
 std::optional<ExpressionCompiler::Misuse> ExpressionCompiler::take_misuse() {
@@ -67,6 +67,9 @@ Index ExpressionCompiler::value(Index expr) {
 Index ExpressionCompiler::condition(Index expr) {
   const auto begin = static_cast<Index>(out_.ops.size());
   const syntax::ShortSpan span = tree_.exprs[expr].span;
+  if (!is_condition(expr) && profile_.conditions_are_numbers) {
+    return finish(begin, emit(expr), span);
+  }
   if (!is_condition(expr)) {
     misused(AlarmId::StatementFormat, span,
             "a condition compares two values with EQ NE GT LT GE or LE");
@@ -143,7 +146,7 @@ Operand ExpressionCompiler::emit_chain(Index index) {
   std::ranges::reverse(chain);
   for (const Index place : chain) {
     const Expr& expr = tree_.exprs[place];
-    if (is_comparison(expr)) {
+    if (is_comparison(expr) && !profile_.conditions_are_numbers) {
       misused(AlarmId::ExpressionFormat, expr.span,
               "a comparison is no number; it stands in IF and WHILE only");
     }

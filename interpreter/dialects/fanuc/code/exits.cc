@@ -15,6 +15,7 @@ void add_exit(StepExits& exits, Index step) {
 void follow_words(const CompiledProgram& program, Index step, StepExits& exits) {
   const syntax::Block& block = program.tree->blocks[program.steps[step].block];
   bool names_target = false;
+  bool goes_to_label = false;
   bool may_be_skipped = false;
   for (Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
     const syntax::Word& word = program.tree->words[i];
@@ -23,9 +24,11 @@ void follow_words(const CompiledProgram& program, Index step, StepExits& exits) 
                   word.form == syntax::ValueForm::Integer &&
                   (word.number == 99.0 || word.number == 30.0 || word.number == 2.0);
     names_target |= word.letter == 'P';
+    goes_to_label |= word.letter == 'M' && (word.number == 96.0 || word.number == 97.0);
   }
   if (!exits.ends) {
     add_exit(exits, step + 1);
+    exits.any_label = goes_to_label && names_target;  // M96 P Q, M97 P
   } else {
     exits.any_label = names_target;  // M99 P in a main program goes on at any block of it
   }

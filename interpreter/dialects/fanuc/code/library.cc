@@ -4,6 +4,8 @@
 #include <charconv>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "interpreter/dialects/fanuc/text/parse.h"
 #include "interpreter/dialects/fanuc/text/tape_code.h"
 
@@ -167,36 +169,61 @@ std::optional<ProgramPlace> ProgramLibrary::in_whole(const ProgramPlace& place) 
              : std::nullopt;
 }
 
+/// Says which of two programs of one number is taken.
+/// @param name  where that one says its number
+void ProgramLibrary::report_twice(const CompiledProgram& taken, syntax::ShortSpan name,
+                                  const std::string& other) {
+  reports_.push_back(make_diagnostic(
+      source::DiagnosticId::ProgramTwice, location_in(taken, name),
+      fmt::format("O{:04} is there twice: this one is taken, not {}", taken.number, other)));
+}
+
 const CompiledProgram* ProgramLibrary::find_in(File& file, int number) {
   const auto& programs = file.tree.programs;
-  for (std::size_t i = 0; i < programs.size(); ++i) {
-    if (programs[i].number == number) {
-      return compiled(file, i);
-    }
+  const auto has_number = [number](const syntax::Program& p) { return p.number == number; };
+  const auto first = std::ranges::find_if(programs, has_number);
+  if (first == programs.end()) {
+    return nullptr;
   }
-  return nullptr;
+  const CompiledProgram* const found =
+      compiled(file, static_cast<std::size_t>(first - programs.begin()));
+  const auto second = std::find_if(first + 1, programs.end(), has_number);
+  if (number != 0 && second != programs.end()) {
+    const auto other = sources_.show(file.source->at(second->name.widened()));
+    report_twice(*found, first->name, fmt::format("that of line {}", other.line));
+  }
+  return found;
+}
+
+/// The program of this number in a file whose name says so; one without an O word has it by that.
+const CompiledProgram* ProgramLibrary::load_from(Folder& folder, const std::string& name,
+                                                 int number) {
+  File* const file = load(joined(folder.path, name));
+  if (file == nullptr) {
+    return nullptr;
+  }
+  const CompiledProgram* const found = find_in(*file, number);
+  const bool is_unnumbered =
+      found == nullptr && file->tree.programs.size() == 1 && file->tree.programs[0].number == 0;
+  return is_unnumbered ? compiled(*file, 0) : found;
 }
 
 const CompiledProgram* ProgramLibrary::find_in(Folder& folder, int number) {
   const auto named = folder.by_name.equal_range(number);
+  const CompiledProgram* found = nullptr;
   for (auto it = named.first; it != named.second; ++it) {
-    if (File* const file = load(joined(folder.path, it->second))) {
-      if (const CompiledProgram* const found = find_in(*file, number)) {
-        return found;
-      }
-      if (file->tree.programs.size() == 1 && file->tree.programs[0].number == 0) {
-        return compiled(*file, 0);  // no O word inside: the name is the number
-      }
+    const CompiledProgram* const here = load_from(folder, it->second, number);
+    if (here != nullptr && found != nullptr) {
+      report_twice(*found, {0, 1}, it->second);
+    }
+    found = found == nullptr ? here : found;
+  }
+  for (std::size_t i = 0; i < folder.unnamed.size() && found == nullptr; ++i) {
+    if (File* const file = load(joined(folder.path, folder.unnamed[i]))) {
+      found = find_in(*file, number);
     }
   }
-  for (const std::string& name : folder.unnamed) {
-    if (File* const file = load(joined(folder.path, name))) {
-      if (const CompiledProgram* const found = find_in(*file, number)) {
-        return found;
-      }
-    }
-  }
-  return nullptr;
+  return found;
 }
 
 const CompiledProgram* ProgramLibrary::find_in_main(int number) {

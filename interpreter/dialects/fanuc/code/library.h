@@ -4,10 +4,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/dialects/fanuc/code/compile.h"
 #include "interpreter/dialects/fanuc/code/program_windows.h"
+#include "interpreter/source/diagnostic.h"
 #include "interpreter/source/source_map.h"
 
 namespace g31::fanuc {
@@ -62,6 +64,9 @@ class ProgramLibrary {
   /// The program O`number`, or nullptr.
   const CompiledProgram* find(int number);
 
+  /// What has been found twice since the last call: in one file, or in one folder.
+  std::vector<source::Diagnostic> take_reports() { return std::exchange(reports_, {}); }
+
  private:
   struct File {
     std::string path;
@@ -81,6 +86,8 @@ class ProgramLibrary {
   File* load(const std::string& path);
   const CompiledProgram* whole_main();
   const CompiledProgram* find_in_main(int number);
+  const CompiledProgram* load_from(Folder& folder, const std::string& name, int number);
+  void report_twice(const CompiledProgram& taken, syntax::ShortSpan name, const std::string& other);
 
   source::SourceMap& sources_;
   source::FileSystem& files_;
@@ -94,6 +101,7 @@ class ProgramLibrary {
   std::unique_ptr<ProgramWindows> windows_;  ///< of the main file, if it is a long one
   std::optional<bool> main_has_further_;     ///< programs, behind its first; asked for long ones
   std::map<int, const CompiledProgram*> known_;
+  std::vector<source::Diagnostic> reports_;
 };
 
 }  // namespace g31::fanuc

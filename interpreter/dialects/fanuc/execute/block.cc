@@ -22,6 +22,11 @@ MaybeFailure execute_stroke_check(Control& control, const NcBlock& block) {
   return std::nullopt;
 }
 
+MaybeFailure execute_nothing(Control& control, const NcBlock& block) {
+  control.warn_once(source::DiagnosticId::NotSimulated, block.where, to_text(block.code->number));
+  return std::nullopt;
+}
+
 MaybeFailure execute_action(Control& control, const NcBlock& block) {
   if (in_canned_cycle(control) && is_barred_in_cycle(block.code->action)) {
     return block_failure(AlarmId::NotAllowedInCycle, to_text(block.code->number));
@@ -61,6 +66,8 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
       return execute_stroke_check(control, block);
     case GAction::EndData:
       return std::nullopt;
+    case GAction::Unsimulated:
+      return execute_nothing(control, block);
     case GAction::Modal:
     case GAction::NoEffect:
     case GAction::ExactStop:
@@ -95,7 +102,8 @@ MaybeFailure select_offsets(Control& control, const BlockWords& words, const Cod
       return failure;
     }
   }
-  if (codes.tool_length != nullptr || words.has('H')) {
+  if (codes.tool_length != nullptr || words.has('H') ||
+      control.parameters.is_on(ParameterId::LengthAtNextBlock)) {
     return select_tool_length(control, words);
   }
   return std::nullopt;

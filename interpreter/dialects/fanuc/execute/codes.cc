@@ -72,6 +72,7 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
     case GAction::MacroCall:
     case GAction::SetPosition:
     case GAction::PresetSystem:
+    case GAction::Unsimulated:
       break;
   }
   control.modal.group[code.group] = code.number;
@@ -91,7 +92,7 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
   }
   const auto number = g_number(word.number);
   const GCode* const code = number ? find_g_code(*number) : nullptr;
-  if (code == nullptr || std::ranges::count(control.profile.missing_g_codes, *number) != 0) {
+  if (code == nullptr || !has_g_code(control.profile, *code)) {
     return at_word(AlarmId::ImproperGCode, word,
                    fmt::format("the control has no G{}", word.number));
   }
@@ -179,6 +180,18 @@ MaybeFailure refuse_repeats(const BlockWords& words) {
   return std::nullopt;
 }
 
+/// Addresses of axes that no machine here has; U of G04 is a time (MB-285).
+MaybeFailure refuse_further_axes(const BlockWords& words, const Codes& codes) {
+  const bool dwells = codes.one_shot != nullptr && codes.one_shot->action == GAction::Dwell;
+  for (const char letter : {'U', 'V', 'W'}) {
+    if (words.has(letter) && !(dwells && letter == 'U')) {
+      return at_word(AlarmId::IllegalAddress, *words.find(letter),
+                     fmt::format("the machine has no axis {}", letter));
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool commands_motion(const BlockWords& words) {
@@ -207,6 +220,9 @@ Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
         return *std::move(failure);
       }
     }
+  }
+  if (auto failure = refuse_further_axes(words, codes)) {
+    return *std::move(failure);
   }
   const auto unit =
       control.modal.group[Group::Unit].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;

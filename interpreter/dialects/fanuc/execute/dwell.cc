@@ -16,11 +16,16 @@ bool counts_turns(const Control& control) {
 MaybeFailure execute_dwell(Control& control, const NcBlock& block) {
   double seconds = 0.0;
   if (const EvaluatedWord* const p = block.words.find('P')) {
-    const auto milliseconds = integer_of(*p);
-    if (!milliseconds) {
-      return milliseconds.error();
+    const bool has_point = p->form != syntax::ValueForm::Integer;
+    if (has_point && control.profile.dwell_point_is_seconds) {
+      seconds = p->number;
+    } else {
+      const auto milliseconds = integer_of(*p);
+      if (!milliseconds) {
+        return milliseconds.error();
+      }
+      seconds = milliseconds.value() / 1000.0;
     }
-    seconds = milliseconds.value() / 1000.0;
   }
   for (const char letter : {'X', 'U'}) {
     if (const EvaluatedWord* const word = block.words.find(letter)) {

@@ -8,6 +8,7 @@ constexpr int kCounterclockwise = 4;
 constexpr int kStop = 5;
 constexpr int kToolChange = 6;
 constexpr int kOrientation = 19;
+constexpr std::int32_t kToolInSpindle = 3026;  // the variable that shows it on a Haas
 
 void turn(Control& control, machine::Rotation rotation) {
   control.rotation = rotation;
@@ -29,6 +30,7 @@ void change_tool(Control& control) {
     return;
   }
   const int number = *control.called_tool;
+  control.data[kToolInSpindle] = number;
   const runtime::ToolEntry entry = control.offsets.get(number);
   control.port.change_tool(
       {{number, entry.length_mm + entry.length_wear_mm, entry.radius_mm + entry.radius_wear_mm}});

@@ -120,15 +120,26 @@ MaybeFailure execute_motion(Control& control, const NcBlock& block) {
   return std::nullopt;
 }
 
-/// G53: machine coordinates, this block only, absolute; ignored under G91 (MB-291).
+/// G53: machine coordinates, this block only (MB-291).  Under G91 it is ignored, or its values are
+/// a distance (M700V programming manual, 14.4 (4)).
 MaybeFailure execute_machine_move(Control& control, const NcBlock& block) {
-  if (control.modal.incremental()) {
+  const bool adds = control.modal.incremental();
+  if (adds && !control.profile.machine_moves_add) {
+    if (block.has_axis_word) {
+      control.warn(source::DiagnosticId::MachineMoveIgnored, block.where);
+    }
     return std::nullopt;
   }
   AxisPositions q_M_end = control.port.position();
+  const bool cancels = !adds && control.profile.machine_move_length == MachineMoveLength::Cancels;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
-      q_M_end[static_cast<Eigen::Index>(axis)] = axis_value(control, *word, axis);
+      const auto place = static_cast<Eigen::Index>(axis);
+      const double value = axis_value(control, *word, axis);
+      q_M_end[place] = adds ? q_M_end[place] + value : value;
+      if (cancels) {
+        control.coordinates.end_tool_offset(static_cast<int>(axis));
+      }
     }
   }
   const int g = control.modal.group[Group::Motion].whole == 1 ? 1 : 0;

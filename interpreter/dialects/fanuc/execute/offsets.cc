@@ -17,22 +17,31 @@ Failure missing(source::DiagnosticId row, std::string what) {
 
 }  // namespace
 
-/// G54 to G59, G54.1 Pn, G54 Pn (MB-292, MB-293).
+/// G54 to G59, G54.1 Pn, G54 Pn (MB-292, MB-293); G110 to G129 and G154 Pn of a Haas.
 MaybeFailure select_work_offset(Control& control, const BlockWords& words, GNumber code) {
+  constexpr int kFirstAdditional = 110;  // G110 is G154 P1
+  constexpr int kAdditional = 154;
   int which = code.whole - 53;
   control.modal.additional_system = 0;
   const EvaluatedWord* const p = words.find('P');
-  if (code == GNumber{54, 1} || (code.whole == 54 && p != nullptr)) {
-    const auto number = p != nullptr ? integer_of(*p) : Result<int, Failure>(1);
+  const bool is_numbered = code.whole >= kFirstAdditional && code.whole < kAdditional;
+  if (is_numbered || code.whole == kAdditional || code == GNumber{54, 1} ||
+      (code.whole == 54 && p != nullptr)) {
+    const auto number = is_numbered    ? Result<int, Failure>(code.whole - kFirstAdditional + 1)
+                        : p != nullptr ? integer_of(*p)
+                                       : Result<int, Failure>(1);
     if (!number) {
       return number.error();
     }
     if (number.value() < 1 || number.value() > Coordinates::kAdditional) {
-      return at_word(AlarmId::IllegalOffsetNumber, *p, "G54.1 has P1 to P300");
+      return at_word(AlarmId::IllegalOffsetNumber, *p,
+                     fmt::format("{} has P1 to P{}", to_text(code), Coordinates::kAdditional));
     }
     which = Coordinates::kSystems + number.value();
     control.modal.additional_system = number.value();
-    control.modal.group[Group::WorkSystem] = {54, 1};
+    if (code.whole == 54) {
+      control.modal.group[Group::WorkSystem] = {54, 1};
+    }
   }
   if (!control.expected_systems.empty() && !control.expected_systems.contains(which)) {
     return missing(source::DiagnosticId::SetupMissingOffset,
@@ -64,11 +73,18 @@ MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
         !control.offsets.has(number)) {
       return missing(source::DiagnosticId::SetupMissingTool, fmt::format("H{}", number));
     }
+    if (!control.offsets.has(number)) {
+      control.warn_once(source::DiagnosticId::OffsetNeverSet, control.block,
+                        fmt::format("H{}", number));
+    }
     const runtime::ToolEntry entry = control.offsets.get(number);
     const double length = entry.length_mm + entry.length_wear_mm;
     q_offset[kToolAxis] = code == 43 ? length : -length;
   }
-  control.coordinates.set_tool_offset(q_offset);
+  const bool shifts = control.profile.length_change == LengthChange::ShiftsCoordinates ||
+                      control.parameters.is_on(ParameterId::LengthShifts);
+  shifts ? control.coordinates.shift_tool_offset(q_offset)
+         : control.coordinates.set_tool_offset(q_offset);
   return std::nullopt;
 }
 

@@ -33,13 +33,16 @@ Result<int, Failure> which_reference(const NcBlock& block) {
 }  // namespace
 
 /// G28, G30: the named axes go through the intermediate point to the reference point, at rapid
-/// (MB-287 to MB-289).
+/// (MB-287 to MB-289).  The tool length offset of such an axis ends where it arrives, though G43
+/// stays in force: FANUC 0i-MB manual B-63844EN/02, 14.1.2; M700V programming manual, 12.2 (4);
+/// Haas 96-8000, G28.
 MaybeFailure execute_reference(Control& control, const NcBlock& block) {
   const auto which = which_reference(block);
   if (!which) {
     return which.error();
   }
-  if (!block.has_axis_word) {
+  const bool moves_all = !block.has_axis_word && control.profile.bare_reference_moves_all;
+  if (!block.has_axis_word && !moves_all) {
     return std::nullopt;
   }
   const AxisPositions q_L_via = cartesian_end(control, block);
@@ -47,14 +50,22 @@ MaybeFailure execute_reference(Control& control, const NcBlock& block) {
   if (auto failure = move_to(control, q_M_via, machine::Traverse::Rapid, 0)) {
     return failure;
   }
+  const auto goes = [&](int axis) {
+    return moves_all || block.words.has(kAxisLetters[static_cast<std::size_t>(axis)]);
+  };
   AxisPositions q_M_home = q_M_via;
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
-    if (block.words.has(kAxisLetters[static_cast<std::size_t>(axis)])) {
+    if (goes(axis)) {
       control.q_L_intermediate[static_cast<std::size_t>(axis)] = q_L_via[axis];
       q_M_home[axis] = reference_point(control, which.value(), axis);
     }
   }
   auto failure = move_to(control, q_M_home, machine::Traverse::Rapid, 0);
+  for (int axis = 0; axis < static_cast<int>(kAxisCount) && !failure; ++axis) {
+    if (goes(axis)) {
+      control.coordinates.end_tool_offset(axis);
+    }
+  }
   control.coordinates.arrived_at_machine(control.port.position());
   return failure;
 }

@@ -47,6 +47,12 @@ Result<SkipKind, Failure> skip_kind(const Control& control, const NcBlock& block
   if (!number) {
     return number.error();
   }
+  if (control.profile.skip_selection == SkipSelection::Mask) {
+    constexpr int kAllSignals = 255;
+    return number.value() >= 1 && number.value() <= kAllSignals
+               ? Result<SkipKind, Failure>(SkipKind::Signal)
+               : at_word(AlarmId::SkipMask, *p, "P is 1 to 255, one bit for each signal");
+  }
   if (number.value() == 98 || number.value() == 99) {
     if (axes_named(block.words) != 1) {
       return at_word(AlarmId::SkipFormat, *p, "one axis is needed");
@@ -70,7 +76,6 @@ MaybeFailure execute_torque_skip(Control& control, const NcBlock& block) {
   }
   control.coordinates.arrived_at_programmed(q_L_end);
   control.q_W_skip = control.coordinates.to_work(q_M_end);
-  control.q_skip_offset = control.coordinates.tool_offset();
   return std::nullopt;
 }
 
@@ -137,7 +142,6 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   event.block = "G31";
   event.where = block.where;
   control.q_W_skip = control.coordinates.to_work(event.q_M_latched);
-  control.q_skip_offset = control.coordinates.tool_offset();
   if (event.triggered) {
     control.coordinates.arrived_at_machine(event.q_M_stopped);
   } else {

@@ -40,9 +40,16 @@ Entry entry_of(const Profile& profile) {
        {"calls", fmt::format("{} macros, {} subprograms, {} together deep", profile.calls.macros,
                              profile.calls.subprograms, profile.calls.together)},
        {"#3000=n", macro_alarm_text(profile.macro_alarm)},
-       {"#5061 and on", profile.variables.meets({VariableGroup::SkipAtTip})
-                            ? "without the tool offset"
-                            : "with the tool offset"},
+       {"G53 and the tool length", profile.machine_move_length == MachineMoveLength::Cancels
+                                       ? "cancelled until the next G43, G44 or H"
+                                       : "left out in its own move only"},
+       {"G53 under G91", profile.machine_moves_add ? "moves by its values" : "ignored"},
+       {"P in G31", profile.skip_selection == SkipSelection::Mask
+                        ? "1 to 255, one bit for each signal"
+                        : "1 to 4, the signals of parameters 6202 to 6205"},
+       {"AND, OR between comparisons", profile.joins_conditions ? "yes" : "with parameter 6006.0"},
+       {"IF [#1], IF [...] M98 P1", profile.conditions_rule_blocks ? "yes" : "no"},
+       {"M97 P, M96 P Q", profile.has_local_calls ? "yes" : "no"},
        {"F in G31",
         profile.skip_feed == SkipFeed::Modal ? "stays in force" : "counts for its block only"},
        {"DPRNT", fmt::format("{} to {} digits a variable{}", output.fewest_digits,

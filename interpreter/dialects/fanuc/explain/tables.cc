@@ -136,7 +136,7 @@ Entries codes(std::string_view topic, const Profile& profile) {
   if (topic.front() == 'G') {
     const auto g = g_number(*number);
     const GCode* const code = g ? find_g_code(*g) : nullptr;
-    const bool has = code != nullptr && std::ranges::count(profile.missing_g_codes, *g) == 0;
+    const bool has = code != nullptr && has_g_code(profile, *code);
     return has ? Entries{entry_of(*code, profile)} : Entries{};
   }
   const auto row =

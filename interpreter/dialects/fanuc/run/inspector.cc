@@ -48,8 +48,8 @@ runtime::NamedValues common_values(const Control& control, std::int32_t first) {
       add(values, number, control.variables.common(number));
     }
   }
-  for (std::int32_t i = 0; i < kFurtherCommonCount; ++i) {
-    add(values, kFirstFurther + i, control.further_commons.at(static_cast<std::size_t>(i)));
+  for (const auto& [number, value] : control.further_commons) {
+    add(values, number, value);
   }
   return values;
 }

@@ -302,7 +302,7 @@ MaybeFailure Runner::assigned_system_variable(int number, double value) {
   if (n < rule.smallest || n > rule.largest) {
     failure.detail = fmt::format("#3000 takes {} to {}", rule.smallest, rule.largest);
   } else if (!adds) {
-    failure.detail = fmt::format("number {}", n);
+    failure.detail = std::to_string(n);
   }
   return failure;
 }

@@ -56,6 +56,7 @@ struct Frame {
   const CompiledProgram* program = nullptr;
   syntax::Index step = 0;  ///< the next to execute
   syntax::Index current = 0;
+  syntax::Index first_step = 0;  ///< where each repeat begins
   CallKind kind = CallKind::Main;
   CalledBy by = CalledBy::Program;
   Storage storage = Storage::Memory;
@@ -119,6 +120,7 @@ class Runner {
   bool skips_rest(const syntax::Word& word);
   MaybeFailure execute(const BlockWords& words, source::Location where);
   MaybeFailure plain_block(source::Location where);
+  [[nodiscard]] MaybeFailure skip_check(source::Location where) const;
   MaybeFailure program_stop(int m, source::Location where);
 
   // runner_calls.cc: which word calls what
@@ -131,11 +133,13 @@ class Runner {
   MaybeFailure cancel_modal_call(const EvaluatedWord& code);
   MaybeFailure modal_call();
   MaybeFailure every_block_call();
-  MaybeFailure enter_macro(const Entry& entry, std::span<const EvaluatedWord> arguments);
+  MaybeFailure enter_macro(const Entry& entry, std::span<const EvaluatedWord> arguments,
+                           const Variables::Locals& given = {});
   MaybeFailure code_macro(const EvaluatedWord& code, int program, CalledBy by);
   MaybeFailure code_subprogram(const EvaluatedWord& code, int program);
   Result<Variables::Locals, Failure> with_arguments(Variables::Locals locals,
                                                     std::span<const EvaluatedWord> arguments);
+  const CompiledProgram* program_of(int number);
   Result<const CompiledProgram*, Failure> called_program(const EvaluatedWord& p);
   Result<int, Failure> repeats() const;
   [[nodiscard]] double argument_value(const EvaluatedWord& word) const;
@@ -145,6 +149,8 @@ class Runner {
   MaybeFailure subprogram_call(const EvaluatedWord& m);
   Result<Entry, Failure> subprogram_entry(const EvaluatedWord& m);
   [[nodiscard]] bool calls_external(int m) const;
+  MaybeFailure local_call(const EvaluatedWord& m);
+  MaybeFailure jump_by_input(const EvaluatedWord& m);
   MaybeFailure return_from_call();
   MaybeFailure enter(const Entry& entry);
   [[nodiscard]] int levels(CallKind kind) const;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/code/lathe.h"
 #include "interpreter/dialects/fanuc/run/runner.h"
 
 namespace g31::fanuc {
@@ -25,8 +26,15 @@ void Runner::begin(const runtime::Budget& budget, runtime::BlockListener* listen
   }
 }
 
-/// Refuses a main program with a block that is reached and cannot be understood.
+/// Refuses a main program for a lathe, and one with a block that is reached and cannot be
+/// understood.
 bool Runner::refuse_broken(const CompiledProgram& main) {
+  if (const auto signs = lathe_signs(main)) {
+    outcome_.status = runtime::Status::SyntaxError;
+    outcome_.diagnostics.push_back(make_diagnostic(source::DiagnosticId::LatheProgram,
+                                                   location_in(main, signs->where), signs->what));
+    return true;
+  }
   for (const syntax::SyntaxError& error : reachable_errors(main)) {
     const auto id = static_cast<AlarmId>(error.error);
     const AlarmInfo& row = info(id);
@@ -45,6 +53,9 @@ void Runner::start(const CompiledProgram& main) {
   frames_.assign(1, Frame());
   frame().program = &main;
   control_.modal.word('O') = main.number;
+  if (main.number != 0 && main.extent == Extent::Whole) {
+    program_of(main.number);  // a second one of its number is told
+  }
   control_.coordinates.arrived_at_machine(control_.port.position());
 }
 

@@ -23,9 +23,13 @@ constexpr std::array<std::uint8_t, 26> kArgumentVariable = {
 constexpr std::size_t kEveryBlockG = 10;
 constexpr std::size_t kEveryBlockL = 12;
 constexpr std::size_t kEveryBlockN = 14;
-constexpr std::size_t kEveryBlockP = 16;
+constexpr std::size_t kVariableOfP = 16;
 
 constexpr int kLargestRepeat = 9999;
+
+// Of a Haas.
+constexpr int kJumpByInput = 96;
+constexpr int kLocalCall = 97;
 
 /// Letters whose plain integer argument means least increments (MB-196).
 bool counts_increments(char letter) {
@@ -91,6 +95,12 @@ Result<bool, Failure> Runner::call_by_m(const EvaluatedWord& word) {
   }
   if (code == 99) {
     return has_called(return_from_call());
+  }
+  if (control_.profile.has_local_calls && code == kLocalCall) {
+    return has_called(local_call(word));
+  }
+  if (control_.profile.has_local_calls && code == kJumpByInput) {
+    return has_called(jump_by_input(word));
   }
   if (!may_call(CalledBy::Address)) {
     return false;
@@ -236,7 +246,7 @@ MaybeFailure Runner::every_block_call() {
   for (const EvaluatedWord& word : words_.all()) {
     const std::size_t variable = word.letter == 'G'   ? kEveryBlockG
                                  : word.letter == 'L' ? kEveryBlockL
-                                 : word.letter == 'P' ? kEveryBlockP
+                                 : word.letter == 'P' ? kVariableOfP
                                                       : 0;
     if (variable == 0) {
       arguments.push_back(word);
@@ -258,7 +268,7 @@ MaybeFailure Runner::every_block_call() {
 
 /// A G or M code that parameters or the sheet make a macro call (MB-207, MB-209).
 MaybeFailure Runner::code_macro(const EvaluatedWord& code, int program_number, CalledBy by) {
-  const CompiledProgram* const program = library_.find(program_number);
+  const CompiledProgram* const program = program_of(program_number);
   if (program == nullptr) {
     return at_word(AlarmId::CalledNotFound, code,
                    fmt::format("O{:04}, which {}{} calls, is in none of the files and folders",
@@ -270,17 +280,21 @@ MaybeFailure Runner::code_macro(const EvaluatedWord& code, int program_number, C
   }
   std::vector<EvaluatedWord> arguments;
   for (const EvaluatedWord& word : words_.all()) {
-    if (&word != &code && word.letter != 'L' && word.letter != 'N') {
+    if (&word != &code && word.letter != 'L' && word.letter != 'N' && word.letter != 'P') {
       arguments.push_back(word);
     }
   }
-  return enter_macro({program, CallKind::Macro, by, times.value()}, arguments);
+  Variables::Locals locals;
+  if (const EvaluatedWord* const p = words_.find('P')) {
+    locals[kVariableOfP] = Cell(argument_value(*p));
+  }
+  return enter_macro({program, CallKind::Macro, by, times.value()}, arguments, locals);
 }
 
 /// An M or T code that parameters make a subprogram call: the other words of the block are executed
 /// first, the code itself is not (MB-210, MB-211).
 MaybeFailure Runner::code_subprogram(const EvaluatedWord& code, int program_number) {
-  const CompiledProgram* const program = library_.find(program_number);
+  const CompiledProgram* const program = program_of(program_number);
   if (program == nullptr) {
     return at_word(AlarmId::CalledNotFound, code,
                    fmt::format("O{:04}, which {}{} calls, is in none of the files and folders",
@@ -310,12 +324,21 @@ Result<int, Failure> Runner::repeats() const {
   return times;
 }
 
+/// The program of a number, and a word about a second one.
+const CompiledProgram* Runner::program_of(int number) {
+  const CompiledProgram* const found = library_.find(number);
+  for (source::Diagnostic& report : library_.take_reports()) {
+    control_.diagnostics.push_back(std::move(report));
+  }
+  return found;
+}
+
 Result<const CompiledProgram*, Failure> Runner::called_program(const EvaluatedWord& p) {
   const auto number = integer_of(p);
   if (!number) {
     return number.error();
   }
-  const CompiledProgram* const program = library_.find(number.value());
+  const CompiledProgram* const program = program_of(number.value());
   if (program == nullptr) {
     return at_word(AlarmId::CalledNotFound, p,
                    fmt::format("O{:04} is in none of the files and folders", number.value()));
@@ -324,8 +347,9 @@ Result<const CompiledProgram*, Failure> Runner::called_program(const EvaluatedWo
 }
 
 /// Enters a macro as often as L says; never for L0.
-MaybeFailure Runner::enter_macro(const Entry& entry, std::span<const EvaluatedWord> arguments) {
-  const auto locals = with_arguments({}, arguments);
+MaybeFailure Runner::enter_macro(const Entry& entry, std::span<const EvaluatedWord> arguments,
+                                 const Variables::Locals& given) {
+  const auto locals = with_arguments(given, arguments);
   if (!locals) {
     return locals.error();
   }

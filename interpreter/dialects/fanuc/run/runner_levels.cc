@@ -45,6 +45,7 @@ MaybeFailure Runner::enter(const Entry& entry) {
   Frame level;
   level.program = entry.program;
   level.step = entry.first_step;
+  level.first_step = entry.first_step;
   level.kind = entry.kind;
   level.by = entry.by;
   level.storage = entry.storage;
@@ -133,6 +134,63 @@ MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
   return entry.repeats == 0 ? std::nullopt : enter(entry);
 }
 
+/// M97 P L: the blocks from N of P on, to M99, as a subprogram of the same text.
+MaybeFailure Runner::local_call(const EvaluatedWord& m) {
+  const EvaluatedWord* const p = words_.find('P');
+  const auto times = repeats();
+  if (p == nullptr || !times) {
+    return p == nullptr ? MaybeFailure(at_word(AlarmId::CallWithoutProgram, m, "M97 without P"))
+                        : MaybeFailure(times.error());
+  }
+  if (auto failure = keep_whole(frame())) {
+    return failure;
+  }
+  const auto sequence = integer_of(*p);
+  if (!sequence) {
+    return sequence.error();
+  }
+  const auto step = frame().program->find_label(sequence.value(), frame().current);
+  if (!step) {
+    return at_word(AlarmId::SequenceNotFound, *p, fmt::format("no N{}", sequence.value()));
+  }
+  BlockWords others;
+  for (const EvaluatedWord& word : words_.all()) {
+    if (&word != &m && word.letter != 'P' && word.letter != 'L') {
+      others.add(word);
+    }
+  }
+  if (auto failure = execute(others, location_of(frame()))) {
+    return failure;
+  }
+  Entry entry{frame().program, CallKind::Subprogram, CalledBy::Program, times.value()};
+  entry.first_step = *step;
+  return entry.repeats == 0 ? std::nullopt : enter(entry);
+}
+
+/// M96 P Q: on at block N of P while input Q is 0.
+MaybeFailure Runner::jump_by_input(const EvaluatedWord& m) {
+  constexpr int kFirstInput = 11000;
+  const EvaluatedWord* const p = words_.find('P');
+  const EvaluatedWord* const q = words_.find('Q');
+  if (p == nullptr || q == nullptr) {
+    return at_word(AlarmId::NoDataAfterAddress, m, "M96 needs P, a block, and Q, an input");
+  }
+  const auto sequence = integer_of(*p);
+  const auto input = integer_of(*q);
+  if (!sequence || !input) {
+    return sequence ? input.error() : sequence.error();
+  }
+  const auto value = control_.variables.read(kFirstInput + input.value());
+  if (!value) {
+    return at_word(value.error(), *q, fmt::format("there is no input {}", input.value()));
+  }
+  if (value.value().or_zero() != 0.0) {
+    return std::nullopt;
+  }
+  return go_to(frame(), sequence.value(),
+               at_word(AlarmId::SequenceNotFound, *p, fmt::format("no N{}", sequence.value())));
+}
+
 /// M99: back to the caller, to block P of it, or to the top of the main program; L replaces the
 /// repeats that are left (MB-218 to MB-221).
 MaybeFailure Runner::return_from_call() {
@@ -147,7 +205,7 @@ MaybeFailure Runner::return_from_call() {
   }
   if (now.kind != CallKind::Main && p == nullptr && now.repeats_left > 0) {
     --now.repeats_left;
-    now.step = 0;
+    now.step = now.first_step;
     return std::nullopt;
   }
   if (now.kind == CallKind::Main) {

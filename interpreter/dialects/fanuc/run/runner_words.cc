@@ -105,10 +105,34 @@ MaybeFailure Runner::plain_block(source::Location where) {
   if (auto failure = execute(words_, where)) {
     return failure;
   }
+  if (auto failure = skip_check(where)) {
+    return failure;
+  }
   if (auto failure = program_stop(m != nullptr ? nearest_integer(m->number) : -1, where)) {
     return failure;
   }
   return frame().modal_calls.empty() ? std::nullopt : modal_call();
+}
+
+/// M78 and M79 of a Haas: what the skip move of their block must come to.
+MaybeFailure Runner::skip_check(source::Location where) const {
+  constexpr double kMustBeMissing = 78.0;
+  constexpr double kMustCome = 79.0;
+  const auto is_here = [&](const std::optional<source::Location>& skip) {
+    return skip && skip->file == where.file && skip->begin == where.begin;
+  };
+  if (!control_.profile.checks_skip_signal) {
+    return std::nullopt;
+  }
+  for (const EvaluatedWord& word : words_.all()) {
+    if (word.letter == 'M' && word.number == kMustBeMissing && is_here(control_.stopped_skip)) {
+      return at_word(AlarmId::SkipSignalFound, word, "M78");
+    }
+    if (word.letter == 'M' && word.number == kMustCome && is_here(control_.silent_skip)) {
+      return at_word(AlarmId::SkipSignalMissing, word, "M79");
+    }
+  }
+  return std::nullopt;
 }
 
 /// M00, M01, M02, M30: recorded stops and the end.

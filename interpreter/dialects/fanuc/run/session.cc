@@ -8,29 +8,38 @@
 
 #include "interpreter/dialects/fanuc/run/inspector.h"
 #include "interpreter/dialects/fanuc/run/runner.h"
+#include "interpreter/dialects/fanuc/text/scanner.h"
 
 namespace g31::fanuc {
 namespace {
 
 /// "#500" -> 500.
 std::optional<int> variable_in_name(std::string_view name) {
-  int number = 0;
-  if (name.size() < 2 || name[0] != '#') {
+  if (name.size() < 2 || name[0] != '#' || !is_digit(name[1]) || name.back() == '.') {
     return std::nullopt;
   }
-  const auto end = std::from_chars(name.data() + 1, name.data() + name.size(), number);
-  const bool whole = end.ec == std::errc() && end.ptr == name.data() + name.size();
-  return whole ? std::optional(number) : std::nullopt;
+  double number = 0.0;
+  const auto end =
+      std::from_chars(name.data() + 1, name.data() + name.size(), number, std::chars_format::fixed);
+  const bool is_read = end.ec == std::errc() && end.ptr == name.data() + name.size();
+  const bool is_whole = name.find('.') == std::string_view::npos;
+  const int variable = written_variable(number);
+  constexpr int kFirstWithPart = 30'000'000;
+  return is_read && (is_whole || variable >= kFirstWithPart) ? std::optional(variable)
+                                                             : std::nullopt;
 }
 
 /// Which system "G54".."G59", "EXT", "G54.1 P1" names, as Coordinates counts them.
 std::optional<int> system_in_name(std::string_view name) {
-  constexpr std::string_view kAdditional = "G54.1 P";
+  constexpr std::string_view kAdditional[] = {"G54.1 P", "G154 P"};
   if (name == "EXT") {
     return 0;
   }
-  if (name.starts_with(kAdditional)) {
-    const auto digits = name.substr(kAdditional.size());
+  for (const std::string_view prefix : kAdditional) {
+    if (!name.starts_with(prefix)) {
+      continue;
+    }
+    const auto digits = name.substr(prefix.size());
     int p = 0;
     const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), p);
     const bool legal = end.ec == std::errc() && end.ptr == digits.data() + digits.size() &&
@@ -104,6 +113,13 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
     return refused;
   }
   Control& control = runner_->control();
+  for (const auto& [name, value] : setup.parameters) {
+    int number = 0;
+    std::from_chars(name.data(), name.data() + name.size(), number);
+    if (find_parameter(number) == nullptr) {
+      control.warn_once(source::DiagnosticId::UnknownParameter, {}, name);
+    }
+  }
   Parameters parameters = given.value();
   parameters.set_reference(setup.q_M_reference);
   control.apply(parameters);

@@ -18,7 +18,8 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   rules.signed_angles = parameters.is_on(ParameterId::SignedAngles);
   rules.clear_small_sines = parameters.is_on(ParameterId::ClearSmallSines);
   rules.has_series_30i_functions = profile.has_series_30i_functions;
-  rules.joins_conditions = parameters.is_on(ParameterId::JoinsConditions);
+  rules.joins_conditions =
+      profile.joins_conditions || parameters.is_on(ParameterId::JoinsConditions);
   rules.parameters = &parameters;
   rules.logic_operands = profile.logic_operands;
   return rules;

@@ -101,13 +101,15 @@ struct Control {
   std::set<int> expected_tools;    ///< numbers of the sheet's tool table; empty: anything goes
   std::set<int> expected_systems;  ///< likewise for work offsets, as Coordinates counts them
 
-  AxisPositions q_W_skip = AxisPositions::Zero();       ///< #5061.., tool offset included; mm, deg
-  AxisPositions q_skip_offset = AxisPositions::Zero();  ///< the tool offset in it
-  runtime::PrinterPort* printer = nullptr;              ///< none: only the observer hears
-  bool printer_open = false;                            ///< between POPEN and PCLOS
-  std::array<Cell, kFurtherCommonCount> further_commons;  ///< #98000..
-  PmcSignals signals;                                     ///< #1000.., #1100..
-  Calendar calendar;                                      ///< #3011, #3012
+  AxisPositions q_W_skip = AxisPositions::Zero();  ///< #5061.., tool offset included; mm, deg
+  runtime::PrinterPort* printer = nullptr;         ///< none: only the observer hears
+  bool printer_open = false;                       ///< between POPEN and PCLOS
+  /// Common variables beyond #999, by number; those that are not there are vacant.
+  std::map<std::int32_t, Cell> further_commons;
+  /// What the set-up sheet says of the machine, and outputs, by variable number; else 0.
+  std::map<std::int32_t, double> data;
+  PmcSignals signals;  ///< #1000.., #1100..
+  Calendar calendar;   ///< #3011, #3012
   BusyWait busy_wait;
   machine::Rotation rotation = machine::Rotation::Stopped;  ///< of the spindle
   std::optional<int> called_tool;                           ///< the last T; none before the first

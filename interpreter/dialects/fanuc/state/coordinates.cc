@@ -44,6 +44,12 @@ void Coordinates::declare(int axis, double value) {
   shift_ = system(0) + system(selected_) + local_shift_ + declared_shift_;
 }
 
+void Coordinates::shift_tool_offset(const AxisPositions& offset) {
+  const AxisPositions q_W = transform_.apply(q_L_programmed_);
+  q_L_programmed_ = transform_.undo(q_W + (tool_offset_ - offset));
+  tool_offset_ = offset;
+}
+
 void Coordinates::clear_shifts(int axis) {
   local_shift_[axis] = 0.0;
   declared_shift_[axis] = 0.0;

@@ -45,6 +45,10 @@ class Coordinates {
   [[nodiscard]] const WorkTransform& transform() const { return transform_; }
 
   void set_tool_offset(const AxisPositions& offset) { tool_offset_ = offset; }
+  /// The same for a control whose axis does not follow: the programmed point is re-read.
+  void shift_tool_offset(const AxisPositions& offset);
+  /// An axis has been brought to a machine position without its tool offset, which is over with it.
+  void end_tool_offset(int axis) { tool_offset_[axis] = 0.0; }
   [[nodiscard]] const AxisPositions& tool_offset() const { return tool_offset_; }
 
   [[nodiscard]] const AxisPositions& shift() const { return shift_; }

@@ -44,6 +44,7 @@ bool is_fence(const GCode& code, const Profile& profile) {
     case GAction::CannedCycle:
     case GAction::CycleOff:
     case GAction::SurfaceSpeed:
+    case GAction::Unsimulated:
       return false;
   }
   contract_violated("every action is a fence or none", __FILE__, __LINE__);
@@ -71,8 +72,7 @@ bool is_fence(int m, const Parameters& parameters) {
 
 /// #5001.. and #5061.. hold what an earlier block left, whatever the axes do meanwhile (MB-138).
 bool is_settled_position(Shows shows) {
-  return shows == Shows::BlockEnd || shows == Shows::SkipPosition ||
-         shows == Shows::SkipTipPosition || shows == Shows::SkipDetected;
+  return shows == Shows::BlockEnd || shows == Shows::SkipPosition || shows == Shows::SkipDetected;
 }
 
 }  // namespace

@@ -70,6 +70,9 @@ ReadResult read_further_common(Control& control, const Place& place);
 WriteResult write_further_common(Control& control, const Place& place, Cell value);
 ReadResult read_alias(Control& control, const Place& place);
 WriteResult write_alias(Control& control, const Place& place, Cell value);
+ReadResult read_datum(Control& control, const Place& place);
+WriteResult write_datum(Control& control, const Place& place, Cell value);
+ReadResult read_named_parameter(Control& control, const Place& place);
 WriteResult write_nothing(Control& control, const Place& place, Cell value);
 
 // modal.cc
@@ -81,7 +84,6 @@ ReadResult read_block_end(Control& control, const Place& place);
 ReadResult read_machine_position(Control& control, const Place& place);
 ReadResult read_work_position(Control& control, const Place& place);
 ReadResult read_skip_position(Control& control, const Place& place);
-ReadResult read_skip_tip(Control& control, const Place& place);
 ReadResult read_tool_offset(Control& control, const Place& place);
 ReadResult read_nothing_left(Control& control, const Place& place);
 

@@ -31,11 +31,6 @@ ReadResult read_skip_position(Control& control, const Place& place) {
   return axis_of(control, place, control.q_W_skip);
 }
 
-ReadResult read_skip_tip(Control& control, const Place& place) {
-  control.report_silent_skip();
-  return axis_of(control, place, control.q_W_skip - control.q_skip_offset);
-}
-
 ReadResult read_tool_offset(Control& control, const Place& place) {
   return axis_of(control, place, control.coordinates.tool_offset());
 }

@@ -24,7 +24,9 @@ constexpr Setting kSettings[] = {{0, ParameterId::VerticalParity},
                                  {9, ParameterId::TapeFormat}};
 constexpr int kInchBit = 1 << 2;
 
-constexpr int kAliasDistance = 10000;
+constexpr std::int32_t kAliasesOfThousand = 1000;  // #10100 and #100100 are #100
+constexpr std::int32_t kNameOfParameter = 100000;
+constexpr std::int32_t kAxisOfParameter = 100002;
 
 ParameterId parts_parameter(const Place& place) {
   return place.row.shows == Shows::PartsCount ? ParameterId::PartsCount
@@ -159,24 +161,44 @@ WriteResult write_parts(Control& control, const Place& place, Cell value) {
 }
 
 ReadResult read_further_common(Control& control, const Place& place) {
-  return control.further_commons.at(static_cast<std::size_t>(place.index()));
+  const auto found = control.further_commons.find(place.number);
+  return found != control.further_commons.end() ? found->second : Cell();
 }
 
 WriteResult write_further_common(Control& control, const Place& place, Cell value) {
-  control.further_commons.at(static_cast<std::size_t>(place.index())) = value;
+  control.further_commons[place.number] = value;
   return std::nullopt;
 }
 
 ReadResult read_alias(Control& control, const Place& place) {
-  const std::int32_t common = place.number - kAliasDistance;
+  const std::int32_t common = place.number % kAliasesOfThousand;
   return is_common(common) ? ReadResult(control.variables.common(common))
-                           : ReadResult(AlarmId::IllegalVariable);
+                           : read_further_common(control, place);
 }
 
 WriteResult write_alias(Control& control, const Place& place, Cell value) {
-  const std::int32_t common = place.number - kAliasDistance;
+  const std::int32_t common = place.number % kAliasesOfThousand;
   return is_common(common) ? control.variables.write(common, value)
-                           : WriteResult(AlarmId::IllegalVariable);
+                           : write_further_common(control, place, value);
+}
+
+ReadResult read_datum(Control& control, const Place& place) {
+  const auto found = control.data.find(place.number);
+  return Cell(found != control.data.end() ? found->second : 0.0);
+}
+
+WriteResult write_datum(Control& control, const Place& place, Cell value) {
+  control.data[place.number] = value.or_zero();
+  return std::nullopt;
+}
+
+/// #100010 of MELDAS: the parameter that #100000 and, of one axis, #100002 name.
+ReadResult read_named_parameter(Control& control, const Place&) {
+  const int number = nearest_integer(control.data[kNameOfParameter]);
+  const int axis = nearest_integer(control.data[kAxisOfParameter]);
+  const bool has_axis = axis >= 1 && axis <= static_cast<int>(kAxisCount);
+  return Cell(has_axis ? control.parameters.shown_for_axis(number, axis - 1)
+                       : control.parameters.shown(number));
 }
 
 WriteResult write_nothing(Control&, const Place&, Cell) {

@@ -40,11 +40,11 @@ class Parser {
   syntax::Tree run(TextBegins begins) {
     reserve();
     if (begins == TextBegins::AtFile) {
-      skip_leader();
+      scanner_.skip_leader();
     } else {
       open_program(0, {});
     }
-    while (!scanner_.at_end_of_text() && scanner_.text()[scanner_.position()] != '%') {
+    while (!scanner_.at_end_of_text() && !scanner_.at_tape_end()) {
       block();
       scanner_.skip_block();
     }
@@ -59,14 +59,13 @@ class Parser {
     tree_.blocks.reserve(scanner_.text().size() / 32);
     tree_.words.reserve(scanner_.text().size() / 6);
   }
-  void skip_leader();
   void block();
   bool program_number(Block& block);
   bool program_name(Block& block);
   void head(Block& block);
   std::uint8_t switch_number();
   void body(Block& block);
-  std::string why_no_word(char next) const;
+  void condition_alone(Block& block);
   void assignment(Block& block);
   void words(Block& block);
   bool word();
@@ -74,6 +73,7 @@ class Parser {
   Index computed_value();
   void keyword(Block& block);
   void if_statement(Block& block);
+  bool jump_follows();
   void while_statement(Block& block);
   void then_statement(Block& block);
   void jump(Block& block);
@@ -95,22 +95,6 @@ class Parser {
   ExpressionParser expressions_;
   int then_depth_ = 0;
 };
-
-void Parser::skip_leader() {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (scanner_.text().starts_with(kByteOrderMark)) {
-    scanner_.rewind(static_cast<std::uint32_t>(kByteOrderMark.size()));
-  }
-  const std::uint32_t begin = scanner_.position();
-  while (!scanner_.at_end_of_text() && scanner_.peek() == '\n') {
-    scanner_.skip_block();
-  }
-  if (!scanner_.at_end_of_text() && scanner_.peek() == '%') {
-    scanner_.skip_block();
-  } else {
-    scanner_.rewind(begin);
-  }
-}
 
 void Parser::open_program(std::int32_t number, ShortSpan name) {
   close_program();
@@ -253,8 +237,12 @@ void Parser::body(Block& block) {
     assignment(block);
     return;
   }
+  if (next == '[') {
+    condition_alone(block);
+    return;
+  }
   if (next < 'A' || next > 'Z') {
-    fail(AlarmId::AddressNotFound, why_no_word(next));
+    fail(AlarmId::AddressNotFound, why_no_word(scanner_.text(), next));
     return;
   }
   const std::uint32_t begin = scanner_.position();
@@ -268,15 +256,14 @@ void Parser::body(Block& block) {
   }
 }
 
-std::string Parser::why_no_word(char next) const {
-  if (next >= '0' && next <= '9') {
-    return "a block begins with an address letter, here is a digit (0 in place of the letter O?)";
+/// `[condition] M99 P10`
+void Parser::condition_alone(Block& block) {
+  block.condition = expressions_.bracketed();
+  if (!failed()) {
+    block.is_bare = true;
+    block.kind = BlockKind::IfThen;
+    then_statement(block);
   }
-  const std::string_view text = scanner_.text();
-  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    return "this file is UTF-16: save it as ASCII or UTF-8";
-  }
-  return fmt::format("{} cannot begin a word", source::quoted(next));
 }
 
 void Parser::assignment(Block& block) {
@@ -523,13 +510,24 @@ void Parser::if_statement(Block& block) {
   if (failed()) {
     return;
   }
-  if (scanner_.accept_word("THEN") || scanner_.accept_word("TH")) {
+  const bool has_then = scanner_.accept_word("THEN") || scanner_.accept_word("TH");
+  if (has_then || !jump_follows()) {
+    block.is_bare = !has_then;
     block.kind = BlockKind::IfThen;
     then_statement(block);
     return;
   }
   block.kind = BlockKind::IfGoto;
   jump(block);
+}
+
+/// Whether GOTO comes, or nothing that could be a statement, of which jump() complains.
+bool Parser::jump_follows() {
+  const char next = scanner_.peek();
+  const std::uint32_t begin = scanner_.position();
+  const bool is_jump = scanner_.accept_word("GO");
+  scanner_.rewind(begin);
+  return is_jump || !((next >= 'A' && next <= 'Z') || next == '#' || expressions_.at_name());
 }
 
 /// The statement behind THEN becomes a block of its own, right behind this one.
@@ -550,7 +548,7 @@ void Parser::then_statement(Block& block) {
     body(statement);
     const bool is_loop = statement.kind == BlockKind::While || statement.kind == BlockKind::Do ||
                          statement.kind == BlockKind::End;
-    if (!failed() && (is_loop || statement.kind == BlockKind::Nc)) {
+    if (!failed() && is_loop) {
       expressions_.fail_at(AlarmId::StatementFormat, {begin, scanner_.position()},
                            "THEN takes a macro statement, no loop and no NC words");
     }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/source/printable.h"
 #include "interpreter/syntax/decimal.h"
 
 namespace g31::fanuc {
@@ -35,6 +36,16 @@ double value_of_many_digits(std::string_view written) {
 
 }  // namespace
 
+std::string why_no_word(std::string_view text, char next) {
+  if (is_digit(next)) {
+    return "a block begins with an address letter, here is a digit (0 in place of the letter O?)";
+  }
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    return "this file is UTF-16: save it as ASCII or UTF-8";
+  }
+  return fmt::format("{} cannot begin a word", source::quoted(next));
+}
+
 std::string digit_count(std::uint8_t digits) {
   return fmt::format("{} digits{}", digits, digits == 255 ? " or more" : "");
 }
@@ -48,6 +59,8 @@ char Scanner::peek_behind_blanks() {
       skip_comment();
     } else if (c == ')' && comment_.end != 0) {
       ++at_;  // ends a comment nested in the last one: comments do not nest, but people write so
+    } else if (c == '%') {
+      return ends_tape(at_) ? '\n' : c;
     } else {
       return kShown[static_cast<unsigned char>(c)];
     }
@@ -75,11 +88,44 @@ bool Scanner::accept(char expected) {
   return true;
 }
 
-void Scanner::skip_block() {
-  at_ = std::min(text_.find('\n', at_), text_.size());
-  if (at_ < text_.size()) {
-    ++at_;
+/// A % with nothing behind it on its line.
+bool Scanner::ends_tape(std::size_t percent) const {
+  const std::size_t next = text_.find_first_not_of(" \t\r\0", percent + 1, 4);
+  return next == std::string_view::npos || text_[next] == '\n';
+}
+
+void Scanner::skip_leader() {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text_.starts_with(kByteOrderMark)) {
+    at_ = kByteOrderMark.size();
   }
+  const std::size_t begin = at_;
+  const auto at_percent = [this] { return at_ < text_.size() && text_[at_] == '%'; };
+  while (at_ < text_.size() && peek() == '\n' && !at_percent()) {
+    skip_block();
+  }
+  at_ = at_percent() ? std::min(text_.find('\n', at_), text_.size() - 1) + 1 : begin;
+  comment_ = {};
+}
+
+bool Scanner::at_tape_end() const {
+  const std::size_t next = text_.find_first_not_of(" \t\r\0", at_, 4);
+  return next != std::string_view::npos && text_[next] == '%';
+}
+
+void Scanner::skip_block() {
+  comment_ = {};
+  while (peek() != '\n') {
+    step();
+  }
+  if (at_ >= text_.size() || text_[at_] == '%') {
+    comment_ = {};
+    return;
+  }
+  // A `;` and the end of its line end one block, not two.
+  const std::size_t next =
+      text_[at_] == ';' ? text_.find_first_not_of(" \t\r\0", at_ + 1, 4) : std::string_view::npos;
+  at_ = next != std::string_view::npos && text_[next] == '\n' ? next + 1 : at_ + 1;
   comment_ = {};
 }
 

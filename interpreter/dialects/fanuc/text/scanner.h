@@ -21,8 +21,12 @@ inline constexpr auto kShown = [] {
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const auto c = static_cast<char>(static_cast<unsigned char>(i));
     const bool is_lower = c >= 'a' && c <= 'z';
-    const bool needs_care = c == ' ' || c == '\t' || c == '\r' || c == '\0' || c == '(' || c == ')';
-    shown[i] = needs_care ? '\0' : is_lower ? static_cast<char>(c - 'a' + 'A') : c;
+    const bool needs_care =
+        c == ' ' || c == '\t' || c == '\r' || c == '\0' || c == '(' || c == ')' || c == '%';
+    shown[i] = needs_care ? '\0'
+               : is_lower ? static_cast<char>(c - 'a' + 'A')
+               : c == ';' ? '\n'
+                          : c;
   }
   return shown;
 }();
@@ -38,10 +42,14 @@ struct ScannedNumber {
   bool has_point;
 };
 
+/// Why a text cannot begin a block here.  @param next  what stands there
+std::string why_no_word(std::string_view text, char next);
+
 /// For messages: how many digits ScannedNumber::digits counted.
 std::string digit_count(std::uint8_t digits);
 
-/// A cursor over the text of one file, one block (line) at a time.  Blanks, tabs, CR and NUL count
+/// A cursor over the text of one file, one block at a time: a line, or what a `;` ends, as manuals
+/// print the end of a block.  Blanks, tabs, CR and NUL count
 /// for nothing outside comments (MB-008), comments are stepped over and remembered.
 class Scanner {
  public:
@@ -68,7 +76,11 @@ class Scanner {
   /// Steps over `expected` if it is next.
   bool accept(char expected);
 
-  /// Steps over the rest of the block and its line end.
+  /// Steps over what stands before the first block: empty lines and the line of the first %.
+  void skip_leader();
+  /// Whether a block would begin with %, which ends the tape.
+  [[nodiscard]] bool at_tape_end() const;
+  /// Steps over the rest of the block and its end, unless the tape ends.
   void skip_block();
   /// Moves back to a place that position() gave.
   void rewind(std::uint32_t position) { at_ = position; }
@@ -95,6 +107,7 @@ class Scanner {
 
  private:
   char peek_behind_blanks();
+  [[nodiscard]] bool ends_tape(std::size_t percent) const;
   bool number_goes_on(bool has_point);
   void skip_comment();
 

@@ -9,7 +9,8 @@ constexpr bool takes_axis_words(GAction action) {
   return action == GAction::Dwell || action == GAction::SetData || action == GAction::LocalShift ||
          action == GAction::SetPosition || action == GAction::PresetSystem ||
          action == GAction::Mirror || action == GAction::MirrorOff || action == GAction::Scaling ||
-         action == GAction::Rotation || action == GAction::StrokeCheck;
+         action == GAction::Rotation || action == GAction::StrokeCheck ||
+         action == GAction::Unsimulated;
 }
 
 }  // namespace g31::fanuc

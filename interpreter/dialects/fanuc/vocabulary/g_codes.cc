@@ -10,8 +10,11 @@ namespace {
 
 constexpr auto kGCodeRows = std::to_array<GCode>({
 #define G_CODE(whole, tenth, group, action, text) \
-  {{whole, tenth}, Group::group, GAction::action, text},
+  G_CODE_OF(Family, whole, tenth, group, action, text)
+#define G_CODE_OF(set, whole, tenth, group, action, text) \
+  {{whole, tenth}, Group::group, GAction::action, CodeSet::set, text},
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.def"
+#undef G_CODE_OF
 #undef G_CODE
 });
 

@@ -45,7 +45,11 @@ enum class GAction : std::uint8_t {
   CycleOff,
   StrokeCheck,
   SurfaceSpeed,
+  Unsimulated,  ///< one-shot: takes the words of its block, nothing happens
 };
+
+/// Which controls of the family have a G code.
+enum class CodeSet : std::uint8_t { Family, Meldas, Haas };
 
 /// Groups of modal codes; the value is n of #4000+n, which shows the code in force.
 enum class Group : std::uint8_t {
@@ -74,6 +78,7 @@ struct GCode {
   GNumber number;
   Group group;
   GAction action;
+  CodeSet set;
   std::string_view text;
 };
 

@@ -76,6 +76,8 @@ constexpr Profile meldas() {
   profile.smallest_result = 0.0;
   profile.loops = {127, 27};
   profile.has_bare_expressions = true;
+  profile.joins_conditions = true;
+  profile.own_g_codes = CodeSet::Meldas;
   profile.calls = {4, 8, 8};
   profile.lone_cancel_is_alarm = true;
   profile.start_letter = 'H';
@@ -85,8 +87,12 @@ constexpr Profile meldas() {
   profile.macro_alarm.smallest = 1;
   profile.macro_alarm.largest = 9999;
   profile.blocks_read = 5;
+  // M700V programming manual, 12.2 (4) and 14.4 (4)
+  profile.machine_move_length = MachineMoveLength::Ignores;
+  profile.machine_moves_add = true;
   profile.modal_layout = meldas_modal_layout();
-  profile.variables = {Basic, OffsetsMeldas, ExternalOffset, SkipWithOffset, ExecutingModal};
+  profile.variables = {Basic, OffsetsMeldas, ExternalOffset, ExecutingModal, MeldasCommons};
+  profile.skip_selection = SkipSelection::Mask;
   profile.skip_feed = SkipFeed::OneBlock;
   profile.skip_feed_parameter = ParameterId::SkipFeed;
   return profile;
@@ -112,7 +118,19 @@ constexpr Profile haas() {
   profile.logic_operands = LogicOperands::Truncate;
   profile.macro_alarm.base = 1000;
   profile.macro_alarm.largest = 999;
-  profile.variables = {Basic, LongOffsets, OffsetsHaas, ShiftAt5201, SkipAtTip, CommonAliases};
+  // Mill operator's manual 96-8000, G28, G43 and G53
+  profile.machine_move_length = MachineMoveLength::Ignores;
+  profile.length_change = LengthChange::ShiftsCoordinates;
+  profile.bare_reference_moves_all = true;
+  profile.variables = {Basic, OffsetsHaas, ShiftAt5201, HaasTables};
+  profile.own_g_codes = CodeSet::Haas;
+  profile.joins_conditions = true;
+  profile.conditions_are_numbers = true;
+  profile.conditions_rule_blocks = true;
+  profile.has_local_calls = true;
+  profile.checks_skip_signal = true;
+  profile.dwell_point_is_seconds = true;
+  profile.modal_layout[12] = 14;  // G54 and the like are group 12 there
   profile.output.fewest_digits = 1;
   profile.output.style.overflow = OutputStyle::Overflow::Widen;
   profile.output.style.plus_sign = OutputStyle::PlusSign::Omit;
@@ -142,6 +160,11 @@ constexpr Profile kProfiles[] = {fanuc_16i(),    fanuc_30i(), fanuc_0i(), meldas
 
 std::span<const Profile> profiles() {
   return kProfiles;
+}
+
+bool has_g_code(const Profile& profile, const GCode& code) {
+  return (code.set == CodeSet::Family || code.set == profile.own_g_codes) &&
+         std::ranges::find(profile.missing_g_codes, code.number) == profile.missing_g_codes.end();
 }
 
 const Profile* find_profile(std::string_view name) {

@@ -23,6 +23,24 @@ enum class SkipFeed {
   OneBlock  ///< it counts for this block only
 };
 
+/// What P of G31 says (MB-278).
+enum class SkipSelection {
+  Parameters,  ///< 1 to 4: the signals of parameters 6202 to 6205
+  Mask         ///< 1 to 255: one bit for each signal
+};
+
+/// What G53 does to the tool length offset of the axes that it moves (MB-291).
+enum class MachineMoveLength {
+  Cancels,  ///< as G28: it is off until the next G43, G44 or H
+  Ignores   ///< only its own move goes without it
+};
+
+/// What G43, G44 and G49 do to their axis (MB-295, MB-296).
+enum class LengthChange {
+  MovesWithNext,     ///< the next move takes the change along; parameter 5006.6 shifts instead
+  ShiftsCoordinates  ///< only coordinates change: an axis that is not named stays
+};
+
 /// Which alarm number `#3000=n` makes (MB-123, MB-339, MB-368, MB-372).
 struct MacroAlarmRule {
   enum class Number { BasePlusValue, Base };
@@ -98,26 +116,40 @@ struct Profile {
   bool has_bare_expressions = false;         ///< X#1+10 without brackets (MB-332)
   bool has_symbol_logic = false;             ///< && and || between comparisons (MB-350)
   std::span<const GNumber> missing_g_codes;  ///< of g_codes.def, those it has not (MB-370)
+  CodeSet own_g_codes = CodeSet::Family;     ///< beside those of the family
+  bool joins_conditions = false;        ///< AND, OR, XOR join comparisons without parameter 6006.0
+  bool conditions_are_numbers = false;  ///< IF [#1]: what is not 0 is true
+  bool conditions_rule_blocks = false;  ///< IF [...] M98 P1, [...] M99 P1: any block, with no THEN
 
   // Calls
   CallLevels calls;
   bool lone_cancel_is_alarm = false;  ///< G67 without G66 (MB-206)
-  char start_letter = 'Q';  ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
+  bool has_local_calls = false;  ///< M97 P: a subprogram in the same text; M96 P Q: a jump by input
+  char start_letter = 'Q';       ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
 
+  bool dwell_point_is_seconds = false;  ///< G04 P1. is a second; else P takes no point (MB-285)
   bool dwell_is_fence = true;  ///< G04 waits until the axes stand before reading on (MB-162)
 
   // #3000 and the system variables
   MacroAlarmRule macro_alarm;
   ModalLayout modal_layout = fanuc_modal_layout();
-  VariableGroups variables = {VariableGroup::Basic,          VariableGroup::LegacyOffsets,
-                              VariableGroup::LongOffsets,    VariableGroup::OffsetsC,
-                              VariableGroup::ExternalOffset, VariableGroup::SkipWithOffset};
+  VariableGroups variables = {VariableGroup::Basic, VariableGroup::LegacyOffsets,
+                              VariableGroup::LongOffsets, VariableGroup::OffsetsC,
+                              VariableGroup::ExternalOffset};
 
   // Offsets and canned cycles
   double offset_limit_mm = 1000.0;  ///< G10 takes less than this (MB-263); in inches a tenth
   char cycle_repeats = 'K';         ///< repeats of a canned cycle (MB-312)
 
+  // Tool length and the machine's own positions
+  MachineMoveLength machine_move_length = MachineMoveLength::Cancels;
+  LengthChange length_change = LengthChange::MovesWithNext;
+  bool machine_moves_add = false;         ///< G53 under G91 moves by its values; else it is ignored
+  bool bare_reference_moves_all = false;  ///< G28 without axes: all of them
+
   // G31
+  bool checks_skip_signal = false;  ///< M78 and M79 beside G31: an alarm with and without a signal
+  SkipSelection skip_selection = SkipSelection::Parameters;
   SkipFeed skip_feed = SkipFeed::Modal;
   std::optional<ParameterId> skip_feed_parameter;  ///< feed of G31 without F (MB-334)
 
@@ -126,6 +158,9 @@ struct Profile {
   // DPRNT and BPRNT
   OutputRule output;
 };
+
+/// Whether the control has this row of g_codes.def.
+bool has_g_code(const Profile& profile, const GCode& code);
 
 /// All profiles, in the order of the documentation.
 std::span<const Profile> profiles();

@@ -50,9 +50,8 @@ enum class VariableGroup : std::uint8_t {
   OffsetsHaas,
   ExternalOffset,  ///< #5201 is the external work offset
   ShiftAt5201,     ///< #5201 is the shift of G52
-  SkipWithOffset,  ///< #5061 with the tool offset in it (MB-276)
-  SkipAtTip,       ///< #5061 without it (MB-366)
-  CommonAliases,   ///< #10100 is #100 (MB-360)
+  HaasTables,      ///< #10000 and on, settings, parameters, inputs, outputs (MB-360)
+  MeldasCommons,   ///< #400 and on, #100100 and on, #900000 and on
 };
 
 /// A set of groups.

@@ -10,9 +10,6 @@ inline constexpr std::int32_t kLastVolatile = 199;
 inline constexpr std::int32_t kFirstPermanent = 500;  ///< #500..#999 kept over power off
 inline constexpr std::int32_t kCommonEnd = 1000;
 
-inline constexpr std::int32_t kFirstFurther = 98000;  ///< of the 30i: #98000..#98499, kept, too
-inline constexpr std::int32_t kFurtherCommonCount = 500;
-
 constexpr bool is_local(std::int32_t number) {
   return number >= 1 && number <= kLocalCount;
 }
@@ -21,6 +18,20 @@ constexpr bool is_local(std::int32_t number) {
 constexpr bool is_common(std::int32_t number) {
   return (number >= kFirstCommon && number <= kLastVolatile) ||
          (number >= kFirstPermanent && number < kCommonEnd);
+}
+
+/// The number of a variable as a program writes it.  #30012.003 of a Haas, an element of a
+/// parameter, counts as #30012003.
+constexpr std::int32_t written_variable(double number) {
+  constexpr double kFirstOfParts = 30000.0;
+  constexpr double kEndOfParts = 40000.0;
+  constexpr double kLargest = 1e9;
+  const auto whole = static_cast<std::int32_t>(number < kLargest ? number : kLargest);
+  const bool has_part = number != whole && number >= kFirstOfParts && number < kEndOfParts;
+  return static_cast<std::int32_t>((has_part            ? number * 1000.0
+                                    : number < kLargest ? number
+                                                        : kLargest) +
+                                   0.5);
 }
 
 }  // namespace g31::fanuc

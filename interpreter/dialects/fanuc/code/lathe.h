@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "interpreter/dialects/fanuc/code/compile.h"
+
+namespace g31::fanuc {
+
+/// Where a program shows that it was written for a lathe, and by what.
+struct LatheSigns {
+  syntax::ShortSpan where;  ///< of the first
+  std::string what;         ///< "T0101, G96 S"
+};
+
+/// A program of the T series reads as one of the M series up to its first U, and means something
+/// else: diameters, offsets in the T word, G50 S for the highest speed, G96.  The speed limit alone
+/// tells it, of the other signs two kinds.
+/// @returns nullopt: nothing speaks for a lathe
+std::optional<LatheSigns> lathe_signs(const CompiledProgram& program);
+
+}  // namespace g31::fanuc

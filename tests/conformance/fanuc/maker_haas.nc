@@ -1,0 +1,326 @@
+(What a Haas has otherwise than a FANUC.)
+(SOURCE Haas mill operator's manual 96-8000: G and M codes, macros; haascnc.com, conditional expressions)
+(CONTROL haas)
+
+(CASE MB-366 #5063 has the tool length in it, as #5043 has)
+(SHEET [tools.1])
+(SHEET length = 100.0)
+(SIGNAL Z140)
+%
+O1
+G90 G43 H1 G0 Z60.
+G31 Z20. F100.
+#100=#5063
+#101=#5063-#5083
+#102=#5043-#5083
+M30
+%
+(EXPECT #100 = 140)
+(EXPECT #101 = 40)
+(EXPECT #102 = 40)
+
+(CASE G43 moves nothing, nor does G49: the axis goes when it is named)
+(SHEET [tools.1])
+(SHEET length = 100.0)
+(START Z = 300)
+%
+O1
+G90 G43 H1
+G0 X10.
+Z50.
+G49
+X20.
+M30
+%
+(EXPECT MOVE 1 X10 Z300)
+(EXPECT MOVE 2 X10 Z150)
+(EXPECT MOVE 3 X20 Z150)
+
+(CASE G28 without axes takes them all home)
+(START X = 10)
+(START Z = 30)
+%
+O1
+G28
+M30
+%
+(EXPECT MOVES 2)
+(EXPECT MOVE 2 X0 Y0 Z0)
+
+(CASE G91 G53 is ignored with a word)
+(CONTROL fanuc-16i)
+(START X = 30)
+%
+O1
+G91 G53 X10.
+M30
+%
+(EXPECT MOVES 0)
+(EXPECT WARNING PRB314 AT 5)
+
+(CASE M97 calls blocks of its own program)
+%
+O1
+#100=1
+M97 P1000
+#101=#100
+M97 P1000 L3
+M30
+N1000 #100=#100*2
+M99
+%
+(EXPECT #101 = 2)
+(EXPECT #100 = 16)
+
+(CASE M97 within M97, locals shared)
+%
+O1
+#1=5
+M97 P100
+#101=#1
+M30
+N100 #1=#1+1
+M97 P200
+M99
+N200 #1=#1*10
+M99
+%
+(EXPECT #101 = 60)
+
+(CASE M97 of a block that is not there)
+%
+O1
+M97 P1000
+M30
+%
+(EXPECT ALARM 60 AT 3)
+
+(CASE M96 goes on at P while the input is off)
+(SET #11008 = 1)
+%
+O1
+M96 P10 Q9
+#100=1
+N10 M96 P20 Q8
+#101=1
+N20 M30
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = 1)
+
+(CASE G154 and G110 are the same systems, #14001 and #7001 their storage)
+%
+O1
+#14001=5.
+#14021=7.
+G154 P1
+G0 X0
+#100=#4012
+G111
+X0
+#101=#7021
+M30
+%
+(EXPECT MOVE 1 X5)
+(EXPECT MOVE 2 X7)
+(EXPECT #100 = 154)
+(EXPECT #101 = 7)
+
+(CASE G103 and G187 and G255 change no figure)
+%
+O1
+G103 P1
+G187 P2 E0.05
+G255
+G0 X1.
+M30
+%
+(EXPECT MOVES 1)
+(EXPECT NO WARNING PRB304)
+
+(CASE G47 engraves, which is not simulated)
+%
+O1
+G47 E7.5 I0 J0.5 P0 R0.1 X2. Y2. Z-0.005 (TEXT)
+M30
+%
+(EXPECT MOVES 0)
+(EXPECT WARNING PRB304 AT 3)
+
+(CASE MB-285 G04 P with a point is seconds, without it milliseconds)
+%
+O1
+G04 P1.5
+G04 P250
+M30
+%
+(EXPECT MOVE 1 G4 T1.5)
+(EXPECT MOVE 2 G4 T0.25)
+
+(CASE an IF takes an assignment without THEN)
+(CONTROL fanuc-16i fanuc-30i meldas)
+%
+O1
+#1=2
+IF [#1 EQ 2] #26=[#1+3]
+IF [#1 EQ 3] #26=99
+#100=#26
+M30
+%
+(EXPECT #100 = 5)
+
+(CASE an IF takes a call, or any block)
+%
+O1
+#1=1
+IF [#1 EQ 1] M98 P2
+IF [#1 EQ 2] M98 P2
+IF [#1 EQ 1] THEN G0 X7.
+M30
+O2
+#100=#100+1
+M99
+%
+(EXPECT #100 = 1)
+(EXPECT MOVE 1 X7)
+
+(CASE what is not 0 is true, a comparison is 1 or 0)
+%
+O1
+#1=0.5
+IF [#1] GOTO 10
+#100=1
+N10 IF [#2] GOTO 20
+#101=1
+N20 #102=[1 LT 2]+[2 LT 1]
+M30
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = 1)
+(EXPECT #102 = 1)
+
+(CASE AND and OR in a condition)
+%
+O1
+IF [[1 EQ 1] AND [2 EQ 2]] #100=1
+IF [[1 EQ 2] OR [2 EQ 2]] #101=1
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 1)
+
+(CASE a condition decides upon M99)
+%
+O1
+#1=0
+N10 #1=#1+1
+[#1 LT 4] M99 P10
+#100=#1
+M30
+%
+(EXPECT #100 = 4)
+
+(CASE MB-360 #10000 to #10999 are its common variables, #10100 is #100)
+%
+O1
+#10000=1
+#10200=2
+#100=#10000+#10200
+#10150=3
+#101=#150
+#500=4
+#102=#10500
+#103=#10999
+M30
+%
+(EXPECT #100 = 3)
+(EXPECT #101 = 3)
+(EXPECT #102 = 4)
+(EXPECT #103 = VACANT)
+
+(CASE settings, parameters and elements of parameters come from the sheet)
+(SET #20009 = 1)
+(SET #30012 = 7)
+
+(SET #30012.003 = 4.5)
+%
+O1
+#100=#20009
+#101=#20010
+#102=#30012
+#103=#30012.003
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 0)
+(EXPECT #102 = 7)
+(EXPECT #103 = 4.5)
+
+(CASE a program writes no setting)
+%
+O1
+#20009=1
+M30
+%
+(EXPECT ALARM 116 AT 3)
+
+(CASE #3026 is the tool in the spindle)
+(SET #3026 = 3)
+%
+O1
+#100=#3026
+T5 M6
+#101=#3026
+T7
+#102=#3026
+M30
+%
+(EXPECT #100 = 3)
+(EXPECT #101 = 5)
+(EXPECT #102 = 5)
+
+(CASE inputs and outputs by both numbers)
+(SET #11003 = 1)
+(SET #11200 = 1)
+%
+O1
+#100=#1003
+#101=#11200
+#12002=1
+#102=#1102
+#12200=1
+#103=#12200
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 1)
+(EXPECT #102 = 1)
+(EXPECT #103 = 1)
+
+(CASE M79 is an alarm where no signal came, nothing where one did)
+(SIGNAL X4)
+(SIGNAL NONE)
+%
+O1
+G31 M79 X10. F100.
+#100=#5061
+G31 M79 X20. F100.
+#101=1
+M30
+%
+(EXPECT ALARM 379 AT 7)
+(EXPECT #100 = 4)
+(EXPECT #101 = VACANT)
+
+(CASE M78 is an alarm where one came)
+(SIGNAL NONE)
+(SIGNAL X14)
+%
+O1
+G31 M78 X10. F100.
+#100=1
+G31 X20. M78
+M30
+%
+(EXPECT ALARM 378 AT 7)
+(EXPECT #100 = 1)

@@ -1,0 +1,142 @@
+(What MELDAS has otherwise than FANUC.)
+(SOURCE M700V and M70V programming manual: 12.2, 14.4 page 508, 15.4 page 554, 13 on variables)
+(CONTROL meldas mazatrol-iso)
+
+(CASE MB-291 G53 leaves the length offset out of its own move only)
+(SHEET [tools.1])
+(SHEET length = 100.0)
+%
+O1
+G90 G43 H1 G0 Z200.
+G53 Z0
+#100=#5083
+Z50.
+M30
+%
+(EXPECT MOVE 2 Z0)
+(EXPECT #100 = 100)
+(EXPECT MOVE 3 Z150)
+
+(CASE MB-291 G91 G53 moves by its values)
+(START X = 30)
+%
+O1
+G91 G53 X-10. Z5.
+M30
+%
+(EXPECT MOVE 1 X20 Z5)
+(EXPECT NO WARNING PRB314)
+
+(CASE MB-278 P of G31 is a mask of signals, parameters or not)
+(SIGNAL X12.5)
+%
+O1
+G31 P255 X20. F100.
+#100=#5061
+M30
+%
+(EXPECT #100 = 12.5)
+
+(CASE MB-278 a mask of no signal)
+%
+O1
+G31 P0 X20. F100.
+M30
+%
+(EXPECT ALARM 35 AT 3)
+
+(CASE MB-278 a mask of more signals than there are)
+%
+O1
+G31 P256 X20. F100.
+M30
+%
+(EXPECT ALARM 35 AT 3)
+
+(CASE MB-283 G31.1 to G31.3 are skip moves)
+(SIGNAL X3)
+(SIGNAL X7)
+%
+O1
+G31.1 X20. F100.
+#100=#5061
+G31.2 X20. F50.
+#101=#5061
+M30
+%
+(EXPECT #100 = 3)
+(EXPECT #101 = 7)
+
+(CASE MB-075 AND and OR join comparisons)
+%
+O1
+#1=1
+IF [[#1 EQ 1] AND [#2 EQ #0]] GOTO 10
+#100=1
+N10 IF [[#1 EQ 2] OR [#1 GT 0]] GOTO 20
+#101=1
+N20 M30
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = VACANT)
+
+(CASE MB-095 common variables of the larger sets are there and vacant at first)
+%
+O1
+#100=#450
+#101=#900000
+#450=4.5
+#907399=7
+#102=#450
+#103=#[907000+399]
+M30
+%
+(EXPECT #100 = VACANT)
+(EXPECT #101 = VACANT)
+(EXPECT #102 = 4.5)
+(EXPECT #103 = 7)
+
+(CASE MB-095 #100100 and on are those of the first part system)
+%
+O1
+#100100=8
+#101=#100
+#150=2
+#102=#100150
+M30
+%
+(EXPECT #101 = 8)
+(EXPECT #102 = 2)
+
+(CASE MB-095 one beyond them is no variable)
+%
+O1
+#907400=1
+M30
+%
+(EXPECT ALARM 241 AT 3)
+
+(CASE MB-072 #100010 shows the parameter that #100000 names)
+(PARAMETER 8008 = 12.5)
+%
+O1
+#100000=8008
+#100=#100010
+M30
+%
+(EXPECT #100 = 12.5)
+
+(CASE MB-072 of an axis)
+(PARAMETER 2037.Z = -250)
+(PARAMETER 2037.X = 7)
+%
+O1
+#100000=2037
+#100002=3
+#100=#100010
+#100002=1
+#101=#100010
+M30
+%
+(EXPECT #100 = -250)
+(EXPECT #101 = 7)

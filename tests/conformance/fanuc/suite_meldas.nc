@@ -1,0 +1,124 @@
+(A suite in the habits of MELDAS shops, on true parts: every block ends with a semicolon, programs of)
+(six digits, machine data in #900000 and on, AND and OR between comparisons, G31 P as a mask, G53 at)
+(feed, leading zeros, a loop of number 27, G28 and G49 at the end.)
+(SOURCE sizes of the parts: a ring of 40 mm whose axis stands 0.3 mm off, a block of 60 mm)
+(CONTROL meldas mazatrol-iso)
+(START X = 100)
+(START Y = -50)
+(SHEET [tools.50])
+(SHEET length = 150.0)
+(SHEET [work_offsets.G54])
+(SHEET X = 100.0)
+(SHEET Y = -50.0)
+(SHEET Z = -300.0)
+(SHEET [probe])
+(SHEET ball_diameter = 6.0)
+(SHEET length = 150.0)
+
+(CASE centre and size of a bore, the work offset corrected)
+(SHEET [[part]])
+(SHEET shape = "ring")
+(SHEET bore = 40.0)
+(SHEET at = [100.3, -50.0, -300.0])
+%
+O1000(RING);
+G21 G17 G40 G49 G80 G90;
+#900050=3.(BALL RADIUS);
+#900053=0(DELAY);
+G53 G01 Z0 F3000;
+T50;
+M06;
+G54 G0 X0 Y0;
+G43 H50 Z50.;
+G65 P910020 D40. Z-8. Q4. S54.;
+G91 G28 Z0;
+#120=#5083;
+G49;
+G90 G53 G0 X90. Y-60.;
+M30;
+O910020(BORE, D SIZE, Z DEPTH, Q OVERTRAVEL, S WORK OFFSET);
+N0001 IF[[#07EQ#0]OR[#26EQ#0]]GOTO8000;
+IF[[#17EQ#0]OR[#17LT1]]THEN #17=5.;
+IF[#1005EQ1]GOTO8001;
+#31=#5001;#32=#5002;
+G90 G31 P1 Z#26 F2000;
+IF[ABS[#5063-#5083-#26]GT0.005]GOTO8002;
+#900010=0;
+#29=#07/2-#900050-3.;
+WHILE[#900010LT4]DO27;
+G90 G01 X[#31+#29*COS[90*#900010]] Y[#32+#29*SIN[90*#900010]] F1000;
+G91 G31 P3 X[[3.+#17]*COS[90*#900010]] Y[[3.+#17]*SIN[90*#900010]] F100;
+#[900020+#900010]=#5061-#900053;
+IF[[#900010EQ1]OR[#900010EQ3]]THEN #[900020+#900010]=#5062-#900053;
+G90 G01 X#31 Y#32 F1000;
+#900010=#900010+1;
+END27;
+#900030=#900020-#900022+2*#900050;
+#900031=[#900020+#900022]/2;
+#900032=[#900021+#900023]/2;
+#[5201+[#19-53]*20]=#[5201+[#19-53]*20]+#900031;
+GOTO9999;
+N8000 #3000=121(ARE*THE*ARGUMENTS*OK?);
+N8001 #3000=145(LOW BATTERY);
+N8002 #3000=92(PATH OBSTRUCTED);
+N9999 M99;
+%
+(EXPECT #900030 = 40 WITHIN 0.0001)
+(EXPECT #900031 = 0.3 WITHIN 0.0001)
+(EXPECT #900032 = 0 WITHIN 0.0001)
+(EXPECT #5221 = 100.3 WITHIN 0.0001)
+(EXPECT #120 = 0)
+
+(CASE the alarm of a missing argument has the shop's number)
+(SHEET [[part]])
+(SHEET shape = "block")
+%
+O1000;
+G54 G90;
+T50 M06;
+G65 P910021 D40.;
+M30;
+O910021;
+IF[[#7EQ#0]OR[#26EQ#0]]GOTO8000;
+M99;
+N8000 #3000=121(ARE*THE*ARGUMENTS*OK?);
+%
+(EXPECT ALARM 277 AT 12)
+(EXPECT MESSAGE "ARE*THE*ARGUMENTS*OK?")
+
+(CASE a width over a block, the probe kept above between the sides)
+(SHEET [[part]])
+(SHEET shape = "block")
+(SHEET at = [100.0, -50.0, -300.0])
+%
+O1001(BLOCK);
+G21 G90 G54;
+#900050=3.;
+G53 G0 Z0;
+T50 M06;
+G0 X0 Y0;
+G43 H50 Z20.;
+G65 P910022 W60. Z-6. M10.;
+G91 G28 Z0;
+G49;
+M30;
+O910022;
+#33=1;
+#900040=0;
+N10 G90 G01 X[#33*[#23/2+#13]] F2000;
+G31 P255 Z#26 F2000;
+IF[#5063-#5083GT[#26+0.005]]GOTO8002;
+G91 G31 X[-#33*[#13+3.]] F200;
+#[900041+#900040]=#5061;
+G90 G01 X[#33*[#23/2+#13]] F2000;
+G01 Z20.;
+#900040=#900040+1;
+#33=-1;
+IF[#900040LT2]GOTO10;
+#900045=#900041-#900042-2*#900050;
+#900046=[#900041+#900042]/2;
+M99;
+N8002 #3000=92(PATH OBSTRUCTED);
+%
+(EXPECT #900045 = 60 WITHIN 0.0001)
+(EXPECT #900046 = 0 WITHIN 0.0001)

@@ -1,0 +1,115 @@
+(The tool length offset behind G28, G30 and G53.)
+(SOURCE FANUC 0i-MB operator's manual B-63844EN/02, 14.1.2; M700V programming manual, 12.2 paragraph 4 and 14.4; Haas 96-8000, G28)
+(CONTROL fanuc-16i fanuc-30i fanuc-0i brother)
+(SHEET [tools.1])
+(SHEET length = 100.0)
+
+(CASE MB-287 G28 takes the length offset off: G49 behind it leaves nothing to move)
+(CONTROL fanuc-16i fanuc-30i fanuc-0i brother meldas mazatrol-iso haas)
+%
+O1
+G90 G43 H1 G0 Z200.
+G91 G28 Z0
+#100=#5083
+#101=#5043
+G49
+G90 G0 X50.
+M30
+%
+(EXPECT MOVE 1 Z300)
+(EXPECT MOVE 2 Z300)
+(EXPECT MOVE 3 Z0)
+(EXPECT MOVE 4 X50 Z0)
+(EXPECT #100 = 0)
+(EXPECT #101 = 0)
+
+(CASE MB-287 G43 stays in force and shows, the offset comes back with H)
+(CONTROL fanuc-16i fanuc-30i fanuc-0i brother meldas)
+%
+O1
+G90 G43 H1 G0 Z200.
+G91 G28 Z0
+G90
+#100=#4008
+G0 Z10.
+H1 Z10.
+M30
+%
+(EXPECT #100 = 43)
+(EXPECT MOVE 4 Z10)
+(EXPECT MOVE 5 Z110)
+
+(CASE MB-287 an axis that does not go home keeps its offset)
+(CONTROL fanuc-16i fanuc-30i fanuc-0i brother meldas haas)
+%
+O1
+G90 G43 H1 G0 Z200.
+G28 X0
+#100=#5083
+Z50.
+M30
+%
+(EXPECT #100 = 100)
+(EXPECT MOVE 4 Z150)
+
+(CASE MB-289 G30 does the same)
+(PARAMETER 1241 = 20)
+%
+O1
+G90 G43 H1 G0 Z200.
+G91 G30 Z0
+G49
+G90 G0 X50.
+M30
+%
+(EXPECT MOVE 3 Z20)
+(EXPECT MOVE 4 X50 Z20)
+
+(CASE MB-291 and so does G53 on a FANUC)
+%
+O1
+G90 G43 H1 G0 Z200.
+G53 Z0
+#100=#5083
+G49
+G0 X50.
+M30
+%
+(EXPECT MOVE 2 Z0)
+(EXPECT #100 = 0)
+(EXPECT MOVE 3 X50 Z0)
+
+(CASE MB-291 G53 of another axis leaves the length alone)
+%
+O1
+G90 G43 H1 G0 Z200.
+G53 X10.
+#100=#5083
+M30
+%
+(EXPECT MOVE 2 X10 Z300)
+(EXPECT #100 = 100)
+
+(CASE with parameter 5001.6 the offset is back in the next block)
+(PARAMETER 5001.6 = 1)
+%
+O1
+G90 G43 H1 G0 Z200.
+G91 G28 Z0
+G90 G0 Z10.
+M30
+%
+(EXPECT MOVE 4 Z110)
+
+(CASE with parameter 5006.6 no axis moves for a change of the offset)
+(PARAMETER 5006.6 = 1)
+%
+O1
+G90 G43 H1 G0 Z200.
+G49
+#100=#5003
+X50.
+M30
+%
+(EXPECT #100 = 300)
+(EXPECT MOVE 2 X50 Z300)

@@ -1,0 +1,111 @@
+// What a run of a Fanuc program says about the set-up and the files around it.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_program.h"
+
+namespace g31 {
+namespace {
+
+using testing::RunOutput;
+using testing::TemporaryFolder;
+
+RunOutput run_with(const std::string& program, const std::string& sheet) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("o1.nc", program)};
+  options.setups = {folder.write("sheet.toml", sheet)};
+  return testing::run_program(options);
+}
+
+bool mentions(const RunOutput& run, const std::string& code) {
+  for (const auto& row : run.document["diagnostics"]) {
+    if (row["code"] == code) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST(LatheProgram, IsRefusedWithOneLine) {
+  const auto run = run_with(
+      "%\nO1\nT0101\nG50 S2000\nG96 S200 M3\nG0 X50. Z2.\nG71 U2. R1.\nG71 P10 Q20 U0.5 W0.1 F0.2\n"
+      "N10 G0 X20.\nN20 G1 Z-30.\nM30\n%\n",
+      "[control]\nprofile = \"fanuc-0i\"\n");
+  EXPECT_EQ(run.exit_code, static_cast<int>(cli::ExitCode::BadUsage));
+  EXPECT_NE(run.errors.find("o1.nc:3:1: error: a program for a lathe (G50 S, T of four digits, G96 "
+                            "S, U or W): g31 runs those of machining centres [PRB003]"),
+            std::string::npos)
+      << run.errors;
+  EXPECT_EQ(run.errors.find("error:", run.errors.find("error:") + 1), std::string::npos)
+      << run.errors;
+}
+
+TEST(LatheProgram, IsNotWhatAMillMayWrite) {
+  for (const char* const program :
+       {"O1\nT0101 M6\nG0 X1.\nM30\n", "O1\nG96 S100 M3\nG0 X1.\nM30\n", "O1\nG50\nS500 M3\nM30\n",
+        "O1\nG65 P2 U1. W2.\nG04 U0.1\nT0102\nM30\nO2\nM99\n"}) {
+    EXPECT_FALSE(mentions(run_with(program, ""), "PRB003")) << program;
+  }
+}
+
+TEST(SamePrograms, InOneFileAreTold) {
+  const auto run = run_with("O1\nG65 P9010\nM30\nO9010\n#100=1\nM99\nO9010\n#100=2\nM99\n", "");
+  EXPECT_NE(run.errors.find("O9010 is there twice: this one is taken, not that of line 7"),
+            std::string::npos)
+      << run.errors;
+  EXPECT_TRUE(mentions(run, "PRB504"));
+  EXPECT_EQ(run.exit_code, static_cast<int>(cli::ExitCode::Findings));
+}
+
+TEST(SamePrograms, InOneFolderAreTold) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("main.nc", "O1\nG65 P9010\nM30\n")};
+  const TemporaryFolder library;
+  library.write("9010.nc", "O9010\n#100=1\nM99\n");
+  library.write("O9010.txt", "O9010\n#100=2\nM99\n");
+  options.libraries = {library.path("")};
+  const auto run = testing::run_program(options);
+  EXPECT_TRUE(mentions(run, "PRB504")) << run.errors;
+}
+
+TEST(SamePrograms, OneOverAnotherIsHowLibrariesWork) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("main.nc", "O1\nG65 P9010\nM30\nO9010\n#100=1\nM99\n")};
+  const TemporaryFolder library;
+  library.write("O9010.nc", "O9010\n#100=2\nM99\n");
+  options.libraries = {library.path("")};
+  EXPECT_FALSE(mentions(testing::run_program(options), "PRB504"));
+}
+
+TEST(UnknownParameter, IsTold) {
+  const auto run = run_with("O1\nM30\n", "[parameters]\n\"6099.1\" = 1\n\"6001.1\" = 1\n");
+  EXPECT_TRUE(mentions(run, "PRB505"));
+  EXPECT_NE(run.errors.find("parameter 6099.1 of the set-up sheet changes nothing here"),
+            std::string::npos)
+      << run.errors;
+  EXPECT_EQ(run.errors.find("6001"), std::string::npos) << run.errors;
+  EXPECT_EQ(run.exit_code, static_cast<int>(cli::ExitCode::Completed));
+}
+
+TEST(OffsetWithoutLength, IsTold) {
+  const auto bare = run_with("O1\nG43 H99 G0 Z10.\nM30\n", "");
+  EXPECT_TRUE(mentions(bare, "PRB503")) << bare.errors;
+  EXPECT_EQ(bare.exit_code, static_cast<int>(cli::ExitCode::Completed));
+  EXPECT_FALSE(mentions(run_with("O1\nG10 L10 P99 R5.\nG43 H99 G0 Z10.\nM30\n", ""), "PRB503"));
+}
+
+TEST(MacroAlarm, OfMeldasHasTheShopsNumberAsANumber) {
+  const auto run =
+      run_with("O1\n#3000=121(NO ARGUMENT)\nM30\n", "[control]\nprofile = \"meldas\"\n");
+  EXPECT_EQ(run.document["alarm"]["number"], 277);
+  EXPECT_EQ(run.document["alarm"]["detail"], 121);
+  EXPECT_EQ(run.document["alarm"]["text"], "NO ARGUMENT");
+}
+
+}  // namespace
+}  // namespace g31
