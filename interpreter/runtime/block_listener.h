@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
+#include "interpreter/runtime/shown_value.h"
 #include "interpreter/source/location.h"
 
 namespace g31::runtime {
@@ -13,6 +15,14 @@ struct BlockPlace {
   bool is_shown = true;      ///< false: its program hides its blocks (DISPLOF)
   bool is_skipped = false;   ///< block skip is on for it: it counts, and does nothing
   std::uint64_t number = 0;  ///< from 1, in the order of the run
+};
+
+/// A variable that a program has assigned to.
+struct WriteEvent {
+  std::string name;        ///< as programs write it: "#100", "R5", "_OVR[3]", "$TC_DP6[1,1]"
+  ShownValue before;       ///< vacant where the control does not let it read
+  ShownValue now;          ///< what the control has made of it
+  source::Location where;  ///< the assignment
 };
 
 /// What becomes of a block.
@@ -34,6 +44,13 @@ class BlockListener {
   virtual Verdict on_block(const BlockPlace& place) = 0;
   /// A call or a return: the levels of calls from here on.
   virtual void on_level(std::uint16_t /*depth*/) {}
+
+  /// Whether on_write() is to be called; asked once, when a run begins.  One that nobody hears
+  /// costs nothing.
+  [[nodiscard]] virtual bool hears_writes() const { return false; }
+  /// An assignment was made, whatever the value was before; or a procedure has changed the variable
+  /// for its result.  Arguments of calls are none, nor frames as a whole.
+  virtual void on_write(const WriteEvent&) {}
 };
 
 }  // namespace g31::runtime

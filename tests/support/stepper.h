@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -58,6 +59,28 @@ inline std::string shown(const runtime::ShownValue& value) {
                           [](const std::string& text) { return fmt::format("\"{}\"", text); }},
       value);
 }
+
+/// Pauses at each of the first blocks, and keeps from what it hears of writes the values that
+/// variables should have.
+class WatchedVariables final : public runtime::BlockListener {
+ public:
+  explicit WatchedVariables(std::uint64_t most) : most_(most) {}
+
+  runtime::Verdict on_block(const runtime::BlockPlace& place) override {
+    return place.number <= most_ ? runtime::Verdict::Pause : runtime::Verdict::Run;
+  }
+  [[nodiscard]] bool hears_writes() const override { return true; }
+  void on_write(const runtime::WriteEvent& event) override {
+    events.push_back(event);
+    values[event.name] = shown(event.now);
+  }
+
+  std::vector<runtime::WriteEvent> events;
+  std::map<std::string, std::string> values;  ///< as they were last written, by name
+
+ private:
+  std::uint64_t most_;
+};
 
 /// "line:column"
 inline std::string shown(const source::ShownPlace& place) {

@@ -248,6 +248,86 @@ TEST(BlockSteps, EachSinumerikLevelShowsItsOwnVariables) {
   EXPECT_EQ(run.session().finish().status, runtime::Status::Completed);
 }
 
+/// What was heard of the writes of a run, a line each: "3: #100 vacant -> 5".
+std::string writes_of(const Job& job) {
+  testing::WatchedVariables watched(0);
+  SteppedRun run(job.request, &watched, {});
+  EXPECT_EQ(run.session().advance(), Advance::Ended);
+  std::string text;
+  for (const runtime::WriteEvent& event : watched.events) {
+    text += std::to_string(run.place(event.where).line) + ": " + event.name + " " +
+            testing::shown(event.before) + " -> " + testing::shown(event.now) + "\n";
+  }
+  return text;
+}
+
+TEST(BlockSteps, AListenerHearsWhatAFanucProgramWrites) {
+  EXPECT_EQ(writes_of(fanuc("O1\n"
+                            "#100=5\n"
+                            "#1=#100+1\n"
+                            "#[99+#1]=2.5\n"
+                            "#1=#0\n"
+                            "IF[#100EQ5]THEN#500=#100\n"
+                            "WHILE[#100GT4]DO1\n"
+                            "#100=#100-1\n"
+                            "END1\n"
+                            "#5221=7.5\n"
+                            "G65P2A3.\n"
+                            "M30\n"
+                            "O2\n"
+                            "#1=#1*2\n"
+                            "#100=#100\n"
+                            "M99\n")),
+            "2: #100 vacant -> 5\n"
+            "3: #1 vacant -> 6\n"
+            "4: #105 vacant -> 2.5\n"
+            "5: #1 6 -> vacant\n"
+            "6: #500 vacant -> 5\n"
+            "8: #100 5 -> 4\n"
+            "10: #5221 0 -> 7.5\n"
+            "14: #1 3 -> 6\n"
+            "15: #100 4 -> 4\n");
+}
+
+TEST(BlockSteps, AListenerHearsWhatASinumerikProgramWrites) {
+  const Job job("sinumerik-828d", {{"MAIN.MPF",
+                                    "DEF INT COUNT=3\n"
+                                    "DEF REAL TABLE[2,2]\n"
+                                    "DEF STRING[8] NAME\n"
+                                    "DEF AXIS WAY\n"
+                                    "R1=COUNT+0.5 R[COUNT]=R1\n"
+                                    "TABLE[1,0]=R1*2\n"
+                                    "TABLE[0,0]=SET(1,2,3)\n"
+                                    "NAME=\"A\"<<COUNT\n"
+                                    "WAY=Y\n"
+                                    "FOR COUNT=1 TO 2\n"
+                                    "R1=R1\n"
+                                    "ENDFOR\n"
+                                    "$P_UIFR[1,X,TR]=10\n"
+                                    "EXECSTRING(\"R9=8\")\n"
+                                    "SUB(2.5,COUNT)\n"
+                                    "M30\n"},
+                                   {"SUB.SPF", "PROC SUB(REAL WIDTH, VAR INT HOW)\nHOW=4\nRET\n"}});
+  EXPECT_EQ(writes_of(job),
+            "1: COUNT 0 -> 3\n"
+            "5: R1 0 -> 3.5\n"
+            "5: R3 0 -> 3.5\n"
+            "6: TABLE[1,0] 0 -> 7\n"
+            "7: TABLE[0,0] 0 -> 1\n"
+            "7: TABLE[0,1] 0 -> 2\n"
+            "7: TABLE[1,0] 7 -> 3\n"
+            "8: NAME \"\" -> \"A3\"\n"
+            "9: WAY \"\" -> \"Y\"\n"
+            "10: COUNT 3 -> 1\n"
+            "11: R1 3.5 -> 3.5\n"
+            "12: COUNT 1 -> 2\n"
+            "11: R1 3.5 -> 3.5\n"
+            "12: COUNT 2 -> 3\n"
+            "13: $P_UIFR[1,X,TR] 0 -> 10\n"
+            "1: R9 0 -> 8\n"
+            "2: HOW 3 -> 4\n");
+}
+
 TEST(BlockSteps, TheTimeOfAPauseIsNoTimeOfTheRun) {
   const Job job = fanuc("O1\n#1=1\n#1=2\nM30\n");
   Pauses each = Pauses::at_each(3);

@@ -4,8 +4,11 @@
 
 #include "tests/support/stepper.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -79,6 +82,53 @@ void expect_steps(const session::Request& request, const Dialect& dialect,
   }
 }
 
+/// #100 to #999 and the R parameters: what a level does not change, and programs alone write; codes
+/// that call leave their numbers in #146 to #149.
+bool is_common(const std::string& name) {
+  if (name >= "#146" && name <= "#149") {
+    return false;
+  }
+  const bool is_digit = name.size() > 1 && name[1] >= '0' && name[1] <= '9';
+  return is_digit && (name[0] == 'R' || (name[0] == '#' && name.size() == 4));
+}
+
+/// What a listener hears of writes is how the common variables change.
+void expect_writes(const session::Request& request, const std::string& place) {
+  SCOPED_TRACE(place);
+  testing::WatchedVariables watched(kMostPauses);
+  SteppedRun run(request, &watched, kBudget);
+  if (!run.refused().empty()) {
+    return;
+  }
+  bool is_first = true;
+  while (run.session().advance() == Advance::Paused) {
+    std::map<std::string, std::string> found;
+    for (const auto& [name, value] : run.session().values(0, runtime::Scope::Common)) {
+      if (is_common(name)) {
+        found[name] = testing::shown(value);
+      }
+    }
+    if (std::exchange(is_first, false)) {
+      watched.values = found;
+    }
+    for (const auto& [name, value] : found) {
+      // Through a VAR parameter it is written under the name of the parameter.
+      const bool by_parameter = std::ranges::any_of(watched.events, [&](const auto& event) {
+        return !is_common(event.name) && testing::shown(event.now) == value;
+      });
+      EXPECT_TRUE(watched.values[name] == value || by_parameter)
+          << name << " is " << value << ", heard was " << watched.values[name];
+      watched.values[name] = value;
+    }
+    watched.events.clear();
+    for (const auto& [name, value] : watched.values) {
+      if (is_common(name) && !found.contains(name)) {
+        EXPECT_TRUE(value == "vacant" || value == "0") << name << " = " << value;
+      }
+    }
+  }
+}
+
 void expect_file_steps(const std::string& name, const Dialect& dialect) {
   const std::string path = dialect.folder + "/" + name + dialect.ending;
   const auto cases = testing::ConformanceReader(path).read();
@@ -93,6 +143,7 @@ void expect_file_steps(const std::string& name, const Dialect& dialect) {
       request.control = "sinumerik-828d";
     }
     expect_steps(request, dialect, path + ": " + test.title.text);
+    expect_writes(request, path + ": " + test.title.text);
   }
 }
 

@@ -85,7 +85,10 @@ MaybeFailure Runner::loop() {
       }
       continue;
     }
-    if (const auto halt = control_.watch.next_block([this] { return next_place(); })) {
+    const bool is_watched = !control_.watch.counts_at_once();
+    const auto halt =
+        is_watched ? control_.watch.next_block([this] { return next_place(); }) : std::nullopt;
+    if (halt) {
       is_paused_ = *halt == runtime::BlockWatch::Halt::Paused;
       now.current = *halt == runtime::BlockWatch::Halt::Stopped ? now.step : now.current;
       return is_paused_ ? std::nullopt : MaybeFailure(halt_failure(*halt));
@@ -95,7 +98,9 @@ MaybeFailure Runner::loop() {
     if (next.skip_switch != 0 && control_.block_skip.contains(next.skip_switch)) {
       continue;
     }
-    if (fast_step(next, now)) {
+    const bool is_heard =
+        is_watched && write_listener_ != nullptr && next.kind == BlockKind::Assign;
+    if (!is_heard && fast_step(next, now)) {
       if (control_.evaluator.failed()) [[unlikely]] {
         return from_evaluation();
       }
@@ -263,6 +268,8 @@ MaybeFailure Runner::assign(const Step& step) {
   if (control_.evaluator.failed()) {
     return from_evaluation();
   }
+  const bool is_heard = write_listener_ != nullptr;
+  const Cell before = is_heard ? looked_at(number).value_or(Cell()) : Cell();
   if (const auto refused = control_.variables.write(number, value)) {
     Failure failure;
     failure.id = *refused;
@@ -270,7 +277,23 @@ MaybeFailure Runner::assign(const Step& step) {
     failure.detail = fmt::format("#{} cannot be written", number);
     return failure;
   }
+  if (is_heard) {
+    tell_write(number, before, value);
+  }
   return assigned_system_variable(number, value.or_zero());
+}
+
+/// What a variable shows when nobody asks for it.
+std::optional<Cell> Runner::looked_at(std::int32_t number) {
+  control_.is_inspected = true;
+  const auto value = control_.variables.read(number);
+  control_.is_inspected = false;
+  return value ? std::optional(value.value()) : std::nullopt;
+}
+
+void Runner::tell_write(std::int32_t number, Cell before, Cell written) {
+  write_listener_->on_write({fmt::format("#{}", number), before,
+                             looked_at(number).value_or(written), location_of(frame())});
 }
 
 /// What an assignment to #3000 or #3006 sets off, with the comment behind it as text.

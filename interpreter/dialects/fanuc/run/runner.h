@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -105,6 +106,8 @@ class Runner {
   MaybeFailure set_names(const Step& step);
   MaybeFailure bad_block(const Step& step);
   MaybeFailure assign(const Step& step);
+  std::optional<Cell> looked_at(std::int32_t number);
+  void tell_write(std::int32_t number, Cell before, Cell written);
   MaybeFailure assigned_system_variable(int number, double value);
   MaybeFailure jump(const Step& step);
   MaybeFailure output(const Step& step);  // runner_output.cc
@@ -170,9 +173,10 @@ class Runner {
   Control control_;
   std::vector<Frame> frames_;
   BlockWords words_;
-  bool ended_ = false;      ///< the program
-  bool is_paused_ = false;  ///< before the step that comes next
-  bool is_over_ = false;    ///< the run; outcome_ says how
+  runtime::BlockListener* write_listener_ = nullptr;  ///< nullptr: nobody hears of writes
+  bool ended_ = false;                                ///< the program
+  bool is_paused_ = false;                            ///< before the step that comes next
+  bool is_over_ = false;                              ///< the run; outcome_ says how
   runtime::Outcome outcome_;
 };
 

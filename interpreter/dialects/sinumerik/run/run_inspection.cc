@@ -17,6 +17,16 @@ std::string why(const Failure& failure) {
 
 }  // namespace
 
+runtime::ShownValue shown_value(const ShownValue& value) {
+  if (value.type == Type::String) {
+    return value.text;
+  }
+  if (value.type == Type::Axis) {
+    return shown(Type::Axis, value.number);
+  }
+  return runtime::Cell(value.number);
+}
+
 /// Runs blocks among the variables of a level, which goes on afterwards as if there had been none.
 MaybeFailure Runner::run_among(const CompiledProgram& program, std::size_t depth) {
   const std::size_t depth_before = std::exchange(depth_, depth);

@@ -29,6 +29,9 @@ struct ShownValue {
   std::string text;
 };
 
+/// The same as reports show it: an axis by its name.
+runtime::ShownValue shown_value(const ShownValue& value);
+
 /// The name under which a program's file is kept: the path without its folders; "" when the path
 /// names none, or leads out of the control's memory.
 std::string file_name(std::string_view path);
@@ -105,6 +108,18 @@ class Runner {
   Result<ShownValue, std::string> result_of(const CompiledProgram& program, std::size_t depth);
   [[nodiscard]] const CompiledProgram& home(std::size_t depth) const;
   [[nodiscard]] std::size_t depth_of(std::size_t level) const;
+
+  // run_writes.cc
+  struct WrittenValue;
+  MaybeFailure heard_loop();
+  MaybeFailure any_step(const Op& op);
+  std::vector<WrittenValue> written_by(const Op& op);
+  std::vector<WrittenValue> written_by_number_step(const Op& op);
+  std::vector<WrittenValue> written_to_arguments(const Op& op);
+  std::vector<WrittenValue> elements(std::int32_t which, std::int32_t first, std::int32_t count);
+  std::string system_name(const Op& op);
+  runtime::ShownValue system_value(const Op& op);
+  runtime::ShownValue value_now(const WrittenValue& written, const Op& op);
 
   // run_numbers.cc
   const Op& number_steps();
@@ -295,9 +310,10 @@ class Runner {
   std::unordered_map<const CallSite*, const CompiledProgram*> found_calls_;
   /// What evaluate() compiled, by the program whose variables it names.
   std::map<std::pair<const CompiledProgram*, std::string>, const CompiledProgram*> expressions_;
-  bool ended_ = false;      ///< the program
-  bool is_paused_ = false;  ///< before the block that comes next
-  bool is_over_ = false;    ///< the run; outcome_ says how
+  runtime::BlockListener* write_listener_ = nullptr;  ///< nullptr: nobody hears of writes
+  bool ended_ = false;                                ///< the program
+  bool is_paused_ = false;                            ///< before the block that comes next
+  bool is_over_ = false;                              ///< the run; outcome_ says how
   runtime::Outcome outcome_;
   bool has_run_ = false;  ///< the main program
   std::optional<runtime::Outcome> early_failure_;

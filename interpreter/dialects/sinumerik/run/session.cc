@@ -68,16 +68,6 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
   channel.take_stored_frames();
 }
 
-runtime::ShownValue shown_value(const ShownValue& value) {
-  if (value.type == Type::String) {
-    return value.text;
-  }
-  if (value.type == Type::Axis) {
-    return shown(Type::Axis, value.number);
-  }
-  return runtime::Cell(value.number);
-}
-
 }  // namespace
 
 Session::Session(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer)

@@ -1,0 +1,203 @@
+// The loop of a run whose variables somebody watches: what a step may write is looked at before it
+// and behind it.  A run that nobody watches does not come here.
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/code/element_name.h"
+#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/vocabulary/frame_components.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::sinumerik {
+namespace {
+
+bool are_same(const runtime::ShownValue& a, const runtime::ShownValue& b) {
+  const auto* const x = std::get_if<runtime::Cell>(&a);
+  const auto* const y = std::get_if<runtime::Cell>(&b);
+  return x != nullptr && y != nullptr ? equal(*x, *y)
+                                      : std::get<std::string>(a) == std::get<std::string>(b);
+}
+
+}  // namespace
+
+/// A value that a step may write.
+struct Runner::WrittenValue {
+  std::string name;
+  Reference in;              ///< the variable; of type None: a system variable
+  std::size_t element = 0;   ///< of the variable
+  bool is_assigned = false;  ///< false: only a change shows that the step has written it
+  runtime::ShownValue before = {};
+};
+
+MaybeFailure Runner::heard_loop() {
+  while (!ended_ && !is_paused_) {
+    Level& running = level();
+    const Op& op = running.program->ops[static_cast<std::size_t>(running.step)];
+    current_ = running.step++;
+    const source::Location where = here();
+    std::vector<WrittenValue> written = written_by(op);
+    for (WrittenValue& value : written) {
+      value.before = value_now(value, op);
+    }
+    if (MaybeFailure reason = any_step(op)) {
+      return reason;
+    }
+    for (const WrittenValue& value : written) {
+      const runtime::ShownValue now = value_now(value, op);
+      if (value.is_assigned || !are_same(now, value.before)) {
+        write_listener_->on_write({value.name, value.before, now, where});
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+/// number_steps() by one step, or another one.
+MaybeFailure Runner::any_step(const Op& op) {
+  if (is_number_step(op.code)) {
+    return number_step(op) ? std::nullopt : from_step();
+  }
+  if (op.code == OpCode::Jump) {
+    level().step = op.a.place;
+    return std::nullopt;
+  }
+  if (op.code == OpCode::JumpIfNot) {
+    level().step = number(op.a) == 0.0 ? op.b.place : level().step;
+    return std::nullopt;
+  }
+  return other_step(op);
+}
+
+std::vector<Runner::WrittenValue> Runner::written_by(const Op& op) {
+  if (is_number_step(op.code)) {
+    return written_by_number_step(op);
+  }
+  if (op.code == OpCode::Store || op.code == OpCode::StoreText) {
+    auto one = elements(op.b.place, static_cast<std::int32_t>(number(op.a)), 1);
+    one.front().is_assigned = true;
+    return one;
+  }
+  if (op.code == OpCode::Fill || op.code == OpCode::Repeat) {
+    return elements(op.a.place, static_cast<std::int32_t>(number(op.result)),
+                    variable(op.a.place).shape.count());
+  }
+  if (op.code == OpCode::Procedure || op.code == OpCode::Function) {
+    return written_to_arguments(op);
+  }
+  if (op.code == OpCode::WriteSystem) {
+    std::string name = system_name(op);
+    return name.empty() ? std::vector<WrittenValue>()
+                        : std::vector<WrittenValue>{{std::move(name), {}, 0, true}};
+  }
+  return {};
+}
+
+/// The variable that has its value straight from a step; constants of the compiler have no name.
+std::vector<Runner::WrittenValue> Runner::written_by_number_step(const Op& op) {
+  const bool is_global = op.result.bank == Bank::Globals;
+  if (!is_global && op.result.bank != Bank::Locals) {
+    return {};
+  }
+  const std::vector<Variable>& known = level().program->variables;
+  const auto holds = [&](const Variable& one) {
+    return is_held_as_number(one.type) &&
+           one.storage == (is_global ? Storage::Global : Storage::Local) &&
+           op.result.place >= one.place && op.result.place < one.place + one.shape.count();
+  };
+  const auto found = std::ranges::find_if(known, holds);
+  if (found == known.end()) {
+    return {};
+  }
+  auto one =
+      elements(static_cast<std::int32_t>(found - known.begin()), op.result.place - found->place, 1);
+  one.front().is_assigned = true;
+  return one;
+}
+
+/// What a procedure or function gets: variables of the program for its results are among them.
+std::vector<Runner::WrittenValue> Runner::written_to_arguments(const Op& op) {
+  std::vector<WrittenValue> all;
+  for (const Argument& argument : arguments_of(op)) {
+    std::vector<WrittenValue> given;
+    if (argument.form == Argument::Form::Whole) {
+      given = elements(argument.variable, 0, variable(argument.variable).shape.count());
+    } else if (argument.form == Argument::Form::Element) {
+      given = elements(argument.variable, static_cast<std::int32_t>(number(argument.element)), 1);
+    }
+    std::ranges::move(given, std::back_inserter(all));
+  }
+  return all;
+}
+
+/// Some elements of a variable, as far as there are so many; frames have no single value.
+std::vector<Runner::WrittenValue> Runner::elements(std::int32_t which, std::int32_t first,
+                                                   std::int32_t count) {
+  Variable shaped = level().program->variables[static_cast<std::size_t>(which)];
+  const Reference in = variable(which);
+  shaped.shape = in.shape;
+  std::vector<WrittenValue> all;
+  const bool is_shown = in.type != Type::Frame && in.type != Type::None;
+  const std::int32_t end = std::min(in.shape.count(), first + count);
+  for (std::int32_t i = first; i < end && is_shown; ++i) {
+    all.push_back({element_name(shaped, i), in, static_cast<std::size_t>(i)});
+  }
+  return all;
+}
+
+/// "$TC_DP6[1,1]"; "" of a whole frame.
+std::string Runner::system_name(const Op& op) {
+  const SystemVariable& row = system_variables()[static_cast<std::size_t>(op.a.place)];
+  const Arguments indices = arguments_of(op).first(op.count - 1U);
+  const bool is_component = row.type == Type::Frame && indices.size() >= 2;
+  if (row.type == Type::Frame && !is_component) {
+    return {};
+  }
+  std::vector<std::string> shown_indices;
+  for (const Argument& index : indices) {
+    const bool is_last = &index == &indices.back();
+    const auto given = static_cast<std::size_t>(std::max(number(index.value), 0.0));
+    shown_indices.push_back(is_component && is_last    ? std::string(kComponentNames.at(given))
+                            : index.type == Type::Axis ? shown(Type::Axis, number(index.value))
+                                                       : fmt::format("{}", number(index.value)));
+  }
+  return fmt::format(
+      "{}{}{}", row.name, op.detail > 0 ? std::to_string(op.detail) : "",
+      shown_indices.empty() ? "" : fmt::format("[{}]", fmt::join(shown_indices, ",")));
+}
+
+/// What the system variable shows that a step writes.
+runtime::ShownValue Runner::system_value(const Op& op) {
+  const SystemVariable& row = system_variables()[static_cast<std::size_t>(op.a.place)];
+  Op reads = op;
+  reads.code = OpCode::ReadSystem;
+  reads.count = static_cast<std::uint16_t>(op.count - 1);
+  reads.result = {Bank::Temporaries, kTemporaryCount - 1};
+  channel_.is_inspected = true;
+  const MaybeFailure wrong = read_system(reads);
+  channel_.is_inspected = false;
+  if (wrong) {
+    return runtime::Cell();
+  }
+  if (row.type == Type::String) {
+    return shown_value({row.type, 0.0, text(reads.result)});
+  }
+  const Type type = row.type == Type::Frame ? Type::Real : row.type;
+  return shown_value({type, number(reads.result), {}});
+}
+
+runtime::ShownValue Runner::value_now(const WrittenValue& written, const Op& op) {
+  if (written.in.type == Type::None) {
+    return system_value(op);
+  }
+  if (written.in.type == Type::String) {
+    return shown_value({Type::String, 0.0, written.in.texts[written.element]});
+  }
+  return shown_value(
+      {written.in.type, without_sign_of_zero(written.in.numbers[written.element]), {}});
+}
+
+}  // namespace g31::sinumerik
