@@ -7,6 +7,7 @@
 
 #include "interpreter/analysis/flow.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
+#include "interpreter/runtime/control_setup.h"
 #include "interpreter/source/source_map.h"
 
 namespace g31::analysis {
@@ -38,6 +39,8 @@ std::unique_ptr<ProgramSet> fanuc_programs(const fanuc::Profile& profile,
 
 /// Definition files that are added define names for all of them.
 /// @param sources  outlives the programs
-std::unique_ptr<ProgramSet> sinumerik_programs(source::SourceMap& sources);
+/// @param setup    whose data programs may name
+std::unique_ptr<ProgramSet> sinumerik_programs(source::SourceMap& sources,
+                                               const runtime::ControlSetup& setup = {});
 
 }  // namespace g31::analysis

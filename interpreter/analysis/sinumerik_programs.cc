@@ -11,7 +11,10 @@ namespace {
 
 class SinumerikPrograms final : public ProgramSet {
  public:
-  explicit SinumerikPrograms(source::SourceMap& sources) : library_(sources), callable_(library_) {}
+  SinumerikPrograms(source::SourceMap& sources, const runtime::ControlSetup& setup)
+      : library_(sources), callable_(library_) {
+    library_.expect_data(setup.data);
+  }
 
   bool add_file(const std::string& path) override {
     return library_.add_file(path) == sinumerik::ProgramLibrary::Added::Yes;
@@ -58,8 +61,9 @@ std::optional<Fault> SinumerikPrograms::missing_program(const Flow& caller, cons
 
 }  // namespace
 
-std::unique_ptr<ProgramSet> sinumerik_programs(source::SourceMap& sources) {
-  return std::make_unique<SinumerikPrograms>(sources);
+std::unique_ptr<ProgramSet> sinumerik_programs(source::SourceMap& sources,
+                                               const runtime::ControlSetup& setup) {
+  return std::make_unique<SinumerikPrograms>(sources, setup);
 }
 
 }  // namespace g31::analysis

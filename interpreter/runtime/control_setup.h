@@ -5,6 +5,9 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "machine/kinematics/axis_chain.h"
 #include "machine/units/axis_positions.h"
@@ -31,6 +34,14 @@ struct FeedSwitches {
   double dry_run_mm_min = 0.0;  ///< takes the place of every feed; 0: no dry run
 };
 
+/// What a work offset does beside shifting, X, Y and Z; of controls whose offsets are frames.
+struct OffsetShape {
+  std::vector<double> rotate_deg = {0.0, 0.0, 0.0};
+  std::vector<double> fine_mm = {0.0, 0.0, 0.0};
+  std::vector<double> scale = {1.0, 1.0, 1.0};
+  std::string mirrored = {};  ///< letters
+};
+
 /// The state of a control before the program starts, as a set-up sheet describes it.  Plain data:
 /// each dialect takes what it knows and reports names it does not.
 struct ControlSetup {
@@ -49,7 +60,12 @@ struct ControlSetup {
   std::map<std::string, int> macro_calls;  ///< "G100" -> 9010
   /// "#515" -> 6.0; nullopt is vacant.  A string value is for dialects that have strings.
   std::map<std::string, std::optional<double>> variables;
+  /// Machine data and user data of controls that have such: a number, a text, "axis X" or a list.
+  std::map<std::string, std::variant<double, std::string, std::vector<double>>> data;
+  /// Soft limits of axes, where the machine has any.
+  std::map<int, std::pair<double, double>> q_M_travel;
   std::map<std::string, AxisPositions> work_offsets;  ///< "G54".."G59", "EXT", "G54.1 P1"
+  std::map<std::string, OffsetShape> offset_shapes;   ///< of some of them
   std::map<int, ToolEntry> tools;                     ///< by H/D/T number
   /// What the control takes the machine for; the machine is what it is.
   machine::AxisChainSetup kinematics;

@@ -16,4 +16,8 @@ std::optional<std::string> FileSystem::read_part(const std::string& path, std::u
   return text->substr(static_cast<std::size_t>(offset), length);
 }
 
+std::vector<std::string> FileSystem::folders(const std::string& /*folder*/) {
+  return {};
+}
+
 }  // namespace g31::source

@@ -29,6 +29,9 @@ class FileSystem {
   /// Names (without folder) of the regular files in a folder, sorted; empty when it cannot be read.
   virtual std::vector<std::string> list(const std::string& folder) = 0;
 
+  /// Names (without path) of the folders in a folder, sorted; an implementation may know none.
+  virtual std::vector<std::string> folders(const std::string& folder);
+
   /// Whether there is such a folder; one without files counts only where an implementation knows.
   virtual bool has_folder(const std::string& folder) { return !list(folder).empty(); }
 };

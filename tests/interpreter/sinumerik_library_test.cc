@@ -510,6 +510,22 @@ TEST(SinumerikDataFiles, DoNotRunForEver) {
   EXPECT_EQ(run.outcome().status, runtime::Status::Budget);
 }
 
+TEST(SinumerikStops, AgainAndAgainWaitForTheOperator) {
+  ProgramRun run({{"main.mpf", std::string("LOOP\nMSG(\"CLOSE THE DOOR\")\nM0\nENDLOOP\nM30\n")}});
+  EXPECT_EQ(run.outcome().status, runtime::Status::Budget);
+  ASSERT_EQ(run.outcome().diagnostics.size(), 1U);
+  const source::Diagnostic& end = run.outcome().diagnostics.front();
+  EXPECT_EQ(end.code, "PRB604");
+  EXPECT_EQ(run.line_of(end.where), "main.mpf:3");
+  EXPECT_NE(end.message.find("CLOSE THE DOOR"), std::string::npos) << end.message;
+}
+
+TEST(SinumerikStops, MayBeManyWhileSomethingMoves) {
+  ProgramRun run({{"main.mpf", std::string("FOR R1=1 TO 3000\nG0 X=R1\nM0\nENDFOR\n"
+                                           "FOR R1=1 TO 900\nM0\nENDFOR\nM30\n")}});
+  EXPECT_EQ(run.outcome().status, runtime::Status::Completed);
+}
+
 TEST(SinumerikDataFiles, SayWhichToolsThereAre) {
   ProgramRun run({{"main.mpf", std::string("T4 M6\nM30\n%_N_TOA_INI\n$TC_DP3[3,1]=80\nM17\n")}});
   EXPECT_EQ(run.outcome().status, runtime::Status::Setup);

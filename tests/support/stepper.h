@@ -100,7 +100,7 @@ class SteppedRun {
     }
     const auto& [job, control] = prepared_.value();
     world_.emplace(session::build_world(job, request.seed));
-    const auto programs = session::open_programs(control, request, disk_);
+    const auto programs = session::open_programs(control, request, disk_, job.control);
     if (!*world_ || !programs) {
       ADD_FAILURE() << session::render(*world_ ? programs.error() : world_->error());
       return;

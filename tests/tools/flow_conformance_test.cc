@@ -88,11 +88,12 @@ class Walked {
       return;
     }
     prepared_ = std::make_unique<session::Prepared>(prepared.value());
-    const auto opened = session::open_programs(prepared_->control, request, disk_);
+    const auto opened =
+        session::open_programs(prepared_->control, request, disk_, prepared_->job.control);
     programs_ = opened ? opened.value() : nullptr;
     const auto* const fanuc = std::get_if<session::FanucControl>(&prepared_->control);
     set_ = fanuc != nullptr ? analysis::fanuc_programs(fanuc->profile, sources_)
-                            : analysis::sinumerik_programs(sources_);
+                            : analysis::sinumerik_programs(sources_, prepared_->job.control);
     set_->add_file(path_);
     // Definition files among the shipped programs define names for all.
     const auto shipped =

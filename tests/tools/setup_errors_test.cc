@@ -17,7 +17,7 @@ const ErrorCase kNameTheKeyThatWasProbablyMeant[] = {
       | ^
 )"},
     {"an unknown section far from all", "zebra = 2\n",
-     R"(sheet1.toml:1:1: error: unknown key zebra in the sheet, which takes control, parameters, macro_calls, variables, start, work_offsets, tools, machine, believed, probe, part, skip_signal [SET103]
+     R"(sheet1.toml:1:1: error: unknown key zebra in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, skip_signal [SET103]
     1 | zebra = 2
       | ^
 )"},
@@ -72,7 +72,7 @@ const ErrorCase kNameTheKeyThatWasProbablyMeant[] = {
       | ^
 )"},
     {"an axis that is none", "[work_offsets.G59]\nQ = 1\n",
-     R"(sheet1.toml:2:1: error: unknown key Q in [work_offsets.G59], which takes X, Y, Z, A, B and C [SET103]
+     R"(sheet1.toml:2:1: error: unknown key Q in [work_offsets.G59], which takes X, Y, Z, A, B and C, rotate_deg, fine, scale, mirror [SET103]
     2 | Q = 1
       | ^
 )"},
@@ -444,12 +444,12 @@ const ErrorCase kStandAtTheirPlace[] = {
       |                      ^
 )"},
     {"a line break in a name", "\"a\\nb\" = 1\n",
-     R"(sheet1.toml:1:1: error: unknown key "a?b" in the sheet, which takes control, parameters, macro_calls, variables, start, work_offsets, tools, machine, believed, probe, part, skip_signal [SET103]
+     R"(sheet1.toml:1:1: error: unknown key "a?b" in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, skip_signal [SET103]
     1 | "a\nb" = 1
       | ^
 )"},
     {"a carriage return at the end of the line", "zebr = 1\r\n",
-     R"(sheet1.toml:1:1: error: unknown key zebr in the sheet, which takes control, parameters, macro_calls, variables, start, work_offsets, tools, machine, believed, probe, part, skip_signal [SET103]
+     R"(sheet1.toml:1:1: error: unknown key zebr in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, skip_signal [SET103]
     1 | zebr = 1
       | ^
 )"},

@@ -45,6 +45,11 @@ X = 1.0
 Y = 2
 Z = 3.5
 C = 45.0
+[machine_data]
+"$MN_OEM_LIMIT" = 5.0
+[gud]
+LIMITS = [0.1, 0.2]
+PALLET_NAME = "A"
 [work_offsets.G59]
 X = 250.0
 B = 30.0
@@ -53,6 +58,10 @@ B = 30.0
 Z = -1.0
 [work_offsets.G505]
 Y = 8.0
+rotate_deg = [0.0, 0.0, 30.0]
+fine = [0.05, 0.0, 0.0]
+scale = [1.0, 2.0, 1.0]
+mirror = "X"
 [tools.99]
 length = 120.0
 radius = 3.0

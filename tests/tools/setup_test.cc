@@ -62,6 +62,12 @@ TEST_F(SetupReader, ControlKeysArrive) {
   EXPECT_EQ(control.feed_switches.dry_run_mm_min, 1500.0);
   EXPECT_EQ(control.variables_file, path_of("v55.vars"));
   EXPECT_EQ(control.files_folder, path_of("logs"));
+  EXPECT_EQ(std::get<double>(control.data.at("$MN_OEM_LIMIT")), 5.0);
+  EXPECT_EQ(std::get<std::vector<double>>(control.data.at("LIMITS")),
+            (std::vector<double>{0.1, 0.2}));
+  EXPECT_EQ(std::get<std::string>(control.data.at("PALLET_NAME")), "A");
+  EXPECT_EQ(control.offset_shapes.at("G505").fine_mm, (std::vector<double>{0.05, 0.0, 0.0}));
+  EXPECT_EQ(control.offset_shapes.at("G505").mirrored, "X");
   EXPECT_EQ(control.parameters, (std::map<std::string, double>{{"6001.0", 0.0},
                                                                {"6001.1", 1.0},
                                                                {"6001.7", 1.0},

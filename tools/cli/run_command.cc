@@ -228,7 +228,7 @@ ExitCode run_command(const RunOptions& options) {
   if (trace.value() != nullptr) {
     machine.trace(line.value().trace_period_s, *trace.value());
   }
-  const auto programs = session::open_programs(control, options, disk);
+  const auto programs = session::open_programs(control, options, disk, job.control);
   if (!programs) {
     return refuse(programs.error());
   }

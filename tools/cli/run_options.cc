@@ -40,7 +40,9 @@ void add_program_options(CLI::App& command, RunOptions& options) {
       .add_option("--control", options.control,
                   "control profile, for example fanuc-16i, sinumerik-828d")
       ->type_name("NAME");
-  command.add_option("--lib", options.libraries, "folder of subprograms; repeatable")
+  command
+      .add_option("--lib", options.libraries,
+                  "folder of subprograms, with those below it; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);
   command

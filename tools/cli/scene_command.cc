@@ -62,7 +62,7 @@ ExitCode scene_command(const SceneOptions& options) {
   }
   gltf::PathRecorder recorder(*world.value().machine, drawn_tip(job));
   runtime::Observer nobody;
-  const auto programs = session::open_programs(control, options.run, disk);
+  const auto programs = session::open_programs(control, options.run, disk, job.control);
   if (!programs) {
     return refuse(programs.error());
   }

@@ -85,6 +85,20 @@ std::vector<std::string> Disk::list(const std::string& folder) {
   return names;
 }
 
+std::vector<std::string> Disk::folders(const std::string& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator it(folder.empty() ? "." : folder, error), end; !error && it != end;
+       it.increment(error)) {
+    std::error_code ignored;
+    if (it->is_directory(ignored) && !it->is_symlink(ignored)) {
+      names.push_back(it->path().filename().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
 bool Disk::has_folder(const std::string& folder) {
   std::error_code unreadable;
   return fs::is_directory(folder, unreadable);

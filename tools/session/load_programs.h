@@ -12,6 +12,17 @@
 
 namespace g31::session {
 
+/// A folder and those below it, the upper ones first; what is hidden is not looked at.
+template <typename Library>
+void add_tree(Library& library, source::FileSystem& files, const std::string& folder) {
+  library.add_folder(folder);
+  for (const std::string& below : files.folders(folder)) {
+    if (!below.starts_with('.')) {
+      add_tree(library, files, folder + "/" + below);
+    }
+  }
+}
+
 /// Fills a dialect's library in the order that Programs tells.
 /// @param shipped  the folder of the programs shipped with g31: "macros/fanuc"
 template <typename Library>
@@ -27,7 +38,7 @@ std::optional<Refusal> load_programs(Library& library, const ProgramPaths& paths
     if (!files.has_folder(folder)) {
       return bad_input(fmt::format("--lib {}: no such folder", folder));
     }
-    library.add_folder(folder);
+    add_tree(library, files, folder);
   }
   if (const auto folder = disk::shipped_folder(shipped)) {
     library.add_folder(*folder);

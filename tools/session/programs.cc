@@ -8,11 +8,12 @@ namespace g31::session {
 
 Result<std::shared_ptr<Programs>, Refusal> open_programs(const Control& control,
                                                          const ProgramPaths& paths,
-                                                         source::FileSystem& files) {
+                                                         source::FileSystem& files,
+                                                         const runtime::ControlSetup& setup) {
   return std::visit(
       runtime::Overloaded{
           [&](const FanucControl& chosen) { return open_fanuc_programs(chosen, paths, files); },
-          [&](const SinumerikControl&) { return open_sinumerik_programs(paths, files); },
+          [&](const SinumerikControl&) { return open_sinumerik_programs(paths, files, setup); },
       },
       control);
 }

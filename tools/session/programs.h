@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/source/file_system.h"
 #include "interpreter/source/source_map.h"
@@ -48,9 +49,11 @@ class Programs {
 };
 
 /// @param files  must outlive the programs
+/// @param setup  whose data programs may name
 /// @returns what cannot be read
 Result<std::shared_ptr<Programs>, Refusal> open_programs(const Control& control,
                                                          const ProgramPaths& paths,
-                                                         source::FileSystem& files);
+                                                         source::FileSystem& files,
+                                                         const runtime::ControlSetup& setup = {});
 
 }  // namespace g31::session

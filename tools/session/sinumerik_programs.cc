@@ -64,11 +64,27 @@ class SinumerikPrograms final : public Programs {
   sinumerik::ProgramLibrary library_;
 };
 
+/// Whether a file is no text: archives that a panel saves whole have zeros in their heads.
+bool is_binary(source::FileSystem& files, const std::string& path) {
+  constexpr std::size_t kBeginning = 4096;
+  const auto beginning = files.read_part(path, 0, kBeginning);
+  return beginning && beginning->find(char(0)) != std::string::npos;
+}
+
 }  // namespace
 
-Result<std::shared_ptr<Programs>, Refusal> open_sinumerik_programs(const ProgramPaths& paths,
-                                                                   source::FileSystem& files) {
+Result<std::shared_ptr<Programs>, Refusal> open_sinumerik_programs(
+    const ProgramPaths& paths, source::FileSystem& files, const runtime::ControlSetup& setup) {
+  for (const std::string& program : paths.programs) {
+    if (is_binary(files, program)) {
+      return bad_input(
+          fmt::format("{}: a binary file, no program text; save the archive as text (on the panel: "
+                      "ASCII or punched tape format), or take the programs out of it",
+                      program));
+    }
+  }
   const auto programs = std::make_shared<SinumerikPrograms>(files);
+  programs->library().expect_data(setup.data);
   if (const auto wrong = load_programs(programs->library(), paths, files, "macros/sinumerik")) {
     return *wrong;
   }

@@ -7,7 +7,7 @@
 namespace g31::session {
 
 /// open_programs() for the SINUMERIK.
-Result<std::shared_ptr<Programs>, Refusal> open_sinumerik_programs(const ProgramPaths& paths,
-                                                                   source::FileSystem& files);
+Result<std::shared_ptr<Programs>, Refusal> open_sinumerik_programs(
+    const ProgramPaths& paths, source::FileSystem& files, const runtime::ControlSetup& setup);
 
 }  // namespace g31::session

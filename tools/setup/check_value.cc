@@ -42,6 +42,8 @@ std::string_view words_for(ValueType type) {
       return "an array of three numbers";
     case ValueType::NumberOrTable:
       return "a number or an array of [place, error]";
+    case ValueType::Datum:
+      return "a number, true or false, a string or an array of numbers";
   }
   contract_violated("every ValueType has words", __FILE__, __LINE__);
 }
@@ -319,6 +321,17 @@ Checked number_value(const Node& node, ValueType type) {
   return number ? Checked(SheetValue(number.value())) : Checked(number.error());
 }
 
+Checked datum_value(const Node& node, ValueType type) {
+  if (const auto* const text = std::get_if<std::string>(&node.value)) {
+    return SheetValue(*text);
+  }
+  if (const auto* const flag = std::get_if<bool>(&node.value)) {
+    return SheetValue(*flag ? 1.0 : 0.0);
+  }
+  return std::holds_alternative<Array>(node.value) ? list_from(node, type, std::nullopt)
+                                                   : number_value(node, type);
+}
+
 Checked typed_value(const Node& node, ValueType type) {
   const auto* text = std::get_if<std::string>(&node.value);
   const auto* flag = std::get_if<bool>(&node.value);
@@ -341,6 +354,8 @@ Checked typed_value(const Node& node, ValueType type) {
       return list_from(node, type, 3);
     case ValueType::NumberOrTable:
       return number_or_table(node, type);
+    case ValueType::Datum:
+      return datum_value(node, type);
   }
   contract_violated("every ValueType is read", __FILE__, __LINE__);
 }

@@ -50,6 +50,33 @@ void fill_variables(runtime::ControlSetup& control, const SheetTable& table) {
   }
 }
 
+void fill_data(runtime::ControlSetup& control, const SheetTable& table) {
+  for (const auto& [name, entry] : table.entries) {
+    if (const auto* const text = std::get_if<std::string>(&entry.value)) {
+      control.data[name] = *text;
+    } else if (const auto* const list = std::get_if<std::vector<double>>(&entry.value)) {
+      control.data[name] = *list;
+    } else {
+      control.data[name] = number_of(entry);
+    }
+  }
+}
+
+/// What an offset does beside shifting.
+void fill_offset_shape(runtime::ControlSetup& control, const std::string& name,
+                       const TableKeys& keys) {
+  constexpr KeyId kShapes[] = {KeyId::WorkOffsetRotate, KeyId::WorkOffsetFine,
+                               KeyId::WorkOffsetScale, KeyId::WorkOffsetMirror};
+  if (std::ranges::none_of(kShapes, [&](KeyId id) { return keys.find(id) != nullptr; })) {
+    return;
+  }
+  runtime::OffsetShape& shape = control.offset_shapes[name];
+  shape.rotate_deg = keys.get(KeyId::WorkOffsetRotate, shape.rotate_deg);
+  shape.fine_mm = keys.get(KeyId::WorkOffsetFine, shape.fine_mm);
+  shape.scale = keys.get(KeyId::WorkOffsetScale, shape.scale);
+  shape.mirrored = keys.get(KeyId::WorkOffsetMirror, shape.mirrored);
+}
+
 runtime::ToolEntry tool_from(const TableKeys& keys) {
   runtime::ToolEntry tool;
   tool.length_mm = keys.get(KeyId::ToolLength, tool.length_mm);
@@ -86,6 +113,10 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
         job.control.macro_calls[code] = static_cast<int>(number_of(entry));
       }
       return;
+    case SectionId::MachineData:
+    case SectionId::UserData:
+      fill_data(job.control, table);
+      return;
     case SectionId::Variables:
       fill_variables(job.control, table);
       return;
@@ -93,6 +124,7 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
       return;  // fill_machine
     case SectionId::WorkOffsets:
       job.control.work_offsets[name] = positions_from(table);
+      fill_offset_shape(job.control, name, keys);
       return;
     case SectionId::Tools:
       job.control.tools[std::stoi(name)] = tool_from(keys);
@@ -105,6 +137,11 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::MachineAxes:
       job.control.q_M_reference[static_cast<Eigen::Index>(index_of_axis(name))] =
           keys.get(KeyId::AxisHome, machine::AxisSetup().home);
+      if (keys.find(KeyId::AxisTravel) != nullptr) {
+        const std::vector<double> limits = keys.get(KeyId::AxisTravel, std::vector<double>{});
+        job.control.q_M_travel[static_cast<int>(index_of_axis(name))] = {limits.at(0),
+                                                                         limits.at(1)};
+      }
       return;
     case SectionId::Probe:
       return;  // fill_probe

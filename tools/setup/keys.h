@@ -53,6 +53,7 @@ enum class ValueType {
   TwoNumbers,
   ThreeNumbers,
   NumberOrTable,  ///< a list of one number, or of pairs
+  Datum,          ///< a number, a text or a list of numbers; true is 1, false is 0
 };
 
 /// Which values of the right type are allowed.

@@ -47,6 +47,9 @@ inline std::size_t index_of_axis(const std::string& letter) {
 inline AxisPositions positions_from(const SheetTable& table) {
   AxisPositions q = AxisPositions::Zero();
   for (const auto& [letter, entry] : table.entries) {
+    if (letter.size() != 1) {
+      continue;  // rotate_deg and the like
+    }
     q[static_cast<Eigen::Index>(index_of_axis(letter))] = number_of(entry);
   }
   return q;

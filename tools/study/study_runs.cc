@@ -212,7 +212,8 @@ std::optional<Refusal> StudyRuns::try_control() {
   }
   control_ = chosen.value();
   for (std::size_t program = 0; program < paths_.size(); ++program) {
-    const auto opened = session::open_programs(*control_, request_of(program), disk_);
+    const auto opened =
+        session::open_programs(*control_, request_of(program), disk_, job.value().control);
     if (!opened) {
       return opened.error();
     }

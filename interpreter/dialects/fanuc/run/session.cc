@@ -131,6 +131,11 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   control.feed_switches = setup.feed_switches;
   control.lookahead.set_depth(setup.lookahead_blocks);
   refused = configure_offsets(control, setup);
+  if (!setup.data.empty() || !setup.offset_shapes.empty()) {
+    refused.emplace_back(
+        "[machine_data], [gud], and rotate_deg, fine, scale and mirror of work offsets are of "
+        "SINUMERIK");
+  }
   configure_calls(control, setup, refused);
   for (const auto& [name, value] : setup.variables) {
     const auto number = variable_in_name(name);

@@ -192,6 +192,13 @@ void Compiler::refused_statement() {
        is_known ? std::string(name) + ": " + std::string(row->text) : text_of(block_));
 }
 
+/// What makes no difference at a desk, to the end of its block.
+void Compiler::idle_statement() {
+  while (peek().kind != TokenKind::End) {
+    next();
+  }
+}
+
 /// WHEN $A_PROBE[n]==level DO DELDTG, the condition in brackets or not
 void Compiler::when_statement() {
   const bool bracket = accept(Symbol::LeftParen);

@@ -256,6 +256,7 @@ class Compiler {
   std::vector<Argument> argument_list();
   void call(CallSite site, ShortSpan where);
   void refused_statement();
+  void idle_statement();
   void when_statement();
 
   // compile_words.cc

@@ -1,6 +1,7 @@
 #include "interpreter/dialects/sinumerik/code/globals.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "interpreter/dialects/sinumerik/vocabulary/machine_data.h"
 #include "machine/units/axis_positions.h"
@@ -22,6 +23,18 @@ Variable row_variable(std::string_view name, Type type, int count) {
 
 }  // namespace
 
+/// What differs from axis to axis: their numbers, and that A, B and C turn.
+void Globals::number_axes(std::string_view name, std::int32_t place) {
+  const auto first = numbers_.begin() + place;
+  if (name == "$MC_AXCONF_GEOAX_ASSIGN_TAB") {
+    std::iota(first, first + kLinearAxisCount, 1.0);
+  } else if (name == "$MC_AXCONF_MACHAX_USED") {
+    std::iota(first, first + kAxisCount, 1.0);
+  } else if (name == "$MA_IS_ROT_AX") {
+    std::fill(first + kLinearAxisCount, first + kAxisCount, 1.0);
+  }
+}
+
 Globals::Globals() {
   Variable r;
   r.name = "R";
@@ -30,6 +43,7 @@ Globals::Globals() {
   for (const MachineDatum& row : machine_data()) {
     const std::int32_t place = define(row_variable(row.name, row.type, row.count))->place;
     std::fill(numbers_.begin() + place, numbers_.end(), row.preset);
+    number_axes(row.name, place);
   }
   for (const MemoryRow& row : memory_rows()) {
     define(row_variable(row.name, row.type, row.count));

@@ -35,6 +35,8 @@ class Globals {
   Macros macros;
 
  private:
+  void number_axes(std::string_view name, std::int32_t place);
+
   std::vector<Variable> variables_;
   NameMap<std::size_t> by_name_;
   std::vector<double> numbers_;

@@ -96,6 +96,7 @@ const std::vector<const CompiledProgram*>& ProgramLibrary::definitions() {
         definitions_.push_back(&program->define_in(globals_));
       }
     }
+    define_missing(data_, globals_);
   });
   return definitions_;
 }

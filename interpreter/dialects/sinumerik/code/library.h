@@ -10,6 +10,7 @@
 
 #include "interpreter/dialects/sinumerik/code/globals.h"
 #include "interpreter/dialects/sinumerik/code/program_file.h"
+#include "interpreter/dialects/sinumerik/code/sheet_data.h"
 #include "interpreter/source/source_map.h"
 
 namespace g31::sinumerik {
@@ -40,6 +41,10 @@ class ProgramLibrary {
   /// Reads the definition files, when it is asked for the first time, which ends the adding of
   /// files.  @returns programs that set initial values, to be run first in every session
   const std::vector<const CompiledProgram*>& definitions();
+
+  /// Data of the set-up sheet, to be known before the first session: those that no definition file
+  /// brings are defined by their values.
+  void expect_data(SheetData data) { data_ = std::move(data); }
   /// The INI files: %_N_UFR_INI in an archive that was added, or UFR.INI given by itself.  Loading
   /// them is running them, behind the definitions.
   std::vector<const CompiledProgram*> initial_data();
@@ -77,6 +82,7 @@ class ProgramLibrary {
   std::set<std::string> opened_;  ///< paths
   std::vector<std::multimap<std::string, std::string>> folders_;
   std::vector<std::string> archives_;
+  SheetData data_;
   std::once_flag defined_;
   std::vector<const CompiledProgram*> definitions_;
   std::mutex read_mutex_;

@@ -49,13 +49,31 @@ void take_codes(Channel& channel, const Block& block) {
   }
 }
 
-void stop(Channel& channel, const Block& block) {
+/// Whether a program has stopped at one place as often as no operator would start it again.
+bool waits_for_ever(Channel& channel, const Block& block) {
+  Channel::Waiting& waiting = channel.waiting;
+  const AxisPositions q_M = channel.machine_position();
+  const bool is_same = waiting.place == block.where && waiting.q_M == q_M;
+  waiting = {block.where, q_M, is_same ? waiting.stops + 1 : 1};
+  return waiting.stops > Channel::Waiting::kMost;
+}
+
+MaybeFailure stop(Channel& channel, const Block& block) {
   for (std::size_t i = 0; i < block.words.machine_code_count; ++i) {
     const double code = block.words.machine_codes[i];
-    if (code == 0.0 || code == 1.0) {
-      channel.observer.on_stop({code == 0.0 ? "M0" : "M1", "", block.where});
+    if (code != 0.0 && code != 1.0) {
+      continue;
     }
+    if (waits_for_ever(channel, block)) {
+      Failure waits =
+          failure(AlarmId::NotImplemented, channel.message.empty() ? "" : ": " + channel.message);
+      waits.status = runtime::Status::Budget;
+      waits.number = static_cast<int>(source::DiagnosticId::WaitsForOperator);
+      return waits;
+    }
+    channel.observer.on_stop({code == 0.0 ? "M0" : "M1", "", block.where});
   }
+  return std::nullopt;
 }
 
 /// A word that counts only with this value.
@@ -236,8 +254,7 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
     channel.suppression = 0;
     channel.arrived_at_machine();
   }
-  stop(channel, block);
-  return wrong;
+  return wrong ? wrong : stop(channel, block);
 }
 
 }  // namespace g31::sinumerik

@@ -56,7 +56,8 @@ MaybeFailure Runner::procedure(const Op& op) {
 /// MSG(text)
 MaybeFailure Runner::message(Arguments list) {
   if (!list.empty()) {
-    channel_.observer.on_message({text(list[0].value) + "\n", here()});
+    channel_.message = text(list[0].value);
+    channel_.observer.on_message({channel_.message + "\n", here()});
   }
   return std::nullopt;
 }

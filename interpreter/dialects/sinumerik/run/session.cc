@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/code/element_name.h"
+#include "interpreter/dialects/sinumerik/code/sheet_data.h"
 #include "interpreter/dialects/sinumerik/run/runner.h"
 
 namespace g31::sinumerik {
@@ -27,6 +28,17 @@ Frame shifted(const AxisPositions& q) {
   return frame;
 }
 
+void take_shape(Frame& frame, const runtime::OffsetShape& shape) {
+  frame.set_angles({shape.rotate_deg.at(0), shape.rotate_deg.at(1), shape.rotate_deg.at(2)});
+  for (int axis = 0; axis < static_cast<int>(kLinearAxisCount); ++axis) {
+    const auto at = static_cast<std::size_t>(axis);
+    frame.set_component(axis, Component::Fine, shape.fine_mm.at(at));
+    frame.set_component(axis, Component::Scale, shape.scale.at(at));
+    const bool is_mirrored = shape.mirrored.find(kAxisLetters[at]) != std::string::npos;
+    frame.set_component(axis, Component::Mirror, is_mirrored ? 1.0 : 0.0);
+  }
+}
+
 /// A line of the tool table as edge D1.
 EdgeData edge_from(const runtime::ToolEntry& entry) {
   EdgeData edge = {};
@@ -38,13 +50,27 @@ EdgeData edge_from(const runtime::ToolEntry& entry) {
   return edge;
 }
 
-/// With every digit; the exponent as the language writes it.
-std::string assignment(const std::string& name, double value) {
-  std::string number = fmt::format("{}", value);
-  if (const std::size_t exponent = number.find('e'); exponent != std::string::npos) {
-    number.replace(exponent, 1, "EX");
+/// Soft limits and data of the sheet.
+void configure_data(Runner& runner, const runtime::ControlSetup& setup,
+                    std::vector<std::string>& refused) {
+  std::vector<std::string> assignments;
+  for (const auto& [axis, limits] : setup.q_M_travel) {
+    const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
+    assignments.push_back(
+        fmt::format("$MA_POS_LIMIT_MINUS[{}]={}", letter, written_number(limits.first)));
+    assignments.push_back(
+        fmt::format("$MA_POS_LIMIT_PLUS[{}]={}", letter, written_number(limits.second)));
   }
-  return fmt::format("{}={}", name, number);
+  for (const auto& [name, datum] : setup.data) {
+    for (std::string& assignment : assignments_of(name, datum)) {
+      assignments.push_back(std::move(assignment));
+    }
+  }
+  for (const std::string& assignment : assignments) {
+    if (const auto wrong = runner.run_text(assignment)) {
+      refused.push_back(fmt::format("{}: {}", assignment, *wrong));
+    }
+  }
 }
 
 void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
@@ -57,6 +83,14 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
     } else {
       refused.push_back(
           fmt::format("work offset {}: this control has EXT, G54 to G57, G505 to G599", name));
+    }
+  }
+  for (const auto& [name, shape] : setup.offset_shapes) {
+    const auto number = settable_in_name(name);
+    if (number || name == "EXT") {
+      take_shape(number ? channel.settable[static_cast<std::size_t>(*number)]
+                        : channel.stored_frames.channel[0],
+                 shape);
     }
   }
   for (const auto& [number, entry] : setup.tools) {
@@ -97,13 +131,16 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   if (!setup.parameters.empty() || !setup.macro_calls.empty()) {
     refused.emplace_back(
         "[parameters] and [macro_calls] are of other controls: set $MN_, $MC_, $SNS_ and the like "
-        "in "
-        "[variables]");
+        "in [machine_data]");
   }
+  configure_data(*runner_, setup, refused);
+  numbers_at_start_ = channel.numbers;
   for (const auto& [name, value] : setup.variables) {
     const bool is_fanuc_input = name.starts_with('#');
-    const auto wrong = is_fanuc_input ? std::optional<std::string>("no variable of this control")
-                                      : runner_->run_text(assignment(name, value.value_or(0.0)));
+    const auto wrong =
+        is_fanuc_input
+            ? std::optional<std::string>("no variable of this control")
+            : runner_->run_text(fmt::format("{}={}", name, written_number(value.value_or(0.0))));
     if (wrong) {
       refused.push_back(fmt::format("variable {}: {}", name, *wrong));
     }

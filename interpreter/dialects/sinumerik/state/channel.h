@@ -264,6 +264,16 @@ class Channel {
 
   Clocks clocks;
 
+  /// M0 and M1 at one place while no axis moves.
+  struct Waiting {
+    static constexpr int kMost = 1000;
+    source::Location place;
+    AxisPositions q_M = AxisPositions::Zero();
+    int stops = 0;
+  };
+  Waiting waiting;
+  std::string message;  ///< the last MSG
+
   /// Data that are only kept: of which variable and row of its family, with which indices.
   struct KeptDatum {
     SystemId id = SystemId::ExternalShift;
@@ -272,6 +282,7 @@ class Channel {
     friend auto operator<=>(const KeptDatum&, const KeptDatum&) = default;
   };
   std::map<KeptDatum, double> kept_data;
+  std::map<KeptDatum, std::string> kept_texts;
 
   // Outside world
   std::map<std::string, std::string> files;  ///< what WRITE, READ and EXTWRITE work on

@@ -15,6 +15,22 @@ MaybeFailure negative_index(const SystemAccess& access) {
   return std::nullopt;
 }
 
+/// Before anybody writes it.
+std::string first_text(const SystemAccess& access) {
+  if (access.id == SystemId::NameOfChannel) {
+    return "CHAN1";
+  }
+  const auto index = static_cast<std::size_t>(access.indices.front());
+  const std::size_t count = access.id == SystemId::NameOfGeometryAxis
+                                ? std::size_t{kLinearAxisCount}
+                                : std::size_t{kAxisCount};
+  if (index >= count) {
+    return "";
+  }
+  const std::string letter(1, kAxisLetters[index]);
+  return access.id == SystemId::NameOfMachineAxis ? letter + "1" : letter;
+}
+
 }  // namespace
 
 Number kept_datum(Channel& channel, const SystemAccess& access) {
@@ -30,6 +46,22 @@ MaybeFailure set_kept_datum(Channel& channel, const SystemAccess& access, double
     return wrong;
   }
   channel.kept_data[{access.id, access.parameter, access.indices}] = value;
+  return std::nullopt;
+}
+
+Text kept_text(Channel& channel, const SystemAccess& access) {
+  if (MaybeFailure wrong = negative_index(access)) {
+    return *wrong;
+  }
+  const auto found = channel.kept_texts.find({access.id, access.parameter, access.indices});
+  return found != channel.kept_texts.end() ? found->second : first_text(access);
+}
+
+MaybeFailure set_kept_text(Channel& channel, const SystemAccess& access, const std::string& text) {
+  if (MaybeFailure wrong = negative_index(access)) {
+    return wrong;
+  }
+  channel.kept_texts[{access.id, access.parameter, access.indices}] = text;
   return std::nullopt;
 }
 

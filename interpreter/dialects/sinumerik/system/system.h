@@ -123,6 +123,8 @@ MaybeFailure set_tool_name(Channel& channel, const SystemAccess& access, const s
 
 // kept_data.cc: what is only kept
 Number kept_datum(Channel& channel, const SystemAccess& access);
+Text kept_text(Channel& channel, const SystemAccess& access);
+MaybeFailure set_kept_text(Channel& channel, const SystemAccess& access, const std::string& text);
 MaybeFailure set_kept_datum(Channel& channel, const SystemAccess& access, double value);
 
 // frames.cc

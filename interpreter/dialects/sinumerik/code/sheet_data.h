@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/code/globals.h"
+
+namespace g31::sinumerik {
+
+/// Machine data and user data as the set-up sheet has them: a number, a text, "axis X" or a list.
+using SheetDatum = std::variant<double, std::string, std::vector<double>>;
+using SheetData = std::map<std::string, SheetDatum>;
+
+/// Defines what nobody has defined: a name is as large as its highest indices, one of $MA_ has an
+/// element for each axis.
+void define_missing(const SheetData& data, Globals& globals);
+
+/// `NAME=value`, one for each element, as a program would write it.
+std::vector<std::string> assignments_of(const std::string& name, const SheetDatum& datum);
+
+/// A number with every digit; the exponent as the language writes it.
+std::string written_number(double value);
+
+}  // namespace g31::sinumerik
