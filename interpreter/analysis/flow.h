@@ -152,11 +152,11 @@ struct Label {
 /// Blocks stand in the order of the text, and a run begins at the first.  Every block that a run
 /// executes behind another one, in the same call of the program, is at the end of one of its edges,
 /// or a label where it is `to_any_label`, with these exceptions: blocks that belong to the call of
-/// another program stand in that program's flow; a called program may send its caller to a label
-/// or behind it (M99 P, RET with a target); the head of a SINUMERIK loop is asked again without
-/// being executed again; a text that EXECSTRING runs has blocks of its own, and may end the
-/// program.  Not every edge can be taken: conditions are followed both ways unless they are
-/// constants.
+/// another program stand in that program's flow; a repeated call starts again at the first block,
+/// or at its label (M97 P L); a called program may send its caller to a label or behind it (M99 P,
+/// RET with a target); the head of a SINUMERIK loop is asked again without being executed again; a
+/// text that EXECSTRING runs has blocks of its own, and may end the program.  Not every edge can be
+/// taken: conditions are followed both ways unless they are constants.
 struct Flow {
   std::string program;                       ///< "O9010", "CYCLE977"; empty: a Fanuc text without O
   const source::SourceFile* file = nullptr;  ///< outlives the flow

@@ -54,10 +54,12 @@ bool has_edge(const Flow& flow, BlockIndex from, BlockIndex to) {
 }
 
 /// Whether the flow has a way from one block to another.  The head of a SINUMERIK loop is asked
-/// again without counting as a block.
+/// again without counting as a block.  A repeated call starts again where it began: at the first
+/// block of a program, at the label of M97.
 bool leads(const Flow& flow, BlockIndex from, BlockIndex to) {
   const Block& block = flow.blocks[from];
-  const bool restarts = (block.leaves.by_return || block.leaves.by_end) && to == 0;
+  const bool restarts =
+      (block.leaves.by_return || block.leaves.by_end) && (to == 0 || is_label(flow, to));
   if (from == to || has_edge(flow, from, to) || restarts ||
       (block.to_any_label && is_label(flow, to))) {
     return true;

@@ -50,7 +50,7 @@ std::optional<std::string> nearest_topic(std::string_view topic) {
 }
 
 Entries everything(const Profile& profile) {
-  Entries all = variables("#0-#999999", profile);
+  Entries all = variables("#0-#99999999", profile);
   for (const std::string& name : topic_names()) {
     append(all, codes(name, profile));
     append(all, words(name, profile));
