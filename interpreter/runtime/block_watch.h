@@ -31,9 +31,15 @@ class BlockWatch {
   /// Time runs from here on.
   /// @param listener  outlives the watch; nullptr: none
   explicit BlockWatch(const Budget& budget, BlockListener* listener = nullptr)
-      : budget_(budget), listener_(listener), started_(Clock::now()) {}
+      : budget_(budget),
+        listener_(listener),
+        write_listener_(listener != nullptr && listener->hears_writes() ? listener : nullptr),
+        started_(Clock::now()) {}
 
   [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
+
+  /// Who is to be told of assignments; nullptr: nobody.
+  [[nodiscard]] BlockListener* write_listener() const { return write_listener_; }
 
   /// Counts the next block where neither budget nor listener is to be asked.  @returns whether it
   /// was counted; else next_block() is to be called
@@ -120,6 +126,7 @@ class BlockWatch {
 
   Budget budget_;
   BlockListener* listener_;
+  BlockListener* write_listener_;
   Clock::time_point started_;
   Clock::time_point paused_;
   bool is_heard_ = false;  ///< the listener has paused the run at the block that comes next

@@ -20,6 +20,15 @@ RunOutput run_with(const std::string& program, const std::string& sheet) {
   return testing::run_program(options);
 }
 
+/// @param library  a folder of subprograms
+RunOutput run_beside(const std::string& program, const TemporaryFolder& library) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("main.nc", program)};
+  options.libraries = {library.path("")};
+  return testing::run_program(options);
+}
+
 bool mentions(const RunOutput& run, const std::string& code) {
   for (const auto& row : run.document["diagnostics"]) {
     if (row["code"] == code) {
@@ -61,25 +70,18 @@ TEST(SamePrograms, InOneFileAreTold) {
 }
 
 TEST(SamePrograms, InOneFolderAreTold) {
-  const TemporaryFolder folder;
-  cli::RunOptions options;
-  options.programs = {folder.write("main.nc", "O1\nG65 P9010\nM30\n")};
   const TemporaryFolder library;
   library.write("9010.nc", "O9010\n#100=1\nM99\n");
   library.write("O9010.txt", "O9010\n#100=2\nM99\n");
-  options.libraries = {library.path("")};
-  const auto run = testing::run_program(options);
+  const auto run = run_beside("O1\nG65 P9010\nM30\n", library);
   EXPECT_TRUE(mentions(run, "PRB504")) << run.errors;
 }
 
 TEST(SamePrograms, OneOverAnotherIsHowLibrariesWork) {
-  const TemporaryFolder folder;
-  cli::RunOptions options;
-  options.programs = {folder.write("main.nc", "O1\nG65 P9010\nM30\nO9010\n#100=1\nM99\n")};
   const TemporaryFolder library;
   library.write("O9010.nc", "O9010\n#100=2\nM99\n");
-  options.libraries = {library.path("")};
-  EXPECT_FALSE(mentions(testing::run_program(options), "PRB504"));
+  const auto run = run_beside("O1\nG65 P9010\nM30\nO9010\n#100=1\nM99\n", library);
+  EXPECT_FALSE(mentions(run, "PRB504"));
 }
 
 TEST(UnknownParameter, IsTold) {

@@ -12,8 +12,8 @@ target_compile_options(g31_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # One rounding per operation on every compiler: results must not depend on fused multiply-add.
   -ffp-contract=off
-  # At -O3 g++ 12 takes copies of texts and moves of variants for overflows and for use before a value
-  # (GCC bugs 105329, 105562); the presets dev and sanitize have these warnings.
+  # At -O3 g++ 12 takes copies of texts and moves of variants for overflows and for use before a value;
+  # the preset dev has these warnings.
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-stringop-overflow;-Wno-array-bounds;-Wno-maybe-uninitialized>
   $<$<BOOL:${G31_WERROR}>:-Werror>)
 
@@ -91,6 +91,9 @@ function(g31_take_prelude name prelude way)
   endif()
   # All must agree on the macros that these headers look at.
   target_link_libraries(${name} PRIVATE fmt::fmt Eigen3::Eigen)
+  if(NOT CMAKE_BUILD_TYPE STREQUAL "Release")
+    set(way alike)
+  endif()
   get_property(maker GLOBAL PROPERTY ${prelude}_${way})
   if(maker)
     target_precompile_headers(${name} REUSE_FROM ${maker})

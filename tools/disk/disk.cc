@@ -34,6 +34,21 @@ std::optional<std::string> replace_file(const std::string& path, std::string_vie
   return file.value()->finish();
 }
 
+/// The names of those entries of a folder that are wanted, sorted.
+template <typename Wanted>
+std::vector<std::string> names_in(const std::string& folder, Wanted is_wanted) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator it(folder.empty() ? "." : folder, error), end; !error && it != end;
+       it.increment(error)) {
+    if (is_wanted(*it)) {
+      names.push_back(it->path().filename().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> Disk::size(const std::string& path) {
@@ -72,31 +87,17 @@ std::optional<std::string> Disk::read_part(const std::string& path, std::uint64_
 }
 
 std::vector<std::string> Disk::list(const std::string& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator it(folder.empty() ? "." : folder, error), end; !error && it != end;
-       it.increment(error)) {
+  return names_in(folder, [](const fs::directory_entry& entry) {
     std::error_code ignored;
-    if (it->is_regular_file(ignored)) {
-      names.push_back(it->path().filename().string());
-    }
-  }
-  std::ranges::sort(names);
-  return names;
+    return entry.is_regular_file(ignored);
+  });
 }
 
 std::vector<std::string> Disk::folders(const std::string& folder) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator it(folder.empty() ? "." : folder, error), end; !error && it != end;
-       it.increment(error)) {
+  return names_in(folder, [](const fs::directory_entry& entry) {
     std::error_code ignored;
-    if (it->is_directory(ignored) && !it->is_symlink(ignored)) {
-      names.push_back(it->path().filename().string());
-    }
-  }
-  std::ranges::sort(names);
-  return names;
+    return entry.is_directory(ignored) && !entry.is_symlink(ignored);
+  });
 }
 
 bool Disk::has_folder(const std::string& folder) {

@@ -99,7 +99,7 @@ MaybeFailure Runner::loop() {
       continue;
     }
     const bool is_heard =
-        is_watched && write_listener_ != nullptr && next.kind == BlockKind::Assign;
+        is_watched && control_.watch.write_listener() != nullptr && next.kind == BlockKind::Assign;
     if (!is_heard && fast_step(next, now)) {
       if (control_.evaluator.failed()) [[unlikely]] {
         return from_evaluation();
@@ -268,7 +268,7 @@ MaybeFailure Runner::assign(const Step& step) {
   if (control_.evaluator.failed()) {
     return from_evaluation();
   }
-  const bool is_heard = write_listener_ != nullptr;
+  const bool is_heard = control_.watch.write_listener() != nullptr;
   const Cell before = is_heard ? looked_at(number).value_or(Cell()) : Cell();
   if (const auto refused = control_.variables.write(number, value)) {
     Failure failure;
@@ -292,8 +292,9 @@ std::optional<Cell> Runner::looked_at(std::int32_t number) {
 }
 
 void Runner::tell_write(std::int32_t number, Cell before, Cell written) {
-  write_listener_->on_write({fmt::format("#{}", number), before,
-                             looked_at(number).value_or(written), location_of(frame())});
+  control_.watch.write_listener()->on_write({fmt::format("#{}", number), before,
+                                             looked_at(number).value_or(written),
+                                             location_of(frame())});
 }
 
 /// What an assignment to #3000 or #3006 sets off, with the comment behind it as text.

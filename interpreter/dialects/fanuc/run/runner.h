@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
@@ -122,6 +123,7 @@ class Runner {
   MaybeFailure evaluate_words(const Step& step);
   bool skips_rest(const syntax::Word& word);
   MaybeFailure execute(const BlockWords& words, source::Location where);
+  MaybeFailure execute_beside(const EvaluatedWord& call, std::initializer_list<char> arguments);
   MaybeFailure plain_block(source::Location where);
   [[nodiscard]] MaybeFailure skip_check(source::Location where) const;
   MaybeFailure program_stop(int m, source::Location where);
@@ -173,10 +175,9 @@ class Runner {
   Control control_;
   std::vector<Frame> frames_;
   BlockWords words_;
-  runtime::BlockListener* write_listener_ = nullptr;  ///< nullptr: nobody hears of writes
-  bool ended_ = false;                                ///< the program
-  bool is_paused_ = false;                            ///< before the step that comes next
-  bool is_over_ = false;                              ///< the run; outcome_ says how
+  bool ended_ = false;      ///< the program
+  bool is_paused_ = false;  ///< before the step that comes next
+  bool is_over_ = false;    ///< the run; outcome_ says how
   runtime::Outcome outcome_;
 };
 

@@ -23,7 +23,6 @@ void Runner::begin(const runtime::Budget& budget, runtime::BlockListener* listen
   if (!is_over_) {
     start(*main);
     control_.watch = runtime::BlockWatch(budget, listener);
-    write_listener_ = listener != nullptr && listener->hears_writes() ? listener : nullptr;
   }
 }
 

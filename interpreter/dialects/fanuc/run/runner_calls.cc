@@ -300,13 +300,7 @@ MaybeFailure Runner::code_subprogram(const EvaluatedWord& code, int program_numb
                    fmt::format("O{:04}, which {}{} calls, is in none of the files and folders",
                                program_number, code.letter, code.number));
   }
-  BlockWords others;
-  for (const EvaluatedWord& word : words_.all()) {
-    if (&word != &code) {
-      others.add(word);
-    }
-  }
-  if (auto failure = execute(others, location_of(frame()))) {
+  if (auto failure = execute_beside(code, {})) {
     return failure;
   }
   return enter({program, CallKind::Subprogram, CalledBy::Address, 1});

@@ -108,6 +108,19 @@ Result<Entry, Failure> Runner::subprogram_entry(const EvaluatedWord& m) {
   return entry;
 }
 
+/// What a block does beside its call.
+/// @param arguments  letters of words that belong to the call
+MaybeFailure Runner::execute_beside(const EvaluatedWord& call,
+                                    std::initializer_list<char> arguments) {
+  BlockWords others;
+  for (const EvaluatedWord& word : words_.all()) {
+    if (&word != &call && std::ranges::find(arguments, word.letter) == arguments.end()) {
+      others.add(word);
+    }
+  }
+  return execute(others, location_of(frame()));
+}
+
 /// M98 P L Q, M198 P: motion of the block first, then the call (MB-213 to MB-217, MB-222).
 MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
   const auto found = subprogram_entry(m);
@@ -121,14 +134,7 @@ MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
       return at_word(AlarmId::ExternalTwice, m, "M198 in a program that M198 called");
     }
   }
-  BlockWords others;
-  for (const EvaluatedWord& word : words_.all()) {
-    if (&word != &m && word.letter != 'P' && word.letter != 'L' &&
-        word.letter != control_.profile.start_letter) {
-      others.add(word);
-    }
-  }
-  if (auto failure = execute(others, location_of(frame()))) {
+  if (auto failure = execute_beside(m, {'P', 'L', control_.profile.start_letter})) {
     return failure;
   }
   return entry.repeats == 0 ? std::nullopt : enter(entry);
@@ -153,13 +159,7 @@ MaybeFailure Runner::local_call(const EvaluatedWord& m) {
   if (!step) {
     return at_word(AlarmId::SequenceNotFound, *p, fmt::format("no N{}", sequence.value()));
   }
-  BlockWords others;
-  for (const EvaluatedWord& word : words_.all()) {
-    if (&word != &m && word.letter != 'P' && word.letter != 'L') {
-      others.add(word);
-    }
-  }
-  if (auto failure = execute(others, location_of(frame()))) {
+  if (auto failure = execute_beside(m, {'P', 'L'})) {
     return failure;
   }
   Entry entry{frame().program, CallKind::Subprogram, CalledBy::Program, times.value()};

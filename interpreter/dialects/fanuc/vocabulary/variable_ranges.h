@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 namespace g31::fanuc {
@@ -26,12 +27,10 @@ constexpr std::int32_t written_variable(double number) {
   constexpr double kFirstOfParts = 30000.0;
   constexpr double kEndOfParts = 40000.0;
   constexpr double kLargest = 1e9;
-  const auto whole = static_cast<std::int32_t>(number < kLargest ? number : kLargest);
-  const bool has_part = number != whole && number >= kFirstOfParts && number < kEndOfParts;
-  return static_cast<std::int32_t>((has_part            ? number * 1000.0
-                                    : number < kLargest ? number
-                                                        : kLargest) +
-                                   0.5);
+  const double counted = std::min(number, kLargest);
+  const bool has_part = counted >= kFirstOfParts && counted < kEndOfParts &&
+                        counted != static_cast<std::int32_t>(counted);
+  return static_cast<std::int32_t>((has_part ? counted * 1000.0 : counted) + 0.5);
 }
 
 }  // namespace g31::fanuc

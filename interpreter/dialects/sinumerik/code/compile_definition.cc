@@ -32,9 +32,7 @@ bool contains(auto& list, std::string_view name) {
 /// A whole number that is known when compiling.
 std::optional<std::int32_t> Compiler::whole_constant() {
   const Expr value = expression();
-  const double number = value.is_constant && is_number(value.type)
-                            ? program_->constants[static_cast<std::size_t>(value.value.place)]
-                            : -1.0;
+  const double number = value.is_constant && is_number(value.type) ? number_of(value) : -1.0;
   if (!failed() && (number < 0.0 || number > kLargestArray || number != rounded(number))) {
     fail(AlarmId::BadArguments, value.where, text_of(value.where));
   }
@@ -168,8 +166,7 @@ std::optional<double> Compiler::signed_constant() {
   if (!failed() && (!value.is_constant || !is_number(value.type))) {
     fail(AlarmId::BadArguments, value.where, text_of(value.where));
   }
-  return failed() ? std::nullopt
-                  : std::optional(program_->constants[static_cast<std::size_t>(value.value.place)]);
+  return failed() ? std::nullopt : std::optional(number_of(value));
 }
 
 /// What stands about the type.  Rights, classes and units change nothing at a desk.
@@ -360,7 +357,7 @@ void Compiler::preset(Parameter& parameter) {
   if (value.type == Type::String) {
     parameter.text = program_->text_constants[static_cast<std::size_t>(value.value.place)];
   } else {
-    parameter.number = program_->constants[static_cast<std::size_t>(value.value.place)];
+    parameter.number = number_of(value);
   }
 }
 

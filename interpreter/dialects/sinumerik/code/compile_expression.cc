@@ -126,7 +126,7 @@ Expr Compiler::inverted(const Token& token, Expr operand) {
   const bool negates = token.is(Symbol::Minus);
   const bool inverts = token.is_name("NOT");
   if (negates && operand.is_constant && is_number(operand.type)) {
-    const double value = program_->constants[static_cast<std::size_t>(operand.value.place)];
+    const double value = number_of(operand);
     return constant(operand.type, -value, joined(token.where, operand.where));
   }
   operand = inverts   ? boolean(std::move(operand))

@@ -10,7 +10,16 @@ namespace {
 
 constexpr std::size_t kDeepestStructure = 16;
 constexpr std::string_view kEndOfPart = "ENDLABEL";
-constexpr std::string_view kJumps[] = {"GOTOF", "GOTOB", "GOTO", "GOTOC", "GOTOS"};
+
+struct Jump {
+  std::string_view name;
+  Direction direction;
+};
+constexpr Jump kJumps[] = {{"GOTOF", Direction::Forward},
+                           {"GOTOB", Direction::Backward},
+                           {"GOTO", Direction::Both},
+                           {"GOTOC", Direction::BothQuiet}};
+constexpr std::string_view kToStart = "GOTOS";
 
 }  // namespace
 
@@ -55,8 +64,10 @@ void Compiler::back_to(const Structure& loop) {
 /// Whether a jump stands in what is left of the block.
 bool Compiler::jumps_behind() const {
   for (std::size_t i = 0; peek(i).kind != TokenKind::End; ++i) {
-    if (peek(i).kind == TokenKind::Name &&
-        std::ranges::find(kJumps, peek(i).text) != std::end(kJumps)) {
+    const bool is_jump =
+        peek(i).is_name(kToStart) ||
+        std::ranges::any_of(kJumps, [&](const Jump& jump) { return peek(i).is_name(jump.name); });
+    if (is_jump) {
       return true;
     }
   }
@@ -320,21 +331,13 @@ void Compiler::case_statement() {
 
 /// A jump at this place, if there is one.
 bool Compiler::jump_statement() {
-  struct Row {
-    std::string_view name;
-    Direction direction;
-  };
-  constexpr Row kStatementRows[] = {{"GOTOF", Direction::Forward},
-                                    {"GOTOB", Direction::Backward},
-                                    {"GOTO", Direction::Both},
-                                    {"GOTOC", Direction::BothQuiet}};
-  for (const Row& row : kStatementRows) {
-    if (accept_name(row.name)) {
-      jump_to(row.direction);
+  for (const Jump& jump : kJumps) {
+    if (accept_name(jump.name)) {
+      jump_to(jump.direction);
       return true;
     }
   }
-  if (accept_name("GOTOS")) {
+  if (accept_name(kToStart)) {
     emit(OpCode::Jump, {}, {Bank::Constants, 0}, {}, block_);
     return true;
   }

@@ -51,8 +51,7 @@ void Compiler::add_index(Element& element, std::int32_t variable, const Expr& in
   }
   const Variable& known = program_->variables[static_cast<std::size_t>(variable)];
   const int size = known.shape.size[static_cast<std::size_t>(dimension)];
-  const double value =
-      index.is_constant ? program_->constants[static_cast<std::size_t>(index.value.place)] : -1.0;
+  const double value = index.is_constant ? number_of(index) : -1.0;
   const bool inside = value >= 0.0 && value < size && value == static_cast<std::int32_t>(value) &&
                       known.storage != Storage::Reference;
   if (element.is_fixed && inside) {

@@ -112,10 +112,7 @@ void Compiler::code_of_group(ShortSpan where) {
     return;
   }
   if (group.is_constant && number.is_constant) {
-    const auto value = [&](const Expr& of) {
-      return program_->constants[static_cast<std::size_t>(of.value.place)];
-    };
-    g_code(find_g_code(value(group), value(number)), where);
+    g_code(find_g_code(number_of(group), number_of(number)), where);
     return;
   }
   emit(OpCode::GroupCode, {}, group.value, number.value, where);
@@ -157,7 +154,7 @@ void Compiler::m_word(ShortSpan where) {
     return;
   }
   if (value.is_constant) {
-    m_number(program_->constants[static_cast<std::size_t>(value.value.place)], where);
+    m_number(number_of(value), where);
     return;
   }
   Expr number = value;
@@ -350,9 +347,7 @@ Expr Compiler::bracketed_spindle() {
 /// Whether a number is known to be that of the spindle with the tool: 1, or 0 for the master
 /// spindle.
 bool Compiler::is_tool_spindle(const Expr& spindle) const {
-  const double number = spindle.is_constant
-                            ? program_->constants[static_cast<std::size_t>(spindle.value.place)]
-                            : -1.0;
+  const double number = spindle.is_constant ? number_of(spindle) : -1.0;
   return number == 0.0 || number == kSpindle;
 }
 

@@ -110,6 +110,10 @@ class Compiler {
   Op& last() { return program_->ops.back(); }
   [[nodiscard]] std::int32_t here() const;
   Operand number_constant(double value);
+  /// @pre a number that is constant
+  [[nodiscard]] double number_of(const Expr& constant) const {
+    return program_->constants[static_cast<std::size_t>(constant.value.place)];
+  }
   Operand text_constant(std::string value);
   Operand error_constant(BlockError error);
   Operand temporary(Type type);

@@ -65,11 +65,8 @@ MaybeFailure stop(Channel& channel, const Block& block) {
       continue;
     }
     if (waits_for_ever(channel, block)) {
-      Failure waits =
-          failure(AlarmId::NotImplemented, channel.message.empty() ? "" : ": " + channel.message);
-      waits.status = runtime::Status::Budget;
-      waits.number = static_cast<int>(source::DiagnosticId::WaitsForOperator);
-      return waits;
+      return message_failure(runtime::Status::Budget, source::DiagnosticId::WaitsForOperator,
+                             channel.message.empty() ? "" : ": " + channel.message);
     }
     channel.observer.on_stop({code == 0.0 ? "M0" : "M1", "", block.where});
   }

@@ -15,7 +15,6 @@ constexpr double kCounterclockwise = 4.0;
 constexpr double kFullTurn = 360.0;
 constexpr double kStop = 5.0;
 constexpr double kOrient = 19.0;
-constexpr int kPositioned = -19;  // of $P_SDIR
 
 /// F and S mean something else with G4, G25 and G26.
 bool is_technology(const Block& block) {
@@ -32,7 +31,7 @@ void take_speed(Channel& channel, double value) {
 }
 
 void orient(Channel& channel, double degrees) {
-  channel.spindle.direction = kPositioned;
+  channel.spindle.direction = Spindle::kPositioned;
   channel.spindle.angle = degrees;
   channel.port.turn_spindle({machine::Rotation::Stopped, 0.0, degrees});
 }

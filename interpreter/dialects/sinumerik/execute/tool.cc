@@ -41,10 +41,8 @@ MaybeFailure know(Channel& channel, int number) {
     return std::nullopt;
   }
   if (channel.knows_tools) {
-    Failure missing = failure(AlarmId::BadTNumber, fmt::format("T{}", number));
-    missing.status = runtime::Status::Setup;
-    missing.number = static_cast<int>(source::DiagnosticId::SetupMissingTool);
-    return missing;
+    return message_failure(runtime::Status::Setup, source::DiagnosticId::SetupMissingTool,
+                           fmt::format("T{}", number));
   }
   channel.tools[number].edges[1] = EdgeData();
   return std::nullopt;

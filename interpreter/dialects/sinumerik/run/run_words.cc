@@ -14,7 +14,6 @@ void keep_of_spindle(Spindle& spindle, Address address, double value) {
   constexpr double kOrient = 19.0;
   constexpr double kFirstTurn = 3.0;
   constexpr double kLastTurn = 5.0;
-  constexpr int kPositioned = -19;
   const bool is_code = address == Address::Machine;
   if (address == Address::Speed) {
     spindle.speed = value;
@@ -23,7 +22,7 @@ void keep_of_spindle(Spindle& spindle, Address address, double value) {
   } else if (is_code && value >= kFirstTurn && value <= kLastTurn) {
     spindle.direction = static_cast<int>(value);
   } else if (!is_code || value == kOrient) {
-    spindle.direction = kPositioned;
+    spindle.direction = Spindle::kPositioned;
     spindle.angle = is_code ? 0.0 : value;
   }
 }
@@ -118,14 +117,13 @@ MaybeFailure Runner::take_axis_measuring(const Op& op) {
 
 /// Spindle 1, or 0 for the master spindle, turns the tool; of others it is kept what programs say.
 MaybeFailure Runner::take_spindle_word(const Op& op) {
-  constexpr double kMost = 20.0;
   const double which = number(op.a);
   const auto address = static_cast<Address>(op.detail);
   if (which == 0.0 || which == 1.0) {
     set_word(op.detail, number(op.b), static_cast<Modification>(op.count));
     return from_step();
   }
-  if (which < 0.0 || which > kMost) {
+  if (which < 0.0 || which > kMostSpindles) {
     return failure(AlarmId::NoSuchAddress, fmt::format("spindle {:g}", which));
   }
   keep_of_spindle(channel_.other_spindles[static_cast<int>(which)], address, number(op.b));

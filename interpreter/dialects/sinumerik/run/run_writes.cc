@@ -49,7 +49,7 @@ MaybeFailure Runner::heard_loop() {
     for (const WrittenValue& value : written) {
       const runtime::ShownValue now = value_now(value, op);
       if (value.is_assigned || !are_same(now, value.before)) {
-        write_listener_->on_write({value.name, value.before, now, where});
+        channel_.watch.write_listener()->on_write({value.name, value.before, now, where});
       }
     }
   }

@@ -310,10 +310,9 @@ class Runner {
   std::unordered_map<const CallSite*, const CompiledProgram*> found_calls_;
   /// What evaluate() compiled, by the program whose variables it names.
   std::map<std::pair<const CompiledProgram*, std::string>, const CompiledProgram*> expressions_;
-  runtime::BlockListener* write_listener_ = nullptr;  ///< nullptr: nobody hears of writes
-  bool ended_ = false;                                ///< the program
-  bool is_paused_ = false;                            ///< before the block that comes next
-  bool is_over_ = false;                              ///< the run; outcome_ says how
+  bool ended_ = false;      ///< the program
+  bool is_paused_ = false;  ///< before the block that comes next
+  bool is_over_ = false;    ///< the run; outcome_ says how
   runtime::Outcome outcome_;
   bool has_run_ = false;  ///< the main program
   std::optional<runtime::Outcome> early_failure_;

@@ -47,7 +47,6 @@ void Runner::begin(const runtime::Budget& budget, runtime::BlockListener* listen
   has_run_ = true;
   channel_.arrived_at_machine();
   channel_.watch = runtime::BlockWatch(budget, listener);
-  write_listener_ = listener != nullptr && listener->hears_writes() ? listener : nullptr;
   if (const MaybeFailure wrong = take_no_arguments()) {
     end(wrong);
     return;
@@ -60,7 +59,7 @@ runtime::Advance Runner::advance() {
     return runtime::Advance::Ended;
   }
   is_paused_ = false;
-  MaybeFailure reason = write_listener_ != nullptr ? heard_loop() : loop();
+  MaybeFailure reason = channel_.watch.write_listener() != nullptr ? heard_loop() : loop();
   if (is_paused_) {
     return runtime::Advance::Paused;
   }

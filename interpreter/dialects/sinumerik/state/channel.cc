@@ -140,59 +140,16 @@ bool Channel::keeps_settable_frame() const {
   return (std::lround(numbers[frame_save_mask_]) & 1) != 0;
 }
 
-double Channel::upper_soft_limit(int axis) const {
-  return numbers[upper_soft_limits_ + static_cast<std::size_t>(axis)];
+AxisPositions Channel::upper_soft_limits() const {
+  return Eigen::Map<const AxisPositions>(&numbers[upper_soft_limits_]);
 }
 
-double Channel::lower_soft_limit(int axis) const {
-  return numbers[lower_soft_limits_ + static_cast<std::size_t>(axis)];
+AxisPositions Channel::lower_soft_limits() const {
+  return Eigen::Map<const AxisPositions>(&numbers[lower_soft_limits_]);
 }
 
 bool Channel::orders_exactly() const {
   return (std::lround(numbers[program_function_mask_]) & 1) != 0;
-}
-
-namespace {
-
-/// A frame that does nothing leaves the others as they are.
-void chain(Frame& all, const Frame& next) {
-  if (!(next == Frame())) {
-    all = all.chained(next);
-  }
-}
-
-Frame chained_with(Frame outer, const Frame& inner) {
-  chain(outer, inner);
-  return outer;
-}
-
-}  // namespace
-
-Frame FrameSet::bases() const {
-  Frame all;
-  for (const auto* const each : {&global, &channel}) {
-    for (const Frame& frame : *each) {
-      chain(all, frame);
-    }
-  }
-  return all;
-}
-
-Frame FrameSet::outer() const {
-  Frame all;
-  for (const Frame* const frame : {&part, &set, &external}) {
-    chain(all, *frame);
-  }
-  chain(all, bases());
-  return all;
-}
-
-Frame FrameSet::inner() const {
-  Frame all;
-  for (const Frame* const frame : {&tool, &workpiece, &transformation}) {
-    chain(all, *frame);
-  }
-  return all;
 }
 
 const Channel::Chains& Channel::chains() const {
@@ -215,8 +172,11 @@ Frame Channel::active_frame() const {
     case 2:  // SUPA
     case 3:  // G153
       return {};
-    default:
-      return chained_with(frames_below().chained(program_frame), frames_now.cycle);
+    default: {
+      Frame all = frames_below().chained(program_frame);
+      chain(all, frames_now.cycle);
+      return all;
+    }
   }
 }
 

@@ -11,6 +11,7 @@
 #include "interpreter/dialects/sinumerik/code/globals.h"
 #include "interpreter/dialects/sinumerik/state/failure.h"
 #include "interpreter/dialects/sinumerik/state/frame.h"
+#include "interpreter/dialects/sinumerik/state/frame_set.h"
 #include "interpreter/dialects/sinumerik/state/motion_state.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
@@ -113,26 +114,6 @@ struct Plane {
   int normal = 2;
 };
 
-/// Basic frames and system frames, as the control keeps them or as they are in force.
-struct FrameSet {
-  static constexpr std::size_t kBases = 16;
-  Frame part;                         ///< $P_PARTFRAME
-  Frame set;                          ///< $P_SETFRAME
-  Frame external;                     ///< $P_EXTFRAME
-  std::array<Frame, kBases> global;   ///< $P_NCBFRAME
-  std::array<Frame, kBases> channel;  ///< $P_CHBFRAME
-  Frame tool;                         ///< $P_TOOLFRAME
-  Frame workpiece;                    ///< $P_WPFRAME
-  Frame transformation;               ///< $P_TRAFRAME
-  Frame cycle;                        ///< $P_CYCFRAME
-
-  /// $P_ACTBFRAME
-  [[nodiscard]] Frame bases() const;
-  /// All outside of the settable frame, and all between it and the programmable one.
-  [[nodiscard]] Frame outer() const;
-  [[nodiscard]] Frame inner() const;
-};
-
 /// The state of one channel of the control: everything a program can read or change, except its
 /// local variables.
 class Channel {
@@ -193,8 +174,8 @@ class Channel {
   /// MD10617 bit 0: SAVE restores the settable frame, too.
   [[nodiscard]] bool keeps_settable_frame() const;
   /// $MA_POS_LIMIT_PLUS and $MA_POS_LIMIT_MINUS
-  [[nodiscard]] double upper_soft_limit(int axis) const;
-  [[nodiscard]] double lower_soft_limit(int axis) const;
+  [[nodiscard]] AxisPositions upper_soft_limits() const;
+  [[nodiscard]] AxisPositions lower_soft_limits() const;
   /// Whether > and < make a difference where == makes none ($MN_PROG_FUNCTION_MASK).
   [[nodiscard]] bool orders_exactly() const;
   /// All frames but the programmable one, outermost first.

@@ -34,12 +34,20 @@ inline Failure failure(AlarmId id, std::string detail = {}) {
   return reason;
 }
 
+/// The end of a run that no alarm of the control tells, but a message of g31.
+/// @param status  Setup, Budget or Interrupted
+inline Failure message_failure(runtime::Status status, source::DiagnosticId message,
+                               std::string detail = {}) {
+  Failure reason;
+  reason.status = status;
+  reason.number = static_cast<int>(message);
+  reason.detail = std::move(detail);
+  return reason;
+}
+
 /// The end of a run that its watch halts.
 inline Failure halt_failure(runtime::BlockWatch::Halt halt) {
-  Failure reason;
-  reason.status = runtime::status_of(halt);
-  reason.number = static_cast<int>(runtime::message_of(halt));
-  return reason;
+  return message_failure(runtime::status_of(halt), runtime::message_of(halt));
 }
 
 }  // namespace g31::sinumerik

@@ -15,8 +15,14 @@ namespace g31::sinumerik {
 /// The axis that DIAMON counts in diameters, and whose work coordinate G96 takes as the radius: X.
 inline constexpr int kTransverseAxis = 0;
 
+/// Spindle 1 holds the tool; of the others it is kept what programs say.
+inline constexpr int kMostSpindles = 20;
+
 /// What programs said about the spindle.
 struct Spindle {
+  static constexpr int kPositioned = -19;
+  static constexpr int kNothingYet = -5;
+
   double speed = 0.0;          ///< rev/min
   double cutting_speed = 0.0;  ///< m/min, S of G96
   double lowest = 0.0;         ///< rev/min, G25 S and G26 S
@@ -24,7 +30,7 @@ struct Spindle {
   double limit = std::numeric_limits<double>::infinity();  ///< LIMS: with G96 only
   std::optional<double> angle = 0.0;                       ///< degrees; nullopt: it turns
   double override_percent = 100.0;                         ///< OVRA[S1]
-  int direction = -5;  ///< 3, 4, 5 of M3, M4, M5; -19 positioned; -5 nothing yet
+  int direction = kNothingYet;  ///< of $P_SDIR: 3, 4, 5 of M3, M4, M5, or one of these two
 };
 
 /// What programs set of the axes one by one, and the overrides that they write.

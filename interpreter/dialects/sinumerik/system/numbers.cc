@@ -14,12 +14,11 @@ constexpr double kStill = 5.0;
 /// Of which spindle a variable is.
 Result<const Spindle*, Failure> spindle_of(const Channel& channel, const SystemAccess& access) {
   static const Spindle kUnused;
-  constexpr int kMost = 20;
   const int which = access.indices[0];
   if (which == 0 || which == 1) {
     return &channel.spindle;
   }
-  if (which < 0 || which > kMost) {
+  if (which < 0 || which > kMostSpindles) {
     return failure(AlarmId::IndexOne, fmt::format("spindle {}", which));
   }
   const auto found = channel.other_spindles.find(which);
@@ -145,14 +144,12 @@ Number spindle_turn(Channel& channel, const SystemAccess& access) {
 }
 
 Number spindle_mode(Channel& channel, const SystemAccess& access) {
-  constexpr int kPositioned = -19;
-  constexpr int kNothingYet = -5;
   const auto spindle = spindle_of(channel, access);
   if (!spindle) {
     return spindle.error();
   }
   const int turn = spindle.value()->direction;
-  return turn == kNothingYet ? 0.0 : turn == kPositioned ? 2.0 : 1.0;
+  return turn == Spindle::kNothingYet ? 0.0 : turn == Spindle::kPositioned ? 2.0 : 1.0;
 }
 
 Number speed_now(Channel& channel, const SystemAccess& access) {

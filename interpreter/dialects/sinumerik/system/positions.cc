@@ -105,19 +105,11 @@ Number work_measured(Channel& channel, const SystemAccess& access) {
 }
 
 Number upper_soft_limit(Channel& channel, const SystemAccess& access) {
-  const int axis = access.indices[0];
-  return axis < 0 ? Number(failure(AlarmId::BadAxisIndex))
-                  : channel.shown(axis, channel.upper_soft_limit(axis));
+  return axis_value(channel, access, channel.upper_soft_limits());
 }
 
 Number lower_soft_limit(Channel& channel, const SystemAccess& access) {
-  const int axis = access.indices[0];
-  return axis < 0 ? Number(failure(AlarmId::BadAxisIndex))
-                  : channel.shown(axis, channel.lower_soft_limit(axis));
-}
-
-Number axis_measures(Channel& /*channel*/, const SystemAccess& access) {
-  return access.indices[0] < 0 ? Number(failure(AlarmId::BadAxisIndex)) : 0.0;
+  return axis_value(channel, access, channel.lower_soft_limits());
 }
 
 Number reference_point(Channel& channel, const SystemAccess& access) {

@@ -69,7 +69,6 @@ Number machine_measured(Channel& channel, const SystemAccess& access);
 Number work_measured(Channel& channel, const SystemAccess& access);
 Number upper_soft_limit(Channel& channel, const SystemAccess& access);
 Number lower_soft_limit(Channel& channel, const SystemAccess& access);
-Number axis_measures(Channel& channel, const SystemAccess& access);
 Number reference_point(Channel& channel, const SystemAccess& access);
 MaybeFailure set_reference_point(Channel& channel, const SystemAccess& access, double value);
 Number fixed_point(Channel& channel, const SystemAccess& access);

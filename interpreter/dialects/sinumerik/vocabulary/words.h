@@ -82,11 +82,12 @@ struct AxisWordInfo {
 
 std::span<const AxisWordInfo> axis_words();
 const AxisWordInfo& info(AxisWordId id);
-/// @param name  upper case; nullptr: no such word
 /// The axis that a name means: X, the machine axis X1 or MX1 behind it, or AX1, the first axis; -1:
 /// none.
+/// @param name  upper case
 int axis_named(std::string_view name);
 
+/// @param name  upper case; nullptr: no such word
 const AxisWordInfo* find_axis_word(std::string_view name);
 
 /// What a setting of the spindle has in the place of an axis.
