@@ -251,6 +251,35 @@ TEST(Check, TheControlDecidesWhatIsWrong) {
   EXPECT_EQ(checked(options).exit_code, 1);
 }
 
+TEST(Check, ASheetSaysWhatTheControlKnows) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("part.nc", "R1=$MN_OEM_LIMIT+PALLET[1]\nM30\n")};
+  const std::string sheet = folder.write("machine.toml",
+                                         "[control]\nprofile = \"sinumerik-828d\"\n"
+                                         "[machine_data]\n\"$MN_OEM_LIMIT\" = 2.0\n"
+                                         "[gud]\nPALLET = [1.0, 2.0]\n");
+  options.control = "sinumerik-828d";
+  const CheckOutput without = checked(options);
+  EXPECT_EQ(without.exit_code, 1);
+  EXPECT_NE(without.text.find("$MN_OEM_LIMIT"), without.text.npos) << without.text;
+  options.control = "";
+  options.setups = {sheet};
+  const CheckOutput with = checked(options);
+  EXPECT_EQ(with.exit_code, 0);
+  EXPECT_EQ(with.text, "");
+}
+
+TEST(Check, ASheetWithAMistakeIsRefusedAtItsPlace) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("part.mpf", "M30\n")};
+  options.setups = {folder.write("machine.toml", "[machne_data]\n")};
+  const CheckOutput output = checked(options);
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_NE(output.errors.find("machine.toml:1"), output.errors.npos) << output.errors;
+}
+
 TEST(Check, ListsItsRules) {
   cli::CheckOptions options;
   options.lists_rules = true;

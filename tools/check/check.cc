@@ -27,15 +27,17 @@ Control control_of(const std::string& path, source::FileSystem& files) {
 }
 
 std::unique_ptr<analysis::ProgramSet> programs_for(const Control& control,
+                                                   const runtime::ControlSetup& setup,
                                                    source::SourceMap& sources) {
-  return std::visit(
-      runtime::Overloaded{
-          [&](const session::FanucControl& chosen) {
-            return analysis::fanuc_programs(chosen.profile, sources);
-          },
-          [&](const session::SinumerikControl&) { return analysis::sinumerik_programs(sources); },
-      },
-      control);
+  return std::visit(runtime::Overloaded{
+                        [&](const session::FanucControl& chosen) {
+                          return analysis::fanuc_programs(chosen.profile, sources);
+                        },
+                        [&](const session::SinumerikControl&) {
+                          return analysis::sinumerik_programs(sources, setup);
+                        },
+                    },
+                    control);
 }
 
 std::string shipped_for(const Control& control) {
@@ -95,7 +97,7 @@ Findings check(const Request& request, source::SourceMap& sources) {
   std::map<std::string, std::vector<analysis::Finding>> by_file;
   const std::vector<Group> groups = groups_of(request, sources.files());
   for (const Group& group : groups) {
-    auto programs = programs_for(group.control, sources);
+    auto programs = programs_for(group.control, request.setup, sources);
     std::vector<std::string> readable;
     for (const std::string& path : group.files) {
       (programs->add_file(path) ? readable : all.unreadable).push_back(path);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "interpreter/analysis/finding.h"
+#include "interpreter/runtime/control_setup.h"
 #include "interpreter/source/source_map.h"
 #include "tools/check/program_paths.h"
 #include "tools/session/control.h"
@@ -16,6 +17,7 @@ struct Request {
   ProgramPaths paths;
   std::optional<session::Control> control;  ///< of all; without one each file speaks for itself
   std::vector<std::string> libraries;       ///< folders of subprograms
+  runtime::ControlSetup setup;              ///< what the sheets say the control knows
 };
 
 /// The findings of some files, file by file.

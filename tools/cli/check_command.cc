@@ -15,6 +15,8 @@
 #include "tools/check/check_document.h"
 #include "tools/cli/messages.h"
 #include "tools/disk/disk.h"
+#include "tools/disk/shipped.h"
+#include "tools/setup/toml_reader.h"
 
 namespace g31::cli {
 namespace {
@@ -96,6 +98,28 @@ std::optional<session::Refusal> hand_out(const CheckOptions& options, const Chec
   return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
 }
 
+/// What is to be checked, and as what: by the command line, else by the sheets.
+Result<check::Request, session::Refusal> request_of(const CheckOptions& options) {
+  const auto job =
+      setup::read_job(options.setups, disk::shipped_folder("machine/library").value_or(""));
+  if (!job) {
+    return session::refusal_of(job.error());
+  }
+  check::Request request;
+  request.setup = job.value().control;
+  const std::string& name = options.control.empty() ? request.setup.profile : options.control;
+  if (!name.empty()) {
+    const auto control = session::control_named(name);
+    if (!control) {
+      return session::bad_setup(control.error());
+    }
+    request.control = control.value();
+  }
+  request.paths = check::program_paths(options.files);
+  request.libraries = options.libraries;
+  return request;
+}
+
 }  // namespace
 
 ExitCode check_command(const CheckOptions& options) {
@@ -106,18 +130,13 @@ ExitCode check_command(const CheckOptions& options) {
     const auto wrong = print_out(list_of_rules());
     return wrong ? refuse(*wrong) : ExitCode::Completed;
   }
-  check::Request request;
-  if (!options.control.empty()) {
-    const auto control = session::control_named(options.control);
-    if (!control) {
-      return refuse(session::bad_setup(control.error()));
-    }
-    request.control = control.value();
+  const auto requested = request_of(options);
+  if (!requested) {
+    return refuse(requested.error());
   }
+  const check::Request& request = requested.value();
   disk::Disk disk;
   source::SourceMap sources(disk);
-  request.paths = check::program_paths(options.files);
-  request.libraries = options.libraries;
   check::Findings checked = check::check(request, sources);
   const CheckFindings found = without_disabled(std::move(checked.found), options.disabled);
   if (const auto wrong = hand_out(options, found, sources)) {

@@ -12,8 +12,9 @@ namespace g31::cli {
 struct CheckOptions {
   enum class Format { Text, Json, Github };
 
-  std::vector<std::string> files;  ///< or folders
-  std::string control = {};        ///< "": each file speaks for itself
+  std::vector<std::string> files;        ///< or folders
+  std::vector<std::string> setups = {};  ///< sheets; later ones win key by key
+  std::string control = {};  ///< "": as the sheets say, else each file speaks for itself
   std::vector<std::string> libraries = {};
   std::vector<std::string> disabled = {};  ///< codes of rules
   Format format = Format::Text;

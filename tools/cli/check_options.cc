@@ -42,8 +42,16 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
   auto* const files = check->add_option("FILE", options.files,
                                         "programs, or folders of them with all folders below");
   check
+      ->add_option(
+          "-s,--setup", options.setups,
+          "set-up sheet (TOML) whose control, data and axes programs may name; repeatable, "
+          "later ones win key by key")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  check
       ->add_option("--control", options.control,
-                   "control profile of all programs; without it by file ending and content")
+                   "control profile of all programs; without it as the sheet says, else by file "
+                   "ending and content")
       ->type_name("NAME");
   check->add_option("--lib", options.libraries, "folder of subprograms; repeatable")
       ->type_name("DIR")
@@ -71,6 +79,7 @@ std::string check_examples() {
          "  g31 check O6001.nc\n"
          "  g31 check programs/ --lib macros --control fanuc-30i\n"
          "  g31 check *.MPF *.SPF --json findings.json\n"
+         "  g31 check archive.arc --setup machine.toml\n"
          "  g31 check programs/ --format github --fail-on error\n"
          "  g31 check --rules\n\n"
          "Findings go to standard output, each with its place and its rule.  Subprograms are "
