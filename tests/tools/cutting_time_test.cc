@@ -18,6 +18,7 @@ constexpr const char* kMoves =
     "R3=$AC_CUTTING_TIME-R1\n"
     "MEAS=1 G1 X20\n"
     "R4=$AC_CUTTING_TIME-R1\n"
+    "R7=$AC_MEA[1]\n"
     "R5=(R1>=1) AND (R1<1.2) R6=(R4>=1) AND (R4<1.2)\n";
 
 TEST(CuttingTime, CountsThePathAtItsFeedAndMeasuringOnIt) {

@@ -181,7 +181,7 @@ TEST(Warnings, OfOneBlockAreCounted) {
   TemporaryFolder folder;
   cli::RunOptions options;
   options.programs = {folder.write("case.nc", framed("WHILE[#1LT50]DO1\nG91G31X1.F100\n"
-                                                     "#2=#5061\n#1=#1+1\nEND1"))};
+                                                     "#2001=#5061\n#1=#1+1\nEND1"))};
   const RunOutput output = run_program(options);
   EXPECT_EQ(output.exit_code, 1);
   ASSERT_EQ(output.document.at("diagnostics").size(), 1U);

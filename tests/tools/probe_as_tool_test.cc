@@ -64,7 +64,7 @@ loop.nc:5:1: note: 3 times in all
 loop.nc:5:1: warning: the skip move ended at its end point without a signal [PRB301]
     5 | G31 Z[190.-#1] F500.
       | ^~~~~~~~~~~~~~~~~~~~
-      = on the control this is no alarm: compare #5061.. with the programmed end, or move further
+      = on the control this is no alarm: compare what it reads with the programmed end before it counts as measured (SINUMERIK: ask $AC_MEA), or move further
 )");
 }
 
@@ -85,7 +85,7 @@ off.nc:3:1: warning: a measuring move while the spindle turns with the probe [PR
 off.nc:3:1: warning: the skip move ended at its end point without a signal [PRB301]
     3 | G31 Z190. F500.
       | ^~~~~~~~~~~~~~~
-      = on the control this is no alarm: compare #5061.. with the programmed end, or move further
+      = on the control this is no alarm: compare what it reads with the programmed end before it counts as measured (SINUMERIK: ask $AC_MEA), or move further
 )");
   const RunOutput sinumerik =
       run_with_probe(folder, "off.mpf", "M3 S100\nMEAS=1 G1 Z190 F500\nM30\n");
@@ -100,6 +100,10 @@ off.mpf:2:1: warning: a measuring move while the spindle turns with the probe [P
     2 | MEAS=1 G1 Z190 F500
       | ^~~~~~~~~~~~~~~~~~~
       = M5 stops the spindle, M19 or SPOS at an angle
+off.mpf:2:1: warning: the skip move ended at its end point without a signal [PRB301]
+    2 | MEAS=1 G1 Z190 F500
+      | ^~~~~~~~~~~~~~~~~~~
+      = on the control this is no alarm: compare what it reads with the programmed end before it counts as measured (SINUMERIK: ask $AC_MEA), or move further
 )");
 }
 

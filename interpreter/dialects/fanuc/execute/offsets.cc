@@ -106,6 +106,7 @@ Result<double, Failure> cutter_radius(const Control& control) {
 
 /// G52: the named axes take this shift, in every work system (MB-290).
 MaybeFailure execute_local_shift(Control& control, const NcBlock& block) {
+  control.use_measured();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
       control.coordinates.set_local_shift(static_cast<int>(axis), axis_value(control, *word, axis));
@@ -116,6 +117,7 @@ MaybeFailure execute_local_shift(Control& control, const NcBlock& block) {
 
 /// G92: the named axes read these values from now on (MB-294).
 MaybeFailure execute_set_position(Control& control, const NcBlock& block) {
+  control.use_measured();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
       control.coordinates.declare(static_cast<int>(axis), axis_value(control, *word, axis));

@@ -83,6 +83,7 @@ MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
 }  // namespace
 
 MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
+  control.use_measured();
   const EvaluatedWord* const word = block.words.find('L');
   const auto l = word != nullptr ? integer_of(*word) : Result<int, Failure>(1);
   if (!l) {

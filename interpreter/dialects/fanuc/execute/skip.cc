@@ -15,9 +15,13 @@ using machine::Touched;
 /// What a missing signal, or one that was there already, deserves (MB-270, MB-277).
 void note_outcome(Control& control, const NcBlock& block, const SkipOutcome& outcome) {
   std::visit(runtime::Overloaded{
-                 [&](const Touched&) { control.stopped_skip = block.where; },
-                 [&](const NoTouch&) { control.silent_skip = block.where; },
+                 [&](const Touched&) {
+                   control.stopped_skip = block.where;
+                   control.missed.touched();
+                 },
+                 [&](const NoTouch&) { control.missed.missed(block.where); },
                  [&](const NoEdge&) {
+                   control.missed.touched();
                    control.warn(source::DiagnosticId::SkipSignalAlreadyOn, block.where);
                  },
              },
@@ -125,7 +129,6 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   move.q_M_end = control.coordinates.to_machine(q_L_end);
   move.traverse = machine::Traverse::Feed;
   move.feed_mm_min = skip_speed(control, feed.value());
-  control.silent_skip.reset();
   control.report_stopped_skip();
   if (const auto state = control.port.sensor_state(machine::kAnyInput)) {
     for (const source::DiagnosticId complaint : runtime::complaints_of(*state)) {

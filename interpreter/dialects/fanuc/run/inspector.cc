@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,11 +18,13 @@ using syntax::BlockKind;
 /// While it lives, the variables are those of a level and nobody hears of reads.
 class Look {
  public:
-  Look(Control& control, std::size_t level) : control_(control), level_(level) {
+  Look(Control& control, std::size_t level)
+      : control_(control), level_(level), missed_(control.missed) {
     control_.variables.swap_with_present(level_);
     control_.is_inspected = true;
   }
   ~Look() {
+    control_.missed = std::move(missed_);
     control_.is_inspected = false;
     control_.variables.swap_with_present(level_);
   }
@@ -31,6 +34,7 @@ class Look {
  private:
   Control& control_;
   std::size_t level_;
+  runtime::MissedTouches missed_;
 };
 
 void add(runtime::NamedValues& values, std::int32_t number, Cell value) {

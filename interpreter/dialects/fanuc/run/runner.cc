@@ -98,9 +98,10 @@ MaybeFailure Runner::loop() {
     if (next.skip_switch != 0 && control_.block_skip.contains(next.skip_switch)) {
       continue;
     }
-    const bool is_heard =
-        is_watched && control_.watch.write_listener() != nullptr && next.kind == BlockKind::Assign;
-    if (!is_heard && fast_step(next, now)) {
+    const bool is_followed =
+        control_.missed.any() || (is_watched && control_.watch.write_listener() != nullptr);
+    const bool is_plain = !is_followed || next.kind != BlockKind::Assign;
+    if (is_plain && fast_step(next, now)) {
       if (control_.evaluator.failed()) [[unlikely]] {
         return from_evaluation();
       }
@@ -209,7 +210,8 @@ MaybeFailure Runner::jump(const Step& step) {
     return std::nullopt;
   }
   const CompiledProgram& program = *frame().program;
-  const Cell target = control_.evaluator.evaluate(program, step.value);
+  const Cell target = control_.evaluator.value(program, step.value);
+  control_.missed.compares();
   if (control_.evaluator.failed()) {
     return from_evaluation();
   }
@@ -264,7 +266,7 @@ MaybeFailure Runner::assign(const Step& step) {
     }
     number = variable_number(index.or_zero());
   }
-  const Cell value = control_.evaluator.evaluate(program, step.value);
+  const Cell value = control_.evaluator.value(program, step.value);
   if (control_.evaluator.failed()) {
     return from_evaluation();
   }
@@ -279,6 +281,9 @@ MaybeFailure Runner::assign(const Step& step) {
   }
   if (is_heard) {
     tell_write(number, before, value);
+  }
+  if (control_.missed.any()) {
+    control_.missed.assigns(holder_of(control_.variables.depth(), number));
   }
   return assigned_system_variable(number, value.or_zero());
 }

@@ -125,7 +125,7 @@ class Runner {
   MaybeFailure execute(const BlockWords& words, source::Location where);
   MaybeFailure execute_beside(const EvaluatedWord& call, std::initializer_list<char> arguments);
   MaybeFailure plain_block(source::Location where);
-  [[nodiscard]] MaybeFailure skip_check(source::Location where) const;
+  [[nodiscard]] MaybeFailure skip_check(source::Location where);
   MaybeFailure program_stop(int m, source::Location where);
 
   // runner_calls.cc: which word calls what

@@ -79,7 +79,7 @@ void Runner::end(const MaybeFailure& failure) {
   if (failure) {
     outcome_ = outcome_of(*failure);
   } else {
-    control_.report_silent_skip();
+    control_.report_missed_touches();
   }
   control_.tell_repeats();
   outcome_.diagnostics = control_.diagnostics;

@@ -181,6 +181,7 @@ MaybeFailure Runner::jump_by_input(const EvaluatedWord& m) {
     return sequence ? input.error() : sequence.error();
   }
   const auto value = control_.variables.read(kFirstInput + input.value());
+  control_.missed.compares();
   if (!value) {
     return at_word(value.error(), *q, fmt::format("there is no input {}", input.value()));
   }
@@ -218,6 +219,8 @@ MaybeFailure Runner::return_from_call() {
       now.of_modal_call->locals = control_.variables.level();
     }
     if (now.kind == CallKind::Macro) {
+      const std::size_t depth = control_.variables.depth();
+      control_.missed.forget(holder_of(depth, kFirstLocal), holder_of(depth, kLocalCount));
       control_.variables.pop_level();
     }
     frames_.pop_back();

@@ -124,6 +124,7 @@ MaybeFailure Runner::output(const Step& step) {
       continue;
     }
     const auto value = control_.variables.read(item.variable);
+    control_.missed.reads(holder_of(control_.variables.depth(), item.variable));
     const auto bytes =
         !value      ? std::nullopt
         : is_binary ? binary_text(value.value().or_zero(), item.decimals)
@@ -138,6 +139,7 @@ MaybeFailure Runner::output(const Step& step) {
     }
     printout.add(*bytes, is_binary ? PrintCode::Binary : characters);
   }
+  control_.use_measured();
   printout.add(control_.parameters.is_on(ParameterId::PrintReturns) ? "\n\r" : "\n", characters);
   return printout.deliver(control_);
 }

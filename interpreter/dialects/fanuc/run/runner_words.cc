@@ -37,8 +37,8 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
     double number = word.number;
     if (word.form == ValueForm::Computed) {
       const double increment = 1.0 / control_.scale.length_counts();
-      const Cell value = control_.evaluator.evaluate(
-          program, program.word_code[i - program.first_word], increment);
+      const Cell value =
+          control_.evaluator.value(program, program.word_code[i - program.first_word], increment);
       if (control_.evaluator.failed()) {
         return from_evaluation();
       }
@@ -80,7 +80,11 @@ MaybeFailure Runner::nc_block(const Step& step) {
   if (!called) {
     return called.error();
   }
-  return called.value() ? std::nullopt : plain_block(location(block.span));
+  if (called.value()) {
+    control_.missed.passes_on();
+    return std::nullopt;
+  }
+  return plain_block(location(block.span));
 }
 
 /// What the words of a block do, calls apart.
@@ -105,6 +109,7 @@ MaybeFailure Runner::plain_block(source::Location where) {
   if (auto failure = execute(words_, where)) {
     return failure;
   }
+  control_.missed.moves();
   if (auto failure = skip_check(where)) {
     return failure;
   }
@@ -115,7 +120,7 @@ MaybeFailure Runner::plain_block(source::Location where) {
 }
 
 /// M78 and M79 of a Haas: what the skip move of their block must come to.
-MaybeFailure Runner::skip_check(source::Location where) const {
+MaybeFailure Runner::skip_check(source::Location where) {
   constexpr double kMustBeMissing = 78.0;
   constexpr double kMustCome = 79.0;
   const auto is_here = [&](const std::optional<source::Location>& skip) {
@@ -125,10 +130,13 @@ MaybeFailure Runner::skip_check(source::Location where) const {
     return std::nullopt;
   }
   for (const EvaluatedWord& word : words_.all()) {
-    if (word.letter == 'M' && word.number == kMustBeMissing && is_here(control_.stopped_skip)) {
-      return at_word(AlarmId::SkipSignalFound, word, "M78");
+    if (word.letter == 'M' && word.number == kMustBeMissing) {
+      if (is_here(control_.stopped_skip)) {
+        return at_word(AlarmId::SkipSignalFound, word, "M78");
+      }
+      control_.missed.asks();
     }
-    if (word.letter == 'M' && word.number == kMustCome && is_here(control_.silent_skip)) {
+    if (word.letter == 'M' && word.number == kMustCome && is_here(control_.missed.last())) {
       return at_word(AlarmId::SkipSignalMissing, word, "M79");
     }
   }

@@ -81,14 +81,28 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
       outlet(machine, listener),
       variables(system),
       system_variables(chosen.variables),
-      evaluator(variables, rules_of(chosen, parameters)) {
+      evaluator(variables, missed, rules_of(chosen, parameters)) {
   scale.excess_decimals = profile.excess_decimals;
 }
 
-void Control::report_silent_skip() {
-  if (silent_skip && !is_inspected) {
-    warn(source::DiagnosticId::SkipWithoutSignal, *silent_skip);
-    silent_skip.reset();
+void Control::position_read() {
+  if (!is_inspected) {
+    stopped_skip.reset();
+    missed.looks();
+  }
+}
+
+void Control::use_measured() {
+  for (const source::Location where : missed.uses()) {
+    warn(source::DiagnosticId::SkipWithoutSignal, where);
+  }
+}
+
+void Control::report_missed_touches() {
+  constexpr std::size_t kFirstCall = 1;
+  missed.forget(holder_of(kFirstCall, kFirstLocal), ~runtime::MissedTouches::Holder{0});
+  for (const source::Location where : missed.ends()) {
+    warn(source::DiagnosticId::SkipWithoutSignal, where);
   }
 }
 

@@ -32,6 +32,7 @@
 #include "interpreter/path/outlet.h"
 #include "interpreter/runtime/block_watch.h"
 #include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/missed_touches.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/printer_port.h"
 #include "interpreter/runtime/warnings.h"
@@ -88,6 +89,7 @@ struct Control {
   source::Location block;  ///< of NC words, the one that runs
 
   Variables variables;
+  runtime::MissedTouches missed;  ///< by G31
   SystemVariableIndex system_variables;
   Evaluator evaluator;
   Modal modal;
@@ -133,9 +135,6 @@ struct Control {
   Lookahead lookahead;
   std::vector<source::Diagnostic> diagnostics;
 
-  /// The last skip move, if it ended without a signal and nobody has asked for its result yet.
-  std::optional<source::Location> silent_skip;
-
   /// The last skip move, if its signal ended it and the program has neither moved nor read a
   /// position since.
   std::optional<source::Location> stopped_skip;
@@ -144,15 +143,17 @@ struct Control {
   /// signal ended it, it met something.
   void report_stopped_skip();
   /// The program looks where the axes are: what stopped them does not go unnoticed.
-  void position_read() {
+  void position_read();
+  /// What a program that reads asks the last skip move for; a look from outside asks for nothing.
+  void asked(void (runtime::MissedTouches::*question)()) {
     if (!is_inspected) {
-      stopped_skip.reset();
+      (missed.*question)();
     }
   }
-
-  /// Somebody relies on a skip move that had no signal: the warning that it deserves.
-  /// A silent skip move that is followed by another one is a protected positioning move.
-  void report_silent_skip();
+  /// What the present statement has read counts as measured now: it is in an offset, or printed.
+  void use_measured();
+  /// The end of the program.
+  void report_missed_touches();
 
   /// Where the program is now, for reports from inside an expression.
   std::function<source::Location()> here;

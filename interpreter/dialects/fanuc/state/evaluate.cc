@@ -91,6 +91,12 @@ std::optional<double> from_bcd(double value) {
 
 }  // namespace
 
+runtime::MissedTouches::Holder holder_of(std::size_t depth, std::int32_t number) {
+  constexpr int kLevelShift = 32;
+  const auto level = is_local(number) ? static_cast<std::uint64_t>(depth) + 1 : 0;
+  return level << kLevelShift | static_cast<std::uint32_t>(number);
+}
+
 std::int32_t variable_number(double index) {
   const double rounded = std::round(index);
   return std::abs(rounded) < 1e9 ? static_cast<std::int32_t>(rounded) : -1;
@@ -108,6 +114,9 @@ Cell Evaluator::fail(AlarmId id, std::string detail) {
 }
 
 Cell Evaluator::read(std::int32_t number) {
+  if (missed_.any()) {
+    missed_.reads(holder_of(variables_.depth(), number));
+  }
   const auto value = variables_.read(number);
   if (!value) {
     return fail(value.error(), fmt::format("#{} cannot be read", number));
@@ -115,8 +124,42 @@ Cell Evaluator::read(std::int32_t number) {
   return value.value();
 }
 
+Cell Evaluator::value(const CompiledProgram& program, syntax::Index code, double round_to) {
+  const Cell result = evaluate(program, code, round_to);
+  if (missed_.any()) [[unlikely]] {
+    follow(program, code);
+  }
+  return result;
+}
+
 bool Evaluator::condition(const CompiledProgram& program, syntax::Index code) {
-  return evaluate(program, code).or_zero() != 0.0;
+  const bool holds = evaluate(program, code).or_zero() != 0.0;
+  if (missed_.any()) [[unlikely]] {
+    follow(program, code);
+    missed_.compares();
+  }
+  return holds;
+}
+
+/// Says what an expression has read, computed numbers of variables apart.
+void Evaluator::follow(const CompiledProgram& program, syntax::Index code) {
+  bool compares = false;
+  const auto reads = [this](const Operand& operand) {
+    if (operand.bank == Bank::Locals || operand.bank == Bank::Commons) {
+      missed_.reads(holder_of(variables_.depth(), operand.place));
+    }
+  };
+  for (const Op* op = &program.ops[code];; ++op) {
+    reads(op->a);
+    if (op->code == OpCode::End) {
+      break;
+    }
+    reads(op->b);
+    compares = compares || is_comparison(op->code);
+  }
+  if (compares) {
+    missed_.compares();
+  }
 }
 
 bool Evaluator::is_in_range(double result) const {

@@ -9,6 +9,7 @@
 #include "interpreter/dialects/fanuc/vocabulary/functions.h"
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
+#include "interpreter/runtime/missed_touches.h"
 
 namespace g31::fanuc {
 
@@ -32,16 +33,23 @@ struct EvaluationFault {
   std::string detail;
 };
 
+/// A local or common variable among what keeps the result of a skip move.
+runtime::MissedTouches::Holder holder_of(std::size_t depth, std::int32_t number);
+
 /// Runs the code of expressions.
 class Evaluator {
  public:
-  Evaluator(Variables& variables, const EvaluationRules& rules)
-      : variables_(variables), rules_(rules) {}
+  /// @param missed  hears what expressions read while a skip move is unsettled
+  Evaluator(Variables& variables, runtime::MissedTouches& missed, const EvaluationRules& rules)
+      : variables_(variables), missed_(missed), rules_(rules) {}
 
   /// The value of the expression whose code begins at `code`; vacant after a fault, which is then
   /// in fault().
   /// @param round_to  what ROUND rounds to: 1 in statements, the least increment in a word (MB-061)
   Cell evaluate(const CompiledProgram& program, syntax::Index code, double round_to = 1.0);
+
+  /// The same for a statement that does something with the value.
+  Cell value(const CompiledProgram& program, syntax::Index code, double round_to = 1.0);
 
   /// The truth of a condition; false after a fault.
   bool condition(const CompiledProgram& program, syntax::Index code);
@@ -63,6 +71,7 @@ class Evaluator {
   Cell rounding_function(FunctionId id, double argument, double round_to);
   Cell function_of_two(const Op& op, double a, double b);
   Cell read(std::int32_t number);
+  void follow(const CompiledProgram& program, syntax::Index code);
   Cell number_of_name(const std::string& name, Cell index);
   Cell parameter(double number, std::optional<double> bit);
   Cell axis_parameter(double number, double axis);
@@ -70,6 +79,7 @@ class Evaluator {
   Cell fail(AlarmId id, std::string detail);
 
   Variables& variables_;
+  runtime::MissedTouches& missed_;
   EvaluationRules rules_;
   std::array<Cell, kTemporaryCount> temporaries_;
   std::optional<EvaluationFault> fault_;

@@ -77,6 +77,8 @@ class Variables {
 
   using Locals = std::array<Cell, kLocalCount + 1>;  ///< by variable number
 
+  /// How many macro calls deep the present locals are; 0: those of the main program.
+  [[nodiscard]] std::size_t depth() const { return locals_.size() - 1; }
   /// A macro call: all locals of the new level are vacant.
   void push_level() { locals_.emplace_back(); }
   [[nodiscard]] const Locals& level() const { return locals_.back(); }

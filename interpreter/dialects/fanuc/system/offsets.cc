@@ -54,6 +54,7 @@ ReadResult read_tool_entry(Control& control, const Place& place) {
 }
 
 WriteResult write_tool_entry(Control& control, const Place& place, Cell value) {
+  control.use_measured();
   const EntryView view = view_of(place.row.shows);
   control.offsets.set_field(place.index() + 1, view.field,
                             control.to_mm(value.or_zero()) / view.factor);
@@ -70,6 +71,7 @@ ReadResult read_work_offset(Control& control, const Place& place) {
 }
 
 WriteResult write_work_offset(Control& control, const Place& place, Cell value) {
+  control.use_measured();
   const auto offset = offset_place(place);
   if (!offset) {
     return AlarmId::IllegalVariable;
@@ -88,6 +90,7 @@ ReadResult read_local_shift(Control& control, const Place& place) {
 }
 
 WriteResult write_local_shift(Control& control, const Place& place, Cell value) {
+  control.use_measured();
   const int axis = place.index();
   if (axis >= static_cast<int>(kAxisCount)) {
     return AlarmId::IllegalVariable;

@@ -44,6 +44,7 @@ std::size_t word_of(const Place& place) {
 
 ReadResult read_input_bit(Control& control, const Place& place) {
   const int number = kFirstInputBit + place.index();
+  control.asked(&runtime::MissedTouches::looks);
   if (const auto wired = control.port.digital_input(number)) {
     return Cell(*wired ? 1.0 : 0.0);
   }
@@ -57,6 +58,7 @@ WriteResult write_input_bit(Control& control, const Place& place, Cell value) {
 
 /// What the machine's own wiring says goes over what was written.
 ReadResult read_input_bits(Control& control, const Place&) {
+  control.asked(&runtime::MissedTouches::looks);
   std::uint16_t bits = control.signals.input_bits;
   for (int i = 0; i < kInputBits; ++i) {
     if (const auto wired = control.port.digital_input(kFirstInputBit + i)) {

@@ -5,6 +5,7 @@
 
 namespace g31::fanuc {
 
+inline constexpr std::int32_t kFirstLocal = 1;
 inline constexpr std::int32_t kLocalCount = 33;    ///< #1..#33
 inline constexpr std::int32_t kFirstCommon = 100;  ///< #100..#199, null after power on
 inline constexpr std::int32_t kLastVolatile = 199;
@@ -12,7 +13,7 @@ inline constexpr std::int32_t kFirstPermanent = 500;  ///< #500..#999 kept over 
 inline constexpr std::int32_t kCommonEnd = 1000;
 
 constexpr bool is_local(std::int32_t number) {
-  return number >= 1 && number <= kLocalCount;
+  return number >= kFirstLocal && number <= kLocalCount;
 }
 
 /// #100..#199 and #500..#999: what every control of the family has with its usual options.

@@ -159,6 +159,11 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   event.block = "MEAS";
   event.where = block.where;
   settle(channel, event, measuring, q_W_end.value());
+  if (event.triggered) {
+    channel.missed.touched();
+  } else if (!measuring.by_action) {
+    channel.missed.missed(block.where);
+  }
   channel.outlet.touched(event);
   return std::nullopt;
 }

@@ -350,6 +350,7 @@ MaybeFailure Runner::return_from(const Op& op) {
 /// A modal call that refers to variables of the level ends with it.
 void Runner::leave_level() {
   level().leave_texts();
+  forget(level().numbers);
   restore_codes(level());
   const auto refers = [](const BoundValue& value) {
     return value.form == Form::Element || value.form == Form::Whole;

@@ -116,6 +116,7 @@ MaybeFailure Runner::show(const Op& op, const SystemAccess& /*access*/,
     return value.error();
   }
   number(op.result) = value.value();
+  follow_read(op);
   return std::nullopt;
 }
 
@@ -136,6 +137,7 @@ MaybeFailure Runner::show(const Op& op, const SystemAccess& access,
   if (access.component) {
     number(op.result) = channel_.shown_component(
         access.axis, *access.component, value.value().component(access.axis, *access.component));
+    follow_read(op);
   } else {
     frame(op.result) = value.value();
   }

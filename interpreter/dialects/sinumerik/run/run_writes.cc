@@ -35,9 +35,7 @@ struct Runner::WrittenValue {
 
 MaybeFailure Runner::heard_loop() {
   while (!ended_ && !is_paused_) {
-    Level& running = level();
-    const Op& op = running.program->ops[static_cast<std::size_t>(running.step)];
-    current_ = running.step++;
+    const Op& op = take_step();
     const source::Location where = here();
     std::vector<WrittenValue> written = written_by(op);
     for (WrittenValue& value : written) {
@@ -56,8 +54,18 @@ MaybeFailure Runner::heard_loop() {
   return std::nullopt;
 }
 
+/// The step that comes next: now it is the present one.
+const Op& Runner::take_step() {
+  Level& running = level();
+  current_ = running.step++;
+  return running.program->ops[static_cast<std::size_t>(current_)];
+}
+
 /// number_steps() by one step, or another one.
 MaybeFailure Runner::any_step(const Op& op) {
+  if (channel_.missed.any() && !channel_.is_inspected) {
+    follow(op);
+  }
   if (is_number_step(op.code)) {
     return number_step(op) ? std::nullopt : from_step();
   }

@@ -59,6 +59,12 @@ void Runner::use_level() {
 
 MaybeFailure Runner::loop() {
   while (!ended_ && !is_paused_) {
+    if (channel_.missed.any()) [[unlikely]] {
+      if (MaybeFailure reason = any_step(take_step())) {
+        return reason;
+      }
+      continue;
+    }
     const Op& op = number_steps();
     if (fault_) {
       return from_step();

@@ -112,6 +112,7 @@ class Runner {
   // run_writes.cc
   struct WrittenValue;
   MaybeFailure heard_loop();
+  const Op& take_step();
   MaybeFailure any_step(const Op& op);
   std::vector<WrittenValue> written_by(const Op& op);
   std::vector<WrittenValue> written_by_number_step(const Op& op);
@@ -120,6 +121,16 @@ class Runner {
   std::string system_name(const Op& op);
   runtime::ShownValue system_value(const Op& op);
   runtime::ShownValue value_now(const WrittenValue& written, const Op& op);
+
+  // run_missed.cc
+  void follow(const Op& op);
+  void follow_function(const Op& op);
+  void follow_read(const Op& op);
+  const double& element(const Op& op);
+  void use_measured();
+  void tell_missed(const std::vector<source::Location>& places);
+  void forget(std::span<const double> cells);
+  void end_missed();
 
   // run_numbers.cc
   const Op& number_steps();

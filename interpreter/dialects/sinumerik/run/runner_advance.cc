@@ -74,6 +74,8 @@ void Runner::end(const MaybeFailure& reason) {
   if (reason) {
     outcome_ = outcome_of(*reason);
     drop_motion(channel_);
+  } else {
+    end_missed();
   }
   if (!levels_.front()->has_references()) {
     *levels_.front() = Level();  // its variables are nowhere

@@ -19,6 +19,7 @@
 #include "interpreter/path/outlet.h"
 #include "interpreter/runtime/block_watch.h"
 #include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/missed_touches.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/warnings.h"
 #include "machine/port/machine_port.h"
@@ -236,6 +237,13 @@ class Channel {
   AxisPositions q_M_measured = AxisPositions::Zero();
   AxisPositions q_W_measured = AxisPositions::Zero();
   std::array<bool, kMostProbes + 1> measured = {};  ///< by probe, from 1
+  runtime::MissedTouches missed;                    ///< by MEAS, MEAW, MEASA and MEAWA
+  /// What a program that reads asks the last of them for; a look from outside asks for nothing.
+  void asked(void (runtime::MissedTouches::*question)()) {
+    if (!is_inspected) {
+      (missed.*question)();
+    }
+  }
   /// WHEN $A_PROBE[n]==level DO DELDTG, for the next move.
   struct SkipAction {
     int probe = 1;

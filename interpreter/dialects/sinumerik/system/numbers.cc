@@ -170,6 +170,7 @@ Number probe_signal(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_probe(access)) {
     return *wrong;
   }
+  channel.asked(&runtime::MissedTouches::looks);
   return channel.port.skip_signal(access.indices[0]) ? 1.0 : 0.0;
 }
 
@@ -177,6 +178,7 @@ Number probe_switched(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_probe(access)) {
     return *wrong;
   }
+  channel.asked(&runtime::MissedTouches::asks);
   return channel.measured[static_cast<std::size_t>(access.indices[0])] ? 1.0 : 0.0;
 }
 
@@ -185,6 +187,7 @@ Number digital_input(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_input(channel, access)) {
     return *wrong;
   }
+  channel.asked(&runtime::MissedTouches::looks);
   const int which = access.indices[0];
   const bool kept = channel.digital_inputs[static_cast<std::size_t>(which)];
   return channel.port.digital_input(which).value_or(kept) ? 1.0 : 0.0;

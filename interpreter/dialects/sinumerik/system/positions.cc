@@ -72,6 +72,7 @@ Number machine_now(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = finish_motion(channel)) {
     return *wrong;
   }
+  channel.asked(&runtime::MissedTouches::looks);
   return axis_value(channel, access, channel.port.position());
 }
 
@@ -79,6 +80,7 @@ Number work_now(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = finish_motion(channel)) {
     return *wrong;
   }
+  channel.asked(&runtime::MissedTouches::looks);
   return place_value(channel, access, channel.to_work(channel.port.position()));
 }
 
@@ -97,10 +99,12 @@ Number settable_now(Channel& channel, const SystemAccess& access) {
 }
 
 Number machine_measured(Channel& channel, const SystemAccess& access) {
+  channel.asked(&runtime::MissedTouches::reads_result);
   return axis_value(channel, access, channel.q_M_measured);
 }
 
 Number work_measured(Channel& channel, const SystemAccess& access) {
+  channel.asked(&runtime::MissedTouches::reads_result);
   return place_value(channel, access, channel.q_W_measured);
 }
 

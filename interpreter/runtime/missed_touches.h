@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "interpreter/source/location.h"
+
+namespace g31::runtime {
+
+/// Skip moves that ended without a signal, and what has their result since.
+///
+/// Such a move is no mistake: a positioning move is protected so, and a program that compares what
+/// it reads with the end of the way has looked.  What is a mistake is to take the result for a
+/// measured one: to put it into an offset, to print it, to leave it behind in a variable.
+///
+/// A dialect says, statement by statement, what is read and then what becomes of it.  A comparison
+/// settles the moves whose result goes into it, wherever else that result is.  While nothing is
+/// owed, nothing has to be said.
+class MissedTouches {
+ public:
+  /// A variable as the dialect counts them, the same number for the same variable.
+  using Holder = std::uint64_t;
+
+  /// Whether a move without a signal is still unsettled.
+  [[nodiscard]] bool any() const { return is_owed_; }
+
+  // The last measuring move of the program.
+
+  void touched() { last_ = kSettled; }
+  void missed(source::Location where);
+  /// Where it was, if it had no signal and the program has not looked.
+  [[nodiscard]] std::optional<source::Location> last() const {
+    return last_ != kSettled ? std::optional(moves_[last_]) : std::nullopt;
+  }
+
+  // What the present statement reads.
+
+  /// The position that the signal would have latched.
+  void reads_result();
+  /// Where the axes are, or the signal itself: good for comparing only.
+  void looks();
+  void reads(Holder holder);
+
+  // What becomes of it, which ends the statement.
+
+  /// It is compared with something.
+  void compares();
+  /// It is in a variable now; what was there is gone.
+  void assigns(Holder holder);
+  /// The axes go there: the result serves as a position.
+  void moves();
+  /// A program that is called gets it: whether that looks is not followed.
+  void passes_on() { end_statement(); }
+  /// It counts as measured.  @returns the moves that gave none; each is told once
+  std::vector<source::Location> uses();
+
+  /// The program has asked whether the last measuring move had its signal.
+  void asks();
+
+  /// These variables are gone: those of a call that ends.
+  void forget(Holder first, Holder last);
+
+  /// The end of the program.  @returns the moves whose result is left in a variable, and the last
+  /// one when nothing was made of it
+  std::vector<source::Location> ends();
+
+ private:
+  using Moves = std::set<std::size_t>;  ///< places of moves_
+  static constexpr std::size_t kSettled = ~std::size_t{0};
+
+  struct Held {
+    Moves results;        ///< whose result it is made of
+    Moves looks;          ///< whose end it shows
+    bool is_way = false;  ///< it has served as a position
+  };
+
+  void settle(const Moves& moves);
+  std::vector<source::Location> told(const Moves& moves);
+  void end_statement();
+
+  std::vector<source::Location> moves_;
+  std::map<Holder, Held> holders_;
+  Held read_;  ///< by the present statement
+  std::vector<Holder> read_from_;
+  std::size_t last_ = kSettled;  ///< of moves_: the last measuring move, while it is owed
+  bool is_last_read_ = false;
+  bool is_owed_ = false;
+};
+
+}  // namespace g31::runtime

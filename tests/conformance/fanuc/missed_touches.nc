@@ -1,0 +1,208 @@
+(SOURCE the skip move of B-63944EN/02 20.4 ends without an alarm when no signal comes: a program that)
+(SOURCE takes what it then reads for a measured position errs, one that compares it has looked)
+
+(CASE MT-01 a protected move whose end is compared is no finding)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+IF[ABS[#5061-50.]GT0.1]GOTO90
+G00 X0
+M30
+N90 #3000=1(PATH OBSTRUCTED)
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-02 the same through variables and sums of them)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+#110=#5061
+#111=#110-50.
+#112=#111*2.
+IF[#112EQ0]GOTO10
+#3000=1(PATH OBSTRUCTED)
+N10 M30
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-03 compared in a loop, and where the axes are instead of the skip position)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+#1=#5041
+WHILE[#1LT40.]DO1
+#1=#1+100.
+END1
+#100=#5061
+M30
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-04 compared by the program that called)
+(SIGNAL NONE)
+%
+O1
+G65 P9
+IF[#130GE50.]GOTO10
+#3000=1(PATH OBSTRUCTED)
+N10 M30
+O9
+G31 X50. F1000.
+#130=#5061
+M99
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-05 a value goes to a common variable and stays there)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+#100=#5061-3.
+M30
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-06 it is in a work offset)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+#1=#5061
+#5221=#1-3.
+IF[#1GT49.]GOTO10
+N10 M30
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-07 by G10)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+#1=#5061
+G10 L2 P1 X#1
+#1=0
+M30
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-08 in a tool offset, through a variable of a computed number)
+(SIGNAL NONE)
+%
+O1
+G31 Z-50. F1000.
+#1=110
+#[#1]=#5063
+#2=#[#1+0]
+#[#1]=0
+#2001=#2
+#2=0
+M30
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-09 printed)
+(SIGNAL NONE)
+%
+O1
+POPEN
+G31 X50. F1000.
+#1=#5061
+DPRNT[X#1[33]]
+#1=0
+PCLOS
+M30
+%
+(EXPECT WARNING PRB301 AT 5)
+
+(CASE MT-10 a size out of two touches of which one was none)
+(SIGNAL X30.)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F100.
+#1=#5061
+G00 X0
+G31 X-50. F100.
+#101=ABS[#1-#5061]
+M30
+%
+(EXPECT WARNING PRB301 AT 8)
+
+(CASE MT-11 the position as a position: the axes go there)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+#101=#5061
+G00 X0
+G00 X#101
+M30
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-12 many protected moves and nothing read: the last one alone is told)
+(SIGNAL NONE)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+G31 X0 F1000.
+M30
+%
+(EXPECT WARNING PRB301 AT 6)
+
+(CASE MT-13 the signal itself is asked for)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F100.
+IF[#1000EQ1]GOTO10
+G00 X0
+N10 M30
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-14 a result that was compared may be used: the program has looked)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F100.
+IF[#5061GT100.]GOTO90
+#5221=#5061
+M30
+N90 #3000=1(NO)
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-15 a later touch settles nothing of an earlier miss)
+(SIGNAL NONE)
+(SIGNAL X20.)
+%
+O1
+G31 X50. F100.
+#100=#5061
+G00 X0
+G31 X50. F100.
+#101=#5061
+IF[#101GT0]GOTO10
+N10 M30
+%
+(EXPECT WARNING PRB301 AT 5)
+
+(CASE MT-16 what a macro keeps for itself is gone with it)
+(SIGNAL NONE)
+%
+O1
+G65 P9
+M30
+O9
+G31 X50. F1000.
+#1=#5061
+M99
+%
+(EXPECT NO WARNING PRB301)
