@@ -78,9 +78,11 @@ class SinumerikMove {
     using sinumerik::Address;
     measures_ = measures_ || address == Address::Measure || address == Address::MeasureOn;
     is_polar_ = is_polar_ || address == Address::PolarAngle || address == Address::PolarRadius;
-    if (index_of(address) < kAxisCount) {
+    const bool is_further =
+        address == Address::AxisU || address == Address::AxisV || address == Address::AxisW;
+    if (index_of(address) < kAxisCount || is_further) {
       targets_.push_back(
-          {kAxisLetters[index_of(address)], !value.has_value(), value.value_or(0.0), where});
+          {sinumerik::name_of(address).front(), !value.has_value(), value.value_or(0.0), where});
     }
   }
 
@@ -90,7 +92,7 @@ class SinumerikMove {
     const auto axis = number(op.a);
     if (role == sinumerik::AxisRole::Path || role == sinumerik::AxisRole::Positioning) {
       const auto value = number(op.b);
-      targets_.push_back({axis ? kAxisLetters[static_cast<std::size_t>(*axis)] : '?',
+      targets_.push_back({axis ? sinumerik::letter_of_axis(static_cast<int>(*axis)) : '?',
                           !value.has_value(), value.value_or(0.0), where});
     }
   }

@@ -14,6 +14,7 @@ class SinumerikPrograms final : public ProgramSet {
   SinumerikPrograms(source::SourceMap& sources, const runtime::ControlSetup& setup)
       : library_(sources), callable_(library_) {
     library_.expect_data(setup.data);
+    library_.expect_axes(setup.axis_names);
   }
 
   bool add_file(const std::string& path) override {

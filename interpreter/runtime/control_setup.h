@@ -42,6 +42,14 @@ struct OffsetShape {
   std::string mirrored = {};  ///< letters
 };
 
+/// U, V or W: mm and mm/min, machine coordinates.
+struct FurtherAxisSetup {
+  double home = 0.0;
+  double rapid_per_min = 20000.0;
+  double travel_min = -1e8;
+  double travel_max = 1e8;
+};
+
 /// The state of a control before the program starts, as a set-up sheet describes it.  Plain data:
 /// each dialect takes what it knows and reports names it does not.
 struct ControlSetup {
@@ -62,6 +70,10 @@ struct ControlSetup {
   std::map<std::string, std::optional<double>> variables;
   /// Machine data and user data of controls that have such: a number, a text, "axis X" or a list.
   std::map<std::string, std::variant<double, std::string, std::vector<double>>> data;
+  /// What programs call axes beside their letters: "SP1" to 'C'.
+  std::map<std::string, char> axis_names;
+  /// U, V and W, where the machine has them: they carry neither tool nor part.
+  std::map<char, FurtherAxisSetup> further_axes;
   /// Soft limits of axes, where the machine has any.
   std::map<int, std::pair<double, double>> q_M_travel;
   std::map<std::string, AxisPositions> work_offsets;  ///< "G54".."G59", "EXT", "G54.1 P1"

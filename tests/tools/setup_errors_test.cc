@@ -96,9 +96,9 @@ const ErrorCase kNameTheKeyThatWasProbablyMeant[] = {
     1 | [tools.-1]
       |        ^
 )"},
-    {"a machine axis that is none", "[machine.axes.U]\n",
-     R"(sheet1.toml:1:15: error: unknown key U in [machine.axes], which takes X, Y, Z, A, B and C [SET103]
-    1 | [machine.axes.U]
+    {"a machine axis that is none", "[machine.axes.D]\n",
+     R"(sheet1.toml:1:15: error: unknown key D in [machine.axes], which takes X, Y, Z, A, B, C, U, V and W [SET103]
+    1 | [machine.axes.D]
       |               ^
 )"},
     {"a misspelt [machine.axes]", "[machine.axis.X]\n",

@@ -84,6 +84,7 @@ home = 0.5
 jerk = 50000
 servo_gain = 1.8
 resolution = 0.0001
+names = "XA X7"
 backlash = 0.002
 reversal_spike = 0.003
 reversal_way = 0.04

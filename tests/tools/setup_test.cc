@@ -84,6 +84,21 @@ TEST_F(SetupReader, ControlKeysArrive) {
                                                           {"$P_UIFR[1,X,TR]", 17.0}}));
 }
 
+TEST_F(SetupReader, AxesThatCarryNothingAndNamesOfAxesArrive) {
+  const runtime::ControlSetup control =
+      job({"[machine.axes.W]\nhome = -3.0\nrapid = 12000.0\ntravel = [-5.0, 300.0]\n"
+           "[machine.axes.V]\n[machine.axes.C]\nnames = \"SP1 C4\"\n"})
+          .control;
+  ASSERT_EQ(control.further_axes.size(), 2U);
+  const runtime::FurtherAxisSetup& axis = control.further_axes.at('W');
+  EXPECT_EQ(axis.home, -3.0);
+  EXPECT_EQ(axis.rapid_per_min, 12000.0);
+  EXPECT_EQ(axis.travel_min, -5.0);
+  EXPECT_EQ(axis.travel_max, 300.0);
+  EXPECT_EQ(control.further_axes.at('V').rapid_per_min, 20000.0);
+  EXPECT_EQ(control.axis_names, (std::map<std::string, char>{{"C4", 'C'}, {"SP1", 'C'}}));
+}
+
 TEST_F(SetupReader, OffsetsAndToolsArrive) {
   const runtime::ControlSetup control = job({kEveryKey}).control;
   ASSERT_EQ(control.work_offsets.size(), 4U);

@@ -85,6 +85,7 @@ Result<std::shared_ptr<Programs>, Refusal> open_sinumerik_programs(
   }
   const auto programs = std::make_shared<SinumerikPrograms>(files);
   programs->library().expect_data(setup.data);
+  programs->library().expect_axes(setup.axis_names);
   if (const auto wrong = load_programs(programs->library(), paths, files, "macros/sinumerik")) {
     return *wrong;
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,26 @@ void fill_data(runtime::ControlSetup& control, const SheetTable& table) {
       control.data[name] = number_of(entry);
     }
   }
+}
+
+/// What programs call an axis beside its letter: words with blanks between them.
+void fill_axis_names(runtime::ControlSetup& control, const std::string& letter,
+                     const TableKeys& keys) {
+  std::istringstream names(keys.get(KeyId::AxisNames, std::string()));
+  for (std::string name; names >> name;) {
+    control.axis_names[name] = letter.front();
+  }
+}
+
+runtime::FurtherAxisSetup further_axis_from(const TableKeys& keys) {
+  runtime::FurtherAxisSetup axis;
+  axis.home = keys.get(KeyId::AxisHome, axis.home);
+  axis.rapid_per_min = keys.get(KeyId::AxisRapid, axis.rapid_per_min);
+  const std::vector<double> travel =
+      keys.get(KeyId::AxisTravel, std::vector<double>{axis.travel_min, axis.travel_max});
+  axis.travel_min = travel.at(0);
+  axis.travel_max = travel.at(1);
+  return axis;
 }
 
 /// What an offset does beside shifting.
@@ -135,6 +156,11 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::BelievedAxes:
       return;  // fill_machine
     case SectionId::MachineAxes:
+      fill_axis_names(job.control, name, keys);
+      if (is_further_axis(name)) {
+        job.control.further_axes[name.front()] = further_axis_from(keys);
+        return;
+      }
       job.control.q_M_reference[static_cast<Eigen::Index>(index_of_axis(name))] =
           keys.get(KeyId::AxisHome, machine::AxisSetup().home);
       if (keys.find(KeyId::AxisTravel) != nullptr) {

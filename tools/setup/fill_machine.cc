@@ -145,7 +145,7 @@ machine::MachineSetup machine_from(const Sheet& sheet, ErrorList& errors) {
       machine.q_M_start = positions_from(table);
     } else if (place.first == SectionId::Machine) {
       fill_machine(machine, keys);
-    } else if (place.first == SectionId::MachineAxes) {
+    } else if (place.first == SectionId::MachineAxes && !is_further_axis(place.second)) {
       fill_axis(machine.axes.at(index_of_axis(place.second)), keys);
       fill_rotary(machine.chain, place.second, keys, kTrueAxis);
     } else if (place.first == SectionId::MachineErrors) {

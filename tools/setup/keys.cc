@@ -147,6 +147,8 @@ std::optional<std::string> normal_name(NameForm form, std::string_view name) {
       return std::nullopt;
     case NameForm::AxisLetter:
       return normal_axis(name);
+    case NameForm::AnyAxisLetter:
+      return is_further_axis(name) ? std::optional(std::string(name)) : normal_axis(name);
     case NameForm::ParameterNumber:
       return normal_parameter(name);
     case NameForm::MacroCallCode:
@@ -202,6 +204,8 @@ std::vector<std::string_view> known_names(NameForm form) {
   switch (form) {
     case NameForm::AxisLetter:
       return {"X", "Y", "Z", "A", "B", "C"};
+    case NameForm::AnyAxisLetter:
+      return {"X", "Y", "Z", "A", "B", "C", "U", "V", "W"};
     case NameForm::RotaryLetter:
       return {"A", "B", "C"};
     case NameForm::WorkOffset:
@@ -224,6 +228,8 @@ std::string_view rule_of(NameForm form) {
   switch (form) {
     case NameForm::AxisLetter:
       return "X, Y, Z, A, B and C";
+    case NameForm::AnyAxisLetter:
+      return "X, Y, Z, A, B, C, U, V and W";
     case NameForm::RotaryLetter:
       return "A, B and C";
     case NameForm::WorkOffset:

@@ -28,10 +28,16 @@ enum class KeyId {
 
 enum class SectionForm { One, Named, List };
 
+/// U, V and W, which carry neither tool nor part.
+constexpr bool is_further_axis(std::string_view letter) {
+  return letter == "U" || letter == "V" || letter == "W";
+}
+
 /// What a free name must look like.
 enum class NameForm {
   Exact,            ///< no free name
   AxisLetter,       ///< X Y Z A B C
+  AnyAxisLetter,    ///< the same, and U V W
   ParameterNumber,  ///< 3410, or 6001.1 with a bit 0..7
   MacroCallCode,    ///< G100, M6
   VariableName,     ///< see variable_name.h

@@ -196,12 +196,13 @@ Expr Compiler::letter_in_expression() {
   if (letter.is_letter('R') && (numbered || peek().is(Symbol::LeftBracket))) {
     return variable_access(find_variable("R"), letter.where);
   }
-  const int axis = axis_index(letter.text.front());
-  // X1 is the machine axis behind X.
-  if (axis >= 0 && numbered && peek().number == 1.0) {
-    next();
-  } else if (axis < 0 || numbered) {
+  std::string name(letter.text);
+  name += numbered ? peek().text : "";
+  const int axis = globals_.axis(name);
+  if (axis < 0) {
     fail(AlarmId::NotDefined, letter.where, letter.text);
+  } else if (numbered) {
+    next();
   }
   return constant(Type::Axis, axis, letter.where);
 }
@@ -220,7 +221,7 @@ Expr Compiler::name_in_expression() {
   if (const auto system = find_system_variable(name.text)) {
     return system_access(*system, name.where);
   }
-  if (const int axis = axis_named(name.text); axis >= 0) {
+  if (const int axis = globals_.axis(name.text); axis >= 0) {
     return constant(Type::Axis, axis, name.where);
   }
   if (find_keyword(name.text) == &Compiler::refused_statement) {

@@ -71,7 +71,6 @@ void Compiler::letter_word(const Token& letter) {
     g_code(find_g_code(number.number), {letter.where.begin, number.where.end});
     return;
   }
-  const int axis = axis_index(letter.text.front());
   std::string name(letter.text);
   double extension = kSpindle;
   // I1=, C3=, S1=, M2=: a number belongs to the address where = follows.
@@ -89,8 +88,8 @@ void Compiler::letter_word(const Token& letter) {
     m_word(letter.where);
     return;
   }
-  if (axis >= 0 && (name.size() == 1 || name.substr(1) == "1")) {
-    word(static_cast<Address>(axis), letter.where);
+  if (const int axis = globals_.axis(name); axis >= 0) {
+    word(address_of_axis(axis), letter.where);
     return;
   }
   const bool is_plain = of_spindle || letter.is_letter('H');
@@ -237,12 +236,13 @@ void Compiler::word(Address address, ShortSpan where) {
   const bool is_quick = modification == Modification::Quick &&
                         (address == Address::Auxiliary || address == Address::Speed);
   modification = is_quick ? Modification::None : modification;
-  const bool modifiable = index_of(address) < kAxisCount || address == Address::CentreX ||
-                          address == Address::CentreY || address == Address::CentreZ ||
-                          address == Address::Spindle || address == Address::SpindleAsync ||
-                          address == Address::MiddleX || address == Address::MiddleY ||
-                          address == Address::MiddleZ || address == Address::PolarAngle ||
-                          address == Address::PolarRadius;
+  const bool modifiable = index_of(address) < kAxisCount || address == Address::AxisU ||
+                          address == Address::AxisV || address == Address::AxisW ||
+                          address == Address::CentreX || address == Address::CentreY ||
+                          address == Address::CentreZ || address == Address::Spindle ||
+                          address == Address::SpindleAsync || address == Address::MiddleX ||
+                          address == Address::MiddleY || address == Address::MiddleZ ||
+                          address == Address::PolarAngle || address == Address::PolarRadius;
   if (modification == Modification::Quick || (modification != Modification::None && !modifiable)) {
     fail(AlarmId::BadModification, where, text_of(where));
     return;
@@ -375,9 +375,9 @@ bool Compiler::named_word() {
     g_code(code, name.where);
     return true;
   }
-  if (const int axis = axis_named(name.text); axis >= 0 && is_assigned(1)) {
+  if (const int axis = globals_.axis(name.text); axis >= 0 && is_assigned(1)) {
     next();
-    word(static_cast<Address>(axis), name.where);
+    word(address_of_axis(axis), name.where);
     return true;
   }
   const auto address = find_address(name.text);

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "interpreter/dialects/sinumerik/vocabulary/machine_data.h"
+#include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::sinumerik {
@@ -48,6 +49,11 @@ Globals::Globals() {
   for (const MemoryRow& row : memory_rows()) {
     define(row_variable(row.name, row.type, row.count));
   }
+}
+
+int Globals::axis(std::string_view name) const {
+  const auto found = axis_names.find(name);
+  return found != axis_names.end() ? found->second : axis_named(name);
 }
 
 const Variable* Globals::find(std::string_view name) const {

@@ -33,6 +33,10 @@ class Globals {
   [[nodiscard]] std::int32_t frame_count() const { return frame_count_; }
 
   Macros macros;
+  /// What the set-up sheet calls axes beside their letters, upper case.
+  NameMap<int> axis_names;
+  /// The axis of a name; -1: none.
+  [[nodiscard]] int axis(std::string_view name) const;
 
  private:
   void number_axes(std::string_view name, std::int32_t place);

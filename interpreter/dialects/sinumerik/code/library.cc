@@ -101,6 +101,12 @@ const std::vector<const CompiledProgram*>& ProgramLibrary::definitions() {
   return definitions_;
 }
 
+void ProgramLibrary::expect_axes(const std::map<std::string, char>& names) {
+  for (const auto& [name, letter] : names) {
+    globals_.axis_names[upper(name)] = axis_named(std::string_view(&letter, 1));
+  }
+}
+
 std::vector<const CompiledProgram*> ProgramLibrary::initial_data() {
   std::vector<const CompiledProgram*> all;
   for (FiledProgram* const program : programs_) {

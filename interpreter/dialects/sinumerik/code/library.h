@@ -45,6 +45,8 @@ class ProgramLibrary {
   /// Data of the set-up sheet, to be known before the first session: those that no definition file
   /// brings are defined by their values.
   void expect_data(SheetData data) { data_ = std::move(data); }
+  /// What the sheet calls axes beside their letters: "SP1" to 'C'.
+  void expect_axes(const std::map<std::string, char>& names);
   /// The INI files: %_N_UFR_INI in an archive that was added, or UFR.INI given by itself.  Loading
   /// them is running them, behind the definitions.
   std::vector<const CompiledProgram*> initial_data();

@@ -175,12 +175,29 @@ bool changes_held_line(const Block& block) {
          std::ranges::any_of(kAddresses, [&](Address a) { return block.words.has(a); });
 }
 
+/// What a block says to U, V and W.
+FurtherMotion further_motion(const Channel& channel, const Block& block) {
+  if (const GCode* const code = special_code(block)) {
+    return code->action == GAction::Reference ? FurtherMotion::ToHome : FurtherMotion::Refused;
+  }
+  const bool has_circle =
+      is_circle(channel.group[Group::Motion]) && has_centre(block, channel.plane());
+  return listens_to_probe(channel, block) ? FurtherMotion::Refused
+         : has_place(block) || has_circle ? FurtherMotion::WithPath
+                                          : FurtherMotion::Alone;
+}
+
 MaybeFailure move(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = judge_lines(channel, block)) {
     return wrong;
   }
   if (block.words.has_positioning) {
     if (MaybeFailure wrong = move_positioning_axes(channel, block)) {
+      return wrong;
+    }
+  }
+  if (moves_further_axes(block)) {
+    if (MaybeFailure wrong = move_further_axes(channel, block, further_motion(channel, block))) {
       return wrong;
     }
   }

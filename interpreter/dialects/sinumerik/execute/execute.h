@@ -67,6 +67,18 @@ MaybeFailure take_axis_settings(Channel& channel, const Block& block);
 /// POS[axis] and POSA[axis]: each axis for itself, before the path of the block.
 MaybeFailure move_positioning_axes(Channel& channel, const Block& block);
 
+/// How the words of U, V and W go with the others of their block.
+enum class FurtherMotion {
+  Alone,     ///< they take F or rapid
+  WithPath,  ///< the path takes F, they arrive with it
+  ToHome,    ///< G74
+  Refused    ///< frames, measuring, limits: words of the path are an alarm
+};
+/// Whether U, V or W has a word.
+bool moves_further_axes(const Block& block);
+/// U, V and W: POS[W], then W.
+MaybeFailure move_further_axes(Channel& channel, const Block& block, FurtherMotion motion);
+
 /// Where the word of an axis sends it, work coordinates.  @param now  where it stands
 Result<double, Failure> programmed_place(const Channel& channel, int axis,
                                          const BlockWords::Word& word, double now);

@@ -37,6 +37,27 @@ double rotary_end(double now, double angle, Modification modification) {
   return angle;
 }
 
+/// Where an absolute word sends a modulo axis: within the turn that it is in, or the way that DC,
+/// ACP and ACN say (MD30455 bit 2: without a word as DC).  Source: SINUMERIK 840D sl Axes and
+/// Spindles (A5E47437747B), 7.2 Modulo 360 degrees.
+Result<double, Failure> modulo_place(const Channel& channel, int axis, const BlockWords::Word& word,
+                                     double now) {
+  using Function = Channel::AxisFunction;
+  if ((word.value < 0.0 || word.value >= kTurn) &&
+      !channel.has_axis_function(axis, Function::TakesAnyPlace)) {
+    return failure(AlarmId::BadModuloPosition,
+                   fmt::format("{}{:g}", kAxisLetters[axis], word.value));
+  }
+  const double angle = Channel::within_turn(word.value);
+  const bool is_shorter = word.modification == Modification::None &&
+                          channel.has_axis_function(axis, Function::ShorterWay);
+  const bool is_plain =
+      word.modification == Modification::None || word.modification == Modification::Absolute;
+  return is_shorter ? rotary_end(now, angle, Modification::Direct)
+         : is_plain ? now - Channel::within_turn(now) + angle
+                    : rotary_end(now, angle, word.modification);
+}
+
 /// G33, G331 and G332: the lead counts along its axis, the feed along the path.
 Result<double, Failure> thread_feed(const Channel& channel, const Block& block,
                                     const AxisPositions& q_M_way) {
@@ -68,6 +89,9 @@ Result<double, Failure> programmed_place(const Channel& channel, int axis,
                     (word.modification == Modification::None && incremental);
   const double value = channel.stored_place(
       axis, word.value, adds ? Channel::Counts::Incremental : Channel::Counts::Absolute);
+  if (!adds && channel.is_modulo(axis)) {
+    return modulo_place(channel, axis, {value, word.modification, true}, now);
+  }
   return turns  ? rotary_end(now, value, word.modification)
          : adds ? channel.programmed()[axis] + value
                 : value;

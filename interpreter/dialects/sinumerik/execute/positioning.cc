@@ -25,20 +25,26 @@ using Setting = BlockWords::AxisSetting;
 /// FA[axis]; of the spindle it says nothing.
 void take_feed(Channel& channel, const Setting& setting) {
   if (setting.axis != kSpindleAxis) {
-    const double unit = is_linear_axis(setting.axis) ? channel.mm_per_feed() : 1.0;
+    const double unit =
+        is_linear_axis(setting.axis) || is_further_axis(setting.axis) ? channel.mm_per_feed() : 1.0;
     channel.axis_settings.feed[static_cast<std::size_t>(setting.axis)] = setting.value * unit;
   }
 }
 
 /// OVRA[axis]
 void take_override(Channel& channel, const Setting& setting) {
-  (setting.axis == kSpindleAxis ? channel.spindle.override_percent
-                                : channel.axis_settings.override_percent[setting.axis]) =
-      setting.value;
+  if (!is_further_axis(setting.axis)) {
+    (setting.axis == kSpindleAxis ? channel.spindle.override_percent
+                                  : channel.axis_settings.override_percent[setting.axis]) =
+        setting.value;
+  }
 }
 
 /// FGREF[axis]
 void take_reference_radius(Channel& channel, const Setting& setting) {
+  if (!is_machine_axis(setting.axis)) {
+    return;
+  }
   channel.axis_settings.counts_as_usual = false;
   channel.axis_settings.mm_per_degree[setting.axis] =
       setting.value * channel.mm_per_length() * kMmPerDegree;

@@ -39,6 +39,9 @@ Result<std::vector<Runner::AxisValue>, Failure> Runner::axis_values(const Op& op
     if (axis < 0.0 || !is_number(list[i + 1].type)) {
       return failure(AlarmId::NotAnAxis, function_name(op));
     }
+    if (!is_machine_axis(static_cast<int>(axis))) {
+      return no_frame_of(static_cast<int>(axis));
+    }
     all.push_back({static_cast<int>(axis), number(list[i + 1].value)});
   }
   return all;

@@ -67,7 +67,8 @@ MaybeFailure Runner::modulo_place(const Op& op, Arguments list) {
   }
   constexpr double kTurn = 360.0;
   const double value = number(list[1].value);
-  number(op.result) = axis < 3.0 ? value : value - kTurn * std::floor(value / kTurn);
+  number(op.result) =
+      !is_rotary_axis(static_cast<int>(axis)) ? value : value - kTurn * std::floor(value / kTurn);
   return std::nullopt;
 }
 
@@ -129,7 +130,7 @@ MaybeFailure Runner::lower_case(const Op& op, Arguments list) {
 
 MaybeFailure Runner::axis_of_name(const Op& op, Arguments list) {
   const std::string& name = text(list[0].value);
-  const int axis = axis_named(upper(name));
+  const int axis = programs_.globals().axis(upper(name));
   if (axis < 0) {
     return failure(AlarmId::NoAxisName, fmt::format("\"{}\"", name));
   }

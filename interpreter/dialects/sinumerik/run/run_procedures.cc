@@ -108,6 +108,11 @@ MaybeFailure Runner::set_feed_axes(Arguments list) {
     if (axis < 0.0) {
       return failure(AlarmId::NotAnAxis, "FGROUP");
     }
+    if (!is_machine_axis(static_cast<int>(axis))) {
+      return failure(AlarmId::NotImplemented,
+                     fmt::format("FGROUP({}): F counts along X, Y, Z, A, B and C alone",
+                                 letter_of_axis(static_cast<int>(axis))));
+    }
     counts[static_cast<std::size_t>(axis)] = true;
   }
   settings.counts = counts;

@@ -43,7 +43,7 @@ MaybeFailure split(SystemAccess& access) {
   access.indices.pop_back();
   access.axis = access.indices.back();
   access.indices.pop_back();
-  return access.axis < 0 ? std::optional(failure(AlarmId::BadAxisIndex)) : std::nullopt;
+  return is_machine_axis(access.axis) ? std::nullopt : std::optional(no_frame_of(access.axis));
 }
 
 }  // namespace

@@ -118,8 +118,8 @@ bool Runner::frame_step(const Op& op) {
       const bool loads = op.code == OpCode::LoadComponent;
       const auto [axis, component] =
           loads ? component_of(list[0], list[1]) : component_of(list[1], list[2]);
-      if (axis < 0) {
-        return failed(AlarmId::BadAxisIndex);
+      if (!is_machine_axis(axis)) {
+        return failed(no_frame_of(axis).id);
       }
       if (loads) {
         number(op.result) =

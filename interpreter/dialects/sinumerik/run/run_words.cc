@@ -67,12 +67,12 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
     case AxisRole::AxisSetting:
       return take_axis_setting({row.id, static_cast<int>(axis), word.value});
     case AxisRole::Path:
-      set_word(index, word.value, word.modification);
+      set_word(index_of(address_of_axis(static_cast<int>(axis))), word.value, word.modification);
       return from_step();
     case AxisRole::Positioning:
       if (words_.positioning[index].present) {
         return failure(AlarmId::AddressRepeated,
-                       fmt::format("{}[{}]", row.name, kAxisLetters[index]));
+                       fmt::format("{}[{}]", row.name, letter_of_axis(static_cast<int>(axis))));
       }
       words_.position_axis(index, word);
       return std::nullopt;
@@ -85,10 +85,8 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
 
 MaybeFailure Runner::take_axis_setting(const BlockWords::AxisSetting& setting) {
   const AxisWordInfo& row = info(setting.word);
-  const std::string shown = fmt::format(
-      "{}[{}]={:g}", row.name,
-      setting.axis == kSpindleAxis ? 'S' : kAxisLetters[static_cast<std::size_t>(setting.axis)],
-      setting.value);
+  const std::string shown =
+      fmt::format("{}[{}]={:g}", row.name, letter_of_axis(setting.axis), setting.value);
   for (const BlockWords::AxisSetting& known : words_.axis_settings) {
     if (known.word == setting.word && known.axis == setting.axis) {
       return failure(AlarmId::AddressRepeated, shown);
@@ -109,6 +107,10 @@ MaybeFailure Runner::take_axis_measuring(const Op& op) {
   const double axis = number(op.a);
   if (axis < 0.0) {
     return failure(AlarmId::BadAxisIndex);
+  }
+  if (!is_machine_axis(static_cast<int>(axis))) {
+    return failure(AlarmId::NotImplemented,
+                   fmt::format("{} carries no probe", letter_of_axis(static_cast<int>(axis))));
   }
   words_.measure_axis(static_cast<std::size_t>(axis),
                       {number(op.result), number(op.b), op.detail != 0});

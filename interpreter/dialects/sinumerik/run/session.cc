@@ -127,6 +127,10 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   channel.block_skip = setup.block_skip;
   channel.feed_switches = setup.feed_switches;
   channel.points.q_M_reference = setup.q_M_reference;
+  for (const auto& [letter, axis] : setup.further_axes) {
+    channel.further_axes[axis_named(std::string_view(&letter, 1))] = {
+        axis.home, axis.home, axis.rapid_per_min, axis.travel_min, axis.travel_max};
+  }
   configure_tables(channel, setup, refused);
   if (!setup.parameters.empty() || !setup.macro_calls.empty()) {
     refused.emplace_back(

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 namespace g31::sinumerik {
 namespace {
 
@@ -64,6 +66,21 @@ bool BlockWords::has_axes() const {
                      [](const Word& word) { return word.present; });
 }
 
+Failure no_such_axis(int axis) {
+  return failure(
+      AlarmId::NoSuchAddress,
+      fmt::format("{0}; [machine.axes.{0}] in the set-up sheet adds it", letter_of_axis(axis)));
+}
+
+Failure no_frame_of(int axis) {
+  return is_further_axis(axis)
+             ? failure(AlarmId::NotImplemented,
+                       fmt::format("frames shift X, Y, Z, A, B and C: {} counts from its machine "
+                                   "zero",
+                                   letter_of_axis(axis)))
+             : failure(AlarmId::BadAxisIndex);
+}
+
 Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals)
     : numbers(globals.initial_numbers()),
       texts(static_cast<std::size_t>(globals.text_count())),
@@ -76,13 +93,37 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       program_function_mask_(
           static_cast<std::size_t>(globals.find("$MN_PROG_FUNCTION_MASK")->place)),
       upper_soft_limits_(static_cast<std::size_t>(globals.find("$MA_POS_LIMIT_PLUS")->place)),
-      lower_soft_limits_(static_cast<std::size_t>(globals.find("$MA_POS_LIMIT_MINUS")->place)) {
+      lower_soft_limits_(static_cast<std::size_t>(globals.find("$MA_POS_LIMIT_MINUS")->place)),
+      rotary_is_modulo_(static_cast<std::size_t>(globals.find("$MA_ROT_IS_MODULO")->place)),
+      axis_function_masks_(
+          static_cast<std::size_t>(globals.find("$MA_MISC_FUNCTION_MASK")->place)) {
   for (int i = 0; i < kGroupCount; ++i) {
     group.at(static_cast<std::size_t>(i)) = preset_number(static_cast<Group>(i));
   }
   for (const Group one_block : kOneBlockGroups) {
     group[one_block] = 0;
   }
+}
+
+bool Channel::is_modulo(int axis) const {
+  return is_rotary_axis(axis) && numbers[rotary_is_modulo_ + static_cast<std::size_t>(axis)] != 0.0;
+}
+
+bool Channel::has_axis_function(int axis, AxisFunction function) const {
+  const auto mask =
+      static_cast<unsigned>(numbers[axis_function_masks_ + static_cast<std::size_t>(axis)]);
+  return ((mask >> static_cast<unsigned>(function)) & 1U) != 0U;
+}
+
+double Channel::within_turn(int axis, double degrees) const {
+  return is_modulo(axis) ? within_turn(degrees) : degrees;
+}
+
+double Channel::within_turn(double degrees) {
+  constexpr double kTurn = 360.0;
+  constexpr double kWhole = 1e-9;  // deg: so near a full turn it is one
+  const double rest = degrees - kTurn * std::floor(degrees / kTurn);
+  return rest > kTurn - kWhole ? 0.0 : rest;
 }
 
 Plane Channel::plane() const {

@@ -88,7 +88,7 @@ struct BlockWords {
   std::optional<std::string> tool_name;
   std::array<std::optional<AxisMeasuring>, kAxisCount> axis_measuring;
   bool has_axis_measuring = false;
-  std::array<Word, kAxisCount> positioning;  ///< POS[axis] and POSA[axis]
+  std::array<Word, kAxisNumbers> positioning;  ///< POS[axis] and POSA[axis]
   bool has_positioning = false;
   std::vector<AxisSetting> axis_settings;
   std::vector<std::uint16_t> computed_codes;  ///< G[group]=number, packed
@@ -222,10 +222,25 @@ class Channel {
   /// Where the program has the axes: with a block that waits for the next one as if it were done.
   [[nodiscard]] AxisPositions machine_position() const;
 
+  /// MD30310: a rotary axis that goes round, whose places are 0 to 360.
+  [[nodiscard]] bool is_modulo(int axis) const;
+  /// Bits of MD30455, of modulo axes.
+  enum class AxisFunction { TakesAnyPlace = 0, ShorterWay = 2 };
+  [[nodiscard]] bool has_axis_function(int axis, AxisFunction function) const;
+  /// A place as programs see it: of a modulo axis from 0 on, below 360.
+  [[nodiscard]] double within_turn(int axis, double degrees) const;
+  [[nodiscard]] static double within_turn(double degrees);
+
   // Motion
   Pole pole;
   WorkingArea working_area;
   MachinePoints points;
+  std::map<int, FurtherAxis> further_axes;  ///< those of U, V and W that the machine has
+  /// nullptr: the machine has it not
+  [[nodiscard]] const FurtherAxis* further(int axis) const {
+    const auto found = further_axes.find(axis);
+    return found != further_axes.end() ? &found->second : nullptr;
+  }
   CornerStage corners;
   CutterStage cutter;
   std::optional<HeldLine> held_line;
@@ -307,6 +322,8 @@ class Channel {
   std::size_t program_function_mask_;  ///< place of MD10280
   std::size_t upper_soft_limits_;      ///< place of MD36110
   std::size_t lower_soft_limits_;      ///< place of MD36100
+  std::size_t rotary_is_modulo_;       ///< place of MD30310
+  std::size_t axis_function_masks_;    ///< place of MD30455
   bool is_stale_ = false;
   mutable std::optional<Chains> chains_;        ///< kept until one of them is written
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed

@@ -24,6 +24,11 @@ struct Failure {
   std::optional<source::Location> where = {};  ///< of another block than the running one
 };
 
+/// Alarm 12050 for one of U, V and W that the machine has not.
+Failure no_such_axis(int axis);
+/// Frames do not know U, V and W, nor an axis that is none.
+Failure no_frame_of(int axis);
+
 /// nullopt: all went well.
 using MaybeFailure = std::optional<Failure>;
 

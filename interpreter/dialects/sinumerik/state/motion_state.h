@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "interpreter/path/contour_corners.h"
 #include "interpreter/path/cutter_compensation.h"
 #include "machine/units/axis_positions.h"
@@ -35,12 +36,21 @@ struct Spindle {
 
 /// What programs set of the axes one by one, and the overrides that they write.
 struct AxisSettings {
-  std::array<double, kAxisCount> feed = {};  ///< FA, mm/min or deg/min; 0: rapid
+  std::array<double, kAxisNumbers> feed = {};  ///< FA, mm/min or deg/min; 0: rapid
   AxisPositions override_percent = AxisPositions::Constant(100.0);  ///< OVRA
   std::array<bool, kAxisCount> counts = {true, true, true};         ///< FGROUP
   AxisPositions mm_per_degree = AxisPositions::Constant(1.0);       ///< FGREF, of rotary axes
   bool counts_as_usual = true;           ///< neither FGROUP nor FGREF was written
   double path_override_percent = 100.0;  ///< OVR
+};
+
+/// U, V or W: it carries neither tool nor part, so it has a place and takes its time, no more.
+struct FurtherAxis {
+  double at = 0.0;             ///< mm
+  double home = 0.0;           ///< mm, where G74 brings it
+  double rapid_per_min = 0.0;  ///< mm/min
+  double travel_min = 0.0;     ///< mm
+  double travel_max = 0.0;     ///< mm
 };
 
 /// The pole of polar coordinates, and the last ones.

@@ -6,21 +6,31 @@
 namespace g31::sinumerik::system {
 namespace {
 
-Number axis_value(const Channel& channel, const SystemAccess& access, const AxisPositions& q) {
-  const int axis = access.indices[0];
-  if (axis < 0) {
+/// Where an axis stands that carries neither tool nor part: the same in all coordinates.
+Number further_place(const Channel& channel, int axis) {
+  if (!is_further_axis(axis)) {
     return failure(AlarmId::BadAxisIndex);
   }
-  return channel.shown(axis, q[axis]);
+  const FurtherAxis* const further = channel.further(axis);
+  return further != nullptr ? Number(further->at / channel.mm_per_length())
+                            : Number(no_such_axis(axis));
+}
+
+Number axis_value(const Channel& channel, const SystemAccess& access, const AxisPositions& q) {
+  const int axis = access.indices[0];
+  if (!is_machine_axis(axis)) {
+    return further_place(channel, axis);
+  }
+  return channel.within_turn(axis, channel.shown(axis, q[axis]));
 }
 
 /// In work coordinates, where DIAMON counts.
 Number place_value(const Channel& channel, const SystemAccess& access, const AxisPositions& q_W) {
   const int axis = access.indices[0];
-  if (axis < 0) {
-    return failure(AlarmId::BadAxisIndex);
+  if (!is_machine_axis(axis)) {
+    return further_place(channel, axis);
   }
-  return channel.shown_place(axis, q_W[axis]);
+  return channel.within_turn(axis, channel.shown_place(axis, q_W[axis]));
 }
 
 /// The present position within some of the frames.
@@ -33,7 +43,7 @@ Result<double*, Failure> machine_point(std::span<AxisPositions> points,
                                        const SystemAccess& access) {
   const int which = access.indices[0];
   const int axis = access.indices[1];
-  if (axis < 0) {
+  if (!is_machine_axis(axis)) {
     return failure(AlarmId::BadAxisIndex);
   }
   if (which < 0 || which >= static_cast<int>(points.size())) {

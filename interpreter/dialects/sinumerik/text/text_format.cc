@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
+#include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::sinumerik {
@@ -165,7 +166,7 @@ std::string shown(Type type, double value) {
     case Type::Char:
       return std::string(1, static_cast<char>(static_cast<unsigned char>(number)));
     case Type::Axis:
-      return number < 0.0 ? "" : std::string(1, kAxisLetters[static_cast<std::size_t>(number)]);
+      return number < 0.0 ? "" : std::string(1, letter_of_axis(static_cast<int>(number)));
     case Type::Real:
       return with_exponent(fmt::format("{:.{}g}", number, kShownDigits));
     case Type::None:

@@ -109,16 +109,21 @@ const AxisWordInfo& info(AxisWordId id) {
 }
 
 int axis_named(std::string_view name) {
+  const auto by_letter = [](char letter) {
+    const std::size_t further = kFurtherAxes.find(letter);
+    return further == std::string_view::npos ? axis_index(letter)
+                                             : kFirstFurtherAxis + static_cast<int>(further);
+  };
   if (name.size() == 3 && name.starts_with("AX") && name[2] >= '1' &&
       name[2] < '1' + static_cast<int>(kAxisCount)) {
     return name[2] - '1';
   }
   if (name.size() == 3 && name.front() == 'M') {
     name.remove_prefix(1);
-    return name[1] == '1' ? axis_index(name.front()) : -1;
+    return name[1] == '1' ? by_letter(name.front()) : -1;
   }
-  const bool is_machine_axis = name.size() == 2 && name[1] == '1';
-  return name.size() == 1 || is_machine_axis ? axis_index(name.front()) : -1;
+  const bool is_machine_name = name.size() == 2 && name[1] == '1';
+  return name.size() == 1 || is_machine_name ? by_letter(name.front()) : -1;
 }
 
 const AxisWordInfo* find_axis_word(std::string_view name) {

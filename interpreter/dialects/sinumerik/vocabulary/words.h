@@ -41,6 +41,34 @@ std::string_view name_of(Address address);
 inline constexpr int kMostMachineCodes = 5;
 inline constexpr int kMostAuxiliaryCodes = 3;
 
+/// What a setting of the spindle has in the place of an axis.
+inline constexpr int kSpindleAxis = kAxisCount;
+
+/// U, V and W carry neither tool nor part: tailstocks, steady rests, loaders.  They stand behind
+/// the spindle among the numbers that a value of type AXIS may have.
+inline constexpr std::string_view kFurtherAxes = "UVW";
+inline constexpr int kFirstFurtherAxis = kSpindleAxis + 1;
+inline constexpr std::size_t kAxisNumbers = kFirstFurtherAxis + kFurtherAxes.size();
+
+/// @param axis  a value of type AXIS, or kSpindleAxis
+constexpr bool is_machine_axis(int axis) {
+  return axis >= 0 && axis < static_cast<int>(kAxisCount);
+}
+constexpr bool is_further_axis(int axis) {
+  return axis >= kFirstFurtherAxis && axis < static_cast<int>(kAxisNumbers);
+}
+/// "X", "S" of the spindle, "W"
+constexpr char letter_of_axis(int axis) {
+  return is_machine_axis(axis)   ? kAxisLetters[axis]
+         : is_further_axis(axis) ? kFurtherAxes[static_cast<std::size_t>(axis - kFirstFurtherAxis)]
+                                 : 'S';
+}
+/// @param axis  X to C, or U, V, W
+constexpr Address address_of_axis(int axis) {
+  return static_cast<Address>(
+      is_further_axis(axis) ? static_cast<int>(Address::AxisU) + axis - kFirstFurtherAxis : axis);
+}
+
 /// How often an address may stand in a block.
 constexpr int most_in_block(Address address) {
   return address == Address::Machine     ? kMostMachineCodes
@@ -82,16 +110,13 @@ struct AxisWordInfo {
 
 std::span<const AxisWordInfo> axis_words();
 const AxisWordInfo& info(AxisWordId id);
-/// The axis that a name means: X, the machine axis X1 or MX1 behind it, or AX1, the first axis; -1:
-/// none.
+/// The axis that a name means on any machine: X or W, the machine axis X1 or MX1 behind it, or AX1,
+/// the first axis; -1: none.
 /// @param name  upper case
 int axis_named(std::string_view name);
 
 /// @param name  upper case; nullptr: no such word
 const AxisWordInfo* find_axis_word(std::string_view name);
-
-/// What a setting of the spindle has in the place of an axis.
-inline constexpr int kSpindleAxis = kAxisCount;
 
 /// Rows of procedures.def.
 enum class ProcedureId : std::uint8_t {

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/execute/feed.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr double kSecondsPerMinute = 60.0;
+
+constexpr int first_further() {
+  return kFirstFurtherAxis;
+}
+constexpr int end_of_further() {
+  return static_cast<int>(kAxisNumbers);
+}
+
+const BlockWords::Word& path_word(const Block& block, int axis) {
+  return block.words[address_of_axis(axis)];
+}
+const BlockWords::Word& positioning_word(const Block& block, int axis) {
+  return block.words.positioning[static_cast<std::size_t>(axis)];
+}
+
+/// Where a word sends the axis, mm.
+Result<double, Failure> place_of(const Channel& channel, int axis, const BlockWords::Word& word) {
+  const FurtherAxis* const further = channel.further(axis);
+  if (further == nullptr) {
+    return no_such_axis(axis);
+  }
+  const bool adds = word.modification == Modification::Incremental ||
+                    (word.modification == Modification::None && channel.suppression == 0 &&
+                     channel.group[Group::Distance] == number_in_group("G91"));
+  if (word.modification != Modification::None && word.modification != Modification::Incremental &&
+      word.modification != Modification::Absolute) {
+    return failure(AlarmId::BadModification,
+                   fmt::format("{} is no rotary axis", letter_of_axis(axis)));
+  }
+  const double place = word.value * channel.mm_per_length() + (adds ? further->at : 0.0);
+  if (place < further->travel_min || place > further->travel_max) {
+    return failure(AlarmId::SoftLimit,
+                   fmt::format("{}{:g}: {:g} to {:g}", letter_of_axis(axis), place,
+                               further->travel_min, further->travel_max));
+  }
+  return place;
+}
+
+double rapid_seconds(const FurtherAxis& axis, double way_mm) {
+  return kSecondsPerMinute * std::abs(way_mm) / axis.rapid_per_min;
+}
+
+/// POS[W] and POSA[W]: at FA or at rapid.
+MaybeFailure position_one(Channel& channel, const Block& block, int axis) {
+  if (path_word(block, axis).present) {
+    return failure(AlarmId::AddressRepeated, fmt::format("{0} and POS[{0}]", letter_of_axis(axis)));
+  }
+  const auto place = place_of(channel, axis, positioning_word(block, axis));
+  if (!place) {
+    return place.error();
+  }
+  FurtherAxis& further = channel.further_axes.at(axis);
+  const double way = place.value() - further.at;
+  const double feed = channel.axis_settings.feed[static_cast<std::size_t>(axis)] *
+                      channel.feed_switches.override_percent / 100.0;
+  further.at = place.value();
+  return pause(channel,
+               {feed > 0.0 ? kSecondsPerMinute * std::abs(way) / feed : rapid_seconds(further, way),
+                block.where});
+}
+
+/// W100 and the like: alone they take F or rapid, with axes of the path they arrive with these.
+MaybeFailure go_along(Channel& channel, const Block& block, bool with_path) {
+  double square = 0.0;
+  double rapid_s = 0.0;
+  for (int axis = first_further(); axis < end_of_further(); ++axis) {
+    if (!path_word(block, axis).present) {
+      continue;
+    }
+    const auto place = place_of(channel, axis, path_word(block, axis));
+    if (!place) {
+      return place.error();
+    }
+    FurtherAxis& further = channel.further_axes.at(axis);
+    const double way = place.value() - further.at;
+    square += way * way;
+    rapid_s = std::max(rapid_s, rapid_seconds(further, way));
+    further.at = place.value();
+  }
+  if (with_path || square == 0.0) {
+    return std::nullopt;
+  }
+  if (channel.group[Group::Motion] == number_in_group("G0")) {
+    return pause(channel, {rapid_s, block.where});
+  }
+  FeedWay way;
+  way.length_mm = std::sqrt(square);
+  way.feed =
+      block.words.has(Address::BlockFeed) ? block.words[Address::BlockFeed].value : channel.feed;
+  const auto feed = feed_in_force(channel, block, way);
+  return feed ? pause(channel, {kSecondsPerMinute * way.length_mm / feed.value(), block.where})
+              : std::optional(feed.error());
+}
+
+/// G74 W1=0: to the reference point, whatever the word says.
+MaybeFailure to_home(Channel& channel, const Block& block) {
+  double seconds = 0.0;
+  for (int axis = first_further(); axis < end_of_further(); ++axis) {
+    if (!path_word(block, axis).present) {
+      continue;
+    }
+    if (channel.further(axis) == nullptr) {
+      return no_such_axis(axis);
+    }
+    FurtherAxis& further = channel.further_axes.at(axis);
+    seconds = std::max(seconds, rapid_seconds(further, further.home - further.at));
+    further.at = further.home;
+  }
+  return pause(channel, {seconds, block.where});
+}
+
+}  // namespace
+
+bool moves_further_axes(const Block& block) {
+  for (int axis = first_further(); axis < end_of_further(); ++axis) {
+    if (path_word(block, axis).present || positioning_word(block, axis).present) {
+      return true;
+    }
+  }
+  return false;
+}
+
+MaybeFailure move_further_axes(Channel& channel, const Block& block, FurtherMotion motion) {
+  for (int axis = first_further(); axis < end_of_further(); ++axis) {
+    if (motion == FurtherMotion::Refused && path_word(block, axis).present) {
+      return no_frame_of(axis);
+    }
+    if (positioning_word(block, axis).present) {
+      if (MaybeFailure wrong = position_one(channel, block, axis)) {
+        return wrong;
+      }
+    }
+  }
+  return motion == FurtherMotion::ToHome
+             ? to_home(channel, block)
+             : go_along(channel, block, motion == FurtherMotion::WithPath);
+}
+
+}  // namespace g31::sinumerik
