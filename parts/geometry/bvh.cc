@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <deque>
 #include <limits>
 #include <mutex>
@@ -14,8 +15,8 @@
 namespace g31::parts {
 namespace {
 
-/// Boxes in a branch that is made when a query comes to it.
-constexpr std::size_t kBranchBoxes = 1024;
+/// Twigs of a branch that is made when a query comes to it, where the owner does not say.
+constexpr std::size_t kBranchTwigs = 1024;
 
 /// A node has eight children or none but leaves, two at least: from that it follows.
 constexpr std::size_t most_nodes(std::size_t boxes) {
@@ -93,8 +94,12 @@ class Bvh::Builder {
 /// What of a tree is not made before it is asked for.
 class Bvh::Branches {
  public:
+  /// @param items  of the branches to be added
   explicit Branches(std::vector<BoxItem> items) : items_(std::move(items)) {}
+  Branches(std::vector<BoxItem> items, Grow grow)
+      : items_(std::move(items)), grow_(std::move(grow)) {}
 
+  /// Twigs, or a box for each branch that the owner lets grow.
   [[nodiscard]] std::span<BoxItem> items() { return items_; }
 
   /// Takes a group for later; returns its number.
@@ -105,42 +110,63 @@ class Bvh::Branches {
     return static_cast<std::uint32_t>(all_.size() - 1);
   }
 
-  /// Gives every branch its room from a node on; returns where the room of all ends.
-  std::uint32_t place_from(std::uint32_t node) {
-    for (Branch& branch : all_) {
-      branch.root = node;
-      node += static_cast<std::uint32_t>(most_nodes(branch.items.size()));
-    }
-    return node;
-  }
-
-  std::uint32_t root_of(std::uint32_t number, Node* nodes) {
+  /// @param middle  of the tree
+  const Node* nodes_of(std::uint32_t number, const Point& middle) {
     Branch& branch = all_[number];
-    std::call_once(branch.made, [&] {
-      Builder builder(nodes, branch.root);
-      builder.build(group_of(branch.items, branch.depth), [](const BoxGroup& part) {
-        return part.items.size() == 1 ? kLeaf + part.items.front().index() : 0;
+    if (!branch.is_made.load(std::memory_order_acquire)) {
+      std::call_once(branch.once, [&] {
+        branch.nodes = grow_ ? grown(branch, middle) : made(branch.items, branch.depth);
+        branch.is_made.store(true, std::memory_order_release);
       });
-      nodes_made_ += builder.next() - branch.root;
-    });
-    return branch.root;
+    }
+    return branch.nodes.get();
   }
 
-  [[nodiscard]] std::size_t nodes_made() const { return nodes_made_; }
   [[nodiscard]] std::size_t memory_bytes() const {
-    return items_.size() * sizeof(BoxItem) + all_.size() * sizeof(Branch);
+    return items_.size() * sizeof(BoxItem) + all_.size() * sizeof(Branch) +
+           nodes_made_ * sizeof(Node);
   }
 
  private:
+  using Nodes = std::unique_ptr<Node[]>;  // NOLINT(modernize-avoid-c-arrays): room of known size
   struct Branch {
-    std::once_flag made;
-    std::span<BoxItem> items;
+    std::atomic<bool> is_made = false;
+    std::once_flag once;
     int depth = 0;
-    std::uint32_t root = 0;
+    std::span<BoxItem> items;
+    Nodes nodes;
   };
+
+  Nodes grown(const Branch& branch, const Point& middle) {
+    constexpr std::size_t kMostTwigs = 1U << 20U;
+    const std::vector<Twig> twigs = grow_(branch.items.front().index());
+    if (twigs.empty()) {
+      return nullptr;
+    }
+    G31_EXPECTS(twigs.size() < kMostTwigs);
+    std::vector<BoxItem> items;
+    items.reserve(twigs.size());
+    for (const Twig& twig : twigs) {
+      items.emplace_back(twig.box, middle, twig.slot);
+    }
+    return made(items, branch.depth);
+  }
+
+  Nodes made(std::span<BoxItem> items, int depth) {
+    const auto room = std::make_unique_for_overwrite<Node[]>(most_nodes(items.size()));
+    Builder builder(room.get(), 0);
+    builder.build(group_of(items, depth), [](const BoxGroup& part) {
+      return part.items.size() == 1 ? kLeaf + part.items.front().index() : 0;
+    });
+    Nodes nodes = std::make_unique_for_overwrite<Node[]>(builder.next());
+    std::copy_n(room.get(), builder.next(), nodes.get());
+    nodes_made_ += builder.next();
+    return nodes;
+  }
 
   std::vector<BoxItem> items_;
   std::deque<Branch> all_;
+  Grow grow_;
   std::atomic<std::size_t> nodes_made_ = 0;
 };
 
@@ -162,30 +188,45 @@ Bvh::Bvh(Bvh&&) noexcept = default;
 Bvh& Bvh::operator=(Bvh&&) noexcept = default;
 Bvh::~Bvh() = default;
 
-Bvh::Bvh(std::vector<Box> boxes, Growth growth) {
+namespace {
+
+const Box& box_of(const Box& box) {
+  return box;
+}
+const Box& box_of(const Bvh::Twig& twig) {
+  return twig.box;
+}
+std::uint32_t slot_of(const Box&, std::uint32_t number) {
+  return number;
+}
+std::uint32_t slot_of(const Bvh::Twig& twig, std::uint32_t) {
+  return twig.slot;
+}
+
+}  // namespace
+
+template <typename Boxes>
+std::vector<BoxItem> Bvh::items_of(Boxes boxes) {
   G31_EXPECTS(boxes.size() < kBranch);
-  if (boxes.empty()) {
-    return;
-  }
-  for (const Box& box : boxes) {
-    bounds_.include(box);
+  for (const auto& box : boxes) {
+    bounds_.include(box_of(box));
   }
   middle_ = 0.5 * (bounds_.min + bounds_.max);
   size_ = (bounds_.max - bounds_.min).norm();
   std::vector<BoxItem> items;
   items.reserve(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    items.emplace_back(boxes[i], middle_, static_cast<std::uint32_t>(i));
+  for (const auto& box : boxes) {
+    const auto number = static_cast<std::uint32_t>(items.size());
+    items.emplace_back(box_of(box), middle_, slot_of(box, number));
   }
-  std::vector<Box>().swap(boxes);
-  if (growth == Growth::AtOnce) {
-    build_whole(items);
-  } else {
-    build_stem(std::move(items));
-  }
+  return items;
 }
 
-void Bvh::build_whole(std::vector<BoxItem>& items) {
+Bvh::Bvh(std::vector<Box> boxes) {
+  if (boxes.empty()) {
+    return;
+  }
+  std::vector<BoxItem> items = items_of(std::move(boxes));
   order_.reserve(items.size());
   // What is not used is never touched, and no node ever moves.
   nodes_ = std::make_unique_for_overwrite<Node[]>(most_nodes(items.size()));
@@ -200,23 +241,77 @@ void Bvh::build_whole(std::vector<BoxItem>& items) {
   node_count_ = builder.next();
 }
 
-void Bvh::build_stem(std::vector<BoxItem> items) {
-  const std::size_t count = items.size();
-  branches_ = std::make_unique<Branches>(std::move(items));
-  const auto stem = std::make_unique_for_overwrite<Node[]>(most_nodes(count));
-  Builder builder(stem.get(), 0);
-  builder.build(group_of(branches_->items(), 0), [&](const BoxGroup& part) -> std::uint32_t {
-    return part.items.size() == 1              ? kLeaf + part.items.front().index()
-           : part.items.size() <= kBranchBoxes ? kBranch + branches_->add(part)
-                                               : 0;
-  });
-  node_count_ = builder.next();
-  nodes_ = std::make_unique_for_overwrite<Node[]>(branches_->place_from(node_count_));
-  std::copy_n(stem.get(), node_count_, nodes_.get());
+Bvh::Bvh(std::vector<Twig> twigs) {
+  if (!twigs.empty()) {
+    build_stem(std::make_unique<Branches>(items_of(std::move(twigs))), kBranchTwigs);
+  }
 }
 
-std::uint32_t Bvh::root_of_branch(std::uint32_t branch) const {
-  return branches_->root_of(branch, nodes_.get());
+Bvh::Bvh(std::vector<Box> branches, Grow grow) {
+  if (!branches.empty()) {
+    build_stem(std::make_unique<Branches>(items_of(std::move(branches)), std::move(grow)), 1);
+  }
+}
+
+/// @param together  items that make a branch
+void Bvh::build_stem(std::unique_ptr<Branches> branches, std::size_t together) {
+  branches_ = std::move(branches);
+  const std::span<BoxItem> items = branches_->items();
+  const auto room = std::make_unique_for_overwrite<Node[]>(most_nodes(items.size()));
+  Builder builder(room.get(), 0);
+  builder.build(group_of(items, 0), [&](const BoxGroup& part) -> std::uint32_t {
+    const std::size_t count = part.items.size();
+    return together > 1 && count == 1 ? kLeaf + part.items.front().index()
+           : count <= together        ? kBranch + branches_->add(part)
+                                      : 0;
+  });
+  node_count_ = builder.next();
+  nodes_ = std::make_unique_for_overwrite<Node[]>(node_count_);
+  std::copy_n(room.get(), node_count_, nodes_.get());
+}
+
+const Bvh::Node* Bvh::nodes_of_branch(std::uint32_t branch) const {
+  return branches_->nodes_of(branch, middle_);
+}
+
+std::vector<Bvh::SlotRange> Bvh::ranges(const Together& together) const {
+  std::vector<SlotRange> ranges;
+  const auto all = static_cast<std::uint32_t>(order_.size());
+  if (all > 0 && together(all, size_)) {
+    ranges.push_back({0, all});
+  } else if (all > 0) {
+    add_ranges(0, all, together, ranges);
+  }
+  return ranges;
+}
+
+std::uint32_t Bvh::first_slot_of(std::uint32_t child) const {
+  while ((child & kLeaf) == 0) {
+    child = nodes_[child].child[0];
+  }
+  return child - kLeaf;
+}
+
+/// @param end  one behind the last slot below the node
+void Bvh::add_ranges(std::uint32_t node, std::uint32_t end, const Together& together,
+                     std::vector<SlotRange>& ranges) const {
+  const Node& here = nodes_[node];
+  for (std::size_t lane = 0; lane < kWidth && here.child[lane] != 0; ++lane) {
+    const std::uint32_t child = here.child[lane];
+    const std::uint32_t next = lane + 1 < kWidth ? here.child[lane + 1] : 0;
+    const std::uint32_t first = first_slot_of(child);
+    const std::uint32_t behind = next != 0 ? first_slot_of(next) : end;
+    double squared = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double size = double{here.max[i][lane]} - double{here.min[i][lane]};
+      squared += size * size;
+    }
+    if ((child & kLeaf) != 0 || together(behind - first, std::sqrt(squared))) {
+      ranges.push_back({first, behind - first});
+    } else {
+      add_ranges(child, behind, together, ranges);
+    }
+  }
 }
 
 bool Bvh::may_meet(const Path& path, double reach) const {
@@ -224,10 +319,8 @@ bool Bvh::may_meet(const Path& path, double reach) const {
 }
 
 std::size_t Bvh::memory_bytes() const {
-  const std::size_t order = order_.size() * sizeof(std::uint32_t);
-  return branches_ == nullptr
-             ? node_count_ * sizeof(Node) + order
-             : (node_count_ + branches_->nodes_made()) * sizeof(Node) + branches_->memory_bytes();
+  return node_count_ * sizeof(Node) + order_.size() * sizeof(std::uint32_t) +
+         (branches_ == nullptr ? 0 : branches_->memory_bytes());
 }
 
 }  // namespace g31::parts

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -27,24 +28,45 @@ struct Plane {
 /// Split by the surface area heuristic.  Queries may run on many threads, and find the same
 /// whenever the nodes were made.
 ///
-/// Queries speak of *slots*: slot i is box order()[i] of the list given.
+/// Queries speak of *slots*: slot i is box order()[i] of the list given, and neighbouring slots are
+/// neighbours in space: the owner does well to keep his data so.  Of a tree that grows where
+/// queries come, slots are what its owner says.
 class Bvh {
  public:
-  enum class Growth {
-    AtOnce,  ///< neighbouring slots are neighbours in space: the owner does well to keep his data
-             ///< so
-    WhereAsked,  ///< branches of a thousand boxes when a query comes to them; slots are as given
+  /// What a branch holds that is made when a query first comes to it.
+  struct Twig {
+    Box box;                 ///< not empty, mm
+    std::uint32_t slot = 0;  ///< less than 2^31
+  };
+  /// Gives the twigs of a branch, fewer than 2^20; asked at most once for each, from any thread.
+  using Grow = std::function<std::vector<Twig>(std::uint32_t branch)>;
+  /// Slots that lie together: from `first` on.
+  struct SlotRange {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
   };
 
   Bvh();
   /// @param boxes  none empty; fewer than 2^30; given up before the tree takes memory of its own
-  explicit Bvh(std::vector<Box> boxes, Growth growth = Growth::AtOnce);
+  explicit Bvh(std::vector<Box> boxes);
+  /// A tree that grows where queries come, by a thousand twigs.
+  explicit Bvh(std::vector<Twig> twigs);
+  /// A tree that grows where queries come, as its owner says.
+  ///
+  /// @param branches  a box for each: a query that meets it comes to the branch
+  Bvh(std::vector<Box> branches, Grow grow);
   Bvh(Bvh&&) noexcept;
   Bvh& operator=(Bvh&&) noexcept;
   ~Bvh();
 
-  /// Empty where slots are as given.
+  /// Empty where the owner says what slots are.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return order_; }
+
+  /// Whether so many slots may stay together whose boxes lie in one of that diagonal, mm.
+  using Together = std::function<bool(std::uint32_t count, double diagonal)>;
+
+  /// All slots, by branches of the tree as large as may be.
+  [[nodiscard]] std::vector<SlotRange> ranges(const Together& together) const;
 
   /// Calls visit(slot) for every box within `reach` mm of the point, nearest boxes first.
   ///
@@ -90,6 +112,7 @@ class Bvh {
   struct Waiting {
     float at;  ///< how soon or how near
     std::uint32_t child;
+    const Node* nodes;  ///< of the stem or of the branch that the child is in
   };
   /// The nodes still to be looked at, nearest on top.
   class Stack;
@@ -103,13 +126,19 @@ class Bvh {
   template <typename Range>
   void leave_out_beyond(const Range& planes, const Node& node, Lanes& entries) const;
 
-  /// The node of a child that is no leaf; makes it if it is a branch that nobody has come to.
-  [[nodiscard]] const Node& node_of(std::uint32_t child) const {
-    return nodes_[(child & kBranch) == 0 ? child : root_of_branch(child - kBranch)];
-  }
-  [[nodiscard]] std::uint32_t root_of_branch(std::uint32_t branch) const;
-  void build_whole(std::vector<BoxItem>& items);
-  void build_stem(std::vector<BoxItem> items);
+  /// Calls push(nodes, number) for the node that a child is, or the root of a branch.
+  template <typename Push>
+  void go_on(const Waiting& from, const Push& push) const;
+
+  /// The nodes of a branch, its root first; null for an empty one.  Makes them for the first query.
+  [[nodiscard]] const Node* nodes_of_branch(std::uint32_t branch) const;
+  void build_stem(std::unique_ptr<Branches> branches, std::size_t together);
+  /// Measures them all.  @param boxes  or twigs; their memory is given back
+  template <typename Boxes>
+  [[nodiscard]] std::vector<BoxItem> items_of(Boxes boxes);
+  [[nodiscard]] std::uint32_t first_slot_of(std::uint32_t child) const;
+  void add_ranges(std::uint32_t node, std::uint32_t end, const Together& together,
+                  std::vector<SlotRange>& ranges) const;
 
   static constexpr std::uint32_t kLeaf = 0x8000'0000U;
   static constexpr std::uint32_t kBranch = 0x4000'0000U;

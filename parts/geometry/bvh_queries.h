@@ -10,7 +10,8 @@
 
 namespace g31::parts {
 
-/// Room for every tree that Builder makes: it is at most 80 levels deep, each leaves seven behind.
+/// Room for every tree that Builder makes: stem and branch together are at most 98 levels deep (48
+/// by the heuristic, then in halves 2^30 and 2^20 boxes), each leaves seven behind.
 class Bvh::Stack {
  public:
   [[nodiscard]] bool empty() const { return size_ == 0; }
@@ -18,7 +19,7 @@ class Bvh::Stack {
   Waiting pop() { return entries_[--size_]; }
 
   /// Adds the children whose lane holds a finite number, the least one on top.
-  void push(const Lanes& at, const Node& node) {
+  void push(const Lanes& at, const Node& node, const Node* nodes) {
     const std::size_t bottom = size_;
     for (std::size_t lane = 0; lane < kWidth; ++lane) {
       if (at[lane] < std::numeric_limits<float>::infinity()) {
@@ -26,13 +27,13 @@ class Bvh::Stack {
         for (; place > bottom && entries_[place - 1].at < at[lane]; --place) {
           entries_[place] = entries_[place - 1];
         }
-        entries_[place] = {at[lane], node.child[lane]};
+        entries_[place] = {at[lane], node.child[lane], nodes};
       }
     }
   }
 
  private:
-  static constexpr std::size_t kMostWaiting = 640;
+  static constexpr std::size_t kMostWaiting = 704;
   std::array<Waiting, kMostWaiting> entries_;
   std::size_t size_ = 0;
 };
@@ -152,6 +153,15 @@ class Bvh::PathQuery {
   float limit_ = 0.0F;
 };
 
+template <typename Push>
+void Bvh::go_on(const Waiting& from, const Push& push) const {
+  if ((from.child & kBranch) == 0) {
+    push(from.nodes, from.child);
+  } else if (const Node* const nodes = nodes_of_branch(from.child - kBranch)) {
+    push(nodes, 0);
+  }
+}
+
 template <typename Visit>
 void Bvh::visit_near(const Point& p, double reach, Visit&& visit) const {
   const Point outside = (p - p.cwiseMax(bounds_.min).cwiseMin(bounds_.max));
@@ -160,7 +170,10 @@ void Bvh::visit_near(const Point& p, double reach, Visit&& visit) const {
   }
   PointQuery query(*this, p, reach);
   Stack stack;
-  stack.push(query.distances(nodes_[0]), nodes_[0]);
+  const auto push = [&](const Node* nodes, std::uint32_t node) {
+    stack.push(query.distances(nodes[node]), nodes[node], nodes);
+  };
+  push(nodes_.get(), 0);
   while (!stack.empty()) {
     const Waiting next = stack.pop();
     if (next.at > query.squared_limit()) {
@@ -169,8 +182,7 @@ void Bvh::visit_near(const Point& p, double reach, Visit&& visit) const {
     if ((next.child & kLeaf) != 0) {
       query.limit(visit(next.child - kLeaf));
     } else {
-      const Node& node = node_of(next.child);
-      stack.push(query.distances(node), node);
+      go_on(next, push);
     }
   }
 }
@@ -222,12 +234,12 @@ void Bvh::visit_along(const Path& path, const Point& reach, Planes&& planes, Vis
     return;
   }
   Stack stack;
-  const auto push = [&](const Node& node) {
-    Lanes entries = query.entries(node);
-    leave_out_beyond(planes(), node, entries);
-    stack.push(entries, node);
+  const auto push = [&](const Node* nodes, std::uint32_t node) {
+    Lanes entries = query.entries(nodes[node]);
+    leave_out_beyond(planes(), nodes[node], entries);
+    stack.push(entries, nodes[node], nodes);
   };
-  push(nodes_[0]);
+  push(nodes_.get(), 0);
   while (!stack.empty()) {
     const Waiting next = stack.pop();
     if (next.at > query.limit()) {
@@ -236,7 +248,7 @@ void Bvh::visit_along(const Path& path, const Point& reach, Planes&& planes, Vis
     if ((next.child & kLeaf) != 0) {
       query.limit(visit(next.child - kLeaf));
     } else {
-      push(node_of(next.child));
+      go_on(next, push);
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -27,6 +28,11 @@ class CornerFans {
   /// least in its place.
   [[nodiscard]] std::span<const Corner> fan(std::uint32_t v) const {
     return std::span(corners_).subspan(first_[v], first_[v + 1] - first_[v]);
+  }
+
+  [[nodiscard]] std::size_t memory_bytes() const {
+    return (place_.capacity() + first_.capacity()) * sizeof(std::uint32_t) +
+           corners_.capacity() * sizeof(Corner);
   }
 
  private:

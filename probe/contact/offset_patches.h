@@ -1,41 +1,42 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "parts/geometry/box.h"
-#include "parts/geometry/mesh.h"
-#include "probe/contact/contact_triangle.h"
+#include "parts/geometry/bvh.h"
+#include "probe/contact/offset_regions.h"
 #include "probe/contact/sweep_triangle.h"
 
 namespace g31::probe {
 
 /// What a ball touches that has its centre in a patch.
 struct PatchOwner {
-  std::uint32_t triangle = 0;
-  Features features = 0;  ///< one of these of the triangle
+  static constexpr std::uint32_t kTriangleBits = 27;
+
+  std::uint32_t triangle = 0;  ///< its slot, less than 2^27
+  Features features = 0;       ///< one of these of the triangle
+
+  /// What a tree of patches takes for its slot, and back.
+  [[nodiscard]] std::uint32_t as_slot() const { return features << kTriangleBits | triangle; }
+  static PatchOwner of_slot(std::uint32_t slot) {
+    return {slot & ((1U << kTriangleBits) - 1), slot >> kTriangleBits};
+  }
 };
 
-/// Pieces of the surface on which the centre of a ball lies that touches the mesh and overlaps it
-/// nowhere.  Two lists, because the tree wants the boxes alone and a large mesh has millions.
-struct OffsetPatches {
-  std::vector<parts::Box> boxes;   ///< mm; each piece lies in its box to within rounding
-  std::vector<PatchOwner> owners;  ///< of the pieces, in the same order
-};
+/// A box around a piece of the offset surface, mm, to within rounding; the slot is its owner.
+using OffsetPatch = parts::Bvh::Twig;
 
-/// Boxes around the whole offset surface of the mesh, on both sides: a ball that starts free and
-/// meets the mesh does so with its centre in one of them.
+/// Boxes around the whole offset surface: a ball that starts free and meets the mesh does so with
+/// its centre in one of them.  From two patches a triangle (smooth meshes) to six.
 ///
-/// Faces moved by the radius to either side, arcs around edges and caps around vertices where they
-/// are exposed; small arcs and caps go in with a face beside them.  Vertices in one place count as
-/// one, so unwelded meshes are no worse.  Edges of one triangle alone have half a circle, slivers
-/// the whole of their box grown by the radius.
-///
-/// @param triangles  of the mesh, in its order
-/// @param radius     mm, > 0
-/// From two patches a triangle (smooth meshes) to six.
-OffsetPatches offset_patches(const parts::Mesh& mesh, std::span<const ContactTriangle> triangles,
-                             double radius);
+/// Small arcs and caps go in with a face beside them.  Vertices in one place count as one, so
+/// unwelded meshes are no worse.  Edges of one triangle alone have half a circle, slivers the whole
+/// of their box grown by the radius.  An edge belongs to the first triangle that has it, and so
+/// does a vertex.
+std::vector<OffsetPatch> offset_patches(const OffsetSurface& surface);
+
+/// The same for a region, without what vertices beside it hide (hiding_vertices.h).
+std::vector<OffsetPatch> offset_patches_not_hidden(const OffsetSurface& surface,
+                                                   const OffsetRegion& region);
 
 }  // namespace g31::probe

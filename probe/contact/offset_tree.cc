@@ -1,29 +1,36 @@
 #include "probe/contact/offset_tree.h"
 
 #include <utility>
+#include <vector>
 
 #include "machine/base/contract.h"
 
 namespace g31::probe {
-namespace {
-
-/// What a Patch can number.
-constexpr std::size_t kMostTriangles = 1U << 28U;
-
-}  // namespace
 
 OffsetTree::OffsetTree(const ContactMesh& mesh, double radius) {
-  G31_EXPECTS(mesh.triangles().size() < kMostTriangles);
-  OffsetPatches patches = offset_patches(mesh.mesh(), mesh.triangles(), radius);
-  tree_ = parts::Bvh(std::move(patches.boxes), parts::Bvh::Growth::WhereAsked);
-  patches_.reserve(patches.owners.size());
-  for (const PatchOwner& owner : patches.owners) {
-    patches_.emplace_back(owner);
+  G31_EXPECTS(mesh.triangles().size() < (1U << PatchOwner::kTriangleBits));
+  OffsetSurface surface(mesh, radius);
+  if (!is_rough_and_fine(surface)) {
+    tree_ = parts::Bvh(offset_patches(surface));
+    return;
   }
+  std::vector<OffsetRegion> regions = offset_regions(surface);
+  std::vector<parts::Box> boxes;
+  boxes.reserve(regions.size());
+  for (const OffsetRegion& region : regions) {
+    boxes.push_back(region.box);
+  }
+  source_ = std::make_unique<Source>(Source{std::move(surface), std::move(regions)});
+  tree_ = parts::Bvh(std::move(boxes), [source = source_.get()](std::uint32_t region) {
+    return offset_patches_not_hidden(source->surface, source->regions[region]);
+  });
 }
 
 std::size_t OffsetTree::memory_bytes() const {
-  return tree_.memory_bytes() + patches_.capacity() * sizeof(Patch);
+  return tree_.memory_bytes() + (source_ == nullptr
+                                     ? 0
+                                     : source_->surface.fans.memory_bytes() +
+                                           source_->regions.capacity() * sizeof(OffsetRegion));
 }
 
 }  // namespace g31::probe

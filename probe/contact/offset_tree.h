@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "parts/geometry/bvh.h"
@@ -12,11 +12,13 @@
 namespace g31::probe {
 
 /// The surface on which the centre of a touching ball lies, as a tree of patches
-/// (offset_patches.h).  Immutable.
+/// (offset_patches.h).  Of a rough mesh that is fine beside the ball, patches are made where the
+/// ball comes, without those that are hidden.  To those who ask it is immutable.
 class OffsetTree {
  public:
   OffsetTree() = default;
 
+  /// @param mesh    outlives the tree
   /// @param radius  mm, > 0
   OffsetTree(const ContactMesh& mesh, double radius);
 
@@ -25,28 +27,21 @@ class OffsetTree {
   /// interest, mm.
   template <typename Visit>
   void visit_along(const parts::Path& path, double reach, Visit&& visit) const {
-    tree_.visit_along(path, reach, [&](std::uint32_t i) {
-      return visit(PatchOwner{patches_[i].slot(), patches_[i].features()});
-    });
+    tree_.visit_along(path, reach,
+                      [&](std::uint32_t slot) { return visit(PatchOwner::of_slot(slot)); });
   }
 
   [[nodiscard]] std::size_t memory_bytes() const;
 
  private:
-  /// What to test where the centre meets a patch: 4 bits of Features, then 28 of the triangle's
-  /// slot.
-  class Patch {
-   public:
-    explicit Patch(const PatchOwner& owner) : bits_(owner.features << 28U | owner.triangle) {}
-    [[nodiscard]] Features features() const { return bits_ >> 28U; }
-    [[nodiscard]] std::uint32_t slot() const { return bits_ & 0x0FFF'FFFFU; }
-
-   private:
-    std::uint32_t bits_;
+  /// What patches are made of where a ball comes.
+  struct Source {
+    OffsetSurface surface;
+    std::vector<OffsetRegion> regions;
   };
 
+  std::unique_ptr<Source> source_;  ///< null where all patches are made
   parts::Bvh tree_;
-  std::vector<Patch> patches_;  ///< in the order of the boxes
 };
 
 }  // namespace g31::probe

@@ -53,7 +53,7 @@ struct StraightLeaving {
 /// kContactErrorMm is never let through.
 class MeshSweeper {
  public:
-  /// @param mesh_M       in the machine frame; may be empty; fewer than 2^28 triangles
+  /// @param mesh_M       in the machine frame; may be empty; fewer than 2^27 triangles
   /// @param ball_radius  mm, > 0
   MeshSweeper(const parts::Mesh& mesh_M, double ball_radius);
 

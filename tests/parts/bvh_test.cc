@@ -1,6 +1,7 @@
 #include "parts/geometry/bvh.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -102,42 +103,140 @@ TEST(Bvh, VisitsEveryBoxNearAPointOrOnAPath) {
   EXPECT_LT(visits, 4 * met) << "the tree should spare the boxes that are out of reach";
 }
 
-/// The numbers of all boxes that some points and paths come near, as they are visited.
-std::vector<std::uint32_t> visited(const Bvh& tree) {
-  std::vector<std::uint32_t> all;
-  std::mt19937_64 random(6);
+TEST(Bvh, TellsWhichSlotsLieTogether) {
+  const std::vector<Box> boxes = awkward_boxes(4, 3000);
+  const Bvh tree(boxes);
+  const auto box_of = [&](const Bvh::SlotRange& range) {
+    Box box;
+    for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot) {
+      box.include(boxes[tree.order()[slot]]);
+    }
+    return box;
+  };
+  for (const std::uint32_t most : {1U, 8U, 100U, 3000U}) {
+    const auto ranges = tree.ranges(
+        [&](std::uint32_t count, double diagonal) { return count <= most && diagonal <= 9.0; });
+    std::uint32_t next = 0;
+    for (const Bvh::SlotRange& range : ranges) {
+      EXPECT_EQ(range.first, next) << "every slot once, in order";
+      next += range.count;
+      const Box box = box_of(range);
+      EXPECT_TRUE(range.count == 1 || (range.count <= most && (box.max - box.min).norm() <= 9.0));
+    }
+    EXPECT_EQ(next, boxes.size());
+    EXPECT_LT(ranges.size(), most == 1 ? 3001U : 3000U);
+  }
+  EXPECT_EQ(tree.ranges([](std::uint32_t, double) { return true; }).size(), 1U);
+  EXPECT_TRUE(Bvh().ranges([](std::uint32_t, double) { return true; }).empty());
+}
+
+/// The slots of all boxes that some points and paths come near, sorted, query by query.
+std::vector<std::vector<std::uint32_t>> visited(const Bvh& tree, std::uint64_t seed) {
+  std::vector<std::vector<std::uint32_t>> all;
+  std::mt19937_64 random(seed);
   for (int i = 0; i < 60; ++i) {
     const Path path{point_between(random, -15.0, 15.0), any_direction(random), 20.0};
     const auto note = [&](double interest) {
-      return [&all, &tree, interest](std::uint32_t slot) {
-        all.push_back(tree.order().empty() ? slot : tree.order()[slot]);
+      return [&all, interest](std::uint32_t slot) {
+        all.back().push_back(slot);
         return interest;
       };
     };
+    all.emplace_back();
     tree.visit_near(path.from, 2.0, note(2.0));
+    all.emplace_back();
     tree.visit_along(path, 0.5, note(path.length));
+  }
+  for (auto& one : all) {
+    std::ranges::sort(one);
   }
   return all;
 }
 
 TEST(Bvh, IsTheSameWheneverItsNodesAreMade) {
+  const auto in_order = [](const Bvh& tree, bool is_whole) {
+    std::vector<std::uint32_t> all;
+    std::mt19937_64 random(6);
+    for (int i = 0; i < 60; ++i) {
+      const Path path{point_between(random, -15.0, 15.0), any_direction(random), 20.0};
+      const auto note = [&](double interest) {
+        return [&all, &tree, is_whole, interest](std::uint32_t slot) {
+          all.push_back(is_whole ? tree.order()[slot] : slot);
+          return interest;
+        };
+      };
+      tree.visit_near(path.from, 2.0, note(2.0));
+      tree.visit_along(path, 0.5, note(path.length));
+    }
+    return all;
+  };
   for (const std::size_t count : {1U, 5U, 1000U, 1025U, 20'000U}) {
     const std::vector<Box> boxes = awkward_boxes(9, count);
-    const std::vector<std::uint32_t> wanted = visited(Bvh(boxes));
-    const Bvh growing(boxes, Bvh::Growth::WhereAsked);
-    const std::size_t at_first = growing.memory_bytes();
-    std::vector<std::vector<std::uint32_t>> found(4);
+    std::vector<Bvh::Twig> twigs;
+    for (const Box& box : boxes) {
+      twigs.push_back({box, static_cast<std::uint32_t>(twigs.size())});
+    }
+    EXPECT_EQ(in_order(Bvh(twigs), false), in_order(Bvh(boxes), true));
+  }
+}
+
+/// A tree whose branches are every so many boxes; box k of the list is slot 7 k.
+struct GrownTree {
+  std::vector<std::atomic<int>> asked;
+  Bvh tree;
+
+  GrownTree(const std::vector<Box>& boxes, std::size_t together)
+      : asked((boxes.size() + together - 1) / together) {
+    std::vector<Box> branches(asked.size());
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      branches[k / together].include(boxes[k]);
+    }
+    tree = Bvh(branches, [this, boxes, together](std::uint32_t branch) {
+      ++asked[branch];
+      std::vector<Bvh::Twig> twigs;
+      // Every fifth branch turns out to be empty.
+      const std::size_t end = branch % 5 == 4 ? 0 : boxes.size();
+      for (std::size_t k = branch * together; k < std::min(end, (branch + 1) * together); ++k) {
+        twigs.push_back({boxes[k], static_cast<std::uint32_t>(7 * k)});
+      }
+      return twigs;
+    });
+  }
+};
+
+TEST(Bvh, GrowsWhereQueriesComeWhoeverComesFirst) {
+  for (const std::size_t count : {1U, 5U, 1000U, 20'000U}) {
+    constexpr std::size_t kTogether = 37;
+    const std::vector<Box> boxes = awkward_boxes(9, count);
+    GrownTree grown(boxes, kTogether);
+    const std::size_t at_first = grown.tree.memory_bytes();
+    std::vector<std::vector<std::vector<std::uint32_t>>> found(4);
     std::vector<std::thread> threads;
     for (auto& one : found) {
-      threads.emplace_back([&] { one = visited(growing); });
+      threads.emplace_back([&] { one = visited(grown.tree, 6); });
     }
     for (std::thread& thread : threads) {
       thread.join();
     }
+    const Bvh whole(boxes);
+    auto wanted = visited(whole, 6);
+    for (auto& query : wanted) {
+      for (std::uint32_t& slot : query) {
+        slot = whole.order()[slot];
+      }
+      std::erase_if(query, [](std::uint32_t k) { return k / kTogether % 5 == 4; });
+      std::ranges::sort(query);
+      for (std::uint32_t& slot : query) {
+        slot *= 7;
+      }
+    }
     for (const auto& one : found) {
       EXPECT_EQ(one, wanted);
     }
-    EXPECT_EQ(growing.memory_bytes() > at_first, count > 100);
+    for (const auto& times : grown.asked) {
+      EXPECT_LE(times, 1);
+    }
+    EXPECT_TRUE(grown.tree.memory_bytes() > at_first || count < 100);
   }
 }
 
