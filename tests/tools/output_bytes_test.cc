@@ -41,5 +41,19 @@ TEST(OutputBytes, OfMessagesAreLettersForATerminal) {
             "e\nTT = \xC3\x9F\n");
 }
 
+TEST(RunDocument, KeepsTheFirstStopsAndCountsTheOthers) {
+  const testing::TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {
+      folder.write("main.mpf", "WHILE R1<10003\nR1=R1+1\nG0 X=R1/100 M0\nENDWHILE\nM30\n")};
+  const testing::RunOutput many = testing::run_program(options);
+  EXPECT_EQ(many.document.at("stops").size(), 10000U);
+  EXPECT_EQ(many.document.at("stops_left_out"), 3);
+  options.programs = {folder.write("main.mpf", "G0 X1 M0\nM30\n")};
+  const testing::RunOutput few = testing::run_program(options);
+  EXPECT_EQ(few.document.at("stops").size(), 1U);
+  EXPECT_FALSE(few.document.contains("stops_left_out"));
+}
+
 }  // namespace
 }  // namespace g31

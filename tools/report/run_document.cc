@@ -167,6 +167,9 @@ std::string run_document(const RunResult& result, const RunRecorder& recorder,
     document["files"][name] = source::as_utf8(content);
   }
   document["stops"] = list_of(recorder.stops(), shown_by(stop_json));
+  if (recorder.stops_left_out() > 0) {
+    document["stops_left_out"] = recorder.stops_left_out();
+  }
   if (recorder.what().moves == RecordWhat::Keep::Yes) {
     document["moves"] = list_of(recorder.moves(), move_json);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ struct RecordWhat {
 /// Keeps what a running program does, for the result document.
 class RunRecorder : public runtime::Observer {
  public:
+  /// Of the stops the first ones are kept: a loop that stops at each pass may run for hours.
+  static constexpr std::size_t kMostStops = 10000;
+
   explicit RunRecorder(RecordWhat what) : what_(what) {}
 
   void on_move(const runtime::MoveEvent& event) override {
@@ -31,13 +35,20 @@ class RunRecorder : public runtime::Observer {
       touches_.push_back(event);
     }
   }
-  void on_stop(const runtime::StopEvent& event) override { stops_.push_back(event); }
+  void on_stop(const runtime::StopEvent& event) override {
+    if (stops_.size() < kMostStops) {
+      stops_.push_back(event);
+    } else {
+      ++stops_left_out_;
+    }
+  }
   void on_output(const runtime::OutputEvent& event) override { output_ += event.text; }
 
   [[nodiscard]] const RecordWhat& what() const { return what_; }
   [[nodiscard]] const std::vector<runtime::MoveEvent>& moves() const { return moves_; }
   [[nodiscard]] const std::vector<runtime::TouchEvent>& touches() const { return touches_; }
   [[nodiscard]] const std::vector<runtime::StopEvent>& stops() const { return stops_; }
+  [[nodiscard]] std::size_t stops_left_out() const { return stops_left_out_; }
   [[nodiscard]] const std::string& output() const { return output_; }
 
  private:
@@ -45,6 +56,7 @@ class RunRecorder : public runtime::Observer {
   std::vector<runtime::MoveEvent> moves_;
   std::vector<runtime::TouchEvent> touches_;
   std::vector<runtime::StopEvent> stops_;
+  std::size_t stops_left_out_ = 0;
   std::string output_;
 };
 
