@@ -90,6 +90,9 @@ class SinumerikMove {
     const auto id = static_cast<sinumerik::AxisWordId>(op.detail);
     const auto role = sinumerik::info(id).role;
     const auto axis = number(op.a);
+    if (id == sinumerik::AxisWordId::CentreOfAxis) {
+      return;
+    }
     if (role == sinumerik::AxisRole::Path || role == sinumerik::AxisRole::Positioning) {
       const auto value = number(op.b);
       targets_.push_back({axis ? sinumerik::letter_of_axis(static_cast<int>(*axis)) : '?',

@@ -52,6 +52,12 @@ std::optional<Fault> SinumerikPrograms::missing_program(const Flow& caller, cons
   if (call.target.empty() || caller.writes_files || callable_.find(call.target, {}) != nullptr) {
     return std::nullopt;
   }
+  if (const auto* const cycle = sinumerik::find_unsimulated_cycle(call.target);
+      cycle != nullptr && !call.by_text) {
+    return Fault{Fault::Kind::NotSimulated, 0, call.where,
+                 fmt::format("{}, {}: a run tells it and passes over it", cycle->name, cycle->text),
+                 "a program of this name, in the file or in a folder with --lib"};
+  }
   const bool is_l_number = call.target.size() > 1 && sinumerik::upper(call.target.front()) == 'L' &&
                            sinumerik::is_digit(call.target[1]);
   const sinumerik::AlarmInfo& row =

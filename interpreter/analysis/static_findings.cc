@@ -54,7 +54,8 @@ class Findings {
       }
       for (const Call& call : flow.calls_of(block)) {
         if (const auto fault = programs_.missing_program(flow, call)) {
-          add(flow, *fault, RuleId::MissingProgram, reached[i]);
+          const bool is_told = fault->kind == Fault::Kind::NotSimulated;
+          add(flow, *fault, is_told ? RuleId::NotSimulated : RuleId::MissingProgram, reached[i]);
         }
       }
     }

@@ -270,6 +270,32 @@ TEST(Check, ASheetSaysWhatTheControlKnows) {
   EXPECT_EQ(with.text, "");
 }
 
+TEST(Check, NamesOfAxesComeFromTheSheet) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("part.mpf", "G0 SP1=90 W10\nPOS[SP1]=IC(5)\nM30\n")};
+  const CheckOutput without = checked(options);
+  EXPECT_EQ(without.exit_code, 1);
+  EXPECT_NE(without.text.find("names of [machine.axes]"), without.text.npos) << without.text;
+  options.setups = {folder.write("machine.toml", "[machine.axes.C]\nnames = \"SP1\"\n")};
+  const CheckOutput with = checked(options);
+  EXPECT_EQ(with.exit_code, 0);
+  EXPECT_EQ(with.text, "");
+}
+
+TEST(Check, ACycleThatIsNotSimulatedIsAWarningUnlessThereIsAProgramOfItsName) {
+  TemporaryFolder folder;
+  const CheckOutput without =
+      checked_files({folder.write("part.mpf", "G0 X1\nCYCLE95(\"CONTOUR\",2)\nM30\n")});
+  EXPECT_EQ(without.exit_code, 1);
+  EXPECT_NE(without.text.find("part.mpf:2:1: warning: CYCLE95, stock removal along a contour"),
+            without.text.npos)
+      << without.text;
+  EXPECT_NE(without.text.find("[NC007]"), without.text.npos) << without.text;
+  folder.write("CYCLE95.SPF", "PROC CYCLE95(STRING[20] NAME,REAL MID)\nM17\n");
+  EXPECT_EQ(checked_files({folder.path("part.mpf")}).exit_code, 0);
+}
+
 TEST(Check, ASheetWithAMistakeIsRefusedAtItsPlace) {
   TemporaryFolder folder;
   cli::CheckOptions options;

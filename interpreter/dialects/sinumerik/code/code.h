@@ -46,6 +46,18 @@ struct Op {
   Operand b;
 };
 
+/// When a synchronised action acts.
+enum class ActionKind : std::uint8_t {
+  Once,   ///< WHEN: the first time that its condition holds
+  While,  ///< WHENEVER: each time
+  From,   ///< FROM: from the first time on
+  Edge,   ///< EVERY: each time that it begins to hold
+  Always  ///< DO without a condition
+};
+/// How long it is in force.
+enum class ActionScope : std::uint8_t { NextBlock, Modal, Static };
+inline constexpr int kActionScopes = 3;
+
 /// What `detail` keeps; no table may have more rows than it can tell apart.
 template <typename Id>
 constexpr std::uint8_t detail_of(Id id) {

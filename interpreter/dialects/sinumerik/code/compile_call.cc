@@ -199,8 +199,12 @@ void Compiler::idle_statement() {
   }
 }
 
-/// WHEN $A_PROBE[n]==level DO DELDTG, the condition in brackets or not
+/// WHEN $A_PROBE[n]==level DO DELDTG, the condition in brackets or not; another synchronised action
 void Compiler::when_statement() {
+  if (!peek().is_name("$A_PROBE") && !peek(1).is_name("$A_PROBE")) {
+    action_statement();
+    return;
+  }
   const bool bracket = accept(Symbol::LeftParen);
   const bool of_probe = accept_name("$A_PROBE") && accept(Symbol::LeftBracket);
   const Expr probe = of_probe ? convert(expression(), Type::Int) : Expr();

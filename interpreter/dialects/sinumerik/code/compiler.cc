@@ -128,6 +128,10 @@ void Compiler::item() {
     fail(AlarmId::SyntaxInText, text_of(token.where));
     return;
   }
+  if (purpose_ == Purpose::Data && (token.is_name("METRIC"))) {
+    next();  // the lengths of the file, as those of the basic system
+    return;
+  }
   if (const Handler handler = find_keyword(token.text)) {
     next();
     (this->*handler)();

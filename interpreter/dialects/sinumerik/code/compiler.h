@@ -263,6 +263,19 @@ class Compiler {
   void idle_statement();
   void when_statement();
 
+  // compile_actions.cc
+  struct ActionText {
+    std::string text;  ///< a block
+    bool deletes_distance = false;
+  };
+  void numbered_action();
+  void action_statement();
+  void synchronised_action(std::string_view word, ActionScope scope, const Expr& number);
+  bool judge_condition(std::size_t from);
+  bool may_act(const Token& action);
+  ActionText action_list(ActionKind kind, bool is_timed);
+  void judge_action(std::size_t from, ActionKind kind, bool is_timed);
+
   // compile_words.cc
   void letter_item();
   void letter_word(const Token& letter);

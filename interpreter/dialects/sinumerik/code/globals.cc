@@ -5,6 +5,7 @@
 
 #include "interpreter/dialects/sinumerik/vocabulary/machine_data.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
+#include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::sinumerik {
@@ -41,6 +42,7 @@ Globals::Globals() {
   r.name = "R";
   r.shape = {1, {kRParameters, 1, 1}};
   define(r);
+  by_name_.emplace("$R", 0);  // as synchronised actions write it
   for (const MachineDatum& row : machine_data()) {
     const std::int32_t place = define(row_variable(row.name, row.type, row.count))->place;
     std::fill(numbers_.begin() + place, numbers_.end(), row.preset);
@@ -49,6 +51,13 @@ Globals::Globals() {
   for (const MemoryRow& row : memory_rows()) {
     define(row_variable(row.name, row.type, row.count));
   }
+}
+
+void Globals::shorten(std::string_view name, int count) {
+  const auto found = by_name_.find(name);
+  G31_EXPECTS(found != by_name_.end());
+  int& size = variables_[found->second].shape.size.front();
+  size = std::clamp(count, 0, size);
 }
 
 int Globals::axis(std::string_view name) const {

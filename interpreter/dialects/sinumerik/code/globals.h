@@ -33,6 +33,8 @@ class Globals {
   [[nodiscard]] std::int32_t frame_count() const { return frame_count_; }
 
   Macros macros;
+  /// An array is shorter than this control could have it: indices from `count` on are alarms.
+  void shorten(std::string_view name, int count);
   /// What the set-up sheet calls axes beside their letters, upper case.
   NameMap<int> axis_names;
   /// The axis of a name; -1: none.

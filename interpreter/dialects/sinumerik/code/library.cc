@@ -97,6 +97,7 @@ const std::vector<const CompiledProgram*>& ProgramLibrary::definitions() {
       }
     }
     define_missing(data_, globals_);
+    shorten_memory(data_, globals_);
   });
   return definitions_;
 }

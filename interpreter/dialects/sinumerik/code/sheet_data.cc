@@ -74,6 +74,18 @@ void define_missing(const SheetData& data, Globals& globals) {
   }
 }
 
+void shorten_memory(const SheetData& data, Globals& globals) {
+  for (const auto& [name, datum] : data) {
+    const auto* const count = std::get_if<double>(&datum);
+    const std::string known = upper(name);
+    if (count != nullptr && known == "$MC_MM_NUM_AC_PARAM") {
+      globals.shorten("$AC_PARAM", static_cast<int>(*count));
+    } else if (count != nullptr && known == "$MC_MM_NUM_AC_MARKER") {
+      globals.shorten("$AC_MARKER", static_cast<int>(*count));
+    }
+  }
+}
+
 std::string written_number(double value) {
   std::string number = fmt::format("{}", value);
   if (const std::size_t exponent = number.find('e'); exponent != std::string::npos) {

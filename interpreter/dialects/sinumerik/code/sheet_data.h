@@ -17,6 +17,9 @@ using SheetData = std::map<std::string, SheetDatum>;
 /// element for each axis.
 void define_missing(const SheetData& data, Globals& globals);
 
+/// MD28254 and MD28256 of the sheet: how many $AC_PARAM and $AC_MARKER there are.
+void shorten_memory(const SheetData& data, Globals& globals);
+
 /// `NAME=value`, one for each element, as a program would write it.
 std::vector<std::string> assignments_of(const std::string& name, const SheetDatum& datum);
 

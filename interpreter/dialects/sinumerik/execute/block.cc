@@ -201,8 +201,14 @@ MaybeFailure move(Channel& channel, const Block& block) {
       return wrong;
     }
   }
+  if (channel.deletes_distance && commands_motion(block)) {
+    return std::nullopt;
+  }
   if (const GCode* const code = special_code(block)) {
     return special_of(code->action)(channel, block, *code);
+  }
+  if (!channel.couplings.empty() && listens_to_probe(channel, block)) {
+    return failure(AlarmId::NotImplemented, "measuring while TRAILON couples axes");
   }
   if (listens_to_probe(channel, block)) {
     return measure(channel, block);

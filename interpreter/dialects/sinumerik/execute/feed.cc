@@ -134,7 +134,8 @@ double switched(const Channel& channel, double feed_mm_min) {
   const runtime::FeedSwitches& switches = channel.feed_switches;
   return switches.dry_run_mm_min > 0.0 ? switches.dry_run_mm_min
                                        : feed_mm_min * switches.override_percent / 100.0 *
-                                             channel.axis_settings.path_override_percent / 100.0;
+                                             channel.axis_settings.path_override_percent / 100.0 *
+                                             (channel.action_override_percent / 100.0);
 }
 
 Result<double, Failure> feed_in_force(const Channel& channel, const Block& block,

@@ -149,7 +149,39 @@ MaybeFailure travel(Channel& channel, const PathBlock& path) {
   return wrong;
 }
 
+namespace {
+
+/// A straight line on which axes go along with others.  Source: SINUMERIK job planning, coupled
+/// motion: the following axis adds the way of the leading one, by the factor, to its own.
+MaybeFailure travel_coupled(Channel& channel, const PathBlock& path) {
+  if (path.arc) {
+    return failure(AlarmId::NotImplemented, "a circle while TRAILON couples axes");
+  }
+  const AxisPositions q_M_way = path.q_M_end - channel.machine_position();
+  PathBlock coupled = path;
+  for (const auto& [axes, factor] : channel.couplings) {
+    const double way = factor * q_M_way[axes.second];
+    if (is_machine_axis(axes.first)) {
+      coupled.q_M_end[axes.first] += way;
+    } else {
+      channel.further_axes.at(axes.first).at += way;
+    }
+  }
+  MaybeFailure wrong = travel(channel, coupled);
+  if (wrong) {
+    channel.arrived_at_machine();
+  } else {
+    channel.arrived_at_programmed(channel.to_work(coupled.q_M_end), coupled.q_M_end);
+  }
+  return wrong;
+}
+
+}  // namespace
+
 MaybeFailure travel_to(Channel& channel, const PathBlock& path, const AxisPositions& q_W_end) {
+  if (!channel.couplings.empty()) {
+    return travel_coupled(channel, path);
+  }
   if (MaybeFailure wrong = travel(channel, path)) {
     channel.arrived_at_machine();
     return wrong;

@@ -118,7 +118,7 @@ MaybeFailure Runner::call(const Op& op) {
   }
   const auto program = called(site);
   if (!program) {
-    return program.error();
+    return passes_over(site) ? std::nullopt : std::optional(program.error());
   }
   std::vector<BoundValue> values = bound(site);
   if (site.is_modal) {
@@ -143,6 +143,23 @@ MaybeFailure Runner::call(const Op& op) {
     level().arguments = std::move(values);
   }
   return std::nullopt;
+}
+
+/// A machining cycle that nobody has a program for is told and passed over.
+bool Runner::passes_over(const CallSite& site) {
+  const CycleInfo* const cycle = find_unsimulated_cycle(site.name);
+  if (cycle == nullptr) {
+    return false;
+  }
+  if (told_cycles_.insert(&site).second) {
+    channel_.diagnostics.push_back(
+        make_diagnostic(source::DiagnosticId::NotSimulated, here(),
+                        fmt::format("{}, {}", cycle->name, cycle->text)));
+  }
+  if (site.is_modal) {
+    modal_call_.reset();
+  }
+  return true;
 }
 
 MaybeFailure Runner::enter(const CompiledProgram& program, const std::vector<BoundValue>& values) {

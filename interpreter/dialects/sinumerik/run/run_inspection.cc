@@ -28,7 +28,9 @@ runtime::ShownValue shown_value(const ShownValue& value) {
 }
 
 /// Runs blocks among the variables of a level, which goes on afterwards as if there had been none.
-MaybeFailure Runner::run_among(const CompiledProgram& program, std::size_t depth) {
+/// @param listener  hears what they assign to; nullptr: nobody
+MaybeFailure Runner::run_among(const CompiledProgram& program, std::size_t depth,
+                               runtime::BlockListener* listener) {
   const std::size_t depth_before = std::exchange(depth_, depth);
   if (level().program == nullptr) {
     start(program);
@@ -43,7 +45,7 @@ MaybeFailure Runner::run_among(const CompiledProgram& program, std::size_t depth
   const auto watch = std::exchange(channel_.watch, runtime::BlockWatch(runtime::Budget{}));
   words_.clear();
   use_level();
-  MaybeFailure reason = loop();
+  MaybeFailure reason = listener != nullptr ? heard_loop(*listener) : loop();
   channel_.watch = watch;
   level().waiting = std::move(waiting);
   level().parts = std::move(parts);

@@ -120,6 +120,34 @@ MaybeFailure Runner::set_feed_axes(Arguments list) {
   return std::nullopt;
 }
 
+/// TRAILON(axis, leading axis, factor): the same pair again has another factor.
+MaybeFailure Runner::couple_axis(Arguments list) {
+  const int follows = static_cast<int>(number(list[0].value));
+  const int leads = static_cast<int>(number(list[1].value));
+  if (!is_machine_axis(leads) || follows == leads ||
+      (!is_machine_axis(follows) && !is_further_axis(follows))) {
+    return failure(AlarmId::BadAxisIndex, "TRAILON: X, Y, Z, A, B or C leads another axis");
+  }
+  if (is_further_axis(follows) && channel_.further(follows) == nullptr) {
+    return no_such_axis(follows);
+  }
+  const double factor = list.size() > 2 ? number(list[2].value) : 1.0;
+  MaybeFailure wrong = finish_motion(channel_);
+  channel_.couplings[{follows, leads}] = factor;
+  return wrong;
+}
+
+/// TRAILOF(axis, leading axis), TRAILOF(axis)
+MaybeFailure Runner::release_axis(Arguments list) {
+  const int follows = static_cast<int>(number(list[0].value));
+  const int leads = list.size() > 1 ? static_cast<int>(number(list[1].value)) : -1;
+  MaybeFailure wrong = finish_motion(channel_);
+  std::erase_if(channel_.couplings, [&](const auto& row) {
+    return row.first.first == follows && (leads < 0 || row.first.second == leads);
+  });
+  return wrong;
+}
+
 /// SETAL(number, text): ends the program.
 MaybeFailure Runner::set_alarm(Arguments list) {
   const double given = rounded(number(list[0].value));

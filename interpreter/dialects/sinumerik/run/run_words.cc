@@ -67,6 +67,9 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
     case AxisRole::AxisSetting:
       return take_axis_setting({row.id, static_cast<int>(axis), word.value});
     case AxisRole::Path:
+      if (row.id == AxisWordId::CentreOfAxis) {
+        return take_centre_of(static_cast<int>(axis), word);
+      }
       set_word(index_of(address_of_axis(static_cast<int>(axis))), word.value, word.modification);
       return from_step();
     case AxisRole::Positioning:
@@ -81,6 +84,16 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
       break;
   }
   contract_violated("these are compiled to other steps", __FILE__, __LINE__);
+}
+
+/// IP[axis]
+MaybeFailure Runner::take_centre_of(int axis, const BlockWords::Word& word) {
+  if (!is_linear_axis(axis)) {
+    return failure(AlarmId::BadAxisIndex, fmt::format("IP[{}]", letter_of_axis(axis)));
+  }
+  set_word(index_of(Address::CentreX) + static_cast<std::size_t>(axis), word.value,
+           word.modification);
+  return from_step();
 }
 
 MaybeFailure Runner::take_axis_setting(const BlockWords::AxisSetting& setting) {
@@ -182,7 +195,7 @@ MaybeFailure Runner::execute(const Op& op) {
   }
   const Block commands{words_, codes, here()};
   const bool moves = modal_call_ && commands_motion(commands);
-  MaybeFailure wrong = execute_block(channel_, commands);
+  MaybeFailure wrong = execute_with_actions(commands);
   words_.clear();
   if (!wrong && moves && !channel_.held_line) {
     return modal_call();

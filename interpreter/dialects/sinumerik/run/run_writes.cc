@@ -33,7 +33,7 @@ struct Runner::WrittenValue {
   runtime::ShownValue before = {};
 };
 
-MaybeFailure Runner::heard_loop() {
+MaybeFailure Runner::heard_loop(runtime::BlockListener& listener) {
   while (!ended_ && !is_paused_) {
     const Op& op = take_step();
     const source::Location where = here();
@@ -47,7 +47,7 @@ MaybeFailure Runner::heard_loop() {
     for (const WrittenValue& value : written) {
       const runtime::ShownValue now = value_now(value, op);
       if (value.is_assigned || !are_same(now, value.before)) {
-        channel_.watch.write_listener()->on_write({value.name, value.before, now, where});
+        listener.on_write({value.name, value.before, now, where});
       }
     }
   }

@@ -27,6 +27,9 @@ void Runner::start(const CompiledProgram& program) {
   current_ = 0;
   ended_ = false;
   modal_call_.reset();
+  next_actions_.clear();
+  modal_actions_.clear();
+  channel_.couplings.clear();
   words_.clear();
   *levels_.front() = Level();
   level().program = &program;

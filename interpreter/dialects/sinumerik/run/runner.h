@@ -3,8 +3,10 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -20,6 +22,7 @@
 
 namespace g31::sinumerik {
 
+struct Block;
 struct SystemAccess;
 
 /// A value as --print shows it.
@@ -104,14 +107,15 @@ class Runner {
   void end(const MaybeFailure& reason);
 
   // run_inspection.cc
-  MaybeFailure run_among(const CompiledProgram& program, std::size_t depth);
+  MaybeFailure run_among(const CompiledProgram& program, std::size_t depth,
+                         runtime::BlockListener* listener = nullptr);
   Result<ShownValue, std::string> result_of(const CompiledProgram& program, std::size_t depth);
   [[nodiscard]] const CompiledProgram& home(std::size_t depth) const;
   [[nodiscard]] std::size_t depth_of(std::size_t level) const;
 
   // run_writes.cc
   struct WrittenValue;
-  MaybeFailure heard_loop();
+  MaybeFailure heard_loop(runtime::BlockListener& listener);
   const Op& take_step();
   MaybeFailure any_step(const Op& op);
   std::vector<WrittenValue> written_by(const Op& op);
@@ -224,6 +228,7 @@ class Runner {
   Result<const CompiledProgram*, Failure> called(const CallSite& site);
   Result<const CompiledProgram*, Failure> written_program(std::string_view name);
   std::vector<BoundValue> bound(const CallSite& site);
+  bool passes_over(const CallSite& site);
   MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
   MaybeFailure take_arguments(Level& into, const std::vector<BoundValue>& values);
   MaybeFailure take_argument(Level& into, const Parameter& parameter, const BoundValue& value);
@@ -254,6 +259,8 @@ class Runner {
   MaybeFailure set_call_path(Arguments list);
   MaybeFailure stop_reading_ahead(Arguments list);
   MaybeFailure set_feed_axes(Arguments list);
+  MaybeFailure couple_axis(Arguments list);
+  MaybeFailure release_axis(Arguments list);
 
   // run_files.cc
   double write_file(Arguments list);
@@ -263,10 +270,34 @@ class Runner {
   double write_external(Arguments list);
   double close_external(Arguments list);
 
+  // run_actions.cc
+  struct ActionCode {
+    const CompiledProgram* condition = nullptr;
+    const CompiledProgram* actions = nullptr;
+  };
+  struct SynchronisedAction {
+    ActionKind kind = ActionKind::Once;
+    ActionScope scope = ActionScope::NextBlock;
+    bool deletes_distance = false;
+    const CompiledProgram* home = nullptr;  ///< whose variables it names
+    std::size_t depth = 0;                  ///< of its level
+    ActionCode code;
+    source::Location where;
+    bool held = false;        ///< its condition, when judged last; of FROM: ever
+    bool is_through = false;  ///< WHEN that has acted
+  };
+  MaybeFailure take_synchronised_action(const Op& op);
+  MaybeFailure cancel_actions(Arguments list);
+  MaybeFailure act();
+  MaybeFailure act_on(SynchronisedAction& action);
+  [[nodiscard]] Result<std::size_t, Failure> level_of(const SynchronisedAction& action) const;
+  MaybeFailure execute_with_actions(const Block& block);
+
   // run_words.cc
   MaybeFailure take_word(const Op& op);
   MaybeFailure take_text_word(const Op& op);
   MaybeFailure take_axis_word(const Op& op);
+  MaybeFailure take_centre_of(int axis, const BlockWords::Word& word);
   MaybeFailure take_axis_setting(const BlockWords::AxisSetting& setting);
   MaybeFailure take_axis_measuring(const Op& op);
   MaybeFailure check_spindle(const Op& op);
@@ -317,8 +348,14 @@ class Runner {
     std::size_t depth = 0;  ///< of the level that said MCALL
   };
   std::optional<ModalCall> modal_call_;
+  std::vector<SynchronisedAction> next_actions_;     ///< of the next block
+  std::map<int, SynchronisedAction> modal_actions_;  ///< by ID
+  /// What they compiled, by program, condition and actions.
+  std::map<std::tuple<const CompiledProgram*, std::string, std::string>, ActionCode> action_texts_;
+  bool is_acting_ = false;
   /// What calls by name have found: programs stay, so it counts until CALLPATH.
   std::unordered_map<const CallSite*, const CompiledProgram*> found_calls_;
+  std::set<const CallSite*> told_cycles_;  ///< that are not simulated
   /// What evaluate() compiled, by the program whose variables it names.
   std::map<std::pair<const CompiledProgram*, std::string>, const CompiledProgram*> expressions_;
   bool ended_ = false;      ///< the program

@@ -59,7 +59,8 @@ runtime::Advance Runner::advance() {
     return runtime::Advance::Ended;
   }
   is_paused_ = false;
-  MaybeFailure reason = channel_.watch.write_listener() != nullptr ? heard_loop() : loop();
+  runtime::BlockListener* const listener = channel_.watch.write_listener();
+  MaybeFailure reason = listener != nullptr ? heard_loop(*listener) : loop();
   if (is_paused_) {
     return runtime::Advance::Paused;
   }

@@ -94,6 +94,9 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
           static_cast<std::size_t>(globals.find("$MN_PROG_FUNCTION_MASK")->place)),
       upper_soft_limits_(static_cast<std::size_t>(globals.find("$MA_POS_LIMIT_PLUS")->place)),
       lower_soft_limits_(static_cast<std::size_t>(globals.find("$MA_POS_LIMIT_MINUS")->place)),
+      base_frames_(static_cast<std::size_t>(globals.find("$MC_MM_NUM_BASE_FRAMES")->place)),
+      global_base_frames_(
+          static_cast<std::size_t>(globals.find("$MN_MM_NUM_GLOBAL_BASE_FRAMES")->place)),
       rotary_is_modulo_(static_cast<std::size_t>(globals.find("$MA_ROT_IS_MODULO")->place)),
       axis_function_masks_(
           static_cast<std::size_t>(globals.find("$MA_MISC_FUNCTION_MASK")->place)) {

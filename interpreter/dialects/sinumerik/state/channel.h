@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/code/globals.h"
@@ -172,6 +173,9 @@ class Channel {
   }
   /// All outside of the settable frame.
   [[nodiscard]] const Frame& frames_outside() const { return chains().outer; }
+  /// MD28081 and MD18602: how many basic frames there are.
+  [[nodiscard]] double base_frames() const { return numbers[base_frames_]; }
+  [[nodiscard]] double global_base_frames() const { return numbers[global_base_frames_]; }
   /// MD10617 bit 0: SAVE restores the settable frame, too.
   [[nodiscard]] bool keeps_settable_frame() const;
   /// $MA_POS_LIMIT_PLUS and $MA_POS_LIMIT_MINUS
@@ -241,6 +245,8 @@ class Channel {
     const auto found = further_axes.find(axis);
     return found != further_axes.end() ? &found->second : nullptr;
   }
+  /// TRAILON: following and leading axis to the factor.
+  std::map<std::pair<int, int>, double> couplings;
   CornerStage corners;
   CutterStage cutter;
   std::optional<HeldLine> held_line;
@@ -265,6 +271,10 @@ class Channel {
     machine::SignalEdge edge = machine::SignalEdge::Rising;
   };
   std::optional<SkipAction> skip_action;
+
+  // What synchronised actions make of the running block.
+  bool deletes_distance = false;           ///< DELDTG: its path is not travelled
+  double action_override_percent = 100.0;  ///< $AC_OVR
 
   Clocks clocks;
 
@@ -322,6 +332,8 @@ class Channel {
   std::size_t program_function_mask_;  ///< place of MD10280
   std::size_t upper_soft_limits_;      ///< place of MD36110
   std::size_t lower_soft_limits_;      ///< place of MD36100
+  std::size_t base_frames_;            ///< place of MD28081
+  std::size_t global_base_frames_;     ///< place of MD18602
   std::size_t rotary_is_modulo_;       ///< place of MD30310
   std::size_t axis_function_masks_;    ///< place of MD30455
   bool is_stale_ = false;

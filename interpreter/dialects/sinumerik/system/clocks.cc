@@ -122,6 +122,22 @@ MaybeFailure set_timer(Channel& channel, const SystemAccess& access, double valu
   return std::nullopt;
 }
 
+Number action_override(Channel& channel, const SystemAccess& /*access*/) {
+  return channel.action_override_percent;
+}
+
+MaybeFailure set_action_override(Channel& channel, const SystemAccess& /*access*/, double value) {
+  constexpr double kMost = 200.0;
+  if (!(value > 0.0 && value <= kMost)) {
+    return failure(AlarmId::NotImplemented,
+                   fmt::format("$AC_OVR={:g}: the path would stand, and nothing changes within a "
+                               "block what lets it go on",
+                               value));
+  }
+  channel.action_override_percent = value;
+  return std::nullopt;
+}
+
 Number operating_time(Channel& channel, const SystemAccess& /*access*/) {
   return shown(channel, kOperating);
 }

@@ -10,9 +10,10 @@ namespace {
 using Bases = std::array<Frame, FrameSet::kBases>;
 
 /// $P_CHBFR[n] and the like; without an index 0.
-FramePlace base_of(Bases& all, const SystemAccess& access) {
+/// @param count  MD28081 or MD18602
+FramePlace base_of(Bases& all, const SystemAccess& access, double count) {
   const int which = access.indices.empty() ? 0 : access.indices.front();
-  if (which < 0 || which >= static_cast<int>(all.size())) {
+  if (which < 0 || which >= static_cast<int>(all.size()) || which >= count) {
     return failure(AlarmId::IndexOne, fmt::format("basic frame {}", which));
   }
   return &all[static_cast<std::size_t>(which)];
@@ -29,11 +30,11 @@ FramePlace settable_frames(Channel& channel, const SystemAccess& access) {
 }
 
 FramePlace stored_bases(Channel& channel, const SystemAccess& access) {
-  return base_of(channel.stored_frames.channel, access);
+  return base_of(channel.stored_frames.channel, access, channel.base_frames());
 }
 
 FramePlace bases(Channel& channel, const SystemAccess& access) {
-  return base_of(channel.frames_now.channel, access);
+  return base_of(channel.frames_now.channel, access, channel.base_frames());
 }
 
 FramePlace stored_base(Channel& channel, const SystemAccess& /*access*/) {
@@ -53,11 +54,11 @@ FramePlace program_frame(Channel& channel, const SystemAccess& /*access*/) {
 }
 
 FramePlace stored_global_bases(Channel& channel, const SystemAccess& access) {
-  return base_of(channel.stored_frames.global, access);
+  return base_of(channel.stored_frames.global, access, channel.global_base_frames());
 }
 
 FramePlace global_bases(Channel& channel, const SystemAccess& access) {
-  return base_of(channel.frames_now.global, access);
+  return base_of(channel.frames_now.global, access, channel.global_base_frames());
 }
 
 WholeFrame active_base(Channel& channel, const SystemAccess& /*access*/) {

@@ -85,6 +85,8 @@ Number block_time(Channel& channel, const SystemAccess& access);
 Number net_time(Channel& channel, const SystemAccess& access);
 Number timer(Channel& channel, const SystemAccess& access);
 MaybeFailure set_timer(Channel& channel, const SystemAccess& access, double value);
+Number action_override(Channel& channel, const SystemAccess& access);
+MaybeFailure set_action_override(Channel& channel, const SystemAccess& access, double value);
 Number operating_time(Channel& channel, const SystemAccess& access);
 MaybeFailure set_operating_time(Channel& channel, const SystemAccess& access, double value);
 Number cycle_time(Channel& channel, const SystemAccess& access);

@@ -64,6 +64,8 @@ Token& Scanner::add(TokenKind kind, std::size_t begin) {
 void Scanner::next(char c) {
   if (is_digit(c) || (c == '.' && is_digit(look(1)))) {
     number();
+  } else if (c == '$' && (look(1) == '$' || (upper(look(1)) == 'R' && is_digit(look(2))))) {
+    ++at_;  // $$AC_PARAM and $R1 in synchronised actions: as they count in the main run
   } else if (is_letter(c) || c == '$') {
     word(c);
   } else if (c == '"') {

@@ -27,6 +27,12 @@ constexpr auto kKeywords = std::to_array<KeywordInfo>({
 #undef KEYWORD
 });
 
+constexpr auto kUnsimulatedCycles = std::to_array<CycleInfo>({
+#define UNSIMULATED_CYCLE(name, text) {name, text},
+#include "interpreter/dialects/sinumerik/vocabulary/unsimulated_cycles.def"
+#undef UNSIMULATED_CYCLE
+});
+
 constexpr auto kAxisWords = std::to_array<AxisWordInfo>({
 #define Path() AxisRole::Path
 #define Positioning() AxisRole::Positioning
@@ -133,6 +139,15 @@ const AxisWordInfo* find_axis_word(std::string_view name) {
 
 std::span<const KeywordInfo> keywords() {
   return kKeywords;
+}
+
+std::span<const CycleInfo> unsimulated_cycles() {
+  return kUnsimulatedCycles;
+}
+
+const CycleInfo* find_unsimulated_cycle(std::string_view name) {
+  const auto found = std::ranges::find(kUnsimulatedCycles, upper(name), &CycleInfo::name);
+  return found != kUnsimulatedCycles.end() ? &*found : nullptr;
 }
 
 std::span<const ProcedureInfo> procedures() {

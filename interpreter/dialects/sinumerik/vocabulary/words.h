@@ -161,6 +161,15 @@ struct KeywordInfo {
 
 std::span<const KeywordInfo> keywords();
 
+/// A machining cycle that g31 has no program for.
+struct CycleInfo {
+  std::string_view name;
+  std::string_view text;
+};
+std::span<const CycleInfo> unsimulated_cycles();
+/// @param name  as programs write it; nullptr: none of them
+const CycleInfo* find_unsimulated_cycle(std::string_view name);
+
 std::span<const ProcedureInfo> procedures();
 std::optional<ProcedureId> find_procedure(std::string_view name);
 

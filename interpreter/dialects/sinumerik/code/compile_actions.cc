@@ -1,0 +1,191 @@
+// Synchronised actions: ID=n WHEN condition DO actions.  What they say is kept as text and compiled
+// when the block is done; here it is judged.
+
+#include <algorithm>
+#include <array>
+
+#include "interpreter/dialects/sinumerik/code/compiler.h"
+
+namespace g31::sinumerik {
+namespace {
+
+struct ActionWord {
+  std::string_view name;
+  ActionKind kind;
+};
+constexpr ActionWord kActionWords[] = {{"WHEN", ActionKind::Once},
+                                       {"WHENEVER", ActionKind::While},
+                                       {"FROM", ActionKind::From},
+                                       {"EVERY", ActionKind::Edge},
+                                       {"DO", ActionKind::Always}};
+
+/// System variables that a condition may ask for although their kind changes within blocks.
+constexpr auto kSteady = std::to_array<std::string_view>(
+    {"$AC_MARKER", "$AC_PARAM", "$AC_TIMER", "$AC_MEA", "$AC_FIFO1"});
+
+bool changes_within_blocks(std::string_view name) {
+  const bool is_of_motion = name.starts_with("$AA_") || name.starts_with("$VA_") ||
+                            name.starts_with("$AC_") || name == "$A_PROBE" || name == "$A_INA";
+  return is_of_motion && std::ranges::find(kSteady, name) == kSteady.end();
+}
+
+/// What may be done beside assignments to variables, before or behind a block.
+constexpr auto kActions =
+    std::to_array<std::string_view>({"SETAL", "POS", "FA", "$AC_TIMER", "$AC_OVR"});
+
+constexpr std::string_view kWhatCan =
+    "judged before and behind each block: assignments, $AC_TIMER, $AC_OVR, M, H, S, SETAL, POS, FA "
+    "and DELDTG";
+
+/// What makes a difference to the block itself, so that it matters when within it.
+bool acts_on_motion(const Token& action) {
+  return action.is_name("DELDTG") || action.is_name("POS") || action.is_name("$AC_OVR");
+}
+
+}  // namespace
+
+/// Whether the condition of tokens `from` to the present one can be judged before and behind a
+/// block.  @returns whether it waits for a time
+bool Compiler::judge_condition(std::size_t from) {
+  bool is_timed = false;
+  for (std::size_t i = from; i < at_; ++i) {
+    const Token& token = tokens_[i];
+    is_timed = is_timed || token.is_name("$AC_TIMER");
+    if (token.kind == TokenKind::Name && changes_within_blocks(token.text)) {
+      fail(AlarmId::NotImplemented, token.where,
+           std::string(token.text) +
+               ": it changes within blocks, where synchronised actions are not judged; MEAS, or "
+               "WHEN $A_PROBE[n]==1 DO DELDTG, ends a move by a signal");
+    }
+  }
+  return is_timed;
+}
+
+bool Compiler::may_act(const Token& action) {
+  if (action.kind == TokenKind::Letter) {
+    constexpr std::string_view kLetters = "RMHS";
+    return kLetters.find(action.text.front()) != std::string_view::npos;
+  }
+  return std::ranges::find(kActions, action.text) != kActions.end() ||
+         (action.kind == TokenKind::Name && !changes_within_blocks(action.text) &&
+          (find_variable(action.text) >= 0 || action.text.starts_with('$')));
+}
+
+/// What stands behind DO, to the end of the block.
+Compiler::ActionText Compiler::action_list(ActionKind kind, bool is_timed) {
+  ActionText list;
+  while (!failed() && peek().kind != TokenKind::End) {
+    const Token action = peek();
+    const std::size_t from = at_;
+    if (is_timed && acts_on_motion(action)) {
+      fail(AlarmId::NotImplemented, action.where,
+           std::string(action.text) + " at a time within a block");
+    } else if (action.is_name("DELDTG") && !peek(1).is(Symbol::LeftParen)) {
+      next();
+      list.deletes_distance = true;
+      continue;
+    } else if (action.is_name("STOPREOF")) {
+      next();
+      continue;
+    } else if (!may_act(action)) {
+      fail(AlarmId::NotImplemented, action.where,
+           text_of(action.where) + " in a synchronised action, which is " + std::string(kWhatCan));
+    } else {
+      item();
+    }
+    if (failed()) {
+      break;
+    }
+    judge_action(from, kind, is_timed);
+    list.text += text_of({tokens_[from].where.begin, tokens_[at_ - 1].where.end}) + " ";
+  }
+  return list;
+}
+
+/// Each interpolation cycle is another time, which blocks do not see.
+void Compiler::judge_action(std::size_t from, ActionKind kind, bool is_timed) {
+  const bool is_repeated = kind != ActionKind::Once && kind != ActionKind::Edge;
+  for (std::size_t i = from + 1; i < at_; ++i) {
+    const Token& token = tokens_[i];
+    if (token.kind != TokenKind::Name) {
+      continue;
+    }
+    if (is_repeated && token.text == tokens_[from].text) {
+      fail(AlarmId::NotImplemented, token.where,
+           std::string(token.text) + " counts interpolation cycles: WHEN or EVERY counts once");
+    } else if (is_timed && changes_within_blocks(token.text)) {
+      fail(AlarmId::NotImplemented, token.where,
+           std::string(token.text) + " at a time within a block");
+    }
+  }
+}
+
+/// ID=n and IDS=n: the action holds beyond the next block.
+void Compiler::numbered_action() {
+  const bool is_static = tokens_[at_ - 1].text == "IDS";
+  expect(Symbol::Assign);
+  const Expr number = convert(expression(), Type::Int);
+  const Token word = peek();
+  if (!failed() && !number.is_constant) {
+    fail(AlarmId::NotImplemented, block_, "ID= and IDS= with a computed number");
+  }
+  if (!failed()) {
+    next();
+    synchronised_action(word.text, is_static ? ActionScope::Static : ActionScope::Modal, number);
+  }
+}
+
+/// WHENEVER, FROM, EVERY and DO, in force for the next block.
+void Compiler::action_statement() {
+  synchronised_action(tokens_[at_ - 1].text, ActionScope::NextBlock, Expr());
+}
+
+void Compiler::synchronised_action(std::string_view word, ActionScope scope, const Expr& number) {
+  const auto row = std::ranges::find(kActionWords, word, &ActionWord::name);
+  if (row == std::end(kActionWords)) {
+    fail(AlarmId::SyntaxInText, word);
+    return;
+  }
+  const std::size_t first = program_->ops.size();
+  const bool has_condition = row->kind != ActionKind::Always;
+  std::string condition = "TRUE";
+  bool is_timed = false;
+  if (has_condition) {
+    const std::size_t from = at_;
+    (void)boolean(expression());
+    if (failed()) {
+      return;
+    }
+    condition = text_of({tokens_[from].where.begin, tokens_[at_ - 1].where.end});
+    is_timed = judge_condition(from);
+    if (!accept_name("DO")) {
+      fail(AlarmId::SyntaxInText, text_of(peek().where));
+    }
+  }
+  const ActionText actions = action_list(row->kind, is_timed);
+  if (failed()) {
+    return;
+  }
+  // The steps were only tried: what they do is done when the action is.
+  program_->ops.resize(first);
+  program_->spans.resize(first);
+  program_->codes.resize(nc_.first_code);
+  program_->words.resize(nc_.first_word);
+  has_words_ = false;
+  const auto text_argument = [&](std::string text) {
+    Argument argument;
+    argument.form = Argument::Form::Value;
+    argument.type = Type::String;
+    argument.value = text_constant(std::move(text));
+    return argument;
+  };
+  const std::uint32_t list =
+      keep_arguments({text_argument(std::move(condition)), text_argument(actions.text)});
+  emit(OpCode::SynchronisedAction, {Bank::Constants, actions.deletes_distance ? 1 : 0},
+       number.value, {Bank::Constants, static_cast<std::int32_t>(list)}, block_);
+  last().detail = static_cast<std::uint8_t>(static_cast<int>(row->kind) * kActionScopes +
+                                            static_cast<int>(scope));
+  last().count = 2;
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,137 @@
+// Synchronised actions, as far as one block at a time can be true: each is judged before and behind
+// every NC block.  Source: SINUMERIK function manual Synchronized actions, 2.1 (scopes, WHEN,
+// WHENEVER, FROM, EVERY) and 2.4 (actions).
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/run/runner.h"
+
+namespace g31::sinumerik {
+
+/// ID=n WHEN condition DO ...: compiled among the variables of its program.
+MaybeFailure Runner::take_synchronised_action(const Op& op) {
+  constexpr double kMostNumber = 255.0;
+  constexpr std::size_t kMostTexts = 10000;
+  const Arguments list = arguments_of(op);
+  SynchronisedAction action;
+  action.kind = static_cast<ActionKind>(op.detail / kActionScopes);
+  action.scope = static_cast<ActionScope>(op.detail % kActionScopes);
+  action.deletes_distance = op.result.place != 0;
+  action.home = level().program;
+  action.depth = depth_;
+  action.where = here();
+  if (action_texts_.size() >= kMostTexts) {
+    return failure(AlarmId::TooComplex, "too many different synchronised actions");
+  }
+  ActionCode& code = action_texts_[{action.home, text(list[0].value), text(list[1].value)}];
+  if (code.condition == nullptr) {
+    code.condition = programs_.expression(text(list[0].value), *action.home);
+    code.actions = programs_.snippet(text(list[1].value), *action.home);
+  }
+  action.code = code;
+  if (action.scope == ActionScope::NextBlock) {
+    next_actions_.push_back(std::move(action));
+    return std::nullopt;
+  }
+  const double number = this->number(op.a);
+  if (number < 1.0 || number > kMostNumber) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("ID={:g}: 1 to 255", number));
+  }
+  modal_actions_[static_cast<int>(number)] = std::move(action);
+  return std::nullopt;
+}
+
+/// CANCEL(n,...)
+MaybeFailure Runner::cancel_actions(Arguments list) {
+  for (const Argument& argument : list) {
+    modal_actions_.erase(static_cast<int>(number(argument.value)));
+  }
+  return std::nullopt;
+}
+
+/// Judges all actions; those that are through go away.
+MaybeFailure Runner::act() {
+  if (is_acting_) {
+    return std::nullopt;
+  }
+  is_acting_ = true;
+  BlockWords words = std::exchange(words_, {});
+  MaybeFailure wrong;
+  for (auto at = modal_actions_.begin(); at != modal_actions_.end() && !wrong;) {
+    wrong = act_on(at->second);
+    at = at->second.is_through ? modal_actions_.erase(at) : std::next(at);
+  }
+  for (SynchronisedAction& action : next_actions_) {
+    wrong = wrong ? wrong : act_on(action);
+  }
+  words_ = std::move(words);
+  is_acting_ = false;
+  return wrong;
+}
+
+/// The level whose variables an action names; alarm 12140 when it has gone.
+Result<std::size_t, Failure> Runner::level_of(const SynchronisedAction& action) const {
+  const bool is_there = action.depth <= depth_ && levels_[action.depth]->program == action.home;
+  const bool has_variables = !action.home->locals.empty();
+  if (!is_there && has_variables) {
+    Failure gone = failure(AlarmId::NotImplemented,
+                           "a synchronised action with local variables behind their program's end");
+    gone.where = action.where;
+    return gone;
+  }
+  return is_there ? action.depth : std::size_t{0};
+}
+
+MaybeFailure Runner::act_on(SynchronisedAction& action) {
+  if (action.is_through) {
+    return std::nullopt;
+  }
+  const auto depth = level_of(action);
+  if (!depth) {
+    return depth.error();
+  }
+  channel_.is_inspected = true;
+  const auto value = result_of(*action.code.condition, depth.value());
+  channel_.is_inspected = false;
+  if (!value) {
+    return failure(AlarmId::BadArguments, "condition: " + value.error());
+  }
+  const bool holds = value.value().number != 0.0;
+  const bool held =
+      std::exchange(action.held, holds || (action.kind == ActionKind::From && action.held));
+  const bool acts = action.kind == ActionKind::Edge   ? holds && !held
+                    : action.kind == ActionKind::From ? holds || held
+                                                      : holds;
+  if (!acts) {
+    return std::nullopt;
+  }
+  action.is_through = action.kind == ActionKind::Once;
+  channel_.deletes_distance = channel_.deletes_distance || action.deletes_distance;
+  MaybeFailure wrong =
+      run_among(*action.code.actions, depth.value(), channel_.watch.write_listener());
+  use_level();
+  return wrong;
+}
+
+/// An NC block with what synchronised actions do before and behind it.
+MaybeFailure Runner::execute_with_actions(const Block& block) {
+  if (is_acting_ || (modal_actions_.empty() && next_actions_.empty())) {
+    return execute_block(channel_, block);
+  }
+  channel_.action_override_percent = 100.0;
+  channel_.deletes_distance = false;
+  MaybeFailure wrong = act();
+  wrong = wrong ? wrong : execute_block(channel_, block);
+  channel_.action_override_percent = 100.0;
+  channel_.deletes_distance = false;
+  wrong = wrong ? wrong : act();
+  channel_.deletes_distance = false;
+  channel_.action_override_percent = 100.0;
+  next_actions_.clear();
+  return wrong;
+}
+
+}  // namespace g31::sinumerik
