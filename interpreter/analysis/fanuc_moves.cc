@@ -21,6 +21,9 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
                                       : Move::Kind::Arc;
     case GAction::Skip:
     case GAction::MeasureTool:
+    case GAction::MeasureDiameter:
+    case GAction::MeasureWork:
+    case GAction::MeasureCentre:
       return Move::Kind::Measuring;
     case GAction::CheckReference:
     case GAction::ToReference:
@@ -53,6 +56,7 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
     case GAction::StrokeCheck:
     case GAction::SurfaceSpeed:
     case GAction::Unsimulated:
+    case GAction::Refused:
       return std::nullopt;
   }
   return std::nullopt;

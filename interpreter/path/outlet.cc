@@ -18,7 +18,8 @@ std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
                                                   const OffsetPlane& plane) {
   if (!block.arc) {
     const auto traverse = block.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
-    return carry_out(machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min, block.ends},
+    return carry_out(machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min, block.ends,
+                                         block.mm_per_degree},
                      block);
   }
   machine::ArcMove move;

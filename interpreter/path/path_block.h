@@ -67,6 +67,7 @@ struct PathBlock {
   double feed_mm_min = 0.0;                       ///< > 0 but for g = 0
   source::Location where = {};
   machine::BlockEnd ends = machine::BlockEnd::ExactStop;
+  double mm_per_degree = 0.0;  ///< of a line: see machine::LinearMove
 };
 
 struct Pause {

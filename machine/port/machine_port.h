@@ -26,6 +26,15 @@ struct LinearMove {
   Traverse traverse = Traverse::Rapid;
   double feed_mm_min = 0.0;  ///< > 0 with Traverse::Feed; a rapid takes the machine's own rates
   BlockEnd ends = BlockEnd::ExactStop;
+  /// What a degree counts for in the length that the feed covers, mm.  0: the feed is that of X Y Z
+  /// where they move, else one in degrees.
+  double mm_per_degree = 0.0;
+};
+
+/// How far an axis may go; mm and deg, machine coordinates.
+struct AxisTravel {
+  double min = 0.0;
+  double max = 0.0;
 };
 
 enum class Turn { Clockwise, Counterclockwise };
@@ -136,6 +145,9 @@ class MachinePort {
 
   /// Lets simulated time pass.  @param seconds >= 0
   virtual void dwell(double seconds) = 0;
+
+  /// The travel of an axis by its storage index; nullopt: the machine has no such axis.
+  [[nodiscard]] virtual std::optional<AxisTravel> travel(int axis) const = 0;
 
   /// Present position of all axes in machine coordinates, as the control's encoders read it.
   [[nodiscard]] virtual AxisPositions position() const = 0;

@@ -65,7 +65,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
   if (!limits_.contain(move.q_M_end)) {
     return soft_limit_fault(move.q_M_end);
   }
-  const StraightPath path(q_M_, move.q_M_end);
+  const StraightPath path(q_M_, move.q_M_end, move.mm_per_degree);
   if (path.moves()) {
     const Travel travel = move.traverse == Traverse::Rapid ? Travel::Rapid : Travel::Feed;
     if (auto fault = carry_out(path, dynamics_.profile(path, move), {travel, move.ends})) {
@@ -104,7 +104,7 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMov
   if (!limits_.contain(move.way.q_M_end)) {
     return soft_limit_fault(move.way.q_M_end);
   }
-  const StraightPath path(q_M_, move.way.q_M_end);
+  const StraightPath path(q_M_, move.way.q_M_end, move.way.mm_per_degree);
   SkipOutcome outcome = NoTouch{};
   if (path.moves()) {
     const Waypoint tip = real_.tip(q_M_);

@@ -59,6 +59,9 @@ class MachiningCentre final : public MachinePort {
   void turn_spindle(const SpindleTurn& turn) override;
   void auxiliary_code(const AuxiliaryCode& code) override;
   void dwell(double seconds) override;
+  [[nodiscard]] std::optional<AxisTravel> travel(int axis) const override {
+    return limits_.of(axis);
+  }
   [[nodiscard]] AxisPositions position() const override { return q_M_; }
   [[nodiscard]] double time_s() const override { return clock_.now_s(); }
 

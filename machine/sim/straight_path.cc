@@ -16,22 +16,29 @@ double root_of_squares(double a, double b, double c) {
   return sum > kSmall && sum < kLarge ? std::sqrt(sum) : std::hypot(a, b, c);
 }
 
-double feed_length(const AxisPositions& d) {
+double feed_length(const AxisPositions& d, double mm_per_degree) {
   const double linear = root_of_squares(d[0], d[1], d[2]);
-  if (linear >= kLeastFeedLengthMm) {
+  const bool is_linear = linear >= kLeastFeedLengthMm;
+  if (is_linear && mm_per_degree == 0.0) {
     return linear;
   }
   const double rotary = root_of_squares(d[3], d[4], d[5]);
-  return rotary > 0.0 ? rotary : linear;
+  if (rotary == 0.0) {
+    return linear;
+  }
+  return mm_per_degree == 0.0
+             ? rotary
+             : root_of_squares(is_linear ? linear : 0.0, mm_per_degree * rotary, 0.0);
 }
 
 }  // namespace
 
-StraightPath::StraightPath(const AxisPositions& q_M_from, const AxisPositions& q_M_to)
+StraightPath::StraightPath(const AxisPositions& q_M_from, const AxisPositions& q_M_to,
+                           double mm_per_degree)
     : q_M_from_(q_M_from),
       q_M_to_(q_M_to),
       displacement_(q_M_to - q_M_from),
-      length_(feed_length(displacement_)) {}
+      length_(feed_length(displacement_, mm_per_degree)) {}
 
 AxisPositions StraightPath::at(double fraction) const {
   G31_EXPECTS(fraction >= 0.0);

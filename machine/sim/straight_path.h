@@ -8,7 +8,9 @@ namespace g31::machine {
 class StraightPath {
  public:
   /// @param q_M_from, q_M_to  mm and deg, machine coordinates; finite
-  StraightPath(const AxisPositions& q_M_from, const AxisPositions& q_M_to);
+  /// @param mm_per_degree     what a degree counts for in length(); see LinearMove
+  StraightPath(const AxisPositions& q_M_from, const AxisPositions& q_M_to,
+               double mm_per_degree = 0.0);
 
   /// Both ends, machine coordinates, exactly as given.
   [[nodiscard]] const AxisPositions& from() const { return q_M_from_; }
@@ -19,7 +21,8 @@ class StraightPath {
   [[nodiscard]] bool moves() const { return q_M_from_ != q_M_to_; }
 
   /// What a vector feed counts: mm over X Y Z where they move, degrees over A B C where only these
-  /// do.  Linear ways below kLeastFeedLengthMm beside a turning axis are rounding, not a move.
+  /// do; or all of them, where a degree counts for some mm.  Linear ways below kLeastFeedLengthMm
+  /// beside a turning axis are rounding, not a move.
   [[nodiscard]] double length() const { return length_; }
 
   /// The point at a fraction 0..1 of the path; from 1 on exactly the end.  Never outside the box

@@ -24,6 +24,12 @@ TravelLimits::TravelLimits(const MachineSetup& setup)
   }
 }
 
+std::optional<AxisTravel> TravelLimits::of(int axis) const {
+  return present_.at(static_cast<std::size_t>(axis))
+             ? std::optional(AxisTravel{min_[axis], max_[axis]})
+             : std::nullopt;
+}
+
 std::string TravelLimits::violation(const AxisPositions& q_M) const {
   G31_EXPECTS(!contain(q_M));
   std::size_t i = 0;

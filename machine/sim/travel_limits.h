@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 
+#include "machine/port/machine_port.h"
 #include "machine/sim/machine_setup.h"
 
 namespace g31::machine {
@@ -18,6 +20,9 @@ class TravelLimits {
   [[nodiscard]] bool contain(const AxisPositions& q_M) const {
     return (q_M.array() >= min_.array()).all() && (q_M.array() <= max_.array()).all();
   }
+
+  /// The travel of an axis; nullopt: the machine does not have it.
+  [[nodiscard]] std::optional<AxisTravel> of(int axis) const;
 
   /// Why a position is outside, for people: the first such axis in the order X Y Z A B C, the
   /// position asked for and the limit.  @param q_M  mm and deg, not contained

@@ -46,6 +46,9 @@ class EndsMachine final : public machine::MachinePort {
   void turn_spindle(const machine::SpindleTurn&) override {}
   void auxiliary_code(const machine::AuxiliaryCode&) override {}
   void dwell(double) override {}
+  [[nodiscard]] std::optional<machine::AxisTravel> travel(int /*axis*/) const override {
+    return machine::AxisTravel{};
+  }
   [[nodiscard]] AxisPositions position() const override {
     return ends_.empty() ? AxisPositions(AxisPositions::Zero()) : ends_.back();
   }

@@ -16,6 +16,7 @@ TEST(StraightPath, LengthIsWhatTheFeedCounts) {
     const char* name;
     double length;
     AxisPositions q_M_from, q_M_to;
+    double mm_per_degree = 0.0;
   };
   const Case kCases[] = {
       {"one axis", 7, axes(1, 2, 3), axes(1, 2, -4)},
@@ -25,11 +26,15 @@ TEST(StraightPath, LengthIsWhatTheFeedCounts) {
       {"linear and rotary: mm only", 5, axes(0, 0, 0, 0), axes(3, 4, 0, 90)},
       {"rotary only: degrees", 5, axes(1, 1, 1, 0), axes(1, 1, 1, 3, -4)},
       {"rotary with rounding noise in X: degrees", 90, axes(0, 0, 0, 0), axes(1e-13, 0, 0, 90)},
+      {"a degree counts as a mm", 13, axes(0, 0, 0, 0), axes(3, 4, 0, 12), 1.0},
+      {"a degree counts as an inch", 127, axes(0, 0, 0), axes(76.2, 0, 0, 4), 25.4},
+      {"rotary only, a degree counts as an inch", 101.6, axes(1, 0, 0), axes(1, 0, 0, -4), 25.4},
+      {"linear only, degrees would count", 5, axes(1, 0, 0), axes(1, 3, 4), 25.4},
       {"nothing moves", 0, axes(1, 2, 3, 4, 5), axes(1, 2, 3, 4, 5)},
   };
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
-    const StraightPath path(c.q_M_from, c.q_M_to);
+    const StraightPath path(c.q_M_from, c.q_M_to, c.mm_per_degree);
     EXPECT_DOUBLE_EQ(path.length(), c.length);
     EXPECT_EQ(path.moves(), c.length > 0.0);
   }

@@ -84,6 +84,9 @@ class RecordingMachine final : public machine::MachinePort {
 
   void dwell(double seconds) override { log_.push_back(fmt::format("dwell {:.6g}", seconds)); }
 
+  [[nodiscard]] std::optional<machine::AxisTravel> travel(int /*axis*/) const override {
+    return machine::AxisTravel{-1000.0, 1000.0};
+  }
   [[nodiscard]] AxisPositions position() const override { return q_M_; }
   [[nodiscard]] double time_s() const override { return 0.0; }
 

@@ -35,6 +35,9 @@ class PathRecorder final : public machine::MachinePort {
     machine_.auxiliary_code(code);
   }
   void dwell(double seconds) override { machine_.dwell(seconds); }
+  [[nodiscard]] std::optional<machine::AxisTravel> travel(int axis) const override {
+    return machine_.travel(axis);
+  }
   [[nodiscard]] AxisPositions position() const override { return machine_.position(); }
   [[nodiscard]] double time_s() const override { return machine_.time_s(); }
 

@@ -31,3 +31,67 @@ M99
 %
 (EXPECT MOVE 1 G4 T1.5)
 (EXPECT #100 = 24)
+
+(CASE A, B and C are words of machines that have these axes)
+(CONTROL fanuc-16i haas brother)
+%
+O1
+G1 X1. F100.
+X2. B90.
+M30
+%
+(EXPECT ALARM 9 AT 5)
+(EXPECT MOVES 1)
+
+(CASE standing still is no excuse)
+(CONTROL fanuc-16i)
+%
+O1
+G0 A0.
+M30
+%
+(EXPECT ALARM 9 AT 4)
+
+(CASE on MELDAS it is P32)
+(CONTROL meldas)
+%
+O1
+G0 C0.
+M30
+%
+(EXPECT ALARM 32 AT 4)
+
+(CASE a machine with the axis takes it)
+(CONTROL fanuc-16i)
+(SHEET [machine.axes.C])
+(SHEET travel = [-360.0, 360.0])
+%
+O1
+G0 C90.
+#100=#5026
+M30
+%
+(EXPECT #100 = 90)
+
+(CASE A, B and C of a macro call are arguments)
+(CONTROL fanuc-16i)
+%
+O1
+G65 P2 A1. B2. C3.
+M30
+O2
+#100=#1+#2*10+#3*100
+M99
+%
+(EXPECT #100 = 321)
+
+(CASE what would take the tool elsewhere is refused)
+(SOURCE FANUC 30i operator's manual B-63944EN: without the option alarm PS0010)
+(CONTROL fanuc-30i)
+%
+O1
+G0 X1.
+G43.4 H1
+M30
+%
+(EXPECT ALARM 10 AT 6)

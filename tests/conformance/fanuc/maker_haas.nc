@@ -324,3 +324,145 @@ M30
 %
 (EXPECT ALARM 378 AT 7)
 (EXPECT #100 = 1)
+
+(CASE G36 makes the point of the signal the zero of the axis, shifted by I)
+(SIGNAL X12.5)
+(SIGNAL X12.5)
+%
+O1
+G91 G36 X20. F100.
+#100=#5221
+#101=#5041
+G0 X-10.
+G36 X20. I-2.
+#102=#5221
+#103=#5222
+M30
+%
+(EXPECT #100 = 12.5)
+(EXPECT #101 = 0)
+(EXPECT #102 = 10.5)
+(EXPECT #103 = 0)
+
+(CASE G36 in a G154 system)
+(SIGNAL Y-7.25)
+%
+O1
+G154 P3
+G91 G36 Y-20. F100.
+#100=#14042
+M30
+%
+(EXPECT #100 = -7.25)
+
+(CASE G36 takes no tool length along)
+(SHEET [tools.1])
+(SHEET length = 100.0)
+%
+O1
+G43 H1
+G91 G36 X20. F100.
+M30
+%
+(EXPECT ALARM 82 AT 6)
+
+(CASE G136 makes the middle between its point and that of M75 the zero)
+(SIGNAL X10)
+(SIGNAL X-6)
+%
+O1
+G91 G31 X20. F100. M75
+G0 X-12.
+G136 X-20.
+#100=#5221
+M30
+%
+(EXPECT #100 = 2)
+
+(CASE settings 59 and 60 lead from the signal to the surface)
+(SET #20059 = 3)
+(SET #20060 = -3)
+(SIGNAL X7)
+(SIGNAL X-3)
+(SIGNAL X7)
+%
+O1
+G91 G31 X20. F100.
+M75
+G0 X-6.
+G136 X-20.
+#100=#5221
+G0 X5.
+G36 X20.
+#101=#5221
+M30
+%
+(EXPECT #100 = 2)
+(EXPECT #101 = 10)
+
+(CASE G35: diameter D is the way between two touches less the probe's width)
+(SIGNAL Y-6)
+(SIGNAL Y6)
+(SET #20063 = 2)
+(START Y = -20)
+%
+O1
+G91 G31 Y18. F100. M75
+G0 Y-5.
+X30.
+Y40.
+X-30.
+G35 Y-40. D4
+#100=#2404
+M30
+%
+(EXPECT #100 = 10)
+
+(CASE G37: H is so long that a move to its Z ends where the signal came)
+(SHEET [tools.1])
+(SHEET length = 100.0)
+(START Z = 300)
+(SIGNAL Z140)
+%
+O1
+#5223=5.
+G43 H1
+G37 Z10. F100.
+#100=#2001
+G43 H1
+G0 Z10.
+#101=#5023
+M30
+%
+(EXPECT #100 = 125)
+(EXPECT #101 = 140)
+
+(CASE G37 needs the length offset that it sets)
+%
+O1
+G37 Z0. F100.
+M30
+%
+(EXPECT ALARM 81 AT 3)
+
+(CASE five-axis modes are refused, not passed over)
+%
+O1
+G0 X1.
+G234 H1 Z10.
+M30
+%
+(EXPECT ALARM 10 AT 4)
+(EXPECT MOVES 1)
+
+(CASE G254 is refused, G255 has nothing to end)
+%
+O1
+G255
+G0 X1.
+G254
+X2.
+M30
+%
+(EXPECT ALARM 10 AT 5)
+(EXPECT MOVES 1)

@@ -140,3 +140,31 @@ M30
 %
 (EXPECT #100 = -250)
 (EXPECT #101 = 7)
+
+(CASE MB-278 only the signals of the mask end the move)
+(START Z = 200)
+(SHEET [probe])
+(SHEET input = 2)
+(SHEET [[part]])
+(SHEET shape = "cylinder")
+%
+O1
+G31 P1 Z150. F100.
+#100=#5063
+G31 P5 Z140. F100.
+#101=#5063
+G31 P2 Z100. F100.
+#102=#5063
+G0 Z150.
+G31 P255 Z100. F100.
+#103=#5063
+G0 Z150.
+G31 Z100. F100.
+#104=#5063
+M30
+%
+(EXPECT #100 = 150)
+(EXPECT #101 = 140)
+(EXPECT #102 = 123)
+(EXPECT #103 = 123)
+(EXPECT #104 = 123)

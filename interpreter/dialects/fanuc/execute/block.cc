@@ -46,6 +46,11 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
       return execute_skip(control, block);
     case GAction::MeasureTool:
       return execute_tool_measurement(control, block);
+    case GAction::MeasureDiameter:
+      return execute_diameter_measurement(control, block);
+    case GAction::MeasureWork:
+    case GAction::MeasureCentre:
+      return execute_work_measurement(control, block);
     case GAction::LocalShift:
       return execute_local_shift(control, block);
     case GAction::MachineMove:
@@ -82,6 +87,7 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
     case GAction::CannedCycle:
     case GAction::CycleOff:
     case GAction::SurfaceSpeed:
+    case GAction::Refused:
       break;
   }
   contract_violated("these codes leave the words of their block to others", __FILE__, __LINE__);
@@ -169,6 +175,7 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   if (auto failure = execute_words(control, block, feed_before)) {
     return failure;
   }
+  keep_marked_point(control, words);
   return end_compensated_block(control);
 }
 

@@ -67,12 +67,16 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
     case GAction::FromReference:
     case GAction::Skip:
     case GAction::MeasureTool:
+    case GAction::MeasureDiameter:
+    case GAction::MeasureWork:
+    case GAction::MeasureCentre:
     case GAction::LocalShift:
     case GAction::MachineMove:
     case GAction::MacroCall:
     case GAction::SetPosition:
     case GAction::PresetSystem:
     case GAction::Unsimulated:
+    case GAction::Refused:
       break;
   }
   control.modal.group[code.group] = code.number;
@@ -95,6 +99,10 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
   if (code == nullptr || !has_g_code(control.profile, *code)) {
     return at_word(AlarmId::ImproperGCode, word,
                    fmt::format("the control has no G{}", word.number));
+  }
+  if (code->action == GAction::Refused) {
+    return at_word(AlarmId::ImproperGCode, word,
+                   fmt::format("{}, {}", to_text(code->number), code->text));
   }
   if (code->group != Group::OneShot) {
     take_modal_code(control, *code, codes);
@@ -180,11 +188,20 @@ MaybeFailure refuse_repeats(const BlockWords& words) {
   return std::nullopt;
 }
 
-/// Addresses of axes that no machine here has; U of G04 is a time (MB-285).
-MaybeFailure refuse_further_axes(const BlockWords& words, const Codes& codes) {
-  const bool dwells = codes.one_shot != nullptr && codes.one_shot->action == GAction::Dwell;
-  for (const char letter : {'U', 'V', 'W'}) {
-    if (words.has(letter) && !(dwells && letter == 'U')) {
+/// Addresses of axes that the machine does not have.  U of G04 is a time (MB-285), and a code that
+/// is not simulated may take any word.
+MaybeFailure refuse_missing_axes(const Control& control, const BlockWords& words,
+                                 const Codes& codes) {
+  const GAction action = codes.one_shot != nullptr ? codes.one_shot->action : GAction::Modal;
+  if (action == GAction::Unsimulated) {
+    return std::nullopt;
+  }
+  for (const char letter : {'A', 'B', 'C', 'U', 'V', 'W'}) {
+    if (!words.has(letter) || (action == GAction::Dwell && letter == 'U')) {
+      continue;
+    }
+    const int axis = axis_index(letter);
+    if (axis < 0 || !control.port.travel(axis)) {
       return at_word(AlarmId::IllegalAddress, *words.find(letter),
                      fmt::format("the machine has no axis {}", letter));
     }
@@ -221,7 +238,7 @@ Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
       }
     }
   }
-  if (auto failure = refuse_further_axes(words, codes)) {
+  if (auto failure = refuse_missing_axes(control, words, codes)) {
     return *std::move(failure);
   }
   const auto unit =

@@ -15,9 +15,10 @@ using namespace path;
 using State = CompensationCommand::State;
 
 /// Codes whose moves are no part of a path to be compensated.
-constexpr GAction kNeedCancel[] = {GAction::CheckReference, GAction::ToReference,
-                                   GAction::FromReference,  GAction::MachineMove,
-                                   GAction::MeasureTool,    GAction::Skip};
+constexpr GAction kNeedCancel[] = {
+    GAction::CheckReference, GAction::ToReference,   GAction::FromReference,
+    GAction::MachineMove,    GAction::MeasureTool,   GAction::MeasureDiameter,
+    GAction::MeasureWork,    GAction::MeasureCentre, GAction::Skip};
 
 OffsetPlane offset_plane(const Control& control) {
   const Plane plane = control.modal.plane();

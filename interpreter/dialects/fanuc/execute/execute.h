@@ -25,15 +25,19 @@ MaybeFailure execute_machine_move(Control& control, const NcBlock& block);  // m
 MaybeFailure execute_arc(Control& control, const NcBlock& block);           // arc.cc
 MaybeFailure execute_skip(Control& control, const NcBlock& block);          // skip.cc
 MaybeFailure execute_tool_measurement(Control& control,
-                                      const NcBlock& block);                   // measure_tool.cc
-MaybeFailure execute_dwell(Control& control, const NcBlock& block);            // dwell.cc
-MaybeFailure execute_reference(Control& control, const NcBlock& block);        // reference.cc
-MaybeFailure execute_from_reference(Control& control, const NcBlock& block);   // reference.cc
-MaybeFailure execute_check_reference(Control& control, const NcBlock& block);  // reference.cc
-MaybeFailure execute_set_data(Control& control, const NcBlock& block);         // set_data.cc
-MaybeFailure execute_local_shift(Control& control, const NcBlock& block);      // offsets.cc
-MaybeFailure execute_set_position(Control& control, const NcBlock& block);     // offsets.cc
-MaybeFailure execute_preset(Control& control, const NcBlock& block);           // offsets.cc
+                                      const NcBlock& block);              // measure_tool.cc
+MaybeFailure execute_tool_touch(Control& control, const NcBlock& block);  // measure_work.cc
+MaybeFailure execute_diameter_measurement(Control& control,
+                                          const NcBlock& block);                // measure_work.cc
+MaybeFailure execute_work_measurement(Control& control, const NcBlock& block);  // measure_work.cc
+MaybeFailure execute_dwell(Control& control, const NcBlock& block);             // dwell.cc
+MaybeFailure execute_reference(Control& control, const NcBlock& block);         // reference.cc
+MaybeFailure execute_from_reference(Control& control, const NcBlock& block);    // reference.cc
+MaybeFailure execute_check_reference(Control& control, const NcBlock& block);   // reference.cc
+MaybeFailure execute_set_data(Control& control, const NcBlock& block);          // set_data.cc
+MaybeFailure execute_local_shift(Control& control, const NcBlock& block);       // offsets.cc
+MaybeFailure execute_set_position(Control& control, const NcBlock& block);      // offsets.cc
+MaybeFailure execute_preset(Control& control, const NcBlock& block);            // offsets.cc
 MaybeFailure select_work_offset(Control& control, const BlockWords& words,
                                 GNumber code);                               // offsets.cc
 MaybeFailure select_tool_length(Control& control, const BlockWords& words);  // offsets.cc
@@ -42,6 +46,9 @@ MaybeFailure execute_mirror_off(Control& control, const NcBlock& block);     // 
 MaybeFailure execute_scaling(Control& control, const NcBlock& block);        // transforms.cc
 MaybeFailure execute_rotation(Control& control, const NcBlock& block);       // transforms.cc
 MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block);   // canned_cycle.cc
+
+/// M75 of a Haas, at the end of its block (measure_work.cc).
+void keep_marked_point(Control& control, const BlockWords& words);
 
 /// What M, S and T have the machine do: the spindle, the tool, the codes for its own logic
 /// (machine_codes.cc).
@@ -80,6 +87,12 @@ Result<double, Failure> feed_in_force(const Control& control);
 
 /// A programmed feed as dry run and feed override change it, mm/min (MB-128, MB-268).
 double switched_feed(const Control& control, double feed_mm_min);
+
+/// Moves until the skip signal and tells the observer; #5061.. stay as they are.
+/// @returns the latched position (M), or nullopt when no signal came: then the axes stand at the
+///          end and the caller says which programmed point that is
+Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, const NcBlock& block,
+                                                             const machine::SkipMove& move);
 
 /// A fault of the machine as the end of the program.
 Failure from_fault(const machine::MachineFault& fault);

@@ -102,6 +102,9 @@ Result<AxisPositions, Failure> touch(Control& control, const NcBlock& block,
 /// axis stands beyond the programmed position is added to the wear of tool offset H.  #5061.. stay
 /// as they are (MB-282).  The offset in force changes with the next H, G43 or G44.
 MaybeFailure execute_tool_measurement(Control& control, const NcBlock& block) {
+  if (control.profile.tool_measurement == ToolMeasurement::ToTravelEnd) {
+    return execute_tool_touch(control, block);
+  }
   const auto offset = measured_offset(control, block);
   if (!offset) {
     return offset.error();

@@ -102,6 +102,7 @@ MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Tr
     }
     block.feed_mm_min = switched_feed(control, feed.value());
     block.ends = control.feed_end();
+    block.mm_per_degree = control.scale.mm_per_unit();
   }
   return travel(control, block);
 }

@@ -29,9 +29,9 @@ void note_outcome(Control& control, const NcBlock& block, const SkipOutcome& out
 }
 
 /// What P of G31 says about the signal (MB-278, MB-279).
-enum class SkipKind {
-  Signal,       ///< the skip signal ends the move
-  TorqueLimit,  ///< P98: only the torque limit of the axis would, which nothing here reaches
+struct SkipKind {
+  bool is_torque_limit = false;  ///< P98: only the torque limit would end it, which nothing reaches
+  unsigned signals = 0;          ///< bit i: skip signal i + 1 ends it; 0: any
 };
 
 int axes_named(const BlockWords& words) {
@@ -45,7 +45,7 @@ int axes_named(const BlockWords& words) {
 Result<SkipKind, Failure> skip_kind(const Control& control, const NcBlock& block) {
   const EvaluatedWord* const p = block.words.find('P');
   if (p == nullptr) {
-    return SkipKind::Signal;
+    return SkipKind();
   }
   const auto number = integer_of(*p);
   if (!number) {
@@ -54,21 +54,36 @@ Result<SkipKind, Failure> skip_kind(const Control& control, const NcBlock& block
   if (control.profile.skip_selection == SkipSelection::Mask) {
     constexpr int kAllSignals = 255;
     return number.value() >= 1 && number.value() <= kAllSignals
-               ? Result<SkipKind, Failure>(SkipKind::Signal)
+               ? Result<SkipKind, Failure>({false, static_cast<unsigned>(number.value())})
                : at_word(AlarmId::SkipMask, *p, "P is 1 to 255, one bit for each signal");
   }
   if (number.value() == 98 || number.value() == 99) {
     if (axes_named(block.words) != 1) {
       return at_word(AlarmId::SkipFormat, *p, "one axis is needed");
     }
-    return number.value() == 98 ? SkipKind::TorqueLimit : SkipKind::Signal;
+    return SkipKind{number.value() == 98, 0};
   }
   const bool selects = number.value() >= 1 && number.value() <= 4 &&
                        control.parameters.has_signal(ParameterId::SkipSignals, number.value() - 1);
   if (!selects) {
     return at_word(AlarmId::SkipSignalSelect, *p, fmt::format("P{}", number.value()));
   }
-  return SkipKind::Signal;
+  return SkipKind();
+}
+
+/// The measuring input that a skip move listens to: the one among its signals that something is
+/// wired to.  Skip signal n is input n.
+int listened_input(const Control& control, unsigned signals) {
+  constexpr int kSignals = 8;
+  int wired = machine::kAnyInput;
+  int silent = machine::kAnyInput;
+  for (int input = kSignals; input >= 1 && signals != 0; --input) {
+    const bool is_asked = (signals >> (input - 1) & 1U) != 0;
+    const bool is_wired = control.port.sensor_state(input).has_value();
+    wired = is_asked && is_wired ? input : wired;
+    silent = is_asked ? input : silent;
+  }
+  return wired != machine::kAnyInput ? wired : silent;
 }
 
 /// G31 P98: a feed move that no skip signal ends; #5061.. hold its end.
@@ -108,13 +123,40 @@ Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) 
 
 }  // namespace
 
+Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, const NcBlock& block,
+                                                             const machine::SkipMove& move) {
+  control.report_stopped_skip();
+  if (const auto state = control.port.sensor_state(move.input)) {
+    for (const source::DiagnosticId complaint : runtime::complaints_of(*state)) {
+      control.warn(complaint, block.where);
+    }
+  }
+  control.last_skip.q_M_from = control.port.position();
+  const auto outcome = control.outlet.move_until_skip(move);
+  if (!outcome) {
+    control.coordinates.arrived_at_machine(control.port.position());
+    return from_fault(outcome.error());
+  }
+  note_outcome(control, block, outcome.value());
+  runtime::TouchEvent event =
+      runtime::touch_event(move.way, outcome.value(), control.port.position());
+  event.block = block.code->action == GAction::Skip ? "G31" : to_text(block.code->number);
+  event.where = block.where;
+  if (event.triggered) {
+    control.coordinates.arrived_at_machine(event.q_M_stopped);
+  }
+  control.last_skip.q_M_latched = event.q_M_latched;
+  control.outlet.touched(event);
+  return event.triggered ? std::optional(event.q_M_latched) : std::nullopt;
+}
+
 /// G31: latched position to #5061.., the axes stay where they stopped (MB-265 to MB-284).
 MaybeFailure execute_skip(Control& control, const NcBlock& block) {
   const auto kind = skip_kind(control, block);
   if (!kind) {
     return kind.error();
   }
-  if (kind.value() == SkipKind::TorqueLimit) {
+  if (kind.value().is_torque_limit) {
     return execute_torque_skip(control, block);
   }
   if (!control.coordinates.transform().is_identity()) {
@@ -125,32 +167,21 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
     return feed.error();
   }
   const AxisPositions q_L_end = programmed_end(control, block);
-  machine::LinearMove move;
-  move.q_M_end = control.coordinates.to_machine(q_L_end);
-  move.traverse = machine::Traverse::Feed;
-  move.feed_mm_min = skip_speed(control, feed.value());
-  control.report_stopped_skip();
-  if (const auto state = control.port.sensor_state(machine::kAnyInput)) {
-    for (const source::DiagnosticId complaint : runtime::complaints_of(*state)) {
-      control.warn(complaint, block.where);
-    }
+  machine::LinearMove way;
+  way.q_M_end = control.coordinates.to_machine(q_L_end);
+  way.traverse = machine::Traverse::Feed;
+  way.feed_mm_min = skip_speed(control, feed.value());
+  way.mm_per_degree = control.scale.mm_per_unit();
+  machine::SkipMove move = way;
+  move.input = listened_input(control, kind.value().signals);
+  const auto q_M_latched = move_and_latch(control, block, move);
+  if (!q_M_latched) {
+    return q_M_latched.error();
   }
-  const auto outcome = control.outlet.move_until_skip(move);
-  if (!outcome) {
-    control.coordinates.arrived_at_machine(control.port.position());
-    return from_fault(outcome.error());
-  }
-  note_outcome(control, block, outcome.value());
-  runtime::TouchEvent event = runtime::touch_event(move, outcome.value(), control.port.position());
-  event.block = "G31";
-  event.where = block.where;
-  control.q_W_skip = control.coordinates.to_work(event.q_M_latched);
-  if (event.triggered) {
-    control.coordinates.arrived_at_machine(event.q_M_stopped);
-  } else {
+  control.q_W_skip = control.coordinates.to_work(control.last_skip.q_M_latched);
+  if (!q_M_latched.value()) {
     control.coordinates.arrived_at_programmed(q_L_end);
   }
-  control.outlet.touched(event);
   return std::nullopt;
 }
 

@@ -69,6 +69,12 @@ struct BusyWait {
   int reads = 0;
 };
 
+/// What a skip move found.
+struct SkipPoint {
+  AxisPositions q_M_from = AxisPositions::Zero();  ///< where it began
+  AxisPositions q_M_latched = AxisPositions::Zero();
+};
+
 /// Cutter compensation and what the present block says to it.
 struct CutterStage {
   path::CutterCompensation compensation;
@@ -104,8 +110,10 @@ struct Control {
   std::set<int> expected_systems;  ///< likewise for work offsets, as Coordinates counts them
 
   AxisPositions q_W_skip = AxisPositions::Zero();  ///< #5061.., tool offset included; mm, deg
-  runtime::PrinterPort* printer = nullptr;         ///< none: only the observer hears
-  bool printer_open = false;                       ///< between POPEN and PCLOS
+  SkipPoint last_skip;
+  SkipPoint marked_skip;                    ///< what M75 of a Haas keeps
+  runtime::PrinterPort* printer = nullptr;  ///< none: only the observer hears
+  bool printer_open = false;                ///< between POPEN and PCLOS
   /// Common variables beyond #999, by number; those that are not there are vacant.
   std::map<std::int32_t, Cell> further_commons;
   /// What the set-up sheet says of the machine, and outputs, by variable number; else 0.

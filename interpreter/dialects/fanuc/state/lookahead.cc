@@ -11,6 +11,9 @@ bool is_fence(const GCode& code, const Profile& profile) {
   switch (code.action) {
     case GAction::Skip:
     case GAction::MeasureTool:
+    case GAction::MeasureDiameter:
+    case GAction::MeasureWork:
+    case GAction::MeasureCentre:
     case GAction::MachineMove:
     case GAction::CheckReference:
     case GAction::ToReference:
@@ -45,6 +48,7 @@ bool is_fence(const GCode& code, const Profile& profile) {
     case GAction::CycleOff:
     case GAction::SurfaceSpeed:
     case GAction::Unsimulated:
+    case GAction::Refused:
       return false;
   }
   contract_violated("every action is a fence or none", __FILE__, __LINE__);

@@ -26,6 +26,9 @@ enum class GAction : std::uint8_t {
   FromReference,
   Skip,
   MeasureTool,
+  MeasureDiameter,
+  MeasureWork,
+  MeasureCentre,
   ToolLength,
   LocalShift,
   MachineMove,
@@ -46,6 +49,7 @@ enum class GAction : std::uint8_t {
   StrokeCheck,
   SurfaceSpeed,
   Unsimulated,  ///< one-shot: takes the words of its block, nothing happens
+  Refused,      ///< not simulated, and the way would be another one without it
 };
 
 /// Which controls of the family have a G code.

@@ -129,6 +129,8 @@ constexpr Profile haas() {
   profile.conditions_rule_blocks = true;
   profile.has_local_calls = true;
   profile.checks_skip_signal = true;
+  profile.marks_latched_point = true;
+  profile.tool_measurement = ToolMeasurement::ToTravelEnd;
   profile.dwell_point_is_seconds = true;
   profile.modal_layout[12] = 14;  // G54 and the like are group 12 there
   profile.output.fewest_digits = 1;

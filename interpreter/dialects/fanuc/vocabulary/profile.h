@@ -41,6 +41,12 @@ enum class LengthChange {
   ShiftsCoordinates  ///< only coordinates change: an axis that is not named stays
 };
 
+/// What G37 does (MB-282).
+enum class ToolMeasurement {
+  NearPosition,  ///< measures against the programmed position, within a zone; adds to the wear
+  ToTravelEnd    ///< moves Z down to the signal wherever it comes; sets the length
+};
+
 /// Which alarm number `#3000=n` makes (MB-123, MB-339, MB-368, MB-372).
 struct MacroAlarmRule {
   enum class Number { BasePlusValue, Base };
@@ -148,7 +154,9 @@ struct Profile {
   bool bare_reference_moves_all = false;  ///< G28 without axes: all of them
 
   // G31
-  bool checks_skip_signal = false;  ///< M78 and M79 beside G31: an alarm with and without a signal
+  bool checks_skip_signal = false;   ///< M78 and M79 beside G31: an alarm with and without a signal
+  bool marks_latched_point = false;  ///< M75 keeps the point of its skip move for G35 and G136
+  ToolMeasurement tool_measurement = ToolMeasurement::NearPosition;
   SkipSelection skip_selection = SkipSelection::Parameters;
   SkipFeed skip_feed = SkipFeed::Modal;
   std::optional<ParameterId> skip_feed_parameter;  ///< feed of G31 without F (MB-334)
