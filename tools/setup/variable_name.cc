@@ -62,14 +62,20 @@ std::optional<std::string> normal_indices(std::string_view text) {
   }
 }
 
-/// #30012.003: a parameter of a Haas, and one of its elements, which has three digits.
-bool is_element(std::string_view stem) {
+/// #30012.003: a parameter of a Haas, and one of its elements; #30057.25 is #30057.250.
+std::optional<std::string> normal_element(std::string_view stem) {
   constexpr std::size_t kDigits = 5;
   constexpr std::size_t kDigitsOfElement = 3;
   const std::size_t point = stem.find('.');
-  return stem.starts_with('#') && point == kDigits + 1 &&
-         stem.size() == point + 1 + kDigitsOfElement && all_digits(stem.substr(1, kDigits)) &&
-         all_digits(stem.substr(point + 1));
+  const bool is_one = stem.starts_with('#') && point == kDigits + 1 &&
+                      stem.size() <= point + 1 + kDigitsOfElement &&
+                      all_digits(stem.substr(1, kDigits)) && all_digits(stem.substr(point + 1));
+  if (!is_one) {
+    return std::nullopt;
+  }
+  std::string name(stem);
+  name.resize(point + 1 + kDigitsOfElement, '0');
+  return name;
 }
 
 /// What stands before the indices.
@@ -81,8 +87,8 @@ std::optional<std::string> normal_stem(std::string_view stem) {
     return shortest.size() <= kMostDigits ? std::optional(stem.front() + std::string(shortest))
                                           : std::nullopt;
   }
-  if (is_element(stem)) {
-    return std::string(stem);
+  if (auto element = normal_element(stem)) {
+    return element;
   }
   const bool named = is_identifier(stem) || (stem.starts_with('#') && is_identifier(number));
   return named ? std::optional(std::string(stem)) : std::nullopt;

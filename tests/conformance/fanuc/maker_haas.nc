@@ -325,6 +325,71 @@ M30
 (EXPECT ALARM 378 AT 7)
 (EXPECT #100 = 1)
 
+(CASE parameters, settings and their bits by the numbers of older controls)
+(SET #20009 = 1)
+(SET #30057 = 40)
+(SET #30057.25 = 1)
+%
+O1
+#100=#6009
+#101=#6557
+#6996=57
+#102=#6998
+#6997=3
+#103=#6998
+#6997=4
+#104=#6998
+#105=#30057.250
+M30
+%
+(EXPECT #100 = 1)
+(EXPECT #101 = 40)
+(EXPECT #102 = 40)
+(EXPECT #103 = 1)
+(EXPECT #104 = 0)
+(EXPECT #105 = 1)
+
+(CASE the number of an element may be computed)
+(SET #30012 = 7)
+(SET #30012.003 = 4.5)
+%
+O1
+#1=3
+#100=#[30012+#1/1000]
+#101=#[30010+2]
+M30
+%
+(EXPECT #100 = 4.5)
+(EXPECT #101 = 7)
+
+(CASE data of tools one by one and of the tool that #8550 names)
+(SHEET [tools.5])
+(SHEET length = 100.0)
+(SHEET radius = 4.0)
+(SET #1605 = 3)
+(SET #5405 = 12)
+(SET #5705 = 9)
+%
+O1
+#100=#8553
+#8550=5
+#101=#8551
+#102=#8553
+#103=#8555
+#104=#8559
+#105=#8562
+#5505=30
+#106=#8560
+M30
+%
+(EXPECT #100 = 0)
+(EXPECT #101 = 3)
+(EXPECT #102 = 100)
+(EXPECT #103 = 8)
+(EXPECT #104 = 12)
+(EXPECT #105 = 9)
+(EXPECT #106 = 30)
+
 (CASE G36 makes the point of the signal the zero of the axis, shifted by I)
 (SIGNAL X12.5)
 (SIGNAL X12.5)

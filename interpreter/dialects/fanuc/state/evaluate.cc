@@ -98,7 +98,10 @@ runtime::MissedTouches::Holder holder_of(std::size_t depth, std::int32_t number)
 }
 
 std::int32_t variable_number(double index) {
-  const double rounded = std::round(index);
+  constexpr double kParts = 1000.0;
+  const bool has_part =
+      may_have_part(index) && std::fmod(std::round(index * kParts), kParts) != 0.0;
+  const double rounded = std::round(has_part ? index * kParts : index);
   return std::abs(rounded) < 1e9 ? static_cast<std::int32_t>(rounded) : -1;
 }
 

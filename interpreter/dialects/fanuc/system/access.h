@@ -73,6 +73,10 @@ WriteResult write_alias(Control& control, const Place& place, Cell value);
 ReadResult read_datum(Control& control, const Place& place);
 WriteResult write_datum(Control& control, const Place& place, Cell value);
 ReadResult read_named_parameter(Control& control, const Place& place);
+ReadResult read_datum_alias(Control& control, const Place& place);
+WriteResult write_datum_alias(Control& control, const Place& place, Cell value);
+ReadResult read_chosen_parameter(Control& control, const Place& place);
+ReadResult read_tool_datum(Control& control, const Place& place);
 WriteResult write_nothing(Control& control, const Place& place, Cell value);
 
 // modal.cc

@@ -25,8 +25,6 @@ constexpr Setting kSettings[] = {{0, ParameterId::VerticalParity},
 constexpr int kInchBit = 1 << 2;
 
 constexpr std::int32_t kAliasesOfThousand = 1000;  // #10100 and #100100 are #100
-constexpr std::int32_t kNameOfParameter = 100000;
-constexpr std::int32_t kAxisOfParameter = 100002;
 
 ParameterId parts_parameter(const Place& place) {
   return place.row.shows == Shows::PartsCount ? ParameterId::PartsCount
@@ -180,25 +178,6 @@ WriteResult write_alias(Control& control, const Place& place, Cell value) {
   const std::int32_t common = place.number % kAliasesOfThousand;
   return is_common(common) ? control.variables.write(common, value)
                            : write_further_common(control, place, value);
-}
-
-ReadResult read_datum(Control& control, const Place& place) {
-  const auto found = control.data.find(place.number);
-  return Cell(found != control.data.end() ? found->second : 0.0);
-}
-
-WriteResult write_datum(Control& control, const Place& place, Cell value) {
-  control.data[place.number] = value.or_zero();
-  return std::nullopt;
-}
-
-/// #100010 of MELDAS: the parameter that #100000 and, of one axis, #100002 name.
-ReadResult read_named_parameter(Control& control, const Place&) {
-  const int number = nearest_integer(control.data[kNameOfParameter]);
-  const int axis = nearest_integer(control.data[kAxisOfParameter]);
-  const bool has_axis = axis >= 1 && axis <= static_cast<int>(kAxisCount);
-  return Cell(has_axis ? control.parameters.shown_for_axis(number, axis - 1)
-                       : control.parameters.shown(number));
 }
 
 WriteResult write_nothing(Control&, const Place&, Cell) {

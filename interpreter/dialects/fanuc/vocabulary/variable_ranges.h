@@ -22,15 +22,17 @@ constexpr bool is_common(std::int32_t number) {
          (number >= kFirstPermanent && number < kCommonEnd);
 }
 
+/// Whether a number behind # may name an element of a parameter of a Haas.
+constexpr bool may_have_part(double number) {
+  return number >= 30000.0 && number < 40000.0;
+}
+
 /// The number of a variable as a program writes it.  #30012.003 of a Haas, an element of a
 /// parameter, counts as #30012003.
 constexpr std::int32_t written_variable(double number) {
-  constexpr double kFirstOfParts = 30000.0;
-  constexpr double kEndOfParts = 40000.0;
   constexpr double kLargest = 1e9;
   const double counted = std::min(number, kLargest);
-  const bool has_part = counted >= kFirstOfParts && counted < kEndOfParts &&
-                        counted != static_cast<std::int32_t>(counted);
+  const bool has_part = may_have_part(counted) && counted != static_cast<std::int32_t>(counted);
   return static_cast<std::int32_t>((has_part ? counted * 1000.0 : counted) + 0.5);
 }
 
