@@ -70,7 +70,10 @@ char Scanner::peek_behind_blanks() {
 
 void Scanner::skip_comment() {
   const std::size_t begin = at_ + 1;
-  const std::size_t end = std::min(text_.find_first_of(")\n", begin), text_.size());
+  std::size_t end = begin;
+  while (end < text_.size() && text_[end] != ')' && text_[end] != '\n') {
+    ++end;
+  }
   const bool goes_on =
       comment_.end != 0 && at_ >= comment_.end &&
       text_.substr(comment_.end, at_ - comment_.end).find_first_not_of(") \t\r") == text_.npos;
