@@ -77,6 +77,18 @@ TEST(SamePrograms, InOneFolderAreTold) {
   EXPECT_TRUE(mentions(run, "PRB504")) << run.errors;
 }
 
+TEST(SamePrograms, InFilesWhoseNamesSayNoNumberAreTold) {
+  const TemporaryFolder library;
+  library.write("measure.nc", "O9010\n#100=1\nM99\n");
+  library.write("measure_old.nc", "O9011\nM99\nO9010\n#100=2\nM99\n");
+  library.write("other.nc", "O9012\nM99\n");
+  const auto run = run_beside("O1\nG65 P9010\nM30\n", library);
+  EXPECT_NE(run.errors.find("O9010 is there twice: this one is taken, not measure_old.nc"),
+            std::string::npos)
+      << run.errors;
+  EXPECT_FALSE(mentions(run_beside("O1\nG65 P9012\nM30\n", library), "PRB504"));
+}
+
 TEST(SamePrograms, OneOverAnotherIsHowLibrariesWork) {
   const TemporaryFolder library;
   library.write("O9010.nc", "O9010\n#100=2\nM99\n");

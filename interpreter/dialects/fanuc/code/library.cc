@@ -15,6 +15,9 @@ namespace {
 /// So much of a long file tells its code.
 constexpr std::size_t kLook = 4096;
 
+/// Longer files are not read only to see whether they hold a program that was found already.
+constexpr std::size_t kLongestSubprogram = std::size_t{1} << 20;
+
 /// The program number that a file name says: optional O, digits, optional ending.
 std::optional<int> number_in_name(std::string_view name) {
   const std::string_view stem = name.substr(0, name.find('.'));
@@ -218,10 +221,32 @@ const CompiledProgram* ProgramLibrary::find_in(Folder& folder, int number) {
     }
     found = found == nullptr ? here : found;
   }
-  for (std::size_t i = 0; i < folder.unnamed.size() && found == nullptr; ++i) {
-    if (File* const file = load(joined(folder.path, folder.unnamed[i]))) {
-      found = find_in(*file, number);
+  return found != nullptr ? found : find_in_unnamed(folder, number);
+}
+
+/// The program of this number in files whose names say none.  A second one is told, where its file
+/// is no longer than subprograms are.
+const CompiledProgram* ProgramLibrary::find_in_unnamed(const Folder& folder, int number) {
+  const CompiledProgram* found = nullptr;
+  for (const std::string& name : folder.unnamed) {
+    const std::string path = joined(folder.path, name);
+    if (found != nullptr && files_.size(path).value_or(0) > kLongestSubprogram) {
+      continue;
     }
+    File* const file = load(path);
+    if (file == nullptr) {
+      continue;
+    }
+    const auto& programs = file->tree.programs;
+    const auto here = std::ranges::find(programs, number, &syntax::Program::number);
+    if (here == programs.end()) {
+      continue;
+    }
+    if (found != nullptr) {
+      report_twice(*found, {0, 1}, name);
+      break;
+    }
+    found = find_in(*file, number);
   }
   return found;
 }

@@ -83,6 +83,7 @@ class ProgramLibrary {
   const CompiledProgram* compiled(File& file, std::size_t which);
   const CompiledProgram* find_in(File& file, int number);
   const CompiledProgram* find_in(Folder& folder, int number);
+  const CompiledProgram* find_in_unnamed(const Folder& folder, int number);
   File* load(const std::string& path);
   const CompiledProgram* whole_main();
   const CompiledProgram* find_in_main(int number);
