@@ -4,6 +4,7 @@
 
 #include "interpreter/analysis/fanuc_flow.h"
 #include "interpreter/analysis/program_set.h"
+#include "interpreter/dialects/fanuc/code/lathe.h"
 #include "interpreter/dialects/fanuc/code/library.h"
 #include "machine/base/contract.h"
 
@@ -29,6 +30,18 @@ class FanucPrograms final : public ProgramSet {
     const source::SourceFile* const text = library_.text_of(path);
     G31_EXPECTS(text != nullptr);
     return *text;
+  }
+
+  std::optional<Finding> refusal(const std::string& path) override {
+    for (const fanuc::CompiledProgram* const program : library_.programs_of(path)) {
+      if (const auto signs = fanuc::lathe_signs(*program)) {
+        source::Diagnostic told = make_diagnostic(source::DiagnosticId::LatheProgram,
+                                                  location_in(*program, signs->where), signs->what);
+        return Finding{RuleId::OtherMachine, 0, told.where, std::move(told.message),
+                       std::move(told.remedy)};
+      }
+    }
+    return std::nullopt;
   }
 
   std::vector<Flow> flows(const std::string& path) override {

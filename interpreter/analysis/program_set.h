@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/analysis/finding.h"
 #include "interpreter/analysis/flow.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "interpreter/runtime/control_setup.h"
@@ -27,6 +28,8 @@ class ProgramSet {
 
   /// The text of a file that was added.
   virtual const source::SourceFile& text(const std::string& path) = 0;
+  /// Why no program of a file that was added can run here at all; nullopt: nothing is against it.
+  virtual std::optional<Finding> refusal(const std::string& /*path*/) { return std::nullopt; }
   /// All programs of a file that was added, in its order; behind the last file and folder.
   virtual std::vector<Flow> flows(const std::string& path) = 0;
   /// Why a call of one of the flows cannot find its program; nullopt: it can, or only a run knows.

@@ -95,6 +95,9 @@ std::vector<Finding> static_findings(ProgramSet& programs, const std::string& pa
   if (is_no_text(file.text())) {
     return {no_program(file, "this file is no text")};
   }
+  if (auto refused = programs.refusal(path)) {
+    return {*std::move(refused)};
+  }
   const std::vector<Flow> flows = programs.flows(path);
   if (flows.empty()) {
     return {no_program(file, "no program in this file")};

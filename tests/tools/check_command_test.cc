@@ -198,6 +198,23 @@ TEST(Check, APlaceAtTheEndOfALineStaysOnIt) {
   EXPECT_EQ(finding["end_column"], 8);
 }
 
+TEST(Check, AProgramForALatheIsRefusedWithOneLine) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("o1.nc",
+                                "O1\nG50 S2000\nT0101\nG96 S200 M03\nG1 U2. W-5. F.2\n"
+                                "G65 P4711\nM30\n")};
+  options.control = "fanuc-0i";
+  const CheckOutput output = checked(options);
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_NE(output.text.find("o1.nc:2:1: error: a program for a lathe (G50 S, T of four digits, "
+                             "G96 S, U or W): g31 runs those of machining centres [NC008]"),
+            output.text.npos)
+      << output.text;
+  EXPECT_EQ(output.text.find("error:", output.text.find("error:") + 1), output.text.npos)
+      << output.text;
+}
+
 TEST(Check, FilesThatAreNoProgramsHaveTheirOwnMessage) {
   TemporaryFolder folder;
   const CheckOutput output =
