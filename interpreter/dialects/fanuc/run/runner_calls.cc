@@ -266,7 +266,8 @@ MaybeFailure Runner::every_block_call() {
   return std::nullopt;
 }
 
-/// A G or M code that parameters or the sheet make a macro call (MB-207, MB-209).
+/// A G or M code that parameters or the sheet make a macro call (MB-207, MB-209).  P is an
+/// argument, too: MELDAS, parameter #1241, "macro argument L/P valid".
 MaybeFailure Runner::code_macro(const EvaluatedWord& code, int program_number, CalledBy by) {
   const CompiledProgram* const program = program_of(program_number);
   if (program == nullptr) {

@@ -87,7 +87,7 @@ constexpr Profile meldas() {
   profile.macro_alarm.smallest = 1;
   profile.macro_alarm.largest = 9999;
   profile.blocks_read = 5;
-  // M700V programming manual, 12.2 (4) and 14.4 (4)
+  // M700V programming manual, 12.2 (4); 14.4 (4) and (5), page 508: G53 cancels no compensation
   profile.machine_move_length = MachineMoveLength::Ignores;
   profile.machine_moves_add = true;
   profile.modal_layout = meldas_modal_layout();
@@ -118,7 +118,7 @@ constexpr Profile haas() {
   profile.logic_operands = LogicOperands::Truncate;
   profile.macro_alarm.base = 1000;
   profile.macro_alarm.largest = 999;
-  // Mill operator's manual 96-8000, G28, G43 and G53
+  // Mill operator's manual 96-8000: G28, G43; G53 passes over work offsets for its block only
   profile.machine_move_length = MachineMoveLength::Ignores;
   profile.length_change = LengthChange::ShiftsCoordinates;
   profile.bare_reference_moves_all = true;
