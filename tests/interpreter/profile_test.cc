@@ -140,7 +140,8 @@ TEST(Profile, NestsItsCalls) {
   const Depth kCases[] = {
       {"fanuc-16i", "G65", 4, 77}, {"fanuc-30i", "G65", 5, 122}, {"meldas", "G65", 4, 273},
       {"brother", "G65", 4, 77},   {"fanuc-16i", "M98", 4, 77},  {"fanuc-30i", "M98", 10, 77},
-      {"meldas", "M98", 8, 230},   {"brother", "M98", 8, 77},
+      {"meldas", "M98", 8, 230},   {"brother", "M98", 8, 77},    {"haas", "G65", 9, 77},
+      {"haas", "M98", 9, 77},
   };
   for (const Depth& c : kCases) {
     SCOPED_TRACE(std::string(c.control) + " " + c.call);

@@ -390,6 +390,42 @@ M30
 (EXPECT #105 = 9)
 (EXPECT #106 = 30)
 
+(CASE the whole tool table and the machine's own counts can be read)
+(SET #50005 = 4)
+(SET #1064 = 12)
+(SET #8510 = 7)
+%
+O1
+#100=#50005
+#52605=2
+#101=#52605+#52604
+#102=#1064+#1098+#1264+#3196
+#103=#8510
+#104=#13013+#9000+#9016
+M30
+%
+(EXPECT #100 = 4)
+(EXPECT #101 = 2)
+(EXPECT #102 = 12)
+(EXPECT #103 = 7)
+(EXPECT #104 = 0)
+
+(CASE macro calls nest nine deep)
+(SOURCE Haas alarm 307: nine levels)
+%
+O1
+#1=1
+#100=0
+G65 P2 A1
+M30
+O2
+#100=#100+1
+IF [#100 GE 9] GOTO 9
+G65 P2 A1
+N9 M99
+%
+(EXPECT #100 = 9)
+
 (CASE G36 makes the point of the signal the zero of the axis, shifted by I)
 (SIGNAL X12.5)
 (SIGNAL X12.5)

@@ -128,6 +128,7 @@ constexpr Profile haas() {
   profile.conditions_are_numbers = true;
   profile.conditions_rule_blocks = true;
   profile.has_local_calls = true;
+  profile.calls = {9, 9, 9};  // alarm 307: nine levels; published suites call macros five deep
   profile.checks_skip_signal = true;
   profile.marks_latched_point = true;
   profile.tool_measurement = ToolMeasurement::ToTravelEnd;
