@@ -121,7 +121,8 @@ TEST(SystemVariables, RefuseWhatTheControlLacksOrProtects) {
       {"modal data are not written", "fanuc-16i", "#4109=1", kProtected},
       {"legacy work offsets on MELDAS", "meldas", "#100=#2806", 241},
       {"a number that does not fit 32 bits", "fanuc-16i", "#1133=2147484.*1000.", 110},
-      {"beyond the Haas variables", "haas", "#13000=1", kIllegal},
+      {"an analog input of a Haas is not written", "haas", "#13000=1", kProtected},
+      {"beyond the Haas variables", "haas", "#13064=1", kIllegal},
   };
   for (const Refused& c : kCases) {
     SCOPED_TRACE(c.name);

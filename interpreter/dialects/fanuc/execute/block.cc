@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/codes.h"
@@ -27,70 +30,47 @@ MaybeFailure execute_nothing(Control& control, const NcBlock& block) {
   return std::nullopt;
 }
 
+MaybeFailure end_data(Control&, const NcBlock&) {
+  return std::nullopt;
+}
+
+/// A code that takes the words of its block for itself, and what does so.
+struct ActionRow {
+  GAction action;
+  MaybeFailure (*execute)(Control&, const NcBlock&);
+};
+
+constexpr ActionRow kActions[] = {
+    {GAction::Skip, execute_skip},
+    {GAction::Dwell, execute_dwell},
+    {GAction::MachineMove, execute_machine_move},
+    {GAction::ToReference, execute_reference},
+    {GAction::FromReference, execute_from_reference},
+    {GAction::CheckReference, execute_check_reference},
+    {GAction::SetData, execute_set_data},
+    {GAction::EndData, end_data},
+    {GAction::LocalShift, execute_local_shift},
+    {GAction::SetPosition, execute_set_position},
+    {GAction::PresetSystem, execute_preset},
+    {GAction::Mirror, execute_mirror},
+    {GAction::MirrorOff, execute_mirror_off},
+    {GAction::Scaling, execute_scaling},
+    {GAction::Rotation, execute_rotation},
+    {GAction::MeasureTool, execute_tool_measurement},
+    {GAction::MeasureDiameter, execute_diameter_measurement},
+    {GAction::MeasureWork, execute_work_measurement},
+    {GAction::MeasureCentre, execute_work_measurement},
+    {GAction::StrokeCheck, execute_stroke_check},
+    {GAction::Unsimulated, execute_nothing},
+};
+
 MaybeFailure execute_action(Control& control, const NcBlock& block) {
   if (in_canned_cycle(control) && is_barred_in_cycle(block.code->action)) {
     return block_failure(AlarmId::NotAllowedInCycle, to_text(block.code->number));
   }
-  switch (block.code->action) {
-    case GAction::Dwell:
-      return execute_dwell(control, block);
-    case GAction::SetData:
-      return execute_set_data(control, block);
-    case GAction::CheckReference:
-      return execute_check_reference(control, block);
-    case GAction::ToReference:
-      return execute_reference(control, block);
-    case GAction::FromReference:
-      return execute_from_reference(control, block);
-    case GAction::Skip:
-      return execute_skip(control, block);
-    case GAction::MeasureTool:
-      return execute_tool_measurement(control, block);
-    case GAction::MeasureDiameter:
-      return execute_diameter_measurement(control, block);
-    case GAction::MeasureWork:
-    case GAction::MeasureCentre:
-      return execute_work_measurement(control, block);
-    case GAction::LocalShift:
-      return execute_local_shift(control, block);
-    case GAction::MachineMove:
-      return execute_machine_move(control, block);
-    case GAction::SetPosition:
-      return execute_set_position(control, block);
-    case GAction::PresetSystem:
-      return execute_preset(control, block);
-    case GAction::Mirror:
-      return execute_mirror(control, block);
-    case GAction::MirrorOff:
-      return execute_mirror_off(control, block);
-    case GAction::Scaling:
-      return execute_scaling(control, block);
-    case GAction::Rotation:
-      return execute_rotation(control, block);
-    case GAction::StrokeCheck:
-      return execute_stroke_check(control, block);
-    case GAction::EndData:
-      return std::nullopt;
-    case GAction::Unsimulated:
-      return execute_nothing(control, block);
-    case GAction::Modal:
-    case GAction::NoEffect:
-    case GAction::ExactStop:
-    case GAction::Motion:
-    case GAction::ToolLength:
-    case GAction::WorkOffset:
-    case GAction::MacroCall:
-    case GAction::PolarOn:
-    case GAction::PolarOff:
-    case GAction::ScalingOff:
-    case GAction::RotationOff:
-    case GAction::CannedCycle:
-    case GAction::CycleOff:
-    case GAction::SurfaceSpeed:
-    case GAction::Refused:
-      break;
-  }
-  contract_violated("these codes leave the words of their block to others", __FILE__, __LINE__);
+  const auto* const row = std::ranges::find(kActions, block.code->action, &ActionRow::action);
+  G31_EXPECTS(row != std::end(kActions));  // the other codes leave their block's words to others
+  return row->execute(control, block);
 }
 
 bool has_axis_word(const BlockWords& words) {

@@ -17,6 +17,18 @@ void end_canned_cycle(Control& control) {
   control.modal.group[Group::CannedCycle] = {80, 0};
 }
 
+/// G50, G69, G15.
+void end_mode(Control& control, GAction action, Codes& codes) {
+  if (action == GAction::ScalingOff) {
+    cancel_scaling(control);
+  } else if (action == GAction::RotationOff) {
+    cancel_rotation(control);
+  } else {
+    control.polar.reset();
+    codes.starts_polar = false;
+  }
+}
+
 /// What a modal code does at once, before the other words of its block.
 void take_modal_code(Control& control, const GCode& code, Codes& codes) {
   switch (code.action) {
@@ -34,17 +46,12 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
       codes.frame = &code;
       break;
     case GAction::ScalingOff:
-      cancel_scaling(control);
-      break;
     case GAction::RotationOff:
-      cancel_rotation(control);
+    case GAction::PolarOff:
+      end_mode(control, code.action, codes);
       break;
     case GAction::PolarOn:
       codes.starts_polar = true;
-      break;
-    case GAction::PolarOff:
-      control.polar.reset();
-      codes.starts_polar = false;
       break;
     case GAction::Motion:
     case GAction::CycleOff:

@@ -34,6 +34,15 @@ struct SkipKind {
   unsigned signals = 0;          ///< bit i: skip signal i + 1 ends it; 0: any
 };
 
+/// As documents name a measuring block.
+std::string_view name_of(GAction action) {
+  return action == GAction::MeasureDiameter ? "G35"
+         : action == GAction::MeasureWork   ? "G36"
+         : action == GAction::MeasureTool   ? "G37"
+         : action == GAction::MeasureCentre ? "G136"
+                                            : "G31";
+}
+
 int axes_named(const BlockWords& words) {
   int count = 0;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -140,7 +149,7 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
   note_outcome(control, block, outcome.value());
   runtime::TouchEvent event =
       runtime::touch_event(move.way, outcome.value(), control.port.position());
-  event.block = block.code->action == GAction::Skip ? "G31" : to_text(block.code->number);
+  event.block = name_of(block.code->action);
   event.where = block.where;
   if (event.triggered) {
     control.coordinates.arrived_at_machine(event.q_M_stopped);
