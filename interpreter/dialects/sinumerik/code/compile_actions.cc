@@ -71,13 +71,26 @@ bool Compiler::may_act(const Token& action) {
           (find_variable(action.text) >= 0 || action.text.starts_with('$')));
 }
 
+/// G70, G71, G700 and G710 say what lengths count in: what may stand here has none but POS and FA.
+bool Compiler::accept_unit() {
+  constexpr double kUnits[] = {70.0, 71.0, 700.0, 710.0};
+  const bool is_unit = peek().is_letter('G') && peek(1).kind == TokenKind::Integer &&
+                       std::ranges::find(kUnits, peek(1).number) != std::end(kUnits);
+  at_ += is_unit ? 2 : 0;
+  return is_unit;
+}
+
 /// What stands behind DO, to the end of the block.
 Compiler::ActionText Compiler::action_list(ActionKind kind, bool is_timed) {
   ActionText list;
+  bool has_unit = false;
   while (!failed() && peek().kind != TokenKind::End) {
+    has_unit = accept_unit() || has_unit;
     const Token action = peek();
     const std::size_t from = at_;
-    if (is_timed && acts_on_motion(action)) {
+    if (has_unit && (action.is_name("POS") || action.is_name("FA"))) {
+      fail(AlarmId::NotImplemented, action.where, "a unit of its own for POS and FA");
+    } else if (is_timed && acts_on_motion(action)) {
       fail(AlarmId::NotImplemented, action.where,
            std::string(action.text) + " at a time within a block");
     } else if (action.is_name("DELDTG") && !peek(1).is(Symbol::LeftParen)) {
@@ -151,6 +164,7 @@ void Compiler::synchronised_action(std::string_view word, ActionScope scope, con
   std::string condition = "TRUE";
   bool is_timed = false;
   if (has_condition) {
+    (void)accept_unit();
     const std::size_t from = at_;
     (void)boolean(expression());
     if (failed()) {

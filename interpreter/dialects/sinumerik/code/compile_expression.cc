@@ -199,12 +199,22 @@ Expr Compiler::letter_in_expression() {
   std::string name(letter.text);
   name += numbered ? peek().text : "";
   const int axis = globals_.axis(name);
+  if (axis < 0 && purpose_ == Purpose::Data) {
+    at_ += numbered ? 1 : 0;
+    return axis_of_data(letter);
+  }
   if (axis < 0) {
     fail(AlarmId::NotDefined, letter.where, letter.text);
   } else if (numbered) {
     next();
   }
   return constant(Type::Axis, axis, letter.where);
+}
+
+/// A name in data that stands where an axis does: a spindle of the machine that wrote them.
+Expr Compiler::axis_of_data(const Token& name) {
+  note_unknown(name);
+  return constant(Type::Axis, kSpindleAxis, name.where);
 }
 
 Expr Compiler::name_in_expression() {
@@ -223,6 +233,9 @@ Expr Compiler::name_in_expression() {
   }
   if (const int axis = globals_.axis(name.text); axis >= 0) {
     return constant(Type::Axis, axis, name.where);
+  }
+  if (purpose_ == Purpose::Data && peek().is(Symbol::Comma)) {
+    return axis_of_data(name);
   }
   if (find_keyword(name.text) == &Compiler::refused_statement) {
     refused_statement();

@@ -409,13 +409,18 @@ void Compiler::store(const Expr& target, Expr value) {
   }
 }
 
+/// A name in data that this control does not know; each once.
+void Compiler::note_unknown(const Token& name) {
+  auto& known = program_->unknown_data;
+  const auto same = [&](const UnknownDatum& row) { return row.name == name.text; };
+  if (std::ranges::none_of(known, same)) {
+    known.push_back({std::string(name.text), name.where});
+  }
+}
+
 /// Goes on at the next assignment to system data in the block, or at its end.
 void Compiler::pass_over(const Token& datum) {
-  auto& known = program_->unknown_data;
-  const auto same = [&](const UnknownDatum& row) { return row.name == datum.text; };
-  if (std::ranges::none_of(known, same)) {
-    known.push_back({std::string(datum.text), datum.where});
-  }
+  note_unknown(datum);
   const Token* before = &datum;
   while (peek().kind != TokenKind::End &&
          (!peek().text.starts_with('$') || before->is(Symbol::Assign))) {

@@ -178,6 +178,8 @@ class Compiler {
   void assign_component(const Expr& frame);
   void assign_system(const SystemName& name, ShortSpan where);
   void assign_list(const Expr& target);
+  void note_unknown(const Token& name);
+  Expr axis_of_data(const Token& name);
   void pass_over(const Token& datum);
   bool looks_like_list() const;
   void repeat_value(const Expr& target);
@@ -273,6 +275,7 @@ class Compiler {
   void synchronised_action(std::string_view word, ActionScope scope, const Expr& number);
   bool judge_condition(std::size_t from);
   bool may_act(const Token& action);
+  bool accept_unit();
   ActionText action_list(ActionKind kind, bool is_timed);
   void judge_action(std::size_t from, ActionKind kind, bool is_timed);
 

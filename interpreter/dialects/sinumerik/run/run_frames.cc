@@ -39,6 +39,11 @@ Result<std::vector<Runner::AxisValue>, Failure> Runner::axis_values(const Op& op
     if (axis < 0.0 || !is_number(list[i + 1].type)) {
       return failure(AlarmId::NotAnAxis, function_name(op));
     }
+    const double value = number(list[i + 1].value);
+    const bool is_neutral = value == (function_name(op) == "CSCALE" ? 1.0 : 0.0);
+    if (axis == kSpindleAxis || (is_neutral && is_further_axis(static_cast<int>(axis)))) {
+      continue;
+    }
     if (!is_machine_axis(static_cast<int>(axis))) {
       return no_frame_of(static_cast<int>(axis));
     }

@@ -89,7 +89,9 @@ MaybeFailure Runner::write_system(const Op& op) {
   const Arguments list = arguments_of(op);
   const auto found = system_access(op, list.first(list.size() - 1));
   if (!found) {
-    return found.error();
+    // Spindles have components in the frames of an INI file.
+    const bool is_of_spindle = channel_.loads_data && found.error().id == AlarmId::BadAxisIndex;
+    return is_of_spindle ? std::nullopt : std::optional(found.error());
   }
   const SystemAccess& access = found.value();
   switch (access.id) {
