@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "interpreter/runtime/input_scripts.h"
 #include "machine/kinematics/axis_chain.h"
 #include "machine/units/axis_positions.h"
 
@@ -74,6 +75,7 @@ struct ControlSetup {
   std::map<std::string, char> axis_names;
   /// U, V and W, where the machine has them: they carry neither tool nor part.
   std::map<char, FurtherAxisSetup> further_axes;
+  std::vector<InputStep> inputs;  ///< what [[input]] scripts
   /// Soft limits of axes, where the machine has any.
   std::map<int, std::pair<double, double>> q_M_travel;
   std::map<std::string, AxisPositions> work_offsets;  ///< "G54".."G59", "EXT", "G54.1 P1"

@@ -34,6 +34,8 @@ std::vector<source::DiagnosticId> complaints_of(const machine::SensorState& stat
   }
   if (!state.stands) {
     complaints.push_back(DiagnosticId::ProbeTurning);
+  } else if (!state.angle_known) {
+    complaints.push_back(DiagnosticId::ProbeAnywhere);
   }
   return complaints;
 }

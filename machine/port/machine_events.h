@@ -37,7 +37,13 @@ struct AuxiliaryCode {
   int number = 0;
 };
 
+/// A digital output of the control, which may switch something, gets a value.
+struct DigitalOutput {
+  int number = 0;  ///< as programs count them
+  bool is_on = false;
+};
+
 /// What a program tells a machine to do that is no motion.
-using MachineEvent = std::variant<ToolChange, SpindleTurn, AuxiliaryCode>;
+using MachineEvent = std::variant<ToolChange, SpindleTurn, AuxiliaryCode, DigitalOutput>;
 
 }  // namespace g31::machine

@@ -143,6 +143,8 @@ class MachinePort {
   /// An M code that the control has no use for itself.
   virtual void auxiliary_code(const AuxiliaryCode& code) = 0;
 
+  virtual void digital_output(const DigitalOutput& output) = 0;
+
   /// Lets simulated time pass.  @param seconds >= 0
   virtual void dwell(double seconds) = 0;
 

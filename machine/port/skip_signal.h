@@ -21,7 +21,9 @@ struct SensorState {
   bool in_place = true;     ///< the tool that carries it is where it belongs
   bool switched_on = true;  ///< as far as programs switch it
   bool stands = true;       ///< the spindle that holds it does not turn
-  bool works = true;        ///< it is not broken
+  bool angle_known =
+      true;           ///< the spindle stands where a program put it, or it makes no difference
+  bool works = true;  ///< it is not broken
 
   [[nodiscard]] bool is_ready() const { return in_place && switched_on && works; }
   bool operator==(const SensorState&) const = default;

@@ -75,6 +75,10 @@ class Surroundings {
 
   /// What the program has told the machine, in order.
   virtual void take(const MachineEvent& event) = 0;
+
+  /// Seconds since the start of the program, told before anything above is asked; for what takes
+  /// its time.  @param now_s  never less than before
+  virtual void time_is(double /*now_s*/) {}
 };
 
 }  // namespace g31::machine

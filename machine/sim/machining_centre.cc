@@ -104,6 +104,7 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMov
   if (!limits_.contain(move.way.q_M_end)) {
     return soft_limit_fault(move.way.q_M_end);
   }
+  tell_time();
   const StraightPath path(q_M_, move.way.q_M_end, move.way.mm_per_degree);
   SkipOutcome outcome = NoTouch{};
   if (path.moves()) {
@@ -122,6 +123,7 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMov
 }
 
 bool MachiningCentre::skip_signal(int input) const {
+  tell_time();
   return surroundings_ != nullptr && surroundings_->signals_at(real_.tip(q_M_), input);
 }
 
@@ -143,6 +145,7 @@ std::optional<MachineFault> MachiningCentre::damage(const AxisPositions& q_M_fro
 }
 
 std::optional<SensorState> MachiningCentre::sensor_state(int input) const {
+  tell_time();
   return surroundings_ != nullptr ? surroundings_->sensor_state(input) : std::nullopt;
 }
 
@@ -174,10 +177,21 @@ void MachiningCentre::auxiliary_code(const AuxiliaryCode& code) {
   tell(code);
 }
 
+void MachiningCentre::digital_output(const DigitalOutput& output) {
+  tell(output);
+}
+
+void MachiningCentre::tell_time() const {
+  if (surroundings_ != nullptr) {
+    surroundings_->time_is(clock_.now_s());
+  }
+}
+
 void MachiningCentre::tell(const MachineEvent& event) {
   if (surroundings_ == nullptr) {
     return;
   }
+  tell_time();
   surroundings_->take(event);
   if (const auto p_T_tip = surroundings_->tool_extent().p_T_tip) {
     real_.take_tool(*p_T_tip);

@@ -58,6 +58,7 @@ class MachiningCentre final : public MachinePort {
   void change_tool(const ToolChange& change) override;
   void turn_spindle(const SpindleTurn& turn) override;
   void auxiliary_code(const AuxiliaryCode& code) override;
+  void digital_output(const DigitalOutput& output) override;
   void dwell(double seconds) override;
   [[nodiscard]] std::optional<AxisTravel> travel(int axis) const override {
     return limits_.of(axis);
@@ -70,6 +71,7 @@ class MachiningCentre final : public MachinePort {
 
  private:
   void tell(const MachineEvent& event);
+  void tell_time() const;
   /// What the way that a skip move took, of axes and tool tip, has broken.
   std::optional<MachineFault> damage(const AxisPositions& q_M_from, const Waypoint& tip_from);
   [[nodiscard]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;

@@ -67,14 +67,27 @@ struct StylusBall {
   double diameter_mm = 6.0;             ///< > 0
 };
 
+/// What of a program switches something.
+struct ProgramSwitch {
+  enum class Kind {
+    Code,   ///< an M code
+    Output  ///< a digital output that becomes 1
+  };
+  Kind kind = Kind::Code;
+  int number = 0;
+
+  bool operator==(const ProgramSwitch&) const = default;
+};
+
 /// How a probe gets into the spindle and is switched.  Without any of it, it is there and on.
 struct SwitchingSetup {
-  std::optional<int> tool;      ///< the number that it is; the spindle holds it at the start
-  std::optional<int> on_code;   ///< the M code that switches it on; with one it is off at the start
-  std::optional<int> off_code;  ///< and off; the same code turn by turn does both
+  std::optional<int> tool;           ///< the number that it is; the spindle holds it at the start
+  std::optional<ProgramSwitch> on;   ///< with one it is off at the start
+  std::optional<ProgramSwitch> off;  ///< the same code as on does both turn by turn
+  double start_up_s = 0.0;           ///< >= 0, from being switched on until it can give a signal
 
   /// Whether programs bring the probe or switch it on, and so can forget to.
-  [[nodiscard]] bool is_up_to_program() const { return tool || on_code; }
+  [[nodiscard]] bool is_up_to_program() const { return tool || on; }
 };
 
 /// What the set-up sheet says about the touch probe.  Lengths in mm.

@@ -15,9 +15,16 @@ namespace {
 
 /// The random stream of the trigger's repeatability; other models take other numbers.
 constexpr std::uint32_t kRepeatabilityStream = 1;
+/// That of the angle at which a spindle comes to rest.
+constexpr std::uint32_t kRestStream = 2;
+
+/// Sums of waiting times that are meant to reach a time reach it.
+constexpr double kTimeGuard_s = 1e-9;
 
 /// The spindle that holds the probe.
 constexpr int kSpindle = 1;
+
+constexpr double kFullTurnDeg = 360.0;
 
 }  // namespace
 
@@ -30,7 +37,9 @@ TouchProbe::TouchProbe(std::shared_ptr<const TouchableParts> parts, const ProbeS
     : setup_(setup), parts_(std::move(parts)), seed_(seed) {
   G31_EXPECTS(setup.trigger_delay_s >= 0.0);
   G31_EXPECTS(setup.repeatability_mm >= 0.0);
-  is_on_ = !setup.switching.on_code;
+  if (setup.switching.on) {
+    ready_at_s_.reset();
+  }
   for (const ToolBody& body : bodies_of(setup)) {
     add(body);
   }
@@ -45,7 +54,7 @@ void TouchProbe::add(const ToolBody& body) {
 }
 
 bool TouchProbe::is_silent() const {
-  return !is_in_place_ || !is_on_ || setup_.state == ProbeState::Dead;
+  return !is_in_place_ || !is_on() || setup_.state == ProbeState::Dead;
 }
 
 std::optional<machine::SensorState> TouchProbe::sensor_state(int input) const {
@@ -54,8 +63,9 @@ std::optional<machine::SensorState> TouchProbe::sensor_state(int input) const {
   }
   machine::SensorState state;
   state.in_place = is_in_place_;
-  state.switched_on = is_on_;
+  state.switched_on = is_on();
   state.stands = !turns_ || !setup_.switching.is_up_to_program();
+  state.angle_known = is_angle_known_ || is_round();
   state.works = setup_.state != ProbeState::Dead;
   return state;
 }
@@ -155,15 +165,57 @@ void TouchProbe::note(const machine::SpindleTurn& turn) {
   if (turn.spindle != kSpindle) {
     return;
   }
+  const bool comes_to_rest = turns_ && turn.rotation == machine::Rotation::Stopped;
   turns_ = turn.rotation != machine::Rotation::Stopped;
   if (turn.angle_deg) {
-    R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, *turn.angle_deg}});
+    stand_at(*turn.angle_deg);
+    is_angle_known_ = true;
+  } else if (comes_to_rest) {
+    stand_at(kFullTurnDeg * uniform({seed_, kRestStream}, rests_++));
+    is_angle_known_ = false;
   }
 }
 
+void TouchProbe::stand_at(double angle_deg) {
+  R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, angle_deg}});
+}
+
+/// Whether it measures the same at every angle of the spindle.
+bool TouchProbe::is_round() const {
+  const auto is_on_axis = [](const Tip& ball) { return ball.p_S.head<2>().isZero(0.0); };
+  const SwitchSetup& at_switch = setup_.at_switch;
+  return std::ranges::all_of(balls_, is_on_axis) && at_switch.type == ProbeType::ThreeD &&
+         (at_switch.seats == Seats::Even || at_switch.trigger_force_n == 0.0);
+}
+
 void TouchProbe::note(const machine::AuxiliaryCode& code) {
-  const bool switches_off = is_on_ && code.number == setup_.switching.off_code;
-  is_on_ = !switches_off && (is_on_ || code.number == setup_.switching.on_code);
+  const ProgramSwitch pressed{ProgramSwitch::Kind::Code, code.number};
+  if (ready_at_s_ && pressed == setup_.switching.off) {
+    ready_at_s_.reset();
+  } else if (pressed == setup_.switching.on) {
+    switch_on();
+  }
+}
+
+/// An output that switches it on switches it off as well, unless something else does.
+void TouchProbe::note(const machine::DigitalOutput& output) {
+  const ProgramSwitch set{ProgramSwitch::Kind::Output, output.number};
+  if (set == setup_.switching.on && output.is_on) {
+    switch_on();
+  } else if ((set == setup_.switching.off && output.is_on) ||
+             (set == setup_.switching.on && !setup_.switching.off)) {
+    ready_at_s_.reset();
+  }
+}
+
+bool TouchProbe::is_on() const {
+  return ready_at_s_ && now_s_ + kTimeGuard_s >= *ready_at_s_;
+}
+
+void TouchProbe::switch_on() {
+  if (!ready_at_s_) {
+    ready_at_s_ = now_s_ + setup_.switching.start_up_s;
+  }
 }
 
 machine::ToolExtent TouchProbe::tool_extent() const {

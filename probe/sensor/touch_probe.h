@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -62,9 +63,12 @@ class TouchProbe final : public machine::Surroundings {
 
   [[nodiscard]] machine::ToolExtent tool_extent() const override;
 
-  /// A tool change brings the probe or takes it away, M codes switch it; an angle of the spindle
-  /// turns it, positive from +X towards +Y.
+  /// A tool change brings the probe or takes it away, M codes and outputs switch it; an angle of
+  /// the spindle turns it, positive from +X towards +Y.  A spindle that has turned and stops
+  /// without one stands anywhere: the seed draws the angle, evenly.
   void take(const machine::MachineEvent& event) override;
+
+  void time_is(double now_s) override { now_s_ = now_s; }
 
  private:
   struct Tip {
@@ -132,6 +136,11 @@ class TouchProbe final : public machine::Surroundings {
   void note(const machine::ToolChange& change);
   void note(const machine::SpindleTurn& turn);
   void note(const machine::AuxiliaryCode& code);
+  void note(const machine::DigitalOutput& output);
+  void switch_on();
+  [[nodiscard]] bool is_on() const;
+  void stand_at(double angle_deg);
+  [[nodiscard]] bool is_round() const;
   /// Whether no touch can give a signal.
   [[nodiscard]] bool is_silent() const;
   [[nodiscard]] Point centre_of(const Tip& ball, const AxisPositions& q_M,
@@ -165,8 +174,11 @@ class TouchProbe final : public machine::Surroundings {
   std::uint64_t triggers_asked_ = 0;
   Eigen::Matrix3d R_MS_ = Eigen::Matrix3d::Identity();
   bool is_in_place_ = true;
-  bool is_on_ = true;
+  double now_s_ = 0.0;
+  std::optional<double> ready_at_s_ = 0.0;  // none: switched off
   bool turns_ = false;
+  bool is_angle_known_ = true;  // as at the start and behind M19
+  std::uint64_t rests_ = 0;     // of a spindle that had turned
 };
 
 }  // namespace g31::probe

@@ -83,4 +83,10 @@ void World::take(const machine::MachineEvent& event) {
   }
 }
 
+void World::time_is(double now_s) {
+  for (const auto& set : sets_) {
+    set->time_is(now_s);
+  }
+}
+
 }  // namespace g31::probe

@@ -37,6 +37,7 @@ class World final : public machine::Surroundings {
   [[nodiscard]] machine::ToolExtent tool_extent() const override;
 
   void take(const machine::MachineEvent& event) override;
+  void time_is(double now_s) override;
 
  private:
   Sets sets_;

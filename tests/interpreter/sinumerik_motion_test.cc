@@ -45,6 +45,7 @@ class EndsMachine final : public machine::MachinePort {
   void change_tool(const machine::ToolChange&) override {}
   void turn_spindle(const machine::SpindleTurn&) override {}
   void auxiliary_code(const machine::AuxiliaryCode&) override {}
+  void digital_output(const machine::DigitalOutput&) override {}
   void dwell(double) override {}
   [[nodiscard]] std::optional<machine::AxisTravel> travel(int /*axis*/) const override {
     return machine::AxisTravel{};

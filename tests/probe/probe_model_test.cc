@@ -113,6 +113,41 @@ TEST(ProbeModel, AnEccentricBallTurnsWithTheSpindle) {
   EXPECT_NEAR((offsets() - Point(0.02, -0.03, 0)).norm(), 0.0, 1e-6);
 }
 
+TEST(ProbeModel, ASpindleThatHasTurnedStandsWhereTheSeedDraws) {
+  constexpr int kSeeds = 400;
+  ProbeSetup setup;
+  setup.eccentricity_mm = {0.02, 0.0};
+  int quadrants[4] = {};
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    TouchProbe probe(setup, {ring()}, seed);
+    TouchProbe again(setup, {ring()}, seed);
+    for (TouchProbe* const one : {&probe, &again}) {
+      one->take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, {}});
+      ASSERT_TRUE(one->sensor_state(1)->angle_known);  // it has not turned
+      one->take(machine::SpindleTurn{machine::Rotation::Clockwise, 500.0, {}});
+      one->take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, {}});
+      ASSERT_FALSE(one->sensor_state(1)->angle_known);
+    }
+    const double x = 0.5 * (reading(probe, 180).value() - reading(probe, 0).value());
+    const double y = 0.5 * (reading(probe, 270).value() - reading(probe, 90).value());
+    EXPECT_NEAR(std::hypot(x, y), 0.02, 1e-6);
+    EXPECT_EQ(reading(again, 0), reading(probe, 0));
+    ++quadrants[(x < 0.0 ? 1 : 0) + (y < 0.0 ? 2 : 0)];
+    probe.take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, 0.0});
+    ASSERT_TRUE(probe.sensor_state(1)->angle_known);
+  }
+  for (const int count : quadrants) {  // 100 +- 8.7 each: five standard deviations
+    EXPECT_NEAR(count, kSeeds / 4, 44);
+  }
+}
+
+TEST(ProbeModel, WhatIsTheSameAllAroundNeedsNoAngle) {
+  TouchProbe probe({}, {ring()}, 0);
+  probe.take(machine::SpindleTurn{machine::Rotation::Clockwise, 500.0, {}});
+  probe.take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, {}});
+  EXPECT_TRUE(probe.sensor_state(1)->angle_known);
+}
+
 TEST(ProbeModel, LobesAndMonoDirectionTurnWithTheSpindle) {
   ProbeSetup setup;
   setup.at_switch.type = ProbeType::Mono;

@@ -134,8 +134,8 @@ TEST(TouchProbe, WithoutANumberItIsThereWhateverToolIsCalled) {
 
 TEST(TouchProbe, IsSwitchedByItsCodes) {
   ProbeSetup setup;
-  setup.switching.on_code = 80;
-  setup.switching.off_code = 81;
+  setup.switching.on = ProgramSwitch{ProgramSwitch::Kind::Code, 80};
+  setup.switching.off = ProgramSwitch{ProgramSwitch::Kind::Code, 81};
   TouchProbe probe(setup, kBlock, 0);
   EXPECT_EQ(probe.sensor_state(1), kSwitchedOff);
   EXPECT_FALSE(testing::touch_on(probe, down()));
@@ -148,14 +148,14 @@ TEST(TouchProbe, IsSwitchedByItsCodes) {
   probe.take(machine::AuxiliaryCode{81});
   EXPECT_EQ(probe.sensor_state(1), kSwitchedOff);
   setup.state = ProbeState::Dead;
-  setup.switching.on_code.reset();
+  setup.switching.on.reset();
   EXPECT_FALSE(TouchProbe(setup, kBlock, 0).sensor_state(1)->is_ready());
 }
 
 TEST(TouchProbe, OneCodeMaySwitchItOnAndOff) {
   ProbeSetup setup;
-  setup.switching.on_code = 80;
-  setup.switching.off_code = 80;
+  setup.switching.on = ProgramSwitch{ProgramSwitch::Kind::Code, 80};
+  setup.switching.off = ProgramSwitch{ProgramSwitch::Kind::Code, 80};
   TouchProbe probe(setup, kBlock, 0);
   EXPECT_EQ(probe.sensor_state(1), kSwitchedOff);
   for (const SensorState& state : {kReady, kSwitchedOff, kReady}) {
@@ -255,7 +255,7 @@ TEST(MachiningCentre, ShowsOnItsInputsWhetherTheProbeIsReadyAndTouches) {
   setup.wires = {{1004, Source::Ready, 1}, {1005, Source::Signal, 1}};
   setup.q_M_start = at(5, 5, 140);
   ProbeSetup probe = probe_of(1, 1);
-  probe.switching.on_code = 80;
+  probe.switching.on = ProgramSwitch{ProgramSwitch::Kind::Code, 80};
   TouchProbe world(probe, kBlock, 0);
   machine::MachiningCentre centre(setup, &world);
   EXPECT_EQ(centre.digital_input(1000), std::nullopt);

@@ -81,6 +81,9 @@ class RecordingMachine final : public machine::MachinePort {
   void auxiliary_code(const machine::AuxiliaryCode& code) override {
     commands_.push_back(fmt::format("M{}", code.number));
   }
+  void digital_output(const machine::DigitalOutput& output) override {
+    commands_.push_back(fmt::format("output {} {}", output.number, output.is_on ? "on" : "off"));
+  }
 
   void dwell(double seconds) override { log_.push_back(fmt::format("dwell {:.6g}", seconds)); }
 

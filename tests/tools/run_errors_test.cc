@@ -139,8 +139,9 @@ TEST(RunDocument, HasTheShapeOfTheContract) {
   EXPECT_EQ(touch.at("commanded").dump(), "[20.0,0.0,0.0]");
   EXPECT_TRUE(touch.at("contact").is_null());
   EXPECT_EQ(d.at("blocks"), 8);
-  // 0.25 s of dwell, 5 mm at 100 mm/min, 10 mm at rapid: 2 m/s^2 up to 1/3 m/s.
-  EXPECT_NEAR(d.at("machine_time_s").get<double>(), 0.25 + 3.0, 0.25);
+  // Of 3.142 s without the dwell: 5 mm at 100 mm/min are 3 s, sqrt(4 x 10 mm / 2 m/s^2) the rapid,
+  // and speeding up to the feed takes 100/60/2000 s / 2 more.
+  EXPECT_NEAR(d.at("machine_time_s").get<double>(), 3.392, 0.001);
 }
 
 TEST(VariablesFile, KeepsThePermanentVariables) {

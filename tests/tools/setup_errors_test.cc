@@ -17,7 +17,7 @@ const ErrorCase kNameTheKeyThatWasProbablyMeant[] = {
       | ^
 )"},
     {"an unknown section far from all", "zebra = 2\n",
-     R"(sheet1.toml:1:1: error: unknown key zebra in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, skip_signal [SET103]
+     R"(sheet1.toml:1:1: error: unknown key zebra in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, input, skip_signal [SET103]
     1 | zebra = 2
       | ^
 )"},
@@ -284,7 +284,7 @@ const ErrorCase kSayWhatAValueIsAndWhatItShouldBe[] = {
       |         ^
 )"},
     {"an input that is none", "[probe]\nlow_battery_input = 1016\n",
-     R"(sheet1.toml:2:21: error: probe.low_battery_input is 1016, it should be 1000 to 1015 [SET105]
+     R"(sheet1.toml:2:21: error: probe.low_battery_input is 1016, it should be 1 to 64 for $A_IN, or 1000 to 1015 for #1000 to #1015 [SET105]
     2 | low_battery_input = 1016
       |                     ^
 )"},
@@ -444,12 +444,12 @@ const ErrorCase kStandAtTheirPlace[] = {
       |                      ^
 )"},
     {"a line break in a name", "\"a\\nb\" = 1\n",
-     R"(sheet1.toml:1:1: error: unknown key "a?b" in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, skip_signal [SET103]
+     R"(sheet1.toml:1:1: error: unknown key "a?b" in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, input, skip_signal [SET103]
     1 | "a\nb" = 1
       | ^
 )"},
     {"a carriage return at the end of the line", "zebr = 1\r\n",
-     R"(sheet1.toml:1:1: error: unknown key zebr in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, skip_signal [SET103]
+     R"(sheet1.toml:1:1: error: unknown key zebr in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, input, skip_signal [SET103]
     1 | zebr = 1
       | ^
 )"},

@@ -17,7 +17,7 @@ const ErrorCase kOfAProbeThatIsATool[] = {
       |        ^
 )"},
     {"a code that is no M code", "[probe]\non = \"G80\"\n",
-     R"(sheet1.toml:2:6: error: probe.on is "G80", it should be M and a number of one to eight digits [SET105]
+     R"(sheet1.toml:2:6: error: probe.on is "G80", it should be an M code like "M80", or an output "#1100" to "#1115" or "$A_OUT[1]" to "$A_OUT[64]" [SET105]
     2 | on = "G80"
       |      ^
 )"},
@@ -33,8 +33,32 @@ const ErrorCase kOfAProbeThatIsATool[] = {
       |      ^
       = for example: on = "M80"
 )"},
+    {"an output that is none", "[probe]\non = \"#1116\"\n",
+     R"(sheet1.toml:2:6: error: probe.on is "#1116", it should be an M code like "M80", or an output "#1100" to "#1115" or "$A_OUT[1]" to "$A_OUT[64]" [SET105]
+    2 | on = "#1116"
+      |      ^
+)"},
+    {"an input without its number", "[[input]]\nvalue = 1\n",
+     R"(sheet1.toml:1:1: error: an input needs number [SET121]
+    1 | [[input]]
+      | ^
+      = for example: number = 1003
+)"},
+    {"an input with two beginnings",
+     "[[input]]\nnumber = 1003\nfrom_s = 1.0\nfrom_code = \"M21\"\n",
+     R"(sheet1.toml:4:13: error: an input takes its value from one thing, not from from_s and from_code [SET116]
+    4 | from_code = "M21"
+      |             ^
+      = write two [[input]], each with one of them
+)"},
+    {"an input that the probe sets", "[probe]\nready_input = 1004\n[[input]]\nnumber = 1004\n",
+     R"(sheet1.toml:4:10: error: input.number is 1004, the input that probe.ready_input sets already [SET115]
+    4 | number = 1004
+      |          ^
+      = each takes an input of its own
+)"},
     {"a code that is too long", "[probe]\noff = \"M123456789\"\n",
-     R"(sheet1.toml:2:7: error: probe.off is "M123456789", it should be M and a number of one to eight digits [SET105]
+     R"(sheet1.toml:2:7: error: probe.off is "M123456789", it should be an M code like "M80", or an output "#1100" to "#1115" or "$A_OUT[1]" to "$A_OUT[64]" [SET105]
     2 | off = "M123456789"
       |       ^
 )"},

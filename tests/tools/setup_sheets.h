@@ -126,6 +126,7 @@ on = "M80"
 off = "M81"
 ready_input = 1004
 signal_input = 5
+start_up_s = 0.5
 stem_diameter = 3.0
 stem_length = 50.0
 deflection_limit = 2.0
@@ -140,6 +141,19 @@ at = [30.0, 0.0, 10.0]
 diameter = 4.0
 arm_diameter = 2.0
 [[probe.ball]]
+[[input]]
+number = 1003
+value = 0
+from_s = 2.5
+[[input]]
+number = 7
+from_block = 120
+[[input]]
+number = 7
+from_reads = 3
+[[input]]
+number = 7
+from_code = "M21"
 [[part]]
 name = "mesh"
 file = "ring.stl"

@@ -1,5 +1,6 @@
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -78,7 +79,6 @@ TEST_F(SetupReader, ControlKeysArrive) {
   EXPECT_EQ(control.variables,
             (std::map<std::string, std::optional<double>>{{"#515", 6.0},
                                                           {"#516", std::nullopt},
-                                                          {"#1005", 1.0},
                                                           {"R1", -2.0},
                                                           {"_OVR[0]", 0.25},
                                                           {"$P_UIFR[1,X,TR]", 17.0}}));
@@ -189,8 +189,9 @@ TEST_F(SetupReader, TheProbeIsATool) {
   const Job read = job({kEveryKey});
   EXPECT_EQ(read.probe->input, 2);
   EXPECT_EQ(read.probe->switching.tool, 7);
-  EXPECT_EQ(read.probe->switching.on_code, 80);
-  EXPECT_EQ(read.probe->switching.off_code, 81);
+  EXPECT_EQ(read.probe->switching.on, (probe::ProgramSwitch{probe::ProgramSwitch::Kind::Code, 80}));
+  EXPECT_EQ(read.probe->switching.off,
+            (probe::ProgramSwitch{probe::ProgramSwitch::Kind::Code, 81}));
   ASSERT_EQ(read.machine.wires.size(), 2U);
   EXPECT_EQ(read.machine.wires[0].number, 1004);
   EXPECT_EQ(read.machine.wires[0].source, machine::InputWire::Source::Ready);
@@ -201,6 +202,22 @@ TEST_F(SetupReader, TheProbeIsATool) {
   EXPECT_EQ(plain.probe->input, 1);
   EXPECT_FALSE(plain.probe->switching.is_up_to_program());
   EXPECT_TRUE(plain.machine.wires.empty());
+}
+
+TEST_F(SetupReader, InputsArriveInTheirOrderBehindThatOfTheBattery) {
+  using From = runtime::InputStep::From;
+  const std::vector<runtime::InputStep> inputs = job({kEveryKey}).control.inputs;
+  ASSERT_EQ(inputs.size(), 5U);
+  const std::vector<std::tuple<int, bool, From, double>> expected = {{1005, true, From::Start, 0.0},
+                                                                     {1003, false, From::Time, 2.5},
+                                                                     {7, true, From::Block, 120.0},
+                                                                     {7, true, From::Reads, 3.0},
+                                                                     {7, true, From::Code, 21.0}};
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    EXPECT_EQ(std::tuple(inputs[i].number, inputs[i].value, inputs[i].from, inputs[i].at),
+              expected[i])
+        << i;
+  }
 }
 
 TEST_F(SetupReader, TheSidesOfTheMachineSayWhichAxesItHas) {
@@ -243,7 +260,6 @@ TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
   EXPECT_EQ(at_switch.axial_force_n, 5.5);
   EXPECT_EQ(at_switch.stem_stiffness_n_mm, 40.0);
   EXPECT_EQ(read.probe->state, probe::ProbeState::LowBattery);
-  EXPECT_EQ(read.control.variables.at("#1005"), 1.0) << "the input of a low battery";
   ASSERT_EQ(read.probe->further_balls.size(), 2U);
   EXPECT_EQ(read.probe->further_balls[0].p_S_from_main, Point(30, 0, 10));
   EXPECT_EQ(read.probe->further_balls[0].diameter_mm, 4.0);
@@ -283,6 +299,9 @@ TEST_F(SetupReader, EveryExampleOfTheTableIsASheet) {
     }
     if (row.section == SectionId::BelievedAxes) {
       sheet = "[machine]\ntable_side = \"C\"\n" + sheet;
+    }
+    if (row.section == SectionId::Input && row.id != KeyId::InputWhich) {
+      sheet += "number = 1003\n";
     }
     if (row.id == KeyId::SkipSignalAt) {
       sheet += "axis = \"X\"\n";

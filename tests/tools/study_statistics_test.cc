@@ -80,6 +80,15 @@ TEST(Statistics, OfTable3AreThoseOfThePaper) {
   EXPECT_EQ(*s.max, 39.998);
 }
 
+TEST(Statistics, AValueLiesSoManyDeviationsFromTheMean) {
+  const Summary s = summarise(std::vector<double>{1.0, 2.0, 3.0}, 0.95, std::nullopt);
+  EXPECT_NEAR(z_score(4.5, s).value(), 2.5, 1e-12);
+  EXPECT_NEAR(z_score(1.0, s).value(), -1.0, 1e-12);
+  EXPECT_EQ(z_score(1.0, summarise(std::vector<double>{2.0, 2.0}, 0.95, std::nullopt)),
+            std::nullopt);
+  EXPECT_EQ(z_score(1.0, summarise(std::vector<double>{2.0}, 0.95, std::nullopt)), std::nullopt);
+}
+
 TEST(Statistics, SmallScatterOnALargeValueKeepsItsDigits) {
   for (const double offset : {0.0, 40.0, -1e6, 1e9}) {
     SCOPED_TRACE(offset);

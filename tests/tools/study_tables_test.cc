@@ -50,6 +50,17 @@ TEST(Table3, HasThePapersLayoutAndScatter) {
   EXPECT_GT(number(results, "diameter", "standard_deviation"), 0.4 * expected);
   EXPECT_LT(number(results, "diameter", "standard_deviation"), 1.6 * expected);
   EXPECT_NEAR(number(results, "diameter", "mean"), 39.996, 0.002);
+
+  const json& published = results.at("diameter").at("published");
+  const double kPaper[] = {39.997, 39.996, 39.995, 39.998, 39.996, 39.996, 39.996};
+  ASSERT_EQ(published.size(), std::size(kPaper));
+  for (std::size_t i = 0; i < std::size(kPaper); ++i) {
+    EXPECT_EQ(published[i].at("value"), kPaper[i]);
+    const double z = (kPaper[i] - number(results, "diameter", "mean")) /
+                     number(results, "diameter", "standard_deviation");
+    EXPECT_NEAR(published[i].at("z").get<double>(), z, 1e-9);
+  }
+  EXPECT_NE(table.find("\npublished  unit     value  from mean"), std::string::npos) << table;
 }
 
 TEST(Table3, ManyReadingsScatterAsTwoTriggersDo) {

@@ -34,6 +34,9 @@ class PathRecorder final : public machine::MachinePort {
   void auxiliary_code(const machine::AuxiliaryCode& code) override {
     machine_.auxiliary_code(code);
   }
+  void digital_output(const machine::DigitalOutput& output) override {
+    machine_.digital_output(output);
+  }
   void dwell(double seconds) override { machine_.dwell(seconds); }
   [[nodiscard]] std::optional<machine::AxisTravel> travel(int axis) const override {
     return machine_.travel(axis);

@@ -12,6 +12,7 @@
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
 #include "probe/sensor/probe_setup.h"
+#include "tools/setup/program_switch.h"
 
 namespace g31::setup {
 namespace {
@@ -81,14 +82,15 @@ std::string_view words_for(Limit limit) {
       return "\"even\" or \"tripod\"";
     case Limit::ProbeState:
       return "\"ready\", \"dead\", \"low_battery\" or \"double_trigger\"";
-    case Limit::InputNumber:
-      return "1000 to 1015";
     case Limit::MeasuringInput:
       return "1 to 8";
     case Limit::DigitalInput:
       return "1 to 64 for $A_IN, or 1000 to 1015 for #1000 to #1015";
     case Limit::MachineCode:
       return "M and a number of one to eight digits";
+    case Limit::ProgramSwitch:
+      return "an M code like \"M80\", or an output \"#1100\" to \"#1115\" or \"$A_OUT[1]\" to "
+             "\"$A_OUT[64]\"";
     case Limit::AxisLetter:
       return "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\"";
     case Limit::AxisLetters:
@@ -116,8 +118,6 @@ bool number_within(Limit limit, double number) {
       return number >= 1.0 && number <= 99999999.0;
     case Limit::BlockCount:
       return number >= 0.0 && number <= 9999.0;
-    case Limit::InputNumber:
-      return number >= 1000.0 && number <= 1015.0;
     case Limit::MeasuringInput:
       return number >= 1.0 && number <= 8.0;
     case Limit::DigitalInput:
@@ -134,6 +134,7 @@ bool number_within(Limit limit, double number) {
     case Limit::AxisLetter:
     case Limit::AxisLetters:
     case Limit::MachineCode:
+    case Limit::ProgramSwitch:
     case Limit::NotAllZero:
     case Limit::RisingPlaces:
       return true;
@@ -151,9 +152,8 @@ bool are_axis_letters(const std::string& text) {
 }
 
 bool is_machine_code(const std::string& text) {
-  constexpr std::size_t kMostDigits = 8;
-  return text.size() >= 2 && text.size() <= 1 + kMostDigits && text.front() == 'M' &&
-         std::all_of(text.begin() + 1, text.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const auto found = program_switch(text);
+  return found && found->kind == probe::ProgramSwitch::Kind::Code;
 }
 
 /// Of a list of pairs; a single number has no place.
@@ -189,6 +189,8 @@ bool text_within(Limit limit, const std::string& text) {
       return are_axis_letters(text);
     case Limit::MachineCode:
       return is_machine_code(text);
+    case Limit::ProgramSwitch:
+      return program_switch(text).has_value();
     case Limit::Any:
     case Limit::Positive:
     case Limit::NotNegative:
@@ -196,7 +198,6 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::SwitchNumber:
     case Limit::ProgramNumber:
     case Limit::BlockCount:
-    case Limit::InputNumber:
     case Limit::MeasuringInput:
     case Limit::DigitalInput:
     case Limit::ToolOfProbe:

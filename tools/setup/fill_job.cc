@@ -10,6 +10,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
+#include "tools/setup/fill_inputs.h"
 #include "tools/setup/fill_machine.h"
 #include "tools/setup/fill_probe.h"
 #include "tools/setup/table_keys.h"
@@ -109,15 +110,6 @@ runtime::ToolEntry tool_from(const TableKeys& keys) {
   return tool;
 }
 
-/// The input through which the probe tells that its battery is low.
-void fill_battery_input(Job& job, const TableKeys& keys) {
-  if (const Entry* const input = keys.find(KeyId::ProbeBatteryInput)) {
-    const auto number = static_cast<int>(number_of(*input));
-    job.control.variables["#" + std::to_string(number)] =
-        job.probe->state == probe::ProbeState::LowBattery ? 1.0 : 0.0;
-  }
-}
-
 void fill_table(Job& job, SectionId section, const std::string& name, const SheetTable& table) {
   const TableKeys keys(table);
   switch (section) {
@@ -174,6 +166,7 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::ProbeBall:
     case SectionId::ProbeBody:
     case SectionId::Part:
+    case SectionId::Input:
     case SectionId::SkipSignal:
       contract_violated("a list is no table", __FILE__, __LINE__);
   }
@@ -242,8 +235,6 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
   }
   if (const auto probe = sheet.tables.find({SectionId::Probe, ""}); probe != sheet.tables.end()) {
     job.probe = probe_from(sheet, probe->second);
-    fill_battery_input(job, TableKeys(probe->second));
-    refuse_shared_inputs(probe->second, errors);
   }
   if (const auto list = sheet.lists.find(SectionId::SkipSignal); list != sheet.lists.end()) {
     job.skip_signals.emplace();
@@ -251,6 +242,7 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
       job.skip_signals->push_back(skip_signal_from(table));
     }
   }
+  job.control.inputs = inputs_from(sheet, errors);
   job.machine = machine_from(sheet, errors);
   job.control.kinematics = believed_kinematics(sheet, job.machine, errors);
   if (job.probe) {

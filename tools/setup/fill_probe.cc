@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "machine/base/contract.h"
+#include "tools/setup/program_switch.h"
 #include "tools/setup/table_keys.h"
 
 namespace g31::setup {
@@ -52,11 +50,10 @@ probe::SwitchSetup switch_from(const TableKeys& keys) {
   return at_switch;
 }
 
-/// @pre "M" and a number
-std::optional<int> code_from(const TableKeys& keys, KeyId id) {
-  const Entry* const code = keys.find(id);
-  return code != nullptr ? std::optional(std::stoi(std::get<std::string>(code->value).substr(1)))
-                         : std::nullopt;
+/// @pre the check let it through
+std::optional<probe::ProgramSwitch> switch_from(const TableKeys& keys, KeyId id) {
+  const Entry* const entry = keys.find(id);
+  return entry != nullptr ? program_switch(std::get<std::string>(entry->value)) : std::nullopt;
 }
 
 probe::SwitchingSetup switching_from(const TableKeys& keys) {
@@ -64,8 +61,9 @@ probe::SwitchingSetup switching_from(const TableKeys& keys) {
   if (const Entry* const tool = keys.find(KeyId::ProbeTool)) {
     switching.tool = static_cast<int>(number_of(*tool));
   }
-  switching.on_code = code_from(keys, KeyId::ProbeOn);
-  switching.off_code = code_from(keys, KeyId::ProbeOff);
+  switching.on = switch_from(keys, KeyId::ProbeOn);
+  switching.off = switch_from(keys, KeyId::ProbeOff);
+  switching.start_up_s = keys.get(KeyId::ProbeStartUp, 0.0);
   return switching;
 }
 
@@ -190,26 +188,6 @@ std::vector<machine::InputWire> wires_of(const SheetTable& table, int measuring_
     }
   }
   return wires;
-}
-
-void refuse_shared_inputs(const SheetTable& table, ErrorList& errors) {
-  const TableKeys keys(table);
-  std::map<int, std::string> taken;
-  for (const KeyId id :
-       {KeyId::ProbeReadyInput, KeyId::ProbeSignalInput, KeyId::ProbeBatteryInput}) {
-    const Entry* const input = keys.find(id);
-    if (input == nullptr) {
-      continue;
-    }
-    const auto number = static_cast<int>(number_of(*input));
-    const auto row = std::ranges::find(key_rows(), id, &KeyRow::id);
-    const std::string path = fmt::format("probe.{}", row->name);
-    const auto [first, is_free] = taken.try_emplace(number, path);
-    if (!is_free) {
-      errors.add(SetupErrorId::InputTaken, input->where,
-                 {path, std::to_string(number), first->second}, "each takes an input of its own");
-    }
-  }
 }
 
 }  // namespace g31::setup

@@ -12,7 +12,4 @@ probe::ProbeSetup probe_from(const Sheet& sheet, const SheetTable& table);
 /// The digital inputs that the probe sets.
 std::vector<machine::InputWire> wires_of(const SheetTable& table, int measuring_input);
 
-/// An input shows one thing.
-void refuse_shared_inputs(const SheetTable& table, ErrorList& errors);
-
 }  // namespace g31::setup

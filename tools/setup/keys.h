@@ -79,11 +79,11 @@ enum class Limit {
   ProbeType,
   SeatKind,
   ProbeState,
-  InputNumber,     ///< 1000..1015
   MeasuringInput,  ///< 1..8
   DigitalInput,    ///< 1..64 or 1000..1015
   ToolOfProbe,     ///< 1..99999999
   MachineCode,     ///< M and a number
+  ProgramSwitch,   ///< that, #1100 to #1115 or $A_OUT[n]
   AxisLetter,
   AxisLetters,  ///< no letter twice
   NotAllZero,

@@ -80,6 +80,7 @@ class StudyFill {
     result.form.resolution = table.number(StudyKey::Resolution);
     result.form.nominal = table.get(StudyKey::Nominal, std::string());
     result.form.tolerance = table.get(StudyKey::Tolerance, std::string());
+    result.form.published = numbers_of(table, StudyKey::Published);
     const StudyEntry& value = *table.find(StudyKey::Value);
     const auto& text = std::get<std::string>(value.value);
     const auto expression = Expression::parse(text);
@@ -90,6 +91,26 @@ class StudyFill {
     }
     result.expression = expression.value();
     study_.results.push_back(std::move(result));
+  }
+
+  /// Of a key that takes nothing but numbers.
+  std::vector<double> numbers_of(const StudyTable& table, StudyKey key) {
+    std::vector<double> numbers;
+    const StudyEntry* const entry = table.find(key);
+    if (entry == nullptr) {
+      return numbers;
+    }
+    for (const setup::Node& node : std::get<std::vector<setup::Node>>(entry->value)) {
+      const auto number = setup::checked_value(node, setup::ValueType::Number, setup::Limit::Any);
+      if (!number) {
+        const setup::ValueProblem& problem = number.error();
+        errors_.add(problem.id, at(table, node),
+                    {std::string(row_of(key).name), problem.is, problem.should_be});
+        return numbers;
+      }
+      numbers.push_back(std::get<double>(number.value()));
+    }
+    return numbers;
   }
 
   void add_variation(const StudyTable& table) {

@@ -45,18 +45,26 @@ TableForm form_from(const std::string& name) {
 }
 
 Json result_json(const ResultForm& result) {
-  return {{"name", result.name},
-          {"unit", result.unit},
-          {"expected", optional_json(result.expected)},
-          {"resolution", optional_json(result.resolution)},
-          {"nominal", result.nominal},
-          {"tolerance", result.tolerance}};
+  Json json = {{"name", result.name},
+               {"unit", result.unit},
+               {"expected", optional_json(result.expected)},
+               {"resolution", optional_json(result.resolution)},
+               {"nominal", result.nominal},
+               {"tolerance", result.tolerance}};
+  if (!result.published.empty()) {
+    json["published"] = result.published;
+  }
+  return json;
 }
 
 ResultForm result_from(const Json& json) {
-  return {json.at("name").get<std::string>(),    json.at("unit").get<std::string>(),
-          optional_from(json.at("expected")),    optional_from(json.at("resolution")),
-          json.at("nominal").get<std::string>(), json.at("tolerance").get<std::string>()};
+  return {json.at("name").get<std::string>(),
+          json.at("unit").get<std::string>(),
+          optional_from(json.at("expected")),
+          optional_from(json.at("resolution")),
+          json.at("nominal").get<std::string>(),
+          json.at("tolerance").get<std::string>(),
+          json.value("published", std::vector<double>())};
 }
 
 Json description_json(const Description& d) {
@@ -151,7 +159,13 @@ Json point_json(const Record& record, std::size_t point) {
     json["values"][d.listed[i]] = d.points[point][i];
   }
   for (std::size_t i = 0; i < d.results.size(); ++i) {
-    json["results"][d.results[i].name] = summary_json(summary_of(record, point, i));
+    const Summary summary = summary_of(record, point, i);
+    Json& result = json["results"][d.results[i].name];
+    result = summary_json(summary);
+    for (const double value : d.results[i].published) {
+      result["published"].push_back(
+          {{"value", value}, {"z", optional_json(z_score(value, summary))}});
+    }
   }
   return json;
 }

@@ -132,6 +132,24 @@ std::string comparison_table(const Record& record) {
   return table.text();
 }
 
+/// What others found, each with its distance from the mean in standard deviations.
+std::string published_table(const Record& record, std::size_t point) {
+  const Description& d = record.description;
+  TextTable table;
+  table.add({"published", "unit", "value", "from mean", "z"});
+  bool is_empty = true;
+  for (std::size_t i = 0; i < d.results.size(); ++i) {
+    const Summary summary = summary_of(record, point, i);
+    for (const double value : d.results[i].published) {
+      const auto z = z_score(value, summary);
+      table.add({d.results[i].name, d.results[i].unit, shown(value),
+                 shown_difference(value, summary.mean), z ? fmt::format("{:+.2f}", *z) : "-"});
+      is_empty = false;
+    }
+  }
+  return is_empty ? std::string() : "\n" + table.text();
+}
+
 std::string tables(const Record& record) {
   const Description& d = record.description;
   if (d.table == TableForm::Comparison && d.points.size() == 2 && !d.listed.empty()) {
@@ -145,7 +163,7 @@ std::string tables(const Record& record) {
     if (d.table == TableForm::Readings) {
       text += readings_table(record, point) + "\n";
     }
-    text += statistics_table(record, point);
+    text += statistics_table(record, point) + published_table(record, point);
   }
   return text;
 }

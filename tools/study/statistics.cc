@@ -66,4 +66,10 @@ Summary summarise(std::span<const double> readings, double level, std::optional<
   return summary;
 }
 
+std::optional<double> z_score(double value, const Summary& readings) {
+  const double deviation = readings.standard_deviation.value_or(0.0);
+  return readings.mean && deviation > 0.0 ? std::optional((value - *readings.mean) / deviation)
+                                          : std::nullopt;
+}
+
 }  // namespace g31::study

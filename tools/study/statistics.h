@@ -30,6 +30,10 @@ struct Summary {
   std::optional<double> expanded_uncertainty;
 };
 
+/// How many standard deviations of a reading a value lies from the mean of the readings; nullopt
+/// where they do not scatter.
+std::optional<double> z_score(double value, const Summary& readings);
+
 /// @param level     of the confidence interval, above 0, below 1
 /// @param expected  the known value
 ///

@@ -31,6 +31,7 @@ struct ResultForm {
   std::optional<double> resolution;
   std::string nominal;
   std::string tolerance;
+  std::vector<double> published;  ///< by somebody else
 };
 
 struct StudyResult {

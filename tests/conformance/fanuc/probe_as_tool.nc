@@ -344,3 +344,40 @@ M30
 %
 (EXPECT MOVE 2 G31 Z-10)
 (EXPECT WARNING PRB311 AT 14)
+
+(CASE a spindle that has turned and stopped stands anywhere: told where the ball runs out, until M19)
+(SHEET [probe])
+(SHEET tool = 1)
+(SHEET eccentricity = [0.05, 0.0])
+(SHEET [[part]])
+(SHEET shape = "cylinder")
+%
+O1
+G31 Z190. F1000.
+M3 S500
+M5
+G31 Z180. F1000.
+M19
+G31 Z170. F1000.
+#100=0
+IF[#5063GT0]GOTO10
+N10 M30
+%
+(EXPECT NO WARNING PRB313)
+(EXPECT WARNING PRB315 AT 11)
+
+(CASE where it is the same all around nothing is told)
+(SHEET [probe])
+(SHEET tool = 1)
+(SHEET [[part]])
+(SHEET shape = "cylinder")
+%
+O1
+M3 S500
+M5
+G31 Z100. F1000.
+#100=#5063
+M30
+%
+(EXPECT #100 = 123)
+(EXPECT NO WARNING PRB315)

@@ -57,6 +57,7 @@ void command(Control& control, const BlockWords& words, int code) {
       break;
   }
   control.port.auxiliary_code({code});
+  control.inputs.hear(code, control.now());
 }
 
 }  // namespace

@@ -31,7 +31,9 @@
 #include "interpreter/path/cutter_compensation.h"
 #include "interpreter/path/outlet.h"
 #include "interpreter/runtime/block_watch.h"
+#include "interpreter/runtime/busy_wait.h"
 #include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/input_scripts.h"
 #include "interpreter/runtime/missed_touches.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/printer_port.h"
@@ -61,12 +63,6 @@ enum class DataInput {
   None,
   Parameters,  ///< G10 L50: N and R, or N P and R
   ToolLife     ///< G10 L3: not simulated
-};
-
-/// Reads of the clock since machine time last passed.
-struct BusyWait {
-  double since_s = -1.0;  ///< machine time of the first
-  int reads = 0;
 };
 
 /// What a skip move found.
@@ -118,9 +114,10 @@ struct Control {
   std::map<std::int32_t, Cell> further_commons;
   /// What the set-up sheet says of the machine, and outputs, by variable number; else 0.
   std::map<std::int32_t, double> data;
-  PmcSignals signals;  ///< #1000.., #1100..
-  Calendar calendar;   ///< #3011, #3012
-  BusyWait busy_wait;
+  PmcSignals signals;            ///< #1000.., #1100..
+  runtime::InputScripts inputs;  ///< of those that the set-up sheet scripts
+  Calendar calendar;             ///< #3011, #3012
+  runtime::BusyWait busy_wait;
   machine::Rotation rotation = machine::Rotation::Stopped;  ///< of the spindle
   std::optional<int> called_tool;                           ///< the last T; none before the first
   double timer_offset_ms = 0.0;                             ///< #3001 = simulated time + this
@@ -158,6 +155,10 @@ struct Control {
       (missed.*question)();
     }
   }
+  /// How far the program is, for what happens after a while.
+  [[nodiscard]] runtime::InputScripts::Now now() const { return {port.time_s(), watch.blocks()}; }
+  /// Machine time, as a program looks at it that may wait for it to pass.
+  double time_looked_at() { return is_inspected ? port.time_s() : busy_wait.look(port); }
   /// What the present statement has read counts as measured now: it is in an offset, or printed.
   void use_measured();
   /// The end of the program.

@@ -9,9 +9,25 @@ namespace {
 constexpr double kBitsOfWord = 65536.0;
 constexpr int kFirstInputBit = 1000;
 constexpr int kInputBits = 16;
+constexpr int kFirstOutputBit = 1100;
+constexpr int kOutputBits = 16;
 
 Cell bit_of(std::uint16_t bits, int index) {
   return Cell((bits >> index & 1) != 0 ? 1.0 : 0.0);
+}
+
+/// What the machine's own wiring says goes over what the sheet scripts, and that over what was
+/// written.  A program may wait for either, so that looks take time.
+bool input_bit(Control& control, int index) {
+  const int number = kFirstInputBit + index;
+  if (control.is_inspected) {
+    const bool kept = (control.signals.input_bits >> index & 1) != 0;
+    return control.port.digital_input(number).value_or(control.inputs.shown(number).value_or(kept));
+  }
+  control.time_looked_at();
+  const auto wired = control.port.digital_input(number);
+  const auto scripted = control.inputs.look(number, control.now());
+  return wired.value_or(scripted.value_or((control.signals.input_bits >> index & 1) != 0));
 }
 
 /// Anything but 0 sets the bit (MB-121).
@@ -43,12 +59,8 @@ std::size_t word_of(const Place& place) {
 }  // namespace
 
 ReadResult read_input_bit(Control& control, const Place& place) {
-  const int number = kFirstInputBit + place.index();
   control.asked(&runtime::MissedTouches::looks);
-  if (const auto wired = control.port.digital_input(number)) {
-    return Cell(*wired ? 1.0 : 0.0);
-  }
-  return bit_of(control.signals.input_bits, place.index());
+  return Cell(input_bit(control, place.index()) ? 1.0 : 0.0);
 }
 
 WriteResult write_input_bit(Control& control, const Place& place, Cell value) {
@@ -56,14 +68,11 @@ WriteResult write_input_bit(Control& control, const Place& place, Cell value) {
   return std::nullopt;
 }
 
-/// What the machine's own wiring says goes over what was written.
 ReadResult read_input_bits(Control& control, const Place&) {
   control.asked(&runtime::MissedTouches::looks);
-  std::uint16_t bits = control.signals.input_bits;
+  std::uint16_t bits = 0;
   for (int i = 0; i < kInputBits; ++i) {
-    if (const auto wired = control.port.digital_input(kFirstInputBit + i)) {
-      set_bit(bits, i, *wired ? 1.0 : 0.0);
-    }
+    set_bit(bits, i, input_bit(control, i) ? 1.0 : 0.0);
   }
   return Cell(bits);
 }
@@ -87,6 +96,7 @@ ReadResult read_output_bit(Control& control, const Place& place) {
 
 WriteResult write_output_bit(Control& control, const Place& place, Cell value) {
   set_bit(control.signals.output_bits, place.index(), value.or_zero());
+  control.port.digital_output({kFirstOutputBit + place.index(), value.or_zero() != 0.0});
   return std::nullopt;
 }
 
@@ -96,6 +106,9 @@ ReadResult read_output_bits(Control& control, const Place&) {
 
 WriteResult write_output_bits(Control& control, const Place&, Cell value) {
   control.signals.output_bits = low_bits(value.or_zero());
+  for (int i = 0; i < kOutputBits; ++i) {
+    control.port.digital_output({kFirstOutputBit + i, (control.signals.output_bits >> i & 1) != 0});
+  }
   return std::nullopt;
 }
 

@@ -6,8 +6,6 @@
 namespace g31::fanuc::system {
 namespace {
 
-constexpr int kReadsBeforeWaiting = 100;
-constexpr double kSecondsOfLook = 0.001;
 constexpr double kMsPerSecond = 1000.0;
 constexpr double kSecondsPerHour = 3600.0;
 constexpr double kMsGuard = 1e-6;            // a sum of times such as 20 x 0.1 s is a full count
@@ -31,28 +29,10 @@ ParameterId parts_parameter(const Place& place) {
                                               : ParameterId::PartsRequired;
 }
 
-/// Machine time.  A program that does nothing but look at the clock waits for it, and statements
-/// take time on a control: beyond kReadsBeforeWaiting each look takes a millisecond.
-double clock_s(Control& control) {
-  if (control.is_inspected) {
-    return control.port.time_s();
-  }
-  BusyWait& wait = control.busy_wait;
-  const double now_s = control.port.time_s();
-  if (now_s != wait.since_s) {
-    wait = {now_s, 0};
-  }
-  if (++wait.reads > kReadsBeforeWaiting) {
-    control.port.dwell(kSecondsOfLook);
-    wait.since_s = control.port.time_s();
-  }
-  return wait.since_s;
-}
-
 }  // namespace
 
 ReadResult read_timer(Control& control, const Place&) {
-  const double ms = clock_s(control) * kMsPerSecond + control.timer_offset_ms;
+  const double ms = control.time_looked_at() * kMsPerSecond + control.timer_offset_ms;
   return Cell(std::floor(std::fmod(ms + kMsGuard, kTimerWrap)));
 }
 
@@ -62,7 +42,7 @@ WriteResult write_timer(Control& control, const Place&, Cell value) {
 }
 
 ReadResult read_hours(Control& control, const Place&) {
-  return Cell(clock_s(control) / kSecondsPerHour + control.hours_offset);
+  return Cell(control.time_looked_at() / kSecondsPerHour + control.hours_offset);
 }
 
 WriteResult write_hours(Control& control, const Place&, Cell value) {
@@ -125,7 +105,7 @@ WriteResult write_restart(Control& control, const Place&, Cell value) {
 }
 
 ReadResult read_date(Control& control, const Place&) {
-  return Cell(control.calendar.date(clock_s(control)));
+  return Cell(control.calendar.date(control.time_looked_at()));
 }
 
 WriteResult write_date(Control& control, const Place&, Cell value) {
@@ -134,7 +114,7 @@ WriteResult write_date(Control& control, const Place&, Cell value) {
 }
 
 ReadResult read_time_of_day(Control& control, const Place&) {
-  return Cell(control.calendar.time_of_day(clock_s(control)));
+  return Cell(control.calendar.time_of_day(control.time_looked_at()));
 }
 
 WriteResult write_time_of_day(Control& control, const Place&, Cell value) {

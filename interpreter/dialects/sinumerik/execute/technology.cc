@@ -102,6 +102,7 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
       orient(channel, 0.0);
     }
     channel.port.auxiliary_code({static_cast<int>(code)});
+    channel.inputs.hear(static_cast<int>(code), channel.now());
   }
   for (const Address address : {Address::Spindle, Address::SpindleAsync}) {
     if (words.has(address)) {

@@ -126,6 +126,7 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   Channel& channel = runner_->channel();
   channel.block_skip = setup.block_skip;
   channel.feed_switches = setup.feed_switches;
+  channel.inputs = runtime::InputScripts(setup.inputs);
   channel.points.q_M_reference = setup.q_M_reference;
   for (const auto& [letter, axis] : setup.further_axes) {
     channel.further_axes[axis_named(std::string_view(&letter, 1))] = {

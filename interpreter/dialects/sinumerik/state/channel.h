@@ -19,7 +19,9 @@
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "interpreter/path/outlet.h"
 #include "interpreter/runtime/block_watch.h"
+#include "interpreter/runtime/busy_wait.h"
 #include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/input_scripts.h"
 #include "interpreter/runtime/missed_touches.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/warnings.h"
@@ -304,7 +306,12 @@ class Channel {
   std::string call_path;
   std::set<int> block_skip;  ///< switches that are on
   runtime::FeedSwitches feed_switches;
-  std::array<bool, 65> digital_inputs = {};  ///< $A_IN, where nothing is wired to it
+  std::array<bool, 65> digital_inputs = {};   ///< $A_IN, where nothing is wired to it
+  std::array<bool, 65> digital_outputs = {};  ///< $A_OUT
+  runtime::InputScripts inputs;               ///< of those that the set-up sheet scripts
+  runtime::BusyWait busy_wait;
+  /// How far the program is, for what happens after a while.
+  [[nodiscard]] runtime::InputScripts::Now now() const { return {port.time_s(), watch.blocks()}; }
   std::vector<source::Diagnostic> diagnostics;
   runtime::Warnings warnings;  ///< which of them are of blocks
   runtime::BlockWatch watch{runtime::Budget{}};

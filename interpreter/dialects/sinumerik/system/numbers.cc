@@ -182,7 +182,8 @@ Number probe_switched(Channel& channel, const SystemAccess& access) {
   return channel.measured[static_cast<std::size_t>(access.indices[0])] ? 1.0 : 0.0;
 }
 
-/// As the probe is wired to it, else as the set-up sheet or the program has it.
+/// As the probe is wired to it, else as the set-up sheet scripts it, else as that or the program
+/// has it.  A program may wait for either, so that looks take time.
 Number digital_input(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_input(channel, access)) {
     return *wrong;
@@ -190,7 +191,29 @@ Number digital_input(Channel& channel, const SystemAccess& access) {
   channel.asked(&runtime::MissedTouches::looks);
   const int which = access.indices[0];
   const bool kept = channel.digital_inputs[static_cast<std::size_t>(which)];
-  return channel.port.digital_input(which).value_or(kept) ? 1.0 : 0.0;
+  if (channel.is_inspected) {
+    const auto scripted = channel.inputs.shown(which);
+    return channel.port.digital_input(which).value_or(scripted.value_or(kept)) ? 1.0 : 0.0;
+  }
+  channel.busy_wait.look(channel.port);
+  const auto scripted = channel.inputs.look(which, channel.now());
+  return channel.port.digital_input(which).value_or(scripted.value_or(kept)) ? 1.0 : 0.0;
+}
+
+Number digital_output(Channel& channel, const SystemAccess& access) {
+  if (MaybeFailure wrong = no_input(channel, access)) {
+    return *wrong;
+  }
+  return channel.digital_outputs[static_cast<std::size_t>(access.indices[0])] ? 1.0 : 0.0;
+}
+
+MaybeFailure set_digital_output(Channel& channel, const SystemAccess& access, double value) {
+  if (MaybeFailure wrong = no_input(channel, access)) {
+    return wrong;
+  }
+  channel.digital_outputs[static_cast<std::size_t>(access.indices[0])] = value != 0.0;
+  channel.port.digital_output({access.indices[0], value != 0.0});
+  return std::nullopt;
 }
 
 MaybeFailure set_digital_input(Channel& channel, const SystemAccess& access, double value) {

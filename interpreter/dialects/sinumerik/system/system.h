@@ -57,6 +57,8 @@ Number spindle_turn(Channel& channel, const SystemAccess& access);
 Number probe_signal(Channel& channel, const SystemAccess& access);
 Number probe_switched(Channel& channel, const SystemAccess& access);
 Number digital_input(Channel& channel, const SystemAccess& access);
+Number digital_output(Channel& channel, const SystemAccess& access);
+MaybeFailure set_digital_output(Channel& channel, const SystemAccess& access, double value);
 MaybeFailure set_digital_input(Channel& channel, const SystemAccess& access, double value);
 
 // positions.cc: present positions wait for what moves
