@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace g31::machine {
 
 /// Which change of the skip signal counts.
@@ -21,9 +23,12 @@ struct SensorState {
   bool in_place = true;     ///< the tool that carries it is where it belongs
   bool switched_on = true;  ///< as far as programs switch it
   bool stands = true;       ///< the spindle that holds it does not turn
-  bool angle_known =
-      true;           ///< the spindle stands where a program put it, or it makes no difference
+  /// The spindle stands where a program put it, or that makes no difference.
+  bool angle_known = true;
   bool works = true;  ///< it is not broken
+  double ball_radius_mm = 0.0;
+  double delay_s = 0.0;                               ///< from the touch to the signal
+  std::optional<double> calibrated_feed_mm_min = {};  ///< at which the delay was taken off
 
   [[nodiscard]] bool is_ready() const { return in_place && switched_on && works; }
   bool operator==(const SensorState&) const = default;

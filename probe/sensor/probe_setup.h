@@ -96,6 +96,7 @@ struct ProbeSetup {
   double length_mm = 120.0;       ///< spindle gauge line to ball centre, along -Z of the machine
   std::array<double, 2> eccentricity_mm = {0.0, 0.0};  ///< ball centre off the spindle axis, X Y
   double trigger_delay_s = 0.0;                        ///< >= 0
+  std::optional<double> calibrated_feed_mm_min;  ///< > 0: what programs take off was found at it
   double repeatability_mm = 0.0;   ///< standard deviation of the trigger point along the move
   int input = machine::kAnyInput;  ///< measuring input that it is wired to; kAnyInput: all of them
   SwitchingSetup switching;

@@ -66,6 +66,9 @@ std::optional<machine::SensorState> TouchProbe::sensor_state(int input) const {
   state.switched_on = is_on();
   state.stands = !turns_ || !setup_.switching.is_up_to_program();
   state.angle_known = is_angle_known_ || is_round();
+  state.ball_radius_mm = balls_.front().radius;
+  state.delay_s = setup_.trigger_delay_s;
+  state.calibrated_feed_mm_min = setup_.calibrated_feed_mm_min;
   state.works = setup_.state != ProbeState::Dead;
   return state;
 }

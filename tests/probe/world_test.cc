@@ -38,10 +38,11 @@ ProbeSetup probe_of(int tool, int input, double length_mm = 120.0) {
   return setup;
 }
 
-constexpr SensorState kReady;
-constexpr SensorState kNotInPlace{.in_place = false};
-constexpr SensorState kSwitchedOff{.switched_on = false};
-constexpr SensorState kTurning{.stands = false};
+constexpr double kRadius = 3.0;
+constexpr SensorState kReady{.ball_radius_mm = kRadius};
+constexpr SensorState kNotInPlace{.in_place = false, .ball_radius_mm = kRadius};
+constexpr SensorState kSwitchedOff{.switched_on = false, .ball_radius_mm = kRadius};
+constexpr SensorState kTurning{.stands = false, .ball_radius_mm = kRadius};
 
 machine::Sweep down() {
   return {at(5, 5, 200), at(5, 5, 80)};

@@ -1,5 +1,6 @@
 #include "tools/cli/run_command.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -175,8 +176,19 @@ report::RunResult result_of(const Opened& opened, const runtime::Outcome& outcom
   return result;
 }
 
+/// Leaves out what --allow names; errors stay.
+runtime::Outcome without_allowed(runtime::Outcome outcome,
+                                 const std::vector<std::string>& allowed) {
+  std::erase_if(outcome.diagnostics, [&](const source::Diagnostic& diagnostic) {
+    return diagnostic.severity != source::Severity::Error &&
+           std::ranges::find(allowed, diagnostic.code) != allowed.end();
+  });
+  return outcome;
+}
+
 ExitCode run_to_end(const Opened& opened, const Trace& trace, Printouts& printouts) {
-  const runtime::Outcome outcome = opened.run.session().run(opened.options.budget);
+  const runtime::Outcome outcome =
+      without_allowed(opened.run.session().run(opened.options.budget), opened.options.allowed);
   if (const auto wrong = finish_files(trace, printouts)) {
     return refuse(*wrong);
   }

@@ -21,6 +21,7 @@ struct RunOptions : session::Request {
   std::string trace_period = "1ms";  ///< as parse_duration takes it
   bool moves = false;
   bool touches = false;
+  std::vector<std::string> allowed;  ///< codes of warnings and notes that nobody wants to hear
   runtime::Budget budget;
 };
 

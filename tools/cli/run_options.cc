@@ -1,11 +1,14 @@
 #include "tools/cli/run_options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
+#include "interpreter/source/diagnostic.h"
 
 namespace g31::cli {
 namespace {
@@ -22,6 +25,17 @@ std::string why_no_time(const std::string& text) {
   const auto end = std::from_chars(text.data(), last, seconds);
   const bool fits = end.ec == std::errc() && end.ptr == last && std::isfinite(seconds);
   return fits && seconds > 0.0 ? "" : fmt::format("{} is no number of seconds above 0", text);
+}
+
+/// Empty: a warning or note of g31 has this code.
+std::string why_not_allowed(const std::string& code) {
+  const auto row = std::ranges::find(source::diagnostics(), code, &source::DiagnosticInfo::code);
+  if (row == source::diagnostics().end()) {
+    return fmt::format("{} is no message of g31 itself: PRB301 and the like", code);
+  }
+  return row->severity == source::Severity::Error
+             ? fmt::format("{} is an error, which ends the run", code)
+             : "";
 }
 
 }  // namespace
@@ -81,6 +95,11 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->check(why_no_time);
   run->add_flag("--moves", options.moves, "every move in the document");
   run->add_flag("--touches", options.touches, "every touch in the document");
+  run->add_option("--allow", options.allowed,
+                  "a warning or note that is neither shown nor counted: PRB316; repeatable")
+      ->type_name("CODE")
+      ->allow_extra_args(false)
+      ->check(why_not_allowed);
   run->add_option("--trace", options.trace, "axis positions over time, as a table (CSV)")
       ->type_name("FILE");
   run->add_option("--trace-period", options.trace_period,

@@ -133,8 +133,6 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::Variables:
       fill_variables(job.control, table);
       return;
-    case SectionId::Start:
-      return;  // fill_machine
     case SectionId::WorkOffsets:
       job.control.work_offsets[name] = positions_from(table);
       fill_offset_shape(job.control, name, keys);
@@ -142,6 +140,7 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::Tools:
       job.control.tools[std::stoi(name)] = tool_from(keys);
       return;
+    case SectionId::Start:
     case SectionId::Machine:
     case SectionId::MachineErrors:
     case SectionId::Believed:

@@ -28,6 +28,9 @@ probe::ProbeSetup plain_probe_from(const TableKeys& keys) {
   probe.eccentricity_mm = {eccentricity.at(0), eccentricity.at(1)};
   probe.deflection_limit_mm = keys.get(KeyId::ProbeDeflection, probe.deflection_limit_mm);
   probe.trigger_delay_s = keys.get(KeyId::ProbeTriggerDelay, probe.trigger_delay_s);
+  if (const Entry* const feed = keys.find(KeyId::ProbeCalibratedFeed)) {
+    probe.calibrated_feed_mm_min = number_of(*feed);
+  }
   probe.repeatability_mm = keys.get(KeyId::ProbeRepeatability, probe.repeatability_mm);
   probe.input = static_cast<int>(keys.get(KeyId::ProbeInput, kUsualInput));
   return probe;

@@ -135,7 +135,8 @@ Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) 
 Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, const NcBlock& block,
                                                              const machine::SkipMove& move) {
   control.report_stopped_skip();
-  if (const auto state = control.port.sensor_state(move.input)) {
+  const auto state = control.port.sensor_state(move.input);
+  if (state) {
     for (const source::DiagnosticId complaint : runtime::complaints_of(*state)) {
       control.warn(complaint, block.where);
     }
@@ -155,6 +156,7 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
     control.coordinates.arrived_at_machine(event.q_M_stopped);
   }
   control.last_skip.q_M_latched = event.q_M_latched;
+  control.touch_notes.touched(event, state);
   control.outlet.touched(event);
   return event.triggered ? std::optional(event.q_M_latched) : std::nullopt;
 }

@@ -92,6 +92,13 @@ void Control::position_read() {
   }
 }
 
+void Control::result_read() {
+  if (!is_inspected) {
+    missed.reads_result();
+    touch_notes.read(diagnostics);
+  }
+}
+
 void Control::use_measured() {
   for (const source::Location where : missed.uses()) {
     warn(source::DiagnosticId::SkipWithoutSignal, where);

@@ -37,6 +37,7 @@
 #include "interpreter/runtime/missed_touches.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/printer_port.h"
+#include "interpreter/runtime/touch_notes.h"
 #include "interpreter/runtime/warnings.h"
 #include "machine/port/machine_port.h"
 
@@ -91,7 +92,8 @@ struct Control {
   source::Location block;  ///< of NC words, the one that runs
 
   Variables variables;
-  runtime::MissedTouches missed;  ///< by G31
+  runtime::MissedTouches missed;    ///< by G31
+  runtime::TouchNotes touch_notes;  ///< of G31
   SystemVariableIndex system_variables;
   Evaluator evaluator;
   Modal modal;
@@ -159,6 +161,8 @@ struct Control {
   [[nodiscard]] runtime::InputScripts::Now now() const { return {port.time_s(), watch.blocks()}; }
   /// Machine time, as a program looks at it that may wait for it to pass.
   double time_looked_at() { return is_inspected ? port.time_s() : busy_wait.look(port); }
+  /// The program reads what the last skip move latched.
+  void result_read();
   /// What the present statement has read counts as measured now: it is in an offset, or printed.
   void use_measured();
   /// The end of the program.

@@ -27,7 +27,7 @@ ReadResult read_work_position(Control& control, const Place& place) {
 }
 
 ReadResult read_skip_position(Control& control, const Place& place) {
-  control.asked(&runtime::MissedTouches::reads_result);
+  control.result_read();
   return axis_of(control, place, control.q_W_skip);
 }
 

@@ -139,7 +139,8 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   if (!measuring.by_action) {
     channel.measured = {};
   }
-  if (const auto state = channel.port.sensor_state(move.input)) {
+  const auto state = channel.port.sensor_state(move.input);
+  if (state) {
     for (const source::DiagnosticId complaint : runtime::complaints_of(*state)) {
       channel.warnings.add(channel.diagnostics, complaint, block.where);
     }
@@ -164,6 +165,7 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   } else if (!measuring.by_action) {
     channel.missed.missed(block.where);
   }
+  channel.touch_notes.touched(event, state);
   channel.outlet.touched(event);
   return std::nullopt;
 }

@@ -24,6 +24,7 @@
 #include "interpreter/runtime/input_scripts.h"
 #include "interpreter/runtime/missed_touches.h"
 #include "interpreter/runtime/observer.h"
+#include "interpreter/runtime/touch_notes.h"
 #include "interpreter/runtime/warnings.h"
 #include "machine/port/machine_port.h"
 #include "machine/units/length_unit.h"
@@ -261,6 +262,14 @@ class Channel {
   AxisPositions q_W_measured = AxisPositions::Zero();
   std::array<bool, kMostProbes + 1> measured = {};  ///< by probe, from 1
   runtime::MissedTouches missed;                    ///< by MEAS, MEAW, MEASA and MEAWA
+  runtime::TouchNotes touch_notes;                  ///< of the same
+  /// The program reads what the last of them latched.
+  void result_read() {
+    if (!is_inspected) {
+      missed.reads_result();
+      touch_notes.read(diagnostics);
+    }
+  }
   /// What a program that reads asks the last of them for; a look from outside asks for nothing.
   void asked(void (runtime::MissedTouches::*question)()) {
     if (!is_inspected) {

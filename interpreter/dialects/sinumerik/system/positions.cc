@@ -109,12 +109,12 @@ Number settable_now(Channel& channel, const SystemAccess& access) {
 }
 
 Number machine_measured(Channel& channel, const SystemAccess& access) {
-  channel.asked(&runtime::MissedTouches::reads_result);
+  channel.result_read();
   return axis_value(channel, access, channel.q_M_measured);
 }
 
 Number work_measured(Channel& channel, const SystemAccess& access) {
-  channel.asked(&runtime::MissedTouches::reads_result);
+  channel.result_read();
   return place_value(channel, access, channel.q_W_measured);
 }
 
