@@ -227,6 +227,16 @@ class Tables(CheckerTest):
             with self.subTest(line):
                 self.finds({"a.cc": "\n" + line + "\n"}, "a.cc:2: error: a case label names its enumerator")
 
+    def test_rows_that_nothing_names_are_found(self):
+        table = 'ALARM(Raised, 1, "a")\nALARM(Forgotten, 2, "b")\n'
+        for name, text in (("alarms.def", table), ("addresses.def", table.replace("ALARM", "ADDRESS"))):
+            kind = "AlarmId" if name == "alarms.def" else "Address"
+            with self.subTest(name):
+                files = {f"d/vocabulary/{name}": text, "d/run/a.cc": f"f({kind}::Raised);  // {kind}::Forgotten\n"}
+                self.finds(files, f"d/vocabulary/{name}:2: error: nothing names {kind}::Forgotten")
+                self.passes(files | {"d/run/b.cc": f"f({kind}::Forgotten);\n"})
+                self.passes(files | {f"d/vocabulary/{name}": text.replace('"b"', '"b: not simulated"')})
+
     def test_switches_over_numbers_are_found(self):
         for kind in ("int", "unsigned", "std::size_t", "std::uint8_t"):
             with self.subTest(kind):

@@ -3,6 +3,8 @@
 
 A row added to a table must be a compile error until something handles it.  Casts in case labels hide from the
 compiler which enumerators a switch leaves out; a comparison by order makes the place of a row mean something.
+What no switch is over has to be named somewhere: an alarm where it is raised, an address where it is read, unless its
+text says that it is not simulated.
 Usage: check_tables.py REPOSITORY
 """
 import pathlib
@@ -18,6 +20,11 @@ COMPUTED_LABEL = re.compile(r"\bcase\s+(?:\w|::|[<>,\s])*\(")
 COMPUTED_SWITCH = re.compile(r"\bswitch \(static_cast<(?:unsigned|(?:std::)?u?int\w*|(?:std::)?size_t)>\(")
 ENUMERATOR = r"(?:\w+::)*[A-Z]\w*::[A-Z]\w*"
 ORDER = re.compile(rf"(?<=\s)[<>]=?\s+{ENUMERATOR}(?![\w:(<{{.])|(?<![\w:]){ENUMERATOR}\s+[<>]=?(?=\s)")
+
+
+# Tables whose rows are taken up one by one: file name, macro, enumeration.
+NAMED_ROWS = (("alarms.def", "ALARM", "AlarmId"), ("addresses.def", "ADDRESS", "Address"))
+NOT_SIMULATED = "not simulated"
 
 
 def code_of(text):
@@ -38,6 +45,19 @@ def problems_of(here, text):
             yield here, code.count("\n", 0, found.start()) + 1, problem
 
 
+def unnamed_rows(root, files):
+    """Rows of tables that nothing in their dialect names."""
+    for table in (file for file in files if file.name in [name for name, _, _ in NAMED_ROWS]):
+        macro, enumeration = next((m, e) for name, m, e in NAMED_ROWS if name == table.name)
+        dialect = table.parent.parent
+        users = [f for f in files if dialect in f.parents and f != table]
+        named = set(re.findall(rf"\b{enumeration}::(\w+)", "".join(code_of(f.read_text(encoding="utf-8")) for f in users)))
+        for number, line in enumerate(table.read_text(encoding="utf-8").splitlines(), 1):
+            row = re.match(rf"{macro}\((\w+)", line)
+            if row and row[1] not in named and NOT_SIMULATED not in line:
+                yield table.relative_to(root).as_posix(), number, f"nothing names {enumeration}::{row[1]}"
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
     files = files_of(root, ".h", ".cc")
@@ -46,6 +66,7 @@ def main():
         for file in files
         for problem in problems_of(file.relative_to(root).as_posix(), file.read_text(encoding="utf-8"))
     ]
+    problems += unnamed_rows(root, files_of(root, ".h", ".cc", ".def"))
     return report(problems, f"tables: {len(files)} files")
 
 
