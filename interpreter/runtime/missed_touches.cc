@@ -3,27 +3,68 @@
 #include <algorithm>
 
 namespace g31::runtime {
+namespace {
+
+/// A variable of more moves than these is told all the same, through those that it knows.
+constexpr std::size_t kMostMoves = 64;
+
+}  // namespace
+
+void MissedTouches::Moves::add(source::Location where, std::uint64_t number) {
+  if (places_.size() < kMostMoves) {
+    places_.try_emplace(place_of(where), Move{where, number});
+  }
+}
+
+void MissedTouches::Moves::add(const Moves& others) {
+  for (const auto& [place, move] : others.places_) {
+    add(move.where, move.number);
+  }
+}
+
+void MissedTouches::Moves::remove(const Moves& others) {
+  for (const auto& [place, move] : others.places_) {
+    places_.erase(place);
+  }
+}
+
+bool MissedTouches::Moves::contains(source::Location where) const {
+  return places_.contains(place_of(where));
+}
+
+std::vector<source::Location> MissedTouches::Moves::in_order() const {
+  std::vector<Move> moves;
+  for (const auto& [place, move] : places_) {
+    moves.push_back(move);
+  }
+  std::ranges::sort(moves, {}, &Move::number);
+  std::vector<source::Location> places(moves.size());
+  std::ranges::transform(moves, places.begin(), &Move::where);
+  return places;
+}
+
+void MissedTouches::touched() {
+  last_.reset();
+  count();
+}
 
 void MissedTouches::missed(source::Location where) {
-  const auto known = std::ranges::find(moves_, where);
-  last_ = static_cast<std::size_t>(known - moves_.begin());
-  if (known == moves_.end()) {
-    moves_.push_back(where);
-  }
+  last_ = where;
+  ++missed_count_;
   is_last_read_ = false;
   is_owed_ = true;
 }
 
 void MissedTouches::reads_result() {
-  if (last_ != kSettled) {
-    read_.results.insert(last_);
+  if (last_) {
+    read_.results.add(*last_, missed_count_);
     is_last_read_ = true;
   }
 }
 
 void MissedTouches::looks() {
-  if (last_ != kSettled) {
-    read_.looks.insert(last_);
+  if (last_) {
+    read_.looks.add(*last_, missed_count_);
   }
 }
 
@@ -32,14 +73,14 @@ void MissedTouches::reads(Holder holder) {
   if (found == holders_.end()) {
     return;
   }
-  read_.results.insert(found->second.results.begin(), found->second.results.end());
-  read_.looks.insert(found->second.looks.begin(), found->second.looks.end());
+  read_.results.add(found->second.results);
+  read_.looks.add(found->second.looks);
   read_from_.push_back(holder);
 }
 
 void MissedTouches::compares() {
   Moves seen = read_.results;
-  seen.insert(read_.looks.begin(), read_.looks.end());
+  seen.add(read_.looks);
   end_statement();
   settle(seen);
 }
@@ -49,7 +90,7 @@ void MissedTouches::assigns(Holder holder) {
   end_statement();
   if (held.results.empty() && held.looks.empty()) {
     holders_.erase(holder);
-    is_owed_ = last_ != kSettled || !holders_.empty();
+    count();
   } else {
     holders_.insert_or_assign(holder, std::move(held));
   }
@@ -69,58 +110,57 @@ std::vector<source::Location> MissedTouches::uses() {
 }
 
 void MissedTouches::asks() {
-  if (last_ != kSettled) {
-    settle({last_});
+  if (last_) {
+    Moves asked;
+    asked.add(*last_, missed_count_);
+    settle(asked);
   }
 }
 
 void MissedTouches::forget(Holder first, Holder last) {
   holders_.erase(holders_.lower_bound(first), holders_.upper_bound(last));
-  is_owed_ = last_ != kSettled || !holders_.empty();
+  count();
 }
 
 std::vector<source::Location> MissedTouches::ends() {
   Moves left;
   for (const auto& [holder, held] : holders_) {
     if (!held.is_way) {
-      left.insert(held.results.begin(), held.results.end());
+      left.add(held.results);
     }
   }
-  if (last_ != kSettled && !is_last_read_) {
-    left.insert(last_);
+  if (last_ && !is_last_read_) {
+    left.add(*last_, missed_count_);
   }
   return told(left);
 }
 
 void MissedTouches::settle(const Moves& moves) {
-  const auto drop = [&](Moves& from) {
-    std::erase_if(from, [&](std::size_t move) { return moves.contains(move); });
-  };
   for (auto& [holder, held] : holders_) {
-    drop(held.results);
-    drop(held.looks);
+    held.results.remove(moves);
+    held.looks.remove(moves);
   }
   std::erase_if(holders_, [](const auto& one) {
     return one.second.results.empty() && one.second.looks.empty();
   });
-  if (moves.contains(last_)) {
-    last_ = kSettled;
+  if (last_ && moves.contains(*last_)) {
+    last_.reset();
   }
-  is_owed_ = last_ != kSettled || !holders_.empty();
+  count();
 }
 
 std::vector<source::Location> MissedTouches::told(const Moves& moves) {
-  std::vector<source::Location> places;
-  for (const std::size_t move : moves) {
-    places.push_back(moves_[move]);
-  }
   settle(moves);
-  return places;
+  return moves.in_order();
 }
 
 void MissedTouches::end_statement() {
   read_ = {};
   read_from_.clear();
+}
+
+void MissedTouches::count() {
+  is_owed_ = last_.has_value() || !holders_.empty();
 }
 
 }  // namespace g31::runtime

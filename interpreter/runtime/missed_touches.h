@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <set>
+#include <utility>
 #include <vector>
 
 #include "interpreter/source/location.h"
@@ -30,12 +29,10 @@ class MissedTouches {
 
   // The last measuring move of the program.
 
-  void touched() { last_ = kSettled; }
+  void touched();
   void missed(source::Location where);
   /// Where it was, if it had no signal and the program has not looked.
-  [[nodiscard]] std::optional<source::Location> last() const {
-    return last_ != kSettled ? std::optional(moves_[last_]) : std::nullopt;
-  }
+  [[nodiscard]] std::optional<source::Location> last() const { return last_; }
 
   // What the present statement reads.
 
@@ -69,8 +66,25 @@ class MissedTouches {
   std::vector<source::Location> ends();
 
  private:
-  using Moves = std::set<std::size_t>;  ///< places of moves_
-  static constexpr std::size_t kSettled = ~std::size_t{0};
+  /// Where moves stand, each with how many were before it: what is told is told in their order.
+  class Moves {
+   public:
+    void add(source::Location where, std::uint64_t number);
+    void add(const Moves& others);
+    void remove(const Moves& others);
+    [[nodiscard]] bool empty() const { return places_.empty(); }
+    [[nodiscard]] bool contains(source::Location where) const;
+    [[nodiscard]] std::vector<source::Location> in_order() const;
+
+   private:
+    using Place = std::pair<source::FileId, std::uint64_t>;
+    struct Move {
+      source::Location where;
+      std::uint64_t number = 0;
+    };
+    static Place place_of(source::Location where) { return {where.file, where.begin}; }
+    std::map<Place, Move> places_;
+  };
 
   struct Held {
     Moves results;        ///< whose result it is made of
@@ -81,12 +95,13 @@ class MissedTouches {
   void settle(const Moves& moves);
   std::vector<source::Location> told(const Moves& moves);
   void end_statement();
+  void count();
 
-  std::vector<source::Location> moves_;
   std::map<Holder, Held> holders_;
   Held read_;  ///< by the present statement
   std::vector<Holder> read_from_;
-  std::size_t last_ = kSettled;  ///< of moves_: the last measuring move, while it is owed
+  std::optional<source::Location> last_;  ///< measuring move, while it is owed
+  std::uint64_t missed_count_ = 0;
   bool is_last_read_ = false;
   bool is_owed_ = false;
 };
