@@ -48,6 +48,10 @@ BROKEN = [
         'FUNCTION(HALF, One, Yes, "computed by nothing")': "HALF",
         'FUNCTION(MEAN, Two, No, "computed by nothing")': "MEAN",
     }),
+    ("fanuc/execute/block.cc", "fanuc/vocabulary/g_codes.def", {
+        'G_CODE(999, 0, OneShot, Modal, "done by nothing")': "G999: nothing does Modal",
+        'G_CODE(999, 0, OneShot, CycleOff, "done by nothing")': "G999: nothing does CycleOff",
+    }),
     ("fanuc/system/control_variables.cc", "fanuc/vocabulary/system_variables.def", {
         'SYSTEM_VARIABLE(990000, 990000, MacroAlarm, In(Basic), None, Read, Enabled, "shown by nothing")':
             "#990000: MacroAlarm has no function for Read",

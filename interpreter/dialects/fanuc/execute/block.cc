@@ -64,6 +64,22 @@ constexpr ActionRow kActions[] = {
     {GAction::Unsimulated, execute_nothing},
 };
 
+/// Whether something does what a row of g_codes.def says: a row above, or what sees the code first.
+consteval bool is_done(Group group, GAction action) {
+  constexpr GAction kDoneBefore[] = {GAction::ExactStop, GAction::NoEffect, GAction::Refused,
+                                     GAction::MacroCall};
+  return group != Group::OneShot ||
+         std::ranges::find(kDoneBefore, action) != std::end(kDoneBefore) ||
+         std::ranges::find(kActions, action, &ActionRow::action) != std::end(kActions);
+}
+#define G_CODE_OF(set, whole, tenth, group, action, text) \
+  static_assert(is_done(Group::group, GAction::action), "G" #whole ": nothing does " #action);
+#define G_CODE(whole, tenth, group, action, text) \
+  G_CODE_OF(Family, whole, tenth, group, action, text)
+#include "interpreter/dialects/fanuc/vocabulary/g_codes.def"
+#undef G_CODE
+#undef G_CODE_OF
+
 MaybeFailure execute_action(Control& control, const NcBlock& block) {
   if (in_canned_cycle(control) && is_barred_in_cycle(block.code->action)) {
     return block_failure(AlarmId::NotAllowedInCycle, to_text(block.code->number));

@@ -25,6 +25,12 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   return rules;
 }
 
+void tell_missed(Control& control, const std::vector<source::Location>& places) {
+  for (const source::Location where : places) {
+    control.warn(source::DiagnosticId::SkipWithoutSignal, where);
+  }
+}
+
 /// The rows that the control has: memories A and B take the place of C, and parameter 6000.3 turns
 /// the numbers of C round, which leaves no room for the old work offset numbers (MB-122).
 VariableGroups variable_groups(const Profile& profile, const Parameters& parameters,
@@ -100,17 +106,13 @@ void Control::result_read() {
 }
 
 void Control::use_measured() {
-  for (const source::Location where : missed.uses()) {
-    warn(source::DiagnosticId::SkipWithoutSignal, where);
-  }
+  tell_missed(*this, missed.uses());
 }
 
 void Control::report_missed_touches() {
   constexpr std::size_t kFirstCall = 1;
   missed.forget(holder_of(kFirstCall, kFirstLocal), ~runtime::MissedTouches::Holder{0});
-  for (const source::Location where : missed.ends()) {
-    warn(source::DiagnosticId::SkipWithoutSignal, where);
-  }
+  tell_missed(*this, missed.ends());
 }
 
 void Control::report_stopped_skip() {
