@@ -225,3 +225,20 @@ M30
 %
 (EXPECT ALARM 3002 AT 9)
 (EXPECT MESSAGE "BATTERY LOW")
+
+(CASE all inputs at once are one look: a hundred take no time, the next and that at the clock 1 ms each)
+(CONTROL fanuc-16i fanuc-30i haas)
+(SHEET [[input]])
+(SHEET number = 1000)
+(SHEET from_reads = 101)
+%
+O1
+#3001=0
+WHILE[#1032EQ0]DO1
+#101=#101+1
+END1
+#102=#3001
+M30
+%
+(EXPECT #101 = 100)
+(EXPECT #102 = 2)

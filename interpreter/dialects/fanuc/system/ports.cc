@@ -16,18 +16,20 @@ Cell bit_of(std::uint16_t bits, int index) {
   return Cell((bits >> index & 1) != 0 ? 1.0 : 0.0);
 }
 
+/// A program looks at inputs, and may wait for them: that takes time.
+void look_at_inputs(Control& control) {
+  control.asked(&runtime::MissedTouches::looks);
+  control.time_looked_at();
+}
+
 /// What the machine's own wiring says goes over what the sheet scripts, and that over what was
-/// written.  A program may wait for either, so that looks take time.
+/// written.
 bool input_bit(Control& control, int index) {
   const int number = kFirstInputBit + index;
-  if (control.is_inspected) {
-    const bool kept = (control.signals.input_bits >> index & 1) != 0;
-    return control.port.digital_input(number).value_or(control.inputs.shown(number).value_or(kept));
-  }
-  control.time_looked_at();
-  const auto wired = control.port.digital_input(number);
-  const auto scripted = control.inputs.look(number, control.now());
-  return wired.value_or(scripted.value_or((control.signals.input_bits >> index & 1) != 0));
+  const bool kept = (control.signals.input_bits >> index & 1) != 0;
+  const auto scripted = control.is_inspected ? control.inputs.shown(number)
+                                             : control.inputs.look(number, control.now());
+  return control.port.digital_input(number).value_or(scripted.value_or(kept));
 }
 
 /// Anything but 0 sets the bit (MB-121).
@@ -59,7 +61,7 @@ std::size_t word_of(const Place& place) {
 }  // namespace
 
 ReadResult read_input_bit(Control& control, const Place& place) {
-  control.asked(&runtime::MissedTouches::looks);
+  look_at_inputs(control);
   return Cell(input_bit(control, place.index()) ? 1.0 : 0.0);
 }
 
@@ -69,7 +71,7 @@ WriteResult write_input_bit(Control& control, const Place& place, Cell value) {
 }
 
 ReadResult read_input_bits(Control& control, const Place&) {
-  control.asked(&runtime::MissedTouches::looks);
+  look_at_inputs(control);
   std::uint16_t bits = 0;
   for (int i = 0; i < kInputBits; ++i) {
     set_bit(bits, i, input_bit(control, i) ? 1.0 : 0.0);

@@ -191,12 +191,11 @@ Number digital_input(Channel& channel, const SystemAccess& access) {
   channel.asked(&runtime::MissedTouches::looks);
   const int which = access.indices[0];
   const bool kept = channel.digital_inputs[static_cast<std::size_t>(which)];
-  if (channel.is_inspected) {
-    const auto scripted = channel.inputs.shown(which);
-    return channel.port.digital_input(which).value_or(scripted.value_or(kept)) ? 1.0 : 0.0;
+  if (!channel.is_inspected) {
+    channel.busy_wait.look(channel.port);
   }
-  channel.busy_wait.look(channel.port);
-  const auto scripted = channel.inputs.look(which, channel.now());
+  const auto scripted = channel.is_inspected ? channel.inputs.shown(which)
+                                             : channel.inputs.look(which, channel.now());
   return channel.port.digital_input(which).value_or(scripted.value_or(kept)) ? 1.0 : 0.0;
 }
 
