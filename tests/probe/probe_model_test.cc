@@ -117,10 +117,16 @@ TEST(ProbeModel, ASpindleThatHasTurnedStandsWhereTheSeedDraws) {
   constexpr int kSeeds = 400;
   ProbeSetup setup;
   setup.eccentricity_mm = {0.02, 0.0};
+  // Two flat walls: each shows one component of where the ball's centre is.
+  constexpr double kWall = 16.0;
+  const ProbedPart right{"right",
+                         testing::moved_by(testing::box_mesh({9, 90, 90}), {kWall, -45, -45})};
+  const ProbedPart back{"back",
+                        testing::moved_by(testing::box_mesh({90, 9, 90}), {-45, kWall, -45})};
   int quadrants[4] = {};
   for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
-    TouchProbe probe(setup, {ring()}, seed);
-    TouchProbe again(setup, {ring()}, seed);
+    TouchProbe probe(setup, {right, back}, seed);
+    TouchProbe again(setup, {right, back}, seed);
     for (TouchProbe* const one : {&probe, &again}) {
       one->take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, {}});
       ASSERT_TRUE(one->sensor_state(1)->angle_known);  // it has not turned
@@ -128,9 +134,9 @@ TEST(ProbeModel, ASpindleThatHasTurnedStandsWhereTheSeedDraws) {
       one->take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, {}});
       ASSERT_FALSE(one->sensor_state(1)->angle_known);
     }
-    const double x = 0.5 * (reading(probe, 180).value() - reading(probe, 0).value());
-    const double y = 0.5 * (reading(probe, 270).value() - reading(probe, 90).value());
-    EXPECT_NEAR(std::hypot(x, y), 0.02, 1e-6);
+    const double x = kWall - 3.0 - reading(probe, 0).value();
+    const double y = kWall - 3.0 - reading(probe, 90).value();
+    EXPECT_NEAR(std::hypot(x, y), 0.02, 1e-11);
     EXPECT_EQ(reading(again, 0), reading(probe, 0));
     ++quadrants[(x < 0.0 ? 1 : 0) + (y < 0.0 ? 2 : 0)];
     probe.take(machine::SpindleTurn{machine::Rotation::Stopped, 0.0, 0.0});

@@ -117,6 +117,11 @@ function(g31_test)
   target_link_libraries(${arg_NAME} PRIVATE ${arg_DEPENDS} g31_warnings GTest::gtest_main)
   g31_link_file_by_file(${arg_NAME})
   g31_compile_quickly(${arg_NAME})
+  # The program's own code is checked for undefined behaviour, that of its tests for wrong addresses alone:
+  # a third less to compile.
+  if(CMAKE_CXX_FLAGS MATCHES "sanitize")
+    target_compile_options(${arg_NAME} PRIVATE -fno-sanitize=undefined)
+  endif()
   g31_take_prelude(${arg_NAME} g31_test_prelude quick)
   target_include_directories(${arg_NAME} PRIVATE ${PROJECT_SOURCE_DIR})
   # Tests run in the source folder: golden files and parts are named by their repository path.
