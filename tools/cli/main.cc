@@ -8,6 +8,8 @@
 
 #include "tools/cli/check_command.h"
 #include "tools/cli/check_options.h"
+#include "tools/cli/evaluate_command.h"
+#include "tools/cli/evaluate_options.h"
 #include "tools/cli/exit_code.h"
 #include "tools/cli/explain_command.h"
 #include "tools/cli/explain_options.h"
@@ -58,6 +60,9 @@ ExitCode dispatch(int argc, char** argv) {
   g31::cli::CheckOptions check;
   CLI::App* const check_app = g31::cli::add_check_command(app, check);
   check_app->footer(g31::cli::check_examples() + exit_code_help());
+  g31::cli::EvaluateOptions evaluate;
+  CLI::App* const evaluate_app = g31::cli::add_evaluate_command(app, evaluate);
+  evaluate_app->footer(g31::cli::evaluate_examples() + exit_code_help());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -71,6 +76,9 @@ ExitCode dispatch(int argc, char** argv) {
   }
   if (check_app->parsed()) {
     return check_command(check);
+  }
+  if (evaluate_app->parsed()) {
+    return evaluate_command(evaluate);
   }
   return explain_app->parsed() ? explain_command(explain) : run_command(run);
 }

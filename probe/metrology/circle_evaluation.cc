@@ -1,0 +1,120 @@
+#include "probe/metrology/circle_evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "probe/metrology/circle_ranges.h"
+#include "probe/metrology/circle_search.h"
+
+namespace g31::metrology {
+namespace {
+
+constexpr double kLeastAngle = std::numbers::pi;
+
+/// The radial errors of the turns, gathered.
+class RadialErrors {
+ public:
+  explicit RadialErrors(CircleEvaluation& evaluation) : evaluation_(evaluation) {}
+
+  void add(const PlaneSamples& samples, const CircleTurn& turn) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    Extremes extremes{kInfinity, -kInfinity};
+    double area = 0.0;
+    double before = 0.0;
+    double angle_before = 0.0;
+    for (std::size_t i = turn.begin; i < turn.end; ++i) {
+      const Eigen::Vector2d q = samples.at(i) - evaluation_.reference.centre;
+      const double error = q.norm() - evaluation_.reference.radius;
+      const double angle = std::atan2(q.y(), q.x());
+      extremes = {std::min(extremes.least, error), std::max(extremes.greatest, error)};
+      if (i > turn.begin) {
+        const double step = std::remainder(angle - angle_before, 2.0 * std::numbers::pi);
+        area += 0.5 * (error + before) * std::abs(step);
+        angle_ += std::abs(step);
+      }
+      before = error;
+      angle_before = angle;
+    }
+    area_ += area;
+    join(turn.direction > 0 ? evaluation_.ccw : evaluation_.cw, extremes);
+  }
+
+  void finish() {
+    evaluation_.mean_radial_error = area_ / angle_;
+    std::optional<Extremes> all;
+    for (const auto& one : {evaluation_.ccw, evaluation_.cw}) {
+      if (one) {
+        join(all, *one);
+      }
+    }
+    evaluation_.radial_error = *all;
+  }
+
+ private:
+  static void join(std::optional<Extremes>& all, const Extremes& more) {
+    all = all ? Extremes{std::min(all->least, more.least), std::max(all->greatest, more.greatest)}
+              : more;
+  }
+
+  CircleEvaluation& evaluation_;
+  double area_ = 0.0;
+  double angle_ = 0.0;
+};
+
+double angle_of(const std::vector<CircleTurn>& turns) {
+  double angle = 0.0;
+  for (const CircleTurn& turn : turns) {
+    angle += turn.angle;
+  }
+  return angle;
+}
+
+}  // namespace
+
+Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& samples,
+                                                      const CircleRequest& request) {
+  const auto found = search_circle(samples);
+  if (!found) {
+    return std::string("the path is no circle");
+  }
+  CircleEvaluation evaluation;
+  evaluation.turns = circle_turns(samples, *found);
+  if (angle_of(evaluation.turns) < kLeastAngle) {
+    return std::string("less than half a circle is recorded");
+  }
+  // The windows are found with a part of a long record, the errors with all of it.
+  constexpr std::size_t kEnough = 50'000;
+  CircleTask task{request.radius,
+                  {found->centre, found->radius},
+                  request.resolution,
+                  samples.size() / kEnough + 1};
+  ReversalWindows windows = first_windows(found->radius);
+  constexpr int kRounds = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto ranges = described_ranges(samples, evaluation.turns, task.start.centre, windows);
+    const auto fit = fit_circle(samples, evaluation.turns, ranges, task);
+    if (!fit) {
+      return std::string("too few samples of the circle lie away from its ends and the reversals");
+    }
+    evaluation.fit = *fit;
+    task.start = fit->errors;
+    if (round + 2 < kRounds) {
+      windows = reversal_windows(samples, evaluation.turns, *fit);
+    } else {
+      task.stride = 1;
+    }
+  }
+  evaluation.spike = reversal_spikes(samples, evaluation.turns, evaluation.fit, windows);
+  evaluation.reference.centre = request.centre.value_or(evaluation.fit.errors.centre);
+  evaluation.reference.radius = request.radius.value_or(evaluation.fit.errors.radius);
+  RadialErrors errors(evaluation);
+  for (const CircleTurn& turn : evaluation.turns) {
+    errors.add(samples, turn);
+  }
+  errors.finish();
+  return evaluation;
+}
+
+}  // namespace g31::metrology

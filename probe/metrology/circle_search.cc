@@ -1,0 +1,122 @@
+#include "probe/metrology/circle_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Cholesky>
+
+#include "machine/base/random.h"
+
+namespace g31::metrology {
+namespace {
+
+using Points = std::vector<Eigen::Vector2d>;
+
+constexpr std::size_t kMostPoints = 4000;
+constexpr int kTrials = 500;
+/// A point counts as on a circle within this share of the radius.
+constexpr double kBand = 0.005;
+
+double extent_of(const PlaneSamples& samples) {
+  const auto [x_low, x_high] = std::ranges::minmax_element(samples.x);
+  const auto [y_low, y_high] = std::ranges::minmax_element(samples.y);
+  return std::hypot(*x_high - *x_low, *y_high - *y_low);
+}
+
+/// Points about evenly spread along the way, so that standing still counts for nothing.
+Points evenly_spread(const PlaneSamples& samples, double extent) {
+  const double step = extent / 1000.0;
+  Points points;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const Eigen::Vector2d p = samples.at(i);
+    if (points.empty() || (p - points.back()).squaredNorm() >= step * step) {
+      points.push_back(p);
+    }
+  }
+  const std::size_t stride = points.size() / kMostPoints + 1;
+  Points kept;
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    kept.push_back(points[i]);
+  }
+  return kept;
+}
+
+std::optional<Circle> through(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                              const Eigen::Vector2d& c) {
+  const Eigen::Vector2d u = b - a;
+  const Eigen::Vector2d v = c - a;
+  const double cross = 2.0 * (u.x() * v.y() - u.y() * v.x());
+  if (std::abs(cross) < 1e-12 * u.norm() * v.norm()) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d from_a((v.y() * u.squaredNorm() - u.y() * v.squaredNorm()) / cross,
+                               (u.x() * v.squaredNorm() - v.x() * u.squaredNorm()) / cross);
+  return Circle{a + from_a, from_a.norm()};
+}
+
+bool is_on(const Circle& circle, const Eigen::Vector2d& p) {
+  return std::abs((p - circle.centre).norm() - circle.radius) <= kBand * circle.radius;
+}
+
+std::size_t count_on(const Circle& circle, const Points& points) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(points, [&](const Eigen::Vector2d& p) { return is_on(circle, p); }));
+}
+
+/// One Gauss-Newton step of the distances of the points on the circle.
+Circle refined(const Circle& circle, const Points& points) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector2d& p : points) {
+    const Eigen::Vector2d q = p - circle.centre;
+    const double r = q.norm();
+    if (r == 0.0 || !is_on(circle, p)) {
+      continue;
+    }
+    const Eigen::Vector3d row(q.x() / r, q.y() / r, 1.0);
+    normal += row * row.transpose();
+    right += row * (r - circle.radius);
+  }
+  const Eigen::Vector3d step = normal.ldlt().solve(right);
+  if (!step.allFinite()) {
+    return circle;
+  }
+  return {circle.centre + step.head<2>(), circle.radius + step[2]};
+}
+
+}  // namespace
+
+std::optional<Circle> search_circle(const PlaneSamples& samples) {
+  const double extent = samples.size() == 0 ? 0.0 : extent_of(samples);
+  if (!(extent > 0.0)) {
+    return std::nullopt;
+  }
+  const Points points = evenly_spread(samples, extent);
+  const auto any_point = [&](int trial, int which) {
+    const double number = uniform(Stream{}, static_cast<std::uint64_t>(3 * trial + which));
+    return points[static_cast<std::size_t>(number * static_cast<double>(points.size()))];
+  };
+  std::optional<Circle> best;
+  std::size_t most = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const auto circle = through(any_point(trial, 0), any_point(trial, 1), any_point(trial, 2));
+    if (!circle || circle->radius > 2.0 * extent) {
+      continue;
+    }
+    const std::size_t on = count_on(*circle, points);
+    if (on > most) {
+      best = circle;
+      most = on;
+    }
+  }
+  if (!best || most < 8 || 4 * most < points.size()) {
+    return std::nullopt;
+  }
+  for (int round = 0; round < 5; ++round) {
+    best = refined(*best, points);
+  }
+  return best;
+}
+
+}  // namespace g31::metrology

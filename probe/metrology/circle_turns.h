@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "probe/metrology/plane_samples.h"
+
+namespace g31::metrology {
+
+inline constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad
+
+/// A piece of a record along a circle in one direction.
+struct CircleTurn {
+  std::size_t begin = 0;  ///< first sample
+  std::size_t end = 0;    ///< behind the last
+  int direction = 1;      ///< +1 counter-clockwise, -1 clockwise
+  double from = 0.0;      ///< angle about the centre of the first sample, rad
+  double angle = 0.0;     ///< way from the first sample to the last, rad, > 0
+  double omega = 0.0;     ///< mean angular speed but for the first and last tenth, rad/s, signed
+};
+
+/// The pieces of a record that run along a circle for 10 degrees or more, in the order of the
+/// record.  A sample further than 2 percent of the radius from the circle belongs to none; nor
+/// does standstill at the ends of a piece.
+std::vector<CircleTurn> circle_turns(const PlaneSamples& samples, const Circle& circle);
+
+}  // namespace g31::metrology

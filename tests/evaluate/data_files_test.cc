@@ -1,0 +1,213 @@
+// Files of real instruments and files of rubbish: evaluated, or refused with the line.
+
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "machine/base/random.h"
+#include "tests/support/run_evaluate.h"
+#include "tools/evaluate/data_table.h"
+
+namespace g31 {
+namespace {
+
+using evaluate::ColumnKind;
+using evaluate::OptionId;
+using testing::evaluate_text;
+using testing::EvaluateOutput;
+
+cli::EvaluateOptions of_circle() {
+  cli::EvaluateOptions options;
+  options.kind = "circle";
+  return options;
+}
+
+/// Rows of a circle of radius 10 about (3, 4), with what stands between and behind the values.
+std::string circle_rows(const std::string& separator, const std::string& end, double unit = 1.0) {
+  std::string text;
+  for (int i = 0; i <= 720; ++i) {
+    const double angle = 0.0174532925199433 * (i <= 360 ? i : 720 - i);
+    text += fmt::format("{:.3f}{}{:.9f}{}{:.9f}{}", 0.001 * i, separator,
+                        unit * (3.0 + 10.0 * std::cos(angle)), separator,
+                        unit * (4.0 + 10.0 * std::sin(angle)), end);
+  }
+  return text;
+}
+
+TEST(DataFiles, OfInstrumentsAreRead) {
+  const std::string commas = circle_rows(",", "\n");
+  std::string decimal_commas = circle_rows(";", "\r\n");
+  std::replace(decimal_commas.begin(), decimal_commas.end(), '.', ',');
+  std::string jitter = "t,X,Y\n" + commas;
+  jitter.replace(jitter.find("0.300,"), 6, "0.3004,");
+  std::string row_missing = "t,X,Y\n" + commas;
+  row_missing.erase(row_missing.find("0.300,"),
+                    row_missing.find("0.301,") - row_missing.find("0.300,"));
+  struct Case {
+    const char* name;
+    std::string text;
+    std::vector<std::string> columns;
+    const char* unit;
+  };
+  const Case kCases[] = {
+      {"plain", "t,X,Y\n" + commas, {}, ""},
+      {"byte order mark, CR LF", "\xEF\xBB\xBFt,X,Y\r\n" + circle_rows(",", "\r\n"), {}, ""},
+      {"comments, empty lines", "# scale 3\n\nt,X,Y\n# begin\n" + commas + "\n \n# end\n", {}, ""},
+      {"other names", "zeit, x_act ,\"y act\"\n" + commas, {"t=zeit", "X=x_act", "Y=y act"}, ""},
+      {"semicolons and decimal commas", "t;X;Y\r\n" + decimal_commas, {}, ""},
+      {"tabs", "t\tX\tY\n" + circle_rows("\t", "\n"), {}, ""},
+      {"a separator behind", "t,X,Y,\n" + circle_rows(",", ",\n"), {}, ""},
+      {"no last line break", "t,X,Y\n" + commas.substr(0, commas.size() - 1), {}, ""},
+      {"micrometres", "t,X,Y\n" + circle_rows(",", "\n", 1e3), {}, "um"},
+      {"inches", "t,X,Y\n" + circle_rows(",", "\n", 1.0 / 25.4), {}, "inch"},
+      {"jitter", jitter, {}, ""},
+      {"a row missing", row_missing, {}, ""},
+      {"a trace", "time_s,X_true,Y_true\n" + commas, {}, ""},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    cli::EvaluateOptions options = of_circle();
+    options.columns = c.columns;
+    options.unit = c.unit;
+    const EvaluateOutput output = evaluate_text(c.text, options);
+    ASSERT_EQ(output.exit_code, 0) << output.errors;
+    EXPECT_NEAR(output.value("radius"), 10.0, 1e-6);
+    EXPECT_NEAR(output.value("centre_x"), 3.0, 1e-6);
+    EXPECT_NEAR(output.value("centre_y"), 4.0, 1e-6);
+    EXPECT_EQ(output.errors, "");
+  }
+}
+
+TEST(DataFiles, AreRefusedWithTheLine) {
+  const std::string head = "t,X,Y\n0,1,2\n0.1,1,2\n";
+  struct Case {
+    const char* name;
+    std::string text;
+    const char* says;
+  };
+  const Case kCases[] = {
+      {"empty", "", "data.csv: error: there is no line with the names of the columns [DAT101]"},
+      {"comments only", "# nothing\n", "[DAT101]"},
+      {"no rows", "t,X,Y\n", "data.csv: error: there are no rows"},
+      {"a missing column", "t,X,Z\n1,2,3\n",
+       "data.csv:1:1: error: there is no column Y; the columns are t, X, Z [DAT103]"},
+      {"a column twice", "t,X,Y,X\n1,2,3,4\n",
+       "data.csv:1:1: error: the column X stands there twice"},
+      {"two separators", "t;X,Y\n1;2,3\n",
+       "data.csv:1:1: error: the names of the columns hold commas and semicolons"},
+      {"no number", head + "0.2,1,abc\n",
+       "data.csv:4:7: error: Y is no number: abc [DAT107]\n    4 | 0.2,1,abc\n      |       ^"},
+      {"nothing", head + "0.2,,2\n", "data.csv:4:1: error: X is no number: there is nothing"},
+      {"half a number", head + "0.2,1.5mm,2\n", "data.csv:4:5: error: X is no number: 1.5mm"},
+      {"hexadecimal", head + "0.2,0x10,2\n", "data.csv:4:5: error: X is no number"},
+      {"not a number", head + "0.2,nan,2\n", "data.csv:4:5: error: X is no number: nan"},
+      {"infinity", head + "0.2,1,-inf\n", "data.csv:4:7: error: Y is out of range: -inf"},
+      {"too large", head + "0.2,1e300,2\n", "data.csv:4:5: error: X is out of range: 1e300"},
+      {"beyond doubles", head + "0.2,1e999,2\n", "data.csv:4:5: error: X is out of range"},
+      {"a sentinel", head + "0.2,9999999999,2\n", "data.csv:4:5: error: X is out of range"},
+      {"a short row", head + "0.2,1\n",
+       "data.csv:4:6: error: a short row: it has 2 values for 3 columns [DAT105]"},
+      {"a long row", head + "0.2,1,2,3\n", "data.csv:4:9: error: a long row"},
+      {"time back", head + "0.05,1,2\n",
+       "data.csv:4:1: error: t does not rise: 0.05 comes after 0.1 [DAT110]"},
+      {"time stands", head + "0.1,1,3\n", "data.csv:4:1: error: t does not rise"},
+      {"no circle", head, "data.csv: error: the path is no circle [DAT113]"},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    const EvaluateOutput output = evaluate_text(c.text, of_circle());
+    EXPECT_EQ(output.exit_code, 2);
+    EXPECT_EQ(output.out, "");
+    EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
+  }
+}
+
+TEST(DataFiles, OptionsThatDoNotFitAreRefused) {
+  struct Case {
+    const char* name;
+    cli::EvaluateOptions options;
+    const char* says;
+  };
+  const auto with = [](auto change) {
+    cli::EvaluateOptions options = of_circle();
+    change(options);
+    return options;
+  };
+  const Case kCases[] = {
+      {"a kind", with([](auto& o) { o.kind = "circel"; }), "did you mean circle?"},
+      {"no length", with([](auto& o) { o.given[OptionId::Radius] = "-3"; }),
+       "--radius -3: this is no length above 0"},
+      {"infinite", with([](auto& o) { o.given[OptionId::Radius] = "inf"; }), "--radius inf"},
+      {"no pair", with([](auto& o) { o.given[OptionId::Centre] = "3"; }), "--centre 3: write two"},
+      {"a plane", with([](auto& o) { o.given[OptionId::Plane] = "XX"; }), "--plane XX: a plane is"},
+      {"a unit", with([](auto& o) { o.unit = "furlong"; }), "--unit furlong: units are"},
+      {"columns", with([](auto& o) { o.columns = {"X"}; }), "--columns X: write NAME=COLUMN"},
+      {"a name that is not there", with([](auto& o) { o.columns = {"X=Q"}; }),
+       "there is no column Q"},
+      {"one column for two", with([](auto& o) { o.columns = {"X=Y"}; }),
+       "the column Y cannot be both Y and X"},
+      {"an interval", with([](auto& o) { o.given[OptionId::Interval] = "soon"; }),
+       "--interval soon"},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    const EvaluateOutput output = evaluate_text("t,X,Y\n" + circle_rows(",", "\n"), c.options);
+    EXPECT_EQ(output.exit_code, 2);
+    EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
+  }
+  cli::EvaluateOptions missing = of_circle();
+  missing.file = "no/such/file.csv";
+  EXPECT_EQ(testing::run_evaluate(missing).errors, "g31: error: cannot read no/such/file.csv\n");
+}
+
+TEST(DataFiles, OfRubbishNeverCrash) {
+  const std::string good = "t,X,Y\n" + circle_rows(",", "\n");
+  const Stream stream{11, 0};
+  std::uint64_t draw = 0;
+  const auto below = [&](std::size_t n) {
+    return static_cast<std::size_t>(uniform(stream, draw++) * static_cast<double>(n));
+  };
+  const std::string_view kPieces[] = {",",
+                                      ";",
+                                      "\t",
+                                      "\n",
+                                      "\r\n",
+                                      "\"",
+                                      "-",
+                                      "e9",
+                                      "nan",
+                                      "#",
+                                      std::string_view("\0", 1),
+                                      "\xFF",
+                                      "t,X,Y\n",
+                                      "1e308",
+                                      "  "};
+  int refused = 0;
+  for (int round = 0; round < 300; ++round) {
+    std::string text = round % 3 == 0 ? "t,X,Y\n" : good.substr(0, below(good.size()));
+    for (std::size_t change = below(20); change > 0; --change) {
+      text.insert(below(text.size() + 1), kPieces[below(std::size(kPieces))]);
+    }
+    const EvaluateOutput output = evaluate_text(text, of_circle());
+    EXPECT_TRUE(output.exit_code == 0 || output.exit_code == 2) << text;
+    refused += output.exit_code == 2 ? 1 : 0;
+  }
+  EXPECT_GT(refused, 100);
+}
+
+TEST(DataTable, TellsWhatTheDigitsResolve) {
+  const auto table = evaluate::read_table(
+      {"f", "a,b,c\n1.25,2,3e-7\n1.5,2,3\n"},
+      {{"a", ColumnKind::Length}, {"b", ColumnKind::Length}, {"c", ColumnKind::Number}},
+      {{}, 1e-3});
+  ASSERT_TRUE(table.ok());
+  EXPECT_DOUBLE_EQ(table.value().resolution("a"), 1e-5);
+  EXPECT_DOUBLE_EQ(table.value().resolution("b"), 1e-3);
+  EXPECT_DOUBLE_EQ(table.value().resolution("c"), 1e-15);
+  EXPECT_DOUBLE_EQ(table.value().numbers("a")[0], 1.25e-3);
+}
+
+}  // namespace
+}  // namespace g31

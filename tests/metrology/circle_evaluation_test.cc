@@ -1,0 +1,224 @@
+// Circles of simulated machines whose errors are known: what is estimated is what was put in.
+
+#include "probe/metrology/circle_evaluation.h"
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/metrology/circle_path.h"
+
+namespace g31 {
+namespace {
+
+using metrology::CircleErrors;
+using metrology::CircleEvaluation;
+using metrology::CircleRequest;
+using testing::CircleMachine;
+using testing::recorded_circle;
+
+CircleEvaluation evaluated(const testing::CircleRecord& record, const CircleRequest& request) {
+  const auto made = metrology::evaluate_circle(record.samples(), request);
+  EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error());
+  return made.ok() ? made.value() : CircleEvaluation();
+}
+
+std::map<std::string, double> named(const CircleErrors& e) {
+  return {{"scale X", e.scale[0]},       {"scale Y", e.scale[1]},
+          {"backlash X", e.backlash[0]}, {"backlash Y", e.backlash[1]},
+          {"squareness", e.squareness},  {"mismatch", e.mismatch},
+          {"centre X", e.centre.x()},    {"centre Y", e.centre.y()}};
+}
+
+CircleMachine any_machine(std::uint64_t seed) {
+  const auto between = [&](double low, double high, std::uint64_t which) {
+    return low + (high - low) * uniform(Stream{seed, 3}, which);
+  };
+  CircleMachine machine;
+  machine.errors.centre = {between(-300.0, 300.0, 0), between(-300.0, 300.0, 1)};
+  machine.errors.radius = between(20.0, 150.0, 2);
+  machine.errors.backlash = {between(0.0, 0.02, 3), between(0.0, 0.02, 4)};
+  machine.errors.scale = {between(-1e-4, 1e-4, 5), between(-1e-4, 1e-4, 6)};
+  machine.errors.squareness = between(-1e-4, 1e-4, 7);
+  machine.errors.mismatch = between(-1e-3, 1e-3, 8);
+  machine.bow = {between(-2e-4, 2e-4, 9), between(-2e-4, 2e-4, 10)};
+  machine.noise = between(1e-4, 5e-4, 11);
+  machine.start = between(0.0, 6.28, 12);
+  machine.feed_mm_s = between(10.0, 60.0, 13);
+  machine.seed = seed;
+  return machine;
+}
+
+TEST(CircleEvaluation, FindsTheErrorsOfTwoHundredMachinesWithinItsUncertainties) {
+  constexpr int kMachines = 200;
+  int inside = 0;
+  int all = 0;
+  std::map<std::string, double> sum;  // of errors in their uncertainties
+  for (std::uint64_t seed = 1; seed <= kMachines; ++seed) {
+    const CircleMachine machine = any_machine(seed);
+    const CircleEvaluation circle =
+        evaluated(recorded_circle(machine), {machine.errors.radius, {}, 0.0});
+    ASSERT_TRUE(circle.fit.has_mismatch);
+    const auto truth = named(machine.errors);
+    const auto found = named(circle.fit.errors);
+    for (const auto& [name, u] : named(circle.fit.u)) {
+      // A bow moves the centre: that is no error of the estimate.
+      if (name.starts_with("centre")) {
+        continue;
+      }
+      const double off = (found.at(name) - truth.at(name)) / u;
+      inside += std::abs(off) <= 3.0 ? 1 : 0;
+      ++all;
+      sum[name] += off;
+    }
+  }
+  EXPECT_GE(inside, 0.99 * all) << inside << " of " << all;
+  for (const auto& [name, total] : sum) {
+    EXPECT_LT(std::abs(total / kMachines), 0.25) << name;  // 1 / sqrt(200) is 0.07
+  }
+}
+
+TEST(CircleEvaluation, UncertaintiesAreThoseThatRepeatsShow) {
+  CircleMachine machine = any_machine(5);
+  machine.bow = {};
+  constexpr int kRepeats = 60;
+  std::map<std::string, double> square;
+  std::map<std::string, double> stated;
+  for (std::uint64_t seed = 1; seed <= kRepeats; ++seed) {
+    machine.seed = seed;
+    const CircleEvaluation circle =
+        evaluated(recorded_circle(machine), {machine.errors.radius, {}, 0.0});
+    const auto truth = named(machine.errors);
+    const auto u = named(circle.fit.u);
+    for (const auto& [name, value] : named(circle.fit.errors)) {
+      square[name] += (value - truth.at(name)) * (value - truth.at(name)) / kRepeats;
+      stated[name] += u.at(name) / kRepeats;
+    }
+  }
+  for (const auto& [name, mean_square] : square) {
+    // 60 repeats know their own scatter within 9 percent; neighbours count up to a third on top.
+    EXPECT_GT(stated.at(name), 0.75 * std::sqrt(mean_square)) << name;
+    EXPECT_LT(stated.at(name), 1.75 * std::sqrt(mean_square)) << name;
+  }
+}
+
+TEST(CircleEvaluation, OfACircleWithoutErrorsIsZero) {
+  CircleMachine machine;
+  machine.errors.radius = 50.0;
+  machine.errors.centre = {100.0, -40.0};
+  for (const std::optional<double> radius : {std::optional(50.0), std::optional<double>()}) {
+    const CircleEvaluation circle = evaluated(recorded_circle(machine), {radius, {}, 0.0});
+    for (const auto& [name, value] : named(circle.fit.errors)) {
+      const double truth = name == "centre X" ? 100.0 : name == "centre Y" ? -40.0 : 0.0;
+      EXPECT_NEAR(value, truth, 1e-12) << name;
+    }
+    EXPECT_NEAR(circle.fit.errors.radius, 50.0, 1e-12);
+    EXPECT_LT(circle.radial_error.width(), 1e-12);
+    EXPECT_LT(circle.spike[0].value(), 1e-12);
+    EXPECT_LT(circle.spike[1].value(), 1e-12);
+  }
+}
+
+TEST(CircleEvaluation, WithoutARadiusKnowsTheDifferenceOfTheScales) {
+  CircleMachine machine;
+  machine.errors.radius = 50.0;
+  machine.errors.scale = {30e-6, -10e-6};
+  const CircleEvaluation circle = evaluated(recorded_circle(machine), {});
+  // The mean of the scales makes the circle larger; their difference, 40, is halved up and down.
+  EXPECT_NEAR(circle.fit.errors.radius, 50.0 * (1.0 + 10e-6), 1e-7);
+  EXPECT_NEAR(circle.fit.errors.scale[0], 20e-6, 1e-9);
+  EXPECT_NEAR(circle.fit.errors.scale[1], -20e-6, 1e-9);
+}
+
+TEST(CircleEvaluation, OfOneDirectionLeavesTheMismatchInTheSquareness) {
+  CircleMachine machine;
+  machine.errors.radius = 50.0;
+  machine.errors.mismatch = 0.5e-3;
+  testing::CircleRecord record = recorded_circle(machine);
+  for (auto* values : {&record.t, &record.x, &record.y}) {
+    values->resize(values->size() / 2);
+  }
+  const CircleEvaluation circle = evaluated(record, {50.0, {}, 0.0});
+  EXPECT_FALSE(circle.fit.has_mismatch);
+  EXPECT_FALSE(circle.cw.has_value());
+  // Delta r = v tau sin cos beside R beta sin cos: beta = omega tau.
+  EXPECT_NEAR(circle.fit.errors.squareness, machine.feed_mm_s / 50.0 * 0.5e-3, 1e-9);
+}
+
+TEST(CircleEvaluation, FindsTheCircleBetweenTheWaysToItAndFromIt) {
+  CircleMachine machine;
+  machine.errors.radius = 30.0;
+  machine.errors.centre = {10.0, 20.0};
+  const testing::CircleRecord circle = recorded_circle(machine);
+  testing::CircleRecord record;
+  const auto add = [&](double x, double y) {
+    record.t.push_back(0.001 * static_cast<double>(record.t.size()));
+    record.x.push_back(x);
+    record.y.push_back(y);
+  };
+  for (int i = 0; i < 1000; ++i) {
+    add(10.0 + 0.03 * i, 20.0);  // from the centre
+  }
+  for (int i = 0; i < 3000; ++i) {
+    add(40.0, 20.0);  // standstill
+  }
+  for (std::size_t i = 0; i < circle.x.size(); ++i) {
+    add(circle.x[i], circle.y[i]);
+  }
+  for (int i = 0; i < 1000; ++i) {
+    add(40.0 - 0.07 * i, 20.0 + 0.01 * i);
+  }
+  record.x[5200] += 5.0;  // one wild sample
+  const CircleEvaluation found = evaluated(record, {30.0, {}, 0.0});
+  EXPECT_NEAR(found.fit.errors.centre.x(), 10.0, 1e-9);
+  EXPECT_LT(found.radial_error.width(), 1e-9);
+}
+
+TEST(CircleEvaluation, FindsASpikeAndNoPlayInIt) {
+  CircleMachine machine;
+  machine.errors.radius = 50.0;
+  testing::CircleRecord record = recorded_circle(machine, 20000);
+  // Behind the reversal of Y at 90 degrees: as friction makes it, 10 um at its highest.
+  for (std::size_t i = 0; i < record.x.size(); ++i) {
+    const double angle = std::atan2(record.y[i], record.x[i]) - 0.5 * std::numbers::pi;
+    const double since = i <= 20000 ? angle : -angle;
+    if (since > 0.0 && since < 0.6) {
+      record.y[i] += 0.010 * (since / 0.03) * std::exp(1.0 - since / 0.03);
+    }
+  }
+  const CircleEvaluation circle = evaluated(record, {50.0, {}, 0.0});
+  EXPECT_NEAR(*circle.spike[1], 0.010, 1e-5);
+  EXPECT_NEAR(*circle.spike[0], 0.0, 1e-5);
+  EXPECT_NEAR(circle.fit.errors.backlash[1], 0.0, 2e-5);
+  EXPECT_NEAR(circle.radial_error.greatest, 0.010, 2e-5);
+}
+
+TEST(CircleEvaluation, RefusesWhatIsNoCircle) {
+  std::vector<double> t;
+  std::vector<double> x;
+  std::vector<double> y;
+  const auto wrong = [&] {
+    const auto made = metrology::evaluate_circle({t, x, y}, {});
+    return made.ok() ? std::string() : made.error();
+  };
+  EXPECT_EQ(wrong(), "the path is no circle");
+  for (int i = 0; i < 500; ++i) {
+    t.push_back(i);
+    x.push_back(0.1 * i);
+    y.push_back(0.2 * i);
+  }
+  EXPECT_EQ(wrong(), "the path is no circle");
+  for (int i = 0; i < 500; ++i) {
+    x[static_cast<std::size_t>(i)] = 10.0 * std::cos(0.004 * i);
+    y[static_cast<std::size_t>(i)] = 10.0 * std::sin(0.004 * i);
+  }
+  EXPECT_EQ(wrong(), "less than half a circle is recorded");
+  std::fill(x.begin(), x.end(), 1.0);
+  std::fill(y.begin(), y.end(), 1.0);
+  EXPECT_EQ(wrong(), "the path is no circle");
+}
+
+}  // namespace
+}  // namespace g31

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tools/cli/exit_code.h"
+#include "tools/evaluate/evaluation.h"
+
+namespace g31::cli {
+
+/// What the command line of `g31 evaluate` says.
+struct EvaluateOptions {
+  std::string kind;
+  std::string file;
+  std::string json;  ///< file, "-" for standard output, "" for none
+  bool has_curves = false;
+  std::vector<std::string> columns;                 ///< "X=x_act"
+  std::string unit;                                 ///< "" for mm
+  std::map<evaluate::OptionId, std::string> given;  ///< options that only some kinds know
+};
+
+/// Evaluates a recorded motion or readings and reports.
+ExitCode evaluate_command(const EvaluateOptions& options);
+
+}  // namespace g31::cli

@@ -1,0 +1,54 @@
+#include "tools/cli/evaluate_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace g31::cli {
+
+CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
+  CLI::App* const command = app.add_subcommand(
+      "evaluate", "Say what a recorded motion or a file of readings tells about a machine.");
+  command->add_option("KIND", options.kind, "what to evaluate, see below")->required();
+  command
+      ->add_option("FILE", options.file,
+                   "CSV with a line of column names; g31 run --trace writes such files")
+      ->required();
+  command->add_option("--json", options.json, "the results as a document; - is standard output")
+      ->type_name("FILE");
+  command->add_flag("--curves", options.has_curves, "every curve into the document");
+  command
+      ->add_option("--columns", options.columns,
+                   "what the file calls its columns, for example X=x_act,Y=y_act")
+      ->type_name("NAME=COLUMN,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command
+      ->add_option("--unit", options.unit, "of the file's lengths: mm (default), um, nm, m, inch")
+      ->type_name("UNIT");
+  for (const evaluate::OptionRow& row : evaluate::options()) {
+    command
+        ->add_option_function<std::string>(
+            std::string(row.option),
+            [&options, id = row.id](const std::string& value) { options.given[id] = value; },
+            fmt::format("{} ({})", row.text, row.kinds))
+        ->type_name(std::string(row.value));
+  }
+  return command;
+}
+
+std::string evaluate_examples() {
+  std::string text = "Kinds, and the columns of their files (lengths in mm, t in s):\n";
+  for (const evaluate::KindRow& row : evaluate::kinds()) {
+    text += fmt::format("  {:<14} {:<22} {}\n", row.word, row.columns, row.text);
+  }
+  return text +
+         "A trace of g31 run serves as it is: time_s counts as t, X_true as X where there is no "
+         "X.\n\n"
+         "Examples:\n"
+         "  g31 run circle.nc -s machine.toml --trace circle.csv\n"
+         "  g31 evaluate circle circle.csv --radius 50\n"
+         "  g31 evaluate circle scale.csv --columns X=x_act,Y=y_act --unit um --interval 182.32us\n"
+         "  g31 evaluate circle circle.csv --columns X=X_encoder,Y=Y_encoder --json -\n\n";
+}
+
+}  // namespace g31::cli

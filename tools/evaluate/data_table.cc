@@ -1,0 +1,318 @@
+#include "tools/evaluate/data_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "machine/base/contract.h"
+#include "machine/base/nearest_name.h"
+
+namespace g31::evaluate {
+namespace {
+
+/// Rows whose digits tell the resolution.
+constexpr std::size_t kLookedAt = 1000;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Without blanks and quotes around it.
+std::string_view bare(std::string_view field) {
+  constexpr std::string_view kBlanks = " \t\r";
+  const auto trim = [&] {
+    const std::size_t first = field.find_first_not_of(kBlanks);
+    field = first == std::string_view::npos
+                ? std::string_view()
+                : field.substr(first, field.find_last_not_of(kBlanks) - first + 1);
+  };
+  trim();
+  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
+    field = field.substr(1, field.size() - 2);
+    trim();
+  }
+  return field;
+}
+
+std::optional<double> number_in(std::string_view field) {
+  if (!field.empty() && field.front() == '+' && field.size() > 1 && field[1] != '-') {
+    field.remove_prefix(1);
+  }
+  double number = 0.0;
+  const char* const end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, number);
+  const bool whole = (error == std::errc{} || error == std::errc::result_out_of_range) &&
+                     stop == end && !field.empty();
+  if (!whole) {
+    return std::nullopt;
+  }
+  return error == std::errc{} ? number : HUGE_VAL;
+}
+
+std::optional<double> number_with_comma_in(std::string_view field) {
+  const std::size_t comma = field.find(',');
+  if (comma == std::string_view::npos || field.find('.') != std::string_view::npos) {
+    return number_in(field);
+  }
+  std::string with_point(field);
+  with_point[comma] = '.';
+  return number_in(with_point);
+}
+
+struct Separator {
+  char sign;
+  std::string_view name;
+};
+constexpr Separator kSeparators[] = {{',', "commas"}, {';', "semicolons"}, {'\t', "tabs"}};
+
+std::vector<std::string_view> split(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  for (std::size_t at = 0;;) {
+    const std::size_t end = line.find(separator, at);
+    fields.push_back(bare(line.substr(at, end - at)));
+    if (end == std::string_view::npos) {
+      return fields;
+    }
+    at = end + 1;
+  }
+}
+
+}  // namespace
+
+/// Digits behind the point; 15 where a power of ten moves it.
+int decimals_in(std::string_view text) {
+  constexpr int kMost = 15;
+  if (text.find_first_of("eE") != std::string_view::npos) {
+    return kMost;
+  }
+  const std::size_t point = text.find_first_of(".,");
+  return point == std::string_view::npos
+             ? 0
+             : std::min(static_cast<int>(text.size() - point) - 1, kMost);
+}
+
+/// Goes through a file line by line.
+class TableReader {
+ public:
+  TableReader(const DataFile& file, const std::vector<WantedColumn>& wanted,
+              const ColumnRules& rules)
+      : file_(file), wanted_(wanted), rules_(rules) {
+    if (file.text.starts_with(kByteOrderMark)) {
+      offset_ = kByteOrderMark.size();
+    }
+    table_.columns_.reserve(wanted.size());
+    for (const WantedColumn& column : wanted) {
+      const double unit = column.kind == ColumnKind::Length ? rules.mm_per_unit : 1.0;
+      table_.columns_.push_back({column.name, false, 0, unit, {}, {}});
+    }
+  }
+
+  std::optional<DataError> read() {
+    auto wrong = read_header();
+    while (!wrong && next_line()) {
+      wrong = read_row();
+    }
+    if (!wrong && table_.lines_.empty()) {
+      wrong = data_error(DataErrorId::NoRows, file_, {}, {});
+    }
+    return wrong;
+  }
+
+  DataTable take_table() { return std::move(table_); }
+
+ private:
+  /// The next line with something in it.
+  bool next_line() {
+    while (offset_ < file_.text.size()) {
+      begin_ = offset_;
+      const std::size_t end = std::min(file_.text.find('\n', offset_), file_.text.size());
+      line_ = file_.text.substr(begin_, end - begin_);
+      offset_ = end + 1;
+      ++number_;
+      if (!line_.empty() && line_.back() == '\r') {
+        line_.remove_suffix(1);
+      }
+      const std::size_t first = line_.find_first_not_of(" \t");
+      if (first != std::string_view::npos && line_[first] != '#') {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  [[nodiscard]] DataPlace here(std::size_t column = 0) const { return {number_, begin_ + column}; }
+
+  std::optional<DataError> read_header() {
+    if (!next_line()) {
+      return data_error(DataErrorId::NoHeader, file_, {}, {});
+    }
+    std::string seen;
+    int kinds = 0;
+    for (const Separator& separator : kSeparators) {
+      if (line_.find(separator.sign) != std::string_view::npos) {
+        separator_ = separator.sign;
+        seen += fmt::format("{}{}", kinds > 0 ? " and " : "", separator.name);
+        ++kinds;
+      }
+    }
+    if (kinds > 1) {
+      return data_error(DataErrorId::MixedSeparators, file_, here(), {seen});
+    }
+    const std::vector<std::string_view> names = split(line_, separator_);
+    wanted_at_.assign(names.size(), -1);
+    for (std::size_t i = 0; i < wanted_.size(); ++i) {
+      if (auto wrong = find_column(i, names)) {
+        return wrong;
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<DataError> find_column(std::size_t i, const std::vector<std::string_view>& names) {
+    const WantedColumn& column = wanted_[i];
+    const auto renamed = rules_.names.find(column.name);
+    const std::string& name = renamed == rules_.names.end() ? column.name : renamed->second;
+    auto found = std::ranges::find(names, name);
+    const bool has_other = renamed == rules_.names.end() && !column.other_name.empty();
+    if (found == names.end() && has_other) {
+      found = std::ranges::find(names, column.other_name);
+    }
+    if (found == names.end()) {
+      return column.is_optional && renamed == rules_.names.end()
+                 ? std::nullopt
+                 : std::optional(missing(column, name, names));
+    }
+    if (std::ranges::count(names, *found) > 1) {
+      return data_error(DataErrorId::ColumnTwice, file_, here(), {*found});
+    }
+    int& taken = wanted_at_[static_cast<std::size_t>(found - names.begin())];
+    if (taken >= 0) {
+      return data_error(DataErrorId::ColumnTaken, file_, here(),
+                        {*found, column.name, wanted_[static_cast<std::size_t>(taken)].name});
+    }
+    taken = static_cast<int>(i);
+    table_.columns_[i].is_there = true;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] DataError missing(const WantedColumn& column, const std::string& name,
+                                  const std::vector<std::string_view>& names) const {
+    std::string list;
+    for (const std::string_view there : names) {
+      list += fmt::format("{}{}", list.empty() ? "" : ", ", there);
+    }
+    const auto nearest = nearest_name(name, names);
+    return data_error(
+        DataErrorId::MissingColumn, file_, here(), {name, list},
+        fmt::format("--columns {}={} says which column is {}", column.name,
+                    nearest && !nearest->empty() ? *nearest : std::string_view("NAME"),
+                    column.name));
+  }
+
+  std::optional<DataError> read_row() {
+    const std::size_t columns = wanted_at_.size();
+    std::size_t field = 0;
+    for (std::size_t at = 0;; ++field) {
+      const void* const found = at < line_.size()
+                                    ? std::memchr(line_.data() + at, separator_, line_.size() - at)
+                                    : nullptr;
+      const std::size_t end =
+          found == nullptr
+              ? line_.size()
+              : static_cast<std::size_t>(static_cast<const char*>(found) - line_.data());
+      const std::string_view text = line_.substr(std::min(at, line_.size()), end - at);
+      if (field < columns && wanted_at_[field] >= 0) {
+        if (auto wrong = take(static_cast<std::size_t>(wanted_at_[field]), text)) {
+          return wrong;
+        }
+      } else if (field >= columns && !bare(text).empty()) {
+        return data_error(DataErrorId::LongRow, file_, here(at), {std::to_string(columns)});
+      }
+      if (found == nullptr) {
+        break;
+      }
+      at = end + 1;
+    }
+    if (field + 1 < columns) {
+      return data_error(DataErrorId::ShortRow, file_, here(line_.size()),
+                        {std::to_string(field + 1), std::to_string(columns)});
+    }
+    table_.lines_.push_back(number_);
+    return std::nullopt;
+  }
+
+  std::optional<DataError> take(std::size_t i, std::string_view field) {
+    const std::string_view text = bare(field);
+    const WantedColumn& column = wanted_[i];
+    if (column.kind == ColumnKind::Text) {
+      table_.columns_[i].texts.emplace_back(text);
+      return std::nullopt;
+    }
+    const auto number = separator_ == ',' ? number_in(text) : number_with_comma_in(text);
+    const auto place = [&] { return here(static_cast<std::size_t>(text.data() - line_.data())); };
+    const auto where = [&] { return text.empty() ? here() : place(); };
+    if (!number || std::isnan(*number)) {
+      return data_error(DataErrorId::NoNumber, file_, where(),
+                        {column.name, text.empty() ? "there is nothing" : text});
+    }
+    const bool is_length = column.kind == ColumnKind::Length;
+    const double value = is_length ? *number * rules_.mm_per_unit : *number;
+    if (!(std::abs(value) <= (is_length ? kLargestLength : kLargestNumber))) {
+      return data_error(DataErrorId::OutOfRange, file_, where(), {column.name, text});
+    }
+    DataTable::Column& target = table_.columns_[i];
+    if (target.numbers.size() < kLookedAt) {
+      target.decimals = std::max(target.decimals, decimals_in(text));
+    }
+    target.numbers.push_back(value);
+    return std::nullopt;
+  }
+
+  const DataFile& file_;
+  const std::vector<WantedColumn>& wanted_;
+  const ColumnRules& rules_;
+  DataTable table_;
+  std::vector<int> wanted_at_;  // by column of the file: index of the wanted one, or -1
+  char separator_ = ',';
+  std::size_t offset_ = 0;  // of the next line
+  std::size_t begin_ = 0;   // of this line
+  std::size_t number_ = 0;
+  std::string_view line_;
+};
+
+const DataTable::Column& DataTable::column(std::string_view name) const {
+  const auto found = std::ranges::find(columns_, name, &Column::name);
+  G31_EXPECTS(found != columns_.end());
+  return *found;
+}
+
+bool DataTable::has(std::string_view name) const {
+  return column(name).is_there;
+}
+
+const std::vector<double>& DataTable::numbers(std::string_view name) const {
+  return column(name).numbers;
+}
+
+double DataTable::resolution(std::string_view name) const {
+  const Column& found = column(name);
+  return found.unit * std::pow(10.0, -found.decimals);
+}
+
+const std::vector<std::string>& DataTable::texts(std::string_view name) const {
+  return column(name).texts;
+}
+
+Result<DataTable, DataError> read_table(const DataFile& file,
+                                        const std::vector<WantedColumn>& wanted,
+                                        const ColumnRules& rules) {
+  TableReader reader(file, wanted, rules);
+  if (auto wrong = reader.read()) {
+    return *wrong;
+  }
+  return reader.take_table();
+}
+
+}  // namespace g31::evaluate

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "machine/base/result.h"
+#include "tools/evaluate/data_error.h"
+#include "tools/evaluate/data_table.h"
+#include "tools/evaluate/evaluation.h"
+
+namespace g31::evaluate {
+
+using Pair = std::array<double, 2>;
+
+/// What is to be evaluated, and what is known beside the file.  Lengths in mm.
+struct Request {
+  Kind kind = Kind::Circle;
+  ColumnRules columns = {};
+  std::optional<double> interval_s = {};  ///< between rows, in the place of a column t
+  std::array<std::string, 2> plane = {"X", "Y"};
+  std::optional<double> radius = {};
+  std::optional<Pair> centre = {};
+};
+
+/// Evaluates a file.  Error: what is wrong with it, at its place.
+Result<Evaluation, DataError> evaluate(const DataFile& file, const Request& request);
+
+}  // namespace g31::evaluate

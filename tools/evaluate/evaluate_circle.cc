@@ -1,0 +1,133 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "probe/metrology/circle_evaluation.h"
+#include "tools/evaluate/evaluate_path.h"
+#include "tools/evaluate/recorded_path.h"
+
+namespace g31::evaluate {
+namespace {
+
+constexpr double kUmPerMm = 1e3;
+constexpr double kMicro = 1e6;
+constexpr double kMsPerS = 1e3;
+
+std::optional<double> um(const std::optional<double>& mm) {
+  return mm ? std::optional(kUmPerMm * *mm) : std::nullopt;
+}
+
+std::optional<double> um_wide(const std::optional<metrology::Extremes>& extremes) {
+  return extremes ? std::optional(kUmPerMm * extremes->width()) : std::nullopt;
+}
+
+std::string lower(const std::string& axis) {
+  return {static_cast<char>(axis.front() - 'A' + 'a')};
+}
+
+using Axes = std::array<std::string, 2>;
+
+void add_estimates(const metrology::CircleFit& fit, const Axes& axes,
+                   std::vector<Quantity>& results) {
+  const metrology::CircleErrors& errors = fit.errors;
+  for (std::size_t i : {0U, 1U}) {
+    results.push_back({"backlash_" + axes.at(i), kUmPerMm * errors.backlash.at(i), "um",
+                       kUmPerMm * fit.u.backlash.at(i)});
+  }
+  for (std::size_t i : {0U, 1U}) {
+    results.push_back(
+        {"scale_" + axes.at(i), kMicro * errors.scale.at(i), "um/m", kMicro * fit.u.scale.at(i)});
+  }
+  results.push_back({"squareness", kMicro * errors.squareness, "um/m", kMicro * fit.u.squareness});
+  if (fit.has_mismatch) {
+    results.push_back(
+        {"servo_mismatch", kMsPerS * errors.mismatch, "ms", kMsPerS * fit.u.mismatch});
+  } else {
+    results.push_back({"servo_mismatch", std::nullopt, "ms"});
+  }
+}
+
+std::vector<Quantity> results_of(const metrology::CircleEvaluation& circle, const Axes& axes) {
+  const metrology::CircleErrors& errors = circle.fit.errors;
+  const metrology::CircleErrors& u = circle.fit.u;
+  std::vector<Quantity> results = {
+      {"radial_error_max", um(circle.radial_error.greatest), "um"},
+      {"radial_error_min", um(circle.radial_error.least), "um"},
+      {"circular_error", um(circle.radial_error.width()), "um"},
+      {"circular_error_cw", um_wide(circle.cw), "um"},
+      {"circular_error_ccw", um_wide(circle.ccw), "um"},
+      {"mean_radial_error", um(circle.mean_radial_error), "um"},
+      {"radius", errors.radius * (1.0 + 0.5 * (errors.scale[0] + errors.scale[1])), "mm"},
+      {"centre_" + lower(axes[0]), errors.centre.x(), "mm", u.centre.x()},
+      {"centre_" + lower(axes[1]), errors.centre.y(), "mm", u.centre.y()},
+      {"spike_" + axes[0], um(circle.spike[0]), "um"},
+      {"spike_" + axes[1], um(circle.spike[1]), "um"}};
+  add_estimates(circle.fit, axes, results);
+  return results;
+}
+
+/// Radial errors along the circle, the place counted counter-clockwise from the first axis.
+std::vector<Curve> curves_of(const metrology::CircleEvaluation& circle,
+                             const metrology::PlaneSamples& samples) {
+  Curve ccw{"ccw", {}};
+  Curve cw{"cw", {}};
+  for (const metrology::CircleTurn& turn : circle.turns) {
+    Curve& curve = turn.direction > 0 ? ccw : cw;
+    for (std::size_t i = turn.begin; i < turn.end; ++i) {
+      const Eigen::Vector2d q = samples.at(i) - circle.reference.centre;
+      curve.points.push_back(
+          {circle.reference.radius * std::atan2(q.y(), q.x()), q.norm() - circle.reference.radius});
+    }
+  }
+  return {std::move(ccw), std::move(cw)};
+}
+
+std::vector<std::string> notes_of(const metrology::CircleEvaluation& circle, const Request& request,
+                                  std::size_t samples) {
+  std::vector<std::string> notes;
+  std::size_t on_circle = 0;
+  for (const metrology::CircleTurn& turn : circle.turns) {
+    on_circle += turn.end - turn.begin;
+  }
+  // Standstill at the ends is nothing to speak of.
+  if (on_circle + samples / 50 < samples) {
+    notes.push_back(fmt::format("{} of {} samples lie on the circle, the others do not count",
+                                on_circle, samples));
+  }
+  if (!circle.fit.has_mismatch) {
+    notes.emplace_back(
+        "one direction only: servo_mismatch is not told from squareness, which is taken as if it "
+        "were 0");
+  }
+  notes.emplace_back(request.radius
+                         ? "scale holds what the feed takes from the radius"
+                         : "without --radius the scales are half their difference, up and down");
+  return notes;
+}
+
+}  // namespace
+
+Result<Evaluation, DataError> evaluate_circle(const DataFile& file, const Request& request) {
+  const auto path = read_path(file, request);
+  if (!path) {
+    return path.error();
+  }
+  const metrology::PlaneSamples samples = path.value().samples();
+  metrology::CircleRequest wanted{request.radius, std::nullopt, path.value().resolution};
+  if (request.centre) {
+    wanted.centre = Eigen::Vector2d((*request.centre)[0], (*request.centre)[1]);
+  }
+  const auto circle = metrology::evaluate_circle(samples, wanted);
+  if (!circle) {
+    return data_error(DataErrorId::CannotEvaluate, file, {}, {circle.error()});
+  }
+  Evaluation evaluation;
+  evaluation.kind = Kind::Circle;
+  evaluation.samples = samples.size();
+  evaluation.results = results_of(circle.value(), request.plane);
+  evaluation.curves = curves_of(circle.value(), samples);
+  evaluation.notes = notes_of(circle.value(), request, samples.size());
+  return evaluation;
+}
+
+}  // namespace g31::evaluate

@@ -1,0 +1,107 @@
+#include "tools/evaluate/evaluation.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace g31::evaluate {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr KindRow kKindRows[] = {
+#define EVALUATION_KIND(name, word, columns, text) {Kind::name, word, columns, text},
+#include "tools/evaluate/evaluation_kinds.def"
+#undef EVALUATION_KIND
+};
+
+constexpr OptionRow kOptionRows[] = {
+#define EVALUATION_OPTION(name, option, value, kinds, text) \
+  {OptionId::name, option, value, kinds, text},
+#include "tools/evaluate/evaluation_options.def"
+#undef EVALUATION_OPTION
+};
+
+/// Adding 0 makes a zero of -0.
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value + 0.0) : Json(nullptr);
+}
+
+Json json_of(const std::vector<Dip>& dips) {
+  Json list = Json::array();
+  for (const Dip& dip : dips) {
+    list.push_back({{"time", dip.time_s}, {"speed", dip.speed_mm_min}, {"width", dip.width_s}});
+  }
+  return list;
+}
+
+std::string with_digits(double value) {
+  return fmt::format("{:.6g}", value + 0.0);
+}
+
+}  // namespace
+
+std::span<const OptionRow> options() {
+  return kOptionRows;
+}
+
+bool belongs_to(const OptionRow& option, Kind kind) {
+  return fmt::format(" {} ", option.kinds).find(fmt::format(" {} ", info(kind).word)) !=
+         std::string::npos;
+}
+
+std::span<const KindRow> kinds() {
+  return kKindRows;
+}
+
+const KindRow& info(Kind kind) {
+  return *std::ranges::find(kKindRows, kind, &KindRow::kind);
+}
+
+std::string evaluation_document(const Evaluation& evaluation, bool with_curves) {
+  Json document = {{"schema", "g31.evaluation/1"},
+                   {"kind", info(evaluation.kind).word},
+                   {"samples", evaluation.samples}};
+  Json& results = document["results"] = Json::object();
+  for (const Quantity& quantity : evaluation.results) {
+    Json& result = results[quantity.name] = {{"value", number_or_null(quantity.value)},
+                                             {"unit", quantity.unit}};
+    if (quantity.u) {
+      result["u"] = *quantity.u;
+    }
+  }
+  if (evaluation.dips) {
+    results["dips"] = json_of(*evaluation.dips);
+  }
+  if (with_curves) {
+    Json& curves = document["curves"] = Json::object();
+    for (const Curve& curve : evaluation.curves) {
+      curves[curve.name] = curve.points;
+    }
+  }
+  document["notes"] = evaluation.notes;
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string evaluation_table(const Evaluation& evaluation) {
+  std::string text =
+      fmt::format("{}, {} samples\n", info(evaluation.kind).word, evaluation.samples);
+  for (const Quantity& quantity : evaluation.results) {
+    const std::string u = quantity.u ? fmt::format("  u {}", with_digits(*quantity.u)) : "";
+    text += fmt::format("  {:<32} {:>12} {:<6}{}\n", quantity.name,
+                        quantity.value ? with_digits(*quantity.value) : "-", quantity.unit, u);
+  }
+  if (evaluation.dips) {
+    for (const Dip& dip : *evaluation.dips) {
+      text += fmt::format("  dip at {} s: {} mm/min, {} s wide\n", with_digits(dip.time_s),
+                          with_digits(dip.speed_mm_min), with_digits(dip.width_s));
+    }
+  }
+  for (const std::string& note : evaluation.notes) {
+    text += fmt::format("note: {}\n", note);
+  }
+  return text;
+}
+
+}  // namespace g31::evaluate

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace g31::evaluate {
+
+/// Rows of evaluation_kinds.def.
+enum class Kind {
+#define EVALUATION_KIND(name, word, columns, text) name,
+#include "tools/evaluate/evaluation_kinds.def"
+#undef EVALUATION_KIND
+};
+
+struct KindRow {
+  Kind kind;
+  std::string_view word;     ///< on the command line and in the document
+  std::string_view columns;  ///< of the file
+  std::string_view text;
+};
+
+/// Rows of evaluation_options.def.
+enum class OptionId {
+#define EVALUATION_OPTION(name, option, value, kinds, text) name,
+#include "tools/evaluate/evaluation_options.def"
+#undef EVALUATION_OPTION
+};
+
+struct OptionRow {
+  OptionId id;
+  std::string_view option;  ///< "--radius"
+  std::string_view value;   ///< what stands for its value in help
+  std::string_view kinds;   ///< words, blanks between them
+  std::string_view text;
+};
+
+std::span<const OptionRow> options();
+bool belongs_to(const OptionRow& option, Kind kind);
+
+std::span<const KindRow> kinds();
+const KindRow& info(Kind kind);
+
+/// One result.
+struct Quantity {
+  std::string name;
+  std::optional<double> value;  ///< nothing: the record does not say
+  std::string_view unit;
+  std::optional<double> u = {};  ///< standard uncertainty, where it is known
+};
+
+/// A fall of speed.
+struct Dip {
+  double time_s = 0.0;
+  double speed_mm_min = 0.0;
+  double width_s = 0.0;
+};
+
+/// Deviations along a way, mm: pairs of place and deviation.
+struct Curve {
+  std::string name;
+  std::vector<std::array<double, 2>> points;
+};
+
+/// What a record says.
+struct Evaluation {
+  Kind kind = Kind::Circle;
+  std::size_t samples = 0;  ///< rows of the file
+  std::vector<Quantity> results;
+  std::optional<std::vector<Dip>> dips = {};
+  std::vector<Curve> curves = {};
+  std::vector<std::string> notes = {};  ///< what has to be known to read the results
+};
+
+/// The document g31.evaluation/1.
+std::string evaluation_document(const Evaluation& evaluation, bool with_curves);
+
+/// The results for a person.
+std::string evaluation_table(const Evaluation& evaluation);
+
+}  // namespace g31::evaluate

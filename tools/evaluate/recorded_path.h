@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "machine/base/result.h"
+#include "probe/metrology/plane_samples.h"
+#include "tools/evaluate/evaluate.h"
+
+namespace g31::evaluate {
+
+/// A path in a plane, read from a file.
+struct RecordedPath {
+  std::vector<double> t;    ///< s, rising
+  std::vector<double> x;    ///< first axis of the plane, mm
+  std::vector<double> y;    ///< second axis
+  double resolution = 0.0;  ///< one step of the coarser axis' last digit, mm
+
+  [[nodiscard]] metrology::PlaneSamples samples() const { return {t, x, y}; }
+};
+
+/// Reads the columns t (or time_s; or none with an interval) and the two axes of the plane (X, else
+/// X_true, and so on).  A row of the same time and place as the one before it is passed over; time
+/// that does not rise otherwise is an error.
+Result<RecordedPath, DataError> read_path(const DataFile& file, const Request& request);
+
+}  // namespace g31::evaluate
