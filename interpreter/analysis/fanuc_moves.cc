@@ -34,6 +34,7 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
     case GAction::Modal:
     case GAction::NoEffect:
     case GAction::ExactStop:
+    case GAction::ContourControl:
     case GAction::Dwell:
     case GAction::SetData:
     case GAction::EndData:

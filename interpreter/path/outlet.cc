@@ -19,7 +19,7 @@ std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
   if (!block.arc) {
     const auto traverse = block.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
     return carry_out(machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min, block.ends,
-                                         block.mm_per_degree},
+                                         block.mm_per_degree, block.rapid_path},
                      block);
   }
   machine::ArcMove move;

@@ -68,6 +68,7 @@ struct PathBlock {
   source::Location where = {};
   machine::BlockEnd ends = machine::BlockEnd::ExactStop;
   double mm_per_degree = 0.0;  ///< of a line: see machine::LinearMove
+  machine::RapidPath rapid_path = machine::RapidPath::Straight;  ///< for g = 0
 };
 
 struct Pause {

@@ -11,6 +11,7 @@
 
 #include "interpreter/runtime/input_scripts.h"
 #include "machine/kinematics/axis_chain.h"
+#include "machine/port/machine_port.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::runtime {
@@ -59,9 +60,10 @@ struct ControlSetup {
   OffsetMemory offset_memory = OffsetMemory::C;
   int lookahead_blocks = 0;  ///< NC blocks buffered behind the running one; 0: every read waits
   FeedSwitches feed_switches;
-  std::set<int> block_skip;    ///< switches that are on, 1..9
-  std::string variables_file;  ///< non-volatile variables; "" = none
-  std::string files_folder;    ///< where the program's files are; "" = nowhere
+  std::optional<machine::RapidPath> rapids;  ///< nullopt: as the profile has it
+  std::set<int> block_skip;                  ///< switches that are on, 1..9
+  std::string variables_file;                ///< non-volatile variables; "" = none
+  std::string files_folder;                  ///< where the program's files are; "" = nowhere
   /// "6001.1" is bit 1 of 6001, "3410" a value, "1240.X" a value of one axis.
   std::map<std::string, double> parameters;
   /// Where the machine's axes have their reference marks; parameters win.

@@ -14,13 +14,19 @@ namespace g31::machine {
 
 enum class Traverse { Rapid, Feed };
 
+/// The way of a rapid.
+enum class RapidPath {
+  Straight,    ///< all axes arrive together
+  Independent  ///< each axis goes at its own rapid rate: a curve that bends as axes arrive
+};
+
 /// When a control goes on to the next block.
 enum class BlockEnd {
   ExactStop,  ///< once the axes have followed to the end (G61, G09, rapids)
   PassOn      ///< as soon as the command is at the end: lagging axes round the corner (G64)
 };
 
-/// A straight move of all axes to an end point.
+/// A move of all axes to an end point, straight unless it is a rapid of each axis on its own.
 struct LinearMove {
   AxisPositions q_M_end = AxisPositions::Zero();  ///< mm and deg, machine coordinates
   Traverse traverse = Traverse::Rapid;
@@ -29,6 +35,7 @@ struct LinearMove {
   /// What a degree counts for in the length that the feed covers, mm.  0: the feed is that of X Y Z
   /// where they move, else one in degrees.
   double mm_per_degree = 0.0;
+  RapidPath rapid_path = RapidPath::Straight;  ///< with Traverse::Rapid
 };
 
 /// How far an axis may go; mm and deg, machine coordinates.

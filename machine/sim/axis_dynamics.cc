@@ -53,6 +53,25 @@ MotionProfile AxisDynamics::profile(const StraightPath& path, const LinearMove& 
                        limits_jerk_ ? jerk_along(path.length(), way) : 0.0);
 }
 
+std::optional<IndependentPath> AxisDynamics::independent_path(const StraightPath& straight,
+                                                              const LinearMove& move) const {
+  if (move.traverse != Traverse::Rapid || move.rapid_path == RapidPath::Straight ||
+      (straight.displacement().array() != 0.0).count() < 2) {
+    return std::nullopt;
+  }
+  IndependentPath::Profiles profiles;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    const double way = std::abs(straight.displacement()[axis]);
+    if (way > 0.0) {
+      const double jerk = jerk_per_s3_[axis];
+      profiles[i].emplace(way, rapid_per_s_[axis], acceleration_per_s2_[axis],
+                          std::isfinite(jerk) ? jerk : 0.0);
+    }
+  }
+  return IndependentPath(straight.from(), straight.to(), profiles);
+}
+
 MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) const {
   G31_EXPECTS(path.length() > 0.0);
   const int first = path.first_axis();

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+
 #include "machine/port/machine_port.h"
 #include "machine/sim/arc_path.h"
+#include "machine/sim/independent_path.h"
 #include "machine/sim/machine_setup.h"
 #include "machine/sim/motion_profile.h"
 #include "machine/sim/straight_path.h"
@@ -21,6 +24,12 @@ class AxisDynamics {
   /// follow.  Acceleration and jerk are the greatest at which no axis exceeds its own.
   /// @param path  path.moves(); only axes that are present move
   [[nodiscard]] MotionProfile profile(const StraightPath& path, const LinearMove& move) const;
+
+  /// The way of a move on which each axis goes on its own, with its rapid rate, acceleration and
+  /// jerk; nullopt: the way is straight, by what the move says or because one axis alone moves.
+  /// @param straight  of that move; only axes that are present move
+  [[nodiscard]] std::optional<IndependentPath> independent_path(const StraightPath& straight,
+                                                                const LinearMove& move) const;
 
   /// The motion along an arc: the feed, clamped so that no axis of the plane exceeds its rapid rate
   /// in any direction, no helix axis its own, and no axis its acceleration.  Half of what the plane

@@ -7,6 +7,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/sim/arc_path.h"
+#include "machine/sim/independent_path.h"
 #include "machine/sim/motion_profile.h"
 #include "machine/sim/skip_stop.h"
 #include "machine/sim/straight_path.h"
@@ -67,8 +68,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
   }
   const StraightPath path(q_M_, move.q_M_end, move.mm_per_degree);
   if (path.moves()) {
-    const Travel travel = move.traverse == Traverse::Rapid ? Travel::Rapid : Travel::Feed;
-    if (auto fault = carry_out(path, dynamics_.profile(path, move), {travel, move.ends})) {
+    if (auto fault = carry_out(path, move)) {
       return *std::move(fault);
     }
   }
@@ -230,18 +230,28 @@ std::optional<Obstacle> MachiningCentre::obstacle_on(const StraightPath& path, T
   return surroundings_->first_obstacle(Way(ends), travel);
 }
 
-std::optional<Obstacle> MachiningCentre::obstacle_on(const ArcPath& path, Travel travel) {
+template <typename Curve>
+std::optional<Obstacle> MachiningCentre::obstacle_on(const Curve& path, Travel travel) {
   const CurvedWay curve{[&path](double fraction) { return path.at(fraction); }, path.bend(),
                         path.chord_count()};
   return surroundings_->first_obstacle(Way(curve), travel);
 }
 
-template <typename Path>
-std::optional<MachineFault> MachiningCentre::carry_out(const Path& path,
-                                                       const MotionProfile& profile,
+std::optional<MachineFault> MachiningCentre::carry_out(const StraightPath& path,
+                                                       const LinearMove& move) {
+  const Travel travel = move.traverse == Traverse::Rapid ? Travel::Rapid : Travel::Feed;
+  const Carriage how{travel, move.ends};
+  if (const auto independent = dynamics_.independent_path(path, move)) {
+    return carry_out(*independent, PassingTime(*independent), how);
+  }
+  return carry_out(path, dynamics_.profile(path, move), how);
+}
+
+template <typename Path, typename Profile>
+std::optional<MachineFault> MachiningCentre::carry_out(const Path& path, const Profile& profile,
                                                        const Carriage& how) {
   if (!real_.are_ideal()) {
-    return carry_out_really(path, profile, how);
+    return carry_out_really(path, profile.phases(), how);
   }
   if (surroundings_ != nullptr) {
     auto obstacle = obstacle_on(path, how.travel);
@@ -265,9 +275,9 @@ std::optional<MachineFault> MachiningCentre::carry_out(const Path& path,
 }
 
 std::optional<MachineFault> MachiningCentre::carry_out_really(const CommandedPath& path,
-                                                              const MotionProfile& profile,
+                                                              const MotionPhases& phases,
                                                               const Carriage& how) {
-  const ServoMotion motion = real_.motion(path, profile.phases());
+  const ServoMotion motion = real_.motion(path, phases);
   if (surroundings_ != nullptr) {
     auto obstacle = real_.first_obstacle(motion, how, *surroundings_);
     if (obstacle) {

@@ -77,14 +77,16 @@ class MachiningCentre final : public MachinePort {
   [[nodiscard]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;
   MachineFault stop_at(Obstacle obstacle, const AxisPositions& q_M_stop, double seconds);
   std::optional<Obstacle> obstacle_on(const StraightPath& path, Travel travel);
-  std::optional<Obstacle> obstacle_on(const ArcPath& path, Travel travel);
+  template <typename Curve>
+  std::optional<Obstacle> obstacle_on(const Curve& path, Travel travel);
 
   // All the way along, or until something is in it.
-  template <typename Path>
-  std::optional<MachineFault> carry_out(const Path& path, const MotionProfile& profile,
+  std::optional<MachineFault> carry_out(const StraightPath& path, const LinearMove& move);
+  template <typename Path, typename Profile>
+  std::optional<MachineFault> carry_out(const Path& path, const Profile& profile,
                                         const Carriage& how);
   std::optional<MachineFault> carry_out_really(const CommandedPath& path,
-                                               const MotionProfile& profile, const Carriage& how);
+                                               const MotionPhases& phases, const Carriage& how);
 
   // Until the signal; nullopt: there is none.
   std::optional<SkipOutcome> skip(const StraightPath& path, const MotionProfile& profile,

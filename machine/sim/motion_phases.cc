@@ -32,7 +32,7 @@ void MotionPhases::cut_at(double time_s) {
   }
   if (phases_.empty()) {
     duration_s_ = 0.0;
-    end_ = {};
+    end_ = start_;
     return;
   }
   MotionPhase& last = phases_.back();

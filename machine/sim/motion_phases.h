@@ -30,9 +30,14 @@ struct MotionState {
   double acceleration = 0.0;
 };
 
-/// A motion along a path in phases that follow each other without a step, from standstill on.
+/// A motion along a path in phases that follow each other without a step.
 class MotionPhases {
  public:
+  /// From standstill on.
+  MotionPhases() = default;
+  /// From a state on.
+  explicit MotionPhases(const MotionState& start) : start_(start), end_(start) {}
+
   /// Goes on with a jerk.  A phase without duration is left out.  @param duration_s  >= 0
   void append(double duration_s, double jerk);
 
@@ -58,6 +63,7 @@ class MotionPhases {
  private:
   std::vector<MotionPhase> phases_;
   double duration_s_ = 0.0;
+  MotionState start_;
   MotionState end_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "machine/base/contract.h"
 
@@ -28,6 +29,71 @@ double length_of(const CommandedPath& path) {
   return std::visit([](const auto& p) { return p.length(); }, path);
 }
 
+std::vector<MotionPhases> drives_of(const CommandedPath& path, const MotionPhases& phases) {
+  const auto* const independent = std::get_if<IndependentPath>(&path);
+  if (independent == nullptr) {
+    return {phases};
+  }
+  std::vector<MotionPhases> drives;
+  for (const auto& profile : independent->profiles()) {
+    if (profile) {
+      drives.push_back(profile->phases());
+    }
+  }
+  return drives;
+}
+
+/// Times at which a phase of any of them ends, rising.
+std::vector<double> boundaries(std::span<const MotionPhases> drives) {
+  std::vector<double> marks;
+  for (const MotionPhases& drive : drives) {
+    double end_s = 0.0;
+    for (const MotionPhase& phase : drive.phases()) {
+      marks.push_back(end_s += phase.duration_s);
+    }
+  }
+  std::ranges::sort(marks);
+  return marks;
+}
+
+/// The phase in which a time lies, and when it begins; nullptr behind the last one.
+std::pair<const MotionPhase*, double> phase_at(const MotionPhases& drive, double time_s) {
+  double begin_s = 0.0;
+  for (const MotionPhase& phase : drive.phases()) {
+    if (time_s < begin_s + phase.duration_s) {
+      return {&phase, begin_s};
+    }
+    begin_s += phase.duration_s;
+  }
+  return {nullptr, begin_s};
+}
+
+/// The command between two times with no boundary between them.
+std::array<AxisPositions, 4> command_between(const IndependentPath& path,
+                                             std::span<const MotionPhases> drives, double from_s,
+                                             double to_s) {
+  const AxisPositions none = AxisPositions::Zero();
+  std::array<AxisPositions, 4> command = {path.to(), none, none, none};
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    if (!path.profiles()[i]) {
+      continue;
+    }
+    const auto [phase, begin_s] = phase_at(drives[next++], 0.5 * (from_s + to_s));
+    if (phase == nullptr) {
+      continue;
+    }
+    const auto axis = static_cast<Eigen::Index>(i);
+    const double sign = path.to()[axis] > path.from()[axis] ? 1.0 : -1.0;
+    const double t = from_s - begin_s;
+    command[0][axis] = path.from()[axis] + sign * phase->distance_after(t);
+    command[1][axis] = sign * phase->speed_after(t);
+    command[2][axis] = sign * phase->acceleration_after(t) / 2.0;
+    command[3][axis] = sign * phase->jerk / 6.0;
+  }
+  return command;
+}
+
 /// Into how many pieces a phase on an arc is cut, so that a cubic through the ends of each, with
 /// their speeds, stays within kArcCommandErrorMm: h^4 / 384 times the fourth derivative by time.
 int pieces_of(const ArcPath& arc, const MotionPhase& phase) {
@@ -48,7 +114,10 @@ int pieces_of(const ArcPath& arc, const MotionPhase& phase) {
 
 ServoMotion::ServoMotion(const CommandedPath& path, const MotionPhases& phases,
                          const AxisPositions& lag, const AxisPositions& time_constants_s)
-    : phases_(phases), time_constants_s_(time_constants_s), q_M_end_(start_of(path)), lag_(lag) {
+    : drives_(drives_of(path, phases)),
+      time_constants_s_(time_constants_s),
+      q_M_end_(start_of(path)),
+      lag_(lag) {
   G31_EXPECTS((time_constants_s.array() >= 0.0).all());
   const double left = lag.cwiseAbs().maxCoeff();
   if (left > kTurnErrorMm) {
@@ -59,7 +128,7 @@ ServoMotion::ServoMotion(const CommandedPath& path, const MotionPhases& phases,
   }
   const double length = length_of(path);
   for (const MotionPhase& phase : phases.phases()) {
-    add_phase(path, length, phase);
+    std::visit([&](const auto& p) { add_phase(p, phase); }, path);
   }
   // The sum of the phases rounds; the end of the path does not.
   constexpr double kRounding = 1e-12;
@@ -69,15 +138,28 @@ ServoMotion::ServoMotion(const CommandedPath& path, const MotionPhases& phases,
   }
 }
 
-void ServoMotion::add_phase(const CommandedPath& path, double length, const MotionPhase& phase) {
-  if (const auto* line = std::get_if<StraightPath>(&path)) {
-    const AxisPositions along = line->displacement() / length;
-    add_piece({line->from() + phase.distance * along, phase.speed * along,
-               phase.acceleration / 2.0 * along, phase.jerk / 6.0 * along},
-              phase.duration_s);
-    return;
+void ServoMotion::add_phase(const StraightPath& line, const MotionPhase& phase) {
+  const AxisPositions along = line.displacement() / line.length();
+  add_piece({line.from() + phase.distance * along, phase.speed * along,
+             phase.acceleration / 2.0 * along, phase.jerk / 6.0 * along},
+            phase.duration_s);
+}
+
+void ServoMotion::add_phase(const IndependentPath& path, const MotionPhase& phase) {
+  G31_EXPECTS(phase.speed == 1.0 && phase.acceleration == 0.0 && phase.jerk == 0.0);
+  const double end_s = phase.distance + phase.duration_s;
+  double from_s = phase.distance;
+  for (const double mark_s : boundaries(drives_)) {
+    const double to_s = std::min(mark_s, end_s);
+    if (to_s > from_s) {
+      add_piece(command_between(path, drives_, from_s, to_s), to_s - from_s);
+      from_s = to_s;
+    }
   }
-  const auto& arc = std::get<ArcPath>(path);
+}
+
+void ServoMotion::add_phase(const ArcPath& arc, const MotionPhase& phase) {
+  const double length = arc.length();
   const int count = pieces_of(arc, phase);
   const double h = phase.duration_s / count;
   const auto fraction = [&](int i) {

@@ -1,25 +1,27 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <variant>
 #include <vector>
 
 #include "machine/sim/arc_path.h"
+#include "machine/sim/independent_path.h"
 #include "machine/sim/motion_phases.h"
 #include "machine/sim/straight_path.h"
 
 namespace g31::machine {
 
 /// A way of all axes that the control commands.
-using CommandedPath = std::variant<StraightPath, ArcPath>;
+using CommandedPath = std::variant<StraightPath, ArcPath, IndependentPath>;
 
 /// One move as the position loops carry it out.
 ///
 /// Each axis follows its command like a first-order lag: T q' + q = q_commanded, T = 1 / Kv; at a
 /// steady speed it is v / Kv behind.  With T = 0 it is where it is commanded.
 ///
-/// Accuracy: straight moves are solved in closed form; on arcs the command is taken within
-/// kArcCommandErrorMm.
+/// Accuracy: straight moves and rapids of each axis on its own are solved in closed form; on arcs
+/// the command is taken within kArcCommandErrorMm.
 class ServoMotion {
  public:
   /// @param phases    the speed along the path; it may stop before the end of the path
@@ -28,7 +30,9 @@ class ServoMotion {
   ServoMotion(const CommandedPath& path, const MotionPhases& phases, const AxisPositions& lag,
               const AxisPositions& time_constants_s);
 
-  [[nodiscard]] const MotionPhases& phases() const { return phases_; }
+  /// What drives the axes: the motion along their common path, or that of each axis which goes on
+  /// its own, in its own units.
+  [[nodiscard]] std::span<const MotionPhases> drives() const { return drives_; }
 
   /// Until the command has come to rest.
   [[nodiscard]] double duration_s() const { return duration_s_; }
@@ -63,13 +67,15 @@ class ServoMotion {
     AxisPositions dying;  // at the beginning
   };
 
-  void add_phase(const CommandedPath& path, double length, const MotionPhase& phase);
+  void add_phase(const StraightPath& path, const MotionPhase& phase);
+  void add_phase(const ArcPath& path, const MotionPhase& phase);
+  void add_phase(const IndependentPath& path, const MotionPhase& phase);
   void add_piece(const Cubic& command, double duration_s);
   [[nodiscard]] const Piece& piece_at(double time_s) const;
   [[nodiscard]] AxisPositions decay(double time_s) const;
   [[nodiscard]] AxisPositions encoder_in(const Piece& piece, double time_s) const;
 
-  MotionPhases phases_;
+  std::vector<MotionPhases> drives_;
   AxisPositions time_constants_s_;
   AxisPositions q_M_end_;
   AxisPositions lag_;  // at the end of what is already built

@@ -53,9 +53,11 @@ ToolPlace TrueWay::tip_at(const TruePosition& truth, double time_s) const {
 
 std::vector<double> TrueWay::marks() const {
   std::vector<double> marks = motion_.steps_until(until_s_);
-  for (double distance = kFinestPieceMm; distance < motion_.phases().length();
-       distance += std::min(distance, kFirstPieceMm)) {
-    marks.push_back(std::min(until_s_, motion_.phases().time_at(distance)));
+  for (const MotionPhases& drive : motion_.drives()) {
+    for (double distance = kFinestPieceMm; distance < drive.length();
+         distance += std::min(distance, kFirstPieceMm)) {
+      marks.push_back(std::min(until_s_, drive.time_at(distance)));
+    }
   }
   std::ranges::sort(marks);
   marks.erase(std::unique(marks.begin(), marks.end()), marks.end());

@@ -30,6 +30,9 @@ class RecordingMachine final : public machine::MachinePort {
   Result<AxisPositions, machine::MachineFault> move(const machine::LinearMove& move) override {
     log_.push_back(line("move", move));
     ends_.push_back(move.ends);
+    if (move.traverse == machine::Traverse::Rapid) {
+      rapid_paths_.push_back(move.rapid_path);
+    }
     q_M_ = move.q_M_end;
     return q_M_;
   }
@@ -98,6 +101,8 @@ class RecordingMachine final : public machine::MachinePort {
   [[nodiscard]] const std::vector<std::string>& commands() const { return commands_; }
   /// How the moves and arcs of the log end, in order; skip moves and dwells are not counted.
   [[nodiscard]] const std::vector<machine::BlockEnd>& ends() const { return ends_; }
+  /// The ways of the rapids of the log, in order.
+  [[nodiscard]] const std::vector<machine::RapidPath>& rapid_paths() const { return rapid_paths_; }
 
  private:
   static std::string line(const char* verb, const machine::LinearMove& move) {
@@ -132,6 +137,7 @@ class RecordingMachine final : public machine::MachinePort {
   std::vector<std::string> log_;
   std::vector<std::string> commands_;
   std::vector<machine::BlockEnd> ends_;
+  std::vector<machine::RapidPath> rapid_paths_;
 };
 
 }  // namespace g31::testing

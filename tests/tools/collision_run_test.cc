@@ -2,6 +2,7 @@
 
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -111,6 +112,37 @@ const Case kCases[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Runs, Collisions, ::testing::ValuesIn(kCases));
+
+/// A round pillar of diameter 8 beside the way, as high as the ball, and the probe at the origin.
+constexpr const char* kPillar = R"([tools.1]
+length = 0.0
+[[part]]
+name = "pillar"
+shape = "cylinder"
+diameter = 8.0
+height = 40.0
+at = [18.0, 18.0, 10.0]
+[probe]
+ball_diameter = 6.0
+length = 0.0
+)";
+
+// Each axis goes 1000 t^2 as long as it accelerates, Y for 0.1 s and then as much slower: the ball
+// is at (13.289, 12.823) when its centre is 7 mm from that of the pillar.
+TEST(Rapids, OfEachAxisOnItsOwnMeetWhatAStraightLinePasses) {
+  for (const auto& [control, is_met] : {std::pair("", true),
+                                        {"[parameters]\n\"1401.1\" = 1\n", false},
+                                        {"[control]\nrapids = \"straight\"\n", false}}) {
+    TemporaryFolder folder;
+    cli::RunOptions options;
+    options.programs = {folder.write("hit.nc", "O1\nG0 X100. Y20.\nM30\n")};
+    options.setups = {folder.write("sheet.toml", std::string(control) + kPillar)};
+    const RunOutput output = run_program(options);
+    EXPECT_EQ(output.exit_code, is_met ? 4 : 0) << control << output.errors;
+    EXPECT_NEAR(output.document.at("machine_time_s").get<double>(), is_met ? 0.11528 : 0.466667,
+                5e-6);
+  }
+}
 
 TEST(ProtectedMoves, ThatASignalEndsAreReportedWhenAnotherSkipMoveFollows) {
   const RunOutput output = run_with("", "G00 X0.\nG31 Z-10. F500\nG91 G31 X10. F100\nM30\n");

@@ -21,6 +21,7 @@ offset_memory = "B"
 lookahead = 3
 feed_override = 80.0
 dry_run = 1500.0
+rapids = "straight"
 block_skip = [1, 9]
 variables_file = "v55.vars"
 files = "logs"

@@ -61,6 +61,7 @@ TEST_F(SetupReader, ControlKeysArrive) {
   EXPECT_EQ(control.lookahead_blocks, 3);
   EXPECT_EQ(control.feed_switches.override_percent, 80.0);
   EXPECT_EQ(control.feed_switches.dry_run_mm_min, 1500.0);
+  EXPECT_EQ(control.rapids, machine::RapidPath::Straight);
   EXPECT_EQ(control.variables_file, path_of("v55.vars"));
   EXPECT_EQ(control.files_folder, path_of("logs"));
   EXPECT_EQ(std::get<double>(control.data.at("$MN_OEM_LIMIT")), 5.0);

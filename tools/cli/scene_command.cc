@@ -60,7 +60,7 @@ ExitCode scene_command(const SceneOptions& options) {
   if (!world) {
     return refuse(world.error());
   }
-  gltf::PathRecorder recorder(*world.value().machine, drawn_tip(job));
+  gltf::PathRecorder recorder(*world.value().machine, job.machine, drawn_tip(job));
   runtime::Observer nobody;
   const auto programs = session::open_programs(control, options.run, disk, job.control);
   if (!programs) {

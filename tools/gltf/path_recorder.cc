@@ -26,14 +26,23 @@ const std::optional<machine::Contact>& contact_of(const machine::SkipOutcome& ou
 
 }  // namespace
 
-PathRecorder::PathRecorder(machine::MachinePort& machine, const Point& p_S_tip)
-    : machine_(machine), p_S_tip_(p_S_tip) {}
+PathRecorder::PathRecorder(machine::MachinePort& machine, const machine::MachineSetup& setup,
+                           const Point& p_S_tip)
+    : machine_(machine), dynamics_(setup), p_S_tip_(p_S_tip) {}
 
 Result<AxisPositions, machine::MachineFault> PathRecorder::move(const machine::LinearMove& move) {
   const AxisPositions q_M_from = machine_.position();
   auto outcome = machine_.move(move);
-  draw(move.traverse == machine::Traverse::Rapid ? PathKind::Rapid : PathKind::Feed, q_M_from,
-       machine_.position());
+  const PathKind kind =
+      move.traverse == machine::Traverse::Rapid ? PathKind::Rapid : PathKind::Feed;
+  const auto independent =
+      dynamics_.independent_path(machine::StraightPath(q_M_from, move.q_M_end), move);
+  if (independent && machine_.position() != q_M_from) {
+    constexpr int kRapidChords = 48;
+    draw_curve(kind, *independent, kRapidChords);
+  } else {
+    draw(kind, q_M_from, machine_.position());
+  }
   if (!outcome) {
     mark(outcome.error());
   }
@@ -44,7 +53,10 @@ Result<AxisPositions, machine::MachineFault> PathRecorder::move(const machine::A
   const AxisPositions q_M_from = machine_.position();
   auto outcome = machine_.move(arc);
   if (machine_.position() != q_M_from || outcome) {
-    draw_arc(machine::ArcPath(q_M_from, arc), q_M_from);
+    constexpr double kChordRad = std::numbers::pi / 36.0;
+    const machine::ArcPath path(q_M_from, arc);
+    draw_curve(PathKind::Feed, path,
+               1 + static_cast<int>(std::fabs(path.turned_rad()) / kChordRad));
   }
   if (!outcome) {
     mark(outcome.error());
@@ -85,9 +97,8 @@ void PathRecorder::draw(PathKind kind, const AxisPositions& q_M_from, const Axis
   segments.push_back(tip_at(q_M_to));
 }
 
-void PathRecorder::draw_arc(const machine::ArcPath& path, const AxisPositions& q_M_from) {
-  constexpr double kChordRad = std::numbers::pi / 36.0;
-  const int chords = 1 + static_cast<int>(std::fabs(path.turned_rad()) / kChordRad);
+template <typename Path>
+void PathRecorder::draw_curve(PathKind kind, const Path& path, int chords) {
   const AxisPositions q_M_stop = machine_.position();
   // A move that was broken off is drawn up to the chord in which it ended.
   int last = chords;
@@ -99,10 +110,10 @@ void PathRecorder::draw_arc(const machine::ArcPath& path, const AxisPositions& q
       nearest = std::min(nearest, gap);
     }
   }
-  AxisPositions q_M_here = q_M_from;
+  AxisPositions q_M_here = path.from();
   for (int i = 1; i <= last; ++i) {
     const AxisPositions q_M_next = i == last ? q_M_stop : path.at(static_cast<double>(i) / chords);
-    draw(PathKind::Feed, q_M_here, q_M_next);
+    draw(kind, q_M_here, q_M_next);
     q_M_here = q_M_next;
   }
 }

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "machine/port/machine_port.h"
-#include "machine/sim/arc_path.h"
+#include "machine/sim/axis_dynamics.h"
 #include "tools/gltf/picture.h"
 
 namespace g31::gltf {
@@ -11,12 +11,15 @@ namespace g31::gltf {
 /// A machine that another one does the work for, and that draws what it does.
 ///
 /// The line is that of a point in the spindle, the stylus ball's centre; M19 turns it about the
-/// spindle axis.  Arcs are drawn as chords of 5 degrees at most.
+/// spindle axis.  Arcs are drawn as chords of 5 degrees at most, rapids of each axis on its own as
+/// 48 chords of equal time.
 class PathRecorder final : public machine::MachinePort {
  public:
   /// @param machine  not owned: it must outlive the recorder
+  /// @param setup    of that machine
   /// @param p_S_tip  mm, from the spindle gauge point to the drawn point at spindle angle 0
-  PathRecorder(machine::MachinePort& machine, const Point& p_S_tip);
+  PathRecorder(machine::MachinePort& machine, const machine::MachineSetup& setup,
+               const Point& p_S_tip);
 
   Result<AxisPositions, machine::MachineFault> move(const machine::LinearMove& move) override;
   Result<AxisPositions, machine::MachineFault> move(const machine::ArcMove& arc) override;
@@ -49,10 +52,13 @@ class PathRecorder final : public machine::MachinePort {
  private:
   [[nodiscard]] Point tip_at(const AxisPositions& q_M) const;
   void draw(PathKind kind, const AxisPositions& q_M_from, const AxisPositions& q_M_to);
-  void draw_arc(const machine::ArcPath& path, const AxisPositions& q_M_from);
+  /// In chords of equal shares of the path, to where the machine stands.
+  template <typename Path>
+  void draw_curve(PathKind kind, const Path& path, int chords);
   void mark(const machine::MachineFault& fault);
 
   machine::MachinePort& machine_;
+  machine::AxisDynamics dynamics_;
   Point p_S_tip_;
   Eigen::Matrix3d R_MS_ = Eigen::Matrix3d::Identity();
   Trace trace_;

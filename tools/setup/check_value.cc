@@ -72,6 +72,8 @@ std::string_view words_for(Limit limit) {
       return "a string that is not empty";
     case Limit::IncrementSystem:
       return "\"IS-A\", \"IS-B\" or \"IS-C\"";
+    case Limit::RapidPath:
+      return "\"straight\" or \"independent\"";
     case Limit::OffsetMemory:
       return "\"A\", \"B\" or \"C\"";
     case Limit::StoppingKind:
@@ -127,6 +129,7 @@ bool number_within(Limit limit, double number) {
     case Limit::NotEmpty:
     case Limit::IncrementSystem:
     case Limit::OffsetMemory:
+    case Limit::RapidPath:
     case Limit::StoppingKind:
     case Limit::ProbeType:
     case Limit::SeatKind:
@@ -172,6 +175,8 @@ bool text_within(Limit limit, const std::string& text) {
       return !text.empty();
     case Limit::IncrementSystem:
       return text == "IS-A" || text == "IS-B" || text == "IS-C";
+    case Limit::RapidPath:
+      return text == "straight" || text == "independent";
     case Limit::OffsetMemory:
       return text == "A" || text == "B" || text == "C";
     case Limit::StoppingKind:

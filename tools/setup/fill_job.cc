@@ -32,6 +32,11 @@ void fill_control(runtime::ControlSetup& control, const TableKeys& keys) {
   if (const Entry* const memory = keys.find(KeyId::ControlOffsetMemory)) {
     control.offset_memory = offset_memory_from(std::get<std::string>(memory->value));
   }
+  if (const Entry* const rapids = keys.find(KeyId::ControlRapids)) {
+    control.rapids = std::get<std::string>(rapids->value) == "straight"
+                         ? machine::RapidPath::Straight
+                         : machine::RapidPath::Independent;
+  }
   control.lookahead_blocks = static_cast<int>(
       keys.get(KeyId::ControlLookahead, static_cast<double>(control.lookahead_blocks)));
   control.feed_switches.override_percent =

@@ -75,6 +75,7 @@ enum class Limit {
   NotEmpty,
   IncrementSystem,
   OffsetMemory,
+  RapidPath,
   StoppingKind,
   ProbeType,
   SeatKind,

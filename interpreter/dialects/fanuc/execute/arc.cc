@@ -85,8 +85,7 @@ Result<Eigen::Vector2d, Failure> centre_of(const Control& control, const NcBlock
 }
 
 MaybeFailure straight(Control& control, const AxisPositions& q_L_end, int g) {
-  if (auto failure =
-          move_to(control, control.coordinates.to_machine(q_L_end), machine::Traverse::Feed, g)) {
+  if (auto failure = feed_to(control, control.coordinates.to_machine(q_L_end), g)) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);
@@ -130,8 +129,7 @@ MaybeFailure move_unequally_scaled(Control& control, const Arc& arc,
   if (auto failure = move_along(control, round, centre)) {
     return failure;
   }
-  return move_to(control, control.coordinates.work_to_machine(arc.q_W_end), machine::Traverse::Feed,
-                 1);
+  return feed_to(control, control.coordinates.work_to_machine(arc.q_W_end), 1);
 }
 
 Turn programmed_turn(const Control& control) {

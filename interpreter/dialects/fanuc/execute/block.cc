@@ -66,8 +66,8 @@ constexpr ActionRow kActions[] = {
 
 /// Whether something does what a row of g_codes.def says: a row above, or what sees the code first.
 consteval bool is_done(Group group, GAction action) {
-  constexpr GAction kDoneBefore[] = {GAction::ExactStop, GAction::NoEffect, GAction::Refused,
-                                     GAction::MacroCall};
+  constexpr GAction kDoneBefore[] = {GAction::ExactStop, GAction::ContourControl, GAction::NoEffect,
+                                     GAction::Refused, GAction::MacroCall};
   return group != Group::OneShot ||
          std::ranges::find(kDoneBefore, action) != std::end(kDoneBefore) ||
          std::ranges::find(kActions, action, &ActionRow::action) != std::end(kActions);

@@ -85,8 +85,9 @@ MaybeFailure Hole::move(double level, machine::Traverse traverse) {
     return halt_failure(runtime::BlockWatch::Halt::Time);
   }
   q_L_[plane_.across] = level;
-  return move_to(control_, control_.coordinates.to_machine(q_L_) + q_M_aside_, traverse,
-                 traverse == machine::Traverse::Rapid ? 0 : 1);
+  const AxisPositions q_M_end = control_.coordinates.to_machine(q_L_) + q_M_aside_;
+  return traverse == machine::Traverse::Rapid ? rapid_to(control_, q_M_end, control_.rapid_path())
+                                              : feed_to(control_, q_M_end, 1);
 }
 
 MaybeFailure Hole::enter() {
@@ -236,7 +237,7 @@ MaybeFailure position(Control& control, const NcBlock& block, const Plane& plane
   q_L_end[plane.across] = control.coordinates.programmed()[plane.across];
   AxisPositions q_M_end = control.coordinates.to_machine(q_L_end);
   q_M_end[plane.across] = control.port.position()[plane.across];
-  if (auto failure = move_to(control, q_M_end, machine::Traverse::Rapid, 0)) {
+  if (auto failure = rapid_to(control, q_M_end, control.rapid_path())) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);

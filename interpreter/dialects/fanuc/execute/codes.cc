@@ -66,6 +66,7 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
     case GAction::Modal:
     case GAction::NoEffect:
     case GAction::ExactStop:
+    case GAction::ContourControl:
     case GAction::Dwell:
     case GAction::SetData:
     case GAction::EndData:
@@ -115,6 +116,8 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
     take_modal_code(control, *code, codes);
   } else if (code->action == GAction::ExactStop) {
     control.stops_exactly = true;
+  } else if (code->action == GAction::ContourControl) {
+    codes.switches_contour_control = true;
   } else if (code->action != GAction::NoEffect) {
     codes.one_shot = code;
   }
@@ -250,6 +253,10 @@ Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
   }
   if (auto failure = refuse_missing_axes(control, words, codes)) {
     return *std::move(failure);
+  }
+  if (const EvaluatedWord* const on = words.find('Q');
+      codes.switches_contour_control && on != nullptr) {
+    control.rapids.contour_control = on->number == 1.0;
   }
   const auto unit =
       control.modal.group[Group::Unit].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;

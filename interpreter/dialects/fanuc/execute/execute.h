@@ -77,10 +77,10 @@ AxisPositions cartesian_end(const Control& control, const NcBlock& block);
 /// asked once a motion, because radius and angle go on from block to block.
 AxisPositions programmed_end(Control& control, const NcBlock& block);
 
-/// Moves to a machine position, through cutter compensation, and tells the observer; `g` is how the
-/// document names the move.
-MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Traverse traverse,
-                     int g);
+/// Moves to a machine position at rapid, through cutter compensation, and tells the observer.
+MaybeFailure rapid_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way);
+/// The same at the feed in force; `g` is how the document names the move.
+MaybeFailure feed_to(Control& control, const AxisPositions& q_M_end, int g);
 
 /// The feed in mm/min in force, or why there is none; G95 takes the spindle speed S along (MB-314).
 Result<double, Failure> feed_in_force(const Control& control);

@@ -126,7 +126,7 @@ MaybeFailure execute_tool_measurement(Control& control, const NcBlock& block) {
   approach.feed_mm_min = feed.value();
   const double slow = control.parameters.get(ParameterId::MeasuringApproach);
   if (std::abs(way) > slow) {
-    if (auto failure = move_to(control, approach.at(-slow), machine::Traverse::Rapid, 0)) {
+    if (auto failure = rapid_to(control, approach.at(-slow), control.rapid_path())) {
       return failure;
     }
   }

@@ -89,21 +89,27 @@ double switched_feed(const Control& control, double feed_mm_min) {
   return as_programmed ? feed_mm_min : feed_mm_min * switches.override_percent / 100.0;
 }
 
-MaybeFailure move_to(Control& control, const AxisPositions& q_M_end, machine::Traverse traverse,
-                     int g) {
+MaybeFailure rapid_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way) {
+  path::PathBlock block;
+  block.q_M_end = q_M_end;
+  block.g = 0;
+  block.where = control.block;
+  block.rapid_path = way;
+  return travel(control, block);
+}
+
+MaybeFailure feed_to(Control& control, const AxisPositions& q_M_end, int g) {
+  const auto feed = feed_in_force(control);
+  if (!feed) {
+    return feed.error();
+  }
   path::PathBlock block;
   block.q_M_end = q_M_end;
   block.g = g;
   block.where = control.block;
-  if (traverse == machine::Traverse::Feed) {
-    const auto feed = feed_in_force(control);
-    if (!feed) {
-      return feed.error();
-    }
-    block.feed_mm_min = switched_feed(control, feed.value());
-    block.ends = control.feed_end();
-    block.mm_per_degree = control.scale.mm_per_unit();
-  }
+  block.feed_mm_min = switched_feed(control, feed.value());
+  block.ends = control.feed_end();
+  block.mm_per_degree = control.scale.mm_per_unit();
   return travel(control, block);
 }
 
@@ -113,8 +119,9 @@ MaybeFailure execute_motion(Control& control, const NcBlock& block) {
     return execute_arc(control, block);
   }
   const AxisPositions q_L_end = programmed_end(control, block);
-  const auto traverse = g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
-  if (auto failure = move_to(control, control.coordinates.to_machine(q_L_end), traverse, g)) {
+  const AxisPositions q_M_end = control.coordinates.to_machine(q_L_end);
+  if (auto failure = g == 0 ? rapid_to(control, q_M_end, control.rapid_path())
+                            : feed_to(control, q_M_end, g)) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);
@@ -143,9 +150,9 @@ MaybeFailure execute_machine_move(Control& control, const NcBlock& block) {
       }
     }
   }
-  const int g = control.modal.group[Group::Motion].whole == 1 ? 1 : 0;
-  const auto traverse = g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
-  auto failure = move_to(control, q_M_end, traverse, g);
+  auto failure = control.modal.group[Group::Motion].whole == 1
+                     ? feed_to(control, q_M_end, 1)
+                     : rapid_to(control, q_M_end, control.machine_rapid_path());
   control.coordinates.arrived_at_machine(control.port.position());
   return failure;
 }

@@ -47,7 +47,7 @@ MaybeFailure execute_reference(Control& control, const NcBlock& block) {
   }
   const AxisPositions q_L_via = cartesian_end(control, block);
   const AxisPositions q_M_via = control.coordinates.to_machine(q_L_via);
-  if (auto failure = move_to(control, q_M_via, machine::Traverse::Rapid, 0)) {
+  if (auto failure = rapid_to(control, q_M_via, control.machine_rapid_path())) {
     return failure;
   }
   const auto goes = [&](int axis) {
@@ -60,7 +60,7 @@ MaybeFailure execute_reference(Control& control, const NcBlock& block) {
       q_M_home[axis] = reference_point(control, which.value(), axis);
     }
   }
-  auto failure = move_to(control, q_M_home, machine::Traverse::Rapid, 0);
+  auto failure = rapid_to(control, q_M_home, machine::RapidPath::Independent);
   for (int axis = 0; axis < static_cast<int>(kAxisCount) && !failure; ++axis) {
     if (goes(axis)) {
       control.coordinates.end_tool_offset(axis);
@@ -87,15 +87,15 @@ MaybeFailure execute_from_reference(Control& control, const NcBlock& block) {
   if (!block.has_axis_word) {
     return std::nullopt;
   }
-  if (auto failure =
-          move_to(control, control.coordinates.to_machine(q_L_via), machine::Traverse::Rapid, 0)) {
+  if (auto failure = rapid_to(control, control.coordinates.to_machine(q_L_via),
+                              machine::RapidPath::Independent)) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_via);
   // An incremental end counts from the intermediate point.
   const AxisPositions q_L_end = cartesian_end(control, block);
-  if (auto failure =
-          move_to(control, control.coordinates.to_machine(q_L_end), machine::Traverse::Rapid, 0)) {
+  if (auto failure = rapid_to(control, control.coordinates.to_machine(q_L_end),
+                              control.machine_rapid_path())) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);
@@ -110,7 +110,7 @@ MaybeFailure execute_check_reference(Control& control, const NcBlock& block) {
   if (!block.has_axis_word) {
     return std::nullopt;
   }
-  if (auto failure = move_to(control, q_M_end, machine::Traverse::Rapid, 0)) {
+  if (auto failure = rapid_to(control, q_M_end, control.rapid_path())) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);

@@ -99,7 +99,7 @@ int listened_input(const Control& control, unsigned signals) {
 MaybeFailure execute_torque_skip(Control& control, const NcBlock& block) {
   const AxisPositions q_L_end = programmed_end(control, block);
   const AxisPositions q_M_end = control.coordinates.to_machine(q_L_end);
-  if (auto failure = move_to(control, q_M_end, machine::Traverse::Feed, 31)) {
+  if (auto failure = feed_to(control, q_M_end, 31)) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);

@@ -44,6 +44,9 @@ Entry entry_of(const Profile& profile) {
                                        ? "cancelled until the next G43, G44 or H"
                                        : "left out in its own move only"},
        {"G53 under G91", profile.machine_moves_add ? "moves by its values" : "ignored"},
+       {"G00", profile.rapids.positioning == machine::RapidPath::Independent
+                   ? "each axis at its own rapid rate; straight with parameter 1401.1"
+                   : "straight; [control] rapids of the set-up sheet says otherwise"},
        {"P in G31", profile.skip_selection == SkipSelection::Mask
                         ? "1 to 255, one bit for each signal"
                         : "1 to 4, the signals of parameters 6202 to 6205"},

@@ -129,6 +129,7 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   control.set_offset_memory(setup.offset_memory);
   control.block_skip = setup.block_skip;
   control.feed_switches = setup.feed_switches;
+  control.rapids.positioning = setup.rapids.value_or(control.profile.rapids.positioning);
   control.inputs = runtime::InputScripts(setup.inputs);
   control.lookahead.set_depth(setup.lookahead_blocks);
   refused = configure_offsets(control, setup);

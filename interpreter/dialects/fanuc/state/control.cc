@@ -89,6 +89,7 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
       system_variables(chosen.variables),
       evaluator(variables, missed, rules_of(chosen, parameters)) {
   scale.excess_decimals = profile.excess_decimals;
+  rapids.positioning = profile.rapids.positioning;
 }
 
 void Control::position_read() {
@@ -151,6 +152,14 @@ machine::BlockEnd Control::feed_end() const {
   const bool exact = stops_exactly || modal.group[Group::CuttingMode].whole == 61;
   return exact && (override_control & kNoExactStop) == 0 ? machine::BlockEnd::ExactStop
                                                          : machine::BlockEnd::PassOn;
+}
+
+machine::RapidPath Control::rapid_path() const {
+  const bool contour_makes_straight =
+      rapids.contour_control && !parameters.is_on(ParameterId::RapidsAsUsual);
+  return contour_makes_straight || parameters.is_on(ParameterId::StraightRapids)
+             ? machine::RapidPath::Straight
+             : rapids.positioning;
 }
 
 void Control::apply(const Parameters& given) {

@@ -79,6 +79,12 @@ struct CutterStage {
   bool fed = false;  ///< a motion or pause of the present block has come through
 };
 
+/// What rapids depend on.
+struct RapidState {
+  machine::RapidPath positioning = machine::RapidPath::Independent;  ///< without parameter 1401.1
+  bool contour_control = false;                                      ///< G05.1 Q1
+};
+
 /// The whole state of a running control.  One per run; nothing is global.
 struct Control {
   Control(const Profile& chosen, machine::MachinePort& machine, runtime::Observer& listener,
@@ -127,11 +133,12 @@ struct Control {
   int single_block_control = 0;                             ///< #3003
   int override_control = 0;                                 ///< #3004
   bool stops_exactly = false;                               ///< G09 in the present block
-  int mirror_state = 0;                                     ///< #3007
-  int restart_state = 0;                                    ///< #3008
-  TransformStages transforms;                               ///< G51.1, G51, G68
-  std::optional<PolarCoordinates> polar;                    ///< G16
-  CycleData cycle;                                          ///< of the canned cycle in force
+  RapidState rapids;
+  int mirror_state = 0;                   ///< #3007
+  int restart_state = 0;                  ///< #3008
+  TransformStages transforms;             ///< G51.1, G51, G68
+  std::optional<PolarCoordinates> polar;  ///< G16
+  CycleData cycle;                        ///< of the canned cycle in force
   /// Where the last G28 or G30 of each axis went through (L); none before the first.
   std::array<std::optional<double>, kAxisCount> q_L_intermediate;
   DataInput data_input = DataInput::None;
@@ -185,6 +192,14 @@ struct Control {
 
   /// How a move at feed ends: G09 and G61 stop exactly, unless #3004 bit 2 forbids it.
   [[nodiscard]] machine::BlockEnd feed_end() const;
+
+  /// The way of G00: FANUC AI nano contour control A-78962EN/01, 4, for that in contour control.
+  [[nodiscard]] machine::RapidPath rapid_path() const;
+  /// Of a rapid between places of the machine: G28 to its intermediate point, G53.
+  [[nodiscard]] machine::RapidPath machine_rapid_path() const {
+    return profile.rapids.machine_moves_as_positioning ? rapid_path()
+                                                       : machine::RapidPath::Independent;
+  }
 
   /// Takes over parameters and what they change.
   void apply(const Parameters& given);

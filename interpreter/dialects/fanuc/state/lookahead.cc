@@ -33,6 +33,7 @@ bool is_fence(const GCode& code, const Profile& profile) {
       return code.number.whole == 20 || code.number.whole == 21;
     case GAction::NoEffect:
     case GAction::ExactStop:
+    case GAction::ContourControl:
     case GAction::Motion:
     case GAction::ToolLength:
     case GAction::MacroCall:

@@ -90,6 +90,8 @@ constexpr Profile meldas() {
   // M700V programming manual, 12.2 (4); 14.4 (4) and (5), page 508: G53 cancels no compensation
   profile.machine_move_length = MachineMoveLength::Ignores;
   profile.machine_moves_add = true;
+  // The same manual, G00: straight or not by a parameter; G28, G29: the other way; G53: as modal
+  profile.rapids = {machine::RapidPath::Straight, true};
   profile.modal_layout = meldas_modal_layout();
   profile.variables = {Basic, OffsetsMeldas, ExternalOffset, ExecutingModal, MeldasCommons};
   profile.skip_selection = SkipSelection::Mask;

@@ -11,6 +11,7 @@
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/statements.h"
 #include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
+#include "machine/port/machine_port.h"
 
 namespace g31::fanuc {
 
@@ -72,6 +73,15 @@ struct CallLevels {
 struct LoopRule {
   int largest_number = 3;
   int nesting = 3;
+};
+
+/// Which way rapids go.
+struct RapidRule {
+  /// G00, where neither sheet nor parameter 1401.1 says it.
+  machine::RapidPath positioning = machine::RapidPath::Independent;
+  /// G28 to its intermediate point, the second way of G29 and G53 are like G00; else each axis goes
+  /// on its own there, as it does in any case to and from reference points.
+  bool machine_moves_as_positioning = false;
 };
 
 /// Which group of the interpreter the control shows as #4000+n; 0: none.
@@ -152,6 +162,7 @@ struct Profile {
   LengthChange length_change = LengthChange::MovesWithNext;
   bool machine_moves_add = false;         ///< G53 under G91 moves by its values; else it is ignored
   bool bare_reference_moves_all = false;  ///< G28 without axes: all of them
+  RapidRule rapids;
 
   // G31
   bool checks_skip_signal = false;   ///< M78 and M79 beside G31: an alarm with and without a signal

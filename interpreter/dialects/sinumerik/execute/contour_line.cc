@@ -56,6 +56,7 @@ MaybeFailure travel_held(Channel& channel, const HeldLine& line, const Block& bl
   path.where = line.where;
   path.g = line.g;
   path.ends = line.ends;
+  path.rapid_path = line.rapid_path;
   if (path.g == 1) {
     FeedWay way =
         feed_way(channel, block, q_W_end, feed_length(channel.machine_position(), path.q_M_end));
@@ -127,6 +128,7 @@ MaybeFailure hold_line(Channel& channel, const Block& block) {
       block.words.has(Address::BlockFeed) ? block.words[Address::BlockFeed].value : channel.feed;
   line.g = motion == number_in_group("G0") ? 0 : 1;
   line.ends = block_end(channel);
+  line.rapid_path = channel.rapid_path();
   line.where = block.where;
   line.wish = channel.corners.wish;
   line.command = channel.cutter.command;

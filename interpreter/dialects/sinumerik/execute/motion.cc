@@ -148,6 +148,7 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
   path.where = block.where;
   path.g =
       channel.group[Group::Motion] == kRapid && block.code_of(Group::OneBlock) == nullptr ? 0 : 1;
+  path.rapid_path = channel.rapid_path();
   if (path.g == 1) {
     const AxisPositions q_M_start = channel.machine_position();
     const bool has_lead = is_thread(channel.group[Group::Motion]) &&

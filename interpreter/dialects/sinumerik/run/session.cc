@@ -61,6 +61,10 @@ void configure_data(Runner& runner, const runtime::ControlSetup& setup,
     assignments.push_back(
         fmt::format("$MA_POS_LIMIT_PLUS[{}]={}", letter, written_number(limits.second)));
   }
+  if (setup.rapids) {
+    assignments.push_back(fmt::format("$MC_G0_LINEAR_MODE={}",
+                                      *setup.rapids == machine::RapidPath::Straight ? 1 : 0));
+  }
   for (const auto& [name, datum] : setup.data) {
     for (std::string& assignment : assignments_of(name, datum)) {
       assignments.push_back(std::move(assignment));
@@ -139,6 +143,7 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
         "in [machine_data]");
   }
   configure_data(*runner_, setup, refused);
+  channel.preset_rapids();
   numbers_at_start_ = channel.numbers;
   for (const auto& [name, value] : setup.variables) {
     const bool is_fanuc_input = name.starts_with('#');

@@ -98,14 +98,28 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       global_base_frames_(
           static_cast<std::size_t>(globals.find("$MN_MM_NUM_GLOBAL_BASE_FRAMES")->place)),
       rotary_is_modulo_(static_cast<std::size_t>(globals.find("$MA_ROT_IS_MODULO")->place)),
-      axis_function_masks_(
-          static_cast<std::size_t>(globals.find("$MA_MISC_FUNCTION_MASK")->place)) {
+      axis_function_masks_(static_cast<std::size_t>(globals.find("$MA_MISC_FUNCTION_MASK")->place)),
+      rapids_are_straight_(static_cast<std::size_t>(globals.find("$MC_G0_LINEAR_MODE")->place)) {
   for (int i = 0; i < kGroupCount; ++i) {
     group.at(static_cast<std::size_t>(i)) = preset_number(static_cast<Group>(i));
   }
   for (const Group one_block : kOneBlockGroups) {
     group[one_block] = 0;
   }
+}
+
+void Channel::preset_rapids() {
+  group[Group::RapidPath] =
+      numbers[rapids_are_straight_] != 0.0 ? number_in_group("RTLION") : number_in_group("RTLIOF");
+}
+
+machine::RapidPath Channel::rapid_path() const {
+  return group[Group::RapidPath] == number_in_group("RTLIOF") &&
+                 group[Group::BlockTransition] == number_in_group("G60") &&
+                 group[Group::Compressor] == number_in_group("COMPOF") &&
+                 group[Group::RadiusCompensation] == number_in_group("G40")
+             ? machine::RapidPath::Independent
+             : machine::RapidPath::Straight;
 }
 
 bool Channel::is_modulo(int axis) const {

@@ -239,6 +239,11 @@ class Channel {
   [[nodiscard]] static double within_turn(double degrees);
 
   // Motion
+  /// As machine data want it at the start of a program.
+  void preset_rapids();
+  /// The way of G0: RTLIOF acts in exact stop alone, and neither compensated nor compressed.
+  /// Source: SINUMERIK ONE programming, 6FC5398-2EP40, RTLION and RTLIOF.
+  [[nodiscard]] machine::RapidPath rapid_path() const;
   Pole pole;
   WorkingArea working_area;
   MachinePoints points;
@@ -352,6 +357,7 @@ class Channel {
   std::size_t global_base_frames_;     ///< place of MD18602
   std::size_t rotary_is_modulo_;       ///< place of MD30310
   std::size_t axis_function_masks_;    ///< place of MD30455
+  std::size_t rapids_are_straight_;    ///< place of MD20730
   bool is_stale_ = false;
   mutable std::optional<Chains> chains_;        ///< kept until one of them is written
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed

@@ -91,6 +91,7 @@ struct HeldLine {
   double feed = 0.0;                              ///< as programmed
   int g = 1;                                      ///< 0 rapid
   machine::BlockEnd ends = machine::BlockEnd::ExactStop;
+  machine::RapidPath rapid_path = machine::RapidPath::Straight;
   path::CornerWish wish;
   path::CompensationCommand command;
   source::Location where;
