@@ -48,6 +48,8 @@ std::string evaluate_examples() {
          "  g31 run circle.nc -s machine.toml --trace circle.csv\n"
          "  g31 evaluate circle circle.csv --radius 50\n"
          "  g31 evaluate circle scale.csv --columns X=x_act,Y=y_act --unit um --interval 182.32us\n"
+         "  g31 evaluate square square.csv --side 100 --json square.json\n"
+         "  g31 evaluate diagonal scale.csv --target 50,50 --on 300\n"
          "  g31 evaluate circle circle.csv --columns X=X_encoder,Y=Y_encoder --json -\n\n";
 }
 

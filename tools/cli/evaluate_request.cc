@@ -75,6 +75,12 @@ Wrong take(OptionId id, const std::string& text, Request& request) {
       return take_positive(text, request.radius);
     case OptionId::Centre:
       return take_pair(text, request.centre);
+    case OptionId::Side:
+      return take_positive(text, request.side);
+    case OptionId::Target:
+      return take_pair(text, request.target);
+    case OptionId::On:
+      return take_positive(text, request.on);
   }
   return std::nullopt;
 }
@@ -135,6 +141,14 @@ Wrong take_given(const EvaluateOptions& options, Request& request) {
   return std::nullopt;
 }
 
+/// What a kind cannot do without.
+Wrong missing_option(const Request& request) {
+  if (request.kind == evaluate::Kind::Diagonal && !request.target) {
+    return "diagonal needs --target X,Y: where the way was to end";
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<Request, session::Refusal> evaluate_request(const EvaluateOptions& options) {
@@ -148,6 +162,9 @@ Result<Request, session::Refusal> evaluate_request(const EvaluateOptions& option
   }
   if (!wrong) {
     wrong = take_given(options, request);
+  }
+  if (!wrong) {
+    wrong = missing_option(request);
   }
   if (wrong) {
     return session::bad_input(*wrong);

@@ -23,6 +23,9 @@ struct Request {
   std::array<std::string, 2> plane = {"X", "Y"};
   std::optional<double> radius = {};
   std::optional<Pair> centre = {};
+  std::optional<double> side = {};
+  std::optional<Pair> target = {};
+  std::optional<double> on = {};
 };
 
 /// Evaluates a file.  Error: what is wrong with it, at its place.

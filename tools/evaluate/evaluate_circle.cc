@@ -9,20 +9,11 @@
 namespace g31::evaluate {
 namespace {
 
-constexpr double kUmPerMm = 1e3;
 constexpr double kMicro = 1e6;
 constexpr double kMsPerS = 1e3;
 
-std::optional<double> um(const std::optional<double>& mm) {
-  return mm ? std::optional(kUmPerMm * *mm) : std::nullopt;
-}
-
 std::optional<double> um_wide(const std::optional<metrology::Extremes>& extremes) {
   return extremes ? std::optional(kUmPerMm * extremes->width()) : std::nullopt;
-}
-
-std::string lower(const std::string& axis) {
-  return {static_cast<char>(axis.front() - 'A' + 'a')};
 }
 
 using Axes = std::array<std::string, 2>;
@@ -113,11 +104,8 @@ Result<Evaluation, DataError> evaluate_circle(const DataFile& file, const Reques
     return path.error();
   }
   const metrology::PlaneSamples samples = path.value().samples();
-  metrology::CircleRequest wanted{request.radius, std::nullopt, path.value().resolution};
-  if (request.centre) {
-    wanted.centre = Eigen::Vector2d((*request.centre)[0], (*request.centre)[1]);
-  }
-  const auto circle = metrology::evaluate_circle(samples, wanted);
+  const auto circle = metrology::evaluate_circle(
+      samples, {request.radius, point_of(request.centre), path.value().resolution});
   if (!circle) {
     return data_error(DataErrorId::CannotEvaluate, file, {}, {circle.error()});
   }

@@ -59,6 +59,10 @@ const KindRow& info(Kind kind) {
   return *std::ranges::find(kKindRows, kind, &KindRow::kind);
 }
 
+std::string lower(std::string_view axis) {
+  return {static_cast<char>(axis.front() - 'A' + 'a')};
+}
+
 std::string evaluation_document(const Evaluation& evaluation, bool with_curves) {
   Json document = {{"schema", "g31.evaluation/1"},
                    {"kind", info(evaluation.kind).word},

@@ -53,6 +53,16 @@ struct Quantity {
   std::optional<double> u = {};  ///< standard uncertainty, where it is known
 };
 
+inline constexpr double kUmPerMm = 1e3;
+
+/// Micrometres.
+inline std::optional<double> um(const std::optional<double>& mm) {
+  return mm ? std::optional(kUmPerMm * *mm) : std::nullopt;
+}
+
+/// The letter of an axis as results write it: "x".
+std::string lower(std::string_view axis);
+
 /// A fall of speed.
 struct Dip {
   double time_s = 0.0;

@@ -20,6 +20,10 @@ std::vector<WantedColumn> wanted_columns(const Request& request) {
 
 }  // namespace
 
+std::optional<Eigen::Vector2d> point_of(const std::optional<Pair>& pair) {
+  return pair ? std::optional(Eigen::Vector2d((*pair)[0], (*pair)[1])) : std::nullopt;
+}
+
 Result<RecordedPath, DataError> read_path(const DataFile& file, const Request& request) {
   auto table = read_table(file, wanted_columns(request), request.columns);
   if (!table) {

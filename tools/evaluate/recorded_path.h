@@ -18,6 +18,9 @@ struct RecordedPath {
   [[nodiscard]] metrology::PlaneSamples samples() const { return {t, x, y}; }
 };
 
+/// A length of the command line as a point; nothing where none was given.
+std::optional<Eigen::Vector2d> point_of(const std::optional<Pair>& pair);
+
 /// Reads the columns t (or time_s; or none with an interval) and the two axes of the plane (X, else
 /// X_true, and so on).  A row of the same time and place as the one before it is passed over; time
 /// that does not rise otherwise is an error.

@@ -1,0 +1,102 @@
+// `g31 evaluate` of squares, speed and diagonals.
+
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/run_evaluate.h"
+
+namespace g31 {
+namespace {
+
+using evaluate::OptionId;
+using testing::evaluate_text;
+using testing::EvaluateOutput;
+
+cli::EvaluateOptions of_kind(const std::string& kind) {
+  cli::EvaluateOptions options;
+  options.kind = kind;
+  return options;
+}
+
+TEST(EvaluateDiagonal, IsTheExampleOfThePaper) {
+  cli::EvaluateOptions options = of_kind("diagonal");
+  options.given[OptionId::Target] = "50,50";
+  const EvaluateOutput output = evaluate_text("X,Y\n0,0\n25,25\n49.993,49.996\n", options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NEAR(output.value("error_X"), -7.0, 1e-9);
+  EXPECT_NEAR(output.value("error_Y"), -4.0, 1e-9);
+  EXPECT_NEAR(output.value("error_X_on"), -42.0, 1e-9);
+  EXPECT_NEAR(output.value("error_Y_on"), -24.0, 1e-9);
+  EXPECT_EQ(output.document.at("samples"), 3);
+}
+
+TEST(EvaluateDiagonal, OfATargetOnAnAxisHasNothingToScale) {
+  cli::EvaluateOptions options = of_kind("diagonal");
+  options.given[OptionId::Target] = "50,0";
+  const EvaluateOutput output = evaluate_text("X,Y\n50.001,0.002\n", options);
+  EXPECT_TRUE(output.document.at("results").at("error_Y_on").at("value").is_null());
+  options.given.clear();
+  EXPECT_EQ(evaluate_text("X,Y\n50,0\n", options).errors,
+            "g31: error: diagonal needs --target X,Y: where the way was to end\n");
+}
+
+std::string square_file() {
+  std::string text = "t,X,Y\n";
+  for (int i = 0; i <= 400; ++i) {
+    const int s = (i + 50) % 400;  // from the middle of a side
+    const double x = s < 100 ? 50.0 : s < 200 ? 150.0 - s : s < 300 ? -50.0 : s - 350.0;
+    const double y = s < 100 ? s - 50.0 : s < 200 ? 50.0 : s < 300 ? 250.0 - s : -50.0;
+    text += fmt::format("{},{},{}\n", 0.02 * i, x, y);
+  }
+  return text;
+}
+
+TEST(EvaluateSquare, NamesItsCornersCounterClockwise) {
+  cli::EvaluateOptions options = of_kind("square");
+  options.given[OptionId::Side] = "100";
+  options.given[OptionId::Centre] = "0,0";
+  std::string text = square_file();
+  // The corner at -X +Y is cut by 0.01 and 0.01, the one at +X -Y overshot.
+  const auto move = [&](const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  };
+  move(",-50,50\n", ",-49.99,49.99\n");
+  move(",50,-50\n", ",50.002,-50.002\n");
+  const EvaluateOutput output = evaluate_text(text, options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NEAR(output.value("corner_error_1"), 0.0, 1e-9);
+  EXPECT_NEAR(output.value("corner_error_2"), -10.0 * std::sqrt(2.0), 1e-6);
+  EXPECT_NEAR(output.value("corner_error_3"), 0.0, 1e-9);
+  EXPECT_NEAR(output.value("corner_error_4"), 2.0 * std::sqrt(2.0), 1e-6);
+  EXPECT_NEAR(output.value("corner_error_max"), -10.0 * std::sqrt(2.0), 1e-6);
+}
+
+TEST(EvaluateSpeed, ListsItsDips) {
+  std::string text = "t,X,Y\n";
+  double x = 0.0;
+  for (int i = 0; i <= 300; ++i) {
+    text += fmt::format("{},{:.9f},0\n", 0.01 * i, x);
+    x += 0.01 * (i >= 100 && i < 120 ? 5.0 : 10.0);
+  }
+  cli::EvaluateOptions options = of_kind("speed");
+  options.has_curves = true;
+  const EvaluateOutput output = evaluate_text(text, options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NEAR(output.value("speed_max"), 600.0, 1e-3);
+  EXPECT_NEAR(output.value("speed_min"), 300.0, 1e-3);
+  const auto& dips = output.document.at("results").at("dips");
+  ASSERT_EQ(dips.size(), 1U);
+  EXPECT_NEAR(dips[0].at("speed"), 300.0, 1e-3);
+  EXPECT_NEAR(dips[0].at("width"), 0.2, 0.01);
+  EXPECT_NEAR(dips[0].at("time"), 1.1, 0.11);
+  EXPECT_EQ(output.document.at("curves").at("speed").size(), 300U);
+  options.given[OptionId::Side] = "3";
+  EXPECT_EQ(evaluate_text(text, options).errors, "g31: error: --side is of square, not of speed\n");
+}
+
+}  // namespace
+}  // namespace g31

@@ -1,0 +1,187 @@
+// Squares and their speed, against closed forms of a lagging axis.
+
+#include "probe/metrology/square_path.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "machine/base/random.h"
+#include "probe/metrology/path_speed.h"
+
+namespace g31 {
+namespace {
+
+using metrology::Square;
+using metrology::SquareEvaluation;
+
+struct Record {
+  std::vector<double> t;
+  std::vector<double> x;
+  std::vector<double> y;
+
+  [[nodiscard]] metrology::PlaneSamples samples() const { return {t, x, y}; }
+};
+
+/// A square of side 100 about a centre, from the middle of the +X side counter-clockwise, at a
+/// constant speed of the command; every axis follows with a lag of the first order (0: at once).
+Record recorded_square(double speed, double lag, const Eigen::Vector2d& centre, double interval) {
+  const auto command = [&](double s) {
+    const double a = 50.0;
+    s = std::fmod(s, 400.0);
+    return s < 50.0    ? Eigen::Vector2d(a, s)
+           : s < 150.0 ? Eigen::Vector2d(100.0 - s, a)
+           : s < 250.0 ? Eigen::Vector2d(-a, 200.0 - s)
+           : s < 350.0 ? Eigen::Vector2d(s - 300.0, -a)
+                       : Eigen::Vector2d(a, s - 400.0);
+  };
+  Record record;
+  Eigen::Vector2d q = command(0.0);
+  const int substeps = lag > 0.0 ? 50 : 1;
+  const double step = interval / substeps;
+  double time = 0.0;
+  for (int i = 0; time * speed <= 401.0; ++i) {
+    record.t.push_back(time);
+    record.x.push_back(centre.x() + q.x());
+    record.y.push_back(centre.y() + q.y());
+    for (int k = 1; k <= substeps; ++k) {
+      // The command runs straight within a step: the exact answer of the lag to a ramp.
+      const Eigen::Vector2d from = command(speed * (time + (k - 1) * step));
+      const Eigen::Vector2d to = command(speed * (time + k * step));
+      if (lag == 0.0) {
+        q = to;
+        continue;
+      }
+      const Eigen::Vector2d rate = (to - from) / step;
+      q = to - lag * rate + std::exp(-step / lag) * (q - from + lag * rate);
+    }
+    time = interval * (i + 1);
+  }
+  return record;
+}
+
+SquareEvaluation evaluated(const Record& record, const metrology::SquareRequest& request) {
+  const auto made = metrology::evaluate_square(record.samples(), request);
+  EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error());
+  return made.ok() ? made.value() : SquareEvaluation();
+}
+
+TEST(SquarePath, RayErrorsAreThoseOfThePaper) {
+  const Square square{{0.0, 0.0}, 50.0};
+  for (int degree = -179; degree <= 180; ++degree) {
+    const double angle = degree * std::numbers::pi / 180.0;
+    const Eigen::Vector2d p(47.0 * std::cos(angle), 47.0 * std::sin(angle));
+    // Equations 18 and 24 with their conditions, as printed.
+    const double a = 50.0;
+    const bool is_first = (degree >= -45 && degree < 45) || degree >= 135 || degree < -135;
+    const double tangent = std::tan(std::atan2(p.y(), p.x()));
+    const double ideal = is_first ? std::sqrt(a * a + a * tangent * a * tangent)
+                                  : std::sqrt(a / tangent * (a / tangent) + a * a);
+    EXPECT_NEAR(square.ray_error(p), p.norm() - ideal, 1e-12) << degree;
+  }
+  EXPECT_DOUBLE_EQ(square.place_of({10.0, 5.0}), 25.0);
+  EXPECT_DOUBLE_EQ(square.place_of({-5.0, 10.0}), 125.0);
+  EXPECT_DOUBLE_EQ(square.place_of({-10.0, -5.0}), 225.0);
+  EXPECT_DOUBLE_EQ(square.place_of({10.0, -5.0}), 375.0);
+}
+
+TEST(SquarePath, OfAnIdealMachineHasNoErrors) {
+  for (const double interval : {0.001, 0.00018232}) {
+    const SquareEvaluation square =
+        evaluated(recorded_square(50.0, 0.0, {200.0, -30.0}, interval), {});
+    EXPECT_NEAR(square.square.half_side, 50.0, 1e-9);
+    EXPECT_NEAR(square.square.centre.x(), 200.0, 1e-9);
+    for (const auto& error : square.corner_error) {
+      ASSERT_TRUE(error.has_value());
+      EXPECT_NEAR(*error, 0.0, 1e-9);
+    }
+  }
+}
+
+TEST(SquarePath, ALaggingAxisMissesTheCornerByItsClosedForm) {
+  // sqrt(2) v T / e where the command does not slow down: 0.931 mm at 3 m/min with 35.79 ms.
+  for (const double speed : {1000.0 / 60.0, 50.0}) {
+    const SquareEvaluation square =
+        evaluated(recorded_square(speed, 0.03579, {0.0, 0.0}, 0.001), {100.0, {{0.0, 0.0}}});
+    const double miss = -std::numbers::sqrt2 * speed * 0.03579 / std::numbers::e;
+    for (const auto& error : square.corner_error) {
+      ASSERT_TRUE(error.has_value());
+      EXPECT_NEAR(*error, miss, 1.5e-4);
+    }
+  }
+}
+
+TEST(SquarePath, ACornerWhereThePathEndsHasTheErrorOfItsEnd) {
+  Record record;
+  const auto line = [&](double x0, double y0, double x1, double y1) {
+    for (int i = 0; i <= 1000; ++i) {
+      record.t.push_back(0.001 * static_cast<double>(record.t.size()));
+      record.x.push_back(x0 + (x1 - x0) * i / 1000.0);
+      record.y.push_back(y0 + (y1 - y0) * i / 1000.0);
+    }
+  };
+  line(0.0, 0.0, 50.0, 50.0);  // to the corner along the diagonal
+  line(50.0, 50.0, -50.0, 50.0);
+  line(-50.0, 50.0, -50.0, -50.0);
+  line(-50.0, -50.0, 50.0, -50.0);
+  line(50.0, -50.0, 50.0, 49.99);
+  const SquareEvaluation square = evaluated(record, {100.0, {{0.0, 0.0}}});
+  EXPECT_NEAR(square.corner_error[0].value(), 0.0, 1e-9);
+  EXPECT_NEAR(square.corner_error[1].value(), 0.0, 1e-9);
+}
+
+TEST(SquarePath, RefusesWhatIsNoSquare) {
+  Record record;
+  for (int i = 0; i < 1000; ++i) {
+    record.t.push_back(i);
+    record.x.push_back(50.0 * std::cos(0.00628 * i));
+    record.y.push_back(50.0 * std::sin(0.00628 * i));
+  }
+  EXPECT_FALSE(metrology::evaluate_square(record.samples(), {}).ok());
+  std::fill(record.x.begin(), record.x.end(), 1.0);
+  std::fill(record.y.begin(), record.y.end(), 1.0);
+  EXPECT_EQ(metrology::evaluate_square(record.samples(), {}).error(), "the path does not move");
+}
+
+TEST(PathSpeed, DipsAtTheCornersAsTheLagSays) {
+  constexpr double kLag = 0.03579;
+  const Record record = recorded_square(50.0, kLag, {0.0, 0.0}, 0.001);
+  const auto speed = metrology::evaluate_speed(metrology::speed_of(record.samples()));
+  ASSERT_TRUE(speed.has_value());
+  EXPECT_NEAR(speed->usual, 50.0, 1e-6);
+  ASSERT_EQ(speed->dips.size(), 4U);
+  for (const metrology::SpeedDip& dip : speed->dips) {
+    EXPECT_NEAR(dip.speed, 50.0 / std::numbers::sqrt2, 0.01);
+    // z^2 + (1 - z)^2 = 0.81 for the shares z = exp(-t/T) of both axes.
+    const double root = std::sqrt(0.62) / 2.0;
+    const double width = kLag * std::log((0.5 + root) / (0.5 - root));
+    EXPECT_NEAR(dip.width, width, 1e-3);
+  }
+  // The command turns at 1 s; both axes are equally fast T ln 2 later.
+  EXPECT_NEAR(speed->dips[0].time, 1.0 + kLag * std::log(2.0), 1e-3);
+}
+
+TEST(PathSpeed, OfARoughRecordIsSmoothedAndOfAFineOneIsNot) {
+  Record record;
+  for (int i = 0; i < 20000; ++i) {
+    record.t.push_back(0.00018232 * i);
+    record.x.push_back(std::round(1e4 * 0.00018232 * i * 50.0 / 3.0) * 1e-4);  // 0.1 um steps
+    record.y.push_back(0.0);
+  }
+  const metrology::SpeedRecord rough = metrology::speed_of(record.samples());
+  EXPECT_GT(rough.interval, 1U);
+  const auto speed = metrology::evaluate_speed(rough);
+  EXPECT_NEAR(speed->usual, 50.0 / 3.0, 0.17);  // a step is 3 percent
+  EXPECT_TRUE(speed->dips.empty());
+  for (std::size_t i = 0; i < record.x.size(); ++i) {
+    record.x[i] = record.t[i] * 50.0 / 3.0;
+  }
+  EXPECT_EQ(metrology::speed_of(record.samples()).interval, 1U);
+  std::fill(record.x.begin(), record.x.end(), 1.0);
+  EXPECT_FALSE(metrology::evaluate_speed(metrology::speed_of(record.samples())).has_value());
+}
+
+}  // namespace
+}  // namespace g31

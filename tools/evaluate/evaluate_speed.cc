@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include "probe/metrology/path_speed.h"
+#include "tools/evaluate/evaluate_path.h"
+#include "tools/evaluate/recorded_path.h"
+
+namespace g31::evaluate {
+namespace {
+
+constexpr double kSecondsPerMinute = 60.0;
+
+/// Speed in mm/min by time in s: the one curve that is no deviation.
+Curve speed_over_time(const metrology::SpeedRecord& record) {
+  Curve curve{"speed", {}};
+  curve.points.reserve(record.t.size());
+  for (std::size_t i = 0; i < record.t.size(); ++i) {
+    curve.points.push_back({record.t[i], kSecondsPerMinute * record.speed[i]});
+  }
+  return curve;
+}
+
+}  // namespace
+
+Result<Evaluation, DataError> evaluate_speed(const DataFile& file, const Request& request) {
+  const auto path = read_path(file, request);
+  if (!path) {
+    return path.error();
+  }
+  const metrology::PlaneSamples samples = path.value().samples();
+  if (samples.size() < 3) {
+    return data_error(DataErrorId::CannotEvaluate, file, {}, {"speed takes three rows at least"});
+  }
+  const metrology::SpeedRecord record = metrology::speed_of(samples);
+  const auto speed = metrology::evaluate_speed(record);
+  if (!speed) {
+    return data_error(DataErrorId::CannotEvaluate, file, {}, {"the path does not move"});
+  }
+  Evaluation evaluation;
+  evaluation.kind = Kind::Speed;
+  evaluation.samples = samples.size();
+  evaluation.results = {{"speed_max", kSecondsPerMinute * speed->most, "mm/min"},
+                        {"speed_min", kSecondsPerMinute * speed->least, "mm/min"},
+                        {"speed_usual", kSecondsPerMinute * speed->usual, "mm/min"}};
+  evaluation.dips.emplace();
+  for (const metrology::SpeedDip& dip : speed->dips) {
+    evaluation.dips->push_back({dip.time, kSecondsPerMinute * dip.speed, dip.width});
+  }
+  evaluation.curves = {speed_over_time(record)};
+  evaluation.notes.emplace_back(
+      "speed_min is the least between start and stop, where 90 percent of the usual speed is "
+      "reached first and last");
+  if (record.interval > 1) {
+    evaluation.notes.push_back(fmt::format(
+        "the record is rough: speeds are taken over {} rows instead of one", record.interval));
+  }
+  return evaluation;
+}
+
+}  // namespace g31::evaluate
