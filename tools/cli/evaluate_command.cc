@@ -1,5 +1,6 @@
 #include "tools/cli/evaluate_command.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include "tools/cli/evaluate_request.h"
 #include "tools/cli/messages.h"
 #include "tools/disk/disk.h"
+#include "tools/evaluate/compensation.h"
 #include "tools/evaluate/evaluate.h"
 
 namespace g31::cli {
@@ -39,23 +41,55 @@ std::optional<session::Refusal> hand_over(const EvaluateOptions& options,
   return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
 }
 
+/// What an option that names a file says; "": it was not given.
+std::string file_given(const EvaluateOptions& options, evaluate::OptionId id) {
+  const auto given = options.given.find(id);
+  return given == options.given.end() ? std::string() : given->second;
+}
+
+std::optional<session::Refusal> write_compensation(const EvaluateOptions& options,
+                                                   const evaluate::Evaluation& evaluation) {
+  const std::string path = file_given(options, evaluate::OptionId::Compensation);
+  if (path.empty()) {
+    return std::nullopt;
+  }
+  const std::string error = file_given(options, evaluate::OptionId::Error);
+  const auto motion = std::ranges::find(evaluation.curves, "motion", &evaluate::Curve::name);
+  const auto problem = disk::write_whole_file(
+      path, evaluate::compensation_sheet(error.empty() ? "EYX" : error, *motion));
+  return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
+}
+
 }  // namespace
 
 ExitCode evaluate_command(const EvaluateOptions& options) {
-  const auto request = evaluate_request(options);
-  if (!request) {
-    return refuse(request.error());
+  const auto asked = evaluate_request(options);
+  if (!asked) {
+    return refuse(asked.error());
   }
+  evaluate::Request request = asked.value();
   disk::Disk disk;
+  const std::string diameters = file_given(options, evaluate::OptionId::Diameters);
+  std::optional<std::string> diameters_text;
+  if (!diameters.empty()) {
+    diameters_text = disk.read(diameters);
+    if (!diameters_text) {
+      return refuse(session::bad_input(fmt::format("cannot read {}", diameters)));
+    }
+    request.diameters = {diameters, *diameters_text};
+  }
   const auto text = disk.read(options.file);
   if (!text) {
     return refuse(session::bad_input(fmt::format("cannot read {}", options.file)));
   }
-  const auto evaluation = evaluate::evaluate({options.file, *text}, request.value());
+  const auto evaluation = evaluate::evaluate({options.file, *text}, request);
   if (!evaluation) {
     return refuse(session::refusal_of({evaluation.error()}));
   }
-  const auto wrong = hand_over(options, evaluation.value());
+  auto wrong = write_compensation(options, evaluation.value());
+  if (!wrong) {
+    wrong = hand_over(options, evaluation.value());
+  }
   return wrong ? refuse(*wrong) : ExitCode::Completed;
 }
 

@@ -50,6 +50,10 @@ std::string evaluate_examples() {
          "  g31 evaluate circle scale.csv --columns X=x_act,Y=y_act --unit um --interval 182.32us\n"
          "  g31 evaluate square square.csv --side 100 --json square.json\n"
          "  g31 evaluate diagonal scale.csv --target 50,50 --on 300\n"
+         "  g31 evaluate straightness bed.csv --step 100 --sense gap --unit um --compensation "
+         "bed.toml\n"
+         "  g31 evaluate cylindricity shaft.csv --step 30 --diameters ends.csv\n"
+         "  g31 evaluate positioning x.csv\n"
          "  g31 evaluate circle circle.csv --columns X=X_encoder,Y=Y_encoder --json -\n\n";
 }
 

@@ -65,6 +65,19 @@ Wrong take_plane(std::string_view text, std::array<std::string, 2>& plane) {
   return std::nullopt;
 }
 
+Wrong take_sense(std::string_view text, evaluate::Sense& sense) {
+  sense = text == "gap" ? evaluate::Sense::Gap : evaluate::Sense::Travel;
+  return text == "gap" || text == "travel" ? std::nullopt : Wrong("a sense is travel or gap");
+}
+
+/// A straightness: an error along one axis when another one moves.
+Wrong check_error_name(std::string_view text) {
+  const auto is_axis = [](char c) { return c == 'X' || c == 'Y' || c == 'Z'; };
+  const bool is_one = text.size() == 3 && text[0] == 'E' && is_axis(text[1]) && is_axis(text[2]) &&
+                      text[1] != text[2];
+  return is_one ? std::nullopt : Wrong("a straightness is EYX, EZX, EXY, EZY, EXZ or EYZ");
+}
+
 Wrong take(OptionId id, const std::string& text, Request& request) {
   switch (id) {
     case OptionId::Interval:
@@ -81,6 +94,21 @@ Wrong take(OptionId id, const std::string& text, Request& request) {
       return take_pair(text, request.target);
     case OptionId::On:
       return take_positive(text, request.on);
+    case OptionId::Step:
+      return take_positive(text, request.step);
+    case OptionId::Sense:
+      return take_sense(text, request.sense);
+    case OptionId::From:
+      request.from = number_in(text);
+      return request.from ? std::nullopt : Wrong("this is no length");
+    case OptionId::Axis:
+      request.axis = text;
+      return std::nullopt;
+    case OptionId::Error:
+      return check_error_name(text);
+    case OptionId::Compensation:
+    case OptionId::Diameters:
+      return std::nullopt;  // files: the command opens them
   }
   return std::nullopt;
 }
@@ -142,9 +170,19 @@ Wrong take_given(const EvaluateOptions& options, Request& request) {
 }
 
 /// What a kind cannot do without.
-Wrong missing_option(const Request& request) {
+Wrong missing_option(const EvaluateOptions& options, const Request& request) {
   if (request.kind == evaluate::Kind::Diagonal && !request.target) {
     return "diagonal needs --target X,Y: where the way was to end";
+  }
+  const bool steps =
+      request.kind == evaluate::Kind::Straightness || request.kind == evaluate::Kind::Cylindricity;
+  if (steps && !request.step) {
+    return fmt::format("{} needs --step L: the way from one row to the next",
+                       evaluate::info(request.kind).word);
+  }
+  if (request.kind == evaluate::Kind::Cylindricity &&
+      !options.given.contains(OptionId::Diameters)) {
+    return "cylindricity needs --diameters FILE: the diameters at both ends";
   }
   return std::nullopt;
 }
@@ -164,7 +202,7 @@ Result<Request, session::Refusal> evaluate_request(const EvaluateOptions& option
     wrong = take_given(options, request);
   }
   if (!wrong) {
-    wrong = missing_option(request);
+    wrong = missing_option(options, request);
   }
   if (wrong) {
     return session::bad_input(*wrong);

@@ -2,6 +2,7 @@
 
 #include "machine/base/contract.h"
 #include "tools/evaluate/evaluate_path.h"
+#include "tools/evaluate/evaluate_readings.h"
 
 namespace g31::evaluate {
 
@@ -15,6 +16,14 @@ Result<Evaluation, DataError> evaluate(const DataFile& file, const Request& requ
       return evaluate_speed(file, request);
     case Kind::Diagonal:
       return evaluate_diagonal(file, request);
+    case Kind::Straightness:
+      return evaluate_straightness(file, request);
+    case Kind::Flatness:
+      return evaluate_flatness(file, request);
+    case Kind::Cylindricity:
+      return evaluate_cylindricity(file, request);
+    case Kind::Positioning:
+      return evaluate_positioning(file, request);
   }
   contract_violated("every kind has its evaluation", __FILE__, __LINE__);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +13,9 @@
 #include "tools/evaluate/evaluation.h"
 
 namespace g31::evaluate {
+
+/// What a sensor's reading does as the work comes nearer: rise, or fall.
+enum class Sense : std::uint8_t { Travel, Gap };
 
 using Pair = std::array<double, 2>;
 
@@ -26,6 +30,11 @@ struct Request {
   std::optional<double> side = {};
   std::optional<Pair> target = {};
   std::optional<double> on = {};
+  std::optional<double> step = {};
+  Sense sense = Sense::Travel;
+  std::optional<double> from = {};
+  std::optional<DataFile> diameters = {};
+  std::optional<std::string> axis = {};
 };
 
 /// Evaluates a file.  Error: what is wrong with it, at its place.

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include <Eigen/Core>
+
+namespace g31::metrology {
+
+/// The width of what holds a form, about different references; mm.
+struct StraightnessZones {
+  double end_points = 0.0;     ///< range about the line through the first and the last point
+  double least_squares = 0.0;  ///< range about the line of least squares
+  double minimum_zone = 0.0;   ///< the smallest range about any line
+};
+
+/// Straightness of deviations at places along a line, both mm, places rising; two points at least.
+/// Deviations are taken across the line as they are: slopes are small.
+StraightnessZones straightness_of(std::span<const double> places,
+                                  std::span<const double> deviations);
+
+struct FormZones {
+  double least_squares = 0.0;
+  double minimum_zone = 0.0;
+};
+
+/// Flatness of points (x, y, z) in rows, mm, distances along z.  nullopt: they lie on a line.
+/// Accuracy: that of `minimax_fit`.
+std::optional<FormZones> flatness_of(const Eigen::MatrixX3d& points);
+
+/// Cylindricity of points in rows, mm, about an axis near z: range of the distances from the axis
+/// of the cylinder of least squares, and the smallest range about any axis.
+///
+/// Both by repeated linear fits in the displacement and tilt of the axis, from the points' own
+/// middle; distances are exact.  Accuracy: 1e-9 mm for an axis within 0.01 rad and a hundredth of
+/// the radius.  nullopt: the points do not determine an axis.
+std::optional<FormZones> cylindricity_of(const Eigen::MatrixX3d& points);
+
+}  // namespace g31::metrology

@@ -1,0 +1,203 @@
+// `g31 evaluate` of readings: straightness, flatness, cylindricity, positioning.
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/run_evaluate.h"
+
+namespace g31 {
+namespace {
+
+using evaluate::OptionId;
+using testing::evaluate_text;
+using testing::EvaluateOutput;
+using testing::TemporaryFolder;
+
+cli::EvaluateOptions of_readings(const std::string& kind) {
+  cli::EvaluateOptions options;
+  options.kind = kind;
+  options.given[OptionId::Step] = "100";
+  options.has_curves = true;
+  return options;
+}
+
+/// um: a motion bowed by 10 and a work that rises by 30 and bows by 4, tips 2 and 3 off.
+double motion(int k) {
+  return 10.0 * (1.0 - (k / 10.0 - 1.0) * (k / 10.0 - 1.0));
+}
+double work(int k) {
+  return 1.5 * k + 4.0 * std::sin(k * std::numbers::pi / 20.0);
+}
+
+std::string bed_file(bool is_gap, bool has_third) {
+  std::string text = has_third ? "K,A,B,C\n" : "K,A,B\n";
+  const double sign = is_gap ? -1.0 : 1.0;
+  for (int k = 0; k <= 20; ++k) {
+    text += fmt::format("{},{:.9f},{:.9f}", k, 600.0 + sign * (work(k) - motion(k)),
+                        600.0 + sign * (work(k + 1) - motion(k) + 2.0));
+    text +=
+        has_third ? fmt::format(",{:.9f}\n", 600.0 + sign * (work(k + 2) - motion(k) + 5.0)) : "\n";
+  }
+  return text;
+}
+
+TEST(EvaluateStraightness, TellsMotionAndWorkApartInBothSenses) {
+  for (const bool is_gap : {false, true}) {
+    cli::EvaluateOptions options = of_readings("straightness");
+    options.unit = "um";
+    options.given[OptionId::Sense] = is_gap ? "gap" : "travel";
+    const EvaluateOutput output = evaluate_text(bed_file(is_gap, true), options);
+    ASSERT_EQ(output.exit_code, 0) << output.errors;
+    EXPECT_NEAR(output.value("delta_1"), 2.0, 1e-7);
+    EXPECT_NEAR(output.value("delta_2"), 3.0, 1e-7);
+    EXPECT_NEAR(output.value("delta"), 5.0, 1e-7);
+    EXPECT_NEAR(output.value("delta_closure"), 0.0, 1e-7);
+    EXPECT_NEAR(output.value("motion_straightness"), 10.0, 1e-7);
+    EXPECT_NEAR(output.value("motion_straightness_minimum_zone"), 10.0, 1e-7);
+    EXPECT_NEAR(output.value("parallelism"), 30.0, 1e-7);
+    EXPECT_NEAR(output.value("work_straightness"), 4.0, 1e-7);
+    const auto& curve = output.document.at("curves").at("motion");
+    ASSERT_EQ(curve.size(), 21U);
+    EXPECT_NEAR(curve[10][0].get<double>(), 1000.0, 1e-12);
+    EXPECT_NEAR(curve[10][1].get<double>(), 0.010, 1e-10);
+  }
+}
+
+TEST(EvaluateStraightness, WritesTheCompensation) {
+  TemporaryFolder folder;
+  cli::EvaluateOptions options = of_readings("straightness");
+  options.unit = "um";
+  options.given[OptionId::Compensation] = folder.path("bed.toml");
+  options.given[OptionId::Error] = "EZX";
+  options.given[OptionId::From] = "2400";
+  EXPECT_EQ(evaluate_text("A,B\n0,1\n0,-1\n0,0\n", options).exit_code, 0);
+  // X* = 0, 1, 0: no slope; the motion goes to +1 um in the middle.
+  EXPECT_EQ(testing::text_of(folder.path("bed.toml")),
+            "# Corrections, mm, at machine coordinates of the moving axis.\n"
+            "[machine.compensation]\nEZX = [\n  [2400.000000, 0.000000000],\n"
+            "  [2500.000000, -0.001000000],\n  [2600.000000, 0.000000000],\n]\n");
+}
+
+TEST(EvaluateReadings, AreRefusedWithTheLine) {
+  struct Case {
+    const char* kind;
+    const char* text;
+    const char* says;
+  };
+  const Case kCases[] = {
+      {"straightness", "K,A,B\n0,1,2\n2,1,2\n", "data.csv:3:1: error: K is 2, it should be 1"},
+      {"straightness", "K,A,B\n0,1,2\n", "data.csv:2:1: error: a line takes two rows at least"},
+      {"straightness", "K,A,C\n0,1,2\n", "there is no column B"},
+      {"flatness", "y,K,A,B\n0,0,1,1\n0,1,1,1\n50,0,1,1\n50,1,1,1\n50,2,1,1\n",
+       "data.csv:6:1: error: this line ends after 3 rows, the first has 2"},
+  };
+  for (const Case& c : kCases) {
+    const EvaluateOutput output = evaluate_text(c.text, of_readings(c.kind));
+    EXPECT_EQ(output.exit_code, 2) << c.text;
+    EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
+  }
+  cli::EvaluateOptions options = of_readings("straightness");
+  options.given.erase(OptionId::Step);
+  EXPECT_NE(evaluate_text("A,B\n1,2\n", options).errors.find("straightness needs --step L"),
+            std::string::npos);
+}
+
+TEST(EvaluateFlatness, OfPointsAndOfLinesOfReadings) {
+  // The saddle z = 7 um u v over -1 .. 1, on a tilted plane: 14 um.
+  std::string points = "x,y,z\n";
+  std::string lines = "y,K,A,B\n";
+  const auto height = [](int i, int j) { return 0.007 * (0.1 * i - 1.0) * (0.1 * j - 1.0); };
+  for (int j = 0; j <= 20; ++j) {
+    for (int i = 0; i <= 20; ++i) {
+      points += fmt::format("{},{},{:.12f}\n", 100 * i, 50 * j, height(i, j) + 0.001 * i);
+      const double bow = 1e-3 * motion(i);
+      lines += fmt::format("{},{},{:.12f},{:.12f}\n", 50 * j, i, height(i, j) - bow,
+                           height(i + 1, j) - bow + 0.002);
+    }
+  }
+  cli::EvaluateOptions options = of_readings("flatness");
+  EXPECT_NEAR(evaluate_text(lines, options).value("flatness_minimum_zone"), 14.0, 1e-6);
+  options.given.erase(OptionId::Step);
+  EXPECT_NEAR(evaluate_text(points, options).value("flatness_minimum_zone"), 14.0, 1e-6);
+  EXPECT_NE(evaluate_text("x,y,z\n0,0,0\n1,1,0\n2,2,0\n", options).errors.find("on one line"),
+            std::string::npos);
+}
+
+/// A barrel of radius 10, thicker by 8 um in the middle and off the axis, on a bowed slide.
+std::string shaft_file() {
+  std::string text = "K,theta,A,B\n";
+  const auto radius = [](int k, double angle) {
+    const double s = k / 7.0 - 1.0;
+    return 10.0 + 0.008 * (1.0 - s * s) + 0.003 * std::cos(angle) + 0.002 * s * std::sin(angle);
+  };
+  for (int degrees = 0; degrees < 360; degrees += 30) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    for (int k = 0; k <= 14; ++k) {
+      const double slide = 0.005 * std::sin(k * std::numbers::pi / 14.0);
+      text += fmt::format("{},{},{:.12f},{:.12f}\n", k, degrees, radius(k, angle) - slide,
+                          radius(k + 1, angle) - slide + 0.001);
+    }
+  }
+  return text;
+}
+
+TEST(EvaluateCylindricity, FindsTheBarrelAndNotTheSlide) {
+  TemporaryFolder folder;
+  cli::EvaluateOptions options = of_readings("cylindricity");
+  // Between 0 and 180 degrees the displacement of the axis cancels.
+  options.given[OptionId::Diameters] = folder.write("ends.csv", "K,d\n0,20\n14,20\n");
+  const EvaluateOutput output = evaluate_text(shaft_file(), options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NEAR(output.value("cylindricity_minimum_zone"), 8.0, 1e-3);  // e^2 / 2r is 0.4 nm
+  EXPECT_NEAR(output.value("cylindricity_least_squares"), 8.0, 1e-3);
+  EXPECT_EQ(output.document.at("curves").size(), 12U);
+  EXPECT_NEAR(output.document.at("curves").at("theta_90").at(14)[0].get<double>(), 1400.0, 1e-9);
+
+  options.given[OptionId::Diameters] = folder.write("one.csv", "K,d\n0,20\n");
+  EXPECT_NE(evaluate_text(shaft_file(), options).errors.find("diameters are needed at both ends"),
+            std::string::npos);
+  EXPECT_NE(evaluate_text("K,theta,A,B\n0,0,1,1\n1,0,1,1\n", options)
+                .errors.find("readings at theta 0 and 180"),
+            std::string::npos);
+}
+
+TEST(EvaluatePositioning, IsThatOfTheStandard) {
+  std::string text = "axis,target,direction,cycle,position\n";
+  const auto row = [&](double target, int direction, int cycle, double um) {
+    text += fmt::format("X,{},{},{},{:.6f}\n", target, direction, cycle, target + 1e-3 * um);
+  };
+  for (int cycle = 1; cycle <= 3; ++cycle) {
+    row(0.0, 1, cycle, cycle);             // mean 2, s 1
+    row(0.0, -1, cycle, 2.0 + 2 * cycle);  // mean 6, s 2
+    row(100.0, 1, cycle, 3.0);             // mean 3, s 0
+    row(100.0, -1, cycle, cycle);          // mean 2, s 1
+  }
+  cli::EvaluateOptions options;
+  options.kind = "positioning";
+  const EvaluateOutput output = evaluate_text(text, options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  const std::pair<const char*, double> kExpected[] = {{"A", 10.0}, {"A_up", 4.0}, {"A_down", 10.0},
+                                                      {"R", 10.0}, {"R_up", 4.0}, {"R_down", 8.0},
+                                                      {"B", 4.0},  {"E", 4.0},    {"M", 1.5}};
+  for (const auto& [name, value] : kExpected) {
+    EXPECT_NEAR(output.value(name), value, 1e-6) << name;
+  }
+  const std::string two_axes = text + "Y,0,1,1,0\n";
+  EXPECT_NE(evaluate_text(two_axes, options)
+                .errors.find("data.csv:14:1: error: axis is Y, it should be X"),
+            std::string::npos);
+  options.given[OptionId::Axis] = "X";
+  EXPECT_NEAR(evaluate_text(two_axes, options).value("B"), 4.0, 1e-6);
+  EXPECT_NE(evaluate_text(text + "X,0,2,1,0\n", options)
+                .errors.find("data.csv:14:1: error: direction is 2, it should be +1 or -1"),
+            std::string::npos);
+  EXPECT_NE(evaluate_text(text + "X,300,1,1,300\n", options).errors.find("was reached once"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace g31

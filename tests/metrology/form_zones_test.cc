@@ -1,0 +1,209 @@
+// Zones against brute force, closed forms and long double.
+
+#include "probe/metrology/form_zones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "machine/base/random.h"
+#include "machine/units/point.h"
+#include "probe/metrology/minimax_fit.h"
+
+namespace g31 {
+namespace {
+
+double between(double low, double high, std::uint64_t seed, std::uint64_t which) {
+  return low + (high - low) * uniform(Stream{seed, 5}, which);
+}
+
+/// The smallest strip: one of its sides holds two of the points.
+double smallest_strip(const std::vector<double>& x, const std::vector<double>& y) {
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t j = i + 1; j < x.size(); ++j) {
+      const double slope = (y[j] - y[i]) / (x[j] - x[i]);
+      double low = HUGE_VAL;
+      double high = -HUGE_VAL;
+      for (std::size_t k = 0; k < x.size(); ++k) {
+        low = std::min(low, y[k] - slope * x[k]);
+        high = std::max(high, y[k] - slope * x[k]);
+      }
+      least = std::min(least, high - low);
+    }
+  }
+  return least;
+}
+
+/// The range about the line of least squares, in long double.
+double range_about_line(const std::vector<double>& x, const std::vector<double>& y) {
+  long double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    n += 1;
+    sx += x[k];
+    sy += y[k];
+    sxx += static_cast<long double>(x[k]) * x[k];
+    sxy += static_cast<long double>(x[k]) * y[k];
+  }
+  const long double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
+  long double low = HUGE_VALL, high = -HUGE_VALL;
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    low = std::min(low, y[k] - slope * x[k]);
+    high = std::max(high, y[k] - slope * x[k]);
+  }
+  return static_cast<double>(high - low);
+}
+
+TEST(Straightness, IsThatOfBruteForce) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    std::vector<double> x;
+    std::vector<double> y;
+    const auto count = static_cast<std::uint64_t>(between(2.0, 40.0, seed, 0));
+    for (std::uint64_t k = 0; k < count; ++k) {
+      x.push_back(100.0 * static_cast<double>(k) + (seed % 3 == 0 ? 5e5 : 0.0));
+      // Ties and collinear points as well: rounded to few values.
+      const double value = between(-0.01, 0.01, seed, k + 1);
+      y.push_back(seed % 2 == 0 ? value : std::round(value * 300.0) / 300.0);
+    }
+    const auto zones = metrology::straightness_of(x, y);
+    EXPECT_NEAR(zones.minimum_zone, smallest_strip(x, y), 1e-12) << seed;
+    EXPECT_NEAR(zones.least_squares, range_about_line(x, y), 1e-12) << seed;
+    EXPECT_LE(zones.minimum_zone, zones.least_squares + 1e-15);
+    EXPECT_LE(zones.minimum_zone, zones.end_points + 1e-15);
+  }
+}
+
+TEST(Straightness, OfABowIsItsClosedForm) {
+  std::vector<double> x;
+  std::vector<double> y;
+  for (int k = 0; k <= 100; ++k) {
+    x.push_back(k);
+    y.push_back(0.01 * (1.0 - (k / 50.0 - 1.0) * (k / 50.0 - 1.0)) + 0.003 * k);
+  }
+  const auto zones = metrology::straightness_of(x, y);
+  EXPECT_NEAR(zones.end_points, 0.01, 1e-15);
+  EXPECT_NEAR(zones.minimum_zone, 0.01, 1e-15);
+}
+
+/// The smallest distance of two parallel planes along z: of each four points, or of three and one.
+double smallest_slab(const Eigen::MatrixX3d& p) {
+  double least = HUGE_VAL;
+  const auto judge = [&](double a, double b) {
+    const Eigen::VectorXd off = p.col(2) - a * p.col(0) - b * p.col(1);
+    least = std::min(least, off.maxCoeff() - off.minCoeff());
+  };
+  const auto slopes = [&](const Point& u, const Point& v) {
+    const Point normal = u.cross(v);
+    if (std::abs(normal.z()) > 1e-9 * u.norm() * v.norm()) {
+      judge(-normal.x() / normal.z(), -normal.y() / normal.z());
+    }
+  };
+  const auto at = [&](Eigen::Index i) -> Point { return p.row(i).transpose(); };
+  for (Eigen::Index i = 0; i < p.rows(); ++i) {
+    for (Eigen::Index j = i + 1; j < p.rows(); ++j) {
+      for (Eigen::Index k = 0; k < p.rows(); ++k) {
+        for (Eigen::Index l = k + 1; l < p.rows(); ++l) {
+          slopes(at(j) - at(i), at(l) - at(k));  // an edge above, an edge below; or a face
+        }
+      }
+    }
+  }
+  return least;
+}
+
+TEST(Flatness, IsThatOfBruteForce) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const bool is_grid = seed % 2 == 0;
+    Eigen::MatrixX3d p(is_grid ? 16 : 14, 3);
+    for (Eigen::Index i = 0; i < p.rows(); ++i) {
+      const auto which = static_cast<std::uint64_t>(i);
+      const double z = between(-0.01, 0.01, seed, 3 * which + 2);
+      p.row(i) << (is_grid ? 100.0 * static_cast<double>(i % 4) : between(0, 500, seed, 3 * which)),
+          (is_grid ? 80.0 * static_cast<double>(i / 4) : between(0, 500, seed, 3 * which + 1)),
+          (seed % 4 == 0 ? std::round(z * 300.0) / 300.0 : z) + 0.02 * static_cast<double>(i % 4);
+    }
+    const auto zones = metrology::flatness_of(p);
+    ASSERT_TRUE(zones.has_value());
+    EXPECT_NEAR(zones->minimum_zone, smallest_slab(p), 1e-12) << seed;
+    EXPECT_GE(zones->least_squares, zones->minimum_zone - 1e-15);
+  }
+}
+
+TEST(Flatness, OfASaddleOnAGridIsItsClosedForm) {
+  // z = h x y on a grid of -1 .. 1: no plane does better than z = 0.
+  Eigen::MatrixX3d p(21 * 21, 3);
+  for (int i = 0; i < 21; ++i) {
+    for (int j = 0; j < 21; ++j) {
+      const double x = 0.1 * i - 1.0;
+      const double y = 0.1 * j - 1.0;
+      p.row(21 * i + j) << 300.0 * x, 300.0 * y, 0.007 * x * y + 0.1 * x - 0.05 * y + 3.0;
+    }
+  }
+  const auto zones = metrology::flatness_of(p);
+  ASSERT_TRUE(zones.has_value());
+  EXPECT_NEAR(zones->minimum_zone, 0.014, 1e-12);
+  EXPECT_NEAR(zones->least_squares, 0.014, 1e-12);
+  EXPECT_FALSE(metrology::flatness_of(Eigen::MatrixX3d::Zero(5, 3)).has_value());
+  p.col(2).setConstant(1.0);
+  EXPECT_NEAR(metrology::flatness_of(p)->minimum_zone, 0.0, 1e-15);
+}
+
+/// A surface of given radii about a line near z.
+Eigen::MatrixX3d turned(const Eigen::Vector3d& at, const Eigen::Vector3d& along, double radius,
+                        double (*error)(double angle, double z)) {
+  const Eigen::Vector3d direction = along.normalized();
+  const Eigen::Quaterniond turn =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), direction);
+  Eigen::MatrixX3d points(36 * 11, 3);
+  for (int i = 0; i < 36; ++i) {
+    for (int k = 0; k < 11; ++k) {
+      const double angle = i * std::numbers::pi / 18.0;
+      const double z = 40.0 * k - 200.0;
+      const double r = radius + error(angle, z);
+      points.row(11 * i + k) =
+          (at + turn * Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), z)).transpose();
+    }
+  }
+  return points;
+}
+
+TEST(Cylindricity, KnowsNothingOfWhereTheAxisIs) {
+  const auto round = metrology::cylindricity_of(
+      turned({0.08, -0.05, 0.0}, {0.004, -0.007, 1.0}, 10.0, [](double, double) { return 0.0; }));
+  ASSERT_TRUE(round.has_value());
+  EXPECT_NEAR(round->least_squares, 0.0, 1e-9);
+  EXPECT_NEAR(round->minimum_zone, 0.0, 1e-9);
+  // Thick in the middle: no axis does better than the middle.
+  const auto barrel =
+      metrology::cylindricity_of(turned({0.05, 0.02, 3.0}, {0.001, 0.002, 1.0}, 10.0,
+                                        [](double, double z) { return -0.008 * z * z / 4e4; }));
+  EXPECT_NEAR(barrel->minimum_zone, 0.008, 1e-9);
+  EXPECT_NEAR(barrel->least_squares, 0.008, 1e-9);
+  // Three lobes twist along the work: the zone is twice their height.
+  const auto lobes = metrology::cylindricity_of(
+      turned({0.05, 0.02, 3.0}, {0.001, 0.002, 1.0}, 10.0,
+             [](double angle, double) { return 0.003 * std::cos(3.0 * angle); }));
+  EXPECT_NEAR(lobes->minimum_zone, 0.006, 1e-9);
+}
+
+TEST(Cylindricity, HasASmallerZoneThanLeastSquares) {
+  const auto zones = metrology::cylindricity_of(
+      turned({0.01, 0.0, 0.0}, {0.0, 0.001, 1.0}, 10.0, [](double angle, double z) {
+        return 0.004 * std::exp(-8.0 * (1.0 - std::cos(angle))) * (z > 100.0 ? 1.0 : 0.0);
+      }));
+  ASSERT_TRUE(zones.has_value());
+  EXPECT_LT(zones->minimum_zone, zones->least_squares);
+  EXPECT_LT(zones->minimum_zone, 0.004);
+  Eigen::MatrixX3d line(8, 3);
+  for (int i = 0; i < 8; ++i) {
+    line.row(i) << 10.0, 0.0, i;
+  }
+  EXPECT_FALSE(metrology::cylindricity_of(line).has_value());
+}
+
+}  // namespace
+}  // namespace g31

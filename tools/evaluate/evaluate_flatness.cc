@@ -1,0 +1,68 @@
+#include "probe/metrology/form_zones.h"
+#include "probe/metrology/two_point.h"
+#include "tools/evaluate/evaluate_readings.h"
+#include "tools/evaluate/sensor_rows.h"
+
+namespace g31::evaluate {
+namespace {
+
+using Points = Eigen::MatrixX3d;
+
+Result<Points, DataError> read_points(const DataFile& file, const Request& request) {
+  const auto table = read_table(file,
+                                {{"x", ColumnKind::Length, "X"},
+                                 {"y", ColumnKind::Length, "Y"},
+                                 {"z", ColumnKind::Length, "Z"}},
+                                request.columns);
+  if (!table) {
+    return table.error();
+  }
+  Points points(static_cast<Eigen::Index>(table.value().size()), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    points.row(i) << table.value().numbers("x")[row], table.value().numbers("y")[row],
+        table.value().numbers("z")[row];
+  }
+  return points;
+}
+
+Result<Points, DataError> read_lines(const DataFile& file, const Request& request) {
+  const auto lines = read_sensor_lines(file, request, {"y", ColumnKind::Length});
+  if (!lines) {
+    return lines.error();
+  }
+  const auto steps = static_cast<Eigen::Index>(lines.value().front().rows.a.size());
+  Points points(steps * static_cast<Eigen::Index>(lines.value().size()), 3);
+  const double level = lines.value().front().rows.a.front();
+  Eigen::Index next = 0;
+  for (const SensorLine& line : lines.value()) {
+    const auto shapes = metrology::separate_two_points(line.rows.a, line.rows.b);
+    for (Eigen::Index k = 0; k < steps; ++k) {
+      const double work = shapes.work[static_cast<std::size_t>(k)];
+      points.row(next++) << static_cast<double>(k) * *request.step, line.key,
+          work + line.rows.a.front() - level;
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+Result<Evaluation, DataError> evaluate_flatness(const DataFile& file, const Request& request) {
+  const auto points = request.step ? read_lines(file, request) : read_points(file, request);
+  if (!points) {
+    return points.error();
+  }
+  const auto zones = metrology::flatness_of(points.value());
+  if (!zones) {
+    return data_error(DataErrorId::CannotEvaluate, file, {}, {"the points lie on one line"});
+  }
+  Evaluation evaluation;
+  evaluation.kind = Kind::Flatness;
+  evaluation.samples = static_cast<std::size_t>(points.value().rows());
+  evaluation.results = {{"flatness_least_squares", um(zones->least_squares), "um"},
+                        {"flatness_minimum_zone", um(zones->minimum_zone), "um"}};
+  return evaluation;
+}
+
+}  // namespace g31::evaluate

@@ -1,0 +1,102 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "probe/metrology/positioning.h"
+#include "tools/evaluate/evaluate_readings.h"
+
+namespace g31::evaluate {
+namespace {
+
+using metrology::PositioningEvaluation;
+
+/// The axis whose rows are evaluated: the one asked for, else the only one.
+Result<std::string, DataError> axis_of(const DataFile& file, const DataTable& table,
+                                       const Request& request) {
+  const std::vector<std::string>& axes = table.texts("axis");
+  const std::string axis = request.axis.value_or(axes.front());
+  const auto is_it = [&](const std::string& name) { return name == axis; };
+  if (request.axis && std::ranges::none_of(axes, is_it)) {
+    return data_error(DataErrorId::CannotEvaluate, file, {},
+                      {fmt::format("there are no rows of axis {}", axis)});
+  }
+  const auto other = std::ranges::find_if_not(axes, is_it);
+  if (!request.axis && other != axes.end()) {
+    const auto row = static_cast<std::size_t>(other - axes.begin());
+    return data_error(DataErrorId::NotOneOf, file, place_of_line(file, table.line(row)),
+                      {"axis", *other, axis},
+                      fmt::format("--axis {} takes the rows of that axis alone", axis));
+  }
+  return axis;
+}
+
+std::vector<Quantity> results_of(const PositioningEvaluation& p) {
+  return {
+      {"A", um(p.A), "um"},           {"A_up", um(p.A_up), "um"}, {"A_down", um(p.A_down), "um"},
+      {"R", um(p.R), "um"},           {"R_up", um(p.R_up), "um"}, {"R_down", um(p.R_down), "um"},
+      {"B", um(p.B), "um"},           {"E", um(p.E), "um"},       {"E_up", um(p.E_up), "um"},
+      {"E_down", um(p.E_down), "um"}, {"M", um(p.M), "um"}};
+}
+
+/// Means and the limits two standard deviations beside them, by target.
+std::vector<Curve> curves_of(const PositioningEvaluation& p) {
+  std::vector<Curve> curves;
+  for (const bool is_up : {true, false}) {
+    const std::string name = is_up ? "up" : "down";
+    Curve mean{"mean_" + name, {}};
+    Curve above{"mean_" + name + "_plus_2s", {}};
+    Curve below{"mean_" + name + "_minus_2s", {}};
+    for (const metrology::TargetStatistics& target : p.targets) {
+      if (const auto& one = is_up ? target.up : target.down) {
+        mean.points.push_back({target.target, one->mean});
+        above.points.push_back({target.target, one->mean + 2.0 * one->s});
+        below.points.push_back({target.target, one->mean - 2.0 * one->s});
+      }
+    }
+    curves.insert(curves.end(), {std::move(mean), std::move(above), std::move(below)});
+  }
+  return curves;
+}
+
+}  // namespace
+
+Result<Evaluation, DataError> evaluate_positioning(const DataFile& file, const Request& request) {
+  const auto table = read_table(file,
+                                {{"axis", ColumnKind::Text},
+                                 {"target", ColumnKind::Length},
+                                 {"direction", ColumnKind::Number},
+                                 {"cycle", ColumnKind::Number},
+                                 {"position", ColumnKind::Length}},
+                                request.columns);
+  if (!table) {
+    return table.error();
+  }
+  const auto axis = axis_of(file, table.value(), request);
+  if (!axis) {
+    return axis.error();
+  }
+  std::vector<metrology::Approach> approaches;
+  for (std::size_t row = 0; row < table.value().size(); ++row) {
+    const double direction = table.value().numbers("direction")[row];
+    if (direction != 1.0 && direction != -1.0) {
+      return data_error(DataErrorId::NotOneOf, file, place_of_line(file, table.value().line(row)),
+                        {"direction", fmt::format("{}", direction), "+1 or -1"});
+    }
+    if (table.value().texts("axis")[row] == axis.value()) {
+      approaches.push_back({table.value().numbers("target")[row],
+                            table.value().numbers("position")[row], direction > 0.0});
+    }
+  }
+  const auto positioning = metrology::evaluate_positioning(approaches);
+  if (!positioning) {
+    return data_error(DataErrorId::CannotEvaluate, file, {}, {positioning.error()});
+  }
+  Evaluation evaluation;
+  evaluation.kind = Kind::Positioning;
+  evaluation.samples = table.value().size();
+  evaluation.results = results_of(positioning.value());
+  evaluation.curves = curves_of(positioning.value());
+  return evaluation;
+}
+
+}  // namespace g31::evaluate

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include "probe/metrology/form_zones.h"
+#include "probe/metrology/two_point.h"
+#include "tools/evaluate/evaluate_readings.h"
+#include "tools/evaluate/sensor_rows.h"
+
+namespace g31::evaluate {
+namespace {
+
+using metrology::SeparatedShapes;
+
+std::vector<double> places_of(std::size_t count, double step, double from) {
+  std::vector<double> places;
+  for (std::size_t k = 0; k < count; ++k) {
+    places.push_back(from + static_cast<double>(k) * step);
+  }
+  return places;
+}
+
+void add_zones(const std::string& name, const std::vector<double>& places,
+               const std::vector<double>& shape, std::vector<Quantity>& results) {
+  const metrology::StraightnessZones zones = metrology::straightness_of(places, shape);
+  results.push_back({name, um(zones.end_points), "um"});
+  results.push_back({name + "_least_squares", um(zones.least_squares), "um"});
+  results.push_back({name + "_minimum_zone", um(zones.minimum_zone), "um"});
+}
+
+Curve curve_of(const std::string& name, const std::vector<double>& places,
+               const std::vector<double>& shape) {
+  Curve curve{name, {}};
+  for (std::size_t k = 0; k < shape.size(); ++k) {
+    curve.points.push_back({places[k], shape[k]});
+  }
+  return curve;
+}
+
+void add_offsets(const SensorRows& rows, const SeparatedShapes& shapes, Evaluation& evaluation) {
+  if (rows.c.size() < 3) {
+    evaluation.results.push_back({"delta", um(shapes.delta), "um"});
+    return;
+  }
+  const double delta_1 = shapes.delta;
+  const double delta_2 = metrology::separate_two_points(rows.b, rows.c).delta;
+  const double delta = metrology::tip_offset_over_two(rows.a, rows.c, shapes.motion);
+  evaluation.results.push_back({"delta", um(delta), "um"});
+  evaluation.results.push_back({"delta_1", um(delta_1), "um"});
+  evaluation.results.push_back({"delta_2", um(delta_2), "um"});
+  evaluation.results.push_back({"delta_closure", um(delta - delta_1 - delta_2), "um"});
+}
+
+}  // namespace
+
+Result<Evaluation, DataError> evaluate_straightness(const DataFile& file, const Request& request) {
+  const auto read = read_sensor_rows(file, request);
+  if (!read) {
+    return read.error();
+  }
+  const SensorRows& rows = read.value();
+  const SeparatedShapes shapes = metrology::separate_two_points(rows.a, rows.b);
+  const double from = request.from.value_or(0.0);
+  const std::vector<double> places = places_of(rows.a.size(), *request.step, from);
+  Evaluation evaluation;
+  evaluation.kind = Kind::Straightness;
+  evaluation.samples = rows.a.size();
+  add_offsets(rows, shapes, evaluation);
+  add_zones("motion_straightness", places, shapes.motion, evaluation.results);
+  add_zones("work_straightness", places, shapes.work, evaluation.results);
+  evaluation.results.push_back({"parallelism", um(shapes.work.back()), "um"});
+  evaluation.curves = {curve_of("motion", places, shapes.motion),
+                       curve_of("work", places, shapes.work)};
+  const std::size_t n = rows.a.size() - 1;
+  evaluation.notes.push_back(fmt::format(
+      "readings of standard uncertainty u make one of {:.3g} u of the motion in the "
+      "middle of {} steps, and {:.3g} u of the work",
+      metrology::motion_uncertainty(n / 2, n), n, metrology::work_uncertainty((n + 1) / 2, n)));
+  return evaluation;
+}
+
+}  // namespace g31::evaluate
