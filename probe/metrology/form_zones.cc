@@ -105,7 +105,7 @@ StraightnessZones straightness_of(std::span<const double> places,
   return {range_of(y - slope * x), zones.least_squares, zones.minimum_zone};
 }
 
-std::optional<FormZones> flatness_of(const Eigen::MatrixX3d& points) {
+std::optional<FlatnessEvaluation> flatness_of(const Eigen::MatrixX3d& points) {
   if (points.rows() < 3) {
     return std::nullopt;
   }
@@ -114,7 +114,10 @@ std::optional<FormZones> flatness_of(const Eigen::MatrixX3d& points) {
       normalised(points.col(1));
   const Eigen::VectorXd z = points.col(2);
   const auto smallest = minimax_fit(columns, z);
-  return smallest ? std::optional(zones_about(columns, z, *smallest)) : std::nullopt;
+  if (!smallest) {
+    return std::nullopt;
+  }
+  return FlatnessEvaluation{zones_about(columns, z, *smallest), z - columns * smallest->parameters};
 }
 
 std::optional<FormZones> cylindricity_of(const Eigen::MatrixX3d& points) {

@@ -24,9 +24,15 @@ struct FormZones {
   double minimum_zone = 0.0;
 };
 
+/// What is flat, and where not.
+struct FlatnessEvaluation {
+  FormZones zones;
+  Eigen::VectorXd deviations;  ///< of each point from the middle of the minimum zone
+};
+
 /// Flatness of points (x, y, z) in rows, mm, distances along z.  nullopt: they lie on a line.
 /// Accuracy: that of `minimax_fit`.
-std::optional<FormZones> flatness_of(const Eigen::MatrixX3d& points);
+std::optional<FlatnessEvaluation> flatness_of(const Eigen::MatrixX3d& points);
 
 /// Cylindricity of points in rows, mm, about an axis near z: range of the distances from the axis
 /// of the cylinder of least squares, and the smallest range about any axis.

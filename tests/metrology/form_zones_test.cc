@@ -128,8 +128,8 @@ TEST(Flatness, IsThatOfBruteForce) {
     }
     const auto zones = metrology::flatness_of(p);
     ASSERT_TRUE(zones.has_value());
-    EXPECT_NEAR(zones->minimum_zone, smallest_slab(p), 1e-12) << seed;
-    EXPECT_GE(zones->least_squares, zones->minimum_zone - 1e-15);
+    EXPECT_NEAR(zones->zones.minimum_zone, smallest_slab(p), 1e-12) << seed;
+    EXPECT_GE(zones->zones.least_squares, zones->zones.minimum_zone - 1e-15);
   }
 }
 
@@ -145,11 +145,11 @@ TEST(Flatness, OfASaddleOnAGridIsItsClosedForm) {
   }
   const auto zones = metrology::flatness_of(p);
   ASSERT_TRUE(zones.has_value());
-  EXPECT_NEAR(zones->minimum_zone, 0.014, 1e-12);
-  EXPECT_NEAR(zones->least_squares, 0.014, 1e-12);
+  EXPECT_NEAR(zones->zones.minimum_zone, 0.014, 1e-12);
+  EXPECT_NEAR(zones->zones.least_squares, 0.014, 1e-12);
   EXPECT_FALSE(metrology::flatness_of(Eigen::MatrixX3d::Zero(5, 3)).has_value());
   p.col(2).setConstant(1.0);
-  EXPECT_NEAR(metrology::flatness_of(p)->minimum_zone, 0.0, 1e-15);
+  EXPECT_NEAR(metrology::flatness_of(p)->zones.minimum_zone, 0.0, 1e-15);
 }
 
 /// A surface of given radii about a line near z.

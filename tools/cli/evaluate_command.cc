@@ -87,6 +87,10 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
     return refuse(session::refusal_of({evaluation.error()}));
   }
   auto wrong = write_compensation(options, evaluation.value());
+  if (!wrong && !options.svg.empty()) {
+    const auto problem = disk::write_whole_file(options.svg, evaluation.value().svg);
+    wrong = problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
+  }
   if (!wrong) {
     wrong = hand_over(options, evaluation.value());
   }

@@ -15,6 +15,8 @@ struct EvaluateOptions {
   std::string file;
   std::string json;  ///< file, "-" for standard output, "" for none
   bool has_curves = false;
+  std::string svg;      ///< file of the drawing, "" for none
+  std::string magnify;  ///< how many times it enlarges errors; "": so that they are seen
   std::vector<std::string> columns;                 ///< "X=x_act"
   std::string unit;                                 ///< "" for mm
   std::map<evaluate::OptionId, std::string> given;  ///< options that only some kinds know

@@ -16,6 +16,11 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
   command->add_option("--json", options.json, "the results as a document; - is standard output")
       ->type_name("FILE");
   command->add_flag("--curves", options.has_curves, "every curve into the document");
+  command->add_option("--svg", options.svg, "a drawing")->type_name("FILE");
+  command
+      ->add_option("--magnify", options.magnify,
+                   "how many times a drawn circle or square enlarges its errors; 1 is true size")
+      ->type_name("V");
   command
       ->add_option("--columns", options.columns,
                    "what the file calls its columns, for example X=x_act,Y=y_act")
@@ -46,7 +51,7 @@ std::string evaluate_examples() {
          "X.\n\n"
          "Examples:\n"
          "  g31 run circle.nc -s machine.toml --trace circle.csv\n"
-         "  g31 evaluate circle circle.csv --radius 50\n"
+         "  g31 evaluate circle circle.csv --radius 50 --svg circle.svg --magnify 1000\n"
          "  g31 evaluate circle scale.csv --columns X=x_act,Y=y_act --unit um --interval 182.32us\n"
          "  g31 evaluate square square.csv --side 100 --json square.json\n"
          "  g31 evaluate diagonal scale.csv --target 50,50 --on 300\n"

@@ -153,6 +153,20 @@ Wrong take_unit(const std::string& unit, Request& request) {
   return std::nullopt;
 }
 
+Wrong take_drawing(const EvaluateOptions& options, Request& request) {
+  request.wants_curves = options.has_curves;
+  request.wants_drawing = !options.svg.empty();
+  if (options.magnify.empty()) {
+    return std::nullopt;
+  }
+  const auto magnify = number_in(options.magnify);
+  if (!magnify || *magnify <= 0.0) {
+    return fmt::format("--magnify {}: this is no number above 0 and up to 1e6", options.magnify);
+  }
+  request.magnify = *magnify;
+  return std::nullopt;
+}
+
 Wrong take_given(const EvaluateOptions& options, Request& request) {
   for (const OptionRow& row : evaluate::options()) {
     const auto given = options.given.find(row.id);
@@ -200,6 +214,9 @@ Result<Request, session::Refusal> evaluate_request(const EvaluateOptions& option
   }
   if (!wrong) {
     wrong = take_given(options, request);
+  }
+  if (!wrong) {
+    wrong = take_drawing(options, request);
   }
   if (!wrong) {
     wrong = missing_option(options, request);

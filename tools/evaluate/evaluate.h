@@ -35,6 +35,9 @@ struct Request {
   std::optional<double> from = {};
   std::optional<DataFile> diameters = {};
   std::optional<std::string> axis = {};
+  bool wants_curves = false;  ///< of paths: every sample's deviation
+  bool wants_drawing = false;
+  double magnify = 0.0;  ///< how many times a drawing enlarges errors; 0: so that they are seen
 };
 
 /// Evaluates a file.  Error: what is wrong with it, at its place.

@@ -1,10 +1,14 @@
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "probe/metrology/circle_evaluation.h"
+#include "tools/evaluate/charts.h"
 #include "tools/evaluate/evaluate_path.h"
 #include "tools/evaluate/recorded_path.h"
+#include "tools/plot/path_plot.h"
 
 namespace g31::evaluate {
 namespace {
@@ -96,6 +100,35 @@ std::vector<std::string> notes_of(const metrology::CircleEvaluation& circle, con
   return notes;
 }
 
+std::string drawing_of(const metrology::CircleEvaluation& circle,
+                       const metrology::PlaneSamples& samples, const Request& request,
+                       const Evaluation& evaluation) {
+  const metrology::Circle& reference = circle.reference;
+  plot::PathPlot chart;
+  chart.title = fmt::format("Circle, radius {:.6g} mm", reference.radius);
+  chart.axes = request.plane;
+  chart.centre = {reference.centre.x(), reference.centre.y()};
+  chart.nominal_radius = [&](double) { return reference.radius; };
+  chart.has_rings = true;
+  chart.magnification = request.magnify;
+  chart.facts = facts_of(evaluation);
+  std::array<bool, 2> is_named = {};
+  for (const metrology::CircleTurn& turn : circle.turns) {
+    const std::size_t colour = turn.direction > 0 ? 0 : 1;
+    plot::PathTrace trace;
+    if (!std::exchange(is_named.at(colour), true)) {
+      trace.name = turn.direction > 0 ? "counter-clockwise" : "clockwise";
+    }
+    trace.colour = colour;
+    for (std::size_t i = turn.begin; i < turn.end; ++i) {
+      trace.points.push_back(samples.at(i) - reference.centre);
+      trace.deviations.push_back(trace.points.back().norm() - reference.radius);
+    }
+    chart.traces.push_back(std::move(trace));
+  }
+  return plot::draw(chart);
+}
+
 }  // namespace
 
 Result<Evaluation, DataError> evaluate_circle(const DataFile& file, const Request& request) {
@@ -113,8 +146,13 @@ Result<Evaluation, DataError> evaluate_circle(const DataFile& file, const Reques
   evaluation.kind = Kind::Circle;
   evaluation.samples = samples.size();
   evaluation.results = results_of(circle.value(), request.plane);
-  evaluation.curves = curves_of(circle.value(), samples);
+  if (request.wants_curves) {
+    evaluation.curves = curves_of(circle.value(), samples);
+  }
   evaluation.notes = notes_of(circle.value(), request, samples.size());
+  if (request.wants_drawing) {
+    evaluation.svg = drawing_of(circle.value(), samples, request, evaluation);
+  }
   return evaluation;
 }
 

@@ -7,6 +7,7 @@
 #include "machine/units/point.h"
 #include "probe/metrology/form_zones.h"
 #include "probe/metrology/two_point.h"
+#include "tools/evaluate/charts.h"
 #include "tools/evaluate/evaluate_readings.h"
 #include "tools/evaluate/sensor_rows.h"
 
@@ -123,6 +124,13 @@ Result<Evaluation, DataError> evaluate_cylindricity(const DataFile& file, const 
   evaluation.results = {{"cylindricity_least_squares", um(zones->least_squares), "um"},
                         {"cylindricity_minimum_zone", um(zones->minimum_zone), "um"},
                         {"radius", mean, "mm"}};
+  if (request.wants_drawing) {
+    std::vector<double> angles;
+    for (const SensorLine& line : lines.value()) {
+      angles.push_back(line.key);
+    }
+    evaluation.svg = stacked_chart(evaluation, angles, "Work unrolled: deviations of the radius");
+  }
   return evaluation;
 }
 

@@ -1,5 +1,12 @@
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
 #include "probe/metrology/form_zones.h"
 #include "probe/metrology/two_point.h"
+#include "tools/evaluate/charts.h"
 #include "tools/evaluate/evaluate_readings.h"
 #include "tools/evaluate/sensor_rows.h"
 
@@ -46,6 +53,22 @@ Result<Points, DataError> read_lines(const DataFile& file, const Request& reques
   return points;
 }
 
+/// The deviations of points with the same y, along x.
+std::vector<Curve> lines_of(const Points& points, const Eigen::VectorXd& deviations) {
+  std::map<double, Curve> lines;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    Curve& line = lines[points(i, 1)];
+    line.points.push_back({points(i, 0), deviations[i]});
+  }
+  std::vector<Curve> curves;
+  for (auto& [y, line] : lines) {
+    std::ranges::sort(line.points);
+    line.name = fmt::format("y_{}", y);
+    curves.push_back(std::move(line));
+  }
+  return curves;
+}
+
 }  // namespace
 
 Result<Evaluation, DataError> evaluate_flatness(const DataFile& file, const Request& request) {
@@ -53,15 +76,19 @@ Result<Evaluation, DataError> evaluate_flatness(const DataFile& file, const Requ
   if (!points) {
     return points.error();
   }
-  const auto zones = metrology::flatness_of(points.value());
-  if (!zones) {
+  const auto flat = metrology::flatness_of(points.value());
+  if (!flat) {
     return data_error(DataErrorId::CannotEvaluate, file, {}, {"the points lie on one line"});
   }
   Evaluation evaluation;
   evaluation.kind = Kind::Flatness;
   evaluation.samples = static_cast<std::size_t>(points.value().rows());
-  evaluation.results = {{"flatness_least_squares", um(zones->least_squares), "um"},
-                        {"flatness_minimum_zone", um(zones->minimum_zone), "um"}};
+  evaluation.results = {{"flatness_least_squares", um(flat->zones.least_squares), "um"},
+                        {"flatness_minimum_zone", um(flat->zones.minimum_zone), "um"}};
+  evaluation.curves = lines_of(points.value(), flat->deviations);
+  if (request.wants_drawing) {
+    evaluation.svg = deviation_chart(evaluation, "Flatness: deviations along X", "x mm");
+  }
   return evaluation;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "probe/metrology/positioning.h"
+#include "tools/evaluate/charts.h"
 #include "tools/evaluate/evaluate_readings.h"
 
 namespace g31::evaluate {
@@ -96,6 +97,9 @@ Result<Evaluation, DataError> evaluate_positioning(const DataFile& file, const R
   evaluation.samples = table.value().size();
   evaluation.results = results_of(positioning.value());
   evaluation.curves = curves_of(positioning.value());
+  if (request.wants_drawing) {
+    evaluation.svg = positioning_chart(evaluation, axis.value());
+  }
   return evaluation;
 }
 

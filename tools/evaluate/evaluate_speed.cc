@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "probe/metrology/path_speed.h"
+#include "tools/evaluate/charts.h"
 #include "tools/evaluate/evaluate_path.h"
 #include "tools/evaluate/recorded_path.h"
 
@@ -45,13 +46,26 @@ Result<Evaluation, DataError> evaluate_speed(const DataFile& file, const Request
   for (const metrology::SpeedDip& dip : speed->dips) {
     evaluation.dips->push_back({dip.time, kSecondsPerMinute * dip.speed, dip.width});
   }
-  evaluation.curves = {speed_over_time(record)};
+  if (request.wants_curves || request.wants_drawing) {
+    evaluation.curves = {speed_over_time(record)};
+  }
   evaluation.notes.emplace_back(
       "speed_min is the least between start and stop, where 90 percent of the usual speed is "
       "reached first and last");
   if (record.interval > 1) {
     evaluation.notes.push_back(fmt::format(
         "the record is rough: speeds are taken over {} rows instead of one", record.interval));
+  }
+  if (request.wants_drawing) {
+    plot::CurvePlot chart;
+    chart.title = "Speed over time";
+    chart.x_label = "time s";
+    chart.y_label = "speed mm/min";
+    chart.traces = {{"", evaluation.curves.front().points, plot::CurveStyle::Line, 0}};
+    chart.facts = facts_of(evaluation);
+    chart.facts.push_back(fmt::format("dips {}", speed->dips.size()));
+    chart.begins_at_zero = true;
+    evaluation.svg = plot::draw(chart);
   }
   return evaluation;
 }

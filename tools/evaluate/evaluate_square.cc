@@ -1,10 +1,14 @@
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "probe/metrology/square_path.h"
+#include "tools/evaluate/charts.h"
 #include "tools/evaluate/evaluate_path.h"
 #include "tools/evaluate/recorded_path.h"
+#include "tools/plot/path_plot.h"
 
 namespace g31::evaluate {
 namespace {
@@ -31,16 +35,42 @@ std::vector<Quantity> results_of(const metrology::SquareEvaluation& evaluation,
   return results;
 }
 
+bool is_near(const metrology::Square& square, const Eigen::Vector2d& p) {
+  const double widest = (p - square.centre).cwiseAbs().maxCoeff();
+  return std::abs(widest - square.half_side) <= kNearTheSquare * square.half_side;
+}
+
 /// Errors along the ray from the centre, by the way round the square.
 Curve ray_errors(const metrology::Square& square, const metrology::PlaneSamples& samples) {
   Curve curve{"path", {}};
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Eigen::Vector2d q = samples.at(i) - square.centre;
-    if (std::abs(q.cwiseAbs().maxCoeff() - square.half_side) <= kNearTheSquare * square.half_side) {
+    if (is_near(square, samples.at(i))) {
       curve.points.push_back({square.place_of(samples.at(i)), square.ray_error(samples.at(i))});
     }
   }
   return curve;
+}
+
+std::string drawing_of(const metrology::Square& square, const metrology::PlaneSamples& samples,
+                       const Request& request, const Evaluation& evaluation) {
+  plot::PathPlot chart;
+  chart.title = fmt::format("Square, side {:.6g} mm", 2.0 * square.half_side);
+  chart.axes = request.plane;
+  chart.centre = {square.centre.x(), square.centre.y()};
+  chart.nominal_radius = [&](double angle) {
+    return square.half_side / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle)));
+  };
+  chart.magnification = request.magnify;
+  chart.facts = facts_of(evaluation);
+  plot::PathTrace trace{"path", {}, {}};
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (is_near(square, samples.at(i))) {
+      trace.points.push_back(samples.at(i) - square.centre);
+      trace.deviations.push_back(square.ray_error(samples.at(i)));
+    }
+  }
+  chart.traces = {std::move(trace)};
+  return plot::draw(chart);
 }
 
 }  // namespace
@@ -59,7 +89,12 @@ Result<Evaluation, DataError> evaluate_square(const DataFile& file, const Reques
   evaluation.kind = Kind::Square;
   evaluation.samples = samples.size();
   evaluation.results = results_of(square.value(), request);
-  evaluation.curves = {ray_errors(square.value().square, samples)};
+  if (request.wants_curves) {
+    evaluation.curves = {ray_errors(square.value().square, samples)};
+  }
+  if (request.wants_drawing) {
+    evaluation.svg = drawing_of(square.value().square, samples, request, evaluation);
+  }
   return evaluation;
 }
 

@@ -2,6 +2,7 @@
 
 #include "probe/metrology/form_zones.h"
 #include "probe/metrology/two_point.h"
+#include "tools/evaluate/charts.h"
 #include "tools/evaluate/evaluate_readings.h"
 #include "tools/evaluate/sensor_rows.h"
 
@@ -74,6 +75,10 @@ Result<Evaluation, DataError> evaluate_straightness(const DataFile& file, const 
       "readings of standard uncertainty u make one of {:.3g} u of the motion in the "
       "middle of {} steps, and {:.3g} u of the work",
       metrology::motion_uncertainty(n / 2, n), n, metrology::work_uncertainty((n + 1) / 2, n)));
+  if (request.wants_drawing) {
+    evaluation.svg =
+        deviation_chart(evaluation, "Straightness of motion and work", "place along the way mm");
+  }
   return evaluation;
 }
 

@@ -83,6 +83,7 @@ struct Evaluation {
   std::vector<Quantity> results;
   std::optional<std::vector<Dip>> dips = {};
   std::vector<Curve> curves = {};
+  std::string svg = {};                 ///< the drawing, where one was asked for
   std::vector<std::string> notes = {};  ///< what has to be known to read the results
 };
 

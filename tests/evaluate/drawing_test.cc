@@ -1,0 +1,145 @@
+// Drawings: peaks stay when a long record is thinned, the same bytes each time, nothing of the
+// place where they are made.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/run_evaluate.h"
+#include "tools/plot/curve_plot.h"
+#include "tools/plot/path_plot.h"
+#include "tools/plot/scale.h"
+
+namespace g31 {
+namespace {
+
+using evaluate::OptionId;
+using testing::TemporaryFolder;
+
+TEST(Drawing, KeepsThePeaksOfALongRecord) {
+  std::vector<double> heights(1'000'000, 0.0);
+  heights[123456] = 7.0;
+  heights[654321] = -3.0;
+  const auto shown = plot::shown_points(heights);
+  EXPECT_LE(shown.size(), 4004U);
+  EXPECT_TRUE(std::ranges::is_sorted(shown));
+  EXPECT_EQ(shown.front(), 0U);
+  EXPECT_EQ(shown.back(), 999'999U);
+  EXPECT_EQ(std::ranges::count(shown, 123456U), 1);
+  EXPECT_EQ(std::ranges::count(shown, 654321U), 1);
+  EXPECT_EQ(plot::shown_points({1.0, 2.0}).size(), 2U);
+  EXPECT_TRUE(plot::shown_points({}).empty());
+}
+
+TEST(Drawing, ScalesHaveRoundNumbers) {
+  EXPECT_DOUBLE_EQ(plot::round_down(0.049), 0.02);
+  EXPECT_DOUBLE_EQ(plot::round_down(0.05), 0.05);
+  EXPECT_DOUBLE_EQ(plot::round_down(999.0), 500.0);
+  const plot::Ticks ticks = plot::ticks_between(-0.31, 1.02, 8);
+  EXPECT_DOUBLE_EQ(ticks.step, 0.2);
+  ASSERT_EQ(ticks.places.size(), 7U);
+  EXPECT_DOUBLE_EQ(ticks.places.front(), -0.2);
+  EXPECT_EQ(plot::label_of(ticks.places[1], ticks.step), "0.0");
+  EXPECT_EQ(plot::label_of(-0.0, 5.0), "0");
+  EXPECT_EQ(plot::label_of(1234.5, 0.5), "1234.5");
+}
+
+/// The numbers of the first line of a class.
+std::string points_of(const std::string& svg, const std::string& style) {
+  const std::string head = fmt::format("<polyline class=\"{}\" points=\"", style);
+  const std::size_t at = svg.find(head);
+  return at == std::string::npos
+             ? std::string()
+             : svg.substr(at + head.size(), svg.find('"', at + head.size()) - at - head.size());
+}
+
+TEST(Drawing, EnlargesErrorsAlongTheRay) {
+  // A radius of 50 with an error of 0.01 at 90 degrees, 1000 times: drawn at 60.  The frame spans
+  // 60 and 6 percent, 540 pixels from (80, 56).
+  plot::PathPlot chart;
+  chart.nominal_radius = [](double) { return 50.0; };
+  chart.traces = {{"path", {{50.0, 0.0}, {0.0, 50.01}}, {0.0, 0.01}, 0}};
+  chart.magnification = 1000.0;
+  const std::string svg = plot::draw(chart);
+  const double scale = 540.0 / (2.0 * 1.06 * 60.0);
+  EXPECT_EQ(points_of(svg, "way line0"),
+            fmt::format("{:.2f},{:.2f} {:.2f},{:.2f}", 80.0 + 270.0 + 50.0 * scale, 326.0,
+                        80.0 + 270.0, 326.0 - 60.0 * scale));
+  EXPECT_NE(svg.find("errors 1000 times enlarged"), std::string::npos);
+  EXPECT_NE(svg.find("prefers-color-scheme: dark"), std::string::npos);
+}
+
+TEST(Drawing, OfNothingToSeeIsDrawnAllTheSame) {
+  plot::CurvePlot empty;
+  EXPECT_NE(plot::draw(empty).find("</svg>"), std::string::npos);
+  empty.traces = {{"flat <&>", {{1.0, 5.0}, {1.0, 5.0}}, plot::CurveStyle::Marked, 0}};
+  const std::string svg = plot::draw(empty);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+  EXPECT_NE(svg.find("flat &lt;&amp;&gt;"), std::string::npos);
+}
+
+TEST(Drawing, OfEachKindIsTheSameEachTime) {
+  TemporaryFolder folder;
+  std::string circle = "t,X,Y\n";
+  std::string square = "t,X,Y\n";
+  for (int i = 0; i <= 400; ++i) {
+    const double angle = i * 0.015707963267948966;
+    circle +=
+        fmt::format("{},{},{}\n", 0.01 * i, 9.0 + 50.0 * std::cos(angle), 50.0 * std::sin(angle));
+    const int s = (i + 50) % 400;
+    square += fmt::format("{},{},{}\n", 0.02 * i,
+                          s < 100   ? 50.0
+                          : s < 200 ? 150.0 - s
+                          : s < 300 ? -50.0
+                                    : s - 350.0,
+                          s < 100   ? s - 50.0
+                          : s < 200 ? 50.0
+                          : s < 300 ? 250.0 - s
+                                    : -50.0);
+  }
+  const std::string pos =
+      "axis,target,direction,cycle,position\nX,0,1,1,0.001\nX,0,1,2,0.002\nX,9,1,1,9\nX,9,1,2,9."
+      "001\n";
+  const std::string shaft =
+      "theta,A,B\n0,1,1\n0,1,1\n90,1,1\n90,1,1\n180,1,1\n180,1,1\n270,1.001,1\n270,1,1\n";
+  const std::string ends = folder.write("ends.csv", "K,d\n0,20\n1,20\n");
+  struct Case {
+    const char* kind;
+    std::string text;
+    std::map<OptionId, std::string> given;
+  };
+  const Case kCases[] = {
+      {"circle", circle, {}},
+      {"square", square, {}},
+      {"speed", square, {}},
+      {"diagonal", square, {{OptionId::Target, "50,0"}}},
+      {"straightness", "A,B\n0,1\n0,-1\n0,0\n", {{OptionId::Step, "100"}}},
+      {"flatness", "x,y,z\n0,0,0\n1,0,0.001\n0,1,0\n1,1,0\n", {}},
+      {"cylindricity", shaft, {{OptionId::Step, "100"}, {OptionId::Diameters, ends}}},
+      {"positioning", pos, {}},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.kind);
+    cli::EvaluateOptions options;
+    options.kind = c.kind;
+    options.given = c.given;
+    options.svg = folder.path("drawing.svg");
+    ASSERT_EQ(testing::evaluate_text(c.text, options).exit_code, 0);
+    const std::string first = testing::text_of(options.svg);
+    ASSERT_EQ(testing::evaluate_text(c.text, options).exit_code, 0);
+    EXPECT_EQ(testing::text_of(options.svg), first);
+    EXPECT_TRUE(first.starts_with("<svg ") && first.ends_with("</svg>\n"));
+    for (const char* const never : {"nan", "inf", "data.csv", "ends.csv"}) {
+      EXPECT_EQ(first.find(never), std::string::npos) << never;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace g31

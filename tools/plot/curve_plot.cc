@@ -1,0 +1,158 @@
+#include "tools/plot/curve_plot.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "tools/plot/scale.h"
+#include "tools/plot/svg.h"
+
+namespace g31::plot {
+namespace {
+
+constexpr double kLeftEdge = 90.0;
+constexpr double kRightEdge = 660.0;
+constexpr double kTopEdge = 56.0;
+constexpr double kBottomEdge = 480.0;
+constexpr double kBeside = 680.0;
+
+/// What the curves cover.
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void take(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  void widen(double share) {
+    const double room = share * (high - low);
+    low -= room;
+    high += room;
+  }
+};
+
+struct Ranges {
+  Range x;
+  Range y;
+};
+
+/// Makes a unit as long along both axes.
+void equalise(Ranges& ranges) {
+  const double width = kRightEdge - kLeftEdge;
+  const double height = kBottomEdge - kTopEdge;
+  const double unit =
+      std::max((ranges.x.high - ranges.x.low) / width, (ranges.y.high - ranges.y.low) / height);
+  const auto fit = [&](Range& range, double pixels) {
+    const double room = 0.5 * (unit * pixels - (range.high - range.low));
+    range.low -= room;
+    range.high += room;
+  };
+  fit(ranges.x, width);
+  fit(ranges.y, height);
+}
+
+Ranges ranges_of(const CurvePlot& plot) {
+  Ranges ranges;
+  for (const CurveTrace& trace : plot.traces) {
+    for (const auto& [x, y] : trace.points) {
+      ranges.x.take(x);
+      ranges.y.take(y);
+    }
+  }
+  if (ranges.x.low > ranges.x.high) {
+    ranges = {{0.0, 1.0}, {0.0, 1.0}};
+  }
+  if (plot.begins_at_zero) {
+    ranges.y.take(0.0);
+  }
+  const double lowest = ranges.y.low;
+  ranges.y.widen(0.06);
+  ranges.x.widen(0.02);
+  if (plot.begins_at_zero) {
+    ranges.y.low = lowest;
+  }
+  if (plot.has_equal_scales) {
+    equalise(ranges);
+  }
+  return ranges;
+}
+
+void draw_frame(Svg& svg, const CurvePlot& plot, const Scale& x, const Scale& y) {
+  const Ticks across = ticks_between(x.low(), x.high(), 8);
+  for (const double tick : across.places) {
+    svg.line({x.at(tick), kTopEdge}, {x.at(tick), kBottomEdge}, "grid");
+    svg.text({x.at(tick), kBottomEdge + 18.0}, label_of(tick, across.step), Anchor::Middle);
+  }
+  const Ticks up = ticks_between(y.low(), y.high(), 8);
+  for (const double tick : up.places) {
+    svg.line({kLeftEdge, y.at(tick)}, {kRightEdge, y.at(tick)}, "grid");
+    svg.text({kLeftEdge - 8.0, y.at(tick) + 4.0}, label_of(tick, up.step), Anchor::End);
+  }
+  if (y.low() < 0.0 && y.high() > 0.0) {
+    svg.line({kLeftEdge, y.at(0.0)}, {kRightEdge, y.at(0.0)}, "nominal");
+  }
+  const std::array<Eigen::Vector2d, 5> corners = {{{kLeftEdge, kTopEdge},
+                                                   {kRightEdge, kTopEdge},
+                                                   {kRightEdge, kBottomEdge},
+                                                   {kLeftEdge, kBottomEdge},
+                                                   {kLeftEdge, kTopEdge}}};
+  svg.way(corners, "frame");
+  svg.text({0.5 * (kLeftEdge + kRightEdge), kBottomEdge + 40.0}, plot.x_label, Anchor::Middle);
+  svg.text_upwards({kLeftEdge - 66.0, 0.5 * (kTopEdge + kBottomEdge)}, plot.y_label);
+}
+
+void draw_trace(Svg& svg, const CurveTrace& trace, const Scale& x, const Scale& y) {
+  std::vector<double> heights;
+  heights.reserve(trace.points.size());
+  for (const auto& point : trace.points) {
+    heights.push_back(point[1]);
+  }
+  std::vector<Eigen::Vector2d> shown;
+  for (const std::size_t i : shown_points(heights)) {
+    shown.emplace_back(x.at(trace.points[i][0]), y.at(trace.points[i][1]));
+  }
+  svg.way(shown, fmt::format("way {}line{}", trace.style == CurveStyle::Dashed ? "dashed " : "",
+                             trace.colour));
+  constexpr std::size_t kMostMarks = 200;
+  if (trace.style == CurveStyle::Marked && shown.size() <= kMostMarks) {
+    for (const Eigen::Vector2d& at : shown) {
+      svg.dot(at, 2.5, fmt::format("fill{}", trace.colour));
+    }
+  }
+}
+
+}  // namespace
+
+std::string draw(const CurvePlot& plot) {
+  Svg svg(980.0, 540.0, plot.title);
+  const Ranges ranges = ranges_of(plot);
+  const Scale x(ranges.x.low, ranges.x.high, kLeftEdge, kRightEdge);
+  const Scale y(ranges.y.low, ranges.y.high, kBottomEdge, kTopEdge);
+  svg.text({kLeftEdge, 32.0}, plot.title, Anchor::Start, "title");
+  draw_frame(svg, plot, x, y);
+  double row = kTopEdge + 12.0;
+  for (const CurveTrace& trace : plot.traces) {
+    draw_trace(svg, trace, x, y);
+    if (trace.name.empty()) {
+      continue;
+    }
+    const std::string dashed = trace.style == CurveStyle::Dashed ? "dashed " : "";
+    svg.line({kBeside, row - 4.0}, {kBeside + 28.0, row - 4.0},
+             fmt::format("way {}line{}", dashed, trace.colour));
+    if (trace.style == CurveStyle::Marked) {
+      svg.dot({kBeside + 14.0, row - 4.0}, 2.5, fmt::format("fill{}", trace.colour));
+    }
+    svg.text({kBeside + 36.0, row}, trace.name);
+    row += 20.0;
+  }
+  row += 12.0;
+  for (const std::string& fact : plot.facts) {
+    svg.text({kBeside, row}, fact, Anchor::Start, "faint");
+    row += 18.0;
+  }
+  return svg.finish();
+}
+
+}  // namespace g31::plot

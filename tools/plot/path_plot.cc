@@ -1,0 +1,191 @@
+#include "tools/plot/path_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "tools/plot/scale.h"
+#include "tools/plot/svg.h"
+
+namespace g31::plot {
+namespace {
+
+constexpr double kLeft = 80.0;
+constexpr double kTop = 56.0;
+constexpr double kSize = 540.0;
+constexpr double kColumn = 650.0;
+constexpr double kMicrometres = 1e3;
+
+using Points = std::vector<Eigen::Vector2d>;
+
+double largest_deviation(const PathPlot& plot) {
+  double largest = 0.0;
+  for (const PathTrace& trace : plot.traces) {
+    for (const double deviation : trace.deviations) {
+      largest = std::max(largest, std::abs(deviation));
+    }
+  }
+  return largest;
+}
+
+/// The nominal path and those that lie beside it by a deviation.
+Points ring(const PathPlot& plot, double shift) {
+  Points points;
+  for (int degree = 0; degree <= 720; ++degree) {
+    const double angle = (0.5 * degree + 45.0) * std::numbers::pi / 180.0;
+    const double radius = std::max(plot.nominal_radius(angle) + shift, 0.0);
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return points;
+}
+
+Points enlarged(const PathPlot& plot, const PathTrace& trace, double magnification) {
+  Points points;
+  for (const std::size_t i : shown_points(trace.deviations)) {
+    const Eigen::Vector2d& p = trace.points[i];
+    const double angle = std::atan2(p.y(), p.x());
+    const double radius =
+        std::max(plot.nominal_radius(angle) + magnification * trace.deviations[i], 0.0);
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return points;
+}
+
+/// The frame of a plot in which both axes have the same scale.
+class SquareFrame {
+ public:
+  explicit SquareFrame(double half)
+      : x_(-half, half, kLeft, kLeft + kSize), y_(-half, half, kTop + kSize, kTop) {}
+
+  [[nodiscard]] Eigen::Vector2d at(const Eigen::Vector2d& p) const {
+    return {x_.at(p.x()), y_.at(p.y())};
+  }
+  [[nodiscard]] Points at(const Points& points) const {
+    Points shown;
+    shown.reserve(points.size());
+    for (const Eigen::Vector2d& p : points) {
+      shown.push_back(at(p));
+    }
+    return shown;
+  }
+
+  void draw_into(Svg& svg, const PathPlot& plot) const {
+    const auto place = [&](std::size_t axis, double shown) { return shown + plot.centre.at(axis); };
+    const Ticks across = ticks_between(place(0, x_.low()), place(0, x_.high()), 8);
+    for (const double tick : across.places) {
+      const double x = x_.at(tick - plot.centre[0]);
+      svg.line({x, kTop}, {x, kTop + kSize}, "grid");
+      svg.text({x, kTop + kSize + 18.0}, label_of(tick, across.step), Anchor::Middle);
+    }
+    const Ticks up = ticks_between(place(1, y_.low()), place(1, y_.high()), 8);
+    for (const double tick : up.places) {
+      const double y = y_.at(tick - plot.centre[1]);
+      svg.line({kLeft, y}, {kLeft + kSize, y}, "grid");
+      svg.text({kLeft - 8.0, y + 4.0}, label_of(tick, up.step), Anchor::End);
+    }
+    const Points corners = {{kLeft, kTop},
+                            {kLeft + kSize, kTop},
+                            {kLeft + kSize, kTop + kSize},
+                            {kLeft, kTop + kSize},
+                            {kLeft, kTop}};
+    svg.way(corners, "frame");
+    svg.text({kLeft + 0.5 * kSize, kTop + kSize + 38.0}, plot.axes[0] + " mm", Anchor::Middle);
+    svg.text_upwards({kLeft - 58.0, kTop + 0.5 * kSize}, plot.axes[1] + " mm");
+  }
+
+ private:
+  Scale x_;
+  Scale y_;
+};
+
+/// Arrow heads along a trace where it runs on: the direction of travel.
+void draw_arrows(Svg& svg, const Points& shown, std::string_view style) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < shown.size(); ++i) {
+    length += (shown[i] - shown[i - 1]).norm();
+  }
+  double way = 0.0;
+  double next = 0.1 * length;
+  for (std::size_t i = 1; i < shown.size(); ++i) {
+    way += (shown[i] - shown[i - 1]).norm();
+    const std::size_t from = i > 8 ? i - 8 : 0;
+    if (way >= next) {
+      svg.arrow(shown[i], shown[i] - shown[from], style);
+      next += 0.25 * length;
+    }
+  }
+}
+
+/// A bar as long as a deviation is drawn.
+void draw_bar(Svg& svg, double y, double pixels, double step) {
+  const double right = kColumn + std::max(pixels, 1.0);
+  svg.line({kColumn, y}, {right, y}, "frame");
+  svg.line({kColumn, y - 5.0}, {kColumn, y + 5.0}, "frame");
+  svg.line({right, y - 5.0}, {right, y + 5.0}, "frame");
+  svg.text({right + 8.0, y + 4.0},
+           fmt::format("{} µm error", label_of(kMicrometres * step, kMicrometres * step)));
+}
+
+}  // namespace
+
+std::string draw(const PathPlot& plot) {
+  Svg svg(900.0, 660.0, plot.title);
+  const double largest = largest_deviation(plot);
+  const double radius = plot.nominal_radius(0.0);
+  const bool is_exact = largest < 1e-9 * radius;
+  const double magnification = plot.magnification > 0.0 ? plot.magnification
+                               : is_exact               ? 1.0
+                                                        : round_down(0.25 * radius / largest);
+  const double step = is_exact ? 1e-3 : round_down(0.5 * largest * 1.2);
+  double half = 0.0;
+  std::vector<Points> traces;
+  for (const PathTrace& trace : plot.traces) {
+    traces.push_back(enlarged(plot, trace, magnification));
+  }
+  traces.push_back(ring(plot, is_exact || !plot.has_rings ? 0.0 : magnification * step));
+  for (const Points& points : traces) {
+    for (const Eigen::Vector2d& p : points) {
+      half = std::max(half, p.cwiseAbs().maxCoeff());
+    }
+  }
+  traces.pop_back();
+  const SquareFrame frame(1.06 * half);
+  svg.text({kLeft, 32.0}, plot.title, Anchor::Start, "title");
+  frame.draw_into(svg, plot);
+  for (const double shift : {-step, step}) {
+    if (plot.has_rings && !is_exact) {
+      svg.way(frame.at(ring(plot, magnification * shift)), "grid");
+    }
+  }
+  svg.way(frame.at(ring(plot, 0.0)), "nominal");
+  double y = kTop + 12.0;
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    const Points shown = frame.at(traces[i]);
+    const std::size_t colour = plot.traces[i].colour;
+    svg.way(shown, fmt::format("way line{}", colour));
+    draw_arrows(svg, shown, fmt::format("fill{}", colour));
+    if (!plot.traces[i].name.empty()) {
+      svg.line({kColumn, y - 4.0}, {kColumn + 28.0, y - 4.0}, fmt::format("way line{}", colour));
+      svg.text({kColumn + 36.0, y}, plot.traces[i].name);
+      y += 20.0;
+    }
+  }
+  svg.line({kColumn, y - 4.0}, {kColumn + 28.0, y - 4.0}, "nominal");
+  svg.text({kColumn + 36.0, y}, "nominal");
+  y += 30.0;
+  svg.text({kColumn, y}, magnification == 1.0
+                             ? std::string("true size")
+                             : fmt::format("errors {} times enlarged", magnification));
+  const double pixels = magnification * step * kSize / (2.12 * half);
+  draw_bar(svg, y + 22.0, pixels, step);
+  y += 56.0;
+  for (const std::string& fact : plot.facts) {
+    svg.text({kColumn, y}, fact, Anchor::Start, "faint");
+    y += 18.0;
+  }
+  return svg.finish();
+}
+
+}  // namespace g31::plot

@@ -1,0 +1,128 @@
+#include "tools/plot/svg.h"
+
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace g31::plot {
+namespace {
+
+constexpr std::string_view kStyle = R"(<style>
+text { font-family: "DejaVu Sans", Helvetica, Arial, sans-serif; font-size: 12px; fill: #1c2329; }
+.paper { fill: #ffffff; }
+.title { font-size: 16px; font-weight: bold; }
+.faint { fill: #5b6770; }
+.frame, .grid, .nominal, .way { fill: none; }
+.frame { stroke: #5b6770; stroke-width: 1; }
+.grid { stroke: #dde3e8; stroke-width: 1; }
+.nominal { stroke: #8b979f; stroke-width: 1; stroke-dasharray: 8 3 2 3; }
+.way { stroke-width: 1.4; stroke-linejoin: round; }
+.dashed { stroke-dasharray: 5 3; stroke-width: 1; }
+.line0 { stroke: #0b5fa5; } .fill0 { fill: #0b5fa5; }
+.line1 { stroke: #c2410c; } .fill1 { fill: #c2410c; }
+.line2 { stroke: #2a7f3e; } .fill2 { fill: #2a7f3e; }
+.line3 { stroke: #7a3e9d; } .fill3 { fill: #7a3e9d; }
+@media (prefers-color-scheme: dark) {
+text { fill: #e6ebef; }
+.paper { fill: #14181c; }
+.faint { fill: #a3b0b9; }
+.frame { stroke: #a3b0b9; }
+.grid { stroke: #2b333a; }
+.nominal { stroke: #7f8c95; }
+.line0 { stroke: #6db3f2; } .fill0 { fill: #6db3f2; }
+.line1 { stroke: #ff9d6b; } .fill1 { fill: #ff9d6b; }
+.line2 { stroke: #7fd191; } .fill2 { fill: #7fd191; }
+.line3 { stroke: #c9a0e6; } .fill3 { fill: #c9a0e6; }
+}
+</style>
+)";
+
+std::string escaped(std::string_view words) {
+  std::string text;
+  for (const char c : words) {
+    switch (c) {
+      case '&':
+        text += "&amp;";
+        break;
+      case '<':
+        text += "&lt;";
+        break;
+      case '>':
+        text += "&gt;";
+        break;
+      default:
+        text += c;
+    }
+  }
+  return text;
+}
+
+constexpr std::string_view kAnchors[] = {"start", "middle", "end"};
+
+}  // namespace
+
+Svg::Svg(double width, double height, std::string_view title) {
+  text_ = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
+      "viewBox=\"0 0 {0} {1}\" role=\"img\">\n<title>{2}</title>\n{3}"
+      "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
+      width, height, escaped(title), kStyle);
+}
+
+void Svg::line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::string_view style) {
+  fmt::format_to(std::back_inserter(text_),
+                 "<line class=\"{}\" x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>\n",
+                 style, from.x(), from.y(), to.x(), to.y());
+}
+
+void Svg::way(std::span<const Eigen::Vector2d> points, std::string_view style) {
+  if (points.empty()) {
+    return;
+  }
+  fmt::format_to(std::back_inserter(text_), "<polyline class=\"{}\" points=\"", style);
+  for (const Eigen::Vector2d& p : points) {
+    fmt::format_to(std::back_inserter(text_), "{:.2f},{:.2f} ", p.x(), p.y());
+  }
+  text_.back() = '"';
+  text_ += "/>\n";
+}
+
+void Svg::dot(const Eigen::Vector2d& at, double radius, std::string_view style) {
+  fmt::format_to(std::back_inserter(text_),
+                 "<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n", style, at.x(),
+                 at.y(), radius);
+}
+
+void Svg::arrow(const Eigen::Vector2d& tip, const Eigen::Vector2d& along, std::string_view style) {
+  if (along.squaredNorm() == 0.0) {
+    return;
+  }
+  const Eigen::Vector2d a = along.normalized();
+  const Eigen::Vector2d across(-a.y(), a.x());
+  const Eigen::Vector2d back = tip - 11.0 * a;
+  const Eigen::Vector2d left = back + 5.0 * across;
+  const Eigen::Vector2d right = back - 5.0 * across;
+  fmt::format_to(std::back_inserter(text_),
+                 "<polygon class=\"{}\" points=\"{:.2f},{:.2f} {:.2f},{:.2f} {:.2f},{:.2f}\"/>\n",
+                 style, tip.x(), tip.y(), left.x(), left.y(), right.x(), right.y());
+}
+
+void Svg::text(const Eigen::Vector2d& at, std::string_view words, Anchor anchor,
+               std::string_view style) {
+  fmt::format_to(std::back_inserter(text_),
+                 "<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n",
+                 style, at.x(), at.y(), kAnchors[static_cast<std::size_t>(anchor)], escaped(words));
+}
+
+void Svg::text_upwards(const Eigen::Vector2d& at, std::string_view words) {
+  fmt::format_to(std::back_inserter(text_),
+                 "<text transform=\"translate({:.2f} {:.2f}) rotate(-90)\" "
+                 "text-anchor=\"middle\">{}</text>\n",
+                 at.x(), at.y(), escaped(words));
+}
+
+std::string Svg::finish() const {
+  return text_ + "</svg>\n";
+}
+
+}  // namespace g31::plot

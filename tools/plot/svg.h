@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <Eigen/Core>
+
+namespace g31::plot {
+
+/// Where a text stands beside its point.
+enum class Anchor { Start, Middle, End };
+
+/// A drawing that is written piece by piece; pixels, y downwards.
+///
+/// Colours are classes of one style sheet, with a second set for readers that prefer dark: `ink`,
+/// `faint` (text), `frame`, `grid`, `nominal`, `line0` to `line3`, `fill0` to `fill3`.  The same
+/// calls give the same bytes.
+class Svg {
+ public:
+  Svg(double width, double height, std::string_view title);
+
+  void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::string_view style);
+  /// A line through points.
+  void way(std::span<const Eigen::Vector2d> points, std::string_view style);
+  void dot(const Eigen::Vector2d& at, double radius, std::string_view style);
+  /// A filled arrow head whose tip is at a point.
+  void arrow(const Eigen::Vector2d& tip, const Eigen::Vector2d& along, std::string_view style);
+  void text(const Eigen::Vector2d& at, std::string_view words, Anchor anchor = Anchor::Start,
+            std::string_view style = "ink");
+  /// Reads upwards, its middle at a point.
+  void text_upwards(const Eigen::Vector2d& at, std::string_view words);
+
+  /// The whole drawing.
+  [[nodiscard]] std::string finish() const;
+
+ private:
+  std::string text_;
+};
+
+}  // namespace g31::plot
