@@ -4,9 +4,8 @@ namespace g31::path {
 
 template <typename Move>
 std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const PathBlock& block) {
-  const double began_s = port_.time_s();
+  block.g == 0 ? stop_cutting() : cut();
   const auto reached = port_.move(move);
-  cutting_s += block.g == 0 ? 0.0 : port_.time_s() - began_s;
   if (!reached) {
     return reached.error();
   }
@@ -34,17 +33,22 @@ std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
   return carry_out(move, block);
 }
 
+void Outlet::cut() {
+  if (!cuts_since_s_) {
+    cuts_since_s_ = port_.time_s();
+  }
+}
+
 void Outlet::pause(const Pause& pause) {
+  stop_cutting();
   port_.dwell(pause.seconds);
   observer_.on_move({4, port_.position(), 0.0, pause.seconds, pause.where});
 }
 
 Result<machine::SkipOutcome, machine::MachineFault> Outlet::move_until_skip(
     const machine::SkipMove& move) {
-  const double began_s = port_.time_s();
-  auto outcome = port_.move_until_skip(move);
-  cutting_s += port_.time_s() - began_s;
-  return outcome;
+  cut();
+  return port_.move_until_skip(move);
 }
 
 void Outlet::touched(const runtime::TouchEvent& event) {

@@ -30,12 +30,26 @@ class Outlet {
   void touched(const runtime::TouchEvent& event);
 
   /// Machine time of all moves at feed and of those that listen, s.
-  double cutting_s = 0.0;
+  [[nodiscard]] double cutting_s() const {
+    return cutting_s_ + (cuts_since_s_ ? port_.time_s() - *cuts_since_s_ : 0.0);
+  }
+  /// What passes until the next such move is none of it.
+  void stop_cutting() { set_cutting_s(cutting_s()); }
+  void set_cutting_s(double seconds) {
+    cutting_s_ = seconds;
+    cuts_since_s_.reset();
+  }
 
  private:
   template <typename Move>
   std::optional<machine::MachineFault> carry_out(const Move& move, const PathBlock& block);
 
+  void cut();
+
+  // The clock is looked at where cutting begins and ends, not at each move: what passes on has no
+  // time of its own.
+  double cutting_s_ = 0.0;
+  std::optional<double> cuts_since_s_;
   machine::MachinePort& port_;
   runtime::Observer& observer_;
 };

@@ -23,7 +23,7 @@ enum class RapidPath {
 /// When a control goes on to the next block.
 enum class BlockEnd {
   ExactStop,  ///< once the axes have followed to the end (G61, G09, rapids)
-  PassOn      ///< as soon as the command is at the end: lagging axes round the corner (G64)
+  PassOn      ///< without a stop, as fast as corners allow; lagging axes round them (G64)
 };
 
 /// A move of all axes to an end point, straight unless it is a rapid of each axis on its own.
@@ -152,6 +152,10 @@ class MachinePort {
 
   virtual void digital_output(const DigitalOutput& output) = 0;
 
+  /// The program waits until the axes stand, as where it reads what a move leaves: moves that pass
+  /// on do so no further.  Without this they wait for the next one.
+  virtual void stand_still() {}
+
   /// Lets simulated time pass.  @param seconds >= 0
   virtual void dwell(double seconds) = 0;
 
@@ -161,7 +165,8 @@ class MachinePort {
   /// Present position of all axes in machine coordinates, as the control's encoders read it.
   [[nodiscard]] virtual AxisPositions position() const = 0;
 
-  /// Simulated seconds since the start of the program.
+  /// Simulated seconds since the start of the program; after moves that pass on as if the axes came
+  /// to rest at the end of the last one.
   [[nodiscard]] virtual double time_s() const = 0;
 };
 

@@ -41,7 +41,7 @@ double AxisDynamics::jerk_along(double length, const AxisPositions& way) const {
   return slowest > 0.0 ? length / slowest : 0.0;
 }
 
-MotionProfile AxisDynamics::profile(const StraightPath& path, const LinearMove& move) const {
+PathLimits AxisDynamics::limits(const StraightPath& path, const LinearMove& move) const {
   G31_EXPECTS(path.moves());
   const AxisPositions way = path.displacement().cwiseAbs();
   const double fastest = path.length() / way.cwiseQuotient(rapid_per_s_).maxCoeff();
@@ -49,8 +49,12 @@ MotionProfile AxisDynamics::profile(const StraightPath& path, const LinearMove& 
   const double speed = move.traverse == Traverse::Rapid
                            ? fastest
                            : std::min(fastest, move.feed_mm_min / kSecondsPerMinute);
-  return MotionProfile(path.length(), speed, acceleration,
-                       limits_jerk_ ? jerk_along(path.length(), way) : 0.0);
+  return {speed, acceleration, limits_jerk_ ? jerk_along(path.length(), way) : 0.0};
+}
+
+MotionProfile AxisDynamics::profile(const StraightPath& path, const LinearMove& move) const {
+  const PathLimits most = limits(path, move);
+  return MotionProfile(path.length(), most.speed, most.acceleration, most.jerk);
 }
 
 std::optional<IndependentPath> AxisDynamics::independent_path(const StraightPath& straight,
@@ -72,7 +76,7 @@ std::optional<IndependentPath> AxisDynamics::independent_path(const StraightPath
   return IndependentPath(straight.from(), straight.to(), profiles);
 }
 
-MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) const {
+PathLimits AxisDynamics::limits(const ArcPath& path, double feed_mm_min) const {
   G31_EXPECTS(path.length() > 0.0);
   const int first = path.first_axis();
   const int second = path.second_axis();
@@ -99,7 +103,19 @@ MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) con
     jerk = helix_jerk > 0.0 ? std::min(in_plane_jerk, helix_jerk) : in_plane_jerk;
     jerk = std::isfinite(jerk) ? jerk : 0.0;
   }
-  return MotionProfile(path.length(), speed, std::min(in_plane, helix_acceleration), jerk);
+  return {speed, std::min(in_plane, helix_acceleration), jerk};
+}
+
+MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) const {
+  const PathLimits most = limits(path, feed_mm_min);
+  return MotionProfile(path.length(), most.speed, most.acceleration, most.jerk);
+}
+
+double AxisDynamics::corner_speed(const AxisPositions& along_before,
+                                  const AxisPositions& along_behind) const {
+  const AxisPositions change = (along_behind - along_before).cwiseAbs();
+  const double most = change.cwiseQuotient(acceleration_per_s2_).maxCoeff();
+  return most > 0.0 ? kCornerS / most : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace g31::machine

@@ -7,6 +7,7 @@
 #include "machine/sim/independent_path.h"
 #include "machine/sim/machine_setup.h"
 #include "machine/sim/motion_profile.h"
+#include "machine/sim/path_planner.h"
 #include "machine/sim/straight_path.h"
 
 namespace g31::machine {
@@ -23,6 +24,7 @@ class AxisDynamics {
   /// path.length(), but no faster than that: a control, too, clamps a feed that an axis cannot
   /// follow.  Acceleration and jerk are the greatest at which no axis exceeds its own.
   /// @param path  path.moves(); only axes that are present move
+  [[nodiscard]] PathLimits limits(const StraightPath& path, const LinearMove& move) const;
   [[nodiscard]] MotionProfile profile(const StraightPath& path, const LinearMove& move) const;
 
   /// The way of a move on which each axis goes on its own, with its rapid rate, acceleration and
@@ -37,7 +39,15 @@ class AxisDynamics {
   /// bend is always possible.
   /// @param path  path.length() > 0; only axes that are present move
   /// @param feed_mm_min  > 0, along path.length()
+  [[nodiscard]] PathLimits limits(const ArcPath& path, double feed_mm_min) const;
   [[nodiscard]] MotionProfile profile(const ArcPath& path, double feed_mm_min) const;
+
+  /// The speed of a corner between two ways that pass on into each other: no axis changes its speed
+  /// there by more than its acceleration makes in kCornerS.  Infinite where the direction stays.
+  /// Source of the rule, with a parameter for each axis: FANUC A-63512EN, 3.
+  /// @param along_before, along_behind  what each axis goes in a unit of the path
+  [[nodiscard]] double corner_speed(const AxisPositions& along_before,
+                                    const AxisPositions& along_behind) const;
 
  private:
   /// The greatest jerk along a path at which no axis exceeds its own; 0: none limits it.
@@ -48,5 +58,8 @@ class AxisDynamics {
   AxisPositions jerk_per_s3_;  // infinite: not limited
   bool limits_jerk_ = false;
 };
+
+/// So sharp corners almost stop, and the chords of a fine polygon do not.
+inline constexpr double kCornerS = 0.001;
 
 }  // namespace g31::machine

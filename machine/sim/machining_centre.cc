@@ -68,7 +68,9 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
   }
   const StraightPath path(q_M_, move.q_M_end, move.mm_per_degree);
   if (path.moves()) {
-    if (auto fault = carry_out(path, move)) {
+    const bool passes_on = move.traverse == Traverse::Feed && joins(move.ends);
+    if (auto fault = passes_on ? pass_on(path, dynamics_.limits(path, move), move.ends)
+                               : carry_out(path, move)) {
       return *std::move(fault);
     }
   }
@@ -91,8 +93,10 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
       }
     }
   }
-  if (auto fault =
-          carry_out(path, dynamics_.profile(path, arc.feed_mm_min), {Travel::Feed, arc.ends})) {
+  if (auto fault = joins(arc.ends)
+                       ? pass_on(path, dynamics_.limits(path, arc.feed_mm_min), arc.ends)
+                       : carry_out(path, dynamics_.profile(path, arc.feed_mm_min),
+                                   {Travel::Feed, arc.ends})) {
     return *std::move(fault);
   }
   q_M_ = arc.q_M_end;
@@ -104,6 +108,7 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMov
   if (!limits_.contain(move.way.q_M_end)) {
     return soft_limit_fault(move.way.q_M_end);
   }
+  stand_still();
   tell_time();
   const StraightPath path(q_M_, move.way.q_M_end, move.way.mm_per_degree);
   SkipOutcome outcome = NoTouch{};
@@ -183,11 +188,13 @@ void MachiningCentre::digital_output(const DigitalOutput& output) {
 
 void MachiningCentre::tell_time() const {
   if (surroundings_ != nullptr) {
-    surroundings_->time_is(clock_.now_s());
+    told_s_ = std::max(told_s_, time_s());
+    surroundings_->time_is(told_s_);
   }
 }
 
 void MachiningCentre::tell(const MachineEvent& event) {
+  stand_still();
   if (surroundings_ == nullptr) {
     return;
   }
@@ -200,6 +207,7 @@ void MachiningCentre::tell(const MachineEvent& event) {
 
 void MachiningCentre::dwell(double seconds) {
   G31_EXPECTS(seconds >= 0.0 && std::isfinite(seconds));
+  stand_still();
   if (!real_.are_ideal()) {
     follow(real_.motion(StraightPath(q_M_, q_M_), {}), seconds);
     return;
@@ -210,7 +218,23 @@ void MachiningCentre::dwell(double seconds) {
   clock_.advance(seconds);
 }
 
+void MachiningCentre::stand_still() {
+  if (!continuous_.is_empty()) {
+    pass(continuous_.finish());
+  }
+}
+
+double MachiningCentre::time_s() const {
+  if (continuous_.is_empty()) {
+    return clock_.now_s();
+  }
+  Clock at_rest = clock_;
+  at_rest.advance(continuous_.duration_s());
+  return at_rest.now_s();
+}
+
 void MachiningCentre::trace(double period_s, TraceSink& sink) {
+  continuous_.keep_ways();
   sampler_.emplace(period_s, sink);
 }
 
@@ -247,9 +271,73 @@ std::optional<MachineFault> MachiningCentre::carry_out(const StraightPath& path,
   return carry_out(path, dynamics_.profile(path, move), how);
 }
 
+bool MachiningCentre::joins(BlockEnd ends) const {
+  return real_.follow_at_once() && (ends == BlockEnd::PassOn || !continuous_.is_empty());
+}
+
+template <typename Path>
+std::optional<MachineFault> MachiningCentre::pass_on(const Path& path, const PathLimits& limits,
+                                                     BlockEnd ends) {
+  const double length = path.length();
+  double corner_speed = 0.0;
+  if (!continuous_.is_empty()) {
+    corner_speed = dynamics_.corner_speed(continuous_.along_end(), path.slope_at(0.0) / length);
+  }
+  continuous_.add({length, limits, corner_speed, path.slope_at(1.0) / length});
+  if (continuous_.keeps_ways()) {
+    continuous_.keep(path);
+  }
+  if (surroundings_ != nullptr) {
+    if (auto obstacle = obstacle_in_passing(path, limits)) {
+      const AxisPositions q_M_stop = path.at(obstacle->fraction);
+      pass(continuous_.finish_at(obstacle->fraction * path.length()));
+      real_.stop_at(q_M_stop);
+      return stop_at(*std::move(obstacle), q_M_stop, 0.0);
+    }
+  }
+  if (ends == BlockEnd::ExactStop) {
+    stand_still();
+  } else {
+    pass(continuous_.release());
+  }
+  return std::nullopt;
+}
+
+/// The way of axes that follow at once is the same at every speed.  The fraction is of the path.
+template <typename Path>
+std::optional<Obstacle> MachiningCentre::obstacle_in_passing(const Path& path,
+                                                             const PathLimits& limits) {
+  if (real_.are_ideal()) {
+    auto obstacle = obstacle_on(path, Travel::Feed);
+    G31_EXPECTS(!obstacle || is_fraction(obstacle->fraction));
+    return obstacle;
+  }
+  const MotionProfile alone(path.length(), limits.speed, limits.acceleration, limits.jerk);
+  auto obstacle = real_.first_obstacle(real_.motion(path, alone.phases()),
+                                       {Travel::Feed, BlockEnd::PassOn}, *surroundings_);
+  if (!obstacle) {
+    return std::nullopt;
+  }
+  obstacle->event.fraction = std::min(1.0, alone.distance_at(obstacle->time_s) / path.length());
+  return std::move(obstacle->event);
+}
+
+void MachiningCentre::pass(const ContinuousPath::Passed& passed) {
+  double start_s = clock_.now_s();
+  for (const Travelled& way : passed.ways) {
+    sampler_->show({start_s, way.duration_s, real_.motion(way.path, way.phases), real_.truth()},
+                   resolution_);
+    start_s += way.duration_s;
+  }
+  if (passed.seconds > 0.0) {
+    clock_.advance(passed.seconds);
+  }
+}
+
 template <typename Path, typename Profile>
 std::optional<MachineFault> MachiningCentre::carry_out(const Path& path, const Profile& profile,
                                                        const Carriage& how) {
+  stand_still();
   if (!real_.are_ideal()) {
     return carry_out_really(path, profile.phases(), how);
   }

@@ -7,6 +7,7 @@
 #include "machine/port/surroundings.h"
 #include "machine/sim/axis_dynamics.h"
 #include "machine/sim/clock.h"
+#include "machine/sim/continuous_path.h"
 #include "machine/sim/machine_setup.h"
 #include "machine/sim/motion_sampler.h"
 #include "machine/sim/real_axes.h"
@@ -17,7 +18,8 @@ namespace g31::machine {
 /// The simulated machine tool: axes with travel limits, acceleration and time, in a world that
 /// may raise the skip signal or be in the way.
 ///
-/// Every move begins and ends at standstill (exact stop).  Ends that are not finite, and feeds
+/// Moves at feed that pass on go into each other where the axes follow at once (ContinuousPath);
+/// all others begin and end at standstill.  Ends that are not finite, and feeds
 /// that are not > 0, are the caller's bug and stop the process.  A soft limit is checked at the
 /// end point before anything moves; leaving a place outside the limits is allowed.
 ///
@@ -60,11 +62,13 @@ class MachiningCentre final : public MachinePort {
   void auxiliary_code(const AuxiliaryCode& code) override;
   void digital_output(const DigitalOutput& output) override;
   void dwell(double seconds) override;
+  void stand_still() override;
   [[nodiscard]] std::optional<AxisTravel> travel(int axis) const override {
     return limits_.of(axis);
   }
   [[nodiscard]] AxisPositions position() const override { return q_M_; }
-  [[nodiscard]] double time_s() const override { return clock_.now_s(); }
+  /// As if the axes came to rest at the end of the last move.
+  [[nodiscard]] double time_s() const override;
 
   /// Takes samples of all motion from now on.  @param sink  outlives this
   void trace(double period_s, TraceSink& sink);
@@ -88,6 +92,14 @@ class MachiningCentre final : public MachinePort {
   std::optional<MachineFault> carry_out_really(const CommandedPath& path,
                                                const MotionPhases& phases, const Carriage& how);
 
+  // A move that the one before may have passed on into, and that may pass on itself.
+  [[nodiscard]] bool joins(BlockEnd ends) const;
+  template <typename Path>
+  std::optional<MachineFault> pass_on(const Path& path, const PathLimits& limits, BlockEnd ends);
+  template <typename Path>
+  std::optional<Obstacle> obstacle_in_passing(const Path& path, const PathLimits& limits);
+  void pass(const ContinuousPath::Passed& passed);
+
   // Until the signal; nullopt: there is none.
   std::optional<SkipOutcome> skip(const StraightPath& path, const MotionProfile& profile,
                                   const SkipMove& move);
@@ -110,6 +122,8 @@ class MachiningCentre final : public MachinePort {
   std::vector<InputWire> wires_;
   Surroundings* surroundings_;
   Clock clock_;
+  ContinuousPath continuous_;
+  mutable double told_s_ = 0.0;  // the last time that the surroundings were told
   AxisPositions q_M_;
   AxisPositions resolution_;  // of the encoders; 0: no steps
   RealAxes real_;

@@ -1,5 +1,7 @@
 #include "machine/sim/motion_phases.h"
 
+#include <algorithm>
+
 #include "machine/base/contract.h"
 
 namespace g31::machine {
@@ -22,6 +24,26 @@ void MotionPhases::append(double duration_s, double acceleration, double jerk) {
     duration_s_ += duration_s;
     end_ = state_after(phases_.back(), duration_s);
   }
+}
+
+MotionPhases MotionPhases::between(double from_s, double to_s) const {
+  G31_EXPECTS(from_s >= 0.0 && to_s >= from_s);
+  if (from_s == 0.0) {
+    MotionPhases begin = *this;
+    begin.cut_at(to_s);
+    return begin;
+  }
+  MotionPhases part(MotionState{0.0, at(from_s).speed, 0.0});
+  double begin_s = 0.0;
+  for (const MotionPhase& phase : phases_) {
+    const double first_s = std::max(begin_s, from_s);
+    const double last_s = std::min(begin_s + phase.duration_s, to_s);
+    if (last_s > first_s) {
+      part.append(last_s - first_s, phase.acceleration_after(first_s - begin_s), phase.jerk);
+    }
+    begin_s += phase.duration_s;
+  }
+  return part;
 }
 
 void MotionPhases::cut_at(double time_s) {

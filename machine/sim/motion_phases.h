@@ -45,6 +45,9 @@ class MotionPhases {
   /// steps.
   void append(double duration_s, double acceleration, double jerk);
 
+  /// The part between two times, its distance counted from its own beginning.
+  [[nodiscard]] MotionPhases between(double from_s, double to_s) const;
+
   /// Leaves out what comes after a time.
   void cut_at(double time_s);
 

@@ -32,7 +32,8 @@ RealAxes::RealAxes(const MachineSetup& setup)
       chain_(setup.chain, setup.p_T_tip),
       time_constants_s_(time_constants(setup)),
       in_position_(setup.in_position),
-      is_ideal_(truth_.is_ideal() && !chain_.has_rotary_axes() && time_constants_s_.isZero(0.0)) {
+      is_ideal_(truth_.is_ideal() && !chain_.has_rotary_axes() && time_constants_s_.isZero(0.0)),
+      follows_at_once_(time_constants_s_.isZero(0.0) && !truth_.has_play()) {
   G31_EXPECTS(in_position_ > 0.0);
 }
 

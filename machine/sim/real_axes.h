@@ -33,6 +33,9 @@ class RealAxes {
   /// Whether all of them are where they are commanded, bit for bit, and the part never turns.
   [[nodiscard]] bool are_ideal() const { return is_ideal_; }
 
+  /// Whether their ways do not depend on the speed: they neither lag nor stick.
+  [[nodiscard]] bool follow_at_once() const { return follows_at_once_; }
+
   /// The motion along a path that begins now.
   [[nodiscard]] ServoMotion motion(const CommandedPath& path, const MotionPhases& phases) const;
 
@@ -77,6 +80,7 @@ class RealAxes {
   double in_position_;
   AxisPositions lag_ = AxisPositions::Zero();
   bool is_ideal_;
+  bool follows_at_once_;
 };
 
 /// 0.5 m away from its axis, so small a turn leaves the straight line by 5e-5 mm.

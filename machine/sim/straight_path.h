@@ -25,6 +25,9 @@ class StraightPath {
   /// beside a turning axis are rounding, not a move.
   [[nodiscard]] double length() const { return length_; }
 
+  /// The derivative of at() by the fraction, the same everywhere.
+  [[nodiscard]] const AxisPositions& slope_at(double /*fraction*/) const { return displacement_; }
+
   /// The point at a fraction 0..1 of the path; from 1 on exactly the end.  Never outside the box
   /// between start and end; axes that do not move keep their exact coordinates.
   [[nodiscard]] AxisPositions at(double fraction) const;

@@ -41,6 +41,7 @@ class PathRecorder final : public machine::MachinePort {
     machine_.digital_output(output);
   }
   void dwell(double seconds) override { machine_.dwell(seconds); }
+  void stand_still() override { machine_.stand_still(); }
   [[nodiscard]] std::optional<machine::AxisTravel> travel(int axis) const override {
     return machine_.travel(axis);
   }

@@ -84,6 +84,9 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
   if (in_canned_cycle(control) && is_barred_in_cycle(block.code->action)) {
     return block_failure(AlarmId::NotAllowedInCycle, to_text(block.code->number));
   }
+  if (is_fence(*block.code, control.profile)) {
+    control.port.stand_still();
+  }
   const auto* const row = std::ranges::find(kActions, block.code->action, &ActionRow::action);
   G31_EXPECTS(row != std::end(kActions));  // the other codes leave their block's words to others
   return row->execute(control, block);

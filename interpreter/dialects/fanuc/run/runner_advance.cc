@@ -81,6 +81,7 @@ void Runner::end(const MaybeFailure& failure) {
   } else {
     control_.report_missed_touches();
   }
+  control_.port.stand_still();
   control_.tell_repeats();
   outcome_.diagnostics = control_.diagnostics;
   outcome_.blocks = control_.watch.blocks();

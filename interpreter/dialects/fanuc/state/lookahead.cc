@@ -7,6 +7,33 @@
 namespace g31::fanuc {
 namespace {
 
+bool is_fence(int m, const Parameters& parameters) {
+  if (m == 0 || m == 1 || m == 2 || m == 30) {
+    return true;
+  }
+  const auto count = [](ParameterId id) { return info(id).last - info(id).first + 1; };
+  for (int i = 0; i < count(ParameterId::UnbufferedMCode); ++i) {
+    if (m == nearest_integer(parameters.get(ParameterId::UnbufferedMCode, i))) {
+      return true;
+    }
+  }
+  for (int i = 0; i < count(ParameterId::UnbufferedMCodes); i += 2) {
+    const double first = parameters.get(ParameterId::UnbufferedMCodes, i);
+    const double last = parameters.get(ParameterId::UnbufferedMCodes, i + 1);
+    if (first > 0.0 && m >= first && m <= last) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// #5001.. and #5061.. hold what an earlier block left, whatever the axes do meanwhile (MB-138).
+bool is_settled_position(Shows shows) {
+  return shows == Shows::BlockEnd || shows == Shows::SkipPosition || shows == Shows::SkipDetected;
+}
+
+}  // namespace
+
 bool is_fence(const GCode& code, const Profile& profile) {
   switch (code.action) {
     case GAction::Skip:
@@ -54,33 +81,6 @@ bool is_fence(const GCode& code, const Profile& profile) {
   }
   contract_violated("every action is a fence or none", __FILE__, __LINE__);
 }
-
-bool is_fence(int m, const Parameters& parameters) {
-  if (m == 0 || m == 1 || m == 2 || m == 30) {
-    return true;
-  }
-  const auto count = [](ParameterId id) { return info(id).last - info(id).first + 1; };
-  for (int i = 0; i < count(ParameterId::UnbufferedMCode); ++i) {
-    if (m == nearest_integer(parameters.get(ParameterId::UnbufferedMCode, i))) {
-      return true;
-    }
-  }
-  for (int i = 0; i < count(ParameterId::UnbufferedMCodes); i += 2) {
-    const double first = parameters.get(ParameterId::UnbufferedMCodes, i);
-    const double last = parameters.get(ParameterId::UnbufferedMCodes, i + 1);
-    if (first > 0.0 && m >= first && m <= last) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// #5001.. and #5061.. hold what an earlier block left, whatever the axes do meanwhile (MB-138).
-bool is_settled_position(Shows shows) {
-  return shows == Shows::BlockEnd || shows == Shows::SkipPosition || shows == Shows::SkipDetected;
-}
-
-}  // namespace
 
 BlockEffect effect_of(const BlockWords& words, const Profile& profile,
                       const Parameters& parameters) {

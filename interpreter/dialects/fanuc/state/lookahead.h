@@ -20,6 +20,9 @@ enum class BlockEffect : std::uint8_t {
   Finishes,  ///< reading ahead stops until everything has run: a fence
 };
 
+/// Whether a code stops reading ahead until everything has run.
+bool is_fence(const GCode& code, const Profile& profile);
+
 BlockEffect effect_of(const BlockWords& words, const Profile& profile,
                       const Parameters& parameters);
 

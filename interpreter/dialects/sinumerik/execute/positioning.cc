@@ -124,9 +124,9 @@ MaybeFailure move_one(Channel& channel, const Block& block, int axis, double pla
                      channel.feed_switches.override_percent / 100.0;
   path.g = path.feed_mm_min > 0.0 ? 1 : 0;
   path.where = block.where;
-  const double cutting = channel.outlet.cutting_s;
+  const double cutting_s = channel.outlet.cutting_s();
   MaybeFailure wrong = travel_to(channel, path, q_W_end);
-  channel.outlet.cutting_s = cutting;  // which counts the path only
+  channel.outlet.set_cutting_s(cutting_s);  // which counts the path only
   return wrong;
 }
 

@@ -227,9 +227,11 @@ MaybeFailure finish_motion(Channel& channel) {
   if (MaybeFailure wrong = finish_corners(channel)) {
     return wrong;
   }
-  return channel.cutter.compensation.engaged()
-             ? carry_out(channel, channel.cutter.compensation.flush())
-             : std::nullopt;
+  MaybeFailure wrong = channel.cutter.compensation.engaged()
+                           ? carry_out(channel, channel.cutter.compensation.flush())
+                           : std::nullopt;
+  channel.port.stand_still();
+  return wrong;
 }
 
 void drop_motion(Channel& channel) {

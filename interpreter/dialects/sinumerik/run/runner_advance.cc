@@ -81,6 +81,7 @@ void Runner::end(const MaybeFailure& reason) {
   if (!levels_.front()->has_references()) {
     *levels_.front() = Level();  // its variables are nowhere
   }
+  channel_.port.stand_still();
   channel_.warnings.tell_repeats(channel_.diagnostics);
   outcome_.diagnostics = channel_.diagnostics;
   outcome_.blocks = channel_.watch.blocks();

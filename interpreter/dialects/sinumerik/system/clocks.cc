@@ -28,7 +28,7 @@ double running(const Channel& channel) {
   return channel.port.time_s();
 }
 double cutting(const Channel& channel) {
-  return channel.outlet.cutting_s;
+  return channel.outlet.cutting_s();
 }
 double minutes(const Channel& channel) {
   return channel.port.time_s() / kSecondsPerMinute;

@@ -192,6 +192,7 @@ Number digital_input(Channel& channel, const SystemAccess& access) {
   const int which = access.indices[0];
   const bool kept = channel.digital_inputs[static_cast<std::size_t>(which)];
   if (!channel.is_inspected) {
+    channel.outlet.stop_cutting();
     channel.busy_wait.look(channel.port);
   }
   const auto scripted = channel.is_inspected ? channel.inputs.shown(which)

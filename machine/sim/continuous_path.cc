@@ -1,0 +1,65 @@
+#include "machine/sim/continuous_path.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "machine/base/contract.h"
+
+namespace g31::machine {
+
+void ContinuousPath::add(const Move& move) {
+  last_length_ = move.length;
+  planner_.add(last_length_, move.limits, move.corner_speed);
+  along_end_ = move.along_end;
+}
+
+ContinuousPath::Passed ContinuousPath::release() {
+  Passed passed;
+  for (const SpanMotion& span : planner_.release()) {
+    pass(span, span.duration_s(), passed);
+  }
+  return passed;
+}
+
+ContinuousPath::Passed ContinuousPath::finish() {
+  Passed passed;
+  for (const SpanMotion& span : planner_.finish()) {
+    pass(span, span.duration_s(), passed);
+  }
+  return passed;
+}
+
+ContinuousPath::Passed ContinuousPath::finish_at(double distance) {
+  G31_EXPECTS(!is_empty() && distance >= 0.0 && distance <= last_length_);
+  Passed passed;
+  const std::span<const SpanMotion> spans = planner_.finish();
+  for (const SpanMotion& span : spans.first(spans.size() - 1)) {
+    pass(span, span.duration_s(), passed);
+  }
+  const SpanMotion& last = spans.back();
+  const double before = std::max(0.0, last.length() - last_length_);
+  pass(last, last.time_at(std::min(last.length(), before + distance)), passed);
+  ways_.clear();
+  return passed;
+}
+
+void ContinuousPath::pass(const SpanMotion& span, double until_s, Passed& passed) {
+  passed.seconds += until_s;
+  if (!keeps_ways_) {
+    return;
+  }
+  const MotionPhases phases = span.phases();
+  double gone = 0.0;
+  double from_s = 0.0;
+  while (gone < span.length() && from_s <= until_s) {
+    const Way way = std::move(ways_.front());
+    ways_.pop_front();
+    gone += way.length;  // as the planner adds them up: the last one ends with the span
+    const bool is_last = gone >= span.length();
+    const double to_s = std::min(until_s, is_last ? span.duration_s() : phases.time_at(gone));
+    passed.ways.push_back({way.path, phases.between(from_s, to_s), to_s - from_s});
+    from_s = to_s;
+  }
+}
+
+}  // namespace g31::machine

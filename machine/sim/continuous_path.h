@@ -1,0 +1,75 @@
+#pragma once
+
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "machine/sim/path_planner.h"
+#include "machine/sim/servo_motion.h"
+
+namespace g31::machine {
+
+/// A piece of a path as it was travelled, from somewhere in its speed to somewhere.
+struct Travelled {
+  CommandedPath path;
+  MotionPhases phases;  ///< distances count from the beginning of the path
+  double duration_s = 0.0;
+};
+
+/// Moves at feed that pass on into each other, until the machine stops: how long they take, and on
+/// request how they go.
+///
+/// What nothing that may come changes any more is given out; duration_s() is the rest, were the
+/// machine to stop at the end of the last move.
+class ContinuousPath {
+ public:
+  /// From now on what is travelled is known, not only the times.  @pre empty
+  void keep_ways() { keeps_ways_ = true; }
+
+  [[nodiscard]] bool is_empty() const { return planner_.is_empty(); }
+
+  /// What each axis goes in a unit of the path at its end.  @pre not empty
+  [[nodiscard]] const AxisPositions& along_end() const { return along_end_; }
+
+  struct Move {
+    double length = 0.0;  ///< > 0, path units
+    PathLimits limits;
+    double corner_speed = 0.0;  ///< at its beginning
+    AxisPositions along_end;
+  };
+  void add(const Move& move);
+
+  /// Whether ways are kept: then keep() follows each add().
+  [[nodiscard]] bool keeps_ways() const { return keeps_ways_; }
+  void keep(CommandedPath path) { ways_.push_back({std::move(path), last_length_}); }
+
+  /// s, until standstill.
+  [[nodiscard]] double duration_s() const { return planner_.duration_s(); }
+
+  /// A time and, where ways are kept, what is travelled in it.
+  struct Passed {
+    double seconds = 0.0;
+    std::vector<Travelled> ways;
+  };
+  /// What nothing that may come changes any more.
+  Passed release();
+  /// All of it, to standstill.
+  Passed finish();
+  /// All of it, but of the last move only some distance, path units.
+  Passed finish_at(double distance);
+
+ private:
+  struct Way {
+    CommandedPath path;
+    double length = 0.0;
+  };
+  void pass(const SpanMotion& span, double until_s, Passed& passed);
+
+  bool keeps_ways_ = false;
+  PathPlanner planner_;
+  AxisPositions along_end_ = AxisPositions::Zero();
+  double last_length_ = 0.0;
+  std::deque<Way> ways_;
+};
+
+}  // namespace g31::machine

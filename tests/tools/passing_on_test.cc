@@ -1,0 +1,74 @@
+// Which blocks let feed moves pass on into each other, and which make the axes stop.  100 mm at
+// 3000 mm/min and 2000 mm/s^2 take 2.025 s from rest to rest, 200 mm without a stop 4.025 s.
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_program.h"
+
+namespace g31 {
+namespace {
+
+using testing::RunOutput;
+using testing::TemporaryFolder;
+
+constexpr double kPassing = 4.025;
+constexpr double kStopping = 4.05;
+
+struct Case {
+  const char* name;
+  const char* between;  ///< two moves of 100 mm
+  double seconds;
+};
+
+double seconds_of(const char* file, const std::string& program) {
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write(file, program)};
+  const RunOutput output = testing::run_program(options);
+  EXPECT_LE(output.exit_code, 1) << output.errors;
+  return output.document.at("machine_time_s").get<double>();
+}
+
+TEST(PassingOn, OfFanucBlocks) {
+  const Case kCases[] = {
+      {"nothing between", "", kPassing},
+      {"a statement", "#1=1\n", kPassing},
+      {"a block end is known at once", "#1=#5001\n", kPassing},
+      {"a place that changes while axes move", "#1=#5041\n", kStopping},
+      {"the clock", "#1=#3001\n", kStopping},
+      {"an M code", "M8\n", kStopping},
+      {"data input is a fence", "G10L2P2X1.\n", kStopping},
+      {"an exact stop ends the way that led to it", "G9X150.\n", kStopping},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    const std::string program = std::string("O1\nG90G1X100.F3000\n") + c.between + "G1X200.\nM30\n";
+    EXPECT_NEAR(seconds_of("case.nc", program), c.seconds, 1e-9);
+  }
+}
+
+TEST(PassingOn, OfSinumerikBlocks) {
+  const Case kCases[] = {
+      {"continuous path", "G64\n", kPassing},
+      {"with rounding, taken as that", "G642\n", kPassing},
+      {"exact stop", "G60\n", kStopping},
+      {"a statement", "G64\nR1=1\n", kPassing},
+      {"reading ahead stops", "STOPRE\n", kStopping},
+      {"a place", "R1=$AA_IW[X]\n", kStopping},
+      {"a clock", "R1=$AC_CUTTING_TIME\n", kStopping},
+      {"an M code", "M8\n", kStopping},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    const bool is_mode = c.between[0] == 'G';
+    const std::string program =
+        is_mode ? std::string(c.between) + "G90 G1 X100 F3000\nX200\nM30\n"
+                : std::string("G64\nG90 G1 X100 F3000\n") + c.between + "X200\nM30\n";
+    EXPECT_NEAR(seconds_of("case.mpf", program), c.seconds, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace g31
