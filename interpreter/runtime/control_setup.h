@@ -52,6 +52,13 @@ struct FurtherAxisSetup {
   double travel_max = 1e8;
 };
 
+/// Where a control with words for inputs shows a displacement sensor.
+struct SensorWord {
+  int number = 0;         ///< of the variable
+  int input = 0;          ///< analog input that the sensor is wired to
+  double count_mm = 0.0;  ///< > 0, what a count is worth
+};
+
 /// The state of a control before the program starts, as a set-up sheet describes it.  Plain data:
 /// each dialect takes what it knows and reports names it does not.
 struct ControlSetup {
@@ -77,7 +84,8 @@ struct ControlSetup {
   std::map<std::string, char> axis_names;
   /// U, V and W, where the machine has them: they carry neither tool nor part.
   std::map<char, FurtherAxisSetup> further_axes;
-  std::vector<InputStep> inputs;  ///< what [[input]] scripts
+  std::vector<InputStep> inputs;         ///< what [[input]] scripts
+  std::vector<SensorWord> sensor_words;  ///< of [[sensor]], by controls that have such words
   /// Soft limits of axes, where the machine has any.
   std::map<int, std::pair<double, double>> q_M_travel;
   std::map<std::string, AxisPositions> work_offsets;  ///< "G54".."G59", "EXT", "G54.1 P1"

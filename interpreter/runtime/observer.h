@@ -57,6 +57,8 @@ class Observer {
   virtual void on_move(const MoveEvent&) {}
   virtual void on_touch(const TouchEvent&) {}
   virtual void on_stop(const StopEvent&) {}
+  /// The axes have come to rest where the program has them, and it waits for that (STOPRE).
+  virtual void on_standstill(source::Location /*where*/) {}
   /// Bytes for the printer port (DPRNT).
   virtual void on_output(const OutputEvent&) {}
   /// A line for the operator (MSG), one byte a character; it stands among the printouts.

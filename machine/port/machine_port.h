@@ -141,6 +141,10 @@ class MachinePort {
   /// The digital input of the machine's own wiring; nullopt: nothing is wired to that number.
   [[nodiscard]] virtual std::optional<bool> digital_input(int number) const = 0;
 
+  /// What the displacement sensor of an analog input reads, mm, the axes standing where they are;
+  /// nullopt: none is wired to it.
+  [[nodiscard]] virtual std::optional<double> displacement(int input) const = 0;
+
   /// Puts a tool into a spindle.  Takes no time.
   virtual void change_tool(const ToolChange& change) = 0;
 

@@ -70,6 +70,16 @@ class Surroundings {
   /// Of what is wired to a measuring input; nullopt: nothing is.
   [[nodiscard]] virtual std::optional<SensorState> sensor_state(int input) const = 0;
 
+  /// Where the displacement sensor of an analog input is, mm from the gauge point; nullopt: none is
+  /// wired to it.
+  [[nodiscard]] virtual std::optional<Point> displacement_sensor(int /*input*/) const { return {}; }
+
+  /// What it reads, mm.  @pre there is one
+  /// @param at  told for a tip in the sensor's place
+  [[nodiscard]] virtual double displacement(const Waypoint& /*at*/, int /*input*/) const {
+    return 0.0;
+  }
+
   /// Of the tool in the spindle.
   [[nodiscard]] virtual ToolExtent tool_extent() const = 0;
 

@@ -166,6 +166,16 @@ std::optional<bool> MachiningCentre::digital_input(int number) const {
   return state && state->is_ready();
 }
 
+std::optional<double> MachiningCentre::displacement(int input) const {
+  const auto p_T =
+      surroundings_ != nullptr ? surroundings_->displacement_sensor(input) : std::optional<Point>();
+  if (!p_T) {
+    return std::nullopt;
+  }
+  tell_time();
+  return surroundings_->displacement(real_.place_of(*p_T, q_M_), input);
+}
+
 void MachiningCentre::change_tool(const ToolChange& change) {
   G31_EXPECTS(change.tool.number >= 0 && std::isfinite(change.tool.length_mm));
   tell(change);

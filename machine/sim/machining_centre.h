@@ -55,6 +55,7 @@ class MachiningCentre final : public MachinePort {
   [[nodiscard]] bool skip_signal(int input) const override;
   [[nodiscard]] std::optional<SensorState> sensor_state(int input) const override;
   [[nodiscard]] std::optional<bool> digital_input(int number) const override;
+  [[nodiscard]] std::optional<double> displacement(int input) const override;
 
   // What the surroundings make of these decides; nothing moves.
   void change_tool(const ToolChange& change) override;

@@ -86,6 +86,12 @@ Waypoint RealAxes::tip(const AxisPositions& q_M) const {
   return {0.0, place.q, place.tilt};
 }
 
+Waypoint RealAxes::place_of(const Point& p_T, const AxisPositions& q_M) const {
+  RealAxes with_tip_there = *this;
+  with_tip_there.take_tool(p_T);
+  return with_tip_there.tip(q_M);
+}
+
 std::vector<Waypoint> RealAxes::way_taken(const Waypoint& tip_from, const AxisPositions& q_M_from,
                                           const AxisPositions& q_M_to) const {
   const double turned_deg = rotary_axes(q_M_to - q_M_from).cwiseAbs().maxCoeff();

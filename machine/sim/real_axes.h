@@ -59,6 +59,8 @@ class RealAxes {
 
   /// Where the tool tip truly is for the part when the axes have come to q_M.
   [[nodiscard]] Waypoint tip(const AxisPositions& q_M) const;
+  /// The same for another point of the tool's side.  @param p_T  mm, from the gauge point
+  [[nodiscard]] Waypoint place_of(const Point& p_T, const AxisPositions& q_M) const;
   /// The way that a skip move has taken from there: straight for the encoders, so in one piece
   /// unless a rotary axis moved, then in pieces of kSkipTurnDeg.
   /// @param tip_from  what tip(q_M_from) was before the move

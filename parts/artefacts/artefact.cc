@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <variant>
 #include <vector>
 
 #include "machine/base/nearest_name.h"
@@ -30,7 +31,9 @@ constexpr auto kSizes = std::to_array<ShapeSize>({
 #undef SHAPE_SIZE
 });
 
-constexpr auto kMakers = std::to_array<Maker>({
+using AnyMaker = std::variant<Maker, ProfiledMaker>;
+
+constexpr auto kMakers = std::to_array<AnyMaker>({
 #define SHAPE(name, make, text) (make),
 #define SHAPE_SIZE(shape, name, default_mm, text)
 #include "parts/artefacts/shapes.def"
@@ -90,6 +93,16 @@ Sizes with_defaults(const PartSetup& part) {
   return sizes;
 }
 
+Result<Mesh, std::string> make_with(const AnyMaker& maker, const PartSetup& part) {
+  if (const auto* const profiled = std::get_if<ProfiledMaker>(&maker)) {
+    return (*profiled)(with_defaults(part), part.profile);
+  }
+  if (!part.profile.empty()) {
+    return "shape '" + part.shape + "' takes no profile; bed and shaft do";
+  }
+  return std::get<Maker>(maker)(with_defaults(part));
+}
+
 }  // namespace
 
 double size_or(const Sizes& sizes, const std::string& name, double otherwise) {
@@ -114,8 +127,8 @@ Result<Mesh, std::string> make_artefact(const PartSetup& part) {
   if (const auto wrong = why_wrong(part)) {
     return who + *wrong;
   }
-  const Maker make = kMakers[static_cast<std::size_t>(row - kShapes.begin())];
-  Result<Mesh, std::string> made = make(with_defaults(part));
+  Result<Mesh, std::string> made =
+      make_with(kMakers[static_cast<std::size_t>(row - kShapes.begin())], part);
   if (!made) {
     return who + made.error();
   }

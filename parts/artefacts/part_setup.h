@@ -1,12 +1,18 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "machine/units/point.h"
 #include "machine/units/thermal_growth.h"
 
 namespace g31::parts {
+
+/// A shape error that is known: rows of place and deviation out of the material, mm, places rising.
+/// Straight between the places, constant outside them.
+using ShapeProfile = std::vector<std::array<double, 2>>;
 
 /// One `[[part]]` of the set-up sheet.  Either `file` (an absolute or resolved path to a mesh) or
 /// `shape` (a parametric artefact with its `sizes`) is given, never both.
@@ -16,6 +22,7 @@ struct PartSetup {
   double step_sagitta_mm = 1e-3;  ///< > 0: how fine a STEP file becomes a mesh
   std::string shape;              ///< "ring", ...; the table of shapes is artefacts/shapes.def
   std::map<std::string, double> sizes;  ///< mm; the names a shape takes stand in its row
+  ShapeProfile profile;                 ///< of shapes that take one
   Point p_M_at = Point::Zero();         ///< machine coordinates of the part's origin
   Point rotate_deg = Point::Zero();     ///< about X, then Y, then Z (fixed axes)
   ThermalGrowth growth;                 ///< from the part's origin on

@@ -18,7 +18,8 @@ void keep_earlier(std::optional<Event>& first, std::optional<Event> next) {
 
 }  // namespace
 
-World::World(Sets sets, Tools tools) : sets_(std::move(sets)), tools_(tools) {
+World::World(Sets sets, Tools tools, std::unique_ptr<DisplacementSensors> sensors)
+    : sets_(std::move(sets)), tools_(tools), sensors_(std::move(sensors)) {
   G31_EXPECTS(std::ranges::none_of(sets_, [](const auto& set) { return set == nullptr; }));
 }
 
@@ -60,6 +61,15 @@ std::optional<machine::SensorState> World::sensor_state(int input) const {
   return first;
 }
 
+std::optional<Point> World::displacement_sensor(int input) const {
+  return sensors_ != nullptr ? sensors_->place(input) : std::nullopt;
+}
+
+double World::displacement(const machine::Waypoint& at, int input) const {
+  G31_EXPECTS(sensors_ != nullptr);
+  return sensors_->reading(input, at, now_s_);
+}
+
 machine::ToolExtent World::tool_extent() const {
   machine::ToolExtent most;
   for (const auto& set : sets_) {
@@ -84,6 +94,7 @@ void World::take(const machine::MachineEvent& event) {
 }
 
 void World::time_is(double now_s) {
+  now_s_ = now_s;
   for (const auto& set : sets_) {
     set->time_is(now_s);
   }

@@ -42,6 +42,7 @@ class EndsMachine final : public machine::MachinePort {
   [[nodiscard]] bool skip_signal(int) const override { return false; }
   [[nodiscard]] std::optional<machine::SensorState> sensor_state(int) const override { return {}; }
   [[nodiscard]] std::optional<bool> digital_input(int) const override { return {}; }
+  [[nodiscard]] std::optional<double> displacement(int) const override { return {}; }
   void change_tool(const machine::ToolChange&) override {}
   void turn_spindle(const machine::SpindleTurn&) override {}
   void auxiliary_code(const machine::AuxiliaryCode&) override {}

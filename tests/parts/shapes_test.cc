@@ -68,6 +68,7 @@ std::vector<Case> round_cases() {
        0.01,
        {-6, -6, -15},
        {6, 6, 0}},
+      {"shaft", {}, kPi * 625 * 400, kPi * 50 * 400, 5e-5, {-25, -25, -400}, {25, 25, 0}},
       {"sphere",
        {},
        kPi / 6 * 25 * 25 * 25,
@@ -134,6 +135,7 @@ std::vector<Case> flat_cases() {
       {"groove", {}, 60.0 * (60 * 25 - 20 * 15), 0, 0, {-30, -30, -25}, {30, 30, 0}},
       {"rib", {}, 60.0 * (20 * 15 + 60 * 10), 0, 0, {-30, -30, -25}, {30, 30, 0}},
       {"step", {}, 40.0 * (60 * 10 + 30 * 15), 0, 0, {-30, -20, -25}, {30, 20, 0}},
+      {"bed", {}, 1000.0 * 100 * 100, 0, 0, {0, -50, -100}, {1000, 50, 0}},
   };
 }
 
@@ -276,6 +278,57 @@ TEST(Shapes, SayWhichSizesDoNotFit) {
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error(), c.error);
   }
+}
+
+PartSetup profiled(const char* shape, const ShapeProfile& profile) {
+  PartSetup setup;
+  setup.name = "gauge";
+  setup.shape = shape;
+  setup.profile = profile;
+  return setup;
+}
+
+/// Up to 200 as at 200, straight to 600, from there on as there.
+const ShapeProfile kBend = {{200.0, 0.5}, {600.0, -0.3}};
+
+TEST(Shapes, ABedIsAsHighAsItsProfile) {
+  const auto mesh = make_artefact(profiled("bed", kBend));
+  ASSERT_TRUE(mesh.ok()) << mesh.error();
+  EXPECT_TRUE(testing::is_closed_and_oriented(mesh.value()));
+  const double added = 200 * 0.5 + 400 * 0.1 + 400 * -0.3;  // mm^2 along X
+  EXPECT_NEAR(testing::enclosed_volume(mesh.value()), 100.0 * (1000.0 * 100.0 + added), 1e-6);
+  for (const Point& p : mesh.value().vertices) {
+    const double top = p.x() <= 200.0 ? 0.5 : -0.3;  // vertices stand at 0, 200, 600 and 1000
+    EXPECT_TRUE(p.z() == -100.0 || p.z() == top) << p.transpose();
+  }
+}
+
+TEST(Shapes, AShaftIsAsThickAsItsProfile) {
+  PartSetup setup = profiled("shaft", {{100.0, 2.0}, {300.0, -1.0}});
+  setup.sizes = {{"sagitta", 1e-4}};
+  const auto mesh = make_artefact(setup);
+  ASSERT_TRUE(mesh.ok()) << mesh.error();
+  EXPECT_TRUE(testing::is_closed_and_oriented(mesh.value()));
+  const double cone = 200.0 / 3.0 * (27.0 * 27 + 27.0 * 24 + 24.0 * 24);  // of pi
+  const double volume = kPi * (100.0 * 27 * 27 + cone + 100.0 * 24 * 24);
+  EXPECT_NEAR(testing::enclosed_volume(mesh.value()), volume, 2.0 * kPi * 27 * 400 * 1e-4);
+  for (const Point& p : mesh.value().vertices) {
+    const double radius = p.head<2>().norm();
+    const double nominal = p.z() >= -100.0 ? 27.0 : 24.0;
+    EXPECT_TRUE(radius == 0.0 || (radius >= nominal && radius <= nominal + 1e-4)) << p.transpose();
+  }
+}
+
+TEST(Shapes, SayWhichProfileDoesNotFit) {
+  const auto refused = [](const PartSetup& setup) { return make_artefact(setup).error(); };
+  EXPECT_EQ(refused(profiled("bed", {{0.0, 0.0}, {1000.5, 0.0}})),
+            "part 'gauge': the places of a profile lie between 0 and the end of the shape");
+  EXPECT_EQ(refused(profiled("bed", {{-0.5, 0.0}, {10.0, 0.0}})),
+            "part 'gauge': the places of a profile lie between 0 and the end of the shape");
+  EXPECT_EQ(refused(profiled("shaft", {{0.0, -25.0}})),
+            "part 'gauge': the deviations of a profile are less than the shape is thick");
+  EXPECT_EQ(refused(profiled("ring", {{0.0, 0.1}})),
+            "part 'gauge': shape 'ring' takes no profile; bed and shaft do");
 }
 
 }  // namespace

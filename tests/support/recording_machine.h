@@ -67,6 +67,8 @@ class RecordingMachine final : public machine::MachinePort {
     return std::nullopt;
   }
 
+  [[nodiscard]] std::optional<double> displacement(int /*input*/) const override { return {}; }
+
   void change_tool(const machine::ToolChange& change) override {
     commands_.push_back(fmt::format("tool {} L{:.6g} R{:.6g}", change.tool.number,
                                     change.tool.length_mm, change.tool.radius_mm));

@@ -1,6 +1,7 @@
 #include "tools/cli/run_command.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -15,6 +16,7 @@
 #include "tools/cli/messages.h"
 #include "tools/cli/printouts.h"
 #include "tools/disk/disk.h"
+#include "tools/report/readings_file.h"
 #include "tools/report/run_document.h"
 #include "tools/report/run_recorder.h"
 #include "tools/report/trace_file.h"
@@ -28,14 +30,72 @@ namespace {
 
 using session::Refusal;
 
+/// What is written row by row while the program runs; null where it is not asked for.
+struct Tables {
+  std::shared_ptr<report::TraceFile> trace;
+  std::shared_ptr<report::ReadingsFile> readings;
+};
+
+/// The files of --trace and --readings.
+Result<Tables, Refusal> open_tables(const RunOptions& options, const setup::Job& job) {
+  std::array<bool, kAxisCount> axes{};
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    axes.at(i) = job.machine.axes[i].present;
+  }
+  Tables tables;
+  if (!options.trace.empty()) {
+    const auto trace = report::TraceFile::create(options.trace, axes);
+    if (!trace) {
+      return session::bad_input(trace.error());
+    }
+    tables.trace = trace.value();
+  }
+  if (!options.readings.empty()) {
+    std::vector<report::ReadingsFile::Column> sensors;
+    for (const probe::DisplacementSetup& sensor : job.sensors) {
+      sensors.push_back({sensor.name, sensor.input});
+    }
+    const auto readings = report::ReadingsFile::create(options.readings, axes, sensors);
+    if (!readings) {
+      return session::bad_input(readings.error());
+    }
+    tables.readings = readings.value();
+  }
+  return tables;
+}
+
+/// Closes what was written while the program ran.
+std::optional<Refusal> finish_files(const Tables& tables, Printouts& printouts) {
+  for (const auto& problem :
+       {tables.trace != nullptr ? tables.trace->finish() : std::nullopt,
+        tables.readings != nullptr ? tables.readings->finish() : std::nullopt}) {
+    if (problem) {
+      return session::bad_input(*problem);
+    }
+  }
+  return printouts.finish();
+}
+
 /// Prints while the program runs.  Without a document nothing is kept: an endless loop may print
 /// and stop for hours.
 class EchoingRecorder final : public report::RunRecorder {
  public:
-  EchoingRecorder(const RunOptions& options, Printouts& printouts)
+  /// @param readings  gets a row at every stop; null: nobody asks for them
+  EchoingRecorder(const RunOptions& options, Printouts& printouts,
+                  const machine::MachinePort& machine, report::ReadingsFile* readings)
       : RunRecorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No}),
         printouts_(printouts),
-        keeps_(!options.json.empty()) {}
+        keeps_(!options.json.empty()),
+        machine_(machine),
+        readings_(readings) {}
+  void on_move(const runtime::MoveEvent& event) override {
+    constexpr int kDwell = 4;
+    RunRecorder::on_move(event);
+    if (event.g == kDwell) {
+      read_sensors();
+    }
+  }
+  void on_standstill(source::Location /*where*/) override { read_sensors(); }
   void on_output(const runtime::OutputEvent& event) override {
     if (keeps_) {
       RunRecorder::on_output(event);
@@ -52,12 +112,22 @@ class EchoingRecorder final : public report::RunRecorder {
     if (keeps_) {
       RunRecorder::on_stop(event);
     }
+    read_sensors();
   }
 
  private:
   using Keep = report::RecordWhat::Keep;
+
+  void read_sensors() {
+    if (readings_ != nullptr) {
+      readings_->add_row(machine_);
+    }
+  }
+
   Printouts& printouts_;
   bool keeps_;
+  const machine::MachinePort& machine_;
+  report::ReadingsFile* readings_;
 };
 
 /// What the command line alone says, checked before anything runs.
@@ -138,29 +208,6 @@ std::optional<Refusal> deliver(const Opened& opened, const report::RunResult& re
   return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
 }
 
-using Trace = std::shared_ptr<report::TraceFile>;
-
-/// The file of --trace; null when none is asked for.
-Result<Trace, Refusal> open_trace(const std::string& path, const machine::MachineSetup& machine) {
-  if (path.empty()) {
-    return Trace();
-  }
-  report::TraceFile::AxesPresent axes;
-  for (std::size_t i = 0; i < kAxisCount; ++i) {
-    axes[i] = machine.axes[i].present;
-  }
-  const auto trace = report::TraceFile::create(path, axes);
-  return trace ? Result<Trace, Refusal>(trace.value()) : session::bad_input(trace.error());
-}
-
-/// Closes what was written while the program ran.
-std::optional<Refusal> finish_files(const Trace& trace, Printouts& printouts) {
-  if (const auto problem = trace != nullptr ? trace->finish() : std::nullopt) {
-    return session::bad_input(*problem);
-  }
-  return printouts.finish();
-}
-
 /// What the document of a run tells, behind its end.
 report::RunResult result_of(const Opened& opened, const runtime::Outcome& outcome,
                             const runtime::NamedValues& values) {
@@ -186,10 +233,10 @@ runtime::Outcome without_allowed(runtime::Outcome outcome,
   return outcome;
 }
 
-ExitCode run_to_end(const Opened& opened, const Trace& trace, Printouts& printouts) {
+ExitCode run_to_end(const Opened& opened, const Tables& tables, Printouts& printouts) {
   const runtime::Outcome outcome =
       without_allowed(opened.run.session().run(opened.options.budget), opened.options.allowed);
-  if (const auto wrong = finish_files(trace, printouts)) {
+  if (const auto wrong = finish_files(tables, printouts)) {
     return refuse(*wrong);
   }
   print_diagnostics(outcome, opened.sources);
@@ -223,9 +270,9 @@ ExitCode run_command(const RunOptions& options) {
     return refuse(line.error());
   }
   const auto& [job, control] = prepared.value();
-  const auto trace = open_trace(options.trace, job.machine);
-  if (!trace) {
-    return refuse(trace.error());
+  const auto tables = open_tables(options, job);
+  if (!tables) {
+    return refuse(tables.error());
   }
   const auto world = session::build_world(job, options.seed);
   if (!world) {
@@ -235,10 +282,10 @@ ExitCode run_command(const RunOptions& options) {
   if (!printouts) {
     return refuse(printouts.error());
   }
-  EchoingRecorder recorder(options, *printouts.value());
   machine::MachiningCentre& machine = *world.value().machine;
-  if (trace.value() != nullptr) {
-    machine.trace(line.value().trace_period_s, *trace.value());
+  EchoingRecorder recorder(options, *printouts.value(), machine, tables.value().readings.get());
+  if (tables.value().trace != nullptr) {
+    machine.trace(line.value().trace_period_s, *tables.value().trace);
   }
   const auto programs = session::open_programs(control, options, disk, job.control);
   if (!programs) {
@@ -253,7 +300,7 @@ ExitCode run_command(const RunOptions& options) {
   }
   return run_to_end({options, line.value(), prepared.value(), *run.value(), machine, recorder,
                      programs.value()->sources()},
-                    trace.value(), *printouts.value());
+                    tables.value(), *printouts.value());
 }
 
 }  // namespace g31::cli

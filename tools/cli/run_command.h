@@ -18,6 +18,7 @@ struct RunOptions : session::Request {
   std::string printer;
   double printer_wait_s = 30.0;  ///< how long the printer may keep the program waiting at a time
   std::string trace;             ///< file of sampled positions, "" for none
+  std::string readings;          ///< file of what sensors read at stops, "" for none
   std::string trace_period = "1ms";  ///< as parse_duration takes it
   bool moves = false;
   bool touches = false;

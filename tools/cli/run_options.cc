@@ -105,6 +105,10 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   run->add_option("--trace-period", options.trace_period,
                   "time between two rows: 182.32us, 4ms, 0.001s or plain seconds (default 1ms)")
       ->type_name("TIME");
+  run->add_option("--readings", options.readings,
+                  "what the sensors of the sheet read at every stop (G04, M00, M01, STOPRE), as a "
+                  "table (CSV)")
+      ->type_name("FILE");
   return run;
 }
 
@@ -116,6 +120,7 @@ std::string run_examples() {
          "  g31 run part.mpf --control sinumerik-828d -s machine.toml --set R1=5 --print "
          "'_OVR[4],R2'\n"
          "  g31 run part.arc SUB.SPF -s machine.toml --lib cycles\n"
+         "  g31 run step.nc -s bed.toml --readings bed.csv\n"
          "  g31 run part.nc -s machine.toml --printer printout.txt\n"
          "  g31 run part.nc -s machine.toml --printer /dev/ttyS0,4800,e,7,2\n\n"
          "A printer at a line, as a control feeds it (more in macros/README.md):\n"

@@ -32,6 +32,9 @@ class PathRecorder final : public machine::MachinePort {
   [[nodiscard]] std::optional<bool> digital_input(int number) const override {
     return machine_.digital_input(number);
   }
+  [[nodiscard]] std::optional<double> displacement(int input) const override {
+    return machine_.displacement(input);
+  }
   void change_tool(const machine::ToolChange& change) override { machine_.change_tool(change); }
   void turn_spindle(const machine::SpindleTurn& turn) override;
   void auxiliary_code(const machine::AuxiliaryCode& code) override {

@@ -28,7 +28,7 @@ Refusal unusable(const setup::SheetPlace& place, std::string why) {
 
 Result<std::vector<probe::ProbedPart>, Refusal> build_parts(const setup::Job& job) {
   std::vector<probe::ProbedPart> built;
-  if (job.skip_signals) {
+  if (job.skip_signals && job.sensors.empty()) {
     return built;
   }
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
@@ -44,18 +44,38 @@ Result<std::vector<probe::ProbedPart>, Refusal> build_parts(const setup::Job& jo
   return built;
 }
 
-std::unique_ptr<machine::Surroundings> surroundings_of(
-    const setup::Job& job, std::shared_ptr<const probe::TouchableParts> parts, std::uint64_t seed) {
-  if (job.skip_signals) {
-    return std::make_unique<probe::ScriptedSignals>(*job.skip_signals);
+SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedPart>& parts) {
+  SensedParts sensed;
+  if (job.probe && !job.skip_signals) {
+    sensed.by_balls = std::make_shared<const probe::TouchableParts>(*job.probe, parts);
   }
-  if (!job.probe) {
+  if (!job.sensors.empty()) {
+    probe::SeenParts seen;
+    for (const probe::ProbedPart& part : parts) {
+      seen.emplace_back(part.mesh_M);
+    }
+    sensed.by_sensors = std::make_shared<const probe::SeenParts>(std::move(seen));
+  }
+  return sensed;
+}
+
+std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
+                                                       const SensedParts& parts,
+                                                       std::uint64_t seed) {
+  probe::World::Sets sets;
+  probe::Tools tools = probe::Tools::Fixed;
+  if (job.skip_signals) {
+    sets.push_back(std::make_unique<probe::ScriptedSignals>(*job.skip_signals));
+  } else if (job.probe) {
+    sets.push_back(std::make_unique<probe::TouchProbe>(parts.by_balls, *job.probe, seed));
+    tools = job.probe->switching.tool ? probe::Tools::Changing : probe::Tools::Fixed;
+  } else if (job.sensors.empty()) {
     return nullptr;
   }
-  probe::World::Sets sets;
-  sets.push_back(std::make_unique<probe::TouchProbe>(std::move(parts), *job.probe, seed));
-  return std::make_unique<probe::World>(
-      std::move(sets), job.probe->switching.tool ? probe::Tools::Changing : probe::Tools::Fixed);
+  auto sensors = job.sensors.empty() ? nullptr
+                                     : std::make_unique<probe::DisplacementSensors>(
+                                           job.sensors, parts.by_sensors, seed);
+  return std::make_unique<probe::World>(std::move(sets), tools, std::move(sensors));
 }
 
 Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed) {
@@ -65,11 +85,7 @@ Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed) {
   }
   World world;
   world.parts = parts.value();
-  const auto touchable =
-      job.probe && !job.skip_signals
-          ? std::make_shared<const probe::TouchableParts>(*job.probe, world.parts)
-          : nullptr;
-  world.surroundings = surroundings_of(job, touchable, seed);
+  world.surroundings = surroundings_of(job, sensed_parts(job, world.parts), seed);
   world.machine = std::make_unique<machine::MachiningCentre>(job.machine, world.surroundings.get());
   return world;
 }

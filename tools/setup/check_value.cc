@@ -88,6 +88,10 @@ std::string_view words_for(Limit limit) {
       return "1 to 8";
     case Limit::DigitalInput:
       return "1 to 64 for $A_IN, or 1000 to 1015 for #1000 to #1015";
+    case Limit::SensorWord:
+      return "1032 to 1035 or 1132 to 1135";
+    case Limit::ColumnName:
+      return "a name of letters, digits, _, ., - and +";
     case Limit::MachineCode:
       return "M and a number of one to eight digits";
     case Limit::ProgramSwitch:
@@ -103,6 +107,19 @@ std::string_view words_for(Limit limit) {
       return "pairs with rising places";
   }
   contract_violated("every Limit has words", __FILE__, __LINE__);
+}
+
+bool is_sensor_word(double number) {
+  const double of_row = number < 1000.0 ? number + 1000.0 : number;
+  return (of_row >= 1032.0 && of_row <= 1035.0) || (of_row >= 1132.0 && of_row <= 1135.0);
+}
+
+bool is_column_name(std::string_view text) {
+  const auto serves = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("_.-+").find(c) != std::string_view::npos;
+  };
+  return !text.empty() && std::ranges::all_of(text, serves);
 }
 
 bool number_within(Limit limit, double number) {
@@ -124,6 +141,8 @@ bool number_within(Limit limit, double number) {
       return number >= 1.0 && number <= 8.0;
     case Limit::DigitalInput:
       return (number >= 1.0 && number <= 64.0) || (number >= 1000.0 && number <= 1015.0);
+    case Limit::SensorWord:
+      return is_sensor_word(number);
     case Limit::Any:
     case Limit::Rising:
     case Limit::NotEmpty:
@@ -137,6 +156,7 @@ bool number_within(Limit limit, double number) {
     case Limit::AxisLetter:
     case Limit::AxisLetters:
     case Limit::MachineCode:
+    case Limit::ColumnName:
     case Limit::ProgramSwitch:
     case Limit::NotAllZero:
     case Limit::RisingPlaces:
@@ -196,6 +216,8 @@ bool text_within(Limit limit, const std::string& text) {
       return is_machine_code(text);
     case Limit::ProgramSwitch:
       return program_switch(text).has_value();
+    case Limit::ColumnName:
+      return is_column_name(text);
     case Limit::Any:
     case Limit::Positive:
     case Limit::NotNegative:
@@ -205,6 +227,7 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::BlockCount:
     case Limit::MeasuringInput:
     case Limit::DigitalInput:
+    case Limit::SensorWord:
     case Limit::ToolOfProbe:
     case Limit::Rising:
     case Limit::NotAllZero:

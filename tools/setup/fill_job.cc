@@ -13,6 +13,7 @@
 #include "tools/setup/fill_inputs.h"
 #include "tools/setup/fill_machine.h"
 #include "tools/setup/fill_probe.h"
+#include "tools/setup/fill_sensors.h"
 #include "tools/setup/table_keys.h"
 
 namespace g31::setup {
@@ -150,7 +151,8 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::MachineErrors:
     case SectionId::Believed:
     case SectionId::BelievedAxes:
-      return;  // fill_machine
+    case SectionId::Probe:
+      return;  // fill_machine, fill_probe
     case SectionId::MachineAxes:
       fill_axis_names(job.control, name, keys);
       if (is_further_axis(name)) {
@@ -165,15 +167,27 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
                                                                          limits.at(1)};
       }
       return;
-    case SectionId::Probe:
-      return;  // fill_probe
     case SectionId::ProbeBall:
     case SectionId::ProbeBody:
     case SectionId::Part:
+    case SectionId::Sensor:
     case SectionId::Input:
     case SectionId::SkipSignal:
       contract_violated("a list is no table", __FILE__, __LINE__);
   }
+}
+
+/// One number is the same everywhere.
+parts::ShapeProfile profile_from(const TableKeys& keys) {
+  const std::vector<double> list = keys.get(KeyId::PartProfile, std::vector<double>{});
+  if (list.size() == 1) {
+    return {{0.0, list.front()}};
+  }
+  parts::ShapeProfile profile;
+  for (std::size_t i = 0; i + 1 < list.size(); i += 2) {
+    profile.push_back({list[i], list[i + 1]});
+  }
+  return profile;
 }
 
 parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
@@ -194,6 +208,7 @@ parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
       part.sizes[key] = number_of(entry);
     }
   }
+  part.profile = profile_from(keys);
 
   std::error_code unreadable;
   const Entry* file = keys.find(KeyId::PartFile);
@@ -247,6 +262,8 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
     }
   }
   job.control.inputs = inputs_from(sheet, errors);
+  job.sensors = sensors_from(sheet, errors);
+  job.control.sensor_words = sensor_words_from(sheet, errors);
   job.machine = machine_from(sheet, errors);
   job.control.kinematics = believed_kinematics(sheet, job.machine, errors);
   if (job.probe) {

@@ -7,6 +7,7 @@
 #include "interpreter/runtime/control_setup.h"
 #include "machine/sim/machine_setup.h"
 #include "parts/artefacts/part_setup.h"
+#include "probe/sensor/displacement_sensors.h"
 #include "probe/sensor/probe_setup.h"
 
 namespace g31::setup {
@@ -24,6 +25,7 @@ struct Job {
   runtime::ControlSetup control;
   machine::MachineSetup machine;
   std::optional<probe::ProbeSetup> probe;  ///< none: no probe in the spindle
+  std::vector<probe::DisplacementSetup> sensors;
   std::vector<parts::PartSetup> parts;
   std::vector<SheetPlace> part_places;  ///< one per part: its file or shape
   /// Signals of the skip moves in order; given (even empty) means: instead of a probe.

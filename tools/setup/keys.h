@@ -82,6 +82,8 @@ enum class Limit {
   ProbeState,
   MeasuringInput,  ///< 1..8
   DigitalInput,    ///< 1..64 or 1000..1015
+  SensorWord,      ///< 1032..1035 or 1132..1135, or less 1000
+  ColumnName,      ///< letters, digits and _ . - +
   ToolOfProbe,     ///< 1..99999999
   MachineCode,     ///< M and a number
   ProgramSwitch,   ///< that, #1100 to #1115 or $A_OUT[n]

@@ -11,7 +11,6 @@
 
 #include "interpreter/source/diagnostic.h"
 #include "tools/disk/shipped.h"
-#include "tools/session/world.h"
 
 namespace g31::study {
 
@@ -42,7 +41,6 @@ struct StudyRuns::Ended {
 
 namespace {
 
-using probe::TouchableParts;
 using session::Refusal;
 
 /// Whether a key changes the parts, or the balls and bodies that their trees are made for.
@@ -51,13 +49,12 @@ bool changes_geometry(const setup::VariedKey& key) {
          key.row->id == setup::KeyId::ProbeStemDiameter;
 }
 
-Result<std::shared_ptr<const TouchableParts>, Refusal> touchable_parts(const setup::Job& job) {
+Result<session::SensedParts, Refusal> sensed_parts(const setup::Job& job) {
   const auto parts = session::build_parts(job);
   if (!parts) {
     return parts.error();
   }
-  using Shared = std::shared_ptr<const TouchableParts>;
-  return job.probe ? std::make_shared<const TouchableParts>(*job.probe, parts.value()) : Shared();
+  return session::sensed_parts(job, parts.value());
 }
 
 std::string first_line(const std::string& text) {
@@ -220,7 +217,7 @@ std::optional<Refusal> StudyRuns::try_control() {
     programs_.push_back(opened.value());
   }
   Geometry& geometry = *geometries_.front();
-  std::call_once(geometry.once, [&] { geometry.parts.emplace(touchable_parts(job.value())); });
+  std::call_once(geometry.once, [&] { geometry.parts.emplace(sensed_parts(job.value())); });
   if (!geometry.parts->ok()) {
     return geometry.parts->error();
   }
@@ -368,7 +365,7 @@ StudyRuns::Ended StudyRuns::run_drawn(std::size_t number, const Row& row) {
     }
     job.control.variables = std::move(variables);
   }
-  const Parts parts = draws_geometry_ ? touchable_parts(job) : *point.geometry->parts;
+  const Parts parts = draws_geometry_ ? sensed_parts(job) : *point.geometry->parts;
   return run_all_programs(std::move(job), parts, row);
 }
 
@@ -390,7 +387,7 @@ void StudyRuns::make_ready(std::size_t number) {
     }
     setup::Job job = point.job->value();
     Geometry& geometry = *point.geometry;
-    std::call_once(geometry.once, [&] { geometry.parts.emplace(touchable_parts(job)); });
+    std::call_once(geometry.once, [&] { geometry.parts.emplace(sensed_parts(job)); });
     if (study_.before_when == BeforeWhen::Once) {
       if (auto failed = run_before(job, *geometry.parts, SeedUse::BeforeAll, number)) {
         point.failed_before = std::make_unique<Ended>(std::move(*failed));

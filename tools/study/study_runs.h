@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "machine/base/result.h"
-#include "probe/sensor/touchable_parts.h"
 #include "tools/disk/disk.h"
 #include "tools/session/control.h"
 #include "tools/session/ending.h"
@@ -15,6 +14,7 @@
 #include "tools/session/programs.h"
 #include "tools/session/refusal.h"
 #include "tools/session/session.h"
+#include "tools/session/world.h"
 #include "tools/setup/sheet_stack.h"
 #include "tools/study/grid.h"
 #include "tools/study/record.h"
@@ -50,7 +50,7 @@ class StudyRuns {
   struct Point;
   struct Ended;
   using Refusal = session::Refusal;
-  using Parts = Result<std::shared_ptr<const probe::TouchableParts>, Refusal>;
+  using Parts = Result<session::SensedParts, Refusal>;
 
   explicit StudyRuns(const Study& study);
   std::optional<Refusal> read_sheets();

@@ -131,6 +131,7 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   control.feed_switches = setup.feed_switches;
   control.rapids.positioning = setup.rapids.value_or(control.profile.rapids.positioning);
   control.inputs = runtime::InputScripts(setup.inputs);
+  control.sensor_words = setup.sensor_words;
   control.lookahead.set_depth(setup.lookahead_blocks);
   refused = configure_offsets(control, setup);
   if (!setup.data.empty() || !setup.offset_shapes.empty()) {

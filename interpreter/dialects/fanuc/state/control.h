@@ -122,7 +122,8 @@ struct Control {
   std::map<std::int32_t, Cell> further_commons;
   /// What the set-up sheet says of the machine, and outputs, by variable number; else 0.
   std::map<std::int32_t, double> data;
-  PmcSignals signals;            ///< #1000.., #1100..
+  PmcSignals signals;  ///< #1000.., #1100..
+  std::vector<runtime::SensorWord> sensor_words;
   runtime::InputScripts inputs;  ///< of those that the set-up sheet scripts
   Calendar calendar;             ///< #3011, #3012
   runtime::BusyWait busy_wait;

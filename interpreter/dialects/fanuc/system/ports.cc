@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "interpreter/dialects/fanuc/system/access.h"
 
@@ -54,6 +56,17 @@ WriteResult set_word(std::int32_t& word, double value) {
   return std::nullopt;
 }
 
+/// What the displacement sensor shows whose word this is; nullopt: it is none's.
+std::optional<Cell> counts_of_sensor(const Control& control, const Place& place) {
+  const auto word =
+      std::ranges::find(control.sensor_words, place.number, &runtime::SensorWord::number);
+  if (word == control.sensor_words.end()) {
+    return std::nullopt;
+  }
+  const auto reading = control.port.displacement(word->input);
+  return reading ? std::optional(Cell(std::round(*reading / word->count_mm))) : std::nullopt;
+}
+
 std::size_t word_of(const Place& place) {
   return static_cast<std::size_t>(place.index());
 }
@@ -70,8 +83,11 @@ WriteResult write_input_bit(Control& control, const Place& place, Cell value) {
   return std::nullopt;
 }
 
-ReadResult read_input_bits(Control& control, const Place&) {
+ReadResult read_input_bits(Control& control, const Place& place) {
   look_at_inputs(control);
+  if (const auto counts = counts_of_sensor(control, place)) {
+    return *counts;
+  }
   std::uint16_t bits = 0;
   for (int i = 0; i < kInputBits; ++i) {
     set_bit(bits, i, input_bit(control, i) ? 1.0 : 0.0);
@@ -85,7 +101,8 @@ WriteResult write_input_bits(Control& control, const Place&, Cell value) {
 }
 
 ReadResult read_input_word(Control& control, const Place& place) {
-  return Cell(control.signals.input_words.at(word_of(place)));
+  return counts_of_sensor(control, place)
+      .value_or(Cell(control.signals.input_words.at(word_of(place))));
 }
 
 WriteResult write_input_word(Control& control, const Place& place, Cell value) {
@@ -102,8 +119,8 @@ WriteResult write_output_bit(Control& control, const Place& place, Cell value) {
   return std::nullopt;
 }
 
-ReadResult read_output_bits(Control& control, const Place&) {
-  return Cell(control.signals.output_bits);
+ReadResult read_output_bits(Control& control, const Place& place) {
+  return counts_of_sensor(control, place).value_or(Cell(control.signals.output_bits));
 }
 
 WriteResult write_output_bits(Control& control, const Place&, Cell value) {
@@ -115,7 +132,8 @@ WriteResult write_output_bits(Control& control, const Place&, Cell value) {
 }
 
 ReadResult read_output_word(Control& control, const Place& place) {
-  return Cell(control.signals.output_words.at(word_of(place)));
+  return counts_of_sensor(control, place)
+      .value_or(Cell(control.signals.output_words.at(word_of(place))));
 }
 
 WriteResult write_output_word(Control& control, const Place& place, Cell value) {

@@ -74,7 +74,11 @@ MaybeFailure Runner::set_call_path(Arguments list) {
 }
 
 MaybeFailure Runner::stop_reading_ahead(Arguments /*list*/) {
-  return finish_motion(channel_);
+  if (MaybeFailure wrong = finish_motion(channel_)) {
+    return wrong;
+  }
+  channel_.observer.on_standstill(here());
+  return std::nullopt;
 }
 
 /// EXECSTRING(text): it sees the variables of the level; behind it the program goes on.

@@ -320,6 +320,7 @@ class Channel {
   std::string call_path;
   std::set<int> block_skip;  ///< switches that are on
   runtime::FeedSwitches feed_switches;
+  std::array<double, 9> analog_inputs = {};   ///< $A_INA, where nothing is wired to it
   std::array<bool, 65> digital_inputs = {};   ///< $A_IN, where nothing is wired to it
   std::array<bool, 65> digital_outputs = {};  ///< $A_OUT
   runtime::InputScripts inputs;               ///< of those that the set-up sheet scripts

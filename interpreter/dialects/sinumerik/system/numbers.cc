@@ -39,6 +39,13 @@ MaybeFailure no_input(const Channel& channel, const SystemAccess& access) {
              : std::optional(failure(AlarmId::IndexOne, fmt::format("$A_IN[{}]", which)));
 }
 
+MaybeFailure no_analog_input(const Channel& channel, const SystemAccess& access) {
+  const int which = access.indices[0];
+  return which >= 0 && which < static_cast<int>(channel.analog_inputs.size())
+             ? std::nullopt
+             : std::optional(failure(AlarmId::IndexOne, fmt::format("$A_INA[{}]", which)));
+}
+
 }  // namespace
 
 Number zero(Channel& /*channel*/, const SystemAccess& /*access*/) {
@@ -198,6 +205,24 @@ Number digital_input(Channel& channel, const SystemAccess& access) {
   const auto scripted = channel.is_inspected ? channel.inputs.shown(which)
                                              : channel.inputs.look(which, channel.now());
   return channel.port.digital_input(which).value_or(scripted.value_or(kept)) ? 1.0 : 0.0;
+}
+
+/// A sensor is read where the axes have come to: nothing is ahead of them then.
+Number analog_input(Channel& channel, const SystemAccess& access) {
+  if (MaybeFailure wrong = no_analog_input(channel, access)) {
+    return *wrong;
+  }
+  const int which = access.indices[0];
+  return channel.port.displacement(which).value_or(
+      channel.analog_inputs[static_cast<std::size_t>(which)]);
+}
+
+MaybeFailure set_analog_input(Channel& channel, const SystemAccess& access, double value) {
+  if (MaybeFailure wrong = no_analog_input(channel, access)) {
+    return wrong;
+  }
+  channel.analog_inputs[static_cast<std::size_t>(access.indices[0])] = value;
+  return std::nullopt;
 }
 
 Number digital_output(Channel& channel, const SystemAccess& access) {

@@ -59,6 +59,8 @@ Number probe_switched(Channel& channel, const SystemAccess& access);
 Number digital_input(Channel& channel, const SystemAccess& access);
 Number digital_output(Channel& channel, const SystemAccess& access);
 MaybeFailure set_digital_output(Channel& channel, const SystemAccess& access, double value);
+Number analog_input(Channel& channel, const SystemAccess& access);
+MaybeFailure set_analog_input(Channel& channel, const SystemAccess& access, double value);
 MaybeFailure set_digital_input(Channel& channel, const SystemAccess& access, double value);
 
 // positions.cc: present positions wait for what moves
