@@ -17,7 +17,7 @@ const ErrorCase kNameTheKeyThatWasProbablyMeant[] = {
       | ^
 )"},
     {"an unknown section far from all", "zebra = 2\n",
-     R"(sheet1.toml:1:1: error: unknown key zebra in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, input, skip_signal [SET103]
+     R"(sheet1.toml:1:1: error: unknown key zebra in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, sensor, input, skip_signal [SET103]
     1 | zebra = 2
       | ^
 )"},
@@ -375,7 +375,7 @@ const ErrorCase kStandAtTheirPlace[] = {
       |        ^
 )"},
     {"a size of a file", "[[part]]\nfile = \"ring.stl\"\nbore = 3\n",
-     R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, step_sagitta, shape, at, rotate_deg, expansion, temperature [SET103]
+     R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, step_sagitta, shape, at, rotate_deg, expansion, temperature, profile [SET103]
     3 | bore = 3
       | ^
 )"},
@@ -444,12 +444,12 @@ const ErrorCase kStandAtTheirPlace[] = {
       |                      ^
 )"},
     {"a line break in a name", "\"a\\nb\" = 1\n",
-     R"(sheet1.toml:1:1: error: unknown key "a?b" in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, input, skip_signal [SET103]
+     R"(sheet1.toml:1:1: error: unknown key "a?b" in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, sensor, input, skip_signal [SET103]
     1 | "a\nb" = 1
       | ^
 )"},
     {"a carriage return at the end of the line", "zebr = 1\r\n",
-     R"(sheet1.toml:1:1: error: unknown key zebr in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, input, skip_signal [SET103]
+     R"(sheet1.toml:1:1: error: unknown key zebr in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, sensor, input, skip_signal [SET103]
     1 | zebr = 1
       | ^
 )"},

@@ -169,6 +169,20 @@ shape = "ring"
 bore = 50.0
 [[part]]
 file = "ring.stl"
+[[part]]
+shape = "bed"
+profile = [[0.0, 0.001], [500.0, -0.002]]
+[[sensor]]
+name = "A"
+at = [100.0, 0.0, -80.0]
+direction = [0.0, -2.0, 0.0]
+range = 5.0
+resolution = 0.0002
+spot = 2.0
+noise = 0.0001
+input = 3
+word = 33
+[[sensor]]
 [[skip_signal]]
 axis = "Y"
 at = 10.0

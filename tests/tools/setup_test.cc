@@ -243,6 +243,30 @@ TEST_F(SetupReader, AMachineFileIsFoundAmongTheShippedOnes) {
   EXPECT_EQ(nearer.value().machine.name, "beside the sheet");
 }
 
+TEST_F(SetupReader, ProfilesAndSensorsArrive) {
+  const Job read = job({kEveryKey});
+  EXPECT_EQ(read.parts.at(3).profile, (parts::ShapeProfile{{0.0, 0.001}, {500.0, -0.002}}));
+  EXPECT_TRUE(read.parts.at(1).profile.empty());
+  ASSERT_EQ(read.sensors.size(), 2U);
+  const probe::DisplacementSetup& sensor = read.sensors[0];
+  EXPECT_EQ(sensor.name, "A");
+  EXPECT_EQ(sensor.p_T_at, Point(100, 0, -80));
+  EXPECT_EQ(sensor.along_T, Point(0, -1, 0));
+  EXPECT_EQ(sensor.range_mm, 5.0);
+  EXPECT_EQ(sensor.resolution_mm, 0.0002);
+  EXPECT_EQ(sensor.spot_mm, 2.0);
+  EXPECT_EQ(sensor.noise_mm, 0.0001);
+  EXPECT_EQ(sensor.input, 3);
+  EXPECT_EQ(read.sensors[1].name, "sensor2");
+  EXPECT_EQ(read.sensors[1].input, 2);
+  EXPECT_EQ(read.sensors[1].along_T, Point(0, 0, -1));
+  ASSERT_EQ(read.control.sensor_words.size(), 2U);
+  EXPECT_EQ(read.control.sensor_words[0].number, 1033);
+  EXPECT_EQ(read.control.sensor_words[0].count_mm, 0.0002);
+  EXPECT_EQ(read.control.sensor_words[1].number, 1133);
+  EXPECT_EQ(read.control.sensor_words[1].count_mm, 0.0001);
+}
+
 TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
   const Job read = job({kEveryKey});
   ASSERT_TRUE(read.probe.has_value());
@@ -267,7 +291,7 @@ TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
   EXPECT_EQ(read.probe->further_balls[1].p_S_from_main, Point(0, 0, 0));
   EXPECT_EQ(read.probe->further_balls[1].diameter_mm, 5.9) << "as thick as the main ball";
 
-  ASSERT_EQ(read.parts.size(), 3U);
+  ASSERT_EQ(read.parts.size(), 4U);
   EXPECT_EQ(read.parts[0].name, "mesh");
   EXPECT_EQ(read.parts[0].file, path_of("ring.stl"));
   EXPECT_EQ(read.parts[0].step_sagitta_mm, 0.002);
