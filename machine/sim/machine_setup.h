@@ -69,6 +69,7 @@ struct MachineSetup {
   double in_position = 0.01;  ///< mm or deg, > 0: so near an exact stop takes the axes as arrived
   AxisChainSetup chain;
   errors::GeometricErrorSetup geometric_errors;
+  errors::GeometricErrorSetup compensation;  ///< what the control adds, of the linear directions
   Point p_T_tip = Point::Zero();  ///< mm, from the spindle's gauge point: what angular errors move
   std::vector<InputWire> wires;
 };

@@ -5,6 +5,7 @@
 namespace g31::machine {
 TruePosition::TruePosition(const MachineSetup& setup)
     : geometry_(setup.geometric_errors),
+      compensation_(setup.compensation),
       growth_(AxisPositions::Zero()),
       q_M_fixed_(AxisPositions::Zero()),
       p_T_tip_(setup.p_T_tip) {
@@ -18,12 +19,13 @@ TruePosition::TruePosition(const MachineSetup& setup)
     }
   }
   has_play_ = !std::ranges::all_of(play_, &errors::AxisPlay::is_zero);
-  is_ideal_ = geometry_.are_zero() && growth_.isZero(0.0) && !has_play_;
+  is_ideal_ = geometry_.are_zero() && compensation_.are_zero() && growth_.isZero(0.0) && !has_play_;
 }
 
 AxisPositions TruePosition::without_play(const AxisPositions& q_M) const {
   AxisPositions q_M_true = q_M + growth_.cwiseProduct(q_M - q_M_fixed_);
   q_M_true.head<kLinearAxisCount>() += geometry_.at(linear_axes(q_M), p_T_tip_);
+  q_M_true.head<kLinearAxisCount>() += compensation_.at(linear_axes(q_M), p_T_tip_);
   return q_M_true;
 }
 

@@ -10,8 +10,9 @@ namespace g31::machine {
 
 /// Where the tool tip truly is, relative to the part, when the encoders say q_M.
 ///
-/// Added up: geometric errors, growth of the scales, backlash and stick motion.  True positions are
-/// axis positions of an ideal machine that would have its tip there.
+/// Added up: geometric errors, what the control compensates, growth of the scales, backlash and
+/// stick motion.  True positions are axis positions of an ideal machine that would have its tip
+/// there.
 class TruePosition {
  public:
   explicit TruePosition(const MachineSetup& setup);
@@ -34,6 +35,7 @@ class TruePosition {
   [[nodiscard]] AxisPositions without_play(const AxisPositions& q_M) const;
 
   errors::GeometricErrors geometry_;
+  errors::GeometricErrors compensation_;
   std::vector<errors::AxisPlay> play_;
   AxisPositions growth_;     // of a scale, per unit of length
   AxisPositions q_M_fixed_;  // where growing scales stay

@@ -92,7 +92,8 @@ TEST(MakeArtefact, SaysWhatIsWrongAndWhatWouldBeRight) {
        "part 'gauge': there is no shape 'rign'; did you mean 'ring'?"},
       {"shape unheard of", part("dodecahedron", {}),
        "part 'gauge': there is no shape 'dodecahedron'; known are 'ring', 'plug', 'sphere', "
-       "'cylinder', 'prism', 'block', 'gauge_block', 'pocket', 'groove', 'rib', 'step'"},
+       "'cylinder', 'prism', 'block', 'gauge_block', 'pocket', 'groove', 'rib', 'step', "
+       "'bed', 'shaft'"},
       {"size misspelt", part("ring", {{"hieght", 3.0}}),
        "part 'gauge': shape 'ring' has no size 'hieght'; did you mean 'height'?"},
       {"size unheard of", part("ring", {{"colour", 3.0}}),

@@ -134,7 +134,7 @@ constexpr double kTipsMm = 0.00257;
 constexpr const char* kFolder = "parts/library/straightness/";
 
 RunOutput straightness(const std::string& program, const std::string& sheet, double step_mm,
-                       double count_mm) {
+                       double count_mm, const std::string& more = "") {
   const TemporaryFolder folder;
   std::ostringstream finer;
   finer.precision(17);
@@ -153,6 +153,7 @@ RunOutput straightness(const std::string& program, const std::string& sheet, dou
   if (is_fanuc) {
     finer << "\"#525\" = " << count_mm << "\n";
   }
+  finer << more;
   cli::RunOptions options;
   options.programs = {program};
   options.setups = {std::string(kFolder) + "bed.toml", std::string(kFolder) + sheet,
@@ -169,7 +170,7 @@ RunOutput straightness(const std::string& program, const std::string& sheet, dou
 TEST(Straightness, TheMacroOfAFanucSeparatesMotionAndWork) {
   constexpr double kCountMm = 1e-8;  // so that 50 steps of counts err by less than 1e-6
   for (const double step_mm : {100.0, 200.0}) {
-    const RunOutput output = straightness("macros/fanuc/O6010.nc", "fanuc.toml", step_mm, kCountMm);
+    const RunOutput output = straightness("macros/fanuc/O6020.nc", "fanuc.toml", step_mm, kCountMm);
     ASSERT_EQ(output.exit_code, 0) << output.errors;
     const int steps = static_cast<int>(5000.0 / step_mm);
     for (int i = 0; i <= steps; ++i) {
@@ -192,6 +193,22 @@ TEST(Straightness, TheMacroOfASinumerikFindsTheSame) {
   // Highest at 900, lowest at 3600, off the line from (0, 0) to (5000, 0.134).
   const auto off = [](double place) { return between(kWork, place) - 0.134 * place / 5000.0; };
   EXPECT_NEAR(value_of(output, "R12"), std::max(off(900.0), 0.0) - off(3600.0), 1e-9);
+}
+
+/// The motion that was found, with its sign turned, is what `g31 evaluate --compensation` writes.
+TEST(Straightness, AMachineWithItsCompensationMovesStraight) {
+  std::ostringstream sheet;
+  sheet << "[machine.compensation]\nEZX = [";
+  for (int place = 0; place <= 5000; place += 100) {
+    sheet << "[" << place << ".0, " << -between(kMotion, place) << "],";
+  }
+  sheet << "]\n";
+  const RunOutput output =
+      straightness(std::string(kFolder) + "step.mpf", "sinumerik.toml", 100.0, 0.0, sheet.str());
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NEAR(value_of(output, "R10"), kTipsMm, 1e-8);
+  EXPECT_NEAR(value_of(output, "R11"), 0.0, 1e-7);  // the sheet's numbers have six digits
+  EXPECT_NEAR(value_of(output, "R12"), 0.07448, 1e-7) << "the bed is what it was";
 }
 
 TEST(Straightness, TheMacrosRefuseWhatTheyCannotUse) {

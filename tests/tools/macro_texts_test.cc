@@ -30,7 +30,7 @@ TEST(MacroTexts, KeepToWhatAControlStores) {
       }
     }
   }
-  EXPECT_EQ(programs, 10);
+  EXPECT_EQ(programs, 12);
 }
 
 }  // namespace

@@ -236,6 +236,11 @@ const ErrorCase kSayWhatAValueIsAndWhatItShouldBe[] = {
     2 | stopping = "slow"
       |            ^
 )"},
+    {"a correction of an angle", "[machine.compensation]\nEAX = [[0.0, 0.0]]\n",
+     R"(sheet1.toml:2:1: error: unknown key EAX in [machine.compensation], did you mean EXX? [SET103]
+    2 | EAX = [[0.0, 0.0]]
+      | ^
+)"},
     {"an error table that is a string", "[machine.errors]\nEXX = \"no\"\n",
      R"(sheet1.toml:2:7: error: machine.errors.EXX is a string, it should be a number or an array of [place, error] [SET104]
     2 | EXX = "no"

@@ -116,6 +116,16 @@ runtime::ToolEntry tool_from(const TableKeys& keys) {
   return tool;
 }
 
+/// What the control knows of an axis of the machine.
+void fill_axis_limits(runtime::ControlSetup& control, std::size_t axis, const TableKeys& keys) {
+  control.q_M_reference[static_cast<Eigen::Index>(axis)] =
+      keys.get(KeyId::AxisHome, machine::AxisSetup().home);
+  if (keys.find(KeyId::AxisTravel) != nullptr) {
+    const std::vector<double> limits = keys.get(KeyId::AxisTravel, std::vector<double>{});
+    control.q_M_travel[static_cast<int>(axis)] = {limits.at(0), limits.at(1)};
+  }
+}
+
 void fill_table(Job& job, SectionId section, const std::string& name, const SheetTable& table) {
   const TableKeys keys(table);
   switch (section) {
@@ -149,6 +159,7 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::Start:
     case SectionId::Machine:
     case SectionId::MachineErrors:
+    case SectionId::MachineCompensation:
     case SectionId::Believed:
     case SectionId::BelievedAxes:
     case SectionId::Probe:
@@ -159,13 +170,7 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
         job.control.further_axes[name.front()] = further_axis_from(keys);
         return;
       }
-      job.control.q_M_reference[static_cast<Eigen::Index>(index_of_axis(name))] =
-          keys.get(KeyId::AxisHome, machine::AxisSetup().home);
-      if (keys.find(KeyId::AxisTravel) != nullptr) {
-        const std::vector<double> limits = keys.get(KeyId::AxisTravel, std::vector<double>{});
-        job.control.q_M_travel[static_cast<int>(index_of_axis(name))] = {limits.at(0),
-                                                                         limits.at(1)};
-      }
+      fill_axis_limits(job.control, index_of_axis(name), keys);
       return;
     case SectionId::ProbeBall:
     case SectionId::ProbeBody:

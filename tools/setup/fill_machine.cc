@@ -47,18 +47,24 @@ errors::ErrorTable error_table(const std::vector<double>& list) {
   return errors::ErrorTable(std::move(rows));
 }
 
-errors::GeometricErrorSetup errors_from(const SheetTable& table) {
-  const TableKeys keys(table);
+/// Of a table whose keys are the names of ISO 230-1, and some others.
+errors::GeometricErrorSetup along_axes(const SheetTable& table) {
   errors::GeometricErrorSetup setup;
-  setup.a0z = keys.get(KeyId::ErrorA0Z, setup.a0z);
-  setup.b0z = keys.get(KeyId::ErrorB0Z, setup.b0z);
-  setup.c0y = keys.get(KeyId::ErrorC0Y, setup.c0y);
   for (const auto& [name, entry] : table.entries) {
     if (const auto* list = std::get_if<std::vector<double>>(&entry.value)) {
       const std::size_t along = index_of_axis(name.substr(2, 1));
       setup.along.at(along).at(index_of_axis(name.substr(1, 1))) = error_table(*list);
     }
   }
+  return setup;
+}
+
+errors::GeometricErrorSetup errors_from(const SheetTable& table) {
+  const TableKeys keys(table);
+  errors::GeometricErrorSetup setup = along_axes(table);
+  setup.a0z = keys.get(KeyId::ErrorA0Z, setup.a0z);
+  setup.b0z = keys.get(KeyId::ErrorB0Z, setup.b0z);
+  setup.c0y = keys.get(KeyId::ErrorC0Y, setup.c0y);
   return setup;
 }
 
@@ -150,6 +156,8 @@ machine::MachineSetup machine_from(const Sheet& sheet, ErrorList& errors) {
       fill_rotary(machine.chain, place.second, keys, kTrueAxis);
     } else if (place.first == SectionId::MachineErrors) {
       machine.geometric_errors = errors_from(table);
+    } else if (place.first == SectionId::MachineCompensation) {
+      machine.compensation = along_axes(table);
     }
   }
   machine.stopping = stopping_from(sheet);

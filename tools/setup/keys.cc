@@ -106,6 +106,10 @@ bool is_error_name(std::string_view name) {
          axis_index(name[2]) >= 0 && axis_index(name[2]) < 3;
 }
 
+bool is_compensation_name(std::string_view name) {
+  return is_error_name(name) && axis_index(name[1]) < 3;
+}
+
 }  // namespace
 
 std::span<const SectionRow> section_rows() {
@@ -169,6 +173,8 @@ std::optional<std::string> normal_name(NameForm form, std::string_view name) {
     }
     case NameForm::ErrorName:
       return is_error_name(name) ? std::optional(std::string(name)) : std::nullopt;
+    case NameForm::CompensationName:
+      return is_compensation_name(name) ? std::optional(std::string(name)) : std::nullopt;
   }
   contract_violated("every NameForm has a rule", __FILE__, __LINE__);
 }
@@ -220,6 +226,8 @@ std::vector<std::string_view> known_names(NameForm form) {
     case NameForm::ErrorName:
       return {"EXX", "EYX", "EZX", "EAX", "EBX", "ECX", "EXY", "EYY", "EZY",
               "EAY", "EBY", "ECY", "EXZ", "EYZ", "EZZ", "EAZ", "EBZ", "ECZ"};
+    case NameForm::CompensationName:
+      return {"EXX", "EYX", "EZX", "EXY", "EYY", "EZY", "EXZ", "EYZ", "EZZ"};
   }
   contract_violated("every NameForm is listed", __FILE__, __LINE__);
 }
@@ -242,6 +250,7 @@ std::string_view rule_of(NameForm form) {
     case NameForm::VariableName:
     case NameForm::SizeName:
     case NameForm::ErrorName:
+    case NameForm::CompensationName:
       return "";
   }
   contract_violated("every NameForm is listed", __FILE__, __LINE__);

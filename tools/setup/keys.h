@@ -35,17 +35,18 @@ constexpr bool is_further_axis(std::string_view letter) {
 
 /// What a free name must look like.
 enum class NameForm {
-  Exact,            ///< no free name
-  AxisLetter,       ///< X Y Z A B C
-  AnyAxisLetter,    ///< the same, and U V W
-  ParameterNumber,  ///< 3410, or 6001.1 with a bit 0..7
-  MacroCallCode,    ///< G100, M6
-  VariableName,     ///< see variable_name.h
-  WorkOffset,       ///< G54..G59, EXT, G54.1 Pn, G154 Pn, G505..G599
-  ToolNumber,       ///< 0..99999999
-  SizeName,         ///< any name
-  RotaryLetter,     ///< A B C
-  ErrorName,        ///< EXX: E, a direction X Y Z A B C, a linear axis X Y Z
+  Exact,             ///< no free name
+  AxisLetter,        ///< X Y Z A B C
+  AnyAxisLetter,     ///< the same, and U V W
+  ParameterNumber,   ///< 3410, or 6001.1 with a bit 0..7
+  MacroCallCode,     ///< G100, M6
+  VariableName,      ///< see variable_name.h
+  WorkOffset,        ///< G54..G59, EXT, G54.1 Pn, G154 Pn, G505..G599
+  ToolNumber,        ///< 0..99999999
+  SizeName,          ///< any name
+  RotaryLetter,      ///< A B C
+  ErrorName,         ///< EXX: E, a direction X Y Z A B C, a linear axis X Y Z
+  CompensationName,  ///< EXX: the same with a direction X Y Z
 };
 
 enum class ValueType {

@@ -242,3 +242,29 @@ M30
 %
 (EXPECT #101 = 100)
 (EXPECT #102 = 2)
+
+(CASE a displacement sensor in an input word counts its resolution; without one 0.0001 mm)
+(CONTROL fanuc-16i fanuc-30i)
+(SHEET [[part]])
+(SHEET shape = "block")
+(SHEET [[sensor]])
+(SHEET at = [0.0, 0.0, -150.0])
+(SHEET range = 60.0)
+(SHEET resolution = 0.002)
+(SHEET word = 1033)
+(SHEET [[sensor]])
+(SHEET at = [10.0, 0.0, -151.0])
+(SHEET range = 60.0)
+%
+O1
+#101=#1033
+#102=#1133
+G0 X25.
+#103=#1033
+#104=#1133
+M30
+%
+(EXPECT #101 = 25000)
+(EXPECT #102 = 490000)
+(EXPECT #103 = 25000)
+(EXPECT #104 = 600000)

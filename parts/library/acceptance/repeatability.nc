@@ -1,0 +1,36 @@
+%
+O7002 (SINGLE POINT REPEATABILITY, TEN TOUCHES A DIRECTION)
+(RANGES: #101 +X, #102 -X, #103 +Y, #104 -Y, #105 -Z)
+G21 G90 G94 G17
+G54
+M19
+#1= 1
+WHILE [#1 LE 5] DO1
+#2= 0 (DIRECTION OF THE MOVE)
+#3= 0
+#4= 0
+IF [#1 EQ 1] THEN #2= 1
+IF [#1 EQ 2] THEN #2= -1
+IF [#1 EQ 3] THEN #3= 1
+IF [#1 EQ 4] THEN #3= -1
+IF [#1 EQ 5] THEN #4= -1
+G0 Z40.
+G0 X[-#2*25.] Y[-#3*25.]
+G0 Z[-#4*25.]
+#5= 99999.
+#6= -99999.
+#7= 0
+WHILE [#7 LT 10] DO2
+G31 X[-#2*10.] Y[-#3*10.] Z[-#4*10.] F100.
+#8= #2*#5061+#3*#5062+#4*#5063
+IF [#8 LT #5] THEN #5= #8
+IF [#8 GT #6] THEN #6= #8
+G0 X[-#2*25.] Y[-#3*25.] Z[-#4*25.]
+#7= #7+1
+END2
+#[100+#1]= #6-#5
+#1= #1+1
+END1
+G0 Z40.
+M30
+%

@@ -1,0 +1,44 @@
+// The studies of parts/library/acceptance find what their sheets put in.
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_study.h"
+
+namespace g31 {
+namespace {
+
+struct Bench {
+  const char* study;
+  double facets_mm;  ///< what the facets of its part may take
+};
+
+class AcceptanceBench : public ::testing::TestWithParam<Bench> {};
+
+TEST_P(AcceptanceBench, FindsWhatIsPutIn) {
+  cli::StudyOptions options;
+  options.study = std::string("parts/library/acceptance/") + GetParam().study + ".toml";
+  const testing::StudyOutput output = testing::study_document(options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  const auto document = nlohmann::json::parse(output.out);
+  int checked = 0;
+  for (const auto& [name, result] : document["points"][0]["results"].items()) {
+    const double n = result["n"].get<double>();
+    const double scatter =
+        n > 1.0 ? result["standard_deviation"].get<double>() / std::sqrt(n) : 0.0;
+    EXPECT_NEAR(result["bias"].get<double>(), 0.0, 4.0 * scatter + GetParam().facets_mm) << name;
+    ++checked;
+  }
+  EXPECT_GE(checked, 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Studies, AcceptanceBench,
+                         ::testing::Values(Bench{"repeatability", 0.0}, Bench{"tip_offset", 0.0},
+                                           Bench{"ring_2d", 2e-6}, Bench{"sphere_3d", 4e-4},
+                                           Bench{"location", 0.0}),
+                         [](const auto& named) { return std::string(named.param.study); });
+
+}  // namespace
+}  // namespace g31
