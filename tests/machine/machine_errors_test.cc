@@ -65,6 +65,7 @@ TEST(MachineErrors, WithoutErrorsEveryPositionIsTheIdealOneBitForBit) {
   zero.p_T_tip = Point(0.1, 0.2, -120.0);
   zero.geometric_errors.along[0][3] = ErrorTable({{0.0, 0.0}, {500.0, 0.0}});
   zero.axes[0].play.spike_way = 1.0;
+  zero.compensation.along[1][0] = ErrorTable({{0.0, 0.0}, {500.0, 0.0}});
   zero.axes[1].scale_growth.expansion = 11.5;
   zero.axes[2].scale_growth.temperature = 30.0;
   ScriptedSurroundings world({{'X', 1.0 / 3.0, 0.013, false, {}}});
@@ -106,6 +107,18 @@ double single(int axis, int way, double place) {
   const double first = size * (1 + axis + 3 * way);
   const double last = size * (7 - 2 * axis - way);
   return first + (last - first) * place / 100.0;
+}
+
+TEST(MachineErrors, CompensationIsAddedWhereTheAxesStand) {
+  MachineSetup setup;
+  setup.compensation.along[0][1] = ErrorTable({{0.0, 0.001}, {100.0, 0.003}});   // EYX
+  setup.compensation.along[2][1] = ErrorTable({{0.0, -0.004}, {50.0, -0.004}});  // EYZ
+  setup.compensation.along[0][0] = ErrorTable({{0.0, 0.0}, {100.0, 0.010}});     // EXX
+  EXPECT_FALSE(TruePosition(setup).is_ideal());
+  const AxisPositions q = TruePosition(setup).after(axes(50.0, 7.0, 20.0));
+  EXPECT_DOUBLE_EQ(q[0], 50.005);
+  EXPECT_DOUBLE_EQ(q[1], 7.0 + 0.002 - 0.004);
+  EXPECT_DOUBLE_EQ(q[2], 20.0);
 }
 
 TEST(MachineErrors, TheVolumetricErrorIsTheSumWrittenOut) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/execute/feed.h"
 #include "interpreter/dialects/sinumerik/system/system.h"
 
@@ -207,9 +208,12 @@ Number digital_input(Channel& channel, const SystemAccess& access) {
   return channel.port.digital_input(which).value_or(scripted.value_or(kept)) ? 1.0 : 0.0;
 }
 
-/// A sensor is read where the axes have come to: nothing is ahead of them then.
+/// A sensor is read where the axes have come to rest.
 Number analog_input(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_analog_input(channel, access)) {
+    return *wrong;
+  }
+  if (MaybeFailure wrong = finish_motion(channel)) {
     return *wrong;
   }
   const int which = access.indices[0];
