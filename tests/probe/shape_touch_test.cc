@@ -23,6 +23,19 @@ struct Touching {
   double way;  ///< mm until the ball touches, by the size alone
 };
 
+void expect_touch(const Touching& t) {
+  SCOPED_TRACE(t.what);
+  parts::PartSetup setup;
+  setup.name = "gauge";
+  setup.shape = t.shape;
+  setup.sizes = t.sizes;
+  const MeshSweeper sweeper(parts::make_artefact(setup).value(), kBallRadius);
+  const SweepHit hit = sweeper.sweep(t.from, t.to);
+  ASSERT_EQ(hit.status, SweepStatus::Contact);
+  EXPECT_NEAR(hit.s, t.way, kContactErrorMm);
+  EXPECT_NEAR(hit.n_M.dot((t.to - t.from).normalized()), -1.0, 1e-12) << "head-on";
+}
+
 TEST(ShapeTouch, ReadsTheSizeOfEveryShapeAlongTheAxes) {
   const std::map<std::string, double> plug = {{"diameter", 30.003}};
   const std::map<std::string, double> ball = {{"diameter", 24.998}, {"sagitta", 0.05}};
@@ -68,18 +81,12 @@ TEST(ShapeTouch, ReadsTheSizeOfEveryShapeAlongTheAxes) {
       {"step, upright face", "step", {}, {25, 1, -5}, {-25, 1, -5}, 25 - 3},
       {"step, lower face", "step", {}, {15, 1, 5}, {15, 1, -50}, 5 + 15 - 3},
       {"step, upper face", "step", {}, {-15, 1, 5}, {-15, 1, -50}, 5 - 3},
+      {"bed, top", "bed", {}, {500, 1, 40}, {500, 1, -5}, 40 - 3},
+      {"bed, its end", "bed", {}, {-20, 1, -50}, {10, 1, -50}, 20 - 3},
+      {"shaft, from +X", "shaft", {}, {60, 0, -100}, {0, 0, -100}, 60 - 25 - 3},
   };
   for (const Touching& t : kTouches) {
-    SCOPED_TRACE(t.what);
-    parts::PartSetup setup;
-    setup.name = "gauge";
-    setup.shape = t.shape;
-    setup.sizes = t.sizes;
-    const MeshSweeper sweeper(parts::make_artefact(setup).value(), kBallRadius);
-    const SweepHit hit = sweeper.sweep(t.from, t.to);
-    ASSERT_EQ(hit.status, SweepStatus::Contact);
-    EXPECT_NEAR(hit.s, t.way, kContactErrorMm);
-    EXPECT_NEAR(hit.n_M.dot((t.to - t.from).normalized()), -1.0, 1e-12) << "head-on";
+    expect_touch(t);
   }
 }
 
