@@ -79,6 +79,9 @@ std::optional<std::string> why_wrong(const PartSetup& part) {
     if (!std::isfinite(value) || value <= 0.0) {
       return "size '" + name + "' must be a number of mm greater than 0";
     }
+    if (value > kLargestSizeMm) {
+      return "size '" + name + "' must be 1000000 mm at most";
+    }
   }
   return std::nullopt;
 }

@@ -32,7 +32,11 @@ std::span<const ShapeSize> shape_sizes();
 /// Makes the mesh of the part's `shape` with its `sizes`, in the part frame P.
 ///
 /// Error: one line that names the part and says what is wrong: unknown shape or size (with the
-/// nearest known name), a size that is not a positive number, sizes that do not fit each other.
+/// nearest known name), a size that is not a positive number or beyond kLargestSizeMm, sizes that
+/// do not fit each other.
 Result<Mesh, std::string> make_artefact(const PartSetup& part);
+
+/// A kilometre: beyond it single precision has nothing left for the shape.
+inline constexpr double kLargestSizeMm = 1e6;
 
 }  // namespace g31::parts

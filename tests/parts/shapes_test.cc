@@ -319,6 +319,14 @@ TEST(Shapes, AShaftIsAsThickAsItsProfile) {
   }
 }
 
+TEST(Shapes, EndAtAKilometre) {
+  PartSetup setup = profiled("block", {});
+  setup.sizes = {{"height", 1e300}};
+  EXPECT_EQ(make_artefact(setup).error(), "part 'gauge': size 'height' must be 1000000 mm at most");
+  setup.sizes = {{"height", kLargestSizeMm}};
+  EXPECT_TRUE(make_artefact(setup).ok());
+}
+
 TEST(Shapes, SayWhichProfileDoesNotFit) {
   const auto refused = [](const PartSetup& setup) { return make_artefact(setup).error(); };
   EXPECT_EQ(refused(profiled("bed", {{0.0, 0.0}, {1000.5, 0.0}})),

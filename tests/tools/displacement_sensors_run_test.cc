@@ -1,13 +1,18 @@
 // Displacement sensors as programs of both controls read them, the table of --readings, and
 // straightness by two sensors against the errors that the sheets put in.
 
+#include <array>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/support/run_program.h"
 
@@ -225,6 +230,37 @@ TEST(Straightness, TheMacrosRefuseWhatTheyCannotUse) {
   EXPECT_EQ(alarm_of("#601=1.\n#701=1.\nG65 P9020 K1. S2."), 3182);
 }
 
+TEST(DisplacementSensorsSheet, TakesDirectionsOfAnyLength) {
+  for (const char* const along : {"1e-300", "1e300", "0.5"}) {
+    const RunOutput output =
+        run_on(std::string(kRising) + "direction = [0.0, 0.0, -" + along + "]\n", "read.mpf",
+               "R1=$A_INA[2]\nM30\n", {"R1"});
+    ASSERT_EQ(output.exit_code, 0) << output.errors;
+    EXPECT_NEAR(value_of(output, "R1"), 19.95, 1e-12) << along;
+  }
+}
+
+/// A device or a pipe takes what is written; a file in its place would be its end.
+TEST(DisplacementSensorsRun, APipeStaysOne) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("stop.mpf", "STOPRE\nM30\n")};
+  options.setups = {folder.write("sheet.toml", kRising)};
+  options.readings = folder.path("pipe");
+  ASSERT_EQ(::mkfifo(options.readings.c_str(), 0600), 0);
+  const int reader = ::open(options.readings.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  std::array<char, 200> bytes{};
+  const auto count = ::read(reader, bytes.data(), bytes.size());
+  ::close(reader);
+  ASSERT_GT(count, 0);
+  EXPECT_TRUE(
+      std::string(bytes.data(), static_cast<std::size_t>(count)).starts_with("t,X,Y,Z,A,B\n"));
+  EXPECT_TRUE(std::filesystem::is_fifo(options.readings));
+}
+
 std::string refused(const std::string& more) {
   const RunOutput output = run_on(kRising + more, "end.nc", "O1\nM30\n", {});
   EXPECT_EQ(output.exit_code, 2) << more;
@@ -243,6 +279,8 @@ TEST(DisplacementSensorsSheet, SaysWhatIsWrong) {
   says(refused("[[sensor]]\ndirection = [0.0, 0.0, 0.0]\n"), "not all 0");
   says(refused("[[sensor]]\nresolution = 1e-9\n"), "2147483647 counts");
   says(refused("[[sensor]]\ninput = 9\n"), "1 to 8");
+  says(refused("[[sensor]]\nspot = 1e7\n"), "sensor.spot is 10000000");
+  says(refused("[[sensor]]\nat = [0.0, -1e9, 0.0]\n"), "1000000 mm at most");
   std::string many;
   for (int i = 3; i <= 9; ++i) {
     many += "[[sensor]]\n";

@@ -25,6 +25,13 @@ Result<fs::path, std::string> behind_link(const std::string& path) {
   return target;
 }
 
+/// A device or a pipe: it takes what is written, and nothing may stand in its place.
+bool is_device_or_pipe(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
 }  // namespace
 
 Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::string& path) {
@@ -32,16 +39,18 @@ Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::strin
   if (!target) {
     return target.error();
   }
-  std::shared_ptr<PartFile> file(new PartFile(target.value().string()));
+  std::shared_ptr<PartFile> file(
+      new PartFile(target.value().string(), is_device_or_pipe(target.value())));
   if (file->file_ == nullptr) {
     return std::string(std::strerror(file->error_));
   }
   return file;
 }
 
-PartFile::PartFile(const std::string& path)
+PartFile::PartFile(const std::string& path, bool in_place)
     : path_(path),
-      temporary_(fmt::format("{}.{}.part", path, ::getpid())),
+      in_place_(in_place),
+      temporary_(in_place ? path : fmt::format("{}.{}.part", path, ::getpid())),
       file_(std::fopen(temporary_.c_str(), "wb")) {
   error_ = file_ == nullptr ? errno : 0;
 }
@@ -49,7 +58,7 @@ PartFile::PartFile(const std::string& path)
 PartFile::~PartFile() {
   if (file_ != nullptr) {
     std::fclose(file_);
-    std::remove(temporary_.c_str());
+    remove_temporary();
   }
 }
 
@@ -63,14 +72,20 @@ std::optional<std::string> PartFile::finish() {
   if (std::fclose(std::exchange(file_, nullptr)) != 0 && error_ == 0) {
     error_ = errno;
   }
-  if (error_ == 0 && std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+  if (error_ == 0 && !in_place_ && std::rename(temporary_.c_str(), path_.c_str()) != 0) {
     error_ = errno;
   }
   if (error_ == 0) {
     return std::nullopt;
   }
-  std::remove(temporary_.c_str());
+  remove_temporary();
   return std::string(std::strerror(error_));
+}
+
+void PartFile::remove_temporary() const {
+  if (!in_place_) {
+    std::remove(temporary_.c_str());
+  }
 }
 
 }  // namespace g31::disk

@@ -11,7 +11,8 @@
 namespace g31::disk {
 
 /// A file that is written piece by piece under a temporary name beside it, so that memory stays
-/// small and nobody ever sees half of it; a link to a file stays one.
+/// small and nobody ever sees half of it; a link to a file stays one.  A device or a pipe is
+/// written as it is.
 class PartFile {
  public:
   /// @returns why the file cannot be written, in the system's words
@@ -29,9 +30,11 @@ class PartFile {
   std::optional<std::string> finish();
 
  private:
-  explicit PartFile(const std::string& path);
+  PartFile(const std::string& path, bool in_place);
+  void remove_temporary() const;
 
   std::string path_;
+  bool in_place_;
   std::string temporary_;
   std::FILE* file_;
   int error_ = 0;  // errno of the first failure

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -32,6 +33,28 @@ Location place_of(const SheetTable& table, KeyId id) {
   return entry != nullptr ? entry->where : table.where;
 }
 
+/// A sensor that reaches farther than any part is a mistake, and its numbers might not be numbers.
+void check_lengths(const SheetTable& table, ErrorList& errors) {
+  constexpr double kFarthestMm = 1e6;
+  const TableKeys keys(table);
+  for (const auto& [id, key] :
+       {std::pair(KeyId::SensorRange, "range"), std::pair(KeyId::SensorSpot, "spot"),
+        std::pair(KeyId::SensorNoise, "noise"), std::pair(KeyId::SensorResolution, "resolution")}) {
+    const Entry* const entry = keys.find(id);
+    if (entry != nullptr && number_of(*entry) > kFarthestMm) {
+      errors.add(SetupErrorId::OutOfRange, entry->where,
+                 {fmt::format("sensor.{}", key), fmt::format("{}", number_of(*entry)),
+                  "1000000 mm at most"});
+    }
+  }
+  const Point at = point_from(keys, KeyId::SensorAt);
+  if (at.cwiseAbs().maxCoeff() > kFarthestMm) {
+    errors.add(
+        SetupErrorId::OutOfRange, place_of(table, KeyId::SensorAt),
+        {"sensor.at", fmt::format("[{}, {}, {}]", at.x(), at.y(), at.z()), "1000000 mm at most"});
+  }
+}
+
 /// Values that each sensor has for itself.
 template <typename Value>
 class Taken {
@@ -58,7 +81,9 @@ probe::DisplacementSetup sensor_from(const SheetTable& table, std::size_t order)
   sensor.input = number_or(keys, KeyId::SensorInput, order);
   sensor.p_T_at = point_from(keys, KeyId::SensorAt);
   if (keys.find(KeyId::SensorDirection) != nullptr) {
-    sensor.along_T = point_from(keys, KeyId::SensorDirection).normalized();
+    const Point along = point_from(keys, KeyId::SensorDirection);
+    // First to a size whose square is a number.
+    sensor.along_T = (along / along.cwiseAbs().maxCoeff()).normalized();
   }
   sensor.range_mm = keys.get(KeyId::SensorRange, sensor.range_mm);
   sensor.resolution_mm = keys.get(KeyId::SensorResolution, sensor.resolution_mm);
@@ -74,6 +99,7 @@ std::vector<probe::DisplacementSetup> sensors_from(const Sheet& sheet, ErrorList
   Taken<std::string> names(errors);
   Taken<int> inputs(errors);
   for (const SheetTable& table : sensor_tables(sheet)) {
+    check_lengths(table, errors);
     const probe::DisplacementSetup sensor = sensor_from(table, sensors.size() + 1);
     if (sensor.input > kInputs) {
       errors.add(SetupErrorId::TooManySensors, table.where, {std::to_string(kInputs)});
