@@ -1,8 +1,6 @@
 #include "tools/disk/disk.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -16,23 +14,6 @@ namespace g31::disk {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// @returns why it failed, in the system's words
-std::optional<std::string> write_into(const std::string& path, std::string_view text) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.flush();
-  return out ? std::nullopt : std::optional<std::string>(std::strerror(errno));
-}
-
-std::optional<std::string> replace_file(const std::string& path, std::string_view text) {
-  const auto file = PartFile::create(path);
-  if (!file) {
-    return file.error();
-  }
-  file.value()->write(text);
-  return file.value()->finish();
-}
 
 /// The names of those entries of a folder that are wanted, sorted.
 template <typename Wanted>
@@ -106,9 +87,11 @@ bool Disk::has_folder(const std::string& folder) {
 }
 
 std::optional<std::string> write_whole_file(const std::string& path, std::string_view text) {
-  std::error_code error;
-  const bool is_special = fs::exists(path, error) && !fs::is_regular_file(path, error);
-  const auto reason = is_special ? write_into(path, text) : replace_file(path, text);
+  const auto file = PartFile::create(path);
+  if (file) {
+    file.value()->write(text);
+  }
+  const auto reason = file ? file.value()->finish() : file.error();
   return reason ? std::optional(fmt::format("cannot write {}: {}", path, *reason)) : std::nullopt;
 }
 
