@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/plot/frame.h"
+#include "tools/plot/legend.h"
 #include "tools/plot/scale.h"
 #include "tools/plot/svg.h"
 
@@ -80,27 +82,19 @@ Ranges ranges_of(const CurvePlot& plot) {
 }
 
 void draw_frame(Svg& svg, const CurvePlot& plot, const Scale& x, const Scale& y) {
-  const Ticks across = ticks_between(x.low(), x.high(), 8);
-  for (const double tick : across.places) {
-    svg.line({x.at(tick), kTopEdge}, {x.at(tick), kBottomEdge}, "grid");
-    svg.text({x.at(tick), kBottomEdge + 18.0}, label_of(tick, across.step), Anchor::Middle);
-  }
-  const Ticks up = ticks_between(y.low(), y.high(), 8);
-  for (const double tick : up.places) {
-    svg.line({kLeftEdge, y.at(tick)}, {kRightEdge, y.at(tick)}, "grid");
-    svg.text({kLeftEdge - 8.0, y.at(tick) + 4.0}, label_of(tick, up.step), Anchor::End);
-  }
+  constexpr Frame kFrame{kLeftEdge, kRightEdge, kTopEdge, kBottomEdge};
+  kFrame.draw_grid(svg, x, y, {0.0, 0.0});
   if (y.low() < 0.0 && y.high() > 0.0) {
     svg.line({kLeftEdge, y.at(0.0)}, {kRightEdge, y.at(0.0)}, "nominal");
   }
-  const std::array<Eigen::Vector2d, 5> corners = {{{kLeftEdge, kTopEdge},
-                                                   {kRightEdge, kTopEdge},
-                                                   {kRightEdge, kBottomEdge},
-                                                   {kLeftEdge, kBottomEdge},
-                                                   {kLeftEdge, kTopEdge}}};
-  svg.way(corners, "frame");
+  kFrame.draw_border(svg);
   svg.text({0.5 * (kLeftEdge + kRightEdge), kBottomEdge + 40.0}, plot.x_label, Anchor::Middle);
   svg.text_upwards({kLeftEdge - 66.0, 0.5 * (kTopEdge + kBottomEdge)}, plot.y_label);
+}
+
+std::string style_of(const CurveTrace& trace) {
+  return fmt::format("way {}line{}", trace.style == CurveStyle::Dashed ? "dashed " : "",
+                     trace.colour);
 }
 
 void draw_trace(Svg& svg, const CurveTrace& trace, const Scale& x, const Scale& y) {
@@ -113,8 +107,7 @@ void draw_trace(Svg& svg, const CurveTrace& trace, const Scale& x, const Scale& 
   for (const std::size_t i : shown_points(heights)) {
     shown.emplace_back(x.at(trace.points[i][0]), y.at(trace.points[i][1]));
   }
-  svg.way(shown, fmt::format("way {}line{}", trace.style == CurveStyle::Dashed ? "dashed " : "",
-                             trace.colour));
+  svg.way(shown, style_of(trace));
   constexpr std::size_t kMostMarks = 200;
   if (trace.style == CurveStyle::Marked && shown.size() <= kMostMarks) {
     for (const Eigen::Vector2d& at : shown) {
@@ -132,26 +125,17 @@ std::string draw(const CurvePlot& plot) {
   const Scale y(ranges.y.low, ranges.y.high, kBottomEdge, kTopEdge);
   svg.text({kLeftEdge, 32.0}, plot.title, Anchor::Start, "title");
   draw_frame(svg, plot, x, y);
-  double row = kTopEdge + 12.0;
+  Legend legend(svg, kBeside, kTopEdge + 12.0);
   for (const CurveTrace& trace : plot.traces) {
     draw_trace(svg, trace, x, y);
-    if (trace.name.empty()) {
-      continue;
+    if (!trace.name.empty()) {
+      legend.line(
+          style_of(trace), trace.name,
+          trace.style == CurveStyle::Marked ? fmt::format("fill{}", trace.colour) : std::string());
     }
-    const std::string dashed = trace.style == CurveStyle::Dashed ? "dashed " : "";
-    svg.line({kBeside, row - 4.0}, {kBeside + 28.0, row - 4.0},
-             fmt::format("way {}line{}", dashed, trace.colour));
-    if (trace.style == CurveStyle::Marked) {
-      svg.dot({kBeside + 14.0, row - 4.0}, 2.5, fmt::format("fill{}", trace.colour));
-    }
-    svg.text({kBeside + 36.0, row}, trace.name);
-    row += 20.0;
   }
-  row += 12.0;
-  for (const std::string& fact : plot.facts) {
-    svg.text({kBeside, row}, fact, Anchor::Start, "faint");
-    row += 18.0;
-  }
+  legend.skip(12.0);
+  legend.facts(plot.facts);
   return svg.finish();
 }
 

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/plot/frame.h"
+#include "tools/plot/legend.h"
 #include "tools/plot/scale.h"
 #include "tools/plot/svg.h"
 
@@ -72,25 +74,9 @@ class SquareFrame {
   }
 
   void draw_into(Svg& svg, const PathPlot& plot) const {
-    const auto place = [&](std::size_t axis, double shown) { return shown + plot.centre.at(axis); };
-    const Ticks across = ticks_between(place(0, x_.low()), place(0, x_.high()), 8);
-    for (const double tick : across.places) {
-      const double x = x_.at(tick - plot.centre[0]);
-      svg.line({x, kTop}, {x, kTop + kSize}, "grid");
-      svg.text({x, kTop + kSize + 18.0}, label_of(tick, across.step), Anchor::Middle);
-    }
-    const Ticks up = ticks_between(place(1, y_.low()), place(1, y_.high()), 8);
-    for (const double tick : up.places) {
-      const double y = y_.at(tick - plot.centre[1]);
-      svg.line({kLeft, y}, {kLeft + kSize, y}, "grid");
-      svg.text({kLeft - 8.0, y + 4.0}, label_of(tick, up.step), Anchor::End);
-    }
-    const Points corners = {{kLeft, kTop},
-                            {kLeft + kSize, kTop},
-                            {kLeft + kSize, kTop + kSize},
-                            {kLeft, kTop + kSize},
-                            {kLeft, kTop}};
-    svg.way(corners, "frame");
+    constexpr Frame kFrame{kLeft, kLeft + kSize, kTop, kTop + kSize};
+    kFrame.draw_grid(svg, x_, y_, plot.centre);
+    kFrame.draw_border(svg);
     svg.text({kLeft + 0.5 * kSize, kTop + kSize + 38.0}, plot.axes[0] + " mm", Anchor::Middle);
     svg.text_upwards({kLeft - 58.0, kTop + 0.5 * kSize}, plot.axes[1] + " mm");
   }
@@ -160,31 +146,25 @@ std::string draw(const PathPlot& plot) {
     }
   }
   svg.way(frame.at(ring(plot, 0.0)), "nominal");
-  double y = kTop + 12.0;
+  Legend legend(svg, kColumn, kTop + 12.0);
   for (std::size_t i = 0; i < traces.size(); ++i) {
     const Points shown = frame.at(traces[i]);
-    const std::size_t colour = plot.traces[i].colour;
-    svg.way(shown, fmt::format("way line{}", colour));
-    draw_arrows(svg, shown, fmt::format("fill{}", colour));
+    const std::string style = fmt::format("way line{}", plot.traces[i].colour);
+    svg.way(shown, style);
+    draw_arrows(svg, shown, fmt::format("fill{}", plot.traces[i].colour));
     if (!plot.traces[i].name.empty()) {
-      svg.line({kColumn, y - 4.0}, {kColumn + 28.0, y - 4.0}, fmt::format("way line{}", colour));
-      svg.text({kColumn + 36.0, y}, plot.traces[i].name);
-      y += 20.0;
+      legend.line(style, plot.traces[i].name);
     }
   }
-  svg.line({kColumn, y - 4.0}, {kColumn + 28.0, y - 4.0}, "nominal");
-  svg.text({kColumn + 36.0, y}, "nominal");
-  y += 30.0;
-  svg.text({kColumn, y}, magnification == 1.0
-                             ? std::string("true size")
-                             : fmt::format("errors {} times enlarged", magnification));
+  legend.line("nominal", "nominal");
+  legend.skip(10.0);
+  svg.text({kColumn, legend.row()}, magnification == 1.0
+                                        ? std::string("true size")
+                                        : fmt::format("errors {} times enlarged", magnification));
   const double pixels = magnification * step * kSize / (2.12 * half);
-  draw_bar(svg, y + 22.0, pixels, step);
-  y += 56.0;
-  for (const std::string& fact : plot.facts) {
-    svg.text({kColumn, y}, fact, Anchor::Start, "faint");
-    y += 18.0;
-  }
+  draw_bar(svg, legend.row() + 22.0, pixels, step);
+  legend.skip(56.0);
+  legend.facts(plot.facts);
   return svg.finish();
 }
 
