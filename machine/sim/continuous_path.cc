@@ -14,32 +14,29 @@ void ContinuousPath::add(const Move& move) {
 }
 
 ContinuousPath::Passed ContinuousPath::release() {
-  Passed passed;
-  for (const SpanMotion& span : planner_.release()) {
-    pass(span, span.duration_s(), passed);
-  }
-  return passed;
+  return all_of(planner_.release());
 }
 
 ContinuousPath::Passed ContinuousPath::finish() {
-  Passed passed;
-  for (const SpanMotion& span : planner_.finish()) {
-    pass(span, span.duration_s(), passed);
-  }
-  return passed;
+  return all_of(planner_.finish());
 }
 
 ContinuousPath::Passed ContinuousPath::finish_at(double distance) {
   G31_EXPECTS(!is_empty() && distance >= 0.0 && distance <= last_length_);
-  Passed passed;
   const std::span<const SpanMotion> spans = planner_.finish();
-  for (const SpanMotion& span : spans.first(spans.size() - 1)) {
-    pass(span, span.duration_s(), passed);
-  }
+  Passed passed = all_of(spans.first(spans.size() - 1));
   const SpanMotion& last = spans.back();
   const double before = std::max(0.0, last.length() - last_length_);
   pass(last, last.time_at(std::min(last.length(), before + distance)), passed);
   ways_.clear();
+  return passed;
+}
+
+ContinuousPath::Passed ContinuousPath::all_of(std::span<const SpanMotion> spans) {
+  Passed passed;
+  for (const SpanMotion& span : spans) {
+    pass(span, span.duration_s(), passed);
+  }
   return passed;
 }
 

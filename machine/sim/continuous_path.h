@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,7 @@ class ContinuousPath {
     CommandedPath path;
     double length = 0.0;
   };
+  Passed all_of(std::span<const SpanMotion> spans);
   void pass(const SpanMotion& span, double until_s, Passed& passed);
 
   bool keeps_ways_ = false;

@@ -92,9 +92,7 @@ std::vector<runtime::InputStep> inputs_from(const Sheet& sheet, ErrorList& error
       steps.push_back({static_cast<int>(number_of(*battery)), is_low, From::Start, 0.0});
     }
   }
-  const auto list = sheet.lists.find(SectionId::Input);
-  for (const SheetTable& table :
-       list != sheet.lists.end() ? list->second : std::vector<SheetTable>()) {
+  for (const SheetTable& table : list_of(sheet, SectionId::Input)) {
     const Entry* const which = TableKeys(table).find(KeyId::InputWhich);
     if (which == nullptr) {
       errors.add(SetupErrorId::KeyMissing, table.where, {"an input", "number"},

@@ -251,11 +251,9 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
   for (const auto& [place, table] : sheet.tables) {
     fill_table(job, place.first, place.second, table);
   }
-  if (const auto parts = sheet.lists.find(SectionId::Part); parts != sheet.lists.end()) {
-    for (const SheetTable& table : parts->second) {
-      job.parts.push_back(part_from(table, errors));
-      job.part_places.push_back(place_of_body(table));
-    }
+  for (const SheetTable& table : list_of(sheet, SectionId::Part)) {
+    job.parts.push_back(part_from(table, errors));
+    job.part_places.push_back(place_of_body(table));
   }
   if (const auto probe = sheet.tables.find({SectionId::Probe, ""}); probe != sheet.tables.end()) {
     job.probe = probe_from(sheet, probe->second);
@@ -267,8 +265,7 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
     }
   }
   job.control.inputs = inputs_from(sheet, errors);
-  job.sensors = sensors_from(sheet, errors);
-  job.control.sensor_words = sensor_words_from(sheet, errors);
+  fill_sensors(job, sheet, errors);
   job.machine = machine_from(sheet, errors);
   job.control.kinematics = believed_kinematics(sheet, job.machine, errors);
   if (job.probe) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -99,7 +100,7 @@ double length_of_body(const SheetTable& table) {
 
 /// Stem and bodies, from the ball upwards.
 void fill_sections(probe::ProbeSetup& probe, const TableKeys& keys,
-                   const std::vector<SheetTable>& bodies) {
+                   std::span<const SheetTable> bodies) {
   double left = probe.length_mm;
   for (const SheetTable& body : bodies) {
     left -= length_of_body(body);
@@ -154,12 +155,6 @@ std::optional<probe::ProbeSection> arm_from(const SheetTable& table,
   arm.p_S = p_S_root;
   arm.turn_S = turn_from_z(along);
   return arm;
-}
-
-/// The tables of a list; none where the sheet has no such list.
-std::vector<SheetTable> list_of(const Sheet& sheet, SectionId section) {
-  const auto list = sheet.lists.find(section);
-  return list != sheet.lists.end() ? list->second : std::vector<SheetTable>();
 }
 
 }  // namespace

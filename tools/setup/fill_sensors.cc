@@ -1,6 +1,7 @@
 #include "tools/setup/fill_sensors.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,15 +14,11 @@ namespace {
 
 constexpr int kFirstWord = 1132;
 constexpr int kLastWord = 1135;
+constexpr int kShortWords = 1000;  // 132 is 1132
 constexpr int kInputs = 8;
 constexpr double kUsualCountMm = 1e-4;
 /// What a word of 32 bits counts to.
 constexpr double kMostCounts = 2147483647.0;
-
-std::vector<SheetTable> sensor_tables(const Sheet& sheet) {
-  const auto list = sheet.lists.find(SectionId::Sensor);
-  return list != sheet.lists.end() ? list->second : std::vector<SheetTable>();
-}
 
 /// The number of a key, else the usual one, which is taken in turn.
 int number_or(const TableKeys& keys, KeyId id, std::size_t usual) {
@@ -92,48 +89,50 @@ probe::DisplacementSetup sensor_from(const SheetTable& table, std::size_t order)
   return sensor;
 }
 
-}  // namespace
-
-std::vector<probe::DisplacementSetup> sensors_from(const Sheet& sheet, ErrorList& errors) {
-  std::vector<probe::DisplacementSetup> sensors;
-  Taken<std::string> names(errors);
-  Taken<int> inputs(errors);
-  for (const SheetTable& table : sensor_tables(sheet)) {
-    check_lengths(table, errors);
-    const probe::DisplacementSetup sensor = sensor_from(table, sensors.size() + 1);
-    if (sensor.input > kInputs) {
-      errors.add(SetupErrorId::TooManySensors, table.where, {std::to_string(kInputs)});
-      break;
-    }
-    names.take(sensor.name, "name", sensor.name, place_of(table, KeyId::SensorName));
-    inputs.take(sensor.input, "input", sensor.name, place_of(table, KeyId::SensorInput));
-    if (sensor.resolution_mm > 0.0 && sensor.range_mm / sensor.resolution_mm > kMostCounts) {
-      errors.add(SetupErrorId::OutOfRange, place_of(table, KeyId::SensorResolution),
-                 {"sensor.resolution", fmt::format("{}", sensor.resolution_mm),
-                  "so much that the range is 2147483647 counts at most"});
-    }
-    sensors.push_back(sensor);
+void check_resolution(const SheetTable& table, const probe::DisplacementSetup& sensor,
+                      ErrorList& errors) {
+  if (sensor.resolution_mm > 0.0 && sensor.range_mm / sensor.resolution_mm > kMostCounts) {
+    errors.add(SetupErrorId::OutOfRange, place_of(table, KeyId::SensorResolution),
+               {"sensor.resolution", fmt::format("{}", sensor.resolution_mm),
+                "so much that the range is 2147483647 counts at most"});
   }
-  return sensors;
 }
 
-std::vector<runtime::SensorWord> sensor_words_from(const Sheet& sheet, ErrorList& errors) {
-  std::vector<runtime::SensorWord> words;
-  Taken<int> taken(errors);
-  std::size_t order = 0;
-  for (const SheetTable& table : sensor_tables(sheet)) {
-    const TableKeys keys(table);
-    const probe::DisplacementSetup sensor = sensor_from(table, ++order);
-    int word = number_or(keys, KeyId::SensorWord, kFirstWord - 1 + order);
-    if (word > kLastWord) {
-      continue;  // the words are used up; SINUMERIK has more inputs
-    }
-    word += word < 1000 ? 1000 : 0;
-    taken.take(word, "word", sensor.name, place_of(table, KeyId::SensorWord));
-    words.push_back(
-        {word, sensor.input, sensor.resolution_mm > 0.0 ? sensor.resolution_mm : kUsualCountMm});
+/// nullopt: the words are used up; SINUMERIK has more inputs.
+std::optional<runtime::SensorWord> word_of(const SheetTable& table,
+                                           const probe::DisplacementSetup& sensor,
+                                           std::size_t order) {
+  const int word = number_or(TableKeys(table), KeyId::SensorWord, kFirstWord - 1 + order);
+  if (word > kLastWord) {
+    return std::nullopt;
   }
-  return words;
+  return runtime::SensorWord{word < kShortWords ? word + kShortWords : word, sensor.input,
+                             sensor.resolution_mm > 0.0 ? sensor.resolution_mm : kUsualCountMm};
+}
+
+}  // namespace
+
+void fill_sensors(Job& job, const Sheet& sheet, ErrorList& errors) {
+  Taken<std::string> names(errors);
+  Taken<int> inputs(errors);
+  Taken<int> words(errors);
+  for (const SheetTable& table : list_of(sheet, SectionId::Sensor)) {
+    check_lengths(table, errors);
+    const std::size_t order = job.sensors.size() + 1;
+    const probe::DisplacementSetup sensor = sensor_from(table, order);
+    if (sensor.input > kInputs) {
+      errors.add(SetupErrorId::TooManySensors, table.where, {std::to_string(kInputs)});
+      return;
+    }
+    check_resolution(table, sensor, errors);
+    names.take(sensor.name, "name", sensor.name, place_of(table, KeyId::SensorName));
+    inputs.take(sensor.input, "input", sensor.name, place_of(table, KeyId::SensorInput));
+    if (const auto word = word_of(table, sensor, order)) {
+      words.take(word->number, "word", sensor.name, place_of(table, KeyId::SensorWord));
+      job.control.sensor_words.push_back(*word);
+    }
+    job.sensors.push_back(sensor);
+  }
 }
 
 }  // namespace g31::setup

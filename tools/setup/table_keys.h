@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -31,6 +32,13 @@ class TableKeys {
  private:
   const SheetTable& table_;
 };
+
+/// The tables of a list; none where the sheet has no such list.
+inline std::span<const SheetTable> list_of(const Sheet& sheet, SectionId section) {
+  const auto list = sheet.lists.find(section);
+  return list != sheet.lists.end() ? std::span<const SheetTable>(list->second)
+                                   : std::span<const SheetTable>();
+}
 
 inline double number_of(const Entry& entry) {
   return std::get<double>(entry.value);

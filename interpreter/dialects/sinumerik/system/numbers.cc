@@ -1,4 +1,5 @@
 #include <numbers>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -33,18 +34,21 @@ MaybeFailure no_probe(const SystemAccess& access) {
              : std::optional(failure(AlarmId::IndexOne, "there are the probes 1 to 8"));
 }
 
-MaybeFailure no_input(const Channel& channel, const SystemAccess& access) {
+/// @param of  where the index points: elements that count from 0
+template <typename Elements>
+MaybeFailure no_element(const SystemAccess& access, const Elements& of, std::string_view name) {
   const int which = access.indices[0];
-  return which >= 0 && which < static_cast<int>(channel.digital_inputs.size())
+  return which >= 0 && which < static_cast<int>(of.size())
              ? std::nullopt
-             : std::optional(failure(AlarmId::IndexOne, fmt::format("$A_IN[{}]", which)));
+             : std::optional(failure(AlarmId::IndexOne, fmt::format("{}[{}]", name, which)));
+}
+
+MaybeFailure no_input(const Channel& channel, const SystemAccess& access) {
+  return no_element(access, channel.digital_inputs, "$A_IN");
 }
 
 MaybeFailure no_analog_input(const Channel& channel, const SystemAccess& access) {
-  const int which = access.indices[0];
-  return which >= 0 && which < static_cast<int>(channel.analog_inputs.size())
-             ? std::nullopt
-             : std::optional(failure(AlarmId::IndexOne, fmt::format("$A_INA[{}]", which)));
+  return no_element(access, channel.analog_inputs, "$A_INA");
 }
 
 }  // namespace
