@@ -34,6 +34,11 @@ class ProgramSet {
   virtual std::vector<Flow> flows(const std::string& path) = 0;
   /// Why a call of one of the flows cannot find its program; nullopt: it can, or only a run knows.
   virtual std::optional<Fault> missing_program(const Flow& caller, const Call& call) = 0;
+  /// What is wrong with the arguments of a call that finds its program; nullopt: nothing, or only a
+  /// run knows.
+  virtual std::optional<Fault> wrong_arguments(const Flow& /*caller*/, const Call& /*call*/) {
+    return std::nullopt;
+  }
 };
 
 /// @param profile, sources  outlive the programs

@@ -1,8 +1,14 @@
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "interpreter/analysis/program_set.h"
 #include "interpreter/analysis/sinumerik_flow.h"
 #include "interpreter/dialects/sinumerik/code/callable_programs.h"
+#include "interpreter/dialects/sinumerik/code/wrong_argument.h"
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
 #include "machine/base/contract.h"
 
@@ -34,17 +40,121 @@ class SinumerikPrograms final : public ProgramSet {
     G31_EXPECTS(file != nullptr);
     std::vector<Flow> all;
     for (const auto& program : file->programs()) {
-      all.push_back(flow_of(program->code(library_.globals())));
+      const sinumerik::CompiledProgram& code = program->code(library_.globals());
+      note_calls(code);
+      all.push_back(flow_of(code));
     }
     return all;
   }
 
   std::optional<Fault> missing_program(const Flow& caller, const Call& call) override;
+  std::optional<Fault> wrong_arguments(const Flow& caller, const Call& call) override;
 
  private:
+  using Program = sinumerik::CompiledProgram;
+  struct Site {
+    const Program* caller = nullptr;
+    const sinumerik::CallSite* call = nullptr;
+  };
+  void note_calls(const Program& program);
+  std::vector<const Program*> meant_by(const std::string& target, const Program& caller);
+
   sinumerik::ProgramLibrary library_;
   sinumerik::CallablePrograms callable_;
+  std::map<std::pair<const source::SourceFile*, std::uint32_t>, Site> sites_;  ///< by their places
 };
+
+/// An alarm that a call will raise.
+Fault fault_of(sinumerik::AlarmId id, syntax::ShortSpan where, const std::string& detail) {
+  const sinumerik::AlarmInfo& row = sinumerik::info(id);
+  return {Fault::Kind::Block, row.number, where, fmt::format("{}: {}", row.text, detail),
+          std::string(row.remedy)};
+}
+
+/// What the program called says to the arguments, as a run does when it takes them.
+std::optional<Fault> fault_between(const sinumerik::CompiledProgram& caller,
+                                   const sinumerik::CallSite& call, syntax::ShortSpan where,
+                                   const sinumerik::CompiledProgram& called) {
+  const std::span given =
+      std::span(caller.arguments).subspan(call.first_argument, call.argument_count);
+  if (!called.has_proc && !given.empty()) {
+    return fault_of(sinumerik::AlarmId::ProcMissing, where, called.name);
+  }
+  if (called.has_wrong_proc) {
+    return std::nullopt;
+  }
+  if (given.size() > called.parameters.size()) {
+    return fault_of(sinumerik::AlarmId::TooManyArguments, where,
+                    fmt::format("{} takes {}, {} are given", called.name, called.parameters.size(),
+                                given.size()));
+  }
+  static const sinumerik::Argument kOmitted;
+  for (std::size_t i = 0; i < called.parameters.size(); ++i) {
+    const sinumerik::Parameter& parameter = called.parameters[i];
+    const sinumerik::Argument& argument = i < given.size() ? given[i] : kOmitted;
+    const auto wrong =
+        wrong_argument(parameter, called.variables[static_cast<std::size_t>(parameter.variable)],
+                       given_by(argument, caller));
+    if (wrong) {
+      const bool is_omitted = argument.form == sinumerik::Argument::Form::Omitted;
+      return fault_of(wrong->id, is_omitted ? where : argument.where,
+                      fmt::format("{}, {}", called.name, wrong->detail));
+    }
+  }
+  return std::nullopt;
+}
+
+void SinumerikPrograms::note_calls(const Program& program) {
+  for (std::size_t step = 0; step < program.ops.size(); ++step) {
+    const sinumerik::Op& op = program.ops[step];
+    if (op.code == sinumerik::OpCode::Call) {
+      sites_[{program.file, program.spans[step].begin}] = {
+          &program, &program.calls[static_cast<std::size_t>(op.a.place)]};
+    }
+  }
+}
+
+/// Every program that a name may mean.  Which one it does depends on the files that are given to a
+/// run and on CALLPATH.
+std::vector<const sinumerik::CompiledProgram*> SinumerikPrograms::meant_by(
+    const std::string& target, const Program& caller) {
+  const Program* const found = callable_.find(target, {caller.folder, ""});
+  if (found == nullptr) {
+    return {};
+  }
+  std::vector all = {found};
+  for (sinumerik::FiledProgram* const other : library_.opened(found->name)) {
+    if (is_callable(other->name())) {
+      all.push_back(&other->code(library_.globals()));
+    }
+  }
+  return all;
+}
+
+/// The first fault, when none of the programs that may be meant takes the arguments.
+std::optional<Fault> SinumerikPrograms::wrong_arguments(const Flow& caller, const Call& call) {
+  const auto place = sites_.find({caller.file, call.where.begin});
+  if (call.target.empty() || place == sites_.end()) {
+    return std::nullopt;
+  }
+  const auto& [program, site] = place->second;
+  const bool never_runs = site->passes.bank == sinumerik::Bank::Constants &&
+                          program->constants[static_cast<std::size_t>(site->passes.place)] == 0.0;
+  if (never_runs) {
+    return std::nullopt;
+  }
+  std::optional<Fault> first;
+  for (const Program* const called : meant_by(call.target, *program)) {
+    auto fault = fault_between(*program, *site, call.where, *called);
+    if (!fault) {
+      return std::nullopt;
+    }
+    if (!first) {
+      first = std::move(fault);
+    }
+  }
+  return first;
+}
 
 std::optional<Fault> SinumerikPrograms::missing_program(const Flow& caller, const Call& call) {
   using sinumerik::AlarmId;
@@ -60,10 +170,8 @@ std::optional<Fault> SinumerikPrograms::missing_program(const Flow& caller, cons
   }
   const bool is_l_number = call.target.size() > 1 && sinumerik::upper(call.target.front()) == 'L' &&
                            sinumerik::is_digit(call.target[1]);
-  const sinumerik::AlarmInfo& row =
-      sinumerik::info(call.by_text || is_l_number ? AlarmId::ProgramNotFound : AlarmId::NotDefined);
-  return Fault{Fault::Kind::Block, row.number, call.where,
-               fmt::format("{}: {}", row.text, call.target), std::string(row.remedy)};
+  return fault_of(call.by_text || is_l_number ? AlarmId::ProgramNotFound : AlarmId::NotDefined,
+                  call.where, call.target);
 }
 
 }  // namespace

@@ -53,10 +53,7 @@ class Findings {
         }
       }
       for (const Call& call : flow.calls_of(block)) {
-        if (const auto fault = programs_.missing_program(flow, call)) {
-          const bool is_told = fault->kind == Fault::Kind::NotSimulated;
-          add(flow, *fault, is_told ? RuleId::NotSimulated : RuleId::MissingProgram, reached[i]);
-        }
+        add_call(flow, call, reached[i]);
       }
     }
   }
@@ -67,6 +64,15 @@ class Findings {
   }
 
  private:
+  void add_call(const Flow& flow, const Call& call, bool is_reached) {
+    if (const auto fault = programs_.missing_program(flow, call)) {
+      const bool is_told = fault->kind == Fault::Kind::NotSimulated;
+      add(flow, *fault, is_told ? RuleId::NotSimulated : RuleId::MissingProgram, is_reached);
+    } else if (const auto wrong = programs_.wrong_arguments(flow, call)) {
+      add(flow, *wrong, RuleId::WrongArguments, is_reached);
+    }
+  }
+
   void add(const Flow& flow, const Fault& fault, RuleId rule, bool is_reached) {
     // What g31 lacks is no mistake of the program, wherever it stands.
     if (!is_reached && rule != RuleId::NotSimulated) {

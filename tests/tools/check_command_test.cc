@@ -100,6 +100,54 @@ TEST(Check, CarefulProgramsPassWithoutAWord) {
   EXPECT_EQ(output.errors, "");
 }
 
+TEST(Check, ArgumentsAreHeldAgainstTheProcOfTheProgramCalled) {
+  TemporaryFolder folder;
+  const std::string main = folder.write("PART.MPF",
+                                        "DEF INT COUNT\n"
+                                        "SUBX(1,2,3)\n"
+                                        "SUBX(1,5)\n"
+                                        "SUBX(1)\n"
+                                        "SUBX(\"A\",COUNT)\n"
+                                        "CALL \"PLAIN\" (1)\n"
+                                        "MCALL SUBX(,COUNT,7)\n"
+                                        "SUBX(,COUNT)\n"
+                                        "ELSEWHERE(1)\n"
+                                        "SUBX(1,2,3) P0\n"
+                                        "M30\n");
+  const std::string sub = folder.write("SUBX.SPF", "PROC SUBX(REAL A, VAR INT B)\nB=A\nM17\n");
+  const std::string plain = folder.write("PLAIN.SPF", "R1=1\nM17\n");
+  const CheckOutput output = checked_files({main, sub, plain});
+  EXPECT_EQ(places(output.text, folder),
+            (std::vector<std::string>{
+                "PART.MPF:2:1: error: alarm 12340, number of arguments exceeded: SUBX takes 2, 3 "
+                "are given [NC009]",
+                "PART.MPF:3:8: error: alarm 12320, argument must be call-by-reference: SUBX, B "
+                "[NC009]",
+                "PART.MPF:4:1: error: alarm 12300, call-by-reference argument missing on "
+                "subroutine call: SUBX, B [NC009]",
+                "PART.MPF:5:6: error: alarm 12330, type of argument incorrect: SUBX, A: STRING "
+                "is no REAL [NC009]",
+                "PART.MPF:6:6: error: alarm 14510, PROC instruction missing on subroutine call: "
+                "PLAIN [NC009]",
+                "PART.MPF:7:7: error: alarm 12340, number of arguments exceeded: SUBX takes 2, 3 "
+                "are given [NC009]",
+                "PART.MPF:9:1: error: alarm 12550, name not defined or option/function not "
+                "available: ELSEWHERE [NC005]",
+            }));
+}
+
+TEST(Check, ACallIsRightWhereOneOfTheProgramsOfItsNameTakesIt) {
+  TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path("old"));
+  const std::string old = folder.write("old/SUBX.SPF", "PROC SUBX(INT A)\nM17\n");
+  const std::string now = folder.write("SUBX.SPF", "PROC SUBX(INT A, INT B)\nM17\n");
+  const std::string main = folder.write("PART.MPF", "SUBX(1)\nSUBX(1,2)\nSUBX(1,2,3)\nM30\n");
+  const CheckOutput output = checked_files({main, old, now});
+  const auto found = places(output.text, folder);
+  ASSERT_EQ(found.size(), 1U) << output.text;
+  EXPECT_TRUE(found[0].starts_with("PART.MPF:3:1: error: alarm 12340")) << found[0];
+}
+
 TEST(Check, ShippedProgramsPassWithoutAWord) {
   const auto macros = disk::shipped_folder("macros");
   ASSERT_TRUE(macros);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/sinumerik/code/wrong_argument.h"
 #include "interpreter/dialects/sinumerik/run/runner.h"
 
 namespace g31::sinumerik {
@@ -213,8 +214,13 @@ MaybeFailure Runner::take_arguments(Level& into, const std::vector<BoundValue>& 
 MaybeFailure Runner::take_argument(Level& into, const Parameter& parameter,
                                    const BoundValue& value) {
   const Variable& variable = into.program->variables[static_cast<std::size_t>(parameter.variable)];
+  const GivenArgument given = {value.form, value.type, value.reference.shape.dimensions};
+  if (auto wrong = wrong_argument(parameter, variable, given)) {
+    return failure(wrong->id, std::move(wrong->detail));
+  }
   if (parameter.by_reference) {
-    return take_reference(into, variable, value);
+    into.references.push_back(value.reference);
+    return std::nullopt;
   }
   if (value.form != Form::Omitted) {
     return take_value(into, variable, value);
@@ -223,27 +229,16 @@ MaybeFailure Runner::take_argument(Level& into, const Parameter& parameter,
     into.texts[static_cast<std::size_t>(variable.place)] = parameter.text;
   } else if (parameter.has_preset) {
     into.numbers[static_cast<std::size_t>(variable.place)] = parameter.number;
-  } else if (variable.type == Type::Axis) {
-    return failure(AlarmId::AxisMissing, variable.name);
   }
   return std::nullopt;
 }
 
+/// A value whose type fits.
 MaybeFailure Runner::take_value(Level& into, const Variable& variable, const BoundValue& value) {
   const auto place = static_cast<std::size_t>(variable.place);
-  const bool both_numbers = is_number(value.type) && is_number(variable.type);
-  const bool as_text =
-      (value.type == Type::Char || value.type == Type::Bool) && variable.type == Type::String;
-  const bool text_as_char =
-      value.type == Type::String && value.text.size() == 1 && variable.type == Type::Char;
-  if (value.form == Form::Whole ||
-      (value.type != variable.type && !both_numbers && !as_text && !text_as_char)) {
-    return failure(
-        AlarmId::WrongArgumentType,
-        fmt::format("{}: {} is no {}", variable.name, name_of(value.type), name_of(variable.type)));
-  }
   if (variable.type == Type::String) {
-    const std::string given = as_text ? shown(value.type, value.number) : value.text;
+    const std::string given =
+        value.type == Type::String ? value.text : shown(value.type, value.number);
     if (given.size() > static_cast<std::size_t>(variable.longest)) {
       return failure(AlarmId::StringTooLong, fmt::format("{}: \"{}\" in STRING[{}]", variable.name,
                                                          given, variable.longest));
@@ -252,35 +247,18 @@ MaybeFailure Runner::take_value(Level& into, const Variable& variable, const Bou
   } else if (variable.type == Type::Frame) {
     into.frames[place] = *value.frame;
   } else {
-    const double given =
-        text_as_char ? static_cast<unsigned char>(value.text.front()) : value.number;
-    const auto number = converted(given, variable);
+    const bool is_text = value.type == Type::String;
+    if (is_text && value.text.size() != 1) {
+      WrongArgument wrong = wrong_type(variable, value.type);
+      return failure(wrong.id, std::move(wrong.detail));
+    }
+    const auto number = converted(
+        is_text ? static_cast<unsigned char>(value.text.front()) : value.number, variable);
     if (!number) {
       return number.error();
     }
     into.numbers[place] = number.value();
   }
-  return std::nullopt;
-}
-
-MaybeFailure Runner::take_reference(Level& into, const Variable& variable,
-                                    const BoundValue& value) {
-  if (value.form == Form::Omitted) {
-    return failure(AlarmId::ReferenceMissing, variable.name);
-  }
-  if (value.form == Form::Value) {
-    return failure(AlarmId::NotAReference, variable.name);
-  }
-  const Reference& given = value.reference;
-  if (given.type != variable.type) {
-    return failure(
-        AlarmId::WrongArgumentType,
-        fmt::format("{}: {} is no {}", variable.name, name_of(given.type), name_of(variable.type)));
-  }
-  if (given.shape.dimensions != variable.shape.dimensions) {
-    return failure(AlarmId::WrongDimension, variable.name);
-  }
-  into.references.push_back(given);
   return std::nullopt;
 }
 

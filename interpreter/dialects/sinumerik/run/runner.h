@@ -233,7 +233,6 @@ class Runner {
   MaybeFailure take_arguments(Level& into, const std::vector<BoundValue>& values);
   MaybeFailure take_argument(Level& into, const Parameter& parameter, const BoundValue& value);
   MaybeFailure take_value(Level& into, const Variable& variable, const BoundValue& value);
-  MaybeFailure take_reference(Level& into, const Variable& variable, const BoundValue& value);
   struct ReturnTarget {
     std::string label;  ///< or N and a number; empty: behind the call
     bool behind = false;
