@@ -9,7 +9,7 @@
 #include "machine/base/random.h"
 #include "tests/support/run_evaluate.h"
 
-namespace g31 {
+namespace g31::circle_command_test {
 namespace {
 
 using evaluate::OptionId;
@@ -100,4 +100,4 @@ TEST(EvaluateCircle, OfTheIdealMachineIsZero) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::circle_command_test

@@ -15,7 +15,7 @@
 
 #include "tests/support/run_evaluate.h"
 
-namespace g31 {
+namespace g31::compensation_test {
 namespace {
 
 using evaluate::OptionId;
@@ -117,4 +117,4 @@ TEST(Compensation, KnowsLinearAxesOnly) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::compensation_test

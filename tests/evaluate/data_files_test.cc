@@ -10,7 +10,7 @@
 #include "tests/support/run_evaluate.h"
 #include "tools/evaluate/data_table.h"
 
-namespace g31 {
+namespace g31::data_files_test {
 namespace {
 
 using evaluate::ColumnKind;
@@ -210,4 +210,4 @@ TEST(DataTable, TellsWhatTheDigitsResolve) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::data_files_test

@@ -15,7 +15,7 @@
 #include "tools/plot/path_plot.h"
 #include "tools/plot/scale.h"
 
-namespace g31 {
+namespace g31::drawing_test {
 namespace {
 
 using evaluate::OptionId;
@@ -142,4 +142,4 @@ TEST(Drawing, OfEachKindIsTheSameEachTime) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::drawing_test

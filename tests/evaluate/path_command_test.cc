@@ -8,7 +8,7 @@
 
 #include "tests/support/run_evaluate.h"
 
-namespace g31 {
+namespace g31::path_command_test {
 namespace {
 
 using evaluate::OptionId;
@@ -99,4 +99,4 @@ TEST(EvaluateSpeed, ListsItsDips) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::path_command_test

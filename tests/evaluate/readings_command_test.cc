@@ -9,7 +9,7 @@
 
 #include "tests/support/run_evaluate.h"
 
-namespace g31 {
+namespace g31::readings_command_test {
 namespace {
 
 using evaluate::OptionId;
@@ -200,4 +200,4 @@ TEST(EvaluatePositioning, IsThatOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::readings_command_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/run_evaluate.h"
 
-namespace g31 {
+namespace g31::three_sensors_test {
 namespace {
 
 using evaluate::OptionId;
@@ -75,4 +75,4 @@ TEST(ThreeSensors, ScatterAsTheirReadingsDo) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::three_sensors_test

@@ -23,7 +23,7 @@
 #include "tests/fuzz/entry.h"
 #include "tests/fuzz/mutation.h"
 
-namespace g31::fuzz {
+namespace g31::fuzz::fuzz_test {
 namespace {
 
 constexpr std::uint64_t kMutations = 5000;
@@ -174,4 +174,4 @@ TEST(Fuzz, SinumerikDictionaryAndCorpusKnowEveryWord) {
 }
 
 }  // namespace
-}  // namespace g31::fuzz
+}  // namespace g31::fuzz::fuzz_test

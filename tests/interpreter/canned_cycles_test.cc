@@ -6,7 +6,7 @@
 
 #include "tests/support/control_run.h"
 
-namespace g31::fanuc {
+namespace g31::fanuc::canned_cycles_test {
 namespace {
 
 using testing::ControlRun;
@@ -258,4 +258,4 @@ TEST(CannedCycle, IsModalGroup9) {
 }
 
 }  // namespace
-}  // namespace g31::fanuc
+}  // namespace g31::fanuc::canned_cycles_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/control_run.h"
 
-namespace g31::testing {
+namespace g31::testing::compensated_programs_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -251,4 +251,4 @@ TEST(CompensatedProgram, DThatTheSheetDoesNotHaveIsAMismatch) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::compensated_programs_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::path {
+namespace g31::path::contour_corners_test {
 namespace {
 
 using machine::Turn;
@@ -112,4 +112,4 @@ TEST(ContourCorners, RoundingsTooLargeEndAtTheEndOfAWay) {
 }
 
 }  // namespace
-}  // namespace g31::path
+}  // namespace g31::path::contour_corners_test

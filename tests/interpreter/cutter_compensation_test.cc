@@ -6,7 +6,7 @@
 
 #include "tests/interpreter/compensated_path.h"
 
-namespace g31::path::testing {
+namespace g31::path::testing::cutter_compensation_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -300,4 +300,4 @@ TEST(CutterCompensation, WithoutTheInterferenceCheckTheToolGoesBackwards) {
 }
 
 }  // namespace
-}  // namespace g31::path::testing
+}  // namespace g31::path::testing::cutter_compensation_test

@@ -8,7 +8,7 @@
 #include "interpreter/path/corner.h"
 #include "tests/interpreter/compensated_path.h"
 
-namespace g31::path::testing {
+namespace g31::path::testing::cutter_distance_test {
 namespace {
 
 /// Doubles and the tangent corners that are taken as smooth.
@@ -214,4 +214,4 @@ TEST(CutterDistance, CornersThatAreAlmostTangent) {
 }
 
 }  // namespace
-}  // namespace g31::path::testing
+}  // namespace g31::path::testing::cutter_distance_test

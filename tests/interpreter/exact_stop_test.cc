@@ -6,7 +6,7 @@
 
 #include "tests/support/control_run.h"
 
-namespace g31::fanuc {
+namespace g31::fanuc::exact_stop_test {
 namespace {
 
 TEST(ExactStop, IsModalOrOfOneBlockAndNeverForBitTwoOf3004) {
@@ -40,4 +40,4 @@ TEST(ExactStop, IsModalOrOfOneBlockAndNeverForBitTwoOf3004) {
 }
 
 }  // namespace
-}  // namespace g31::fanuc
+}  // namespace g31::fanuc::exact_stop_test

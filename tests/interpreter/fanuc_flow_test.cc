@@ -9,7 +9,7 @@
 #include "interpreter/dialects/fanuc/text/parse.h"
 #include "tests/support/drawn_flow.h"
 
-namespace g31 {
+namespace g31::fanuc_flow_test {
 namespace {
 
 using analysis::Flow;
@@ -205,4 +205,4 @@ TEST(FanucFlow, WordsOfABlockCommandItsMove) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::fanuc_flow_test

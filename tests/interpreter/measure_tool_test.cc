@@ -5,7 +5,7 @@
 
 #include "tests/support/control_run.h"
 
-namespace g31::testing {
+namespace g31::testing::measure_tool_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -100,4 +100,4 @@ TEST(MeasureTool, OffsetStaysAsItIsAfterAnAlarm) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::measure_tool_test

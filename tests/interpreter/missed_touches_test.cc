@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::runtime {
+namespace g31::runtime::missed_touches_test {
 namespace {
 
 constexpr source::FileId kFile{1};
@@ -82,4 +82,4 @@ TEST(MissedTouches, WhatIsOverwrittenOrForgottenIsNotOwed) {
 }
 
 }  // namespace
-}  // namespace g31::runtime
+}  // namespace g31::runtime::missed_touches_test

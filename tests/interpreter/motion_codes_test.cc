@@ -5,7 +5,7 @@
 
 #include "tests/support/control_run.h"
 
-namespace g31::fanuc {
+namespace g31::fanuc::motion_codes_test {
 namespace {
 
 using testing::ControlRun;
@@ -356,4 +356,4 @@ TEST(MotionCodes, AnArcNeedsItsRadiusWhereTheParameterSaysSo) {
 }
 
 }  // namespace
-}  // namespace g31::fanuc
+}  // namespace g31::fanuc::motion_codes_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/control_run.h"
 
-namespace g31 {
+namespace g31::names_test {
 namespace {
 
 using testing::ControlRun;
@@ -146,4 +146,4 @@ TEST(Conditions, AJunctionOfNumbersIsNone) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::names_test

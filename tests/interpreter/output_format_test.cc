@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::fanuc {
+namespace g31::fanuc::output_format_test {
 namespace {
 
 TEST(DecimalText, FillsItsPlaces) {
@@ -78,4 +78,4 @@ TEST(OutputFormat, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace g31::fanuc
+}  // namespace g31::fanuc::output_format_test

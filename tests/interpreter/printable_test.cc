@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::source {
+namespace g31::source::printable_test {
 namespace {
 
 using namespace std::string_literals;
@@ -48,4 +48,4 @@ TEST(Printable, OneCharacterInWords) {
 }
 
 }  // namespace
-}  // namespace g31::source
+}  // namespace g31::source::printable_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/control_run.h"
 
-namespace g31::fanuc {
+namespace g31::fanuc::profile_test {
 namespace {
 
 using testing::ControlRun;
@@ -221,4 +221,4 @@ TEST(Profile, IsFoundByItsNameOnly) {
 }
 
 }  // namespace
-}  // namespace g31::fanuc
+}  // namespace g31::fanuc::profile_test

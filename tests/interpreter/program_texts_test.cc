@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::sinumerik {
+namespace g31::sinumerik::program_texts_test {
 namespace {
 
 /// "name|other|kind|entry's name|text|fact=value;..." of each.
@@ -64,4 +64,4 @@ TEST(ProgramTexts, TellWhatPlacesSay) {
 }
 
 }  // namespace
-}  // namespace g31::sinumerik
+}  // namespace g31::sinumerik::program_texts_test

@@ -7,7 +7,7 @@
 #include "interpreter/dialects/sinumerik/run/session.h"
 #include "tests/support/control_run.h"
 
-namespace g31 {
+namespace g31::rapid_paths_test {
 namespace {
 
 /// A letter a rapid: S straight, I each axis on its own.
@@ -131,4 +131,4 @@ TEST(RapidPath, OfSinumerikIsStraightUnlessRtliofActs) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::rapid_paths_test

@@ -7,7 +7,7 @@
 #include "interpreter/dialects/fanuc/explain/explain.h"
 #include "interpreter/dialects/fanuc/vocabulary/alarms.h"
 
-namespace g31::fanuc::reference {
+namespace g31::fanuc::reference::reference_test {
 namespace {
 
 const Profile& control(std::string_view name) {
@@ -186,4 +186,4 @@ TEST(Explain, NamesTheNearestTopic) {
 }
 
 }  // namespace
-}  // namespace g31::fanuc::reference
+}  // namespace g31::fanuc::reference::reference_test

@@ -9,7 +9,7 @@
 
 #include "interpreter/dialects/sinumerik/code/compile.h"
 
-namespace g31 {
+namespace g31::sinumerik_compile_test {
 namespace {
 
 using sinumerik::AlarmId;
@@ -165,4 +165,4 @@ TEST(SinumerikCompile, BlocksOfPlainWordsMeanWhatTheirTokensMean) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::sinumerik_compile_test

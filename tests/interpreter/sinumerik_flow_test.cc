@@ -9,7 +9,7 @@
 #include "interpreter/dialects/sinumerik/code/compile.h"
 #include "tests/support/drawn_flow.h"
 
-namespace g31 {
+namespace g31::sinumerik_flow_test {
 namespace {
 
 using testing::drawn;
@@ -235,4 +235,4 @@ TEST(SinumerikFlow, WordsOfABlockCommandItsMove) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::sinumerik_flow_test

@@ -10,7 +10,7 @@
 #include "interpreter/dialects/sinumerik/execute/circle_through.h"
 #include "interpreter/dialects/sinumerik/execute/point_fit.h"
 
-namespace g31::sinumerik {
+namespace g31::sinumerik::sinumerik_geometry_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -89,4 +89,4 @@ TEST(PointFit, LeavesTheLeastSquares) {
 }
 
 }  // namespace
-}  // namespace g31::sinumerik
+}  // namespace g31::sinumerik::sinumerik_geometry_test

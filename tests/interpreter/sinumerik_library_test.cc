@@ -12,7 +12,7 @@
 #include "interpreter/dialects/sinumerik/run/session.h"
 #include "tests/support/recording_machine.h"
 
-namespace g31 {
+namespace g31::sinumerik_library_test {
 namespace {
 
 using runtime::Cell;
@@ -532,4 +532,4 @@ TEST(SinumerikDataFiles, SayWhichToolsThereAre) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::sinumerik_library_test

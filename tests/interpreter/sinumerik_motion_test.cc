@@ -10,7 +10,7 @@
 #include "interpreter/dialects/sinumerik/run/session.h"
 #include "tests/support/recording_machine.h"
 
-namespace g31 {
+namespace g31::sinumerik_motion_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -135,4 +135,4 @@ TEST(SinumerikCircles, InATiltedPlaneStayOnTheCircle) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::sinumerik_motion_test

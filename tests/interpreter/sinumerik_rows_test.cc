@@ -25,7 +25,7 @@
 #include "tests/support/control_run.h"
 #include "tests/support/recording_machine.h"
 
-namespace g31::sinumerik {
+namespace g31::sinumerik::sinumerik_rows_test {
 namespace {
 
 /// A program, its alarm and what it left in R1.
@@ -232,4 +232,4 @@ TEST(SinumerikRows, EveryKeywordIsInACaseOrRefused) {
 }
 
 }  // namespace
-}  // namespace g31::sinumerik
+}  // namespace g31::sinumerik::sinumerik_rows_test

@@ -15,7 +15,7 @@
 
 #include "interpreter/source/diagnostic.h"
 
-namespace g31::source {
+namespace g31::source::source_map_test {
 namespace {
 
 /// Files that can be changed.
@@ -268,4 +268,4 @@ TEST(SourceMap, ServesThreads) {
 }
 
 }  // namespace
-}  // namespace g31::source
+}  // namespace g31::source::source_map_test

@@ -9,7 +9,7 @@
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "tests/support/control_run.h"
 
-namespace g31::fanuc {
+namespace g31::fanuc::system_variables_test {
 namespace {
 
 using testing::ControlRun;
@@ -201,4 +201,4 @@ TEST(SystemVariables, TheSkipPositionHasTheToolOffset) {
 }
 
 }  // namespace
-}  // namespace g31::fanuc
+}  // namespace g31::fanuc::system_variables_test

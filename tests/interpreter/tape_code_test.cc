@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::fanuc {
+namespace g31::fanuc::tape_code_test {
 namespace {
 
 /// Bit 8 of each character makes the number of its bits even.
@@ -45,4 +45,4 @@ TEST(TapeCode, TakesAndKeeps) {
 }
 
 }  // namespace
-}  // namespace g31::fanuc
+}  // namespace g31::fanuc::tape_code_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/control_run.h"
 
-namespace g31::fanuc {
+namespace g31::fanuc::transforms_test {
 namespace {
 
 using testing::ControlRun;
@@ -219,4 +219,4 @@ TEST(Transforms, AnArcAcrossTheTurnedPlaneIsRefused) {
 }
 
 }  // namespace
-}  // namespace g31::fanuc
+}  // namespace g31::fanuc::transforms_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::fanuc {
+namespace g31::fanuc::work_transform_test {
 namespace {
 
 using Complex = std::complex<double>;
@@ -105,4 +105,4 @@ TEST(TransformStages, GoInTheOrderOfTheControl) {
 }
 
 }  // namespace
-}  // namespace g31::fanuc
+}  // namespace g31::fanuc::work_transform_test

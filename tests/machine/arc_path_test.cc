@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::machine {
+namespace g31::machine::arc_path_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -146,4 +146,4 @@ TEST(ArcPath, ChordsStayCloseToTheArc) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::arc_path_test

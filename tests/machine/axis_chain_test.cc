@@ -12,7 +12,7 @@
 #include "machine/sim/machining_centre.h"
 #include "tests/support/world_of_pieces.h"
 
-namespace g31::machine {
+namespace g31::machine::axis_chain_test {
 namespace {
 
 AxisPositions axes(double x, double y, double z, double a = 0, double b = 0, double c = 0) {
@@ -201,4 +201,4 @@ TEST(FiveAxisMachine, ATurningTableBringsThePartToTheProbe) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::axis_chain_test

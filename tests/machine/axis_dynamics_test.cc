@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::machine {
+namespace g31::machine::axis_dynamics_test {
 namespace {
 
 AxisPositions axes(double x, double y, double z, double a = 0) {
@@ -138,4 +138,4 @@ TEST(AxisDynamics, NoAxisExceedsItsRateOrAcceleration) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::axis_dynamics_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::machine {
+namespace g31::machine::clock_test {
 namespace {
 
 TEST(Clock, TenMillionTenthsMakeAMillion) {
@@ -24,4 +24,4 @@ TEST(ClockDeathTest, TimeDoesNotRunBackwards) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::clock_test

@@ -12,7 +12,7 @@
 #include "machine/sim/machining_centre.h"
 #include "tests/support/scripted_surroundings.h"
 
-namespace g31::machine {
+namespace g31::machine::continuous_path_test {
 namespace {
 
 AxisPositions axes(double x, double y, double z) {
@@ -207,4 +207,4 @@ TEST(ContinuousPath, LaggingAxesStopAtTheEndOfEachCommand) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::continuous_path_test

@@ -14,7 +14,7 @@
 #include "machine/sim/machining_centre.h"
 #include "tests/support/scripted_surroundings.h"
 
-namespace g31::machine {
+namespace g31::machine::independent_path_test {
 namespace {
 
 AxisPositions axes(double x, double y, double z, double a = 0, double b = 0, double c = 0) {
@@ -291,4 +291,4 @@ TEST(IndependentPath, WhatIsInTheWayEndsItThereAndThen) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::independent_path_test

@@ -6,7 +6,7 @@
 
 #include "machine/sim/motion_profile.h"
 
-namespace g31::machine {
+namespace g31::machine::jerk_limited_profile_test {
 namespace {
 
 TEST(JerkLimitedProfile, ClosedForms) {
@@ -89,4 +89,4 @@ TEST(JerkLimitedProfile, AVeryLargeJerkIsTheTrapezoid) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::jerk_limited_profile_test

@@ -14,7 +14,7 @@
 #include "machine/base/random.h"
 #include "machine/kinematics/transformation.h"
 
-namespace g31::machine {
+namespace g31::machine::kinematics_test {
 namespace {
 
 constexpr double kS = std::numbers::sqrt2 / 2.0;
@@ -277,4 +277,4 @@ TEST(AxisChainSetup, IsAValueThatTellsBeliefFromTruth) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::kinematics_test

@@ -9,7 +9,7 @@
 #include "tests/support/scripted_surroundings.h"
 #include "tests/support/world_of_pieces.h"
 
-namespace g31::machine {
+namespace g31::machine::machine_errors_test {
 namespace {
 
 using errors::ErrorTable;
@@ -382,4 +382,4 @@ TEST(MachineErrors, TheTrueWayStaysWithinItsTolerance) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::machine_errors_test

@@ -6,7 +6,7 @@
 #include "machine/sim/machining_centre.h"
 #include "tests/support/scripted_surroundings.h"
 
-namespace g31::machine {
+namespace g31::machine::machining_centre_arc_test {
 namespace {
 
 using testing::ScriptedSurroundings;
@@ -163,4 +163,4 @@ TEST(MachiningCentreArc, StopsAtAnObstacle) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::machining_centre_arc_test

@@ -7,7 +7,7 @@
 #include "machine/sim/machining_centre.h"
 #include "tests/support/scripted_surroundings.h"
 
-namespace g31::machine {
+namespace g31::machine::machining_centre_move_test {
 namespace {
 
 using testing::ScriptedSurroundings;
@@ -197,4 +197,4 @@ TEST(MachiningCentreDeathTest, AxesWithoutRatesAndAnswersOutsideTheSweep) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::machining_centre_move_test

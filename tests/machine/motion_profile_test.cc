@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::machine {
+namespace g31::machine::motion_profile_test {
 namespace {
 
 TEST(MotionProfile, ClosedForms) {
@@ -159,4 +159,4 @@ TEST(MotionProfile, WorstErrorAgainstLongDouble) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::motion_profile_test

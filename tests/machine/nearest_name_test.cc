@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31 {
+namespace g31::nearest_name_test {
 namespace {
 
 TEST(EditDistance, CountsInsertionsOmissionsReplacementsAndSwaps) {
@@ -48,4 +48,4 @@ TEST(NearestName, FindsWhatWasMeantAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::nearest_name_test

@@ -14,7 +14,7 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
-namespace g31::machine {
+namespace g31::machine::path_planner_test {
 namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
@@ -298,4 +298,4 @@ TEST(PathPlanner, GivesOutWhatNothingChangesAnyMore) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::path_planner_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31 {
+namespace g31::random_test {
 namespace {
 
 // The vectors that come with the authors' library (Random123, kat_vectors).
@@ -92,4 +92,4 @@ TEST(Random, StreamsAreUncorrelated) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::random_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::testing {
+namespace g31::testing::recording_machine_test {
 namespace {
 
 AxisPositions axes(double x, double y, double z, double a = 0, double c = 0) {
@@ -56,4 +56,4 @@ TEST(RecordingMachine, PlaysTouchesInOrderThenNone) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::recording_machine_test

@@ -10,7 +10,7 @@
 #include "machine/sim/machining_centre.h"
 #include "tests/support/scripted_surroundings.h"
 
-namespace g31::machine {
+namespace g31::machine::servo_motion_test {
 namespace {
 
 using testing::ScriptedSurroundings;
@@ -263,4 +263,4 @@ TEST(MotionSampler, ATracedIdealMachineGivesTheSameNumbersBitForBit) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::servo_motion_test

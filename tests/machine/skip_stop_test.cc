@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::machine {
+namespace g31::machine::skip_stop_test {
 namespace {
 
 // Speed 10, acceleration 100: ramps of 0.1 s and 0.5 mm, 9 mm of cruise, 1.1 s in all.
@@ -155,4 +155,4 @@ TEST(StopAfterContact, WorstErrorAgainstLongDouble) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::skip_stop_test

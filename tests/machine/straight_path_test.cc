@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::machine {
+namespace g31::machine::straight_path_test {
 namespace {
 
 AxisPositions axes(double x, double y, double z, double a = 0, double c = 0) {
@@ -62,4 +62,4 @@ TEST(StraightPath, PointsStayBetweenStartAndEnd) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::straight_path_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::machine {
+namespace g31::machine::travel_limits_test {
 namespace {
 
 MachineSetup with_limits() {
@@ -60,4 +60,4 @@ TEST(TravelLimits, OneSpacingOfDoublesBeyondIsBeyond) {
 }
 
 }  // namespace
-}  // namespace g31::machine
+}  // namespace g31::machine::travel_limits_test

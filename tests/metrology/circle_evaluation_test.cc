@@ -10,7 +10,7 @@
 
 #include "tests/metrology/circle_path.h"
 
-namespace g31 {
+namespace g31::circle_evaluation_test {
 namespace {
 
 using metrology::CircleErrors;
@@ -221,4 +221,4 @@ TEST(CircleEvaluation, RefusesWhatIsNoCircle) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::circle_evaluation_test

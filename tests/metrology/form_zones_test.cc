@@ -14,7 +14,7 @@
 #include "machine/units/point.h"
 #include "probe/metrology/minimax_fit.h"
 
-namespace g31 {
+namespace g31::form_zones_test {
 namespace {
 
 double between(double low, double high, std::uint64_t seed, std::uint64_t which) {
@@ -206,4 +206,4 @@ TEST(Cylindricity, HasASmallerZoneThanLeastSquares) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::form_zones_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31 {
+namespace g31::positioning_test {
 namespace {
 
 using metrology::Approach;
@@ -56,4 +56,4 @@ TEST(Positioning, OfOneDirectionHasNoReversal) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::positioning_test

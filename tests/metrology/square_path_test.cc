@@ -11,7 +11,7 @@
 #include "machine/base/random.h"
 #include "probe/metrology/path_speed.h"
 
-namespace g31 {
+namespace g31::square_path_test {
 namespace {
 
 using metrology::Square;
@@ -184,4 +184,4 @@ TEST(PathSpeed, OfARoughRecordIsSmoothedAndOfAFineOneIsNot) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::square_path_test

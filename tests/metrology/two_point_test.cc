@@ -9,7 +9,7 @@
 
 #include "machine/base/random.h"
 
-namespace g31 {
+namespace g31::two_point_test {
 namespace {
 
 constexpr double kBetweenA = 2.57e-3;  // mm: table 1, case I
@@ -137,4 +137,4 @@ TEST(TwoPoints, RadiiComeFromTheDiameter) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::two_point_test

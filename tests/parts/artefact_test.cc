@@ -13,7 +13,7 @@
 #include "parts/artefacts/ring_gauge.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::parts {
+namespace g31::parts::artefact_test {
 namespace {
 
 PartSetup part(const std::string& shape, std::map<std::string, double> sizes) {
@@ -127,4 +127,4 @@ TEST(Shapes, EverySizeBelongsToAShape) {
 }
 
 }  // namespace
-}  // namespace g31::parts
+}  // namespace g31::parts::artefact_test

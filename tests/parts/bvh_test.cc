@@ -13,7 +13,7 @@
 
 #include "tests/probe/test_meshes.h"
 
-namespace g31::parts {
+namespace g31::parts::bvh_test {
 namespace {
 
 using testing::any_direction;
@@ -315,4 +315,4 @@ TEST(Bvh, TriangleBoxesEncloseTheirVertices) {
 }
 
 }  // namespace
-}  // namespace g31::parts
+}  // namespace g31::parts::bvh_test

@@ -17,7 +17,7 @@
 #include "parts/artefacts/ring_gauge.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::parts {
+namespace g31::parts::mesh_file_test {
 namespace {
 
 class MeshFile : public ::testing::Test {
@@ -286,4 +286,4 @@ TEST_F(MeshFile, SurvivesDamage) {
 }
 
 }  // namespace
-}  // namespace g31::parts
+}  // namespace g31::parts::mesh_file_test

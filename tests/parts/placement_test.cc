@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace g31::parts {
+namespace g31::parts::placement_test {
 namespace {
 
 TEST(PlacedMesh, TurnsAboutFixedXThenYThenZThenShifts) {
@@ -48,4 +48,4 @@ TEST(RotationToMachine, AgreesWithQuaternions) {
 }
 
 }  // namespace
-}  // namespace g31::parts
+}  // namespace g31::parts::placement_test

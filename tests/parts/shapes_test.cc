@@ -15,7 +15,7 @@
 #include "parts/artefacts/polygon.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::parts {
+namespace g31::parts::shapes_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -340,4 +340,4 @@ TEST(Shapes, SayWhichProfileDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace g31::parts
+}  // namespace g31::parts::shapes_test

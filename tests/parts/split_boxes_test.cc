@@ -12,7 +12,7 @@
 
 #include "tests/probe/test_meshes.h"
 
-namespace g31::parts {
+namespace g31::parts::split_boxes_test {
 namespace {
 
 using testing::between;
@@ -120,4 +120,4 @@ TEST(SplitBoxes, RoundsBoxesOutwards) {
 }
 
 }  // namespace
-}  // namespace g31::parts
+}  // namespace g31::parts::split_boxes_test

@@ -15,7 +15,7 @@
 #include "parts/import/mesh_file.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::parts {
+namespace g31::parts::step_file_test {
 namespace {
 
 const char* const kCylinder = "tests/parts/cylinder.step";
@@ -94,4 +94,4 @@ TEST_F(StepReader, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace g31::parts
+}  // namespace g31::parts::step_file_test

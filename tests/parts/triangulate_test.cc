@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace g31::parts {
+namespace g31::parts::triangulate_test {
 namespace {
 
 TEST(Triangulated, CoversThePolygonOnce) {
@@ -58,4 +58,4 @@ TEST(Triangulated, EndsOnPolygonsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace g31::parts
+}  // namespace g31::parts::triangulate_test

@@ -19,7 +19,7 @@
 #include "tests/probe/fcl_witness.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::collision_mesh_test {
 namespace {
 
 using testing::between;
@@ -205,4 +205,4 @@ TEST(CollisionMesh, AnEmptyMeshIsNeverTouched) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::collision_mesh_test

@@ -17,7 +17,7 @@
 #include "probe/sensor/world.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::displacement_sensors_test {
 namespace {
 
 /// By Cramer's rule in long double, one triangle after the other.
@@ -187,4 +187,4 @@ TEST(DisplacementSensors, AreWhereTheTrueMachineHasThem) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::displacement_sensors_test

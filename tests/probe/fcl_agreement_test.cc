@@ -13,7 +13,7 @@
 #include "tests/probe/fcl_witness.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::fcl_agreement_test {
 namespace {
 
 using testing::fcl_mesh;
@@ -54,4 +54,4 @@ TEST(MeshSweeper, AgreesWithFcl) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::fcl_agreement_test

@@ -15,7 +15,7 @@
 #include "probe/contact/sweep_mesh.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::hiding_vertices_test {
 namespace {
 
 using testing::any_direction;
@@ -205,4 +205,4 @@ TEST(HidingVertices, ChangeNoContactOnRoughMeshes) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::hiding_vertices_test

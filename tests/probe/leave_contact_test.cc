@@ -14,7 +14,7 @@
 #include "probe/contact/sweep_mesh.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::leave_contact_test {
 namespace {
 
 using testing::between;
@@ -225,4 +225,4 @@ TEST(LeaveContact, AProbingMoveThatTouchesAtItsStartSlidesButDoesNotEnter) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::leave_contact_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31::probe {
+namespace g31::probe::pre_travel_test {
 namespace {
 
 /// The normal of a wall that the probe moves against in this direction.
@@ -113,4 +113,4 @@ TEST(PreTravel, AMonoProbeKnowsOneDirectionAndAbove) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::pre_travel_test

@@ -14,7 +14,7 @@
 #include "tests/probe/test_meshes.h"
 #include "tests/support/asked.h"
 
-namespace g31::probe {
+namespace g31::probe::probe_model_test {
 namespace {
 
 /// Ring gauge with its axis in the machine's Z axis; the ball centre 10 mm deep when Z is 110.
@@ -285,4 +285,4 @@ TEST(ProbeModel, OnlyADoubleTriggerGivesTwoSignalsAndTheFirstIsTheSame) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::probe_model_test

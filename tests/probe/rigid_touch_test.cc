@@ -14,7 +14,7 @@
 #include "tests/probe/fcl_witness.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::rigid_touch_test {
 namespace {
 
 /// A block 40 x 40 x 20 whose middle is the origin: faces at +-20, top at 10, bottom at -10.
@@ -148,4 +148,4 @@ TEST(RigidTouch, AgreesWithFcl) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::rigid_touch_test

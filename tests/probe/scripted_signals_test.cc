@@ -6,7 +6,7 @@
 
 #include "tests/support/asked.h"
 
-namespace g31::probe {
+namespace g31::probe::scripted_signals_test {
 namespace {
 
 AxisPositions xyz(double x, double y, double z) {
@@ -69,4 +69,4 @@ TEST(ScriptedSignals, TakesOneSignalAMoveInOrderAndThenNoMore) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::scripted_signals_test

@@ -9,7 +9,7 @@
 #include "parts/artefacts/artefact.h"
 #include "probe/contact/sweep_mesh.h"
 
-namespace g31::probe {
+namespace g31::probe::shape_touch_test {
 namespace {
 
 constexpr double kBallRadius = 3.0;
@@ -91,4 +91,4 @@ TEST(ShapeTouch, ReadsTheSizeOfEveryShapeAlongTheAxes) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::shape_touch_test

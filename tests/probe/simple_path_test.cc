@@ -17,7 +17,7 @@
 #include "probe/sensor/touch_probe.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::simple_path_test {
 namespace {
 
 using machine::ArcMove;
@@ -195,4 +195,4 @@ TEST(SimplePath, IsWhatTheFastOneComesTo) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::simple_path_test

@@ -10,7 +10,7 @@
 
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::sweep_curve_test {
 namespace {
 
 using testing::between;
@@ -188,4 +188,4 @@ TEST(SweepCurve, TakesAFullCircleAndAPointForWhatTheyAre) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::sweep_curve_test

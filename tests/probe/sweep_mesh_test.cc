@@ -14,7 +14,7 @@
 
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::sweep_mesh_test {
 namespace {
 
 using testing::any_direction;
@@ -253,4 +253,4 @@ TEST(MeshSweeper, GivesTheSameFromManyThreads) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::sweep_mesh_test

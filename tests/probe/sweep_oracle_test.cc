@@ -16,7 +16,7 @@
 #include "tests/probe/exact_sweep.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::sweep_oracle_test {
 namespace {
 
 using testing::any_direction;
@@ -196,4 +196,4 @@ TEST(MeshSweeper, AgreesWithQuadruplePrecisionOverAllTriangles) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::sweep_oracle_test

@@ -15,7 +15,7 @@
 #include "probe/collision/collision_mesh.h"
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::swept_clearance_test {
 namespace {
 
 using testing::any_direction;
@@ -202,4 +202,4 @@ TEST(CollisionMesh, FindsWhatALookAtEveryTriangleFinds) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::swept_clearance_test

@@ -9,7 +9,7 @@
 
 #include "tests/probe/test_meshes.h"
 
-namespace g31::probe {
+namespace g31::probe::swept_section_test {
 namespace {
 
 using testing::any_direction;
@@ -114,4 +114,4 @@ TEST(SweptSection, FindsTheNearestPointsOfACapsuleAndATriangle) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::swept_section_test

@@ -14,7 +14,7 @@
 #include "tests/probe/test_meshes.h"
 #include "tests/support/asked.h"
 
-namespace g31::probe {
+namespace g31::probe::tilted_probe_test {
 namespace {
 
 using machine::LinearMove;
@@ -185,4 +185,4 @@ TEST(TiltedProbe, GivesWayAsItsSwitchDoesInTheDirectionsOfTheTool) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::tilted_probe_test

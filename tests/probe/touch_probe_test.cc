@@ -14,7 +14,7 @@
 #include "tests/probe/test_meshes.h"
 #include "tests/support/asked.h"
 
-namespace g31::probe {
+namespace g31::probe::touch_probe_test {
 namespace {
 
 using machine::Sweep;
@@ -259,4 +259,4 @@ TEST(TouchProbe, ScatterStaysInTheMove) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::touch_probe_test

@@ -9,7 +9,7 @@
 #include "tests/probe/test_meshes.h"
 #include "tests/support/asked.h"
 
-namespace g31::probe {
+namespace g31::probe::whole_probe_test {
 namespace {
 
 AxisPositions at(const Point& p) {
@@ -81,4 +81,4 @@ TEST(WholeProbe, PassesAnArcWithoutTouchingByAHair) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::whole_probe_test

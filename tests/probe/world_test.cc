@@ -13,7 +13,7 @@
 #include "tests/probe/test_meshes.h"
 #include "tests/support/asked.h"
 
-namespace g31::probe {
+namespace g31::probe::world_test {
 namespace {
 
 using machine::Rotation;
@@ -277,4 +277,4 @@ TEST(MachiningCentre, ShowsOnItsInputsWhetherTheProbeIsReadyAndTouches) {
 }
 
 }  // namespace
-}  // namespace g31::probe
+}  // namespace g31::probe::world_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/run_study.h"
 
-namespace g31 {
+namespace g31::acceptance_bench_test {
 namespace {
 
 struct Bench {
@@ -41,4 +41,4 @@ INSTANTIATE_TEST_SUITE_P(Studies, AcceptanceBench,
                          [](const auto& named) { return std::string(named.param.study); });
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::acceptance_bench_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::additive_offset_correction_test {
 namespace {
 
 /// A hole of 40.1 mm where 40 is asked for: the mill of 5 mm is 0.05 larger than it says.
@@ -187,4 +187,4 @@ TEST(AdditiveOffset, WithoutItsNumberOrOnAMachineWithoutItNothingIsCorrected) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::additive_offset_correction_test

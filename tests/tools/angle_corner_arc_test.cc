@@ -7,7 +7,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::angle_corner_arc_test {
 namespace {
 
 double sine(double degrees) {
@@ -483,4 +483,4 @@ TEST(TriangleInSpace, ShiftRotationAndDistortion) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::angle_corner_arc_test

@@ -13,7 +13,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/stepper.h"
 
-namespace g31 {
+namespace g31::block_steps_test {
 namespace {
 
 using runtime::Advance;
@@ -341,4 +341,4 @@ TEST(BlockSteps, TheTimeOfAPauseIsNoTimeOfTheRun) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::block_steps_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::calibration_cycle_test {
 namespace {
 
 constexpr double kDelay = 0.005;  // mm: 300 mm/min for 1 ms
@@ -302,4 +302,4 @@ TEST(CalibrationCycle, AMonoProbeIsTurnedIntoEachDirection) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::calibration_cycle_test

@@ -10,7 +10,7 @@
 #include "tests/support/run_program.h"
 #include "tools/disk/shipped.h"
 
-namespace g31 {
+namespace g31::check_command_test {
 namespace {
 
 using nlohmann::json;
@@ -380,4 +380,4 @@ TEST(Check, ListsItsRules) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::check_command_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::collision_run_test {
 namespace {
 
 using testing::run_program;
@@ -162,4 +162,4 @@ TEST(ProtectedMoves, WhoseResultIsReadOrThatARetreatFollowsAreMeasurements) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::collision_run_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/conformance_run.h"
 
-namespace g31 {
+namespace g31::conformance_test {
 namespace {
 
 using testing::ConformanceCase;
@@ -36,4 +36,4 @@ TEST(ConformanceFiles, AreThere) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::conformance_test

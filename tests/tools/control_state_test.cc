@@ -7,7 +7,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::control_state_test {
 namespace {
 
 using testing::run_program;
@@ -114,4 +114,4 @@ TEST(Clocks, GoOnFromTheSheetsDate) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::control_state_test

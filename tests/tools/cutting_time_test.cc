@@ -4,7 +4,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::cutting_time_test {
 namespace {
 
 /// 10 mm at 600 mm/min are a second, and a little more for speeding up and braking.
@@ -27,4 +27,4 @@ TEST(CuttingTime, CountsThePathAtItsFeedAndMeasuringOnIt) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::cutting_time_test

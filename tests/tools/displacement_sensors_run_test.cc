@@ -16,7 +16,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::displacement_sensors_run_test {
 namespace {
 
 using testing::run_program;
@@ -289,4 +289,4 @@ TEST(DisplacementSensorsSheet, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::displacement_sensors_run_test

@@ -11,7 +11,7 @@
 #include "tests/support/run_program.h"
 #include "tools/cli/explain_command.h"
 
-namespace g31::cli {
+namespace g31::cli::explain_test {
 namespace {
 
 struct Output {
@@ -134,4 +134,4 @@ TEST(ExplainCommand, RefusesAnUnknownControl) {
 }
 
 }  // namespace
-}  // namespace g31::cli
+}  // namespace g31::cli::explain_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::fanuc_reports_test {
 namespace {
 
 using testing::RunOutput;
@@ -122,4 +122,4 @@ TEST(MacroAlarm, OfMeldasHasTheShopsNumberAsANumber) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::fanuc_reports_test

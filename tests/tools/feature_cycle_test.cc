@@ -7,7 +7,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::feature_cycle_test {
 namespace {
 
 // Parts stand 0.2 and -0.3 from where the program believes them; G54 is at (100, 50, -300).
@@ -188,4 +188,4 @@ TEST(FeatureCycle, SetPointOfTheCentreAndRepetition) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::feature_cycle_test

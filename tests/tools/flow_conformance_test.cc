@@ -21,7 +21,7 @@
 #include "tools/session/run.h"
 #include "tools/session/world.h"
 
-namespace g31 {
+namespace g31::flow_conformance_test {
 namespace {
 
 using analysis::Block;
@@ -252,4 +252,4 @@ TEST(FlowConformance, SinumerikRunsGoAlongTheEdges) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::flow_conformance_test

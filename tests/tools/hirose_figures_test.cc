@@ -13,7 +13,7 @@
 #include "tests/support/original_listings.h"
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::hirose_figures_test {
 namespace {
 
 using testing::original_listings;
@@ -78,4 +78,4 @@ INSTANTIATE_TEST_SUITE_P(Paper, HiroseFigures,
                          });
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::hirose_figures_test

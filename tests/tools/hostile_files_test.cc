@@ -10,7 +10,7 @@
 #include "tools/cli/run_options.h"
 #include "tools/disk/disk.h"
 
-namespace g31 {
+namespace g31::hostile_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ TEST(RunOptions, NumbersThatAreNoneAreRefused) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::hostile_files_test

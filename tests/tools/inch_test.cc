@@ -4,7 +4,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::inch_test {
 namespace {
 
 testing::RunOutput run_text(const std::string& text) {
@@ -35,4 +35,4 @@ TEST(Inches, RoundInAWordRoundsToTheLeastIncrementInInches) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::inch_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31::testing {
+namespace g31::testing::library_programs_test {
 namespace {
 
 TEST(RingGaugeProgram, CalibratesALateProbeAndMeasuresTheBore) {
@@ -24,4 +24,4 @@ TEST(RingGaugeProgram, CalibratesALateProbeAndMeasuresTheBore) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::library_programs_test

@@ -9,7 +9,7 @@
 
 #include "tools/printer/line_spec.h"
 
-namespace g31::printer {
+namespace g31::printer::line_code_test {
 namespace {
 
 using runtime::PrintCode;
@@ -115,4 +115,4 @@ TEST(LineCode, KnowsControlCodesWithAndWithoutParity) {
 }
 
 }  // namespace
-}  // namespace g31::printer
+}  // namespace g31::printer::line_code_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::lookahead_test {
 namespace {
 
 struct Report {
@@ -103,4 +103,4 @@ TEST(Lookahead, AWarningIsAFindingAndANoteIsNone) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::lookahead_test

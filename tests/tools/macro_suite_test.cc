@@ -7,7 +7,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::macro_suite_test {
 namespace {
 
 using testing::RunOutput;
@@ -187,4 +187,4 @@ TEST(MacroSuite, AnAlarmInsideNamesTheFileAndTheCallers) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::macro_suite_test

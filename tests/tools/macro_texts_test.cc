@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace g31 {
+namespace g31::macro_texts_test {
 namespace {
 
 TEST(MacroTexts, KeepToWhatAControlStores) {
@@ -34,4 +34,4 @@ TEST(MacroTexts, KeepToWhatAControlStores) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::macro_texts_test

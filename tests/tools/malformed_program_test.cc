@@ -10,7 +10,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::malformed_program_test {
 namespace {
 
 using namespace std::string_literals;
@@ -190,4 +190,4 @@ TEST(Warnings, OfOneBlockAreCounted) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::malformed_program_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::measuring_correction_test {
 namespace {
 
 /// Faces at X -29.8 and 30.2, top at 0.
@@ -466,4 +466,4 @@ TEST(MeasuringAlarms, ADryRunMeasuresNothing) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::measuring_correction_test

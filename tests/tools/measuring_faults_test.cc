@@ -10,7 +10,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::measuring_faults_test {
 namespace {
 
 const std::string kRing = part("ring", 100.2, 49.7, -300.0, "bore = 40.0");
@@ -123,4 +123,4 @@ TEST(MeasuringFaults, TheProbeIsDeflectedAtTheCall) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::measuring_faults_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::measuring_log_test {
 namespace {
 
 std::string without_clock(const std::string& text) {
@@ -257,4 +257,4 @@ Diameter        40.0100          40.0000          -0.0100 mm
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::measuring_log_test

@@ -11,7 +11,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::measuring_results_test {
 namespace {
 
 constexpr double kUnwritten = 99.5;
@@ -329,4 +329,4 @@ TEST(MeasuringResults, OfEdgesAreThoseOfTheChosenAxis) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::measuring_results_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::measuring_switches_test {
 namespace {
 
 std::size_t signals_of(const MeasuringRun& run) {
@@ -133,4 +133,4 @@ TEST(FramesBehindACycle, TheSettableFrameOfTheCallCountsUntilItIsProgrammed) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::measuring_switches_test

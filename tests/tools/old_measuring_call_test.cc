@@ -5,7 +5,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::old_measuring_call_test {
 namespace {
 
 TEST(OldMeasuringCall, EachCycleTakesItsParametersFromVariables) {
@@ -75,4 +75,4 @@ TEST(OldMeasuringCall, CalibrationAndMemories) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::old_measuring_call_test

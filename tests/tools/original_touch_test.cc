@@ -13,7 +13,7 @@
 #include "tests/support/original_listings.h"
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::original_touch_test {
 namespace {
 
 using testing::original_listings;
@@ -144,4 +144,4 @@ TEST(OurTouch, DrawsBackAShortWayAlsoWhereTheMoveIsSteep) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::original_touch_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::output_bytes_test {
 namespace {
 
 TEST(OutputBytes, ReachStandardOutputAsTheyAre) {
@@ -56,4 +56,4 @@ TEST(RunDocument, KeepsTheFirstStopsAndCountsTheOthers) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::output_bytes_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::passing_on_test {
 namespace {
 
 using testing::RunOutput;
@@ -71,4 +71,4 @@ TEST(PassingOn, OfSinumerikBlocks) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::passing_on_test

@@ -10,7 +10,7 @@
 
 #include "tests/tools/point_macros.h"
 
-namespace g31 {
+namespace g31::point_macro_limits_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -205,4 +205,4 @@ TEST(PointMacroLimits, RoundingNoiseIsNoAlarm) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::point_macro_limits_test

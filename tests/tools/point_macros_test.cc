@@ -16,7 +16,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace g31 {
+namespace g31::point_macros_test {
 namespace {
 
 using Eigen::Matrix2d;
@@ -299,4 +299,4 @@ TEST(PointMacros, DistanceOfAPointFromALine) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::point_macros_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::printed_measuring_test {
 namespace {
 
 MeasuringRun run_printed(const std::string& program, const std::string& parts,
@@ -68,4 +68,4 @@ TEST(PrintedMeasuringProgram, GrooveWithAUserLogOfItsResults) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::printed_measuring_test

@@ -11,7 +11,7 @@
 #include "tests/support/played_printer.h"
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::printer_choice_test {
 namespace {
 
 using testing::PlayedPrinter;
@@ -125,4 +125,4 @@ TEST_F(PrinterChoice, AFullDiskIsNoSuccess) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::printer_choice_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::probe_as_tool_test {
 namespace {
 
 using testing::run_program;
@@ -108,4 +108,4 @@ off.mpf:2:1: warning: the skip move ended at its end point without a signal [PRB
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::probe_as_tool_test

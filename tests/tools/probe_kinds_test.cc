@@ -5,7 +5,7 @@
 
 #include "tests/support/measuring_run.h"
 
-namespace g31::testing {
+namespace g31::testing::probe_kinds_test {
 namespace {
 
 TEST(ProbeKinds, AStarTouchesWithTheArmThatLeads) {
@@ -114,4 +114,4 @@ TEST(ShopsOwnProgram, RunsBeforeAndAfterMeasuringAndBeforeAnAlarm) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::probe_kinds_test

@@ -8,7 +8,7 @@
 #include "tests/support/control_run.h"
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::probe_model_run_test {
 namespace {
 
 using testing::ControlRun;
@@ -124,4 +124,4 @@ TEST(ProbeModelRun, ADeadProbeNeverStopsASkipMove) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::probe_model_run_test

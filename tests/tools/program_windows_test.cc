@@ -9,7 +9,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::program_windows_test {
 namespace {
 
 constexpr int kLineBytes = 30;  // about what straight_line writes
@@ -104,4 +104,4 @@ TEST(ProgramWindows, ALineLongerThanAWindowIsOneBlock) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::program_windows_test

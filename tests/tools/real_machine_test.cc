@@ -10,7 +10,7 @@
 #include "tests/support/run_program.h"
 #include "tools/setup/duration.h"
 
-namespace g31 {
+namespace g31::real_machine_test {
 namespace {
 
 using testing::run_program;
@@ -248,4 +248,4 @@ TEST(Duration, IsANumberWithItsUnit) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::real_machine_test

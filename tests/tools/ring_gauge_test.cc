@@ -9,7 +9,7 @@
 #include "tests/support/original_listings.h"
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::ring_gauge_test {
 namespace {
 
 using testing::run_program;
@@ -242,4 +242,4 @@ TEST(RingGauge, LeavingTheTravelOfAnAxisIsASoftLimit) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::ring_gauge_test

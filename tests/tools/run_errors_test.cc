@@ -5,7 +5,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::run_errors_test {
 namespace {
 
 using testing::run_program;
@@ -157,4 +157,4 @@ TEST(VariablesFile, KeepsThePermanentVariables) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::run_errors_test

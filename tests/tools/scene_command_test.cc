@@ -20,7 +20,7 @@
 #include "tools/gltf/base64.h"
 #include "tools/gltf/gltf_document.h"
 
-namespace g31 {
+namespace g31::scene_command_test {
 namespace {
 
 using testing::run_program;
@@ -296,4 +296,4 @@ TEST(Base64, MatchesTheExamplesOfItsStandard) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::scene_command_test

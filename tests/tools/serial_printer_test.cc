@@ -14,7 +14,7 @@
 #include "tests/support/played_printer.h"
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::serial_printer_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -244,4 +244,4 @@ TEST(SerialPrinter, FindsTheLineAsItWasAfterwards) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::serial_printer_test

@@ -17,7 +17,7 @@
 #include "tools/session/run.h"
 #include "tools/session/world.h"
 
-namespace g31::session {
+namespace g31::session::session_test {
 namespace {
 
 using testing::FilesInMemory;
@@ -289,4 +289,4 @@ TEST(Session, TheManualKnowsBothDialects) {
 }
 
 }  // namespace
-}  // namespace g31::session
+}  // namespace g31::session::session_test

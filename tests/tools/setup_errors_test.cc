@@ -7,7 +7,7 @@
 #include "parts/artefacts/artefact.h"
 #include "tests/tools/setup_error_text.h"
 
-namespace g31::setup {
+namespace g31::setup::setup_errors_test {
 namespace {
 
 const ErrorCase kNameTheKeyThatWasProbablyMeant[] = {
@@ -573,4 +573,4 @@ TEST_F(SetupErrorText, HaveCodesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace g31::setup
+}  // namespace g31::setup::setup_errors_test

@@ -10,7 +10,7 @@
 #include "tools/setup/document.h"
 #include "tools/setup/fill_job.h"
 
-namespace g31::setup {
+namespace g31::setup::setup_hostile_test {
 namespace {
 
 /// A small generator of our own: the same bytes on every machine.
@@ -95,4 +95,4 @@ TEST(SetupHostile, DeepNestingIsRefused) {
 }
 
 }  // namespace
-}  // namespace g31::setup
+}  // namespace g31::setup::setup_hostile_test

@@ -6,7 +6,7 @@
 #include "tools/setup/assignment.h"
 #include "tools/setup/name_list.h"
 
-namespace g31::setup {
+namespace g31::setup::setup_names_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -142,4 +142,4 @@ TEST(SetupNameList, HoldsAsManyNamesAsItSays) {
 }
 
 }  // namespace
-}  // namespace g31::setup
+}  // namespace g31::setup::setup_names_test

@@ -2,7 +2,7 @@
 
 #include "tests/tools/setup_error_text.h"
 
-namespace g31::setup {
+namespace g31::setup::setup_probe_errors_test {
 namespace {
 
 const ErrorCase kOfAProbeThatIsATool[] = {
@@ -146,4 +146,4 @@ TEST_F(SetupErrorText, OfWhatTheControlBelieves) {
 }
 
 }  // namespace
-}  // namespace g31::setup
+}  // namespace g31::setup::setup_probe_errors_test

@@ -9,7 +9,7 @@
 #include "tools/setup/keys.h"
 #include "tools/setup/toml_reader.h"
 
-namespace g31::setup {
+namespace g31::setup::setup_test {
 namespace {
 
 class SetupReader : public SetupSheets {
@@ -484,4 +484,4 @@ rotate_deg = [0.0, 0.0, 0.0]
 }
 
 }  // namespace
-}  // namespace g31::setup
+}  // namespace g31::setup::setup_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/conformance_run.h"
 
-namespace g31 {
+namespace g31::sinumerik_conformance_test {
 namespace {
 
 using testing::ConformanceCase;
@@ -34,4 +34,4 @@ TEST(SinumerikConformanceFiles, AreThere) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::sinumerik_conformance_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31::testing {
+namespace g31::testing::sinumerik_state_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ TEST(SinumerikDataFiles, OfTheCommandLineComeBeforeTheSheet) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::sinumerik_state_test

@@ -15,7 +15,7 @@
 
 #include "tests/support/conformance_run.h"
 
-namespace g31 {
+namespace g31::stepper_test {
 namespace {
 
 using runtime::Advance;
@@ -163,4 +163,4 @@ INSTANTIATE_TEST_SUITE_P(Sinumerik, SinumerikSteps,
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::stepper_test

@@ -12,7 +12,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/run_study.h"
 
-namespace g31 {
+namespace g31::study_command_test {
 namespace {
 
 using nlohmann::json;
@@ -334,4 +334,4 @@ TEST(Study, TheCsvHasOneLineForEachRun) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::study_command_test

@@ -7,7 +7,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/run_study.h"
 
-namespace g31 {
+namespace g31::study_errors_test {
 namespace {
 
 using testing::run_study;
@@ -221,4 +221,4 @@ TEST_F(StudyErrors, OfTheCommandLine) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::study_errors_test

@@ -6,7 +6,7 @@
 
 #include "tools/study/expression.h"
 
-namespace g31::study {
+namespace g31::study::study_expression_test {
 namespace {
 
 TEST(StudyExpression, ComputesAsPeopleRead) {
@@ -103,4 +103,4 @@ TEST(StudyExpression, SaysWhereItIsWrong) {
 }
 
 }  // namespace
-}  // namespace g31::study
+}  // namespace g31::study::study_expression_test

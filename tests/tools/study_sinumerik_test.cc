@@ -9,7 +9,7 @@
 #include "tests/support/measuring_run.h"
 #include "tests/support/run_study.h"
 
-namespace g31::testing {
+namespace g31::testing::study_sinumerik_test {
 namespace {
 
 using nlohmann::json;
@@ -117,4 +117,4 @@ TEST(SinumerikStudy, RefusesWhatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace g31::testing
+}  // namespace g31::testing::study_sinumerik_test

@@ -10,7 +10,7 @@
 #include "tools/study/statistics.h"
 #include "tools/study/student_t.h"
 
-namespace g31::study {
+namespace g31::study::study_statistics_test {
 namespace {
 
 TEST(StudentT, QuantilesAreThoseOfThePrintedTable) {
@@ -141,4 +141,4 @@ TEST(Statistics, FewReadingsSayOnlyWhatTheyCan) {
 }
 
 }  // namespace
-}  // namespace g31::study
+}  // namespace g31::study::study_statistics_test

@@ -10,7 +10,7 @@
 #include "tests/support/run_program.h"
 #include "tests/support/run_study.h"
 
-namespace g31 {
+namespace g31::study_tables_test {
 namespace {
 
 using nlohmann::json;
@@ -139,4 +139,4 @@ TEST(Table4, ThirteenPlacesOnTwoMachines) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::study_tables_test

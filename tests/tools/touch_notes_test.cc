@@ -9,7 +9,7 @@
 
 #include "tests/support/run_program.h"
 
-namespace g31 {
+namespace g31::touch_notes_test {
 namespace {
 
 using testing::run_program;
@@ -133,4 +133,4 @@ TEST(TouchNotes, AChordIsShorterThanTheDiameter) {
 }
 
 }  // namespace
-}  // namespace g31
+}  // namespace g31::touch_notes_test

@@ -123,6 +123,10 @@ function(g31_test)
     target_compile_options(${arg_NAME} PRIVATE -fno-sanitize=undefined)
   endif()
   g31_take_prelude(${arg_NAME} g31_test_prelude quick)
+  # The names of a test file are in a namespace of its own, so that a batch of them compiles as one.
+  if(G31_BATCHES)
+    set_target_properties(${arg_NAME} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 4)
+  endif()
   target_include_directories(${arg_NAME} PRIVATE ${PROJECT_SOURCE_DIR})
   # Tests run in the source folder: golden files and parts are named by their repository path.
   # They are listed when ctest starts, not while the build keeps every core busy.
