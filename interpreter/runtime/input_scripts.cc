@@ -1,12 +1,8 @@
 #include "interpreter/runtime/input_scripts.h"
 
+#include "machine/port/passed_time.h"
+
 namespace g31::runtime {
-namespace {
-
-/// Sums of waiting times that are meant to reach a time reach it.
-constexpr double kTimeGuard_s = 1e-9;
-
-}  // namespace
 
 InputScripts::InputScripts(const std::vector<InputStep>& steps) {
   for (const InputStep& step : steps) {
@@ -45,7 +41,7 @@ void InputScripts::take_due(const Now& now) {
       case InputStep::From::Start:
         return true;
       case InputStep::From::Time:
-        return now.time_s + kTimeGuard_s >= what.at;
+        return machine::has_come(what.at, now.time_s);
       case InputStep::From::Block:
         return static_cast<double>(now.blocks) >= what.at;
       case InputStep::From::Reads:

@@ -3,6 +3,26 @@
 #include <fmt/format.h>
 
 namespace g31::runtime {
+namespace {
+
+std::vector<source::DiagnosticId> complaints_of(const machine::SensorState& state) {
+  using source::DiagnosticId;
+  if (!state.in_place) {
+    return {DiagnosticId::ProbeNotInPlace};
+  }
+  std::vector<DiagnosticId> complaints;
+  if (!state.switched_on) {
+    complaints.push_back(DiagnosticId::ProbeSwitchedOff);
+  }
+  if (!state.stands) {
+    complaints.push_back(DiagnosticId::ProbeTurning);
+  } else if (!state.angle_known) {
+    complaints.push_back(DiagnosticId::ProbeAnywhere);
+  }
+  return complaints;
+}
+
+}  // namespace
 
 void Warnings::add(std::vector<source::Diagnostic>& diagnostics, source::DiagnosticId id,
                    source::Location where) {
@@ -23,21 +43,20 @@ void Warnings::tell_repeats(std::vector<source::Diagnostic>& diagnostics) const 
   }
 }
 
-std::vector<source::DiagnosticId> complaints_of(const machine::SensorState& state) {
-  using source::DiagnosticId;
-  if (!state.in_place) {
-    return {DiagnosticId::ProbeNotInPlace};
+void Warnings::add_missed(std::vector<source::Diagnostic>& diagnostics,
+                          const std::vector<source::Location>& places) {
+  for (const source::Location where : places) {
+    add(diagnostics, source::DiagnosticId::SkipWithoutSignal, where);
   }
-  std::vector<DiagnosticId> complaints;
-  if (!state.switched_on) {
-    complaints.push_back(DiagnosticId::ProbeSwitchedOff);
+}
+
+void Warnings::add_complaints(std::vector<source::Diagnostic>& diagnostics,
+                              const std::optional<machine::SensorState>& sensor,
+                              source::Location where) {
+  for (const source::DiagnosticId id :
+       sensor ? complaints_of(*sensor) : std::vector<source::DiagnosticId>()) {
+    add(diagnostics, id, where);
   }
-  if (!state.stands) {
-    complaints.push_back(DiagnosticId::ProbeTurning);
-  } else if (!state.angle_known) {
-    complaints.push_back(DiagnosticId::ProbeAnywhere);
-  }
-  return complaints;
 }
 
 }  // namespace g31::runtime

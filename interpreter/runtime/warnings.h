@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -17,6 +18,12 @@ class Warnings {
   /// @param diagnostics  the same at each call
   void add(std::vector<source::Diagnostic>& diagnostics, source::DiagnosticId id,
            source::Location where);
+  /// Of skip moves without a signal whose results count.
+  void add_missed(std::vector<source::Diagnostic>& diagnostics,
+                  const std::vector<source::Location>& places);
+  /// What a move deserves to be told that listens to a sensor so placed; without one nothing.
+  void add_complaints(std::vector<source::Diagnostic>& diagnostics,
+                      const std::optional<machine::SensorState>& sensor, source::Location where);
 
   /// Says at each warning how often it happened; to be called once, at the end.
   void tell_repeats(std::vector<source::Diagnostic>& diagnostics) const;
@@ -28,8 +35,5 @@ class Warnings {
   };
   std::map<std::tuple<source::DiagnosticId, source::FileId, std::uint64_t>, Repeat> repeats_;
 };
-
-/// What a move that listens to a sensor so placed deserves to be told; empty: nothing.
-std::vector<source::DiagnosticId> complaints_of(const machine::SensorState& state);
 
 }  // namespace g31::runtime

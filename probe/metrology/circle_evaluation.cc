@@ -30,7 +30,7 @@ class RadialErrors {
       const double angle = std::atan2(q.y(), q.x());
       extremes = {std::min(extremes.least, error), std::max(extremes.greatest, error)};
       if (i > turn.begin) {
-        const double step = std::remainder(angle - angle_before, 2.0 * std::numbers::pi);
+        const double step = shorter_way(angle - angle_before);
         area += 0.5 * (error + before) * std::abs(step);
         angle_ += std::abs(step);
       }

@@ -38,9 +38,7 @@ void along(const PlaneSamples& samples, const CircleTurn& turn, const Eigen::Vec
   for (std::size_t i = turn.begin; i < turn.end; ++i) {
     const Eigen::Vector2d q = samples.at(i) - centre;
     const double angle = std::atan2(q.y(), q.x());
-    double step = turn.direction * (angle - before);
-    step -= 2.0 * std::numbers::pi * std::round(step / (2.0 * std::numbers::pi));
-    way += step;
+    way += shorter_way(turn.direction * (angle - before));
     before = angle;
     act(i, place_on_turn(turn, way, angle));
   }

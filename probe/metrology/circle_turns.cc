@@ -13,12 +13,6 @@ constexpr double kLeastTurn = 10.0 * kDegree;
 /// So far along the circle an end of a piece may be standstill or a way along the radius.
 constexpr double kStandstill = 0.001;
 
-/// A difference of two angles of atan2, by the shorter way.
-double shorter_way(double step) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  return step > std::numbers::pi ? step - kTurn : step < -std::numbers::pi ? step + kTurn : step;
-}
-
 /// Takes the samples on the circle one by one and cuts them where their angle turns back.
 class TurnCutter {
  public:

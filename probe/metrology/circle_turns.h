@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <vector>
@@ -19,6 +20,12 @@ struct CircleTurn {
   double angle = 0.0;     ///< way from the first sample to the last, rad, > 0
   double omega = 0.0;     ///< mean angular speed but for the first and last tenth, rad/s, signed
 };
+
+/// A difference of two angles by the shorter way: within half a turn, rad.
+inline double shorter_way(double step) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  return std::abs(step) <= std::numbers::pi ? step : step - kTurn * std::round(step / kTurn);
+}
 
 /// The pieces of a record that run along a circle for 10 degrees or more, in the order of the
 /// record.  A sample further than 2 percent of the radius from the circle belongs to none; nor

@@ -40,8 +40,8 @@ double DisplacementSensors::distance(const Point& from, const Point& along, doub
   if (parts_ == nullptr) {
     return nearest;
   }
-  for (const ContactMesh& part : *parts_) {
-    nearest = first_surface(part, {from, along, nearest}).value_or(nearest);
+  for (const auto& part : *parts_) {
+    nearest = first_surface(*part, {from, along, nearest}).value_or(nearest);
   }
   return nearest;
 }

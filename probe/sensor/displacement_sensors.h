@@ -24,9 +24,9 @@ struct DisplacementSetup {
   double noise_mm = 0.0;            ///< >= 0, standard deviation
 };
 
-/// The parts as displacement sensors see them.  Immutable: sensors on any number of threads share
-/// it.
-using SeenParts = std::vector<ContactMesh>;
+/// The parts as displacement sensors see them, none null.  Immutable: sensors on any number of
+/// threads share it, and the meshes with a probe.
+using SeenParts = std::vector<std::shared_ptr<const ContactMesh>>;
 
 /// Displacement sensors that ride with the spindle and read how far away the parts are.
 ///

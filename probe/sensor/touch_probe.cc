@@ -6,6 +6,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/base/random.h"
+#include "machine/port/passed_time.h"
 #include "parts/geometry/placement.h"
 #include "probe/sensor/pre_travel.h"
 #include "probe/sensor/touch_events.h"
@@ -17,9 +18,6 @@ namespace {
 constexpr std::uint32_t kRepeatabilityStream = 1;
 /// That of the angle at which a spindle comes to rest.
 constexpr std::uint32_t kRestStream = 2;
-
-/// Sums of waiting times that are meant to reach a time reach it.
-constexpr double kTimeGuard_s = 1e-9;
 
 /// The spindle that holds the probe.
 constexpr int kSpindle = 1;
@@ -212,7 +210,7 @@ void TouchProbe::note(const machine::DigitalOutput& output) {
 }
 
 bool TouchProbe::is_on() const {
-  return ready_at_s_ && now_s_ + kTimeGuard_s >= *ready_at_s_;
+  return ready_at_s_ && machine::has_come(*ready_at_s_, now_s_);
 }
 
 void TouchProbe::switch_on() {

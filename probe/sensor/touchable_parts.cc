@@ -24,14 +24,14 @@ TouchableParts::TouchableParts(const ProbeSetup& setup, const std::vector<Probed
         parts_.emplace_back(Part{part.name,
                                  encounter_of(Role::SensingTip, part.role, machine::Travel::Feed),
                                  encounter_of(Role::SensingTip, part.role, machine::Travel::Skip),
+                                 std::make_shared<const ContactMesh>(part.mesh_M),
                                  {}});
     built.sweepers.reserve(radii_.size());
-    const auto mesh = std::make_shared<const ContactMesh>(part.mesh_M);
     for (const double radius : radii_) {
-      built.sweepers.emplace_back(mesh, radius);
+      built.sweepers.emplace_back(built.mesh, radius);
     }
     if (has_sections) {
-      solids_.emplace_back(mesh);
+      solids_.emplace_back(built.mesh);
     }
   }
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "probe/collision/collision_mesh.h"
+#include "probe/contact/contact_mesh.h"
 #include "probe/contact/sweep_mesh.h"
 #include "probe/sensor/bodies.h"
 
@@ -19,6 +21,7 @@ class TouchableParts {
     // What it means that a sensing tip touches it.
     Encounter on_moves = Encounter::Obstacle;
     Encounter on_skip_moves = Encounter::Signal;
+    std::shared_ptr<const ContactMesh> mesh;
     std::vector<MeshSweeper> sweepers;  ///< one for each size of ball
   };
 

@@ -97,7 +97,8 @@ machine::Waypoint standing(double x, double y, double z) {
 /// The top face is z = 10.
 std::shared_ptr<const SeenParts> box() {
   SeenParts parts;
-  parts.emplace_back(testing::moved_by(testing::box_mesh({100, 100, 10}), {-50, -50, 0}));
+  parts.push_back(std::make_shared<const ContactMesh>(
+      testing::moved_by(testing::box_mesh({100, 100, 10}), {-50, -50, 0})));
   return std::make_shared<const SeenParts>(std::move(parts));
 }
 
@@ -125,7 +126,7 @@ TEST(DisplacementSensors, AverageOverTheirSpot) {
   constexpr double kBall = 100.0;
   constexpr double kSpot = 10.0;
   SeenParts parts;
-  parts.emplace_back(testing::sphere_mesh(kBall, 400));
+  parts.push_back(std::make_shared<const ContactMesh>(testing::sphere_mesh(kBall, 400)));
   const auto ball = std::make_shared<const SeenParts>(std::move(parts));
   DisplacementSetup sensor = looking(-Point::UnitZ());
   sensor.spot_mm = 2.0 * kSpot;

@@ -1,6 +1,6 @@
 #include "tools/session/world.h"
 
-#include <utility>
+#include <memory>
 #include <vector>
 
 #include "parts/artefacts/artefact.h"
@@ -22,6 +22,22 @@ Refusal unusable(const setup::SheetPlace& place, std::string why) {
                                 place.source_line,
                                 {}};
   return {Ending::Setup, {}, {error}};
+}
+
+probe::SeenParts seen_with(const probe::TouchableParts& touchable) {
+  probe::SeenParts seen;
+  for (const auto& part : touchable.parts()) {
+    seen.push_back(part.mesh);
+  }
+  return seen;
+}
+
+probe::SeenParts seen_alone(const std::vector<probe::ProbedPart>& parts) {
+  probe::SeenParts seen;
+  for (const probe::ProbedPart& part : parts) {
+    seen.push_back(std::make_shared<const probe::ContactMesh>(part.mesh_M));
+  }
+  return seen;
 }
 
 }  // namespace
@@ -50,11 +66,8 @@ SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedP
     sensed.by_balls = std::make_shared<const probe::TouchableParts>(*job.probe, parts);
   }
   if (!job.sensors.empty()) {
-    probe::SeenParts seen;
-    for (const probe::ProbedPart& part : parts) {
-      seen.emplace_back(part.mesh_M);
-    }
-    sensed.by_sensors = std::make_shared<const probe::SeenParts>(std::move(seen));
+    sensed.by_sensors = std::make_shared<const probe::SeenParts>(
+        sensed.by_balls ? seen_with(*sensed.by_balls) : seen_alone(parts));
   }
   return sensed;
 }

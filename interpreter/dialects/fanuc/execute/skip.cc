@@ -17,11 +17,11 @@ void note_outcome(Control& control, const NcBlock& block, const SkipOutcome& out
   std::visit(runtime::Overloaded{
                  [&](const Touched&) {
                    control.stopped_skip = block.where;
-                   control.missed.touched();
+                   control.touches.missed.touched();
                  },
-                 [&](const NoTouch&) { control.missed.missed(block.where); },
+                 [&](const NoTouch&) { control.touches.missed.missed(block.where); },
                  [&](const NoEdge&) {
-                   control.missed.touched();
+                   control.touches.missed.touched();
                    control.warn(source::DiagnosticId::SkipSignalAlreadyOn, block.where);
                  },
              },
@@ -136,11 +136,7 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
                                                              const machine::SkipMove& move) {
   control.report_stopped_skip();
   const auto state = control.port.sensor_state(move.input);
-  if (state) {
-    for (const source::DiagnosticId complaint : runtime::complaints_of(*state)) {
-      control.warn(complaint, block.where);
-    }
-  }
+  control.warn_of(state, block.where);
   control.last_skip.q_M_from = control.port.position();
   const auto outcome = control.outlet.move_until_skip(move);
   if (!outcome) {
@@ -156,7 +152,7 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
     control.coordinates.arrived_at_machine(event.q_M_stopped);
   }
   control.last_skip.q_M_latched = event.q_M_latched;
-  control.touch_notes.touched(event, state);
+  control.touches.touched(event, state);
   control.outlet.touched(event);
   return event.triggered ? std::optional(event.q_M_latched) : std::nullopt;
 }

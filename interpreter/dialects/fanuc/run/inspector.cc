@@ -19,13 +19,11 @@ using syntax::BlockKind;
 class Look {
  public:
   Look(Control& control, std::size_t level)
-      : control_(control), level_(level), missed_(control.missed) {
+      : control_(control), level_(level), missed_(control.touches.missed), look_(control.touches) {
     control_.variables.swap_with_present(level_);
-    control_.is_inspected = true;
   }
   ~Look() {
-    control_.missed = std::move(missed_);
-    control_.is_inspected = false;
+    control_.touches.missed = std::move(missed_);
     control_.variables.swap_with_present(level_);
   }
   Look(const Look&) = delete;
@@ -35,6 +33,7 @@ class Look {
   Control& control_;
   std::size_t level_;
   runtime::MissedTouches missed_;
+  runtime::LookFromOutside look_;
 };
 
 void add(runtime::NamedValues& values, std::int32_t number, Cell value) {

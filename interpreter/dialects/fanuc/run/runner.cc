@@ -99,7 +99,7 @@ MaybeFailure Runner::loop() {
       continue;
     }
     const bool is_followed =
-        control_.missed.any() || (is_watched && control_.watch.write_listener() != nullptr);
+        control_.touches.missed.any() || (is_watched && control_.watch.write_listener() != nullptr);
     const bool is_plain = !is_followed || next.kind != BlockKind::Assign;
     if (is_plain && fast_step(next, now)) {
       if (control_.evaluator.failed()) [[unlikely]] {
@@ -211,7 +211,7 @@ MaybeFailure Runner::jump(const Step& step) {
   }
   const CompiledProgram& program = *frame().program;
   const Cell target = control_.evaluator.value(program, step.value);
-  control_.missed.compares();
+  control_.touches.missed.compares();
   if (control_.evaluator.failed()) {
     return from_evaluation();
   }
@@ -282,17 +282,16 @@ MaybeFailure Runner::assign(const Step& step) {
   if (is_heard) {
     tell_write(number, before, value);
   }
-  if (control_.missed.any()) {
-    control_.missed.assigns(holder_of(control_.variables.depth(), number));
+  if (control_.touches.missed.any()) {
+    control_.touches.missed.assigns(holder_of(control_.variables.depth(), number));
   }
   return assigned_system_variable(number, value.or_zero());
 }
 
 /// What a variable shows when nobody asks for it.
 std::optional<Cell> Runner::looked_at(std::int32_t number) {
-  control_.is_inspected = true;
+  const runtime::LookFromOutside look(control_.touches);
   const auto value = control_.variables.read(number);
-  control_.is_inspected = false;
   return value ? std::optional(value.value()) : std::nullopt;
 }
 

@@ -181,7 +181,7 @@ MaybeFailure Runner::jump_by_input(const EvaluatedWord& m) {
     return sequence ? input.error() : sequence.error();
   }
   const auto value = control_.variables.read(kFirstInput + input.value());
-  control_.missed.compares();
+  control_.touches.missed.compares();
   if (!value) {
     return at_word(value.error(), *q, fmt::format("there is no input {}", input.value()));
   }
@@ -220,7 +220,7 @@ MaybeFailure Runner::return_from_call() {
     }
     if (now.kind == CallKind::Macro) {
       const std::size_t depth = control_.variables.depth();
-      control_.missed.forget(holder_of(depth, kFirstLocal), holder_of(depth, kLocalCount));
+      control_.touches.missed.forget(holder_of(depth, kFirstLocal), holder_of(depth, kLocalCount));
       control_.variables.pop_level();
     }
     frames_.pop_back();

@@ -124,7 +124,7 @@ MaybeFailure Runner::output(const Step& step) {
       continue;
     }
     const auto value = control_.variables.read(item.variable);
-    control_.missed.reads(holder_of(control_.variables.depth(), item.variable));
+    control_.touches.missed.reads(holder_of(control_.variables.depth(), item.variable));
     const auto bytes =
         !value      ? std::nullopt
         : is_binary ? binary_text(value.value().or_zero(), item.decimals)

@@ -81,7 +81,7 @@ MaybeFailure Runner::nc_block(const Step& step) {
     return called.error();
   }
   if (called.value()) {
-    control_.missed.passes_on();
+    control_.touches.missed.passes_on();
     return std::nullopt;
   }
   return plain_block(location(block.span));
@@ -109,7 +109,7 @@ MaybeFailure Runner::plain_block(source::Location where) {
   if (auto failure = execute(words_, where)) {
     return failure;
   }
-  control_.missed.moves();
+  control_.touches.missed.moves();
   if (auto failure = skip_check(where)) {
     return failure;
   }
@@ -134,9 +134,9 @@ MaybeFailure Runner::skip_check(source::Location where) {
       if (is_here(control_.stopped_skip)) {
         return at_word(AlarmId::SkipSignalFound, word, "M78");
       }
-      control_.missed.asks();
+      control_.touches.missed.asks();
     }
-    if (word.letter == 'M' && word.number == kMustCome && is_here(control_.missed.last())) {
+    if (word.letter == 'M' && word.number == kMustCome && is_here(control_.touches.missed.last())) {
       return at_word(AlarmId::SkipSignalMissing, word, "M79");
     }
   }

@@ -25,12 +25,6 @@ EvaluationRules rules_of(const Profile& profile, const Parameters& parameters) {
   return rules;
 }
 
-void tell_missed(Control& control, const std::vector<source::Location>& places) {
-  for (const source::Location where : places) {
-    control.warn(source::DiagnosticId::SkipWithoutSignal, where);
-  }
-}
-
 /// The rows that the control has: memories A and B take the place of C, and parameter 6000.3 turns
 /// the numbers of C round, which leaves no room for the old work offset numbers (MB-122).
 VariableGroups variable_groups(const Profile& profile, const Parameters& parameters,
@@ -87,33 +81,26 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
       outlet(machine, listener),
       variables(system),
       system_variables(chosen.variables),
-      evaluator(variables, missed, rules_of(chosen, parameters)) {
+      evaluator(variables, touches.missed, rules_of(chosen, parameters)) {
   scale.excess_decimals = profile.excess_decimals;
   rapids.positioning = profile.rapids.positioning;
 }
 
 void Control::position_read() {
-  if (!is_inspected) {
+  if (!is_inspected()) {
     stopped_skip.reset();
-    missed.looks();
-  }
-}
-
-void Control::result_read() {
-  if (!is_inspected) {
-    missed.reads_result();
-    touch_notes.read(diagnostics);
+    touches.looks();
   }
 }
 
 void Control::use_measured() {
-  tell_missed(*this, missed.uses());
+  warnings_.add_missed(diagnostics, touches.missed.uses());
 }
 
 void Control::report_missed_touches() {
   constexpr std::size_t kFirstCall = 1;
-  missed.forget(holder_of(kFirstCall, kFirstLocal), ~runtime::MissedTouches::Holder{0});
-  tell_missed(*this, missed.ends());
+  touches.missed.forget(holder_of(kFirstCall, kFirstLocal), ~runtime::MissedTouches::Holder{0});
+  warnings_.add_missed(diagnostics, touches.missed.ends());
 }
 
 void Control::report_stopped_skip() {
@@ -124,7 +111,7 @@ void Control::report_stopped_skip() {
 }
 
 void Control::report_read_ahead(const SystemVariable& row, std::int32_t number) {
-  if (is_inspected) {
+  if (is_inspected()) {
     return;
   }
   const source::Location where = here();
@@ -135,6 +122,10 @@ void Control::report_read_ahead(const SystemVariable& row, std::int32_t number) 
 
 void Control::warn(source::DiagnosticId id, source::Location where) {
   warnings_.add(diagnostics, id, where);
+}
+
+void Control::warn_of(const std::optional<machine::SensorState>& sensor, source::Location where) {
+  warnings_.add_complaints(diagnostics, sensor, where);
 }
 
 void Control::tell_repeats() {

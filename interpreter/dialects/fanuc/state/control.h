@@ -34,10 +34,9 @@
 #include "interpreter/runtime/busy_wait.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/input_scripts.h"
-#include "interpreter/runtime/missed_touches.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/printer_port.h"
-#include "interpreter/runtime/touch_notes.h"
+#include "interpreter/runtime/touch_reports.h"
 #include "interpreter/runtime/warnings.h"
 #include "machine/port/machine_port.h"
 
@@ -98,8 +97,7 @@ struct Control {
   source::Location block;  ///< of NC words, the one that runs
 
   Variables variables;
-  runtime::MissedTouches missed;    ///< by G31
-  runtime::TouchNotes touch_notes;  ///< of G31
+  runtime::TouchReports touches;  ///< of G31
   SystemVariableIndex system_variables;
   Evaluator evaluator;
   Modal modal;
@@ -145,7 +143,7 @@ struct Control {
   DataInput data_input = DataInput::None;
   runtime::BlockWatch watch{runtime::Budget{}};
   /// A value is looked at from outside the program: no report comes of it, and no time passes.
-  bool is_inspected = false;
+  [[nodiscard]] bool is_inspected() const { return touches.is_inspected(); }
 
   Lookahead lookahead;
   std::vector<source::Diagnostic> diagnostics;
@@ -159,18 +157,10 @@ struct Control {
   void report_stopped_skip();
   /// The program looks where the axes are: what stopped them does not go unnoticed.
   void position_read();
-  /// What a program that reads asks the last skip move for; a look from outside asks for nothing.
-  void asked(void (runtime::MissedTouches::*question)()) {
-    if (!is_inspected) {
-      (missed.*question)();
-    }
-  }
   /// How far the program is, for what happens after a while.
   [[nodiscard]] runtime::InputScripts::Now now() const { return {port.time_s(), watch.blocks()}; }
   /// Machine time, as a program looks at it that may wait for it to pass.
-  double time_looked_at() { return is_inspected ? port.time_s() : busy_wait.look(port); }
-  /// The program reads what the last skip move latched.
-  void result_read();
+  double time_looked_at() { return is_inspected() ? port.time_s() : busy_wait.look(port); }
   /// What the present statement has read counts as measured now: it is in an offset, or printed.
   void use_measured();
   /// The end of the program.
@@ -185,6 +175,8 @@ struct Control {
   /// Warns of what a block did.  When the block does it again, only the count of the warning grows:
   /// a loop may do it a million times.
   void warn(source::DiagnosticId id, source::Location where);
+  /// Of a move that listens to a sensor so placed.
+  void warn_of(const std::optional<machine::SensorState>& sensor, source::Location where);
   /// Says at each warning how often it happened; to be called once, at the end.
   void tell_repeats();
 

@@ -25,15 +25,13 @@ using WriteResult = std::optional<AlarmId>;  ///< why not; nullopt: written
 // ports.cc
 ReadResult read_input_bit(Control& control, const Place& place);
 WriteResult write_input_bit(Control& control, const Place& place, Cell value);
-ReadResult read_input_bits(Control& control, const Place& place);
+/// Input and output bits as one number, and the words beside them.
+ReadResult read_word(Control& control, const Place& place);
 WriteResult write_input_bits(Control& control, const Place& place, Cell value);
-ReadResult read_input_word(Control& control, const Place& place);
 WriteResult write_input_word(Control& control, const Place& place, Cell value);
 ReadResult read_output_bit(Control& control, const Place& place);
 WriteResult write_output_bit(Control& control, const Place& place, Cell value);
-ReadResult read_output_bits(Control& control, const Place& place);
 WriteResult write_output_bits(Control& control, const Place& place, Cell value);
-ReadResult read_output_word(Control& control, const Place& place);
 WriteResult write_output_word(Control& control, const Place& place, Cell value);
 
 // offsets.cc

@@ -69,7 +69,7 @@ Result<Cell, AlarmId> ControlVariables::read(std::int32_t number) {
   if (control_->lookahead.is_ahead()) {
     control_->report_read_ahead(*row, number);
   }
-  if (row->while_moving == WhileMoving::Disabled && !control_->is_inspected) {
+  if (row->while_moving == WhileMoving::Disabled && !control_->is_inspected()) {
     control_->port.stand_still();
   }
   return accessor_of(*row).read(*control_, {*row, number});

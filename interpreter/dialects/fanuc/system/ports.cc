@@ -20,7 +20,7 @@ Cell bit_of(std::uint16_t bits, int index) {
 
 /// A program looks at inputs, and may wait for them: that takes time.
 void look_at_inputs(Control& control) {
-  control.asked(&runtime::MissedTouches::looks);
+  control.touches.looks();
   control.time_looked_at();
 }
 
@@ -29,8 +29,8 @@ void look_at_inputs(Control& control) {
 bool input_bit(Control& control, int index) {
   const int number = kFirstInputBit + index;
   const bool kept = (control.signals.input_bits >> index & 1) != 0;
-  const auto scripted = control.is_inspected ? control.inputs.shown(number)
-                                             : control.inputs.look(number, control.now());
+  const auto scripted = control.is_inspected() ? control.inputs.shown(number)
+                                               : control.inputs.look(number, control.now());
   return control.port.digital_input(number).value_or(scripted.value_or(kept));
 }
 
@@ -71,6 +71,28 @@ std::size_t word_of(const Place& place) {
   return static_cast<std::size_t>(place.index());
 }
 
+Cell input_bits(Control& control) {
+  std::uint16_t bits = 0;
+  for (int i = 0; i < kInputBits; ++i) {
+    set_bit(bits, i, input_bit(control, i) ? 1.0 : 0.0);
+  }
+  return Cell(bits);
+}
+
+/// What machine and macro tell each other in a word.
+Cell signals_of(Control& control, const Place& place) {
+  const PmcSignals& signals = control.signals;
+  const Shows shows = place.row.shows;
+  if (shows == Shows::InputBits) {
+    return input_bits(control);
+  }
+  if (shows == Shows::OutputBits) {
+    return Cell(signals.output_bits);
+  }
+  const auto& words = shows == Shows::InputWord ? signals.input_words : signals.output_words;
+  return Cell(words.at(word_of(place)));
+}
+
 }  // namespace
 
 ReadResult read_input_bit(Control& control, const Place& place) {
@@ -83,26 +105,17 @@ WriteResult write_input_bit(Control& control, const Place& place, Cell value) {
   return std::nullopt;
 }
 
-ReadResult read_input_bits(Control& control, const Place& place) {
-  look_at_inputs(control);
-  if (const auto counts = counts_of_sensor(control, place)) {
-    return *counts;
+ReadResult read_word(Control& control, const Place& place) {
+  if (place.row.shows == Shows::InputBits) {
+    look_at_inputs(control);
   }
-  std::uint16_t bits = 0;
-  for (int i = 0; i < kInputBits; ++i) {
-    set_bit(bits, i, input_bit(control, i) ? 1.0 : 0.0);
-  }
-  return Cell(bits);
+  const auto counts = counts_of_sensor(control, place);
+  return counts ? *counts : signals_of(control, place);
 }
 
 WriteResult write_input_bits(Control& control, const Place&, Cell value) {
   control.signals.input_bits = low_bits(value.or_zero());
   return std::nullopt;
-}
-
-ReadResult read_input_word(Control& control, const Place& place) {
-  return counts_of_sensor(control, place)
-      .value_or(Cell(control.signals.input_words.at(word_of(place))));
 }
 
 WriteResult write_input_word(Control& control, const Place& place, Cell value) {
@@ -119,21 +132,12 @@ WriteResult write_output_bit(Control& control, const Place& place, Cell value) {
   return std::nullopt;
 }
 
-ReadResult read_output_bits(Control& control, const Place& place) {
-  return counts_of_sensor(control, place).value_or(Cell(control.signals.output_bits));
-}
-
 WriteResult write_output_bits(Control& control, const Place&, Cell value) {
   control.signals.output_bits = low_bits(value.or_zero());
   for (int i = 0; i < kOutputBits; ++i) {
     control.port.digital_output({kFirstOutputBit + i, (control.signals.output_bits >> i & 1) != 0});
   }
   return std::nullopt;
-}
-
-ReadResult read_output_word(Control& control, const Place& place) {
-  return counts_of_sensor(control, place)
-      .value_or(Cell(control.signals.output_words.at(word_of(place))));
 }
 
 WriteResult write_output_word(Control& control, const Place& place, Cell value) {

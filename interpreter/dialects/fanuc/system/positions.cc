@@ -27,7 +27,7 @@ ReadResult read_work_position(Control& control, const Place& place) {
 }
 
 ReadResult read_skip_position(Control& control, const Place& place) {
-  control.result_read();
+  control.touches.result_read(control.diagnostics);
   return axis_of(control, place, control.q_W_skip);
 }
 

@@ -140,11 +140,7 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
     channel.measured = {};
   }
   const auto state = channel.port.sensor_state(move.input);
-  if (state) {
-    for (const source::DiagnosticId complaint : runtime::complaints_of(*state)) {
-      channel.warnings.add(channel.diagnostics, complaint, block.where);
-    }
-  }
+  channel.warnings.add_complaints(channel.diagnostics, state, block.where);
   const auto outcome = channel.outlet.move_until_skip(move);
   if (!outcome) {
     channel.arrived_at_machine();
@@ -161,11 +157,11 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   event.where = block.where;
   settle(channel, event, measuring, q_W_end.value());
   if (event.triggered) {
-    channel.missed.touched();
+    channel.touches.missed.touched();
   } else if (!measuring.by_action) {
-    channel.missed.missed(block.where);
+    channel.touches.missed.missed(block.where);
   }
-  channel.touch_notes.touched(event, state);
+  channel.touches.touched(event, state);
   channel.outlet.touched(event);
   return std::nullopt;
 }

@@ -218,7 +218,7 @@ MaybeFailure finish_corners(Channel& channel) {
 }
 
 MaybeFailure finish_motion(Channel& channel) {
-  if (channel.is_inspected) {
+  if (channel.is_inspected()) {
     return std::nullopt;
   }
   if (MaybeFailure wrong = line_without_end(channel)) {

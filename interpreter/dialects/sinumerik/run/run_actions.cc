@@ -93,9 +93,10 @@ MaybeFailure Runner::act_on(SynchronisedAction& action) {
   if (!depth) {
     return depth.error();
   }
-  channel_.is_inspected = true;
-  const auto value = result_of(*action.code.condition, depth.value());
-  channel_.is_inspected = false;
+  const auto value = [&] {
+    const runtime::LookFromOutside look(channel_.touches);
+    return result_of(*action.code.condition, depth.value());
+  }();
   if (!value) {
     return failure(AlarmId::BadArguments, "condition: " + value.error());
   }

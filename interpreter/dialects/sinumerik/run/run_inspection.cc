@@ -86,10 +86,8 @@ Result<ShownValue, std::string> Runner::evaluate(std::size_t level, const std::s
   if (made == nullptr) {
     made = programs_.expression(expression, home(depth));
   }
-  channel_.is_inspected = true;
-  auto result = result_of(*made, depth);
-  channel_.is_inspected = false;
-  return result;
+  const runtime::LookFromOutside look(channel_.touches);
+  return result_of(*made, depth);
 }
 
 /// What the program of one expression comes to.

@@ -21,7 +21,7 @@ bool is_comparison(OpCode code) {
 
 /// Says what a step reads and what becomes of it, before it is done.
 void Runner::follow(const Op& op) {
-  runtime::MissedTouches& missed = channel_.missed;
+  runtime::MissedTouches& missed = channel_.touches.missed;
   const auto reads = [&](Operand place) { missed.reads(holder_of(number(place))); };
   if (is_number_step(op.code)) {
     reads(op.a);
@@ -66,40 +66,34 @@ const double& Runner::element(const Op& op) {
 void Runner::follow_function(const Op& op) {
   for (const Argument& argument : arguments_of(op)) {
     if (argument.form == Argument::Form::Value && is_held_as_number(argument.type)) {
-      channel_.missed.reads(holder_of(number(argument.value)));
+      channel_.touches.missed.reads(holder_of(number(argument.value)));
     }
   }
   const Type result = info(static_cast<FunctionId>(op.detail)).result;
   if (result == Type::Frame) {
     use_measured();
   } else if (is_held_as_number(result)) {
-    channel_.missed.assigns(holder_of(number(op.result)));
+    channel_.touches.missed.assigns(holder_of(number(op.result)));
   } else {
-    channel_.missed.passes_on();
+    channel_.touches.missed.passes_on();
   }
 }
 
 /// What a system variable shows is known once it has been read.
 void Runner::follow_read(const Op& op) {
-  if (channel_.missed.any() && !channel_.is_inspected) {
-    channel_.missed.assigns(holder_of(number(op.result)));
+  if (channel_.touches.missed.any() && !channel_.is_inspected()) {
+    channel_.touches.missed.assigns(holder_of(number(op.result)));
   }
 }
 
 void Runner::use_measured() {
-  tell_missed(channel_.missed.uses());
-}
-
-void Runner::tell_missed(const std::vector<source::Location>& places) {
-  for (const source::Location where : places) {
-    channel_.warnings.add(channel_.diagnostics, source::DiagnosticId::SkipWithoutSignal, where);
-  }
+  channel_.warnings.add_missed(channel_.diagnostics, channel_.touches.missed.uses());
 }
 
 /// The variables of a level, or the results within a block, are gone.
 void Runner::forget(std::span<const double> cells) {
-  if (channel_.missed.any() && !cells.empty()) {
-    channel_.missed.forget(holder_of(cells.front()), holder_of(cells.back()));
+  if (channel_.touches.missed.any() && !cells.empty()) {
+    channel_.touches.missed.forget(holder_of(cells.front()), holder_of(cells.back()));
   }
 }
 
@@ -108,7 +102,7 @@ void Runner::end_missed() {
   for (std::size_t i = 1; i < levels_.size(); ++i) {
     forget(levels_[i]->numbers);
   }
-  tell_missed(channel_.missed.ends());
+  channel_.warnings.add_missed(channel_.diagnostics, channel_.touches.missed.ends());
 }
 
 }  // namespace g31::sinumerik

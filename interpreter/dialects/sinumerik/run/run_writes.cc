@@ -63,7 +63,7 @@ const Op& Runner::take_step() {
 
 /// number_steps() by one step, or another one.
 MaybeFailure Runner::any_step(const Op& op) {
-  if (channel_.missed.any() && !channel_.is_inspected) {
+  if (channel_.touches.missed.any() && !channel_.is_inspected()) {
     follow(op);
   }
   if (is_number_step(op.code)) {
@@ -184,9 +184,8 @@ runtime::ShownValue Runner::system_value(const Op& op) {
   reads.code = OpCode::ReadSystem;
   reads.count = static_cast<std::uint16_t>(op.count - 1);
   reads.result = {Bank::Temporaries, kTemporaryCount - 1};
-  channel_.is_inspected = true;
+  const runtime::LookFromOutside look(channel_.touches);
   const MaybeFailure wrong = read_system(reads);
-  channel_.is_inspected = false;
   if (wrong) {
     return runtime::Cell();
   }

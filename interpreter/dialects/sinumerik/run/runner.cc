@@ -62,7 +62,7 @@ void Runner::use_level() {
 
 MaybeFailure Runner::loop() {
   while (!ended_ && !is_paused_) {
-    if (channel_.missed.any()) [[unlikely]] {
+    if (channel_.touches.missed.any()) [[unlikely]] {
       if (MaybeFailure reason = any_step(take_step())) {
         return reason;
       }

@@ -132,7 +132,6 @@ class Runner {
   void follow_read(const Op& op);
   const double& element(const Op& op);
   void use_measured();
-  void tell_missed(const std::vector<source::Location>& places);
   void forget(std::span<const double> cells);
   void end_missed();
 

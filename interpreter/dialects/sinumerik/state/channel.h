@@ -22,9 +22,8 @@
 #include "interpreter/runtime/busy_wait.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/input_scripts.h"
-#include "interpreter/runtime/missed_touches.h"
 #include "interpreter/runtime/observer.h"
-#include "interpreter/runtime/touch_notes.h"
+#include "interpreter/runtime/touch_reports.h"
 #include "interpreter/runtime/warnings.h"
 #include "machine/port/machine_port.h"
 #include "machine/units/length_unit.h"
@@ -266,21 +265,7 @@ class Channel {
   AxisPositions q_M_measured = AxisPositions::Zero();
   AxisPositions q_W_measured = AxisPositions::Zero();
   std::array<bool, kMostProbes + 1> measured = {};  ///< by probe, from 1
-  runtime::MissedTouches missed;                    ///< by MEAS, MEAW, MEASA and MEAWA
-  runtime::TouchNotes touch_notes;                  ///< of the same
-  /// The program reads what the last of them latched.
-  void result_read() {
-    if (!is_inspected) {
-      missed.reads_result();
-      touch_notes.read(diagnostics);
-    }
-  }
-  /// What a program that reads asks the last of them for; a look from outside asks for nothing.
-  void asked(void (runtime::MissedTouches::*question)()) {
-    if (!is_inspected) {
-      (missed.*question)();
-    }
-  }
+  runtime::TouchReports touches;                    ///< of MEAS, MEAW, MEASA and MEAWA
   /// WHEN $A_PROBE[n]==level DO DELDTG, for the next move.
   struct SkipAction {
     int probe = 1;
@@ -331,7 +316,7 @@ class Channel {
   runtime::Warnings warnings;  ///< which of them are of blocks
   runtime::BlockWatch watch{runtime::Budget{}};
   /// A value is looked at from outside the program: nothing moves for it.
-  bool is_inspected = false;
+  [[nodiscard]] bool is_inspected() const { return touches.is_inspected(); }
   machine::MachinePort& port;
   runtime::Observer& observer;
   path::Outlet outlet;

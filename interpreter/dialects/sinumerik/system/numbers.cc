@@ -182,7 +182,7 @@ Number probe_signal(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_probe(access)) {
     return *wrong;
   }
-  channel.asked(&runtime::MissedTouches::looks);
+  channel.touches.looks();
   return channel.port.skip_signal(access.indices[0]) ? 1.0 : 0.0;
 }
 
@@ -190,7 +190,7 @@ Number probe_switched(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_probe(access)) {
     return *wrong;
   }
-  channel.asked(&runtime::MissedTouches::asks);
+  channel.touches.asks();
   return channel.measured[static_cast<std::size_t>(access.indices[0])] ? 1.0 : 0.0;
 }
 
@@ -200,15 +200,15 @@ Number digital_input(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_input(channel, access)) {
     return *wrong;
   }
-  channel.asked(&runtime::MissedTouches::looks);
+  channel.touches.looks();
   const int which = access.indices[0];
   const bool kept = channel.digital_inputs[static_cast<std::size_t>(which)];
-  if (!channel.is_inspected) {
+  if (!channel.is_inspected()) {
     channel.outlet.stop_cutting();
     channel.busy_wait.look(channel.port);
   }
-  const auto scripted = channel.is_inspected ? channel.inputs.shown(which)
-                                             : channel.inputs.look(which, channel.now());
+  const auto scripted = channel.is_inspected() ? channel.inputs.shown(which)
+                                               : channel.inputs.look(which, channel.now());
   return channel.port.digital_input(which).value_or(scripted.value_or(kept)) ? 1.0 : 0.0;
 }
 

@@ -82,7 +82,7 @@ Number machine_now(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = finish_motion(channel)) {
     return *wrong;
   }
-  channel.asked(&runtime::MissedTouches::looks);
+  channel.touches.looks();
   return axis_value(channel, access, channel.port.position());
 }
 
@@ -90,7 +90,7 @@ Number work_now(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = finish_motion(channel)) {
     return *wrong;
   }
-  channel.asked(&runtime::MissedTouches::looks);
+  channel.touches.looks();
   return place_value(channel, access, channel.to_work(channel.port.position()));
 }
 
@@ -109,12 +109,12 @@ Number settable_now(Channel& channel, const SystemAccess& access) {
 }
 
 Number machine_measured(Channel& channel, const SystemAccess& access) {
-  channel.result_read();
+  channel.touches.result_read(channel.diagnostics);
   return axis_value(channel, access, channel.q_M_measured);
 }
 
 Number work_measured(Channel& channel, const SystemAccess& access) {
-  channel.result_read();
+  channel.touches.result_read(channel.diagnostics);
   return place_value(channel, access, channel.q_W_measured);
 }
 
