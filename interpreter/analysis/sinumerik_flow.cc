@@ -38,13 +38,17 @@ struct RepeatedPart {
   BlockIndex behind = 0;
 };
 
+bool has_effect(const sinumerik::Op& op, sinumerik::ProcedureEffect effect) {
+  return op.code == sinumerik::OpCode::Procedure &&
+         sinumerik::effect_of(static_cast<sinumerik::ProcedureId>(op.detail)) == effect;
+}
+
 class SinumerikTranslation {
  public:
   using AlarmId = sinumerik::AlarmId;
   using Bank = sinumerik::Bank;
   using Op = sinumerik::Op;
   using OpCode = sinumerik::OpCode;
-  using ProcedureId = sinumerik::ProcedureId;
 
   explicit SinumerikTranslation(const sinumerik::CompiledProgram& program) : program_(program) {}
 
@@ -162,8 +166,7 @@ void SinumerikTranslation::follow(StepIndex step) {
     if (code == OpCode::Call) {
       call(program_.calls[static_cast<std::size_t>(here.a.place)], span(step));
     }
-    const bool runs_text =
-        code == OpCode::Procedure && sinumerik::runs_text(static_cast<ProcedureId>(here.detail));
+    const bool runs_text = has_effect(here, sinumerik::ProcedureEffect::RunsText);
     now().leaves.by_end = now().leaves.by_end || runs_text;
     now().leaves.by_return = now().leaves.by_return || runs_text;
     const bool may_be_skipped =
@@ -297,9 +300,7 @@ std::map<BlockIndex, std::vector<std::string>> SinumerikTranslation::label_names
 
 bool SinumerikTranslation::writes_files() const {
   return std::ranges::any_of(program_.ops, [](const Op& op) {
-    const auto id = static_cast<ProcedureId>(op.detail);
-    return op.code == OpCode::Procedure &&
-           (id == ProcedureId::WRITE || id == ProcedureId::EXTWRITE);
+    return has_effect(op, sinumerik::ProcedureEffect::WritesFiles);
   });
 }
 

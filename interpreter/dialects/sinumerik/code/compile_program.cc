@@ -10,10 +10,10 @@ constexpr std::uint32_t kBytesOfLine = 32;  // roughly
 
 /// Steps that need no other block, and no caller.
 bool stands_alone(const Op& op) {
-  constexpr OpCode kElsewhere[] = {OpCode::Jump, OpCode::JumpIfNot, OpCode::JumpText, OpCode::Call,
-                                   OpCode::RepeatPart};
-  const bool runs = op.code == OpCode::Procedure && runs_text(static_cast<ProcedureId>(op.detail));
-  return !runs && std::ranges::find(kElsewhere, op.code) == std::end(kElsewhere);
+  const StepReach reach = reach_of(op.code);
+  return reach == StepReach::Own ||
+         (reach == StepReach::Row &&
+          effect_of(static_cast<ProcedureId>(op.detail)) != ProcedureEffect::RunsText);
 }
 
 }  // namespace

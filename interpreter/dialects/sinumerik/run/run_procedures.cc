@@ -39,6 +39,7 @@ MaybeFailure Runner::procedure(const Op& op) {
 #define Done(f) return f(list)
 #define RunsText(f) return f(list)
 #define Reports(f) return set_result(list[0], f(list))
+#define Writes(f) Reports(f)
 #define Nothing() return std::nullopt
 #define PROCEDURE(name, parameters, work, form, text) \
   case ProcedureId::name:                             \
@@ -46,6 +47,7 @@ MaybeFailure Runner::procedure(const Op& op) {
 #include "interpreter/dialects/sinumerik/vocabulary/procedures.def"
 #undef PROCEDURE
 #undef Nothing
+#undef Writes
 #undef Reports
 #undef RunsText
 #undef Done

@@ -102,8 +102,8 @@ MaybeFailure Runner::other_step(const Op& op) {
 #define FRAME_STEP(name) case OpCode::name:
 #include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
     return frame_step(op) ? std::nullopt : from_step();
-#define RUNNER_STEP(name, handler) \
-  case OpCode::name:               \
+#define RUNNER_STEP(name, handler, reach) \
+  case OpCode::name:                      \
     return handler(op);
 #include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
   }

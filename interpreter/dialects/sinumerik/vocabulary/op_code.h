@@ -49,11 +49,37 @@ constexpr bool is_number_step(OpCode code) {
 #define ARRAY_STEP(name) case OpCode::name:
 #define TEXT_STEP(name) case OpCode::name:
 #define FRAME_STEP(name) case OpCode::name:
-#define RUNNER_STEP(name, handler) case OpCode::name:
+#define RUNNER_STEP(name, handler, reach) case OpCode::name:
 #include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
     return false;
   }
   return false;
+}
+
+/// Which blocks of its program a step needs.
+enum class StepReach : std::uint8_t {
+  Own,    ///< none but its own
+  Other,  ///< it jumps, calls or repeats
+  Row,    ///< what its row of procedures.def says
+};
+
+constexpr StepReach reach_of(OpCode code) {
+  switch (code) {
+#define STEP(name) case OpCode::name:
+#define JUMP_STEP(name)
+#define RUNNER_STEP(name, handler, reach)
+#include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
+    return StepReach::Own;
+#define STEP(name)
+#define JUMP_STEP(name) case OpCode::name:
+#include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
+    return StepReach::Other;
+#define RUNNER_STEP(name, handler, reach) \
+  case OpCode::name:                      \
+    return StepReach::reach;
+#include "interpreter/dialects/sinumerik/vocabulary/op_codes.def"
+  }
+  return StepReach::Other;
 }
 
 }  // namespace g31::sinumerik

@@ -125,24 +125,32 @@ enum class ProcedureId : std::uint8_t {
 #undef PROCEDURE
 };
 
-/// Whether what a procedure runs may jump and call.
-constexpr bool runs_text(ProcedureId id) {
+/// What a procedure does to the flow of programs.
+enum class ProcedureEffect : std::uint8_t {
+  None,
+  RunsText,     ///< which may jump, call and end the program
+  WritesFiles,  ///< which may be called
+};
+
+constexpr ProcedureEffect effect_of(ProcedureId id) {
   switch (id) {
-#define Done(f) false
-#define RunsText(f) true
-#define Reports(f) false
-#define Nothing() false
+#define Done(f) ProcedureEffect::None
+#define RunsText(f) ProcedureEffect::RunsText
+#define Reports(f) ProcedureEffect::None
+#define Writes(f) ProcedureEffect::WritesFiles
+#define Nothing() ProcedureEffect::None
 #define PROCEDURE(name, parameters, work, form, text) \
   case ProcedureId::name:                             \
     return work;
 #include "interpreter/dialects/sinumerik/vocabulary/procedures.def"
 #undef PROCEDURE
 #undef Nothing
+#undef Writes
 #undef Reports
 #undef RunsText
 #undef Done
   }
-  return false;
+  return ProcedureEffect::None;
 }
 
 struct ProcedureInfo {
