@@ -72,12 +72,14 @@ Result<SkipKind, Failure> skip_kind(const Control& control, const NcBlock& block
     }
     return SkipKind{number.value() == 98, 0};
   }
-  const bool selects = number.value() >= 1 && number.value() <= 4 &&
-                       control.parameters.has_signal(ParameterId::SkipSignals, number.value() - 1);
-  if (!selects) {
+  const unsigned signals =
+      number.value() >= 1 && number.value() <= 4
+          ? control.parameters.signals(ParameterId::SkipSignals, number.value() - 1)
+          : 0U;
+  if (signals == 0) {
     return at_word(AlarmId::SkipSignalSelect, *p, fmt::format("P{}", number.value()));
   }
-  return SkipKind();
+  return SkipKind{false, signals};
 }
 
 /// The measuring input that a skip move listens to: the one among its signals that something is

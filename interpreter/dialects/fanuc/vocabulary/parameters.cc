@@ -95,14 +95,14 @@ double Parameters::get_for_axis(ParameterId id, int index, int axis) const {
   return found != axis_values_.end() ? found->second : get(id, index);
 }
 
-bool Parameters::has_signal(ParameterId id, int index) const {
+unsigned Parameters::signals(ParameterId id, int index) const {
+  constexpr double kAll = 255.0;
   const int number = info(id).first + index;
-  for (int i = 0; i < 8; ++i) {
-    if (bit(number, i)) {
-      return true;
-    }
+  unsigned on = static_cast<unsigned>(std::clamp(get(id, index), 0.0, kAll));
+  for (int i = 0; i < kParameterBits; ++i) {
+    on |= bit(number, i) ? 1U << i : 0U;
   }
-  return get(id, index) != 0.0;
+  return on;
 }
 
 void Parameters::switch_to(ParameterId id, bool on) {

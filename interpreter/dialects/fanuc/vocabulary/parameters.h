@@ -49,8 +49,8 @@ class Parameters {
   [[nodiscard]] double get(ParameterId id, int index = 0) const;
   /// The value of one axis; where only the number has one, that.  @param axis  storage index
   [[nodiscard]] double get_for_axis(ParameterId id, int index, int axis) const;
-  /// Whether a value that is a row of signal bits has one that is on.
-  [[nodiscard]] bool has_signal(ParameterId id, int index) const;
+  /// A value that is a row of signals: bit i is signal i + 1, set by bits or as a whole.
+  [[nodiscard]] unsigned signals(ParameterId id, int index) const;
   void switch_to(ParameterId id, bool on);
   void set(ParameterId id, double value);
 
