@@ -21,6 +21,7 @@ enum class Status {
   Budget,       ///< blocks or time spent
   Interrupted,  ///< stopped from outside
   SyntaxError,  ///< refused before the first block
+  Defect,       ///< of g31 itself
 };
 
 /// How long a run may last.

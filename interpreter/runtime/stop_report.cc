@@ -25,7 +25,7 @@ Outcome outcome_of(StopReason reason) {
   outcome.status = reason.status;
   source::Diagnostic diagnostic;
   if (reason.status == Status::Setup || reason.status == Status::Budget ||
-      reason.status == Status::Interrupted) {
+      reason.status == Status::Interrupted || reason.status == Status::Defect) {
     diagnostic = make_diagnostic(static_cast<source::DiagnosticId>(reason.number), reason.where,
                                  reason.detail);
   } else if (reason.status == Status::Collision && reason.number < 0) {

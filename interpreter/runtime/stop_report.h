@@ -11,8 +11,8 @@ namespace g31::runtime {
 /// Why a run ended before its program did, and where.
 struct StopReason {
   Status status = Status::Alarm;
-  /// Of the alarm; with Setup, Budget and Interrupted the DiagnosticId; with Collision below 0: no
-  /// alarm.
+  /// Of the alarm; with Setup, Budget, Interrupted and Defect the DiagnosticId; with Collision
+  /// below 0: no alarm.
   int number = 0;
   std::string text;  ///< of the alarm
   std::string detail;

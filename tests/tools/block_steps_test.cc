@@ -10,8 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include "machine/base/contract.h"
 #include "tests/support/run_program.h"
 #include "tests/support/stepper.h"
+#include "tools/session/ending.h"
 
 namespace g31::block_steps_test {
 namespace {
@@ -124,6 +126,43 @@ TEST(BlockSteps, AStopEndsTheRunBeforeItsBlock) {
   EXPECT_EQ(outcome.diagnostics.front().code, "PRB603");
   EXPECT_EQ(testing::shown(run.place(outcome.diagnostics.front().where)), "4:1");
   EXPECT_EQ(run.session().permanent_variables().at("#500"), 2.0);
+}
+
+/// Has a defect in its second assignment.
+class Broken final : public runtime::BlockListener {
+ public:
+  Verdict on_block(const runtime::BlockPlace& /*place*/) override { return Verdict::Run; }
+  [[nodiscard]] bool hears_writes() const override { return true; }
+  void on_write(const runtime::WriteEvent& /*event*/) override { G31_EXPECTS(++writes_ < 2); }
+
+ private:
+  int writes_ = 0;
+};
+
+TEST(BlockSteps, ADefectEndsTheRunAtItsBlockAndTellsWhatWasDone) {
+  struct Program {
+    Job job;
+    const char* variable;
+    const char* place;
+  };
+  const Program kPrograms[] = {
+      {fanuc("O1\n#500=1\n#500=2\n#500=3\nM30\n"), "#500", "3:1"},
+      {Job("sinumerik-828d", {{"MAIN.MPF", "R1=5\nG1 X1 F100\nR1=2\nM30\n"}}), "R1", "3:1"},
+  };
+  for (const Program& program : kPrograms) {
+    SCOPED_TRACE(program.variable);
+    Broken broken;
+    SteppedRun run(program.job.request, &broken, {});
+    EXPECT_EQ(run.session().advance(), Advance::Ended);
+    const runtime::Outcome outcome = run.session().finish();
+    EXPECT_EQ(outcome.status, runtime::Status::Defect);
+    EXPECT_EQ(session::ending_of(outcome), session::Ending::Defect);
+    ASSERT_EQ(outcome.diagnostics.size(), 1U);
+    EXPECT_EQ(outcome.diagnostics.front().code, "PRB604");
+    EXPECT_NE(outcome.diagnostics.front().message.find("++writes_ < 2"), std::string::npos);
+    EXPECT_EQ(testing::shown(run.place(outcome.diagnostics.front().where)), program.place);
+    EXPECT_TRUE(run.session().permanent_variables().contains(program.variable));
+  }
 }
 
 TEST(BlockSteps, ARunEndsWhereItPausesWhenItIsFinishedThere) {

@@ -37,6 +37,8 @@ ExitCode exit_code_of(session::Ending ending) {
       return ExitCode::Budget;
     case session::Ending::Interrupted:
       return ExitCode::Interrupted;
+    case session::Ending::Defect:
+      return ExitCode::Defect;
   }
   contract_violated("every ending has an exit code", __FILE__, __LINE__);
 }

@@ -251,7 +251,9 @@ ExitCode run_to_end(const Opened& opened, const Tables& tables, Printouts& print
   if (const auto wrong = deliver(opened, result)) {
     return refuse(*wrong);
   }
-  if (const auto wrong = opened.run.keep_state()) {
+  // What a defect left is told, not kept.
+  const bool is_sound = outcome.status != runtime::Status::Defect;
+  if (const auto wrong = is_sound ? opened.run.keep_state() : std::nullopt) {
     return refuse(*wrong);
   }
   return exit_code_of(session::ending_of(outcome));

@@ -26,6 +26,8 @@ Ending ending_of(const runtime::Outcome& outcome) {
       return Ending::Budget;
     case runtime::Status::Interrupted:
       return Ending::Interrupted;
+    case runtime::Status::Defect:
+      return Ending::Defect;
     case runtime::Status::SyntaxError:
       return Ending::BadInput;
   }
@@ -47,6 +49,8 @@ const char* status_name(runtime::Status status) {
       return "budget";
     case runtime::Status::Interrupted:
       return "interrupted";
+    case runtime::Status::Defect:
+      return "defect";
   }
   contract_violated("every status has a name", __FILE__, __LINE__);
 }

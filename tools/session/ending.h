@@ -16,12 +16,13 @@ enum class Ending : std::uint8_t {
   Setup,  ///< the set-up does not fit: a missing tool, offset or mesh, an unknown control
   Budget,
   Interrupted,
+  Defect,  ///< of g31 itself
 };
 
 Ending ending_of(const runtime::Outcome& outcome);
 
-/// How reports name a status: "completed", "alarm", "collision", "setup", "budget" or
-/// "interrupted".
+/// How reports name a status: "completed", "alarm", "collision", "setup", "budget",
+/// "interrupted" or "defect".
 const char* status_name(runtime::Status status);
 
 }  // namespace g31::session

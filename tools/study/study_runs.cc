@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <mutex>
 #include <utility>
@@ -424,8 +425,18 @@ std::optional<StudyRuns::Ended> StudyRuns::run_before(setup::Job& job, const Par
   return std::nullopt;
 }
 
+/// A defect fails its run alone.
 StudyRuns::Ended StudyRuns::run_program(const setup::Job& job, const Parts& parts,
                                         std::size_t program, std::uint64_t seed) {
+  try {
+    return carry_out(job, parts, program, seed);
+  } catch (const std::exception& defect) {
+    return {"defect", session::Ending::Defect, defect.what(), {}, {}};
+  }
+}
+
+StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
+                                      std::size_t program, std::uint64_t seed) {
   if (!parts) {
     return {"setup", parts.error().ending, first_line(parts.error()), {}, {}};
   }

@@ -75,6 +75,8 @@ class StudyRuns {
   /// @param program  of `before`, or the number of those for the main program
   Ended run_program(const setup::Job& job, const Parts& parts, std::size_t program,
                     std::uint64_t seed);
+  Ended carry_out(const setup::Job& job, const Parts& parts, std::size_t program,
+                  std::uint64_t seed);
   [[nodiscard]] std::vector<std::optional<double>> results_of(const Ended& ended) const;
 
   const Study& study_;

@@ -101,6 +101,7 @@ class Runner {
 
   // runner.cc: the loop
   MaybeFailure loop();
+  MaybeFailure guarded_loop();
   [[nodiscard]] runtime::BlockPlace next_place() const;
   bool fast_step(const Step& step, Frame& now);
   MaybeFailure rare_step(const Step& step);

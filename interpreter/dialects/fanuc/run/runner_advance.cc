@@ -64,12 +64,21 @@ runtime::Advance Runner::advance() {
     return runtime::Advance::Ended;
   }
   is_paused_ = false;
-  const MaybeFailure failure = loop();
+  const MaybeFailure failure = guarded_loop();
   if (is_paused_) {
     return runtime::Advance::Paused;
   }
   end(failure);
   return runtime::Advance::Ended;
+}
+
+/// A defect of ours ends the run at the block that met it, and what it did so far is told.
+MaybeFailure Runner::guarded_loop() {
+  try {
+    return loop();
+  } catch (const std::exception& defect) {
+    return defect_failure(defect);
+  }
 }
 
 /// @param failure  why the run ends before its program does, if it does
@@ -81,7 +90,9 @@ void Runner::end(const MaybeFailure& failure) {
   } else {
     control_.report_missed_touches();
   }
-  control_.port.stand_still();
+  if (outcome_.status != runtime::Status::Defect) {
+    control_.port.stand_still();
+  }
   control_.tell_repeats();
   outcome_.diagnostics = control_.diagnostics;
   outcome_.blocks = control_.watch.blocks();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <optional>
 #include <string>
 
@@ -20,7 +21,8 @@ struct Failure {
   source::Location block;   ///< an earlier block that was executed late; not known: the present one
   std::string detail;
   runtime::Status status = runtime::Status::Alarm;
-  /// 0: the row's own; macro alarms count from it; Setup, Budget and Interrupted: the DiagnosticId.
+  /// 0: the row's own; macro alarms count from it; Setup, Budget, Interrupted and Defect: the
+  /// DiagnosticId.
   int alarm_number = 0;
   std::string alarm_text;  ///< empty: the row's own
 };
@@ -33,6 +35,15 @@ inline Failure halt_failure(runtime::BlockWatch::Halt halt) {
   Failure failure;
   failure.status = runtime::status_of(halt);
   failure.alarm_number = static_cast<int>(runtime::message_of(halt));
+  return failure;
+}
+
+/// The end of a run in which g31 itself is wrong.
+inline Failure defect_failure(const std::exception& defect) {
+  Failure failure;
+  failure.status = runtime::Status::Defect;
+  failure.alarm_number = static_cast<int>(source::DiagnosticId::Defect);
+  failure.detail = defect.what();
   return failure;
 }
 

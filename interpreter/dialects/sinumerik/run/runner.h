@@ -84,6 +84,7 @@ class Runner {
   MaybeFailure begin_window(const Op& op);
   MaybeFailure take_no_arguments();
   MaybeFailure loop();
+  MaybeFailure guarded_loop();
   MaybeFailure other_step(const Op& op);
   bool begins(const Op& op);
   MaybeFailure block(const Op& op);

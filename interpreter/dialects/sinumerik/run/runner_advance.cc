@@ -59,13 +59,25 @@ runtime::Advance Runner::advance() {
     return runtime::Advance::Ended;
   }
   is_paused_ = false;
-  runtime::BlockListener* const listener = channel_.watch.write_listener();
-  MaybeFailure reason = listener != nullptr ? heard_loop(*listener) : loop();
+  MaybeFailure reason = guarded_loop();
   if (is_paused_) {
     return runtime::Advance::Paused;
   }
-  end(reason ? reason : finish_motion(channel_));
+  end(reason);
   return runtime::Advance::Ended;
+}
+
+/// To the end of the last motion, or a pause.  A defect of ours ends the run at the block that met
+/// it, and what it did so far is told.
+MaybeFailure Runner::guarded_loop() {
+  try {
+    runtime::BlockListener* const listener = channel_.watch.write_listener();
+    MaybeFailure reason = listener != nullptr ? heard_loop(*listener) : loop();
+    return reason || is_paused_ ? reason : finish_motion(channel_);
+  } catch (const std::exception& defect) {
+    is_paused_ = false;
+    return message_failure(runtime::Status::Defect, source::DiagnosticId::Defect, defect.what());
+  }
 }
 
 /// @param reason  why the run ends before its program does, if it does
@@ -81,7 +93,9 @@ void Runner::end(const MaybeFailure& reason) {
   if (!levels_.front()->has_references()) {
     *levels_.front() = Level();  // its variables are nowhere
   }
-  channel_.port.stand_still();
+  if (outcome_.status != runtime::Status::Defect) {
+    channel_.port.stand_still();
+  }
   channel_.warnings.tell_repeats(channel_.diagnostics);
   outcome_.diagnostics = channel_.diagnostics;
   outcome_.blocks = channel_.watch.blocks();

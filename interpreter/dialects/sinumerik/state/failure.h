@@ -17,8 +17,8 @@ struct Failure {
   AlarmId id = AlarmId::SyntaxInText;
   std::string detail;
   runtime::Status status = runtime::Status::Alarm;
-  /// 0: the row's own; SETAL gives its number; with Setup, Budget and Interrupted: the
-  /// DiagnosticId.
+  /// 0: the row's own; SETAL gives its number; with Setup, Budget, Interrupted and
+  /// Defect: the DiagnosticId.
   int number = 0;
   std::string text;                            ///< empty: the row's own
   std::optional<source::Location> where = {};  ///< of another block than the running one
@@ -40,7 +40,7 @@ inline Failure failure(AlarmId id, std::string detail = {}) {
 }
 
 /// The end of a run that no alarm of the control tells, but a message of g31.
-/// @param status  Setup, Budget or Interrupted
+/// @param status  Setup, Budget, Interrupted or Defect
 inline Failure message_failure(runtime::Status status, source::DiagnosticId message,
                                std::string detail = {}) {
   Failure reason;
