@@ -130,7 +130,7 @@ TEST(AdditiveOffset, ResultsNameToolEdgeAndDlNumber) {
 TEST(AdditiveOffset, IsInMillimetresForAProgramInInchesToo) {
   expect_measured(
       "Z-5\nG700\n"
-      "CYCLE977(201,,1000001,1,40/25.4,,,2/25.4,5/25.4,,,,,,,\"MILL\",1)",
+      "CYCLE977(201,,1000001,1,40/25.4,,,2/25.4,5/25.4,,,,,,,\"MILL\",1)\nG710",
       {large_hole(), kCalibrated}, {{"$TC_SCP16[2,1]", 0.05}, {"_OVR[20]", 0.05 / 25.4}});
 }
 

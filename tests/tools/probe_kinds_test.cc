@@ -65,6 +65,7 @@ TEST(ProbeKinds, TheWorkProbeMayBeOnTheSecondInput) {
 TEST(MeasuringInInches, ResultsAreInTheUnitsOfTheProgram) {
   for (const char* const unit : {"G70", "G700"}) {
     SCOPED_TRACE(unit);
+    const bool is_all = std::string(unit) == "G700";  // data count in inches, too
     expect_measured(std::string("Z-5\n_OVR[3]=7 _OVR[24]=8\n") + unit +
                         "\nCYCLE977(201,,4000001,1,1.5,,,0.1,0.5,,,,,,,\"MILL\",,0,0.2,0.02,-0.02,"
                         "0.1,1,0,,,1)\n"
@@ -82,8 +83,8 @@ TEST(MeasuringInInches, ResultsAreInTheUnitsOfTheProgram) {
                      {"_OVR[24]", 8.0},
                      {"_OVI[9]", 61304.0},
                      {"$TC_DP6[2,1]", 5.0 + (40.0 - 38.1) / 2.0},
-                     {"R1", 0.2 / 25.4},
-                     {"R2", unit[2] == '0' && unit[3] == '0' ? 3.0 : 1.0}});
+                     {"R1", is_all ? 0.2 / 25.4 : 0.2},
+                     {"R2", is_all ? 3.0 : 1.0}});
   }
   const std::string block = part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 0.0, 3.0]");
   expect_measured("X-20 Y-27\nZ-5\nG700\nCYCLE998(105,1,,1,,2,,0.2,3,102,1,1.2)\nG710",

@@ -82,7 +82,7 @@ Result<SpatialArc, Failure> through(const Vector3& start, const Vector3& middle,
   const Vector3 b = end - start;
   const Vector3 normal = a.cross(b);
   const double area = normal.norm();
-  if (area < 1e-9 * a.norm() * b.norm() || a.norm() == 0.0) {
+  if (area <= 1e-9 * a.norm() * b.norm()) {
     return failure(AlarmId::BadIntermediatePoint);
   }
   const Vector3 to_centre =

@@ -91,7 +91,7 @@ MaybeFailure through_middle(const Vector& middle, Circle& circle) {
   const Vector a = middle - circle.start;
   const Vector b = circle.end - circle.start;
   const double area = cross(a, b);
-  if (std::abs(area) < kNothing * a.norm() * b.norm() || a.norm() == 0.0) {
+  if (std::abs(area) <= kNothing * a.norm() * b.norm()) {
     return failure(AlarmId::BadIntermediatePoint);
   }
   circle.turn = area < 0.0 ? Turn::Clockwise : Turn::Counterclockwise;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
 namespace g31::sinumerik {
 namespace {
 
@@ -16,6 +18,10 @@ constexpr int kCuttingPerMinute = number_in_group("G961");
 constexpr int kPerMinuteAfterwards = number_in_group("G971");
 
 constexpr double kMmPerMetre = 1000.0;
+
+/// mm/min: slower and faster than any axis goes.
+constexpr double kLeastFeed = 1e-9;
+constexpr double kMostFeed = 1e12;
 
 /// Minutes of one revolution, by the distance x from the turning centre: |x| / k between two
 /// bounds.
@@ -138,15 +144,19 @@ double switched(const Channel& channel, double feed_mm_min) {
                                              (channel.action_override_percent / 100.0);
 }
 
-Result<double, Failure> feed_in_force(const Channel& channel, const Block& block,
-                                      const FeedWay& way) {
+namespace {
+
+/// mm/min, as F, S and the way make it.
+Result<double, Failure> programmed_feed(const Channel& channel, const Block& block,
+                                        const FeedWay& way) {
   const int type = channel.group[Group::FeedType];
   const double feed = way.feed * channel.mm_per_feed() * way.share;
   if (feed_meaning(type) == FeedMeaning::InverseTime) {
     if (!(way.feed > 0.0) || !block.words.has(Address::Feed)) {
       return failure(AlarmId::NoFeed, "G93 needs F in every block");
     }
-    return switched(channel, way.feed * way.length_mm);
+    // A block without a way takes no time: any feed will do.
+    return switched(channel, way.length_mm > 0.0 ? way.feed * way.length_mm : way.feed);
   }
   if (feed <= 0.0) {
     return failure(AlarmId::NoFeed);
@@ -164,6 +174,16 @@ Result<double, Failure> feed_in_force(const Channel& channel, const Block& block
                           : 0.0;
   return turn > 0.0 ? Result<double, Failure>(switched(channel, feed / turn))
                     : failure(AlarmId::NoFeed, "G96 needs F and S, and LIMS at X0");
+}
+
+}  // namespace
+
+Result<double, Failure> feed_in_force(const Channel& channel, const Block& block,
+                                      const FeedWay& way) {
+  auto feed = programmed_feed(channel, block, way);
+  const bool can_be = !feed || (feed.value() >= kLeastFeed && feed.value() <= kMostFeed);
+  return can_be ? feed
+                : failure(AlarmId::FeedNotPositive, fmt::format("{:g} mm/min", feed.value()));
 }
 
 }  // namespace g31::sinumerik

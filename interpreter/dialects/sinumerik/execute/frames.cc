@@ -20,10 +20,9 @@ Result<Frame, Failure> frame_of_words(const Channel& channel, const Block& block
     if (kind == "TRANS") {
       frame.set_component(axis, Component::Coarse, channel.stored(axis, word.value));
     } else if (kind == "SCALE") {
-      if (word.value == 0.0) {
-        return failure(AlarmId::ValueOutOfLimits, fmt::format("SCALE {}0", kAxisLetters[axis]));
+      if (MaybeFailure wrong = channel.set_component(axis, Component::Scale, word.value, frame)) {
+        return *wrong;
       }
-      frame.set_component(axis, Component::Scale, word.value);
     } else if (kind == "MIRROR") {
       frame.set_component(axis, Component::Mirror, 1.0);
     } else if (is_linear_axis(axis)) {
@@ -42,6 +41,14 @@ Result<Frame, Failure> frame_of_words(const Channel& channel, const Block& block
     frame.set_angles(degrees);
   }
   return frame;
+}
+
+/// The programmable frame is another one now.
+MaybeFailure take_program_frame(Channel& channel) {
+  channel.frames_changed();
+  return channel.program_frame.is_within_limits()
+             ? std::nullopt
+             : std::optional(failure(AlarmId::ValueOutOfLimits, "the programmable frame"));
 }
 
 }  // namespace
@@ -81,8 +88,7 @@ MaybeFailure turn_by_solid_angles(Channel& channel, const Block& block, const GC
                          block.words.axis((first + 1) % 3).value);
   const bool adds = code.name.front() == 'A';
   channel.program_frame = adds ? channel.program_frame.chained(frame) : frame;
-  channel.frames_changed();
-  return std::nullopt;
+  return take_program_frame(channel);
 }
 
 MaybeFailure program_frame(Channel& channel, const Block& block, const GCode& code) {
@@ -98,8 +104,7 @@ MaybeFailure program_frame(Channel& channel, const Block& block, const GCode& co
   } else {
     channel.program_frame = adds ? channel.program_frame.chained(frame.value()) : frame.value();
   }
-  channel.frames_changed();
-  return std::nullopt;
+  return take_program_frame(channel);
 }
 
 }  // namespace g31::sinumerik

@@ -13,13 +13,17 @@ constexpr double kSlack = 1e-6;
 
 }  // namespace
 
+bool is_place(const Eigen::Ref<const Eigen::VectorXd>& place) {
+  return place.allFinite() && place.cwiseAbs().maxCoeff() <= kFarthestPlace;
+}
+
 MaybeFailure limit(Channel& channel, const Block& block, const GCode& code) {
   const bool is_lower = code.action == GAction::LowerLimit;
   AxisPositions& q = is_lower ? channel.working_area.q_low : channel.working_area.q_high;
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     const BlockWords::Word& word = block.words.axis(axis);
     if (word.present) {
-      q[axis] = channel.stored(axis, word.value);
+      q[axis] = channel.stored_datum(axis, word.value);
       channel.working_area.is_set = true;
     }
   }
@@ -30,7 +34,10 @@ MaybeFailure limit(Channel& channel, const Block& block, const GCode& code) {
   return std::nullopt;
 }
 
-MaybeFailure outside_working_area(const Channel& channel, const AxisPositions& q_M_end) {
+MaybeFailure out_of_reach(const Channel& channel, const AxisPositions& q_M_end) {
+  if (!is_place(q_M_end)) {
+    return failure(AlarmId::ValueOutOfLimits, "the axes do not go so far");
+  }
   if (!channel.working_area.is_set || channel.group[Group::WorkingArea] != kAreaOn) {
     return std::nullopt;
   }

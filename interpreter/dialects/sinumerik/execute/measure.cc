@@ -129,7 +129,7 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   if (!straight) {
     return straight.error();
   }
-  if (MaybeFailure outside = outside_working_area(channel, straight.value().q_M_end)) {
+  if (MaybeFailure outside = out_of_reach(channel, straight.value().q_M_end)) {
     return outside;
   }
   machine::SkipMove move(straight.value());

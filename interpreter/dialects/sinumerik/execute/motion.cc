@@ -175,8 +175,9 @@ MaybeFailure dwell(Channel& channel, const Block& block) {
     }
     seconds = block.words[Address::Speed].value * 60.0 / speed;
   }
-  if (!(seconds >= 0.0)) {
-    return failure(AlarmId::ValueOutOfLimits, "G4");
+  constexpr double kLongest = 1e9;
+  if (!(seconds >= 0.0 && seconds <= kLongest)) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("G4, {:g} s", seconds));
   }
   return pause(channel, {seconds, block.where});
 }

@@ -13,8 +13,11 @@ MaybeFailure to_machine(Channel& channel, const PathBlock& path) {
   if (channel.watch.is_too_late()) {
     return halt_failure(runtime::BlockWatch::Halt::Time);
   }
-  if (MaybeFailure outside = outside_working_area(channel, path.q_M_end)) {
+  if (MaybeFailure outside = out_of_reach(channel, path.q_M_end)) {
     return outside;
+  }
+  if (path.arc && !is_place(path.arc->centre)) {
+    return failure(AlarmId::CircleRadius, "the centre is too far away");
   }
   const Plane plane = channel.plane();
   const auto fault = channel.outlet.move(path, {plane.first, plane.second});

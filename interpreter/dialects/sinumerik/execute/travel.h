@@ -41,8 +41,12 @@ PlaneInMachine plane_in_machine(const Channel& channel);
 /// Gives the compensation the block that waits for its corner; it gets none.
 MaybeFailure finish_corners(Channel& channel);
 
-/// Alarm 10730 for an end outside of G25 and G26.
-MaybeFailure outside_working_area(const Channel& channel, const AxisPositions& q_M_end);
+/// Whether coordinates, mm and degrees, are such as words can give.
+bool is_place(const Eigen::Ref<const Eigen::VectorXd>& place);
+
+/// Alarm 10730 for an end outside of G25 and G26, 12560 for one that no words could give: frames
+/// may make such places.
+MaybeFailure out_of_reach(const Channel& channel, const AxisPositions& q_M_end);
 
 /// What a fault of the machine means here.
 Failure from_fault(const machine::MachineFault& fault);

@@ -59,7 +59,9 @@ MaybeFailure Runner::frame_of_components(const Op& op, Arguments list, Component
   }
   Frame result;
   for (const auto& [axis, value] : values.value()) {
-    result.set_component(axis, component, channel_.stored_component(axis, component, value));
+    if (MaybeFailure wrong = channel_.set_component(axis, component, value, result)) {
+      return wrong;
+    }
   }
   frame(op.result) = result;
   return std::nullopt;
@@ -86,8 +88,7 @@ MaybeFailure Runner::mirror_frame(const Op& op, Arguments list) {
       return failure(AlarmId::NotAnAxis, function_name(op));
     }
     const int which = static_cast<int>(axis);
-    result.set_component(which, Component::Mirror,
-                         channel_.stored_component(which, Component::Mirror, 1.0));
+    result.set_component(which, Component::Mirror, 1.0);
   }
   frame(op.result) = result;
   return std::nullopt;
@@ -149,7 +150,9 @@ MaybeFailure Runner::plane_turn_frame(const Op& op, Arguments list) {
 
 MaybeFailure Runner::inverse_frame(const Op& op, Arguments list) {
   frame(op.result) = frame(list[0].value).inverse();
-  return std::nullopt;
+  return frame(op.result).is_within_limits()
+             ? std::nullopt
+             : std::optional(failure(AlarmId::ValueOutOfLimits, "the inverse of a frame"));
 }
 
 }  // namespace g31::sinumerik

@@ -66,7 +66,7 @@ MaybeFailure Runner::measured_frame(const Op& op, Arguments list) {
   if (fit) {
     result.set_turn(fit->turn);
     for (int axis = 0; axis < kLinearAxisCount; ++axis) {
-      result.set_component(axis, Component::Coarse, channel_.stored(axis, fit->shift[axis]));
+      result.set_component(axis, Component::Coarse, channel_.stored_datum(axis, fit->shift[axis]));
     }
   }
   frame(op.result) = result;

@@ -117,6 +117,9 @@ MaybeFailure Runner::show(const Op& op, const SystemAccess& /*access*/,
   if (!value) {
     return value.error();
   }
+  if (!std::isfinite(value.value())) {
+    return failure(AlarmId::ArithmeticError, "too large");
+  }
   number(op.result) = value.value();
   follow_read(op);
   return std::nullopt;
@@ -137,8 +140,7 @@ MaybeFailure Runner::show(const Op& op, const SystemAccess& access,
     return value.error();
   }
   if (access.component) {
-    number(op.result) = channel_.shown_component(
-        access.axis, *access.component, value.value().component(access.axis, *access.component));
+    number(op.result) = channel_.shown_component(access.axis, *access.component, value.value());
     follow_read(op);
   } else {
     frame(op.result) = value.value();
@@ -170,9 +172,10 @@ MaybeFailure Runner::set(const SystemAccess& access, const Argument& value,
   }
   Frame& stored = *place.value();
   if (access.component) {
-    stored.set_component(
-        access.axis, *access.component,
-        channel_.stored_component(access.axis, *access.component, number(value.value)));
+    if (MaybeFailure wrong =
+            channel_.set_component(access.axis, *access.component, number(value.value), stored)) {
+      return wrong;
+    }
   } else {
     stored = frame(value.value);
   }

@@ -109,7 +109,8 @@ bool Runner::frame_step(const Op& op) {
       return true;
     case FrameStep::Chain:
       frame(op.result) = frame(op.a).chained(frame(op.b));
-      return true;
+      return frame(op.result).is_within_limits() ||
+             failed(AlarmId::ValueOutOfLimits, "a frame chained of frames");
     case FrameStep::EqualFrame:
       number(op.result) = frame(op.a) == frame(op.b) ? 1.0 : 0.0;
       return true;
@@ -122,13 +123,11 @@ bool Runner::frame_step(const Op& op) {
         return failed(no_frame_of(axis).id);
       }
       if (loads) {
-        number(op.result) =
-            channel_.shown_component(axis, component, frame(op.a).component(axis, component));
-      } else {
-        frame(op.result).set_component(
-            axis, component, channel_.stored_component(axis, component, number(list[0].value)));
+        number(op.result) = channel_.shown_component(axis, component, frame(op.a));
+        return true;
       }
-      return true;
+      fault_ = channel_.set_component(axis, component, number(list[0].value), frame(op.result));
+      return !fault_;
     }
   }
   contract_violated("other_step() lets only these through", __FILE__, __LINE__);

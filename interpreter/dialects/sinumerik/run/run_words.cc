@@ -29,12 +29,20 @@ void keep_of_spindle(Spindle& spindle, Address address, double value) {
 
 }  // namespace
 
+bool Runner::out_of_range(std::string_view name, double value, const ValueRange& range) {
+  return failed(AlarmId::ValueOutOfLimits,
+                fmt::format("{}={:g}: {:g} to {:g}", name, value, range.least, range.most));
+}
+
 bool Runner::set_word(std::size_t address, double value, Modification modification) {
   const auto which = static_cast<Address>(address);
   const int most = most_in_block(which);
   if (words_.words[address].times == most) {
     return failed(most > 1 ? AlarmId::AddressTooOften : AlarmId::AddressRepeated,
                   std::string(name_of(which)));
+  }
+  if (const ValueRange range = range_of(which); !range.holds(value)) [[unlikely]] {
+    return out_of_range(name_of(which), value, range);
   }
   if (which == Address::Machine) {
     words_.machine_codes[words_.machine_code_count++] = value;
@@ -76,6 +84,10 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
       if (words_.positioning[index].present) {
         return failure(AlarmId::AddressRepeated,
                        fmt::format("{}[{}]", row.name, letter_of_axis(static_cast<int>(axis))));
+      }
+      if (!ValueRange().holds(word.value)) {
+        out_of_range(row.name, word.value, ValueRange());
+        return from_step();
       }
       words_.position_axis(index, word);
       return std::nullopt;

@@ -301,6 +301,7 @@ class Runner {
   MaybeFailure take_axis_measuring(const Op& op);
   MaybeFailure check_spindle(const Op& op);
   MaybeFailure take_skip_action(const Op& op);
+  bool out_of_range(std::string_view name, double value, const ValueRange& range);
   bool set_word(std::size_t address, double value, Modification modification = Modification::None);
   MaybeFailure execute(const Op& op);
 

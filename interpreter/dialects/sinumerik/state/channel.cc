@@ -164,20 +164,12 @@ double Channel::mm_per_feed() const {
   return mm_per(group[Group::Unit] == kInchAndFeed ? LengthUnit::Inch : LengthUnit::Millimetre);
 }
 
+double Channel::mm_per_datum() const {
+  return mm_per(group[Group::Unit] == kInchAndFeed ? LengthUnit::Inch : LengthUnit::Millimetre);
+}
+
 double Channel::stored(int axis, double value) const {
   return is_linear_axis(axis) ? value * mm_per_length() : value;
-}
-
-double Channel::shown(int axis, double value) const {
-  return is_linear_axis(axis) ? value / mm_per_length() : value;
-}
-
-double Channel::stored_component(int axis, Component component, double value) const {
-  return is_length(component) ? stored(axis, value) : value;
-}
-
-double Channel::shown_component(int axis, Component component, double value) const {
-  return is_length(component) ? shown(axis, value) : value;
 }
 
 double Channel::stored_place(int axis, double value, Counts counts) const {
@@ -188,10 +180,33 @@ double Channel::stored_place(int axis, double value, Counts counts) const {
   return stored(axis, doubled ? value / 2.0 : value);
 }
 
+double Channel::stored_datum(int axis, double value) const {
+  return is_linear_axis(axis) ? value * mm_per_datum() : value;
+}
+
+double Channel::shown_datum(int axis, double value) const {
+  return is_linear_axis(axis) ? value / mm_per_datum() : value;
+}
+
 double Channel::shown_place(int axis, double value) const {
   const bool doubled = axis == kTransverseAxis && (group[Group::Diameter] == kDiameterAlways ||
                                                    group[Group::Diameter] == kDiameterAbsolute);
-  return shown(axis, doubled ? value * 2.0 : value);
+  return shown_datum(axis, doubled ? value * 2.0 : value);
+}
+
+double Channel::shown_component(int axis, Component component, const Frame& frame) const {
+  const double value = frame.component(axis, component);
+  return is_length(component) ? shown_datum(axis, value) : value;
+}
+
+MaybeFailure Channel::set_component(int axis, Component component, double value,
+                                    Frame& frame) const {
+  if (!Frame::takes(component, value)) {
+    return failure(AlarmId::ValueOutOfLimits,
+                   fmt::format("{} {:g} of a frame", letter_of_axis(axis), value));
+  }
+  frame.set_component(axis, component, is_length(component) ? stored_datum(axis, value) : value);
+  return std::nullopt;
 }
 
 bool Channel::keeps_settable_frame() const {

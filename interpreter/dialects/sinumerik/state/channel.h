@@ -137,18 +137,28 @@ class Channel {
   AxisSettings axis_settings;
   double master_spindle = 1.0;
   [[nodiscard]] Plane plane() const;
+  /// Of the lengths in a block's words: inches with G70 and G700.
   [[nodiscard]] double mm_per_length() const;
   [[nodiscard]] double mm_per_feed() const;
-  /// A coordinate as programs write it, in mm or degrees; and back.
+  /// Of the lengths that a program reads and writes as data: system variables, machine data, tools,
+  /// settable frames.  Inches with G700; G70 leaves them in the basic system, which is metric.
+  /// Source: Basic Functions 09/2011 (6FC5397-0BP40-2BA0), G2 7.3 page 341; Fundamentals, table of
+  /// what G70 and G700 act on.
+  [[nodiscard]] double mm_per_datum() const;
+  /// A coordinate as a word of a block has it, in mm or degrees.
   [[nodiscard]] double stored(int axis, double value) const;
-  [[nodiscard]] double shown(int axis, double value) const;
-  /// The same of a frame's component: shifts are lengths.
-  [[nodiscard]] double stored_component(int axis, Component component, double value) const;
-  [[nodiscard]] double shown_component(int axis, Component component, double value) const;
-  /// The same for places in the work coordinate system, where DIAMON counts.
   enum class Counts { Absolute, Incremental };
+  /// The same in the work coordinate system, where DIAMON counts.
   [[nodiscard]] double stored_place(int axis, double value, Counts counts) const;
+  /// A coordinate as a datum, in mm or degrees; and back.
+  [[nodiscard]] double stored_datum(int axis, double value) const;
+  [[nodiscard]] double shown_datum(int axis, double value) const;
+  /// The same in the work coordinate system, where DIAMON counts.
   [[nodiscard]] double shown_place(int axis, double value) const;
+  /// A frame's component as a datum: shifts are lengths.
+  [[nodiscard]] double shown_component(int axis, Component component, const Frame& frame) const;
+  [[nodiscard]] std::optional<Failure> set_component(int axis, Component component, double value,
+                                                     Frame& frame) const;
 
   // Frames
   static constexpr int kSettableFrames = 100;  ///< 0 is G500

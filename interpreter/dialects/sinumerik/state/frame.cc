@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
+#include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "machine/base/contract.h"
 #include "machine/units/units.h"
 
@@ -127,6 +128,24 @@ double Frame::component(int axis, Component component) const {
       return mirror_[axis] < 0.0 ? 1.0 : 0.0;
   }
   contract_violated("every component has a value", __FILE__, __LINE__);
+}
+
+bool Frame::takes(Component component, double value) {
+  constexpr double kLeastFactor = 1e-6;
+  constexpr double kMostFactor = 1e6;
+  const double size = std::abs(value);
+  return component == Component::Scale ? size >= kLeastFactor && size <= kMostFactor
+                                       : size <= kFarthestPlace;
+}
+
+bool Frame::is_within_limits() const {
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    if (!takes(Component::Coarse, coarse_[axis]) || !takes(Component::Fine, fine_[axis]) ||
+        !takes(Component::Scale, scale_[axis])) {
+      return false;
+    }
+  }
+  return turn_.allFinite();
 }
 
 void Frame::set_component(int axis, Component component, double value) {

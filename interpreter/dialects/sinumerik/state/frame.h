@@ -22,6 +22,10 @@ class Frame {
   /// mm, degrees, factors, 0 or 1.
   [[nodiscard]] double component(int axis, Component component) const;
   void set_component(int axis, Component component, double value);
+  /// Whether a component may have this value: a factor of 0 has no way back.
+  [[nodiscard]] static bool takes(Component component, double value);
+  /// Whether the frame as a whole, chained of others, has values that components may have.
+  [[nodiscard]] bool is_within_limits() const;
 
   /// Degrees about X, Y and Z: turned about Z, then the new Y, then the new X (RPY).
   [[nodiscard]] Eigen::Vector3d angles() const;

@@ -12,7 +12,7 @@ Number further_place(const Channel& channel, int axis) {
     return failure(AlarmId::BadAxisIndex);
   }
   const FurtherAxis* const further = channel.further(axis);
-  return further != nullptr ? Number(further->at / channel.mm_per_length())
+  return further != nullptr ? Number(further->at / channel.mm_per_datum())
                             : Number(no_such_axis(axis));
 }
 
@@ -21,7 +21,7 @@ Number axis_value(const Channel& channel, const SystemAccess& access, const Axis
   if (!is_machine_axis(axis)) {
     return further_place(channel, axis);
   }
-  return channel.within_turn(axis, channel.shown(axis, q[axis]));
+  return channel.within_turn(axis, channel.shown_datum(axis, q[axis]));
 }
 
 /// In work coordinates, where DIAMON counts.
@@ -55,7 +55,7 @@ Result<double*, Failure> machine_point(std::span<AxisPositions> points,
 Number point_value(const Channel& channel, std::span<AxisPositions> points,
                    const SystemAccess& access) {
   const auto place = machine_point(points, access);
-  return place ? Number(channel.shown(access.indices[1], *place.value())) : place.error();
+  return place ? Number(channel.shown_datum(access.indices[1], *place.value())) : place.error();
 }
 
 MaybeFailure set_point(const Channel& channel, std::span<AxisPositions> points,
@@ -64,7 +64,7 @@ MaybeFailure set_point(const Channel& channel, std::span<AxisPositions> points,
   if (!place) {
     return place.error();
   }
-  *place.value() = channel.stored(access.indices[1], value);
+  *place.value() = channel.stored_datum(access.indices[1], value);
   return std::nullopt;
 }
 

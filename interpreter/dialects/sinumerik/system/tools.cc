@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -55,6 +56,24 @@ FoundTool with_edge(FoundTool tool, const SystemAccess& access) {
   return tool && !tool.value()->edges.contains(access.indices[1]) ? no_edge(access) : tool;
 }
 
+/// mm for one unit of a parameter of $TC_DP: lengths, radii and their wear are 3 to 23 but for
+/// angles; 1 for all others.  Source: Tool Management, cutting edge parameters DP1 to DP25.
+double unit_of_edge(const Channel& channel, int parameter) {
+  constexpr int kFirstLength = 3;
+  constexpr int kLastLength = 23;
+  constexpr int kAngles[] = {10, 11, 19, 20};
+  const bool is_length = parameter >= kFirstLength && parameter <= kLastLength &&
+                         std::ranges::find(kAngles, parameter) == std::end(kAngles);
+  return is_length ? channel.mm_per_datum() : 1.0;
+}
+
+/// The same of what is kept of an edge: offsets of DL are lengths, other data as they are.
+double unit_of_datum(const Channel& channel, SystemId id) {
+  return id == SystemId::AdditiveParameter || id == SystemId::SetupParameter
+             ? channel.mm_per_datum()
+             : 1.0;
+}
+
 /// Writing to an edge that is not there makes it.
 MaybeFailure write_edge(Channel& channel, const SystemAccess& access, double value) {
   if (access.indices[1] < 1) {
@@ -64,7 +83,8 @@ MaybeFailure write_edge(Channel& channel, const SystemAccess& access, double val
   if (!tool) {
     return tool.error();
   }
-  tool.value()->edges[access.indices[1]][static_cast<std::size_t>(access.parameter)] = value;
+  tool.value()->edges[access.indices[1]][static_cast<std::size_t>(access.parameter)] =
+      value * unit_of_edge(channel, access.parameter);
   return std::nullopt;
 }
 
@@ -86,7 +106,7 @@ MaybeFailure set_value(Channel& channel, const SystemAccess& access, double Tool
 }  // namespace
 
 Number tool_radius(Channel& channel, const SystemAccess& /*access*/) {
-  return channel.tool_radius();
+  return channel.tool_radius() / channel.mm_per_datum();
 }
 
 Number tool_length(Channel& channel, const SystemAccess& access) {
@@ -96,7 +116,7 @@ Number tool_length(Channel& channel, const SystemAccess& access) {
   }
   const Plane plane = channel.plane();
   const int axes[] = {plane.normal, plane.second, plane.first};
-  return channel.tool_offset()[axes[which - 1]];
+  return channel.tool_offset()[axes[which - 1]] / channel.mm_per_datum();
 }
 
 Number active_edge_datum(Channel& channel, const SystemAccess& access) {
@@ -105,7 +125,8 @@ Number active_edge_datum(Channel& channel, const SystemAccess& access) {
     return *wrong;
   }
   const EdgeData* const edge = channel.active_edge();
-  return edge != nullptr ? (*edge)[static_cast<std::size_t>(which)] : 0.0;
+  return edge != nullptr ? (*edge)[static_cast<std::size_t>(which)] / unit_of_edge(channel, which)
+                         : 0.0;
 }
 
 MaybeFailure set_active_edge_datum(Channel& channel, const SystemAccess& access, double value) {
@@ -116,7 +137,7 @@ MaybeFailure set_active_edge_datum(Channel& channel, const SystemAccess& access,
   if (!channel.edge_now) {
     return no_edge(channel.tool, channel.edge);
   }
-  (*channel.edge_now)[static_cast<std::size_t>(which)] = value;
+  (*channel.edge_now)[static_cast<std::size_t>(which)] = value * unit_of_edge(channel, which);
   channel.frames_changed();
   SystemAccess edge = access;
   edge.parameter = which;
@@ -144,7 +165,8 @@ Number edge_at(Channel& channel, const SystemAccess& access) {
 
 Number edge_parameter(Channel& channel, const SystemAccess& access) {
   const EdgeData* const edge = channel.find_edge(access.indices[0], access.indices[1]);
-  return edge != nullptr ? Number((*edge)[static_cast<std::size_t>(access.parameter)])
+  return edge != nullptr ? Number((*edge)[static_cast<std::size_t>(access.parameter)] /
+                                  unit_of_edge(channel, access.parameter))
                          : no_edge(access);
 }
 
@@ -172,7 +194,9 @@ MaybeFailure set_edge_teeth(Channel& channel, const SystemAccess& access, double
 
 Number datum_of_edge(Channel& channel, const SystemAccess& access) {
   const FoundTool tool = with_edge(tool_of(channel, access), access);
-  return tool ? Number(tool.value()->datum(datum_of(access, access.indices[1]))) : tool.error();
+  return tool ? Number(tool.value()->datum(datum_of(access, access.indices[1])) /
+                       unit_of_datum(channel, access.id))
+              : tool.error();
 }
 
 MaybeFailure set_datum_of_edge(Channel& channel, const SystemAccess& access, double value) {
@@ -180,7 +204,8 @@ MaybeFailure set_datum_of_edge(Channel& channel, const SystemAccess& access, dou
   if (!tool) {
     return tool.error();
   }
-  tool.value()->more[datum_of(access, access.indices[1])] = value;
+  tool.value()->more[datum_of(access, access.indices[1])] =
+      value * unit_of_datum(channel, access.id);
   return std::nullopt;
 }
 

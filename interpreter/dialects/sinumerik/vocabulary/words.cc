@@ -10,7 +10,7 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr auto kAddresses = std::to_array<AddressInfo>({
-#define ADDRESS(id, name, text) {name, text},
+#define ADDRESS(id, name, least, most, text) {name, least, most, text},
 #include "interpreter/dialects/sinumerik/vocabulary/addresses.def"
 #undef ADDRESS
 });
@@ -95,6 +95,13 @@ std::string_view name_of(Address address) {
   const std::size_t index = index_of(address);
   return index < kAxisCount ? std::string_view(kAxisLetters).substr(index, 1)
                             : kAddresses[index - kAxisCount].name;
+}
+
+ValueRange range_of(Address address) {
+  const std::size_t index = index_of(address);
+  return index < kAxisCount ? ValueRange()
+                            : ValueRange{kAddresses[index - kAxisCount].least,
+                                         kAddresses[index - kAxisCount].most};
 }
 
 std::optional<Modification> find_modification(std::string_view name) {

@@ -14,7 +14,7 @@ namespace g31::sinumerik {
 enum class Address : std::uint8_t {
   FirstAxis = 0,
   LastAxis = kAxisCount - 1,
-#define ADDRESS(id, name, text) id,
+#define ADDRESS(id, name, least, most, text) id,
 #include "interpreter/dialects/sinumerik/vocabulary/addresses.def"
 #undef ADDRESS
   Count
@@ -26,8 +26,13 @@ constexpr std::size_t index_of(Address address) {
 
 struct AddressInfo {
   std::string_view name;
+  double least;
+  double most;
   std::string_view text;
 };
+
+/// mm, deg: how far from their zero the control takes places of axes.
+inline constexpr double kFarthestPlace = 1e9;
 
 /// The rows of addresses.def.
 std::span<const AddressInfo> addresses();
@@ -37,6 +42,15 @@ std::optional<Address> find_address(std::string_view name);
 
 /// "X", "CR"
 std::string_view name_of(Address address);
+
+struct ValueRange {
+  double least = -kFarthestPlace;
+  double most = kFarthestPlace;
+  [[nodiscard]] bool holds(double value) const { return value >= least && value <= most; }
+};
+
+/// The values that the control takes at an address at all.
+ValueRange range_of(Address address);
 
 inline constexpr int kMostMachineCodes = 5;
 inline constexpr int kMostAuxiliaryCodes = 3;
