@@ -9,34 +9,10 @@
 #include "machine/sim/arc_path.h"
 #include "machine/sim/independent_path.h"
 #include "machine/sim/motion_profile.h"
-#include "machine/sim/skip_stop.h"
 #include "machine/sim/straight_path.h"
 
 namespace g31::machine {
 namespace {
-
-void expect_legal(const LinearMove& move) {
-  G31_EXPECTS(move.q_M_end.allFinite());
-  G31_EXPECTS(move.traverse == Traverse::Rapid ||
-              (move.feed_mm_min > 0.0 && std::isfinite(move.feed_mm_min)));
-}
-
-void expect_legal(const ArcMove& arc) {
-  G31_EXPECTS(arc.q_M_end.allFinite());
-  G31_EXPECTS(std::isfinite(arc.centre_first) && std::isfinite(arc.centre_second));
-  G31_EXPECTS(arc.feed_mm_min > 0.0 && std::isfinite(arc.feed_mm_min));
-}
-
-bool is_fraction(double number) {
-  return number >= 0.0 && number <= 1.0;
-}
-
-/// The fraction of the path reached some way (path units) after a fraction of it.
-double fraction_after(double fraction, double way, const MotionProfile& profile) {
-  // The sum may round to a hair below 1 where the way leads exactly to the end.
-  const double to_go = profile.length() - fraction * profile.length();
-  return way >= to_go ? 1.0 : fraction + way / profile.length();
-}
 
 AxisPositions resolutions(const MachineSetup& setup) {
   AxisPositions steps;
@@ -47,6 +23,22 @@ AxisPositions resolutions(const MachineSetup& setup) {
 }
 
 }  // namespace
+
+void MachiningCentre::expect_legal(const LinearMove& move) {
+  G31_EXPECTS(move.q_M_end.allFinite());
+  G31_EXPECTS(move.traverse == Traverse::Rapid ||
+              (move.feed_mm_min > 0.0 && std::isfinite(move.feed_mm_min)));
+}
+
+void MachiningCentre::expect_legal(const ArcMove& arc) {
+  G31_EXPECTS(arc.q_M_end.allFinite());
+  G31_EXPECTS(std::isfinite(arc.centre_first) && std::isfinite(arc.centre_second));
+  G31_EXPECTS(arc.feed_mm_min > 0.0 && std::isfinite(arc.feed_mm_min));
+}
+
+bool MachiningCentre::is_fraction(double number) {
+  return number >= 0.0 && number <= 1.0;
+}
 
 MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surroundings)
     : limits_(setup),
@@ -103,50 +95,9 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
   return q_M_;
 }
 
-Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMove& move) {
-  expect_legal(move.way);
-  if (!limits_.contain(move.way.q_M_end)) {
-    return soft_limit_fault(move.way.q_M_end);
-  }
-  stand_still();
-  tell_time();
-  const StraightPath path(q_M_, move.way.q_M_end, move.way.mm_per_degree);
-  SkipOutcome outcome = NoTouch{};
-  if (path.moves()) {
-    const Waypoint tip = real_.tip(q_M_);
-    auto signalled = skip(path, dynamics_.profile(path, move.way), move);
-    if (signalled) {
-      outcome = *std::move(signalled);
-    } else {
-      q_M_ = move.way.q_M_end;
-    }
-    if (auto fault = damage(path.from(), tip)) {
-      return *std::move(fault);
-    }
-  }
-  return outcome;
-}
-
 bool MachiningCentre::skip_signal(int input) const {
   tell_time();
   return surroundings_ != nullptr && surroundings_->signals_at(real_.tip(q_M_), input);
-}
-
-std::optional<MachineFault> MachiningCentre::damage(const AxisPositions& q_M_from,
-                                                    const Waypoint& tip_from) {
-  if (surroundings_ == nullptr) {
-    return std::nullopt;
-  }
-  const std::vector<Waypoint> taken = real_.way_taken(tip_from, q_M_from, q_M_);
-  auto obstacle = surroundings_->first_obstacle(Way(taken), Travel::Skip);
-  if (!obstacle) {
-    return std::nullopt;
-  }
-  G31_EXPECTS(is_fraction(obstacle->fraction));
-  const AxisPositions q_M_stop = q_M_from + obstacle->fraction * (q_M_ - q_M_from);
-  real_.stop_at(q_M_stop);
-  obstacle->contact = real_.in_machine(q_M_stop, obstacle->contact);
-  return stop_at(*std::move(obstacle), q_M_stop, 0.0);
 }
 
 std::optional<SensorState> MachiningCentre::sensor_state(int input) const {
@@ -228,21 +179,6 @@ void MachiningCentre::dwell(double seconds) {
   clock_.advance(seconds);
 }
 
-void MachiningCentre::stand_still() {
-  if (!continuous_.is_empty()) {
-    pass(continuous_.finish());
-  }
-}
-
-double MachiningCentre::time_s() const {
-  if (continuous_.is_empty()) {
-    return clock_.now_s();
-  }
-  Clock at_rest = clock_;
-  at_rest.advance(continuous_.duration_s());
-  return at_rest.now_s();
-}
-
 void MachiningCentre::trace(double period_s, TraceSink& sink) {
   continuous_.keep_ways();
   sampler_.emplace(period_s, sink);
@@ -261,15 +197,20 @@ MachineFault MachiningCentre::stop_at(Obstacle obstacle, const AxisPositions& q_
 
 std::optional<Obstacle> MachiningCentre::obstacle_on(const StraightPath& path, Travel travel) {
   const Waypoint ends[] = {{0.0, path.from()}, {1.0, path.to()}};
-  return surroundings_->first_obstacle(Way(ends), travel);
+  auto obstacle = surroundings_->first_obstacle(Way(ends), travel);
+  G31_EXPECTS(!obstacle || is_fraction(obstacle->fraction));
+  return obstacle;
 }
 
 template <typename Curve>
 std::optional<Obstacle> MachiningCentre::obstacle_on(const Curve& path, Travel travel) {
   const CurvedWay curve{[&path](double fraction) { return path.at(fraction); }, path.bend(),
                         path.chord_count()};
-  return surroundings_->first_obstacle(Way(curve), travel);
+  auto obstacle = surroundings_->first_obstacle(Way(curve), travel);
+  G31_EXPECTS(!obstacle || is_fraction(obstacle->fraction));
+  return obstacle;
 }
+template std::optional<Obstacle> MachiningCentre::obstacle_on(const ArcPath&, Travel);
 
 std::optional<MachineFault> MachiningCentre::carry_out(const StraightPath& path,
                                                        const LinearMove& move) {
@@ -279,69 +220,6 @@ std::optional<MachineFault> MachiningCentre::carry_out(const StraightPath& path,
     return carry_out(*independent, PassingTime(*independent), how);
   }
   return carry_out(path, dynamics_.profile(path, move), how);
-}
-
-bool MachiningCentre::joins(BlockEnd ends) const {
-  return real_.follow_at_once() && (ends == BlockEnd::PassOn || !continuous_.is_empty());
-}
-
-template <typename Path>
-std::optional<MachineFault> MachiningCentre::pass_on(const Path& path, const PathLimits& limits,
-                                                     BlockEnd ends) {
-  const double length = path.length();
-  double corner_speed = 0.0;
-  if (!continuous_.is_empty()) {
-    corner_speed = dynamics_.corner_speed(continuous_.along_end(), path.slope_at(0.0) / length);
-  }
-  continuous_.add({length, limits, corner_speed, path.slope_at(1.0) / length});
-  if (continuous_.keeps_ways()) {
-    continuous_.keep(path);
-  }
-  if (surroundings_ != nullptr) {
-    if (auto obstacle = obstacle_in_passing(path, limits)) {
-      const AxisPositions q_M_stop = path.at(obstacle->fraction);
-      pass(continuous_.finish_at(obstacle->fraction * path.length()));
-      real_.stop_at(q_M_stop);
-      return stop_at(*std::move(obstacle), q_M_stop, 0.0);
-    }
-  }
-  if (ends == BlockEnd::ExactStop) {
-    stand_still();
-  } else {
-    pass(continuous_.release());
-  }
-  return std::nullopt;
-}
-
-/// The way of axes that follow at once is the same at every speed.  The fraction is of the path.
-template <typename Path>
-std::optional<Obstacle> MachiningCentre::obstacle_in_passing(const Path& path,
-                                                             const PathLimits& limits) {
-  if (real_.are_ideal()) {
-    auto obstacle = obstacle_on(path, Travel::Feed);
-    G31_EXPECTS(!obstacle || is_fraction(obstacle->fraction));
-    return obstacle;
-  }
-  const MotionProfile alone(path.length(), limits.speed, limits.acceleration, limits.jerk);
-  auto obstacle = real_.first_obstacle(real_.motion(path, alone.phases()),
-                                       {Travel::Feed, BlockEnd::PassOn}, *surroundings_);
-  if (!obstacle) {
-    return std::nullopt;
-  }
-  obstacle->event.fraction = std::min(1.0, alone.distance_at(obstacle->time_s) / path.length());
-  return std::move(obstacle->event);
-}
-
-void MachiningCentre::pass(const ContinuousPath::Passed& passed) {
-  double start_s = clock_.now_s();
-  for (const Travelled& way : passed.ways) {
-    sampler_->show({start_s, way.duration_s, real_.motion(way.path, way.phases), real_.truth()},
-                   resolution_);
-    start_s += way.duration_s;
-  }
-  if (passed.seconds > 0.0) {
-    clock_.advance(passed.seconds);
-  }
 }
 
 template <typename Path, typename Profile>
@@ -354,7 +232,6 @@ std::optional<MachineFault> MachiningCentre::carry_out(const Path& path, const P
   if (surroundings_ != nullptr) {
     auto obstacle = obstacle_on(path, how.travel);
     if (obstacle) {
-      G31_EXPECTS(is_fraction(obstacle->fraction));
       const double seconds = profile.time_at(obstacle->fraction * profile.length());
       if (sampler_) {
         MotionPhases phases = profile.phases();
@@ -387,105 +264,6 @@ std::optional<MachineFault> MachiningCentre::carry_out_really(const CommandedPat
   }
   follow(motion, real_.done_s(motion, how.ends));
   return std::nullopt;
-}
-
-std::optional<SkipOutcome> MachiningCentre::skip(const StraightPath& path,
-                                                 const MotionProfile& profile,
-                                                 const SkipMove& move) {
-  if (!real_.are_ideal()) {
-    return skip_really(path, profile, move);
-  }
-  if (surroundings_ != nullptr) {
-    const Waypoint ends[] = {{0.0, path.from()}, {1.0, path.to()}};
-    auto trigger = surroundings_->first_signal(Way(ends), {move.input, move.edge});
-    if (trigger) {
-      return stop_for(*std::move(trigger), path, profile, move.after);
-    }
-  }
-  if (sampler_) {
-    show(path, profile.phases(), profile.duration_s());
-  }
-  clock_.advance(profile.duration_s());
-  return std::nullopt;
-}
-
-SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& path,
-                                      const MotionProfile& profile, AfterSignal after) {
-  if (trigger.on_at_start) {
-    return NoEdge{std::move(trigger.contact)};
-  }
-  G31_EXPECTS(is_fraction(trigger.fraction) && trigger.delay_s >= 0.0);
-  const double fraction = trigger.fraction;
-  const SkipDelays delays{trigger.delay_s, stop_delay_s_};
-  const SkipStop stop = stop_after_contact(profile, fraction * profile.length(), delays, stopping_);
-  const AxisPositions q_M_latched =
-      in_steps(path.at(fraction_after(fraction, stop.latched_after, profile)), resolution_);
-  if (after == AfterSignal::GoOn) {
-    if (sampler_) {
-      show(path, profile.phases(), profile.duration_s());
-    }
-    clock_.advance(profile.duration_s());
-    q_M_ = path.to();
-    return Touched{q_M_latched, q_M_, std::move(trigger.contact), trigger.signals};
-  }
-  if (sampler_) {
-    const double latch_s = profile.time_at(fraction * profile.length()) + delays.latch_s;
-    MotionPhases phases = profile.phases_braking_at(latch_s + delays.stop_s);
-    if (stopping_ == Stopping::Ideal) {
-      phases = profile.phases();
-      phases.cut_at(latch_s);
-    }
-    show(path, phases, stop.duration_s);
-  }
-  clock_.advance(stop.duration_s);
-  const AxisPositions q_M_stopped = path.at(fraction_after(fraction, stop.stopped_after, profile));
-  q_M_ = q_M_stopped == path.to() ? q_M_stopped : in_steps(q_M_stopped, resolution_);
-  return Touched{q_M_latched, q_M_, std::move(trigger.contact), trigger.signals};
-}
-
-std::optional<SkipOutcome> MachiningCentre::skip_really(const StraightPath& path,
-                                                        const MotionProfile& profile,
-                                                        const SkipMove& move) {
-  const ServoMotion motion = real_.motion(path, profile.phases());
-  if (surroundings_ != nullptr) {
-    auto trigger = real_.first_signal(motion, {move.input, move.edge}, *surroundings_);
-    if (trigger) {
-      return stop_really(*std::move(trigger), path, profile, move.after);
-    }
-  }
-  follow(motion, real_.done_s(motion, BlockEnd::ExactStop));
-  return std::nullopt;
-}
-
-SkipOutcome MachiningCentre::stop_really(Timed<SkipTrigger> trigger, const StraightPath& path,
-                                         const MotionProfile& profile, AfterSignal after) {
-  if (trigger.event.on_at_start) {
-    return NoEdge{std::move(trigger.event.contact)};
-  }
-  G31_EXPECTS(trigger.event.delay_s >= 0.0);
-  const double latch_s = trigger.time_s + trigger.event.delay_s;
-  const ServoMotion motion = real_.motion(
-      path, after == AfterSignal::Stop ? profile.phases_braking_at(latch_s + stop_delay_s_)
-                                       : profile.phases());
-  const AxisPositions q_M_latched = motion.encoder_at(latch_s);
-  if (after == AfterSignal::GoOn) {
-    follow(motion, real_.done_s(motion, BlockEnd::ExactStop));
-    q_M_ = path.to();
-    return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact),
-                   trigger.event.signals};
-  }
-  if (stopping_ == Stopping::Ideal) {
-    follow(motion, latch_s);
-    q_M_ = q_M_latched;
-  } else {
-    follow(motion, std::max(latch_s, real_.done_s(motion, BlockEnd::ExactStop)));
-    q_M_ = motion.end();
-  }
-  q_M_ = q_M_ == path.to() ? q_M_ : in_steps(q_M_, resolution_);
-  // What is left of the lag is gone: else the way back would begin by going on into the part.
-  real_.stop_at(q_M_);
-  return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact),
-                 trigger.event.signals};
 }
 
 void MachiningCentre::show(const CommandedPath& path, const MotionPhases& phases,

@@ -75,6 +75,9 @@ class MachiningCentre final : public MachinePort {
   void trace(double period_s, TraceSink& sink);
 
  private:
+  static void expect_legal(const LinearMove& move);
+  static void expect_legal(const ArcMove& arc);
+  static bool is_fraction(double number);
   void tell(const MachineEvent& event);
   void tell_time() const;
   /// What the way that a skip move took, of axes and tool tip, has broken.

@@ -1,0 +1,166 @@
+// Moves that listen to the skip signal.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "machine/base/contract.h"
+#include "machine/sim/machining_centre.h"
+#include "machine/sim/motion_profile.h"
+#include "machine/sim/skip_stop.h"
+#include "machine/sim/straight_path.h"
+
+namespace g31::machine {
+namespace {
+
+/// The fraction of the path reached some way (path units) after a fraction of it.
+double fraction_after(double fraction, double way, const MotionProfile& profile) {
+  // The sum may round to a hair below 1 where the way leads exactly to the end.
+  const double to_go = profile.length() - fraction * profile.length();
+  return way >= to_go ? 1.0 : fraction + way / profile.length();
+}
+
+}  // namespace
+
+Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMove& move) {
+  expect_legal(move.way);
+  if (!limits_.contain(move.way.q_M_end)) {
+    return soft_limit_fault(move.way.q_M_end);
+  }
+  stand_still();
+  tell_time();
+  const StraightPath path(q_M_, move.way.q_M_end, move.way.mm_per_degree);
+  SkipOutcome outcome = NoTouch{};
+  if (path.moves()) {
+    const Waypoint tip = real_.tip(q_M_);
+    auto signalled = skip(path, dynamics_.profile(path, move.way), move);
+    if (signalled) {
+      outcome = *std::move(signalled);
+    } else {
+      q_M_ = move.way.q_M_end;
+    }
+    if (auto fault = damage(path.from(), tip)) {
+      return *std::move(fault);
+    }
+  }
+  return outcome;
+}
+
+std::optional<MachineFault> MachiningCentre::damage(const AxisPositions& q_M_from,
+                                                    const Waypoint& tip_from) {
+  if (surroundings_ == nullptr) {
+    return std::nullopt;
+  }
+  const std::vector<Waypoint> taken = real_.way_taken(tip_from, q_M_from, q_M_);
+  auto obstacle = surroundings_->first_obstacle(Way(taken), Travel::Skip);
+  if (!obstacle) {
+    return std::nullopt;
+  }
+  G31_EXPECTS(is_fraction(obstacle->fraction));
+  const AxisPositions q_M_stop = q_M_from + obstacle->fraction * (q_M_ - q_M_from);
+  real_.stop_at(q_M_stop);
+  obstacle->contact = real_.in_machine(q_M_stop, obstacle->contact);
+  return stop_at(*std::move(obstacle), q_M_stop, 0.0);
+}
+
+std::optional<SkipOutcome> MachiningCentre::skip(const StraightPath& path,
+                                                 const MotionProfile& profile,
+                                                 const SkipMove& move) {
+  if (!real_.are_ideal()) {
+    return skip_really(path, profile, move);
+  }
+  if (surroundings_ != nullptr) {
+    const Waypoint ends[] = {{0.0, path.from()}, {1.0, path.to()}};
+    auto trigger = surroundings_->first_signal(Way(ends), {move.input, move.edge});
+    if (trigger) {
+      return stop_for(*std::move(trigger), path, profile, move.after);
+    }
+  }
+  if (sampler_) {
+    show(path, profile.phases(), profile.duration_s());
+  }
+  clock_.advance(profile.duration_s());
+  return std::nullopt;
+}
+
+SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& path,
+                                      const MotionProfile& profile, AfterSignal after) {
+  if (trigger.on_at_start) {
+    return NoEdge{std::move(trigger.contact)};
+  }
+  G31_EXPECTS(is_fraction(trigger.fraction) && trigger.delay_s >= 0.0);
+  const double fraction = trigger.fraction;
+  const SkipDelays delays{trigger.delay_s, stop_delay_s_};
+  const SkipStop stop = stop_after_contact(profile, fraction * profile.length(), delays, stopping_);
+  const AxisPositions q_M_latched =
+      in_steps(path.at(fraction_after(fraction, stop.latched_after, profile)), resolution_);
+  if (after == AfterSignal::GoOn) {
+    if (sampler_) {
+      show(path, profile.phases(), profile.duration_s());
+    }
+    clock_.advance(profile.duration_s());
+    q_M_ = path.to();
+    return Touched{q_M_latched, q_M_, std::move(trigger.contact), trigger.signals};
+  }
+  if (sampler_) {
+    const double latch_s = profile.time_at(fraction * profile.length()) + delays.latch_s;
+    MotionPhases phases = profile.phases_braking_at(latch_s + delays.stop_s);
+    if (stopping_ == Stopping::Ideal) {
+      phases = profile.phases();
+      phases.cut_at(latch_s);
+    }
+    show(path, phases, stop.duration_s);
+  }
+  clock_.advance(stop.duration_s);
+  const AxisPositions q_M_stopped = path.at(fraction_after(fraction, stop.stopped_after, profile));
+  q_M_ = q_M_stopped == path.to() ? q_M_stopped : in_steps(q_M_stopped, resolution_);
+  return Touched{q_M_latched, q_M_, std::move(trigger.contact), trigger.signals};
+}
+
+std::optional<SkipOutcome> MachiningCentre::skip_really(const StraightPath& path,
+                                                        const MotionProfile& profile,
+                                                        const SkipMove& move) {
+  const ServoMotion motion = real_.motion(path, profile.phases());
+  if (surroundings_ != nullptr) {
+    auto trigger = real_.first_signal(motion, {move.input, move.edge}, *surroundings_);
+    if (trigger) {
+      return stop_really(*std::move(trigger), path, profile, move.after);
+    }
+  }
+  follow(motion, real_.done_s(motion, BlockEnd::ExactStop));
+  return std::nullopt;
+}
+
+SkipOutcome MachiningCentre::stop_really(Timed<SkipTrigger> trigger, const StraightPath& path,
+                                         const MotionProfile& profile, AfterSignal after) {
+  if (trigger.event.on_at_start) {
+    return NoEdge{std::move(trigger.event.contact)};
+  }
+  G31_EXPECTS(trigger.event.delay_s >= 0.0);
+  const double latch_s = trigger.time_s + trigger.event.delay_s;
+  const ServoMotion motion = real_.motion(
+      path, after == AfterSignal::Stop ? profile.phases_braking_at(latch_s + stop_delay_s_)
+                                       : profile.phases());
+  const AxisPositions q_M_latched = motion.encoder_at(latch_s);
+  if (after == AfterSignal::GoOn) {
+    follow(motion, real_.done_s(motion, BlockEnd::ExactStop));
+    q_M_ = path.to();
+    return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact),
+                   trigger.event.signals};
+  }
+  if (stopping_ == Stopping::Ideal) {
+    follow(motion, latch_s);
+    q_M_ = q_M_latched;
+  } else {
+    follow(motion, std::max(latch_s, real_.done_s(motion, BlockEnd::ExactStop)));
+    q_M_ = motion.end();
+  }
+  q_M_ = q_M_ == path.to() ? q_M_ : in_steps(q_M_, resolution_);
+  // What is left of the lag is gone: else the way back would begin by going on into the part.
+  real_.stop_at(q_M_);
+  return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact),
+                 trigger.event.signals};
+}
+
+}  // namespace g31::machine
