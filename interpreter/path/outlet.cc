@@ -1,25 +1,59 @@
 #include "interpreter/path/outlet.h"
 
+#include <bit>
+#include <utility>
+
 namespace g31::path {
+namespace {
+
+/// What a move's tag says: how many came before it, and its block.
+struct Tag {
+  std::uint64_t number = 0;
+  source::Location where;
+};
+
+}  // namespace
+
+source::Location Outlet::place_of(const machine::MachineFault& fault) {
+  return fault.tag ? std::bit_cast<Tag>(*fault.tag).where : source::Location();
+}
+
+/// What came behind a move that ended in a fault did not take place.
+std::optional<machine::MachineFault> Outlet::told(std::optional<machine::MachineFault> fault) {
+  if (fault && fault->tag) {
+    const std::uint64_t number = std::bit_cast<Tag>(*fault->tag).number;
+    observer_.on_moves_undone(moves_ - number);
+    moves_ = number;
+  }
+  return fault;
+}
+
+std::optional<machine::MachineFault> Outlet::stand_still() {
+  port_.stand_still();
+  return told(port_.take_late_fault());
+}
 
 template <typename Move>
 std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const PathBlock& block) {
   block.g == 0 ? stop_cutting() : cut();
   const auto reached = port_.move(move);
   if (!reached) {
-    return reached.error();
+    return told(reached.error());
   }
+  ++moves_;
   observer_.on_move({block.g, block.q_M_end, block.feed_mm_min, 0.0, block.where});
   return std::nullopt;
 }
 
 std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
                                                   const OffsetPlane& plane) {
+  const auto tag = std::bit_cast<machine::MoveTag>(Tag{moves_, block.where});
   if (!block.arc) {
     const auto traverse = block.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
-    return carry_out(machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min, block.ends,
-                                         block.mm_per_degree, block.rapid_path},
-                     block);
+    return carry_out(
+        machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min, block.ends,
+                            block.mm_per_degree, block.rapid_path, block.contour_control, tag},
+        block);
   }
   machine::ArcMove move;
   move.q_M_end = block.q_M_end;
@@ -30,6 +64,8 @@ std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
   move.turn = block.arc->turn;
   move.feed_mm_min = block.feed_mm_min;
   move.ends = block.ends;
+  move.contour_control = block.contour_control;
+  move.tag = tag;
   return carry_out(move, block);
 }
 
@@ -39,15 +75,22 @@ void Outlet::cut() {
   }
 }
 
-void Outlet::pause(const Pause& pause) {
+std::optional<machine::MachineFault> Outlet::pause(const Pause& pause) {
   stop_cutting();
+  if (auto late = stand_still()) {
+    return late;
+  }
   port_.dwell(pause.seconds);
   observer_.on_move({4, port_.position(), 0.0, pause.seconds, pause.where});
+  return std::nullopt;
 }
 
 Result<machine::SkipOutcome, machine::MachineFault> Outlet::move_until_skip(
     const machine::SkipMove& move) {
   cut();
+  if (auto late = stand_still()) {
+    return *std::move(late);
+  }
   return port_.move_until_skip(move);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "interpreter/path/path_block.h"
@@ -22,7 +23,14 @@ class Outlet {
   /// @returns the machine's fault; then the observer hears of no move
   std::optional<machine::MachineFault> move(const PathBlock& block, const OffsetPlane& plane);
 
-  void pause(const Pause& pause);
+  /// @returns the fault of a move before it that passed on; then there is no pause
+  std::optional<machine::MachineFault> pause(const Pause& pause);
+
+  /// Waits until the axes stand.  @returns the fault of a move that passed on
+  std::optional<machine::MachineFault> stand_still();
+
+  /// Of a fault that was found late: the block whose move it is; not known: the present one.
+  static source::Location place_of(const machine::MachineFault& fault);
 
   /// A move that listens to a sensor.  What became of it in words of the program is touched().
   Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(
@@ -44,12 +52,14 @@ class Outlet {
   template <typename Move>
   std::optional<machine::MachineFault> carry_out(const Move& move, const PathBlock& block);
 
+  std::optional<machine::MachineFault> told(std::optional<machine::MachineFault> fault);
   void cut();
 
   // The clock is looked at where cutting begins and ends, not at each move: what passes on has no
   // time of its own.
   double cutting_s_ = 0.0;
   std::optional<double> cuts_since_s_;
+  std::uint64_t moves_ = 0;  // that the observer has heard of
   machine::MachinePort& port_;
   runtime::Observer& observer_;
 };

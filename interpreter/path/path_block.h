@@ -69,6 +69,7 @@ struct PathBlock {
   machine::BlockEnd ends = machine::BlockEnd::ExactStop;
   double mm_per_degree = 0.0;  ///< of a line: see machine::LinearMove
   machine::RapidPath rapid_path = machine::RapidPath::Straight;  ///< for g = 0
+  machine::ContourControl contour_control = machine::ContourControl::Off;
 };
 
 struct Pause {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,6 +56,8 @@ class Observer {
   virtual ~Observer() = default;
 
   virtual void on_move(const MoveEvent&) {}
+  /// The last moves did not take place: the one before them ended in a fault that came late.
+  virtual void on_moves_undone(std::uint64_t /*count*/) {}
   virtual void on_touch(const TouchEvent&) {}
   virtual void on_stop(const StopEvent&) {}
   /// The axes have come to rest where the program has them, and it waits for that (STOPRE).

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -26,6 +28,17 @@ enum class BlockEnd {
   PassOn      ///< without a stop, as fast as corners allow; lagging axes round them (G64)
 };
 
+/// How a control plans the speed of moves at feed that pass on.  Axes that follow at once show no
+/// difference: theirs is planned in any case.
+enum class ContourControl {
+  Off,          ///< each move keeps its feed; what smooths it comes after the interpolation
+  LookAhead,    ///< before the interpolation: slowed to what corners and accelerations allow
+  FeedForward,  ///< the same, and the axes are driven by the speed of their command, too
+};
+
+/// What the caller knows a move by; a fault that comes late brings it back.
+using MoveTag = std::array<std::uint64_t, 3>;
+
 /// A move of all axes to an end point, straight unless it is a rapid of each axis on its own.
 struct LinearMove {
   AxisPositions q_M_end = AxisPositions::Zero();  ///< mm and deg, machine coordinates
@@ -36,6 +49,8 @@ struct LinearMove {
   /// where they move, else one in degrees.
   double mm_per_degree = 0.0;
   RapidPath rapid_path = RapidPath::Straight;  ///< with Traverse::Rapid
+  ContourControl contour_control = ContourControl::Off;
+  MoveTag tag = {};
 };
 
 /// How far an axis may go; mm and deg, machine coordinates.
@@ -59,6 +74,8 @@ struct ArcMove {
   Turn turn = Turn::Clockwise;
   double feed_mm_min = 0.0;  ///< > 0, along the arc
   BlockEnd ends = BlockEnd::ExactStop;
+  ContourControl contour_control = ContourControl::Off;
+  MoveTag tag = {};
 };
 
 /// The skip signal came during the move; the axes have stopped past the touch by the overtravel, or
@@ -107,6 +124,8 @@ struct MachineFault {
   std::string what;                ///< one line for people: axis and limit, or the bodies
   AxisPositions q_M_at;            ///< where the axes were
   std::optional<Contact> contact;  ///< for a collision: where the bodies met
+  /// Of an earlier move, where it was found late; nullopt: of the one that was asked for.
+  std::optional<MoveTag> tag = std::nullopt;
 };
 
 /// Everything a running NC program may ask of a machine, and nothing else.
@@ -122,7 +141,8 @@ class MachinePort {
   virtual ~MachinePort() = default;
 
   /// Moves and returns the reached position (the commanded end).  A move that meets a fault ends
-  /// where the fault is.
+  /// where the fault is.  The fault may be that of an earlier move that passed on (its tag says
+  /// which): then nothing of this one is done.
   virtual Result<AxisPositions, MachineFault> move(const LinearMove& move) = 0;
 
   /// Moves along an arc and returns the reached position (the commanded end).
@@ -159,6 +179,10 @@ class MachinePort {
   /// The program waits until the axes stand, as where it reads what a move leaves: moves that pass
   /// on do so no further.  Without this they wait for the next one.
   virtual void stand_still() {}
+
+  /// The fault of a move that passed on, found where the machine could not return it; once.  Until
+  /// somebody has taken it, from here or from the next move, the machine does nothing.
+  virtual std::optional<MachineFault> take_late_fault() { return std::nullopt; }
 
   /// Lets simulated time pass.  @param seconds >= 0
   virtual void dwell(double seconds) = 0;

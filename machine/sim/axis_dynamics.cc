@@ -18,6 +18,8 @@ AxisDynamics::AxisDynamics(const MachineSetup& setup) {
   // An absent axis never moves, so it never limits: 0 / infinity is 0.
   rapid_per_s_.setConstant(std::numeric_limits<double>::infinity());
   acceleration_per_s2_ = rapid_per_s_;
+  contour_acceleration_per_s2_ = rapid_per_s_;
+  corner_jump_per_s_ = rapid_per_s_;
   jerk_per_s3_ = rapid_per_s_;
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     const AxisSetup& axis = setup.axes[i];
@@ -27,6 +29,12 @@ AxisDynamics::AxisDynamics(const MachineSetup& setup) {
       const auto row = static_cast<Eigen::Index>(i);
       rapid_per_s_[row] = axis.rapid_per_min / kSecondsPerMinute;
       acceleration_per_s2_[row] = axis.acceleration_per_s2;
+      const double contour = axis.contour_acceleration_per_s2;
+      G31_EXPECTS(contour >= 0.0 && std::isfinite(contour));
+      contour_acceleration_per_s2_[row] = contour > 0.0 ? contour : axis.acceleration_per_s2;
+      corner_jump_per_s_[row] = axis.corner_jump_per_min
+                                    ? *axis.corner_jump_per_min / kSecondsPerMinute
+                                    : kCornerS * axis.acceleration_per_s2;
       G31_EXPECTS(axis.jerk_per_s3 >= 0.0 && std::isfinite(axis.jerk_per_s3));
       if (axis.jerk_per_s3 > 0.0) {
         jerk_per_s3_[row] = axis.jerk_per_s3;
@@ -45,7 +53,9 @@ PathLimits AxisDynamics::limits(const StraightPath& path, const LinearMove& move
   G31_EXPECTS(path.moves());
   const AxisPositions way = path.displacement().cwiseAbs();
   const double fastest = path.length() / way.cwiseQuotient(rapid_per_s_).maxCoeff();
-  const double acceleration = path.length() / way.cwiseQuotient(acceleration_per_s2_).maxCoeff();
+  const AxisPositions& most =
+      accelerations(move.traverse == Traverse::Feed ? move.contour_control : ContourControl::Off);
+  const double acceleration = path.length() / way.cwiseQuotient(most).maxCoeff();
   const double speed = move.traverse == Traverse::Rapid
                            ? fastest
                            : std::min(fastest, move.feed_mm_min / kSecondsPerMinute);
@@ -76,12 +86,13 @@ std::optional<IndependentPath> AxisDynamics::independent_path(const StraightPath
   return IndependentPath(straight.from(), straight.to(), profiles);
 }
 
-PathLimits AxisDynamics::limits(const ArcPath& path, double feed_mm_min) const {
+PathLimits AxisDynamics::limits(const ArcPath& path, double feed_mm_min,
+                                ContourControl contour_control) const {
   G31_EXPECTS(path.length() > 0.0);
   const int first = path.first_axis();
   const int second = path.second_axis();
-  const double in_plane =
-      std::min(acceleration_per_s2_[first], acceleration_per_s2_[second]) / std::numbers::sqrt2;
+  const AxisPositions& most = accelerations(contour_control);
+  const double in_plane = std::min(most[first], most[second]) / std::numbers::sqrt2;
 
   double helix_speed = std::numeric_limits<double>::infinity();
   double helix_acceleration = helix_speed;
@@ -89,7 +100,7 @@ PathLimits AxisDynamics::limits(const ArcPath& path, double feed_mm_min) const {
   helix[first] = helix[second] = 0.0;
   if (!helix.isZero(0.0)) {
     helix_speed = path.length() / helix.cwiseQuotient(rapid_per_s_).maxCoeff();
-    helix_acceleration = path.length() / helix.cwiseQuotient(acceleration_per_s2_).maxCoeff();
+    helix_acceleration = path.length() / helix.cwiseQuotient(most).maxCoeff();
   }
 
   const double speed =
@@ -114,8 +125,13 @@ MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) con
 double AxisDynamics::corner_speed(const AxisPositions& along_before,
                                   const AxisPositions& along_behind) const {
   const AxisPositions change = (along_behind - along_before).cwiseAbs();
-  const double most = change.cwiseQuotient(acceleration_per_s2_).maxCoeff();
-  return most > 0.0 ? kCornerS / most : std::numeric_limits<double>::infinity();
+  double slowest = 0.0;
+  for (Eigen::Index i = 0; i < change.size(); ++i) {
+    if (change[i] > kSameDirection) {
+      slowest = std::max(slowest, change[i] / corner_jump_per_s_[i]);
+    }
+  }
+  return slowest > 0.0 ? 1.0 / slowest : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace g31::machine

@@ -22,7 +22,8 @@ class AxisDynamics {
   ///
   /// A rapid goes as fast as the slowest axis allows; a feed goes with move.feed_mm_min along
   /// path.length(), but no faster than that: a control, too, clamps a feed that an axis cannot
-  /// follow.  Acceleration and jerk are the greatest at which no axis exceeds its own.
+  /// follow.  Acceleration and jerk are the greatest at which no axis exceeds its own, with
+  /// look-ahead the one for contours.
   /// @param path  path.moves(); only axes that are present move
   [[nodiscard]] PathLimits limits(const StraightPath& path, const LinearMove& move) const;
   [[nodiscard]] MotionProfile profile(const StraightPath& path, const LinearMove& move) const;
@@ -39,27 +40,38 @@ class AxisDynamics {
   /// bend is always possible.
   /// @param path  path.length() > 0; only axes that are present move
   /// @param feed_mm_min  > 0, along path.length()
-  [[nodiscard]] PathLimits limits(const ArcPath& path, double feed_mm_min) const;
+  [[nodiscard]] PathLimits limits(const ArcPath& path, double feed_mm_min,
+                                  ContourControl contour_control = ContourControl::Off) const;
   [[nodiscard]] MotionProfile profile(const ArcPath& path, double feed_mm_min) const;
 
   /// The speed of a corner between two ways that pass on into each other: no axis changes its speed
-  /// there by more than its acceleration makes in kCornerS.  Infinite where the direction stays.
-  /// Source of the rule, with a parameter for each axis: FANUC A-63512EN, 3.
+  /// there by more than its corner_jump, or what its acceleration makes in kCornerS.  Infinite
+  /// where the direction stays, within kSameDirection. Source of the rule, with a parameter for
+  /// each axis: FANUC A-63512EN, 3.
   /// @param along_before, along_behind  what each axis goes in a unit of the path
   [[nodiscard]] double corner_speed(const AxisPositions& along_before,
                                     const AxisPositions& along_behind) const;
 
  private:
+  [[nodiscard]] const AxisPositions& accelerations(ContourControl contour_control) const {
+    return contour_control == ContourControl::Off ? acceleration_per_s2_
+                                                  : contour_acceleration_per_s2_;
+  }
   /// The greatest jerk along a path at which no axis exceeds its own; 0: none limits it.
   [[nodiscard]] double jerk_along(double length, const AxisPositions& way) const;
 
   AxisPositions rapid_per_s_;
   AxisPositions acceleration_per_s2_;
+  AxisPositions contour_acceleration_per_s2_;
+  AxisPositions corner_jump_per_s_;
   AxisPositions jerk_per_s3_;  // infinite: not limited
   bool limits_jerk_ = false;
 };
 
 /// So sharp corners almost stop, and the chords of a fine polygon do not.
 inline constexpr double kCornerS = 0.001;
+
+/// Unit directions nearer than this are one: they differ by rounding.
+inline constexpr double kSameDirection = 1e-9;
 
 }  // namespace g31::machine

@@ -14,7 +14,32 @@ void ContinuousPath::add(const Move& move) {
 }
 
 ContinuousPath::Passed ContinuousPath::release() {
-  return all_of(planner_.release());
+  Passed passed = all_of(planner_.release());
+  if (keeps_few_ && ways_.size() >= next_look_) {
+    give_out_beginning(passed);
+    next_look_ = std::max(kManyWays, 2 * ways_.size());
+  }
+  return passed;
+}
+
+void ContinuousPath::give_out_beginning(Passed& passed) {
+  const auto cruise = planner_.cruise();
+  if (!cruise) {
+    return;
+  }
+  double length = 0.0;
+  auto way = ways_.begin();
+  for (; way != ways_.end() && length + way->length <= cruise->until; ++way) {
+    length += way->length;
+  }
+  double rest = 0.0;  // as the planner adds them up
+  for (; way != ways_.end(); ++way) {
+    rest += way->length;
+  }
+  if (length >= cruise->from && length > 0.0) {
+    const SpanMotion beginning = planner_.give_out_beginning(length, rest);
+    pass(beginning, beginning.duration_s(), passed);
+  }
 }
 
 ContinuousPath::Passed ContinuousPath::finish() {
@@ -30,6 +55,11 @@ ContinuousPath::Passed ContinuousPath::finish_at(double distance) {
   pass(last, last.time_at(std::min(last.length(), before + distance)), passed);
   ways_.clear();
   return passed;
+}
+
+void ContinuousPath::drop() {
+  planner_.finish();
+  ways_.clear();
 }
 
 ContinuousPath::Passed ContinuousPath::all_of(std::span<const SpanMotion> spans) {
@@ -51,10 +81,13 @@ void ContinuousPath::pass(const SpanMotion& span, double until_s, Passed& passed
   while (gone < span.length() && from_s <= until_s) {
     const Way way = std::move(ways_.front());
     ways_.pop_front();
+    const bool is_first = gone == 0.0;
     gone += way.length;  // as the planner adds them up: the last one ends with the span
     const bool is_last = gone >= span.length();
     const double to_s = std::min(until_s, is_last ? span.duration_s() : phases.time_at(gone));
-    passed.ways.push_back({way.path, phases.between(from_s, to_s), to_s - from_s});
+    const bool is_whole = is_first && is_last && to_s == span.duration_s();
+    passed.ways.push_back(
+        {way.path, is_whole ? phases : phases.between(from_s, to_s), to_s - from_s, way.passing});
     from_s = to_s;
   }
 }

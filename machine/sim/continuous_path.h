@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <span>
 #include <utility>
@@ -10,11 +11,19 @@
 
 namespace g31::machine {
 
-/// A piece of a path as it was travelled, from somewhere in its speed to somewhere.
+/// How a move at feed goes over into the next one.
+struct Passing {
+  BlockEnd ends = BlockEnd::ExactStop;
+  ContourControl contour_control = ContourControl::Off;
+  MoveTag tag = {};
+};
+
+/// A piece of a path as it is travelled, from somewhere in its speed to somewhere.
 struct Travelled {
   CommandedPath path;
   MotionPhases phases;  ///< distances count from the beginning of the path
   double duration_s = 0.0;
+  Passing passing;
 };
 
 /// Moves at feed that pass on into each other, until the machine stops: how long they take, and on
@@ -26,6 +35,9 @@ class ContinuousPath {
  public:
   /// From now on what is travelled is known, not only the times.  @pre empty
   void keep_ways() { keeps_ways_ = true; }
+  /// The same, and of a long way without corners what is behind is given out, so that little is
+  /// kept.
+  void keep_few_ways() { keeps_ways_ = keeps_few_ = true; }
 
   [[nodiscard]] bool is_empty() const { return planner_.is_empty(); }
 
@@ -42,7 +54,9 @@ class ContinuousPath {
 
   /// Whether ways are kept: then keep() follows each add().
   [[nodiscard]] bool keeps_ways() const { return keeps_ways_; }
-  void keep(CommandedPath path) { ways_.push_back({std::move(path), last_length_}); }
+  void keep(CommandedPath path, const Passing& passing) {
+    ways_.push_back({std::move(path), last_length_, passing});
+  }
 
   /// s, until standstill.
   [[nodiscard]] double duration_s() const { return planner_.duration_s(); }
@@ -58,20 +72,28 @@ class ContinuousPath {
   Passed finish();
   /// All of it, but of the last move only some distance, path units.
   Passed finish_at(double distance);
+  /// What is open is not travelled.
+  void drop();
 
  private:
   struct Way {
     CommandedPath path;
     double length = 0.0;
+    Passing passing;
   };
+  void give_out_beginning(Passed& passed);
   Passed all_of(std::span<const SpanMotion> spans);
   void pass(const SpanMotion& span, double until_s, Passed& passed);
 
   bool keeps_ways_ = false;
+  bool keeps_few_ = false;
+  std::size_t next_look_ = kManyWays;
   PathPlanner planner_;
   AxisPositions along_end_ = AxisPositions::Zero();
   double last_length_ = 0.0;
   std::deque<Way> ways_;
+
+  static constexpr std::size_t kManyWays = 256;
 };
 
 }  // namespace g31::machine

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "machine/errors/geometric_errors.h"
 #include "machine/kinematics/axis_chain.h"
 #include "machine/port/machine_port.h"
+#include "machine/sim/velocity_loop.h"
 #include "machine/units/axis_positions.h"
 #include "machine/units/thermal_growth.h"
 
@@ -23,11 +25,15 @@ struct AxisSetup {
   double acceleration_per_s2 = 2000.0;  ///< mm/s^2 or deg/s^2, > 0
   double jerk_per_s3 = 0.0;             ///< mm/s^3 or deg/s^3; 0: not limited
   double servo_gain = 0.0;              ///< Kv, (m/min)/mm or (1000 deg/min)/deg; 0: without lag
-  double home = 0.0;                    ///< reference point, machine coordinate
-  double scale_resolution = 0.0;        ///< mm or deg, >= 0: one step of the encoder; 0: no steps
-  errors::PlaySetup play;               ///< what a reversal does
-  ThermalGrowth scale_growth;           ///< of the scale, linear axes only
-  double scale_fixed_at = 0.0;          ///< machine coordinate where a growing scale stays
+  double feed_forward = 0.0;            ///< 0..1: share of the command's speed, where it is on
+  double contour_acceleration_per_s2 = 0.0;   ///< with look-ahead; 0: acceleration_per_s2
+  std::optional<double> corner_jump_per_min;  ///< >= 0; none: acceleration_per_s2 times 1 ms
+  VelocityLoopSetup velocity_loop;            ///< behind the position loop
+  double home = 0.0;                          ///< reference point, machine coordinate
+  double scale_resolution = 0.0;  ///< mm or deg, >= 0: one step of the encoder; 0: no steps
+  errors::PlaySetup play;         ///< what a reversal does
+  ThermalGrowth scale_growth;     ///< of the scale, linear axes only
+  double scale_fixed_at = 0.0;    ///< machine coordinate where a growing scale stays
 };
 
 /// How the axes come to rest when the control latches the skip signal.

@@ -51,6 +51,9 @@ MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surrou
       resolution_(resolutions(setup)),
       real_(setup) {
   G31_EXPECTS(q_M_.allFinite());
+  if (!real_.follow_at_once()) {
+    continuous_.keep_few_ways();
+  }
 }
 
 Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move) {
@@ -60,9 +63,10 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
   }
   const StraightPath path(q_M_, move.q_M_end, move.mm_per_degree);
   if (path.moves()) {
-    const bool passes_on = move.traverse == Traverse::Feed && joins(move.ends);
-    if (auto fault = passes_on ? pass_on(path, dynamics_.limits(path, move), move.ends)
-                               : carry_out(path, move)) {
+    if (auto fault = move.traverse == Traverse::Feed
+                         ? feed(path, dynamics_.limits(path, move),
+                                {move.ends, move.contour_control, move.tag})
+                         : carry_out(path, move)) {
       return *std::move(fault);
     }
   }
@@ -74,7 +78,10 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
   expect_legal(arc);
   const ArcPath path(q_M_, arc);
   if (path.length() < kFullCircleGapMm) {
-    return move(LinearMove{arc.q_M_end, Traverse::Feed, arc.feed_mm_min, arc.ends});
+    LinearMove straight{arc.q_M_end, Traverse::Feed, arc.feed_mm_min, arc.ends};
+    straight.contour_control = arc.contour_control;
+    straight.tag = arc.tag;
+    return move(straight);
   }
   if (const AxisBox circle = path.circle_bounds();
       !limits_.contain(circle.q_M_min) || !limits_.contain(circle.q_M_max)) {
@@ -85,10 +92,8 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
       }
     }
   }
-  if (auto fault = joins(arc.ends)
-                       ? pass_on(path, dynamics_.limits(path, arc.feed_mm_min), arc.ends)
-                       : carry_out(path, dynamics_.profile(path, arc.feed_mm_min),
-                                   {Travel::Feed, arc.ends})) {
+  if (auto fault = feed(path, dynamics_.limits(path, arc.feed_mm_min, arc.contour_control),
+                        {arc.ends, arc.contour_control, arc.tag})) {
     return *std::move(fault);
   }
   q_M_ = arc.q_M_end;
@@ -156,7 +161,7 @@ void MachiningCentre::tell_time() const {
 
 void MachiningCentre::tell(const MachineEvent& event) {
   stand_still();
-  if (surroundings_ == nullptr) {
+  if (surroundings_ == nullptr || late_) {
     return;
   }
   tell_time();
@@ -169,6 +174,9 @@ void MachiningCentre::tell(const MachineEvent& event) {
 void MachiningCentre::dwell(double seconds) {
   G31_EXPECTS(seconds >= 0.0 && std::isfinite(seconds));
   stand_still();
+  if (late_) {
+    return;
+  }
   if (!real_.are_ideal()) {
     follow(real_.motion(StraightPath(q_M_, q_M_), {}), seconds);
     return;
@@ -226,8 +234,11 @@ template <typename Path, typename Profile>
 std::optional<MachineFault> MachiningCentre::carry_out(const Path& path, const Profile& profile,
                                                        const Carriage& how) {
   stand_still();
+  if (late_) {
+    return take_late_fault();
+  }
   if (!real_.are_ideal()) {
-    return carry_out_really(path, profile.phases(), how);
+    return carry_out_really(real_.motion(path, profile.phases(), how.contour_control), how);
   }
   if (surroundings_ != nullptr) {
     auto obstacle = obstacle_on(path, how.travel);
@@ -249,10 +260,15 @@ std::optional<MachineFault> MachiningCentre::carry_out(const Path& path, const P
   return std::nullopt;
 }
 
-std::optional<MachineFault> MachiningCentre::carry_out_really(const CommandedPath& path,
-                                                              const MotionPhases& phases,
+template std::optional<MachineFault> MachiningCentre::carry_out(const StraightPath&,
+                                                                const MotionProfile&,
+                                                                const Carriage&);
+template std::optional<MachineFault> MachiningCentre::carry_out(const ArcPath&,
+                                                                const MotionProfile&,
+                                                                const Carriage&);
+
+std::optional<MachineFault> MachiningCentre::carry_out_really(const ServoMotion& motion,
                                                               const Carriage& how) {
-  const ServoMotion motion = real_.motion(path, phases);
   if (surroundings_ != nullptr) {
     auto obstacle = real_.first_obstacle(motion, how, *surroundings_);
     if (obstacle) {

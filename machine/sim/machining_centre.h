@@ -18,10 +18,12 @@ namespace g31::machine {
 /// The simulated machine tool: axes with travel limits, acceleration and time, in a world that
 /// may raise the skip signal or be in the way.
 ///
-/// Moves at feed that pass on go into each other where the axes follow at once (ContinuousPath);
-/// all others begin and end at standstill.  Ends that are not finite, and feeds
-/// that are not > 0, are the caller's bug and stop the process.  A soft limit is checked at the
-/// end point before anything moves; leaving a place outside the limits is allowed.
+/// Moves at feed that pass on go into each other: planned ahead (ContinuousPath), or, where axes
+/// lag and no contour control is on, each at its own feed from its beginning to its end, which the
+/// lag smooths.  All others begin and end at standstill.  The way of axes that lag or stick depends
+/// on the plan: what is in it is met when it is carried out, moves later.  Ends that are not
+/// finite, and feeds that are not > 0, are the caller's bug and stop the process.  A soft limit is
+/// checked at the end point before anything moves; leaving a place outside the limits is allowed.
 ///
 /// Positions that go in and come out are the encoders' at rest.  The world is asked about the true
 /// ones (RealAxes): behind the command by the servo lag, off by the errors of the machine, on a
@@ -64,6 +66,7 @@ class MachiningCentre final : public MachinePort {
   void digital_output(const DigitalOutput& output) override;
   void dwell(double seconds) override;
   void stand_still() override;
+  std::optional<MachineFault> take_late_fault() override;
   [[nodiscard]] std::optional<AxisTravel> travel(int axis) const override {
     return limits_.of(axis);
   }
@@ -93,16 +96,23 @@ class MachiningCentre final : public MachinePort {
   template <typename Path, typename Profile>
   std::optional<MachineFault> carry_out(const Path& path, const Profile& profile,
                                         const Carriage& how);
-  std::optional<MachineFault> carry_out_really(const CommandedPath& path,
-                                               const MotionPhases& phases, const Carriage& how);
+  std::optional<MachineFault> carry_out_really(const ServoMotion& motion, const Carriage& how);
 
-  // A move that the one before may have passed on into, and that may pass on itself.
-  [[nodiscard]] bool joins(BlockEnd ends) const;
   template <typename Path>
-  std::optional<MachineFault> pass_on(const Path& path, const PathLimits& limits, BlockEnd ends);
+  std::optional<MachineFault> feed(const Path& path, const PathLimits& limits,
+                                   const Passing& passing);
+  // A move that the one before may have passed on into, and that may pass on itself.
+  [[nodiscard]] bool joins(const Passing& passing) const;
+  template <typename Path>
+  std::optional<MachineFault> pass_on(const Path& path, const PathLimits& limits,
+                                      const Passing& passing);
+  std::optional<MachineFault> keep_feed(const CommandedPath& path, const MotionPhases& phases,
+                                        BlockEnd ends);
   template <typename Path>
   std::optional<Obstacle> obstacle_in_passing(const Path& path, const PathLimits& limits);
   void pass(const ContinuousPath::Passed& passed);
+  void travel_late(const Travelled& way);
+  void settle(const AxisPositions& q_M_end);
 
   // Until the signal; nullopt: there is none.
   std::optional<SkipOutcome> skip(const StraightPath& path, const MotionProfile& profile,
@@ -127,7 +137,9 @@ class MachiningCentre final : public MachinePort {
   Surroundings* surroundings_;
   Clock clock_;
   ContinuousPath continuous_;
-  mutable double told_s_ = 0.0;  // the last time that the surroundings were told
+  bool keeps_feed_ = false;           // the last move did, and nothing has happened since
+  std::optional<MachineFault> late_;  // of a move that passed on, until somebody can be told
+  mutable double told_s_ = 0.0;       // the last time that the surroundings were told
   AxisPositions q_M_;
   AxisPositions resolution_;  // of the encoders; 0: no steps
   RealAxes real_;

@@ -11,9 +11,14 @@
 namespace g31::machine {
 
 void MachiningCentre::stand_still() {
+  keeps_feed_ = false;
   if (!continuous_.is_empty()) {
     pass(continuous_.finish());
   }
+}
+
+std::optional<MachineFault> MachiningCentre::take_late_fault() {
+  return std::exchange(late_, std::nullopt);
 }
 
 double MachiningCentre::time_s() const {
@@ -25,13 +30,44 @@ double MachiningCentre::time_s() const {
   return at_rest.now_s();
 }
 
-bool MachiningCentre::joins(BlockEnd ends) const {
-  return real_.follow_at_once() && (ends == BlockEnd::PassOn || !continuous_.is_empty());
+template <typename Path>
+std::optional<MachineFault> MachiningCentre::feed(const Path& path, const PathLimits& limits,
+                                                  const Passing& passing) {
+  if (joins(passing)) {
+    return pass_on(path, limits, passing);
+  }
+  if (passing.ends == BlockEnd::PassOn || keeps_feed_) {
+    MotionPhases phases(MotionState{0.0, limits.speed, 0.0});
+    phases.append(path.length() / limits.speed, 0.0);
+    return keep_feed(path, phases, passing.ends);
+  }
+  const MotionProfile profile(path.length(), limits.speed, limits.acceleration, limits.jerk);
+  return carry_out(path, profile, {Travel::Feed, passing.ends, passing.contour_control});
+}
+template std::optional<MachineFault> MachiningCentre::feed(const StraightPath&, const PathLimits&,
+                                                           const Passing&);
+template std::optional<MachineFault> MachiningCentre::feed(const ArcPath&, const PathLimits&,
+                                                           const Passing&);
+
+bool MachiningCentre::joins(const Passing& passing) const {
+  const bool plans = !real_.lag() || passing.contour_control != ContourControl::Off;
+  return plans && (passing.ends == BlockEnd::PassOn || !continuous_.is_empty());
+}
+
+/// Acceleration after interpolation: the command steps to the feed and from it, the axes smooth it.
+std::optional<MachineFault> MachiningCentre::keep_feed(const CommandedPath& path,
+                                                       const MotionPhases& phases, BlockEnd ends) {
+  stand_still();
+  if (late_) {
+    return take_late_fault();
+  }
+  keeps_feed_ = ends == BlockEnd::PassOn;
+  return carry_out_really(real_.motion(path, phases), {Travel::Feed, ends});
 }
 
 template <typename Path>
 std::optional<MachineFault> MachiningCentre::pass_on(const Path& path, const PathLimits& limits,
-                                                     BlockEnd ends) {
+                                                     const Passing& passing) {
   const double length = path.length();
   double corner_speed = 0.0;
   if (!continuous_.is_empty()) {
@@ -39,9 +75,9 @@ std::optional<MachineFault> MachiningCentre::pass_on(const Path& path, const Pat
   }
   continuous_.add({length, limits, corner_speed, path.slope_at(1.0) / length});
   if (continuous_.keeps_ways()) {
-    continuous_.keep(path);
+    continuous_.keep(path, passing);
   }
-  if (surroundings_ != nullptr) {
+  if (surroundings_ != nullptr && real_.follow_at_once()) {
     if (auto obstacle = obstacle_in_passing(path, limits)) {
       const AxisPositions q_M_stop = path.at(obstacle->fraction);
       pass(continuous_.finish_at(obstacle->fraction * path.length()));
@@ -49,12 +85,13 @@ std::optional<MachineFault> MachiningCentre::pass_on(const Path& path, const Pat
       return stop_at(*std::move(obstacle), q_M_stop, 0.0);
     }
   }
-  if (ends == BlockEnd::ExactStop) {
-    stand_still();
-  } else {
+  if (passing.ends == BlockEnd::PassOn) {
     pass(continuous_.release());
+  } else {
+    stand_still();
+    settle(path.to());
   }
-  return std::nullopt;
+  return take_late_fault();
 }
 
 /// The way of axes that follow at once is the same at every speed.  The fraction is of the path.
@@ -75,6 +112,12 @@ std::optional<Obstacle> MachiningCentre::obstacle_in_passing(const Path& path,
 }
 
 void MachiningCentre::pass(const ContinuousPath::Passed& passed) {
+  if (!real_.follow_at_once()) {
+    for (const Travelled& way : passed.ways) {
+      travel_late(way);
+    }
+    return;
+  }
   double start_s = clock_.now_s();
   for (const Travelled& way : passed.ways) {
     sampler_->show({start_s, way.duration_s, real_.motion(way.path, way.phases), real_.truth()},
@@ -86,9 +129,28 @@ void MachiningCentre::pass(const ContinuousPath::Passed& passed) {
   }
 }
 
-template std::optional<MachineFault> MachiningCentre::pass_on(const StraightPath&,
-                                                              const PathLimits&, BlockEnd);
-template std::optional<MachineFault> MachiningCentre::pass_on(const ArcPath&, const PathLimits&,
-                                                              BlockEnd);
+void MachiningCentre::travel_late(const Travelled& way) {
+  if (late_ || way.phases.duration_s() == 0.0) {
+    return;
+  }
+  const ContourControl control = way.passing.contour_control;
+  late_ = carry_out_really(real_.motion(way.path, way.phases, control),
+                           {Travel::Feed, BlockEnd::PassOn, control});
+  if (late_) {
+    late_->tag = way.passing.tag;
+    continuous_.drop();
+  }
+}
+
+/// An exact stop at the end of moves that passed on: the axes follow to their place.
+void MachiningCentre::settle(const AxisPositions& q_M_end) {
+  if (late_ || real_.follow_at_once()) {
+    return;
+  }
+  const ServoMotion motion = real_.motion(StraightPath(q_M_end, q_M_end), {});
+  if (real_.done_s(motion, BlockEnd::ExactStop) > 0.0) {
+    late_ = carry_out_really(motion, {Travel::Feed, BlockEnd::ExactStop});
+  }
+}
 
 }  // namespace g31::machine

@@ -29,6 +29,9 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMov
     return soft_limit_fault(move.way.q_M_end);
   }
   stand_still();
+  if (late_) {
+    return *take_late_fault();
+  }
   tell_time();
   const StraightPath path(q_M_, move.way.q_M_end, move.way.mm_per_degree);
   SkipOutcome outcome = NoTouch{};

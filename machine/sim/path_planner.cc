@@ -220,6 +220,27 @@ std::span<const SpanMotion> PathPlanner::release() {
   return released_;
 }
 
+std::optional<PathPlanner::Cruise> PathPlanner::cruise() const {
+  if (spans_.size() != 1) {
+    return std::nullopt;
+  }
+  const Span& span = spans_.front();
+  const double most = span.limits.speed;
+  const Cruise cruise{ramp_length(span.begin_speed, most, span.limits),
+                      span.length - ramp_length(most, 0.0, span.limits)};
+  return cruise.from < cruise.until ? std::optional(cruise) : std::nullopt;
+}
+
+SpanMotion PathPlanner::give_out_beginning(double length, double rest) {
+  G31_EXPECTS(spans_.size() == 1 && rest > 0.0);
+  Span& span = spans_.front();
+  SpanMotion beginning(length, span.limits, span.begin_speed, span.limits.speed);
+  span.length = rest;
+  span.begin_speed = span.limits.speed;
+  duration_s_.reset();
+  return beginning;
+}
+
 std::span<const SpanMotion> PathPlanner::finish() {
   released_.clear();
   give_out(spans_.size(), 0.0);

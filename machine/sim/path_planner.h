@@ -68,6 +68,17 @@ class PathPlanner {
   /// result holds until the next call.
   std::span<const SpanMotion> release();
 
+  /// Of one long span, at which of its lengths it goes at its highest speed whatever comes;
+  /// nullopt: there is none, or more than one span.
+  struct Cruise {
+    double from = 0.0;
+    double until = 0.0;
+  };
+  [[nodiscard]] std::optional<Cruise> cruise() const;
+  /// Gives the beginning of that span out.
+  /// @param length  in cruise()  @param rest  > 0: the length of what remains
+  SpanMotion give_out_beginning(double length, double rest);
+
   /// All that is left, to the end at rest: the planner is as new.
   std::span<const SpanMotion> finish();
 

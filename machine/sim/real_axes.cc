@@ -13,16 +13,25 @@ namespace {
 /// A gain of 1 (m/min)/mm is a time constant of 60 ms.
 constexpr double kSecondsAtGainOne = 0.06;
 
-AxisPositions time_constants(const MachineSetup& setup) {
-  AxisPositions seconds = AxisPositions::Zero();
+ServoLoops loops_of(const MachineSetup& setup) {
+  ServoLoops loops;
   for (std::size_t i = 0; i < kAxisCount; ++i) {
-    const double gain = setup.axes[i].servo_gain;
-    G31_EXPECTS(gain >= 0.0);
-    if (gain > 0.0) {
-      seconds[static_cast<Eigen::Index>(i)] = kSecondsAtGainOne / gain;
+    const AxisSetup& axis = setup.axes[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    G31_EXPECTS(axis.servo_gain >= 0.0);
+    G31_EXPECTS(axis.feed_forward >= 0.0 && axis.feed_forward <= 1.0);
+    if (axis.servo_gain > 0.0) {
+      loops.time_constants_s[row] = kSecondsAtGainOne / axis.servo_gain;
+      loops.velocity[i] = axis.velocity_loop;
     }
+    loops.feed_forward[row] = axis.feed_forward;
   }
-  return seconds;
+  return loops;
+}
+
+ServoLoops without_feed_forward(ServoLoops loops) {
+  loops.feed_forward.setZero();
+  return loops;
 }
 
 }  // namespace
@@ -30,15 +39,19 @@ AxisPositions time_constants(const MachineSetup& setup) {
 RealAxes::RealAxes(const MachineSetup& setup)
     : truth_(setup),
       chain_(setup.chain, setup.p_T_tip),
-      time_constants_s_(time_constants(setup)),
+      loops_(without_feed_forward(loops_of(setup))),
+      loops_ahead_(loops_of(setup)),
       in_position_(setup.in_position),
-      is_ideal_(truth_.is_ideal() && !chain_.has_rotary_axes() && time_constants_s_.isZero(0.0)),
-      follows_at_once_(time_constants_s_.isZero(0.0) && !truth_.has_play()) {
+      lags_(!loops_.time_constants_s.isZero(0.0)),
+      is_ideal_(truth_.is_ideal() && !chain_.has_rotary_axes() && !lags_),
+      follows_at_once_(!lags_ && !truth_.has_play()) {
   G31_EXPECTS(in_position_ > 0.0);
 }
 
-ServoMotion RealAxes::motion(const CommandedPath& path, const MotionPhases& phases) const {
-  return ServoMotion(path, phases, lag_, time_constants_s_);
+ServoMotion RealAxes::motion(const CommandedPath& path, const MotionPhases& phases,
+                             ContourControl contour_control) const {
+  return ServoMotion(path, phases, state_,
+                     contour_control == ContourControl::FeedForward ? loops_ahead_ : loops_);
 }
 
 double RealAxes::done_s(const ServoMotion& motion, BlockEnd end) const {
@@ -122,7 +135,7 @@ void RealAxes::follow(const ServoMotion& motion, double until_s) {
       truth_.go_to(motion.encoder_at(step_s));
     }
   }
-  lag_ = motion.lag_at(until_s);
+  state_ = motion.state_at(until_s);
 }
 
 void RealAxes::take_tool(const Point& p_T_tip) {
@@ -132,7 +145,7 @@ void RealAxes::take_tool(const Point& p_T_tip) {
 
 void RealAxes::stop_at(const AxisPositions& q_M) {
   truth_.go_to(q_M);
-  lag_.setZero();
+  state_ = {};
 }
 
 }  // namespace g31::machine

@@ -22,6 +22,7 @@ struct Timed {
 struct Carriage {
   Travel travel = Travel::Feed;
   BlockEnd ends = BlockEnd::ExactStop;
+  ContourControl contour_control = ContourControl::Off;
 };
 
 /// The axes of a machine as they are: behind their commands, beside their encoders, on tables that
@@ -36,8 +37,12 @@ class RealAxes {
   /// Whether their ways do not depend on the speed: they neither lag nor stick.
   [[nodiscard]] bool follow_at_once() const { return follows_at_once_; }
 
+  /// Whether any of them is behind its command.
+  [[nodiscard]] bool lag() const { return lags_; }
+
   /// The motion along a path that begins now.
-  [[nodiscard]] ServoMotion motion(const CommandedPath& path, const MotionPhases& phases) const;
+  [[nodiscard]] ServoMotion motion(const CommandedPath& path, const MotionPhases& phases,
+                                   ContourControl contour_control = ContourControl::Off) const;
 
   /// When the control takes a motion as done: at the end of the command, or once the axes have
   /// followed within in_position.
@@ -78,9 +83,11 @@ class RealAxes {
  private:
   TruePosition truth_;
   AxisChain chain_;
-  AxisPositions time_constants_s_;
+  ServoLoops loops_;
+  ServoLoops loops_ahead_;  // with feed-forward
   double in_position_;
-  AxisPositions lag_ = AxisPositions::Zero();
+  ServoState state_;
+  bool lags_;
   bool is_ideal_;
   bool follows_at_once_;
 };

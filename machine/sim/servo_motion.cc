@@ -113,16 +113,18 @@ int pieces_of(const ArcPath& arc, const MotionPhase& phase) {
 }  // namespace
 
 ServoMotion::ServoMotion(const CommandedPath& path, const MotionPhases& phases,
-                         const AxisPositions& lag, const AxisPositions& time_constants_s)
+                         const ServoState& state, const ServoLoops& loops)
     : drives_(drives_of(path, phases)),
-      time_constants_s_(time_constants_s),
+      time_constants_s_(loops.time_constants_s),
+      feed_forward_s_(loops.feed_forward.cwiseProduct(loops.time_constants_s)),
       q_M_end_(start_of(path)),
-      lag_(lag) {
-  G31_EXPECTS((time_constants_s.array() >= 0.0).all());
-  const double left = lag.cwiseAbs().maxCoeff();
+      lag_(state.lag) {
+  G31_EXPECTS((time_constants_s_.array() >= 0.0).all());
+  start_velocity_loops(loops, state);
+  const double left = lag_.cwiseAbs().maxCoeff();
   if (left > kTurnErrorMm) {
     // It dies away as exp(-t / T), which bends by left / 8 (step / T)^2 in a step.
-    const double t = time_constants_s.maxCoeff();
+    const double t = time_constants_s_.maxCoeff();
     transient_s_ = t * std::log(left / kTurnErrorMm);
     transient_step_s_ = t * std::sqrt(8.0 * kTurnErrorMm / left);
   }
@@ -135,6 +137,41 @@ ServoMotion::ServoMotion(const CommandedPath& path, const MotionPhases& phases,
   if (length > 0.0) {
     const double fraction = phases.length() / length;
     q_M_end_ = point_at(path, fraction > 1.0 - kRounding ? 1.0 : std::max(0.0, fraction));
+  }
+  for (std::size_t i = 0; has_velocity_loops_ && i < kAxisCount; ++i) {
+    if (velocity_loops_[i]) {
+      velocity_loops_[i]->rest_at(q_M_end_[static_cast<Eigen::Index>(i)]);
+    }
+  }
+}
+
+void ServoMotion::start_velocity_loops(const ServoLoops& loops, const ServoState& state) {
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    if (loops.velocity[i].is_there() && time_constants_s_[axis] > 0.0) {
+      velocity_loops_[i].emplace(LoopMotion::Setup{loops.velocity[i], 1.0 / time_constants_s_[axis],
+                                                   loops.feed_forward[axis]},
+                                 q_M_end_[axis] - lag_[axis], state.velocity[i]);
+      has_velocity_loops_ = true;
+    }
+  }
+}
+
+void ServoMotion::follow_in_velocity_loops(const Cubic& command, double duration_s) {
+  for (std::size_t i = 0; has_velocity_loops_ && i < kAxisCount; ++i) {
+    if (velocity_loops_[i]) {
+      const auto axis = static_cast<Eigen::Index>(i);
+      velocity_loops_[i]->follow(
+          {command[0][axis], command[1][axis], command[2][axis], command[3][axis]}, duration_s);
+    }
+  }
+}
+
+void ServoMotion::take_velocity_loops(AxisPositions& q_M, double time_s) const {
+  for (std::size_t i = 0; has_velocity_loops_ && i < kAxisCount; ++i) {
+    if (velocity_loops_[i]) {
+      q_M[static_cast<Eigen::Index>(i)] = velocity_loops_[i]->at(time_s).position;
+    }
   }
 }
 
@@ -182,17 +219,22 @@ void ServoMotion::add_piece(const Cubic& command, double duration_s) {
   piece.begin_s = duration_s_;
   piece.duration_s = duration_s;
   piece.command = command;
-  // T y' + y = c has the solution c - T c' + T^2 c'' - T^3 c''', and what dies away.
+  // T y' + y = u has the solution u - T u' + T^2 u'' - T^3 u''', and what dies away; u = c + a T
+  // c'.
   const AxisPositions& t = time_constants_s_;
+  const AxisPositions& ahead = feed_forward_s_;
   Cubic& y = piece.response;
   y[3] = command[3];
-  y[2] = command[2] - 3.0 * t.cwiseProduct(command[3]);
-  y[1] = command[1] - 2.0 * t.cwiseProduct(y[2]);
-  y[0] = command[0] - t.cwiseProduct(y[1]);
+  y[2] = command[2] + 3.0 * (ahead - t).cwiseProduct(command[3]);
+  y[1] = command[1] + 2.0 * (ahead.cwiseProduct(command[2]) - t.cwiseProduct(y[2]));
+  y[0] = command[0] + ahead.cwiseProduct(command[1]) - t.cwiseProduct(y[1]);
   piece.dying = (command[0] - lag_) - y[0];
   pieces_.push_back(piece);
+  follow_in_velocity_loops(command, duration_s);
   duration_s_ += duration_s;
-  lag_ = value_of(command, duration_s) - encoder_in(piece, duration_s);
+  AxisPositions q_M_encoder = encoder_in(piece, duration_s);
+  take_velocity_loops(q_M_encoder, duration_s_);
+  lag_ = value_of(command, duration_s) - q_M_encoder;
 }
 
 const ServoMotion::Piece& ServoMotion::piece_at(double time_s) const {
@@ -225,11 +267,25 @@ AxisPositions ServoMotion::commanded_at(double time_s) const {
 
 AxisPositions ServoMotion::encoder_at(double time_s) const {
   G31_EXPECTS(time_s >= 0.0);
+  AxisPositions q_M;
   if (time_s >= duration_s_) {
-    return q_M_end_ - lag_.cwiseProduct(decay(time_s - duration_s_));
+    q_M = q_M_end_ - lag_.cwiseProduct(decay(time_s - duration_s_));
+  } else {
+    const Piece& piece = piece_at(time_s);
+    q_M = encoder_in(piece, time_s - piece.begin_s);
   }
-  const Piece& piece = piece_at(time_s);
-  return encoder_in(piece, time_s - piece.begin_s);
+  take_velocity_loops(q_M, time_s);
+  return q_M;
+}
+
+ServoState ServoMotion::state_at(double time_s) const {
+  ServoState state{lag_at(time_s), {}};
+  for (std::size_t i = 0; has_velocity_loops_ && i < kAxisCount; ++i) {
+    if (velocity_loops_[i]) {
+      state.velocity[i] = velocity_loops_[i]->at(time_s).state;
+    }
+  }
+  return state;
 }
 
 double ServoMotion::in_position_s(double width) const {
@@ -237,7 +293,9 @@ double ServoMotion::in_position_s(double width) const {
   double wait_s = 0.0;
   for (Eigen::Index i = 0; i < lag_.size(); ++i) {
     const double lag = std::abs(lag_[i]);
-    if (lag > width) {
+    if (const auto& loop = velocity_loops_[static_cast<std::size_t>(i)]) {
+      wait_s = std::max(wait_s, loop->within_s(width) - duration_s_);
+    } else if (lag > width) {
       wait_s = std::max(wait_s, time_constants_s_[i] * std::log(lag / width));
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <variant>
 #include <vector>
@@ -9,26 +10,40 @@
 #include "machine/sim/independent_path.h"
 #include "machine/sim/motion_phases.h"
 #include "machine/sim/straight_path.h"
+#include "machine/sim/velocity_loop.h"
 
 namespace g31::machine {
 
 /// A way of all axes that the control commands.
 using CommandedPath = std::variant<StraightPath, ArcPath, IndependentPath>;
 
-/// One move as the position loops carry it out.
+/// How the axes follow their commands.
+struct ServoLoops {
+  AxisPositions time_constants_s = AxisPositions::Zero();  ///< T = 1 / Kv, >= 0
+  AxisPositions feed_forward = AxisPositions::Zero();      ///< 0..1
+  std::array<VelocityLoopSetup, kAxisCount> velocity = {};
+};
+
+/// What is left of the moves before.
+struct ServoState {
+  AxisPositions lag = AxisPositions::Zero();  ///< command minus encoder
+  std::array<VelocityLoopState, kAxisCount> velocity = {};
+};
+
+/// One move as the servo loops carry it out.
 ///
-/// Each axis follows its command like a first-order lag: T q' + q = q_commanded, T = 1 / Kv; at a
-/// steady speed it is v / Kv behind.  With T = 0 it is where it is commanded.
+/// Each axis follows its command like a first-order lag: T q' + q = c + a T c', c the command,
+/// T = 1 / Kv, a the feed-forward; at a steady speed it is (1 - a) v / Kv behind.  With T = 0 it is
+/// where it is commanded.  An axis with a velocity loop follows as LoopMotion says.
 ///
 /// Accuracy: straight moves and rapids of each axis on its own are solved in closed form; on arcs
-/// the command is taken within kArcCommandErrorMm.
+/// the command is taken within kArcCommandErrorMm; for velocity loops see LoopMotion.
 class ServoMotion {
  public:
   /// @param phases    the speed along the path; it may stop before the end of the path
-  /// @param lag       command minus encoder when the move begins
-  /// @param time_constants_s  T of each axis, >= 0
-  ServoMotion(const CommandedPath& path, const MotionPhases& phases, const AxisPositions& lag,
-              const AxisPositions& time_constants_s);
+  /// @param state     when the move begins
+  ServoMotion(const CommandedPath& path, const MotionPhases& phases, const ServoState& state,
+              const ServoLoops& loops);
 
   /// What drives the axes: the motion along their common path, or that of each axis which goes on
   /// its own, in its own units.
@@ -50,6 +65,9 @@ class ServoMotion {
   [[nodiscard]] AxisPositions lag_at(double time_s) const {
     return commanded_at(time_s) - encoder_at(time_s);
   }
+
+  /// What is left of the move at a time.
+  [[nodiscard]] ServoState state_at(double time_s) const;
 
   /// When, from duration_s() on, no axis lags by more than a width.  @param width  > 0
   [[nodiscard]] double in_position_s(double width) const;
@@ -74,15 +92,22 @@ class ServoMotion {
   [[nodiscard]] const Piece& piece_at(double time_s) const;
   [[nodiscard]] AxisPositions decay(double time_s) const;
   [[nodiscard]] AxisPositions encoder_in(const Piece& piece, double time_s) const;
+  void start_velocity_loops(const ServoLoops& loops, const ServoState& state);
+  void follow_in_velocity_loops(const Cubic& command, double duration_s);
+  /// Axes with a velocity loop are where it has brought them.
+  void take_velocity_loops(AxisPositions& q_M, double time_s) const;
 
   std::vector<MotionPhases> drives_;
   AxisPositions time_constants_s_;
+  AxisPositions feed_forward_s_;  // times T
   AxisPositions q_M_end_;
   AxisPositions lag_;  // at the end of what is already built
   double duration_s_ = 0.0;
   double transient_s_ = 0.0;  // how long what was left of the move before matters
   double transient_step_s_ = 0.0;
   std::vector<Piece> pieces_;
+  std::array<std::optional<LoopMotion>, kAxisCount> velocity_loops_;
+  bool has_velocity_loops_ = false;
 };
 
 /// How far a command on an arc may be beside the arc, mm.

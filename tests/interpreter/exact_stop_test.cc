@@ -1,4 +1,5 @@
 // How blocks end: G64 passes on, G61 and G09 stop exactly, #3004 bit 2 forbids both; rapids stop.
+// And who plans the speed of what passes on.
 
 #include <string>
 
@@ -36,6 +37,39 @@ TEST(ExactStop, IsModalOrOfOneBlockAndNeverForBitTwoOf3004) {
       ends += end == machine::BlockEnd::ExactStop ? 'S' : 'P';
     }
     EXPECT_EQ(ends, c.ends);
+  }
+}
+
+/// A letter a move: O contour control off, L look-ahead, F with feed-forward.
+std::string controls_of(const testing::RecordingMachine& machine) {
+  std::string letters;
+  for (const machine::ContourControl control : machine.contour_controls()) {
+    letters += "OLF"[static_cast<std::size_t>(control)];
+  }
+  return letters;
+}
+
+TEST(ContourControl, IsSwitchedByQAndPAndAHaasPlansAheadInAnyCase) {
+  struct Case {
+    const char* profile;
+    const char* program;
+    const char* controls;
+  };
+  const Case kCases[] = {
+      {"fanuc-16i", "G1X1.F100\nG5.1Q1\nX2.\nG2X4.R1.\nG5.1Q0\nX5.", "OFFO"},
+      {"fanuc-30i", "G8P1\nG1X1.F100\nG8P0\nX2.", "FO"},
+      {"fanuc-30i", "G5.1Q1\nG8P1\nG1X1.F100\nG8P0\nX2.\nG5.1Q0\nX3.", "FFO"},
+      {"meldas", "G1X1.F100\nG8P1\nX2.", "OF"},
+      {"haas", "G1X1.F100\nG3X2.R1.", "LL"},
+      {"fanuc-16i", "G41D1G1X10.F100\nX20.\nG5.1Q1\nY20.\nG40X30.", "OOFF"},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.program);
+    runtime::ControlSetup setup;
+    setup.tools[1].radius_mm = 1.0;
+    testing::ControlRun run(c.profile, c.program, setup);
+    EXPECT_EQ(run.alarm(), 0);
+    EXPECT_EQ(controls_of(run.machine()), c.controls);
   }
 }
 

@@ -1,6 +1,7 @@
 // Which way rapids go: straight, or each axis on its own.
 
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -91,6 +92,20 @@ TEST(RapidPath, OfFanucControlsFollowsProfileParametersAndContourControl) {
   }
 }
 
+void run_sinumerik(const std::string& program, runtime::ControlSetup setup,
+                   testing::RecordingMachine& machine) {
+  testing::FilesInMemory files({{"main.mpf", program + "M30\n"}});
+  source::SourceMap sources(files);
+  sinumerik::ProgramLibrary library(sources);
+  library.add_file("main.mpf");
+  runtime::Observer observer;
+  sinumerik::Session session(library, machine, observer);
+  setup.tools[1].radius_mm = 1.0;
+  EXPECT_TRUE(session.configure(setup).empty());
+  const runtime::Outcome outcome = session.run({});
+  EXPECT_FALSE(outcome.alarm) << outcome.alarm->text;
+}
+
 TEST(RapidPath, OfSinumerikIsStraightUnlessRtliofActs) {
   struct Case {
     const char* name;
@@ -113,21 +128,20 @@ TEST(RapidPath, OfSinumerikIsStraightUnlessRtliofActs) {
   };
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
-    testing::FilesInMemory files({{"main.mpf", std::string(c.program) + "M30\n"}});
-    source::SourceMap sources(files);
-    sinumerik::ProgramLibrary library(sources);
-    library.add_file("main.mpf");
     testing::RecordingMachine machine;
-    runtime::Observer observer;
-    sinumerik::Session session(library, machine, observer);
     runtime::ControlSetup setup;
     setup.rapids = c.sheet;
-    setup.tools[1].radius_mm = 1.0;
-    EXPECT_TRUE(session.configure(setup).empty());
-    const runtime::Outcome outcome = session.run({});
-    EXPECT_FALSE(outcome.alarm) << outcome.alarm->text;
+    run_sinumerik(c.program, setup, machine);
     EXPECT_EQ(paths_of(machine), c.paths);
   }
+}
+
+TEST(ContourControl, OfSinumerikLooksAheadAndFfwonFeedsForward) {
+  testing::RecordingMachine machine;
+  run_sinumerik("G1 X1 F100\nFFWON\nX2\nG2 X4 CR=1\nFFWOF G1 X5\n", {}, machine);
+  using enum machine::ContourControl;
+  EXPECT_EQ(machine.contour_controls(),
+            (std::vector{LookAhead, FeedForward, FeedForward, LookAhead}));
 }
 
 }  // namespace

@@ -362,7 +362,7 @@ TEST(MachineErrors, TheTrueWayStaysWithinItsTolerance) {
   truth.go_to(axes(0, 0, 0));
   const StraightPath path(axes(0, 0, 0), axes(90, 40, 30));
   const MotionProfile profile(path.length(), 20.0, 500.0);
-  const ServoMotion motion(path, profile.phases(), AxisPositions::Zero(), AxisPositions::Zero());
+  const ServoMotion motion(path, profile.phases(), {}, {});
   const AxisChain chain(setup.chain, setup.p_T_tip);
   const TrueWay way(truth, chain, motion, motion.duration_s(), {kTouchWayErrorMm, 0.0});
   const auto points = way.points();

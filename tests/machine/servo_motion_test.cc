@@ -20,7 +20,9 @@ AxisPositions axes(double x, double y, double z) {
 }
 
 LinearMove feed(const AxisPositions& q_M_end, double mm_min, BlockEnd ends = BlockEnd::ExactStop) {
-  return {q_M_end, Traverse::Feed, mm_min, ends};
+  LinearMove move{q_M_end, Traverse::Feed, mm_min, ends};
+  move.contour_control = ContourControl::LookAhead;
+  return move;
 }
 
 MachineSetup lagging(double servo_gain, double acceleration) {
@@ -126,10 +128,12 @@ TEST(ServoMotion, WithoutExactStopTheCornerIsRoundedByLag) {
         Samples samples;
         MachineSetup setup = lagging(gain, acceleration);
         setup.in_position = 0.002;
+        setup.axes[0].corner_jump_per_min = 0.0;
         MachiningCentre centre(setup, nullptr);
         centre.trace(25e-6, samples);
         ASSERT_TRUE(centre.move(feed(axes(50, 0, 0), 3000.0, ends)).ok());
         ASSERT_TRUE(centre.move(feed(axes(50, 12, 0), 3000.0, ends)).ok());
+        centre.stand_still();
         const double missed = least_distance(samples.list, {50.0, 0.0, 0.0});
         if (ends == BlockEnd::PassOn) {
           EXPECT_NEAR(missed, missed_by(50.0, acceleration, 0.06 / gain), 1e-6);
@@ -198,7 +202,7 @@ TEST(ServoMotion, FollowsAnSCurveAsAStepByStepSolutionDoes) {
   AxisPositions time_constants;
   time_constants << 0.03, 0.05, 0.0, 0.0, 0.0, 0.0;
   const AxisPositions lag = axes(0.3, -0.2, 0.0);
-  const ServoMotion motion(path, profile.phases(), lag, time_constants);
+  const ServoMotion motion(path, profile.phases(), {lag, {}}, {time_constants});
   const double h = 1e-5;
   AxisPositions q = path.from() - lag;
   const auto command = [&](double t) {

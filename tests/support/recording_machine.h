@@ -30,6 +30,7 @@ class RecordingMachine final : public machine::MachinePort {
   Result<AxisPositions, machine::MachineFault> move(const machine::LinearMove& move) override {
     log_.push_back(line("move", move));
     ends_.push_back(move.ends);
+    contour_controls_.push_back(move.contour_control);
     if (move.traverse == machine::Traverse::Rapid) {
       rapid_paths_.push_back(move.rapid_path);
     }
@@ -43,6 +44,7 @@ class RecordingMachine final : public machine::MachinePort {
         axes(arc.q_M_end), letter(arc.first_axis), three_decimals(arc.centre_first),
         letter(arc.second_axis), three_decimals(arc.centre_second), arc.feed_mm_min));
     ends_.push_back(arc.ends);
+    contour_controls_.push_back(arc.contour_control);
     q_M_ = arc.q_M_end;
     return q_M_;
   }
@@ -103,6 +105,10 @@ class RecordingMachine final : public machine::MachinePort {
   [[nodiscard]] const std::vector<std::string>& commands() const { return commands_; }
   /// How the moves and arcs of the log end, in order; skip moves and dwells are not counted.
   [[nodiscard]] const std::vector<machine::BlockEnd>& ends() const { return ends_; }
+  /// How the control plans their speed.
+  [[nodiscard]] const std::vector<machine::ContourControl>& contour_controls() const {
+    return contour_controls_;
+  }
   /// The ways of the rapids of the log, in order.
   [[nodiscard]] const std::vector<machine::RapidPath>& rapid_paths() const { return rapid_paths_; }
 
@@ -139,6 +145,7 @@ class RecordingMachine final : public machine::MachinePort {
   std::vector<std::string> log_;
   std::vector<std::string> commands_;
   std::vector<machine::BlockEnd> ends_;
+  std::vector<machine::ContourControl> contour_controls_;
   std::vector<machine::RapidPath> rapid_paths_;
 };
 

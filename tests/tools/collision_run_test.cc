@@ -161,5 +161,20 @@ TEST(ProtectedMoves, WhoseResultIsReadOrThatARetreatFollowsAreMeasurements) {
   }
 }
 
+// Blocks of 1 mm at 50 mm/s, one a line from line 5 on; the ball touches at X-33 while the command
+// is v / Kv = 1.667 mm further on, in the block to X-31.  What was read ahead did not take place.
+TEST(Collision, OfALaggingAxisComesWithTheBlockThatWasCommandedThen) {
+  std::string blocks = "G00 X-100. Z-10.\nG05.1 Q1\nG01 F3000 X-99.\n";
+  for (int x = -98; x <= -20; ++x) {
+    blocks += "X" + std::to_string(x) + ".\n";
+  }
+  const RunOutput output = run_with("[machine.axes.X]\nservo_gain = 1.8\n", blocks);
+  EXPECT_EQ(output.exit_code, 4) << output.errors;
+  EXPECT_NE(output.errors.find("hit.nc:73:1: error: stylus ball touches block [PRB401]"),
+            std::string::npos)
+      << output.errors;
+  EXPECT_EQ(output.document.at("moves").size(), 2U + 72U - 4U);
+}
+
 }  // namespace
 }  // namespace g31::collision_run_test

@@ -139,6 +139,13 @@ TEST_F(SetupReader, WhatARealMachineDoesArrives) {
   EXPECT_EQ(machine.in_position, 0.02);
   EXPECT_EQ(machine.axes[0].jerk_per_s3, 50000.0);
   EXPECT_EQ(machine.axes[0].servo_gain, 1.8);
+  EXPECT_EQ(machine.axes[0].feed_forward, 0.9);
+  EXPECT_EQ(machine.axes[0].contour_acceleration_per_s2, 1000.0);
+  EXPECT_EQ(machine.axes[0].corner_jump_per_min, 0.0);
+  EXPECT_EQ(machine.axes[0].velocity_loop.gain_per_s, 250.0);
+  EXPECT_EQ(machine.axes[0].velocity_loop.reset_s, 0.02);
+  EXPECT_EQ(machine.axes[0].velocity_loop.friction_per_s2, 300.0);
+  EXPECT_EQ(machine.axes[0].velocity_loop.friction_way, 0.03);
   EXPECT_EQ(machine.axes[0].scale_resolution, 0.0001);
   EXPECT_EQ(machine.axes[0].play.backlash, 0.002);
   EXPECT_EQ(machine.axes[0].play.spike, 0.003);

@@ -45,6 +45,9 @@ class PathRecorder final : public machine::MachinePort {
   }
   void dwell(double seconds) override { machine_.dwell(seconds); }
   void stand_still() override { machine_.stand_still(); }
+  std::optional<machine::MachineFault> take_late_fault() override {
+    return machine_.take_late_fault();
+  }
   [[nodiscard]] std::optional<machine::AxisTravel> travel(int axis) const override {
     return machine_.travel(axis);
   }

@@ -30,6 +30,11 @@ class RunRecorder : public runtime::Observer {
       moves_.push_back(event);
     }
   }
+  void on_moves_undone(std::uint64_t count) override {
+    if (what_.moves == RecordWhat::Keep::Yes) {
+      moves_.resize(moves_.size() - static_cast<std::size_t>(count));
+    }
+  }
   void on_touch(const runtime::TouchEvent& event) override {
     if (what_.touches == RecordWhat::Keep::Yes) {
       touches_.push_back(event);

@@ -49,6 +49,10 @@ std::string_view words_for(ValueType type) {
   contract_violated("every ValueType has words", __FILE__, __LINE__);
 }
 
+constexpr std::string_view kProgramSwitch =
+    "an M code like \"M80\", or an output \"#1100\" to \"#1115\" or \"$A_OUT[1]\" to "
+    "\"$A_OUT[64]\"";
+
 std::string_view words_for(Limit limit) {
   switch (limit) {
     case Limit::Any:
@@ -57,6 +61,8 @@ std::string_view words_for(Limit limit) {
       return "greater than 0";
     case Limit::NotNegative:
       return "0 or more";
+    case Limit::Share:
+      return "0 to 1";
     case Limit::Bit:
       return "0 or 1";
     case Limit::SwitchNumber:
@@ -95,8 +101,7 @@ std::string_view words_for(Limit limit) {
     case Limit::MachineCode:
       return "M and a number of one to eight digits";
     case Limit::ProgramSwitch:
-      return "an M code like \"M80\", or an output \"#1100\" to \"#1115\" or \"$A_OUT[1]\" to "
-             "\"$A_OUT[64]\"";
+      return kProgramSwitch;
     case Limit::AxisLetter:
       return "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\"";
     case Limit::AxisLetters:
@@ -128,6 +133,8 @@ bool number_within(Limit limit, double number) {
       return number > 0.0;
     case Limit::NotNegative:
       return number >= 0.0;
+    case Limit::Share:
+      return number >= 0.0 && number <= 1.0;
     case Limit::Bit:
       return number == 0.0 || number == 1.0;
     case Limit::SwitchNumber:
@@ -221,6 +228,7 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::Any:
     case Limit::Positive:
     case Limit::NotNegative:
+    case Limit::Share:
     case Limit::Bit:
     case Limit::SwitchNumber:
     case Limit::ProgramNumber:

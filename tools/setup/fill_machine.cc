@@ -21,6 +21,17 @@ void fill_axis(machine::AxisSetup& axis, const TableKeys& keys) {
   axis.home = keys.get(KeyId::AxisHome, axis.home);
   axis.jerk_per_s3 = keys.get(KeyId::AxisJerk, axis.jerk_per_s3);
   axis.servo_gain = keys.get(KeyId::AxisServoGain, axis.servo_gain);
+  axis.feed_forward = keys.get(KeyId::AxisFeedForward, axis.feed_forward);
+  axis.contour_acceleration_per_s2 =
+      keys.get(KeyId::AxisContourAcceleration, axis.contour_acceleration_per_s2);
+  if (keys.find(KeyId::AxisCornerJump) != nullptr) {
+    axis.corner_jump_per_min = keys.get(KeyId::AxisCornerJump, 0.0);
+  }
+  machine::VelocityLoopSetup& loop = axis.velocity_loop;
+  loop.gain_per_s = keys.get(KeyId::AxisVelocityGain, loop.gain_per_s);
+  loop.reset_s = keys.get(KeyId::AxisVelocityReset, loop.reset_s);
+  loop.friction_per_s2 = keys.get(KeyId::AxisFriction, loop.friction_per_s2);
+  loop.friction_way = keys.get(KeyId::AxisFrictionWay, loop.friction_way);
   axis.scale_resolution = keys.get(KeyId::AxisResolution, axis.scale_resolution);
   axis.play.backlash = keys.get(KeyId::AxisBacklash, axis.play.backlash);
   axis.play.spike = keys.get(KeyId::AxisSpike, axis.play.spike);

@@ -68,6 +68,7 @@ enum class Limit {
   Any,
   Positive,
   NotNegative,
+  Share,          ///< 0..1
   Bit,            ///< 0 or 1
   SwitchNumber,   ///< 1..9, each element
   ProgramNumber,  ///< 1..99999999

@@ -109,6 +109,7 @@ MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d&
   block.feed_mm_min = switched_feed(control, feed.value());
   block.where = control.block;
   block.ends = control.feed_end();
+  block.contour_control = control.contour_control();
   return travel(control, block);
 }
 

@@ -85,7 +85,9 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
     return block_failure(AlarmId::NotAllowedInCycle, to_text(block.code->number));
   }
   if (is_fence(*block.code, control.profile)) {
-    control.port.stand_still();
+    if (const auto late = control.outlet.stand_still()) {
+      return from_late_fault(control, *late);
+    }
   }
   const auto* const row = std::ranges::find(kActions, block.code->action, &ActionRow::action);
   G31_EXPECTS(row != std::end(kActions));  // the other codes leave their block's words to others
@@ -208,7 +210,13 @@ Failure from_fault(const machine::MachineFault& fault) {
   failure.id = AlarmId::SoftLimit;
   failure.alarm_number = fault.kind == machine::FaultKind::SoftLimit ? 0 : -1;
   failure.detail = fault.what;
+  failure.block = path::Outlet::place_of(fault);
   return failure;
+}
+
+Failure from_late_fault(Control& control, const machine::MachineFault& fault) {
+  control.coordinates.arrived_at_machine(control.port.position());
+  return from_fault(fault);
 }
 
 }  // namespace g31::fanuc

@@ -140,7 +140,9 @@ MaybeFailure Hole::draw_back(double done, double sign) {
 
 MaybeFailure Hole::dwell() {
   if (cycle_.dwell != CannedCycle::Dwell::None && data_.dwell_s > 0.0) {
-    control_.outlet.pause({data_.dwell_s, control_.block});
+    if (const auto late = control_.outlet.pause({data_.dwell_s, control_.block})) {
+      return from_late_fault(control_, *late);
+    }
   }
   return std::nullopt;
 }

@@ -117,7 +117,7 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
   } else if (code->action == GAction::ExactStop) {
     control.stops_exactly = true;
   } else if (code->action == GAction::ContourControl) {
-    codes.switches_contour_control = true;
+    codes.contour_switch = code;
   } else if (code->action != GAction::NoEffect) {
     codes.one_shot = code;
   }
@@ -237,6 +237,18 @@ bool commands_motion(const BlockWords& words) {
   return has_axis;
 }
 
+/// G05.1 Q1 and Q0, G08 P1 and P0.
+void switch_contour_control(Control& control, const BlockWords& words, const GCode* code) {
+  if (code == nullptr) {
+    return;
+  }
+  constexpr int kLookAhead = 8;
+  const bool looks = code->number.whole == kLookAhead;
+  if (const EvaluatedWord* const on = words.find(looks ? 'P' : 'Q')) {
+    (looks ? control.rapids.looks_ahead : control.rapids.contour_control) = on->number == 1.0;
+  }
+}
+
 Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
   if (control.parameters.is_on(ParameterId::RefusesRepeats)) {
     if (auto failure = refuse_repeats(words)) {
@@ -254,10 +266,7 @@ Result<Codes, Failure> take_words(Control& control, const BlockWords& words) {
   if (auto failure = refuse_missing_axes(control, words, codes)) {
     return *std::move(failure);
   }
-  if (const EvaluatedWord* const on = words.find('Q');
-      codes.switches_contour_control && on != nullptr) {
-    control.rapids.contour_control = on->number == 1.0;
-  }
+  switch_contour_control(control, words, codes.contour_switch);
   const auto unit =
       control.modal.group[Group::Unit].whole == 20 ? LengthUnit::Inch : LengthUnit::Millimetre;
   if (unit != control.scale.unit) {

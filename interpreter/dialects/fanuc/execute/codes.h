@@ -15,7 +15,7 @@ struct Codes {
   const GCode* unsimulated = nullptr;
   bool starts_polar = false;
   bool starts_cycle = false;
-  bool switches_contour_control = false;  ///< by Q
+  const GCode* contour_switch = nullptr;  ///< by Q, G08 by P
 };
 
 /// Whether the block moves axes, or would if they were not there already: axis words that no code

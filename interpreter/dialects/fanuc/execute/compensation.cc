@@ -60,8 +60,7 @@ AlarmId alarm_of(CompensationError error) {
 
 MaybeFailure to_machine(Control& control, const PathBlock& block, const OffsetPlane& plane) {
   if (const auto fault = control.outlet.move(block, plane)) {
-    control.coordinates.arrived_at_machine(control.port.position());
-    return from_fault(*fault);
+    return from_late_fault(control, *fault);
   }
   return std::nullopt;
 }
@@ -76,12 +75,14 @@ MaybeFailure carry_out(Control& control, const CompensationResult& result) {
   }
   for (const PathItem& item : result.value()) {
     if (const auto* const pause = std::get_if<Pause>(&item)) {
-      control.outlet.pause(*pause);
+      if (const auto late = control.outlet.pause(*pause)) {
+        return from_late_fault(control, *late);
+      }
       continue;
     }
     const PathBlock& block = std::get<PathBlock>(item);
     if (auto late = to_machine(control, block, control.cutter.command.plane)) {
-      late->block = block.where;
+      late->block = late->block.is_known() ? late->block : block.where;
       return late;
     }
   }
@@ -131,8 +132,8 @@ MaybeFailure travel(Control& control, const PathBlock& block) {
 MaybeFailure pause(Control& control, double seconds) {
   const Pause pause{seconds, control.block};
   if (!control.cutter.compensation.engaged()) {
-    control.outlet.pause(pause);
-    return std::nullopt;
+    const auto late = control.outlet.pause(pause);
+    return late ? MaybeFailure(from_late_fault(control, *late)) : std::nullopt;
   }
   control.cutter.fed = true;
   return carry_out(control, control.cutter.compensation.pass(pause, control.cutter.command));

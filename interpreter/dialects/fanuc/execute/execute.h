@@ -96,6 +96,8 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
 
 /// A fault of the machine as the end of the program.
 Failure from_fault(const machine::MachineFault& fault);
+/// Of a move that passed on; the coordinates are where the machine stopped.
+Failure from_late_fault(Control& control, const machine::MachineFault& fault);
 
 /// A failure of the whole block.
 Failure block_failure(AlarmId id, std::string detail = {});

@@ -109,6 +109,7 @@ MaybeFailure feed_to(Control& control, const AxisPositions& q_M_end, int g) {
   block.where = control.block;
   block.feed_mm_min = switched_feed(control, feed.value());
   block.ends = control.feed_end();
+  block.contour_control = control.contour_control();
   block.mm_per_degree = control.scale.mm_per_unit();
   return travel(control, block);
 }

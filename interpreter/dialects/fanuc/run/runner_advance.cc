@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/code/lathe.h"
+#include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/run/runner.h"
 
 namespace g31::fanuc {
@@ -85,13 +87,16 @@ MaybeFailure Runner::guarded_loop() {
 void Runner::end(const MaybeFailure& failure) {
   is_over_ = true;
   is_paused_ = false;
-  if (failure) {
+  std::optional<machine::MachineFault> late;
+  if (!failure || failure->status != runtime::Status::Defect) {
+    late = control_.outlet.stand_still();
+  }
+  if (late) {
+    outcome_ = outcome_of(from_late_fault(control_, *late));
+  } else if (failure) {
     outcome_ = outcome_of(*failure);
   } else {
     control_.report_missed_touches();
-  }
-  if (outcome_.status != runtime::Status::Defect) {
-    control_.port.stand_still();
   }
   control_.tell_repeats();
   outcome_.diagnostics = control_.diagnostics;

@@ -145,6 +145,12 @@ machine::BlockEnd Control::feed_end() const {
                                                          : machine::BlockEnd::PassOn;
 }
 
+machine::ContourControl Control::contour_control() const {
+  return rapids.contour_control || rapids.looks_ahead ? machine::ContourControl::FeedForward
+         : profile.plans_ahead                        ? machine::ContourControl::LookAhead
+                                                      : machine::ContourControl::Off;
+}
+
 machine::RapidPath Control::rapid_path() const {
   const bool contour_makes_straight =
       rapids.contour_control && !parameters.is_on(ParameterId::RapidsAsUsual);

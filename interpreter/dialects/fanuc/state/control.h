@@ -78,10 +78,11 @@ struct CutterStage {
   bool fed = false;  ///< a motion or pause of the present block has come through
 };
 
-/// What rapids depend on.
+/// What rapids and contours depend on.
 struct RapidState {
   machine::RapidPath positioning = machine::RapidPath::Independent;  ///< without parameter 1401.1
   bool contour_control = false;                                      ///< G05.1 Q1
+  bool looks_ahead = false;                                          ///< G08 P1
 };
 
 /// The whole state of a running control.  One per run; nothing is global.
@@ -185,6 +186,10 @@ struct Control {
 
   /// How a move at feed ends: G09 and G61 stop exactly, unless #3004 bit 2 forbids it.
   [[nodiscard]] machine::BlockEnd feed_end() const;
+
+  /// What look-ahead contour control does with moves at feed; with Q1 or P1 it drives the axes by
+  /// the speed of their command, too.
+  [[nodiscard]] machine::ContourControl contour_control() const;
 
   /// The way of G00: FANUC AI nano contour control A-78962EN/01, 4, for that in contour control.
   [[nodiscard]] machine::RapidPath rapid_path() const;

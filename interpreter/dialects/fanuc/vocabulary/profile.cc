@@ -126,6 +126,7 @@ constexpr Profile haas() {
   profile.bare_reference_moves_all = true;
   profile.variables = {Basic, OffsetsHaas, ShiftAt5201, HaasTables};
   profile.own_g_codes = CodeSet::Haas;
+  profile.plans_ahead = true;
   profile.joins_conditions = true;
   profile.conditions_are_numbers = true;
   profile.conditions_rule_blocks = true;

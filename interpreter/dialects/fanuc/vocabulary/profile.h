@@ -163,6 +163,8 @@ struct Profile {
   bool machine_moves_add = false;         ///< G53 under G91 moves by its values; else it is ignored
   bool bare_reference_moves_all = false;  ///< G28 without axes: all of them
   RapidRule rapids;
+  /// Whether speed is planned ahead without contour control: acceleration before interpolation.
+  bool plans_ahead = false;
 
   // G31
   bool checks_skip_signal = false;   ///< M78 and M79 beside G31: an alarm with and without a signal

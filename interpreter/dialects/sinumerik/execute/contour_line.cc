@@ -56,6 +56,7 @@ MaybeFailure travel_held(Channel& channel, const HeldLine& line, const Block& bl
   path.where = line.where;
   path.g = line.g;
   path.ends = line.ends;
+  path.contour_control = contour_control(channel);
   path.rapid_path = line.rapid_path;
   if (path.g == 1) {
     FeedWay way =

@@ -104,5 +104,7 @@ MaybeFailure take_polar(Channel& channel, const Block& block, AxisPositions& q_W
 
 /// Whether G9, G60 or a rapid stops the axes at the end of the block.
 machine::BlockEnd block_end(const Channel& channel);
+/// The control plans ahead in any case; FFWON drives the axes by the speed of their command, too.
+machine::ContourControl contour_control(const Channel& channel);
 
 }  // namespace g31::sinumerik

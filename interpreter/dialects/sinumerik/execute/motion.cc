@@ -130,6 +130,12 @@ machine::BlockEnd block_end(const Channel& channel) {
   return stops ? machine::BlockEnd::ExactStop : machine::BlockEnd::PassOn;
 }
 
+machine::ContourControl contour_control(const Channel& channel) {
+  return channel.group[Group::Feedforward] == number_in_group("FFWON")
+             ? machine::ContourControl::FeedForward
+             : machine::ContourControl::LookAhead;
+}
+
 MaybeFailure move_straight(Channel& channel, const Block& block) {
   if (block.words.has(Address::Angle) && plane_words(channel, block) == 0) {
     return hold_line(channel, block);
@@ -162,6 +168,7 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
     }
     path.feed_mm_min = feed.value();
     path.ends = block_end(channel);
+    path.contour_control = contour_control(channel);
   }
   return travel_to(channel, path, q_W_end.value());
 }

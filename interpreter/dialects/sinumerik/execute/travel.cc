@@ -24,6 +24,11 @@ MaybeFailure to_machine(Channel& channel, const PathBlock& path) {
   return fault ? std::optional(from_fault(*fault)) : std::nullopt;
 }
 
+MaybeFailure pause_machine(Channel& channel, const Pause& wait) {
+  const auto late = channel.outlet.pause(wait);
+  return late ? std::optional(from_fault(*late)) : std::nullopt;
+}
+
 AlarmId alarm_of(path::CompensationError error, bool ends) {
   switch (error) {
     case path::CompensationError::ArcAtStartOrEnd:
@@ -50,12 +55,14 @@ MaybeFailure carry_out(Channel& channel, const path::CompensationResult& result)
   }
   for (const PathItem& item : result.value()) {
     if (const auto* const wait = std::get_if<Pause>(&item)) {
-      channel.outlet.pause(*wait);
+      if (MaybeFailure late = pause_machine(channel, *wait)) {
+        return late;
+      }
       continue;
     }
     const auto& path = std::get<PathBlock>(item);
     if (MaybeFailure late = to_machine(channel, path)) {
-      late->where = path.where;
+      late->where = late->where.value_or(path.where);
       return late;
     }
   }
@@ -122,6 +129,9 @@ Failure from_fault(const machine::MachineFault& fault) {
   Failure reason = failure(AlarmId::SoftLimit, fault.what);
   reason.status = runtime::Status::Collision;
   reason.number = fault.kind == machine::FaultKind::SoftLimit ? 0 : -1;
+  if (const source::Location where = path::Outlet::place_of(fault); where.is_known()) {
+    reason.where = where;
+  }
   return reason;
 }
 
@@ -199,8 +209,7 @@ MaybeFailure pause(Channel& channel, const Pause& wait) {
     return wrong;
   }
   if (!cutter.compensation.engaged()) {
-    channel.outlet.pause(wait);
-    return std::nullopt;
+    return pause_machine(channel, wait);
   }
   cutter.fed = true;
   MaybeFailure wrong = carry_out(channel, cutter.compensation.pass(wait, cutter.command));
@@ -233,7 +242,10 @@ MaybeFailure finish_motion(Channel& channel) {
   MaybeFailure wrong = channel.cutter.compensation.engaged()
                            ? carry_out(channel, channel.cutter.compensation.flush())
                            : std::nullopt;
-  channel.port.stand_still();
+  if (const auto late = channel.outlet.stand_still()) {
+    channel.arrived_at_machine();
+    return from_fault(*late);
+  }
   return wrong;
 }
 

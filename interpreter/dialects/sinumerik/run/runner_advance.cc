@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
 #include "interpreter/dialects/sinumerik/run/runner.h"
 
 namespace g31::sinumerik {
@@ -84,17 +86,18 @@ MaybeFailure Runner::guarded_loop() {
 void Runner::end(const MaybeFailure& reason) {
   is_over_ = true;
   is_paused_ = false;
-  if (reason) {
-    outcome_ = outcome_of(*reason);
+  std::optional<machine::MachineFault> late;
+  if (!reason || reason->status != runtime::Status::Defect) {
+    late = channel_.outlet.stand_still();
+  }
+  if (reason || late) {
+    outcome_ = outcome_of(late ? from_fault(*late) : *reason);
     drop_motion(channel_);
   } else {
     end_missed();
   }
   if (!levels_.front()->has_references()) {
     *levels_.front() = Level();  // its variables are nowhere
-  }
-  if (outcome_.status != runtime::Status::Defect) {
-    channel_.port.stand_still();
   }
   channel_.warnings.tell_repeats(channel_.diagnostics);
   outcome_.diagnostics = channel_.diagnostics;

@@ -1,0 +1,125 @@
+// The figures of a paper on path accuracy from one machine, contour control off and on.  Expected
+// numbers were computed outside g31, by the midpoint rule and by a solver with variable steps.
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_evaluate.h"
+
+namespace g31::path_accuracy_test {
+namespace {
+
+using evaluate::OptionId;
+using testing::EvaluateOutput;
+using testing::run_evaluate;
+using testing::TemporaryFolder;
+
+const std::string kLibrary = "parts/library/path_accuracy/";
+
+struct Recorded {
+  std::string program;
+  std::string feed;
+  bool contour_control = false;
+};
+
+std::string traced(const TemporaryFolder& folder, const Recorded& run,
+                   const std::string& overlay = "") {
+  const bool is_fanuc = run.program.ends_with(".nc");
+  cli::RunOptions options;
+  options.programs = {kLibrary + run.program};
+  options.setups = {kLibrary + "machine.toml"};
+  if (!overlay.empty()) {
+    options.setups.push_back(kLibrary + overlay);
+  }
+  if (!run.feed.empty()) {
+    options.assignments = {
+        (is_fanuc ? "#500=" : "R1=") + run.feed,
+        std::string(is_fanuc ? "#501=" : "R2=") + (run.contour_control ? "1" : "0")};
+  }
+  options.trace = folder.path("trace.csv");
+  options.trace_period = "0.5ms";
+  EXPECT_EQ(testing::run_program(options).exit_code, 0);
+  return options.trace;
+}
+
+EvaluateOutput evaluated(const std::string& kind, const std::string& file) {
+  cli::EvaluateOptions options;
+  options.kind = kind;
+  options.file = file;
+  if (kind == "square") {
+    options.given[OptionId::Side] = "100";
+    options.given[OptionId::Centre] = "0,0";
+  } else if (kind == "circle") {
+    options.given[OptionId::Radius] = "50";
+    options.given[OptionId::Centre] = "0,0";
+  } else if (kind == "diagonal") {
+    options.given[OptionId::Target] = "50,50";
+  }
+  return run_evaluate(options);
+}
+
+struct Corners {
+  Recorded run;
+  double missed_um;
+  double slowest_mm_min;
+};
+
+/// @returns how wide a dip of the speed is, s
+double check_corners(const Corners& expected) {
+  const TemporaryFolder folder;
+  const std::string file = traced(folder, expected.run);
+  const EvaluateOutput square = evaluated("square", file);
+  for (int corner = 1; corner <= 4; ++corner) {
+    EXPECT_NEAR(square.value("corner_error_" + std::to_string(corner)), -expected.missed_um,
+                0.002 * expected.missed_um)
+        << corner;
+  }
+  const EvaluateOutput speed = evaluated("speed", file);
+  const auto& dips = speed.document.at("results").at("dips");
+  EXPECT_EQ(dips.size(), 4U);
+  for (const auto& dip : dips) {
+    EXPECT_NEAR(dip.at("speed").get<double>(), expected.slowest_mm_min, 3.0);
+  }
+  return dips.at(0).at("width");
+}
+
+TEST(PathAccuracy, CornersAreMissedWithoutContourControlAndSlowedDownWithIt) {
+  const double at_3 = check_corners({{"square.nc", "3000", false}, 931.0, 2101.0});
+  const double at_1 = check_corners({{"square.nc", "1000", false}, 305.2, 673.0});
+  EXPECT_NEAR(at_3 / at_1, 1.0, 0.05) << "as long, so three times as wide in way";
+  const double on_at_3 = check_corners({{"square.nc", "3000", true}, 15.20, 10.6});
+  const double on_at_1 = check_corners({{"square.nc", "1000", true}, 15.03, 10.4});
+  EXPECT_GT(on_at_3 / on_at_1, 2.9) << "wider in time as well";
+  check_corners({{"square.mpf", "3000", true}, 15.20, 10.6});
+}
+
+TEST(PathAccuracy, AReversalOnACircleMakesASpikeOfTenMicrometres) {
+  for (const Recorded& run :
+       {Recorded{"circle.nc", "2000", false}, Recorded{"circle.nc", "2000", true},
+        Recorded{"circle.mpf", "2000", true}}) {
+    SCOPED_TRACE(run.program);
+    const TemporaryFolder folder;
+    const EvaluateOutput circle = evaluated("circle", traced(folder, run));
+    EXPECT_NEAR(circle.value("spike_X"), 10.12, 0.1);
+    EXPECT_NEAR(circle.value("spike_Y"), 10.12, 0.1);
+    EXPECT_NEAR(1000.0 * (circle.value("radius") - 50.0), run.contour_control ? -2.8 : -14.8, 0.1);
+  }
+}
+
+TEST(PathAccuracy, AStraightWayInBothAxesShowsTheirScales) {
+  for (const char* program : {"diagonal.nc", "diagonal.mpf"}) {
+    const TemporaryFolder folder;
+    const EvaluateOutput diagonal =
+        evaluated("diagonal", traced(folder, {program, "", false}, "short_axes.toml"));
+    EXPECT_NEAR(diagonal.value("error_X"), -7.0, 0.01);
+    EXPECT_NEAR(diagonal.value("error_Y"), -4.0, 0.01);
+    EXPECT_NEAR(diagonal.value("error_X_on"), -42.0, 0.06);
+    EXPECT_NEAR(diagonal.value("error_Y_on"), -24.0, 0.06);
+  }
+}
+
+}  // namespace
+}  // namespace g31::path_accuracy_test
