@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,42 @@ TEST(Drawing, OfEachKindIsTheSameEachTime) {
     for (const char* const never : {"nan", "inf", "data.csv", "ends.csv"}) {
       EXPECT_EQ(first.find(never), std::string::npos) << never;
     }
+  }
+}
+
+// A circle about (5, 0), 0.1 mm too large: of its uppermost 1 mm 540 pixels are drawn, the top of
+// it at 0.4 of them.
+TEST(Drawing, ADetailIsDrawnFromThePointsInIt) {
+  plot::PathPlot chart;
+  chart.centre = {5.0, 0.0};
+  chart.nominal_radius = [](double) { return 10.0; };
+  chart.magnification = 1.0;
+  plot::PathTrace trace{"path", {}, {}};
+  for (int i = 0; i < 360'000; ++i) {
+    const double angle = i * std::numbers::pi / 180'000.0;
+    trace.points.emplace_back(10.1 * std::cos(angle), 10.1 * std::sin(angle));
+    trace.deviations.push_back(0.1);
+  }
+  chart.traces = {trace};
+  chart.detail = {5.0, 10.0, 1.0};
+  const std::string svg = plot::draw(chart);
+  EXPECT_NE(svg.find("<svg x=\"80\" y=\"56\" width=\"540\" height=\"540\""), std::string::npos);
+  const std::string points = points_of(svg, "way line0");
+  EXPECT_NE(points.find(",272.00"), std::string::npos);
+  EXPECT_GT(std::ranges::count(points, ','), 1000) << "all that is shown of it, thinned";
+  EXPECT_EQ(points.find("-300"), std::string::npos) << "nothing far from it";
+}
+
+TEST(Drawing, ADetailIsAPointAndAWidth) {
+  for (const char* const wrong : {"1,2", "1,2,0", "1,2,-3", "1,2,3,4", "a,2,3", ""}) {
+    TemporaryFolder folder;
+    cli::EvaluateOptions options;
+    options.kind = "circle";
+    options.file = folder.write("data.csv", "t,X,Y\n0,1,0\n1,0,1\n2,-1,0\n3,0,-1\n4,1,0\n");
+    options.given[OptionId::Detail] = wrong;
+    const auto output = testing::run_evaluate(options);
+    EXPECT_EQ(output.exit_code, 2) << wrong;
+    EXPECT_NE(output.errors.find("--detail"), std::string::npos) << output.errors;
   }
 }
 

@@ -2,6 +2,7 @@
 // numbers were computed outside g31, by the midpoint rule and by a solver with variable steps.
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,30 @@ TEST(PathAccuracy, CornersAreMissedWithoutContourControlAndSlowedDownWithIt) {
   const double on_at_1 = check_corners({{"square.nc", "1000", true}, 15.03, 10.4});
   EXPECT_GT(on_at_3 / on_at_1, 2.9) << "wider in time as well";
   check_corners({{"square.mpf", "3000", true}, 15.20, 10.6});
+}
+
+// Servo gain 1.8: T = 1/30 s, v T / e times the root of 2 are 867.1 um; stick motion and backlash
+// of a few um come on top.
+TEST(PathAccuracy, TheShippedMachineMissesACornerByItsLag) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {kLibrary + "square.nc"};
+  options.setups = {folder.write(
+      "v55.toml", "[machine]\nfile = \"" +
+                      std::filesystem::absolute("machine/library/v55.toml").string() +
+                      "\"\n[work_offsets.G54]\nX = 450.0\nY = -250.0\nZ = -200.0\n[start]\n"
+                      "X = 499.8\nY = -250.0\nZ = -200.0\n")};
+  options.trace = folder.path("trace.csv");
+  EXPECT_EQ(testing::run_program(options).exit_code, 0);
+  cli::EvaluateOptions evaluation;
+  evaluation.kind = "square";
+  evaluation.file = options.trace;
+  evaluation.given[OptionId::Side] = "100";
+  evaluation.given[OptionId::Centre] = "450,-250";
+  const EvaluateOutput square = run_evaluate(evaluation);
+  for (int corner = 1; corner <= 4; ++corner) {
+    EXPECT_NEAR(square.value("corner_error_" + std::to_string(corner)), -867.1, 6.0) << corner;
+  }
 }
 
 TEST(PathAccuracy, AReversalOnACircleMakesASpikeOfTenMicrometres) {

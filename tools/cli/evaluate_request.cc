@@ -47,6 +47,18 @@ Wrong take_pair(std::string_view text, std::optional<evaluate::Pair>& value) {
   return std::nullopt;
 }
 
+Wrong take_detail(std::string_view text, std::optional<std::array<double, 3>>& value) {
+  const std::size_t comma = text.rfind(',');
+  std::optional<evaluate::Pair> middle;
+  std::optional<double> width;
+  if (comma == std::string_view::npos || take_pair(text.substr(0, comma), middle) ||
+      take_positive(text.substr(comma + 1), width)) {
+    return "write the middle and a width above 0, for example 49,49,4";
+  }
+  value = {(*middle)[0], (*middle)[1], *width};
+  return std::nullopt;
+}
+
 Wrong take_interval(const std::string& text, std::optional<double>& value) {
   const auto seconds = setup::parse_duration(text);
   if (!seconds) {
@@ -88,6 +100,8 @@ Wrong take(OptionId id, const std::string& text, Request& request) {
       return take_positive(text, request.radius);
     case OptionId::Centre:
       return take_pair(text, request.centre);
+    case OptionId::Detail:
+      return take_detail(text, request.detail);
     case OptionId::Side:
       return take_positive(text, request.side);
     case OptionId::Target:

@@ -28,6 +28,7 @@ struct Request {
   std::optional<double> radius = {};
   std::optional<Pair> centre = {};
   std::optional<double> side = {};
+  std::optional<std::array<double, 3>> detail = {};  ///< of a drawing: its middle and its width
   std::optional<Pair> target = {};
   std::optional<double> on = {};
   std::optional<double> step = {};

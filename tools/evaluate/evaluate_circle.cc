@@ -111,6 +111,7 @@ std::string drawing_of(const metrology::CircleEvaluation& circle,
   chart.nominal_radius = [&](double) { return reference.radius; };
   chart.has_rings = true;
   chart.magnification = request.magnify;
+  chart.detail = request.detail;
   chart.facts = facts_of(evaluation);
   std::array<bool, 2> is_named = {};
   for (const metrology::CircleTurn& turn : circle.turns) {

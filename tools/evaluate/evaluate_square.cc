@@ -61,6 +61,7 @@ std::string drawing_of(const metrology::Square& square, const metrology::PlaneSa
     return square.half_side / std::max(std::abs(std::cos(angle)), std::abs(std::sin(angle)));
   };
   chart.magnification = request.magnify;
+  chart.detail = request.detail;
   chart.facts = facts_of(evaluation);
   plot::PathTrace trace{"path", {}, {}};
   for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -43,23 +44,66 @@ Points ring(const PathPlot& plot, double shift) {
   return points;
 }
 
+Eigen::Vector2d enlarged_point(const PathPlot& plot, const PathTrace& trace, std::size_t i,
+                               double magnification) {
+  const Eigen::Vector2d& p = trace.points[i];
+  const double angle = std::atan2(p.y(), p.x());
+  const double radius =
+      std::max(plot.nominal_radius(angle) + magnification * trace.deviations[i], 0.0);
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
+
 Points enlarged(const PathPlot& plot, const PathTrace& trace, double magnification) {
   Points points;
   for (const std::size_t i : shown_points(trace.deviations)) {
-    const Eigen::Vector2d& p = trace.points[i];
-    const double angle = std::atan2(p.y(), p.x());
-    const double radius =
-        std::max(plot.nominal_radius(angle) + magnification * trace.deviations[i], 0.0);
-    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    points.push_back(enlarged_point(plot, trace, i, magnification));
   }
   return points;
+}
+
+/// A square of a drawing, mm.
+struct Window {
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  double half = 0.0;
+};
+
+std::optional<Window> detail_of(const PathPlot& plot) {
+  if (!plot.detail) {
+    return std::nullopt;
+  }
+  const auto& [x, y, width] = *plot.detail;
+  return Window{{x - plot.centre[0], y - plot.centre[1]}, 0.5 * width};
+}
+
+/// The pieces of the traces that come near a detail, so that what is shown of them is fine.
+std::vector<PathTrace> pieces_near(const PathPlot& plot, const Window& detail,
+                                   double magnification) {
+  constexpr double kNear = 2.0;  // halves of the detail
+  std::vector<PathTrace> pieces;
+  for (const PathTrace& trace : plot.traces) {
+    bool goes_on = false;
+    for (std::size_t i = 0; i < trace.points.size(); ++i) {
+      const Eigen::Vector2d off = enlarged_point(plot, trace, i, magnification) - detail.middle;
+      const bool is_near = off.cwiseAbs().maxCoeff() < kNear * detail.half;
+      if (is_near && !goes_on) {
+        pieces.push_back({pieces.empty() ? trace.name : "", {}, {}, trace.colour});
+      }
+      if (is_near) {
+        pieces.back().points.push_back(trace.points[i]);
+        pieces.back().deviations.push_back(trace.deviations[i]);
+      }
+      goes_on = is_near;
+    }
+  }
+  return pieces;
 }
 
 /// The frame of a plot in which both axes have the same scale.
 class SquareFrame {
  public:
-  explicit SquareFrame(double half)
-      : x_(-half, half, kLeft, kLeft + kSize), y_(-half, half, kTop + kSize, kTop) {}
+  explicit SquareFrame(const Window& shown)
+      : x_(shown.middle.x() - shown.half, shown.middle.x() + shown.half, kLeft, kLeft + kSize),
+        y_(shown.middle.y() - shown.half, shown.middle.y() + shown.half, kTop + kSize, kTop) {}
 
   [[nodiscard]] Eigen::Vector2d at(const Eigen::Vector2d& p) const {
     return {x_.at(p.x()), y_.at(p.y())};
@@ -114,17 +158,55 @@ void draw_bar(Svg& svg, double y, double pixels, double step) {
            fmt::format("{} µm error", label_of(kMicrometres * step, kMicrometres * step)));
 }
 
-}  // namespace
+/// How errors are shown.
+struct Enlargement {
+  bool is_exact = false;  ///< there are none
+  double magnification = 1.0;
+  double step = 1e-3;  ///< of the bar beside the drawing, mm
+};
 
-std::string draw(const PathPlot& plot) {
-  Svg svg(900.0, 660.0, plot.title);
+Enlargement enlargement_of(const PathPlot& plot) {
   const double largest = largest_deviation(plot);
   const double radius = plot.nominal_radius(0.0);
   const bool is_exact = largest < 1e-9 * radius;
   const double magnification = plot.magnification > 0.0 ? plot.magnification
                                : is_exact               ? 1.0
                                                         : round_down(0.25 * radius / largest);
-  const double step = is_exact ? 1e-3 : round_down(0.5 * largest * 1.2);
+  return {is_exact, magnification, is_exact ? 1e-3 : round_down(0.5 * largest * 1.2)};
+}
+
+/// What may reach out of the frame of a detail.
+template <typename Draw>
+void draw_within(Svg& svg, const std::optional<Window>& detail, const Draw& draw_it) {
+  if (detail) {
+    svg.begin_window({kLeft, kTop}, {kSize, kSize});
+  }
+  draw_it();
+  if (detail) {
+    svg.end_window();
+  }
+}
+
+std::string draw_shown(const PathPlot& plot, const Enlargement& enlargement);
+
+}  // namespace
+
+std::string draw(const PathPlot& plot) {
+  const Enlargement enlargement = enlargement_of(plot);
+  if (const auto detail = detail_of(plot)) {
+    PathPlot near = plot;
+    near.traces = pieces_near(plot, *detail, enlargement.magnification);
+    return draw_shown(near, enlargement);
+  }
+  return draw_shown(plot, enlargement);
+}
+
+namespace {
+
+std::string draw_shown(const PathPlot& plot, const Enlargement& enlargement) {
+  Svg svg(900.0, 660.0, plot.title);
+  const auto [is_exact, magnification, step] = enlargement;
+  const auto detail = detail_of(plot);
   double half = 0.0;
   std::vector<Points> traces;
   for (const PathTrace& trace : plot.traces) {
@@ -137,21 +219,25 @@ std::string draw(const PathPlot& plot) {
     }
   }
   traces.pop_back();
-  const SquareFrame frame(1.06 * half);
+  const Window shown = detail.value_or(Window{Eigen::Vector2d::Zero(), 1.06 * half});
+  const SquareFrame frame(shown);
   svg.text({kLeft, 32.0}, plot.title, Anchor::Start, "title");
   frame.draw_into(svg, plot);
   for (const double shift : {-step, step}) {
     if (plot.has_rings && !is_exact) {
-      svg.way(frame.at(ring(plot, magnification * shift)), "grid");
+      draw_within(svg, detail,
+                  [&] { svg.way(frame.at(ring(plot, magnification * shift)), "grid"); });
     }
   }
-  svg.way(frame.at(ring(plot, 0.0)), "nominal");
+  draw_within(svg, detail, [&] { svg.way(frame.at(ring(plot, 0.0)), "nominal"); });
   Legend legend(svg, kColumn, kTop + 12.0);
   for (std::size_t i = 0; i < traces.size(); ++i) {
-    const Points shown = frame.at(traces[i]);
+    const Points way = frame.at(traces[i]);
     const std::string style = fmt::format("way line{}", plot.traces[i].colour);
-    svg.way(shown, style);
-    draw_arrows(svg, shown, fmt::format("fill{}", plot.traces[i].colour));
+    draw_within(svg, detail, [&] {
+      svg.way(way, style);
+      draw_arrows(svg, way, fmt::format("fill{}", plot.traces[i].colour));
+    });
     if (!plot.traces[i].name.empty()) {
       legend.line(style, plot.traces[i].name);
     }
@@ -161,11 +247,12 @@ std::string draw(const PathPlot& plot) {
   svg.text({kColumn, legend.row()}, magnification == 1.0
                                         ? std::string("true size")
                                         : fmt::format("errors {} times enlarged", magnification));
-  const double pixels = magnification * step * kSize / (2.12 * half);
+  const double pixels = magnification * step * kSize / (2.0 * shown.half);
   draw_bar(svg, legend.row() + 22.0, pixels, step);
   legend.skip(56.0);
   legend.facts(plot.facts);
   return svg.finish();
 }
 
+}  // namespace
 }  // namespace g31::plot

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ struct PathPlot {
   std::array<double, 2> centre = {};             ///< mm, what the numbers at the frame begin with
   std::function<double(double)> nominal_radius;  ///< mm, by the angle in rad
   std::vector<PathTrace> traces;
-  bool has_rings = false;          ///< lines of the same deviation beside the nominal path
-  double magnification = 0.0;      ///< 0: so that the largest deviation is a fourth of the radius
+  bool has_rings = false;      ///< lines of the same deviation beside the nominal path
+  double magnification = 0.0;  ///< 0: so that the largest deviation is a fourth of the radius
+  /// Only this square of the drawing: its middle, mm, and its width; nullopt: all of it.
+  std::optional<std::array<double, 3>> detail;
   std::vector<std::string> facts;  ///< lines beside the drawing
 };
 

@@ -75,6 +75,17 @@ void Svg::line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::stri
                  style, from.x(), from.y(), to.x(), to.y());
 }
 
+void Svg::begin_window(const Eigen::Vector2d& top_left, const Eigen::Vector2d& size) {
+  fmt::format_to(std::back_inserter(text_),
+                 "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" "
+                 "viewBox=\"{0} {1} {2} {3}\">\n",
+                 top_left.x(), top_left.y(), size.x(), size.y());
+}
+
+void Svg::end_window() {
+  text_ += "</svg>\n";
+}
+
 void Svg::way(std::span<const Eigen::Vector2d> points, std::string_view style) {
   if (points.empty()) {
     return;

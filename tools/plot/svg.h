@@ -31,6 +31,10 @@ class Svg {
   /// Reads upwards, its middle at a point.
   void text_upwards(const Eigen::Vector2d& at, std::string_view words);
 
+  /// What comes until end_window() is shown within a rectangle only.
+  void begin_window(const Eigen::Vector2d& top_left, const Eigen::Vector2d& size);
+  void end_window();
+
   /// The whole drawing.
   [[nodiscard]] std::string finish() const;
 
