@@ -8,6 +8,8 @@
 #include <span>
 #include <utility>
 
+#include "machine/base/contract.h"
+
 namespace g31::parts {
 
 /// Room for every tree that Builder makes: stem and branch together are at most 98 levels deep (48
@@ -20,6 +22,7 @@ class Bvh::Stack {
 
   /// Adds the children whose lane holds a finite number, the least one on top.
   void push(const Lanes& at, const Node& node, const Node* nodes) {
+    G31_EXPECTS(size_ + kWidth <= kMostWaiting);
     const std::size_t bottom = size_;
     for (std::size_t lane = 0; lane < kWidth; ++lane) {
       if (at[lane] < std::numeric_limits<float>::infinity()) {

@@ -6,6 +6,8 @@
 
 #include "parts/artefacts/artefact.h"
 #include "tests/tools/setup_error_text.h"
+#include "tools/setup/check_value.h"
+#include "tools/setup/keys.h"
 
 namespace g31::setup::setup_errors_test {
 namespace {
@@ -133,6 +135,18 @@ const ErrorCase kNameTheKeyThatWasProbablyMeant[] = {
       | ^
 )"},
 };
+
+TEST(SetupValues, EveryNumberWithAUnitHasBounds) {
+  const setup::Node huge{1, 1, 1e300};
+  std::size_t bounded = 0;
+  for (const setup::KeyRow& row : setup::key_rows()) {
+    if (row.type == setup::ValueType::Number && !row.unit.empty()) {
+      EXPECT_FALSE(setup::checked_value(huge, row.type, row.limit, row.unit)) << row.name;
+      ++bounded;
+    }
+  }
+  EXPECT_GT(bounded, 40U);
+}
 
 TEST_F(SetupErrorText, NameTheKeyThatWasProbablyMeant) {
   for (const ErrorCase& c : kNameTheKeyThatWasProbablyMeant) {
@@ -267,6 +281,16 @@ const ErrorCase kSayWhatAValueIsAndWhatItShouldBe[] = {
      R"(sheet1.toml:2:13: error: machine.axes.C.direction is [0, 0, 0], it should be three numbers, not all 0 [SET105]
     2 | direction = [0, 0, 0.0]
       |             ^
+)"},
+    {"a probe as long as the way to the next galaxy", "[probe]\nlength = 1e60\n",
+     R"(sheet1.toml:2:10: error: probe.length is 1e+60, it should be 1000000 mm at most [SET105]
+    2 | length = 1e60
+      |          ^
+)"},
+    {"a ball that vanishes", "[probe]\nball_diameter = 1e-300\n",
+     R"(sheet1.toml:2:17: error: probe.ball_diameter is 1e-300, it should be 1e-09 mm at least [SET105]
+    2 | ball_diameter = 1e-300
+      |                 ^
 )"},
     {"a ball of no size", "[probe]\nball_diameter = 0.0\n",
      R"(sheet1.toml:2:17: error: probe.ball_diameter is 0, it should be greater than 0 [SET105]

@@ -281,7 +281,8 @@ void SheetCheck::check_key(const Member& member, const Scope& scope, SheetTable&
   const bool is_bit = row.name_form == NameForm::ParameterNumber && dot != std::string::npos &&
                       axis_index(found->name.at(dot + 1)) < 0;
   const std::string path = fmt::format("{}.{}", scope.path, written(member.key));
-  const auto checked = checked_value(member.node, row.type, is_bit ? Limit::Bit : row.limit);
+  const auto checked =
+      checked_value(member.node, row.type, is_bit ? Limit::Bit : row.limit, row.unit);
   if (!checked) {
     refused(member.node, path, checked.error(), row.example);
     return;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,6 +22,33 @@ namespace {
 constexpr std::int64_t kLargestExact = std::int64_t{1} << 53;
 
 using Checked = Result<SheetValue, ValueProblem>;
+
+struct UnitBounds {
+  std::string_view name;
+  double least;
+  double most;
+};
+constexpr auto kBoundedUnits = std::to_array<UnitBounds>({
+#define UNIT(name, least, most) {name, least, most},
+#include "tools/setup/units.def"
+#undef UNIT
+});
+
+/// What is wrong with the size of a number of this unit; nullopt: nothing, or it has no bounds.
+std::optional<std::string> out_of_bounds(double number, Limit limit, std::string_view unit) {
+  const auto* const row = std::ranges::find(kBoundedUnits, unit, &UnitBounds::name);
+  if (row == kBoundedUnits.end()) {
+    return std::nullopt;
+  }
+  const double size = std::abs(number);
+  if (size > row->most) {
+    return fmt::format("{:.15g} {} at most", row->most, unit);
+  }
+  const bool must_not_vanish = limit == Limit::Positive || limit == Limit::NotNegative;
+  return must_not_vanish && size > 0.0 && size < row->least
+             ? std::optional(fmt::format("{:.15g} {} at least", row->least, unit))
+             : std::nullopt;
+}
 
 std::string_view words_for(ValueType type) {
   switch (type) {
@@ -267,6 +295,14 @@ bool within(Limit limit, const SheetValue& value) {
   return true;
 }
 
+std::span<const double> numbers_of(const SheetValue& value) {
+  if (const auto* const number = std::get_if<double>(&value)) {
+    return {number, 1};
+  }
+  const auto* const list = std::get_if<std::vector<double>>(&value);
+  return list != nullptr ? std::span<const double>(*list) : std::span<const double>();
+}
+
 std::string shown(const SheetValue& value) {
   if (const auto* number = std::get_if<double>(&value)) {
     return fmt::format("{}", *number);
@@ -407,11 +443,19 @@ std::string kind_of(const Node& node) {
   return std::string(kKinds.at(node.value.index()));
 }
 
-Checked checked_value(const Node& node, ValueType type, Limit limit) {
+Checked checked_value(const Node& node, ValueType type, Limit limit, std::string_view unit) {
   Checked value = typed_value(node, type);
-  if (value && !within(limit, value.value())) {
+  if (!value) {
+    return value;
+  }
+  if (!within(limit, value.value())) {
     return ValueProblem{SetupErrorId::OutOfRange, shown(value.value()),
                         std::string(words_for(limit))};
+  }
+  for (const double number : numbers_of(value.value())) {
+    if (const auto bound = out_of_bounds(number, limit, unit)) {
+      return ValueProblem{SetupErrorId::OutOfRange, fmt::format("{}", number), *bound};
+    }
   }
   return value;
 }

@@ -22,10 +22,12 @@ struct ValueProblem {
   std::string should_be;
 };
 
-/// The value of a node as `type` and `limit` want it.
+/// The value of a node as `type` and `limit` want it, within the bounds of its unit (units.def).
 ///
 /// Whole numbers become doubles; those beyond 2^53 in size are refused, so none is rounded.
-Result<SheetValue, ValueProblem> checked_value(const Node& node, ValueType type, Limit limit);
+/// @param unit  "": none, and no bounds
+Result<SheetValue, ValueProblem> checked_value(const Node& node, ValueType type, Limit limit,
+                                               std::string_view unit);
 
 /// "a string", "a table": what an error calls a value.
 std::string kind_of(const Node& node);

@@ -30,28 +30,6 @@ Location place_of(const SheetTable& table, KeyId id) {
   return entry != nullptr ? entry->where : table.where;
 }
 
-/// A sensor that reaches farther than any part is a mistake, and its numbers might not be numbers.
-void check_lengths(const SheetTable& table, ErrorList& errors) {
-  constexpr double kFarthestMm = 1e6;
-  const TableKeys keys(table);
-  for (const auto& [id, key] :
-       {std::pair(KeyId::SensorRange, "range"), std::pair(KeyId::SensorSpot, "spot"),
-        std::pair(KeyId::SensorNoise, "noise"), std::pair(KeyId::SensorResolution, "resolution")}) {
-    const Entry* const entry = keys.find(id);
-    if (entry != nullptr && number_of(*entry) > kFarthestMm) {
-      errors.add(SetupErrorId::OutOfRange, entry->where,
-                 {fmt::format("sensor.{}", key), fmt::format("{}", number_of(*entry)),
-                  "1000000 mm at most"});
-    }
-  }
-  const Point at = point_from(keys, KeyId::SensorAt);
-  if (at.cwiseAbs().maxCoeff() > kFarthestMm) {
-    errors.add(
-        SetupErrorId::OutOfRange, place_of(table, KeyId::SensorAt),
-        {"sensor.at", fmt::format("[{}, {}, {}]", at.x(), at.y(), at.z()), "1000000 mm at most"});
-  }
-}
-
 /// Values that each sensor has for itself.
 template <typename Value>
 class Taken {
@@ -117,7 +95,6 @@ void fill_sensors(Job& job, const Sheet& sheet, ErrorList& errors) {
   Taken<int> inputs(errors);
   Taken<int> words(errors);
   for (const SheetTable& table : list_of(sheet, SectionId::Sensor)) {
-    check_lengths(table, errors);
     const std::size_t order = job.sensors.size() + 1;
     const probe::DisplacementSetup sensor = sensor_from(table, order);
     if (sensor.input > kInputs) {

@@ -162,8 +162,9 @@ Result<SheetValue, ValueProblem> value_for(const VariedKey& key, const Node& nod
   const std::size_t dot = key.key.find('.');
   const bool is_bit = key.row->name_form == NameForm::ParameterNumber && dot != std::string::npos &&
                       axis_index(key.key.at(dot + 1)) < 0;
-  return key.component ? checked_value(node, ValueType::Number, Limit::Any)
-                       : checked_value(node, key.row->type, is_bit ? Limit::Bit : key.row->limit);
+  return key.component ? checked_value(node, ValueType::Number, Limit::Any, key.row->unit)
+                       : checked_value(node, key.row->type, is_bit ? Limit::Bit : key.row->limit,
+                                       key.row->unit);
 }
 
 bool takes_any_number(const VariedKey& key) {

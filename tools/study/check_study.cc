@@ -38,7 +38,7 @@ setup::Limit limit_of(StudyLimit limit) {
 using Checked = Result<StudyValue, ValueProblem>;
 
 Checked text_from(const Node& node, const StudyKeyRow& row) {
-  const auto text = setup::checked_value(node, setup::ValueType::Text, limit_of(row.limit));
+  const auto text = setup::checked_value(node, setup::ValueType::Text, limit_of(row.limit), "");
   if (!text) {
     return text.error();
   }
@@ -92,7 +92,7 @@ Checked value_from(const Node& node, const StudyKeyRow& row) {
     case StudyType::WholeNumber: {
       const auto type =
           row.type == StudyType::Number ? setup::ValueType::Number : setup::ValueType::WholeNumber;
-      const auto number = setup::checked_value(node, type, limit_of(row.limit));
+      const auto number = setup::checked_value(node, type, limit_of(row.limit), "");
       return number ? Checked(StudyValue(std::get<double>(number.value())))
                     : Checked(number.error());
     }

@@ -101,7 +101,8 @@ class StudyFill {
       return numbers;
     }
     for (const setup::Node& node : std::get<std::vector<setup::Node>>(entry->value)) {
-      const auto number = setup::checked_value(node, setup::ValueType::Number, setup::Limit::Any);
+      const auto number =
+          setup::checked_value(node, setup::ValueType::Number, setup::Limit::Any, "");
       if (!number) {
         const setup::ValueProblem& problem = number.error();
         errors_.add(problem.id, at(table, node),
