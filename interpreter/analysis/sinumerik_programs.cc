@@ -85,8 +85,8 @@ std::optional<Fault> fault_between(const sinumerik::CompiledProgram& caller,
   }
   if (given.size() > called.parameters.size()) {
     return fault_of(sinumerik::AlarmId::TooManyArguments, where,
-                    fmt::format("{} takes {}, {} are given", called.name, called.parameters.size(),
-                                given.size()));
+                    fmt::format("{} takes {} arguments, {} are given", called.name,
+                                called.parameters.size(), given.size()));
   }
   static const sinumerik::Argument kOmitted;
   for (std::size_t i = 0; i < called.parameters.size(); ++i) {
@@ -165,7 +165,7 @@ std::optional<Fault> SinumerikPrograms::missing_program(const Flow& caller, cons
   if (const auto* const cycle = sinumerik::find_unsimulated_cycle(call.target);
       cycle != nullptr && !call.by_text) {
     return Fault{Fault::Kind::NotSimulated, 0, call.where,
-                 fmt::format("{}, {}: a run tells it and passes over it", cycle->name, cycle->text),
+                 fmt::format("{}, {}: a run reports it and skips it", cycle->name, cycle->text),
                  "a program of this name, in the file or in a folder with --lib"};
   }
   const bool is_l_number = call.target.size() > 1 && sinumerik::upper(call.target.front()) == 'L' &&

@@ -99,7 +99,7 @@ Finding no_program(const source::SourceFile& file, const std::string& why) {
 std::vector<Finding> static_findings(ProgramSet& programs, const std::string& path) {
   const source::SourceFile& file = programs.text(path);
   if (is_no_text(file.text())) {
-    return {no_program(file, "this file is no text")};
+    return {no_program(file, "this file is not text")};
   }
   if (auto refused = programs.refusal(path)) {
     return {*std::move(refused)};

@@ -19,7 +19,7 @@ enum class Status {
   Collision,    ///< something touched that must not, or a soft limit
   Setup,        ///< the set-up sheet does not fit the program
   Budget,       ///< blocks or time spent
-  Interrupted,  ///< stopped from outside
+  Interrupted,  ///< interrupted
   SyntaxError,  ///< refused before the first block
   Defect,       ///< of g31 itself
 };

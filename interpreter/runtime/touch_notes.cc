@@ -68,7 +68,7 @@ std::optional<std::string> TouchNotes::oblique(const Touch& touch) {
     return std::nullopt;
   }
   return fmt::format(
-      ": {:.1f} degrees off the surface's normal, the correction by the ball's radius errs by "
+      ": {:.1f} degrees off the surface normal, the correction by the ball radius is wrong by "
       "{:.3f} mm",
       angle, touch.state.ball_radius_mm * (1.0 / touch.cosine() - 1.0));
 }
@@ -81,8 +81,9 @@ std::optional<std::string> TouchNotes::other_feed(const Touch& touch) {
   if (std::abs(shift) < kLeastErrorMm) {
     return std::nullopt;
   }
-  return fmt::format(": at {:g} mm/min, calibrated at {:g}, the signal's delay makes {:+.4f} mm",
-                     touch.feed_mm_min, *calibrated, shift);
+  return fmt::format(
+      ": at {:g} mm/min, calibrated at {:g}, the signal delay shifts it by {:+.4f} mm",
+      touch.feed_mm_min, *calibrated, shift);
 }
 
 std::optional<std::string> TouchNotes::chord(const Touch& first, const Touch& second) {
@@ -103,7 +104,7 @@ std::optional<std::string> TouchNotes::chord(const Touch& first, const Touch& se
     return std::nullopt;
   }
   return fmt::format(
-      ": {:.3f} mm beside the middle, the chord is {:.3f} mm shorter than the "
+      ": {:.3f} mm off centre, the chord is {:.3f} mm shorter than the "
       "diameter",
       0.5 * length * beside(second).norm() / second.cosine(), less);
 }

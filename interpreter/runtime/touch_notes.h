@@ -12,9 +12,9 @@
 
 namespace g31::runtime {
 
-/// What a touch that counts is wrong by, though the program cannot know: notes with a number, each
-/// block once.  A touch counts when the program reads what it latched, so that the fast touch
-/// before a slow one says nothing.
+/// What touch whose reading is used is wrong by, though the program cannot know: notes with a
+/// number, each block once.  A touch counts when the program reads what it latched, so that the
+/// fast touch before a slow one says nothing.
 ///
 /// * Off the normal: a correction by the ball's radius r along the move errs by r (1 / cos a - 1)
 /// on

@@ -8,7 +8,7 @@ namespace g31::errors {
 struct PlaySetup {
   double backlash = 0.0;    ///< >= 0: the encoder goes this far before the table follows
   double spike = 0.0;       ///< >= 0: how far the table at most sticks behind after a reversal
-  double spike_way = 0.05;  ///< > 0: how far after the reversal it is most behind
+  double spike_way = 0.05;  ///< > 0: distance after the reversal at which it lags the most
 };
 
 /// The play of one axis: backlash and stick motion.  A value; a move makes a new one.

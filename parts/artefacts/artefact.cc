@@ -80,7 +80,7 @@ std::optional<std::string> why_wrong(const PartSetup& part) {
       return "size '" + name + "' must be a number of mm greater than 0";
     }
     if (value > kLargestSizeMm) {
-      return "size '" + name + "' must be 1000000 mm at most";
+      return "size '" + name + "' must be at most 1000000 mm";
     }
   }
   return std::nullopt;

@@ -22,10 +22,11 @@ Result<std::vector<Point2>, std::string> errors_along(const ShapeProfile& profil
   std::vector<Point2> rows;
   for (const auto& [place, deviation] : profile) {
     if (place < 0.0 || place > length) {
-      return std::string("the places of a profile lie between 0 and the end of the shape");
+      return std::string("the places of a profile must lie between 0 and the end of the shape");
     }
     if (!(std::fabs(deviation) < thickness)) {
-      return std::string("the deviations of a profile are less than the shape is thick");
+      return std::string(
+          "the deviations of a profile must be smaller than the thickness of the shape");
     }
     rows.emplace_back(place, deviation);
   }

@@ -77,12 +77,12 @@ Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& sample
                                                       const CircleRequest& request) {
   const auto found = search_circle(samples);
   if (!found) {
-    return std::string("the path is no circle");
+    return std::string("the path is not a circle");
   }
   CircleEvaluation evaluation;
   evaluation.turns = circle_turns(samples, *found);
   if (angle_of(evaluation.turns) < kLeastAngle) {
-    return std::string("less than half a circle is recorded");
+    return std::string("less than half a circle was recorded");
   }
   // The windows are found with a part of a long record, the errors with all of it.
   constexpr std::size_t kEnough = 50'000;

@@ -105,8 +105,8 @@ Result<PositioningEvaluation, std::string> evaluate_positioning(
       const std::vector<double>& one = both.at(is_up ? 1 : 0);
       if (one.size() == 1) {
         return fmt::format(
-            "target {} mm was reached once in the {} direction: it takes two approaches at least, "
-            "the standard says five",
+            "target {} mm was approached only once in the {} direction: at least two approaches "
+            "are needed, five by the standard",
             target, is_up ? "positive" : "negative");
       }
       if (!one.empty()) {

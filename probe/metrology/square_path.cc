@@ -215,11 +215,11 @@ Result<SquareEvaluation, std::string> evaluate_square(const PlaneSamples& sample
   const auto across_x = sides_across(points, 0);
   const auto across_y = sides_across(points, 1);
   if (!across_x || !across_y) {
-    return std::string("the path is no square along the axes");
+    return std::string("the path is not a square along the axes");
   }
   Square square = square_of(*across_x, *across_y, request);
   if (!follows(points, square)) {
-    return std::string("most of the path lies on no square of this side along the axes");
+    return std::string("most of the path does not lie on a square of this side along the axes");
   }
   square = square_of(refined_sides(points, square, 0), refined_sides(points, square, 1), request);
   SquareEvaluation evaluation{square, {}};

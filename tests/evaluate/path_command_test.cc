@@ -40,7 +40,7 @@ TEST(EvaluateDiagonal, OfATargetOnAnAxisHasNothingToScale) {
   EXPECT_TRUE(output.document.at("results").at("error_Y_on").at("value").is_null());
   options.given.clear();
   EXPECT_EQ(evaluate_text("X,Y\n50,0\n", options).errors,
-            "g31: error: diagonal needs --target X,Y: where the way was to end\n");
+            "g31: error: diagonal needs --target X,Y: where the move should have ended\n");
 }
 
 std::string square_file() {

@@ -90,7 +90,7 @@ TEST(EvaluateReadings, AreRefusedWithTheLine) {
   };
   const Case kCases[] = {
       {"straightness", "K,A,B\n0,1,2\n2,1,2\n", "data.csv:3:1: error: K is 2, it should be 1"},
-      {"straightness", "K,A,B\n0,1,2\n", "data.csv:2:1: error: a line takes two rows at least"},
+      {"straightness", "K,A,B\n0,1,2\n", "data.csv:2:1: error: a line needs at least two rows"},
       {"straightness", "K,A,C\n0,1,2\n", "there is no column B"},
       {"flatness", "y,K,A,B\n0,0,1,1\n0,1,1,1\n50,0,1,1\n50,1,1,1\n50,2,1,1\n",
        "data.csv:6:1: error: this line ends after 3 rows, the first has 2"},
@@ -195,8 +195,9 @@ TEST(EvaluatePositioning, IsThatOfTheStandard) {
   EXPECT_NE(evaluate_text(text + "X,0,2,1,0\n", options)
                 .errors.find("data.csv:14:1: error: direction is 2, it should be +1 or -1"),
             std::string::npos);
-  EXPECT_NE(evaluate_text(text + "X,300,1,1,300\n", options).errors.find("was reached once"),
-            std::string::npos);
+  EXPECT_NE(
+      evaluate_text(text + "X,300,1,1,300\n", options).errors.find("was approached only once"),
+      std::string::npos);
 }
 
 }  // namespace

@@ -203,21 +203,21 @@ TEST(CircleEvaluation, RefusesWhatIsNoCircle) {
     const auto made = metrology::evaluate_circle({t, x, y}, {});
     return made.ok() ? std::string() : made.error();
   };
-  EXPECT_EQ(wrong(), "the path is no circle");
+  EXPECT_EQ(wrong(), "the path is not a circle");
   for (int i = 0; i < 500; ++i) {
     t.push_back(i);
     x.push_back(0.1 * i);
     y.push_back(0.2 * i);
   }
-  EXPECT_EQ(wrong(), "the path is no circle");
+  EXPECT_EQ(wrong(), "the path is not a circle");
   for (int i = 0; i < 500; ++i) {
     x[static_cast<std::size_t>(i)] = 10.0 * std::cos(0.004 * i);
     y[static_cast<std::size_t>(i)] = 10.0 * std::sin(0.004 * i);
   }
-  EXPECT_EQ(wrong(), "less than half a circle is recorded");
+  EXPECT_EQ(wrong(), "less than half a circle was recorded");
   std::fill(x.begin(), x.end(), 1.0);
   std::fill(y.begin(), y.end(), 1.0);
-  EXPECT_EQ(wrong(), "the path is no circle");
+  EXPECT_EQ(wrong(), "the path is not a circle");
 }
 
 }  // namespace

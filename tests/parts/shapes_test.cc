@@ -322,7 +322,7 @@ TEST(Shapes, AShaftIsAsThickAsItsProfile) {
 TEST(Shapes, EndAtAKilometre) {
   PartSetup setup = profiled("block", {});
   setup.sizes = {{"height", 1e300}};
-  EXPECT_EQ(make_artefact(setup).error(), "part 'gauge': size 'height' must be 1000000 mm at most");
+  EXPECT_EQ(make_artefact(setup).error(), "part 'gauge': size 'height' must be at most 1000000 mm");
   setup.sizes = {{"height", kLargestSizeMm}};
   EXPECT_TRUE(make_artefact(setup).ok());
 }
@@ -330,11 +330,12 @@ TEST(Shapes, EndAtAKilometre) {
 TEST(Shapes, SayWhichProfileDoesNotFit) {
   const auto refused = [](const PartSetup& setup) { return make_artefact(setup).error(); };
   EXPECT_EQ(refused(profiled("bed", {{0.0, 0.0}, {1000.5, 0.0}})),
-            "part 'gauge': the places of a profile lie between 0 and the end of the shape");
+            "part 'gauge': the places of a profile must lie between 0 and the end of the shape");
   EXPECT_EQ(refused(profiled("bed", {{-0.5, 0.0}, {10.0, 0.0}})),
-            "part 'gauge': the places of a profile lie between 0 and the end of the shape");
-  EXPECT_EQ(refused(profiled("shaft", {{0.0, -25.0}})),
-            "part 'gauge': the deviations of a profile are less than the shape is thick");
+            "part 'gauge': the places of a profile must lie between 0 and the end of the shape");
+  EXPECT_EQ(
+      refused(profiled("shaft", {{0.0, -25.0}})),
+      "part 'gauge': the deviations of a profile must be smaller than the thickness of the shape");
   EXPECT_EQ(refused(profiled("ring", {{0.0, 0.1}})),
             "part 'gauge': shape 'ring' takes no profile; bed and shaft do");
 }

@@ -119,18 +119,18 @@ TEST(Check, ArgumentsAreHeldAgainstTheProcOfTheProgramCalled) {
   const CheckOutput output = checked_files({main, sub, plain});
   EXPECT_EQ(places(output.text, folder),
             (std::vector<std::string>{
-                "PART.MPF:2:1: error: alarm 12340, number of arguments exceeded: SUBX takes 2, 3 "
-                "are given [NC009]",
+                "PART.MPF:2:1: error: alarm 12340, number of arguments exceeded: SUBX takes 2 "
+                "arguments, 3 are given [NC009]",
                 "PART.MPF:3:8: error: alarm 12320, argument must be call-by-reference: SUBX, B "
                 "[NC009]",
                 "PART.MPF:4:1: error: alarm 12300, call-by-reference argument missing on "
                 "subroutine call: SUBX, B [NC009]",
                 "PART.MPF:5:6: error: alarm 12330, type of argument incorrect: SUBX, A: STRING "
-                "is no REAL [NC009]",
+                "is not REAL [NC009]",
                 "PART.MPF:6:6: error: alarm 14510, PROC instruction missing on subroutine call: "
                 "PLAIN [NC009]",
-                "PART.MPF:7:7: error: alarm 12340, number of arguments exceeded: SUBX takes 2, 3 "
-                "are given [NC009]",
+                "PART.MPF:7:7: error: alarm 12340, number of arguments exceeded: SUBX takes 2 "
+                "arguments, 3 are given [NC009]",
                 "PART.MPF:9:1: error: alarm 12550, name not defined or option/function not "
                 "available: ELSEWHERE [NC005]",
             }));
@@ -256,7 +256,7 @@ TEST(Check, AProgramForALatheIsRefusedWithOneLine) {
   const CheckOutput output = checked(options);
   EXPECT_EQ(output.exit_code, 1);
   EXPECT_NE(output.text.find("o1.nc:2:1: error: a program for a lathe (G50 S, T of four digits, "
-                             "G96 S, U or W): g31 runs those of machining centres [NC008]"),
+                             "G96 S, U or W): g31 runs programs for machining centres [NC008]"),
             output.text.npos)
       << output.text;
   EXPECT_EQ(output.text.find("error:", output.text.find("error:") + 1), output.text.npos)
@@ -273,7 +273,7 @@ TEST(Check, FilesThatAreNoProgramsHaveTheirOwnMessage) {
   ASSERT_EQ(found.size(), 3U) << output.text;
   EXPECT_EQ(found[0], "empty.nc:1:1: error: no program in this file [NC001]");
   EXPECT_EQ(found[1], "EMPTY.MPF:1:1: error: no program in this file [NC001]");
-  EXPECT_EQ(found[2], "picture.nc:1:1: error: this file is no text [NC001]");
+  EXPECT_EQ(found[2], "picture.nc:1:1: error: this file is not text [NC001]");
 }
 
 TEST(Check, AMissingFileIsExitCodeTwoAndTheOthersAreCheckedAllTheSame) {
@@ -341,7 +341,7 @@ TEST(Check, NamesOfAxesComeFromTheSheet) {
   options.files = {folder.write("part.mpf", "G0 SP1=90 W10\nPOS[SP1]=IC(5)\nM30\n")};
   const CheckOutput without = checked(options);
   EXPECT_EQ(without.exit_code, 1);
-  EXPECT_NE(without.text.find("names of [machine.axes]"), without.text.npos) << without.text;
+  EXPECT_NE(without.text.find("names in [machine.axes]"), without.text.npos) << without.text;
   options.setups = {folder.write("machine.toml", "[machine.axes.C]\nnames = \"SP1\"\n")};
   const CheckOutput with = checked(options);
   EXPECT_EQ(with.exit_code, 0);

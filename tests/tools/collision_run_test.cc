@@ -147,7 +147,7 @@ TEST(Rapids, OfEachAxisOnItsOwnMeetWhatAStraightLinePasses) {
 TEST(ProtectedMoves, ThatASignalEndsAreReportedWhenAnotherSkipMoveFollows) {
   const RunOutput output = run_with("", "G00 X0.\nG31 Z-10. F500\nG91 G31 X10. F100\nM30\n");
   EXPECT_EQ(output.exit_code, 1) << output.errors;
-  EXPECT_NE(output.errors.find("hit.nc:4:1: warning: a skip move was ended by its signal, and "
+  EXPECT_NE(output.errors.find("hit.nc:4:1: warning: a skip move was stopped by its signal, and "
                                "another skip move follows [PRB310]"),
             std::string::npos)
       << output.errors;

@@ -271,21 +271,21 @@ TEST(DisplacementSensorsSheet, SaysWhatIsWrong) {
   const auto says = [](const std::string& errors, const std::string& text) {
     EXPECT_NE(errors.find(text), std::string::npos) << errors;
   };
-  says(refused("[[sensor]]\nname = \"A\"\n"), "sensor.name is A, which sensor A has already");
-  says(refused("[[sensor]]\ninput = 2\n"), "sensor.input is 2, which sensor B has already");
-  says(refused("[[sensor]]\nword = 132\n"), "sensor.word is 1132, which sensor A has already");
+  says(refused("[[sensor]]\nname = \"A\"\n"), "sensor.name is A, which sensor A already has");
+  says(refused("[[sensor]]\ninput = 2\n"), "sensor.input is 2, which sensor B already has");
+  says(refused("[[sensor]]\nword = 132\n"), "sensor.word is 1132, which sensor A already has");
   says(refused("[[sensor]]\nname = \"a,b\"\n"), "a name of letters, digits");
   says(refused("[[sensor]]\nword = 1100\n"), "1032 to 1035 or 1132 to 1135");
   says(refused("[[sensor]]\ndirection = [0.0, 0.0, 0.0]\n"), "not all 0");
   says(refused("[[sensor]]\nresolution = 1e-9\n"), "2147483647 counts");
   says(refused("[[sensor]]\ninput = 9\n"), "1 to 8");
   says(refused("[[sensor]]\nspot = 1e7\n"), "sensor.spot is 10000000");
-  says(refused("[[sensor]]\nat = [0.0, -1e9, 0.0]\n"), "1000000 mm at most");
+  says(refused("[[sensor]]\nat = [0.0, -1e9, 0.0]\n"), "at most 1000000 mm");
   std::string many;
   for (int i = 3; i <= 9; ++i) {
     many += "[[sensor]]\n";
   }
-  says(refused(many), "there are 8 analog inputs");
+  says(refused(many), "there are only 8 analog inputs");
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(LatheProgram, IsRefusedWithOneLine) {
       "[control]\nprofile = \"fanuc-0i\"\n");
   EXPECT_EQ(run.exit_code, static_cast<int>(cli::ExitCode::BadUsage));
   EXPECT_NE(run.errors.find("o1.nc:3:1: error: a program for a lathe (G50 S, T of four digits, G96 "
-                            "S, U or W): g31 runs those of machining centres [PRB003]"),
+                            "S, U or W): g31 runs programs for machining centres [PRB003]"),
             std::string::npos)
       << run.errors;
   EXPECT_EQ(run.errors.find("error:", run.errors.find("error:") + 1), std::string::npos)
@@ -62,7 +62,7 @@ TEST(LatheProgram, IsNotWhatAMillMayWrite) {
 
 TEST(SamePrograms, InOneFileAreTold) {
   const auto run = run_with("O1\nG65 P9010\nM30\nO9010\n#100=1\nM99\nO9010\n#100=2\nM99\n", "");
-  EXPECT_NE(run.errors.find("O9010 is there twice: this one is taken, not that of line 7"),
+  EXPECT_NE(run.errors.find("O9010 appears twice: this one is used, not that of line 7"),
             std::string::npos)
       << run.errors;
   EXPECT_TRUE(mentions(run, "PRB504"));
@@ -83,7 +83,7 @@ TEST(SamePrograms, InFilesWhoseNamesSayNoNumberAreTold) {
   library.write("measure_old.nc", "O9011\nM99\nO9010\n#100=2\nM99\n");
   library.write("other.nc", "O9012\nM99\n");
   const auto run = run_beside("O1\nG65 P9010\nM30\n", library);
-  EXPECT_NE(run.errors.find("O9010 is there twice: this one is taken, not measure_old.nc"),
+  EXPECT_NE(run.errors.find("O9010 appears twice: this one is used, not measure_old.nc"),
             std::string::npos)
       << run.errors;
   EXPECT_FALSE(mentions(run_beside("O1\nG65 P9012\nM30\n", library), "PRB504"));
@@ -99,7 +99,7 @@ TEST(SamePrograms, OneOverAnotherIsHowLibrariesWork) {
 TEST(UnknownParameter, IsTold) {
   const auto run = run_with("O1\nM30\n", "[parameters]\n\"6099.1\" = 1\n\"6001.1\" = 1\n");
   EXPECT_TRUE(mentions(run, "PRB505"));
-  EXPECT_NE(run.errors.find("parameter 6099.1 of the set-up sheet changes nothing here"),
+  EXPECT_NE(run.errors.find("parameter 6099.1 in the set-up sheet has no effect here"),
             std::string::npos)
       << run.errors;
   EXPECT_EQ(run.errors.find("6001"), std::string::npos) << run.errors;

@@ -115,15 +115,15 @@ TEST(WriteWholeFile, LeavesLinksAndPipesWhatTheyAre) {
 
 TEST(RunOptions, NumbersThatAreNoneAreRefused) {
   for (const auto& [option, value, says] :
-       {std::tuple{"--max-time", "nan", "nan is no number of seconds above 0"},
-        std::tuple{"--max-time", "inf", "inf is no number of seconds above 0"},
-        std::tuple{"--max-time", "0", "0 is no number of seconds above 0"},
-        std::tuple{"--max-time=-1", "", "-1 is no number of seconds above 0"},
-        std::tuple{"--max-time", "1e999", "1e999 is no number of seconds above 0"},
-        std::tuple{"--max-blocks=-1", "", "-1 is no whole number from 0"},
-        std::tuple{"--max-blocks", "1.5", "1.5 is no whole number from 0"},
-        std::tuple{"--seed=-1", "", "-1 is no whole number from 0"},
-        std::tuple{"--seed", "x", "x is no whole number from 0"}}) {
+       {std::tuple{"--max-time", "nan", "nan is not a number of seconds above 0"},
+        std::tuple{"--max-time", "inf", "inf is not a number of seconds above 0"},
+        std::tuple{"--max-time", "0", "0 is not a number of seconds above 0"},
+        std::tuple{"--max-time=-1", "", "-1 is not a number of seconds above 0"},
+        std::tuple{"--max-time", "1e999", "1e999 is not a number of seconds above 0"},
+        std::tuple{"--max-blocks=-1", "", "-1 is not a whole number of 0 or more"},
+        std::tuple{"--max-blocks", "1.5", "1.5 is not a whole number of 0 or more"},
+        std::tuple{"--seed=-1", "", "-1 is not a whole number of 0 or more"},
+        std::tuple{"--seed", "x", "x is not a whole number of 0 or more"}}) {
     SCOPED_TRACE(says);
     CLI::App app;
     cli::RunOptions options;

@@ -116,8 +116,10 @@ const Case kAlarms[] = {
     {"no such program", framed("M98P77"), 3, "2:4", "O0077 is in none of the files"},
     {"subprogram in itself", "O1\nM98P1\nM30\n", 3, "2:1", "called from O0001"},
     {"macro in itself", "O1\nG65P1\nM30\n", 3, "2:1", "called from O0001"},
-    {"macro call behind a subprogram call", framed("M98P1G65P1"), 3, "2:6", "G65 beside another"},
-    {"modal call behind a subprogram call", framed("M98P1G66P1"), 3, "2:6", "G66 beside another"},
+    {"macro call behind a subprogram call", framed("M98P1G65P1"), 3, "2:6",
+     "G65 together with another"},
+    {"modal call behind a subprogram call", framed("M98P1G66P1"), 3, "2:6",
+     "G66 together with another"},
     {"overflow", framed("#1=99999999.\n#2=#1*#1*#1*#1*#1*#1*#1"), 3, "3:4", "[111]"},
     {"root of -1", framed("#1=SQRT[-1]"), 3, "2:4", "SQRT of -1"},
     {"logarithm of 0", framed("#1=LN[0]"), 3, "2:4", "LN of 0"},
@@ -140,8 +142,8 @@ const Case kAlarms[] = {
      "    2 | (?\\?\?)#1=1/0\n      |          ^~~"},
     {"alarm text in Shift-JIS", framed("#3000=1(\x83\x5C\x91\xAA)"), 3, "2:1",
      "error: ?\\?? [3001]"},
-    {"endless loop", framed("WHILE[1EQ1]DO1\nEND1"), 6, "", "the budget of executed blocks"},
-    {"endless repeats of the program", "O1\nM99\n", 6, "", "the budget of executed blocks"},
+    {"endless loop", framed("WHILE[1EQ1]DO1\nEND1"), 6, "", "the limit of executed blocks"},
+    {"endless repeats of the program", "O1\nM99\n", 6, "", "the limit of executed blocks"},
 };
 
 const Case kHarmless[] = {
@@ -171,7 +173,7 @@ TEST(Budget, EndsACannedCycleInTime) {
   EXPECT_EQ(output.exit_code, 6);
   EXPECT_EQ(output.document.at("status"), "budget");
   EXPECT_EQ(output.document.at("blocks"), 3);
-  EXPECT_NE(output.errors.find("case.nc:3:1: error: the budget of wall time is spent"),
+  EXPECT_NE(output.errors.find("case.nc:3:1: error: the limit of computing time is reached"),
             std::string::npos)
       << output.errors;
   EXPECT_LT(passed.count(), kPatienceSeconds);

@@ -87,14 +87,14 @@ TEST_F(PrinterChoice, IsRefusedBeforeAnythingRuns) {
   const std::pair<std::string, std::string> kCases[] = {
       {folder_.path("none/out.txt"), "cannot write: No such file or directory"},
       {folder_.path(""), "cannot write: Is a directory"},
-      {pipe, "cannot write: nobody reads from it"},
+      {pipe, "cannot write: nothing reads from it"},
       {terminal.device(), "a serial line needs its settings: " + terminal.device() + ",4800,e,7,2"},
       {terminal.device() + ",4800,q,7,2", "parity \"q\": e (even), o (odd) or n (none)"},
       {terminal.device() + ",4700,e,7,2", "baud rate \"4700\": one of"},
       {terminal.device() + ",4800", "2 parts instead of 5"},
       {"/dev/no_such_line,4800,e,7,2", "cannot open /dev/no_such_line: No such file or directory"},
-      {"/dev/null,4800,e,7,2", "/dev/null is no serial line"},
-      {ordinary + ",4800,e,7,2", ordinary + " is no serial line"},
+      {"/dev/null,4800,e,7,2", "/dev/null is not a serial line"},
+      {ordinary + ",4800,e,7,2", ordinary + " is not a serial line"},
   };
   for (const auto& [printer, says] : kCases) {
     const Streams streams = run(options(printer));

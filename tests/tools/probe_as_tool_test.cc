@@ -56,15 +56,15 @@ TEST(ProbeAsTool, ALoopWithoutItIsToldOnceWithTheNumberOfTimes) {
   EXPECT_EQ(output.document["status"], "completed");
   EXPECT_EQ(
       said(output, folder),
-      R"(loop.nc:5:1: warning: a measuring move while the spindle does not hold the probe: no signal can come [PRB311]
+      R"(loop.nc:5:1: warning: measuring move without the probe in the spindle: no signal can come [PRB311]
     5 | G31 Z[190.-#1] F500.
       | ^~~~~~~~~~~~~~~~~~~~
-      = bring the tool that probe.tool of the set-up sheet names into the spindle: T and M6
+      = change to the tool that probe.tool in the set-up sheet names: T and M6
 loop.nc:5:1: note: 3 times in all
-loop.nc:5:1: warning: the skip move ended at its end point without a signal [PRB301]
+loop.nc:5:1: warning: the skip move reached its end point without a signal [PRB301]
     5 | G31 Z[190.-#1] F500.
       | ^~~~~~~~~~~~~~~~~~~~
-      = on the control this is no alarm: compare what it reads with the programmed end before it counts as measured (SINUMERIK: ask $AC_MEA), or move further
+      = the control raises no alarm here: compare the reading with the programmed end point before using it (SINUMERIK: check $AC_MEA), or program a longer move
 )");
 }
 
@@ -74,36 +74,36 @@ TEST(ProbeAsTool, OffAndTurningAreToldByTheirPlaceInBothDialects) {
   EXPECT_EQ(fanuc.exit_code, 1);
   EXPECT_EQ(
       said(fanuc, folder),
-      R"(off.nc:3:1: warning: a measuring move with a probe that is not switched on: no signal can come [PRB312]
+      R"(off.nc:3:1: warning: measuring move with the probe switched off: no signal can come [PRB312]
     3 | G31 Z190. F500.
       | ^~~~~~~~~~~~~~~
-      = the M code that probe.on of the set-up sheet names switches it on
-off.nc:3:1: warning: a measuring move while the spindle turns with the probe [PRB313]
+      = switch it on first, as probe.on in the set-up sheet says
+off.nc:3:1: warning: measuring move with the spindle turning [PRB313]
     3 | G31 Z190. F500.
       | ^~~~~~~~~~~~~~~
-      = M5 stops the spindle, M19 or SPOS at an angle
-off.nc:3:1: warning: the skip move ended at its end point without a signal [PRB301]
+      = stop the spindle with M5, or orient it with M19 or SPOS
+off.nc:3:1: warning: the skip move reached its end point without a signal [PRB301]
     3 | G31 Z190. F500.
       | ^~~~~~~~~~~~~~~
-      = on the control this is no alarm: compare what it reads with the programmed end before it counts as measured (SINUMERIK: ask $AC_MEA), or move further
+      = the control raises no alarm here: compare the reading with the programmed end point before using it (SINUMERIK: check $AC_MEA), or program a longer move
 )");
   const RunOutput sinumerik =
       run_with_probe(folder, "off.mpf", "M3 S100\nMEAS=1 G1 Z190 F500\nM30\n");
   EXPECT_EQ(sinumerik.exit_code, 1);
   EXPECT_EQ(
       said(sinumerik, folder),
-      R"(off.mpf:2:1: warning: a measuring move with a probe that is not switched on: no signal can come [PRB312]
+      R"(off.mpf:2:1: warning: measuring move with the probe switched off: no signal can come [PRB312]
     2 | MEAS=1 G1 Z190 F500
       | ^~~~~~~~~~~~~~~~~~~
-      = the M code that probe.on of the set-up sheet names switches it on
-off.mpf:2:1: warning: a measuring move while the spindle turns with the probe [PRB313]
+      = switch it on first, as probe.on in the set-up sheet says
+off.mpf:2:1: warning: measuring move with the spindle turning [PRB313]
     2 | MEAS=1 G1 Z190 F500
       | ^~~~~~~~~~~~~~~~~~~
-      = M5 stops the spindle, M19 or SPOS at an angle
-off.mpf:2:1: warning: the skip move ended at its end point without a signal [PRB301]
+      = stop the spindle with M5, or orient it with M19 or SPOS
+off.mpf:2:1: warning: the skip move reached its end point without a signal [PRB301]
     2 | MEAS=1 G1 Z190 F500
       | ^~~~~~~~~~~~~~~~~~~
-      = on the control this is no alarm: compare what it reads with the programmed end before it counts as measured (SINUMERIK: ask $AC_MEA), or move further
+      = the control raises no alarm here: compare the reading with the programmed end point before using it (SINUMERIK: check $AC_MEA), or program a longer move
 )");
 }
 

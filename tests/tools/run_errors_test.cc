@@ -35,7 +35,7 @@ TEST(RunErrors, OfTheProgramHaveAPlaceAndTheirCode) {
       {"no such block", "O1\nGOTO 7\nM30\n", 3, "[128]"},
       {"no end", "O1\nG00 X1.\n", 3, "[5010]"},
       {"an endless loop", "O1\nN1 GOTO 1\nM30\n", 6,
-       "case.nc:2:1: error: the budget of executed blocks"},
+       "case.nc:2:1: error: the limit of executed blocks"},
       {"endless recursion", "O1\nG65 P1\nM30\n", 3, "called from O0001"},
       {"no feed", "O1\nG01 X1.\nM30\n", 3, "[11]"},
       {"nothing in the file", "", 2, "no program in this file"},
@@ -101,7 +101,7 @@ TEST(RunErrors, OfTheCommandLineAreWrongUsage) {
   bad_name.prints = {"nonsense"};
   for (const auto& [options, says] :
        {std::pair{no_program, "cannot read the program"}, std::pair{no_folder, "no such folder"},
-        std::pair{bad_value, "--set #1=x"}, std::pair{bad_name, "nonsense is no variable"}}) {
+        std::pair{bad_value, "--set #1=x"}, std::pair{bad_name, "nonsense is not a variable"}}) {
     const RunOutput output = run_program(options);
     EXPECT_EQ(output.exit_code, 2);
     EXPECT_NE(output.errors.find(says), std::string::npos) << output.errors;

@@ -195,7 +195,7 @@ TEST(SerialPrinter, ThatNeverGoesOnEndsInAnAlarm) {
   options.printer_wait_s = 0.3;
   const auto begin = std::chrono::steady_clock::now();
   expect_not_ready(run_blocks(printer, long_printout(), "19200,e,7,2", options),
-                   "the printer sent DC3 (stop) and no DC1 (go on) for 0.3 s");
+                   "the printer sent DC3 (stop) and no DC1 (resume) for 0.3 s");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
 }
 
@@ -208,7 +208,7 @@ TEST(SerialPrinter, ThatTakesNothingEndsInAnAlarm) {
   options.printer = line_of(printer, "19200,e,7,2");
   options.printer_wait_s = 0.2;
   const RunOutput output = run_program(options);  // nobody reads
-  expect_not_ready(output, "the line took no character for 0.2 s");
+  expect_not_ready(output, "the line accepted no character for 0.2 s");
   EXPECT_NE(output.errors.find("main.nc:3:1: error: "), std::string::npos) << output.errors;
 }
 

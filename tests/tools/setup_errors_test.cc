@@ -382,13 +382,13 @@ const ErrorCase kStandAtTheirPlace[] = {
       |                  ^
 )"},
     {"a part of nothing", "[[part]]\nname = \"air\"\n",
-     R"(sheet1.toml:1:1: error: a part needs either file or shape, this one has none [SET106]
+     R"(sheet1.toml:1:1: error: a part needs either file or shape; this one has none [SET106]
     1 | [[part]]
       | ^
       = for example: file = "ring.stl"
 )"},
     {"a part of two things", "[[part]]\nfile = \"ring.stl\"\nshape = \"ring\"\n",
-     R"(sheet1.toml:1:1: error: a part needs either file or shape, this one has both [SET106]
+     R"(sheet1.toml:1:1: error: a part needs either file or shape; this one has both [SET106]
     1 | [[part]]
       | ^
       = for example: file = "ring.stl"
@@ -431,12 +431,12 @@ const ErrorCase kStandAtTheirPlace[] = {
       | ^
 )"},
     {"an axis on no side", "[machine]\ntable_side = \"C\"\n[machine.axes.B]\n",
-     R"(sheet1.toml:3:15: error: axis B stands neither in table_side nor in tool_side [SET112]
+     R"(sheet1.toml:3:15: error: axis B is in neither table_side nor tool_side [SET112]
     3 | [machine.axes.B]
       |               ^
 )"},
     {"an axis on both sides", "[machine]\ntable_side = \"CX\"\n",
-     R"(sheet1.toml:2:14: error: axis X stands twice in table_side and tool_side [SET113]
+     R"(sheet1.toml:2:14: error: axis X appears twice in table_side and tool_side [SET113]
     2 | table_side = "CX"
       |              ^
 )"},

@@ -52,7 +52,7 @@ const ErrorCase kOfAProbeThatIsATool[] = {
       = write two [[input]], each with one of them
 )"},
     {"an input that the probe sets", "[probe]\nready_input = 1004\n[[input]]\nnumber = 1004\n",
-     R"(sheet1.toml:4:10: error: input.number is 1004, the input that probe.ready_input sets already [SET115]
+     R"(sheet1.toml:4:10: error: input.number is 1004, an input that probe.ready_input already sets [SET115]
     4 | number = 1004
       |          ^
       = each takes an input of its own
@@ -68,14 +68,14 @@ const ErrorCase kOfAProbeThatIsATool[] = {
       | ^
 )"},
     {"two things on one input", "[probe]\nready_input = 1004\nsignal_input = 1004\n",
-     R"(sheet1.toml:3:16: error: probe.signal_input is 1004, the input that probe.ready_input sets already [SET115]
+     R"(sheet1.toml:3:16: error: probe.signal_input is 1004, an input that probe.ready_input already sets [SET115]
     3 | signal_input = 1004
       |                ^
       = each takes an input of its own
 )"},
     {"the battery on the input of the signal",
      "[probe]\nsignal_input = 1005\nlow_battery_input = 1005\n",
-     R"(sheet1.toml:3:21: error: probe.low_battery_input is 1005, the input that probe.signal_input sets already [SET115]
+     R"(sheet1.toml:3:21: error: probe.low_battery_input is 1005, an input that probe.signal_input already sets [SET115]
     3 | low_battery_input = 1005
       |                     ^
       = each takes an input of its own
@@ -90,7 +90,7 @@ TEST_F(SetupErrorText, OfAProbeThatIsATool) {
 
 const ErrorCase kOfWhatTheControlBelieves[] = {
     {"a belief about an axis that carries nothing", "[believed.axes.C]\ncentre = [0.0, 0.0, 1.0]\n",
-     R"(sheet1.toml:1:16: error: axis C carries neither part nor tool, so there is nothing to believe of it [SET114]
+     R"(sheet1.toml:1:16: error: axis C carries neither part nor tool, so the control can believe nothing of it [SET114]
     1 | [believed.axes.C]
       |                ^
       = table_side and tool_side of [machine] name its rotary axes
@@ -102,7 +102,7 @@ const ErrorCase kOfWhatTheControlBelieves[] = {
 )"},
     {"a belief about an axis that the control knows but nothing stands on",
      "[machine.axes.C]\n[believed.axes.C]\n",
-     R"(sheet1.toml:2:16: error: axis C carries neither part nor tool, so there is nothing to believe of it [SET114]
+     R"(sheet1.toml:2:16: error: axis C carries neither part nor tool, so the control can believe nothing of it [SET114]
     2 | [believed.axes.C]
       |                ^
       = table_side and tool_side of [machine] name its rotary axes

@@ -121,9 +121,9 @@ TEST(Study, MergeRefusesWhatIsNotTheWholeStudy) {
   const Case kCases[] = {
       {{first}, "run 3 of 4 is in none of the parts"},
       {{second}, "run 1 of 4 is in none of the parts"},
-      {{first, second, first}, "run 1 is there twice"},
+      {{first, second, first}, "run 1 appears twice"},
       {{first, other}, "the parts are not of the same study"},
-      {{first, no_json}, "is no shard of a study"},
+      {{first, no_json}, "is not a shard of a study"},
       {{first, small.folder().path("absent.json")}, "cannot read the shard"},
   };
   for (const Case& c : kCases) {
@@ -259,7 +259,7 @@ TEST(Study, AVacantResultIsLeftOutWithAWarning) {
   const SmallStudy small("#101= #0\n");
   const StudyOutput output = run_study(small.options("repeats = 2", kSquare));
   EXPECT_EQ(output.exit_code, 0);
-  EXPECT_NE(output.errors.find("result square is vacant or no number in 2 of 2 runs"),
+  EXPECT_NE(output.errors.find("result square is vacant or not a number in 2 of 2 runs"),
             std::string::npos);
 }
 

@@ -74,8 +74,8 @@ TEST_F(StudyErrors, OfKeysHavePlaceReasonAndWhatWouldBeRight) {
       {"no result", kHead, ":1:1:", "the study needs a result"},
       {"a result without value", head + "[results.a]\nunit = \"mm\"\n",
        ":4:10:", "[results.a] needs value"},
-      {"a result that is no formula", head + "[results.a]\nvalue = \"#101 +\"\n",
-       ":5:9:", "#101 + is no result: at character 7: a variable, a number or a bracket is wanted"},
+      {"a result that is no formula", head + "[results.a]\nvalue = \"#101 +\"\n", ":5:9:",
+       "#101 + is not a result: at character 7: a variable, a number or a bracket is expected"},
   };
   for (const FileCase& c : kCases) {
     expect_refused(c, run(c.text));
@@ -110,7 +110,8 @@ TEST_F(StudyErrors, OfVariationsHavePlaceReasonAndWhatWouldBeRight) {
        ":8:11:", "part.plug.bore cannot be varied: shape plug has no size bore"},
       {"a name that is none", good + "[[vary]]\nkey = \"work_offsets.G53.X\"\nvalues = [30.0]\n",
        ":7:7:",
-       "work_offsets.G53.X cannot be varied: G53 is no name of [work_offsets], did you mean G54?"},
+       "work_offsets.G53.X cannot be varied: G53 is not a name in [work_offsets], did you mean "
+       "G54?"},
       {"labels that are too few",
        good + "[[vary]]\nkey = \"probe.length\"\nvalues = [1.0, 2.0]\nlabels = [\"a\"]\n",
        ":9:10:", "this variation has 1 labels for 2 values"},

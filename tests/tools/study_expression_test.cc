@@ -78,19 +78,19 @@ TEST(StudyExpression, SaysWhereItIsWrong) {
     const char* message;
   };
   const Case kCases[] = {
-      {"", "at character 1: a variable, a number or a bracket is wanted"},
+      {"", "at character 1: a variable, a number or a bracket is expected"},
       {"#", "at character 2: a variable is # and a number"},
-      {"#1 +", "at character 5: a variable, a number or a bracket is wanted"},
+      {"#1 +", "at character 5: a variable, a number or a bracket is expected"},
       {"(#1 + 2", "at character 8: ')' is missing"},
       {"[#1)", "at character 4: ']' is missing"},
       {"#1 2", "at character 4: '2' does not belong here"},
       {"SQRTT[#1]", "at character 1: there is no function SQRTT, did you mean SQRT?"},
       {"COSINE(1)", "at character 1: there is no function COSINE, known are ABS, SQRT, MIN, MAX"},
-      {"ABS #1", "at character 5: a function wants a bracket"},
-      {"MIN[#1]", "at character 7: 2 values with a comma between them are wanted"},
+      {"ABS #1", "at character 5: a function needs a bracket"},
+      {"MIN[#1]", "at character 7: 2 values separated by commas are expected"},
       {"_OVR[", "at character 1: there is no function _OVR, known are ABS, SQRT, MIN, MAX"},
       {"R1[R2+1]", "at character 1: there is no function R1, known are ABS, SQRT, MIN, MAX"},
-      {"1e999", "at character 1: a variable, a number or a bracket is wanted"},
+      {"1e999", "at character 1: a variable, a number or a bracket is expected"},
   };
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.text);

@@ -128,7 +128,7 @@ TEST(TouchNotes, AChordIsShorterThanTheDiameter) {
   EXPECT_NEAR(last_mm(text.substr(0, text.find(" shorter"))), 34.0 - 2.0 * std::sqrt(289.0 - 1.44),
               2.0 * 1.2 * facet / 17.0 + 0.0005)
       << text;
-  EXPECT_NEAR(last_mm(text.substr(0, text.find(" beside"))), 1.2, facet) << text;
+  EXPECT_NEAR(last_mm(text.substr(0, text.find(" off centre"))), 1.2, facet) << text;
   EXPECT_TRUE(notes_of(measured_beside(0.0, "")).empty());
 }
 

@@ -64,7 +64,7 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
       ->type_name("RULE")
       ->allow_extra_args(false);
   add_choice(*check, "--fail-on", options.fail_on, kLevels,
-             "level from which on a finding makes exit code 1: error, warning (default), note");
+             "lowest level at which a finding gives exit code 1: error, warning (default), note");
   auto* const rules = check->add_flag("--rules", options.lists_rules, "list the rules");
   check->callback([files, rules] {
     if (files->empty() && rules->empty()) {

@@ -7,7 +7,7 @@ namespace g31::cli {
 
 CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
   CLI::App* const command = app.add_subcommand(
-      "evaluate", "Say what a recorded motion or a file of readings tells about a machine.");
+      "evaluate", "Say what a recorded motion or a file of readings shows about a machine.");
   command->add_option("KIND", options.kind, "what to evaluate, see below")->required();
   command
       ->add_option("FILE", options.file,
@@ -28,7 +28,8 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command
-      ->add_option("--unit", options.unit, "of the file's lengths: mm (default), um, nm, m, inch")
+      ->add_option("--unit", options.unit,
+                   "unit unit of the file's lengths: mm (default), um, nm, m, inch")
       ->type_name("UNIT");
   for (const evaluate::OptionRow& row : evaluate::options()) {
     command

@@ -32,7 +32,8 @@ std::optional<double> number_in(std::string_view text) {
 
 Wrong take_positive(std::string_view text, std::optional<double>& value) {
   value = number_in(text);
-  return value && *value > 0.0 ? std::nullopt : Wrong("this is no length above 0 and up to 1e6 mm");
+  return value && *value > 0.0 ? std::nullopt
+                               : Wrong("this is not a length above 0 and up to 1e6 mm");
 }
 
 Wrong take_pair(std::string_view text, std::optional<evaluate::Pair>& value) {
@@ -41,7 +42,7 @@ Wrong take_pair(std::string_view text, std::optional<evaluate::Pair>& value) {
   const auto second =
       comma == std::string_view::npos ? std::nullopt : number_in(text.substr(comma + 1));
   if (!first || !second) {
-    return "write two lengths with a comma between them, for example 50,50";
+    return "write two lengths separated by a comma, for example 50,50";
   }
   value = evaluate::Pair{*first, *second};
   return std::nullopt;
@@ -114,7 +115,7 @@ Wrong take(OptionId id, const std::string& text, Request& request) {
       return take_sense(text, request.sense);
     case OptionId::From:
       request.from = number_in(text);
-      return request.from ? std::nullopt : Wrong("this is no length");
+      return request.from ? std::nullopt : Wrong("this is not a length");
     case OptionId::Axis:
       request.axis = text;
       return std::nullopt;
@@ -175,7 +176,7 @@ Wrong take_drawing(const EvaluateOptions& options, Request& request) {
   }
   const auto magnify = number_in(options.magnify);
   if (!magnify || *magnify <= 0.0) {
-    return fmt::format("--magnify {}: this is no number above 0 and up to 1e6", options.magnify);
+    return fmt::format("--magnify {}: this is not a number above 0 and up to 1e6", options.magnify);
   }
   request.magnify = *magnify;
   return std::nullopt;
@@ -200,12 +201,12 @@ Wrong take_given(const EvaluateOptions& options, Request& request) {
 /// What a kind cannot do without.
 Wrong missing_option(const EvaluateOptions& options, const Request& request) {
   if (request.kind == evaluate::Kind::Diagonal && !request.target) {
-    return "diagonal needs --target X,Y: where the way was to end";
+    return "diagonal needs --target X,Y: where the move should have ended";
   }
   const bool steps =
       request.kind == evaluate::Kind::Straightness || request.kind == evaluate::Kind::Cylindricity;
   if (steps && !request.step) {
-    return fmt::format("{} needs --step L: the way from one row to the next",
+    return fmt::format("{} needs --step L: the distance from one row to the next",
                        evaluate::info(request.kind).word);
   }
   if (request.kind == evaluate::Kind::Cylindricity &&

@@ -44,7 +44,7 @@ Result<std::FILE*, Refusal> open_device(const std::string& path) {
   const int fd =
       ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0666);
   if (fd < 0) {
-    const std::string_view why = errno == ENXIO ? "nobody reads from it" : std::strerror(errno);
+    const std::string_view why = errno == ENXIO ? "nothing reads from it" : std::strerror(errno);
     return wrong_printer(path, fmt::format("cannot write: {}", why));
   }
   if (::isatty(fd) != 0) {

@@ -16,7 +16,7 @@ namespace {
 /// CLI11 takes -1 for the largest number there is.
 std::string why_no_count(const std::string& text) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  return digits ? "" : fmt::format("{} is no whole number from 0", text);
+  return digits ? "" : fmt::format("{} is not a whole number of 0 or more", text);
 }
 
 std::string why_no_time(const std::string& text) {
@@ -24,14 +24,14 @@ std::string why_no_time(const std::string& text) {
   const char* const last = text.data() + text.size();
   const auto end = std::from_chars(text.data(), last, seconds);
   const bool fits = end.ec == std::errc() && end.ptr == last && std::isfinite(seconds);
-  return fits && seconds > 0.0 ? "" : fmt::format("{} is no number of seconds above 0", text);
+  return fits && seconds > 0.0 ? "" : fmt::format("{} is not a number of seconds above 0", text);
 }
 
 /// Empty: a warning or note of g31 has this code.
 std::string why_not_allowed(const std::string& code) {
   const auto row = std::ranges::find(source::diagnostics(), code, &source::DiagnosticInfo::code);
   if (row == source::diagnostics().end()) {
-    return fmt::format("{} is no message of g31 itself: PRB301 and the like", code);
+    return fmt::format("{} is not a message of g31 itself, like PRB301", code);
   }
   return row->severity == source::Severity::Error
              ? fmt::format("{} is an error, which ends the run", code)
@@ -89,8 +89,9 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
                   "where printouts go: a file, - for standard output (default), or a serial line "
                   "as DEVICE,BAUD,PARITY,DATA BITS,STOP BITS")
       ->type_name("PRINTER");
-  run->add_option("--printer-wait", options.printer_wait_s,
-                  "seconds that a printer at a line may stop the program at a time (default 30)")
+  run->add_option(
+         "--printer-wait", options.printer_wait_s,
+         "seconds for which a printer on a line may stop the program at a time (default 30)")
       ->type_name("S")
       ->check(why_no_time);
   run->add_flag("--moves", options.moves, "every move in the document");

@@ -100,7 +100,7 @@ Made run_study(const StudyOptions& options) {
   study.seed = options.seed.value_or(study.seed);
   if (study::run_count(study) > study::kMostRuns) {
     return session::bad_input(
-        fmt::format("{} runs are too many, {} at most", study::run_count(study), study::kMostRuns));
+        fmt::format("{} runs are too many: at most {}", study::run_count(study), study::kMostRuns));
   }
   const auto created = study::StudyRuns::create(study);
   if (!created) {
@@ -139,7 +139,8 @@ Made merge_shards(const StudyOptions& options) {
     }
     const auto part = study::parse_record(*text);
     if (!part) {
-      return session::bad_input(fmt::format("{} is no shard of a study: {}", path, part.error()));
+      return session::bad_input(
+          fmt::format("{} is not a shard of a study: {}", path, part.error()));
     }
     parts.push_back(part.value());
   }

@@ -91,11 +91,11 @@ std::vector<std::string> notes_of(const metrology::CircleEvaluation& circle, con
   }
   if (!circle.fit.has_mismatch) {
     notes.emplace_back(
-        "one direction only: servo_mismatch is not told from squareness, which is taken as if it "
-        "were 0");
+        "only one direction: servo_mismatch cannot be separated from squareness, which is taken as "
+        "0");
   }
   notes.emplace_back(request.radius
-                         ? "scale holds what the feed takes from the radius"
+                         ? "scale includes what the feed takes from the radius"
                          : "without --radius the scales are half their difference, up and down");
   return notes;
 }

@@ -118,7 +118,7 @@ Result<Evaluation, DataError> evaluate_cylindricity(const DataFile& file, const 
   }
   const auto zones = metrology::cylindricity_of(points);
   if (!zones) {
-    return cannot(file, "so few angles and steps determine no cylinder");
+    return cannot(file, "too few angles and steps to determine a cylinder");
   }
   evaluation.samples = static_cast<std::size_t>(points.rows());
   evaluation.results = {{"cylindricity_least_squares", um(zones->least_squares), "um"},

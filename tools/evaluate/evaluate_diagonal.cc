@@ -50,7 +50,7 @@ Result<Evaluation, DataError> evaluate_diagonal(const DataFile& file, const Requ
   evaluation.results.insert(evaluation.results.end(), scaled.begin(), scaled.end());
   evaluation.curves = {across(table.value(), request)};
   if (request.wants_drawing) {
-    evaluation.svg = deviation_chart(evaluation, "Straight way in two axes",
+    evaluation.svg = deviation_chart(evaluation, "Straight move in two axes",
                                      "way from the origin towards the target mm");
   }
   return evaluation;

@@ -29,7 +29,7 @@ Result<Evaluation, DataError> evaluate_speed(const DataFile& file, const Request
   }
   const metrology::PlaneSamples samples = path.value().samples();
   if (samples.size() < 3) {
-    return data_error(DataErrorId::CannotEvaluate, file, {}, {"speed takes three rows at least"});
+    return data_error(DataErrorId::CannotEvaluate, file, {}, {"speed needs at least three rows"});
   }
   const metrology::SpeedRecord record = metrology::speed_of(samples);
   const auto speed = metrology::evaluate_speed(record);
@@ -50,8 +50,8 @@ Result<Evaluation, DataError> evaluate_speed(const DataFile& file, const Request
     evaluation.curves = {speed_over_time(record)};
   }
   evaluation.notes.emplace_back(
-      "speed_min is the least between start and stop, where 90 percent of the usual speed is "
-      "reached first and last");
+      "speed_min is the least speed between the first and the last time that 90 percent of the "
+      "usual speed is reached");
   if (record.interval > 1) {
     evaluation.notes.push_back(fmt::format(
         "the record is rough: speeds are taken over {} rows instead of one", record.interval));

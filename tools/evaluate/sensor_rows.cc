@@ -58,7 +58,7 @@ class LineBuilder {
         return data_error(
             DataErrorId::CannotEvaluate, file_, place_of_line(file_, table_.line(open.last_row)),
             {rows < 2
-                 ? fmt::format("a line takes two rows at least, this one has {}", rows)
+                 ? fmt::format("a line needs at least two rows, this one has {}", rows)
                  : fmt::format("this line ends after {} rows, the first has {}", rows, expected)});
       }
       all.push_back(open.line);

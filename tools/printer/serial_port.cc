@@ -171,8 +171,8 @@ Opened open_serial_port(const LineSpec& line) {
     return cannot_open(line.device, errno);
   }
   if (!device->read_settings()) {
-    return fmt::format("{} is no serial line: {}", line.device,
-                       errno == ENOTTY ? "it is no terminal" : std::strerror(errno));
+    return fmt::format("{} is not a serial line: {}", line.device,
+                       errno == ENOTTY ? "it is not a terminal" : std::strerror(errno));
   }
   if (device->has_modem_lines()) {
     return open_modem_port(std::move(device), line);

@@ -84,7 +84,7 @@ runtime::PrinterPort::Problem SerialPrinter::transmit(std::string_view coded) {
     if (taken.value() > 0) {
       last_taken = now;
     } else if (now - last_taken > patience_) {
-      return problem(fmt::format("the line took no character for {:g} s", seconds(patience_)));
+      return problem(fmt::format("the line accepted no character for {:g} s", seconds(patience_)));
     }
     coded.remove_prefix(taken.value());
     // A line that takes nothing is tried again after the time of one character.
@@ -108,7 +108,7 @@ runtime::PrinterPort::Problem SerialPrinter::while_stopped() {
   while (stopped_) {
     const auto left = last - Clock::now();
     if (left <= left.zero()) {
-      return problem(fmt::format("the printer sent DC3 (stop) and no DC1 (go on) for {:g} s",
+      return problem(fmt::format("the printer sent DC3 (stop) and no DC1 (resume) for {:g} s",
                                  seconds(patience_)));
     }
     if (auto wrong = listen(left)) {

@@ -40,7 +40,7 @@ Result<Assignment, std::string> parse_assignment(std::string_view text) {
   const std::string_view name = trimmed(text.substr(0, equals));
   const std::optional<std::string> normal = normal_variable_name(name);
   if (!normal) {
-    return fmt::format("\"{}\" is no name of a variable: write #500, R1 or _OVR[0]", name);
+    return fmt::format("\"{}\" is not the name of a variable: write #500, R1 or _OVR[0]", name);
   }
   const std::string_view value = trimmed(text.substr(equals + 1));
   if (value.empty()) {
@@ -48,7 +48,7 @@ Result<Assignment, std::string> parse_assignment(std::string_view text) {
   }
   const std::optional<double> number = number_from(value);
   if (!number) {
-    return fmt::format("\"{}\" is no number: write {}=1.5, or {}= for null", value, *normal,
+    return fmt::format("\"{}\" is not a number: write {}=1.5, or {}= for null", value, *normal,
                        *normal);
   }
   return Assignment{*normal, number};

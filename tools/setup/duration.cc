@@ -31,7 +31,7 @@ Result<double, std::string> parse_duration(std::string_view text) {
       }
     }
   }
-  return fmt::format("\"{}\" is no time above 0: write 182.32us, 4ms, 0.001s or 0.001", text);
+  return fmt::format("\"{}\" is not a time above 0: write 182.32us, 4ms, 0.001s or 0.001", text);
 }
 
 }  // namespace g31::setup

@@ -178,7 +178,7 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::Sensor:
     case SectionId::Input:
     case SectionId::SkipSignal:
-      contract_violated("a list is no table", __FILE__, __LINE__);
+      contract_violated("a list is not a table", __FILE__, __LINE__);
   }
 }
 

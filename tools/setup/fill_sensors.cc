@@ -72,7 +72,7 @@ void check_resolution(const SheetTable& table, const probe::DisplacementSetup& s
   if (sensor.resolution_mm > 0.0 && sensor.range_mm / sensor.resolution_mm > kMostCounts) {
     errors.add(SetupErrorId::OutOfRange, place_of(table, KeyId::SensorResolution),
                {"sensor.resolution", fmt::format("{}", sensor.resolution_mm),
-                "so much that the range is 2147483647 counts at most"});
+                "so large that the range is at most 2147483647 counts"});
   }
 }
 

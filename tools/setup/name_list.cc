@@ -82,7 +82,8 @@ Result<NameRange, std::string> range_between(const std::string& first, const std
   const std::optional<std::size_t> from = index_from(a.digits);
   const std::optional<std::size_t> to = index_from(b.digits);
   if (!from || !to || a.suffix != b.suffix) {
-    return fmt::format("{}-{} is no range: its names may differ in one number only", first, last);
+    return fmt::format("{}-{} is not a range: its names may differ in only one number", first,
+                       last);
   }
   if (*from > *to) {
     return fmt::format("{}-{} runs backwards: write {}-{}", first, last, last, first);
@@ -100,7 +101,7 @@ class NameList {
     for (const std::string_view end : ends) {
       const std::optional<std::string> name = normal_variable_name(end);
       if (!name) {
-        return fmt::format("\"{}\" is no name of a variable: write #500, R1 or _OVR[0]", end);
+        return fmt::format("\"{}\" is not the name of a variable: write #500, R1 or _OVR[0]", end);
       }
       names.push_back(*name);
     }

@@ -151,7 +151,7 @@ Result<VariedKey, std::string> find_varied_key(std::string_view path) {
   const auto normal = section->form == SectionForm::Named ? normal_name(section->name_form, name)
                                                           : std::optional(std::string(name));
   if (!normal) {
-    return fmt::format("{} is no name of [{}]{}", name, section->path,
+    return fmt::format("{} is not a name in [{}]{}", name, section->path,
                        advice(name, known_names(section->name_form)));
   }
   found.name = *normal;

@@ -128,7 +128,7 @@ class ExpressionParser {
     }
     for (int i = 0; i < arguments && problem_.empty(); ++i) {
       if (i > 0 && !take(',')) {
-        fail(fmt::format("{} values with a comma between them are wanted", arguments));
+        fail(fmt::format("{} values separated by commas are expected", arguments));
       }
       sum();
     }
@@ -164,7 +164,7 @@ class ExpressionParser {
     const char* const begin = text_.data() + at_;
     const auto end = std::from_chars(begin, text_.data() + text_.size(), value);
     if (end.ec != std::errc() || !std::isfinite(value)) {
-      fail("a variable, a number or a bracket is wanted");
+      fail("a variable, a number or a bracket is expected");
       return;
     }
     at_ += static_cast<std::size_t>(end.ptr - begin);
@@ -206,7 +206,7 @@ class ExpressionParser {
   void function(int index) {
     const bool square = take('[');
     if (!square && !take('(')) {
-      fail("a function wants a bracket");
+      fail("a function needs a bracket");
       return;
     }
     bracket(square ? ']' : ')', kFunctionArguments.at(static_cast<std::size_t>(index)));

@@ -49,7 +49,7 @@ Result<Record, std::string> merge(const std::vector<Record>& parts) {
   const std::size_t runs = whole.description.points.size() * whole.description.repeats;
   for (std::size_t i = 0; i < std::max(runs, whole.rows.size()); ++i) {
     if (i < whole.rows.size() && i > 0 && whole.rows[i].run == whole.rows[i - 1].run) {
-      return fmt::format("run {} is there twice", whole.rows[i].run + 1);
+      return fmt::format("run {} appears twice", whole.rows[i].run + 1);
     }
     if (i >= whole.rows.size() || whole.rows[i].run != i) {
       return fmt::format("run {} of {} is in none of the parts", i + 1, runs);

@@ -175,12 +175,12 @@ std::string why_crooked(const Record& record) {
   const Description& d = record.description;
   for (const auto& point : d.points) {
     if (point.size() != d.listed.size()) {
-      return "a combination has not one value for each list";
+      return "a combination does not have one value for each list";
     }
   }
   if (d.repeats == 0 || d.points.empty() || !(d.confidence_percent > 0.0) ||
       !(d.confidence_percent < 100.0)) {
-    return "repeats, combinations or confidence make no study";
+    return "repeats, combinations or confidence do not make up a study";
   }
   for (const Row& row : record.rows) {
     const bool fits = row.results.size() == d.results.size() &&

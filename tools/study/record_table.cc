@@ -202,7 +202,7 @@ std::string record_warnings(const Record& record) {
     });
     if (vacant > 0) {
       text += fmt::format(
-          "result {} is vacant or no number in {} of {} runs, which its statistics "
+          "result {} is vacant or not a number in {} of {} runs, which its statistics "
           "leave out\n",
           record.description.results[i].name, vacant, record.rows.size());
     }

@@ -17,7 +17,7 @@ namespace g31::study {
 enum class TableForm {
   Summary,     ///< statistics of every result
   Readings,    ///< each reading, then mean and standard deviation
-  Comparison,  ///< two set-ups beside each other
+  Comparison,  ///< two set-ups side by side
 };
 
 /// When the programs of `before` run.

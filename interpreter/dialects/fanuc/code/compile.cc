@@ -96,7 +96,7 @@ void Compiler::step(Index block_index) {
       nc_words(block, step);
       if (is_conditional(block_index) && !profile_.conditions_rule_blocks) {
         mark_bad(step, AlarmId::StatementFormat, block.span,
-                 "THEN takes a macro statement, no loop and no NC words");
+                 "THEN takes a macro statement, not a loop or NC words");
       }
       break;
     case BlockKind::Assign:
@@ -202,16 +202,16 @@ void Compiler::link_loops() {
       open.push_back({i, step.number});
       if (is_open) {
         mark_bad(step, AlarmId::EndMissing, tree_.blocks[step.block].span,
-                 "a loop of this number is open already");
+                 "a loop with this number is already open");
       } else {
         judge_loop(step, open.size());
       }
     } else if (step.kind == BlockKind::End) {
       if (open.empty() || open.back().number != step.number) {
         const AlarmId id = open.empty() ? AlarmId::DoMissing : AlarmId::EndMissing;
-        mark_bad(step, id, tree_.blocks[step.block].span,
-                 open.empty() ? "this END has no DO"
-                              : "this END closes another loop than the innermost");
+        mark_bad(
+            step, id, tree_.blocks[step.block].span,
+            open.empty() ? "this END has no DO" : "this END does not close the innermost loop");
         continue;
       }
       step.jump = open.back().step;

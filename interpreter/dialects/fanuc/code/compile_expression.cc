@@ -148,7 +148,7 @@ Operand ExpressionCompiler::emit_chain(Index index) {
     const Expr& expr = tree_.exprs[place];
     if (is_comparison(expr) && !profile_.conditions_are_numbers) {
       misused(AlarmId::ExpressionFormat, expr.span,
-              "a comparison is no number; it stands in IF and WHILE only");
+              "a comparison is not a number; it may appear only in IF and WHILE");
     }
     Op op;
     op.code = operation_of(expr.op);

@@ -178,7 +178,7 @@ void ProgramLibrary::report_twice(const CompiledProgram& taken, syntax::ShortSpa
                                   const std::string& other) {
   reports_.push_back(make_diagnostic(
       source::DiagnosticId::ProgramTwice, location_in(taken, name),
-      fmt::format("O{:04} is there twice: this one is taken, not {}", taken.number, other)));
+      fmt::format("O{:04} appears twice: this one is used, not {}", taken.number, other)));
 }
 
 const CompiledProgram* ProgramLibrary::find_in(File& file, int number) {

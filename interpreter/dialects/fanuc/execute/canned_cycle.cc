@@ -212,7 +212,7 @@ MaybeFailure take_data(Control& control, const NcBlock& block, const Plane& plan
       return milliseconds.error();
     }
     if (milliseconds.value() < 0) {
-      return at_word(AlarmId::IllegalMinus, *p, "a dwell is not negative");
+      return at_word(AlarmId::IllegalMinus, *p, "a dwell cannot be negative");
     }
     data.dwell_s = milliseconds.value() / 1000.0;
   }

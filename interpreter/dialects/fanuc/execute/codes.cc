@@ -100,7 +100,7 @@ bool is_second_call(const EvaluatedWord& word) {
 MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& codes) {
   if (is_second_call(word)) {
     return at_word(AlarmId::MixedStatement, word,
-                   fmt::format("G{} beside another call", word.number));
+                   fmt::format("G{} together with another call", word.number));
   }
   const auto number = g_number(word.number);
   const GCode* const code = number ? find_g_code(*number) : nullptr;
@@ -155,7 +155,7 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
   switch (word.letter) {
     case 'F':
       if (word.number < 0.0) {
-        return at_word(AlarmId::IllegalMinus, word, "a feed is not negative");
+        return at_word(AlarmId::IllegalMinus, word, "a feed cannot be negative");
       }
       control.modal.feed = feed_of(control, word);
       return std::nullopt;
@@ -192,7 +192,7 @@ MaybeFailure refuse_repeats(const BlockWords& words) {
   for (const EvaluatedWord& word : words.all()) {
     const int group = word.letter == 'G' ? group_of(word) : -word.letter;
     if (word.letter != 'M' && group != 0 && !seen.insert(group).second) {
-      return at_word(AlarmId::AddressTwice, word, fmt::format("{} stands twice", word.letter));
+      return at_word(AlarmId::AddressTwice, word, fmt::format("{} appears twice", word.letter));
     }
   }
   return std::nullopt;

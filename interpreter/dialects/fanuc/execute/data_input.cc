@@ -28,7 +28,7 @@ MaybeFailure set_parameter(Control& control, const BlockWords& words) {
   for (const EvaluatedWord& word : words.all()) {
     if (word.letter != 'P' && word.letter != 'R') {
       return at_word(AlarmId::DataInputFormat, word,
-                     fmt::format("{} has no place here", word.letter));
+                     fmt::format("{} is not allowed here", word.letter));
     }
   }
   const EvaluatedWord* const r = words.find('R');

@@ -33,7 +33,7 @@ MaybeFailure execute_dwell(Control& control, const NcBlock& block) {
     }
   }
   if (seconds < 0.0) {
-    return block_failure(AlarmId::IllegalMinus, "a dwell is not negative");
+    return block_failure(AlarmId::IllegalMinus, "a dwell cannot be negative");
   }
   if (counts_turns(control)) {
     const double turns_per_minute = control.modal.word('S');

@@ -79,7 +79,7 @@ MaybeFailure execute_from_reference(Control& control, const NcBlock& block) {
       const std::optional<double>& via = control.q_L_intermediate[axis];
       if (!via) {
         return at_word(AlarmId::NoIntermediatePoint, *word,
-                       fmt::format("{} had no G28", word->letter));
+                       fmt::format("{} has no intermediate point of a G28", word->letter));
       }
       q_L_via[static_cast<Eigen::Index>(axis)] = *via;
     }

@@ -48,7 +48,7 @@ MaybeFailure set_tool_offset(Control& control, const NcBlock& block, const Offse
       control.profile.offset_limit_mm * (control.scale.unit == LengthUnit::Inch ? kInchLimit : 1.0);
   if (std::abs(value) >= most) {
     return at_word(AlarmId::IllegalValueInG10, *r,
-                   fmt::format("an offset stays below {:g} mm", most));
+                   fmt::format("an offset must be below {:g} mm", most));
   }
   control.offsets.set_field(number.value(), form.field, value);
   return std::nullopt;

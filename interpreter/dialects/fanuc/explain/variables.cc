@@ -37,7 +37,8 @@ constexpr UserRange kUserRanges[] = {
      "common to all programs; null after power on and after reset"},
     {{kFirstPermanent, kCommonEnd - 1},
      "common variable",
-     "common to all programs, kept over power off; the set-up sheet's variables_file holds them"}};
+     "common to all programs, kept when the power is off; the set-up sheet's variables_file holds "
+     "them"}};
 
 std::optional<int> number_of(std::string_view text) {
   if (text.starts_with('#')) {

@@ -71,7 +71,7 @@ runtime::NamedValues Inspector::values(std::size_t level, runtime::Scope scope) 
 }
 Result<Cell, std::string> Inspector::evaluate(std::size_t level, const std::string& text) {
   if (std::ranges::any_of(text, [](unsigned char c) { return c < ' ' || c == '(' || c == ';'; })) {
-    return std::string("is no expression: it has a comment or the end of a block in it");
+    return std::string("is not an expression: it holds a comment or the end of a block");
   }
   const Look look(runner_.control(), runner_.locals_of(level));
   Expression& condition = expression(fmt::format("IF[{}]GOTO1\n", text));
@@ -103,7 +103,7 @@ Result<Cell, std::string> Inspector::value_of(Expression& asked) {
     value = evaluator.evaluate(asked.program, step.value);
   } else {
     const auto& errors = asked.program.errors;
-    return errors.empty() ? std::string("is no expression") : errors.front().message;
+    return errors.empty() ? std::string("is not an expression") : errors.front().message;
   }
   const auto fault = evaluator.take_fault();
   return fault ? Result<Cell, std::string>(fmt::format("{}{}{}", info(fault->id).text,

@@ -187,7 +187,7 @@ Result<runtime::Cell, std::string> Session::evaluate(std::size_t level, const st
 Result<Cell, std::string> Session::variable(const std::string& name) {
   const auto number = variable_in_name(name);
   if (!number) {
-    return fmt::format("{} is no variable of this control: write # and a number", name);
+    return fmt::format("{} is not a variable of this control: write # and a number", name);
   }
   const auto value = runner_->control().variables.read(*number);
   if (!value) {

@@ -61,7 +61,7 @@ Result<std::vector<OutputItem>, std::string> parse_output_format(std::string_vie
       continue;
     }
     if (c == '[' || c == ']') {
-      return std::string("a bracket belongs behind a #variable");
+      return std::string("a bracket must follow a #variable");
     }
     if (items.empty() || items.back().variable >= 0) {
       items.emplace_back();

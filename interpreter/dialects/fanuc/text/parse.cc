@@ -314,7 +314,8 @@ bool Parser::word() {
     return false;
   }
   if ((letter < 'A' || letter > 'Z') && letter != '/') {
-    fail(AlarmId::IllegalAddress, fmt::format("{} is no address letter", source::quoted(letter)));
+    fail(AlarmId::IllegalAddress,
+         fmt::format("{} is not an address letter", source::quoted(letter)));
     return false;
   }
   scanner_.step();
@@ -550,7 +551,7 @@ void Parser::then_statement(Block& block) {
                          statement.kind == BlockKind::End;
     if (!failed() && is_loop) {
       expressions_.fail_at(AlarmId::StatementFormat, {begin, scanner_.position()},
-                           "THEN takes a macro statement, no loop and no NC words");
+                           "THEN takes a macro statement, not a loop or NC words");
     }
   }
   statement.span = {begin, scanner_.position()};

@@ -296,7 +296,7 @@ Index ExpressionParser::function() {
   const auto id = find_function(name);
   if (!id) {
     return fail_at(AlarmId::ExpressionFormat, {begin, scanner_.position()},
-                   fmt::format("{} is no function of Custom Macro B", name));
+                   fmt::format("{} is not a function of Custom Macro B", name));
   }
   scanner_.peek();
   const std::uint32_t bracket = scanner_.position();

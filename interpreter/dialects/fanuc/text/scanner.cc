@@ -38,7 +38,8 @@ double value_of_many_digits(std::string_view written) {
 
 std::string why_no_word(std::string_view text, char next) {
   if (is_digit(next)) {
-    return "a block begins with an address letter, here is a digit (0 in place of the letter O?)";
+    return "a block begins with an address letter, but this is a digit (0 instead of the letter "
+           "O?)";
   }
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     return "this file is UTF-16: save it as ASCII or UTF-8";

@@ -9,7 +9,7 @@ inline constexpr std::int32_t kFirstLocal = 1;
 inline constexpr std::int32_t kLocalCount = 33;    ///< #1..#33
 inline constexpr std::int32_t kFirstCommon = 100;  ///< #100..#199, null after power on
 inline constexpr std::int32_t kLastVolatile = 199;
-inline constexpr std::int32_t kFirstPermanent = 500;  ///< #500..#999 kept over power off
+inline constexpr std::int32_t kFirstPermanent = 500;  ///< #500..#999 kept when the power is off
 inline constexpr std::int32_t kCommonEnd = 1000;
 
 constexpr bool is_local(std::int32_t number) {

@@ -34,7 +34,7 @@ constexpr auto kActions =
     std::to_array<std::string_view>({"SETAL", "POS", "FA", "$AC_TIMER", "$AC_OVR"});
 
 constexpr std::string_view kWhatCan =
-    "judged before and behind each block: assignments, $AC_TIMER, $AC_OVR, M, H, S, SETAL, POS, FA "
+    "checked before and after each block: assignments, $AC_TIMER, $AC_OVR, M, H, S, SETAL, POS, FA "
     "and DELDTG";
 
 /// What makes a difference to the block itself, so that it matters when within it.

@@ -76,7 +76,7 @@ void Compiler::call_statement() {
   const Expr name = as_text(expression());
   if (peek().is_name("BLOCK")) {
     fail(AlarmId::NotImplemented, block_,
-         "CALL BLOCK of another program: make a program of its own of the part");
+         "CALL BLOCK of another program: make that part a program of its own");
     return;
   }
   site.text = name.value;

@@ -206,7 +206,7 @@ void Compiler::def_statement() {
   }
   const bool scoped = accept_name("NCK") || accept_name("CHAN");
   if (scoped != (purpose_ == Purpose::Definitions)) {
-    fail(AlarmId::BadDefinition, block_, "NCK and CHAN stand in definition files");
+    fail(AlarmId::BadDefinition, block_, "NCK and CHAN are for definition files only");
   }
   definition_attributes();
   const auto declared = declared_type();
@@ -236,7 +236,7 @@ void Compiler::def_statement() {
 void Compiler::rights_statement() {
   ++definitions_in_block_;
   if (purpose_ != Purpose::Definitions) {
-    fail(AlarmId::BadDefinition, block_, "rights stand in definition files");
+    fail(AlarmId::BadDefinition, block_, "access levels are for definition files only");
     return;
   }
   whole_constant();

@@ -391,7 +391,7 @@ void Compiler::narrow(Expr& value, Type from) {
 
 Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
   if (!failed() && from.is_whole_array) {
-    fail(AlarmId::InvalidIndex, from.where, "an array is no value");
+    fail(AlarmId::InvalidIndex, from.where, "an array is not a value");
   }
   if (failed() || from.type == to) {
     return from;

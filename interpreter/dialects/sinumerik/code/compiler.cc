@@ -170,7 +170,7 @@ void Compiler::finish_words() {
 
 void Compiler::emit_nc_block() {
   if (purpose_ == Purpose::Definitions) {
-    fail(AlarmId::BadDefinition, block_, "a definition file has definitions only");
+    fail(AlarmId::BadDefinition, block_, "a definition file may hold definitions only");
     return;
   }
   const Operand block = {Bank::Constants, size_of(program_->nc_blocks)};

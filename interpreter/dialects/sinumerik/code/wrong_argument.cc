@@ -33,7 +33,7 @@ std::optional<WrongArgument> wrong_reference(const Variable& variable, const Giv
 
 WrongArgument wrong_type(const Variable& variable, Type given) {
   return {AlarmId::WrongArgumentType,
-          fmt::format("{}: {} is no {}", variable.name, name_of(given), name_of(variable.type))};
+          fmt::format("{}: {} is not {}", variable.name, name_of(given), name_of(variable.type))};
 }
 
 GivenArgument given_by(const Argument& argument, const CompiledProgram& caller) {

@@ -109,7 +109,8 @@ MaybeFailure tangential(const Channel& channel, Circle& circle) {
   Vector along = in_plane(channel.to_work(q_M_ahead) - q_W, circle.plane);
   const Vector chord = circle.end - circle.start;
   if (along.norm() < kNothing || chord.norm() < kNothing) {
-    return failure(AlarmId::CircleEnd, "CT goes on from a move in the plane, to another point");
+    return failure(AlarmId::CircleEnd,
+                   "CT needs a move in the plane before it, and another end point");
   }
   along.normalize();
   const double area = cross(along, chord);

@@ -93,9 +93,8 @@ MaybeFailure take_angle(const Channel& channel, const Block& block, AxisPosition
     return std::nullopt;
   }
   if (given != 1 || channel.held_line) {
-    return failure(
-        AlarmId::BadSyntax,
-        "ANG goes with one axis of the plane; two of them end a line begun by ANG alone");
+    return failure(AlarmId::BadSyntax,
+                   "ANG takes one axis of the plane; both axes end a line begun with ANG alone");
   }
   const bool by_first = block.words.axis(plane.first).present;
   const int known = by_first ? plane.first : plane.second;
@@ -116,7 +115,7 @@ MaybeFailure hold_line(Channel& channel, const Block& block) {
   }
   const int motion = channel.group[Group::Motion];
   if (motion != number_in_group("G0") && motion != number_in_group("G1")) {
-    return failure(AlarmId::BadSyntax, "ANG alone goes with G0 and G1");
+    return failure(AlarmId::BadSyntax, "ANG alone needs G0 or G1");
   }
   HeldLine line;
   line.degrees = block.words[Address::Angle].value;

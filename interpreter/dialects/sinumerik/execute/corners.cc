@@ -30,7 +30,7 @@ MaybeFailure take_wish(Channel& channel, const BlockWords& words) {
       continue;
     }
     if (++given > 1) {
-      return failure(AlarmId::UnexpectedParameter, "one of RND, CHF and CHR in a block");
+      return failure(AlarmId::UnexpectedParameter, "only one of RND, CHF and CHR in a block");
     }
     if (word.value < 0.0) {
       return failure(AlarmId::ValueOutOfLimits, fmt::format("{:g}", word.value));

@@ -38,7 +38,7 @@ Result<double, Failure> place_of(const Channel& channel, int axis, const BlockWo
   if (word.modification != Modification::None && word.modification != Modification::Incremental &&
       word.modification != Modification::Absolute) {
     return failure(AlarmId::BadModification,
-                   fmt::format("{} is no rotary axis", letter_of_axis(axis)));
+                   fmt::format("{} is not a rotary axis", letter_of_axis(axis)));
   }
   const double place = word.value * channel.mm_per_length() + (adds ? further->at : 0.0);
   if (place < further->travel_min || place > further->travel_max) {

@@ -81,7 +81,7 @@ Result<double, Failure> programmed_place(const Channel& channel, int axis,
                      word.modification == Modification::Minus;
   if (turns && is_linear_axis(axis)) {
     return failure(AlarmId::BadModification,
-                   fmt::format("{} is no rotary axis", kAxisLetters[axis]));
+                   fmt::format("{} is not a rotary axis", kAxisLetters[axis]));
   }
   const bool incremental =
       channel.group[Group::Distance] == kIncremental && channel.suppression == 0;

@@ -1,5 +1,5 @@
 // Frames in the direction of the tool.  Without a tool carrier that turns it, the tool stands along
-// the machine axis square to the plane.
+// the machine axis perpendicular to the plane.
 
 #include <Eigen/Geometry>
 

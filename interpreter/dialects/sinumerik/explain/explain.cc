@@ -33,13 +33,14 @@ void add_language(Topics& all) {
                    {"statement", text(row.name), text(row.text), {{"form", text(row.form)}}}});
   }
   for (const CycleInfo& row : unsimulated_cycles()) {
-    all.push_back({text(row.name),
-                   "",
-                   {"cycle",
-                    text(row.name),
-                    text(row.text) + "; not simulated: a call is told and passed over where no "
-                                     "program of the name is found",
-                    {}}});
+    all.push_back(
+        {text(row.name),
+         "",
+         {"cycle",
+          text(row.name),
+          text(row.text) +
+              "; not simulated: a call is reported and skipped if there is no program of this name",
+          {}}});
   }
   for (const OperatorInfo& row : operators()) {
     all.push_back({text(row.name),

@@ -77,8 +77,9 @@ Result<std::size_t, Failure> Runner::level_of(const SynchronisedAction& action) 
   const bool is_there = action.depth <= depth_ && levels_[action.depth]->program == action.home;
   const bool has_variables = !action.home->locals.empty();
   if (!is_there && has_variables) {
-    Failure gone = failure(AlarmId::NotImplemented,
-                           "a synchronised action with local variables behind their program's end");
+    Failure gone =
+        failure(AlarmId::NotImplemented,
+                "a synchronised action with local variables after the end of their program");
     gone.where = action.where;
     return gone;
   }

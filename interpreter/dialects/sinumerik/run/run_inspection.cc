@@ -113,7 +113,7 @@ Result<ShownValue, std::string> Runner::result_of(const CompiledProgram& program
     return why(*reason);
   }
   return shown.type == Type::Frame || shown.type == Type::None
-             ? Result<ShownValue, std::string>(std::string("is no single value"))
+             ? Result<ShownValue, std::string>(std::string("is not a single value"))
              : shown;
 }
 

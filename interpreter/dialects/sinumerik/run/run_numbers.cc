@@ -168,7 +168,7 @@ bool Runner::take_whole(const Op& op, Type type, AlarmId alarm) {
   const bool fits = type == Type::Char ? whole >= 0.0 && whole <= 255.0
                                        : whole >= -2147483648.0 && whole <= 2147483647.0;
   if (!fits) [[unlikely]] {
-    return failed(alarm, fmt::format("{} is no {}", shown(Type::Real, a), name_of(type)));
+    return failed(alarm, fmt::format("{} is not {}", shown(Type::Real, a), name_of(type)));
   }
   number(op.result) = whole;
   return true;

@@ -58,7 +58,7 @@ bool Runner::text_step(const Op& op) {
       const std::string& from = text(op.a);
       const bool is_char = static_cast<Type>(op.detail) == Type::Char;
       if (is_char && from.size() != 1) {
-        return failed(AlarmId::BadConversion, fmt::format("\"{}\" is no CHAR", from));
+        return failed(AlarmId::BadConversion, fmt::format("\"{}\" is not a CHAR", from));
       }
       number(op.result) =
           is_char ? static_cast<unsigned char>(from.front()) : (from.empty() ? 0.0 : 1.0);

@@ -139,7 +139,7 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   configure_tables(channel, setup, refused);
   if (!setup.parameters.empty() || !setup.macro_calls.empty()) {
     refused.emplace_back(
-        "[parameters] and [macro_calls] are of other controls: set $MN_, $MC_, $SNS_ and the like "
+        "[parameters] and [macro_calls] are for other controls: set $MN_, $MC_, $SNS_ and the like "
         "in [machine_data]");
   }
   configure_data(*runner_, setup, refused);
@@ -149,7 +149,7 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
     const bool is_fanuc_input = name.starts_with('#');
     const auto wrong =
         is_fanuc_input
-            ? std::optional<std::string>("no variable of this control")
+            ? std::optional<std::string>("not a variable of this control")
             : runner_->run_text(fmt::format("{}={}", name, written_number(value.value_or(0.0))));
     if (wrong) {
       refused.push_back(fmt::format("variable {}: {}", name, *wrong));

@@ -129,10 +129,11 @@ Number action_override(Channel& channel, const SystemAccess& /*access*/) {
 MaybeFailure set_action_override(Channel& channel, const SystemAccess& /*access*/, double value) {
   constexpr double kMost = 200.0;
   if (!(value > 0.0 && value <= kMost)) {
-    return failure(AlarmId::NotImplemented,
-                   fmt::format("$AC_OVR={:g}: the path would stand, and nothing changes within a "
-                               "block what lets it go on",
-                               value));
+    return failure(
+        AlarmId::NotImplemented,
+        fmt::format(
+            "$AC_OVR={:g}: the path would stop, and nothing within a block would let it continue",
+            value));
   }
   channel.action_override_percent = value;
   return std::nullopt;

@@ -31,7 +31,7 @@ MaybeFailure no_probe(const SystemAccess& access) {
   const int which = access.indices[0];
   return which >= 1 && which <= Channel::kMostProbes
              ? std::nullopt
-             : std::optional(failure(AlarmId::IndexOne, "there are the probes 1 to 8"));
+             : std::optional(failure(AlarmId::IndexOne, "probes are numbered 1 to 8"));
 }
 
 /// @param of  where the index points: elements that count from 0
