@@ -48,8 +48,8 @@ bool acts_on_motion(const Token& action) {
 /// block.  @returns whether it waits for a time
 bool Compiler::judge_condition(std::size_t from) {
   bool is_timed = false;
-  for (std::size_t i = from; i < at_; ++i) {
-    const Token& token = tokens_[i];
+  for (std::size_t i = from; i < cursor_.place(); ++i) {
+    const Token& token = cursor_.at(i);
     is_timed = is_timed || token.is_name("$AC_TIMER");
     if (token.kind == TokenKind::Name && changes_within_blocks(token.text)) {
       fail(AlarmId::NotImplemented, token.where,
@@ -74,9 +74,10 @@ bool Compiler::may_act(const Token& action) {
 /// G70, G71, G700 and G710 say what lengths count in: what may stand here has none but POS and FA.
 bool Compiler::accept_unit() {
   constexpr double kUnits[] = {70.0, 71.0, 700.0, 710.0};
-  const bool is_unit = peek().is_letter('G') && peek(1).kind == TokenKind::Integer &&
-                       std::ranges::find(kUnits, peek(1).number) != std::end(kUnits);
-  at_ += is_unit ? 2 : 0;
+  const bool is_unit = cursor_.peek().is_letter('G') &&
+                       cursor_.peek(1).kind == TokenKind::Integer &&
+                       std::ranges::find(kUnits, cursor_.peek(1).number) != std::end(kUnits);
+  cursor_.skip_if(is_unit, 2);
   return is_unit;
 }
 
@@ -84,21 +85,21 @@ bool Compiler::accept_unit() {
 Compiler::ActionText Compiler::action_list(ActionKind kind, bool is_timed) {
   ActionText list;
   bool has_unit = false;
-  while (!failed() && peek().kind != TokenKind::End) {
+  while (!failed() && cursor_.peek().kind != TokenKind::End) {
     has_unit = accept_unit() || has_unit;
-    const Token action = peek();
-    const std::size_t from = at_;
+    const Token action = cursor_.peek();
+    const std::size_t from = cursor_.place();
     if (has_unit && (action.is_name("POS") || action.is_name("FA"))) {
       fail(AlarmId::NotImplemented, action.where, "a unit of its own for POS and FA");
     } else if (is_timed && acts_on_motion(action)) {
       fail(AlarmId::NotImplemented, action.where,
            std::string(action.text) + " at a time within a block");
-    } else if (action.is_name("DELDTG") && !peek(1).is(Symbol::LeftParen)) {
-      next();
+    } else if (action.is_name("DELDTG") && !cursor_.peek(1).is(Symbol::LeftParen)) {
+      cursor_.next();
       list.deletes_distance = true;
       continue;
     } else if (action.is_name("STOPREOF")) {
-      next();
+      cursor_.next();
       continue;
     } else if (!may_act(action)) {
       fail(AlarmId::NotImplemented, action.where,
@@ -110,7 +111,7 @@ Compiler::ActionText Compiler::action_list(ActionKind kind, bool is_timed) {
       break;
     }
     judge_action(from, kind, is_timed);
-    list.text += text_of({tokens_[from].where.begin, tokens_[at_ - 1].where.end}) + " ";
+    list.text += text_of(cursor_.span_from(from)) + " ";
   }
   return list;
 }
@@ -118,12 +119,12 @@ Compiler::ActionText Compiler::action_list(ActionKind kind, bool is_timed) {
 /// Each interpolation cycle is another time, which blocks do not see.
 void Compiler::judge_action(std::size_t from, ActionKind kind, bool is_timed) {
   const bool is_repeated = kind != ActionKind::Once && kind != ActionKind::Edge;
-  for (std::size_t i = from + 1; i < at_; ++i) {
-    const Token& token = tokens_[i];
+  for (std::size_t i = from + 1; i < cursor_.place(); ++i) {
+    const Token& token = cursor_.at(i);
     if (token.kind != TokenKind::Name) {
       continue;
     }
-    if (is_repeated && token.text == tokens_[from].text) {
+    if (is_repeated && token.text == cursor_.at(from).text) {
       fail(AlarmId::NotImplemented, token.where,
            std::string(token.text) + " counts interpolation cycles: WHEN or EVERY counts once");
     } else if (is_timed && changes_within_blocks(token.text)) {
@@ -135,22 +136,22 @@ void Compiler::judge_action(std::size_t from, ActionKind kind, bool is_timed) {
 
 /// ID=n and IDS=n: the action holds beyond the next block.
 void Compiler::numbered_action() {
-  const bool is_static = tokens_[at_ - 1].text == "IDS";
+  const bool is_static = cursor_.previous().text == "IDS";
   expect(Symbol::Assign);
   const Expr number = convert(expression(), Type::Int);
-  const Token word = peek();
+  const Token word = cursor_.peek();
   if (!failed() && !number.is_constant) {
     fail(AlarmId::NotImplemented, block_, "ID= and IDS= with a computed number");
   }
   if (!failed()) {
-    next();
+    cursor_.next();
     synchronised_action(word.text, is_static ? ActionScope::Static : ActionScope::Modal, number);
   }
 }
 
 /// WHENEVER, FROM, EVERY and DO, in force for the next block.
 void Compiler::action_statement() {
-  synchronised_action(tokens_[at_ - 1].text, ActionScope::NextBlock, Expr());
+  synchronised_action(cursor_.previous().text, ActionScope::NextBlock, Expr());
 }
 
 void Compiler::synchronised_action(std::string_view word, ActionScope scope, const Expr& number) {
@@ -165,15 +166,15 @@ void Compiler::synchronised_action(std::string_view word, ActionScope scope, con
   bool is_timed = false;
   if (has_condition) {
     (void)accept_unit();
-    const std::size_t from = at_;
+    const std::size_t from = cursor_.place();
     (void)boolean(expression());
     if (failed()) {
       return;
     }
-    condition = text_of({tokens_[from].where.begin, tokens_[at_ - 1].where.end});
+    condition = text_of(cursor_.span_from(from));
     is_timed = judge_condition(from);
-    if (!accept_name("DO")) {
-      fail(AlarmId::SyntaxInText, text_of(peek().where));
+    if (!cursor_.accept_name("DO")) {
+      fail(AlarmId::SyntaxInText, text_of(cursor_.peek().where));
     }
   }
   const ActionText actions = action_list(row->kind, is_timed);
@@ -181,8 +182,7 @@ void Compiler::synchronised_action(std::string_view word, ActionScope scope, con
     return;
   }
   // The steps were only tried: what they do is done when the action is.
-  program_->ops.resize(first);
-  program_->spans.resize(first);
+  code_.cut(first);
   program_->codes.resize(nc_.first_code);
   program_->words.resize(nc_.first_word);
   has_words_ = false;
@@ -190,16 +190,16 @@ void Compiler::synchronised_action(std::string_view word, ActionScope scope, con
     Argument argument;
     argument.form = Argument::Form::Value;
     argument.type = Type::String;
-    argument.value = text_constant(std::move(text));
+    argument.value = code_.text_constant(std::move(text));
     return argument;
   };
   const std::uint32_t list =
       keep_arguments({text_argument(std::move(condition)), text_argument(actions.text)});
-  emit(OpCode::SynchronisedAction, {Bank::Constants, actions.deletes_distance ? 1 : 0},
-       number.value, {Bank::Constants, static_cast<std::int32_t>(list)}, block_);
-  last().detail = static_cast<std::uint8_t>(static_cast<int>(row->kind) * kActionScopes +
-                                            static_cast<int>(scope));
-  last().count = 2;
+  code_.emit(OpCode::SynchronisedAction, {Bank::Constants, actions.deletes_distance ? 1 : 0},
+             number.value, {Bank::Constants, static_cast<std::int32_t>(list)}, block_);
+  code_.last().detail = static_cast<std::uint8_t>(static_cast<int>(row->kind) * kActionScopes +
+                                                  static_cast<int>(scope));
+  code_.last().count = 2;
 }
 
 }  // namespace g31::sinumerik

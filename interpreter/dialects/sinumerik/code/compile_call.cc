@@ -24,17 +24,17 @@ void Compiler::call_by_name(std::string name, ShortSpan where) {
 
 std::vector<Argument> Compiler::argument_list() {
   std::vector<Argument> list;
-  if (accept(Symbol::RightParen)) {
+  if (cursor_.accept(Symbol::RightParen)) {
     return list;
   }
   while (!failed()) {
-    const bool omitted = peek().is(Symbol::Comma) || peek().is(Symbol::RightParen);
+    const bool omitted = cursor_.peek().is(Symbol::Comma) || cursor_.peek().is(Symbol::RightParen);
     if (omitted) {
       list.emplace_back();
     } else {
       list.push_back(argument_of(expression()));
     }
-    if (!accept(Symbol::Comma)) {
+    if (!cursor_.accept(Symbol::Comma)) {
       break;
     }
   }
@@ -44,14 +44,14 @@ std::vector<Argument> Compiler::argument_list() {
 
 void Compiler::call(CallSite site, ShortSpan where) {
   std::vector<Argument> list;
-  if (accept(Symbol::LeftParen)) {
+  if (cursor_.accept(Symbol::LeftParen)) {
     site.has_arguments = true;
     list = argument_list();
   }
-  site.passes = number_constant(1.0);
-  if (peek().is_letter('P')) {
-    next();
-    accept(Symbol::Assign);
+  site.passes = code_.number_constant(1.0);
+  if (cursor_.peek().is_letter('P')) {
+    cursor_.next();
+    cursor_.accept(Symbol::Assign);
     site.passes = convert(expression(), Type::Int).value;
   }
   if (failed()) {
@@ -62,19 +62,19 @@ void Compiler::call(CallSite site, ShortSpan where) {
   site.first_argument = keep_arguments(list);
   site.argument_count = static_cast<std::uint32_t>(list.size());
   program_->calls.push_back(std::move(site));
-  emit(OpCode::Call, {}, {Bank::Constants, static_cast<std::int32_t>(program_->calls.size()) - 1},
-       {}, where);
+  code_.emit(OpCode::Call, {},
+             {Bank::Constants, static_cast<std::int32_t>(program_->calls.size()) - 1}, {}, where);
 }
 
 /// CALL text
 void Compiler::call_statement() {
-  if (peek().is_name("BLOCK")) {
+  if (cursor_.peek().is_name("BLOCK")) {
     call_block();
     return;
   }
   CallSite site;
   const Expr name = as_text(expression());
-  if (peek().is_name("BLOCK")) {
+  if (cursor_.peek().is_name("BLOCK")) {
     fail(AlarmId::NotImplemented, block_,
          "CALL BLOCK of another program: make that part a program of its own");
     return;
@@ -84,7 +84,7 @@ void Compiler::call_statement() {
 }
 
 void Compiler::extcall_statement() {
-  const bool bracket = accept(Symbol::LeftParen);
+  const bool bracket = cursor_.accept(Symbol::LeftParen);
   CallSite site;
   const Expr name = as_text(expression());
   if (bracket) {
@@ -96,13 +96,13 @@ void Compiler::extcall_statement() {
 
 /// PCALL path/name(arguments): the path goes up to the bracket.
 void Compiler::pcall_statement() {
-  const ShortSpan first = peek().where;
+  const ShortSpan first = cursor_.peek().where;
   ShortSpan whole = first;
-  while (peek().kind != TokenKind::End && !peek().is(Symbol::LeftParen)) {
-    whole.end = next().where.end;
+  while (cursor_.peek().kind != TokenKind::End && !cursor_.peek().is(Symbol::LeftParen)) {
+    whole.end = cursor_.next().where.end;
   }
   CallSite site;
-  site.text = text_constant(std::string(text_.substr(whole.begin, whole.end - whole.begin)));
+  site.text = code_.text_constant(std::string(text_.substr(whole.begin, whole.end - whole.begin)));
   call(site, whole);
 }
 
@@ -110,15 +110,15 @@ void Compiler::pcall_statement() {
 void Compiler::mcall_statement() {
   CallSite site;
   site.is_modal = true;
-  const Token name = peek();
+  const Token name = cursor_.peek();
   if (name.kind == TokenKind::End) {
     call(site, block_);
     return;
   }
-  next();
+  cursor_.next();
   site.name = std::string(name.text);
-  if (name.is_letter('L') && peek().kind == TokenKind::Integer) {
-    site.name += next().text;
+  if (name.is_letter('L') && cursor_.peek().kind == TokenKind::Integer) {
+    site.name += cursor_.next().text;
   } else if (name.kind != TokenKind::Name) {
     fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
   }
@@ -129,7 +129,7 @@ void Compiler::mcall_statement() {
 /// block number, or behind it.
 void Compiler::ret_statement() {
   std::vector<Argument> list;
-  if (accept(Symbol::LeftParen)) {
+  if (cursor_.accept(Symbol::LeftParen)) {
     list = argument_list();
   }
   expect_end();
@@ -142,19 +142,19 @@ void Compiler::ret_statement() {
     return;
   }
   const std::uint32_t first = keep_arguments(list);
-  emit(OpCode::Return, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, block_);
-  last().count = static_cast<std::uint16_t>(list.size());
+  code_.emit(OpCode::Return, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, block_);
+  code_.last().count = static_cast<std::uint16_t>(list.size());
 }
 
 void Compiler::procedure(ProcedureId id, ShortSpan where) {
   const ProcedureInfo& row = procedures()[static_cast<std::size_t>(id)];
   std::vector<Argument> list;
-  const bool bracket = accept(Symbol::LeftParen);
-  const bool empty = !bracket || accept(Symbol::RightParen);
+  const bool bracket = cursor_.accept(Symbol::LeftParen);
+  const bool empty = !bracket || cursor_.accept(Symbol::RightParen);
   for (std::size_t i = 0; i < row.parameters.size() && !failed(); ++i) {
     const char kind = row.parameters[i];
     const bool is_optional = (kind >= 'a' && kind <= 'z') || kind == '*';
-    if (empty || peek().is(Symbol::RightParen)) {
+    if (empty || cursor_.peek().is(Symbol::RightParen)) {
       if (!is_optional) {
         fail(AlarmId::ArgumentCount, where, std::string(row.name));
       }
@@ -163,7 +163,8 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
     if (!list.empty()) {
       expect(Symbol::Comma);
     }
-    if (kind == 'o' && (peek().is(Symbol::Comma) || peek().is(Symbol::RightParen))) {
+    if (kind == 'o' &&
+        (cursor_.peek().is(Symbol::Comma) || cursor_.peek().is(Symbol::RightParen))) {
       list.emplace_back();
     } else {
       function_argument(kind == 'o' ? '*' : kind, list);
@@ -173,19 +174,19 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
       fail(AlarmId::ReferenceMissing, where, std::string(row.name));
     }
   }
-  if (!empty && !accept(Symbol::RightParen)) {
-    fail(peek().is(Symbol::Comma) ? AlarmId::ArgumentCount : AlarmId::SyntaxInText, peek().where,
-         std::string(row.name));
+  if (!empty && !cursor_.accept(Symbol::RightParen)) {
+    fail(cursor_.peek().is(Symbol::Comma) ? AlarmId::ArgumentCount : AlarmId::SyntaxInText,
+         cursor_.peek().where, std::string(row.name));
   }
   const std::uint32_t first = keep_arguments(list);
-  emit(OpCode::Procedure, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, where);
-  last().detail = detail_of(id);
-  last().count = static_cast<std::uint16_t>(list.size());
+  code_.emit(OpCode::Procedure, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, where);
+  code_.last().detail = detail_of(id);
+  code_.last().count = static_cast<std::uint16_t>(list.size());
 }
 
 /// What g31 knows the name of, and no more: the row of the word before says why.
 void Compiler::refused_statement() {
-  const std::string_view name = tokens_[at_ - 1].text;
+  const std::string_view name = cursor_.previous().text;
   const auto row = std::ranges::find(keywords(), name, &KeywordInfo::name);
   const bool is_known = row != keywords().end();
   fail(AlarmId::NotImplemented, block_,
@@ -194,30 +195,31 @@ void Compiler::refused_statement() {
 
 /// What makes no difference at a desk, to the end of its block.
 void Compiler::idle_statement() {
-  while (peek().kind != TokenKind::End) {
-    next();
+  while (cursor_.peek().kind != TokenKind::End) {
+    cursor_.next();
   }
 }
 
 /// WHEN $A_PROBE[n]==level DO DELDTG, the condition in brackets or not; another synchronised action
 void Compiler::when_statement() {
-  if (!peek().is_name("$A_PROBE") && !peek(1).is_name("$A_PROBE")) {
+  if (!cursor_.peek().is_name("$A_PROBE") && !cursor_.peek(1).is_name("$A_PROBE")) {
     action_statement();
     return;
   }
-  const bool bracket = accept(Symbol::LeftParen);
-  const bool of_probe = accept_name("$A_PROBE") && accept(Symbol::LeftBracket);
+  const bool bracket = cursor_.accept(Symbol::LeftParen);
+  const bool of_probe = cursor_.accept_name("$A_PROBE") && cursor_.accept(Symbol::LeftBracket);
   const Expr probe = of_probe ? convert(expression(), Type::Int) : Expr();
-  const bool compared = of_probe && accept(Symbol::RightBracket) && accept(Symbol::Equal);
+  const bool compared =
+      of_probe && cursor_.accept(Symbol::RightBracket) && cursor_.accept(Symbol::Equal);
   const Expr level = compared ? boolean(expression()) : Expr();
-  const bool closed = compared && (!bracket || accept(Symbol::RightParen));
-  const bool deletes =
-      closed && accept_name("DO") && accept_name("DELDTG") && peek().kind == TokenKind::End;
+  const bool closed = compared && (!bracket || cursor_.accept(Symbol::RightParen));
+  const bool deletes = closed && cursor_.accept_name("DO") && cursor_.accept_name("DELDTG") &&
+                       cursor_.peek().kind == TokenKind::End;
   if (!deletes && !failed()) {
     refused_statement();
   }
   if (!failed()) {
-    emit(OpCode::SkipAction, {}, probe.value, level.value, block_);
+    code_.emit(OpCode::SkipAction, {}, probe.value, level.value, block_);
   }
 }
 

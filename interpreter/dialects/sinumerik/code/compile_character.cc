@@ -15,10 +15,10 @@ Expr Compiler::part_of(const Expr& string, const Expr& first, const Expr* length
   part.where = string.where;
   part.value = temporary(Type::String);
   const std::uint32_t from = keep_arguments(list);
-  emit(OpCode::Function, part.value, {}, {Bank::Constants, static_cast<std::int32_t>(from)},
-       string.where);
-  last().detail = detail_of(FunctionId::SUBSTR);
-  last().count = static_cast<std::uint16_t>(list.size());
+  code_.emit(OpCode::Function, part.value, {}, {Bank::Constants, static_cast<std::int32_t>(from)},
+             string.where);
+  code_.last().detail = detail_of(FunctionId::SUBSTR);
+  code_.last().count = static_cast<std::uint16_t>(list.size());
   return part;
 }
 

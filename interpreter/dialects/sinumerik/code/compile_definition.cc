@@ -41,7 +41,7 @@ std::optional<std::int32_t> Compiler::whole_constant() {
 
 /// [n] behind STRING.
 std::optional<std::int32_t> Compiler::string_length() {
-  if (!accept(Symbol::LeftBracket)) {
+  if (!cursor_.accept(Symbol::LeftBracket)) {
     return 1;
   }
   const auto length = whole_constant();
@@ -55,19 +55,19 @@ std::optional<std::int32_t> Compiler::string_length() {
 /// [a,b,c] behind a name; sizes may be left out where a parameter takes any array.
 Shape Compiler::dimensions() {
   Shape shape;
-  if (!accept(Symbol::LeftBracket)) {
+  if (!cursor_.accept(Symbol::LeftBracket)) {
     return shape;
   }
   do {
     if (shape.dimensions == Shape::kMostDimensions) {
-      fail(AlarmId::TooManyDimensions, peek().where, text_of(peek().where));
+      fail(AlarmId::TooManyDimensions, cursor_.peek().where, text_of(cursor_.peek().where));
       return shape;
     }
     const auto at = static_cast<std::size_t>(shape.dimensions++);
-    if (!peek().is(Symbol::Comma) && !peek().is(Symbol::RightBracket)) {
+    if (!cursor_.peek().is(Symbol::Comma) && !cursor_.peek().is(Symbol::RightBracket)) {
       shape.size[at] = whole_constant().value_or(1);
     }
-  } while (!failed() && accept(Symbol::Comma));
+  } while (!failed() && cursor_.accept(Symbol::Comma));
   expect(Symbol::RightBracket);
   const double elements = 1.0 * shape.size[0] * shape.size[1] * shape.size[2];
   if (elements > kLargestArray || elements < 1.0) {
@@ -79,7 +79,7 @@ Shape Compiler::dimensions() {
 
 /// A type and, behind STRING, its length.
 std::optional<Compiler::DeclaredType> Compiler::declared_type() {
-  const Token word = next();
+  const Token word = cursor_.next();
   const auto type = word.kind == TokenKind::Name ? type_named(word.text) : std::nullopt;
   if (!type) {
     fail(AlarmId::SyntaxInText, word.where, text_of(word.where));
@@ -89,12 +89,12 @@ std::optional<Compiler::DeclaredType> Compiler::declared_type() {
 }
 
 std::optional<Variable> Compiler::declared_variable(const DeclaredType& declared) {
-  const Token name = next();
-  const bool is_letter =
-      name.kind == TokenKind::Letter && !name.is_letter('R') && peek().kind != TokenKind::Integer;
+  const Token name = cursor_.next();
+  const bool is_letter = name.kind == TokenKind::Letter && !name.is_letter('R') &&
+                         cursor_.peek().kind != TokenKind::Integer;
   // One letter and a number, such as L1: what is written elsewhere as L1 means the variable.
   const bool is_numbered = name.kind == TokenKind::Letter && !name.is_letter('R') && !is_letter;
-  const std::string number(is_numbered ? next().text : std::string_view());
+  const std::string number(is_numbered ? cursor_.next().text : std::string_view());
   has_letter_names_ = has_letter_names_ || is_letter || is_numbered;
   if (name.kind != TokenKind::Name && !is_letter && !is_numbered) {
     fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
@@ -141,7 +141,7 @@ std::int32_t Compiler::defined_alike(const Variable& variable) {
   const Variable* const known = globals_.find(variable.name);
   const bool is_alike = known != nullptr && !imported_.contains(variable.name) &&
                         known->type == variable.type && known->shape == variable.shape &&
-                        known->longest == variable.longest && !peek().is(Symbol::Assign);
+                        known->longest == variable.longest && !cursor_.peek().is(Symbol::Assign);
   return is_alike ? import(*known) : -1;
 }
 
@@ -172,16 +172,17 @@ std::optional<double> Compiler::signed_constant() {
 /// What stands about the type.  Rights, classes and units change nothing at a desk.
 Limits Compiler::definition_attributes() {
   Limits limits;
-  while (!failed() && peek().kind == TokenKind::Name) {
-    if (contains(kReadingAhead, peek().text) || contains(kDataClasses, peek().text) ||
-        contains(kInitialTimes, peek().text)) {
-      next();
-    } else if (contains(kNumbered, peek().text)) {
-      next();
+  while (!failed() && cursor_.peek().kind == TokenKind::Name) {
+    if (contains(kReadingAhead, cursor_.peek().text) ||
+        contains(kDataClasses, cursor_.peek().text) ||
+        contains(kInitialTimes, cursor_.peek().text)) {
+      cursor_.next();
+    } else if (contains(kNumbered, cursor_.peek().text)) {
+      cursor_.next();
       whole_constant();
-    } else if (accept_name("LLI")) {
+    } else if (cursor_.accept_name("LLI")) {
       limits.low = signed_constant();
-    } else if (accept_name("ULI")) {
+    } else if (cursor_.accept_name("ULI")) {
       limits.high = signed_constant();
     } else {
       break;
@@ -204,7 +205,7 @@ void Compiler::def_statement() {
   if (!begins_definition("DEF")) {
     return;
   }
-  const bool scoped = accept_name("NCK") || accept_name("CHAN");
+  const bool scoped = cursor_.accept_name("NCK") || cursor_.accept_name("CHAN");
   if (scoped != (purpose_ == Purpose::Definitions)) {
     fail(AlarmId::BadDefinition, block_, "NCK and CHAN are for definition files only");
   }
@@ -220,15 +221,15 @@ void Compiler::def_statement() {
       variable->limits = limits;
     }
     const std::int32_t index = variable ? define(*variable) : -1;
-    if (index >= 0 && accept(Symbol::Assign)) {
+    if (index >= 0 && cursor_.accept(Symbol::Assign)) {
       const Variable& known = program_->variables[static_cast<std::size_t>(index)];
       Expr target = target_of(index, block_);
-      target.element = number_constant(0.0);
+      target.element = code_.number_constant(0.0);
       target.is_constant = true;
-      const bool is_list = known.shape.dimensions > 0 && peek().is(Symbol::LeftParen);
+      const bool is_list = known.shape.dimensions > 0 && cursor_.peek().is(Symbol::LeftParen);
       is_list ? assign_list(target) : assign_element(target);
     }
-  } while (!failed() && accept(Symbol::Comma));
+  } while (!failed() && cursor_.accept(Symbol::Comma));
   expect_end();
 }
 
@@ -245,19 +246,19 @@ void Compiler::rights_statement() {
 /// DEFINE name AS text
 void Compiler::define_statement() {
   ++definitions_in_block_;
-  const Token& first = next();
+  const Token& first = cursor_.next();
   const bool is_name = first.kind == TokenKind::Name || first.kind == TokenKind::Letter;
   std::string name(first.text);
-  if (first.kind == TokenKind::Letter && peek().kind == TokenKind::Integer) {
-    name += next().text;
+  if (first.kind == TokenKind::Letter && cursor_.peek().kind == TokenKind::Integer) {
+    name += cursor_.next().text;
   }
-  if (!is_name || !accept_name("AS")) {
-    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+  if (!is_name || !cursor_.accept_name("AS")) {
+    fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
     return;
   }
   Macro macro;
-  while (peek().kind != TokenKind::End) {
-    Token token = next();
+  while (cursor_.peek().kind != TokenKind::End) {
+    Token token = cursor_.next();
     token.text = macro.spellings.emplace_back(token.text);
     macro.tokens.push_back(token);
   }
@@ -275,18 +276,18 @@ void Compiler::proc_statement() {
     return;
   }
   program_->has_proc = true;
-  const Token name = next();
-  const bool is_l_number = name.is_letter('L') && peek().kind == TokenKind::Integer;
+  const Token name = cursor_.next();
+  const bool is_l_number = name.is_letter('L') && cursor_.peek().kind == TokenKind::Integer;
   if (is_l_number) {
-    next();
+    cursor_.next();
   } else if (name.kind != TokenKind::Name) {
     fail(AlarmId::SyntaxInText, block_, "PROC and a name");
     return;
   }
-  if (accept(Symbol::LeftParen) && !accept(Symbol::RightParen)) {
+  if (cursor_.accept(Symbol::LeftParen) && !cursor_.accept(Symbol::RightParen)) {
     do {
       proc_parameter();
-    } while (!failed() && accept(Symbol::Comma));
+    } while (!failed() && cursor_.accept(Symbol::Comma));
     expect(Symbol::RightParen);
   }
   proc_attributes();
@@ -294,7 +295,7 @@ void Compiler::proc_statement() {
 
 void Compiler::proc_parameter() {
   Parameter parameter;
-  parameter.by_reference = accept_name("VAR");
+  parameter.by_reference = cursor_.accept_name("VAR");
   const auto declared = declared_type();
   if (!declared) {
     return;
@@ -323,7 +324,7 @@ void Compiler::proc_parameter() {
     program_->variables.push_back(*variable);
   } else {
     parameter.variable = define_local(*variable);
-    if (accept(Symbol::Assign)) {
+    if (cursor_.accept(Symbol::Assign)) {
       preset(parameter);
     }
   }
@@ -362,8 +363,8 @@ void Compiler::preset(Parameter& parameter) {
 }
 
 void Compiler::proc_attributes() {
-  while (!failed() && peek().kind != TokenKind::End) {
-    const Token attribute = next();
+  while (!failed() && cursor_.peek().kind != TokenKind::End) {
+    const Token attribute = cursor_.next();
     if (attribute.kind != TokenKind::Name || !contains(kAttributes, attribute.text)) {
       fail(AlarmId::AttributeNotAllowed, attribute.where, text_of(attribute.where));
     }
@@ -375,11 +376,12 @@ void Compiler::proc_attributes() {
 
 /// REDEF changes who may see and write data: here everybody may.
 void Compiler::redef_statement() {
-  while (!failed() && peek().kind != TokenKind::End) {
-    if (peek().is_name("LLI") || peek().is_name("ULI") || peek().is(Symbol::Assign)) {
-      fail(AlarmId::NotImplemented, peek().where, "REDEF with limits or a value");
+  while (!failed() && cursor_.peek().kind != TokenKind::End) {
+    if (cursor_.peek().is_name("LLI") || cursor_.peek().is_name("ULI") ||
+        cursor_.peek().is(Symbol::Assign)) {
+      fail(AlarmId::NotImplemented, cursor_.peek().where, "REDEF with limits or a value");
     }
-    next();
+    cursor_.next();
   }
 }
 
@@ -388,8 +390,8 @@ void Compiler::extern_statement() {
   if (!begins_definition("EXTERN")) {
     return;
   }
-  while (peek().kind != TokenKind::End) {
-    next();
+  while (cursor_.peek().kind != TokenKind::End) {
+    cursor_.next();
   }
 }
 

@@ -80,7 +80,7 @@ bool is_long_constant(std::string_view text) {
 Expr Compiler::constant(Type type, double value, ShortSpan where) {
   Expr result;
   result.type = type;
-  result.value = number_constant(value);
+  result.value = code_.number_constant(value);
   result.where = where;
   result.is_constant = true;
   return result;
@@ -88,18 +88,18 @@ Expr Compiler::constant(Type type, double value, ShortSpan where) {
 
 Expr Compiler::expression(int level) {
   Expr left = unary();
-  int row = operator_row(peek());
+  int row = operator_row(cursor_.peek());
   while (!failed() && row >= 0 && operators()[static_cast<std::size_t>(row)].level >= level) {
-    next();
+    cursor_.next();
     Expr right = expression(operators()[static_cast<std::size_t>(row)].level + 1);
     left = combine(row, std::move(left), std::move(right));
-    row = operator_row(peek());
+    row = operator_row(cursor_.peek());
   }
   return left;
 }
 
 Expr Compiler::unary() {
-  const Token token = peek();
+  const Token token = cursor_.peek();
   const bool negates = token.is(Symbol::Minus);
   const bool inverts = token.is_name("NOT");
   const bool flips = token.is_name("B_NOT");
@@ -107,7 +107,7 @@ Expr Compiler::unary() {
   if (!negates && !inverts && !flips && !shows && !token.is(Symbol::Plus)) {
     return primary();
   }
-  next();
+  cursor_.next();
   if (++depth_ > kDeepestNest) {
     fail(AlarmId::NestedTooDeep, token.where);
     --depth_;
@@ -140,7 +140,7 @@ Expr Compiler::inverted(const Token& token, Expr operand) {
   result.where = joined(token.where, operand.where);
   result.value = temporary(result.type);
   const OpCode code = negates ? OpCode::Negate : inverts ? OpCode::Not : OpCode::BitNot;
-  emit(code, result.value, operand.value, {}, result.where);
+  code_.emit(code, result.value, operand.value, {}, result.where);
   return result;
 }
 
@@ -151,17 +151,17 @@ Expr Compiler::primary() {
     return {};
   }
   Expr result;
-  const Token token = peek();
+  const Token token = cursor_.peek();
   if (token.kind == TokenKind::Integer || token.kind == TokenKind::Real) {
-    next();
+    cursor_.next();
     const bool whole = token.kind == TokenKind::Integer;
     result = constant(whole ? Type::Int : Type::Real, token.number, token.where);
   } else if (token.kind == TokenKind::Text) {
-    next();
+    cursor_.next();
     result = text_literal(token);
-  } else if (accept(Symbol::LeftParen)) {
+  } else if (cursor_.accept(Symbol::LeftParen)) {
     result = expression();
-    result.where = joined(token.where, peek().where);
+    result.where = joined(token.where, cursor_.peek().where);
     expect(Symbol::RightParen);
     result.variable = -1;  // (R1) is a value, no variable any more
   } else if (token.kind == TokenKind::Name) {
@@ -184,29 +184,29 @@ Expr Compiler::text_literal(const Token& token) {
   }
   Expr result;
   result.type = Type::String;
-  result.value = text_constant(text.value());
+  result.value = code_.text_constant(text.value());
   result.is_constant = true;
   result.where = token.where;
   return result;
 }
 
 Expr Compiler::letter_in_expression() {
-  const Token letter = next();
-  const bool numbered = peek().kind == TokenKind::Integer;
-  if (letter.is_letter('R') && (numbered || peek().is(Symbol::LeftBracket))) {
+  const Token letter = cursor_.next();
+  const bool numbered = cursor_.peek().kind == TokenKind::Integer;
+  if (letter.is_letter('R') && (numbered || cursor_.peek().is(Symbol::LeftBracket))) {
     return variable_access(find_variable("R"), letter.where);
   }
   std::string name(letter.text);
-  name += numbered ? peek().text : "";
+  name += numbered ? cursor_.peek().text : "";
   const int axis = globals_.axis(name);
   if (axis < 0 && purpose_ == Purpose::Data) {
-    at_ += numbered ? 1 : 0;
+    cursor_.skip_if(numbered, 1);
     return axis_of_data(letter);
   }
   if (axis < 0) {
     fail(AlarmId::NotDefined, letter.where, letter.text);
   } else if (numbered) {
-    next();
+    cursor_.next();
   }
   return constant(Type::Axis, axis, letter.where);
 }
@@ -218,7 +218,7 @@ Expr Compiler::axis_of_data(const Token& name) {
 }
 
 Expr Compiler::name_in_expression() {
-  const Token name = next();
+  const Token name = cursor_.next();
   if (name.text == "TRUE" || name.text == "FALSE") {
     return constant(Type::Bool, name.text == "TRUE" ? 1.0 : 0.0, name.where);
   }
@@ -234,7 +234,7 @@ Expr Compiler::name_in_expression() {
   if (const int axis = globals_.axis(name.text); axis >= 0) {
     return constant(Type::Axis, axis, name.where);
   }
-  if (purpose_ == Purpose::Data && peek().is(Symbol::Comma)) {
+  if (purpose_ == Purpose::Data && cursor_.peek().is(Symbol::Comma)) {
     return axis_of_data(name);
   }
   if (find_keyword(name.text) == &Compiler::refused_statement) {
@@ -279,7 +279,7 @@ Expr Compiler::combine(int row, Expr left, Expr right) {
   result.type = type;
   result.where = where;
   result.value = temporary(type);
-  emit(found.code, result.value, left.value, right.value, where);
+  code_.emit(found.code, result.value, left.value, right.value, where);
   return result;
 }
 
@@ -297,18 +297,18 @@ Expr Compiler::compare(OpCode code, Expr left, Expr right, ShortSpan where) {
     const bool negates =
         code == OpCode::NotEqual || code == OpCode::LessEqual || code == OpCode::GreaterEqual;
     const bool equals = code == OpCode::Equal || code == OpCode::NotEqual;
-    emit(equals ? OpCode::EqualText : OpCode::LessText, result.value,
-         swaps ? right.value : left.value, swaps ? left.value : right.value, where);
+    code_.emit(equals ? OpCode::EqualText : OpCode::LessText, result.value,
+               swaps ? right.value : left.value, swaps ? left.value : right.value, where);
     if (negates) {
-      emit(OpCode::Not, result.value, result.value, {}, where);
+      code_.emit(OpCode::Not, result.value, result.value, {}, where);
     }
     return result;
   }
   const bool only_equals = code == OpCode::Equal || code == OpCode::NotEqual;
   if (left.type == Type::Frame && right.type == Type::Frame && only_equals) {
-    emit(OpCode::EqualFrame, result.value, left.value, right.value, where);
+    code_.emit(OpCode::EqualFrame, result.value, left.value, right.value, where);
     if (code == OpCode::NotEqual) {
-      emit(OpCode::Not, result.value, result.value, {}, where);
+      code_.emit(OpCode::Not, result.value, result.value, {}, where);
     }
     return result;
   }
@@ -317,7 +317,7 @@ Expr Compiler::compare(OpCode code, Expr left, Expr right, ShortSpan where) {
     fail(AlarmId::WrongType, where,
          std::string(name_of(left.type)) + " and " + std::string(name_of(right.type)));
   }
-  emit(code, result.value, left.value, right.value, where);
+  code_.emit(code, result.value, left.value, right.value, where);
   return result;
 }
 
@@ -328,7 +328,7 @@ Expr Compiler::concatenate(Expr left, Expr right, ShortSpan where) {
   result.type = Type::String;
   result.where = where;
   result.value = temporary(Type::String);
-  emit(OpCode::Concatenate, result.value, left.value, right.value, where);
+  code_.emit(OpCode::Concatenate, result.value, left.value, right.value, where);
   return result;
 }
 
@@ -345,8 +345,8 @@ Expr Compiler::as_text(Expr from) {
   result.type = Type::String;
   result.where = from.where;
   result.value = temporary(Type::String);
-  emit(OpCode::NumberToText, result.value, from.value, {}, from.where);
-  last().detail = detail_of(from.type);
+  code_.emit(OpCode::NumberToText, result.value, from.value, {}, from.where);
+  code_.last().detail = detail_of(from.type);
   return result;
 }
 
@@ -362,12 +362,12 @@ Expr Compiler::arithmetic(OpCode code, Expr left, Expr right, ShortSpan where) {
         code == OpCode::DivideWhole || (whole && code != OpCode::Divide) ? Type::Int : Type::Real;
   }
   result.value = temporary(result.type);
-  emit(code, result.value, left.value, right.value, where);
+  code_.emit(code, result.value, left.value, right.value, where);
   // Two INT can leave the 32 bits only by these three.
   const bool may_overflow =
       code == OpCode::Add || code == OpCode::Subtract || code == OpCode::Multiply;
   if (result.type == Type::Int && may_overflow) {
-    emit(OpCode::CheckInt, result.value, result.value, {}, where);
+    code_.emit(OpCode::CheckInt, result.value, result.value, {}, where);
   }
   return result;
 }
@@ -385,7 +385,7 @@ void Compiler::narrow(Expr& value, Type from) {
                                          : OpCode::ToInt;
   const Operand given = value.value;
   value.value = temporary(to);
-  emit(code, value.value, given, {}, value.where);
+  code_.emit(code, value.value, given, {}, value.where);
   value.is_constant = false;
 }
 
@@ -404,8 +404,8 @@ Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
     narrow(result, from.type);
   } else if (from.type == Type::String && (to == Type::Bool || to == Type::Char)) {
     result.value = temporary(to);
-    emit(OpCode::TextToNumber, result.value, from.value, {}, from.where);
-    last().detail = detail_of(to);
+    code_.emit(OpCode::TextToNumber, result.value, from.value, {}, from.where);
+    code_.last().detail = detail_of(to);
     result.is_constant = false;
   } else if ((from.type == Type::Char || from.type == Type::Bool) && to == Type::String) {
     return as_text(std::move(from));

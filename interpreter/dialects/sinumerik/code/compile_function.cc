@@ -10,22 +10,22 @@ Expr Compiler::plain_mathematics(FunctionId id, ShortSpan where) {
   Expr a = convert(expression(), Type::Real, AlarmId::BadArguments);
   Expr b = a;
   if (count == 2) {
-    if (peek().is(Symbol::RightParen)) {
-      fail(AlarmId::ArgumentCount, peek().where, std::string(info(id).name));
+    if (cursor_.peek().is(Symbol::RightParen)) {
+      fail(AlarmId::ArgumentCount, cursor_.peek().where, std::string(info(id).name));
     }
     expect(Symbol::Comma);
     b = convert(expression(), Type::Real, AlarmId::BadArguments);
   }
   Expr result;
   result.type = info(id).result;
-  result.where = joined(where, peek().where);
-  if (peek().is(Symbol::Comma)) {
-    fail(AlarmId::ArgumentCount, peek().where, std::string(info(id).name));
+  result.where = joined(where, cursor_.peek().where);
+  if (cursor_.peek().is(Symbol::Comma)) {
+    fail(AlarmId::ArgumentCount, cursor_.peek().where, std::string(info(id).name));
   }
   expect(Symbol::RightParen);
   result.value = temporary(result.type);
-  emit(OpCode::Math, result.value, a.value, b.value, result.where);
-  last().detail = detail_of(id);
+  code_.emit(OpCode::Math, result.value, a.value, b.value, result.where);
+  code_.last().detail = detail_of(id);
   return result;
 }
 
@@ -38,9 +38,9 @@ Expr Compiler::call_function(FunctionId id, ShortSpan where) {
   std::vector<Argument> list;
   for (std::size_t i = 0; i < row.parameters.size() && !failed(); ++i) {
     const char kind = row.parameters[i];
-    if (peek().is(Symbol::RightParen)) {
+    if (cursor_.peek().is(Symbol::RightParen)) {
       if (kind != '*' && kind >= 'A' && kind <= 'Z') {
-        fail(AlarmId::ArgumentCount, peek().where, std::string(row.name));
+        fail(AlarmId::ArgumentCount, cursor_.peek().where, std::string(row.name));
       }
       break;
     }
@@ -55,17 +55,17 @@ Expr Compiler::call_function(FunctionId id, ShortSpan where) {
   }
   Expr result;
   result.type = row.result;
-  result.where = joined(where, peek().where);
-  if (!accept(Symbol::RightParen)) {
-    fail(peek().is(Symbol::Comma) ? AlarmId::ArgumentCount : AlarmId::SyntaxInText, peek().where,
-         std::string(row.name));
+  result.where = joined(where, cursor_.peek().where);
+  if (!cursor_.accept(Symbol::RightParen)) {
+    fail(cursor_.peek().is(Symbol::Comma) ? AlarmId::ArgumentCount : AlarmId::SyntaxInText,
+         cursor_.peek().where, std::string(row.name));
   }
   result.value = temporary(result.type);
   const std::uint32_t first = keep_arguments(list);
-  emit(OpCode::Function, result.value, {}, {Bank::Constants, static_cast<std::int32_t>(first)},
-       result.where);
-  last().detail = detail_of(id);
-  last().count = static_cast<std::uint16_t>(list.size());
+  code_.emit(OpCode::Function, result.value, {},
+             {Bank::Constants, static_cast<std::int32_t>(first)}, result.where);
+  code_.last().detail = detail_of(id);
+  code_.last().count = static_cast<std::uint16_t>(list.size());
   return result;
 }
 

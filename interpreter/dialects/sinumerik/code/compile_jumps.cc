@@ -9,8 +9,12 @@ void Compiler::end_structures() {
   for (const Structure& open : structures_) {
     if (open.head >= 0) {
       Op& head = program_->ops[static_cast<std::size_t>(open.head)];
-      head = {
-          OpCode::Raise, 0, 0, {}, error_constant({AlarmId::BadNesting, "its end is missing"}), {}};
+      head = {OpCode::Raise,
+              0,
+              0,
+              {},
+              code_.error_constant({AlarmId::BadNesting, "its end is missing"}),
+              {}};
       program_->spans[static_cast<std::size_t>(open.head)] = open.where;
     }
   }
@@ -25,7 +29,12 @@ void Compiler::resolve_jumps() {
     } else if (jump.direction == Direction::BothQuiet) {
       op.a.place = jump.step + 1;
     } else {
-      op = {OpCode::Raise, 0, 0, {}, error_constant({AlarmId::JumpTargetMissing, jump.label}), {}};
+      op = {OpCode::Raise,
+            0,
+            0,
+            {},
+            code_.error_constant({AlarmId::JumpTargetMissing, jump.label}),
+            {}};
     }
   }
   for (const PartToRepeat& part : parts_) {

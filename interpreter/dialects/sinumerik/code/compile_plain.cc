@@ -17,7 +17,8 @@ bool Compiler::plain_block(ShortSpan line) {
   begin_block(words.where());
   const std::size_t numbers_before = program_->block_numbers.size();
   if (words.word().letter == 'N' && words.word().is_code) {
-    program_->block_numbers.push_back({static_cast<std::int32_t>(words.word().value), here() - 1});
+    program_->block_numbers.push_back(
+        {static_cast<std::int32_t>(words.word().value), code_.here() - 1});
     read = words.next();
   }
   const bool has_statement = read == PlainWords::Read::Word;
@@ -32,7 +33,7 @@ bool Compiler::plain_block(ShortSpan line) {
   }
   if (!is_plain || failed()) {
     program_->block_numbers.resize(numbers_before);
-    take_back(first_step_);
+    take_back(code_.first_step());
     return false;
   }
   in_program_part_ = in_program_part_ || has_statement;

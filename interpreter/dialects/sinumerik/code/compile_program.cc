@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "interpreter/dialects/sinumerik/code/compiler.h"
+#include "interpreter/dialects/sinumerik/code/replaced_names.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -24,7 +25,8 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
       text_(source.file->text()),
       scanner_(text_),
       whole_(source.text),
-      program_(std::make_unique<CompiledProgram>()) {
+      program_(std::make_unique<CompiledProgram>()),
+      code_(*program_) {
   program_->name = source.name;
   program_->folder = source.folder;
   program_->file = source.file;
@@ -79,7 +81,7 @@ void Compiler::end_of_text() {
   block_ = {whole_.end, whole_.end};
   end_structures();
   resolve_jumps();
-  emit(end_, {}, {}, {}, block_);
+  code_.emit(end_, {}, {}, {}, block_);
 }
 
 /// Compiles a block that says nothing of other blocks: no jump, label, call or definition.
@@ -109,7 +111,7 @@ CompiledWindow Compiler::run_window(std::uint32_t begin) {
     at = line.end + 1;
   }
   if (at < whole_.end) {
-    emit(OpCode::EndWindow, {}, {}, {}, {at, at});
+    code_.emit(OpCode::EndWindow, {}, {}, {}, {at, at});
   } else {
     end_of_text();
   }
@@ -117,8 +119,8 @@ CompiledWindow Compiler::run_window(std::uint32_t begin) {
 }
 
 std::unique_ptr<CompiledProgram> Compiler::run_expression() {
-  scanner_.scan(whole_, tokens_);
-  find_letter_names();
+  scanner_.scan(whole_, cursor_.tokens());
+  find_letter_names(cursor_.tokens(), program_->locals);
   block_ = whole_;
   const Expr value = expression();
   expect_end();
@@ -126,7 +128,7 @@ std::unique_ptr<CompiledProgram> Compiler::run_expression() {
     raise_from(0);
   }
   program_->result = argument_of(value);
-  emit(OpCode::EndText, {}, {}, {}, block_);
+  code_.emit(OpCode::EndText, {}, {}, {}, block_);
   return std::move(program_);
 }
 

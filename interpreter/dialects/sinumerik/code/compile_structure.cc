@@ -57,16 +57,17 @@ std::optional<Compiler::Structure> Compiler::close_loop(StructureKind kind) {
 }
 
 void Compiler::back_to(const Structure& loop) {
-  emit(OpCode::Jump, {}, {Bank::Constants, loop.head + 1}, {}, block_);
-  set_target(loop.exit, here());
+  code_.emit(OpCode::Jump, {}, {Bank::Constants, loop.head + 1}, {}, block_);
+  set_target(loop.exit, code_.here());
 }
 
 /// Whether a jump stands in what is left of the block.
 bool Compiler::jumps_behind() const {
-  for (std::size_t i = 0; peek(i).kind != TokenKind::End; ++i) {
+  for (std::size_t i = 0; cursor_.peek(i).kind != TokenKind::End; ++i) {
     const bool is_jump =
-        peek(i).is_name(kToStart) ||
-        std::ranges::any_of(kJumps, [&](const Jump& jump) { return peek(i).is_name(jump.name); });
+        cursor_.peek(i).is_name(kToStart) || std::ranges::any_of(kJumps, [&](const Jump& jump) {
+          return cursor_.peek(i).is_name(jump.name);
+        });
     if (is_jump) {
       return true;
     }
@@ -78,9 +79,9 @@ bool Compiler::jumps_behind() const {
 void Compiler::if_statement() {
   const bool is_jump = jumps_behind();
   const Expr condition = boolean(expression());
-  const std::int32_t step = emit(OpCode::JumpIfNot, {}, condition.value, {}, condition.where);
+  const std::int32_t step = code_.emit(OpCode::JumpIfNot, {}, condition.value, {}, condition.where);
   if (!failed() && jump_statement()) {
-    set_target(step, here());
+    set_target(step, code_.here());
     return;
   }
   if (is_jump && failed()) {
@@ -93,8 +94,8 @@ void Compiler::if_statement() {
 void Compiler::else_statement() {
   expect_end();
   if (auto structure = close(StructureKind::If)) {
-    const std::int32_t done = emit(OpCode::Jump, {}, {}, {}, block_);
-    set_target(structure->exit, here());
+    const std::int32_t done = code_.emit(OpCode::Jump, {}, {}, {}, block_);
+    set_target(structure->exit, code_.here());
     structure->kind = StructureKind::Else;
     structure->exit = failed() ? -1 : done;
     structures_.push_back(*structure);
@@ -112,18 +113,19 @@ bool Compiler::is_in_branch() const {
 void Compiler::endif_statement() {
   expect_end();
   if (!is_in_branch()) {
-    emit(OpCode::SurplusEnd, {}, {}, {}, block_);
+    code_.emit(OpCode::SurplusEnd, {}, {}, {}, block_);
     return;
   }
   const bool in_else = !structures_.empty() && structures_.back().kind == StructureKind::Else;
   if (const auto structure = close(in_else ? StructureKind::Else : StructureKind::If)) {
-    set_target(structure->exit, here());
+    set_target(structure->exit, code_.here());
   }
 }
 
 void Compiler::loop_statement() {
   expect_end();
-  const std::int32_t head = emit(OpCode::Jump, {}, {Bank::Constants, here() + 1}, {}, block_);
+  const std::int32_t head =
+      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block_);
   open(StructureKind::Loop, head, -1);
 }
 
@@ -137,13 +139,13 @@ void Compiler::endloop_statement() {
 /// The element that FOR counts in, for the blocks behind it: what its index is made of may change.
 void Compiler::keep_element(Expr& counter) {
   Variable element;
-  element.name = fmt::format("element of FOR {}", here());  // no name of a program
+  element.name = fmt::format("element of FOR {}", code_.here());  // no name of a program
   element.type = Type::Int;
   const std::int32_t index = define_local(element);
   if (index >= 0) {
     const Variable& kept = program_->variables[static_cast<std::size_t>(index)];
     const Operand place = {Bank::Locals, kept.place};
-    emit(OpCode::Move, place, counter.element, {}, counter.where);
+    code_.emit(OpCode::Move, place, counter.element, {}, counter.where);
     counter.element = place;
   }
 }
@@ -164,20 +166,22 @@ void Compiler::for_statement() {
   if (!failed()) {
     store(counter, expression());
   }
-  if (!failed() && !accept_name("TO")) {
-    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+  if (!failed() && !cursor_.accept_name("TO")) {
+    fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
   }
   // The counter of a later pass is behind the condition's own steps: read it there again.
-  const std::int32_t head = emit(OpCode::Jump, {}, {Bank::Constants, here() + 1}, {}, block_);
+  const std::int32_t head =
+      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block_);
   const Expr end = convert(expression(), Type::Real);
   expect_end();
   Expr now = counter;
   if (!failed() && !counter.is_constant) {
-    emit(OpCode::Load, now.value, counter.element, {Bank::Constants, counter.variable}, block_);
+    code_.emit(OpCode::Load, now.value, counter.element, {Bank::Constants, counter.variable},
+               block_);
   }
   const Operand inside = temporary(Type::Bool);
-  emit(OpCode::LessEqual, inside, now.value, end.value, block_);
-  const std::int32_t exit = emit(OpCode::JumpIfNot, {}, inside, {}, block_);
+  code_.emit(OpCode::LessEqual, inside, now.value, end.value, block_);
+  const std::int32_t exit = code_.emit(OpCode::JumpIfNot, {}, inside, {}, block_);
   open(StructureKind::For, head, exit);
   structures_.back().counter = counter;
 }
@@ -190,23 +194,25 @@ void Compiler::endfor_statement() {
   }
   const Expr& counter = loop->counter;
   if (!counter.is_constant) {
-    emit(OpCode::Load, counter.value, counter.element, {Bank::Constants, counter.variable}, block_);
+    code_.emit(OpCode::Load, counter.value, counter.element, {Bank::Constants, counter.variable},
+               block_);
   }
   Expr more;
   more.type = Type::Real;
   more.where = block_;
   more.value = temporary(Type::Real);
-  emit(OpCode::Add, more.value, counter.value, number_constant(1.0), block_);
+  code_.emit(OpCode::Add, more.value, counter.value, code_.number_constant(1.0), block_);
   more.type = counter.type;
   store(counter, more);
   back_to(*loop);
 }
 
 void Compiler::while_statement() {
-  const std::int32_t head = emit(OpCode::Jump, {}, {Bank::Constants, here() + 1}, {}, block_);
+  const std::int32_t head =
+      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block_);
   const Expr condition = boolean(expression());
   expect_end();
-  const std::int32_t exit = emit(OpCode::JumpIfNot, {}, condition.value, {}, condition.where);
+  const std::int32_t exit = code_.emit(OpCode::JumpIfNot, {}, condition.value, {}, condition.where);
   open(StructureKind::While, head, exit);
 }
 
@@ -219,11 +225,12 @@ void Compiler::endwhile_statement() {
 
 /// REPEAT alone begins a loop, with a label it repeats a part of the program.
 void Compiler::repeat_statement() {
-  if (peek().kind != TokenKind::End) {
+  if (cursor_.peek().kind != TokenKind::End) {
     repeat_part(false);
     return;
   }
-  const std::int32_t head = emit(OpCode::Jump, {}, {Bank::Constants, here() + 1}, {}, block_);
+  const std::int32_t head =
+      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block_);
   open(StructureKind::Repeat, head, -1);
 }
 
@@ -235,25 +242,25 @@ void Compiler::until_statement() {
   const Expr condition = boolean(expression());
   expect_end();
   if (const auto loop = close_loop(StructureKind::Repeat)) {
-    emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head + 1},
-         condition.where);
+    code_.emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head + 1},
+               condition.where);
   }
 }
 
 /// A label or N and a number where one is expected.
 std::optional<std::string> Compiler::label_name() {
-  if (peek().is_letter('N') && peek(1).kind == TokenKind::Integer) {
-    next();
-    return "N" + std::to_string(static_cast<std::int64_t>(next().number));
+  if (cursor_.peek().is_letter('N') && cursor_.peek(1).kind == TokenKind::Integer) {
+    cursor_.next();
+    return "N" + std::to_string(static_cast<std::int64_t>(cursor_.next().number));
   }
-  if (peek().kind != TokenKind::Name && peek().kind != TokenKind::Letter) {
+  if (cursor_.peek().kind != TokenKind::Name && cursor_.peek().kind != TokenKind::Letter) {
     return std::nullopt;
   }
   // A control wants two letters; one and a number leave no doubt either.
-  const Token name = next();
+  const Token name = cursor_.next();
   std::string label(name.text);
-  if (name.kind == TokenKind::Letter && peek().kind == TokenKind::Integer) {
-    label += next().text;
+  if (name.kind == TokenKind::Letter && cursor_.peek().kind == TokenKind::Integer) {
+    label += cursor_.next().text;
   }
   return label;
 }
@@ -261,20 +268,20 @@ std::optional<std::string> Compiler::label_name() {
 void Compiler::repeat_part(bool one_block) {
   const auto first = label_name();
   if (!first) {
-    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+    fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
     return;
   }
   PartToRepeat part;
   part.first = *first;
   part.one_block = one_block;
   part.end = kEndOfPart;
-  if (!one_block && (peek().kind == TokenKind::Name || peek().is_letter('N'))) {
+  if (!one_block && (cursor_.peek().kind == TokenKind::Name || cursor_.peek().is_letter('N'))) {
     part.end = label_name().value_or("");
   }
   Expr passes = constant(Type::Int, 1.0, block_);
-  if (peek().is_letter('P')) {
-    next();
-    accept(Symbol::Assign);
+  if (cursor_.peek().is_letter('P')) {
+    cursor_.next();
+    cursor_.accept(Symbol::Assign);
     passes = convert(expression(), Type::Int);
   }
   expect_end();
@@ -284,8 +291,8 @@ void Compiler::repeat_part(bool one_block) {
 void Compiler::emit_part(PartToRepeat part, Operand passes) {
   part.site = program_->repeats.size();
   program_->repeats.emplace_back();
-  part.step = emit(OpCode::RepeatPart, {}, {Bank::Constants, static_cast<std::int32_t>(part.site)},
-                   passes, block_);
+  part.step = code_.emit(OpCode::RepeatPart, {},
+                         {Bank::Constants, static_cast<std::int32_t>(part.site)}, passes, block_);
   if (!failed()) {
     parts_.push_back(std::move(part));
   }
@@ -293,52 +300,52 @@ void Compiler::emit_part(PartToRepeat part, Operand passes) {
 
 /// BLOCK first TO last behind CALL: the part of this program once, as REPEAT first last runs it.
 void Compiler::call_block() {
-  next();
+  cursor_.next();
   PartToRepeat part;
   part.first = label_name().value_or("");
-  const bool goes_to = accept_name("TO");
+  const bool goes_to = cursor_.accept_name("TO");
   part.end = label_name().value_or("");
   if (part.first.empty() || !goes_to || part.end.empty()) {
     fail(AlarmId::SyntaxInText, block_, "CALL BLOCK first TO last");
   }
   expect_end();
-  emit_part(std::move(part), number_constant(1.0));
+  emit_part(std::move(part), code_.number_constant(1.0));
 }
 
 /// CASE (expression) OF value jump value jump DEFAULT jump.  A block ends with its line: the values
 /// stand on it.
 void Compiler::case_statement() {
   const Expr value = expression();
-  if (!failed() && !accept_name("OF")) {
-    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+  if (!failed() && !cursor_.accept_name("OF")) {
+    fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
   }
-  while (!failed() && peek().kind != TokenKind::End && !accept_name("DEFAULT")) {
+  while (!failed() && cursor_.peek().kind != TokenKind::End && !cursor_.accept_name("DEFAULT")) {
     Expr wanted = unary();
     if (failed()) {
       return;
     }
     const Expr equal = compare(OpCode::Equal, value, wanted, wanted.where);
-    const std::int32_t past = emit(OpCode::JumpIfNot, {}, equal.value, {}, wanted.where);
+    const std::int32_t past = code_.emit(OpCode::JumpIfNot, {}, equal.value, {}, wanted.where);
     if (!failed() && !jump_statement()) {
-      fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+      fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
     }
-    set_target(past, here());
+    set_target(past, code_.here());
   }
-  if (!failed() && peek().kind != TokenKind::End && !jump_statement()) {
-    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+  if (!failed() && cursor_.peek().kind != TokenKind::End && !jump_statement()) {
+    fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
   }
 }
 
 /// A jump at this place, if there is one.
 bool Compiler::jump_statement() {
   for (const Jump& jump : kJumps) {
-    if (accept_name(jump.name)) {
+    if (cursor_.accept_name(jump.name)) {
       jump_to(jump.direction);
       return true;
     }
   }
-  if (accept_name(kToStart)) {
-    emit(OpCode::Jump, {}, {Bank::Constants, 0}, {}, block_);
+  if (cursor_.accept_name(kToStart)) {
+    code_.emit(OpCode::Jump, {}, {Bank::Constants, 0}, {}, block_);
     return true;
   }
   return false;
@@ -346,13 +353,14 @@ bool Compiler::jump_statement() {
 
 /// To a label, a block number, or what a text says.
 void Compiler::jump_to(Direction direction) {
-  const bool is_text = peek().kind == TokenKind::Text ||
-                       (peek().kind == TokenKind::Name && find_variable(peek().text) >= 0);
-  const ShortSpan where = peek().where;
+  const bool is_text =
+      cursor_.peek().kind == TokenKind::Text ||
+      (cursor_.peek().kind == TokenKind::Name && find_variable(cursor_.peek().text) >= 0);
+  const ShortSpan where = cursor_.peek().where;
   if (is_text) {
     const Expr name = as_text(expression());
-    emit(OpCode::JumpText, {}, name.value, {}, name.where);
-    last().detail = detail_of(direction);
+    code_.emit(OpCode::JumpText, {}, name.value, {}, name.where);
+    code_.last().detail = detail_of(direction);
     return;
   }
   const auto label = label_name();
@@ -360,7 +368,7 @@ void Compiler::jump_to(Direction direction) {
     fail(AlarmId::SyntaxInText, where, text_of(where));
     return;
   }
-  const std::int32_t step = emit(OpCode::Jump, {}, {}, {}, where);
+  const std::int32_t step = code_.emit(OpCode::Jump, {}, {}, {}, where);
   jumps_.push_back({step, *label, direction});
 }
 
@@ -383,7 +391,7 @@ void Compiler::gotoc_statement() {
 }
 void Compiler::gotos_statement() {
   expect_end();
-  emit(OpCode::Jump, {}, {Bank::Constants, 0}, {}, block_);
+  code_.emit(OpCode::Jump, {}, {Bank::Constants, 0}, {}, block_);
 }
 
 }  // namespace g31::sinumerik

@@ -56,36 +56,36 @@ void Compiler::add_index(Element& element, std::int32_t variable, const Expr& in
                       known.storage != Storage::Reference;
   if (element.is_fixed && inside) {
     element.offset = element.offset * size + static_cast<std::int32_t>(value);
-    element.number = number_constant(element.offset);
+    element.number = code_.number_constant(element.offset);
     return;
   }
   const Operand result = temporary(Type::Int);
-  emit(OpCode::Move, result, element.number, {}, index.where);
-  emit(OpCode::Index, result, index.value, variable_number(variable), index.where);
-  last().detail = static_cast<std::uint8_t>(dimension);
+  code_.emit(OpCode::Move, result, element.number, {}, index.where);
+  code_.emit(OpCode::Index, result, index.value, variable_number(variable), index.where);
+  code_.last().detail = static_cast<std::uint8_t>(dimension);
   element = {result, false, 0};
 }
 
 /// The element that [..] behind a variable names; number 0 where there are no brackets.
 Compiler::Element Compiler::element_of(std::int32_t variable) {
   const Variable known = program_->variables[static_cast<std::size_t>(variable)];
-  Element element{number_constant(0.0), true, 0};
-  if (known.name == "R" && peek().kind == TokenKind::Integer) {
-    const Token& number = next();
+  Element element{code_.number_constant(0.0), true, 0};
+  if (known.name == "R" && cursor_.peek().kind == TokenKind::Integer) {
+    const Token& number = cursor_.next();
     add_index(element, variable, constant(Type::Int, number.number, number.where), 0);
     return element;
   }
-  const bool bracket = accept(Symbol::LeftBracket);
+  const bool bracket = cursor_.accept(Symbol::LeftBracket);
   const int most = bracket ? std::max(1, known.shape.dimensions) : 0;
   int dimension = 0;
-  while (!failed() && dimension < most && (dimension == 0 || accept(Symbol::Comma))) {
+  while (!failed() && dimension < most && (dimension == 0 || cursor_.accept(Symbol::Comma))) {
     add_index(element, variable, expression(), dimension++);
   }
-  element.is_open = bracket && has_parts(known) && accept(Symbol::Comma);
-  const bool too_many = bracket && peek().is(Symbol::Comma);
+  element.is_open = bracket && has_parts(known) && cursor_.accept(Symbol::Comma);
+  const bool too_many = bracket && cursor_.peek().is(Symbol::Comma);
   const bool fits = dimension == known.shape.dimensions && !too_many;
   if (!fits && !failed()) {
-    fail(AlarmId::NoSuchElement, too_many ? peek().where : block_, known.name);
+    fail(AlarmId::NoSuchElement, too_many ? cursor_.peek().where : block_, known.name);
   }
   if (bracket && !element.is_open) {
     expect(Symbol::RightBracket);
@@ -96,8 +96,8 @@ Compiler::Element Compiler::element_of(std::int32_t variable) {
 /// What stands behind the name of a variable: an element, or at once a part of the only one.
 Compiler::Element Compiler::element_or_part(std::int32_t variable) {
   const Variable& known = program_->variables[static_cast<std::size_t>(variable)];
-  if (known.shape.dimensions == 0 && has_parts(known) && accept(Symbol::LeftBracket)) {
-    return {number_constant(0.0), true, 0, true};
+  if (known.shape.dimensions == 0 && has_parts(known) && cursor_.accept(Symbol::LeftBracket)) {
+    return {code_.number_constant(0.0), true, 0, true};
   }
   return element_of(variable);
 }
@@ -112,7 +112,7 @@ Expr Compiler::loaded(const Expr& target) {
   const OpCode code = target.type == Type::String  ? OpCode::LoadText
                       : target.type == Type::Frame ? OpCode::LoadFrame
                                                    : OpCode::Load;
-  emit(code, value.value, target.element, variable_number(target.variable), target.where);
+  code_.emit(code, value.value, target.element, variable_number(target.variable), target.where);
   return value;
 }
 
@@ -123,15 +123,16 @@ Expr Compiler::variable_access(std::int32_t variable, ShortSpan where) {
   result.type = known.type;
   result.where = where;
   result.variable = variable;
-  const bool indexed =
-      peek().is(Symbol::LeftBracket) || (known.name == "R" && peek().kind == TokenKind::Integer);
+  const bool indexed = cursor_.peek().is(Symbol::LeftBracket) ||
+                       (known.name == "R" && cursor_.peek().kind == TokenKind::Integer);
   if (known.shape.dimensions > 0 && !indexed) {
     result.is_whole_array = true;
     return result;
   }
   const Element element = element_or_part(variable);
   place(result, element);
-  result.where.end = peek().where.begin > where.end ? where.end : peek().where.begin;
+  result.where.end =
+      cursor_.peek().where.begin > where.end ? where.end : cursor_.peek().where.begin;
   result = loaded(result);
   result.is_constant = false;
   if (element.is_open) {
@@ -151,8 +152,8 @@ Expr Compiler::component_access(Expr frame) {
   result.where = frame.where;
   result.value = temporary(Type::Real);
   const std::uint32_t first = keep_arguments({argument_of(axis), argument_of(component)});
-  emit(OpCode::LoadComponent, result.value, frame.value,
-       {Bank::Constants, static_cast<std::int32_t>(first)}, frame.where);
+  code_.emit(OpCode::LoadComponent, result.value, frame.value,
+             {Bank::Constants, static_cast<std::int32_t>(first)}, frame.where);
   return result;
 }
 
@@ -165,7 +166,7 @@ Expr Compiler::axis_operand() {
 }
 
 Expr Compiler::component_operand() {
-  const Token name = next();
+  const Token name = cursor_.next();
   const auto component = find_component(name.text);
   if (!component) {
     fail(AlarmId::InvalidIndex, name.where, text_of(name.where));
@@ -180,13 +181,13 @@ std::vector<Argument> Compiler::system_indices(const SystemName& name) {
   std::string wanted(name.row->indices);
   bool is_optional = !wanted.empty() && wanted.front() == 'n';
   const bool is_frame = name.row->type == Type::Frame;
-  if (!peek().is(Symbol::LeftBracket)) {
+  if (!cursor_.peek().is(Symbol::LeftBracket)) {
     if (!wanted.empty() && !is_optional) {
-      fail(AlarmId::InvalidIndex, peek().where, std::string(name.row->name));
+      fail(AlarmId::InvalidIndex, cursor_.peek().where, std::string(name.row->name));
     }
     return list;
   }
-  next();
+  cursor_.next();
   for (std::size_t i = 0; i < wanted.size() && !failed(); ++i) {
     if (i > 0) {
       expect(Symbol::Comma);
@@ -194,7 +195,7 @@ std::vector<Argument> Compiler::system_indices(const SystemName& name) {
     list.push_back(argument_of(
         wanted[i] == 'A' ? axis_operand() : convert(expression(), Type::Int, AlarmId::IndexType)));
   }
-  if (is_frame && !failed() && (wanted.empty() || accept(Symbol::Comma))) {
+  if (is_frame && !failed() && (wanted.empty() || cursor_.accept(Symbol::Comma))) {
     list.push_back(argument_of(axis_operand()));
     expect(Symbol::Comma);
     list.push_back(argument_of(component_operand()));
@@ -211,10 +212,11 @@ Expr Compiler::system_access(const SystemName& name, ShortSpan where) {
   result.where = where;
   result.value = temporary(result.type);
   const std::uint32_t first = keep_arguments(list);
-  emit(OpCode::ReadSystem, result.value, {Bank::Constants, static_cast<std::int32_t>(name.row->id)},
-       {Bank::Constants, static_cast<std::int32_t>(first)}, where);
-  last().detail = static_cast<std::uint8_t>(name.parameter);
-  last().count = static_cast<std::uint16_t>(list.size());
+  code_.emit(OpCode::ReadSystem, result.value,
+             {Bank::Constants, static_cast<std::int32_t>(name.row->id)},
+             {Bank::Constants, static_cast<std::int32_t>(first)}, where);
+  code_.last().detail = static_cast<std::uint8_t>(name.parameter);
+  code_.last().count = static_cast<std::uint16_t>(list.size());
   return result;
 }
 
@@ -247,10 +249,10 @@ void Compiler::assign_system(const SystemName& name, ShortSpan where) {
   const Type type = component ? Type::Real : name.row->type;
   list.push_back(argument_of(convert(expression(), type)));
   const std::uint32_t first = keep_arguments(list);
-  emit(OpCode::WriteSystem, {}, {Bank::Constants, static_cast<std::int32_t>(name.row->id)},
-       {Bank::Constants, static_cast<std::int32_t>(first)}, where);
-  last().detail = static_cast<std::uint8_t>(name.parameter);
-  last().count = static_cast<std::uint16_t>(list.size());
+  code_.emit(OpCode::WriteSystem, {}, {Bank::Constants, static_cast<std::int32_t>(name.row->id)},
+             {Bank::Constants, static_cast<std::int32_t>(first)}, where);
+  code_.last().detail = static_cast<std::uint8_t>(name.parameter);
+  code_.last().count = static_cast<std::uint16_t>(list.size());
 }
 
 /// A variable that takes a value: as a whole, until an element is named.
@@ -272,8 +274,8 @@ void Compiler::assign_variable(std::int32_t variable, ShortSpan where) {
     target.type == Type::Frame ? assign_component(target) : assign_character(target);
     return;
   }
-  if (!accept(Symbol::Assign)) {
-    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+  if (!cursor_.accept(Symbol::Assign)) {
+    fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
     return;
   }
   assign_element(target);
@@ -291,9 +293,9 @@ void Compiler::place(Expr& target, const Element& element) const {
 void Compiler::assign_element(const Expr& target) {
   const Variable& known = program_->variables[static_cast<std::size_t>(target.variable)];
   const bool is_array = known.shape.dimensions > 0;
-  if (is_array && accept_name("REP")) {
+  if (is_array && cursor_.accept_name("REP")) {
     repeat_value(target);
-  } else if (is_array && (accept_name("SET") || looks_like_list())) {
+  } else if (is_array && (cursor_.accept_name("SET") || looks_like_list())) {
     assign_list(target);
   } else {
     store(target, expression());
@@ -302,12 +304,12 @@ void Compiler::assign_element(const Expr& target) {
 
 /// Whether a bracket opens a list: a comma stands in it, outside further brackets.
 bool Compiler::looks_like_list() const {
-  if (!peek().is(Symbol::LeftParen)) {
+  if (!cursor_.peek().is(Symbol::LeftParen)) {
     return false;
   }
   int depth = 0;
-  for (std::size_t i = 0; peek(i).kind != TokenKind::End; ++i) {
-    const Token& token = peek(i);
+  for (std::size_t i = 0; cursor_.peek(i).kind != TokenKind::End; ++i) {
+    const Token& token = cursor_.peek(i);
     depth += token.is(Symbol::LeftParen) || token.is(Symbol::LeftBracket) ? 1 : 0;
     depth -= token.is(Symbol::RightParen) || token.is(Symbol::RightBracket) ? 1 : 0;
     if (depth == 0) {
@@ -324,21 +326,21 @@ void Compiler::assign_list(const Expr& target) {
   expect(Symbol::LeftParen);
   std::vector<Argument> list;
   while (!failed()) {
-    const bool omitted = peek().is(Symbol::Comma) || peek().is(Symbol::RightParen);
+    const bool omitted = cursor_.peek().is(Symbol::Comma) || cursor_.peek().is(Symbol::RightParen);
     list.emplace_back();
     if (!omitted) {
       list.back() = argument_of(convert(expression(), target.type, AlarmId::InitialValueType));
       check_limits(target, list.back().value);
     }
-    if (!accept(Symbol::Comma)) {
+    if (!cursor_.accept(Symbol::Comma)) {
       break;
     }
   }
   expect(Symbol::RightParen);
   const std::uint32_t first = keep_arguments(list);
-  emit(OpCode::Fill, target.element, variable_number(target.variable),
-       {Bank::Constants, static_cast<std::int32_t>(first)}, target.where);
-  last().count = static_cast<std::uint16_t>(list.size());
+  code_.emit(OpCode::Fill, target.element, variable_number(target.variable),
+             {Bank::Constants, static_cast<std::int32_t>(first)}, target.where);
+  code_.last().count = static_cast<std::uint16_t>(list.size());
 }
 
 void Compiler::repeat_value(const Expr& target) {
@@ -346,14 +348,14 @@ void Compiler::repeat_value(const Expr& target) {
   std::vector<Argument> list = {
       argument_of(convert(expression(), target.type, AlarmId::InitialValueType))};
   check_limits(target, list.front().value);
-  if (accept(Symbol::Comma)) {
+  if (cursor_.accept(Symbol::Comma)) {
     list.push_back(argument_of(convert(expression(), Type::Int)));
   }
   expect(Symbol::RightParen);
   const std::uint32_t first = keep_arguments(list);
-  emit(OpCode::Repeat, target.element, variable_number(target.variable),
-       {Bank::Constants, static_cast<std::int32_t>(first)}, target.where);
-  last().count = static_cast<std::uint16_t>(list.size());
+  code_.emit(OpCode::Repeat, target.element, variable_number(target.variable),
+             {Bank::Constants, static_cast<std::int32_t>(first)}, target.where);
+  code_.last().count = static_cast<std::uint16_t>(list.size());
 }
 
 /// A frame's component: the frame is read, changed and stored.
@@ -365,18 +367,20 @@ void Compiler::assign_component(const Expr& frame) {
   expect(Symbol::Assign);
   const Expr value = convert(expression(), Type::Real);
   const Operand changed = temporary(Type::Frame);
-  emit(OpCode::LoadFrame, changed, frame.element, variable_number(frame.variable), frame.where);
+  code_.emit(OpCode::LoadFrame, changed, frame.element, variable_number(frame.variable),
+             frame.where);
   const std::uint32_t first =
       keep_arguments({argument_of(value), argument_of(axis), argument_of(component)});
-  emit(OpCode::StoreComponent, changed, {}, {Bank::Constants, static_cast<std::int32_t>(first)},
-       frame.where);
-  emit(OpCode::StoreFrame, changed, frame.element, variable_number(frame.variable), frame.where);
+  code_.emit(OpCode::StoreComponent, changed, {},
+             {Bank::Constants, static_cast<std::int32_t>(first)}, frame.where);
+  code_.emit(OpCode::StoreFrame, changed, frame.element, variable_number(frame.variable),
+             frame.where);
 }
 
 void Compiler::check_limits(const Expr& target, Operand value) {
   const Variable& known = program_->variables[static_cast<std::size_t>(target.variable)];
   if (!failed() && is_number(known.type) && (known.limits.low || known.limits.high)) {
-    emit(OpCode::CheckLimits, {}, value, variable_number(target.variable), target.where);
+    code_.emit(OpCode::CheckLimits, {}, value, variable_number(target.variable), target.where);
   }
 }
 
@@ -394,18 +398,18 @@ void Compiler::store(const Expr& target, Expr value) {
     const OpCode code = known.type == Type::String  ? OpCode::StoreText
                         : known.type == Type::Frame ? OpCode::StoreFrame
                                                     : OpCode::Store;
-    emit(code, value.value, target.element, variable_number(target.variable), where);
+    code_.emit(code, value.value, target.element, variable_number(target.variable), where);
     return;
   }
   // The step that made the value may as well leave it in the variable.
-  Op& made = last();
+  Op& made = code_.last();
   const bool is_result = value.value.bank == Bank::Temporaries &&
                          made.result.bank == Bank::Temporaries &&
                          made.result.place == value.value.place && is_number_step(made.code);
   if (is_result) {
     made.result = target.value;
   } else {
-    emit(OpCode::Move, target.value, value.value, {}, where);
+    code_.emit(OpCode::Move, target.value, value.value, {}, where);
   }
 }
 
@@ -422,9 +426,9 @@ void Compiler::note_unknown(const Token& name) {
 void Compiler::pass_over(const Token& datum) {
   note_unknown(datum);
   const Token* before = &datum;
-  while (peek().kind != TokenKind::End &&
-         (!peek().text.starts_with('$') || before->is(Symbol::Assign))) {
-    before = &next();
+  while (cursor_.peek().kind != TokenKind::End &&
+         (!cursor_.peek().text.starts_with('$') || before->is(Symbol::Assign))) {
+    before = &cursor_.next();
   }
 }
 

@@ -12,21 +12,21 @@ constexpr double kSpindle = 1.0;
 }  // namespace
 
 bool Compiler::is_assigned(std::size_t ahead) const {
-  return peek(ahead).is(Symbol::Assign);
+  return cursor_.peek(ahead).is(Symbol::Assign);
 }
 
 /// A single letter: R and its number, L a program, else a word.
 void Compiler::letter_item() {
-  const Token& letter = peek();
-  const bool numbered = peek(1).kind == TokenKind::Integer;
-  if (letter.is_letter('R') && (numbered || peek(1).is(Symbol::LeftBracket))) {
-    next();
+  const Token& letter = cursor_.peek();
+  const bool numbered = cursor_.peek(1).kind == TokenKind::Integer;
+  if (letter.is_letter('R') && (numbered || cursor_.peek(1).is(Symbol::LeftBracket))) {
+    cursor_.next();
     assign_variable(find_variable("R"), letter.where);
     return;
   }
-  next();
+  cursor_.next();
   if (letter.is_letter('L') && numbered) {
-    call_by_name("L" + std::string(next().text), letter.where);
+    call_by_name("L" + std::string(cursor_.next().text), letter.where);
     return;
   }
   letter_word(letter);
@@ -47,27 +47,28 @@ bool Compiler::word_of_another_spindle(const Token& letter, double extension) {
   if (extension != kSpindle) {
     fail(AlarmId::NoSuchAddress, letter.where, text_of(letter.where));
   }
-  emit(OpCode::CheckSpindle, {}, spindle.value, {}, letter.where);
+  code_.emit(OpCode::CheckSpindle, {}, spindle.value, {}, letter.where);
   return false;
 }
 
 void Compiler::letter_word(const Token& letter) {
-  const bool numbered = peek().kind == TokenKind::Integer || peek().kind == TokenKind::Real;
+  const bool numbered =
+      cursor_.peek().kind == TokenKind::Integer || cursor_.peek().kind == TokenKind::Real;
   if (letter.is_letter('G')) {
-    if (peek().kind == TokenKind::Real) {
-      const ShortSpan whole{letter.where.begin, peek().where.end};
+    if (cursor_.peek().kind == TokenKind::Real) {
+      const ShortSpan whole{letter.where.begin, cursor_.peek().where.end};
       fail(AlarmId::UnknownGCode, whole, text_of(whole));
       return;
     }
-    if (accept(Symbol::LeftBracket)) {
+    if (cursor_.accept(Symbol::LeftBracket)) {
       code_of_group(letter.where);
       return;
     }
-    if (peek().kind != TokenKind::Integer) {
+    if (cursor_.peek().kind != TokenKind::Integer) {
       fail(AlarmId::NotImplemented, letter.where, "G with a computed number");
       return;
     }
-    const Token& number = next();
+    const Token& number = cursor_.next();
     g_code(find_g_code(number.number), {letter.where.begin, number.where.end});
     return;
   }
@@ -75,12 +76,12 @@ void Compiler::letter_word(const Token& letter) {
   double extension = kSpindle;
   // I1=, C3=, S1=, M2=: a number belongs to the address where = follows.
   if (numbered && is_assigned(1)) {
-    const Token number = next();
+    const Token number = cursor_.next();
     name += number.text;
     extension = number.number;
   }
   const bool of_spindle = letter.is_letter('M') || letter.is_letter('S') || letter.is_letter('T');
-  if (of_spindle && (extension != kSpindle || peek().is(Symbol::LeftBracket)) &&
+  if (of_spindle && (extension != kSpindle || cursor_.peek().is(Symbol::LeftBracket)) &&
       word_of_another_spindle(letter, extension)) {
     return;
   }
@@ -114,7 +115,7 @@ void Compiler::code_of_group(ShortSpan where) {
     g_code(find_g_code(number_of(group), number_of(number)), where);
     return;
   }
-  emit(OpCode::GroupCode, {}, group.value, number.value, where);
+  code_.emit(OpCode::GroupCode, {}, group.value, number.value, where);
   has_words_ = true;
 }
 
@@ -140,8 +141,8 @@ void Compiler::g_code(std::optional<FoundCode> code, ShortSpan where) {
 
 /// M2, M17 and M30 end the program behind everything else in their block.
 void Compiler::m_word(ShortSpan where) {
-  if (peek().kind == TokenKind::Integer) {
-    m_number(next().number, where);
+  if (cursor_.peek().kind == TokenKind::Integer) {
+    m_number(cursor_.next().number, where);
     return;
   }
   Modification modification = Modification::None;
@@ -171,13 +172,13 @@ void Compiler::m_number(double number, ShortSpan where) {
 
 /// A number at once behind an address, perhaps with a sign.
 std::optional<double> Compiler::number_at_once() {
-  const bool negative = peek().is(Symbol::Minus);
-  const bool is_signed = negative || peek().is(Symbol::Plus);
-  const Token& number = peek(is_signed ? 1 : 0);
+  const bool negative = cursor_.peek().is(Symbol::Minus);
+  const bool is_signed = negative || cursor_.peek().is(Symbol::Plus);
+  const Token& number = cursor_.peek(is_signed ? 1 : 0);
   if (number.kind != TokenKind::Integer && number.kind != TokenKind::Real) {
     return std::nullopt;
   }
-  at_ += is_signed ? 2 : 1;
+  cursor_.skip_if(true, is_signed ? 2 : 1);
   return negative ? -number.number : number.number;
 }
 
@@ -197,24 +198,24 @@ void Compiler::constant_word(Address address, double value, ShortSpan where) {
 
 /// What stands behind an address: a number at once, or = and an expression.
 Expr Compiler::word_value(Modification& modification) {
-  const bool assigned = accept(Symbol::Assign);
+  const bool assigned = cursor_.accept(Symbol::Assign);
   if (!assigned) {
-    const bool signed_number = peek().is(Symbol::Minus) || peek().is(Symbol::Plus);
-    const Token& number = peek(signed_number ? 1 : 0);
+    const bool signed_number = cursor_.peek().is(Symbol::Minus) || cursor_.peek().is(Symbol::Plus);
+    const Token& number = cursor_.peek(signed_number ? 1 : 0);
     if (number.kind != TokenKind::Integer && number.kind != TokenKind::Real) {
-      fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+      fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
       return {};
     }
     return unary();
   }
-  const Token name = peek();
-  const auto found = name.kind == TokenKind::Name && peek(1).is(Symbol::LeftParen)
+  const Token name = cursor_.peek();
+  const auto found = name.kind == TokenKind::Name && cursor_.peek(1).is(Symbol::LeftParen)
                          ? find_modification(name.text)
                          : std::nullopt;
   if (!found) {
     return expression();
   }
-  next();
+  cursor_.next();
   modification = *found;
   expect(Symbol::LeftParen);
   Expr value = expression();
@@ -255,26 +256,27 @@ void Compiler::word(Address address, ShortSpan where) {
 }
 
 void Compiler::emit_word(Address address, Modification modification, const Expr& value) {
-  emit(value.type == Type::String ? OpCode::TextWord : OpCode::Word, {}, value.value, {},
-       value.where);
-  last().detail = detail_of(address);
-  last().count = static_cast<std::uint16_t>(modification);
+  code_.emit(value.type == Type::String ? OpCode::TextWord : OpCode::Word, {}, value.value, {},
+             value.where);
+  code_.last().detail = detail_of(address);
+  code_.last().count = static_cast<std::uint16_t>(modification);
   has_words_ = true;
 }
 
 /// X, AX1, a variable of type AXIS; where a setting is of the spindle, too, S, S1 or SPI(1).
 Expr Compiler::bracketed_axis(const AxisWordInfo& row) {
   expect(Symbol::LeftBracket);
-  const Token name = peek();
+  const Token name = cursor_.peek();
   const bool by_function = name.is_name("SPI");
   const bool of_spindle = row.role == AxisRole::Setting && (name.is_letter('S') || by_function);
   Expr axis;
   if (of_spindle) {
-    next();
+    cursor_.next();
     if (by_function) {
       expect(Symbol::LeftParen);
     }
-    const double number = peek().kind == TokenKind::Integer ? next().number : kSpindle;
+    const double number =
+        cursor_.peek().kind == TokenKind::Integer ? cursor_.next().number : kSpindle;
     if (number != kSpindle) {
       fail(AlarmId::NoSuchAddress, name.where, text_of(name.where));
     }
@@ -291,7 +293,7 @@ Expr Compiler::bracketed_axis(const AxisWordInfo& row) {
 
 /// AX[axis]=value, POS[axis]=value, FA[axis]=value
 void Compiler::axis_word(const AxisWordInfo& row) {
-  const ShortSpan where = next().where;
+  const ShortSpan where = cursor_.next().where;
   if (row.role == AxisRole::Refused) {
     fail(AlarmId::NotImplemented, where, std::string(row.name) + ": " + std::string(row.text));
     return;
@@ -301,8 +303,8 @@ void Compiler::axis_word(const AxisWordInfo& row) {
     axis_measuring(row, axis, where);
     return;
   }
-  if (!peek().is(Symbol::Assign)) {
-    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+  if (!cursor_.peek().is(Symbol::Assign)) {
+    fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
     return;
   }
   Modification modification = Modification::None;
@@ -311,9 +313,9 @@ void Compiler::axis_word(const AxisWordInfo& row) {
   if (modification == Modification::Quick || (modification != Modification::None && !is_place)) {
     fail(AlarmId::BadModification, where, row.name);
   }
-  emit(OpCode::AxisWord, {}, axis.value, value.value, where);
-  last().detail = detail_of(row.id);
-  last().count = static_cast<std::uint16_t>(modification);
+  code_.emit(OpCode::AxisWord, {}, axis.value, value.value, where);
+  code_.last().detail = detail_of(row.id);
+  code_.last().count = static_cast<std::uint16_t>(modification);
   has_words_ = true;
 }
 
@@ -324,12 +326,12 @@ void Compiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSp
   const Expr mode = convert(expression(), Type::Int, AlarmId::BadArguments);
   expect(Symbol::Comma);
   const Expr trigger = convert(expression(), Type::Int, AlarmId::BadArguments);
-  if (peek().is(Symbol::Comma)) {
+  if (cursor_.peek().is(Symbol::Comma)) {
     fail(AlarmId::NotImplemented, where, std::string(row.name) + " with more than one trigger");
   }
   expect(Symbol::RightParen);
-  emit(OpCode::AxisMeasuring, mode.value, axis.value, trigger.value, where);
-  last().detail = row.id == AxisWordId::MeasureAxesOn ? 1 : 0;
+  code_.emit(OpCode::AxisMeasuring, mode.value, axis.value, trigger.value, where);
+  code_.last().detail = row.id == AxisWordId::MeasureAxesOn ? 1 : 0;
   has_words_ = true;
 }
 
@@ -339,7 +341,7 @@ Expr Compiler::bracketed_spindle() {
   Expr number = convert(expression(), Type::Int, AlarmId::IndexType);
   expect(Symbol::RightBracket);
   if (!failed() && !is_assigned(0)) {
-    fail(AlarmId::SyntaxInText, peek().where, text_of(peek().where));
+    fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
   }
   return number;
 }
@@ -355,28 +357,28 @@ bool Compiler::is_tool_spindle(const Expr& spindle) const {
 void Compiler::spindle_word(Address address, const Expr& spindle, ShortSpan where) {
   Modification modification = Modification::None;
   const Expr value = convert(word_value(modification), Type::Real, AlarmId::BadArguments);
-  emit(OpCode::SpindleWord, {}, spindle.value, value.value, where);
-  last().detail = detail_of(address);
-  last().count = static_cast<std::uint16_t>(modification);
+  code_.emit(OpCode::SpindleWord, {}, spindle.value, value.value, where);
+  code_.last().detail = detail_of(address);
+  code_.last().count = static_cast<std::uint16_t>(modification);
   has_words_ = true;
 }
 
 /// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.
 bool Compiler::named_word() {
-  const Token name = peek();
+  const Token name = cursor_.peek();
   const AxisWordInfo* const of_axis =
-      peek(1).is(Symbol::LeftBracket) ? find_axis_word(name.text) : nullptr;
+      cursor_.peek(1).is(Symbol::LeftBracket) ? find_axis_word(name.text) : nullptr;
   if (of_axis != nullptr) {
     axis_word(*of_axis);
     return true;
   }
   if (const auto code = find_g_code(name.text)) {
-    next();
+    cursor_.next();
     g_code(code, name.where);
     return true;
   }
   if (const int axis = globals_.axis(name.text); axis >= 0 && is_assigned(1)) {
-    next();
+    cursor_.next();
     word(address_of_axis(axis), name.where);
     return true;
   }
@@ -384,11 +386,11 @@ bool Compiler::named_word() {
   const bool of_spindle =
       address && (*address == Address::Spindle || *address == Address::SpindleAsync ||
                   *address == Address::SpeedLimit);
-  const bool indexed = of_spindle && peek(1).is(Symbol::LeftBracket);
-  if (!address || (!is_assigned(1) && !indexed && peek(1).kind != TokenKind::End)) {
+  const bool indexed = of_spindle && cursor_.peek(1).is(Symbol::LeftBracket);
+  if (!address || (!is_assigned(1) && !indexed && cursor_.peek(1).kind != TokenKind::End)) {
     return false;
   }
-  next();
+  cursor_.next();
   const Expr spindle = indexed ? bracketed_spindle() : constant(Type::Int, kSpindle, name.where);
   if (is_tool_spindle(spindle)) {
     word(*address, name.where);

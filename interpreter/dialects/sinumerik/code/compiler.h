@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/dialects/sinumerik/code/code_writer.h"
 #include "interpreter/dialects/sinumerik/code/compile.h"
+#include "interpreter/dialects/sinumerik/code/token_cursor.h"
 #include "interpreter/dialects/sinumerik/text/plain_words.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
@@ -81,7 +83,7 @@ class Compiler {
   };
   using Handler = void (Compiler::*)();
 
-  // compiler.cc: blocks, tokens, steps
+  // compiler.cc: blocks and what is wrong with them
   void block(ShortSpan span);
   void begin_block(ShortSpan block);
   void end_block();
@@ -93,29 +95,16 @@ class Compiler {
   void emit_nc_block();
   void take_back(std::size_t first_step);
   void raise_from(std::size_t first_step);
-  [[nodiscard]] bool may_be_macro(const Token& token) const;
-  void expand_macros();
-  void find_letter_names();
-  const Token& peek(std::size_t ahead = 0) const;
-  const Token& next();
-  bool accept(Symbol symbol);
-  bool accept_name(std::string_view name);
   void expect(Symbol symbol);
   void expect_end();
   void fail(AlarmId id, ShortSpan where, std::string_view detail = {});
-  void fail(AlarmId id, std::string_view detail = {}) { fail(id, peek().where, detail); }
+  void fail(AlarmId id, std::string_view detail = {}) { fail(id, cursor_.peek().where, detail); }
   [[nodiscard]] bool failed() const { return error_.has_value(); }
   [[nodiscard]] std::string text_of(ShortSpan where) const;
-  std::int32_t emit(OpCode code, Operand result, Operand a, Operand b, ShortSpan where);
-  Op& last() { return program_->ops.back(); }
-  [[nodiscard]] std::int32_t here() const;
-  Operand number_constant(double value);
   /// @pre a number that is constant
   [[nodiscard]] double number_of(const Expr& constant) const {
     return program_->constants[static_cast<std::size_t>(constant.value.place)];
   }
-  Operand text_constant(std::string value);
-  Operand error_constant(BlockError error);
   Operand temporary(Type type);
   void set_target(std::int32_t jump, std::int32_t target);
 
@@ -310,22 +299,18 @@ class Compiler {
   Scanner scanner_;
   ShortSpan whole_;
   std::unique_ptr<CompiledProgram> program_;
+  CodeWriter code_;  ///< of program_
+  TokenCursor cursor_;
   NameMap<std::int32_t> imported_;
   Macros macros_;
-  std::vector<Token> tokens_;
-  std::size_t at_ = 0;
   int depth_ = 0;
   ShortSpan block_;
   ShortSpan error_where_;
   std::optional<BlockError> error_;
-  std::int32_t number_temporaries_ = 0;
-  std::int32_t text_temporaries_ = 0;
-  std::int32_t frame_temporaries_ = 0;
   NcBlock nc_;  ///< where codes and words of the block begin
   bool has_words_ = false;
   OpCode end_ = OpCode::EndProgram;  ///< of the text
   OpCode ends_with_ = OpCode::Move;  ///< Return or EndProgram behind the words of the block
-  std::size_t first_step_ = 0;       ///< of the block
   bool is_first_block_ = true;
   int definitions_in_block_ = 0;   ///< so far
   bool in_program_part_ = false;   ///< a statement that is no definition stood before

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/state/call_arguments.h"
 #include "interpreter/dialects/sinumerik/text/scanner.h"
 #include "interpreter/runtime/stop_report.h"
 #include "interpreter/source/latin_1.h"

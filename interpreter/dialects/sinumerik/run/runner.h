@@ -230,9 +230,6 @@ class Runner {
   std::vector<BoundValue> bound(const CallSite& site);
   bool passes_over(const CallSite& site);
   MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
-  MaybeFailure take_arguments(Level& into, const std::vector<BoundValue>& values);
-  MaybeFailure take_argument(Level& into, const Parameter& parameter, const BoundValue& value);
-  MaybeFailure take_value(Level& into, const Variable& variable, const BoundValue& value);
   struct ReturnTarget {
     std::string label;  ///< or N and a number; empty: behind the call
     bool behind = false;

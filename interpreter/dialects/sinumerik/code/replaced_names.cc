@@ -1,0 +1,68 @@
+#include "interpreter/dialects/sinumerik/code/replaced_names.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace g31::sinumerik {
+namespace {
+
+bool may_be_macro(const Token& token, const Macros& own, const Macros& global) {
+  return (token.kind == TokenKind::Name || token.kind == TokenKind::Letter) &&
+         (own.have_initial(token.text.front()) || global.have_initial(token.text.front()));
+}
+
+}  // namespace
+
+void expand_macros(std::vector<Token>& tokens, const Macros& own, const Macros& global) {
+  if (std::ranges::none_of(tokens,
+                           [&](const Token& token) { return may_be_macro(token, own, global); })) {
+    return;
+  }
+  std::vector<Token> all;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    std::string name(tokens[i].text);
+    std::size_t used = 1;
+    if (tokens[i].kind == TokenKind::Letter && tokens[i + 1].kind == TokenKind::Integer) {
+      name += tokens[i + 1].text;
+      used = 2;
+    }
+    const bool is_name = tokens[i].kind == TokenKind::Name || used == 2;
+    const bool is_being_defined = i > 0 && tokens[i - 1].is_name("DEFINE");
+    const Macro* const of_program = own.find(name);
+    const Macro* const macro = of_program != nullptr ? of_program : global.find(name);
+    if (!is_name || is_being_defined || macro == nullptr) {
+      all.push_back(tokens[i]);
+      continue;
+    }
+    const syntax::ShortSpan where = tokens[i].where;
+    for (Token token : macro->tokens) {
+      token.where = where;
+      all.push_back(token);
+    }
+    i += used - 1;
+  }
+  tokens = std::move(all);
+}
+
+void find_letter_names(std::vector<Token>& tokens, const NameMap<std::int32_t>& locals) {
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    const bool numbered =
+        tokens[i + 1].kind == TokenKind::Integer || tokens[i + 1].kind == TokenKind::Real;
+    if (tokens[i].kind == TokenKind::Letter && tokens[i + 1].kind == TokenKind::Integer) {
+      const auto known = locals.find(std::string(tokens[i].text) + std::string(tokens[i + 1].text));
+      if (known != locals.end()) {
+        tokens[i].kind = TokenKind::Name;
+        tokens[i].text = known->first;
+        tokens[i].where.end = tokens[i + 1].where.end;
+        tokens.erase(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+        continue;
+      }
+    }
+    if (tokens[i].kind == TokenKind::Letter && !numbered && locals.contains(tokens[i].text)) {
+      tokens[i].kind = TokenKind::Name;
+    }
+  }
+}
+
+}  // namespace g31::sinumerik

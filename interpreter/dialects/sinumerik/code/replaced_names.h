@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/text/macros.h"
+#include "interpreter/dialects/sinumerik/text/scanner.h"
+#include "interpreter/dialects/sinumerik/vocabulary/names.h"
+
+// What a name of the program makes of the tokens of a block before they are read.
+
+namespace g31::sinumerik {
+
+/// Replaces the names that DEFINE has made, once: what stands in their place is taken as it is.
+/// @param own, global  of the program, which come first, and of definition files
+/// @param tokens       of a block, the end included
+void expand_macros(std::vector<Token>& tokens, const Macros& own, const Macros& global);
+
+/// A letter that DEF or PROC took as a name is one, unless a number follows it; a letter and a
+/// number are, where they are defined together.
+void find_letter_names(std::vector<Token>& tokens, const NameMap<std::int32_t>& locals);
+
+}  // namespace g31::sinumerik
