@@ -109,6 +109,7 @@ Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& sample
   evaluation.spike = reversal_spikes(samples, evaluation.turns, evaluation.fit, windows);
   evaluation.reference.centre = request.centre.value_or(evaluation.fit.errors.centre);
   evaluation.reference.radius = request.radius.value_or(evaluation.fit.errors.radius);
+  evaluation.directions = compare_directions(samples, evaluation.turns, evaluation.reference);
   RadialErrors errors(evaluation);
   for (const CircleTurn& turn : evaluation.turns) {
     errors.add(samples, turn);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "machine/base/result.h"
+#include "probe/metrology/circle_directions.h"
 #include "probe/metrology/circle_model.h"
 #include "probe/metrology/circle_turns.h"
 #include "probe/metrology/plane_samples.h"
@@ -36,6 +37,7 @@ struct CircleEvaluation {
   double mean_radial_error = 0.0;  ///< mm, mean over the angle of what was recorded
   std::optional<Extremes> ccw;     ///< the same of one direction, where recorded
   std::optional<Extremes> cw;
+  std::optional<CircleDirections> directions;  ///< where both were recorded
   std::array<std::optional<double>, 2> spike;  ///< mm; where no reversal was recorded, nothing
 };
 

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -49,6 +51,37 @@ CircleMachine any_machine(std::uint64_t seed) {
   machine.feed_mm_s = between(10.0, 60.0, 13);
   machine.seed = seed;
   return machine;
+}
+
+/// Counter-clockwise at R + a, clockwise at R + b cos 2 theta: H is a + b, at 90 degrees, and the
+/// mean of both over the angle is R + a / 2.
+TEST(CircleEvaluation, ComparesTheDirections) {
+  constexpr std::size_t kTurn = 72'000;
+  constexpr double kRadius = 50.0;
+  constexpr double kA = 0.003;
+  constexpr double kB = 0.002;
+  std::vector<double> t;
+  std::vector<double> x;
+  std::vector<double> y;
+  for (std::size_t i = 0; i < 2 * kTurn; ++i) {
+    const bool is_ccw = i < kTurn;
+    const double part = (static_cast<double>(i % kTurn) + 0.5) / static_cast<double>(kTurn);
+    const double theta = (is_ccw ? part : 1.0 - part) * 2.0 * std::numbers::pi;
+    const double radius = kRadius + (is_ccw ? kA : kB * std::cos(2.0 * theta));
+    t.push_back(static_cast<double>(i));
+    x.push_back(3.0 + radius * std::cos(theta));
+    y.push_back(4.0 + radius * std::sin(theta));
+  }
+  const metrology::PlaneSamples samples{t, x, y};
+  const metrology::Circle reference{{3.0, 4.0}, kRadius};
+  const std::vector<metrology::CircleTurn> turns = {{0, kTurn, 1, 0.0, 6.2, 0.0},
+                                                    {kTurn, 2 * kTurn, -1, 0.0, 6.2, 0.0}};
+  const auto both = metrology::compare_directions(samples, turns, reference);
+  ASSERT_TRUE(both);
+  EXPECT_NEAR(both->hysteresis, kA + kB, 1e-8);
+  EXPECT_NEAR(both->mean, 0.5 * kA, 1e-9);
+  const std::vector<metrology::CircleTurn> one = {turns.front()};
+  EXPECT_FALSE(metrology::compare_directions(samples, one, reference));
 }
 
 TEST(CircleEvaluation, FindsTheErrorsOfTwoHundredMachinesWithinItsUncertainties) {

@@ -49,6 +49,18 @@ TEST(ExplainCommand, KnowsTheFamilyOfANumberedName) {
   EXPECT_NE(output.text.find("G505 (G code)\n"), std::string::npos);
 }
 
+TEST(ExplainCommand, KnowsEvaluationsAndWhatTheySay) {
+  const Output output = explain({.topics = {"circle", "spike_X", "squareness"}});
+  EXPECT_EQ(output.code, ExitCode::Completed);
+  EXPECT_EQ(output.text.find("circle (evaluation)\n"), 0U);
+  EXPECT_NE(output.text.find("    command: g31 evaluate circle FILE.csv\n"), std::string::npos);
+  EXPECT_NE(output.text.find("    --radius R: "), std::string::npos);
+  EXPECT_NE(output.text.find("    hysteresis: "), std::string::npos);
+  EXPECT_EQ(output.text.find("    --side A: "), std::string::npos);
+  EXPECT_NE(output.text.find("spike_* (result of an evaluation)\n"), std::string::npos);
+  EXPECT_NE(output.text.find("squareness (result of an evaluation)\n"), std::string::npos);
+}
+
 TEST(ExplainCommand, TakesTheWordAlarmAndItsNumberAsOneTopic) {
   const Output output = explain({.topics = {"alarm", "112", "G31"}});
   EXPECT_EQ(output.code, ExitCode::Completed);

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "interpreter/runtime/reference.h"
 #include "tools/cli/messages.h"
+#include "tools/evaluate/manual.h"
 #include "tools/session/manual.h"
 
 namespace g31::cli {
@@ -95,10 +97,12 @@ ExitCode explain_command(const ExplainOptions& options) {
   runtime::Entries entries;
   if (options.all) {
     entries = session::everything(control.value());
+    std::ranges::move(evaluate::everything(), std::back_inserter(entries));
   }
   ExitCode code = ExitCode::Completed;
   for (const std::string& topic : joined_topics(options.topics)) {
     runtime::Entries found = session::explain(topic, control.value());
+    std::ranges::move(evaluate::explain(topic), std::back_inserter(found));
     if (found.empty()) {
       std::fputs(unknown_text(topic, control.value()).c_str(), stderr);
       code = ExitCode::BadUsage;

@@ -45,13 +45,21 @@ void add_estimates(const metrology::CircleFit& fit, const Axes& axes,
 std::vector<Quantity> results_of(const metrology::CircleEvaluation& circle, const Axes& axes) {
   const metrology::CircleErrors& errors = circle.fit.errors;
   const metrology::CircleErrors& u = circle.fit.u;
+  std::optional<double> hysteresis;
+  std::optional<double> both_ways;
+  if (circle.directions) {
+    hysteresis = circle.directions->hysteresis;
+    both_ways = circle.directions->mean;
+  }
   std::vector<Quantity> results = {
       {"radial_error_max", um(circle.radial_error.greatest), "um"},
       {"radial_error_min", um(circle.radial_error.least), "um"},
       {"circular_error", um(circle.radial_error.width()), "um"},
       {"circular_error_cw", um_wide(circle.cw), "um"},
       {"circular_error_ccw", um_wide(circle.ccw), "um"},
+      {"hysteresis", um(hysteresis), "um"},
       {"mean_radial_error", um(circle.mean_radial_error), "um"},
+      {"mean_bidirectional_error", um(both_ways), "um"},
       {"radius", errors.radius * (1.0 + 0.5 * (errors.scale[0] + errors.scale[1])), "mm"},
       {"centre_" + lower(axes[0]), errors.centre.x(), "mm", u.centre.x()},
       {"centre_" + lower(axes[1]), errors.centre.y(), "mm", u.centre.y()},

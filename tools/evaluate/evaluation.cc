@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "machine/base/contract.h"
+
 namespace g31::evaluate {
 namespace {
 
@@ -22,6 +24,23 @@ constexpr OptionRow kOptionRows[] = {
 #include "tools/evaluate/evaluation_options.def"
 #undef EVALUATION_OPTION
 };
+
+constexpr ResultRow kResultRows[] = {
+#define EVALUATION_RESULT(kinds, name, text) {kinds, name, text},
+#include "tools/evaluate/evaluation_results.def"
+#undef EVALUATION_RESULT
+};
+
+/// @param words  blanks between them
+bool holds(std::string_view words, Kind kind) {
+  return fmt::format(" {} ", words).find(fmt::format(" {} ", info(kind).word)) != std::string::npos;
+}
+
+bool has_row(const Quantity& quantity, Kind kind) {
+  return std::ranges::any_of(kResultRows, [&](const ResultRow& row) {
+    return belongs_to(row, kind) && names(row, quantity.name);
+  });
+}
 
 /// Adding 0 makes a zero of -0.
 Json number_or_null(const std::optional<double>& value) {
@@ -47,8 +66,22 @@ std::span<const OptionRow> options() {
 }
 
 bool belongs_to(const OptionRow& option, Kind kind) {
-  return fmt::format(" {} ", option.kinds).find(fmt::format(" {} ", info(kind).word)) !=
-         std::string::npos;
+  return holds(option.kinds, kind);
+}
+
+std::span<const ResultRow> results() {
+  return kResultRows;
+}
+
+bool belongs_to(const ResultRow& result, Kind kind) {
+  return holds(result.kinds, kind);
+}
+
+bool names(const ResultRow& result, std::string_view name) {
+  return std::ranges::equal(result.name, name, [](char row, char c) {
+    const bool is_one = (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    return row == '*' ? is_one : row == c;
+  });
 }
 
 std::span<const KindRow> kinds() {
@@ -69,6 +102,7 @@ std::string evaluation_document(const Evaluation& evaluation, bool with_curves) 
                    {"samples", evaluation.samples}};
   Json& results = document["results"] = Json::object();
   for (const Quantity& quantity : evaluation.results) {
+    G31_EXPECTS(has_row(quantity, evaluation.kind));
     Json& result = results[quantity.name] = {{"value", number_or_null(quantity.value)},
                                              {"unit", quantity.unit}};
     if (quantity.u) {

@@ -42,6 +42,18 @@ struct OptionRow {
 std::span<const OptionRow> options();
 bool belongs_to(const OptionRow& option, Kind kind);
 
+/// Rows of evaluation_results.def.
+struct ResultRow {
+  std::string_view kinds;  ///< words, blanks between them
+  std::string_view name;   ///< of results, * for any letter or digit
+  std::string_view text;
+};
+
+std::span<const ResultRow> results();
+bool belongs_to(const ResultRow& result, Kind kind);
+/// Whether a result of this name is of the row.
+bool names(const ResultRow& result, std::string_view name);
+
 std::span<const KindRow> kinds();
 const KindRow& info(Kind kind);
 
