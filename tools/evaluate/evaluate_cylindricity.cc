@@ -80,7 +80,7 @@ Point on_surface(double degrees, double radius, double z) {
 }  // namespace
 
 Result<Evaluation, DataError> evaluate_cylindricity(const DataFile& file, const Request& request) {
-  const auto lines = read_sensor_lines(file, request, {"theta", ColumnKind::Number});
+  const auto lines = read_sensor_lines(file, request, {"theta", ColumnKind::Number, "C"});
   if (!lines) {
     return lines.error();
   }

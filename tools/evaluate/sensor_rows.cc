@@ -7,11 +7,10 @@
 namespace g31::evaluate {
 namespace {
 
+/// Of two sensors.
 std::vector<WantedColumn> sensor_columns() {
-  return {{"K", ColumnKind::Number, "", true},
-          {"A", ColumnKind::Length},
-          {"B", ColumnKind::Length},
-          {"C", ColumnKind::Length, "", true}};
+  return {
+      {"K", ColumnKind::Number, "", true}, {"A", ColumnKind::Length}, {"B", ColumnKind::Length}};
 }
 
 /// A line while it is read.
@@ -24,8 +23,12 @@ struct OpenLine {
 /// Takes rows one by one and puts each with its line.
 class LineBuilder {
  public:
-  LineBuilder(const DataFile& file, const DataTable& table, Sense sense)
-      : file_(file), table_(table), factor_(sense == Sense::Gap ? -1.0 : 1.0) {}
+  /// @param has_third  there is a third sensor
+  LineBuilder(const DataFile& file, const DataTable& table, Sense sense, bool has_third)
+      : file_(file),
+        table_(table),
+        factor_(sense == Sense::Gap ? -1.0 : 1.0),
+        has_third_(has_third) {}
 
   std::optional<DataError> take(std::size_t row, double key) {
     const double k = table_.has("K") ? table_.numbers("K")[row] : 0.0;
@@ -42,7 +45,7 @@ class LineBuilder {
     }
     rows.a.push_back(factor_ * table_.numbers("A")[row]);
     rows.b.push_back(factor_ * table_.numbers("B")[row]);
-    if (table_.has("C")) {
+    if (has_third_) {
       rows.c.push_back(factor_ * table_.numbers("C")[row]);
     }
     open.last_row = row;
@@ -70,6 +73,7 @@ class LineBuilder {
   const DataFile& file_;
   const DataTable& table_;
   double factor_;
+  bool has_third_;
   std::vector<OpenLine> lines_;
   std::map<double, std::size_t> numbers_;  // of lines by their keys
 };
@@ -77,11 +81,13 @@ class LineBuilder {
 }  // namespace
 
 Result<SensorRows, DataError> read_sensor_rows(const DataFile& file, const Request& request) {
-  const auto table = read_table(file, sensor_columns(), request.columns);
+  std::vector<WantedColumn> wanted = sensor_columns();
+  wanted.push_back({"C", ColumnKind::Length, "", true});
+  const auto table = read_table(file, wanted, request.columns);
   if (!table) {
     return table.error();
   }
-  LineBuilder builder(file, table.value(), request.sense);
+  LineBuilder builder(file, table.value(), request.sense, table.value().has("C"));
   for (std::size_t row = 0; row < table.value().size(); ++row) {
     if (auto wrong = builder.take(row, 0.0)) {
       return *wrong;
@@ -103,7 +109,7 @@ Result<std::vector<SensorLine>, DataError> read_sensor_lines(const DataFile& fil
   if (!table) {
     return table.error();
   }
-  LineBuilder builder(file, table.value(), request.sense);
+  LineBuilder builder(file, table.value(), request.sense, false);
   for (std::size_t row = 0; row < table.value().size(); ++row) {
     if (auto wrong = builder.take(row, table.value().numbers(key.name)[row])) {
       return *wrong;

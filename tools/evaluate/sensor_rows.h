@@ -25,8 +25,8 @@ struct SensorLine {
 /// Reads the columns K, A, B and, where there is one, C.  Without K the rows count.
 Result<SensorRows, DataError> read_sensor_rows(const DataFile& file, const Request& request);
 
-/// The same with a column that says which line a row belongs to, in the order of the file; the rows
-/// of one line may stand anywhere, but each line has the same steps.
+/// The same of two sensors with a column that says which line a row belongs to, in the order of the
+/// file; the rows of one line may stand anywhere, but each line has the same steps.
 Result<std::vector<SensorLine>, DataError> read_sensor_lines(const DataFile& file,
                                                              const Request& request,
                                                              const WantedColumn& key);
