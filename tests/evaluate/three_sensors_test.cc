@@ -1,5 +1,5 @@
 // Three sensors over the bed of parts/library/straightness: what their tips stand out by checks
-// itself.
+// itself.  Two along the shaft of parts/library/cylindricity.
 
 #include <cmath>
 #include <string>
@@ -71,6 +71,32 @@ TEST(ThreeSensors, ScatterAsTheirReadingsDo) {
     EXPECT_NEAR(value_of(results, "delta"), kFirstUm + kSecondUm, 4.0 * twice);
     EXPECT_NEAR(value_of(results, "delta_closure"), 0.0, 4.0 * (single + twice));
     EXPECT_NE(value_of(results, "delta_closure"), 0.0);
+  }
+}
+
+/// The profile at places 10, 60, .. 310 reaches from 2.5 um inside, at 210, to 3.3 um outside, at
+/// 110; facets stand off by 0.05 um at most.  Neither the slide's 14 um nor the 11 um that the
+/// shaft is off the axis enter, nor what B reads more than A.
+TEST(Shaft, IsToldFromTheMotionAlongIt) {
+  const TemporaryFolder folder;
+  const std::string library = "parts/library/cylindricity/";
+  for (const char* const program : {"turn.nc", "turn.mpf"}) {
+    cli::RunOptions run;
+    run.programs = {library + program};
+    run.setups = {library + "shaft.toml"};
+    run.readings = folder.path("shaft.csv");
+    EXPECT_EQ(testing::run_program(run).exit_code, 0);
+    cli::EvaluateOptions options;
+    options.kind = "cylindricity";
+    options.given[OptionId::Step] = "50";
+    options.given[OptionId::Sense] = "gap";
+    options.given[OptionId::Diameters] = library + "diameters.csv";
+    const auto output = testing::evaluate_text(testing::text_of(run.readings), options);
+    ASSERT_EQ(output.exit_code, 0) << output.errors;
+    const auto& results = output.document["results"];
+    EXPECT_NEAR(value_of(results, "cylindricity_minimum_zone"), 5.8, 0.05) << program;
+    EXPECT_NEAR(value_of(results, "cylindricity_least_squares"), 5.8, 0.05) << program;
+    EXPECT_NEAR(value_of(results, "radius"), 30.0 + 0.00076, 1e-4) << program;
   }
 }
 

@@ -280,7 +280,7 @@ TEST(DisplacementSensorsSheet, SaysWhatIsWrong) {
   says(refused("[[sensor]]\nresolution = 1e-9\n"), "2147483647 counts");
   says(refused("[[sensor]]\ninput = 9\n"), "1 to 8");
   says(refused("[[sensor]]\nspot = 1e7\n"), "sensor.spot is 10000000");
-  says(refused("[[sensor]]\nat = [0.0, -1e9, 0.0]\n"), "at most 1000000 mm");
+  says(refused("[[sensor]]\nat = [0.0, -1e9, 0.0]\n"), "1000000 mm at most");
   std::string many;
   for (int i = 3; i <= 9; ++i) {
     many += "[[sensor]]\n";
