@@ -1,10 +1,14 @@
 // Files, folders and numbers on the command line that are not what they should be.
 
+#include <algorithm>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/support/run_program.h"
 #include "tools/cli/run_options.h"
@@ -111,6 +115,46 @@ TEST(WriteWholeFile, LeavesLinksAndPipesWhatTheyAre) {
   std::getline(reader, line);
   EXPECT_EQ(line, "line");
   EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST(WriteWholeFile, FollowsNoLinkThatSomebodyPlanted) {
+  TemporaryFolder folder;
+  const std::string victim = folder.write("victim", "untouched");
+  const std::string planted = folder.path("file") + "." + std::to_string(::getpid()) + ".part";
+  fs::create_symlink("victim", planted);
+  EXPECT_EQ(disk::write_whole_file(folder.path("file"), "text"), std::nullopt);
+  EXPECT_EQ(disk::Disk().read(victim), "untouched");
+  EXPECT_EQ(disk::Disk().read(folder.path("file")), "text");
+  EXPECT_EQ(folder.names().size(), 2U);
+}
+
+TEST(WriteWholeFile, RemovesWhatKilledRunsLeftOfTheSameFile) {
+  TemporaryFolder folder;
+  // No process has a number beyond 2^22.
+  folder.write("file.99999999.part", "half");
+  folder.write("other.99999999.part", "half of another one");
+  folder.write("file.1.part", "of a process that is there");
+  folder.write("file.draft.part", "of a person");
+  EXPECT_EQ(disk::write_whole_file(folder.path("file"), "text"), std::nullopt);
+  std::vector<std::string> names = folder.names();
+  std::ranges::sort(names);
+  EXPECT_EQ(names, (std::vector<std::string>{"file", "file.1.part", "file.draft.part",
+                                             "other.99999999.part"}));
+}
+
+TEST(WriteWholeFile, KeepsTheModeOfAFileThatItReplaces) {
+  TemporaryFolder folder;
+  const std::string file = folder.write("file", "before");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  EXPECT_EQ(disk::write_whole_file(file, "after"), std::nullopt);
+  EXPECT_EQ(fs::status(file).permissions(),
+            fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+}
+
+TEST(WriteWholeFile, AMinusIsStandardOutput) {
+  ::testing::internal::CaptureStdout();
+  EXPECT_EQ(disk::write_whole_file("-", "text\n"), std::nullopt);
+  EXPECT_EQ(::testing::internal::GetCapturedStdout(), "text\n");
 }
 
 TEST(RunOptions, NumbersThatAreNoneAreRefused) {

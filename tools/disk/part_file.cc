@@ -1,17 +1,27 @@
 #include "tools/disk/part_file.h"
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <utility>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace g31::disk {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kSuffix = ".part";
+
+std::string last_error() {
+  return std::strerror(errno);
+}
 
 Result<fs::path, std::string> behind_link(const std::string& path) {
   std::error_code error;
@@ -26,39 +36,112 @@ Result<fs::path, std::string> behind_link(const std::string& path) {
 }
 
 /// A device or a pipe: it takes what is written, and nothing may stand in its place.
-bool is_device_or_pipe(const fs::path& path) {
+bool is_device_or_pipe(const struct stat& is) {
+  return !S_ISREG(is.st_mode) && !S_ISDIR(is.st_mode);
+}
+
+bool is_standard_output(const struct stat& is) {
+  struct stat output = {};
+  return ::fstat(STDOUT_FILENO, &output) == 0 && output.st_dev == is.st_dev &&
+         output.st_ino == is.st_ino;
+}
+
+/// The process in the name of a temporary file of `target`; 0: it is none of those.
+int process_in(const std::string& name, const std::string& target) {
+  int process = 0;
+  if (!name.starts_with(target + ".") || !name.ends_with(kSuffix)) {
+    return 0;
+  }
+  const char* const first = name.data() + target.size() + 1;
+  const char* const last = name.data() + name.size() - kSuffix.size();
+  const auto [end, error] = std::from_chars(first, last, process);
+  return first < last && end == last && error == std::errc() ? process : 0;
+}
+
+/// What runs that are no more have left of a file.
+void remove_left_overs(const fs::path& target) {
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+  const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    const int process = process_in(it->path().filename().string(), target.filename().string());
+    if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) {
+      std::error_code ignored;
+      fs::remove(it->path(), ignored);
+    }
+  }
+}
+
+/// A file that nobody had; nullptr: errno says why there is none.
+std::FILE* new_file(const std::string& name) {
+  constexpr mode_t kAsUsual = 0666;  // less what umask takes
+  constexpr int kHow = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+  int descriptor = ::open(name.c_str(), kHow, kAsUsual);
+  if (descriptor < 0 && errno == EEXIST && ::unlink(name.c_str()) == 0) {
+    descriptor = ::open(name.c_str(), kHow, kAsUsual);  // of an earlier process of our number
+  }
+  return descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
+}
+
+/// The new file looks like the one that it will replace, as far as we may.
+void take_after(std::FILE* file, const struct stat& replaced) {
+  const bool is_ours = ::fchown(::fileno(file), replaced.st_uid, replaced.st_gid) == 0;
+  // A mode that was meant for another owner would give ours away.
+  constexpr mode_t kPermissions = 0777;
+  if (is_ours || replaced.st_uid == ::geteuid()) {
+    (void)::fchmod(::fileno(file), replaced.st_mode & kPermissions);
+  }
+}
+
+/// The name of a file in its folder is on the disk, too.
+void keep_folder(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  const int descriptor =
+      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0) {
+    (void)::fsync(descriptor);
+    ::close(descriptor);
+  }
 }
 
 }  // namespace
 
 Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::string& path) {
+  const auto made = [](std::FILE* file, const std::string& name, const std::string& temporary) {
+    return std::shared_ptr<PartFile>(new PartFile(file, name, temporary));
+  };
+  struct stat is = {};
+  const bool is_there = path != "-" && ::stat(path.c_str(), &is) == 0;
+  if (path == "-" || (is_there && is_standard_output(is))) {
+    return made(stdout, path, "");
+  }
+  if (is_there && is_device_or_pipe(is)) {
+    std::FILE* const file = std::fopen(path.c_str(), "wb");
+    return file != nullptr ? Result<std::shared_ptr<PartFile>, std::string>(made(file, path, ""))
+                           : last_error();
+  }
   const auto target = behind_link(path);
   if (!target) {
     return target.error();
   }
-  std::shared_ptr<PartFile> file(
-      new PartFile(target.value().string(), is_device_or_pipe(target.value())));
-  if (file->file_ == nullptr) {
-    return std::string(std::strerror(file->error_));
+  remove_left_overs(target.value());
+  const std::string name = target.value().string();
+  const std::string temporary = fmt::format("{}.{}{}", name, ::getpid(), kSuffix);
+  std::FILE* const file = new_file(temporary);
+  if (file == nullptr) {
+    return last_error();
   }
-  return file;
-}
-
-PartFile::PartFile(const std::string& path, bool in_place)
-    : path_(path),
-      in_place_(in_place),
-      temporary_(in_place ? path : fmt::format("{}.{}.part", path, ::getpid())),
-      file_(std::fopen(temporary_.c_str(), "wb")) {
-  error_ = file_ == nullptr ? errno : 0;
+  if (is_there) {
+    take_after(file, is);
+  }
+  return made(file, name, temporary);
 }
 
 PartFile::~PartFile() {
   if (file_ != nullptr) {
-    std::fclose(file_);
-    remove_temporary();
+    close();
+    if (!temporary_.empty()) {
+      std::remove(temporary_.c_str());
+    }
   }
 }
 
@@ -68,24 +151,34 @@ void PartFile::write(std::string_view text) {
   }
 }
 
-std::optional<std::string> PartFile::finish() {
-  if (std::fclose(std::exchange(file_, nullptr)) != 0 && error_ == 0) {
+/// Standard output stays open.
+void PartFile::close() {
+  std::FILE* const file = std::exchange(file_, nullptr);
+  const bool is_sound =
+      std::fflush(file) == 0 && (temporary_.empty() || ::fsync(::fileno(file)) == 0);
+  error_ = error_ == 0 && !is_sound ? errno : error_;
+  if (file != stdout && std::fclose(file) != 0 && error_ == 0) {
     error_ = errno;
   }
-  if (error_ == 0 && !in_place_ && std::rename(temporary_.c_str(), path_.c_str()) != 0) {
+}
+
+void PartFile::give_name() {
+  if (error_ == 0 && std::rename(temporary_.c_str(), path_.c_str()) != 0) {
     error_ = errno;
   }
   if (error_ == 0) {
-    return std::nullopt;
-  }
-  remove_temporary();
-  return std::string(std::strerror(error_));
-}
-
-void PartFile::remove_temporary() const {
-  if (!in_place_) {
+    keep_folder(path_);
+  } else {
     std::remove(temporary_.c_str());
   }
+}
+
+std::optional<std::string> PartFile::finish() {
+  close();
+  if (!temporary_.empty()) {
+    give_name();
+  }
+  return error_ == 0 ? std::nullopt : std::optional(std::string(std::strerror(error_)));
 }
 
 }  // namespace g31::disk

@@ -5,14 +5,17 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "machine/base/result.h"
 
 namespace g31::disk {
 
 /// A file that is written piece by piece under a temporary name beside it, so that memory stays
-/// small and nobody ever sees half of it; a link to a file stays one.  A device or a pipe is
-/// written as it is.
+/// small and nobody ever sees half of it; a link to a file stays one, and so do owner and mode of a
+/// file that is replaced.  Its bytes are on the disk before it gets its name.  A device or a pipe
+/// is written as it is, "-" and what standard output goes to are standard output.  What a killed
+/// run left of the same file is removed.
 class PartFile {
  public:
   /// @returns why the file cannot be written, in the system's words
@@ -30,14 +33,15 @@ class PartFile {
   std::optional<std::string> finish();
 
  private:
-  PartFile(const std::string& path, bool in_place);
-  void remove_temporary() const;
+  PartFile(std::FILE* file, std::string path, std::string temporary)
+      : file_(file), path_(std::move(path)), temporary_(std::move(temporary)) {}
+  void close();
+  void give_name();
 
-  std::string path_;
-  bool in_place_;
-  std::string temporary_;
   std::FILE* file_;
-  int error_ = 0;  // errno of the first failure
+  std::string path_;
+  std::string temporary_;  ///< "": it is written in place
+  int error_ = 0;          ///< errno of the first failure
 };
 
 }  // namespace g31::disk
