@@ -16,6 +16,9 @@
 
 namespace g31::machine {
 
+/// A servo gain of 1 (m/min)/mm is a time constant of 60 ms.
+inline constexpr double kSecondsAtGainOne = 0.06;
+
 /// One axis of the simulated machine; mm, s for linear axes, deg, s for rotary ones.
 struct AxisSetup {
   bool present = false;

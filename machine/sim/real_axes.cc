@@ -10,9 +10,6 @@
 namespace g31::machine {
 namespace {
 
-/// A gain of 1 (m/min)/mm is a time constant of 60 ms.
-constexpr double kSecondsAtGainOne = 0.06;
-
 ServoLoops loops_of(const MachineSetup& setup) {
   ServoLoops loops;
   for (std::size_t i = 0; i < kAxisCount; ++i) {

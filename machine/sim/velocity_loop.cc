@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Core>
+
 #include "machine/base/contract.h"
 
 namespace g31::machine {
@@ -15,8 +17,9 @@ constexpr double kRestAcceleration = 1e-2;
 /// Nothing that a control waits for takes longer.
 constexpr double kLongestRestS = 60.0;
 
+/// Friction runs towards a value, exponentially.
 struct Rates {
-  double speed, acceleration, missing, friction;
+  double speed, acceleration, missing, friction_aim, friction_per_s;
 };
 
 struct Command {
@@ -35,8 +38,7 @@ Rates rates(const LoopMotion::Setup& setup, const LoopSample& now, const Command
                          setup.feed_forward * command.speed - s.speed;
   const double drive = loop.gain_per_s * (missing + s.integral / loop.reset_s);
   const double opposed = s.speed < 0.0 ? -loop.friction_per_s2 : loop.friction_per_s2;
-  return {s.speed, drive - s.friction, missing,
-          (opposed - s.friction) * std::abs(s.speed) / loop.friction_way};
+  return {s.speed, drive - s.friction, missing, opposed, std::abs(s.speed) / loop.friction_way};
 }
 
 bool rests(const LoopMotion::Setup& setup, const LoopSample& now, double command) {
@@ -48,7 +50,8 @@ LoopSample after(const LoopSample& now, const Rates& by, double h) {
   return {now.time_s + h,
           now.position + h * by.speed,
           {now.state.speed + h * by.acceleration, now.state.integral + h * by.missing,
-           now.state.friction + h * by.friction}};
+           by.friction_aim +
+               (now.state.friction - by.friction_aim) * std::exp(-h * by.friction_per_s)}};
 }
 
 double between(double from, double to, double share) {
@@ -70,7 +73,30 @@ LoopSample between(const LoopSample& from, const LoopSample& to, double time_s) 
            between(from.state.friction, to.state.friction, u)}};
 }
 
+/// What one step of the midpoint rule makes of position, speed and integral, without friction and
+/// with a command that rests at 0.
+Eigen::Matrix3d step_matrix(const LoopMotion::Setup& setup) {
+  const double p = setup.position_gain_per_s;
+  const double w = setup.loop.gain_per_s;
+  Eigen::Matrix3d rate;
+  rate << 0.0, 1.0, 0.0,                   //
+      -w * p, -w, w / setup.loop.reset_s,  //
+      -p, -1.0, 0.0;
+  const Eigen::Matrix3d way = kLoopStepS * rate;
+  return Eigen::Matrix3d::Identity() + way + 0.5 * way * way;
+}
+
 }  // namespace
+
+bool settles(const LoopMotion::Setup& setup) {
+  constexpr int kDoublings = 40;  // of the time: longer than any motion
+  constexpr double kSmall = 1e-3;
+  Eigen::Matrix3d after = step_matrix(setup);
+  for (int i = 0; i < kDoublings && after.norm() > kSmall && after.allFinite(); ++i) {
+    after = (after * after).eval();
+  }
+  return after.norm() <= kSmall;
+}
 
 LoopMotion::LoopMotion(const Setup& setup, double position, const VelocityLoopState& state)
     : setup_(setup), rest_(position), samples_{{0.0, position, state}} {

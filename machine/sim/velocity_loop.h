@@ -79,4 +79,7 @@ class LoopMotion {
 
 inline constexpr double kLoopStepS = 1e-4;
 
+/// Whether an axis with these loops comes to rest instead of swinging ever farther.
+bool settles(const LoopMotion::Setup& setup);
+
 }  // namespace g31::machine

@@ -52,7 +52,7 @@ TEST(SinumerikCompile, ABlockOfNumbersIsOneStep) {
 sinumerik::Globals macros_of_all_letters() {
   sinumerik::Globals globals;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
-    globals.macros.define(std::string(1, letter) + "_NAME_OF_NO_PROGRAM", {});
+    globals.macros.define(fmt::format("{}_NAME_OF_NO_PROGRAM", letter), {});
   }
   return globals;
 }

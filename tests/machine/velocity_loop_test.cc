@@ -174,5 +174,44 @@ TEST(VelocityLoop, ARampIsFollowedSpeedOverGainBehindAndTheEndIsReached) {
   }
 }
 
+// By Hurwitz the roots of s^3 + w s^2 + w (Kp + 1/Ti) s + w Kp/Ti are damped where
+// w (Kp + 1/Ti) > Kp/Ti; slow loops are so in steps of 0.1 ms too.
+TEST(VelocityLoop, SettlesWhereItsRootsAreDamped) {
+  int settled = 0;
+  int swinging = 0;
+  for (const double gain : {2.0, 10.0, 50.0, 250.0}) {
+    for (const double position_gain : {1.0, 27.0, 100.0, 400.0}) {
+      for (const double reset_s : {0.002, 0.01, 0.1}) {
+        const double left = gain * (position_gain + 1.0 / reset_s);
+        const double right = position_gain / reset_s;
+        if (std::abs(left - right) < 0.05 * right) {
+          continue;  // too near to tell in steps
+        }
+        EXPECT_EQ(settles({{gain, reset_s, 0.0, 0.02}, position_gain, 0.0}), left > right)
+            << gain << " " << position_gain << " " << reset_s;
+        (left > right ? settled : swinging)++;
+      }
+    }
+  }
+  EXPECT_GT(settled, 10);
+  EXPECT_GT(swinging, 10);
+  // The steps are too long for a loop of a millionth of a second.
+  EXPECT_FALSE(settles({{1e6, 0.01, 0.0, 0.02}, 27.0, 0.0}));
+}
+
+// However steep friction is, it stays between its two values.
+TEST(VelocityLoop, SteepFrictionStaysFinite) {
+  LoopMotion::Setup steep = loop(1e6);
+  steep.loop.friction_way = 1e-9;
+  LoopMotion motion(steep, 0.0, {});
+  motion.follow({0.0, 50.0, 0.0, 0.0}, 1.0);
+  motion.follow({50.0, -50.0, 0.0, 0.0}, 1.0);
+  for (int ms = 0; ms <= 2000; ++ms) {
+    const LoopSample sample = motion.at(ms * 1e-3);
+    ASSERT_TRUE(std::isfinite(sample.position));
+    ASSERT_LE(std::abs(sample.state.friction), 1e6);
+  }
+}
+
 }  // namespace
 }  // namespace g31::machine::velocity_loop_test

@@ -88,6 +88,17 @@ TEST_F(SetupErrorText, OfAProbeThatIsATool) {
   }
 }
 
+TEST_F(SetupErrorText, OfLoopsThatSwing) {
+  expect_text(
+      {"a position loop too fast for its velocity loop",
+       "[machine.axes.X]\nservo_gain = 100.0\nvelocity_gain = 10.0\n",
+       R"(sheet1.toml:1:15: error: the loops of axis X do not come to rest: they swing ever farther [SET119]
+    1 | [machine.axes.X]
+      |               ^
+      = servo_gain makes 1666.67 1/s of the position loop: a velocity_gain of several times that, and at most 10000
+)"});
+}
+
 const ErrorCase kOfWhatTheControlBelieves[] = {
     {"a belief about an axis that carries nothing", "[believed.axes.C]\ncentre = [0.0, 0.0, 1.0]\n",
      R"(sheet1.toml:1:16: error: axis C carries neither part nor tool, so the control can believe nothing of it [SET114]

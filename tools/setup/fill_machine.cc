@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "tools/setup/table_keys.h"
 
 namespace g31::setup {
@@ -39,6 +41,21 @@ void fill_axis(machine::AxisSetup& axis, const TableKeys& keys) {
   axis.scale_growth.expansion = keys.get(KeyId::AxisExpansion, axis.scale_growth.expansion);
   axis.scale_growth.temperature = keys.get(KeyId::AxisTemperature, axis.scale_growth.temperature);
   axis.scale_fixed_at = keys.get(KeyId::AxisFixedAt, axis.scale_fixed_at);
+}
+
+/// A position loop that is too fast for its velocity loop swings ever farther.
+void check_loops(const machine::AxisSetup& axis, const SheetTable& table, const std::string& letter,
+                 ErrorList& errors) {
+  if (!axis.velocity_loop.is_there() || axis.servo_gain <= 0.0) {
+    return;
+  }
+  const double position_gain_per_s = axis.servo_gain / machine::kSecondsAtGainOne;
+  if (!machine::settles({axis.velocity_loop, position_gain_per_s, 0.0})) {
+    errors.add(SetupErrorId::LoopsSwing, table.where, {letter},
+               fmt::format("servo_gain makes {:.6g} 1/s of the position loop: a velocity_gain of "
+                           "several times that, and at most 10000",
+                           position_gain_per_s));
+  }
 }
 
 void fill_machine(machine::MachineSetup& machine, const TableKeys& keys) {
@@ -163,7 +180,9 @@ machine::MachineSetup machine_from(const Sheet& sheet, ErrorList& errors) {
     } else if (place.first == SectionId::Machine) {
       fill_machine(machine, keys);
     } else if (place.first == SectionId::MachineAxes && !is_further_axis(place.second)) {
-      fill_axis(machine.axes.at(index_of_axis(place.second)), keys);
+      machine::AxisSetup& axis = machine.axes.at(index_of_axis(place.second));
+      fill_axis(axis, keys);
+      check_loops(axis, table, place.second, errors);
       fill_rotary(machine.chain, place.second, keys, kTrueAxis);
     } else if (place.first == SectionId::MachineErrors) {
       machine.geometric_errors = errors_from(table);
