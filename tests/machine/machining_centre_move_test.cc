@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "machine/base/contract.h"
 #include "machine/sim/machining_centre.h"
+#include "tests/support/expect_violated.h"
 #include "tests/support/scripted_surroundings.h"
 
 namespace g31::machine::machining_centre_move_test {
@@ -176,25 +176,30 @@ TEST(MachiningCentreDeathTest, NumbersThatNoCallerMayPass) {
   MachiningCentre centre(round_numbers(), nullptr);
   const double kNan = std::numeric_limits<double>::quiet_NaN();
   const double kInfinity = std::numeric_limits<double>::infinity();
-  EXPECT_THROW((void)centre.move(rapid(axes(kNan, 0, 0))), ContractViolation);
-  EXPECT_THROW((void)centre.move(rapid(axes(0, kInfinity, 0))), ContractViolation);
-  EXPECT_THROW((void)centre.move(feed(axes(1, 0, 0), 0.0)), ContractViolation);
-  EXPECT_THROW((void)centre.move(feed(axes(1, 0, 0), -1.0)), ContractViolation);
-  EXPECT_THROW((void)centre.move(feed(axes(1, 0, 0), kNan)), ContractViolation);
-  EXPECT_THROW((void)centre.move_until_skip(feed(axes(1, 0, 0), 0.0)), ContractViolation);
-  EXPECT_THROW((void)centre.move_until_skip(rapid(axes(0, 0, kNan))), ContractViolation);
-  EXPECT_THROW(centre.dwell(-1.0), ContractViolation);
-  EXPECT_THROW(centre.dwell(kInfinity), ContractViolation);
+  testing::expect_violated([&] { (void)centre.move(rapid(axes(kNan, 0, 0))); }, "allFinite");
+  testing::expect_violated([&] { (void)centre.move(rapid(axes(0, kInfinity, 0))); }, "allFinite");
+  testing::expect_violated([&] { (void)centre.move(feed(axes(1, 0, 0), 0.0)); },
+                           "feed_mm_min > 0.0");
+  testing::expect_violated([&] { (void)centre.move(feed(axes(1, 0, 0), -1.0)); },
+                           "feed_mm_min > 0.0");
+  testing::expect_violated([&] { (void)centre.move(feed(axes(1, 0, 0), kNan)); },
+                           "feed_mm_min > 0.0");
+  testing::expect_violated([&] { (void)centre.move_until_skip(feed(axes(1, 0, 0), 0.0)); },
+                           "feed_mm_min > 0.0");
+  testing::expect_violated([&] { (void)centre.move_until_skip(rapid(axes(0, 0, kNan))); },
+                           "allFinite");
+  testing::expect_violated([&] { centre.dwell(-1.0); }, "seconds >= 0.0");
+  testing::expect_violated([&] { centre.dwell(kInfinity); }, "isfinite");
 }
 
 TEST(MachiningCentreDeathTest, AxesWithoutRatesAndAnswersOutsideTheSweep) {
   MachineSetup setup = round_numbers();
   setup.axes[2].acceleration_per_s2 = 0.0;
-  EXPECT_THROW(MachiningCentre(setup, nullptr), ContractViolation);
+  testing::expect_violated([&] { MachiningCentre(setup, nullptr); }, "acceleration_per_s2 > 0.0");
 
   ScriptedSurroundings world({}, {obstacle_at(1.5)});
   MachiningCentre centre(round_numbers(), &world);
-  EXPECT_THROW((void)centre.move(rapid(axes(1, 0, 0))), ContractViolation);
+  testing::expect_violated([&] { (void)centre.move(rapid(axes(1, 0, 0))); }, "is_fraction");
 }
 
 }  // namespace
