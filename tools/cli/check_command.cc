@@ -1,9 +1,6 @@
 #include "tools/cli/check_command.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <optional>
 #include <string_view>
 
@@ -14,6 +11,7 @@
 #include "tools/check/check.h"
 #include "tools/check/check_document.h"
 #include "tools/cli/messages.h"
+#include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
 #include "tools/setup/toml_reader.h"
@@ -74,28 +72,18 @@ std::string text_of(const CheckFindings& found, const source::SourceMap& sources
   return text;
 }
 
-std::optional<session::Refusal> print_out(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    return session::bad_input(
-        fmt::format("cannot write standard output: {}", std::strerror(errno)));
-  }
-  return std::nullopt;
-}
-
 /// The findings where they are wanted.
 std::optional<session::Refusal> hand_out(const CheckOptions& options, const CheckFindings& found,
                                          const source::SourceMap& sources) {
   const bool as_document = options.format == CheckOptions::Format::Json || options.json == "-";
   const bool as_annotations = options.format == CheckOptions::Format::Github;
-  auto wrong = print_out(as_document      ? check::check_document(found, sources)
-                         : as_annotations ? check::github_annotations(found, sources)
-                                          : text_of(found, sources));
+  auto wrong = write_out("-", as_document      ? check::check_document(found, sources)
+                              : as_annotations ? check::github_annotations(found, sources)
+                                               : text_of(found, sources));
   if (wrong || options.json.empty() || options.json == "-") {
     return wrong;
   }
-  const auto problem = disk::write_whole_file(options.json, check::check_document(found, sources));
-  return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
+  return write_out(options.json, check::check_document(found, sources));
 }
 
 /// What is to be checked, and as what: by the command line, else by the sheets.
@@ -127,7 +115,7 @@ ExitCode check_command(const CheckOptions& options) {
     return refuse(*wrong);
   }
   if (options.lists_rules) {
-    const auto wrong = print_out(list_of_rules());
+    const auto wrong = write_out("-", list_of_rules());
     return wrong ? refuse(*wrong) : ExitCode::Completed;
   }
   const auto requested = request_of(options);

@@ -1,9 +1,6 @@
 #include "tools/cli/evaluate_command.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <optional>
 #include <string_view>
 
@@ -11,6 +8,7 @@
 
 #include "tools/cli/evaluate_request.h"
 #include "tools/cli/messages.h"
+#include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/evaluate/compensation.h"
 #include "tools/evaluate/evaluate.h"
@@ -18,27 +16,16 @@
 namespace g31::cli {
 namespace {
 
-std::optional<session::Refusal> print_whole(std::string_view text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    return session::bad_input(
-        fmt::format("cannot write standard output: {}", std::strerror(errno)));
-  }
-  return std::nullopt;
-}
-
 std::optional<session::Refusal> hand_over(const EvaluateOptions& options,
                                           const evaluate::Evaluation& evaluation) {
   const bool is_document = options.json == "-";
   auto wrong =
-      print_whole(is_document ? evaluate::evaluation_document(evaluation, options.has_curves)
-                              : evaluate::evaluation_table(evaluation));
+      write_out("-", is_document ? evaluate::evaluation_document(evaluation, options.has_curves)
+                                 : evaluate::evaluation_table(evaluation));
   if (wrong || is_document || options.json.empty()) {
     return wrong;
   }
-  const auto problem = disk::write_whole_file(
-      options.json, evaluate::evaluation_document(evaluation, options.has_curves));
-  return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
+  return write_out(options.json, evaluate::evaluation_document(evaluation, options.has_curves));
 }
 
 /// What an option that names a file says; "": it was not given.
@@ -55,9 +42,7 @@ std::optional<session::Refusal> write_compensation(const EvaluateOptions& option
   }
   const std::string error = file_given(options, evaluate::OptionId::Error);
   const auto motion = std::ranges::find(evaluation.curves, "motion", &evaluate::Curve::name);
-  const auto problem = disk::write_whole_file(
-      path, evaluate::compensation_sheet(error.empty() ? "EYX" : error, *motion));
-  return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
+  return write_out(path, evaluate::compensation_sheet(error.empty() ? "EYX" : error, *motion));
 }
 
 }  // namespace
@@ -88,8 +73,7 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
   }
   auto wrong = write_compensation(options, evaluation.value());
   if (!wrong && !options.svg.empty()) {
-    const auto problem = disk::write_whole_file(options.svg, evaluation.value().svg);
-    wrong = problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
+    wrong = write_out(options.svg, evaluation.value().svg);
   }
   if (!wrong) {
     wrong = hand_over(options, evaluation.value());

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,6 +12,7 @@
 #include "interpreter/source/latin_1.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/printouts.h"
+#include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/report/readings_file.h"
 #include "tools/report/run_document.h"
@@ -195,17 +193,11 @@ std::optional<Refusal> deliver(const Opened& opened, const report::RunResult& re
       text += fmt::format("{} = {}\n", name, shown(value));
     }
   }
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    return session::bad_input(
-        fmt::format("cannot write standard output: {}", std::strerror(errno)));
+  auto wrong = write_out("-", text);
+  if (wrong || options.json.empty() || options.json == "-") {
+    return wrong;
   }
-  if (options.json.empty() || options.json == "-") {
-    return std::nullopt;
-  }
-  const auto problem =
-      disk::write_whole_file(options.json, run_document(result, opened.recorder, opened.sources));
-  return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
+  return write_out(options.json, run_document(result, opened.recorder, opened.sources));
 }
 
 /// What the document of a run tells, behind its end.

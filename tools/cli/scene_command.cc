@@ -9,6 +9,7 @@
 
 #include "interpreter/runtime/observer.h"
 #include "tools/cli/messages.h"
+#include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/gltf/gltf_document.h"
 #include "tools/gltf/path_recorder.h"
@@ -77,8 +78,8 @@ ExitCode scene_command(const SceneOptions& options) {
   }
   const std::string document =
       gltf::gltf_document(pictured(world.value()), recorder.trace(), *form);
-  if (const auto problem = disk::write_whole_file(options.output, document)) {
-    return refuse(session::bad_input(*problem));
+  if (const auto wrong = write_out(options.output, document)) {
+    return refuse(*wrong);
   }
   return exit_code_of(session::ending_of(outcome));
 }

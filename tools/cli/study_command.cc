@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <mutex>
 #include <optional>
 #include <string_view>
@@ -15,6 +13,7 @@
 #include <unistd.h>
 
 #include "tools/cli/messages.h"
+#include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/study/read_study.h"
 #include "tools/study/record.h"
@@ -147,19 +146,6 @@ Made merge_shards(const StudyOptions& options) {
   const auto merged = study::merge(parts);
   return merged ? Made(merged.value())
                 : Made(session::bad_input(fmt::format("--merge: {}", merged.error())));
-}
-
-std::optional<Refusal> write_out(const std::string& path, std::string_view text) {
-  if (path != "-") {
-    const auto problem = disk::write_whole_file(path, text);
-    return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
-  }
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    return session::bad_input(
-        fmt::format("cannot write standard output: {}", std::strerror(errno)));
-  }
-  return std::nullopt;
 }
 
 std::optional<Refusal> deliver(const StudyOptions& options, const study::Record& record) {

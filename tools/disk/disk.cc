@@ -92,7 +92,9 @@ std::optional<std::string> write_whole_file(const std::string& path, std::string
     file.value()->write(text);
   }
   const auto reason = file ? file.value()->finish() : file.error();
-  return reason ? std::optional(fmt::format("cannot write {}: {}", path, *reason)) : std::nullopt;
+  return reason ? std::optional(fmt::format("cannot write {}: {}",
+                                            path == "-" ? "standard output" : path, *reason))
+                : std::nullopt;
 }
 
 }  // namespace g31::disk

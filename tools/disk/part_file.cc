@@ -154,9 +154,12 @@ void PartFile::write(std::string_view text) {
 /// Standard output stays open.
 void PartFile::close() {
   std::FILE* const file = std::exchange(file_, nullptr);
-  const bool is_sound =
+  const bool is_kept =
       std::fflush(file) == 0 && (temporary_.empty() || ::fsync(::fileno(file)) == 0);
-  error_ = error_ == 0 && !is_sound ? errno : error_;
+  // Of standard output something else may have failed before.
+  if (error_ == 0 && (!is_kept || std::ferror(file) != 0)) {
+    error_ = errno != 0 ? errno : EIO;
+  }
   if (file != stdout && std::fclose(file) != 0 && error_ == 0) {
     error_ = errno;
   }
