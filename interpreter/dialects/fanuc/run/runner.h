@@ -96,12 +96,12 @@ class Runner {
 
  private:
   bool refuse_broken(const CompiledProgram& main);
+  MaybeFailure come_to_rest(const MaybeFailure& reason);
   void end(const MaybeFailure& failure);
   void start(const CompiledProgram& main);
 
   // runner.cc: the loop
   MaybeFailure loop();
-  MaybeFailure guarded_loop();
   [[nodiscard]] runtime::BlockPlace next_place() const;
   bool fast_step(const Step& step, Frame& now);
   MaybeFailure rare_step(const Step& step);

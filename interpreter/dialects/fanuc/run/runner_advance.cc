@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -9,6 +8,19 @@
 #include "interpreter/dialects/fanuc/run/runner.h"
 
 namespace g31::fanuc {
+namespace {
+
+/// A defect of ours ends the run at the block that met it, and what it did so far is told.
+template <typename Work>
+MaybeFailure guarded(const Work& work) {
+  try {
+    return work();
+  } catch (const std::exception& defect) {
+    return defect_failure(defect);
+  }
+}
+
+}  // namespace
 
 void Runner::begin(const runtime::Budget& budget, runtime::BlockListener* listener) {
   const CompiledProgram* const main = library_.main_program();
@@ -66,7 +78,7 @@ runtime::Advance Runner::advance() {
     return runtime::Advance::Ended;
   }
   is_paused_ = false;
-  const MaybeFailure failure = guarded_loop();
+  const MaybeFailure failure = guarded([this] { return loop(); });
   if (is_paused_) {
     return runtime::Advance::Paused;
   }
@@ -74,26 +86,24 @@ runtime::Advance Runner::advance() {
   return runtime::Advance::Ended;
 }
 
-/// A defect of ours ends the run at the block that met it, and what it did so far is told.
-MaybeFailure Runner::guarded_loop() {
-  try {
-    return loop();
-  } catch (const std::exception& defect) {
-    return defect_failure(defect);
+/// Waits until the axes stand.
+/// @param reason  why the run ends before its program does, if it does
+/// @returns the same, or what has shown in the motion that was still open
+MaybeFailure Runner::come_to_rest(const MaybeFailure& reason) {
+  if (reason && reason->status == runtime::Status::Defect) {
+    return reason;
   }
+  return guarded([&]() -> MaybeFailure {
+    const auto late = control_.outlet.stand_still();
+    return late ? from_late_fault(control_, *late) : reason;
+  });
 }
 
-/// @param failure  why the run ends before its program does, if it does
-void Runner::end(const MaybeFailure& failure) {
+/// @param reason  why the run ends before its program does, if it does
+void Runner::end(const MaybeFailure& reason) {
   is_over_ = true;
   is_paused_ = false;
-  std::optional<machine::MachineFault> late;
-  if (!failure || failure->status != runtime::Status::Defect) {
-    late = control_.outlet.stand_still();
-  }
-  if (late) {
-    outcome_ = outcome_of(from_late_fault(control_, *late));
-  } else if (failure) {
+  if (const MaybeFailure failure = come_to_rest(reason)) {
     outcome_ = outcome_of(*failure);
   } else {
     control_.report_missed_touches();

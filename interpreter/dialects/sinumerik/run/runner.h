@@ -84,7 +84,6 @@ class Runner {
   MaybeFailure begin_window(const Op& op);
   MaybeFailure take_no_arguments();
   MaybeFailure loop();
-  MaybeFailure guarded_loop();
   MaybeFailure other_step(const Op& op);
   bool begins(const Op& op);
   MaybeFailure block(const Op& op);
@@ -105,6 +104,7 @@ class Runner {
   MaybeFailure from_step();
 
   // runner_advance.cc
+  MaybeFailure come_to_rest(const MaybeFailure& reason);
   void end(const MaybeFailure& reason);
 
   // run_inspection.cc

@@ -27,6 +27,16 @@ source::Diagnostic unknown_data_note(const CompiledProgram& program) {
   return note;
 }
 
+/// A defect of ours ends the run at the block that met it, and what it did so far is told.
+template <typename Work>
+MaybeFailure guarded(const Work& work) {
+  try {
+    return work();
+  } catch (const std::exception& defect) {
+    return message_failure(runtime::Status::Defect, source::DiagnosticId::Defect, defect.what());
+  }
+}
+
 }  // namespace
 
 void Runner::begin(const runtime::Budget& budget, runtime::BlockListener* listener) {
@@ -61,7 +71,12 @@ runtime::Advance Runner::advance() {
     return runtime::Advance::Ended;
   }
   is_paused_ = false;
-  MaybeFailure reason = guarded_loop();
+  // To the end of the last motion, or a pause.
+  const MaybeFailure reason = guarded([this] {
+    runtime::BlockListener* const listener = channel_.watch.write_listener();
+    MaybeFailure failure = listener != nullptr ? heard_loop(*listener) : loop();
+    return failure || is_paused_ ? failure : finish_motion(channel_);
+  });
   if (is_paused_) {
     return runtime::Advance::Paused;
   }
@@ -69,29 +84,25 @@ runtime::Advance Runner::advance() {
   return runtime::Advance::Ended;
 }
 
-/// To the end of the last motion, or a pause.  A defect of ours ends the run at the block that met
-/// it, and what it did so far is told.
-MaybeFailure Runner::guarded_loop() {
-  try {
-    runtime::BlockListener* const listener = channel_.watch.write_listener();
-    MaybeFailure reason = listener != nullptr ? heard_loop(*listener) : loop();
-    return reason || is_paused_ ? reason : finish_motion(channel_);
-  } catch (const std::exception& defect) {
-    is_paused_ = false;
-    return message_failure(runtime::Status::Defect, source::DiagnosticId::Defect, defect.what());
+/// Waits until the axes stand.
+/// @param reason  why the run ends before its program does, if it does
+/// @returns the same, or what has shown in the motion that was still open
+MaybeFailure Runner::come_to_rest(const MaybeFailure& reason) {
+  if (reason && reason->status == runtime::Status::Defect) {
+    return reason;
   }
+  return guarded([&]() -> MaybeFailure {
+    const auto late = channel_.outlet.stand_still();
+    return late ? from_fault(*late) : reason;
+  });
 }
 
 /// @param reason  why the run ends before its program does, if it does
 void Runner::end(const MaybeFailure& reason) {
   is_over_ = true;
   is_paused_ = false;
-  std::optional<machine::MachineFault> late;
-  if (!reason || reason->status != runtime::Status::Defect) {
-    late = channel_.outlet.stand_still();
-  }
-  if (reason || late) {
-    outcome_ = outcome_of(late ? from_fault(*late) : *reason);
+  if (const MaybeFailure failure = come_to_rest(reason)) {
+    outcome_ = outcome_of(*failure);
     drop_motion(channel_);
   } else {
     end_missed();
