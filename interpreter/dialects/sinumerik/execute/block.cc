@@ -248,9 +248,7 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
   if (MaybeFailure wrong = refuse_unknown(block)) {
     return wrong;
   }
-  if (MaybeFailure wrong = take_axis_settings(channel, block)) {
-    return wrong;
-  }
+  take_axis_settings(channel, block);
   if (MaybeFailure wrong = take_technology(channel, block)) {
     return wrong;
   }

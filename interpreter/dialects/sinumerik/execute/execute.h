@@ -63,7 +63,7 @@ MaybeFailure measure(Channel& channel, const Block& block);
 MaybeFailure dwell(Channel& channel, const Block& block);
 
 /// OVR, FA[axis], ACC[axis] and the like.
-MaybeFailure take_axis_settings(Channel& channel, const Block& block);
+void take_axis_settings(Channel& channel, const Block& block);
 /// POS[axis] and POSA[axis]: each axis for itself, before the path of the block.
 MaybeFailure move_positioning_axes(Channel& channel, const Block& block);
 

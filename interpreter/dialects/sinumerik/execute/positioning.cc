@@ -14,12 +14,6 @@ namespace {
 
 constexpr double kMmPerDegree = std::numbers::pi / 180.0;  // on a radius of 1 mm
 
-struct PercentRow {
-  Address address;
-  double most;
-};
-constexpr PercentRow kPercents[] = {{Address::Override, 200.0}, {Address::RapidOverride, 100.0}};
-
 using Setting = BlockWords::AxisSetting;
 
 /// FA[axis]; of the spindle it says nothing.
@@ -156,21 +150,13 @@ MaybeFailure move_each(Channel& channel, const Block& block) {
 
 }  // namespace
 
-MaybeFailure take_axis_settings(Channel& channel, const Block& block) {
-  for (const PercentRow& row : kPercents) {
-    const BlockWords::Word& word = block.words[row.address];
-    if (word.present && !(word.value >= 1.0 && word.value <= row.most)) {
-      return failure(AlarmId::ValueOutOfLimits,
-                     fmt::format("{}={:g}: 1 to {:g}", name_of(row.address), word.value, row.most));
-    }
-  }
+void take_axis_settings(Channel& channel, const Block& block) {
   if (block.words.has(Address::Override)) {
     channel.axis_settings.path_override_percent = block.words[Address::Override].value;
   }
   for (const BlockWords::AxisSetting& setting : block.words.axis_settings) {
     take_setting(channel, setting);
   }
-  return std::nullopt;
 }
 
 MaybeFailure move_positioning_axes(Channel& channel, const Block& block) {

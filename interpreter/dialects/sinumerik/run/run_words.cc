@@ -110,8 +110,8 @@ MaybeFailure Runner::take_centre_of(int axis, const BlockWords::Word& word) {
 
 MaybeFailure Runner::take_axis_setting(const BlockWords::AxisSetting& setting) {
   const AxisWordInfo& row = info(setting.word);
-  const std::string shown =
-      fmt::format("{}[{}]={:g}", row.name, letter_of_axis(setting.axis), setting.value);
+  const std::string name = fmt::format("{}[{}]", row.name, letter_of_axis(setting.axis));
+  const std::string shown = fmt::format("{}={:g}", name, setting.value);
   for (const BlockWords::AxisSetting& known : words_.axis_settings) {
     if (known.word == setting.word && known.axis == setting.axis) {
       return failure(AlarmId::AddressRepeated, shown);
@@ -120,9 +120,9 @@ MaybeFailure Runner::take_axis_setting(const BlockWords::AxisSetting& setting) {
   if (setting.word == AxisWordId::AxisFeed && setting.value < 0.0) {
     return failure(AlarmId::NegativeAxisFeed, shown);
   }
-  if (setting.value < row.least || setting.value > row.most) {
-    return failure(AlarmId::ValueOutOfLimits,
-                   fmt::format("{}: {:g} to {:g}", shown, row.least, row.most));
+  if (const ValueRange range{row.least, row.most}; !range.holds(setting.value)) {
+    out_of_range(name, setting.value, range);
+    return from_step();
   }
   words_.axis_settings.push_back(setting);
   return std::nullopt;
