@@ -1,28 +1,30 @@
 #include "parts/import/mesh_file.h"
 
-#include <cmath>
+#include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <sstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
-#include <assimp/Importer.hpp>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
+#include <fmt/format.h>
 
-#include "parts/geometry/triangulate.h"
-#include "parts/import/memory_file_system.h"
+#include "parts/import/assimp_file.h"
+#include "parts/import/mesh_limits.h"
 #include "parts/import/step_file.h"
-#include "parts/import/vertex_weld.h"
+#include "parts/import/stl_file.h"
+#include "parts/import/three_mf_file.h"
+#include "parts/import/whole_file.h"
 
 namespace g31::parts {
 namespace {
+
+using Read = Result<Mesh, std::string>;
 
 std::string one_line(std::string text) {
   for (char& c : text) {
@@ -35,83 +37,8 @@ std::string one_line(std::string text) {
 }
 
 std::string complaint(const std::string& path, const std::string& what) {
-  return "mesh file '" + path + "': " + one_line(what);
+  return fmt::format("mesh file '{}': {}", path, one_line(what));
 }
-
-/// Puts the meshes of a scene together; vertices at the same place become one.
-class SceneReader {
- public:
-  explicit SceneReader(const aiScene& scene) : scene_(scene) {}
-
-  /// nullopt, or what is wrong with the scene.
-  std::optional<std::string> read() { return read_node(*scene_.mRootNode, aiMatrix4x4(), 0); }
-
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
-
- private:
-  std::optional<std::string> read_node(const aiNode& node, const aiMatrix4x4& parent, int depth) {
-    constexpr int kDeepest = 1000;
-    if (depth > kDeepest) {
-      return "its nodes are nested deeper than 1000 levels; a part needs one or two";
-    }
-    const aiMatrix4x4 placed = parent * node.mTransformation;
-    for (unsigned int i = 0; i < node.mNumMeshes; ++i) {
-      if (node.mMeshes[i] >= scene_.mNumMeshes) {
-        return "a node refers to a mesh that is not in the file";
-      }
-      if (auto wrong = read_mesh(*scene_.mMeshes[node.mMeshes[i]], placed)) {
-        return wrong;
-      }
-    }
-    for (unsigned int i = 0; i < node.mNumChildren; ++i) {
-      if (auto wrong = read_node(*node.mChildren[i], placed, depth + 1)) {
-        return wrong;
-      }
-    }
-    return std::nullopt;
-  }
-
-  std::optional<std::string> read_mesh(const aiMesh& part, const aiMatrix4x4& placed) {
-    std::vector<std::uint32_t> joined(part.mNumVertices);
-    for (unsigned int i = 0; i < part.mNumVertices; ++i) {
-      const Point p = transformed(placed, part.mVertices[i]);
-      if (!p.allFinite()) {
-        return "vertex " + std::to_string(i + 1) +
-               " is not a finite point; every coordinate must be a number";
-      }
-      joined[i] = weld_.vertex_at(p);
-    }
-    for (unsigned int i = 0; i < part.mNumFaces; ++i) {
-      const aiFace& face = part.mFaces[i];
-      std::vector<std::uint32_t> polygon;
-      for (unsigned int corner = 0; corner < face.mNumIndices; ++corner) {
-        if (face.mIndices[corner] >= part.mNumVertices) {
-          return "face " + std::to_string(i + 1) + " names vertex " +
-                 std::to_string(face.mIndices[corner]) + ", but there are only " +
-                 std::to_string(part.mNumVertices);
-        }
-        polygon.push_back(joined[face.mIndices[corner]]);
-      }
-      const auto triangles = triangulated(mesh_.vertices, polygon);
-      mesh_.triangles.insert(mesh_.triangles.end(), triangles.begin(), triangles.end());
-    }
-    return std::nullopt;
-  }
-
-  /// In double, so that an offset in a node costs no digits of the shape.
-  static Point transformed(const aiMatrix4x4& m, const aiVector3D& v) {
-    const auto row = [&](ai_real x, ai_real y, ai_real z, ai_real shift) {
-      return static_cast<double>(x) * static_cast<double>(v.x) +
-             static_cast<double>(y) * static_cast<double>(v.y) +
-             static_cast<double>(z) * static_cast<double>(v.z) + static_cast<double>(shift);
-    };
-    return {row(m.a1, m.a2, m.a3, m.a4), row(m.b1, m.b2, m.b3, m.b4), row(m.c1, m.c2, m.c3, m.c4)};
-  }
-
-  const aiScene& scene_;
-  Mesh mesh_;
-  VertexWeld weld_{mesh_};
-};
 
 std::optional<std::string> why_unreadable(const std::string& path) {
   std::error_code error;
@@ -120,67 +47,179 @@ std::optional<std::string> why_unreadable(const std::string& path) {
     return "there is no such file; a path is relative to the set-up sheet";
   }
   if (kind == std::filesystem::file_type::directory) {
-    return "this is a folder; name an STL, OBJ, PLY, 3MF or STEP file in it";
+    return "this is a folder; name an STL, OBJ, PLY, OFF, 3MF or STEP file in it";
   }
   return std::nullopt;
 }
 
-std::optional<std::string> bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  if (!file || (file.peek() != std::ifstream::traits_type::eof() && !(bytes << file.rdbuf()))) {
-    return std::nullopt;
+enum class MeshKind { Stl, Obj, Ply, Off, ThreeMf, Other };
+
+/// By the ending of its name; where that says nothing by its beginning.
+MeshKind kind_of(const std::string& path, std::string_view beginning) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  constexpr std::pair<std::string_view, MeshKind> kEndings[] = {
+      {".stl", MeshKind::Stl}, {".obj", MeshKind::Obj},     {".ply", MeshKind::Ply},
+      {".off", MeshKind::Off}, {".3mf", MeshKind::ThreeMf},
+  };
+  constexpr std::pair<std::string_view, MeshKind> kBeginnings[] = {
+      {"solid", MeshKind::Stl}, {"ply", MeshKind::Ply}, {"OFF", MeshKind::Off}};
+  for (const auto& [name, kind] : kEndings) {
+    if (ending == name) {
+      return kind;
+    }
   }
-  return std::move(bytes).str();
+  for (const auto& [word, kind] : kBeginnings) {
+    if (beginning.starts_with(word)) {
+      return kind;
+    }
+  }
+  return MeshKind::Other;
 }
 
-Result<Mesh, std::string> import_mesh(const std::string& path) {
-  std::optional<std::string> bytes = bytes_of(path);
-  if (!bytes) {
-    return complaint(path, "it cannot be read; check who may read it");
+/// Packed files whose size unpacked nobody can know before; g31 takes those of 3MF alone.
+bool is_packed(std::string_view beginning) {
+  constexpr std::string_view kPacked[] = {"\x1f\x8b", "PK\x03\x04", "BZh",
+                                          "\xfd"
+                                          "7zXZ",
+                                          "\x28\xb5\x2f\xfd"};
+  const bool is_packed_x = beginning.starts_with("xof ") &&
+                           beginning.substr(0, 16).find("zip") != std::string_view::npos;
+  return is_packed_x || std::ranges::any_of(kPacked, [&](std::string_view magic) {
+           return beginning.starts_with(magic);
+         });
+}
+
+/// What stands between a file and its mesh.
+class FileReader {
+ public:
+  FileReader(const std::string& path, const MeshFileReading& how)
+      : path_(path), how_(how), file_(path, std::ios::binary) {
+    std::error_code error;
+    size_ = std::filesystem::file_size(path, error);
+    is_open_ = file_.good() && !error;
   }
-  if (bytes->empty()) {
-    return complaint(path, "it is empty; expected a mesh with at least one triangle");
+
+  Read read() {
+    constexpr std::size_t kBeginning = 84;
+    if (!is_open_) {
+      return std::string("it cannot be read; check who may read it");
+    }
+    if (size_ == 0) {
+      return std::string("it is empty; expected a mesh with at least one triangle");
+    }
+    if (size_ > kMostMeshFileBytes) {
+      return too_large(kMostMeshFileBytes);
+    }
+    std::string beginning(static_cast<std::size_t>(std::min<std::uint64_t>(size_, kBeginning)), 0);
+    file_.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    file_.seekg(0);
+    const MeshKind kind = kind_of(path_, beginning);
+    if (kind != MeshKind::ThreeMf && is_packed(beginning)) {
+      return std::string("it is packed; unpack it first");
+    }
+    if (kind == MeshKind::Stl && is_binary_stl(beginning, size_)) {
+      return read_binary_stl(file_, size_);
+    }
+    return read_whole(kind);
   }
-  Assimp::Importer importer;
-  // The importer deletes the file system when it goes.
-  importer.SetIOHandler(new MemoryFileSystem(path, *std::move(bytes)));
-  // No other step is asked for: assimp's triangulation aborts the process on some damaged polygons.
-  const aiScene* scene = importer.ReadFile(path, aiProcess_ValidateDataStructure);
-  if (scene == nullptr) {
-    return complaint(path, "not understood as a mesh (" + std::string(importer.GetErrorString()) +
-                               "); expected a whole STL, OBJ, PLY or 3MF file");
+
+ private:
+  Read read_whole(MeshKind kind) {
+    const std::uint64_t most = kind == MeshKind::Stl ? kMostMeshFileBytes : kMostBytesReadWhole;
+    if (size_ > most) {
+      return too_large(most);
+    }
+    std::string bytes(static_cast<std::size_t>(size_), 0);
+    if (!file_.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+      return std::string("it cannot be read to its end");
+    }
+    if (kind == MeshKind::Stl) {
+      return read_text_stl(bytes);
+    }
+    if (auto wrong = why_not_whole(kind, bytes)) {
+      return *std::move(wrong);
+    }
+    return read_through_assimp(path_, std::move(bytes));
   }
-  if (scene->mRootNode == nullptr) {
-    return complaint(path, "it holds no mesh; expected at least one triangle");
+
+  std::optional<std::string> why_not_whole(MeshKind kind, std::string_view bytes) {
+    switch (kind) {
+      case MeshKind::Obj:
+        return why_no_whole_obj(bytes);
+      case MeshKind::Ply:
+        return why_no_whole_ply(bytes);
+      case MeshKind::Off:
+        return why_no_whole_off(bytes);
+      case MeshKind::ThreeMf: {
+        const auto unit = unit_of_3mf(bytes);
+        return unit.ok() ? std::nullopt : std::optional(unit.error());
+      }
+      case MeshKind::Stl:
+      case MeshKind::Other:
+        break;
+    }
+    return std::nullopt;
   }
-  SceneReader reader(*scene);
-  if (const auto wrong = reader.read()) {
-    return complaint(path, *wrong);
+
+  [[nodiscard]] std::string too_large(std::uint64_t most) const {
+    return fmt::format("it has {} bytes; {} are the most", size_, most);
   }
-  if (reader.mesh().triangles.empty()) {
-    return complaint(path, "it holds no triangles; expected a surface, not lines or points");
+
+  const std::string& path_;
+  const MeshFileReading& how_;
+  std::ifstream file_;
+  std::uint64_t size_ = 0;
+  bool is_open_ = false;
+};
+
+/// What holds of a mesh from whatever file.
+std::optional<std::string> why_unusable(const Mesh& mesh) {
+  if (mesh.triangles.empty()) {
+    return "it holds no triangles; expected a surface, not lines or points";
   }
-  return reader.mesh();
+  if (mesh.triangles.size() > kMostTriangles) {
+    return fmt::format("it has {} triangles; {} are the most", mesh.triangles.size(),
+                       kMostTriangles);
+  }
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Point& p = mesh.vertices[i];
+    if (!p.allFinite()) {
+      return fmt::format("vertex {} is not a finite point; every coordinate must be a number",
+                         i + 1);
+    }
+    if (p.cwiseAbs().maxCoeff() > kFarthestMm) {
+      return fmt::format("vertex {} is at {}, {}, {} mm; {} mm is the farthest", i + 1, p.x(),
+                         p.y(), p.z(), kFarthestMm);
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-Result<Mesh, std::string> read_mesh_file(const std::string& path, double step_sagitta_mm) {
+Result<Mesh, std::string> read_mesh_file(const std::string& path, const MeshFileReading& how) {
   if (const auto why = why_unreadable(path)) {
     return complaint(path, *why);
   }
   try {
-    if (is_step_file(path)) {
-      auto mesh = read_step_file(path, step_sagitta_mm);
-      return mesh ? mesh : complaint(path, mesh.error());
+    Read mesh = is_step_file(path) ? read_step_file(path, how.step_sagitta_mm)
+                                   : FileReader(path, how).read();
+    if (!mesh) {
+      return complaint(path, mesh.error());
     }
-    return import_mesh(path);
+    if (const auto wrong = why_unusable(mesh.value())) {
+      return complaint(path, *wrong);
+    }
+    return mesh;
   } catch (const std::exception& error) {
-    return complaint(path, "not understood as a mesh (" + std::string(error.what()) +
-                               "); expected a whole STL, OBJ, PLY or 3MF file");
+    return complaint(path, fmt::format("not understood as a mesh ({}); expected a whole STL, OBJ, "
+                                       "PLY, OFF or 3MF file",
+                                       error.what()));
   } catch (...) {
-    return complaint(path, "not understood as a mesh; expected a whole STL, OBJ, PLY or 3MF file");
+    return complaint(path,
+                     "not understood as a mesh; expected a whole STL, OBJ, PLY, OFF or 3MF file");
   }
 }
 

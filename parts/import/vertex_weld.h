@@ -1,10 +1,11 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <unordered_map>
+#include <limits>
+#include <vector>
 
 #include "machine/units/point.h"
 #include "parts/geometry/mesh.h"
@@ -15,33 +16,57 @@ namespace g31::parts {
 class VertexWeld {
  public:
   /// @param mesh  not owned: it must outlive the weld
-  explicit VertexWeld(Mesh& mesh) : mesh_(mesh) {}
+  explicit VertexWeld(Mesh& mesh) : mesh_(mesh), slots_(kFewest, kNone) {}
 
+  /// @param p  without NaN; @returns its number among the vertices of the mesh
   std::uint32_t vertex_at(const Point& p) {
     // + 0.0 turns -0 into 0: the two are the same place but not the same bits.
-    const Place place = {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
-    const auto next = static_cast<std::uint32_t>(mesh_.vertices.size());
-    const auto [entry, is_new] = vertex_of_.try_emplace(place, next);
-    if (is_new) {
-      mesh_.vertices.emplace_back(place[0], place[1], place[2]);
+    const Point place = p + Point::Zero();
+    std::size_t at = first_slot_of(place);
+    for (; slots_[at] != kNone; at = (at + 1) & (slots_.size() - 1)) {
+      if (mesh_.vertices[slots_[at]] == place) {
+        return slots_[at];
+      }
     }
-    return entry->second;
+    const auto number = static_cast<std::uint32_t>(mesh_.vertices.size());
+    slots_[at] = number;
+    mesh_.vertices.push_back(place);
+    if (2 * mesh_.vertices.size() > slots_.size()) {
+      make_room();
+    }
+    return number;
   }
 
  private:
-  using Place = std::array<double, 3>;
-  struct Hash {
-    std::size_t operator()(const Place& place) const {
-      std::size_t hash = 0;
-      for (const double coordinate : place) {
-        hash = hash * 1000003U ^ std::hash<double>{}(coordinate);
-      }
-      return hash;
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::size_t kFewest = 64;  // a power of two, as all sizes of the table
+
+  [[nodiscard]] std::size_t first_slot_of(const Point& place) const {
+    std::uint64_t hash = 0;
+    for (const double coordinate : place) {
+      // The finalizer of SplitMix64: neighbours on a grid differ in few bits.
+      hash += std::bit_cast<std::uint64_t>(coordinate);
+      hash = (hash ^ (hash >> 30U)) * 0xbf58476d1ce4e5b9U;
+      hash = (hash ^ (hash >> 27U)) * 0x94d049bb133111ebU;
+      hash ^= hash >> 31U;
     }
-  };
+    return static_cast<std::size_t>(hash) & (slots_.size() - 1);
+  }
+
+  void make_room() {
+    slots_ = std::vector<std::uint32_t>();  // gives its memory back first
+    slots_.assign(std::bit_ceil(4 * mesh_.vertices.size()), kNone);
+    for (std::uint32_t i = 0; i < mesh_.vertices.size(); ++i) {
+      std::size_t at = first_slot_of(mesh_.vertices[i]);
+      while (slots_[at] != kNone) {
+        at = (at + 1) & (slots_.size() - 1);
+      }
+      slots_[at] = i;
+    }
+  }
 
   Mesh& mesh_;
-  std::unordered_map<Place, std::uint32_t, Hash> vertex_of_;
+  std::vector<std::uint32_t> slots_;  ///< open addressing: numbers of vertices, at most half full
 };
 
 }  // namespace g31::parts

@@ -49,8 +49,9 @@ Result<std::vector<probe::ProbedPart>, Refusal> build_parts(const setup::Job& jo
   }
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
     const parts::PartSetup& part = job.parts[i];
-    const auto mesh_P = part.shape.empty() ? parts::read_mesh_file(part.file, part.step_sagitta_mm)
-                                           : parts::make_artefact(part);
+    const auto mesh_P = part.shape.empty()
+                            ? parts::read_mesh_file(part.file, {part.step_sagitta_mm})
+                            : parts::make_artefact(part);
     if (!mesh_P) {
       return unusable(job.part_places[i], mesh_P.error());
     }

@@ -1,0 +1,98 @@
+#include "parts/import/three_mf_file.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "parts/import/mesh_limits.h"
+#include "parts/import/mesh_unit.h"
+#include "parts/import/text_lines.h"
+#include "parts/import/zip_archive.h"
+
+namespace g31::parts {
+namespace {
+
+/// The start tag of the model, without its brackets; "" where there is none.
+std::string_view model_tag(std::string_view xml) {
+  for (std::size_t at = xml.find('<'); at != std::string_view::npos; at = xml.find('<', at + 1)) {
+    const std::string_view tag = xml.substr(at + 1, xml.find('>', at) - at - 1);
+    std::string_view words = tag;
+    const std::string_view name = take_word(words);
+    if (name == "model" || name.ends_with(":model")) {
+      return tag;
+    }
+  }
+  return {};
+}
+
+/// The value of ` unit="..."`; mm where it is not given, as the format says.
+std::string_view unit_in(std::string_view tag) {
+  for (std::size_t at = tag.find("unit"); at != std::string_view::npos;
+       at = tag.find("unit", at + 1)) {
+    std::string_view rest = tag.substr(at + 4);
+    rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(" \t\r\n")));
+    if (at == 0 || !is_blank(tag[at - 1]) || !rest.starts_with('=')) {
+      continue;
+    }
+    rest.remove_prefix(std::min(rest.size(), rest.find_first_of("\"'")));
+    return rest.empty() ? rest : rest.substr(1, rest.find(rest.front(), 1) - 1);
+  }
+  return "millimeter";
+}
+
+Result<double, std::string> unit_of_model(const ZipEntry& entry) {
+  const auto model = unpacked(entry);
+  if (!model) {
+    return model.error();
+  }
+  const std::string_view xml = model.value().bytes;
+  const std::string_view tag = model_tag(xml);
+  const std::size_t last = xml.rfind("</");
+  const std::string_view end = last == std::string_view::npos ? "" : xml.substr(last);
+  if (tag.empty() || end.find("model") == std::string_view::npos ||
+      end.find('>') == std::string_view::npos) {
+    return fmt::format("'{}' in it is no whole model: it was cut off", entry.name);
+  }
+  const std::string_view name = unit_in(tag);
+  const auto* const unit = std::ranges::find(kMeshUnits, name, &MeshUnit::name_in_3mf);
+  if (unit == std::end(kMeshUnits)) {
+    return fmt::format("its unit is '{}', which is none of 3MF", name.substr(0, 40));
+  }
+  return unit->mm;
+}
+
+}  // namespace
+
+Result<double, std::string> unit_of_3mf(std::string_view bytes) {
+  const auto entries = zip_directory(bytes);
+  if (!entries) {
+    return entries.error();
+  }
+  std::uint64_t size = 0;
+  for (const ZipEntry& entry : entries.value()) {
+    size += entry.unpacked_size;
+  }
+  if (size > kMostBytesReadWhole) {
+    return fmt::format("unpacked it has {} bytes; {} are the most", size, kMostBytesReadWhole);
+  }
+  std::optional<double> unit;
+  for (const ZipEntry& entry : entries.value()) {
+    if (!entry.name.ends_with(".model")) {
+      continue;
+    }
+    const auto one = unit_of_model(entry);
+    if (!one) {
+      return one.error();
+    }
+    if (unit && *unit != one.value()) {
+      return std::string("its models have different units; write them in one");
+    }
+    unit = one.value();
+  }
+  return unit ? Result<double, std::string>(*unit)
+              : std::string("it holds no model, as a 3MF file does");
+}
+
+}  // namespace g31::parts
