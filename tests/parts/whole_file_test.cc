@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -74,10 +75,11 @@ class WholeFile : public ::testing::Test {
 /// The corner of kPly in the binary form.
 std::string binary_ply(bool is_big_endian) {
   const std::string form = is_big_endian ? "binary_big_endian" : "binary_little_endian";
-  std::string bytes = "ply\nformat " + form +
-                      " 1.0\ncomment made by hand\nelement vertex 4\nproperty float x\n"
-                      "property float y\nproperty float z\nelement face 4\n"
-                      "property list uchar int vertex_indices\nend_header\n";
+  std::string bytes = fmt::format(
+      "ply\nformat {} 1.0\ncomment made by hand\nelement vertex 4\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 4\n"
+      "property list uchar int vertex_indices\nend_header\n",
+      form);
   const auto append = [&](auto value) {
     std::string number;
     testing::append_bytes(number, value);
@@ -171,7 +173,7 @@ TEST_F(WholeFile, ThatAnStlIsNotIsSaidWithItsPlace) {
        "line 7: 'vertex', where 'endloop' is expected"},
       {"a comma", "a.stl", changed(text, "vertex 1 0 0", "vertex 1,5 0 0"),
        "line 5: '1,5', where a number is expected"},
-      {"a binary STL with a facet more", "a.stl", stl + std::string(50, '\0'),
+      {"a binary STL with a facet more", "a.stl", fmt::format("{}{:50}", stl, ""),
        "it says that it has 12 facets, which are 684 bytes, but it has 734"},
       {"a binary STL that says solid, cut off", "a.stl",
        changed(stl.substr(0, 600), "     ", "solid"), "is expected"},
@@ -193,10 +195,12 @@ TEST_F(WholeFile, ThatAMeshOfNumberedVerticesIsNotIsSaidWithItsPlace) {
        "line 2: a vertex has three numbers; '1o' is none"},
       {"OFF with a vertex more", "a.off", changed(kOff, "4 4 6", "5 4 6"),
        "line 10: expected a face"},
-      {"OFF that goes on", "a.off", std::string(kOff) + "3 0 1 2\n", "line 11: the 4 vertices"},
+      {"OFF that goes on", "a.off", changed(kOff, "3 2 0 3", "3 2 0 3\n3 0 1 2"),
+       "line 11: the 4 vertices"},
       {"OFF that names nothing", "a.off", changed(kOff, "3 2 0 3", "3 2 0 4"), "vertices below 4"},
       {"OFF of a billion", "a.off", changed(kOff, "4 4 6", "1000000000 4 6"), "its head lies"},
-      {"PLY that goes on", "a.ply", std::string(kPly) + "3 0 1 2\n", "it goes on behind"},
+      {"PLY that goes on", "a.ply", changed(kPly, "3 2 0 3", "3 2 0 3\n3 0 1 2"),
+       "it goes on behind"},
       {"PLY with a short list", "a.ply", changed(kPly, "3 2 0 3", "4 2 0 3"),
        "line 17: expected element face number 4 of 4"},
       {"PLY of a billion", "a.ply", changed(kPly, "vertex 4", "vertex 1000000000"),
