@@ -38,6 +38,9 @@ class BlockWatch {
 
   [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
 
+  /// What the program writes is charged there; nullptr: nowhere.
+  [[nodiscard]] OutputBudget* output() const { return budget_.output; }
+
   /// Who is to be told of assignments; nullptr: nobody.
   [[nodiscard]] BlockListener* write_listener() const { return write_listener_; }
 

@@ -8,6 +8,7 @@
 
 #include "interpreter/runtime/alarm.h"
 #include "interpreter/runtime/cell.h"
+#include "interpreter/runtime/output_budget.h"
 #include "interpreter/source/diagnostic.h"
 
 namespace g31::runtime {
@@ -18,16 +19,17 @@ enum class Status {
   Alarm,        ///< `alarm` says which
   Collision,    ///< something touched that must not, or a soft limit
   Setup,        ///< the set-up sheet does not fit the program
-  Budget,       ///< blocks or time spent
+  Budget,       ///< blocks, time or output spent
   Interrupted,  ///< interrupted
   SyntaxError,  ///< refused before the first block
   Defect,       ///< of g31 itself
 };
 
-/// How long a run may last.
+/// How long a run may last, and how much it may put out.
 struct Budget {
   std::uint64_t blocks = 50'000'000;
   double wall_seconds = 600.0;
+  OutputBudget* output = nullptr;  ///< outlives the run; nullptr: no end
 };
 
 /// What a run left behind.

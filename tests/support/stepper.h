@@ -178,7 +178,9 @@ class SteppedRun {
 
   disk::Disk disk_;
   Result<session::Prepared, session::Refusal> prepared_;
-  report::RunRecorder recorder_{{report::RecordWhat::Keep::Yes, report::RecordWhat::Keep::Yes}};
+  runtime::OutputBudget output_;
+  report::RunRecorder recorder_{{report::RecordWhat::Keep::Yes, report::RecordWhat::Keep::Yes},
+                                output_};
   std::optional<Result<session::World, session::Refusal>> world_;
   std::shared_ptr<session::Programs> programs_;
   std::shared_ptr<session::Run> run_;

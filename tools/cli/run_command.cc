@@ -35,14 +35,15 @@ struct Tables {
 };
 
 /// The files of --trace and --readings.
-Result<Tables, Refusal> open_tables(const RunOptions& options, const setup::Job& job) {
+Result<Tables, Refusal> open_tables(const RunOptions& options, const setup::Job& job,
+                                    runtime::OutputBudget& budget) {
   std::array<bool, kAxisCount> axes{};
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     axes.at(i) = job.machine.axes[i].present;
   }
   Tables tables;
   if (!options.trace.empty()) {
-    const auto trace = report::TraceFile::create(options.trace, axes);
+    const auto trace = report::TraceFile::create(options.trace, axes, budget);
     if (!trace) {
       return session::bad_input(trace.error());
     }
@@ -53,7 +54,7 @@ Result<Tables, Refusal> open_tables(const RunOptions& options, const setup::Job&
     for (const probe::DisplacementSetup& sensor : job.sensors) {
       sensors.push_back({sensor.name, sensor.input});
     }
-    const auto readings = report::ReadingsFile::create(options.readings, axes, sensors);
+    const auto readings = report::ReadingsFile::create(options.readings, axes, sensors, budget);
     if (!readings) {
       return session::bad_input(readings.error());
     }
@@ -78,14 +79,16 @@ std::optional<Refusal> finish_files(const Tables& tables, Printouts& printouts) 
 /// and stop for hours.
 class EchoingRecorder final : public report::RunRecorder {
  public:
-  /// @param readings  gets a row at every stop; null: nobody asks for them
+  /// @param tables  readings get a row at every stop
   EchoingRecorder(const RunOptions& options, Printouts& printouts,
-                  const machine::MachinePort& machine, report::ReadingsFile* readings)
-      : RunRecorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No}),
+                  const machine::MachinePort& machine, const Tables& tables,
+                  runtime::OutputBudget& budget)
+      : RunRecorder({options.moves ? Keep::Yes : Keep::No, options.touches ? Keep::Yes : Keep::No},
+                    budget),
         printouts_(printouts),
         keeps_(!options.json.empty()),
         machine_(machine),
-        readings_(readings) {}
+        readings_(tables.readings.get()) {}
   void on_move(const runtime::MoveEvent& event) override {
     constexpr int kDwell = 4;
     RunRecorder::on_move(event);
@@ -95,16 +98,10 @@ class EchoingRecorder final : public report::RunRecorder {
   }
   void on_standstill(source::Location /*where*/) override { read_sensors(); }
   void on_output(const runtime::OutputEvent& event) override {
-    if (keeps_) {
-      RunRecorder::on_output(event);
-    }
-    printouts_.write(event.text);
+    print(event, [](std::string_view text) { return text; });
   }
   void on_message(const runtime::OutputEvent& event) override {
-    if (keeps_) {
-      RunRecorder::on_output(event);
-    }
-    printouts_.write(source::as_utf8(event.text));
+    print(event, [](std::string_view text) { return source::as_utf8(text); });
   }
   void on_stop(const runtime::StopEvent& event) override {
     if (keeps_) {
@@ -115,6 +112,19 @@ class EchoingRecorder final : public report::RunRecorder {
 
  private:
   using Keep = report::RecordWhat::Keep;
+
+  /// What is kept is charged as it will be in the document, else as it is printed.
+  template <typename Form>
+  void print(const runtime::OutputEvent& event, const Form& form) {
+    if (keeps_) {
+      RunRecorder::on_output(event);
+    } else {
+      budget().charge(runtime::Output::Printouts, event.text.size());
+    }
+    if (!budget().is_spent()) {
+      printouts_.write(form(event.text));
+    }
+  }
 
   void read_sensors() {
     if (readings_ != nullptr) {
@@ -179,25 +189,26 @@ struct Opened {
   session::Run& run;
   machine::MachiningCentre& machine;
   const report::RunRecorder& recorder;
+  runtime::OutputBudget& output;
   const source::SourceMap& sources;
 };
 
 /// Where the result goes: the document, or the variables asked for as lines.
 std::optional<Refusal> deliver(const Opened& opened, const report::RunResult& result) {
   const RunOptions& options = opened.options;
-  std::string text;
-  if (options.json == "-") {
-    text = run_document(result, opened.recorder, opened.sources);
-  } else {
+  if (options.json != "-") {
+    std::string text;
     for (const auto& [name, value] : result.variables) {
       text += fmt::format("{} = {}\n", name, shown(value));
     }
+    if (auto wrong = write_out("-", text); wrong || options.json.empty()) {
+      return wrong;
+    }
   }
-  auto wrong = write_out("-", text);
-  if (wrong || options.json.empty() || options.json == "-") {
-    return wrong;
-  }
-  return write_out(options.json, run_document(result, opened.recorder, opened.sources));
+  return write_out(options.json, [&](disk::PartFile& file) {
+    report::write_run_document(result, opened.recorder, opened.sources,
+                               [&file](std::string_view piece) { file.write(piece); });
+  });
 }
 
 /// What the document of a run tells, behind its end.
@@ -226,8 +237,10 @@ runtime::Outcome without_allowed(runtime::Outcome outcome,
 }
 
 ExitCode run_to_end(const Opened& opened, const Tables& tables, Printouts& printouts) {
+  runtime::Budget budget = opened.options.budget;
+  budget.output = &opened.output;
   const runtime::Outcome outcome =
-      without_allowed(opened.run.session().run(opened.options.budget), opened.options.allowed);
+      without_allowed(opened.run.session().run(budget), opened.options.allowed);
   if (const auto wrong = finish_files(tables, printouts)) {
     return refuse(*wrong);
   }
@@ -264,7 +277,8 @@ ExitCode run_command(const RunOptions& options) {
     return refuse(line.error());
   }
   const auto& [job, control] = prepared.value();
-  const auto tables = open_tables(options, job);
+  runtime::OutputBudget output(options.max_output);
+  const auto tables = open_tables(options, job, output);
   if (!tables) {
     return refuse(tables.error());
   }
@@ -277,7 +291,7 @@ ExitCode run_command(const RunOptions& options) {
     return refuse(printouts.error());
   }
   machine::MachiningCentre& machine = *world.value().machine;
-  EchoingRecorder recorder(options, *printouts.value(), machine, tables.value().readings.get());
+  EchoingRecorder recorder(options, *printouts.value(), machine, tables.value(), output);
   if (tables.value().trace != nullptr) {
     machine.trace(line.value().trace_period_s, *tables.value().trace);
   }
@@ -293,7 +307,7 @@ ExitCode run_command(const RunOptions& options) {
     run.value()->session().connect(*printer);
   }
   return run_to_end({options, line.value(), prepared.value(), *run.value(), machine, recorder,
-                     programs.value()->sources()},
+                     output, programs.value()->sources()},
                     tables.value(), *printouts.value());
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct RunOptions : session::Request {
   bool touches = false;
   std::vector<std::string> allowed;  ///< codes of warnings and notes that nobody wants to hear
   runtime::Budget budget;
+  std::uint64_t max_output = runtime::OutputBudget::kUsualBytes;
 };
 
 /// Runs a program and reports: to standard output or the printer what it prints, standard error

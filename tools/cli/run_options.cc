@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/source/diagnostic.h"
+#include "tools/setup/byte_count.h"
 
 namespace g31::cli {
 namespace {
@@ -74,6 +75,19 @@ void add_program_options(CLI::App& command, RunOptions& options) {
   command.add_option("--max-time", options.budget.wall_seconds, "wall seconds (default 600)")
       ->type_name("S")
       ->check(why_no_time);
+  command
+      .add_option_function<std::string>(
+          "--max-output",
+          [&options](const std::string& text) {
+            const auto bytes = setup::parse_byte_count(text);
+            if (!bytes) {
+              throw CLI::ValidationError("--max-output", bytes.error());
+            }
+            options.max_output = bytes.value();
+          },
+          "bytes of all printouts, files, lists of the document and rows of tables together, or "
+          "500K, 64M, 2G (default 256M)")
+      ->type_name("SIZE");
 }
 
 CLI::App* add_run_command(CLI::App& app, RunOptions& options) {

@@ -61,7 +61,8 @@ ExitCode scene_command(const SceneOptions& options) {
   if (!world) {
     return refuse(world.error());
   }
-  gltf::PathRecorder recorder(*world.value().machine, job.machine, drawn_tip(job));
+  runtime::OutputBudget output(options.run.max_output);
+  gltf::PathRecorder recorder(*world.value().machine, job.machine, drawn_tip(job), output);
   runtime::Observer nobody;
   const auto programs = session::open_programs(control, options.run, disk, job.control);
   if (!programs) {
@@ -71,7 +72,9 @@ ExitCode scene_command(const SceneOptions& options) {
   if (!run) {
     return refuse(run.error());
   }
-  const runtime::Outcome outcome = run.value()->session().run(options.run.budget);
+  runtime::Budget budget = options.run.budget;
+  budget.output = &output;
+  const runtime::Outcome outcome = run.value()->session().run(budget);
   print_diagnostics(outcome, programs.value()->sources());
   if (outcome.status == runtime::Status::SyntaxError) {
     return ExitCode::BadUsage;

@@ -5,7 +5,12 @@
 namespace g31::cli {
 
 std::optional<session::Refusal> write_out(const std::string& path, std::string_view text) {
-  const auto problem = disk::write_whole_file(path, text);
+  return write_out(path, [&](disk::PartFile& file) { file.write(text); });
+}
+
+std::optional<session::Refusal> write_out(const std::string& path,
+                                          const std::function<void(disk::PartFile&)>& write) {
+  const auto problem = disk::write_whole_file(path, write);
   return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "tools/disk/part_file.h"
 #include "tools/session/refusal.h"
 
 namespace g31::cli {
@@ -11,5 +13,8 @@ namespace g31::cli {
 /// Writes a whole text where an option wants it.
 /// @param path  of a file, a device or a pipe; "-": standard output
 std::optional<session::Refusal> write_out(const std::string& path, std::string_view text);
+/// The same of a text that is made piece by piece.
+std::optional<session::Refusal> write_out(const std::string& path,
+                                          const std::function<void(disk::PartFile&)>& write);
 
 }  // namespace g31::cli

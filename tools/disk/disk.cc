@@ -87,9 +87,14 @@ bool Disk::has_folder(const std::string& folder) {
 }
 
 std::optional<std::string> write_whole_file(const std::string& path, std::string_view text) {
+  return write_whole_file(path, [&](PartFile& file) { file.write(text); });
+}
+
+std::optional<std::string> write_whole_file(const std::string& path,
+                                            const std::function<void(PartFile&)>& write) {
   const auto file = PartFile::create(path);
   if (file) {
-    file.value()->write(text);
+    write(*file.value());
   }
   const auto reason = file ? file.value()->finish() : file.error();
   return reason ? std::optional(fmt::format("cannot write {}: {}",

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "interpreter/source/file_system.h"
+#include "tools/disk/part_file.h"
 
 namespace g31::disk {
 
@@ -25,5 +27,8 @@ class Disk final : public source::FileSystem {
 /// it; a link to a file stays one.  A device or a pipe gets the text as it is.  @returns why it
 /// could not be written; nullopt: it was
 std::optional<std::string> write_whole_file(const std::string& path, std::string_view text);
+/// The same of a text that is made piece by piece.
+std::optional<std::string> write_whole_file(const std::string& path,
+                                            const std::function<void(PartFile&)>& write);
 
 }  // namespace g31::disk

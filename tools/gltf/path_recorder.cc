@@ -11,6 +11,11 @@
 namespace g31::gltf {
 namespace {
 
+/// A line of a scene: two points, as many bytes as the two forms of a scene and memory take.
+constexpr std::uint64_t kLineBytes = 64;
+/// A mark has names and a place in lists.
+constexpr std::uint64_t kMarkBytes = 256;
+
 Mark mark_of(const machine::Contact& contact, const std::string& what) {
   return {contact.p_M_point, contact.n_M, contact.part, what};
 }
@@ -27,8 +32,8 @@ const std::optional<machine::Contact>& contact_of(const machine::SkipOutcome& ou
 }  // namespace
 
 PathRecorder::PathRecorder(machine::MachinePort& machine, const machine::MachineSetup& setup,
-                           const Point& p_S_tip)
-    : machine_(machine), dynamics_(setup), p_S_tip_(p_S_tip) {}
+                           const Point& p_S_tip, runtime::OutputBudget& budget)
+    : machine_(machine), dynamics_(setup), p_S_tip_(p_S_tip), budget_(budget) {}
 
 Result<AxisPositions, machine::MachineFault> PathRecorder::move(const machine::LinearMove& move) {
   const AxisPositions q_M_from = machine_.position();
@@ -71,7 +76,8 @@ Result<machine::SkipOutcome, machine::MachineFault> PathRecorder::move_until_ski
   draw(PathKind::Skip, q_M_from, machine_.position());
   if (!outcome) {
     mark(outcome.error());
-  } else if (const auto& contact = contact_of(outcome.value())) {
+  } else if (const auto& contact = contact_of(outcome.value());
+             contact && budget_.charge(runtime::Output::Scene, kMarkBytes)) {
     trace_.contacts.push_back(mark_of(*contact, {}));
   }
   return outcome;
@@ -90,6 +96,9 @@ Point PathRecorder::tip_at(const AxisPositions& q_M) const {
 
 void PathRecorder::draw(PathKind kind, const AxisPositions& q_M_from, const AxisPositions& q_M_to) {
   if (linear_axes(q_M_from) == linear_axes(q_M_to)) {
+    return;
+  }
+  if (!budget_.charge(runtime::Output::Scene, kLineBytes)) {
     return;
   }
   Segments& segments = trace_.paths[static_cast<std::size_t>(kind)];

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "interpreter/runtime/output_budget.h"
 #include "machine/port/machine_port.h"
 #include "machine/sim/axis_dynamics.h"
 #include "tools/gltf/picture.h"
@@ -18,8 +19,9 @@ class PathRecorder final : public machine::MachinePort {
   /// @param machine  not owned: it must outlive the recorder
   /// @param setup    of that machine
   /// @param p_S_tip  mm, from the spindle gauge point to the drawn point at spindle angle 0
+  /// @param budget   is charged for each line; outlives the recorder
   PathRecorder(machine::MachinePort& machine, const machine::MachineSetup& setup,
-               const Point& p_S_tip);
+               const Point& p_S_tip, runtime::OutputBudget& budget);
 
   Result<AxisPositions, machine::MachineFault> move(const machine::LinearMove& move) override;
   Result<AxisPositions, machine::MachineFault> move(const machine::ArcMove& arc) override;
@@ -69,6 +71,7 @@ class PathRecorder final : public machine::MachinePort {
   Point p_S_tip_;
   Eigen::Matrix3d R_MS_ = Eigen::Matrix3d::Identity();
   Trace trace_;
+  runtime::OutputBudget& budget_;
 };
 
 }  // namespace g31::gltf

@@ -8,7 +8,8 @@
 namespace g31::report {
 
 Result<std::shared_ptr<ReadingsFile>, std::string> ReadingsFile::create(
-    const std::string& path, const AxesPresent& axes, std::vector<Column> sensors) {
+    const std::string& path, const AxesPresent& axes, std::vector<Column> sensors,
+    runtime::OutputBudget& budget) {
   auto file = disk::PartFile::create(path);
   if (!file) {
     return fmt::format("cannot write {}: {}", path, file.error());
@@ -24,12 +25,17 @@ Result<std::shared_ptr<ReadingsFile>, std::string> ReadingsFile::create(
   }
   file.value()->write(header + "\n");
   return std::shared_ptr<ReadingsFile>(
-      new ReadingsFile(path, file.value(), axes, std::move(sensors)));
+      new ReadingsFile(path, file.value(), axes, std::move(sensors), budget));
 }
 
 ReadingsFile::ReadingsFile(const std::string& path, std::shared_ptr<disk::PartFile> file,
-                           const AxesPresent& axes, std::vector<Column> sensors)
-    : path_(path), file_(std::move(file)), axes_(axes), sensors_(std::move(sensors)) {}
+                           const AxesPresent& axes, std::vector<Column> sensors,
+                           runtime::OutputBudget& budget)
+    : path_(path),
+      file_(std::move(file)),
+      axes_(axes),
+      sensors_(std::move(sensors)),
+      budget_(budget) {}
 
 void ReadingsFile::add_row(const machine::MachinePort& machine) {
   std::string line = fmt::format("{:.12g}", machine.time_s());
@@ -44,7 +50,10 @@ void ReadingsFile::add_row(const machine::MachinePort& machine) {
     fmt::format_to(std::back_inserter(line), ",{}",
                    machine.displacement(sensor.input).value() + 0.0);
   }
-  file_->write(line + "\n");
+  line += '\n';
+  if (budget_.charge(runtime::Output::Readings, line.size())) {
+    file_->write(line);
+  }
 }
 
 std::optional<std::string> ReadingsFile::finish() {

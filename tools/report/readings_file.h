@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/runtime/output_budget.h"
 #include "machine/base/result.h"
 #include "machine/port/machine_port.h"
 #include "tools/disk/part_file.h"
@@ -29,10 +30,12 @@ class ReadingsFile {
   };
 
   /// @param sensors  of the machine whose rows there will be
+  /// @param budget   is charged for each row; outlives the file
   /// @returns why the file cannot be written
   static Result<std::shared_ptr<ReadingsFile>, std::string> create(const std::string& path,
                                                                    const AxesPresent& axes,
-                                                                   std::vector<Column> sensors);
+                                                                   std::vector<Column> sensors,
+                                                                   runtime::OutputBudget& budget);
 
   /// Where the axes of the machine are now, and what its sensors read there.
   void add_row(const machine::MachinePort& machine);
@@ -42,12 +45,13 @@ class ReadingsFile {
 
  private:
   ReadingsFile(const std::string& path, std::shared_ptr<disk::PartFile> file,
-               const AxesPresent& axes, std::vector<Column> sensors);
+               const AxesPresent& axes, std::vector<Column> sensors, runtime::OutputBudget& budget);
 
   std::string path_;
   std::shared_ptr<disk::PartFile> file_;
   AxesPresent axes_;
   std::vector<Column> sensors_;
+  runtime::OutputBudget& budget_;
 };
 
 }  // namespace g31::report

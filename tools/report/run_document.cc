@@ -135,54 +135,44 @@ Json diagnostic_json(const source::Diagnostic& diagnostic, const source::SourceM
   return object;
 }
 
-template <typename Events, typename Convert>
-Json list_of(const Events& events, Convert convert) {
-  Json list = Json::array();
-  for (const auto& event : events) {
-    list.push_back(convert(event));
-  }
-  return list;
-}
-
 }  // namespace
 
-std::string run_document(const RunResult& result, const RunRecorder& recorder,
-                         const source::SourceMap& sources) {
+void write_run_document(const RunResult& result, const RunRecorder& recorder,
+                        const source::SourceMap& sources, const TextSink& sink) {
   const auto shown_by = [&](auto convert) {
     return [&sources, convert](const auto& event) { return convert(event, sources); };
   };
-  Json document = {{"schema", "g31.run/1"},
-                   {"program", std::filesystem::path(result.program).filename().string()},
-                   {"control", result.control},
-                   {"seed", result.seed},
-                   {"status", session::status_name(result.outcome.status)}};
-  document["alarm"] = result.outcome.alarm ? alarm_json(*result.outcome.alarm, sources) : Json();
-  document["variables"] = Json::object();
+  ObjectWriter document(sink);
+  document.add("schema", "g31.run/1");
+  document.add("program", std::filesystem::path(result.program).filename().string());
+  document.add("control", result.control);
+  document.add("seed", result.seed);
+  document.add("status", session::status_name(result.outcome.status));
+  document.add("alarm", result.outcome.alarm ? alarm_json(*result.outcome.alarm, sources) : Json());
+  Json variables = Json::object();
   for (const auto& [name, value] : result.variables) {
-    document["variables"][name] = json_of(value);
+    variables[name] = json_of(value);
   }
-  document["output"] = source::as_utf8(recorder.output());
-  document["files"] = Json::object();
-  for (const auto& [name, content] : result.files) {
-    document["files"][name] = source::as_utf8(content);
-  }
-  document["stops"] = list_of(recorder.stops(), shown_by(stop_json));
+  document.add("variables", variables);
+  document.add_latin_1("output", recorder.output());
+  document.add_latin_1("files", result.files);
+  document.add_list("stops", recorder.stops(), shown_by(stop_json));
   if (recorder.stops_left_out() > 0) {
-    document["stops_left_out"] = recorder.stops_left_out();
+    document.add("stops_left_out", recorder.stops_left_out());
   }
   if (recorder.what().moves == RecordWhat::Keep::Yes) {
-    document["moves"] = list_of(recorder.moves(), move_json);
+    document.add_list("moves", recorder.moves(), move_json);
   }
   if (recorder.what().touches == RecordWhat::Keep::Yes) {
-    document["touches"] = list_of(recorder.touches(), shown_by(touch_json));
+    document.add_list("touches", recorder.touches(), shown_by(touch_json));
   }
   if (!result.probe_state.empty()) {
-    document["probe"] = {{"state", result.probe_state}};
+    document.add("probe", {{"state", result.probe_state}});
   }
-  document["diagnostics"] = list_of(result.outcome.diagnostics, shown_by(diagnostic_json));
-  document["blocks"] = result.outcome.blocks;
-  document["machine_time_s"] = result.machine_time_s;
-  return document.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  document.add_list("diagnostics", result.outcome.diagnostics, shown_by(diagnostic_json));
+  document.add("blocks", result.outcome.blocks);
+  document.add("machine_time_s", result.machine_time_s);
+  document.finish();
 }
 
 }  // namespace g31::report

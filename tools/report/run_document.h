@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/shown_value.h"
 #include "interpreter/source/source_map.h"
+#include "tools/report/object_writer.h"
 #include "tools/report/run_recorder.h"
 
 namespace g31::report {
@@ -20,15 +22,16 @@ struct RunResult {
   std::uint64_t seed = 0;
   runtime::Outcome outcome;
   std::vector<std::pair<std::string, runtime::ShownValue>> variables;  ///< in the order asked for
-  std::map<std::string, std::string> files;  ///< what the program wrote, by name
+  std::map<std::string, std::string_view> files;  ///< what the program wrote, by name
   double machine_time_s = 0.0;
   std::string probe_state;  ///< what is the matter with the probe, "" for nothing
 };
 
-/// The JSON text of schema `g31.run/1` (docs: the command-line contract), ending in a line break.
-/// Bytes that are no UTF-8 in program texts are replaced by U+FFFD.
+/// Writes the JSON text of schema `g31.run/1` (docs: the command-line contract), which ends in a
+/// line break, piece by piece: no list of it is ever in memory as text.  Bytes that are no UTF-8 in
+/// program texts are replaced by U+FFFD.
 /// @param sources  of the programs that ran
-std::string run_document(const RunResult& result, const RunRecorder& recorder,
-                         const source::SourceMap& sources);
+void write_run_document(const RunResult& result, const RunRecorder& recorder,
+                        const source::SourceMap& sources, const TextSink& sink);
 
 }  // namespace g31::report

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "interpreter/runtime/observer.h"
+#include "interpreter/runtime/output_budget.h"
 
 namespace g31::report {
 
@@ -17,37 +18,20 @@ struct RecordWhat {
   Keep touches = Keep::No;
 };
 
-/// Keeps what a running program does, for the result document.
+/// Keeps what a running program does, for the result document, as far as the budget lets it.
 class RunRecorder : public runtime::Observer {
  public:
   /// Of the stops the first ones are kept: a loop that stops at each pass may run for hours.
   static constexpr std::size_t kMostStops = 10000;
 
-  explicit RunRecorder(RecordWhat what) : what_(what) {}
+  /// @param budget  is charged for what is kept; outlives the recorder
+  RunRecorder(RecordWhat what, runtime::OutputBudget& budget) : what_(what), budget_(budget) {}
 
-  void on_move(const runtime::MoveEvent& event) override {
-    if (what_.moves == RecordWhat::Keep::Yes) {
-      moves_.push_back(event);
-    }
-  }
-  void on_moves_undone(std::uint64_t count) override {
-    if (what_.moves == RecordWhat::Keep::Yes) {
-      moves_.resize(moves_.size() - static_cast<std::size_t>(count));
-    }
-  }
-  void on_touch(const runtime::TouchEvent& event) override {
-    if (what_.touches == RecordWhat::Keep::Yes) {
-      touches_.push_back(event);
-    }
-  }
-  void on_stop(const runtime::StopEvent& event) override {
-    if (stops_.size() < kMostStops) {
-      stops_.push_back(event);
-    } else {
-      ++stops_left_out_;
-    }
-  }
-  void on_output(const runtime::OutputEvent& event) override { output_ += event.text; }
+  void on_move(const runtime::MoveEvent& event) override;
+  void on_moves_undone(std::uint64_t count) override;
+  void on_touch(const runtime::TouchEvent& event) override;
+  void on_stop(const runtime::StopEvent& event) override;
+  void on_output(const runtime::OutputEvent& event) override;
 
   [[nodiscard]] const RecordWhat& what() const { return what_; }
   [[nodiscard]] const std::vector<runtime::MoveEvent>& moves() const { return moves_; }
@@ -56,8 +40,12 @@ class RunRecorder : public runtime::Observer {
   [[nodiscard]] std::size_t stops_left_out() const { return stops_left_out_; }
   [[nodiscard]] const std::string& output() const { return output_; }
 
+ protected:
+  [[nodiscard]] runtime::OutputBudget& budget() { return budget_; }
+
  private:
   RecordWhat what_;
+  runtime::OutputBudget& budget_;
   std::vector<runtime::MoveEvent> moves_;
   std::vector<runtime::TouchEvent> touches_;
   std::vector<runtime::StopEvent> stops_;

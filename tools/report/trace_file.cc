@@ -8,7 +8,8 @@
 namespace g31::report {
 
 Result<std::shared_ptr<TraceFile>, std::string> TraceFile::create(const std::string& path,
-                                                                  const AxesPresent& axes) {
+                                                                  const AxesPresent& axes,
+                                                                  runtime::OutputBudget& budget) {
   auto file = disk::PartFile::create(path);
   if (!file) {
     return fmt::format("cannot write {}: {}", path, file.error());
@@ -22,12 +23,12 @@ Result<std::shared_ptr<TraceFile>, std::string> TraceFile::create(const std::str
     }
   }
   file.value()->write(header + "\n");
-  return std::shared_ptr<TraceFile>(new TraceFile(path, file.value(), axes));
+  return std::shared_ptr<TraceFile>(new TraceFile(path, file.value(), axes, budget));
 }
 
 TraceFile::TraceFile(const std::string& path, std::shared_ptr<disk::PartFile> file,
-                     const AxesPresent& axes)
-    : path_(path), file_(std::move(file)), axes_(axes) {}
+                     const AxesPresent& axes, runtime::OutputBudget& budget)
+    : path_(path), file_(std::move(file)), axes_(axes), budget_(budget) {}
 
 void TraceFile::on_sample(const machine::TraceSample& sample) {
   line_.clear();
@@ -36,7 +37,9 @@ void TraceFile::on_sample(const machine::TraceSample& sample) {
   append(line_, sample.q_M_encoder);
   append(line_, sample.q_M_true);
   line_ += '\n';
-  file_->write(line_);
+  if (budget_.charge(runtime::Output::Trace, line_.size())) {
+    file_->write(line_);
+  }
 }
 
 void TraceFile::append(std::string& line, const AxisPositions& q) const {

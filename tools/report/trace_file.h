@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "interpreter/runtime/output_budget.h"
 #include "machine/base/result.h"
 #include "machine/port/trace.h"
 #include "tools/disk/part_file.h"
@@ -20,21 +21,25 @@ class TraceFile final : public machine::TraceSink {
  public:
   using AxesPresent = std::array<bool, kAxisCount>;
 
+  /// @param budget  is charged for each row; outlives the file
   /// @returns why the file cannot be written
   static Result<std::shared_ptr<TraceFile>, std::string> create(const std::string& path,
-                                                                const AxesPresent& axes);
+                                                                const AxesPresent& axes,
+                                                                runtime::OutputBudget& budget);
   void on_sample(const machine::TraceSample& sample) override;
 
   /// Gives the file its name.  @returns why it is not whole; nullopt: it is
   std::optional<std::string> finish();
 
  private:
-  TraceFile(const std::string& path, std::shared_ptr<disk::PartFile> file, const AxesPresent& axes);
+  TraceFile(const std::string& path, std::shared_ptr<disk::PartFile> file, const AxesPresent& axes,
+            runtime::OutputBudget& budget);
   void append(std::string& line, const AxisPositions& q) const;
 
   std::string path_;
   std::shared_ptr<disk::PartFile> file_;
   AxesPresent axes_;
+  runtime::OutputBudget& budget_;
   std::string line_;
 };
 

@@ -85,12 +85,15 @@ class FanucSession final : public Session {
   [[nodiscard]] std::map<std::string, double> permanent_variables() const override {
     return session_->permanent_variables();
   }
-  [[nodiscard]] std::map<std::string, std::string> files() const override { return {}; }
+  [[nodiscard]] const std::map<std::string, std::string>& files() const override {
+    return no_files_;
+  }
 
  private:
   FanucPrograms& programs_;
   Library library_;
   std::optional<fanuc::Session> session_;
+  const std::map<std::string, std::string> no_files_;
 };
 
 std::unique_ptr<Session> FanucPrograms::session(machine::MachinePort& machine,

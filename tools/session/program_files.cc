@@ -48,8 +48,8 @@ Result<ProgramFiles, std::string> ProgramFiles::open(const std::string& folder) 
   return files;
 }
 
-ProgramFiles::Contents ProgramFiles::changed(const Contents& now) const {
-  Contents changed;
+ProgramFiles::Changes ProgramFiles::changed(const Contents& now) const {
+  Changes changed;
   for (const auto& [name, content] : now) {
     const auto before = at_start_.find(name);
     if (before == at_start_.end() || before->second != content) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "machine/base/result.h"
 
@@ -13,14 +14,15 @@ namespace g31::session {
 class ProgramFiles {
  public:
   using Contents = std::map<std::string, std::string>;
+  using Changes = std::map<std::string, std::string_view>;
 
   /// What lies in the folder; folders in it, hidden files and files of more than 16 MiB are none of
   /// the program's.  @param folder  "": none.  @returns what is wrong with it
   static Result<ProgramFiles, std::string> open(const std::string& folder);
 
   [[nodiscard]] const Contents& at_start() const { return at_start_; }
-  /// What the program made or changed.
-  [[nodiscard]] Contents changed(const Contents& now) const;
+  /// What the program made or changed: texts of `now`.
+  [[nodiscard]] Changes changed(const Contents& now) const;
   /// Writes what has changed and removes what the program deleted, in the folder.
   /// @returns why it could not be done
   [[nodiscard]] std::optional<std::string> save(const Contents& now) const;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,8 +37,8 @@ class Run {
   [[nodiscard]] Result<runtime::NamedValues, std::string> values(
       const std::vector<std::string>& names);
 
-  /// What the program made or changed, by name.
-  [[nodiscard]] std::map<std::string, std::string> changed_files() const {
+  /// What the program made or changed, by name; the texts live as long as the run.
+  [[nodiscard]] ProgramFiles::Changes changed_files() const {
     return files_.changed(session_->files());
   }
 

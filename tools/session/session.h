@@ -58,8 +58,8 @@ class Session {
   [[nodiscard]] virtual std::map<std::string, double> permanent_variables() const = 0;
   /// Files that are there before the run; a control that writes none leaves them alone.
   virtual void give_files(const std::map<std::string, std::string>& /*files*/) {}
-  /// All files after the run, by name.
-  [[nodiscard]] virtual std::map<std::string, std::string> files() const = 0;
+  /// All files after the run, by name; they live as long as the session.
+  [[nodiscard]] virtual const std::map<std::string, std::string>& files() const = 0;
 };
 
 }  // namespace g31::session

@@ -40,7 +40,7 @@ class SinumerikSession final : public Session {
   void give_files(const std::map<std::string, std::string>& files) override {
     session_.give_files(files);
   }
-  [[nodiscard]] std::map<std::string, std::string> files() const override {
+  [[nodiscard]] const std::map<std::string, std::string>& files() const override {
     return session_.files();
   }
 

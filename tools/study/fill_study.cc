@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "tools/setup/byte_count.h"
+
 namespace g31::study {
 namespace {
 
@@ -66,9 +68,25 @@ class StudyFill {
     study_.max_blocks =
         static_cast<std::uint64_t>(table.number(StudyKey::MaxBlocks).value_or(50'000'000.0));
     study_.max_time_s = table.number(StudyKey::MaxTime).value_or(study_.max_time_s);
+    fill_output(table);
     if (study_.confidence_percent >= 100.0) {
       errors_.add(SetupErrorId::OutOfRange, table.find(StudyKey::Confidence)->where,
                   {"confidence", fmt::format("{}", study_.confidence_percent), "below 100"});
+    }
+  }
+
+  void fill_output(const StudyTable& table) {
+    const StudyEntry* const entry = table.find(StudyKey::MaxOutput);
+    if (entry == nullptr) {
+      return;
+    }
+    const auto& text = std::get<std::string>(entry->value);
+    const auto bytes = setup::parse_byte_count(text);
+    if (bytes) {
+      study_.max_output = bytes.value();
+    } else {
+      errors_.add(SetupErrorId::OutOfRange, entry->where,
+                  {"max_output", fmt::format("\"{}\"", text), "a size such as \"64M\""});
     }
   }
 

@@ -80,7 +80,8 @@ struct Study {
   std::vector<std::string> assumes;
   std::uint64_t max_blocks = 50'000'000;
   double max_time_s = 600.0;
-  std::vector<StudyResult> results;  ///< as they stand in the file
+  std::uint64_t max_output = 256'000'000;  ///< bytes
+  std::vector<StudyResult> results;        ///< as they stand in the file
   std::vector<ListedAxis> listed;
   std::vector<DrawnAxis> drawn;
   std::shared_ptr<const setup::Document> document;  ///< what locations point to

@@ -447,7 +447,8 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
   if (const auto refused = control->configure(job.control); !refused.empty()) {
     return {"setup", session::Ending::Setup, refused.front(), {}, {}};
   }
-  const runtime::Outcome outcome = control->run({study_.max_blocks, study_.max_time_s});
+  runtime::OutputBudget output(study_.max_output);
+  const runtime::Outcome outcome = control->run({study_.max_blocks, study_.max_time_s, &output});
   Ended ended;
   ended.status = session::status_name(outcome.status);
   ended.ending = session::ending_of(outcome);

@@ -6,6 +6,7 @@
 
 #include "interpreter/dialects/fanuc/vocabulary/alarms.h"
 #include "interpreter/runtime/block_watch.h"
+#include "interpreter/runtime/budget_spent.h"
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/stop_report.h"
 #include "interpreter/source/diagnostic.h"
@@ -24,7 +25,8 @@ struct Failure {
   /// 0: the row's own; macro alarms count from it; Setup, Budget, Interrupted and Defect: the
   /// DiagnosticId.
   int alarm_number = 0;
-  std::string alarm_text;  ///< empty: the row's own
+  std::string alarm_text;   ///< empty: the row's own
+  bool broken_off = false;  ///< within a block: the machine may be in the middle of a motion
 };
 
 /// nullopt: the block was executed.
@@ -38,12 +40,23 @@ inline Failure halt_failure(runtime::BlockWatch::Halt halt) {
   return failure;
 }
 
+/// The end of a run whose block has spent a budget.
+inline Failure budget_failure(const runtime::BudgetSpent& spent) {
+  Failure failure;
+  failure.status = runtime::Status::Budget;
+  failure.alarm_number = static_cast<int>(spent.message());
+  failure.detail = spent.detail();
+  failure.broken_off = true;
+  return failure;
+}
+
 /// The end of a run in which g31 itself is wrong.
 inline Failure defect_failure(const std::exception& defect) {
   Failure failure;
   failure.status = runtime::Status::Defect;
   failure.alarm_number = static_cast<int>(source::DiagnosticId::Defect);
   failure.detail = defect.what();
+  failure.broken_off = true;
   return failure;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/runtime/output_budget.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -40,6 +41,14 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
+constexpr std::uint64_t kLineEnd = 2;  // as a document writes it
+
+/// What a file counts as output: a name and a block of a disk beside its bytes.
+std::uint64_t size_of_file(std::string_view name, std::string_view content) {
+  constexpr std::uint64_t kDiskBlock = 4096;
+  return kDiskBlock + runtime::size_in_document(name) + runtime::size_in_document(content);
+}
+
 }  // namespace
 
 std::string file_name(std::string_view path) {
@@ -58,8 +67,41 @@ double Runner::write_file(Arguments list) {
   if (name.empty() || line.size() > kLongestLine) {
     return file_error::kBadPath;
   }
-  channel_.files[name] += line + "\n";
+  append_line(name, line);
   return file_error::kNone;
+}
+
+/// A file counts with what it is now, not with what has gone through it.
+void Runner::append_line(const std::string& name, const std::string& line) {
+  make_file(name);
+  if (may_write(runtime::size_in_document(line) + kLineEnd)) {
+    std::string& content = channel_.files[name];
+    content += line;
+    content += '\n';
+  }
+}
+
+void Runner::make_file(const std::string& name) {
+  if (!channel_.files.contains(name) && may_write(size_of_file(name, {}))) {
+    channel_.files[name];
+  }
+}
+
+bool Runner::may_write(std::uint64_t bytes) {
+  runtime::OutputBudget* const budget = channel_.watch.output();
+  return budget == nullptr || budget->charge(runtime::Output::Files, bytes);
+}
+
+bool Runner::remove_file(const std::string& name) {
+  const auto file = channel_.files.find(name);
+  if (file == channel_.files.end()) {
+    return false;
+  }
+  if (runtime::OutputBudget* const budget = channel_.watch.output()) {
+    budget->give_back(runtime::Output::Files, size_of_file(name, file->second));
+  }
+  channel_.files.erase(file);
+  return true;
 }
 
 double Runner::delete_file(Arguments list) {
@@ -67,7 +109,7 @@ double Runner::delete_file(Arguments list) {
   if (name.empty()) {
     return file_error::kBadPath;
   }
-  return channel_.files.erase(name) > 0 ? file_error::kNone : file_error::kNoFile;
+  return remove_file(name) ? file_error::kNone : file_error::kNoFile;
 }
 
 /// READ(error, file, line, count, texts)
@@ -115,8 +157,10 @@ double Runner::open_external(Arguments list) {
     return external_error::kOpenAlready;
   }
   const bool appends = list.size() < 5 || upper(text(list[4].value)) != "OVR";
-  std::string& content = channel_.files[name];
-  content = appends ? std::move(content) : std::string();
+  if (!appends) {
+    remove_file(name);
+  }
+  make_file(name);
   return file_error::kNone;
 }
 
@@ -129,7 +173,7 @@ double Runner::write_external(Arguments list) {
   if (line.size() > kLongestLine) {
     return external_error::kTooLong;
   }
-  channel_.files[name] += line + "\n";
+  append_line(name, line);
   return file_error::kNone;
 }
 

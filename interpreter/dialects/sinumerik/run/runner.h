@@ -265,6 +265,11 @@ class Runner {
   double open_external(Arguments list);
   double write_external(Arguments list);
   double close_external(Arguments list);
+  void append_line(const std::string& name, const std::string& line);
+  void make_file(const std::string& name);
+  bool remove_file(const std::string& name);
+  /// Charges the budget of output.
+  bool may_write(std::uint64_t bytes);
 
   // run_actions.cc
   struct ActionCode {

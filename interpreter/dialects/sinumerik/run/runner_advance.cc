@@ -27,13 +27,16 @@ source::Diagnostic unknown_data_note(const CompiledProgram& program) {
   return note;
 }
 
-/// A defect of ours ends the run at the block that met it, and what it did so far is told.
+/// A defect of ours ends the run at the block that met it, and so does a budget that is spent
+/// within a block; what the run did so far is told.
 template <typename Work>
 MaybeFailure guarded(const Work& work) {
   try {
     return work();
+  } catch (const runtime::BudgetSpent& spent) {
+    return budget_failure(spent);
   } catch (const std::exception& defect) {
-    return message_failure(runtime::Status::Defect, source::DiagnosticId::Defect, defect.what());
+    return defect_failure(defect);
   }
 }
 
@@ -88,7 +91,7 @@ runtime::Advance Runner::advance() {
 /// @param reason  why the run ends before its program does, if it does
 /// @returns the same, or what has shown in the motion that was still open
 MaybeFailure Runner::come_to_rest(const MaybeFailure& reason) {
-  if (reason && reason->status == runtime::Status::Defect) {
+  if (reason && reason->broken_off) {
     return reason;
   }
   return guarded([&]() -> MaybeFailure {

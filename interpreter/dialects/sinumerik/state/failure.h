@@ -1,10 +1,12 @@
 #pragma once
 
+#include <exception>
 #include <optional>
 #include <string>
 
 #include "interpreter/dialects/sinumerik/vocabulary/alarms.h"
 #include "interpreter/runtime/block_watch.h"
+#include "interpreter/runtime/budget_spent.h"
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/stop_report.h"
 #include "interpreter/source/diagnostic.h"
@@ -22,6 +24,7 @@ struct Failure {
   int number = 0;
   std::string text;                            ///< empty: the row's own
   std::optional<source::Location> where = {};  ///< of another block than the running one
+  bool broken_off = false;  ///< within a block: the machine may be in the middle of a motion
 };
 
 /// Alarm 12050 for one of U, V and W that the machine has not.
@@ -47,6 +50,21 @@ inline Failure message_failure(runtime::Status status, source::DiagnosticId mess
   reason.status = status;
   reason.number = static_cast<int>(message);
   reason.detail = std::move(detail);
+  return reason;
+}
+
+/// The end of a run whose block has spent a budget.
+inline Failure budget_failure(const runtime::BudgetSpent& spent) {
+  Failure reason = message_failure(runtime::Status::Budget, spent.message(), spent.detail());
+  reason.broken_off = true;
+  return reason;
+}
+
+/// The end of a run in which g31 itself is wrong.
+inline Failure defect_failure(const std::exception& defect) {
+  Failure reason =
+      message_failure(runtime::Status::Defect, source::DiagnosticId::Defect, defect.what());
+  reason.broken_off = true;
   return reason;
 }
 

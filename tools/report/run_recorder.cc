@@ -1,0 +1,52 @@
+#include "tools/report/run_recorder.h"
+
+#include <algorithm>
+
+namespace g31::report {
+namespace {
+
+using runtime::Output;
+
+// What an entry of a list of the document takes: most moves and touches are within half of it and
+// twice of it.
+constexpr std::uint64_t kMoveBytes = 128;
+constexpr std::uint64_t kTouchBytes = 512;
+constexpr std::uint64_t kStopBytes = 128;  // without its text
+
+}  // namespace
+
+void RunRecorder::on_move(const runtime::MoveEvent& event) {
+  if (what_.moves == RecordWhat::Keep::Yes && budget_.charge(Output::Moves, kMoveBytes)) {
+    moves_.push_back(event);
+  }
+}
+
+void RunRecorder::on_moves_undone(std::uint64_t count) {
+  if (what_.moves == RecordWhat::Keep::Yes) {
+    const auto fewer = std::min(static_cast<std::size_t>(count), moves_.size());
+    moves_.resize(moves_.size() - fewer);
+    budget_.give_back(Output::Moves, fewer * kMoveBytes);
+  }
+}
+
+void RunRecorder::on_touch(const runtime::TouchEvent& event) {
+  if (what_.touches == RecordWhat::Keep::Yes && budget_.charge(Output::Touches, kTouchBytes)) {
+    touches_.push_back(event);
+  }
+}
+
+void RunRecorder::on_stop(const runtime::StopEvent& event) {
+  if (stops_.size() == kMostStops) {
+    ++stops_left_out_;
+  } else if (budget_.charge(Output::Stops, kStopBytes + runtime::size_in_document(event.text))) {
+    stops_.push_back(event);
+  }
+}
+
+void RunRecorder::on_output(const runtime::OutputEvent& event) {
+  if (budget_.charge(Output::Printouts, runtime::size_in_document(event.text))) {
+    output_ += event.text;
+  }
+}
+
+}  // namespace g31::report
