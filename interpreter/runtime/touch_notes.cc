@@ -15,6 +15,8 @@ constexpr double kSecondsPerMinute = 60.0;
 /// Facets of a mesh and a bore that stands a little off its place are nothing to speak of.
 constexpr double kLeastAngleDeg = 5.0;
 constexpr double kLeastErrorMm = 0.001;
+/// Of 89 degrees between the move and the normal.
+constexpr double kGlancingCosine = 0.01745240643728351;
 /// A way shorter than this has no direction.
 constexpr double kLeastWayMm = 1e-6;
 /// Two directions are one line, two angles the same.
@@ -56,6 +58,7 @@ void TouchNotes::read(std::vector<source::Diagnostic>& diagnostics) {
   note(diagnostics, DiagnosticId::Chord, touch.where, beside_middle);
   if (!beside_middle) {
     note(diagnostics, DiagnosticId::ObliqueTouch, touch.where, oblique(touch));
+    note(diagnostics, DiagnosticId::GlancingTouch, touch.where, glancing(touch));
   }
   note(diagnostics, DiagnosticId::OtherFeed, touch.where, other_feed(touch));
   before_ = touch;
@@ -63,14 +66,23 @@ void TouchNotes::read(std::vector<source::Diagnostic>& diagnostics) {
 
 std::optional<std::string> TouchNotes::oblique(const Touch& touch) {
   const double angle = std::acos(std::clamp(touch.cosine(), -1.0, 1.0)) * kDegrees;
-  constexpr double kGlancing = 89.0;
-  if (angle < kLeastAngleDeg || angle > kGlancing) {
+  if (angle < kLeastAngleDeg || touch.cosine() < kGlancingCosine) {
     return std::nullopt;
   }
   return fmt::format(
       ": {:.1f} degrees off the surface normal, the correction by the ball radius is wrong by "
       "{:.3f} mm",
       angle, touch.state.ball_radius_mm * (1.0 / touch.cosine() - 1.0));
+}
+
+/// The ball reaches r (1 - sin a) into the surface's way: whether it touches at all hangs on that.
+std::optional<std::string> TouchNotes::glancing(const Touch& touch) {
+  const double cosine = std::max(touch.cosine(), 0.0);
+  if (cosine >= kGlancingCosine) {
+    return std::nullopt;
+  }
+  return fmt::format(": {:.4f} mm further to the side it would miss",
+                     touch.state.ball_radius_mm * (1.0 - std::sqrt(1.0 - cosine * cosine)));
 }
 
 std::optional<std::string> TouchNotes::other_feed(const Touch& touch) {

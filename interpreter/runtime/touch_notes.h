@@ -19,6 +19,7 @@ namespace g31::runtime {
 /// * Off the normal: a correction by the ball's radius r along the move errs by r (1 / cos a - 1)
 /// on
 ///   a plane whose normal is at an angle a to the move.
+/// * Grazing: a hair further to the side there would have been no touch.
 /// * At another feed than calibrated: the signal's delay shifts the reading by delay x difference.
 /// * Two touches along one line, to and fro, in a bore or on a boss beside its middle: what is
 ///   between the ball's centres, l, is a chord; the diameter is l (1 / cos a - 1) more.
@@ -46,6 +47,7 @@ class TouchNotes {
   [[nodiscard]] static std::optional<Touch> touch_from(
       const TouchEvent& event, const std::optional<machine::SensorState>& state);
   [[nodiscard]] static std::optional<std::string> oblique(const Touch& touch);
+  [[nodiscard]] static std::optional<std::string> glancing(const Touch& touch);
   [[nodiscard]] static std::optional<std::string> other_feed(const Touch& touch);
   [[nodiscard]] static std::optional<std::string> chord(const Touch& first, const Touch& second);
   void note(std::vector<source::Diagnostic>& diagnostics, source::DiagnosticId id,

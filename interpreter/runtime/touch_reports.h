@@ -33,21 +33,28 @@ class TouchReports {
     }
   }
   /// The program reads what the last move latched.
-  void result_read(std::vector<source::Diagnostic>& diagnostics) {
-    if (!is_inspected_) {
-      missed.reads_result();
-      notes_.read(diagnostics);
+  /// @returns whether a move has latched anything yet
+  bool result_read(std::vector<source::Diagnostic>& diagnostics) {
+    if (is_inspected_) {
+      return true;
     }
+    missed.reads_result();
+    notes_.read(diagnostics);
+    return has_latched_;
   }
   /// @param state  of what touched
   void touched(const TouchEvent& event, const std::optional<machine::SensorState>& state) {
+    has_latched_ = true;
     notes_.touched(event, state);
   }
+  /// A move without a sensor latches its end.
+  void latched() { has_latched_ = true; }
 
  private:
   friend class LookFromOutside;
   TouchNotes notes_;
   bool is_inspected_ = false;
+  bool has_latched_ = false;
 };
 
 /// While it lives, values are looked at from outside the program: no report comes of it, no time

@@ -25,12 +25,12 @@ std::vector<source::DiagnosticId> complaints_of(const machine::SensorState& stat
 }  // namespace
 
 void Warnings::add(std::vector<source::Diagnostic>& diagnostics, source::DiagnosticId id,
-                   source::Location where) {
+                   source::Location where, std::string_view detail) {
   const auto [row, is_new] =
       repeats_.try_emplace({id, where.file, where.begin}, Repeat{diagnostics.size(), 0});
   ++row->second.times;
   if (is_new) {
-    diagnostics.push_back(make_diagnostic(id, where));
+    diagnostics.push_back(make_diagnostic(id, where, detail));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -17,7 +18,7 @@ class Warnings {
  public:
   /// @param diagnostics  the same at each call
   void add(std::vector<source::Diagnostic>& diagnostics, source::DiagnosticId id,
-           source::Location where);
+           source::Location where, std::string_view detail = {});
   /// Of skip moves without a signal whose results count.
   void add_missed(std::vector<source::Diagnostic>& diagnostics,
                   const std::vector<source::Location>& places);

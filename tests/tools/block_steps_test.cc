@@ -158,7 +158,7 @@ TEST(BlockSteps, ADefectEndsTheRunAtItsBlockAndTellsWhatWasDone) {
     EXPECT_EQ(outcome.status, runtime::Status::Defect);
     EXPECT_EQ(session::ending_of(outcome), session::Ending::Defect);
     ASSERT_EQ(outcome.diagnostics.size(), 1U);
-    EXPECT_EQ(outcome.diagnostics.front().code, "PRB604");
+    EXPECT_EQ(outcome.diagnostics.front().code, "PRB606");
     EXPECT_NE(outcome.diagnostics.front().message.find("++writes_ < 2"), std::string::npos);
     EXPECT_EQ(testing::shown(run.place(outcome.diagnostics.front().where)), program.place);
     EXPECT_TRUE(run.session().permanent_variables().contains(program.variable));

@@ -237,6 +237,12 @@ class Tables(CheckerTest):
                 self.passes(files | {"d/run/b.cc": f"f({kind}::Forgotten);\n"})
                 self.passes(files | {f"d/vocabulary/{name}": text.replace('"b"', '"b: not simulated"')})
 
+    def test_codes_of_two_messages_are_found(self):
+        once = 'DIAGNOSTIC(A, "PRB1", Note, "a", "")\nRULE(B, "NC1", Note, "b", "")\n'
+        files = {"a.cc": "int a;\n", "a.def": once}
+        self.passes(files | {"b.def": 'SETUP_ERROR(A, "SET1", "a")\n'})
+        self.finds(files | {"b.def": 'DIAGNOSTIC(C, "PRB1", Note, "c", "")\n'}, "b.def:1: error: PRB1 is the code of A")
+
     def test_switches_over_numbers_are_found(self):
         for kind in ("int", "unsigned", "std::size_t", "std::uint8_t"):
             with self.subTest(kind):

@@ -87,6 +87,21 @@ TEST(RunErrors, OfTheSetupHaveAPlaceAndTheirCode) {
   }
 }
 
+TEST(RunErrors, OfSettableFramesThatTheSheetLeavesOut) {
+  for (const auto& [program, says] :
+       {std::pair("G54 G0 X0\nG55 X0\nM30\n",
+                  "case.mpf:2:1: error: G55 is not among the work offsets of the set-up sheet"),
+        std::pair("G512 X0\nM30\n", "case.mpf:1:1: error: G512 is not among")}) {
+    TemporaryFolder folder;
+    cli::RunOptions options;
+    options.programs = {folder.write("case.mpf", program)};
+    options.setups = {folder.write("sheet.toml", "[work_offsets.G54]\nX = 1.0\n")};
+    const RunOutput output = run_program(options);
+    EXPECT_EQ(output.exit_code, 5);
+    EXPECT_NE(output.errors.find(says), std::string::npos) << output.errors;
+  }
+}
+
 TEST(RunErrors, OfTheCommandLineAreWrongUsage) {
   TemporaryFolder folder;
   cli::RunOptions plain;

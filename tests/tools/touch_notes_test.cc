@@ -107,6 +107,22 @@ TEST(TouchNotes, AnotherFeedThanThatOfTheCalibration) {
   EXPECT_NEAR(last_mm(notes.find("PRB317")->second), 0.004 * 250.0 / 60.0, 0.00005);
 }
 
+TEST(TouchNotes, GrazingIsAWarning) {
+  // The ball's centre passes the upper edge 0.2 um lower than its radius; at 2 um the angle between
+  // normal and move is acos(sqrt(2 r e) / r) = 87.9 degrees, which is oblique.
+  const std::string sheet =
+      "[probe]\nball_diameter = 6.0\nlength = 100.0\n"
+      "[[part]]\nshape = \"block\"\nheight = 40.0\nat = [80.0, 0.0, 0.0]\n[start]\nZ = ";
+  const std::string program = "O1\nG31 X100. F100.\n#1=#5061\nIF[#1EQ0]GOTO1\nN1 M30\n";
+  const RunOutput grazing = run_on(sheet + "102.9998\n", "grazing.nc", program);
+  EXPECT_EQ(grazing.exit_code, 1);
+  ASSERT_EQ(grazing.document["diagnostics"].size(), 1U) << grazing.errors;
+  EXPECT_EQ(grazing.document["diagnostics"][0]["code"], "PRB320");
+  EXPECT_NE(grazing.errors.find("0.0002 mm further to the side"), std::string::npos);
+  const RunOutput oblique = run_on(sheet + "102.998\n", "oblique.nc", program);
+  EXPECT_EQ(notes_of(oblique).count("PRB316"), 1U) << oblique.errors;
+}
+
 /// A ring of 40 mm, measured along X, this far beside its middle.
 RunOutput measured_beside(double beside, const std::string& more) {
   return run_on(

@@ -4,7 +4,7 @@
 A row added to a table must be a compile error until something handles it.  Casts in case labels hide from the
 compiler which enumerators a switch leaves out; a comparison by order makes the place of a row mean something.
 What no switch is over has to be named somewhere: an alarm where it is raised, an address where it is read, unless its
-text says that it is not simulated.
+text says that it is not simulated.  A code of a message means one message.
 Usage: check_tables.py REPOSITORY
 """
 import pathlib
@@ -25,6 +25,8 @@ ORDER = re.compile(rf"(?<=\s)[<>]=?\s+{ENUMERATOR}(?![\w:(<{{.])|(?<![\w:]){ENUM
 # Tables whose rows are taken up one by one: file name, macro, enumeration.
 NAMED_ROWS = (("alarms.def", "ALARM", "AlarmId"), ("addresses.def", "ADDRESS", "Address"))
 NOT_SIMULATED = "not simulated"
+# Rows whose second column is the code that documents and users know them by.
+CODED_ROW = re.compile(r'(?:DIAGNOSTIC|RULE|SETUP_ERROR|DATA_ERROR)\((\w+),\s*"([A-Z]+\d+)"')
 
 
 def code_of(text):
@@ -58,6 +60,16 @@ def unnamed_rows(root, files):
                 yield table.relative_to(root).as_posix(), number, f"nothing names {enumeration}::{row[1]}"
 
 
+def repeated_codes(root, files):
+    """Codes that two rows have."""
+    first = {}
+    for table in (file for file in files if file.suffix == ".def"):
+        for number, line in enumerate(table.read_text(encoding="utf-8").splitlines(), 1):
+            row = CODED_ROW.match(line)
+            if row and first.setdefault(row[2], row[1]) != row[1]:
+                yield table.relative_to(root).as_posix(), number, f"{row[2]} is the code of {first[row[2]]}"
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
     files = files_of(root, ".h", ".cc")
@@ -67,6 +79,7 @@ def main():
         for problem in problems_of(file.relative_to(root).as_posix(), file.read_text(encoding="utf-8"))
     ]
     problems += unnamed_rows(root, files_of(root, ".h", ".cc", ".def"))
+    problems += repeated_codes(root, files_of(root, ".h", ".cc", ".def"))
     return report(problems, f"tables: {len(files)} files")
 
 

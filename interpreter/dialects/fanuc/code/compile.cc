@@ -216,6 +216,7 @@ void Compiler::link_loops() {
       }
       step.jump = open.back().step;
       out_.steps[open.back().step].jump = i + 1;
+      out_.loops.push_back({open.back().step, i + 1});
       open.pop_back();
     }
   }
@@ -239,6 +240,7 @@ void Compiler::link_jumps() {
     if (sequence >= 1.0 && sequence <= kAlwaysInRange) {
       const auto found = out_.find_label(static_cast<std::int32_t>(sequence), i);
       step.jump = found.value_or(kNone);
+      step.enters_loop = found && out_.enters_loop(i, *found);
     }
   }
 }
@@ -253,6 +255,12 @@ std::optional<Index> CompiledProgram::find_label(std::int32_t sequence, Index fr
   }
   const auto behind = std::ranges::upper_bound(first, last, from, {}, &Label::step);
   return behind != last ? behind->step : first->step;
+}
+
+bool CompiledProgram::enters_loop(Index from, Index to) const {
+  return std::ranges::any_of(loops, [&](const LoopSpan& loop) {
+    return loop.contains(to) && to != loop.begin && !loop.contains(from);
+  });
 }
 
 CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,

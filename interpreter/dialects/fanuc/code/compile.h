@@ -115,6 +115,7 @@ enum class TargetKind : std::uint8_t { Local, Common, Numbered, Computed };
 struct Step {
   syntax::BlockKind kind = syntax::BlockKind::Empty;
   std::uint8_t skip_switch = 0;
+  bool enters_loop = false;                       ///< Goto, IfGoto: from outside
   TargetKind target_kind = TargetKind::Numbered;  ///< Assign
   std::int32_t number = 0;  ///< Assign: variable; Bad: row of errors; Output: statement
   syntax::Index block = 0;  ///< of the tree
@@ -128,6 +129,14 @@ struct Step {
 struct Label {
   std::int32_t sequence = 0;
   syntax::Index step = 0;
+};
+
+/// The steps of a loop, WHILE or DO and END among them.
+struct LoopSpan {
+  syntax::Index begin = 0;
+  syntax::Index end = 0;  ///< one past END
+
+  [[nodiscard]] bool contains(syntax::Index step) const { return begin <= step && step < end; }
 };
 
 /// A window is a run of blocks of a program too long to be kept whole.  Its jumps are not linked:
@@ -148,12 +157,15 @@ struct CompiledProgram {
   std::vector<syntax::Index> word_code;     ///< per word of the program: code of its value
   syntax::Index first_word = 0;             ///< of the tree: word_code[0] belongs to it
   std::vector<Label> labels;                ///< rising by sequence, then step
+  std::vector<LoopSpan> loops;
   std::vector<syntax::SyntaxError> errors;  ///< found while compiling; rows of alarms.def
 
   /// The step that GOTO `sequence` in step `from` goes to: the first behind it, else the first from
   /// the top (MB-171).
   [[nodiscard]] std::optional<syntax::Index> find_label(std::int32_t sequence,
                                                         syntax::Index from) const;
+  /// Whether a jump goes into a loop that it is not in; to its WHILE it may go.
+  [[nodiscard]] bool enters_loop(syntax::Index from, syntax::Index to) const;
 };
 
 /// Where a piece of a program stands.

@@ -27,6 +27,7 @@ void orient(Control& control, const BlockWords& words) {
 /// M6: the tool that T called comes, with the offset of its own number.
 void change_tool(Control& control) {
   if (!control.called_tool) {
+    control.warn_once(source::DiagnosticId::ChangeWithoutTool, control.block);
     return;
   }
   const int number = *control.called_tool;

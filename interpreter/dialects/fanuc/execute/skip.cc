@@ -106,6 +106,7 @@ MaybeFailure execute_torque_skip(Control& control, const NcBlock& block) {
   }
   control.coordinates.arrived_at_programmed(q_L_end);
   control.q_W_skip = control.coordinates.to_work(q_M_end);
+  control.touches.latched();
   return std::nullopt;
 }
 

@@ -53,7 +53,7 @@ bool Runner::fast_step(const Step& step, Frame& now) {
       return true;
     }
     case BlockKind::IfGoto:
-      if (step.jump == kNone) {
+      if (step.jump == kNone || step.enters_loop) {
         return false;
       }
       if (evaluator.condition(*now.program, step.condition)) {
@@ -206,6 +206,9 @@ MaybeFailure Runner::bad_block(const Step& step) {
 
 MaybeFailure Runner::jump(const Step& step) {
   if (step.jump != kNone) {
+    if (step.enters_loop) {
+      control_.warn(source::DiagnosticId::JumpIntoLoop, control_.here());
+    }
     frame().step = step.jump;
     return std::nullopt;
   }
@@ -251,6 +254,9 @@ MaybeFailure Runner::go_to(Frame& frame, int sequence, Failure missing) {
   const auto found = frame.program->find_label(sequence, frame.current);
   if (!found) {
     return missing;
+  }
+  if (frame.program->enters_loop(frame.current, *found)) {
+    control_.warn(source::DiagnosticId::JumpIntoLoop, control_.here());
   }
   frame.step = *found;
   return std::nullopt;

@@ -137,6 +137,11 @@ MaybeFailure Runner::output(const Step& step) {
       failure.detail = fmt::format("#{} cannot be printed here", item.variable);
       return failure;
     }
+    if (!is_binary && cuts_digits(value.value().or_zero(), item, style_of(control_))) {
+      control_.warn_once(source::DiagnosticId::DigitsCut, location(format),
+                         fmt::format("#{} is {:.{}f}, printed as {}", item.variable,
+                                     value.value().or_zero(), item.decimals, *bytes));
+    }
     printout.add(*bytes, is_binary ? PrintCode::Binary : characters);
   }
   control_.use_measured();

@@ -27,7 +27,9 @@ ReadResult read_work_position(Control& control, const Place& place) {
 }
 
 ReadResult read_skip_position(Control& control, const Place& place) {
-  control.touches.result_read(control.diagnostics);
+  if (!control.touches.result_read(control.diagnostics)) {
+    control.warn_once(source::DiagnosticId::NothingMeasured, control.here(), "#5061..");
+  }
   return axis_of(control, place, control.q_W_skip);
 }
 

@@ -115,6 +115,12 @@ std::string decimal_text(double value, int integer_places, int decimals, const O
   return sign + whole + fraction;
 }
 
+bool cuts_digits(double value, const OutputItem& item, const OutputStyle& style) {
+  const double magnitude = round_to_counts(std::abs(value), kPowersOfTen[item.decimals]);
+  return style.overflow == OutputStyle::Overflow::Cut &&
+         magnitude >= kPowersOfTen[item.integer_places];
+}
+
 std::optional<std::string> binary_text(double value, int decimals) {
   const double scaled =
       std::round(round_to_counts(value, kPowersOfTen[decimals]) * kPowersOfTen[decimals]);

@@ -31,6 +31,9 @@ std::optional<std::string> refused_by(const OutputRule& rule, const std::vector<
 /// @param integer_places, decimals  0..9 each
 std::string decimal_text(double value, int integer_places, int decimals, const OutputStyle& style);
 
+/// Whether DPRNT prints a number without its highest digits.
+bool cuts_digits(double value, const OutputItem& item, const OutputStyle& style);
+
 /// A number as BPRNT sends it: round(value * 10^decimals) as four bytes, highest first; nullopt
 /// when it does not fit 32 bits.
 std::optional<std::string> binary_text(double value, int decimals);

@@ -49,6 +49,17 @@ void take_codes(Channel& channel, const Block& block) {
   }
 }
 
+/// G54 to G599 that neither sheet nor program has given.
+MaybeFailure refuse_left_out(const Channel& channel, const Block& block) {
+  const int number = channel.settable_number();
+  if (block.code_of(Group::SettableFrame) == nullptr || !channel.left_out.contains(number)) {
+    return std::nullopt;
+  }
+  constexpr int kFirstLong = 5;  // G505
+  return message_failure(runtime::Status::Setup, source::DiagnosticId::SetupMissingOffset,
+                         fmt::format("G{}", number < kFirstLong ? 53 + number : 500 + number));
+}
+
 /// Whether a program has stopped at one place as often as no operator would start it again.
 bool waits_for_ever(Channel& channel, const Block& block) {
   Channel::Waiting& waiting = channel.waiting;
@@ -246,6 +257,9 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
     turn_to_tool(channel, *code);
   }
   if (MaybeFailure wrong = refuse_unknown(block)) {
+    return wrong;
+  }
+  if (MaybeFailure wrong = refuse_left_out(channel, block)) {
     return wrong;
   }
   take_axis_settings(channel, block);

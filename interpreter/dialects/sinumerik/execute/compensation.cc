@@ -61,7 +61,7 @@ bool leaves(const Channel& channel, const Block& block) {
 
 Result<CompensationCommand, Failure> command_of(const Channel& channel, const Block& block) {
   CompensationCommand command;
-  const bool on = channel.group[Group::RadiusCompensation] != kOff && channel.edge != 0;
+  const bool on = is_compensation_on(channel);
   if (channel.group[Group::RadiusCompensation] != kOff && channel.tool == 0) {
     return failure(AlarmId::CompensationWithoutTool);
   }
@@ -87,6 +87,10 @@ Result<CompensationCommand, Failure> command_of(const Channel& channel, const Bl
 }
 
 }  // namespace
+
+bool is_compensation_on(const Channel& channel) {
+  return channel.group[Group::RadiusCompensation] != kOff && channel.edge != 0;
+}
 
 PlaneInMachine plane_in_machine(const Channel& channel) {
   const Plane plane = channel.plane();

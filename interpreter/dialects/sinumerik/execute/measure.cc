@@ -141,6 +141,10 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   }
   const auto state = channel.port.sensor_state(move.input);
   channel.warnings.add_complaints(channel.diagnostics, state, block.where);
+  if (is_compensation_on(channel)) {
+    channel.warnings.add(channel.diagnostics, source::DiagnosticId::MeasuredCompensated,
+                         block.where);
+  }
   const auto outcome = channel.outlet.move_until_skip(move);
   if (!outcome) {
     channel.arrived_at_machine();

@@ -165,7 +165,10 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
     if (!std::isfinite(length)) {
       return failure(AlarmId::ValueOutOfLimits, fmt::format("the length of T{}", channel.tool));
     }
-    if (channel.selected_tool) {
+    if (!channel.selected_tool) {
+      channel.warnings.add(channel.diagnostics, source::DiagnosticId::ChangeWithoutTool,
+                           block.where);
+    } else {
       channel.port.change_tool({{channel.tool, length, channel.tool_radius()}});
     }
   }

@@ -21,6 +21,8 @@ MaybeFailure pause(Channel& channel, const path::Pause& wait);
 
 /// What the block's RND, CHF, CHR and RNDM ask for; before its motion.
 MaybeFailure read_corner(Channel& channel, const Block& block);
+/// Whether G41 or G42 shifts the path: with an edge.
+bool is_compensation_on(const Channel& channel);
 /// What the block's G40 G41 G42, D and plane say; before its motion.
 MaybeFailure read_compensation(Channel& channel, const Block& block);
 /// Behind the block: one without motion counts as such.

@@ -179,6 +179,9 @@ MaybeFailure Runner::set(const SystemAccess& access, const Argument& value,
   } else {
     stored = frame(value.value);
   }
+  if (access.id == SystemId::SettableFrames) {
+    channel_.left_out.erase(access.indices.front());
+  }
   channel_.frame_written();
   return std::nullopt;
 }

@@ -21,6 +21,7 @@ Runner::Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::
       text_temporaries_(kTemporaryCount),
       frame_temporaries_(kTemporaryCount) {
   levels_.push_back(std::make_unique<Level>());
+  channel_.here = [this] { return here(); };
 }
 
 void Runner::start(const CompiledProgram& program) {

@@ -1,6 +1,8 @@
 #include "interpreter/dialects/sinumerik/run/session.h"
 
 #include <charconv>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -77,6 +79,23 @@ void configure_data(Runner& runner, const runtime::ControlSetup& setup,
   }
 }
 
+/// A sheet that gives any settable frame means the others to be absent.
+std::set<int> left_out_of(const std::map<std::string, AxisPositions>& offsets) {
+  std::set<int> given;
+  for (const auto& [name, q_offset] : offsets) {
+    if (const auto number = settable_in_name(name)) {
+      given.insert(*number);
+    }
+  }
+  std::set<int> rest;
+  for (int number = 1; !given.empty() && number < Channel::kSettableFrames; ++number) {
+    if (!given.contains(number)) {
+      rest.insert(number);
+    }
+  }
+  return rest;
+}
+
 void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
                       std::vector<std::string>& refused) {
   for (const auto& [name, q_offset] : setup.work_offsets) {
@@ -89,6 +108,7 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
           fmt::format("work offset {}: this control has EXT, G54 to G57, G505 to G599", name));
     }
   }
+  channel.left_out = left_out_of(setup.work_offsets);
   for (const auto& [name, shape] : setup.offset_shapes) {
     const auto number = settable_in_name(name);
     if (number || name == "EXT") {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -164,6 +165,9 @@ class Channel {
   static constexpr int kSettableFrames = 100;  ///< 0 is G500
   /// What the control keeps: $P_UIFR, $P_CHBFR, $P_SETFR and so on.
   std::vector<Frame> settable;
+  /// Those that a sheet with settable frames leaves out, until the program writes them: G55 there
+  /// is a mistake of the sheet or the program.
+  std::set<int> left_out;
   FrameSet stored_frames;
   /// What G500 to G599 took of them when programmed last: $P_IFRAME, $P_CHBFRAME, $P_SETFRAME.
   Frame settable_now;
@@ -322,6 +326,8 @@ class Channel {
   runtime::BusyWait busy_wait;
   /// How far the program is, for what happens after a while.
   [[nodiscard]] runtime::InputScripts::Now now() const { return {port.time_s(), watch.blocks()}; }
+  /// Where the program is, for reports from inside an expression.
+  std::function<source::Location()> here;
   std::vector<source::Diagnostic> diagnostics;
   runtime::Warnings warnings;  ///< which of them are of blocks
   runtime::BlockWatch watch{runtime::Budget{}};

@@ -33,6 +33,14 @@ Number place_value(const Channel& channel, const SystemAccess& access, const Axi
   return channel.within_turn(axis, channel.shown_place(axis, q_W[axis]));
 }
 
+/// What the last measuring move latched goes into an expression.
+void measured_read(Channel& channel) {
+  if (!channel.touches.result_read(channel.diagnostics)) {
+    channel.warnings.add(channel.diagnostics, source::DiagnosticId::NothingMeasured, channel.here(),
+                         "the result of MEAS");
+  }
+}
+
 /// The present position within some of the frames.
 AxisPositions within(const Channel& channel, const Frame& frame) {
   return frame.undo(channel.port.position() - channel.tool_offset());
@@ -109,12 +117,12 @@ Number settable_now(Channel& channel, const SystemAccess& access) {
 }
 
 Number machine_measured(Channel& channel, const SystemAccess& access) {
-  channel.touches.result_read(channel.diagnostics);
+  measured_read(channel);
   return axis_value(channel, access, channel.q_M_measured);
 }
 
 Number work_measured(Channel& channel, const SystemAccess& access) {
-  channel.touches.result_read(channel.diagnostics);
+  measured_read(channel);
   return place_value(channel, access, channel.q_W_measured);
 }
 
