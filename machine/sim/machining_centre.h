@@ -74,6 +74,10 @@ class MachiningCentre final : public MachinePort {
   /// As if the axes came to rest at the end of the last move.
   [[nodiscard]] double time_s() const override;
 
+  /// Is looked at in the middle of long work from now on.  @param watch  outlives this; where it
+  /// throws, nothing is to move any more
+  void watch(WorkWatch& watch) { real_.watch(watch); }
+
   /// Takes samples of all motion from now on.  @param sink  outlives this
   void trace(double period_s, TraceSink& sink);
 

@@ -20,6 +20,7 @@ void MotionSampler::show(const ExecutedMotion& motion, const AxisPositions& reso
   }
   std::size_t step = 0;
   while (static_cast<double>(next_) * period_s_ <= end_s) {
+    motion.servo.look();
     TraceSample sample;
     sample.time_s = static_cast<double>(next_) * period_s_;
     const double after_s = std::max(0.0, sample.time_s - motion.start_s);

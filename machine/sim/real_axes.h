@@ -75,6 +75,9 @@ class RealAxes {
   /// What was met in the frame of the part, in that of the machine.
   [[nodiscard]] Contact in_machine(const AxisPositions& q_M, const Contact& of_part) const;
 
+  /// Is looked at in long work on all motions from now on; outlives this.
+  void watch(WorkWatch& watch) { loops_.watch = loops_ahead_.watch = &watch; }
+
   /// Another tool is in the spindle.  @param p_T_tip  mm, its tip from the gauge point
   void take_tool(const Point& p_T_tip);
 

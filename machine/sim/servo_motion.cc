@@ -118,7 +118,8 @@ ServoMotion::ServoMotion(const CommandedPath& path, const MotionPhases& phases,
       time_constants_s_(loops.time_constants_s),
       feed_forward_s_(loops.feed_forward.cwiseProduct(loops.time_constants_s)),
       q_M_end_(start_of(path)),
-      lag_(state.lag) {
+      lag_(state.lag),
+      watch_(loops.watch) {
   G31_EXPECTS((time_constants_s_.array() >= 0.0).all());
   start_velocity_loops(loops, state);
   const double left = lag_.cwiseAbs().maxCoeff();
@@ -150,7 +151,7 @@ void ServoMotion::start_velocity_loops(const ServoLoops& loops, const ServoState
     const auto axis = static_cast<Eigen::Index>(i);
     if (loops.velocity[i].is_there() && time_constants_s_[axis] > 0.0) {
       velocity_loops_[i].emplace(LoopMotion::Setup{loops.velocity[i], 1.0 / time_constants_s_[axis],
-                                                   loops.feed_forward[axis]},
+                                                   loops.feed_forward[axis], loops.watch},
                                  q_M_end_[axis] - lag_[axis], state.velocity[i]);
       has_velocity_loops_ = true;
     }

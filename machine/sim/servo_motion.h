@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "machine/port/work_watch.h"
 #include "machine/sim/arc_path.h"
 #include "machine/sim/independent_path.h"
 #include "machine/sim/motion_phases.h"
@@ -22,6 +23,7 @@ struct ServoLoops {
   AxisPositions time_constants_s = AxisPositions::Zero();  ///< T = 1 / Kv, >= 0
   AxisPositions feed_forward = AxisPositions::Zero();      ///< 0..1
   std::array<VelocityLoopSetup, kAxisCount> velocity = {};
+  WorkWatch* watch = nullptr;  ///< of long work on a motion; outlives its motions
 };
 
 /// What is left of the moves before.
@@ -44,6 +46,13 @@ class ServoMotion {
   /// @param state     when the move begins
   ServoMotion(const CommandedPath& path, const MotionPhases& phases, const ServoState& state,
               const ServoLoops& loops);
+
+  /// To be called in each step of long work on the motion.
+  void look() const {
+    if (watch_ != nullptr) {
+      watch_->look();
+    }
+  }
 
   /// What drives the axes: the motion along their common path, or that of each axis which goes on
   /// its own, in its own units.
@@ -108,6 +117,7 @@ class ServoMotion {
   std::vector<Piece> pieces_;
   std::array<std::optional<LoopMotion>, kAxisCount> velocity_loops_;
   bool has_velocity_loops_ = false;
+  WorkWatch* watch_;
 };
 
 /// How far a command on an arc may be beside the arc, mm.

@@ -56,6 +56,7 @@ std::vector<double> TrueWay::marks() const {
   for (const MotionPhases& drive : motion_.drives()) {
     for (double distance = kFinestPieceMm; distance < drive.length();
          distance += std::min(distance, kFirstPieceMm)) {
+      motion_.look();
       marks.push_back(std::min(until_s_, drive.time_at(distance)));
     }
   }
@@ -96,6 +97,7 @@ bool TrueWay::is_straight(const TruePosition& truth, const Piece& piece) const {
 }
 
 void TrueWay::add(const TruePosition& truth, const Piece& piece, int halvings) {
+  motion_.look();
   if (halvings == 0 || is_straight(truth, piece)) {
     points_.push_back({piece.to_s / until_s_, piece.to.q, piece.to.tilt});
     return;

@@ -16,6 +16,9 @@ constexpr double kRestWay = 1e-8;
 constexpr double kRestAcceleration = 1e-2;
 /// Nothing that a control waits for takes longer.
 constexpr double kLongestRestS = 60.0;
+/// Of commands with more steps than this not all are kept.
+constexpr std::int64_t kMostKeptSteps = 100'000;
+constexpr std::int64_t kStepsOfStretch = 4096;
 
 /// Friction runs towards a value, exponentially.
 struct Rates {
@@ -104,10 +107,48 @@ LoopMotion::LoopMotion(const Setup& setup, double position, const VelocityLoopSt
   G31_EXPECTS(setup.position_gain_per_s > 0.0);
 }
 
-void LoopMotion::step(const CommandCubic& command, double t, double h) const {
-  const LoopSample now = samples_.back();
+LoopSample LoopMotion::stepped(const LoopSample& now, const CommandCubic& command, double t,
+                               double h) const {
+  if (setup_.watch != nullptr) {
+    setup_.watch->look();
+  }
   const LoopSample middle = after(now, rates(setup_, now, value_of(command, t)), 0.5 * h);
-  samples_.push_back(after(now, rates(setup_, middle, value_of(command, t + 0.5 * h)), h));
+  return after(now, rates(setup_, middle, value_of(command, t + 0.5 * h)), h);
+}
+
+void LoopMotion::step(const CommandCubic& command, double t, double h) const {
+  samples_.push_back(stepped(samples_.back(), command, t, h));
+}
+
+void LoopMotion::step_in_stretches(const CommandCubic& command, std::int64_t steps, double h) {
+  for (std::int64_t first = 0; first < steps; first += kStepsOfStretch) {
+    Stretch stretch{
+        samples_.back(), 0.0, command, first, std::min(kStepsOfStretch, steps - first), h};
+    LoopSample now = stretch.start;
+    for (std::int64_t i = first; i < first + stretch.steps; ++i) {
+      now = stepped(now, command, static_cast<double>(i) * h, h);
+    }
+    samples_.push_back(now);
+    stretch.end_s = now.time_s;
+    stretches_.push_back(stretch);
+  }
+}
+
+const std::vector<LoopSample>& LoopMotion::samples_from(double begin_s) const {
+  const auto of_start = [](const Stretch& stretch) { return stretch.start.time_s; };
+  const auto stretch = std::ranges::lower_bound(stretches_, begin_s, {}, of_start);
+  if (stretch == stretches_.end() || stretch->start.time_s != begin_s) {
+    return samples_;
+  }
+  if (in_stretch_.empty() || in_stretch_.front().time_s != begin_s) {
+    in_stretch_.assign(1, stretch->start);
+    for (std::int64_t i = stretch->first; i < stretch->first + stretch->steps; ++i) {
+      in_stretch_.push_back(stepped(in_stretch_.back(), stretch->command,
+                                    static_cast<double>(i) * stretch->h, stretch->h));
+    }
+    in_stretch_.back().time_s = stretch->end_s;
+  }
+  return in_stretch_;
 }
 
 void LoopMotion::follow(const CommandCubic& command, double duration_s) {
@@ -122,12 +163,17 @@ void LoopMotion::follow(const CommandCubic& command, double duration_s) {
     samples_.back().time_s = command_end_s_;
     return;
   }
-  const int steps = static_cast<int>(std::ceil(duration_s / kLoopStepS));
-  const double h = duration_s / steps;
-  for (int i = 0; i < steps; ++i) {
-    step(command, i * h, h);
-  }
+  const auto steps = static_cast<std::int64_t>(std::ceil(duration_s / kLoopStepS));
+  const double h = duration_s / static_cast<double>(steps);
   command_end_s_ += duration_s;
+  if (steps > kMostKeptSteps) {
+    step_in_stretches(command, steps, h);
+    stretches_.back().end_s = command_end_s_;
+  } else {
+    for (std::int64_t i = 0; i < steps; ++i) {
+      step(command, static_cast<double>(i) * h, h);
+    }
+  }
   samples_.back().time_s = command_end_s_;
   rest_ = value_of(command, duration_s).place;
 }
@@ -146,7 +192,9 @@ LoopSample LoopMotion::at(double time_s) const {
   if (time_s >= samples_.back().time_s) {
     return samples_.back();
   }
-  const auto to = std::ranges::upper_bound(samples_, time_s, {}, &LoopSample::time_s);
+  const auto kept = std::ranges::upper_bound(samples_, time_s, {}, &LoopSample::time_s);
+  const auto& samples = samples_from((kept - 1)->time_s);
+  const auto to = std::ranges::upper_bound(samples, time_s, {}, &LoopSample::time_s);
   return between(*(to - 1), *to, time_s);
 }
 

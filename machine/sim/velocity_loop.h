@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
+
+#include "machine/port/work_watch.h"
 
 namespace g31::machine {
 
@@ -43,6 +46,9 @@ using CommandCubic = std::array<double, 4>;
 /// after a reversal, in which the integral part has not followed yet, so the axis stays behind
 /// (stick motion; Kakino, Matsubara, Lin, Owaki 1999).
 ///
+/// Of a command that lasts long only every so many steps are kept: what is between is computed
+/// again where somebody asks for it, with the same result, bit for bit.
+///
 /// Accuracy: midpoint rule in steps of kLoopStepS at most; tests/machine/velocity_loop_test.cc
 /// holds 1e-3 um on the circle of its own.
 class LoopMotion {
@@ -51,6 +57,7 @@ class LoopMotion {
     VelocityLoopSetup loop;
     double position_gain_per_s = 0.0;  ///< Kp > 0
     double feed_forward = 0.0;
+    WorkWatch* watch = nullptr;  ///< looked at in each step
   };
   /// @param position  where the axis is at the time 0
   LoopMotion(const Setup& setup, double position, const VelocityLoopState& state);
@@ -67,14 +74,31 @@ class LoopMotion {
   [[nodiscard]] double within_s(double width) const;
 
  private:
+  /// Steps of a long command whose ends alone are among the samples.
+  struct Stretch {
+    LoopSample start;
+    double end_s = 0.0;
+    CommandCubic command = {};
+    std::int64_t first = 0;  ///< step of the command
+    std::int64_t steps = 0;
+    double h = 0.0;
+  };
+
+  [[nodiscard]] LoopSample stepped(const LoopSample& now, const CommandCubic& command, double t,
+                                   double h) const;
   void step(const CommandCubic& command, double t, double h) const;
+  void step_in_stretches(const CommandCubic& command, std::int64_t steps, double h);
   void rest_until(double time_s) const;
+  /// The samples of the stretch that begins at a time; the usual ones where none does.
+  [[nodiscard]] const std::vector<LoopSample>& samples_from(double begin_s) const;
 
   Setup setup_;
   double rest_ = 0.0;
   double command_end_s_ = 0.0;
   mutable std::vector<LoopSample> samples_;  ///< grows as far as somebody asks
   mutable bool is_at_rest_ = false;
+  std::vector<Stretch> stretches_;              // rising
+  mutable std::vector<LoopSample> in_stretch_;  // the one that was asked for last
 };
 
 inline constexpr double kLoopStepS = 1e-4;

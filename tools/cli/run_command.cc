@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/runtime/overloaded.h"
+#include "interpreter/runtime/time_budget.h"
 #include "interpreter/source/latin_1.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/printouts.h"
@@ -190,8 +191,31 @@ struct Opened {
   machine::MachiningCentre& machine;
   const report::RunRecorder& recorder;
   runtime::OutputBudget& output;
+  const runtime::TimeBudget& time;
   const source::SourceMap& sources;
 };
+
+/// The document has as much time as the run, but a minute at least: a run that has spent its own is
+/// told, too.
+std::optional<Refusal> write_document(const Opened& opened, const report::RunResult& result) {
+  constexpr double kLeastSeconds = 60.0;
+  runtime::TimeBudget time(std::max(kLeastSeconds, opened.options.budget.wall_seconds));
+  const auto write = [&](disk::PartFile& file) {
+    report::write_run_document(result, opened.recorder, opened.sources,
+                               [&](std::string_view piece) {
+                                 file.write(piece);
+                                 time.look();
+                               });
+  };
+  try {
+    return write_out(opened.options.json, write);
+  } catch (const runtime::BudgetSpent&) {
+    return Refusal{session::Ending::Budget,
+                   fmt::format("{}: the limit of computing time is reached with the writing of the "
+                               "document: --max-time raises it",
+                               opened.options.json)};
+  }
+}
 
 /// Where the result goes: the document, or the variables asked for as lines.
 std::optional<Refusal> deliver(const Opened& opened, const report::RunResult& result) {
@@ -205,10 +229,7 @@ std::optional<Refusal> deliver(const Opened& opened, const report::RunResult& re
       return wrong;
     }
   }
-  return write_out(options.json, [&](disk::PartFile& file) {
-    report::write_run_document(result, opened.recorder, opened.sources,
-                               [&file](std::string_view piece) { file.write(piece); });
-  });
+  return write_document(opened, result);
 }
 
 /// What the document of a run tells, behind its end.
@@ -239,6 +260,7 @@ runtime::Outcome without_allowed(runtime::Outcome outcome,
 ExitCode run_to_end(const Opened& opened, const Tables& tables, Printouts& printouts) {
   runtime::Budget budget = opened.options.budget;
   budget.output = &opened.output;
+  budget.wall_seconds = opened.time.left_s();
   const runtime::Outcome outcome =
       without_allowed(opened.run.session().run(budget), opened.options.allowed);
   if (const auto wrong = finish_files(tables, printouts)) {
@@ -282,7 +304,8 @@ ExitCode run_command(const RunOptions& options) {
   if (!tables) {
     return refuse(tables.error());
   }
-  const auto world = session::build_world(job, options.seed);
+  runtime::TimeBudget time(options.budget.wall_seconds);
+  const auto world = session::build_world(job, options.seed, &time);
   if (!world) {
     return refuse(world.error());
   }
@@ -307,7 +330,7 @@ ExitCode run_command(const RunOptions& options) {
     run.value()->session().connect(*printer);
   }
   return run_to_end({options, line.value(), prepared.value(), *run.value(), machine, recorder,
-                     output, programs.value()->sources()},
+                     output, time, programs.value()->sources()},
                     tables.value(), *printouts.value());
 }
 

@@ -57,7 +57,8 @@ ExitCode scene_command(const SceneOptions& options) {
     return refuse(prepared.error());
   }
   const auto& [job, control] = prepared.value();
-  const auto world = session::build_world(job, options.run.seed);
+  runtime::TimeBudget time(options.run.budget.wall_seconds);
+  const auto world = session::build_world(job, options.run.seed, &time);
   if (!world) {
     return refuse(world.error());
   }
@@ -74,6 +75,7 @@ ExitCode scene_command(const SceneOptions& options) {
   }
   runtime::Budget budget = options.run.budget;
   budget.output = &output;
+  budget.wall_seconds = time.left_s();
   const runtime::Outcome outcome = run.value()->session().run(budget);
   print_diagnostics(outcome, programs.value()->sources());
   if (outcome.status == runtime::Status::SyntaxError) {

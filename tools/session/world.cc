@@ -3,6 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "parts/artefacts/artefact.h"
 #include "parts/geometry/placement.h"
 #include "parts/import/mesh_file.h"
@@ -24,6 +26,17 @@ Refusal unusable(const setup::SheetPlace& place, std::string why) {
   return {Ending::Setup, {}, {error}};
 }
 
+bool is_up(const runtime::TimeBudget* time) {
+  return time != nullptr && time->is_up();
+}
+
+Refusal too_late(const std::string& part) {
+  return {Ending::Budget,
+          fmt::format("the limit of computing time is reached with the reading of part {}: "
+                      "--max-time raises it",
+                      part)};
+}
+
 probe::SeenParts seen_with(const probe::TouchableParts& touchable) {
   probe::SeenParts seen;
   for (const auto& part : touchable.parts()) {
@@ -42,7 +55,8 @@ probe::SeenParts seen_alone(const std::vector<probe::ProbedPart>& parts) {
 
 }  // namespace
 
-Result<std::vector<probe::ProbedPart>, Refusal> build_parts(const setup::Job& job) {
+Result<std::vector<probe::ProbedPart>, Refusal> build_parts(const setup::Job& job,
+                                                            const runtime::TimeBudget* time) {
   std::vector<probe::ProbedPart> built;
   if (job.skip_signals && job.sensors.empty()) {
     return built;
@@ -57,6 +71,9 @@ Result<std::vector<probe::ProbedPart>, Refusal> build_parts(const setup::Job& jo
     }
     const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
     built.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
+    if (is_up(time)) {
+      return too_late(part.name);
+    }
   }
   return built;
 }
@@ -92,8 +109,9 @@ std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
   return std::make_unique<probe::World>(std::move(sets), tools, std::move(sensors));
 }
 
-Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed) {
-  const auto parts = build_parts(job);
+Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed,
+                                   runtime::TimeBudget* time) {
+  const auto parts = build_parts(job, time);
   if (!parts) {
     return parts.error();
   }
@@ -101,6 +119,9 @@ Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed) {
   world.parts = parts.value();
   world.surroundings = surroundings_of(job, sensed_parts(job, world.parts), seed);
   world.machine = std::make_unique<machine::MachiningCentre>(job.machine, world.surroundings.get());
+  if (time != nullptr) {
+    world.machine->watch(*time);
+  }
   return world;
 }
 

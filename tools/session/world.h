@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/runtime/time_budget.h"
 #include "machine/base/result.h"
 #include "machine/port/surroundings.h"
 #include "machine/sim/machining_centre.h"
@@ -24,7 +25,9 @@ struct World {
 
 /// The parts of a set-up where they stand; none where signals come from a script and no sensor is.
 /// @returns why a part cannot be made or read, with the place in the sheet
-Result<std::vector<probe::ProbedPart>, Refusal> build_parts(const setup::Job& job);
+/// @param time  nothing more is read once it is up; null: there is no end
+Result<std::vector<probe::ProbedPart>, Refusal> build_parts(
+    const setup::Job& job, const runtime::TimeBudget* time = nullptr);
 
 /// The parts of a set-up, ready for what senses them.
 struct SensedParts {
@@ -41,6 +44,8 @@ std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
 
 /// Builds machine, probe and parts of a set-up.  @returns why a part cannot be made or read, with
 /// the place in the sheet
-Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed);
+/// @param time  as there; the machine looks at it in its work, too; outlives the world
+Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed,
+                                   runtime::TimeBudget* time = nullptr);
 
 }  // namespace g31::session

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/runtime/time_budget.h"
 #include "interpreter/source/diagnostic.h"
 #include "tools/disk/shipped.h"
 
@@ -442,6 +443,8 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
   }
   const auto surroundings = session::surroundings_of(job, parts.value(), seed);
   machine::MachiningCentre machine(job.machine, surroundings.get());
+  runtime::TimeBudget time(study_.max_time_s);
+  machine.watch(time);
   runtime::Observer nobody;
   const auto control = programs_[program]->session(machine, nobody);
   if (const auto refused = control->configure(job.control); !refused.empty()) {

@@ -1,0 +1,93 @@
+// --max-time within one block that lasts for ever: exit code 6, and what was written is whole.
+
+#include <chrono>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+#include "tests/support/run_study.h"
+
+namespace g31::time_budget_test {
+namespace {
+
+using testing::run_program;
+using testing::RunOutput;
+using testing::TemporaryFolder;
+
+constexpr double kLimitS = 0.3;
+
+constexpr const char* kFriction =
+    "[machine.axes.X]\nservo_gain = 3.0\nvelocity_gain = 200.0\nfriction = 100.0\n";
+constexpr const char* kRing =
+    "[probe]\nball_diameter = 6.0\nlength = 100.0\n[[part]]\nname = \"ring\"\nshape = \"ring\"\n"
+    "bore = 40.0\nouter_diameter = 60.0\nheight = 20.0\n";
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST(TimeBudget, EndsABlockThatLastsForEver) {
+  const struct {
+    const char* name;
+    const char* program;
+    const char* sheet;
+    bool traces;
+  } kCases[] = {
+      {"a dwell of years with a trace", "O1\nG4X99999999.\nM30\n", "", true},
+      {"a move of days with a trace", "O1\nG9G1X999.F0.001\nM30\n", "", true},
+      {"a move of days against friction", "O1\nG1X999.F0.001\nM30\n", kFriction, false},
+      {"a circle of days against friction", "O1\nG2I500.F0.001\nM30\n", kFriction, false},
+  };
+  for (const auto& c : kCases) {
+    SCOPED_TRACE(c.name);
+    TemporaryFolder folder;
+    cli::RunOptions options;
+    options.programs = {folder.write("long.nc", c.program)};
+    options.setups = {folder.write("sheet.toml", c.sheet)};
+    options.budget.wall_seconds = kLimitS;
+    options.max_output = 100'000'000'000;
+    options.trace = c.traces ? folder.path("t.csv") : "";
+    const auto start = std::chrono::steady_clock::now();
+    const RunOutput output = run_program(options);
+    EXPECT_LT(seconds_since(start), kLimitS + 5.0);
+    EXPECT_EQ(output.exit_code, 6);
+    EXPECT_EQ(output.document.at("status"), "budget");
+    EXPECT_EQ(output.document.at("diagnostics").back().at("code"), "PRB602");
+    EXPECT_EQ(output.document.at("diagnostics").back().at("line"), 2);
+    if (c.traces) {
+      EXPECT_EQ(testing::text_of(options.trace).back(), '\n');
+    }
+  }
+}
+
+TEST(TimeBudget, CountsTheReadingOfParts) {
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("short.nc", "O1\nM30\n")};
+  options.setups = {folder.write("sheet.toml", kRing)};
+  options.budget.wall_seconds = 1e-9;
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 6);
+  EXPECT_NE(output.errors.find("the limit of computing time is reached with the reading of part "
+                               "ring: --max-time raises it"),
+            std::string::npos)
+      << output.errors;
+  EXPECT_TRUE(output.document.is_null());
+}
+
+TEST(TimeBudget, HoldsForEachRunOfAStudy) {
+  TemporaryFolder folder;
+  folder.write("long.nc", "O1\nG1X999.F0.001\nM30\n");
+  folder.write("sheet.toml", kFriction);
+  cli::StudyOptions options;
+  options.study = folder.write("study.toml",
+                               "[study]\nprogram = \"long.nc\"\nsetup = \"sheet.toml\"\n"
+                               "max_time = 0.2\n[results.r]\nvalue = \"#100\"\n");
+  const auto ended = testing::study_document(options);
+  EXPECT_EQ(nlohmann::json::parse(ended.out).at("rows").at(0).at("status"), "budget");
+}
+
+}  // namespace
+}  // namespace g31::time_budget_test
