@@ -98,7 +98,8 @@ class SteppedRun {
       ADD_FAILURE() << session::render(prepared_.error());
       return;
     }
-    const auto& [job, control] = prepared_.value();
+    const setup::Job& job = prepared_.value().job;
+    const session::Control& control = prepared_.value().control;
     world_.emplace(session::build_world(job, request.seed));
     const auto programs = session::open_programs(control, request, disk_, job.control);
     if (!*world_ || !programs) {

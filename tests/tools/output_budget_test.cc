@@ -3,6 +3,7 @@
 
 #include "interpreter/runtime/output_budget.h"
 
+#include <cstdio>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -40,6 +41,7 @@ std::uint64_t address_space() {
 /// Runs the command in a child process that may take so much more memory than this one has.
 /// @returns its exit code; -1 where it was killed
 int exit_code_within(std::uint64_t more_bytes, const cli::RunOptions& options) {
+  std::fflush(nullptr);  // or the child writes it, too
   const pid_t child = ::fork();
   if (child == 0) {
 #if !defined(__SANITIZE_ADDRESS__)

@@ -290,15 +290,19 @@ ExitCode run_to_end(const Opened& opened, const Tables& tables, Printouts& print
 
 ExitCode run_command(const RunOptions& options) {
   disk::Disk disk;
-  const auto prepared = session::prepare(options, disk);
+  const auto prepared = session::prepare(options, disk, session::VariablesFile::IsSaved);
   if (!prepared) {
     return refuse(prepared.error());
+  }
+  if (const std::string& note = prepared.value().note; !note.empty()) {
+    fmt::print(stderr, "g31: note: {}\n", note);
   }
   const auto line = checked(options);
   if (!line) {
     return refuse(line.error());
   }
-  const auto& [job, control] = prepared.value();
+  const setup::Job& job = prepared.value().job;
+  const session::Control& control = prepared.value().control;
   runtime::OutputBudget output(options.max_output);
   const auto tables = open_tables(options, job, output);
   if (!tables) {

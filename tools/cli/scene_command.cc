@@ -56,7 +56,8 @@ ExitCode scene_command(const SceneOptions& options) {
   if (!prepared) {
     return refuse(prepared.error());
   }
-  const auto& [job, control] = prepared.value();
+  const setup::Job& job = prepared.value().job;
+  const session::Control& control = prepared.value().control;
   runtime::TimeBudget time(options.run.budget.wall_seconds);
   const auto world = session::build_world(job, options.run.seed, &time);
   if (!world) {

@@ -52,7 +52,36 @@ std::optional<Refusal> take_variables(const std::vector<std::string>& assignment
   return std::nullopt;
 }
 
-Result<Prepared, Refusal> prepare(const Request& request, source::FileSystem& files) {
+namespace {
+
+/// Keeps the variables file for the run, or says why it does not.
+std::optional<Refusal> lock_variables(Prepared& prepared) {
+  constexpr double kPatienceS = 10.0;
+  const std::string& path = prepared.job.control.variables_file;
+  if (path.empty()) {
+    return std::nullopt;
+  }
+  const auto lock = disk::FileLock::take(path, kPatienceS);
+  if (lock) {
+    prepared.lock = lock.value();
+    return std::nullopt;
+  }
+  if (lock.error().kind == disk::LockRefusal::Kind::Held) {
+    return bad_input(
+        fmt::format("{}: another run has kept its variables here for {} s ({}): wait for it, or "
+                    "give each run a variables_file of its own",
+                    path, kPatienceS, lock.error().why));
+  }
+  prepared.note = fmt::format(
+      "{}: cannot be locked here ({}): of two runs at a time one would lose what the other saves",
+      path, lock.error().why);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Prepared, Refusal> prepare(const Request& request, source::FileSystem& files,
+                                  VariablesFile variables) {
   const auto job =
       setup::read_job(request.setups, disk::shipped_folder("machine/library").value_or(""));
   if (!job) {
@@ -62,7 +91,10 @@ Result<Prepared, Refusal> prepare(const Request& request, source::FileSystem& fi
   if (!control) {
     return control.error();
   }
-  Prepared prepared{job.value(), control.value()};
+  Prepared prepared{job.value(), control.value(), nullptr, {}};
+  if (auto wrong = variables == VariablesFile::IsSaved ? lock_variables(prepared) : std::nullopt) {
+    return *wrong;
+  }
   if (auto wrong = take_variables(request.assignments, files, prepared.job)) {
     return *wrong;
   }

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "interpreter/source/file_system.h"
 #include "machine/base/result.h"
+#include "tools/disk/file_lock.h"
 #include "tools/session/control.h"
 #include "tools/session/programs.h"
 #include "tools/session/refusal.h"
@@ -26,10 +28,21 @@ struct Request : ProgramPaths {
 struct Prepared {
   setup::Job job;  ///< its variables with those of the variables file and the assignments
   Control control;
+  /// Of the variables file; to be held until the run has saved it.  Null: nobody will.
+  std::shared_ptr<disk::FileLock> lock;
+  std::string note;  ///< what is to be told beside the run; "" for nothing
+};
+
+/// What becomes of the variables file.
+enum class VariablesFile {
+  IsRead,
+  IsSaved  ///< no other run that saves it may read it meanwhile
 };
 
 /// @param files  the program and the variables file; sheets come from the disk
-Result<Prepared, Refusal> prepare(const Request& request, source::FileSystem& files);
+/// @returns also a refusal where another run holds the variables file for too long
+Result<Prepared, Refusal> prepare(const Request& request, source::FileSystem& files,
+                                  VariablesFile variables = VariablesFile::IsRead);
 
 /// The control by the request, the sheets, the program's file ending or its text, in this order.
 Result<Control, Refusal> chosen_control(const Request& request, const setup::Job& job,
