@@ -67,6 +67,10 @@ class Surroundings {
   /// Whether the signal of a measuring input is on while the tool stands there.
   [[nodiscard]] virtual bool signals_at(const Waypoint& at, int input) const = 0;
 
+  /// The part in whose material the middle of a sensing tip is while the tool stands there; "":
+  /// none.
+  [[nodiscard]] virtual std::string stands_inside(const Waypoint& /*at*/) const { return {}; }
+
   /// Of what is wired to a measuring input; nullopt: nothing is.
   [[nodiscard]] virtual std::optional<SensorState> sensor_state(int input) const = 0;
 

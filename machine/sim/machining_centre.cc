@@ -105,6 +105,10 @@ bool MachiningCentre::skip_signal(int input) const {
   return surroundings_ != nullptr && surroundings_->signals_at(real_.tip(q_M_), input);
 }
 
+std::string MachiningCentre::stands_inside() const {
+  return surroundings_ != nullptr ? surroundings_->stands_inside(real_.tip(q_M_)) : std::string();
+}
+
 std::optional<SensorState> MachiningCentre::sensor_state(int input) const {
   tell_time();
   return surroundings_ != nullptr ? surroundings_->sensor_state(input) : std::nullopt;

@@ -20,6 +20,9 @@ struct PartSetup {
   std::string name;
   std::string file;
   double step_sagitta_mm = 1e-3;  ///< > 0: how fine a STEP file becomes a mesh
+  std::string unit;               ///< of a file: a name of mesh_units.def; empty: not said
+  double scale = 1.0;             ///< > 0: factor of all lengths of a file
+  bool is_closed = true;          ///< of a file: meant to be the surface of solids
   std::string shape;              ///< "ring", ...; the table of shapes is artefacts/shapes.def
   std::map<std::string, double> sizes;  ///< mm; the names a shape takes stand in its row
   ShapeProfile profile;                 ///< of shapes that take one

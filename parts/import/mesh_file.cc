@@ -14,8 +14,10 @@
 
 #include <fmt/format.h>
 
+#include "machine/base/contract.h"
 #include "parts/import/assimp_file.h"
 #include "parts/import/mesh_limits.h"
+#include "parts/import/mesh_unit.h"
 #include "parts/import/step_file.h"
 #include "parts/import/stl_file.h"
 #include "parts/import/three_mf_file.h"
@@ -94,8 +96,7 @@ bool is_packed(std::string_view beginning) {
 /// What stands between a file and its mesh.
 class FileReader {
  public:
-  FileReader(const std::string& path, const MeshFileReading& how)
-      : path_(path), how_(how), file_(path, std::ios::binary) {
+  explicit FileReader(const std::string& path) : path_(path), file_(path, std::ios::binary) {
     std::error_code error;
     size_ = std::filesystem::file_size(path, error);
     is_open_ = file_.good() && !error;
@@ -124,6 +125,9 @@ class FileReader {
     }
     return read_whole(kind);
   }
+
+  /// What the file that was read says; nullopt: it cannot say one.
+  [[nodiscard]] std::optional<double> unit_mm() const { return unit_mm_; }
 
  private:
   Read read_whole(MeshKind kind) {
@@ -154,7 +158,11 @@ class FileReader {
         return why_no_whole_off(bytes);
       case MeshKind::ThreeMf: {
         const auto unit = unit_of_3mf(bytes);
-        return unit.ok() ? std::nullopt : std::optional(unit.error());
+        if (!unit) {
+          return unit.error();
+        }
+        unit_mm_ = unit.value();
+        return std::nullopt;
       }
       case MeshKind::Stl:
       case MeshKind::Other:
@@ -168,11 +176,38 @@ class FileReader {
   }
 
   const std::string& path_;
-  const MeshFileReading& how_;
   std::ifstream file_;
   std::uint64_t size_ = 0;
   bool is_open_ = false;
+  std::optional<double> unit_mm_;
 };
+
+double mm_of(std::string_view unit) {
+  const auto* const row = std::ranges::find(kMeshUnits, unit, &MeshUnit::name);
+  G31_EXPECTS(row != std::end(kMeshUnits));
+  return row->mm;
+}
+
+Read read_in_mm(const std::string& path, const MeshFileReading& how) {
+  const bool is_step = is_step_file(path);
+  FileReader reader(path);
+  Read read = is_step ? read_step_file(path, how.step_sagitta_mm) : reader.read();
+  if (!read) {
+    return read;
+  }
+  if (!how.unit.empty() && (is_step || reader.unit_mm())) {
+    return std::string("it says its unit itself; leave out unit, or use scale to correct it");
+  }
+  const double unit_mm = how.unit.empty() ? reader.unit_mm().value_or(1.0) : mm_of(how.unit);
+  if (unit_mm == 1.0 && how.scale == 1.0) {
+    return read;
+  }
+  Mesh mesh = read.value();
+  for (Point& vertex : mesh.vertices) {
+    vertex *= unit_mm * how.scale;
+  }
+  return mesh;
+}
 
 /// What holds of a mesh from whatever file.
 std::optional<std::string> why_unusable(const Mesh& mesh) {
@@ -204,8 +239,7 @@ Result<Mesh, std::string> read_mesh_file(const std::string& path, const MeshFile
     return complaint(path, *why);
   }
   try {
-    Read mesh = is_step_file(path) ? read_step_file(path, how.step_sagitta_mm)
-                                   : FileReader(path, how).read();
+    Read mesh = read_in_mm(path, how);
     if (!mesh) {
       return complaint(path, mesh.error());
     }

@@ -13,6 +13,8 @@ inline constexpr double kStepSagittaMm = 1e-3;
 /// How a file becomes a mesh, beside what it says itself.
 struct MeshFileReading {
   double step_sagitta_mm = kStepSagittaMm;  ///< > 0, for STEP only
+  std::string unit;                         ///< a name of mesh_units.def; empty: the file's, or mm
+  double scale = 1.0;                       ///< > 0: factor of all lengths
 };
 
 /// Reads a triangle mesh from a file: STL, OBJ, PLY, OFF, 3MF and what else assimp knows; STEP
@@ -20,7 +22,8 @@ struct MeshFileReading {
 ///
 /// The transforms of the file's nodes are applied, all its meshes are put into one, polygons become
 /// triangles, vertices at the same place are joined.  Degenerate triangles stay; lines and points
-/// in the file are left out.  Lengths are taken as mm.
+/// in the file are left out.  Lengths become mm: 3MF and STEP say their unit, of others it is
+/// given.
 ///
 /// A file that is cut off, or whose head promises more than it holds, is refused as far as its form
 /// tells (stl_file.h, whole_file.h, three_mf_file.h), before memory is asked for.
@@ -29,7 +32,8 @@ struct MeshFileReading {
 /// float32 for the others: 4 nm at 100 mm, 30 nm at 500 mm from the file's origin.
 ///
 /// Error: one line that says what is wrong with the file (missing, empty, cut off, too large, not
-/// finite, an index without a vertex, no triangles, not understood) and what would be right.
+/// finite, an index without a vertex, no triangles, a unit for a file that has one, not
+/// understood) and what would be right.
 Result<Mesh, std::string> read_mesh_file(const std::string& path, const MeshFileReading& how = {});
 
 }  // namespace g31::parts

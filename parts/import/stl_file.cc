@@ -132,12 +132,13 @@ class TextStl {
     const std::size_t at =
         word.empty() ? text_.size() : static_cast<std::size_t>(word.data() - text_.data());
     const auto line = 1 + std::ranges::count(text_.substr(0, at), '\n');
-    wrong_ = word.empty() ? fmt::format(
-                                "it ends in line {}, where {} is expected: it was cut off; "
-                                "a text STL ends with endsolid",
-                                line, what)
-                          : fmt::format("line {}: '{}', where {} is expected", line,
-                                        word.substr(0, kShown), what);
+    const bool is_last = at + word.size() == text_.size();
+    wrong_ = is_last ? fmt::format(
+                           "it ends in line {}, where {} is expected: it was cut off; "
+                           "a text STL ends with endsolid",
+                           line, what)
+                     : fmt::format("line {}: '{}', where {} is expected", line,
+                                   word.substr(0, kShown), what);
     rest_ = {};
   }
 

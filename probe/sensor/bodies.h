@@ -63,6 +63,7 @@ struct ProbedPart {
   parts::Mesh mesh_M;  ///< mm, machine frame
   Role role = Role::Part;
   Mount mount = Mount::Table;
+  bool is_solid = true;  ///< its mesh is the surface of a solid: there is an inside
 };
 
 /// A touch probe as what it is made of: its balls, the main one first, what holds them, and what is

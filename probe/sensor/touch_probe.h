@@ -51,6 +51,10 @@ class TouchProbe final : public machine::Surroundings {
   /// Whether a ball is pushed in as far as the signal needs.
   [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
 
+  /// By the winding number of the meshes of solids: no direction counts, and neither do small
+  /// holes.
+  [[nodiscard]] std::string stands_inside(const machine::Waypoint& at) const override;
+
   /// On a skip move a rigid section touching, or a ball pushed deeper than the deflection limit,
   /// measured along the surface normal; on others the ball touching a part, or a rigid section.
   /// Leaving a contact of the ball is free, pushing deeper into it is not.

@@ -1,7 +1,9 @@
 // The part of TouchProbe that answers when the stylus comes free.
 
+#include <cmath>
 #include <utility>
 
+#include "parts/geometry/winding_number.h"
 #include "probe/collision/swept_section.h"
 #include "probe/sensor/pre_travel.h"
 #include "probe/sensor/touch_probe.h"
@@ -45,6 +47,24 @@ std::optional<TouchProbe::PartHit> TouchProbe::signalling_touch(const machine::W
     }
   }
   return std::nullopt;
+}
+
+std::string TouchProbe::stands_inside(const machine::Waypoint& at) const {
+  constexpr double kInside = 0.5;
+  if (!is_in_place_) {
+    return {};
+  }
+  for (const Tip& ball : balls_) {
+    const Point p_M = centre_of(ball, at.q_M, at.tilt);
+    for (const Part& part : parts_->parts()) {
+      const parts::Path here{p_M, Point::UnitX(), 0.0};
+      if (part.is_solid && part.mesh->tree().may_meet(here, 0.0) &&
+          std::fabs(parts::winding_number(part.mesh->mesh(), p_M)) > kInside) {
+        return part.name;
+      }
+    }
+  }
+  return {};
 }
 
 bool TouchProbe::signals_at(const machine::Waypoint& at, int input) const {

@@ -22,6 +22,7 @@ TouchableParts::TouchableParts(const ProbeSetup& setup, const std::vector<Probed
     G31_EXPECTS(!is_on_tool_side(part.mount));
     Part& built =
         parts_.emplace_back(Part{part.name,
+                                 part.is_solid,
                                  encounter_of(Role::SensingTip, part.role, machine::Travel::Feed),
                                  encounter_of(Role::SensingTip, part.role, machine::Travel::Skip),
                                  std::make_shared<const ContactMesh>(part.mesh_M),

@@ -18,6 +18,7 @@ class TouchableParts {
  public:
   struct Part {
     std::string name;
+    bool is_solid = true;
     // What it means that a sensing tip touches it.
     Encounter on_moves = Encounter::Obstacle;
     Encounter on_skip_moves = Encounter::Signal;

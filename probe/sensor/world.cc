@@ -50,6 +50,15 @@ bool World::signals_at(const machine::Waypoint& at, int input) const {
   return std::ranges::any_of(sets_, [&](const auto& set) { return set->signals_at(at, input); });
 }
 
+std::string World::stands_inside(const machine::Waypoint& at) const {
+  for (const auto& set : sets_) {
+    if (std::string part = set->stands_inside(at); !part.empty()) {
+      return part;
+    }
+  }
+  return {};
+}
+
 std::optional<machine::SensorState> World::sensor_state(int input) const {
   std::optional<machine::SensorState> first;
   for (const auto& set : sets_) {

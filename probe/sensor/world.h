@@ -32,6 +32,7 @@ class World final : public machine::Surroundings {
   std::optional<machine::Obstacle> first_obstacle(const machine::Way& way,
                                                   machine::Travel travel) override;
   [[nodiscard]] bool signals_at(const machine::Waypoint& at, int input) const override;
+  [[nodiscard]] std::string stands_inside(const machine::Waypoint& at) const override;
 
   /// Of several on one input, that of the first in place, else of the first.
   [[nodiscard]] std::optional<machine::SensorState> sensor_state(int input) const override;

@@ -53,7 +53,7 @@ TEST_F(StepReader, MakesAClosedMeshWithinTheSagitta) {
   constexpr double kRadius = 10.0;
   for (const double sagitta : {0.1, 0.01, 0.001}) {
     SCOPED_TRACE(sagitta);
-    const auto read = read_mesh_file(kCylinder, {sagitta});
+    const auto read = read_mesh_file(kCylinder, {sagitta, "", 1.0});
     ASSERT_TRUE(read.ok()) << read.error();
     const Mesh& mesh = read.value();
     EXPECT_TRUE(testing::is_closed_and_oriented(mesh));

@@ -2,6 +2,7 @@
 
 #include "parts/import/whole_file.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -9,7 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -224,6 +225,39 @@ TEST_F(WholeFile, ThatAPackedFileIsNotIsSaid) {
        "its checksum is wrong"},
   };
   expect_refused(kCases);
+}
+
+double width_of(const Mesh& mesh) {
+  double least = mesh.vertices[0].x();
+  double most = least;
+  for (const Point& p : mesh.vertices) {
+    least = std::min(least, p.x());
+    most = std::max(most, p.x());
+  }
+  return most - least;
+}
+
+// 10 units wide, whatever the unit.
+TEST_F(WholeFile, LengthsBecomeMm) {
+  for (const auto& [unit, mm] :
+       {std::pair{"micron", 0.01}, std::pair{"millimeter", 10.0}, std::pair{"centimeter", 100.0},
+        std::pair{"inch", 254.0}, std::pair{"foot", 3048.0}, std::pair{"meter", 10000.0}}) {
+    const auto read = read_mesh_file(write("a.3mf", corner_3mf(unit)));
+    ASSERT_TRUE(read.ok()) << read.error();
+    EXPECT_NEAR(width_of(read.value()), mm, 1e-12 * mm) << unit;
+  }
+  for (const auto& [unit, mm] :
+       {std::pair{"um", 0.01}, std::pair{"mm", 10.0}, std::pair{"cm", 100.0},
+        std::pair{"m", 10000.0}, std::pair{"inch", 254.0}, std::pair{"foot", 3048.0}}) {
+    const auto read = read_mesh_file(write("a.ply", kPly), {kStepSagittaMm, unit, 2.0});
+    ASSERT_TRUE(read.ok()) << read.error();
+    EXPECT_NEAR(width_of(read.value()), 2.0 * mm, 1e-12 * mm) << unit;
+  }
+  const auto twice =
+      read_mesh_file(write("a.3mf", corner_3mf("inch")), {kStepSagittaMm, "mm", 1.0});
+  ASSERT_FALSE(twice.ok());
+  EXPECT_NE(twice.error().find("it says its unit itself; leave out unit"), std::string::npos)
+      << twice.error();
 }
 
 /// MiB that this process has used at most.

@@ -302,6 +302,10 @@ TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
   EXPECT_EQ(read.parts[0].name, "mesh");
   EXPECT_EQ(read.parts[0].file, path_of("ring.stl"));
   EXPECT_EQ(read.parts[0].step_sagitta_mm, 0.002);
+  EXPECT_EQ(read.parts[0].unit, "cm");
+  EXPECT_EQ(read.parts[0].scale, 2.0);
+  EXPECT_FALSE(read.parts[0].is_closed);
+  EXPECT_TRUE(read.parts[2].is_closed);
   EXPECT_EQ(read.parts[0].p_M_at, Point(250.0, -180.0, -300.0));
   EXPECT_EQ(read.parts[0].rotate_deg, Point(0.0, 10.0, 90.0));
   EXPECT_EQ(read.parts[0].growth.expansion, 23.0);
@@ -327,7 +331,9 @@ TEST_F(SetupReader, EveryExampleOfTheTableIsASheet) {
     SCOPED_TRACE(row.example);
     std::string sheet = std::string(row_of(row.section).example) + "\n";
     if (row.section == SectionId::Part && row.id != KeyId::PartFile && row.id != KeyId::PartShape) {
-      sheet += "shape = \"ring\"\n";
+      const bool is_of_file =
+          row.id == KeyId::PartUnit || row.id == KeyId::PartScale || row.id == KeyId::PartClosed;
+      sheet += is_of_file ? "file = \"ring.stl\"\n" : "shape = \"ring\"\n";
     }
     if (row.section == SectionId::BelievedAxes) {
       sheet = "[machine]\ntable_side = \"C\"\n" + sheet;

@@ -193,6 +193,7 @@ struct Opened {
   runtime::OutputBudget& output;
   const runtime::TimeBudget& time;
   const source::SourceMap& sources;
+  const std::vector<source::Diagnostic>& part_findings;
 };
 
 /// The document has as much time as the run, but a minute at least: a run that has spent its own is
@@ -261,8 +262,9 @@ ExitCode run_to_end(const Opened& opened, const Tables& tables, Printouts& print
   runtime::Budget budget = opened.options.budget;
   budget.output = &opened.output;
   budget.wall_seconds = opened.time.left_s();
-  const runtime::Outcome outcome =
-      without_allowed(opened.run.session().run(budget), opened.options.allowed);
+  const runtime::Outcome outcome = without_allowed(
+      session::with_findings(opened.part_findings, opened.run.session().run(budget)),
+      opened.options.allowed);
   if (const auto wrong = finish_files(tables, printouts)) {
     return refuse(*wrong);
   }
@@ -334,7 +336,7 @@ ExitCode run_command(const RunOptions& options) {
     run.value()->session().connect(*printer);
   }
   return run_to_end({options, line.value(), prepared.value(), *run.value(), machine, recorder,
-                     output, time, programs.value()->sources()},
+                     output, time, programs.value()->sources(), world.value().findings},
                     tables.value(), *printouts.value());
 }
 

@@ -77,7 +77,8 @@ ExitCode scene_command(const SceneOptions& options) {
   runtime::Budget budget = options.run.budget;
   budget.output = &output;
   budget.wall_seconds = time.left_s();
-  const runtime::Outcome outcome = run.value()->session().run(budget);
+  const runtime::Outcome outcome =
+      session::with_findings(world.value().findings, run.value()->session().run(budget));
   print_diagnostics(outcome, programs.value()->sources());
   if (outcome.status == runtime::Status::SyntaxError) {
     return ExitCode::BadUsage;

@@ -7,6 +7,12 @@
 
 namespace g31::session {
 
+runtime::Outcome with_findings(const std::vector<source::Diagnostic>& before,
+                               runtime::Outcome outcome) {
+  outcome.diagnostics.insert(outcome.diagnostics.begin(), before.begin(), before.end());
+  return outcome;
+}
+
 Ending ending_of(const runtime::Outcome& outcome) {
   switch (outcome.status) {
     case runtime::Status::Completed: {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "interpreter/runtime/outcome.h"
+#include "interpreter/source/diagnostic.h"
 
 namespace g31::session {
 
@@ -18,6 +20,10 @@ enum class Ending : std::uint8_t {
   Interrupted,
   Defect,  ///< of g31 itself
 };
+
+/// An outcome that begins with what was found before the program ran.
+runtime::Outcome with_findings(const std::vector<source::Diagnostic>& before,
+                               runtime::Outcome outcome);
 
 Ending ending_of(const runtime::Outcome& outcome);
 

@@ -1,11 +1,13 @@
 #include "tools/session/world.h"
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "parts/artefacts/artefact.h"
+#include "parts/geometry/mesh_defects.h"
 #include "parts/geometry/placement.h"
 #include "parts/import/mesh_file.h"
 #include "probe/sensor/scripted_signals.h"
@@ -53,24 +55,51 @@ probe::SeenParts seen_alone(const std::vector<probe::ProbedPart>& parts) {
   return seen;
 }
 
+/// What is wrong with a mesh, in the words of a run.
+void add_findings(const parts::Mesh& mesh_P, const std::string& part,
+                  std::vector<source::Diagnostic>& findings) {
+  const parts::MeshDefects defects = parts::defects_of(mesh_P);
+  const auto add = [&](source::DiagnosticId id, const parts::Defect& defect) {
+    if (defect.count > 0) {
+      const Point& p = defect.p_P_first;
+      // + 0.0: no -0 among the coordinates.
+      const auto rounded = [](double mm) { return std::round(1000.0 * mm) / 1000.0 + 0.0; };
+      findings.push_back(source::make_diagnostic(
+          id, {},
+          fmt::format(": {} of '{}', first at X{} Y{} Z{} in its file", defect.count, part,
+                      rounded(p.x()), rounded(p.y()), rounded(p.z()))));
+    }
+  };
+  add(source::DiagnosticId::MeshOpen, defects.open_edges);
+  add(source::DiagnosticId::MeshFlipped, defects.flipped_facets);
+  add(source::DiagnosticId::MeshInward, defects.inward_shells);
+  add(source::DiagnosticId::MeshStray, defects.stray_shells);
+  add(source::DiagnosticId::MeshSelfContact, defects.self_contacts);
+  add(source::DiagnosticId::MeshFlat, defects.flat_facets);
+}
+
 }  // namespace
 
-Result<std::vector<probe::ProbedPart>, Refusal> build_parts(const setup::Job& job,
-                                                            const runtime::TimeBudget* time) {
-  std::vector<probe::ProbedPart> built;
+Result<BuiltParts, Refusal> build_parts(const setup::Job& job, const runtime::TimeBudget* time) {
+  BuiltParts built;
   if (job.skip_signals && job.sensors.empty()) {
     return built;
   }
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
     const parts::PartSetup& part = job.parts[i];
-    const auto mesh_P = part.shape.empty()
-                            ? parts::read_mesh_file(part.file, {part.step_sagitta_mm})
-                            : parts::make_artefact(part);
+    const auto mesh_P =
+        part.shape.empty()
+            ? parts::read_mesh_file(part.file, {part.step_sagitta_mm, part.unit, part.scale})
+            : parts::make_artefact(part);
     if (!mesh_P) {
       return unusable(job.part_places[i], mesh_P.error());
     }
+    if (part.shape.empty() && part.is_closed) {
+      add_findings(mesh_P.value(), part.name, built.findings);
+    }
     const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
-    built.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
+    built.parts.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
+    built.parts.back().is_solid = part.is_closed;
     if (is_up(time)) {
       return too_late(part.name);
     }
@@ -116,11 +145,16 @@ Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed,
     return parts.error();
   }
   World world;
-  world.parts = parts.value();
+  world.parts = parts.value().parts;
+  world.findings = parts.value().findings;
   world.surroundings = surroundings_of(job, sensed_parts(job, world.parts), seed);
   world.machine = std::make_unique<machine::MachiningCentre>(job.machine, world.surroundings.get());
   if (time != nullptr) {
     world.machine->watch(*time);
+  }
+  if (const std::string part = world.machine->stands_inside(); !part.empty()) {
+    world.findings.push_back(source::make_diagnostic(source::DiagnosticId::StartInside, {},
+                                                     fmt::format(": in '{}'", part)));
   }
   return world;
 }

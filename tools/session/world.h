@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "interpreter/runtime/time_budget.h"
+#include "interpreter/source/diagnostic.h"
 #include "machine/base/result.h"
 #include "machine/port/surroundings.h"
 #include "machine/sim/machining_centre.h"
@@ -18,16 +19,23 @@ namespace g31::session {
 
 /// The simulated machine with what stands around its tool.
 struct World {
-  std::vector<probe::ProbedPart> parts;                 ///< none where nothing senses them
+  std::vector<source::Diagnostic> findings;  ///< what is wrong before the start: PRB511 to PRB517
+  std::vector<probe::ProbedPart> parts;      ///< none where nothing senses them
   std::unique_ptr<machine::Surroundings> surroundings;  ///< null: nothing can be touched
   std::unique_ptr<machine::MachiningCentre> machine;
 };
 
-/// The parts of a set-up where they stand; none where signals come from a script and no sensor is.
+/// The parts of a set-up where they stand, and what is wrong with their meshes.
+struct BuiltParts {
+  std::vector<probe::ProbedPart> parts;
+  std::vector<source::Diagnostic> findings;  ///< PRB511 to PRB516, by parts
+};
+
+/// The parts of a set-up; none where signals come from a script and no sensor is.
 /// @returns why a part cannot be made or read, with the place in the sheet
 /// @param time  nothing more is read once it is up; null: there is no end
-Result<std::vector<probe::ProbedPart>, Refusal> build_parts(
-    const setup::Job& job, const runtime::TimeBudget* time = nullptr);
+Result<BuiltParts, Refusal> build_parts(const setup::Job& job,
+                                        const runtime::TimeBudget* time = nullptr);
 
 /// The parts of a set-up, ready for what senses them.
 struct SensedParts {

@@ -304,6 +304,11 @@ void SheetCheck::check_part(const Table& members, const Location& where) {
                 "for example: file = \"ring.stl\"");
   }
   if (shape != nullptr) {
+    for (const char* const key : {"unit", "scale", "closed"}) {
+      if (const Node* const given = find_member(members, key); given != nullptr) {
+        errors_.add(SetupErrorId::KeyOfFile, at(*given), {key}, "leave it out");
+      }
+    }
     check_shape(*shape);
   }
 }

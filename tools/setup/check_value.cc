@@ -12,6 +12,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
+#include "parts/import/mesh_unit.h"
 #include "probe/sensor/probe_setup.h"
 #include "tools/setup/program_switch.h"
 
@@ -81,10 +82,39 @@ constexpr std::string_view kProgramSwitch =
     "an M code like \"M80\", or an output \"#1100\" to \"#1115\" or \"$A_OUT[1]\" to "
     "\"$A_OUT[64]\"";
 
+/// Limits of texts that are one of a few.
+struct Choice {
+  Limit of;
+  std::string_view words;
+};
+constexpr Choice kChoices[] = {
+    {Limit::IncrementSystem, "\"IS-A\", \"IS-B\" or \"IS-C\""},
+    {Limit::RapidPath, "\"straight\" or \"independent\""},
+    {Limit::OffsetMemory, "\"A\", \"B\" or \"C\""},
+    {Limit::StoppingKind, "\"braking\" or \"ideal\""},
+    {Limit::ProbeType, "\"3D\" or \"mono\""},
+    {Limit::SeatKind, "\"even\" or \"tripod\""},
+    {Limit::ProbeState, "\"ready\", \"dead\", \"low_battery\" or \"double_trigger\""},
+    {Limit::MeshUnit, "\"um\", \"mm\", \"cm\", \"m\", \"inch\" or \"foot\""},
+};
+
 std::string_view words_for(Limit limit) {
+  const auto* const choice = std::ranges::find(kChoices, limit, &Choice::of);
+  if (choice != std::end(kChoices)) {
+    return choice->words;
+  }
   switch (limit) {
     case Limit::Any:
       return "";
+    case Limit::IncrementSystem:
+    case Limit::RapidPath:
+    case Limit::OffsetMemory:
+    case Limit::StoppingKind:
+    case Limit::ProbeType:
+    case Limit::SeatKind:
+    case Limit::ProbeState:
+    case Limit::MeshUnit:
+      break;
     case Limit::Positive:
       return "greater than 0";
     case Limit::NotNegative:
@@ -104,20 +134,6 @@ std::string_view words_for(Limit limit) {
       return "two numbers, the first below the second";
     case Limit::NotEmpty:
       return "a string that is not empty";
-    case Limit::IncrementSystem:
-      return "\"IS-A\", \"IS-B\" or \"IS-C\"";
-    case Limit::RapidPath:
-      return "\"straight\" or \"independent\"";
-    case Limit::OffsetMemory:
-      return "\"A\", \"B\" or \"C\"";
-    case Limit::StoppingKind:
-      return "\"braking\" or \"ideal\"";
-    case Limit::ProbeType:
-      return "\"3D\" or \"mono\"";
-    case Limit::SeatKind:
-      return "\"even\" or \"tripod\"";
-    case Limit::ProbeState:
-      return "\"ready\", \"dead\", \"low_battery\" or \"double_trigger\"";
     case Limit::MeasuringInput:
       return "1 to 8";
     case Limit::DigitalInput:
@@ -193,6 +209,7 @@ bool number_within(Limit limit, double number) {
     case Limit::MachineCode:
     case Limit::ColumnName:
     case Limit::ProgramSwitch:
+    case Limit::MeshUnit:
     case Limit::NotAllZero:
     case Limit::RisingPlaces:
       return true;
@@ -228,6 +245,9 @@ bool text_within(Limit limit, const std::string& text) {
   switch (limit) {
     case Limit::NotEmpty:
       return !text.empty();
+    case Limit::MeshUnit:
+      return std::ranges::any_of(parts::kMeshUnits,
+                                 [&](const parts::MeshUnit& unit) { return unit.name == text; });
     case Limit::IncrementSystem:
       return text == "IS-A" || text == "IS-B" || text == "IS-C";
     case Limit::RapidPath:

@@ -203,6 +203,9 @@ parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
   const std::string stem = std::filesystem::path(part.file).stem().string();
   part.name = keys.get(KeyId::PartName, part.shape.empty() ? stem : part.shape);
   part.step_sagitta_mm = keys.get(KeyId::PartStepSagitta, part.step_sagitta_mm);
+  part.unit = keys.get(KeyId::PartUnit, part.unit);
+  part.scale = keys.get(KeyId::PartScale, part.scale);
+  part.is_closed = keys.get(KeyId::PartClosed, 1.0) != 0.0;
   part.p_M_at = point_from(keys, KeyId::PartAt);
   part.rotate_deg = point_from(keys, KeyId::PartRotate);
   part.growth.expansion = keys.get(KeyId::PartExpansion, part.growth.expansion);

@@ -75,6 +75,7 @@ enum class Limit {
   BlockCount,     ///< 0..9999
   Rising,         ///< the first below the second
   NotEmpty,
+  MeshUnit,  ///< a row of mesh_units.def
   IncrementSystem,
   OffsetMemory,
   RapidPath,

@@ -56,7 +56,7 @@ Result<session::SensedParts, Refusal> sensed_parts(const setup::Job& job) {
   if (!parts) {
     return parts.error();
   }
-  return session::sensed_parts(job, parts.value());
+  return session::sensed_parts(job, parts.value().parts);
 }
 
 std::string first_line(const std::string& text) {

@@ -1,0 +1,147 @@
+#include "parts/geometry/mesh_defects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "parts/geometry/mesh_edges.h"
+#include "parts/geometry/mesh_shells.h"
+#include "parts/geometry/shell_nesting.h"
+
+namespace g31::parts {
+namespace {
+
+void note(Defect& defect, const Point& p) {
+  if (defect.count++ == 0) {
+    defect.p_P_first = p;
+  }
+}
+
+class DefectSearch {
+ public:
+  explicit DefectSearch(const Mesh& mesh) : mesh_(mesh) {}
+
+  MeshDefects find() {
+    const MeshShells found = look_at_edges();
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (is_flat(t)) {
+        note(defects_.flat_facets, middle_of(t));
+      }
+      if (flipped_[t]) {
+        note(defects_.flipped_facets, middle_of(t));
+      }
+    }
+    look_at_shells(found);
+    return defects_;
+  }
+
+ private:
+  MeshShells look_at_edges() {
+    const auto facets = static_cast<std::uint32_t>(mesh_.triangles.size());
+    FacetUnion hanging(facets);
+    std::vector<bool> at_bad_edge(facets, false);
+    visit_edges(mesh_, [&](std::uint32_t low, std::span<const EdgeUse> uses) {
+      if (uses.size() == 2) {
+        const bool turned = uses[0].is_downwards() == uses[1].is_downwards();
+        static_cast<void>(hanging.join(uses[0].number(), uses[1].number(), turned));
+      } else {
+        const Point middle = 0.5 * (mesh_.vertices[low] + mesh_.vertices[uses.front().high]);
+        note(uses.size() == 1 ? defects_.open_edges : defects_.self_contacts, middle);
+        for (const EdgeUse& use : uses) {
+          at_bad_edge[use.number()] = true;
+        }
+      }
+      look_for_doubles(low, uses);
+    });
+    MeshShells found = shells_of(mesh_, hanging, at_bad_edge);
+    flipped_.resize(facets);
+    for (std::uint32_t t = 0; t < facets; ++t) {
+      const Shell& shell = found.shells[found.shell_of[t]];
+      flipped_[t] = hanging.root_of(t).turned != shell.first_is_flipped();
+    }
+    return found;
+  }
+
+  /// Facets with the same corners, once each: at the edge of their two least.
+  void look_for_doubles(std::uint32_t low, std::span<const EdgeUse> uses) {
+    for (std::size_t i = 1; i < uses.size(); ++i) {
+      const std::uint32_t top = top_of(low, uses[i]);
+      const bool is_double =
+          top > uses[i].high && std::ranges::any_of(uses.first(i), [&](const EdgeUse& before) {
+            return top_of(low, before) == top;
+          });
+      if (is_double) {
+        note(defects_.self_contacts, middle_of(uses[i].number()));
+      }
+    }
+  }
+
+  /// The corner that is not at the edge; of a flat facet one of those that are.
+  [[nodiscard]] std::uint32_t top_of(std::uint32_t low, const EdgeUse& use) const {
+    for (const std::uint32_t corner : mesh_.triangles[use.number()]) {
+      if (corner != low && corner != use.high) {
+        return corner;
+      }
+    }
+    return low;
+  }
+
+  void look_at_shells(const MeshShells& found) {
+    const FacetsByShell facets(found);
+    const bool is_one = found.shells.size() == 1;
+    const std::vector<ShellPlace> places =
+        is_one ? std::vector<ShellPlace>{{ShellPlace::Judged::Yes, 0, false}}
+               : shell_places(mesh_, found, facets, kMostShellWork);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Shell& shell = found.shells[i];
+      const Point p = middle_of(shell.first_facet);
+      if (places[i].crosses) {
+        note(defects_.self_contacts, p);
+      } else if (places[i].judged == ShellPlace::Judged::Yes && shell.is_closed &&
+                 has_volume(shell) && (shell.volume < 0.0) != (places[i].depth % 2 != 0)) {
+        note(defects_.inward_shells, p);
+      }
+    }
+    if (!is_one) {
+      for (const std::uint32_t shell : stray_shells(mesh_, found, places)) {
+        note(defects_.stray_shells, middle_of(found.shells[shell].first_facet));
+      }
+    }
+  }
+
+  /// Two facets back to back have none.
+  static bool has_volume(const Shell& shell) {
+    const double size = shell.diagonal();
+    return std::fabs(shell.volume) > 1e-12 * size * size * size;
+  }
+
+  [[nodiscard]] bool is_flat(std::uint32_t t) const {
+    constexpr double kHeight = 1e-9;  // of the longest side
+    const auto& v = mesh_.triangles[t];
+    const Point a = mesh_.vertices[v[1]] - mesh_.vertices[v[0]];
+    const Point b = mesh_.vertices[v[2]] - mesh_.vertices[v[0]];
+    const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+    return a.cross(b).norm() <= kHeight * longest;
+  }
+
+  [[nodiscard]] Point middle_of(std::uint32_t t) const {
+    const auto& v = mesh_.triangles[t];
+    return (mesh_.vertices[v[0]] + mesh_.vertices[v[1]] + mesh_.vertices[v[2]]) / 3.0;
+  }
+
+  const Mesh& mesh_;
+  MeshDefects defects_;
+  std::vector<bool> flipped_;
+};
+
+}  // namespace
+
+MeshDefects defects_of(const Mesh& mesh) {
+  return mesh.triangles.empty() ? MeshDefects{} : DefectSearch(mesh).find();
+}
+
+}  // namespace g31::parts

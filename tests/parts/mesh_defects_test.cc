@@ -1,0 +1,185 @@
+#include "parts/geometry/mesh_defects.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "parts/artefacts/artefact.h"
+#include "parts/geometry/winding_number.h"
+#include "parts/import/mesh_file.h"
+#include "parts/import/vertex_weld.h"
+#include "tests/probe/test_meshes.h"
+
+namespace g31::parts::mesh_defects_test {
+namespace {
+
+using testing::box_mesh;
+using testing::moved_by;
+
+/// Both meshes in one.
+Mesh together(const Mesh& a, const Mesh& b) {
+  Mesh both;
+  VertexWeld weld(both);
+  for (const Mesh* const mesh : {&a, &b}) {
+    for (const auto& t : mesh->triangles) {
+      both.triangles.push_back({weld.vertex_at(mesh->vertices[t[0]]),
+                                weld.vertex_at(mesh->vertices[t[1]]),
+                                weld.vertex_at(mesh->vertices[t[2]])});
+    }
+  }
+  return both;
+}
+
+Mesh turned_over(Mesh mesh) {
+  for (auto& t : mesh.triangles) {
+    std::swap(t[0], t[1]);
+  }
+  return mesh;
+}
+
+Mesh box_with(const std::array<std::uint32_t, 3>& further) {
+  Mesh mesh = box_mesh({10, 10, 10});
+  mesh.triangles.push_back(further);
+  return mesh;
+}
+
+/// How many of each: open, flipped, inward, stray, flat, self-contact.
+using Counts = std::array<std::uint64_t, 6>;
+
+Counts counts_of(const Mesh& mesh) {
+  const MeshDefects found = defects_of(mesh);
+  return {found.open_edges.count,   found.flipped_facets.count, found.inward_shells.count,
+          found.stray_shells.count, found.flat_facets.count,    found.self_contacts.count};
+}
+
+constexpr Counts kClean{};
+
+TEST(MeshDefects, CarefulMeshesHaveNone) {
+  const Mesh box = box_mesh({10, 10, 10});
+  const Mesh cavity = turned_over(moved_by(box_mesh({6, 6, 6}), {2, 2, 2}));
+  const Mesh core = moved_by(box_mesh({2, 2, 2}), {4, 4, 4});
+  EXPECT_EQ(counts_of(Mesh{}), kClean);
+  EXPECT_EQ(counts_of(box), kClean);
+  EXPECT_EQ(counts_of(testing::sphere_mesh(20.0, 30)), kClean);
+  EXPECT_EQ(counts_of(together(testing::unshared(testing::sphere_mesh(20.0, 9)), Mesh{})), kClean);
+  EXPECT_EQ(counts_of(together(box, cavity)), kClean) << "a hollow";
+  EXPECT_EQ(counts_of(together(together(box, cavity), core)), kClean) << "a solid in a hollow";
+  EXPECT_EQ(counts_of(together(box, moved_by(box, {300, 0, 0}))), kClean) << "two clamps";
+  EXPECT_EQ(
+      counts_of(together(box, turned_over(moved_by(box_mesh({0.05, 0.05, 0.05}), {5, 5, 5})))),
+      kClean)
+      << "a pore";
+  EXPECT_EQ(counts_of(together(box, moved_by(box_mesh({0.1, 0.1, 0.1}), {5, 5, 10.1}))), kClean)
+      << "a small piece close by";
+}
+
+TEST(MeshDefects, ShapesAndShippedMeshesHaveNone) {
+  for (const Shape& shape : shapes()) {
+    PartSetup setup;
+    setup.shape = shape.name;
+    const auto mesh = make_artefact(setup);
+    ASSERT_TRUE(mesh.ok()) << mesh.error();
+    EXPECT_EQ(counts_of(mesh.value()), kClean) << shape.name;
+  }
+  for (const char* const name : {"06", "09", "15"}) {
+    const auto mesh =
+        read_mesh_file(fmt::format("parts/library/hirose_figures/figure_{}.obj", name));
+    ASSERT_TRUE(mesh.ok()) << mesh.error();
+    EXPECT_EQ(counts_of(mesh.value()), kClean) << name;
+  }
+}
+
+TEST(MeshDefects, EachIsCounted) {
+  const Mesh box = box_mesh({10, 10, 10});
+  Mesh removed = box;
+  removed.triangles.erase(removed.triangles.begin() + 4);
+  Mesh flipped = box;
+  std::swap(flipped.triangles[5][0], flipped.triangles[5][1]);
+  Mesh first_flipped = box;
+  std::swap(first_flipped.triangles[0][0], first_flipped.triangles[0][1]);
+  Mesh both = removed;
+  std::swap(both.triangles[8][0], both.triangles[8][1]);
+  Mesh junction = box;  // the edge from 0 to 1 has a vertex more on one side
+  junction.vertices.emplace_back(5, 0, 0);
+  junction.triangles[0] = {0, 2, 8};
+  junction.triangles.push_back({8, 2, 1});
+  struct Case {
+    const char* name;
+    Mesh mesh;
+    Counts counts;
+  };
+  const Case kCases[] = {
+      {"one facet removed", removed, {3, 0, 0, 0, 0, 0}},
+      {"one flipped", flipped, {0, 1, 0, 0, 0, 0}},
+      {"the first one flipped", first_flipped, {0, 1, 0, 0, 0, 0}},
+      {"one removed, one flipped", both, {3, 1, 0, 0, 0, 0}},
+      {"all normals inwards", turned_over(box), {0, 0, 1, 0, 0, 0}},
+      {"all inwards, one outwards", turned_over(flipped), {0, 1, 1, 0, 0, 0}},
+      {"one doubled: three edges of three, and itself", box_with({0, 2, 1}), {0, 0, 0, 0, 0, 4}},
+      {"one doubled, the other way round", box_with({0, 1, 2}), {0, 0, 0, 0, 0, 4}},
+      {"a wall inside: edges of three", box_with({0, 1, 7}), {2, 0, 0, 0, 0, 1}},
+      {"a corner twice", box_with({0, 0, 1}), {0, 0, 0, 0, 1, 0}},
+      {"a T-junction", junction, {3, 0, 0, 0, 0, 0}},
+      {"a speck far away",
+       together(box, moved_by(box_mesh({.01, .01, .01}), {40, 0, 0})),
+       {0, 0, 0, 1, 0, 0}},
+      {"a speck turned inside out",
+       together(box, turned_over(moved_by(box_mesh({.01, .01, .01}), {40, 0, 0}))),
+       {0, 0, 1, 1, 0, 0}},
+      {"a hollow with its normals outwards",
+       together(box, moved_by(box_mesh({6, 6, 6}), {2, 2, 2})),
+       {0, 0, 1, 0, 0, 0}},
+      {"a hollow, all turned over",
+       turned_over(together(box, turned_over(moved_by(box_mesh({6, 6, 6}), {2, 2, 2})))),
+       {0, 0, 2, 0, 0, 0}},
+  };
+  for (const Case& c : kCases) {
+    EXPECT_EQ(counts_of(c.mesh), c.counts) << c.name;
+  }
+}
+
+TEST(MeshDefects, TheFirstHasAPlace) {
+  Mesh mesh = box_mesh({10, 20, 30});
+  mesh.triangles.erase(mesh.triangles.begin());  // 0, 2, 1 of the lower face
+  const MeshDefects found = defects_of(mesh);
+  EXPECT_EQ(found.open_edges.p_P_first, Point(5, 0, 0));
+  Mesh flipped = box_mesh({10, 20, 30});
+  std::swap(flipped.triangles[2][0], flipped.triangles[2][1]);
+  EXPECT_TRUE(defects_of(flipped).flipped_facets.p_P_first.isApprox(Point(10.0 / 3, 20.0 / 3, 30)));
+}
+
+// Any number of facets turned over at random: never more than half of them count.
+TEST(MeshDefects, FlippedFacetsAreTheFewer) {
+  const Mesh sphere = testing::sphere_mesh(10.0, 8);
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const Mesh turned = testing::turned_at_random(sphere, seed);
+    std::uint64_t differing = 0;
+    for (std::size_t i = 0; i < sphere.triangles.size(); ++i) {
+      differing += sphere.triangles[i] != turned.triangles[i] ? 1U : 0U;
+    }
+    EXPECT_EQ(defects_of(turned).flipped_facets.count,
+              std::min(differing, sphere.triangles.size() - differing));
+    EXPECT_EQ(defects_of(turned).open_edges.count, 0U);
+  }
+}
+
+TEST(WindingNumber, SaysWhatIsInside) {
+  const Mesh box = box_mesh({10, 10, 10});
+  const Mesh hollow = together(box, turned_over(moved_by(box_mesh({6, 6, 6}), {2, 2, 2})));
+  EXPECT_NEAR(winding_number(box, {5, 5, 5}), 1.0, 1e-12);
+  EXPECT_NEAR(winding_number(box, {5, 5, 9.999}), 1.0, 1e-9);
+  EXPECT_NEAR(winding_number(box, {5, 5, 10.001}), 0.0, 1e-9);
+  EXPECT_NEAR(winding_number(box, {5, 5, 10}), 0.5, 1e-9);
+  EXPECT_NEAR(winding_number(turned_over(box), {1, 2, 3}), -1.0, 1e-12);
+  EXPECT_NEAR(winding_number(hollow, {5, 5, 5}), 0.0, 1e-12);
+  EXPECT_NEAR(winding_number(hollow, {5, 5, 1}), 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace g31::parts::mesh_defects_test
