@@ -181,6 +181,19 @@ TEST(OutputBudget, CountsFilesWithWhatTheyAre) {
   EXPECT_EQ(output.document.at("files").at("B.TXT").get<std::string>().size(), 151U);
 }
 
+/// A program that grows is compiled anew at each call, and all that was compiled is kept.
+TEST(OutputBudget, HoldsForProgramsThatAreWrittenAndCalled) {
+  constexpr std::uint64_t kMoreMemory = 400 << 20;
+  const Attack grows = {
+      "a program that grows", "grow.mpf",
+      "DEF INT E\nN10 WRITE(E,\"SUB.SPF\",\";" + std::string(190, 'X') + "\")\nSUB\nGOTOB N10\n",
+      ""};
+  TemporaryFolder folder;
+  cli::RunOptions options = options_of(folder, grows);
+  EXPECT_EQ(run_program(options).exit_code, 3);
+  EXPECT_EQ(exit_code_within(kMoreMemory, options), 3);
+}
+
 /// Texts piece by piece are what nlohmann makes of the whole.
 TEST(OutputBudget, DocumentReadsAsIfWrittenAtOnce) {
   TemporaryFolder folder;

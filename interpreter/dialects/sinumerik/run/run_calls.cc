@@ -14,6 +14,7 @@ using Form = Argument::Form;
 constexpr std::size_t kDeepestLevel = 16;  // main program included
 constexpr double kMostPasses = 9999.0;
 constexpr std::size_t kMostWritten = 10'000;  // programs that a run writes and calls: all are kept
+constexpr std::size_t kMostWrittenBytes = 16 << 20;  // of their texts: the code is larger
 
 /// Groups that SAVE restores: all but those of one block.
 bool is_saved(Group group) {
@@ -60,11 +61,12 @@ Result<const CompiledProgram*, Failure> Runner::written_program(std::string_view
     if (const auto known = written_.find({file, content}); known != written_.end()) {
       return known->second;
     }
-    if (written_.size() >= kMostWritten) {
+    if (written_.size() >= kMostWritten || content.size() > kMostWrittenBytes - written_bytes_) {
       return failure(AlarmId::TooComplex, fmt::format("{}: too many programs are written", name));
     }
     const CompiledProgram* const made = programs_.written(file, content);
     written_.emplace(std::pair(file, content), made);
+    written_bytes_ += content.size();
     return made;
   }
   return static_cast<const CompiledProgram*>(nullptr);

@@ -334,6 +334,7 @@ class Runner {
   std::map<std::pair<const CompiledProgram*, std::string>, const CompiledProgram*> texts_run_;
   /// The same of files that the run wrote, by name and text.
   std::map<std::pair<std::string, std::string>, const CompiledProgram*> written_;
+  std::size_t written_bytes_ = 0;  ///< of their texts
   Channel channel_;
   std::vector<std::unique_ptr<Level>> levels_;
   std::size_t depth_ = 0;
