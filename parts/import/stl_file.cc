@@ -38,19 +38,42 @@ std::string_view first_word(std::string_view text) {
   return take_word(text);
 }
 
-void add_facet(const char* facet, VertexWeld& weld, Mesh& mesh) {
+using StlCorners = std::array<Point, 3>;
+
+StlCorners corners_of_facet(const char* facet) {
   constexpr std::size_t kNormal = 12;  // bytes
-  std::array<std::uint32_t, 3> corners{};
+  StlCorners corners;
   for (std::size_t corner = 0; corner < 3; ++corner) {
-    Point p;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t at = kNormal + 4 * (3 * corner + axis);
-      p[static_cast<Eigen::Index>(axis)] =
+      corners.at(corner)[static_cast<Eigen::Index>(axis)] =
           static_cast<double>(std::bit_cast<float>(little_endian_32(facet + at)));
     }
-    corners.at(corner) = weld.vertex_at(p);
   }
-  mesh.triangles.push_back(corners);
+  return corners;
+}
+
+/// @param bytes  of whole facets
+void add_facets(std::string_view bytes, VertexWeld& weld, Mesh& mesh) {
+  // Looking up a vertex is mostly waiting for memory: for some facets it is fetched ahead.
+  constexpr std::size_t kAhead = 32;
+  std::array<StlCorners, kAhead> facets;
+  while (!bytes.empty()) {
+    const std::size_t count = std::min(kAhead, bytes.size() / kStlFacet);
+    for (std::size_t i = 0; i < count; ++i) {
+      facets.at(i) = corners_of_facet(&bytes[i * kStlFacet]);
+      for (const Point& corner : facets.at(i)) {
+        weld.prefetch(corner);
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const StlCorners& corners = facets.at(i);
+      const std::uint32_t a = weld.vertex_at(corners[0]);
+      const std::uint32_t b = weld.vertex_at(corners[1]);
+      mesh.triangles.push_back({a, b, weld.vertex_at(corners[2])});
+    }
+    bytes.remove_prefix(count * kStlFacet);
+  }
 }
 
 /// The grammar of the text form, word by word.
@@ -181,15 +204,13 @@ Result<Mesh, std::string> read_binary_stl(std::istream& file, std::uint64_t size
   std::vector<char> facets(kAtATime * kStlFacet);
   Mesh mesh;
   mesh.triangles.reserve(static_cast<std::size_t>(count));
-  VertexWeld weld(mesh);
+  VertexWeld weld(mesh, static_cast<std::size_t>(count) / 2 + 2);  // as many as a sphere has
   for (std::uint64_t done = 0; done < count;) {
     const auto now = static_cast<std::size_t>(std::min<std::uint64_t>(count - done, kAtATime));
     if (!file.read(facets.data(), static_cast<std::streamsize>(now * kStlFacet))) {
       return std::string("it cannot be read to its end");
     }
-    for (std::size_t i = 0; i < now; ++i) {
-      add_facet(&facets[i * kStlFacet], weld, mesh);
-    }
+    add_facets({facets.data(), now * kStlFacet}, weld, mesh);
     done += now;
   }
   return mesh;

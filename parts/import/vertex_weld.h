@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +15,17 @@ namespace g31::parts {
 /// Adds vertices to a mesh; those in the same place, bit for bit, become one.
 class VertexWeld {
  public:
-  /// @param mesh  not owned: it must outlive the weld
-  explicit VertexWeld(Mesh& mesh) : mesh_(mesh), slots_(kFewest, kNone) {}
+  /// @param mesh      not owned: it must outlive the weld
+  /// @param expected  about so many vertices: room for them is made at once
+  explicit VertexWeld(Mesh& mesh, std::size_t expected = 0)
+      : mesh_(mesh), slots_(std::bit_ceil(std::max(kFewest, 2 * expected + 1)), kNone) {
+    mesh.vertices.reserve(expected);
+  }
+
+  /// Has the processor fetch what vertex_at will look at.
+  void prefetch(const Point& p) const {
+    __builtin_prefetch(&slots_[first_slot_of(p + Point::Zero())]);
+  }
 
   /// @param p  without NaN; @returns its number among the vertices of the mesh
   std::uint32_t vertex_at(const Point& p) {

@@ -76,6 +76,12 @@ class RegionMaker {
     for (std::uint32_t slot = range.first; slot < range.first + range.count; ++slot) {
       for (const std::uint32_t vertex : surface_.mesh.mesh().triangles[slot]) {
         const auto fan = surface_.fans.fan(surface_.fans.place_of(vertex));
+        const bool is_known = std::ranges::any_of(fan, [&](const Corner& corner) {
+          return corner.triangle >= range.first && corner.triangle < slot;
+        });
+        if (is_known) {
+          continue;
+        }
         for (const Corner& corner : fan) {
           const Point& normal = surface_.mesh.triangles()[corner.triangle].normal;
           cone.cosine = std::min(cone.cosine, normal.dot(cone.axis));

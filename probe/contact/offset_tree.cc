@@ -10,7 +10,9 @@ namespace g31::probe {
 OffsetTree::OffsetTree(const ContactMesh& mesh, double radius) {
   G31_EXPECTS(mesh.triangles().size() < (1U << PatchOwner::kTriangleBits));
   OffsetSurface surface(mesh, radius);
-  if (!is_rough_and_fine(surface)) {
+  // Of a large mesh a ball sees little: what it does not come near is never made.
+  constexpr std::size_t kLarge = 500'000;
+  if (mesh.triangles().size() < kLarge && !is_rough_and_fine(surface)) {
     tree_ = parts::Bvh(offset_patches(surface));
     return;
   }

@@ -12,8 +12,8 @@
 namespace g31::probe {
 
 /// The surface on which the centre of a touching ball lies, as a tree of patches
-/// (offset_patches.h).  Of a rough mesh that is fine beside the ball, patches are made where the
-/// ball comes, without those that are hidden.  To those who ask it is immutable.
+/// (offset_patches.h).  Of a mesh that is large, or rough and fine beside the ball, patches are
+/// made where the ball comes, without those that are hidden.  To those who ask it is immutable.
 class OffsetTree {
  public:
   OffsetTree() = default;
