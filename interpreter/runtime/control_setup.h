@@ -59,6 +59,12 @@ struct SensorWord {
   double count_mm = 0.0;  ///< > 0, what a count is worth
 };
 
+/// What a control does not take of its set-up.
+struct RefusedSetting {
+  std::string key;      ///< of the sheet: "variables.#500", "work_offsets.G59", "tools.9"
+  std::string message;  ///< one line
+};
+
 /// The state of a control before the program starts, as a set-up sheet describes it.  Plain data:
 /// each dialect takes what it knows and reports names it does not.
 struct ControlSetup {
@@ -78,6 +84,8 @@ struct ControlSetup {
   std::map<std::string, int> macro_calls;  ///< "G100" -> 9010
   /// "#515" -> 6.0; nullopt is vacant.  A string value is for dialects that have strings.
   std::map<std::string, std::optional<double>> variables;
+  /// Those of them that come from the variables file, which the control keeps over power-off.
+  std::set<std::string> kept_variables;
   /// Machine data and user data of controls that have such: a number, a text, "axis X" or a list.
   std::map<std::string, std::variant<double, std::string, std::vector<double>>> data;
   /// What programs call axes beside their letters: "SP1" to 'C'.

@@ -63,7 +63,7 @@ class ControlRun final : public runtime::Observer {
     return sources_.show(where).line;
   }
   [[nodiscard]] const std::string& output() const { return output_; }
-  [[nodiscard]] const std::vector<std::string>& refused() const { return refused_; }
+  [[nodiscard]] const std::vector<runtime::RefusedSetting>& refused() const { return refused_; }
   [[nodiscard]] const RecordingMachine& machine() const { return machine_; }
 
   void on_output(const runtime::OutputEvent& event) override { output_ += event.text; }
@@ -74,7 +74,7 @@ class ControlRun final : public runtime::Observer {
   fanuc::ProgramLibrary library_;
   RecordingMachine machine_;
   std::unique_ptr<fanuc::Session> session_;
-  std::vector<std::string> refused_;
+  std::vector<runtime::RefusedSetting> refused_;
   runtime::Outcome outcome_;
   std::string output_;
 };

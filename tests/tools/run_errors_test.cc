@@ -102,6 +102,49 @@ TEST(RunErrors, OfSettableFramesThatTheSheetLeavesOut) {
   }
 }
 
+TEST(RunErrors, OfSettingsThatTheControlRefusesHaveTheirPlaceInTheSheet) {
+  const std::string sheet =
+      "[variables]\n\"#500\" = 1.0\n\"#5001\" = 3.0\n[tools.99999]\nlength = 2.0\n"
+      "[gud]\n\"_A\" = 3\n";
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("case.nc", "O1\nM30\n")};
+  options.setups = {folder.write("sheet.toml", sheet)};
+  options.assignments = {"#5002=1"};
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 5);
+  for (const char* says :
+       {"sheet.toml:3:11: error: variable #5001: cannot be set on this control [SET124]\n"
+        "    3 | \"#5001\" = 3.0\n",
+        "sheet.toml:4:8: error: tool 99999: offset numbers are 1 to 999 [SET124]",
+        "sheet.toml:7:8: error: machine data and user data are of SINUMERIK [SET124]",
+        "--set #5002=1: error: variable #5002: cannot be set on this control [SET124]"}) {
+    EXPECT_NE(output.errors.find(says), std::string::npos) << output.errors;
+  }
+}
+
+TEST(RunErrors, OfAVariablesFileHaveTheirLine) {
+  const Case kCases[] = {
+      {"no assignment", "#500=1\nnonsense\n", 2, "kept.vars:2:1: error: "},
+      {"a system variable", "; of the machine\n#500=1\n\n#5001=2\n", 5,
+       "kept.vars:4:1: error: variable #5001: cannot be set on this control [SET124]"},
+      {"a local variable", "#500=1\n#26=2\n", 5,
+       "kept.vars:2:1: error: variable #26: a local variable, which no control keeps [SET124]"},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    TemporaryFolder folder;
+    cli::RunOptions options;
+    options.programs = {folder.write("case.nc", "O1\nM30\n")};
+    options.setups = {folder.write("sheet.toml", "[control]\nvariables_file = \"kept.vars\"\n")};
+    const std::string path = folder.write("kept.vars", c.program);
+    const RunOutput output = run_program(options);
+    EXPECT_EQ(output.exit_code, c.exit_code);
+    EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
+    EXPECT_EQ(folder.names().size(), 3U);
+  }
+}
+
 TEST(RunErrors, OfTheCommandLineAreWrongUsage) {
   TemporaryFolder folder;
   cli::RunOptions plain;

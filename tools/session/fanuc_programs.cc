@@ -61,7 +61,7 @@ class FanucSession final : public Session {
   }
 
   void connect(runtime::PrinterPort& printer) override { session_->connect(printer); }
-  std::vector<std::string> configure(const runtime::ControlSetup& setup) override {
+  std::vector<runtime::RefusedSetting> configure(const runtime::ControlSetup& setup) override {
     return session_->configure(setup);
   }
   void begin(const runtime::Budget& budget, runtime::BlockListener* listener) override {

@@ -1,5 +1,6 @@
 #include "tools/session/prepare.h"
 
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,28 +27,46 @@ Result<Control, Refusal> chosen_control(const Request& request, const setup::Job
   return control_of_program(request.programs.front(), beginning.value_or(""));
 }
 
+/// Puts what the control has kept under the sheets' [variables].
+std::optional<Refusal> take_kept_variables(source::FileSystem& files, setup::Job& job) {
+  const std::string& path = job.control.variables_file;
+  const auto text = path.empty() ? std::nullopt : files.read(path);
+  if (!text) {
+    return std::nullopt;
+  }
+  const auto kept = parse_variables_text(path, *text);
+  if (!kept) {
+    return refusal_of(kept.error());
+  }
+  std::map<std::string, std::optional<double>> variables;
+  std::map<std::string, setup::SheetPlace> places;
+  for (const KeptVariable& variable : kept.value()) {
+    variables[variable.assignment.name] = variable.assignment.value;
+    places["variables." + variable.assignment.name] = variable.place;
+  }
+  for (const auto& [name, value] : variables) {
+    if (job.control.variables.emplace(name, value).second) {
+      job.control.kept_variables.insert(name);
+    }
+  }
+  job.places.merge(places);
+  return std::nullopt;
+}
+
 std::optional<Refusal> take_variables(const std::vector<std::string>& assignments,
                                       source::FileSystem& files, setup::Job& job) {
-  auto& variables = job.control.variables;
-  if (!job.control.variables_file.empty()) {
-    if (const auto text = files.read(job.control.variables_file)) {
-      auto kept = parse_variables_text(*text);
-      if (!kept) {
-        return bad_input(fmt::format("{}: {}", job.control.variables_file, kept.error()));
-      }
-      auto merged = kept.value();
-      for (const auto& [name, value] : variables) {
-        merged[name] = value;
-      }
-      variables = std::move(merged);
-    }
+  if (auto wrong = take_kept_variables(files, job)) {
+    return wrong;
   }
   for (const std::string& text : assignments) {
     auto assignment = setup::parse_assignment(text);
     if (!assignment) {
       return bad_input(fmt::format("--set {}: {}", text, assignment.error()));
     }
-    variables[assignment.value().name] = assignment.value().value;
+    const std::string& name = assignment.value().name;
+    job.control.variables[name] = assignment.value().value;
+    job.control.kept_variables.erase(name);
+    job.places["variables." + name] = {"--set " + text, 0, 0, {}};
   }
   return std::nullopt;
 }

@@ -1,9 +1,12 @@
 #include "tools/session/refusal.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "machine/base/contract.h"
 
 namespace g31::session {
 
@@ -20,6 +23,29 @@ Refusal refusal_of(setup::SetupErrors errors) {
   const bool is_missing = std::ranges::any_of(
       errors, [&](const setup::SetupError& error) { return error.code == missing; });
   return {is_missing ? Ending::Setup : Ending::BadInput, {}, std::move(errors)};
+}
+
+Refusal refused_settings(const setup::Job& job,
+                         const std::vector<runtime::RefusedSetting>& refused) {
+  G31_EXPECTS(!refused.empty());
+  Refusal refusal{Ending::Setup, {}, {}};
+  for (const runtime::RefusedSetting& setting : refused) {
+    const auto place = job.places.find(setting.key);
+    const setup::SheetPlace where =
+        place != job.places.end() ? place->second : setup::SheetPlace{"g31", 0, 0, {}};
+    const auto id = setup::SetupErrorId::SettingRefused;
+    refusal.sheet_errors.push_back({where.file,
+                                    where.line,
+                                    where.column,
+                                    setup::message_of(id, {setting.message}),
+                                    std::string(setup::code_of(id)),
+                                    where.source_line,
+                                    {}});
+  }
+  std::ranges::stable_sort(refusal.sheet_errors, {}, [](const setup::SetupError& error) {
+    return std::tuple(error.file, error.line, error.column);
+  });
+  return refusal;
 }
 
 std::string render(const Refusal& refusal) {

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "interpreter/runtime/control_setup.h"
 #include "tools/session/ending.h"
+#include "tools/setup/job.h"
 #include "tools/setup/setup_error.h"
 
 namespace g31::session {
@@ -20,6 +23,11 @@ Refusal bad_input(std::string message);
 Refusal bad_setup(std::string message);
 /// What is wrong with sheets.
 Refusal refusal_of(setup::SetupErrors errors);
+
+/// What a control does not take of a job's settings, each at its place.
+/// @pre refused is not empty
+Refusal refused_settings(const setup::Job& job,
+                         const std::vector<runtime::RefusedSetting>& refused);
 
 /// Whole lines, as a person reads them: `g31: error: ...`, or each error of the sheets at its
 /// place.

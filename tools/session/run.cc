@@ -13,7 +13,7 @@ Result<std::shared_ptr<Run>, Refusal> Run::open(const setup::Job& job, Programs&
   auto session = programs.session(machine, observer);
   const auto refused = session->configure(job.control);
   if (!refused.empty()) {
-    return bad_setup(fmt::format("{}", fmt::join(refused, "; ")));
+    return refused_settings(job, refused);
   }
   auto files = ProgramFiles::open(job.control.files_folder);
   if (!files) {

@@ -27,7 +27,7 @@ class Session {
   /// A printer at a serial line, which outlives the session; a control without one leaves it alone.
   virtual void connect(runtime::PrinterPort& /*printer*/) {}
   /// @returns what in the set-up this control cannot understand; empty: all of it
-  virtual std::vector<std::string> configure(const runtime::ControlSetup& setup) = 0;
+  virtual std::vector<runtime::RefusedSetting> configure(const runtime::ControlSetup& setup) = 0;
 
   /// Stands before the first block of the main program.
   /// @param listener  hears of each block; outlives the session; nullptr: none

@@ -13,7 +13,7 @@ class SinumerikSession final : public Session {
                    runtime::Observer& observer)
       : session_(library, machine, observer) {}
 
-  std::vector<std::string> configure(const runtime::ControlSetup& setup) override {
+  std::vector<runtime::RefusedSetting> configure(const runtime::ControlSetup& setup) override {
     return session_.configure(setup);
   }
   void begin(const runtime::Budget& budget, runtime::BlockListener* listener) override {

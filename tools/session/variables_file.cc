@@ -1,6 +1,7 @@
 #include "tools/session/variables_file.h"
 
-#include <charconv>
+#include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,9 +17,10 @@ std::string variables_text(const std::map<std::string, double>& variables) {
   return text;
 }
 
-Result<std::map<std::string, std::optional<double>>, std::string> parse_variables_text(
-    std::string_view text) {
-  std::map<std::string, std::optional<double>> variables;
+Result<std::vector<KeptVariable>, setup::SetupErrors> parse_variables_text(const std::string& path,
+                                                                           std::string_view text) {
+  std::vector<KeptVariable> variables;
+  setup::SetupErrors errors;
   for (int line_number = 1; !text.empty(); ++line_number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string line(text.substr(0, end));
@@ -30,12 +32,20 @@ Result<std::map<std::string, std::optional<double>>, std::string> parse_variable
       continue;
     }
     auto assignment = setup::parse_assignment(line);
-    if (!assignment) {
-      return fmt::format("line {}: {}", line_number, assignment.error());
+    if (assignment) {
+      variables.push_back({assignment.value(), {path, line_number, 1, std::move(line)}});
+    } else {
+      const auto id = setup::SetupErrorId::NoAssignment;
+      errors.push_back({path,
+                        line_number,
+                        1,
+                        setup::message_of(id, {assignment.error()}),
+                        std::string(setup::code_of(id)),
+                        std::move(line),
+                        {}});
     }
-    variables[assignment.value().name] = assignment.value().value;
   }
-  return variables;
+  return errors.empty() ? Result<std::vector<KeptVariable>, setup::SetupErrors>(variables) : errors;
 }
 
 }  // namespace g31::session

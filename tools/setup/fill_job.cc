@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
 #include "tools/setup/fill_inputs.h"
@@ -227,14 +229,33 @@ parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
   return part;
 }
 
+SheetPlace place_of(const Location& where) {
+  return {where.document->path, where.line, where.column,
+          std::string(where.document->line(where.line))};
+}
+
+/// Where the settings stand that only the control can judge.
+void keep_places(Job& job, SectionId section, const std::string& name, const SheetTable& table) {
+  if (section == SectionId::WorkOffsets || section == SectionId::Tools) {
+    job.places.emplace(fmt::format("{}.{}", row_of(section).path, name), place_of(table.where));
+    return;
+  }
+  const bool is_data = section == SectionId::MachineData || section == SectionId::UserData;
+  if (is_data || section == SectionId::Variables || section == SectionId::Parameters ||
+      section == SectionId::MacroCalls) {
+    const std::string_view above = is_data ? "data" : row_of(section).path;
+    for (const auto& [key, entry] : table.entries) {
+      job.places.emplace(fmt::format("{}.{}", above, key), place_of(entry.where));
+    }
+  }
+}
+
 /// Where the sheet names what the part is made of.
 SheetPlace place_of_body(const SheetTable& table) {
   const TableKeys keys(table);
   const Entry* const file = keys.find(KeyId::PartFile);
   const Entry* const body = file != nullptr ? file : keys.find(KeyId::PartShape);
-  const Location& where = body != nullptr ? body->where : table.where;
-  return {where.document->path, where.line, where.column,
-          std::string(where.document->line(where.line))};
+  return place_of(body != nullptr ? body->where : table.where);
 }
 
 probe::SkipSignal skip_signal_from(const SheetTable& table) {
@@ -253,6 +274,7 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
   Job job;
   for (const auto& [place, table] : sheet.tables) {
     fill_table(job, place.first, place.second, table);
+    keep_places(job, place.first, place.second, table);
   }
   for (const SheetTable& table : list_of(sheet, SectionId::Part)) {
     job.parts.push_back(part_from(table, errors));

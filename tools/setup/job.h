@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,7 @@ namespace g31::setup {
 /// A place in a set-up sheet, for messages about what is found out only later.
 struct SheetPlace {
   std::string file;
-  int line = 0;    ///< from 1
+  int line = 0;    ///< from 1; 0 when it is about the whole file
   int column = 0;  ///< from 1
   std::string source_line;
 };
@@ -27,6 +28,8 @@ struct Job {
   std::optional<probe::ProbeSetup> probe;  ///< none: no probe in the spindle
   std::vector<probe::DisplacementSetup> sensors;
   std::vector<parts::PartSetup> parts;
+  /// Of what only the control can judge, by table and name: "variables.#500"; see RefusedSetting.
+  std::map<std::string, SheetPlace> places;
   std::vector<SheetPlace> part_places;  ///< one per part: its file or shape
   /// Signals of the skip moves in order; given (even empty) means: instead of a probe.
   std::optional<std::vector<probe::SkipSignal>> skip_signals;

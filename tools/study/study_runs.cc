@@ -227,7 +227,7 @@ std::optional<Refusal> StudyRuns::try_control() {
   machine::MachiningCentre machine(job.value().machine, nullptr);
   const auto control = programs_.back()->session(machine, nobody);
   if (const auto refused = control->configure(job.value().control); !refused.empty()) {
-    return session::bad_setup(fmt::format("{}", fmt::join(refused, "; ")));
+    return session::refused_settings(job.value(), refused);
   }
   for (const std::string& name : variables_) {
     if (const auto wrong = why_no_number(*control, name)) {
@@ -448,7 +448,7 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
   runtime::Observer nobody;
   const auto control = programs_[program]->session(machine, nobody);
   if (const auto refused = control->configure(job.control); !refused.empty()) {
-    return {"setup", session::Ending::Setup, refused.front(), {}, {}};
+    return {"setup", session::Ending::Setup, refused.front().message, {}, {}};
   }
   runtime::OutputBudget output(study_.max_output);
   const runtime::Outcome outcome = control->run({study_.max_blocks, study_.max_time_s, &output});

@@ -52,13 +52,15 @@ std::optional<int> system_in_name(std::string_view name) {
   return std::nullopt;
 }
 
-std::vector<std::string> configure_offsets(Control& control, const runtime::ControlSetup& setup) {
-  std::vector<std::string> refused;
+std::vector<runtime::RefusedSetting> configure_offsets(Control& control,
+                                                       const runtime::ControlSetup& setup) {
+  std::vector<runtime::RefusedSetting> refused;
   for (const auto& [name, q_offset] : setup.work_offsets) {
     const auto system = system_in_name(name);
     if (!system) {
       refused.push_back(
-          fmt::format("work offset {}: this control has EXT, G54 to G59, G54.1 Pn", name));
+          {"work_offsets." + name,
+           fmt::format("work offset {}: this control has EXT, G54 to G59, G54.1 Pn", name)});
       continue;
     }
     for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
@@ -69,7 +71,8 @@ std::vector<std::string> configure_offsets(Control& control, const runtime::Cont
   for (const auto& [number, entry] : setup.tools) {
     if (number < 1 || number > OffsetTable::kLargest) {
       refused.push_back(
-          fmt::format("tool {}: offset numbers are 1 to {}", number, OffsetTable::kLargest));
+          {fmt::format("tools.{}", number),
+           fmt::format("tool {}: offset numbers are 1 to {}", number, OffsetTable::kLargest)});
       continue;
     }
     control.offsets.set(number, entry);
@@ -79,13 +82,14 @@ std::vector<std::string> configure_offsets(Control& control, const runtime::Cont
 }
 
 void configure_calls(Control& control, const runtime::ControlSetup& setup,
-                     std::vector<std::string>& refused) {
+                     std::vector<runtime::RefusedSetting>& refused) {
   for (const auto& [code, program] : setup.macro_calls) {
     int number = 0;
     const auto end = std::from_chars(code.data() + 1, code.data() + code.size(), number);
     const bool known = code.size() >= 2 && (code[0] == 'G' || code[0] == 'M');
     if (!known || end.ptr != code.data() + code.size()) {
-      refused.push_back(fmt::format("macro call {}: write G or M and a whole number", code));
+      refused.push_back({"macro_calls." + code,
+                         fmt::format("macro call {}: write G or M and a whole number", code)});
       continue;
     }
     (code[0] == 'G' ? control.code_calls.macro_by_g : control.code_calls.macro_by_m)[number] =
@@ -104,12 +108,13 @@ Session::Session(const Profile& profile, ProgramLibrary& library, machine::Machi
 
 Session::~Session() = default;
 
-std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) {
-  std::vector<std::string> refused;
+std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSetup& setup) {
+  std::vector<runtime::RefusedSetting> refused;
   const auto given = Parameters::from(setup.parameters);
   if (!given) {
     refused.push_back(
-        fmt::format("parameter {}: write NUMBER, NUMBER.BIT or NUMBER.AXIS", given.error()));
+        {"parameters." + given.error(),
+         fmt::format("parameter {}: write NUMBER, NUMBER.BIT or NUMBER.AXIS", given.error())});
     return refused;
   }
   Control& control = runner_->control();
@@ -134,17 +139,24 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
   control.sensor_words = setup.sensor_words;
   control.lookahead.set_depth(setup.lookahead_blocks);
   refused = configure_offsets(control, setup);
-  if (!setup.data.empty() || !setup.offset_shapes.empty()) {
-    refused.emplace_back(
-        "[machine_data], [gud], and rotate_deg, fine, scale and mirror of work offsets are of "
-        "SINUMERIK");
+  for (const auto& [name, datum] : setup.data) {
+    refused.push_back({"data." + name, "machine data and user data are of SINUMERIK"});
+  }
+  for (const auto& [name, shape] : setup.offset_shapes) {
+    refused.push_back({"work_offsets." + name,
+                       "rotate_deg, fine, scale and mirror of a work offset are of SINUMERIK"});
   }
   configure_calls(control, setup, refused);
   for (const auto& [name, value] : setup.variables) {
     const auto number = variable_in_name(name);
     const Cell cell = value ? Cell(*value) : Cell();
-    if (!number || control.variables.preset(*number, cell).has_value()) {
-      refused.push_back(fmt::format("variable {}: cannot be set on this control", name));
+    if (number && is_local(*number) && setup.kept_variables.contains(name)) {
+      refused.push_back(
+          {"variables." + name,
+           fmt::format("variable {}: a local variable, which no control keeps", name)});
+    } else if (!number || control.variables.preset(*number, cell).has_value()) {
+      refused.push_back(
+          {"variables." + name, fmt::format("variable {}: cannot be set on this control", name)});
     }
   }
   return refused;

@@ -33,7 +33,7 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   /// Takes over a set-up.  @returns what in it this control cannot understand; empty: all of it
-  std::vector<std::string> configure(const runtime::ControlSetup& setup);
+  std::vector<runtime::RefusedSetting> configure(const runtime::ControlSetup& setup);
 
   /// Connects a printer that POPEN, PCLOS, DPRNT and BPRNT drive; it must outlive the session.
   /// The observer hears the printouts with or without one.

@@ -54,27 +54,29 @@ EdgeData edge_from(const runtime::ToolEntry& entry) {
 
 /// Soft limits and data of the sheet.
 void configure_data(Runner& runner, const runtime::ControlSetup& setup,
-                    std::vector<std::string>& refused) {
-  std::vector<std::string> assignments;
+                    std::vector<runtime::RefusedSetting>& refused) {
+  /// Text of an assignment, and the key that it is of.
+  std::vector<std::pair<std::string, std::string>> assignments;
   for (const auto& [axis, limits] : setup.q_M_travel) {
     const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
-    assignments.push_back(
-        fmt::format("$MA_POS_LIMIT_MINUS[{}]={}", letter, written_number(limits.first)));
-    assignments.push_back(
-        fmt::format("$MA_POS_LIMIT_PLUS[{}]={}", letter, written_number(limits.second)));
+    const std::string key = fmt::format("machine.axes.{}", letter);
+    assignments.emplace_back(
+        fmt::format("$MA_POS_LIMIT_MINUS[{}]={}", letter, written_number(limits.first)), key);
+    assignments.emplace_back(
+        fmt::format("$MA_POS_LIMIT_PLUS[{}]={}", letter, written_number(limits.second)), key);
   }
   if (setup.rapids) {
-    assignments.push_back(fmt::format("$MC_G0_LINEAR_MODE={}",
-                                      *setup.rapids == machine::RapidPath::Straight ? 1 : 0));
+    const int is_straight = *setup.rapids == machine::RapidPath::Straight ? 1 : 0;
+    assignments.emplace_back(fmt::format("$MC_G0_LINEAR_MODE={}", is_straight), "control.rapids");
   }
   for (const auto& [name, datum] : setup.data) {
     for (std::string& assignment : assignments_of(name, datum)) {
-      assignments.push_back(std::move(assignment));
+      assignments.emplace_back(std::move(assignment), "data." + name);
     }
   }
-  for (const std::string& assignment : assignments) {
+  for (const auto& [assignment, key] : assignments) {
     if (const auto wrong = runner.run_text(assignment)) {
-      refused.push_back(fmt::format("{}: {}", assignment, *wrong));
+      refused.push_back({key, fmt::format("{}: {}", assignment, *wrong)});
     }
   }
 }
@@ -97,7 +99,7 @@ std::set<int> left_out_of(const std::map<std::string, AxisPositions>& offsets) {
 }
 
 void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
-                      std::vector<std::string>& refused) {
+                      std::vector<runtime::RefusedSetting>& refused) {
   for (const auto& [name, q_offset] : setup.work_offsets) {
     if (name == "EXT") {
       channel.stored_frames.channel[0] = shifted(q_offset);
@@ -105,7 +107,8 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
       channel.settable[static_cast<std::size_t>(*number)] = shifted(q_offset);
     } else {
       refused.push_back(
-          fmt::format("work offset {}: this control has EXT, G54 to G57, G505 to G599", name));
+          {"work_offsets." + name,
+           fmt::format("work offset {}: this control has EXT, G54 to G57, G505 to G599", name)});
     }
   }
   channel.left_out = left_out_of(setup.work_offsets);
@@ -145,8 +148,8 @@ Session::Session(ProgramLibrary& library, machine::MachinePort& port, runtime::O
 
 Session::~Session() = default;
 
-std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) {
-  std::vector<std::string> refused;
+std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSetup& setup) {
+  std::vector<runtime::RefusedSetting> refused;
   Channel& channel = runner_->channel();
   channel.block_skip = setup.block_skip;
   channel.feed_switches = setup.feed_switches;
@@ -157,10 +160,13 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
         axis.home, axis.home, axis.rapid_per_min, axis.travel_min, axis.travel_max};
   }
   configure_tables(channel, setup, refused);
-  if (!setup.parameters.empty() || !setup.macro_calls.empty()) {
-    refused.emplace_back(
-        "[parameters] and [macro_calls] are for other controls: set $MN_, $MC_, $SNS_ and the like "
-        "in [machine_data]");
+  for (const auto& [number, value] : setup.parameters) {
+    refused.push_back({"parameters." + number,
+                       "[parameters] are for other controls: set $MN_, $MC_, $SNS_ and the like in "
+                       "[machine_data]"});
+  }
+  for (const auto& [code, program] : setup.macro_calls) {
+    refused.push_back({"macro_calls." + code, "[macro_calls] are for other controls"});
   }
   configure_data(*runner_, setup, refused);
   channel.preset_rapids();
@@ -172,7 +178,7 @@ std::vector<std::string> Session::configure(const runtime::ControlSetup& setup) 
             ? std::optional<std::string>("not a variable of this control")
             : runner_->run_text(fmt::format("{}={}", name, written_number(value.value_or(0.0))));
     if (wrong) {
-      refused.push_back(fmt::format("variable {}: {}", name, *wrong));
+      refused.push_back({"variables." + name, fmt::format("variable {}: {}", name, *wrong)});
     }
   }
   return refused;

@@ -34,7 +34,7 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   /// Takes over a set-up.  @returns what in it this control cannot understand; empty: all of it
-  std::vector<std::string> configure(const runtime::ControlSetup& setup);
+  std::vector<runtime::RefusedSetting> configure(const runtime::ControlSetup& setup);
 
   /// Runs the library's main program to its end.
   runtime::Outcome run(const runtime::Budget& budget);
