@@ -114,11 +114,11 @@ TEST(RunErrors, OfSettingsThatTheControlRefusesHaveTheirPlaceInTheSheet) {
   const RunOutput output = run_program(options);
   EXPECT_EQ(output.exit_code, 5);
   for (const char* says :
-       {"sheet.toml:3:11: error: variable #5001: cannot be set on this control [SET124]\n"
+       {"sheet.toml:3:11: error: variable #5001: cannot be set on this control [SET126]\n"
         "    3 | \"#5001\" = 3.0\n",
-        "sheet.toml:4:8: error: tool 99999: offset numbers are 1 to 999 [SET124]",
-        "sheet.toml:7:8: error: machine data and user data are of SINUMERIK [SET124]",
-        "--set #5002=1: error: variable #5002: cannot be set on this control [SET124]"}) {
+        "sheet.toml:4:8: error: tool 99999: offset numbers are 1 to 999 [SET126]",
+        "sheet.toml:7:8: error: machine data and user data are of SINUMERIK [SET126]",
+        "--set #5002=1: error: variable #5002: cannot be set on this control [SET126]"}) {
     EXPECT_NE(output.errors.find(says), std::string::npos) << output.errors;
   }
 }
@@ -127,9 +127,9 @@ TEST(RunErrors, OfAVariablesFileHaveTheirLine) {
   const Case kCases[] = {
       {"no assignment", "#500=1\nnonsense\n", 2, "kept.vars:2:1: error: "},
       {"a system variable", "; of the machine\n#500=1\n\n#5001=2\n", 5,
-       "kept.vars:4:1: error: variable #5001: cannot be set on this control [SET124]"},
+       "kept.vars:4:1: error: variable #5001: cannot be set on this control [SET126]"},
       {"a local variable", "#500=1\n#26=2\n", 5,
-       "kept.vars:2:1: error: variable #26: a local variable, which no control keeps [SET124]"},
+       "kept.vars:2:1: error: variable #26: a local variable, which no control keeps [SET126]"},
   };
   for (const Case& c : kCases) {
     SCOPED_TRACE(c.name);
