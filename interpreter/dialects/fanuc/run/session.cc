@@ -201,6 +201,7 @@ Result<Cell, std::string> Session::variable(const std::string& name) {
   if (!number) {
     return fmt::format("{} is not a variable of this control: write # and a number", name);
   }
+  const runtime::LookFromOutside look(runner_->control().touches);
   const auto value = runner_->control().variables.read(*number);
   if (!value) {
     return fmt::format("{} cannot be read on this control", name);
