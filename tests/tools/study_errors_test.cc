@@ -221,5 +221,32 @@ TEST_F(StudyErrors, OfTheCommandLine) {
   }
 }
 
+/// A tetrahedron of 10 mm, the last `missing` of its four facets left out.
+std::string tetrahedron(int missing) {
+  const char* const kFacets[] = {
+      "vertex 0 0 0 vertex 0 10 0 vertex 10 0 0", "vertex 0 0 0 vertex 10 0 0 vertex 0 0 10",
+      "vertex 0 0 0 vertex 0 0 10 vertex 0 10 0", "vertex 10 0 0 vertex 0 10 0 vertex 0 0 10"};
+  std::string text = "solid t\n";
+  for (int i = 0; i < 4 - missing; ++i) {
+    text += std::string("facet normal 0 0 0 outer loop ") + kFacets[i] + " endloop endfacet\n";
+  }
+  return text + "endsolid t\n";
+}
+
+TEST_F(StudyErrors, OfMeshesAreFindingsOfEveryRun) {
+  folder_.write("s.toml",
+                "[variables]\n\"#501\" = 3.0\n[[part]]\nfile = \"t.stl\"\n[probe]\n"
+                "[start]\nZ = 300.0\n");
+  folder_.write("t.stl", tetrahedron(0));
+  const StudyOutput whole = run(std::string(kHead) + kResult);
+  EXPECT_EQ(whole.exit_code, 0) << whole.errors;
+  EXPECT_EQ(whole.errors, "");
+  folder_.write("t.stl", tetrahedron(1));
+  const StudyOutput open = run(std::string(kHead) + kResult);
+  EXPECT_EQ(open.exit_code, 1) << open.errors;
+  EXPECT_NE(open.errors.find("in the mesh of a part: 3 of 't'"), std::string::npos) << open.errors;
+  EXPECT_NE(open.errors.find("[PRB511]"), std::string::npos) << open.errors;
+}
+
 }  // namespace
 }  // namespace g31::study_errors_test

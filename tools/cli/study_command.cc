@@ -106,6 +106,7 @@ Made run_study(const StudyOptions& options) {
     return created.error();
   }
   study::StudyRuns& runs = *created.value();
+  std::fputs(runs.part_findings().c_str(), stderr);
   study::RunSpan span{0, study::run_count(study)};
   if (shard) {
     span = {study::first_run_of(*shard, span.end),

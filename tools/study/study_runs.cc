@@ -51,12 +51,12 @@ bool changes_geometry(const setup::VariedKey& key) {
          key.row->id == setup::KeyId::ProbeStemDiameter;
 }
 
-Result<session::SensedParts, Refusal> sensed_parts(const setup::Job& job) {
-  const auto parts = session::build_parts(job);
-  if (!parts) {
-    return parts.error();
+Result<StudyParts, Refusal> parts_of(const setup::Job& job) {
+  const auto built = session::build_parts(job);
+  if (!built) {
+    return built.error();
   }
-  return session::sensed_parts(job, parts.value().parts);
+  return StudyParts{session::sensed_parts(job, built.value().parts), built.value().findings};
 }
 
 std::string first_line(const std::string& text) {
@@ -219,9 +219,12 @@ std::optional<Refusal> StudyRuns::try_control() {
     programs_.push_back(opened.value());
   }
   Geometry& geometry = *geometries_.front();
-  std::call_once(geometry.once, [&] { geometry.parts.emplace(sensed_parts(job.value())); });
+  std::call_once(geometry.once, [&] { geometry.parts.emplace(parts_of(job.value())); });
   if (!geometry.parts->ok()) {
     return geometry.parts->error();
+  }
+  for (const source::Diagnostic& finding : geometry.parts->value().findings) {
+    part_findings_ += render_text(finding, programs_.back()->sources());
   }
   runtime::Observer nobody;
   machine::MachiningCentre machine(job.value().machine, nullptr);
@@ -367,7 +370,7 @@ StudyRuns::Ended StudyRuns::run_drawn(std::size_t number, const Row& row) {
     }
     job.control.variables = std::move(variables);
   }
-  const Parts parts = draws_geometry_ ? sensed_parts(job) : *point.geometry->parts;
+  const Parts parts = draws_geometry_ ? parts_of(job) : *point.geometry->parts;
   return run_all_programs(std::move(job), parts, row);
 }
 
@@ -389,7 +392,7 @@ void StudyRuns::make_ready(std::size_t number) {
     }
     setup::Job job = point.job->value();
     Geometry& geometry = *point.geometry;
-    std::call_once(geometry.once, [&] { geometry.parts.emplace(sensed_parts(job)); });
+    std::call_once(geometry.once, [&] { geometry.parts.emplace(parts_of(job)); });
     if (study_.before_when == BeforeWhen::Once) {
       if (auto failed = run_before(job, *geometry.parts, SeedUse::BeforeAll, number)) {
         point.failed_before = std::make_unique<Ended>(std::move(*failed));
@@ -441,7 +444,7 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
   if (!parts) {
     return {"setup", parts.error().ending, first_line(parts.error()), {}, {}};
   }
-  const auto surroundings = session::surroundings_of(job, parts.value(), seed);
+  const auto surroundings = session::surroundings_of(job, parts.value().sensed, seed);
   machine::MachiningCentre machine(job.machine, surroundings.get());
   runtime::TimeBudget time(study_.max_time_s);
   machine.watch(time);
@@ -454,7 +457,7 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
   const runtime::Outcome outcome = control->run({study_.max_blocks, study_.max_time_s, &output});
   Ended ended;
   ended.status = session::status_name(outcome.status);
-  ended.ending = session::ending_of(outcome);
+  ended.ending = session::ending_of(session::with_findings(parts.value().findings, outcome));
   if (outcome.status != runtime::Status::Completed) {
     ended.note = note_of(outcome, programs_[program]->sources());
     return ended;

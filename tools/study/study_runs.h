@@ -28,6 +28,12 @@ struct StudyRun {
   session::Ending ending = session::Ending::Completed;
 };
 
+/// The parts of a set-up, and what is wrong with their meshes.
+struct StudyParts {
+  session::SensedParts sensed;
+  std::vector<source::Diagnostic> findings;
+};
+
 /// Does the runs of a study.  Sheets and programs are read once; parts and their trees are made
 /// once for each set-up that needs others, and shared, read-only, by all threads.
 class StudyRuns {
@@ -42,6 +48,10 @@ class StudyRuns {
 
   [[nodiscard]] const Description& description() const { return description_; }
 
+  /// What is wrong with the meshes of the sheets' own parts, as lines for people; it makes findings
+  /// of all runs.
+  [[nodiscard]] const std::string& part_findings() const { return part_findings_; }
+
   /// One run, by its number in the whole study.  Many threads may call at once.
   StudyRun run(std::size_t run);
 
@@ -50,7 +60,7 @@ class StudyRuns {
   struct Point;
   struct Ended;
   using Refusal = session::Refusal;
-  using Parts = Result<session::SensedParts, Refusal>;
+  using Parts = Result<StudyParts, Refusal>;
 
   explicit StudyRuns(const Study& study);
   std::optional<Refusal> read_sheets();
@@ -90,6 +100,7 @@ class StudyRuns {
   std::vector<std::unique_ptr<Point>> points_;
   std::vector<std::unique_ptr<Geometry>> geometries_;  ///< one for all points, or one for each
   bool draws_geometry_ = false;
+  std::string part_findings_;
 };
 
 }  // namespace g31::study
