@@ -2,8 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <random>
 #include <string>
 #include <string_view>
@@ -11,32 +9,16 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "parts/artefacts/ring_gauge.h"
 #include "tests/parts/mesh_file_bytes.h"
+#include "tests/parts/mesh_folder.h"
 #include "tests/probe/test_meshes.h"
 
 namespace g31::parts::mesh_file_test {
 namespace {
 
-class MeshFile : public ::testing::Test {
- protected:
-  void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() / ("g31_mesh_file_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string write(const std::string& name, std::string_view text) const {
-    const std::string path = (folder_ / name).string();
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
-  }
-
-  std::filesystem::path folder_;
-};
+using MeshFile = testing::MeshFolder;
 
 using testing::binary_stl;
 using testing::corner_3mf;

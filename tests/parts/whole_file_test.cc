@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,12 +13,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include "parts/import/mesh_file.h"
 #include "parts/import/mesh_limits.h"
 #include "parts/import/three_mf_file.h"
 #include "tests/parts/mesh_file_bytes.h"
+#include "tests/parts/mesh_folder.h"
 #include "tests/probe/test_meshes.h"
 
 namespace g31::parts::whole_file_test {
@@ -45,21 +43,8 @@ struct Broken {
   const char* says;
 };
 
-class WholeFile : public ::testing::Test {
+class WholeFile : public testing::MeshFolder {
  protected:
-  void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() / ("g31_whole_file_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string write(const std::string& name, std::string_view text) const {
-    const std::string path = (folder_ / name).string();
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
-  }
-
   void expect_refused(std::span<const Broken> cases) const {
     for (const Broken& c : cases) {
       SCOPED_TRACE(c.name);
@@ -69,8 +54,6 @@ class WholeFile : public ::testing::Test {
       EXPECT_EQ(read.error().find('\n'), std::string::npos);
     }
   }
-
-  std::filesystem::path folder_;
 };
 
 /// The corner of kPly in the binary form.

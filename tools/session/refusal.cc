@@ -33,14 +33,8 @@ Refusal refused_settings(const setup::Job& job,
     const auto place = job.places.find(setting.key);
     const setup::SheetPlace where =
         place != job.places.end() ? place->second : setup::SheetPlace{"g31", 0, 0, {}};
-    const auto id = setup::SetupErrorId::SettingRefused;
-    refusal.sheet_errors.push_back({where.file,
-                                    where.line,
-                                    where.column,
-                                    setup::message_of(id, {setting.message}),
-                                    std::string(setup::code_of(id)),
-                                    where.source_line,
-                                    {}});
+    refusal.sheet_errors.push_back(
+        error_at(where, setup::SetupErrorId::SettingRefused, {setting.message}));
   }
   std::ranges::stable_sort(refusal.sheet_errors, {}, [](const setup::SetupError& error) {
     return std::tuple(error.file, error.line, error.column);

@@ -32,17 +32,12 @@ Result<std::vector<KeptVariable>, setup::SetupErrors> parse_variables_text(const
       continue;
     }
     auto assignment = setup::parse_assignment(line);
+    setup::SheetPlace place{path, line_number, 1, std::move(line)};
     if (assignment) {
-      variables.push_back({assignment.value(), {path, line_number, 1, std::move(line)}});
+      variables.push_back({assignment.value(), std::move(place)});
     } else {
-      const auto id = setup::SetupErrorId::NoAssignment;
-      errors.push_back({path,
-                        line_number,
-                        1,
-                        setup::message_of(id, {assignment.error()}),
-                        std::string(setup::code_of(id)),
-                        std::move(line),
-                        {}});
+      errors.push_back(
+          error_at(std::move(place), setup::SetupErrorId::NoAssignment, {assignment.error()}));
     }
   }
   return errors.empty() ? Result<std::vector<KeptVariable>, setup::SetupErrors>(variables) : errors;

@@ -17,15 +17,8 @@
 namespace g31::session {
 namespace {
 
-Refusal unusable(const setup::SheetPlace& place, std::string why) {
-  const setup::SetupError error{place.file,
-                                place.line,
-                                place.column,
-                                setup::message_of(setup::SetupErrorId::PartUnusable, {why}),
-                                std::string(setup::code_of(setup::SetupErrorId::PartUnusable)),
-                                place.source_line,
-                                {}};
-  return {Ending::Setup, {}, {error}};
+Refusal unusable(const setup::SheetPlace& place, const std::string& why) {
+  return {Ending::Setup, {}, {error_at(place, setup::SetupErrorId::PartUnusable, {why})}};
 }
 
 bool is_up(const runtime::TimeBudget* time) {

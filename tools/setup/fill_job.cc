@@ -229,11 +229,6 @@ parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
   return part;
 }
 
-SheetPlace place_of(const Location& where) {
-  return {where.document->path, where.line, where.column,
-          std::string(where.document->line(where.line))};
-}
-
 /// Where the settings stand that only the control can judge.
 void keep_places(Job& job, SectionId section, const std::string& name, const SheetTable& table) {
   if (section == SectionId::WorkOffsets || section == SectionId::Tools) {

@@ -10,16 +10,9 @@
 #include "parts/artefacts/part_setup.h"
 #include "probe/sensor/displacement_sensors.h"
 #include "probe/sensor/probe_setup.h"
+#include "tools/setup/setup_error.h"
 
 namespace g31::setup {
-
-/// A place in a set-up sheet, for messages about what is found out only later.
-struct SheetPlace {
-  std::string file;
-  int line = 0;    ///< from 1; 0 when it is about the whole file
-  int column = 0;  ///< from 1
-  std::string source_line;
-};
 
 /// A whole set-up sheet as plain structs, one per library.
 struct Job {

@@ -122,11 +122,25 @@ std::string render(const SetupError& error) {
   return text;
 }
 
+SheetPlace place_of(const Location& where) {
+  return {where.document->path, where.line, where.column,
+          std::string(where.document->line(where.line))};
+}
+
+SetupError error_at(SheetPlace place, SetupErrorId id,
+                    std::initializer_list<std::string_view> details, std::string remedy) {
+  return {std::move(place.file),
+          place.line,
+          place.column,
+          message_of(id, details),
+          std::string(code_of(id)),
+          std::move(place.source_line),
+          std::move(remedy)};
+}
+
 void ErrorList::add(SetupErrorId id, const Location& where,
                     std::initializer_list<std::string_view> details, std::string remedy) {
-  add(where.document->order,
-      {where.document->path, where.line, where.column, message_of(id, details),
-       std::string(code_of(id)), std::string(where.document->line(where.line)), std::move(remedy)});
+  add(where.document->order, error_at(place_of(where), id, details, std::move(remedy)));
 }
 
 void ErrorList::add(std::size_t order, SetupError error) {

@@ -16,6 +16,16 @@ enum class SetupErrorId {
 #undef SETUP_ERROR
 };
 
+/// A place in a set-up sheet, for messages about what is found out only later.
+struct SheetPlace {
+  std::string file;
+  int line = 0;    ///< from 1; 0 when it is about the whole file
+  int column = 0;  ///< from 1
+  std::string source_line;
+};
+
+SheetPlace place_of(const Location& where);
+
 /// One thing that is wrong with a set-up sheet: data, ready to be shown.
 struct SetupError {
   std::string file;         ///< as the command line or the sheet names it
@@ -59,6 +69,10 @@ class ErrorList {
 
 /// The text of row `id` with its {} filled.
 std::string message_of(SetupErrorId id, std::initializer_list<std::string_view> details);
+
+/// An error of row `id` at a place.
+SetupError error_at(SheetPlace place, SetupErrorId id,
+                    std::initializer_list<std::string_view> details, std::string remedy = {});
 
 /// "SET101" and so on.
 std::string_view code_of(SetupErrorId id);
