@@ -142,7 +142,7 @@ void SinumerikTranslation::follow_block(BlockIndex index) {
 void SinumerikTranslation::follow(StepIndex step) {
   const Op& here = op(step);
   const OpCode code = here.code;
-  if (code == OpCode::Jump) {
+  if (code == OpCode::Jump || code == OpCode::JumpInto) {
     go(here.a.place, here.a.place == step + 1 ? EdgeKind::Next : EdgeKind::Jump);
   } else if (code == OpCode::JumpIfNot) {
     jump_if_not(step);

@@ -116,6 +116,21 @@ double r1_of_session(ProgramLibrary& library, const std::string& assignment, dou
   return std::get<Cell>(session.variable("R1").value()).raw();
 }
 
+TEST(SinumerikSession, AVariableAskedForFromOutsideIsNoReadingOfTheProgram) {
+  Files files(std::map<std::string, std::string>{{"main.mpf", "R1=1\nM30\n"}});
+  source::SourceMap sources(files);
+  ProgramLibrary library(sources);
+  library.add_file("main.mpf");
+  testing::RecordingMachine machine;
+  runtime::Observer nobody;
+  sinumerik::Session session(library, machine, nobody);
+  ASSERT_TRUE(session.configure({}).empty());
+  ASSERT_TRUE(session.variable("$AA_MW[X]"));  // nothing has been measured: PRB319 of a program
+  EXPECT_TRUE(session.run({}).diagnostics.empty());
+  ASSERT_TRUE(session.variable("$AA_MW[X]"));
+  EXPECT_TRUE(session.finish().diagnostics.empty());
+}
+
 TEST(SinumerikLibrary, IsReadOnceForAllSessionsWhichShareNoVariables) {
   Files files({{"main.mpf", "COUNT=COUNT+R2\nTWICE(COUNT)\nM30\n"},
                {"lib/gud.def", "DEF CHAN REAL COUNT=5\nM17\n"},

@@ -200,6 +200,7 @@ void Compiler::link_loops() {
     if (step.kind == BlockKind::While || step.kind == BlockKind::Do) {
       const bool is_open = std::ranges::find(open, step.number, &Loop::number) != open.end();
       open.push_back({i, step.number});
+      out_.loops.open(static_cast<std::int32_t>(i));
       if (is_open) {
         mark_bad(step, AlarmId::EndMissing, tree_.blocks[step.block].span,
                  "a loop with this number is already open");
@@ -216,10 +217,11 @@ void Compiler::link_loops() {
       }
       step.jump = open.back().step;
       out_.steps[open.back().step].jump = i + 1;
-      out_.loops.push_back({open.back().step, i + 1});
+      out_.loops.close(static_cast<std::int32_t>(i + 1));
       open.pop_back();
     }
   }
+  out_.loops.finish();
   for (const Loop& loop : open) {
     Step& step = out_.steps[loop.step];
     mark_bad(step, AlarmId::EndMissing, tree_.blocks[step.block].span, "this DO has no END");
@@ -258,9 +260,7 @@ std::optional<Index> CompiledProgram::find_label(std::int32_t sequence, Index fr
 }
 
 bool CompiledProgram::enters_loop(Index from, Index to) const {
-  return std::ranges::any_of(loops, [&](const LoopSpan& loop) {
-    return loop.contains(to) && to != loop.begin && !loop.contains(from);
-  });
+  return loops.enters(static_cast<std::int32_t>(from), static_cast<std::int32_t>(to));
 }
 
 CompiledProgram compile(const source::SourceFile& file, const syntax::Tree& tree, std::size_t which,

@@ -9,6 +9,7 @@
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "interpreter/runtime/cell.h"
 #include "interpreter/source/source_file.h"
+#include "interpreter/syntax/nested_steps.h"
 #include "interpreter/syntax/tree.h"
 
 namespace g31::fanuc {
@@ -131,14 +132,6 @@ struct Label {
   syntax::Index step = 0;
 };
 
-/// The steps of a loop, WHILE or DO and END among them.
-struct LoopSpan {
-  syntax::Index begin = 0;
-  syntax::Index end = 0;  ///< one past END
-
-  [[nodiscard]] bool contains(syntax::Index step) const { return begin <= step && step < end; }
-};
-
 /// A window is a run of blocks of a program too long to be kept whole.  Its jumps are not linked:
 /// only the whole program knows where they lead.
 enum class Extent : std::uint8_t { Whole, Window };
@@ -157,7 +150,7 @@ struct CompiledProgram {
   std::vector<syntax::Index> word_code;     ///< per word of the program: code of its value
   syntax::Index first_word = 0;             ///< of the tree: word_code[0] belongs to it
   std::vector<Label> labels;                ///< rising by sequence, then step
-  std::vector<LoopSpan> loops;
+  syntax::NestedSteps loops;                ///< WHILE and DO with their END
   std::vector<syntax::SyntaxError> errors;  ///< found while compiling; rows of alarms.def
 
   /// The step that GOTO `sequence` in step `from` goes to: the first behind it, else the first from

@@ -207,7 +207,7 @@ MaybeFailure Runner::bad_block(const Step& step) {
 MaybeFailure Runner::jump(const Step& step) {
   if (step.jump != kNone) {
     if (step.enters_loop) {
-      control_.warn(source::DiagnosticId::JumpIntoLoop, control_.here());
+      return arrive_at(frame(), step.jump);
     }
     frame().step = step.jump;
     return std::nullopt;
@@ -229,6 +229,15 @@ MaybeFailure Runner::jump(const Step& step) {
   failure.id = AlarmId::JumpNotFound;
   failure.detail = fmt::format("{} has no N{}", name_of(program), rounded);
   return go_to(frame(), nearest_integer(rounded), std::move(failure));
+}
+
+/// The frame goes on at a step; a control lets a jump into a loop pass.
+MaybeFailure Runner::arrive_at(Frame& frame, syntax::Index step) {
+  if (frame.program->enters_loop(frame.current, step)) {
+    control_.warn(source::DiagnosticId::JumpIntoLoop, control_.here());
+  }
+  frame.step = step;
+  return std::nullopt;
 }
 
 /// A jump is ahead: the whole program must be known.
@@ -255,11 +264,7 @@ MaybeFailure Runner::go_to(Frame& frame, int sequence, Failure missing) {
   if (!found) {
     return missing;
   }
-  if (frame.program->enters_loop(frame.current, *found)) {
-    control_.warn(source::DiagnosticId::JumpIntoLoop, control_.here());
-  }
-  frame.step = *found;
-  return std::nullopt;
+  return arrive_at(frame, *found);
 }
 
 MaybeFailure Runner::assign(const Step& step) {

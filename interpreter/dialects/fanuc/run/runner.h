@@ -117,6 +117,7 @@ class Runner {
   MaybeFailure refused_output(OutputStatement statement, syntax::ShortSpan block);
   MaybeFailure behind_last_step();
   MaybeFailure keep_whole(Frame& frame);
+  MaybeFailure arrive_at(Frame& frame, syntax::Index step);
   MaybeFailure go_to(Frame& frame, int sequence, Failure missing);
 
   // runner_words.cc: NC blocks

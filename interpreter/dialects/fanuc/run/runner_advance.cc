@@ -6,21 +6,14 @@
 #include "interpreter/dialects/fanuc/code/lathe.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/run/runner.h"
+#include "interpreter/runtime/guarded.h"
 
 namespace g31::fanuc {
 namespace {
 
-/// A defect of ours ends the run at the block that met it, and so does a budget that is spent
-/// within a block; what the run did so far is told.
 template <typename Work>
 MaybeFailure guarded(const Work& work) {
-  try {
-    return work();
-  } catch (const runtime::BudgetSpent& spent) {
-    return budget_failure(spent);
-  } catch (const std::exception& defect) {
-    return defect_failure(defect);
-  }
+  return runtime::guarded(work, budget_failure, defect_failure);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "interpreter/dialects/sinumerik/vocabulary/value_type.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "interpreter/source/source_file.h"
+#include "interpreter/syntax/nested_steps.h"
 #include "interpreter/syntax/tree.h"
 
 namespace g31::sinumerik {
@@ -182,6 +183,7 @@ struct CompiledProgram {
   std::vector<UnknownDatum> unknown_data;     ///< each name once
   NameMap<std::vector<std::int32_t>> labels;  ///< their steps, rising
   std::vector<BlockNumber> block_numbers;     ///< in their order
+  syntax::NestedSteps bodies;                 ///< of loops and of the branches of IF
   NameMap<std::int32_t> locals;               ///< names of local variables
   std::vector<double> initial_numbers;        ///< of a new level
   std::int32_t text_count = 0;

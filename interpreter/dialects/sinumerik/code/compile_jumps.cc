@@ -6,6 +6,7 @@
 namespace g31::sinumerik {
 
 void Compiler::end_structures() {
+  program_->bodies.finish();
   for (const Structure& open : structures_) {
     if (open.head >= 0) {
       Op& head = program_->ops[static_cast<std::size_t>(open.head)];
@@ -26,6 +27,7 @@ void Compiler::resolve_jumps() {
     const auto target = find_label(*program_, jump.label, jump.step, jump.direction);
     if (target) {
       op.a.place = *target;
+      op.code = program_->bodies.enters(jump.step, *target) ? OpCode::JumpInto : op.code;
     } else if (jump.direction == Direction::BothQuiet) {
       op.a.place = jump.step + 1;
     } else {

@@ -33,6 +33,7 @@ void Compiler::open(StructureKind kind, std::int32_t head, std::int32_t exit) {
   structure.head = failed() ? -1 : head;
   structure.exit = failed() ? -1 : exit;
   structures_.push_back(structure);
+  program_->bodies.open(static_cast<std::int32_t>(code_.first_step()));
 }
 
 /// The innermost structure, if it is of the kind that ends here.
@@ -43,6 +44,9 @@ std::optional<Compiler::Structure> Compiler::close(StructureKind kind) {
   }
   Structure structure = structures_.back();
   structures_.pop_back();
+  // Who jumps to the end of a loop is in it; the end of a branch is where all ways meet.
+  const bool is_branch = kind == StructureKind::If || kind == StructureKind::Else;
+  program_->bodies.close(static_cast<std::int32_t>(code_.first_step()) + (is_branch ? 0 : 1));
   return structure;
 }
 
@@ -99,6 +103,7 @@ void Compiler::else_statement() {
     structure->kind = StructureKind::Else;
     structure->exit = failed() ? -1 : done;
     structures_.push_back(*structure);
+    program_->bodies.open(static_cast<std::int32_t>(code_.first_step()));
   }
 }
 

@@ -94,10 +94,7 @@ MaybeFailure Runner::act_on(SynchronisedAction& action) {
   if (!depth) {
     return depth.error();
   }
-  const auto value = [&] {
-    const runtime::LookFromOutside look(channel_.touches);
-    return result_of(*action.code.condition, depth.value());
-  }();
+  const auto value = result_of(*action.code.condition, depth.value());
   if (!value) {
     return failure(AlarmId::BadArguments, "condition: " + value.error());
   }

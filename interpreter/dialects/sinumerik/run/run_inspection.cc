@@ -86,13 +86,13 @@ Result<ShownValue, std::string> Runner::evaluate(std::size_t level, const std::s
   if (made == nullptr) {
     made = programs_.expression(expression, home(depth));
   }
-  const runtime::LookFromOutside look(channel_.touches);
   return result_of(*made, depth);
 }
 
-/// What the program of one expression comes to.
+/// What the program of one expression comes to, for who looks from outside.
 Result<ShownValue, std::string> Runner::result_of(const CompiledProgram& program,
                                                   std::size_t depth) {
+  const runtime::LookFromOutside look(channel_.touches);
   const MaybeFailure reason = run_among(program, depth);
   const std::size_t depth_before = std::exchange(depth_, depth);
   const CompiledProgram* const program_before = std::exchange(level().program, &program);

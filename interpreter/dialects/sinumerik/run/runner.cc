@@ -206,12 +206,26 @@ MaybeFailure Runner::repeat_part(const Op& op) {
   return std::nullopt;
 }
 
+/// The level goes on at a step.  Control structures are interpreted as they come, so a control lets
+/// a jump into one pass (programming manual, work preparation 02/2011, 1.12).
+void Runner::arrive_at(std::int32_t step) {
+  if (level().program->bodies.enters(current_, step)) {
+    channel_.warnings.add(channel_.diagnostics, source::DiagnosticId::JumpIntoLoop, here());
+  }
+  level().step = step;
+}
+
+MaybeFailure Runner::jump_into(const Op& op) {
+  arrive_at(op.a.place);
+  return std::nullopt;
+}
+
 MaybeFailure Runner::jump_to_text(const Op& op) {
   const std::string name = upper(text(op.a));
   const auto direction = static_cast<Direction>(op.detail);
   const auto target = find_label(*level().program, name, current_, direction);
   if (target) {
-    level().step = *target;
+    arrive_at(*target);
   } else if (direction != Direction::BothQuiet) {
     return failure(AlarmId::JumpTargetMissing, name);
   }

@@ -88,6 +88,8 @@ class Runner {
   bool begins(const Op& op);
   MaybeFailure block(const Op& op);
   MaybeFailure nc_block(const Op& op);
+  void arrive_at(std::int32_t step);
+  MaybeFailure jump_into(const Op& op);
   MaybeFailure jump_to_text(const Op& op);
   bool at_end_of_part(std::int32_t step);
   MaybeFailure repeat_part(const Op& op);

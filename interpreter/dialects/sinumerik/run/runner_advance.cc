@@ -7,6 +7,7 @@
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/execute/travel.h"
 #include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/runtime/guarded.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -27,17 +28,9 @@ source::Diagnostic unknown_data_note(const CompiledProgram& program) {
   return note;
 }
 
-/// A defect of ours ends the run at the block that met it, and so does a budget that is spent
-/// within a block; what the run did so far is told.
 template <typename Work>
 MaybeFailure guarded(const Work& work) {
-  try {
-    return work();
-  } catch (const runtime::BudgetSpent& spent) {
-    return budget_failure(spent);
-  } catch (const std::exception& defect) {
-    return defect_failure(defect);
-  }
+  return runtime::guarded(work, budget_failure, defect_failure);
 }
 
 }  // namespace
