@@ -17,7 +17,6 @@ struct Cut {
 };
 
 constexpr int kHalvings = 60;
-constexpr double kStraightOnRad = 1e-9;
 
 /// The point of a way where a circle about `centre` touches it.
 PlanePoint touch(const PlaneWay& way, const PlanePoint& centre) {
@@ -29,51 +28,88 @@ PlanePoint touch(const PlaneWay& way, const PlanePoint& centre) {
   return way.from + along * along.dot(centre - way.from);
 }
 
-/// Whether a point of a way, endless, lies between its ends.
-bool lies_on(const PlaneWay& way, const PlanePoint& p) {
+/// Whether a point of a way, endless, lies between its ends, or `slack_mm` beyond one of a line.
+bool lies_on(const PlaneWay& way, const PlanePoint& p, double slack_mm) {
   if (!way.arc) {
     const double at = direction_at_start(way).dot(p - way.from);
-    return at >= 0.0 && at <= (way.to - way.from).norm();
+    return at >= -slack_mm && at <= (way.to - way.from).norm() + slack_mm;
   }
   const bool at_end = (p - way.from).norm() < kOnePointMm || (p - way.to).norm() < kOnePointMm;
   return at_end || sweep_rad({way.from, p, way.arc}) <= sweep_rad(way);
 }
 
-/// nullopt: the ways are too short for this radius.
-std::optional<Cut> rounding_of(const PlaneWay& before, const PlaneWay& behind, double radius) {
+using MaybeCut = std::optional<Cut>;
+using CutResult = Result<MaybeCut, CornerError>;
+
+/// @returns which of the ways is too short for this radius; the first where none will do
+CutResult rounding_of(const PlaneWay& before, const PlaneWay& behind, double radius,
+                      double slack_mm) {
   const bool to_left = cross(direction_at_end(before), direction_at_start(behind)) > 0.0;
   const double offset = to_left ? radius : -radius;
   const auto centre = corner_points({before, behind, offset, offset});
   if (!centre || centre->size() != 1) {
-    return std::nullopt;
+    return CornerError::WayTooShort;
   }
   const PlanePoint begin = touch(before, centre->front());
   const PlanePoint end = touch(behind, centre->front());
-  if (!lies_on(before, begin) || !lies_on(behind, end)) {
-    return std::nullopt;
+  if (!lies_on(before, begin, slack_mm)) {
+    return CornerError::WayTooShort;
+  }
+  if (!lies_on(behind, end, slack_mm)) {
+    return CornerError::BehindTooShort;
   }
   const auto turn = to_left ? machine::Turn::Counterclockwise : machine::Turn::Clockwise;
-  return Cut{begin, end, true, ArcShape{centre->front(), turn}};
+  return MaybeCut(Cut{begin, end, true, ArcShape{centre->front(), turn}});
 }
 
 /// As large as the ways allow, `radius` at most.
-std::optional<Cut> largest_rounding(const PlaneWay& before, const PlaneWay& behind, double radius) {
-  if (auto cut = rounding_of(before, behind, radius)) {
-    return cut;
+MaybeCut largest_rounding(const PlaneWay& before, const PlaneWay& behind, double radius) {
+  if (auto cut = rounding_of(before, behind, radius, 0.0)) {
+    return cut.value();
   }
-  std::optional<Cut> best;
+  MaybeCut best;
   double fits = 0.0;
   double fails = radius;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (fits + fails) / 2.0;
-    if (auto cut = rounding_of(before, behind, middle)) {
-      best = std::move(cut);
+    if (auto cut = rounding_of(before, behind, middle, 0.0)) {
+      best = cut.value();
       fits = middle;
     } else {
       fails = middle;
     }
   }
   return best;
+}
+
+/// The point of a way whose distance from its end, or from its start, is `leg`.
+/// nullopt: an arc has none.
+std::optional<PlanePoint> point_off(const PlaneWay& way, bool at_end, double leg) {
+  const PlanePoint corner = at_end ? way.to : way.from;
+  const PlanePoint along = at_end ? PlanePoint(-direction_at_end(way)) : direction_at_start(way);
+  if (!way.arc) {
+    const bool is_on = leg <= (way.to - way.from).norm() + kOnePointMm;
+    return is_on ? std::optional<PlanePoint>(corner + leg * along) : std::nullopt;
+  }
+  // The chord of length `leg` turns from the tangent by half the angle that it spans.
+  const PlanePoint to_centre = way.arc->centre - corner;
+  const double sine = leg / (2.0 * to_centre.norm());
+  if (sine > 1.0) {
+    return std::nullopt;
+  }
+  const PlanePoint p =
+      corner + leg * (std::sqrt(1.0 - sine * sine) * along + sine * to_centre.normalized());
+  return lies_on(way, p, 0.0) ? std::optional(p) : std::nullopt;
+}
+
+/// A chamfer that begins and ends `leg` from the corner, whatever the ways are.
+CutResult chamfer_by_distance(const PlaneWay& before, const PlaneWay& behind, double leg) {
+  const auto begin = point_off(before, true, leg);
+  const auto end = point_off(behind, false, leg);
+  if (!begin || !end) {
+    return begin ? CornerError::BehindTooShort : CornerError::WayTooShort;
+  }
+  return MaybeCut(Cut{*begin, *end, false, ArcShape()});
 }
 
 Cut chamfer_of(const PlaneWay& before, const PlaneWay& behind, const CornerWish& wish) {
@@ -88,10 +124,11 @@ Cut chamfer_of(const PlaneWay& before, const PlaneWay& behind, const CornerWish&
   return {before.to - leg * in, before.to + leg * out, false, ArcShape()};
 }
 
-bool is_corner(const PlaneWay& before, const PlaneWay& behind) {
+/// Neither straight on nor straight back.
+bool is_corner(const PlaneWay& before, const PlaneWay& behind, double straight_on_rad) {
   const PlanePoint in = direction_at_end(before);
   const PlanePoint out = direction_at_start(behind);
-  return std::abs(cross(in, out)) > kStraightOnRad;
+  return std::abs(cross(in, out)) > std::sin(straight_on_rad);
 }
 
 bool is_flat(const AxisPositions& q_from, const AxisPositions& q_to, OffsetPlane plane) {
@@ -124,19 +161,22 @@ PlaneWay way_of(const PathBlock& block, const AxisPositions& q_M_from, OffsetPla
   return {plane.of(q_M_from), plane.of(block.q_M_end), block.arc};
 }
 
-using MaybeCut = std::optional<Cut>;
-
 /// @param flat  nothing but the axes of the plane moves along either way
-Result<MaybeCut, CornerError> cut_between(const PlaneWay& before, const PlaneWay& behind,
-                                          const CornerWish& wish, bool flat) {
-  if (!is_corner(before, behind)) {
+CutResult cut_between(const PlaneWay& before, const PlaneWay& behind, const CornerWish& wish,
+                      bool flat, const CornerRules& rules) {
+  if (!is_corner(before, behind, rules.straight_on_rad)) {
     return MaybeCut();
   }
   if (!flat) {
     return CornerError::NotFlat;
   }
+  const bool shrinks = rules.too_large == CornerRules::TooLarge::Shrinks;
   if (wish.kind == CornerWish::Kind::Rounding) {
-    return largest_rounding(before, behind, wish.size_mm);
+    return shrinks ? CutResult(largest_rounding(before, behind, wish.size_mm))
+                   : rounding_of(before, behind, wish.size_mm, kOnePointMm);
+  }
+  if (rules.chamfer_at_arc == CornerRules::ChamferAtArc::ByDistance) {
+    return chamfer_by_distance(before, behind, wish.size_mm);
   }
   if (before.arc || behind.arc) {
     return CornerError::ChamferAtArc;
@@ -166,7 +206,7 @@ Result<ContourCorners::Given, CornerFault> ContourCorners::take(const PathBlock&
     const PlaneWay before = way_of(held_->block, held_->q_M_from, plane);
     const bool flat = is_flat(held_->q_M_from, held_->block.q_M_end, plane) &&
                       is_flat(q_M_from, block.q_M_end, plane);
-    const auto cut = cut_between(before, way_of(block, q_M_from, plane), held_->wish, flat);
+    const auto cut = cut_between(before, way_of(block, q_M_from, plane), held_->wish, flat, rules_);
     if (!cut) {
       return CornerFault{cut.error(), held_->block.where};
     }

@@ -14,9 +14,19 @@ struct CornerWish {
   double feed_mm_min = 0.0;  ///< of the rounding or chamfer; 0: that of the block in front of it
 };
 
+/// What a control says about corners that do not fit, or are none.
+struct CornerRules {
+  enum class TooLarge { Shrinks, Refused } too_large = TooLarge::Shrinks;
+  enum class ChamferAtArc { Refused, ByDistance } chamfer_at_arc = ChamferAtArc::Refused;
+  /// A turn up to this is no corner, radians.
+  double straight_on_rad = 1e-9;
+};
+
 enum class CornerError {
-  ChamferAtArc,  ///< chamfers join straight ways
-  NotFlat,       ///< another axis moves along with one of the two ways
+  ChamferAtArc,    ///< chamfers join straight ways
+  NotFlat,         ///< another axis moves along with one of the two ways
+  WayTooShort,     ///< the way in front of the corner does not hold it
+  BehindTooShort,  ///< the way behind the corner does not hold it
 };
 
 struct CornerFault {
@@ -27,12 +37,15 @@ struct CornerFault {
 /// Roundings and chamfers between the blocks of a contour, with one block read ahead.
 ///
 /// Fed with programmed blocks in machine coordinates.  A corner too large for its ways becomes as
-/// large as they allow.  None is made where the next block does not move in the plane, moves at
-/// rapid, or goes on in the same direction.
+/// large as they allow, or is an error.  None is made where the next block does not move in the
+/// plane, moves at rapid, or goes on in the same direction.
 ///
 /// Pure geometry: it knows neither the machine nor the program.
 class ContourCorners {
  public:
+  ContourCorners() = default;
+  explicit ContourCorners(const CornerRules& rules) : rules_(rules) {}
+
   /// What is to be done: `before` was waiting, `now` is of the block just taken.
   struct Given {
     PathItems before;
@@ -40,6 +53,9 @@ class ContourCorners {
   };
 
   [[nodiscard]] bool holds() const { return held_.has_value(); }
+  /// The end of the block that waits, as programmed, and the plane of its corner.
+  [[nodiscard]] const AxisPositions& held_end() const { return held_->block.q_M_end; }
+  [[nodiscard]] OffsetPlane held_plane() const { return held_->plane; }
 
   /// @param q_M_from  where the block begins as the program has it
   Result<Given, CornerFault> take(const PathBlock& block, const AxisPositions& q_M_from,
@@ -56,6 +72,7 @@ class ContourCorners {
     CornerWish wish;
   };
 
+  CornerRules rules_;
   std::optional<Held> held_;
 };
 

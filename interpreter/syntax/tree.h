@@ -63,6 +63,16 @@ struct Expr {
 /// How a word's value was written; decides what a number without a point means.
 enum class ValueForm : std::uint8_t { None, Integer, Decimal, Computed };
 
+/// The addresses ,C and ,R have the two places behind Z.
+inline constexpr char kChamferWord = 'Z' + 1;
+inline constexpr char kRoundingWord = 'Z' + 2;
+inline constexpr int kLetterCount = kRoundingWord - 'A' + 1;
+
+/// How an address is written.
+inline std::string letter_text(char letter) {
+  return letter == kChamferWord ? ",C" : letter == kRoundingWord ? ",R" : std::string(1, letter);
+}
+
 /// An address letter and its value; letter `/` is a block skip in the middle of a block, the number
 /// its switch.
 struct Word {

@@ -157,9 +157,9 @@ void Compiler::nc_words(const Block& block, Step& step) {
     out_.word_code.push_back(
         word.form == syntax::ValueForm::Computed ? expressions_.value(word.expr) : kNone);
     if (word.is_bare && !profile_.has_bare_expressions && step.kind != BlockKind::Bad) {
-      mark_bad(
-          step, AlarmId::IllegalAddress, word.span,
-          fmt::format("an expression after {} needs brackets: {}[...]", word.letter, word.letter));
+      mark_bad(step, AlarmId::IllegalAddress, word.span,
+               fmt::format("an expression after {0} needs brackets: {0}[...]",
+                           syntax::letter_text(word.letter)));
     }
   }
 }

@@ -185,6 +185,9 @@ MaybeFailure execute_arc(Control& control, const NcBlock& block) {
   const double first = transform.stretch(plane.first);
   const double second = transform.stretch(plane.second);
   const bool unequal = std::abs(first - second) > 1e-9;
+  if (unequal && control.cutter.wish.kind != path::CornerWish::Kind::Sharp) {
+    return block_failure(AlarmId::ImproperCommand, ",C or ,R at an unequally scaled arc");
+  }
   auto failure = unequal ? move_unequally_scaled(control, arc, centre.value())
                          : move_along(control, arc, centre.value());
   if (!failure) {

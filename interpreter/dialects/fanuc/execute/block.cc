@@ -170,6 +170,9 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   if (block.code == nullptr) {
     block.code = codes.value().one_shot;
   }
+  if (auto failure = read_corner(control, block)) {
+    return failure;
+  }
   if (auto failure = read_compensation(control, block)) {
     return failure;
   }

@@ -1,6 +1,7 @@
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -117,31 +118,88 @@ MaybeFailure leave(Control& control) {
   return failure;
 }
 
+/// From the programmed path to that of the tool centre.
+MaybeFailure compensate(Control& control, const PathBlock& block,
+                        const CompensationCommand& command) {
+  CutterCompensation& compensation = control.cutter.compensation;
+  return compensation.engaged() ? carry_out(control, compensation.take(block, command))
+                                : to_machine(control, block, offset_plane(control));
+}
+
+MaybeFailure compensate_pause(Control& control, const Pause& pause,
+                              const CompensationCommand& command) {
+  CutterCompensation& compensation = control.cutter.compensation;
+  if (compensation.engaged()) {
+    return carry_out(control, compensation.pass(pause, command));
+  }
+  const auto late = control.outlet.pause(pause);
+  return late ? MaybeFailure(from_late_fault(control, *late)) : std::nullopt;
+}
+
+MaybeFailure compensate_all(Control& control, const PathItems& items,
+                            const CompensationCommand& command) {
+  for (const PathItem& item : items) {
+    const auto* const wait = std::get_if<Pause>(&item);
+    if (auto failure = wait != nullptr ? compensate_pause(control, *wait, command)
+                                       : compensate(control, std::get<PathBlock>(item), command)) {
+      return failure;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A block that has ,C or ,R, or stands behind one that has.
+MaybeFailure past_corner(Control& control, const PathBlock& block) {
+  CutterStage& cutter = control.cutter;
+  const bool waits = cutter.corners.holds();
+  if (auto failure = waits ? refuse_corner_before(control, block) : std::nullopt) {
+    return failure;
+  }
+  const AxisPositions q_M_from =
+      waits ? cutter.corners.held_end()
+            : control.coordinates.to_machine(control.coordinates.programmed());
+  const auto given = cutter.corners.take(block, q_M_from, offset_plane(control), cutter.wish);
+  if (!given) {
+    return from_corner_fault(given.error());
+  }
+  auto failure = compensate_all(control, given.value().before, cutter.held_command);
+  if (!failure) {
+    failure = compensate_all(control, std::exchange(cutter.behind_corner, {}), cutter.held_command);
+  }
+  if (!failure) {
+    failure = compensate_all(control, given.value().now, cutter.command);
+  }
+  cutter.held_command = cutter.command;
+  return failure;
+}
+
 }  // namespace
 
 MaybeFailure travel(Control& control, const PathBlock& block) {
   control.stopped_skip.reset();
   CutterStage& cutter = control.cutter;
-  if (!cutter.compensation.engaged()) {
-    return to_machine(control, block, offset_plane(control));
-  }
   cutter.fed = true;
-  return carry_out(control, cutter.compensation.take(block, cutter.command));
+  if (!cutter.corners.holds() && cutter.wish.kind == CornerWish::Kind::Sharp) {
+    return compensate(control, block, cutter.command);
+  }
+  return past_corner(control, block);
 }
 
 MaybeFailure pause(Control& control, double seconds) {
+  CutterStage& cutter = control.cutter;
   const Pause pause{seconds, control.block};
-  if (!control.cutter.compensation.engaged()) {
-    const auto late = control.outlet.pause(pause);
-    return late ? MaybeFailure(from_late_fault(control, *late)) : std::nullopt;
+  cutter.fed = true;
+  if (cutter.corners.holds()) {
+    cutter.behind_corner.emplace_back(pause);
+    return std::nullopt;
   }
-  control.cutter.fed = true;
-  return carry_out(control, control.cutter.compensation.pass(pause, control.cutter.command));
+  return compensate_pause(control, pause, cutter.command);
 }
 
 MaybeFailure read_compensation(Control& control, const NcBlock& block) {
   const int code = control.modal.group[Group::CutterCompensation].whole;
   CutterStage& cutter = control.cutter;
+  cutter.fed = false;
   if (code == 40 && !cutter.compensation.engaged()) {
     return std::nullopt;
   }
@@ -164,8 +222,10 @@ MaybeFailure read_compensation(Control& control, const NcBlock& block) {
                         : CompensationCommand::Written::Before;
   command.where = block.where;
   cutter.command = command;
-  cutter.fed = false;
   if (command.state == State::On && !cutter.compensation.engaged()) {
+    if (cutter.corners.holds()) {
+      return block_failure(AlarmId::CornerWithoutMove, "G41 and G42 begin behind a corner");
+    }
     cutter.compensation.set_rules(rules_of(control));
     cutter.compensation.engage(control.port.position(), command.plane);
   }
@@ -181,6 +241,9 @@ MaybeFailure end_compensated_block(Control& control) {
 }
 
 MaybeFailure end_read_ahead(Control& control) {
+  if (auto failure = refuse_waiting_corner(control)) {
+    return failure;
+  }
   return control.cutter.compensation.engaged()
              ? carry_out(control, control.cutter.compensation.flush())
              : std::nullopt;

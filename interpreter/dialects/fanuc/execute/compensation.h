@@ -12,6 +12,9 @@ namespace g31::fanuc {
 // (BlockEffect::Finishes), #3000 and #3006 do break it: the block that waits then ends beside its
 // end.  Any other alarm ends the program with that block not done.
 
+// What ,C and ,R make of a corner stands in front of it (corners.cc): the block with the word waits
+// for the next one.
+
 /// Moves along a block, machine coordinates, and tells the observer.
 MaybeFailure travel(Control& control, const path::PathBlock& block);
 
@@ -21,6 +24,15 @@ MaybeFailure pause(Control& control, double seconds);
 /// What the block's G40 G41 G42, D and plane say; before its motion.  Alarms for what cannot stand
 /// in compensation (MB-273, MB-297).
 MaybeFailure read_compensation(Control& control, const NcBlock& block);
+
+/// What the block's ,C and ,R say, and whether it may stand behind one that has them; before its
+/// motion.
+MaybeFailure read_corner(Control& control, const NcBlock& block);
+/// Alarm where a corner waits that no block comes to.
+MaybeFailure refuse_waiting_corner(const Control& control);
+/// Alarm where this block cannot make the corner that waits.
+MaybeFailure refuse_corner_before(const Control& control, const path::PathBlock& block);
+Failure from_corner_fault(const path::CornerFault& fault);
 
 /// Behind the block: one without motion counts as such.
 MaybeFailure end_compensated_block(Control& control);

@@ -15,9 +15,9 @@ namespace {
 using syntax::ValueForm;
 
 /// Argument specification I (MB-191): the local variable of an address, 0 for none.
-constexpr std::array<std::uint8_t, 26> kArgumentVariable = {
+constexpr std::array<std::uint8_t, syntax::kLetterCount> kArgumentVariable = {
     // A B C  D  E  F  G  H   I  J  K  L  M   N  O  P  Q   R   S   T   U   V   W   X   Y   Z
-    1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+    1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 0, 0};
 
 /// What G66.1 does with the letters that are no arguments elsewhere (MB-205).
 constexpr std::size_t kEveryBlockG = 10;
@@ -149,7 +149,7 @@ MaybeFailure Runner::macro_call(const EvaluatedWord& code) {
       arguments.push_back(word);
       if (kArgumentVariable[static_cast<std::size_t>(word.letter - 'A')] == 0) {
         return at_word(AlarmId::IllegalArgumentLetter, word,
-                       fmt::format("{} as argument", word.letter));
+                       fmt::format("{} as argument", syntax::letter_text(word.letter)));
       }
     }
   }
@@ -370,7 +370,7 @@ Result<Variables::Locals, Failure> Runner::with_arguments(
     int variable = kArgumentVariable[static_cast<std::size_t>(word.letter - 'A')];
     if (variable == 0) {
       return at_word(AlarmId::IllegalArgumentLetter, word,
-                     fmt::format("{} as argument", word.letter));
+                     fmt::format("{} as argument", syntax::letter_text(word.letter)));
     }
     if (triples && word.letter >= 'I' && word.letter <= 'K') {
       const bool begins = word.letter <= last_of_triple;

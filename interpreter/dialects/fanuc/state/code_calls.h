@@ -5,6 +5,7 @@
 
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
+#include "interpreter/syntax/tree.h"
 
 namespace g31::fanuc {
 
@@ -16,10 +17,10 @@ struct AddressCall {
 
 /// Which codes and addresses call a program, as parameters or the set-up sheet say.
 struct CodeCalls {
-  std::map<int, int> macro_by_g;             ///< G number to macro program (MB-207)
-  std::map<int, int> macro_by_m;             ///< M number to macro program (MB-209)
-  std::map<int, int> subprogram_by_m;        ///< M number to subprogram (MB-210)
-  std::array<AddressCall, 26> by_address{};  ///< by letter - A (MB-211, MB-212)
+  std::map<int, int> macro_by_g;       ///< G number to macro program (MB-207)
+  std::map<int, int> macro_by_m;       ///< M number to macro program (MB-209)
+  std::map<int, int> subprogram_by_m;  ///< M number to subprogram (MB-210)
+  std::array<AddressCall, syntax::kLetterCount> by_address{};  ///< by letter - A (MB-211, MB-212)
 
   /// Parameters changed: calls of the old ones go, those of the new ones come; what the sheet named
   /// by code stays.

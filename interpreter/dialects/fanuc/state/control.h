@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <string>
@@ -28,6 +29,7 @@
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "interpreter/dialects/fanuc/vocabulary/system_variables.h"
+#include "interpreter/path/contour_corners.h"
 #include "interpreter/path/cutter_compensation.h"
 #include "interpreter/path/outlet.h"
 #include "interpreter/runtime/block_watch.h"
@@ -71,8 +73,18 @@ struct SkipPoint {
   AxisPositions q_M_latched = AxisPositions::Zero();
 };
 
-/// Cutter compensation and what the present block says to it.
+/// How ,C and ,R are judged.  Source: B-63844EN, optional angle chamfering and corner rounding:
+/// within 1 degree there is no corner, and none goes beyond its blocks.
+inline constexpr path::CornerRules kCornerRules = {path::CornerRules::TooLarge::Refused,
+                                                   path::CornerRules::ChamferAtArc::ByDistance,
+                                                   std::numbers::pi / 180.0};
+
+/// Corners and cutter compensation, and what the present block says to them.
 struct CutterStage {
+  path::ContourCorners corners{kCornerRules};
+  path::CornerWish wish;                   ///< of the present block
+  path::PathItems behind_corner;           ///< dwells that stand between its two blocks
+  path::CompensationCommand held_command;  ///< of the block that waits for its corner
   path::CutterCompensation compensation;
   path::CompensationCommand command;
   bool fed = false;  ///< a motion or pause of the present block has come through
@@ -207,8 +219,11 @@ struct Control {
   void set_unit(LengthUnit unit);
 
   /// Where the axes stand, in machine coordinates; a block that waits in cutter compensation counts
-  /// as done, its end beside the programmed one.
+  /// as done, its end beside the programmed one; one that waits for its corner too, at the corner.
   [[nodiscard]] AxisPositions position() const {
+    if (cutter.corners.holds()) {
+      return cutter.corners.held_end();
+    }
     return cutter.compensation.engaged() ? cutter.compensation.position() : port.position();
   }
 

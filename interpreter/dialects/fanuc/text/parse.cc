@@ -304,21 +304,20 @@ void Parser::words(Block& block) {
 }
 
 bool Parser::word() {
-  const char letter = scanner_.peek();
-  if (letter == '\n') {
+  const char next = scanner_.peek();
+  if (next == '\n') {
     return false;
   }
   const std::uint32_t begin = scanner_.position();
-  if (letter == '#') {
+  if (next == '#') {
     fail(AlarmId::MixedStatement, "a macro statement needs a block of its own");
     return false;
   }
-  if ((letter < 'A' || letter > 'Z') && letter != '/') {
-    fail(AlarmId::IllegalAddress,
-         fmt::format("{} is not an address letter", source::quoted(letter)));
+  const char letter = scanner_.address(next);
+  if (letter == 0) {
+    fail(AlarmId::IllegalAddress, fmt::format("{} is not an address letter", source::quoted(next)));
     return false;
   }
-  scanner_.step();
   Word& word = tree_.words.emplace_back();
   word.letter = letter;
   if (letter == '/') {
@@ -371,7 +370,8 @@ void Parser::word_value(Word& word) {
   if (!number) {
     const bool is_mixed = next >= 'A' && next <= 'Z';
     fail(is_mixed ? AlarmId::MixedStatement : AlarmId::NoDataAfterAddress,
-         fmt::format("{} needs a number, a #variable or [an expression]", word.letter));
+         fmt::format("{} needs a number, a #variable or [an expression]",
+                     syntax::letter_text(word.letter)));
     return;
   }
   word.form = number->has_point ? ValueForm::Decimal : ValueForm::Integer;

@@ -9,6 +9,7 @@
 
 #include "interpreter/source/printable.h"
 #include "interpreter/syntax/decimal.h"
+#include "interpreter/syntax/tree.h"
 
 namespace g31::fanuc {
 namespace {
@@ -174,6 +175,18 @@ std::optional<ScannedNumber> Scanner::number() {
   return std::optional<ScannedNumber>(
       std::in_place, value, static_cast<std::uint8_t>(std::min(digits, 255)),
       static_cast<std::uint8_t>(std::min(decimals, 255)), has_point);
+}
+
+char Scanner::corner_address() {
+  const std::size_t comma = at_;
+  step();
+  const char letter = peek();
+  if (letter == 'C' || letter == 'R') {
+    step();
+    return letter == 'C' ? syntax::kChamferWord : syntax::kRoundingWord;
+  }
+  at_ = comma;
+  return '\0';
 }
 
 std::string_view Scanner::letters() {

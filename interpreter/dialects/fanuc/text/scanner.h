@@ -73,6 +73,16 @@ class Scanner {
   /// Steps over the character that peek() showed.
   void step() { ++at_; }
 
+  /// Steps over the address that begins with `next`, which peek() showed: a letter, `/`, or the two
+  /// characters of ,C and ,R.  @returns it as syntax::Word has it; 0: none begins here
+  char address(char next) {
+    if ((next >= 'A' && next <= 'Z') || next == '/') [[likely]] {
+      ++at_;
+      return next;
+    }
+    return next == ',' ? corner_address() : '\0';
+  }
+
   /// Steps over `expected` if it is next.
   bool accept(char expected);
 
@@ -107,6 +117,7 @@ class Scanner {
 
  private:
   char peek_behind_blanks();
+  char corner_address();
   [[nodiscard]] bool ends_tape(std::size_t percent) const;
   bool number_goes_on(bool has_point);
   void skip_comment();

@@ -59,7 +59,7 @@ class BlockWords {
   }
 
   std::vector<EvaluatedWord> words_;
-  std::array<std::uint16_t, 26> last_{};
+  std::array<std::uint16_t, syntax::kLetterCount> last_{};
   std::uint32_t present_ = 0;
   int sequence_ = 0;
 };

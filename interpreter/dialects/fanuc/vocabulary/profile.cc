@@ -82,6 +82,7 @@ constexpr Profile meldas() {
   profile.lone_cancel_is_alarm = true;
   profile.start_letter = 'H';
   profile.cycle_repeats = 'L';
+  profile.last_corner_word_counts = true;  // M700V programming manual, corner chamfering
   profile.macro_alarm.number = MacroAlarmRule::Number::Base;
   profile.macro_alarm.base = 277;
   profile.macro_alarm.smallest = 1;

@@ -153,6 +153,8 @@ struct Profile {
                               VariableGroup::LongOffsets, VariableGroup::OffsetsC,
                               VariableGroup::ExternalOffset};
 
+  bool last_corner_word_counts = false;  ///< of several ,C and ,R in a block; else an alarm
+
   // Offsets and canned cycles
   double offset_limit_mm = 1000.0;  ///< G10 takes less than this (MB-263); in inches a tenth
   char cycle_repeats = 'K';         ///< repeats of a canned cycle (MB-312)
