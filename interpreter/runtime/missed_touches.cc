@@ -28,6 +28,11 @@ void MissedTouches::Moves::remove(const Moves& others) {
   }
 }
 
+bool MissedTouches::Moves::has_any_of(const Moves& others) const {
+  return std::ranges::any_of(others.places_,
+                             [this](const auto& one) { return places_.contains(one.first); });
+}
+
 bool MissedTouches::Moves::contains(source::Location where) const {
   return places_.contains(place_of(where));
 }
@@ -75,7 +80,20 @@ void MissedTouches::reads(Holder holder) {
   }
   read_.results.add(found->second.results);
   read_.looks.add(found->second.looks);
-  read_from_.push_back(holder);
+  read_.made_of.push_back(holder);
+}
+
+MissedTouches::Reading MissedTouches::set_aside() {
+  const bool is_empty = read_.results.empty() && read_.looks.empty();
+  Reading reading = is_empty ? nullptr : std::make_shared<const Held>(std::move(read_));
+  end_statement();
+  return reading;
+}
+
+void MissedTouches::reads(const Reading& reading) {
+  read_.results.add(reading->results);
+  read_.looks.add(reading->looks);
+  read_.made_of.insert(read_.made_of.end(), reading->made_of.begin(), reading->made_of.end());
 }
 
 void MissedTouches::compares() {
@@ -97,10 +115,22 @@ void MissedTouches::assigns(Holder holder) {
 }
 
 void MissedTouches::moves() {
-  for (const Holder holder : read_from_) {
-    holders_[holder].is_way = true;
+  for (const Holder holder : read_.made_of) {
+    serves_as_way(holder, read_.results);
   }
   end_statement();
+}
+
+/// So do the variables that it was made of, as far as they still hold these moves.
+void MissedTouches::serves_as_way(Holder holder, const Moves& moves) {
+  const auto found = holders_.find(holder);
+  if (found == holders_.end() || found->second.is_way || !found->second.results.has_any_of(moves)) {
+    return;
+  }
+  found->second.is_way = true;
+  for (const Holder source : found->second.made_of) {
+    serves_as_way(source, moves);
+  }
 }
 
 std::vector<source::Location> MissedTouches::uses() {
@@ -156,7 +186,6 @@ std::vector<source::Location> MissedTouches::told(const Moves& moves) {
 
 void MissedTouches::end_statement() {
   read_ = {};
-  read_from_.clear();
 }
 
 void MissedTouches::count() {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,9 +21,14 @@ namespace g31::runtime {
 /// settles the moves whose result goes into it, wherever else that result is.  While nothing is
 /// owed, nothing has to be said.
 class MissedTouches {
+  struct Held;
+
  public:
   /// A variable as the dialect counts them, the same number for the same variable.
   using Holder = std::uint64_t;
+
+  /// What a part of a statement has read: an argument that a called program gets.
+  using Reading = std::shared_ptr<const Held>;
 
   /// Whether a move without a signal is still unsettled.
   [[nodiscard]] bool any() const { return is_owed_; }
@@ -41,6 +47,9 @@ class MissedTouches {
   /// Where the axes are, or the signal itself: good for comparing only.
   void looks();
   void reads(Holder holder);
+  /// What the statement has read so far, which counts as not read then.  @returns nullptr: nothing
+  [[nodiscard]] Reading set_aside();
+  void reads(const Reading& reading);
 
   // What becomes of it, which ends the statement.
 
@@ -50,7 +59,7 @@ class MissedTouches {
   void assigns(Holder holder);
   /// The axes go there: the result serves as a position.
   void moves();
-  /// A program that is called gets it: whether that looks is not followed.
+  /// Nothing comes of it that is followed.
   void passes_on() { end_statement(); }
   /// It counts as measured.  @returns the moves that gave none; each is told once
   std::vector<source::Location> uses();
@@ -72,6 +81,7 @@ class MissedTouches {
     void add(source::Location where, std::uint64_t number);
     void add(const Moves& others);
     void remove(const Moves& others);
+    [[nodiscard]] bool has_any_of(const Moves& others) const;
     [[nodiscard]] bool empty() const { return places_.empty(); }
     [[nodiscard]] bool contains(source::Location where) const;
     [[nodiscard]] std::vector<source::Location> in_order() const;
@@ -90,16 +100,17 @@ class MissedTouches {
     Moves results;        ///< whose result it is made of
     Moves looks;          ///< whose end it shows
     bool is_way = false;  ///< it has served as a position
+    std::vector<Holder> made_of;
   };
 
+  void serves_as_way(Holder holder, const Moves& moves);
   void settle(const Moves& moves);
   std::vector<source::Location> told(const Moves& moves);
   void end_statement();
   void count();
 
   std::map<Holder, Held> holders_;
-  Held read_;  ///< by the present statement
-  std::vector<Holder> read_from_;
+  Held read_;                             ///< by the present statement
   std::optional<source::Location> last_;  ///< measuring move, while it is owed
   std::uint64_t missed_count_ = 0;
   bool is_last_read_ = false;

@@ -206,3 +206,129 @@ G31 X50. F1000.
 M99
 %
 (EXPECT NO WARNING PRB301)
+
+(CASE MT-17 a macro gets it as an argument and compares)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+#100=#5061
+G65 P9 X#100
+M30
+O9
+IF[#24GT40.]GOTO1
+#3000=1(PATH OBSTRUCTED)
+N1 M99
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-18 a macro gets it and makes an offset of it)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+#100=#5061
+G65 P9 X#100
+#100=0
+M30
+O9
+#5221=#24
+M99
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-19 out of a sum, two levels further down)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+G65 P8 X[#5061-3.]
+M30
+O8
+#1=#24*2.
+G65 P9 A#1
+M99
+O9
+G10 L2 P1 X#1
+M99
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-20 the comparison is two levels further down)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+G65 P8 X[#5061-3.]
+#500=#5061
+M30
+O8
+G65 P9 A#24
+M99
+O9
+IF[#1GT40.]GOTO1
+#3000=1(PATH OBSTRUCTED)
+N1 M99
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-21 a macro that compares another argument has not looked)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+#100=#5061
+G65 P9 X#100 Y1.
+#100=0
+M30
+O9
+IF[#25GT40.]GOTO1
+#2001=#24
+N1 M99
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-22 a macro goes there: a position)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+#100=#5061
+G65 P9 X#100
+M30
+O9
+G00 X0
+G00 X#24
+M99
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-23 a macro gives it back, made of its argument)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+G65 P9 X#5061
+IF[#101GT40.]GOTO1
+#3000=1(PATH OBSTRUCTED)
+N1 M30
+O9
+#101=#24-1.
+M99
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-24 and nobody looks at what it gives back)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+G65 P9 X#5061
+#5221=#101
+#101=0
+M30
+O9
+#101=#24-1.
+M99
+%
+(EXPECT WARNING PRB301 AT 4)

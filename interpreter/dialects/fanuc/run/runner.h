@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "interpreter/dialects/fanuc/code/library.h"
@@ -144,6 +146,7 @@ class Runner {
                            const Variables::Locals& given = {});
   MaybeFailure code_macro(const EvaluatedWord& code, int program, CalledBy by);
   MaybeFailure code_subprogram(const EvaluatedWord& code, int program);
+  void follow_arguments();
   Result<Variables::Locals, Failure> with_arguments(Variables::Locals locals,
                                                     std::span<const EvaluatedWord> arguments);
   const CompiledProgram* program_of(int number);
@@ -177,6 +180,10 @@ class Runner {
   Control control_;
   std::vector<Frame> frames_;
   BlockWords words_;
+  /// What the words of the block read of skip moves without a signal, by where they stand; and what
+  /// the arguments of a call are made of, by variable.
+  std::vector<std::pair<std::uint32_t, runtime::MissedTouches::Reading>> read_by_words_;
+  std::vector<std::pair<std::int32_t, runtime::MissedTouches::Reading>> read_by_arguments_;
   bool ended_ = false;      ///< the program
   bool is_paused_ = false;  ///< before the step that comes next
   bool is_over_ = false;    ///< the run; outcome_ says how

@@ -355,7 +355,18 @@ MaybeFailure Runner::enter_macro(const Entry& entry, std::span<const EvaluatedWo
     return failure;
   }
   control_.variables.set_level(locals.value());
+  follow_arguments();
   return std::nullopt;
+}
+
+/// The locals of the level that begins hold what the arguments were made of.
+void Runner::follow_arguments() {
+  runtime::MissedTouches& missed = control_.touches.missed;
+  missed.passes_on();
+  for (const auto& [variable, reading] : read_by_arguments_) {
+    missed.reads(reading);
+    missed.assigns(holder_of(control_.variables.depth(), variable));
+  }
 }
 
 /// Puts arguments among locals.  I J K may come again: then they belong to the next triple
@@ -366,6 +377,7 @@ Result<Variables::Locals, Failure> Runner::with_arguments(
   int triple = 0;
   char last_of_triple = 'A';
   std::string in_triple;
+  read_by_arguments_.clear();
   for (const EvaluatedWord& word : arguments) {
     int variable = kArgumentVariable[static_cast<std::size_t>(word.letter - 'A')];
     if (variable == 0) {
@@ -387,6 +399,11 @@ Result<Variables::Locals, Failure> Runner::with_arguments(
       return at_word(AlarmId::IllegalArgumentLetter, word, "more than ten I J K");
     }
     locals[static_cast<std::size_t>(variable)] = Cell(argument_value(word));
+    for (const auto& [begin, reading] : read_by_words_) {
+      if (begin == word.span.begin) {
+        read_by_arguments_.emplace_back(variable, reading);
+      }
+    }
   }
   return locals;
 }

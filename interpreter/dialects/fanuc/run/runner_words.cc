@@ -26,6 +26,8 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
   const CompiledProgram& program = *frame().program;
   const syntax::Block& block = program.tree->blocks[step.block];
   words_.clear();
+  read_by_words_.clear();
+  runtime::MissedTouches& missed = control_.touches.missed;
   for (syntax::Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
     const syntax::Word& word = program.tree->words[i];
     if (word.letter == '/') {
@@ -46,6 +48,9 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
         continue;
       }
       number = value.raw();
+      if (auto reading = missed.any() ? missed.set_aside() : nullptr) {
+        read_by_words_.emplace_back(word.span.begin, std::move(reading));
+      }
     } else if (word.digits > control_.profile.word_digit_limit) {
       return at_place(AlarmId::TooManyDigits, word.span, digit_count(word.digits));
     }
@@ -54,6 +59,9 @@ MaybeFailure Runner::evaluate_words(const Step& step) {
                       fmt::format("{} is {:g}, beyond every address", word.letter, number));
     }
     words_.add(word, number);
+  }
+  for (const auto& [begin, reading] : read_by_words_) {
+    missed.reads(reading);
   }
   return std::nullopt;
 }

@@ -130,9 +130,11 @@ MaybeFailure Runner::call(const Op& op) {
   if (!program.value()->has_proc && site.argument_count > 0) {
     return failure(AlarmId::ProcMissing, program.value()->name);
   }
+  const auto given = holders_given(site, values);
   if (MaybeFailure wrong = enter(*program.value(), values)) {
     return wrong;
   }
+  follow_arguments(given);
   level().passes_left = static_cast<std::int32_t>(passes) - 1;
   if (level().passes_left > 0) {
     level().arguments = std::move(values);

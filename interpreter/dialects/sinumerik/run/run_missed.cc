@@ -1,7 +1,9 @@
 // What becomes of the result of a measuring move without a signal: a run that owes nothing does not
 // come here.
 
+#include <algorithm>
 #include <span>
+#include <vector>
 
 #include "interpreter/dialects/sinumerik/run/runner.h"
 
@@ -76,6 +78,41 @@ void Runner::follow_function(const Op& op) {
     channel_.touches.missed.assigns(holder_of(number(op.result)));
   } else {
     channel_.touches.missed.passes_on();
+  }
+}
+
+/// The variables that a call gives values of, by argument; 0: none that is followed.
+std::vector<runtime::MissedTouches::Holder> Runner::holders_given(
+    const CallSite& site, const std::vector<BoundValue>& values) {
+  std::vector<runtime::MissedTouches::Holder> given;
+  if (!channel_.touches.missed.any()) {
+    return given;
+  }
+  given.resize(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Argument& argument = level().program->arguments[site.first_argument + i];
+    const BoundValue& value = values[i];
+    if (value.form == Argument::Form::Element && value.reference.numbers != nullptr) {
+      given[i] = holder_of(*value.reference.numbers);
+    } else if (value.form == Argument::Form::Value && is_held_as_number(value.type)) {
+      given[i] = holder_of(number(argument.value));
+    }
+  }
+  return given;
+}
+
+/// The parameters of the level that has begun hold what the arguments were made of; those that are
+/// taken by reference are the caller's own variables.
+void Runner::follow_arguments(const std::vector<runtime::MissedTouches::Holder>& given) {
+  runtime::MissedTouches& missed = channel_.touches.missed;
+  const CompiledProgram& program = *level().program;
+  for (std::size_t i = 0; i < std::min(given.size(), program.parameters.size()); ++i) {
+    const Parameter& parameter = program.parameters[i];
+    const Variable& variable = program.variables[static_cast<std::size_t>(parameter.variable)];
+    if (given[i] != 0 && !parameter.by_reference && is_held_as_number(variable.type)) {
+      missed.reads(given[i]);
+      missed.assigns(holder_of(level().numbers[static_cast<std::size_t>(variable.place)]));
+    }
   }
 }
 

@@ -232,6 +232,9 @@ class Runner {
   std::vector<BoundValue> bound(const CallSite& site);
   bool passes_over(const CallSite& site);
   MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
+  std::vector<runtime::MissedTouches::Holder> holders_given(const CallSite& site,
+                                                            const std::vector<BoundValue>& values);
+  void follow_arguments(const std::vector<runtime::MissedTouches::Holder>& given);
   struct ReturnTarget {
     std::string label;  ///< or N and a number; empty: behind the call
     bool behind = false;
