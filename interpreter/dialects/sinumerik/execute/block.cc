@@ -189,7 +189,10 @@ bool changes_held_line(const Block& block) {
 /// What a block says to U, V and W.
 FurtherMotion further_motion(const Channel& channel, const Block& block) {
   if (const GCode* const code = special_code(block)) {
-    return code->action == GAction::Reference ? FurtherMotion::ToHome : FurtherMotion::Refused;
+    return code->action == GAction::Reference ? FurtherMotion::ToHome
+           : code->action == GAction::Frame || code->action == GAction::AxialShift
+               ? FurtherMotion::IntoFrame
+               : FurtherMotion::Refused;
   }
   const bool has_circle =
       is_circle(channel.group[Group::Motion]) && has_centre(block, channel.plane());
@@ -198,7 +201,33 @@ FurtherMotion further_motion(const Channel& channel, const Block& block) {
                                           : FurtherMotion::Alone;
 }
 
+MaybeFailure move_path(Channel& channel, const Block& block) {
+  if (is_circle(channel.group[Group::Motion]) &&
+      (has_place(block) || has_centre(block, channel.plane()))) {
+    return move_along_circle(channel, block);
+  }
+  return has_place(block) ? move_straight(channel, block) : std::nullopt;
+}
+
+/// A rapid ends when its slowest axis arrives, U, V and W among them.
+/// @param needed_s  what these need
+MaybeFailure move_path_with_further(Channel& channel, const Block& block, double needed_s) {
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return wrong;
+  }
+  const double began_s = channel.port.time_s();
+  if (MaybeFailure wrong = move_path(channel, block)) {
+    return wrong;
+  }
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return wrong;
+  }
+  const double left_s = needed_s - (channel.port.time_s() - began_s);
+  return left_s > 0.0 ? pause(channel, {left_s, block.where}) : std::nullopt;
+}
+
 MaybeFailure move(Channel& channel, const Block& block) {
+  double further_s = 0.0;
   if (MaybeFailure wrong = judge_lines(channel, block)) {
     return wrong;
   }
@@ -208,6 +237,10 @@ MaybeFailure move(Channel& channel, const Block& block) {
     }
   }
   if (moves_further_axes(block)) {
+    const bool at_rapid = channel.group[Group::Motion] == number_in_group("G0");
+    further_s = at_rapid && special_code(block) == nullptr && has_place(block)
+                    ? further_rapid_seconds(channel, block)
+                    : 0.0;
     if (MaybeFailure wrong = move_further_axes(channel, block, further_motion(channel, block))) {
       return wrong;
     }
@@ -218,17 +251,11 @@ MaybeFailure move(Channel& channel, const Block& block) {
   if (const GCode* const code = special_code(block)) {
     return special_of(code->action)(channel, block, *code);
   }
-  if (!channel.couplings.empty() && listens_to_probe(channel, block)) {
-    return failure(AlarmId::NotImplemented, "measuring while TRAILON couples axes");
-  }
   if (listens_to_probe(channel, block)) {
     return measure(channel, block);
   }
-  if (is_circle(channel.group[Group::Motion]) &&
-      (has_place(block) || has_centre(block, channel.plane()))) {
-    return move_along_circle(channel, block);
-  }
-  return has_place(block) ? move_straight(channel, block) : std::nullopt;
+  return further_s > 0.0 ? move_path_with_further(channel, block, further_s)
+                         : move_path(channel, block);
 }
 
 }  // namespace

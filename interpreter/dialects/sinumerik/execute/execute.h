@@ -69,13 +69,16 @@ MaybeFailure move_positioning_axes(Channel& channel, const Block& block);
 
 /// How the words of U, V and W go with the others of their block.
 enum class FurtherMotion {
-  Alone,     ///< they take F or rapid
-  WithPath,  ///< the path takes F, they arrive with it
-  ToHome,    ///< G74
-  Refused    ///< frames, measuring, limits: words of the path are an alarm
+  Alone,      ///< they take F or rapid
+  WithPath,   ///< the path takes F, they arrive with it
+  ToHome,     ///< G74
+  IntoFrame,  ///< TRANS and the like take them
+  Refused     ///< measuring, limits: words of the path are an alarm
 };
 /// Whether U, V or W has a word.
 bool moves_further_axes(const Block& block);
+/// What U, V and W need at rapid for their ways in a block with a path, s.
+double further_rapid_seconds(const Channel& channel, const Block& block);
 /// U, V and W: POS[W], then W.
 MaybeFailure move_further_axes(Channel& channel, const Block& block, FurtherMotion motion);
 

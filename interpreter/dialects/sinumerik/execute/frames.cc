@@ -7,16 +7,24 @@
 namespace g31::sinumerik {
 namespace {
 
+bool has_word(const Block& block, int axis) {
+  return (is_machine_axis(axis) || is_further_axis(axis)) &&
+         block.words[address_of_axis(axis)].present;
+}
+
 /// What the words of the block make, to be chained or taken alone.
 Result<Frame, Failure> frame_of_words(const Channel& channel, const Block& block,
                                       std::string_view kind) {
   Frame frame;
   Eigen::Vector3d degrees = Eigen::Vector3d::Zero();
-  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
-    const BlockWords::Word& word = block.words.axis(axis);
-    if (!word.present) {
+  for (int axis = 0; axis < static_cast<int>(kAxisNumbers); ++axis) {
+    if (!has_word(block, axis)) {
       continue;
     }
+    if (is_further_axis(axis) && channel.further(axis) == nullptr) {
+      return no_such_axis(axis);
+    }
+    const BlockWords::Word& word = block.words[address_of_axis(axis)];
     if (kind == "TRANS") {
       frame.set_component(axis, Component::Coarse, channel.stored(axis, word.value));
     } else if (kind == "SCALE") {
@@ -28,7 +36,7 @@ Result<Frame, Failure> frame_of_words(const Channel& channel, const Block& block
     } else if (is_linear_axis(axis)) {
       degrees[axis] = word.value;
     } else {
-      return failure(AlarmId::BadAxisIndex, fmt::format("ROT {}", kAxisLetters[axis]));
+      return failure(AlarmId::BadAxisIndex, fmt::format("ROT {}", letter_of_axis(axis)));
     }
   }
   if (block.words.has(Address::PlaneRotation)) {
@@ -55,10 +63,10 @@ MaybeFailure take_program_frame(Channel& channel) {
 
 MaybeFailure shift_by_axis(Channel& channel, const Block& block, const GCode& code) {
   const Component part = code.name == "G58" ? Component::Coarse : Component::Fine;
-  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
-    const BlockWords::Word& word = block.words.axis(axis);
-    if (word.present) {
-      channel.program_frame.set_component(axis, part, channel.stored(axis, word.value));
+  for (int axis = 0; axis < static_cast<int>(kAxisNumbers); ++axis) {
+    if (has_word(block, axis)) {
+      const double value = block.words[address_of_axis(axis)].value;
+      channel.program_frame.set_component(axis, part, channel.stored(axis, value));
     }
   }
   channel.frames_changed();
@@ -100,7 +108,7 @@ MaybeFailure program_frame(Channel& channel, const Block& block, const GCode& co
     return frame.error();
   }
   if (adds && kind == "TRANS") {
-    channel.program_frame.add_fine_shift(frame.value().apply(AxisPositions::Zero()));
+    channel.program_frame.add_fine_shift(frame.value());
   } else {
     channel.program_frame = adds ? channel.program_frame.chained(frame.value()) : frame.value();
   }

@@ -40,7 +40,9 @@ Result<double, Failure> place_of(const Channel& channel, int axis, const BlockWo
     return failure(AlarmId::BadModification,
                    fmt::format("{} is not a rotary axis", letter_of_axis(axis)));
   }
-  const double place = word.value * channel.mm_per_length() + (adds ? further->at : 0.0);
+  const Frame frame = channel.active_frame();
+  const double from = adds ? frame.undo(axis, further->at) : 0.0;
+  const double place = frame.apply(axis, from + word.value * channel.mm_per_length());
   if (place < further->travel_min || place > further->travel_max) {
     return failure(AlarmId::SoftLimit,
                    fmt::format("{}{:g}: {:g} to {:g}", letter_of_axis(axis), place,
@@ -124,6 +126,20 @@ MaybeFailure to_home(Channel& channel, const Block& block) {
 
 }  // namespace
 
+double further_rapid_seconds(const Channel& channel, const Block& block) {
+  double seconds = 0.0;
+  for (int axis = first_further(); axis < end_of_further(); ++axis) {
+    const auto place = path_word(block, axis).present
+                           ? place_of(channel, axis, path_word(block, axis))
+                           : Result<double, Failure>(0.0);
+    if (path_word(block, axis).present && place) {
+      const FurtherAxis& further = *channel.further(axis);
+      seconds = std::max(seconds, rapid_seconds(further, place.value() - further.at));
+    }
+  }
+  return seconds;
+}
+
 bool moves_further_axes(const Block& block) {
   for (int axis = first_further(); axis < end_of_further(); ++axis) {
     if (path_word(block, axis).present || positioning_word(block, axis).present) {
@@ -134,6 +150,9 @@ bool moves_further_axes(const Block& block) {
 }
 
 MaybeFailure move_further_axes(Channel& channel, const Block& block, FurtherMotion motion) {
+  if (motion == FurtherMotion::IntoFrame) {
+    return std::nullopt;
+  }
   for (int axis = first_further(); axis < end_of_further(); ++axis) {
     if (motion == FurtherMotion::Refused && path_word(block, axis).present) {
       return no_frame_of(axis);

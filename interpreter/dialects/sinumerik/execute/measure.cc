@@ -88,7 +88,7 @@ Result<std::optional<Measuring>, Failure> measuring_of(const Channel& channel,
 Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Block& block,
                                                     const AxisPositions& q_W_end) {
   machine::LinearMove move;
-  move.q_M_end = channel.to_machine(q_W_end);
+  move.q_M_end = coupled_end(channel, channel.port.position(), channel.to_machine(q_W_end));
   if (channel.group[Group::Motion] == number_in_group("G0")) {
     return move;
   }
@@ -113,7 +113,8 @@ void settle(Channel& channel, const runtime::TouchEvent& event, const Measuring&
     channel.q_M_measured = event.q_M_latched;
     channel.q_W_measured = channel.to_work(event.q_M_latched);
   }
-  if (event.triggered && measuring.after == machine::AfterSignal::Stop) {
+  const bool stops = event.triggered && measuring.after == machine::AfterSignal::Stop;
+  if (stops || !channel.couplings.empty()) {
     channel.arrived_at_machine();
   } else {
     channel.arrived_at_programmed(q_W_end, event.q_M_commanded);
@@ -145,6 +146,7 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
     channel.warnings.add(channel.diagnostics, source::DiagnosticId::MeasuredCompensated,
                          block.where);
   }
+  const AxisPositions q_M_from = channel.port.position();
   const auto outcome = channel.outlet.move_until_skip(move);
   if (!outcome) {
     channel.arrived_at_machine();
@@ -157,6 +159,7 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   }
   runtime::TouchEvent event =
       runtime::touch_event(move.way, outcome.value(), channel.port.position());
+  move_followers(channel, channel.port.position() - q_M_from);
   event.block = "MEAS";
   event.where = block.where;
   settle(channel, event, measuring, q_W_end.value());

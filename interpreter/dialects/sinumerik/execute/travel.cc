@@ -1,9 +1,16 @@
 #include "interpreter/dialects/sinumerik/execute/travel.h"
 
+#include <algorithm>
+#include <cmath>
 #include <variant>
+
+#include <Eigen/Geometry>
 
 namespace g31::sinumerik {
 namespace {
+
+/// How far a chord of a circle that others follow may stand off it.
+constexpr double kCoupledChordErrorMm = 1e-3;
 
 using path::PathBlock;
 using path::PathItem;
@@ -135,6 +142,25 @@ Failure from_fault(const machine::MachineFault& fault) {
   return reason;
 }
 
+AxisPositions coupled_end(const Channel& channel, const AxisPositions& q_M_from,
+                          const AxisPositions& q_M_end) {
+  AxisPositions q_M_coupled = q_M_end;
+  for (const auto& [axes, factor] : channel.couplings) {
+    if (is_machine_axis(axes.first)) {
+      q_M_coupled[axes.first] += factor * (q_M_end - q_M_from)[axes.second];
+    }
+  }
+  return q_M_coupled;
+}
+
+void move_followers(Channel& channel, const AxisPositions& q_M_way) {
+  for (const auto& [axes, factor] : channel.couplings) {
+    if (is_further_axis(axes.first)) {
+      channel.further_axes.at(axes.first).at += factor * q_M_way[axes.second];
+    }
+  }
+}
+
 MaybeFailure travel(Channel& channel, const PathBlock& path) {
   const AxisPositions q_M_from = channel.machine_position();
   channel.along_M_end = end_of(channel, q_M_from, path);
@@ -164,22 +190,12 @@ MaybeFailure travel(Channel& channel, const PathBlock& path) {
 
 namespace {
 
-/// A straight line on which axes go along with others.  Source: SINUMERIK job planning, coupled
-/// motion: the following axis adds the way of the leading one, by the factor, to its own.
-MaybeFailure travel_coupled(Channel& channel, const PathBlock& path) {
-  if (path.arc) {
-    return failure(AlarmId::NotImplemented, "a circle while TRAILON couples axes");
-  }
-  const AxisPositions q_M_way = path.q_M_end - channel.machine_position();
+/// A straight line on which axes go along with others.
+MaybeFailure travel_line_coupled(Channel& channel, const PathBlock& path) {
+  const AxisPositions q_M_from = channel.machine_position();
   PathBlock coupled = path;
-  for (const auto& [axes, factor] : channel.couplings) {
-    const double way = factor * q_M_way[axes.second];
-    if (is_machine_axis(axes.first)) {
-      coupled.q_M_end[axes.first] += way;
-    } else {
-      channel.further_axes.at(axes.first).at += way;
-    }
-  }
+  coupled.q_M_end = coupled_end(channel, q_M_from, path.q_M_end);
+  move_followers(channel, path.q_M_end - q_M_from);
   MaybeFailure wrong = travel(channel, coupled);
   if (wrong) {
     channel.arrived_at_machine();
@@ -189,11 +205,47 @@ MaybeFailure travel_coupled(Channel& channel, const PathBlock& path) {
   return wrong;
 }
 
+/// A circle that axes go along with, in chords.
+MaybeFailure travel_circle_coupled(Channel& channel, const PathBlock& path) {
+  if (channel.cutter.compensation.engaged() || channel.corners.contour.holds() ||
+      channel.corners.wish.kind != path::CornerWish::Kind::Sharp) {
+    return failure(AlarmId::NotImplemented,
+                   "a circle with G41, G42, RND or CHF while TRAILON "
+                   "couples axes");
+  }
+  const Plane axes = channel.plane();
+  const path::OffsetPlane plane{axes.first, axes.second};
+  const AxisPositions q_M_from = channel.machine_position();
+  const path::PlanePoint from = plane.of(q_M_from) - path.arc->centre;
+  const double turn = path.arc->turn == machine::Turn::Counterclockwise ? 1.0 : -1.0;
+  const double sweep =
+      turn * path::sweep_rad({plane.of(q_M_from), plane.of(path.q_M_end), path.arc});
+  const double step = 2.0 * std::acos(1.0 - std::min(1.0, kCoupledChordErrorMm / from.norm()));
+  const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step)));
+  AxisPositions q_M_before = q_M_from;
+  for (int i = 1; i <= chords; ++i) {
+    const double fraction = static_cast<double>(i) / chords;
+    AxisPositions q_M = q_M_from + fraction * (path.q_M_end - q_M_from);
+    q_M = plane.moved(q_M, path.arc->centre + Eigen::Rotation2Dd(fraction * sweep) * from);
+    q_M = i == chords ? path.q_M_end : q_M;
+    PathBlock chord = path;
+    chord.arc.reset();
+    chord.g = 1;
+    chord.q_M_end = channel.machine_position() + (q_M - q_M_before);
+    chord.ends = i == chords ? path.ends : machine::BlockEnd::PassOn;
+    if (MaybeFailure wrong = travel_line_coupled(channel, chord)) {
+      return wrong;
+    }
+    q_M_before = q_M;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 MaybeFailure travel_to(Channel& channel, const PathBlock& path, const AxisPositions& q_W_end) {
   if (!channel.couplings.empty()) {
-    return travel_coupled(channel, path);
+    return path.arc ? travel_circle_coupled(channel, path) : travel_line_coupled(channel, path);
   }
   if (MaybeFailure wrong = travel(channel, path)) {
     channel.arrived_at_machine();

@@ -16,6 +16,15 @@ MaybeFailure travel(Channel& channel, const path::PathBlock& path);
 /// @param q_W_end  where the path ends for the program
 MaybeFailure travel_to(Channel& channel, const path::PathBlock& path, const AxisPositions& q_W_end);
 
+// Source of coupled axes: SINUMERIK job planning, coupled motion: the following axis adds the way
+// of the leading one, by the factor, to its own.
+
+/// Where axes that follow others end, too.
+AxisPositions coupled_end(const Channel& channel, const AxisPositions& q_M_from,
+                          const AxisPositions& q_M_end);
+/// U, V and W go along.
+void move_followers(Channel& channel, const AxisPositions& q_M_way);
+
 /// Lets time pass and tells the observer.
 MaybeFailure pause(Channel& channel, const path::Pause& wait);
 

@@ -8,6 +8,10 @@
 namespace g31::sinumerik {
 namespace {
 
+bool has_frame(int axis) {
+  return is_machine_axis(axis) || is_further_axis(axis);
+}
+
 /// CROTS; one angle alone turns as CROT does.
 MaybeFailure turn_by_two(Frame& result, const Eigen::Vector3d& degrees,
                          const std::array<bool, 3>& given) {
@@ -39,13 +43,11 @@ Result<std::vector<Runner::AxisValue>, Failure> Runner::axis_values(const Op& op
     if (axis < 0.0 || !is_number(list[i + 1].type)) {
       return failure(AlarmId::NotAnAxis, function_name(op));
     }
-    const double value = number(list[i + 1].value);
-    const bool is_neutral = value == (function_name(op) == "CSCALE" ? 1.0 : 0.0);
-    if (axis == kSpindleAxis || (is_neutral && is_further_axis(static_cast<int>(axis)))) {
+    if (axis == kSpindleAxis) {
       continue;
     }
-    if (!is_machine_axis(static_cast<int>(axis))) {
-      return no_frame_of(static_cast<int>(axis));
+    if (!has_frame(static_cast<int>(axis))) {
+      return failure(AlarmId::BadAxisIndex);
     }
     all.push_back({static_cast<int>(axis), number(list[i + 1].value)});
   }
@@ -87,8 +89,9 @@ MaybeFailure Runner::mirror_frame(const Op& op, Arguments list) {
     if (axis < 0.0) {
       return failure(AlarmId::NotAnAxis, function_name(op));
     }
-    const int which = static_cast<int>(axis);
-    result.set_component(which, Component::Mirror, 1.0);
+    if (has_frame(static_cast<int>(axis))) {
+      result.set_component(static_cast<int>(axis), Component::Mirror, 1.0);
+    }
   }
   frame(op.result) = result;
   return std::nullopt;

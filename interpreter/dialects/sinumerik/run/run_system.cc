@@ -43,7 +43,9 @@ MaybeFailure split(SystemAccess& access) {
   access.indices.pop_back();
   access.axis = access.indices.back();
   access.indices.pop_back();
-  return is_machine_axis(access.axis) ? std::nullopt : std::optional(no_frame_of(access.axis));
+  return is_machine_axis(access.axis) || is_further_axis(access.axis)
+             ? std::nullopt
+             : std::optional(failure(AlarmId::BadAxisIndex));
 }
 
 }  // namespace

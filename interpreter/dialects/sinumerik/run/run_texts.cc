@@ -119,8 +119,8 @@ bool Runner::frame_step(const Op& op) {
       const bool loads = op.code == OpCode::LoadComponent;
       const auto [axis, component] =
           loads ? component_of(list[0], list[1]) : component_of(list[1], list[2]);
-      if (!is_machine_axis(axis)) {
-        return failed(no_frame_of(axis).id);
+      if (!is_machine_axis(axis) && !is_further_axis(axis)) {
+        return failed(AlarmId::BadAxisIndex);
       }
       if (loads) {
         number(op.result) = channel_.shown_component(axis, component, frame(op.a));

@@ -75,8 +75,8 @@ Failure no_such_axis(int axis) {
 Failure no_frame_of(int axis) {
   return is_further_axis(axis)
              ? failure(AlarmId::NotImplemented,
-                       fmt::format("frames shift X, Y, Z, A, B and C: {} counts from its machine "
-                                   "zero",
+                       fmt::format("{} in a block that measures or that sets what is none of its "
+                                   "own",
                                    letter_of_axis(axis)))
              : failure(AlarmId::BadAxisIndex);
 }
@@ -169,7 +169,7 @@ double Channel::mm_per_datum() const {
 }
 
 double Channel::stored(int axis, double value) const {
-  return is_linear_axis(axis) ? value * mm_per_length() : value;
+  return is_length_axis(axis) ? value * mm_per_length() : value;
 }
 
 double Channel::stored_place(int axis, double value, Counts counts) const {
@@ -181,11 +181,11 @@ double Channel::stored_place(int axis, double value, Counts counts) const {
 }
 
 double Channel::stored_datum(int axis, double value) const {
-  return is_linear_axis(axis) ? value * mm_per_datum() : value;
+  return is_length_axis(axis) ? value * mm_per_datum() : value;
 }
 
 double Channel::shown_datum(int axis, double value) const {
-  return is_linear_axis(axis) ? value / mm_per_datum() : value;
+  return is_length_axis(axis) ? value / mm_per_datum() : value;
 }
 
 double Channel::shown_place(int axis, double value) const {

@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
-#include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "machine/base/contract.h"
 #include "machine/units/units.h"
 
@@ -38,6 +37,56 @@ AxisPositions Frame::factors() const {
   return scale_.cwiseProduct(mirror_);
 }
 
+Frame::Single Frame::Single::chained(const Single& inner) const {
+  return {coarse + factor() * inner.coarse, fine + factor() * inner.fine, scale * inner.scale,
+          mirror * inner.mirror};
+}
+
+double Frame::Single::component(Component component) const {
+  switch (component) {
+    case Component::Coarse:
+      return coarse;
+    case Component::Fine:
+      return fine;
+    case Component::Rotation:
+      return 0.0;
+    case Component::Scale:
+      return scale;
+    case Component::Mirror:
+      return mirror < 0.0 ? 1.0 : 0.0;
+  }
+  contract_violated("every component has a value", __FILE__, __LINE__);
+}
+
+void Frame::Single::set_component(Component component, double value) {
+  switch (component) {
+    case Component::Coarse:
+      coarse = value;
+      return;
+    case Component::Fine:
+      fine = value;
+      return;
+    case Component::Rotation:
+      return;
+    case Component::Scale:
+      scale = value;
+      return;
+    case Component::Mirror:
+      mirror = value != 0.0 ? -1.0 : 1.0;
+      return;
+  }
+}
+
+double Frame::apply(int further_axis, double place) const {
+  const Single& one = single(further_axis);
+  return one.factor() * place + one.shift();
+}
+
+double Frame::undo(int further_axis, double place) const {
+  const Single& one = single(further_axis);
+  return (place - one.shift()) / one.factor();
+}
+
 AxisPositions Frame::apply(const AxisPositions& q) const {
   AxisPositions outer = factors().cwiseProduct(q);
   if (!turn_.isIdentity(0.0)) {
@@ -63,6 +112,9 @@ Frame Frame::chained(const Frame& inner) const {
   all.turn_ = turn_ * mine.asDiagonal() * inner.turn_ * mine.cwiseInverse().asDiagonal();
   all.scale_ = scale_.cwiseProduct(inner.scale_);
   all.mirror_ = mirror_.cwiseProduct(inner.mirror_);
+  for (std::size_t i = 0; i < further_.size(); ++i) {
+    all.further_[i] = further_[i].chained(inner.further_[i]);
+  }
   return all;
 }
 
@@ -73,6 +125,10 @@ Frame Frame::inverse() const {
   back.turn_ = mine.cwiseInverse().asDiagonal() * turn_.inverse() * mine.asDiagonal();
   back.scale_ = scale_.cwiseInverse();
   back.mirror_ = mirror_;
+  for (std::size_t i = 0; i < further_.size(); ++i) {
+    const Single& one = further_[i];
+    back.further_[i] = {-one.shift() / one.factor(), 0.0, 1.0 / one.scale, one.mirror};
+  }
   return back;
 }
 
@@ -96,8 +152,11 @@ void Frame::set_solid_angles(int first, double about_first, double about_second)
   turn_.col(second) = Eigen::Vector3d(turn_.col(third)).cross(Eigen::Vector3d(turn_.col(first)));
 }
 
-void Frame::add_fine_shift(const AxisPositions& inner) {
-  fine_ += apply(inner) - apply(AxisPositions::Zero());
+void Frame::add_fine_shift(const Frame& shift) {
+  fine_ += apply(shift.apply(AxisPositions::Zero())) - apply(AxisPositions::Zero());
+  for (std::size_t i = 0; i < further_.size(); ++i) {
+    further_[i].fine += further_[i].factor() * shift.further_[i].shift();
+  }
 }
 
 bool operator==(const Frame& a, const Frame& b) {
@@ -110,10 +169,13 @@ bool operator==(const Frame& a, const Frame& b) {
       }
     }
   }
-  return true;
+  return a.further_ == b.further_;
 }
 
 double Frame::component(int axis, Component component) const {
+  if (is_further_axis(axis)) {
+    return single(axis).component(component);
+  }
   switch (component) {
     case Component::Coarse:
       return coarse_[axis];
@@ -145,10 +207,20 @@ bool Frame::is_within_limits() const {
       return false;
     }
   }
+  for (const Single& one : further_) {
+    if (!takes(Component::Coarse, one.coarse) || !takes(Component::Fine, one.fine) ||
+        !takes(Component::Scale, one.scale)) {
+      return false;
+    }
+  }
   return turn_.allFinite();
 }
 
 void Frame::set_component(int axis, Component component, double value) {
+  if (is_further_axis(axis)) {
+    further_[static_cast<std::size_t>(axis - kFirstFurtherAxis)].set_component(component, value);
+    return;
+  }
   switch (component) {
     case Component::Coarse:
       coarse_[axis] = value;

@@ -6,29 +6,30 @@
 namespace g31::sinumerik::system {
 namespace {
 
-/// Where an axis stands that carries neither tool nor part: the same in all coordinates.
-Number further_place(const Channel& channel, int axis) {
+/// Where an axis stands that carries neither tool nor part, within some of the frames.
+Number further_place(const Channel& channel, int axis, const Frame& frame) {
   if (!is_further_axis(axis)) {
     return failure(AlarmId::BadAxisIndex);
   }
   const FurtherAxis* const further = channel.further(axis);
-  return further != nullptr ? Number(further->at / channel.mm_per_datum())
+  return further != nullptr ? Number(frame.undo(axis, further->at) / channel.mm_per_datum())
                             : Number(no_such_axis(axis));
 }
 
 Number axis_value(const Channel& channel, const SystemAccess& access, const AxisPositions& q) {
   const int axis = access.indices[0];
   if (!is_machine_axis(axis)) {
-    return further_place(channel, axis);
+    return further_place(channel, axis, Frame());
   }
   return channel.within_turn(axis, channel.shown_datum(axis, q[axis]));
 }
 
-/// In work coordinates, where DIAMON counts.
-Number place_value(const Channel& channel, const SystemAccess& access, const AxisPositions& q_W) {
+/// In coordinates within some of the frames, where DIAMON counts.
+Number place_value(const Channel& channel, const SystemAccess& access, const AxisPositions& q_W,
+                   const Frame& frame) {
   const int axis = access.indices[0];
   if (!is_machine_axis(axis)) {
-    return further_place(channel, axis);
+    return further_place(channel, axis, frame);
   }
   return channel.within_turn(axis, channel.shown_place(axis, q_W[axis]));
 }
@@ -83,7 +84,7 @@ std::span<AxisPositions> reference_points(Channel& channel) {
 }  // namespace
 
 Number block_end(Channel& channel, const SystemAccess& access) {
-  return place_value(channel, access, channel.programmed());
+  return place_value(channel, access, channel.programmed(), channel.active_frame());
 }
 
 Number machine_now(Channel& channel, const SystemAccess& access) {
@@ -99,21 +100,24 @@ Number work_now(Channel& channel, const SystemAccess& access) {
     return *wrong;
   }
   channel.touches.looks();
-  return place_value(channel, access, channel.to_work(channel.port.position()));
+  return place_value(channel, access, channel.to_work(channel.port.position()),
+                     channel.active_frame());
 }
 
 Number basic_zero_now(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = finish_motion(channel)) {
     return *wrong;
   }
-  return place_value(channel, access, within(channel, channel.frames_outside()));
+  return place_value(channel, access, within(channel, channel.frames_outside()),
+                     channel.frames_outside());
 }
 
 Number settable_now(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = finish_motion(channel)) {
     return *wrong;
   }
-  return place_value(channel, access, within(channel, channel.frames_below()));
+  return place_value(channel, access, within(channel, channel.frames_below()),
+                     channel.frames_below());
 }
 
 Number machine_measured(Channel& channel, const SystemAccess& access) {
@@ -123,7 +127,7 @@ Number machine_measured(Channel& channel, const SystemAccess& access) {
 
 Number work_measured(Channel& channel, const SystemAccess& access) {
   measured_read(channel);
-  return place_value(channel, access, channel.q_W_measured);
+  return place_value(channel, access, channel.q_W_measured, channel.active_frame());
 }
 
 Number upper_soft_limit(Channel& channel, const SystemAccess& access) {

@@ -71,6 +71,10 @@ constexpr bool is_machine_axis(int axis) {
 constexpr bool is_further_axis(int axis) {
   return axis >= kFirstFurtherAxis && axis < static_cast<int>(kAxisNumbers);
 }
+/// Whether an axis counts in lengths.
+constexpr bool is_length_axis(int axis) {
+  return is_further_axis(axis) || (is_machine_axis(axis) && is_linear_axis(axis));
+}
 /// "X", "S" of the spindle, "W"
 constexpr char letter_of_axis(int axis) {
   return is_machine_axis(axis)   ? kAxisLetters[axis]
