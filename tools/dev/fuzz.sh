@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fuzzes for a while: every fuzzer gets an equal share of the time.  Findings are kept in build/found/FUZZER
-# and named at the end; exit code 1 when there is one.
+# and named; exit code 1 when there is one, or where a fuzzer does not run.
 #
 #   tools/dev/fuzz.sh HOURS        0.1 is six minutes
 set -euo pipefail
@@ -34,10 +34,14 @@ for fuzzer in "${fuzzers[@]}"; do
   dialect=${corpus[$fuzzer]}
   mkdir -p "$folder/inputs" "$folder/findings"
   echo "$fuzzer: $seconds s"
-  # A finding ends one job of -fork; the others go on until the time is up.
-  "build/fuzz/tests/fuzz/$fuzzer" "$folder/inputs" "tests/fuzz/corpus/$dialect" "-dict=tests/fuzz/$dialect.dict" \
-    "-artifact_prefix=$folder/findings/" -max_len=4096 -timeout=20 -rss_limit_mb=2048 -max_total_time="$seconds" \
-    -fork="$(nproc)" -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 >"$folder/log" 2>&1 || true
+  # A finding ends one job of -fork; the others go on until the time is up, and the exit code is 0.
+  if ! "build/fuzz/tests/fuzz/$fuzzer" "$folder/inputs" "tests/fuzz/corpus/$dialect" \
+      "-dict=tests/fuzz/$dialect.dict" "-artifact_prefix=$folder/findings/" -max_len=4096 -timeout=20 \
+      -rss_limit_mb=2048 -max_total_time="$seconds" -fork="$(nproc)" \
+      -ignore_crashes=1 -ignore_timeouts=1 -ignore_ooms=1 >"$folder/log" 2>&1; then
+    echo "$fuzzer did not run to its end: $folder/log" >&2
+    found=1
+  fi
   tail -n 1 "$folder/log"
   for finding in "$folder"/findings/*; do
     if [ -e "$finding" ]; then
