@@ -1,14 +1,8 @@
 #pragma once
 
-#include <cmath>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "tests/support/run_program.h"
 
@@ -67,71 +61,32 @@ trigger_delay_s = 0.001
 )";
 
 /// A part of the shape library as a sheet; `more` are its sizes and rotate_deg.
-inline std::string part(const std::string& shape, double x, double y, double z,
-                        const std::string& more = {}) {
-  return fmt::format(
-      "[[part]]\nname = \"{0}\"\nshape = \"{0}\"\nat = [{1:.6f}, {2:.6f}, {3:.6f}]\n{4}\n", shape,
-      x, y, z, more);
-}
+std::string part(const std::string& shape, double x, double y, double z,
+                 const std::string& more = {});
 
 /// The same, its middle 0.2 and -0.3 from the origin of G54.
-inline std::string part_aside(const std::string& shape, const std::string& more = {}) {
-  return part(shape, 100.2, 49.7, -300.0, more);
-}
-inline std::string ring_aside(double bore = 40.0) {
-  return part_aside("ring", fmt::format("bore = {:.4f}", bore));
-}
+std::string part_aside(const std::string& shape, const std::string& more = {});
+std::string ring_aside(double bore = 40.0);
 
 /// What a program left.
 struct MeasuringRun {
   RunOutput output;
 
   /// NaN when it was not asked for.
-  [[nodiscard]] double at(const std::string& name) const {
-    const auto value = output.document.at("variables").value(name, nlohmann::json());
-    return value.is_number() ? value.get<double>() : std::nan("");
-  }
+  [[nodiscard]] double at(const std::string& name) const;
   /// 0: none
-  [[nodiscard]] int alarm() const {
-    const auto number = output.document.value("/alarm/number"_json_pointer, nlohmann::json());
-    return number.is_number() ? number.get<int>() : 0;
-  }
+  [[nodiscard]] int alarm() const;
 };
 
 /// @param body    behind T1 M6, G54 and D1 at X0 Y0 Z20
 /// @param sheets  texts of set-up sheets, behind kMeasuringSheet
-inline MeasuringRun run_measuring(const std::string& body, const std::vector<std::string>& sheets,
-                                  const std::vector<std::string>& names) {
-  const TemporaryFolder folder;
-  cli::RunOptions options;
-  options.programs = {folder.write("part.mpf", "T1 M6\nG54 D1\nG0 X0 Y0 Z20\n" + body + "\nM30\n")};
-  options.setups = {folder.write("base.toml", kMeasuringSheet)};
-  for (std::size_t i = 0; i < sheets.size(); ++i) {
-    options.setups.push_back(folder.write(fmt::format("sheet{}.toml", i), sheets[i]));
-  }
-  options.prints = names;
-  options.touches = true;
-  return {run_program(options)};
-}
+MeasuringRun run_measuring(const std::string& body, const std::vector<std::string>& sheets,
+                           const std::vector<std::string>& names);
 
 /// Runs to the end without an alarm and expects the values.
-inline MeasuringRun expect_measured(const std::string& body, const std::vector<std::string>& sheets,
-                                    const std::vector<ExpectedValue>& expected,
-                                    double tolerance = 1e-6,
-                                    const std::vector<std::string>& more_names = {}) {
-  std::vector<std::string> names = more_names;
-  for (const ExpectedValue& row : expected) {
-    names.push_back(row.name);
-  }
-  MeasuringRun run = run_measuring(body, sheets, names);
-  EXPECT_EQ(run.output.exit_code, 0) << run.output.errors;
-  if (run.output.document.is_object()) {
-    for (const ExpectedValue& row : expected) {
-      EXPECT_NEAR(run.at(row.name), row.value, tolerance) << row.name;
-    }
-  }
-  return run;
-}
+MeasuringRun expect_measured(const std::string& body, const std::vector<std::string>& sheets,
+                             const std::vector<ExpectedValue>& expected, double tolerance = 1e-6,
+                             const std::vector<std::string>& more_names = {});
 
 /// A row of a table: a program on parts, and what it must leave.
 struct MeasuringCase {
@@ -142,11 +97,6 @@ struct MeasuringCase {
 };
 
 /// Runs every row with a perfect, calibrated probe.
-inline void expect_measured(std::span<const MeasuringCase> cases, double tolerance = 1e-6) {
-  for (const MeasuringCase& row : cases) {
-    SCOPED_TRACE(row.name);
-    expect_measured(row.program, {row.parts, kCalibrated}, row.expected, tolerance);
-  }
-}
+void expect_measured(std::span<const MeasuringCase> cases, double tolerance = 1e-6);
 
 }  // namespace g31::testing

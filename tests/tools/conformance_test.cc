@@ -18,7 +18,7 @@ class FanucConformance : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(FanucConformance, Holds) {
   const std::string path = kFolder + "/" + GetParam() + ".nc";
-  const auto cases = testing::ConformanceReader(path).read();
+  const auto cases = testing::read_conformance_file(path);
   ASSERT_TRUE(cases) << cases.error();
   for (const ConformanceCase& test : cases.value()) {
     for (const std::string& control : test.controls) {

@@ -216,7 +216,7 @@ struct Held {
 /// Also: wrong arguments of calls are those that a run refuses.
 void follow_file(const std::string& path, const std::string& control, const std::string& file,
                  Held& held) {
-  const auto cases = testing::ConformanceReader(path).read();
+  const auto cases = testing::read_conformance_file(path);
   ASSERT_TRUE(cases) << cases.error();
   for (const ConformanceCase& test : cases.value()) {
     const std::string on = control.empty() ? test.controls.front() : control;

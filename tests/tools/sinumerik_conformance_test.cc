@@ -18,7 +18,7 @@ class SinumerikConformance : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(SinumerikConformance, Holds) {
   const std::string path = kFolder + "/" + GetParam() + ".mpf";
-  const auto cases = testing::ConformanceReader(path).read();
+  const auto cases = testing::read_conformance_file(path);
   ASSERT_TRUE(cases) << cases.error();
   for (const ConformanceCase& test : cases.value()) {
     testing::expect_case_holds(test, kControl, "case.mpf", path, test.title.text);

@@ -131,7 +131,7 @@ void expect_writes(const session::Request& request, const std::string& place) {
 
 void expect_file_steps(const std::string& name, const Dialect& dialect) {
   const std::string path = dialect.folder + "/" + name + dialect.ending;
-  const auto cases = testing::ConformanceReader(path).read();
+  const auto cases = testing::read_conformance_file(path);
   ASSERT_TRUE(cases) << cases.error();
   for (const ConformanceCase& test : cases.value()) {
     const testing::TemporaryFolder folder;

@@ -1,0 +1,71 @@
+#include "tests/support/measuring_run.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace g31::testing {
+
+std::string part(const std::string& shape, double x, double y, double z, const std::string& more) {
+  return fmt::format(
+      "[[part]]\nname = \"{0}\"\nshape = \"{0}\"\nat = [{1:.6f}, {2:.6f}, {3:.6f}]\n{4}\n", shape,
+      x, y, z, more);
+}
+
+std::string part_aside(const std::string& shape, const std::string& more) {
+  return part(shape, 100.2, 49.7, -300.0, more);
+}
+std::string ring_aside(double bore) {
+  return part_aside("ring", fmt::format("bore = {:.4f}", bore));
+}
+
+double MeasuringRun::at(const std::string& name) const {
+  const auto value = output.document.at("variables").value(name, nlohmann::json());
+  return value.is_number() ? value.get<double>() : std::nan("");
+}
+
+int MeasuringRun::alarm() const {
+  const auto number = output.document.value("/alarm/number"_json_pointer, nlohmann::json());
+  return number.is_number() ? number.get<int>() : 0;
+}
+
+MeasuringRun run_measuring(const std::string& body, const std::vector<std::string>& sheets,
+                           const std::vector<std::string>& names) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("part.mpf", "T1 M6\nG54 D1\nG0 X0 Y0 Z20\n" + body + "\nM30\n")};
+  options.setups = {folder.write("base.toml", kMeasuringSheet)};
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    options.setups.push_back(folder.write(fmt::format("sheet{}.toml", i), sheets[i]));
+  }
+  options.prints = names;
+  options.touches = true;
+  return {run_program(options)};
+}
+
+MeasuringRun expect_measured(const std::string& body, const std::vector<std::string>& sheets,
+                             const std::vector<ExpectedValue>& expected, double tolerance,
+                             const std::vector<std::string>& more_names) {
+  std::vector<std::string> names = more_names;
+  for (const ExpectedValue& row : expected) {
+    names.push_back(row.name);
+  }
+  MeasuringRun run = run_measuring(body, sheets, names);
+  EXPECT_EQ(run.output.exit_code, 0) << run.output.errors;
+  if (run.output.document.is_object()) {
+    for (const ExpectedValue& row : expected) {
+      EXPECT_NEAR(run.at(row.name), row.value, tolerance) << row.name;
+    }
+  }
+  return run;
+}
+
+void expect_measured(std::span<const MeasuringCase> cases, double tolerance) {
+  for (const MeasuringCase& row : cases) {
+    SCOPED_TRACE(row.name);
+    expect_measured(row.program, {row.parts, kCalibrated}, row.expected, tolerance);
+  }
+}
+
+}  // namespace g31::testing
