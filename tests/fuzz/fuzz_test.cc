@@ -22,11 +22,12 @@
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "tests/fuzz/entry.h"
 #include "tests/fuzz/mutation.h"
+#include "tests/support/effort.h"
 
 namespace g31::fuzz::fuzz_test {
 namespace {
 
-constexpr std::uint64_t kMutations = 5000;
+constexpr std::uint64_t kMutations = testing::of_many(5000);
 
 std::string content(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);

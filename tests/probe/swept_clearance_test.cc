@@ -14,6 +14,7 @@
 
 #include "probe/collision/collision_mesh.h"
 #include "tests/probe/test_meshes.h"
+#include "tests/support/effort.h"
 
 namespace g31::probe::swept_clearance_test {
 namespace {
@@ -163,6 +164,7 @@ TEST(SweptClearance, PlanesKeepTheSectionOnOneSideOnAllOfItsWay) {
 }
 
 TEST(CollisionMesh, FindsWhatALookAtEveryTriangleFinds) {
+  constexpr int kWays = testing::of_many(60);
   constexpr double kFlatMm = 1e-3;  // kSweptBandMm where a section comes in at one degree
   const parts::Mesh kMeshes[] = {testing::sphere_mesh(20.0, 8),
                                  testing::shaken(testing::sphere_mesh(20.0, 10), 0.5, 3),
@@ -176,7 +178,7 @@ TEST(CollisionMesh, FindsWhatALookAtEveryTriangleFinds) {
   for (const parts::Mesh& mesh : kMeshes) {
     const CollisionMesh ours(mesh);
     const auto triangles = triangles_of(mesh);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < kWays; ++i) {
       const ProbeSection section = any_shape(random);
       SweptSection swept = any_sweep(section, random);
       const auto touch = ours.first_touch(swept);
@@ -197,8 +199,8 @@ TEST(CollisionMesh, FindsWhatALookAtEveryTriangleFinds) {
       }
     }
   }
-  EXPECT_GT(touches, 60);
-  EXPECT_GT(grazing, 100);
+  EXPECT_GT(touches, kWays);
+  EXPECT_GT(grazing, kWays);
 }
 
 }  // namespace

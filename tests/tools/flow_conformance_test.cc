@@ -1,5 +1,4 @@
-// Every conformance case, run one block further each time, goes along the edges of its flow.  A run
-// whose budget is n blocks says where it stopped: the n-th block, or the one behind it.
+// Every conformance case goes along the edges of its flow.
 
 #include <algorithm>
 #include <map>
@@ -13,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "interpreter/analysis/program_set.h"
+#include "interpreter/runtime/block_listener.h"
 #include "interpreter/runtime/observer.h"
 #include "tests/support/conformance_run.h"
 #include "tools/disk/disk.h"
@@ -32,10 +32,14 @@ using testing::ConformanceCase;
 
 constexpr std::uint64_t kMostBlocks = 60;
 
-/// Where a run has come to.
-struct Stand {
-  std::size_t depth = 0;  ///< calls
-  std::size_t offset = 0;
+/// The first blocks of a run.
+class FirstBlocks final : public runtime::BlockListener {
+ public:
+  runtime::Verdict on_block(const runtime::BlockPlace& place) override {
+    places.push_back(place);
+    return place.number < kMostBlocks ? runtime::Verdict::Run : runtime::Verdict::Stop;
+  }
+  std::vector<runtime::BlockPlace> places;
 };
 
 /// Blocks of one flow that begin at one place: an IF with THEN and its statement are two.
@@ -123,24 +127,23 @@ class Walked {
   /// Follows the run block by block.  @returns how many ways were held against the flow
   int follow(const std::string& place) {
     int held = 0;
-    for (std::uint64_t n = 1; programs_ != nullptr && n <= kMostBlocks; ++n) {
-      const auto stand = stand_after(n);
-      if (!stand) {
-        break;
-      }
-      const Standing now = standing_at(stand->offset);
+    for (const runtime::BlockPlace& block : programs_ != nullptr ? first_blocks() : Places()) {
+      const bool is_here = programs_->sources().show(block.where).file == path_;
+      const Standing now = is_here ? standing_at(block.where.begin) : Standing();
       if (now.flow != nullptr) {
-        held += held_against(*stand, now, place);
+        held += held_against(block.depth, now, place);
       }
     }
     return held;
   }
 
  private:
-  int held_against(const Stand& stand, const Standing& now, const std::string& place) {
-    const bool is_entered = stand.depth > depth_;
-    const bool has_returned = stand.depth < depth_;
-    std::optional<Standing>& last = last_[stand.depth];
+  using Places = std::vector<runtime::BlockPlace>;
+
+  int held_against(std::size_t depth, const Standing& now, const std::string& place) {
+    const bool is_entered = depth > depth_;
+    const bool has_returned = depth < depth_;
+    std::optional<Standing>& last = last_[depth];
     const bool is_known = last && !is_entered;
     if (is_known) {
       // A called program may send its caller to a label, or behind it.
@@ -155,28 +158,25 @@ class Walked {
     }
     // On entering, a Fanuc shows the first block before it knows where it begins.
     last = is_entered ? std::nullopt : std::optional(now);
-    depth_ = stand.depth;
+    depth_ = depth;
     had_returned_ = has_returned;
     return is_known ? 1 : 0;
   }
 
-  std::optional<Stand> stand_after(std::uint64_t blocks) {
+  Places first_blocks() {
+    FirstBlocks heard;
     const auto world = session::build_world(prepared_->job, 0);
     runtime::Observer nobody;
     if (!world) {
-      return std::nullopt;
+      return {};
     }
     const auto run = session::Run::open(prepared_->job, *programs_, *world.value().machine, nobody);
-    if (!run) {
-      return std::nullopt;
+    if (run) {
+      run.value()->session().begin({kMostBlocks, 20.0}, &heard);
+      run.value()->session().advance();
+      run.value()->session().finish();
     }
-    const runtime::Outcome outcome = run.value()->session().run({blocks, 20.0});
-    if (outcome.status != runtime::Status::Budget) {
-      return std::nullopt;
-    }
-    const source::Diagnostic& last = outcome.diagnostics.back();
-    const bool is_here = programs_->sources().show(last.where).file == path_;
-    return Stand{last.notes.size(), is_here ? last.where.begin : std::string::npos};
+    return heard.places;
   }
 
   Standing standing_at(std::size_t offset) const {

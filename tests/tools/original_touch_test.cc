@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/effort.h"
 #include "tests/support/original_listings.h"
 #include "tests/support/run_program.h"
 
@@ -23,7 +24,7 @@ using testing::TemporaryFolder;
 
 constexpr int kFirstKept = 540;      ///< points of a run: three variables each from here on
 constexpr int kTouchesOfARun = 150;  ///< up to #989
-constexpr int kRuns = 7;
+constexpr int kRuns = testing::of_many(7);
 
 class RandomTouches {
  public:

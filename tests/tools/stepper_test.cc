@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/conformance_run.h"
+#include "tests/support/effort.h"
 
 namespace g31::stepper_test {
 namespace {
@@ -24,8 +25,8 @@ using testing::Pauses;
 using testing::SteppedRun;
 
 /// Loops of a million blocks are looked at for this long.
-constexpr std::uint64_t kMostPauses = 300;
-constexpr runtime::Budget kBudget = {200'000, 20.0};
+constexpr std::uint64_t kMostPauses = testing::of_many(300);
+constexpr runtime::Budget kBudget = {testing::of_many(200'000), 20.0};
 
 struct Dialect {
   std::string folder;

@@ -1,0 +1,15 @@
+#pragma once
+
+namespace g31::testing {
+
+/// How many of so many like cases a test tries: all, and a fourth of them under the address
+/// sanitizer, where each takes ten times as long and only what it does to memory is asked.
+constexpr int of_many(int cases) {
+#if defined(__SANITIZE_ADDRESS__)
+  return (cases + 3) / 4;
+#else
+  return cases;
+#endif
+}
+
+}  // namespace g31::testing
