@@ -1,7 +1,9 @@
 // What a run of a Fanuc program says about the set-up and the files around it.
 
+#include <algorithm>
 #include <string>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/run_program.h"
@@ -67,6 +69,23 @@ TEST(SamePrograms, InOneFileAreTold) {
       << run.errors;
   EXPECT_TRUE(mentions(run, "PRB504"));
   EXPECT_EQ(run.exit_code, static_cast<int>(cli::ExitCode::Findings));
+}
+
+TEST(SamePrograms, OfALongMainProgramAreToldWhereverTheRunEnds) {
+  std::string blocks;
+  while (blocks.size() < (std::size_t{5} << 20)) {
+    blocks += "G0 X0\nG1 X0 F100.\n";
+  }
+  const std::string second = "O 0001\n#100=1\nM30\n";
+  const auto early = run_with("O1\nM30\n" + blocks + second, "");
+  const auto lines = 3 + std::ranges::count(blocks, '\n');
+  EXPECT_NE(early.errors.find(
+                fmt::format("O0001 appears twice: this one is used, not that of line {}", lines)),
+            std::string::npos)
+      << early.errors;
+  const auto jumps = run_with("O1\nGOTO10\n" + blocks + "N10 M30\n" + second, "");
+  EXPECT_TRUE(mentions(jumps, "PRB504")) << jumps.errors;
+  EXPECT_FALSE(mentions(run_with("O1\nM30\n" + blocks + "O10\nM99\nO2\nM99\n", ""), "PRB504"));
 }
 
 TEST(SamePrograms, InOneFolderAreTold) {

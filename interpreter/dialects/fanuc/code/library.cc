@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
@@ -108,6 +109,7 @@ const CompiledProgram* ProgramLibrary::main_program() {
   if (windows_ != nullptr) {
     if (const CompiledProgram* const first = windows_->next(*profile_)) {
       main_number_ = first->number;
+      main_name_ = location_in(*first, first->tree->programs.front().name);
       return first;
     }
   }
@@ -170,6 +172,24 @@ std::optional<ProgramPlace> ProgramLibrary::in_whole(const ProgramPlace& place) 
   return whole != nullptr
              ? std::optional(ProgramPlace{whole, windows_->steps_before() + place.step})
              : std::nullopt;
+}
+
+void ProgramLibrary::look_behind_main() {
+  const bool may_be_there =
+      windows_ != nullptr && (windows_->has_more() || windows_->must_be_whole());
+  if (!may_be_there || main_number_ == 0 || known_.contains(main_number_)) {
+    return;
+  }
+  const auto all = program_beginnings(files_, main_path_, main_bytes_);
+  const auto second = all.empty() ? all.end()
+                                  : std::ranges::find(std::next(all.begin()), all.end(),
+                                                      main_number_, &ProgramBeginning::number);
+  if (second != all.end()) {
+    reports_.push_back(
+        make_diagnostic(source::DiagnosticId::ProgramTwice, main_name_,
+                        fmt::format("O{:04} appears twice: this one is used, not that of line {}",
+                                    main_number_, second->line)));
+  }
 }
 
 /// Says which of two programs of one number is taken.
@@ -254,7 +274,7 @@ const CompiledProgram* ProgramLibrary::find_in_unnamed(const Folder& folder, int
 const CompiledProgram* ProgramLibrary::find_in_main(int number) {
   const bool is_long = windows_ != nullptr;
   if (is_long && !main_has_further_) {
-    main_has_further_ = has_further_programs(files_, main_path_, main_bytes_);
+    main_has_further_ = program_beginnings(files_, main_path_, main_bytes_).size() > 1;
   }
   if (is_long && !*main_has_further_ && main_number_ != number) {
     return nullptr;

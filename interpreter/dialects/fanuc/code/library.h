@@ -64,6 +64,9 @@ class ProgramLibrary {
   /// The program O`number`, or nullptr.
   const CompiledProgram* find(int number);
 
+  /// Looks for a second program of the number of a long main program, behind a run that has ended.
+  void look_behind_main();
+
   /// What has been found twice since the last call: in one file, or in one folder.
   std::vector<source::Diagnostic> take_reports() { return std::exchange(reports_, {}); }
 
@@ -99,6 +102,7 @@ class ProgramLibrary {
   std::string main_path_;
   std::uint64_t main_bytes_ = 0;
   std::int32_t main_number_ = 0;             ///< of a long main program
+  source::Location main_name_;               ///< where it says its number
   std::unique_ptr<ProgramWindows> windows_;  ///< of the main file, if it is a long one
   std::optional<bool> main_has_further_;     ///< programs, behind its first; asked for long ones
   std::map<int, const CompiledProgram*> known_;

@@ -74,9 +74,13 @@ const CompiledProgram* ProgramWindows::next(const Profile& profile) {
   return &window_->program;
 }
 
-bool has_further_programs(source::FileSystem& files, const std::string& path, std::uint64_t bytes) {
+std::vector<ProgramBeginning> program_beginnings(source::FileSystem& files, const std::string& path,
+                                                 std::uint64_t bytes) {
+  constexpr std::int32_t kLargestBeforeDigit = 99'999'999;
+  std::vector<ProgramBeginning> programs;
   char before = '\n';
-  int programs = 0;
+  bool in_number = false;
+  int line = 1;
   for (std::uint64_t offset = 0; offset < bytes;) {
     const auto text = files.read_part(path, offset, kWindowBytes);
     if (!text || text->empty()) {
@@ -85,12 +89,20 @@ bool has_further_programs(source::FileSystem& files, const std::string& path, st
     offset += text->size();
     for (const char c : *text) {
       const bool begins_program = before == '\n' && (c == 'O' || c == 'o' || c == ':');
-      programs += begins_program ? 1 : 0;
+      if (begins_program) {
+        programs.push_back({0, line});
+      }
       const bool counts_for_nothing = c == ' ' || c == '\t' || c == '\r' || c == '\0';
+      const bool is_digit = c >= '0' && c <= '9';
+      if (in_number && is_digit && programs.back().number <= kLargestBeforeDigit) {
+        programs.back().number = 10 * programs.back().number + (c - '0');
+      }
+      in_number = begins_program || (in_number && (is_digit || counts_for_nothing));
+      line += c == '\n' ? 1 : 0;
       before = counts_for_nothing ? before : c;
     }
   }
-  return programs > 1;
+  return programs;
 }
 
 }  // namespace g31::fanuc

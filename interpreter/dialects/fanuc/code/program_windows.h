@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "interpreter/dialects/fanuc/code/compile.h"
 #include "interpreter/source/source_map.h"
@@ -30,6 +31,9 @@ class ProgramWindows {
   /// A loop or a further program was found: windows do not show where they end.
   [[nodiscard]] bool must_be_whole() const { return must_be_whole_; }
 
+  /// Whether text is left behind the last window.
+  [[nodiscard]] bool has_more() const { return offset_ < bytes_; }
+
   /// Steps of the program before the present window.
   [[nodiscard]] syntax::Index steps_before() const { return steps_before_; }
 
@@ -53,8 +57,15 @@ class ProgramWindows {
   std::unique_ptr<Window> window_;
 };
 
-/// Whether a further program begins at a line of the file behind the first one.  Reads the file
-/// once, piece by piece.
-bool has_further_programs(source::FileSystem& files, const std::string& path, std::uint64_t bytes);
+/// Where a program begins: its number, and its line, from 1.
+struct ProgramBeginning {
+  std::int32_t number = 0;
+  int line = 0;
+};
+
+/// The programs that begin at lines of a file, in their order.  Reads the file once, piece by
+/// piece.
+std::vector<ProgramBeginning> program_beginnings(source::FileSystem& files, const std::string& path,
+                                                 std::uint64_t bytes);
 
 }  // namespace g31::fanuc

@@ -147,6 +147,7 @@ class Runner {
   MaybeFailure code_macro(const EvaluatedWord& code, int program, CalledBy by);
   MaybeFailure code_subprogram(const EvaluatedWord& code, int program);
   void follow_arguments();
+  void take_reports();
   Result<Variables::Locals, Failure> with_arguments(Variables::Locals locals,
                                                     std::span<const EvaluatedWord> arguments);
   const CompiledProgram* program_of(int number);

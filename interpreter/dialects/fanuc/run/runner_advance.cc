@@ -104,6 +104,8 @@ void Runner::end(const MaybeFailure& reason) {
   } else {
     control_.report_missed_touches();
   }
+  library_.look_behind_main();
+  take_reports();
   control_.tell_repeats();
   outcome_.diagnostics = control_.diagnostics;
   outcome_.blocks = control_.watch.blocks();

@@ -322,10 +322,14 @@ Result<int, Failure> Runner::repeats() const {
 /// The program of a number, and a word about a second one.
 const CompiledProgram* Runner::program_of(int number) {
   const CompiledProgram* const found = library_.find(number);
+  take_reports();
+  return found;
+}
+
+void Runner::take_reports() {
   for (source::Diagnostic& report : library_.take_reports()) {
     control_.diagnostics.push_back(std::move(report));
   }
-  return found;
 }
 
 Result<const CompiledProgram*, Failure> Runner::called_program(const EvaluatedWord& p) {
