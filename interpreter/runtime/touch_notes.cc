@@ -39,13 +39,15 @@ std::optional<TouchNotes::Touch> TouchNotes::touch_from(
   if (!event.triggered || !event.contact || !state || left.norm() < kLeastWayMm) {
     return std::nullopt;
   }
-  return Touch{event.where,
-               event.contact->part,
-               linear(event.q_M_latched),
-               left.normalized(),
-               event.contact->n_M,
-               event.feed_mm_min,
-               *state};
+  return Touch{
+      event.where,
+      event.contact->part,
+      linear(event.q_M_latched),
+      left.normalized(),
+      event.contact->n_M,
+      event.contact->n_M_smooth.isZero(0.0) ? event.contact->n_M : event.contact->n_M_smooth,
+      event.feed_mm_min,
+      *state};
 }
 
 void TouchNotes::read(std::vector<source::Diagnostic>& diagnostics) {
@@ -102,23 +104,23 @@ std::optional<std::string> TouchNotes::chord(const Touch& first, const Touch& se
   const Point between = second.q_M_latched - first.q_M_latched;
   const double length = between.norm();
   const auto beside = [](const Touch& touch) {
-    return Point(touch.normal + touch.cosine() * touch.along);
+    return Point(touch.smooth + touch.smooth_cosine() * touch.along);
   };
   const bool is_one_line =
       first.along.dot(second.along) < -1.0 + kSameDirection && length > kLeastWayMm &&
       std::abs(std::abs(between.dot(second.along)) - length) < kSameDirection * length;
   const bool curves_alike = (beside(first) - beside(second)).norm() < kSameDirection;
-  if (first.part != second.part || !is_one_line || !curves_alike || second.cosine() <= 0.0) {
+  if (first.part != second.part || !is_one_line || !curves_alike || second.smooth_cosine() <= 0.0) {
     return std::nullopt;
   }
-  const double less = length * (1.0 / second.cosine() - 1.0);
+  const double less = length * (1.0 / second.smooth_cosine() - 1.0);
   if (less < kLeastErrorMm) {
     return std::nullopt;
   }
   return fmt::format(
       ": {:.3f} mm off centre, the chord is {:.3f} mm shorter than the "
       "diameter",
-      0.5 * length * beside(second).norm() / second.cosine(), less);
+      0.5 * length * beside(second).norm() / second.smooth_cosine(), less);
 }
 
 void TouchNotes::note(std::vector<source::Diagnostic>& diagnostics, source::DiagnosticId id,

@@ -22,7 +22,8 @@ namespace g31::runtime {
 /// * Grazing: a hair further to the side there would have been no touch.
 /// * At another feed than calibrated: the signal's delay shifts the reading by delay x difference.
 /// * Two touches along one line, to and fro, in a bore or on a boss beside its middle: what is
-///   between the ball's centres, l, is a chord; the diameter is l (1 / cos a - 1) more.
+///   between the ball's centres, l, is a chord; the diameter is l (1 / cos a - 1) more.  The normal
+///   is that of the cylinder that the facets stand for (probe/contact/smooth_normal.h).
 class TouchNotes {
  public:
   /// @param state  of what touched
@@ -37,11 +38,13 @@ class TouchNotes {
     Point q_M_latched;
     Point along;   ///< unit vector of the move
     Point normal;  ///< out of the material
+    Point smooth;  ///< the same of the surface that facets stand for
     double feed_mm_min = 0.0;
     machine::SensorState state;
 
     /// Of the angle between the move and the normal.
     [[nodiscard]] double cosine() const { return -along.dot(normal); }
+    [[nodiscard]] double smooth_cosine() const { return -along.dot(smooth); }
   };
 
   [[nodiscard]] static std::optional<Touch> touch_from(

@@ -123,7 +123,7 @@ Contact RealAxes::in_machine(const AxisPositions& q_M, const Contact& of_part) c
   }
   const Eigen::Isometry3d machine_from_part = chain_.part_from_machine(q_M).inverse();
   return {machine_from_part * of_part.p_M_point, machine_from_part.linear() * of_part.n_M,
-          of_part.part};
+          of_part.part, machine_from_part.linear() * of_part.n_M_smooth};
 }
 
 void RealAxes::follow(const ServoMotion& motion, double until_s) {

@@ -8,6 +8,7 @@
 #include "machine/base/random.h"
 #include "machine/port/passed_time.h"
 #include "parts/geometry/placement.h"
+#include "probe/contact/smooth_normal.h"
 #include "probe/sensor/pre_travel.h"
 #include "probe/sensor/touch_events.h"
 
@@ -141,6 +142,7 @@ std::optional<TouchProbe::Signal> TouchProbe::first_signal(const machine::Sweep&
 machine::SkipTrigger TouchProbe::trigger_of(const PartHit& touch) const {
   machine::SkipTrigger trigger;
   trigger.contact = contact_of(touch.hit, touch.part->name);
+  trigger.contact->n_M_smooth = smooth_normal(*touch.part->mesh, touch.hit);
   trigger.signals = setup_.state == ProbeState::DoubleTrigger ? 2 : 1;
   return trigger;
 }

@@ -127,8 +127,7 @@ TEST(TouchNotes, GrazingIsAWarning) {
 RunOutput measured_beside(double beside, const std::string& more) {
   return run_on(
       "[probe]\nball_diameter = 6.0\nlength = 100.0\n"
-      "[[part]]\nname = \"ring\"\nshape = \"ring\"\nbore = 40.0\nsagitta = 0.000001\nheight = "
-      "20.0\n"
+      "[[part]]\nname = \"ring\"\nshape = \"ring\"\nbore = 40.0\nheight = 20.0\n"
       "at = [0.0, 0.0, 0.0]\n" +
           more + "[start]\nY = " + std::to_string(beside) + "\nZ = 90.0\n",
       "bore.nc", "O1\nG31 X50. F100.\n#1=#5061\nG00 X0\nG31 X-50. F100.\n#2=#5061\nG00 X0\nM30\n");
@@ -138,13 +137,13 @@ TEST(TouchNotes, AChordIsShorterThanTheDiameter) {
   const auto notes = notes_of(measured_beside(1.2, ""));
   ASSERT_EQ(notes.size(), 1U);
   const std::string& text = notes.find("PRB318")->second;
-  // The ball's centre goes on a circle of 17 mm: 34 - 2 sqrt(17^2 - 1.2^2) = 0.0848 mm.  Facets of
-  // 0.036 degrees have normals that are half of it off: 17 mm sin 0.018 = 0.0053 mm.
-  const double facet = 0.006;
+  // The ball's centre goes on a circle of 17 mm: 34 - 2 sqrt(17^2 - 1.2^2) = 0.0848 mm.  The
+  // facets' own normals would be 0.02 mm off; the figures have three decimals.
+  const double rounding = 0.00051;
   EXPECT_NEAR(last_mm(text.substr(0, text.find(" shorter"))), 34.0 - 2.0 * std::sqrt(289.0 - 1.44),
-              2.0 * 1.2 * facet / 17.0 + 0.0005)
+              rounding)
       << text;
-  EXPECT_NEAR(last_mm(text.substr(0, text.find(" off centre"))), 1.2, facet) << text;
+  EXPECT_NEAR(last_mm(text.substr(0, text.find(" off centre"))), 1.2, rounding) << text;
   EXPECT_TRUE(notes_of(measured_beside(0.0, "")).empty());
 }
 
