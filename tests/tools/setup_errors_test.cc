@@ -313,7 +313,7 @@ const ErrorCase kSayWhatAValueIsAndWhatItShouldBe[] = {
       |         ^
 )"},
     {"an input that is none", "[probe]\nlow_battery_input = 1016\n",
-     R"(sheet1.toml:2:21: error: probe.low_battery_input is 1016, it should be 1 to 64 for $A_IN, or 1000 to 1015 for #1000 to #1015 [SET105]
+     R"(sheet1.toml:2:21: error: probe.low_battery_input is 1016, it should be 1 to 64 for $A_IN, 1000 to 1015 for #1000 to #1015, or 11016 to 11255 for those of a Haas [SET105]
     2 | low_battery_input = 1016
       |                     ^
 )"},

@@ -7,7 +7,7 @@ namespace {
 
 const ErrorCase kOfAProbeThatIsATool[] = {
     {"a digital input that no control has", "[probe]\nready_input = 99\n",
-     R"(sheet1.toml:2:15: error: probe.ready_input is 99, it should be 1 to 64 for $A_IN, or 1000 to 1015 for #1000 to #1015 [SET105]
+     R"(sheet1.toml:2:15: error: probe.ready_input is 99, it should be 1 to 64 for $A_IN, 1000 to 1015 for #1000 to #1015, or 11016 to 11255 for those of a Haas [SET105]
     2 | ready_input = 99
       |               ^
 )"},

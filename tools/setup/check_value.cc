@@ -137,7 +137,8 @@ std::string_view words_for(Limit limit) {
     case Limit::MeasuringInput:
       return "1 to 8";
     case Limit::DigitalInput:
-      return "1 to 64 for $A_IN, or 1000 to 1015 for #1000 to #1015";
+      return "1 to 64 for $A_IN, 1000 to 1015 for #1000 to #1015, or 11016 to 11255 for those of a "
+             "Haas";
     case Limit::SensorWord:
       return "1032 to 1035 or 1132 to 1135";
     case Limit::ColumnName:
@@ -191,7 +192,8 @@ bool number_within(Limit limit, double number) {
     case Limit::MeasuringInput:
       return number >= 1.0 && number <= 8.0;
     case Limit::DigitalInput:
-      return (number >= 1.0 && number <= 64.0) || (number >= 1000.0 && number <= 1015.0);
+      return (number >= 1.0 && number <= 64.0) || (number >= 1000.0 && number <= 1015.0) ||
+             (number >= 11016.0 && number <= 11255.0);
     case Limit::SensorWord:
       return is_sensor_word(number);
     case Limit::Any:

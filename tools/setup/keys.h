@@ -84,7 +84,7 @@ enum class Limit {
   SeatKind,
   ProbeState,
   MeasuringInput,  ///< 1..8
-  DigitalInput,    ///< 1..64 or 1000..1015
+  DigitalInput,    ///< 1..64, 1000..1015 or 11016..11255
   SensorWord,      ///< 1032..1035 or 1132..1135, or less 1000
   ColumnName,      ///< letters, digits and _ . - +
   ToolOfProbe,     ///< 1..99999999

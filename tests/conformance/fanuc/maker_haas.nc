@@ -297,6 +297,32 @@ M30
 (EXPECT #102 = 1)
 (EXPECT #103 = 1)
 
+(CASE a suite waits for an input beyond #1015 that the sheet scripts)
+(SHEET [[input]])
+(SHEET number = 11017)
+(SHEET from_code = "M69")
+(SHEET [[input]])
+(SHEET number = 11017)
+(SHEET value = 0)
+(SHEET from_code = "M59")
+%
+O1
+#100=#11017
+M69 P3
+#3001=0
+WH[#11017NE1]DO1
+IF[#3001GT3000.]GOTO9
+END1
+#101=#11017
+M59 P3
+#102=#11017
+M30
+N9 #3000=1(PROBE SWITCH OFF FAILURE)
+%
+(EXPECT #100 = 0)
+(EXPECT #101 = 1)
+(EXPECT #102 = 0)
+
 (CASE M79 is an alarm where no signal came, nothing where one did)
 (SIGNAL X4)
 (SIGNAL NONE)

@@ -23,6 +23,7 @@ using ReadResult = Result<Cell, AlarmId>;
 using WriteResult = std::optional<AlarmId>;  ///< why not; nullopt: written
 
 // ports.cc
+ReadResult read_further_input(Control& control, const Place& place);
 ReadResult read_input_bit(Control& control, const Place& place);
 WriteResult write_input_bit(Control& control, const Place& place, Cell value);
 /// Input and output bits as one number, and the words beside them.

@@ -26,12 +26,16 @@ void look_at_inputs(Control& control) {
 
 /// What the machine's own wiring says goes over what the sheet scripts, and that over what was
 /// written.
-bool input_bit(Control& control, int index) {
-  const int number = kFirstInputBit + index;
-  const bool kept = (control.signals.input_bits >> index & 1) != 0;
+std::optional<bool> live_input(Control& control, int number) {
   const auto scripted = control.is_inspected() ? control.inputs.shown(number)
                                                : control.inputs.look(number, control.now());
-  return control.port.digital_input(number).value_or(scripted.value_or(kept));
+  const auto wired = control.port.digital_input(number);
+  return wired ? wired : scripted;
+}
+
+bool input_bit(Control& control, int index) {
+  const bool kept = (control.signals.input_bits >> index & 1) != 0;
+  return live_input(control, kFirstInputBit + index).value_or(kept);
 }
 
 /// Anything but 0 sets the bit (MB-121).
@@ -98,6 +102,12 @@ Cell signals_of(Control& control, const Place& place) {
 ReadResult read_input_bit(Control& control, const Place& place) {
   look_at_inputs(control);
   return Cell(input_bit(control, place.index()) ? 1.0 : 0.0);
+}
+
+ReadResult read_further_input(Control& control, const Place& place) {
+  look_at_inputs(control);
+  const auto live = live_input(control, place.number);
+  return live ? ReadResult(Cell(*live ? 1.0 : 0.0)) : read_datum(control, place);
 }
 
 WriteResult write_input_bit(Control& control, const Place& place, Cell value) {
