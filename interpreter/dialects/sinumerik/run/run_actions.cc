@@ -52,6 +52,29 @@ MaybeFailure Runner::cancel_actions(Arguments list) {
   return std::nullopt;
 }
 
+/// LOCK(n,...)
+MaybeFailure Runner::lock_actions(Arguments list) {
+  return set_locked(list, true);
+}
+
+/// UNLOCK(n,...)
+MaybeFailure Runner::unlock_actions(Arguments list) {
+  return set_locked(list, false);
+}
+
+MaybeFailure Runner::set_locked(Arguments list, bool locked) {
+  if (!is_acting_) {
+    return failure(AlarmId::SyntaxInText, "LOCK and UNLOCK stand in synchronised actions");
+  }
+  for (const Argument& argument : list) {
+    const auto found = modal_actions_.find(static_cast<int>(number(argument.value)));
+    if (found != modal_actions_.end()) {
+      found->second.is_locked = locked;
+    }
+  }
+  return std::nullopt;
+}
+
 /// Judges all actions; those that are through go away.
 MaybeFailure Runner::act() {
   if (is_acting_) {
@@ -87,7 +110,7 @@ Result<std::size_t, Failure> Runner::level_of(const SynchronisedAction& action) 
 }
 
 MaybeFailure Runner::act_on(SynchronisedAction& action) {
-  if (action.is_through) {
+  if (action.is_through || action.is_locked) {
     return std::nullopt;
   }
   const auto depth = level_of(action);

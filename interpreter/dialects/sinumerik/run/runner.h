@@ -291,9 +291,13 @@ class Runner {
     source::Location where;
     bool held = false;        ///< its condition, when judged last; of FROM: ever
     bool is_through = false;  ///< WHEN that has acted
+    bool is_locked = false;
   };
   MaybeFailure take_synchronised_action(const Op& op);
   MaybeFailure cancel_actions(Arguments list);
+  MaybeFailure lock_actions(Arguments list);
+  MaybeFailure unlock_actions(Arguments list);
+  MaybeFailure set_locked(Arguments list, bool locked);
   MaybeFailure act();
   MaybeFailure act_on(SynchronisedAction& action);
   [[nodiscard]] Result<std::size_t, Failure> level_of(const SynchronisedAction& action) const;
