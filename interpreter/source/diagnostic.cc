@@ -80,8 +80,12 @@ Diagnostic make_diagnostic(DiagnosticId id, Location where, std::string_view det
           {}};
 }
 
+ShownPlace place_of(const Diagnostic& diagnostic, const SourceMap& sources) {
+  return diagnostic.where.is_known() ? sources.show(diagnostic.where) : diagnostic.in_sheet;
+}
+
 std::string render_text(const Diagnostic& diagnostic, const SourceMap& sources) {
-  const ShownPlace place = sources.show(diagnostic.where);
+  const ShownPlace place = place_of(diagnostic, sources);
   std::string text = fmt::format("{}{}: {} [{}]\n", prefix(place), name_of(diagnostic.severity),
                                  printable(diagnostic.message), diagnostic.code);
   if (place.line > 0) {

@@ -30,6 +30,9 @@ struct Diagnostic {
   std::string message;  ///< one line, no final full stop
   std::string remedy;   ///< what would be right; may be empty
   std::vector<Note> notes;
+  /// Instead of `where`: what it is about in the set-up sheet, as RefusedSetting::key.
+  std::string setting = {};
+  ShownPlace in_sheet = {};  ///< where that stands, once it is looked up; file empty: nowhere
 };
 
 /// Rows of diagnostics.def: what g31 itself says, beside the alarms of the controls.
@@ -54,6 +57,9 @@ const DiagnosticInfo& info(DiagnosticId id);
 
 /// A diagnostic of row `id`; `detail` fills the row's {}.
 Diagnostic make_diagnostic(DiagnosticId id, Location where, std::string_view detail = {});
+
+/// The place of a diagnostic, in a program or in the sheet.
+ShownPlace place_of(const Diagnostic& diagnostic, const SourceMap& sources);
 
 /// The compiler-style form: `file:line:col: error: text [CODE]`, the line, a marker under it, the
 /// remedy and the notes.  Long lines are cut around the marker; control characters show as `?`.

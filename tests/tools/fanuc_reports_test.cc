@@ -116,11 +116,17 @@ TEST(SamePrograms, OneOverAnotherIsHowLibrariesWork) {
 }
 
 TEST(UnknownParameter, IsTold) {
-  const auto run = run_with("O1\nM30\n", "[parameters]\n\"6099.1\" = 1\n\"6001.1\" = 1\n");
+  const auto run =
+      run_with("O1\nM30\n", "[parameters]\n\"6099.1\" = 1\n\"6001.1\" = 1\n  \"6098\" = 2\n");
   EXPECT_TRUE(mentions(run, "PRB505"));
-  EXPECT_NE(run.errors.find("parameter 6099.1 in the set-up sheet has no effect here"),
+  EXPECT_NE(run.errors.find("sheet.toml:2:12: note: parameter 6099.1 in the set-up sheet has no "
+                            "effect here [PRB505]\n    2 | \"6099.1\" = 1\n      |            ^\n"),
             std::string::npos)
       << run.errors;
+  EXPECT_NE(run.errors.find("sheet.toml:4:12: note: parameter 6098 "), std::string::npos)
+      << run.errors;
+  EXPECT_EQ(run.document["diagnostics"][1]["file"], "sheet.toml");
+  EXPECT_EQ(run.document["diagnostics"][1]["line"], 2);
   EXPECT_EQ(run.errors.find("6001"), std::string::npos) << run.errors;
   EXPECT_EQ(run.exit_code, static_cast<int>(cli::ExitCode::Completed));
 }

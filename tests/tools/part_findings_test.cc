@@ -11,6 +11,7 @@
 #include "parts/geometry/mesh.h"
 #include "tests/probe/test_meshes.h"
 #include "tests/support/run_program.h"
+#include "tests/support/run_study.h"
 #include "tools/cli/run_options.h"
 
 namespace g31::part_findings_test {
@@ -67,9 +68,11 @@ TEST(PartFindings, OfACarelessOneAreToldWithNumberAndPlace) {
   const std::string stl = text_stl(open_box());
   const RunOutput told = run_on(stl, "");
   EXPECT_EQ(told.exit_code, 1);
-  EXPECT_NE(told.errors.find("warning: open edges in the mesh of a part: 3 of 'box', first at X10 "
-                             "Y5 Z5 in its file [PRB511]"),
-            std::string::npos)
+  EXPECT_NE(
+      told.errors.find(
+          "sheet.toml:6:8: warning: open edges in the mesh of a part: 3 of 'box', first at X10 "
+          "Y5 Z5 in its file [PRB511]"),
+      std::string::npos)
       << told.errors;
   EXPECT_EQ(told.document["variables"]["#5063"], 113.0);
   EXPECT_EQ(told.document["diagnostics"].size(), 1U);
@@ -137,6 +140,29 @@ TEST(StartInside, IsToldWhateverTheStemDoes) {
       EXPECT_EQ(above.errors, "");
     }
   }
+}
+
+TEST(StartInside, IsTheNoteOfEachRunOfAStudy) {
+  const TemporaryFolder folder;
+  static_cast<void>(folder.write("case.nc", "O1\n#101=1\nM30\n"));
+  static_cast<void>(folder.write("sheet.toml",
+                                 "[probe]\nlength = 100.0\n[[part]]\nshape = \"block\"\n"
+                                 "length = 40.0\nwidth = 40.0\nheight = 40.0\n"));
+  cli::StudyOptions options;
+  options.study = folder.write("study.toml",
+                               "[study]\nprogram = \"case.nc\"\nsetup = \"sheet.toml\"\n"
+                               "[[vary]]\nkey = \"start.Z\"\nvalues = [80.0, 150.0]\n"
+                               "[results.one]\nvalue = \"#101\"\n");
+  const testing::StudyOutput output = testing::study_document(options);
+  EXPECT_EQ(output.exit_code, 1) << output.errors;
+  const auto rows = nlohmann::json::parse(output.out).at("rows");
+  EXPECT_NE(rows.at(0).at("note").get<std::string>().find(
+                "sheet.toml:4:9: warning: the stylus ball stands inside a part at the start"),
+            std::string::npos)
+      << rows.at(0);
+  EXPECT_EQ(rows.at(0).at("exit"), 1);
+  EXPECT_EQ(rows.at(1).at("exit"), 0);
+  EXPECT_FALSE(rows.at(1).contains("note"));
 }
 
 TEST(StartInside, OfASurfaceThatIsNoSolidIsNothing) {

@@ -20,6 +20,7 @@
 #include "tools/report/run_recorder.h"
 #include "tools/report/trace_file.h"
 #include "tools/session/run.h"
+#include "tools/session/sheet_places.h"
 #include "tools/session/world.h"
 #include "tools/setup/duration.h"
 #include "tools/setup/name_list.h"
@@ -262,9 +263,10 @@ ExitCode run_to_end(const Opened& opened, const Tables& tables, Printouts& print
   runtime::Budget budget = opened.options.budget;
   budget.output = &opened.output;
   budget.wall_seconds = opened.time.left_s();
-  const runtime::Outcome outcome = without_allowed(
+  runtime::Outcome outcome = without_allowed(
       session::with_findings(opened.part_findings, opened.run.session().run(budget)),
       opened.options.allowed);
+  session::place_settings(opened.prepared.job, outcome.diagnostics);
   if (const auto wrong = finish_files(tables, printouts)) {
     return refuse(*wrong);
   }

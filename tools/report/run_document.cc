@@ -30,8 +30,7 @@ Json array_of(const AxisPositions& q) {
   return list;
 }
 
-void add_place(Json& object, const source::Location& where, const source::SourceMap& sources) {
-  const source::ShownPlace place = sources.show(where);
+void add_place(Json& object, const source::ShownPlace& place) {
   if (place.file.empty()) {
     return;
   }
@@ -40,6 +39,10 @@ void add_place(Json& object, const source::Location& where, const source::Source
     object["line"] = place.line;
     object["column"] = place.column;
   }
+}
+
+void add_place(Json& object, const source::Location& where, const source::SourceMap& sources) {
+  add_place(object, sources.show(where));
 }
 
 Json sites_json(const std::vector<runtime::CallSite>& sites, const source::SourceMap& sources) {
@@ -131,7 +134,7 @@ Json diagnostic_json(const source::Diagnostic& diagnostic, const source::SourceM
   Json object = {{"severity", severity_name(diagnostic.severity)},
                  {"code", diagnostic.code},
                  {"message", diagnostic.message}};
-  add_place(object, diagnostic.where, sources);
+  add_place(object, place_of(diagnostic, sources));
   return object;
 }
 

@@ -1,7 +1,9 @@
 #include "tools/session/world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +15,7 @@
 #include "probe/sensor/scripted_signals.h"
 #include "probe/sensor/touch_probe.h"
 #include "probe/sensor/world.h"
+#include "tools/session/sheet_places.h"
 
 namespace g31::session {
 namespace {
@@ -50,7 +53,7 @@ probe::SeenParts seen_alone(const std::vector<probe::ProbedPart>& parts) {
 
 /// What is wrong with a mesh, in the words of a run.
 void add_findings(const parts::Mesh& mesh_P, const std::string& part,
-                  std::vector<source::Diagnostic>& findings) {
+                  const setup::SheetPlace& place, std::vector<source::Diagnostic>& findings) {
   const parts::MeshDefects defects = parts::defects_of(mesh_P);
   const auto add = [&](source::DiagnosticId id, const parts::Defect& defect) {
     if (defect.count > 0) {
@@ -61,6 +64,7 @@ void add_findings(const parts::Mesh& mesh_P, const std::string& part,
           id, {},
           fmt::format(": {} of '{}', first at X{} Y{} Z{} in its file", defect.count, part,
                       rounded(p.x()), rounded(p.y()), rounded(p.z()))));
+      findings.back().in_sheet = shown_place(place);
     }
   };
   add(source::DiagnosticId::MeshOpen, defects.open_edges);
@@ -88,7 +92,7 @@ Result<BuiltParts, Refusal> build_parts(const setup::Job& job, const runtime::Ti
       return unusable(job.part_places[i], mesh_P.error());
     }
     if (part.shape.empty() && part.is_closed) {
-      add_findings(mesh_P.value(), part.name, built.findings);
+      add_findings(mesh_P.value(), part.name, job.part_places[i], built.findings);
     }
     const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
     built.parts.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
@@ -131,6 +135,22 @@ std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
   return std::make_unique<probe::World>(std::move(sets), tools, std::move(sensors));
 }
 
+std::optional<source::Diagnostic> start_inside(const setup::Job& job,
+                                               const machine::MachiningCentre& machine) {
+  const std::string name = machine.stands_inside();
+  if (name.empty()) {
+    return std::nullopt;
+  }
+  source::Diagnostic finding = source::make_diagnostic(source::DiagnosticId::StartInside, {},
+                                                       fmt::format(": in '{}'", name));
+  const auto part = std::ranges::find(job.parts, name, &parts::PartSetup::name);
+  if (part != job.parts.end()) {
+    finding.in_sheet =
+        shown_place(job.part_places[static_cast<std::size_t>(part - job.parts.begin())]);
+  }
+  return finding;
+}
+
 Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed,
                                    runtime::TimeBudget* time) {
   const auto parts = build_parts(job, time);
@@ -145,9 +165,8 @@ Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed,
   if (time != nullptr) {
     world.machine->watch(*time);
   }
-  if (const std::string part = world.machine->stands_inside(); !part.empty()) {
-    world.findings.push_back(source::make_diagnostic(source::DiagnosticId::StartInside, {},
-                                                     fmt::format(": in '{}'", part)));
+  if (auto inside = start_inside(job, *world.machine)) {
+    world.findings.push_back(std::move(*inside));
   }
   return world;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,10 @@ SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedP
 std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
                                                        const SensedParts& parts,
                                                        std::uint64_t seed);
+
+/// PRB517: the part that the ball of a machine of the set-up stands in before the start.
+std::optional<source::Diagnostic> start_inside(const setup::Job& job,
+                                               const machine::MachiningCentre& machine);
 
 /// Builds machine, probe and parts of a set-up.  @returns why a part cannot be made or read, with
 /// the place in the sheet

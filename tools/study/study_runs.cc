@@ -454,9 +454,14 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
     return {"setup", session::Ending::Setup, refused.front().message, {}, {}};
   }
   runtime::OutputBudget output(study_.max_output);
-  const runtime::Outcome outcome = control->run({study_.max_blocks, study_.max_time_s, &output});
+  const auto inside = session::start_inside(job, machine);
+  runtime::Outcome outcome = control->run({study_.max_blocks, study_.max_time_s, &output});
   Ended ended;
   ended.status = session::status_name(outcome.status);
+  if (inside) {
+    ended.note = first_line(render_text(*inside, programs_[program]->sources()));
+    outcome = session::with_findings({*inside}, outcome);
+  }
   ended.ending = session::ending_of(session::with_findings(parts.value().findings, outcome));
   if (outcome.status != runtime::Status::Completed) {
     ended.note = note_of(outcome, programs_[program]->sources());

@@ -122,7 +122,9 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
     int number = 0;
     std::from_chars(name.data(), name.data() + name.size(), number);
     if (find_parameter(number) == nullptr) {
-      control.warn_once(source::DiagnosticId::UnknownParameter, {}, name);
+      control.diagnostics.push_back(
+          make_diagnostic(source::DiagnosticId::UnknownParameter, {}, name));
+      control.diagnostics.back().setting = "parameters." + name;
     }
   }
   Parameters parameters = given.value();
