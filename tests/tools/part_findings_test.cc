@@ -105,7 +105,10 @@ TEST(PartFindings, HalfAFileIsRefused) {
   const std::string stl = text_stl(box_mesh({10, 10, 10}));
   const RunOutput output = run_on(stl.substr(0, stl.size() / 2), "");
   EXPECT_EQ(output.exit_code, 5);
-  EXPECT_TRUE(output.document.is_null());
+  EXPECT_EQ(output.document["status"], "setup");
+  EXPECT_EQ(output.document["diagnostics"][0]["code"], "SET111");
+  EXPECT_EQ(output.document["diagnostics"][0]["file"], "sheet.toml");
+  EXPECT_EQ(output.document["diagnostics"][0]["line"], 6);
   EXPECT_NE(output.errors.find("it was cut off; a text STL ends with endsolid [SET111]"),
             std::string::npos)
       << output.errors;

@@ -1,9 +1,13 @@
 // What a user can do wrong with `g31 run`: each gets its place, its words, its exit code, and
 // nothing is written.
 
+#include <functional>
+
 #include <gtest/gtest.h>
 
+#include "machine/base/contract.h"
 #include "tests/support/run_program.h"
+#include "tools/cli/run_refusal.h"
 
 namespace g31::run_errors_test {
 namespace {
@@ -165,6 +169,28 @@ TEST(RunErrors, OfTheCommandLineAreWrongUsage) {
     EXPECT_NE(output.errors.find(says), std::string::npos) << output.errors;
     EXPECT_TRUE(output.document.is_null());
   }
+}
+
+TEST(RunErrors, ADefectBeforeARunBeginsHasItsDocument) {
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.path("case.nc")};
+  options.json = folder.path("result.json");
+  ::testing::internal::CaptureStderr();
+  const auto code = cli::run_or_tell(
+      options, [](const std::function<void()>&) -> Result<cli::ExitCode, session::Refusal> {
+        contract_violated("a machine has axes", "world.cc", 1);
+      });
+  EXPECT_EQ(static_cast<int>(code), 70);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+            "g31: defect: world.cc:1: contract violated: a machine has axes\n");
+  const auto document = nlohmann::json::parse(testing::text_of(options.json));
+  EXPECT_EQ(document["status"], "defect");
+  EXPECT_EQ(document["program"], "case.nc");
+  EXPECT_TRUE(document["alarm"].is_null());
+  EXPECT_EQ(document["diagnostics"][0]["code"], "PRB606");
+  EXPECT_EQ(document["diagnostics"][0]["message"],
+            "world.cc:1: contract violated: a machine has axes");
 }
 
 TEST(RunDocument, HasTheShapeOfTheContract) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "interpreter/source/latin_1.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/printouts.h"
+#include "tools/cli/run_refusal.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/report/readings_file.h"
@@ -290,36 +292,36 @@ ExitCode run_to_end(const Opened& opened, const Tables& tables, Printouts& print
   return exit_code_of(session::ending_of(outcome));
 }
 
-}  // namespace
-
-ExitCode run_command(const RunOptions& options) {
+/// Makes a run ready and does it.
+Result<ExitCode, Refusal> begin_run(const RunOptions& options,
+                                    const std::function<void()>& begins) {
   disk::Disk disk;
   const auto prepared = session::prepare(options, disk, session::VariablesFile::IsSaved);
   if (!prepared) {
-    return refuse(prepared.error());
+    return prepared.error();
   }
   if (const std::string& note = prepared.value().note; !note.empty()) {
     fmt::print(stderr, "g31: note: {}\n", note);
   }
   const auto line = checked(options);
   if (!line) {
-    return refuse(line.error());
+    return line.error();
   }
   const setup::Job& job = prepared.value().job;
   const session::Control& control = prepared.value().control;
   runtime::OutputBudget output(options.max_output);
   const auto tables = open_tables(options, job, output);
   if (!tables) {
-    return refuse(tables.error());
+    return tables.error();
   }
   runtime::TimeBudget time(options.budget.wall_seconds);
   const auto world = session::build_world(job, options.seed, &time);
   if (!world) {
-    return refuse(world.error());
+    return world.error();
   }
   const auto printouts = Printouts::open(options);
   if (!printouts) {
-    return refuse(printouts.error());
+    return printouts.error();
   }
   machine::MachiningCentre& machine = *world.value().machine;
   EchoingRecorder recorder(options, *printouts.value(), machine, tables.value(), output);
@@ -328,18 +330,26 @@ ExitCode run_command(const RunOptions& options) {
   }
   const auto programs = session::open_programs(control, options, disk, job.control);
   if (!programs) {
-    return refuse(programs.error());
+    return programs.error();
   }
-  const auto run = session::Run::open(job, *programs.value(), machine, recorder);
-  if (!run) {
-    return refuse(run.error());
+  const auto opened = session::Run::open(job, *programs.value(), machine, recorder);
+  if (!opened) {
+    return opened.error();
   }
   if (runtime::PrinterPort* const printer = printouts.value()->printer()) {
-    run.value()->session().connect(*printer);
+    opened.value()->session().connect(*printer);
   }
-  return run_to_end({options, line.value(), prepared.value(), *run.value(), machine, recorder,
+  begins();
+  return run_to_end({options, line.value(), prepared.value(), *opened.value(), machine, recorder,
                      output, time, programs.value()->sources(), world.value().findings},
                     tables.value(), *printouts.value());
+}
+
+}  // namespace
+
+ExitCode run_command(const RunOptions& options) {
+  return run_or_tell(
+      options, [&](const std::function<void()>& begins) { return begin_run(options, begins); });
 }
 
 }  // namespace g31::cli

@@ -44,7 +44,8 @@ Refusal refused_settings(const setup::Job& job,
 
 std::string render(const Refusal& refusal) {
   if (refusal.sheet_errors.empty()) {
-    return fmt::format("g31: error: {}\n", refusal.message);
+    return fmt::format("g31: {}: {}\n", refusal.ending == Ending::Defect ? "defect" : "error",
+                       refusal.message);
   }
   std::string text;
   for (const setup::SetupError& error : refusal.sheet_errors) {
