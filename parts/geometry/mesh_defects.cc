@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "parts/geometry/crossing_facets.h"
 #include "parts/geometry/mesh_edges.h"
 #include "parts/geometry/mesh_shells.h"
 #include "parts/geometry/shell_nesting.h"
@@ -35,7 +36,8 @@ class DefectSearch {
         note(defects_.flipped_facets, middle_of(t));
       }
     }
-    look_at_shells(found);
+    const bool has_crossings = look_for_crossings();
+    look_at_shells(found, has_crossings);
     return defects_;
   }
 
@@ -90,7 +92,16 @@ class DefectSearch {
     return low;
   }
 
-  void look_at_shells(const MeshShells& found) {
+  bool look_for_crossings() {
+    const CrossingFacets crossing = crossing_facets(mesh_);
+    for (const std::uint32_t t : crossing.facets) {
+      note(defects_.self_contacts, middle_of(t));
+    }
+    defects_.facets_not_searched = mesh_.triangles.size() - crossing.looked_at;
+    return !crossing.facets.empty();
+  }
+
+  void look_at_shells(const MeshShells& found, bool has_crossings) {
     const FacetsByShell facets(found);
     const bool is_one = found.shells.size() == 1;
     const std::vector<ShellPlace> places =
@@ -99,7 +110,11 @@ class DefectSearch {
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Shell& shell = found.shells[i];
       const Point p = middle_of(shell.first_facet);
+      defects_.shells_not_placed += places[i].judged == ShellPlace::Judged::No ? 1U : 0U;
       if (places[i].crosses) {
+        if (has_crossings) {
+          continue;  // told by its facets
+        }
         note(defects_.self_contacts, p);
       } else if (places[i].judged == ShellPlace::Judged::Yes && shell.is_closed &&
                  has_volume(shell) && (shell.volume < 0.0) != (places[i].depth % 2 != 0)) {

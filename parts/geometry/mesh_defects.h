@@ -31,14 +31,17 @@ struct MeshDefects {
   /// length).
   Defect flat_facets;
   /// Where the surface meets itself: edges of three facets or more, facets with the corners of
-  /// another one, shells of which parts are inside another.
+  /// another one, facets that go through others (CrossingFacets), shells of which parts are inside
+  /// another though no facet is seen to go through one.
   Defect self_contacts;
+  std::uint64_t facets_not_searched = 0;  ///< whether they go through others
+  std::uint64_t shells_not_placed = 0;    ///< whether they are inside others
 };
 
 /// Vertices in the same place must be one (VertexWeld).
 ///
 /// Takes time with the number of facets; where shells may lie in each other, with that of the
-/// facets around them, up to kMostShellWork: what is beyond is not judged.
+/// facets around them, up to kMostShellWork: what is beyond is not judged, and counted.
 MeshDefects defects_of(const Mesh& mesh);
 
 /// Facets that are looked at to say which shells lie in which: a second or so.

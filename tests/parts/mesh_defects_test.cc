@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
+#include <random>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "parts/artefacts/artefact.h"
+#include "parts/geometry/crossing_facets.h"
 #include "parts/geometry/winding_number.h"
 #include "parts/import/mesh_file.h"
 #include "parts/import/vertex_weld.h"
@@ -132,6 +138,9 @@ TEST(MeshDefects, EachIsCounted) {
       {"a speck turned inside out",
        together(box, turned_over(moved_by(box_mesh({.01, .01, .01}), {40, 0, 0}))),
        {0, 0, 1, 1, 0, 0}},
+      {"two boxes in one file that run into each other: one facet each of three faces",
+       together(box, moved_by(box, {5, 5, 5})),
+       {0, 0, 0, 0, 0, 3}},
       {"a hollow with its normals outwards",
        together(box, moved_by(box_mesh({6, 6, 6}), {2, 2, 2})),
        {0, 0, 1, 0, 0, 0}},
@@ -142,6 +151,93 @@ TEST(MeshDefects, EachIsCounted) {
   for (const Case& c : kCases) {
     EXPECT_EQ(counts_of(c.mesh), c.counts) << c.name;
   }
+}
+
+/// The strip of a closed ribbon along a curve, 2 mm high, of `count` squares.
+template <typename Curve>
+Mesh ribbon(int count, const Curve& curve) {
+  Mesh mesh;
+  for (int i = 0; i < count; ++i) {
+    const auto [x, y] = curve(2.0 * std::numbers::pi * i / count);
+    mesh.vertices.emplace_back(x, y, 0.0);
+    mesh.vertices.emplace_back(x, y, 2.0);
+  }
+  for (int i = 0; i < count; ++i) {
+    const auto a = static_cast<std::uint32_t>(2 * i);
+    const auto b = static_cast<std::uint32_t>(2 * ((i + 1) % count));
+    mesh.triangles.push_back({a, b, b + 1});
+    mesh.triangles.push_back({a, b + 1, a + 1});
+  }
+  return mesh;
+}
+
+TEST(CrossingFacets, AreThoseOfARibbonThatGoesThroughItself) {
+  const auto eight = [](double t) {
+    return std::pair(10.0 * std::sin(t), 5.0 * std::sin(2.0 * t));
+  };
+  const auto circle = [](double t) { return std::pair(10.0 * std::sin(t), 10.0 * std::cos(t)); };
+  // 50 squares: squares 0 to 24 go one way through the middle, 25 to 49 the other one; both legs
+  // have a vertex there with 50, the middle of a square with 46.
+  EXPECT_TRUE(crossing_facets(ribbon(50, circle)).facets.empty());
+  const CrossingFacets crossing =
+      crossing_facets(ribbon(46, [&](double t) { return eight(t + std::numbers::pi / 46); }));
+  EXPECT_EQ(crossing.looked_at, 92U);
+  EXPECT_EQ(crossing.facets, (std::vector<std::uint32_t>{44, 45}));
+}
+
+TEST(CrossingFacets, AreNoneWhereFacetsTouch) {
+  const Mesh box = box_mesh({10, 10, 10});
+  for (const Point& by : {Point(10, 0, 0), Point(10, 5, 5), Point(10, 10, 10), Point(3, 4, 10),
+                          Point(10 - 1e-6, 3, 3), Point(0, 0, 10)}) {
+    EXPECT_TRUE(crossing_facets(together(box, moved_by(box, by))).facets.empty()) << by;
+  }
+  EXPECT_FALSE(crossing_facets(together(box, moved_by(box, {10 - 1e-4, 3, 3}))).facets.empty());
+}
+
+// Brute force: every side of a facet against every other facet.
+TEST(CrossingFacets, AreThoseThatASideGoesThrough) {
+  const auto goes_through = [](const Mesh& mesh, std::uint32_t t, std::uint32_t other) {
+    const auto& w = mesh.triangles[other];
+    const Point& o = mesh.vertices[w[0]];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point& from = mesh.vertices[mesh.triangles[t].at(i)];
+      const Point& to = mesh.vertices[mesh.triangles[t].at((i + 1) % 3)];
+      Eigen::Matrix3d system;
+      system << from - to, mesh.vertices[w[1]] - o, mesh.vertices[w[2]] - o;
+      const Point s = system.fullPivLu().solve(from - o);  // share of the way, place in the facet
+      if (s.minCoeff() > 1e-9 && s.x() < 1.0 - 1e-9 && s.y() + s.z() < 1.0 - 1e-9) {
+        return true;
+      }
+    }
+    return false;
+  };
+  std::mt19937_64 random(17);
+  for (int round = 0; round < 20; ++round) {
+    const Mesh mesh =
+        together(testing::sphere_mesh(10.0, 5),
+                 moved_by(testing::sphere_mesh(7.0, 4), testing::point_between(random, -9.0, 9.0)));
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t a = 0; a < mesh.triangles.size(); ++a) {
+      for (std::uint32_t b = a + 1; b < mesh.triangles.size(); ++b) {
+        if (goes_through(mesh, a, b) || goes_through(mesh, b, a)) {
+          expected.push_back(a);
+          break;
+        }
+      }
+    }
+    EXPECT_EQ(crossing_facets(mesh).facets, expected);
+  }
+}
+
+TEST(CrossingFacets, AreNotLookedForBeyondTheirBudget) {
+  const Mesh sphere = testing::sphere_mesh(10.0, 10);
+  const CrossingFacets some = crossing_facets(sphere, 100);
+  EXPECT_GT(some.looked_at, 5U);
+  EXPECT_LT(some.looked_at, sphere.triangles.size());
+  Mesh large;
+  large.vertices = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)};
+  large.triangles.assign(kMostFacetsForCrossings + 1, {0, 1, 2});
+  EXPECT_EQ(crossing_facets(large).looked_at, 0U);
 }
 
 TEST(MeshDefects, TheFirstHasAPlace) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "parts/geometry/crossing_facets.h"
 #include "parts/geometry/mesh.h"
 #include "tests/probe/test_meshes.h"
 #include "tests/support/run_program.h"
@@ -90,6 +91,30 @@ TEST(PartFindings, FacetsWithoutAreaAreANote) {
   const RunOutput output = run_on(text_stl(mesh), "");
   EXPECT_EQ(output.exit_code, 0);
   EXPECT_NE(output.errors.find("note: facets without area in the mesh of a part: 1 of 'box'"),
+            std::string::npos)
+      << output.errors;
+}
+
+TEST(PartFindings, WhatIsNotJudgedIsANote) {
+  // Tetrahedra side by side, more than facets are searched for others that they go through.
+  std::string stl(80, ' ');
+  const auto count = static_cast<std::uint32_t>(parts::kMostFacetsForCrossings + 4) / 4 * 4;
+  stl.append(reinterpret_cast<const char*>(&count), sizeof count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const float x = static_cast<float>(i / 4 % 300);
+    const float y = static_cast<float>(i / 1200);
+    const float corners[4][3] = {{x, y, 0}, {x + 0.5F, y, 0}, {x, y + 0.5F, 0}, {x, y, 0.5F}};
+    constexpr int kFaces[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    stl.append(12, '\0');
+    for (const int corner : kFaces[i % 4]) {
+      stl.append(reinterpret_cast<const char*>(corners[corner]), sizeof corners[corner]);
+    }
+    stl.append(2, '\0');
+  }
+  const RunOutput output = run_on(stl, "");
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_NE(output.errors.find("note: not all of the mesh of a part is judged: of 'box' 100004 "
+                               "facets were not searched for others that they go through"),
             std::string::npos)
       << output.errors;
 }

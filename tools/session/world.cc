@@ -51,6 +51,20 @@ probe::SeenParts seen_alone(const std::vector<probe::ProbedPart>& parts) {
   return seen;
 }
 
+/// What of a mesh nobody has looked at; "": nothing.
+std::string left_out(const parts::MeshDefects& defects) {
+  std::string text;
+  if (defects.facets_not_searched > 0) {
+    text = fmt::format("{} facets were not searched for others that they go through",
+                       defects.facets_not_searched);
+  }
+  if (defects.shells_not_placed > 0) {
+    text += fmt::format("{}{} pieces were not asked which of them are inside others",
+                        text.empty() ? "" : ", ", defects.shells_not_placed);
+  }
+  return text;
+}
+
 /// What is wrong with a mesh, in the words of a run.
 void add_findings(const parts::Mesh& mesh_P, const std::string& part,
                   const setup::SheetPlace& place, std::vector<source::Diagnostic>& findings) {
@@ -73,6 +87,11 @@ void add_findings(const parts::Mesh& mesh_P, const std::string& part,
   add(source::DiagnosticId::MeshStray, defects.stray_shells);
   add(source::DiagnosticId::MeshSelfContact, defects.self_contacts);
   add(source::DiagnosticId::MeshFlat, defects.flat_facets);
+  if (const std::string left = left_out(defects); !left.empty()) {
+    findings.push_back(source::make_diagnostic(source::DiagnosticId::MeshNotJudged, {},
+                                               fmt::format(": of '{}' {}", part, left)));
+    findings.back().in_sheet = shown_place(place);
+  }
 }
 
 }  // namespace

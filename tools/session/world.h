@@ -20,7 +20,7 @@ namespace g31::session {
 
 /// The simulated machine with what stands around its tool.
 struct World {
-  std::vector<source::Diagnostic> findings;  ///< what is wrong before the start: PRB511 to PRB517
+  std::vector<source::Diagnostic> findings;  ///< what is wrong before the start: PRB511 to PRB518
   std::vector<probe::ProbedPart> parts;      ///< none where nothing senses them
   std::unique_ptr<machine::Surroundings> surroundings;  ///< null: nothing can be touched
   std::unique_ptr<machine::MachiningCentre> machine;
@@ -29,7 +29,7 @@ struct World {
 /// The parts of a set-up where they stand, and what is wrong with their meshes.
 struct BuiltParts {
   std::vector<probe::ProbedPart> parts;
-  std::vector<source::Diagnostic> findings;  ///< PRB511 to PRB516, by parts
+  std::vector<source::Diagnostic> findings;  ///< PRB511 to PRB516 and PRB518, by parts
 };
 
 /// The parts of a set-up; none where signals come from a script and no sensor is.
