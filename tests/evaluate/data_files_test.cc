@@ -1,6 +1,7 @@
 // Files of real instruments and files of rubbish: evaluated, or refused with the line.
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 #include <fmt/format.h>
@@ -121,6 +122,18 @@ TEST(DataFiles, AreRefusedWithTheLine) {
     EXPECT_EQ(output.out, "");
     EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
   }
+}
+
+TEST(DataFiles, ThatAreTooLargeAreNotRead) {
+  testing::TemporaryFolder folder;
+  cli::EvaluateOptions options = of_circle();
+  options.file = folder.write("data.csv", "t,X,Y\n");
+  std::filesystem::resize_file(options.file, cli::kMostDataBytes + 1);  // takes no room
+  const EvaluateOutput output = testing::run_evaluate(options);
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_EQ(output.errors, "g31: error: " + options.file +
+                               ": 256000001 bytes are too many: at most 256000000; leave out rows "
+                               "that say nothing new\n");
 }
 
 TEST(DataFiles, OptionsThatDoNotFitAreRefused) {

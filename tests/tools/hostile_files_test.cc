@@ -117,6 +117,18 @@ TEST(WriteWholeFile, LeavesLinksAndPipesWhatTheyAre) {
   EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
+TEST(WriteWholeFile, WaitsForNobodyForEver) {
+  TemporaryFolder folder;
+  const std::string pipe = folder.path("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(disk::write_whole_file(pipe, "line\n"),
+            "cannot write " + pipe + ": nobody has read this pipe for 3 s");
+}
+
+TEST(HostileFiles, WithoutEndAreNotReadToTheEnd) {
+  EXPECT_EQ(disk::Disk().read("/dev/zero"), std::nullopt);
+}
+
 TEST(WriteWholeFile, FollowsNoLinkThatSomebodyPlanted) {
   TemporaryFolder folder;
   const std::string victim = folder.write("victim", "untouched");

@@ -62,6 +62,22 @@ TEST(TimeBudget, EndsABlockThatLastsForEver) {
   }
 }
 
+TEST(TimeBudget, HoldsWhereEachPassOfALoopReadsALargeFile) {
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write(
+      "read.mpf", "DEF INT E,I\nDEF STRING[200] T\nFOR I=1 TO 40000\nWRITE(E,\"F\",\"" +
+                      std::string(190, 'X') +
+                      "\")\nENDFOR\nLOOP\nREAD(E,\"F\",40000,1,T)\nENDLOOP\nM30\n")};
+  options.budget.wall_seconds = 1.0;
+  const auto start = std::chrono::steady_clock::now();
+  const RunOutput output = run_program(options);
+  EXPECT_LT(seconds_since(start), 1.0 + 5.0);
+  EXPECT_EQ(output.exit_code, 6);
+  EXPECT_EQ(output.document.at("diagnostics").back().at("code"), "PRB602");
+  EXPECT_EQ(output.document.at("diagnostics").back().at("line"), 7) << "READ";
+}
+
 TEST(TimeBudget, CountsTheReadingOfParts) {
   TemporaryFolder folder;
   cli::RunOptions options;

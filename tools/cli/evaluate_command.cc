@@ -28,6 +28,19 @@ std::optional<session::Refusal> hand_over(const EvaluateOptions& options,
   return write_out(options.json, evaluate::evaluation_document(evaluation, options.has_curves));
 }
 
+/// A file of data: what is made of it takes a small multiple of its size, in memory and as output.
+Result<std::string, session::Refusal> read_data(disk::Disk& disk, const std::string& path) {
+  if (const auto size = disk.size(path); size && *size > kMostDataBytes) {
+    return session::bad_input(
+        fmt::format("{}: {} bytes are too many: at most {}; leave out rows "
+                    "that say nothing new",
+                    path, *size, kMostDataBytes));
+  }
+  auto text = disk.read(path);
+  return text ? Result<std::string, session::Refusal>(*std::move(text))
+              : session::bad_input(fmt::format("cannot read {}", path));
+}
+
 /// What an option that names a file says; "": it was not given.
 std::string file_given(const EvaluateOptions& options, evaluate::OptionId id) {
   const auto given = options.given.find(id);
@@ -57,17 +70,18 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
   const std::string diameters = file_given(options, evaluate::OptionId::Diameters);
   std::optional<std::string> diameters_text;
   if (!diameters.empty()) {
-    diameters_text = disk.read(diameters);
-    if (!diameters_text) {
-      return refuse(session::bad_input(fmt::format("cannot read {}", diameters)));
+    const auto read = read_data(disk, diameters);
+    if (!read) {
+      return refuse(read.error());
     }
+    diameters_text = read.value();
     request.diameters = {diameters, *diameters_text};
   }
-  const auto text = disk.read(options.file);
+  const auto text = read_data(disk, options.file);
   if (!text) {
-    return refuse(session::bad_input(fmt::format("cannot read {}", options.file)));
+    return refuse(text.error());
   }
-  const auto evaluation = evaluate::evaluate({options.file, *text}, request);
+  const auto evaluation = evaluate::evaluate({options.file, text.value()}, request);
   if (!evaluation) {
     return refuse(session::refusal_of({evaluation.error()}));
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -8,6 +9,9 @@
 #include "tools/evaluate/evaluation.h"
 
 namespace g31::cli {
+
+/// Of a file that is evaluated: some four million rows.
+inline constexpr std::uint64_t kMostDataBytes = 256'000'000;
 
 /// What the command line of `g31 evaluate` says.
 struct EvaluateOptions {

@@ -11,7 +11,8 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
   command->add_option("KIND", options.kind, "what to evaluate, see below")->required();
   command
       ->add_option("FILE", options.file,
-                   "CSV with a line of column names; g31 run --trace writes such files")
+                   "CSV with a line of column names, of 256 MB at most; g31 run --trace writes "
+                   "such files")
       ->required();
   command->add_option("--json", options.json, "the results as a document; - is standard output")
       ->type_name("FILE");

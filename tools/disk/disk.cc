@@ -50,9 +50,16 @@ std::optional<std::string> Disk::read(const std::string& path) {
   if (!in || fs::is_directory(path, error)) {
     return std::nullopt;
   }
-  // A pipe or a device: nobody knows how much will come.
-  std::string text(std::istreambuf_iterator<char>(in), {});
-  return in.bad() ? std::nullopt : std::optional(std::move(text));
+  // A pipe or a device: nobody knows how much will come, and there may be no end of it.
+  constexpr std::size_t kPiece = 1 << 20;
+  std::string text;
+  while (in && text.size() <= kMostOfAPipe) {
+    const std::size_t before = text.size();
+    text.resize(before + kPiece);
+    in.read(text.data() + before, static_cast<std::streamsize>(kPiece));
+    text.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
+  return in.bad() || text.size() > kMostOfAPipe ? std::nullopt : std::optional(std::move(text));
 }
 
 std::optional<std::string> Disk::read_part(const std::string& path, std::uint64_t offset,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,6 +15,9 @@ namespace g31::disk {
 /// The real disk.  Any number of threads may read at a time.
 class Disk final : public source::FileSystem {
  public:
+  /// What a pipe or a device may bring, bytes; one that brings more cannot be read.
+  static constexpr std::size_t kMostOfAPipe = 256'000'000;
+
   std::optional<std::string> read(const std::string& path) override;
   std::optional<std::uint64_t> size(const std::string& path) override;
   std::optional<std::string> read_part(const std::string& path, std::uint64_t offset,

@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kSuffix = ".part";
+constexpr int kPipePatienceS = 3;
 
 std::string last_error() {
   return std::strerror(errno);
@@ -82,6 +83,25 @@ std::FILE* new_file(const std::string& name) {
   return descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
 }
 
+/// A pipe once somebody reads it; nullptr: errno says why not, ENXIO that nobody does.
+std::FILE* read_pipe(const std::string& path) {
+  constexpr int kLooksPerSecond = 50;
+  int descriptor = -1;
+  for (int look = 0; look <= kPipePatienceS * kLooksPerSecond; ++look) {
+    descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor >= 0 || errno != ENXIO) {
+      break;
+    }
+    ::usleep(1'000'000 / kLooksPerSecond);
+    errno = ENXIO;
+  }
+  if (descriptor < 0) {
+    return nullptr;
+  }
+  (void)::fcntl(descriptor, F_SETFL, 0);  // its reader may take its time
+  return ::fdopen(descriptor, "wb");
+}
+
 /// The new file looks like the one that it will replace, as far as we may.
 void take_after(std::FILE* file, const struct stat& replaced) {
   const bool is_ours = ::fchown(::fileno(file), replaced.st_uid, replaced.st_gid) == 0;
@@ -115,7 +135,10 @@ Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::strin
     return made(stdout, path, "");
   }
   if (is_there && is_device_or_pipe(is)) {
-    std::FILE* const file = std::fopen(path.c_str(), "wb");
+    std::FILE* const file = S_ISFIFO(is.st_mode) ? read_pipe(path) : std::fopen(path.c_str(), "wb");
+    if (file == nullptr && errno == ENXIO) {
+      return fmt::format("nobody has read this pipe for {} s", kPipePatienceS);
+    }
     return file != nullptr ? Result<std::shared_ptr<PartFile>, std::string>(made(file, path, ""))
                            : last_error();
   }

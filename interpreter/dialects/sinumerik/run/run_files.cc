@@ -1,9 +1,14 @@
 // Files that a program reads and writes.  All of them lie side by side in one place, whatever path
 // a program writes: nothing leads out of it.
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/runtime/budget_spent.h"
 #include "interpreter/runtime/output_budget.h"
 
 namespace g31::sinumerik {
@@ -30,10 +35,10 @@ constexpr double kOpenAlready = 5.0;
 constexpr double kBadPath = 16.0;
 }  // namespace external_error
 
-/// The lines of a text, without their ends.
-std::vector<std::string_view> lines_of(std::string_view text) {
+/// The lines of a text, without their ends: the first `most` of them.
+std::vector<std::string_view> lines_of(std::string_view text, double most) {
   std::vector<std::string_view> lines;
-  while (!text.empty()) {
+  while (!text.empty() && static_cast<double>(lines.size()) < most) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     lines.push_back(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
@@ -112,6 +117,16 @@ double Runner::delete_file(Arguments list) {
   return remove_file(name) ? file_error::kNone : file_error::kNoFile;
 }
 
+/// A loop may read far into a large file at each pass: such blocks are looked at one by one.
+void Runner::spend_on_reading(std::ptrdiff_t bytes) {
+  constexpr std::ptrdiff_t kBytesOfAPiece = 1 << 18;  // some tenths of a millisecond
+  for (std::ptrdiff_t piece = 0; piece < bytes / kBytesOfAPiece; ++piece) {
+    if (channel_.watch.is_too_late()) {
+      throw runtime::BudgetSpent(source::DiagnosticId::BudgetTime, {});
+    }
+  }
+}
+
 /// READ(error, file, line, count, texts)
 double Runner::read_file(Arguments list) {
   const std::string name = file_name(text(list[1].value));
@@ -122,10 +137,12 @@ double Runner::read_file(Arguments list) {
   if (file == channel_.files.end()) {
     return file_error::kNoFile;
   }
-  const std::vector<std::string_view> lines = lines_of(file->second);
-  const auto line_count = static_cast<double>(lines.size());
   const double count = rounded(number(list[3].value));
   const double line = rounded(number(list[2].value));
+  const double most = line == 0.0 ? std::numeric_limits<double>::infinity() : line + count - 1.0;
+  const std::vector<std::string_view> lines = lines_of(file->second, std::max(line, most));
+  const auto line_count = static_cast<double>(lines.size());
+  spend_on_reading(lines.empty() ? 0 : lines.back().data() - file->second.data());
   const double first = line == 0.0 ? line_count - count + 1.0 : line;  // 0: the last ones
   if (first < 1.0 || first > line_count) {
     return file_error::kNoLine;

@@ -266,6 +266,7 @@ class Runner {
   // run_files.cc
   double write_file(Arguments list);
   double delete_file(Arguments list);
+  void spend_on_reading(std::ptrdiff_t bytes);
   double read_file(Arguments list);
   double open_external(Arguments list);
   double write_external(Arguments list);
