@@ -80,6 +80,10 @@ Result<double, std::string> unit_of_3mf(std::string_view bytes) {
   std::optional<double> unit;
   for (const ZipEntry& entry : entries.value()) {
     if (!entry.name.ends_with(".model")) {
+      // assimp stops the process where it meets a file whose checksum is wrong.
+      if (const auto whole = unpacked(entry); !whole) {
+        return whole.error();
+      }
       continue;
     }
     const auto one = unit_of_model(entry);

@@ -22,6 +22,21 @@ void run_fanuc_text(std::string_view bytes);
 /// The same on the SINUMERIK control.
 void run_sinumerik_text(std::string_view bytes);
 
+/// Reads a text as a set-up sheet, renders what is wrong with it, and sets up a machine, the shapes
+/// and a control of either dialect by it, which run a program of two blocks.
+void read_sheet_text(std::string_view bytes);
+
+/// Reads a text as a study file and renders what is wrong with it.
+void read_study_text(std::string_view bytes);
+
+/// Reads bytes behind a first line that is a file ending (stl, ply, off, obj, 3mf) as a mesh: what
+/// comes is whole, and judged.
+void read_mesh_bytes(std::string_view bytes);
+
+/// Reads a first line as a serial line, and what follows as what goes to the printer there and
+/// comes from it.
+void read_printer_line(std::string_view bytes);
+
 inline constexpr std::uint64_t kBlocks = 2000;
 
 }  // namespace g31::fuzz

@@ -23,11 +23,14 @@
 #include "tests/fuzz/entry.h"
 #include "tests/fuzz/mutation.h"
 #include "tests/support/effort.h"
+#include "tools/setup/keys.h"
+#include "tools/study/study_keys.h"
 
 namespace g31::fuzz::fuzz_test {
 namespace {
 
 constexpr std::uint64_t kMutations = testing::of_many(5000);
+constexpr std::uint64_t kFileMutations = testing::of_many(1000);  // each a file on the disk
 
 std::string content(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -91,7 +94,7 @@ bool contains(std::string_view text, std::string_view word) {
 }
 
 template <typename Entry>
-void feed(Entry entry, const std::string& dialect) {
+void feed(Entry entry, const std::string& dialect, std::uint64_t mutations = kMutations) {
   const std::vector<std::string> texts = corpus(dialect);
   ASSERT_FALSE(texts.empty());
   for (const std::string& text : texts) {
@@ -100,7 +103,7 @@ void feed(Entry entry, const std::string& dialect) {
   const std::vector<std::string> words = dictionary(dialect);
   ASSERT_FALSE(words.empty());
   const bool traced = std::getenv("G31_FUZZ_TRACE") != nullptr;
-  for (std::uint64_t number = 0; number < kMutations; ++number) {
+  for (std::uint64_t number = 0; number < mutations; ++number) {
     const std::string text = mutation(number, texts, words);
     if (traced) {
       fmt::print(stderr, "mutation {}\n{}\n", number, text);
@@ -137,6 +140,36 @@ TEST(Fuzz, AnySinumerikTextIsRead) {
 
 TEST(Fuzz, AnySinumerikTextIsRun) {
   feed(run_sinumerik_text, "sinumerik");
+}
+
+TEST(Fuzz, AnySheetIsRead) {
+  feed(read_sheet_text, "sheets", kFileMutations);
+}
+
+TEST(Fuzz, AnyStudyIsRead) {
+  feed(read_study_text, "studies", kFileMutations);
+}
+
+TEST(Fuzz, AnyMeshIsRead) {
+  feed(read_mesh_bytes, "meshes", kFileMutations);
+}
+
+TEST(Fuzz, AnyPrinterLineIsRead) {
+  feed(read_printer_line, "printers");
+}
+
+TEST(Fuzz, DictionariesOfSheetsAndStudiesKnowEveryKey) {
+  const auto expect_example = [](std::string_view example, const std::string& name) {
+    const std::vector<std::string> known = dictionary(name);
+    EXPECT_TRUE(std::ranges::find(known, example) != known.end())
+        << example << " in " << name << ".dict";
+  };
+  for (const setup::KeyRow& row : setup::key_rows()) {
+    expect_example(row.example, "sheets");
+  }
+  for (const study::StudyKeyRow& row : study::study_keys()) {
+    expect_example(row.example, "studies");
+  }
 }
 
 TEST(Fuzz, DictionaryAndCorpusKnowEveryWord) {

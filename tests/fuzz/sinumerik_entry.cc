@@ -22,8 +22,8 @@ void judge_program(const sinumerik::CompiledProgram& program, std::size_t text_s
     const syntax::ShortSpan where = program.spans[i];
     G31_EXPECTS(where.begin <= where.end && where.end <= text_size);
     const sinumerik::Op& op = program.ops[i];
-    if (op.code == sinumerik::OpCode::Jump || op.code == sinumerik::OpCode::Block ||
-        op.code == sinumerik::OpCode::NcBlock) {
+    if (op.code == sinumerik::OpCode::Jump || op.code == sinumerik::OpCode::JumpInto ||
+        op.code == sinumerik::OpCode::Block || op.code == sinumerik::OpCode::NcBlock) {
       G31_EXPECTS(op.a.place >= 0 && op.a.place < count);
     } else if (op.code == sinumerik::OpCode::JumpIfNot) {
       G31_EXPECTS(op.b.place >= 0 && op.b.place < count);

@@ -206,6 +206,8 @@ TEST_F(WholeFile, ThatAPackedFileIsNotIsSaid) {
       {"3MF in cubits", "a.3mf", corner_3mf("cubit"), "its unit is 'cubit', which is none of 3MF"},
       {"3MF with another byte", "a.3mf", changed(corner_3mf(), "12.5", "22.5"),
        "its checksum is wrong"},
+      {"3MF with another byte beside its model", "a.3mf", changed(corner_3mf(), "rel0", "rel1"),
+       "'_rels/.rels' in it is damaged: its checksum is wrong"},
   };
   expect_refused(kCases);
 }

@@ -16,11 +16,12 @@ mkdir -p build
 G31_PACKAGES+=(clang-14 libclang-rt-14-dev)
 g31_install_packages build/apt.log
 
-declare -A corpus=(
-  [parse_fuzz]=fanuc [run_fuzz]=fanuc
-  [sinumerik_parse_fuzz]=sinumerik [sinumerik_run_fuzz]=sinumerik
-)
-fuzzers=(parse_fuzz run_fuzz sinumerik_parse_fuzz sinumerik_run_fuzz)
+declare -A corpus=()
+fuzzers=()
+while read -r fuzzer entry seeds; do
+  fuzzers+=("$fuzzer")
+  corpus[$fuzzer]=$seeds
+done < <(sed -nE 's/^ *g31_fuzzer\(([a-z_]+ [a-z_]+ [a-z_]+)\)$/\1/p' tests/fuzz/CMakeLists.txt)
 g31_build fuzz "${fuzzers[@]}"
 
 seconds=$(awk -v hours="$hours" -v count="${#fuzzers[@]}" 'BEGIN { printf "%d", hours * 3600 / count + 0.999 }')
