@@ -10,8 +10,8 @@ namespace g31::probe {
 OffsetTree::OffsetTree(const ContactMesh& mesh, double radius) {
   G31_EXPECTS(mesh.triangles().size() < (1U << PatchOwner::kTriangleBits));
   OffsetSurface surface(mesh, radius);
-  // Of a large mesh a ball sees little: what it does not come near is never made.
-  constexpr std::size_t kLarge = 500'000;
+  // Of all but the smallest meshes a ball sees little: what it does not come near is never made.
+  constexpr std::size_t kLarge = 5'000;
   if (mesh.triangles().size() < kLarge && !is_rough_and_fine(surface)) {
     tree_ = parts::Bvh(offset_patches(surface));
     return;
