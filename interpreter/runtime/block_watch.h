@@ -25,7 +25,7 @@ class BlockWatch {
     Blocks,   ///< the budget of blocks is spent
     Time,     ///< the budget of time is spent
     Paused,   ///< the listener wants a pause; the block begins when it is asked for again
-    Stopped,  ///< the listener ends the run
+    Stopped,  ///< the listener or an interruption ends the run
   };
 
   /// Time runs from here on.
@@ -76,8 +76,10 @@ class BlockWatch {
   }
 
   /// To be asked before each move within a block, and before each block that may move: work that
-  /// can take a millisecond.  @returns whether there is no time left for it
-  bool is_too_late() { return ++work_ % kWorkPerLook == 0 && is_time_up(); }
+  /// can take a millisecond.  @returns why it may not begin
+  std::optional<Halt> before_work() {
+    return ++work_ % kWorkPerLook == 0 ? look_around() : std::nullopt;
+  }
 
   /// The program has gone down or up to another level of calls.
   void level_changed(std::size_t depth) const {
@@ -96,6 +98,13 @@ class BlockWatch {
     return passed.count() > budget_.wall_seconds;
   }
 
+  [[nodiscard]] std::optional<Halt> look_around() const {
+    if (is_interrupted(budget_.interruption)) {
+      return Halt::Stopped;
+    }
+    return is_time_up() ? std::optional(Halt::Time) : std::nullopt;
+  }
+
   std::optional<Halt> spent_budget() {
     if (is_heard_) {
       started_ += Clock::now() - paused_;
@@ -104,8 +113,8 @@ class BlockWatch {
       return Halt::Blocks;
     }
     if (blocks_ >= next_time_) {
-      if (is_time_up()) {
-        return Halt::Time;
+      if (const auto halt = look_around()) {
+        return halt;
       }
       next_time_ = blocks_ + kBlocksPerLook;
     }

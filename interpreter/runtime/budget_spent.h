@@ -8,8 +8,8 @@
 
 namespace g31::runtime {
 
-/// Thrown where the work of a block finds a budget of the run spent; the run ends at the block in
-/// hand, with Status::Budget.  What it did so far is told and kept.
+/// Thrown where the work of a block finds a budget of the run spent, or is interrupted; the run
+/// ends at the block in hand.  What it did so far is told and kept.
 class BudgetSpent final : public std::exception {
  public:
   /// @param message  of diagnostics.def, and what fills its {}

@@ -8,6 +8,7 @@
 
 #include "interpreter/runtime/alarm.h"
 #include "interpreter/runtime/cell.h"
+#include "interpreter/runtime/interruption.h"
 #include "interpreter/runtime/output_budget.h"
 #include "interpreter/source/diagnostic.h"
 
@@ -29,7 +30,8 @@ enum class Status {
 struct Budget {
   std::uint64_t blocks = 50'000'000;
   double wall_seconds = 600.0;
-  OutputBudget* output = nullptr;  ///< outlives the run; nullptr: no end
+  OutputBudget* output = nullptr;              ///< outlives the run; nullptr: no end
+  const Interruption* interruption = nullptr;  ///< outlives the run; nullptr: there is none
 };
 
 /// What a run left behind.

@@ -50,6 +50,11 @@ Status status_of(BlockWatch::Halt halt) {
   return halt == BlockWatch::Halt::Stopped ? Status::Interrupted : Status::Budget;
 }
 
+Status status_of(const BudgetSpent& spent) {
+  return spent.message() == source::DiagnosticId::Interrupted ? Status::Interrupted
+                                                              : Status::Budget;
+}
+
 source::DiagnosticId message_of(BlockWatch::Halt halt) {
   switch (halt) {
     case BlockWatch::Halt::Blocks:

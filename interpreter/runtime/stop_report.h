@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "interpreter/runtime/block_watch.h"
+#include "interpreter/runtime/budget_spent.h"
 #include "interpreter/runtime/outcome.h"
 
 namespace g31::runtime {
@@ -29,5 +30,8 @@ Outcome outcome_of(StopReason reason);
 /// How a run ends that its watch halts; @pre not Halt::Paused
 Status status_of(BlockWatch::Halt halt);
 source::DiagnosticId message_of(BlockWatch::Halt halt);
+
+/// How a run ends whose block has found a budget spent, or was interrupted.
+Status status_of(const BudgetSpent& spent);
 
 }  // namespace g31::runtime

@@ -85,6 +85,9 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
   if (!evaluation) {
     return refuse(session::refusal_of({evaluation.error()}));
   }
+  if (runtime::is_interrupted(options.interruption)) {
+    return refuse(session::interrupted());
+  }
   auto wrong = write_compensation(options, evaluation.value());
   if (!wrong && !options.svg.empty()) {
     wrong = write_out(options.svg, evaluation.value().svg);

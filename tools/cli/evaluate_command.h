@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/runtime/interruption.h"
 #include "tools/cli/exit_code.h"
 #include "tools/evaluate/evaluation.h"
 
@@ -24,6 +25,7 @@ struct EvaluateOptions {
   std::vector<std::string> columns;                 ///< "X=x_act"
   std::string unit;                                 ///< "" for mm
   std::map<evaluate::OptionId, std::string> given;  ///< options that only some kinds know
+  const runtime::Interruption* interruption = nullptr;
 };
 
 /// Evaluates a recorded motion or readings and reports.

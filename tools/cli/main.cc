@@ -13,6 +13,7 @@
 #include "tools/cli/exit_code.h"
 #include "tools/cli/explain_command.h"
 #include "tools/cli/explain_options.h"
+#include "tools/cli/interruption.h"
 #include "tools/cli/run_command.h"
 #include "tools/cli/run_options.h"
 #include "tools/cli/scene_command.h"
@@ -68,19 +69,22 @@ ExitCode dispatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ExitCode::Completed : ExitCode::BadUsage;
   }
+  if (check_app->parsed()) {
+    return check_command(check);
+  }
+  if (explain_app->parsed()) {
+    return explain_command(explain);
+  }
+  const g31::runtime::Interruption& interruption = g31::cli::catch_interruption();
+  run.budget.interruption = scene.run.budget.interruption = &interruption;
+  study.interruption = evaluate.interruption = &interruption;
   if (scene_app->parsed()) {
     return scene_command(scene);
   }
   if (study_app->parsed()) {
     return study_command(study);
   }
-  if (check_app->parsed()) {
-    return check_command(check);
-  }
-  if (evaluate_app->parsed()) {
-    return evaluate_command(evaluate);
-  }
-  return explain_app->parsed() ? explain_command(explain) : run_command(run);
+  return evaluate_app->parsed() ? evaluate_command(evaluate) : run_command(run);
 }
 
 }  // namespace

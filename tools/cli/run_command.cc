@@ -314,7 +314,7 @@ Result<ExitCode, Refusal> begin_run(const RunOptions& options,
   if (!tables) {
     return tables.error();
   }
-  runtime::TimeBudget time(options.budget.wall_seconds);
+  runtime::TimeBudget time(options.budget.wall_seconds, options.budget.interruption);
   const auto world = session::build_world(job, options.seed, &time);
   if (!world) {
     return world.error();

@@ -58,7 +58,7 @@ ExitCode scene_command(const SceneOptions& options) {
   }
   const setup::Job& job = prepared.value().job;
   const session::Control& control = prepared.value().control;
-  runtime::TimeBudget time(options.run.budget.wall_seconds);
+  runtime::TimeBudget time(options.run.budget.wall_seconds, options.run.budget.interruption);
   const auto world = session::build_world(job, options.run.seed, &time);
   if (!world) {
     return refuse(world.error());

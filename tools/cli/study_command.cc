@@ -97,6 +97,7 @@ Made run_study(const StudyOptions& options) {
   study::Study study = read.value();
   study.repeats = options.repeats.value_or(study.repeats);
   study.seed = options.seed.value_or(study.seed);
+  study.interruption = options.interruption;
   if (study::run_count(study) > study::kMostRuns) {
     return session::bad_input(
         fmt::format("{} runs are too many: at most {}", study::run_count(study), study::kMostRuns));
@@ -117,11 +118,17 @@ Made run_study(const StudyOptions& options) {
   record.rows = study::run_all(
       span, options.threads,
       [&](std::size_t number) {
+        if (runtime::is_interrupted(options.interruption)) {
+          return study::Row();
+        }
         study::StudyRun run = runs.run(number);
         run.row.exit_code = static_cast<int>(exit_code_of(run.ending));
         return std::move(run.row);
       },
       [&] { progress.one_done(); });
+  if (runtime::is_interrupted(options.interruption)) {
+    return session::interrupted();
+  }
   return record;
 }
 

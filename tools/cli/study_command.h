@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/runtime/interruption.h"
 #include "tools/cli/exit_code.h"
 
 namespace g31::cli {
@@ -20,6 +21,7 @@ struct StudyOptions {
   std::size_t threads = 0;             ///< 0: one a core
   std::optional<std::size_t> repeats;  ///< in the place of the study's
   std::optional<std::uint64_t> seed;   ///< the same
+  const runtime::Interruption* interruption = nullptr;
 };
 
 /// Runs a study, or puts shards of one together, and reports.

@@ -18,6 +18,10 @@ Refusal bad_setup(std::string message) {
   return {Ending::Setup, std::move(message)};
 }
 
+Refusal interrupted() {
+  return {Ending::Interrupted, "interrupted"};
+}
+
 Refusal refusal_of(setup::SetupErrors errors) {
   const auto missing = setup::code_of(setup::SetupErrorId::FileNotFound);
   const bool is_missing = std::ranges::any_of(

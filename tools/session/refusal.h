@@ -21,6 +21,8 @@ struct Refusal {
 Refusal bad_input(std::string message);
 /// What is wrong with a set-up, found out behind its sheets.
 Refusal bad_setup(std::string message);
+/// Somebody ended the work before anything came of it.
+Refusal interrupted();
 /// What is wrong with sheets.
 Refusal refusal_of(setup::SetupErrors errors);
 

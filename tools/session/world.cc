@@ -24,15 +24,22 @@ Refusal unusable(const setup::SheetPlace& place, const std::string& why) {
   return {Ending::Setup, {}, {error_at(place, setup::SetupErrorId::PartUnusable, {why})}};
 }
 
-bool is_up(const runtime::TimeBudget* time) {
-  return time != nullptr && time->is_up();
-}
-
-Refusal too_late(const std::string& part) {
-  return {Ending::Budget,
-          fmt::format("the limit of computing time is reached with the reading of part {}: "
-                      "--max-time raises it",
-                      part)};
+/// Why no further part is read.
+std::optional<Refusal> too_late(const runtime::TimeBudget* time, const std::string& part) {
+  if (time == nullptr) {
+    return std::nullopt;
+  }
+  if (time->is_interrupted()) {
+    return interrupted();
+  }
+  if (time->is_up()) {
+    return Refusal{
+        Ending::Budget,
+        fmt::format("the limit of computing time is reached with the reading of part {}: "
+                    "--max-time raises it",
+                    part)};
+  }
+  return std::nullopt;
 }
 
 probe::SeenParts seen_with(const probe::TouchableParts& touchable) {
@@ -116,8 +123,8 @@ Result<BuiltParts, Refusal> build_parts(const setup::Job& job, const runtime::Ti
     const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
     built.parts.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
     built.parts.back().is_solid = part.is_closed;
-    if (is_up(time)) {
-      return too_late(part.name);
+    if (const auto late = too_late(time, part.name)) {
+      return *late;
     }
   }
   return built;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "interpreter/runtime/interruption.h"
 #include "tools/setup/document.h"
 #include "tools/setup/sheet_stack.h"
 #include "tools/study/expression.h"
@@ -80,8 +81,9 @@ struct Study {
   std::vector<std::string> assumes;
   std::uint64_t max_blocks = 50'000'000;
   double max_time_s = 600.0;
-  std::uint64_t max_output = 256'000'000;  ///< bytes
-  std::vector<StudyResult> results;        ///< as they stand in the file
+  const runtime::Interruption* interruption = nullptr;  ///< not of the file: who may end it
+  std::uint64_t max_output = 256'000'000;               ///< bytes
+  std::vector<StudyResult> results;                     ///< as they stand in the file
   std::vector<ListedAxis> listed;
   std::vector<DrawnAxis> drawn;
   std::shared_ptr<const setup::Document> document;  ///< what locations point to

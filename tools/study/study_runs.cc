@@ -446,7 +446,7 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
   }
   const auto surroundings = session::surroundings_of(job, parts.value().sensed, seed);
   machine::MachiningCentre machine(job.machine, surroundings.get());
-  runtime::TimeBudget time(study_.max_time_s);
+  runtime::TimeBudget time(study_.max_time_s, study_.interruption);
   machine.watch(time);
   runtime::Observer nobody;
   const auto control = programs_[program]->session(machine, nobody);
@@ -455,7 +455,8 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
   }
   runtime::OutputBudget output(study_.max_output);
   const auto inside = session::start_inside(job, machine);
-  runtime::Outcome outcome = control->run({study_.max_blocks, study_.max_time_s, &output});
+  runtime::Outcome outcome =
+      control->run({study_.max_blocks, study_.max_time_s, &output, study_.interruption});
   Ended ended;
   ended.status = session::status_name(outcome.status);
   if (inside) {

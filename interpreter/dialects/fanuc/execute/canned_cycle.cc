@@ -81,8 +81,8 @@ MaybeFailure Hole::drill() {
 }
 
 MaybeFailure Hole::move(double level, machine::Traverse traverse) {
-  if (control_.watch.is_too_late()) {
-    return halt_failure(runtime::BlockWatch::Halt::Time);
+  if (const auto halt = control_.watch.before_work()) {
+    return halt_failure(*halt);
   }
   q_L_[plane_.across] = level;
   const AxisPositions q_M_end = control_.coordinates.to_machine(q_L_) + q_M_aside_;

@@ -73,8 +73,8 @@ bool Runner::skips_rest(const syntax::Word& word) {
 }
 
 MaybeFailure Runner::nc_block(const Step& step) {
-  if (control_.watch.is_too_late()) {
-    return halt_failure(runtime::BlockWatch::Halt::Time);
+  if (const auto halt = control_.watch.before_work()) {
+    return halt_failure(*halt);
   }
   if (auto failure = evaluate_words(step)) {
     return failure;

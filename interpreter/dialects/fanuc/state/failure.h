@@ -43,7 +43,7 @@ inline Failure halt_failure(runtime::BlockWatch::Halt halt) {
 /// The end of a run whose block has spent a budget.
 inline Failure budget_failure(const runtime::BudgetSpent& spent) {
   Failure failure;
-  failure.status = runtime::Status::Budget;
+  failure.status = runtime::status_of(spent);
   failure.alarm_number = static_cast<int>(spent.message());
   failure.detail = spent.detail();
   failure.broken_off = true;

@@ -17,8 +17,8 @@ using path::PathItem;
 using path::Pause;
 
 MaybeFailure to_machine(Channel& channel, const PathBlock& path) {
-  if (channel.watch.is_too_late()) {
-    return halt_failure(runtime::BlockWatch::Halt::Time);
+  if (const auto halt = channel.watch.before_work()) {
+    return halt_failure(*halt);
   }
   if (MaybeFailure outside = out_of_reach(channel, path.q_M_end)) {
     return outside;

@@ -10,6 +10,7 @@
 #include "interpreter/dialects/sinumerik/run/runner.h"
 #include "interpreter/runtime/budget_spent.h"
 #include "interpreter/runtime/output_budget.h"
+#include "interpreter/runtime/stop_report.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -121,8 +122,8 @@ double Runner::delete_file(Arguments list) {
 void Runner::spend_on_reading(std::ptrdiff_t bytes) {
   constexpr std::ptrdiff_t kBytesOfAPiece = 1 << 18;  // some tenths of a millisecond
   for (std::ptrdiff_t piece = 0; piece < bytes / kBytesOfAPiece; ++piece) {
-    if (channel_.watch.is_too_late()) {
-      throw runtime::BudgetSpent(source::DiagnosticId::BudgetTime, {});
+    if (const auto halt = channel_.watch.before_work()) {
+      throw runtime::BudgetSpent(runtime::message_of(*halt), {});
     }
   }
 }

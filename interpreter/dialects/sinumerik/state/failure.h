@@ -55,7 +55,7 @@ inline Failure message_failure(runtime::Status status, source::DiagnosticId mess
 
 /// The end of a run whose block has spent a budget.
 inline Failure budget_failure(const runtime::BudgetSpent& spent) {
-  Failure reason = message_failure(runtime::Status::Budget, spent.message(), spent.detail());
+  Failure reason = message_failure(runtime::status_of(spent), spent.message(), spent.detail());
   reason.broken_off = true;
   return reason;
 }
