@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <ostream>
 #include <span>
 #include <string>
 
@@ -17,6 +18,11 @@ struct Bench {
   const char* study;
   double facets_mm;  ///< what the facets of its part may take
 };
+
+/// What ctest shows of it.
+void PrintTo(const Bench& bench, std::ostream* out) {
+  *out << bench.study;
+}
 
 class AcceptanceBench : public ::testing::TestWithParam<Bench> {};
 

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <ostream>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -25,6 +26,11 @@ struct Figure {
   const char* program;
   const char* printout;
 };
+
+/// What ctest shows of it.
+void PrintTo(const Figure& figure, std::ostream* out) {
+  *out << figure.program;
+}
 
 class HiroseFigures : public ::testing::TestWithParam<Figure> {
  protected:

@@ -55,6 +55,19 @@ TEST(Interruption, EndsALoopALongBlockAndManyMoves) {
   }
 }
 
+TEST(Interruption, EndsARunBeforeItBegins) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("short.nc", "O1\nM30\n")};
+  options.setups = {"parts/library/ring_gauge/ring.toml"};
+  options.budget.interruption = &kAsked;
+  const RunOutput run = run_program(options);
+  EXPECT_EQ(run.exit_code, kInterrupted) << run.errors;
+  ASSERT_TRUE(run.document.is_object());
+  EXPECT_EQ(run.document.value("status", ""), "interrupted");
+  EXPECT_EQ(run.document["diagnostics"][0].value("code", ""), "PRB603");
+}
+
 TEST(Interruption, EndsAStudyWithoutItsFiles) {
   const TemporaryFolder folder;
   cli::StudyOptions options;

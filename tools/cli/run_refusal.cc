@@ -18,6 +18,8 @@ std::optional<runtime::Status> status_of(session::Ending ending) {
       return runtime::Status::Setup;
     case session::Ending::Budget:
       return runtime::Status::Budget;
+    case session::Ending::Interrupted:
+      return runtime::Status::Interrupted;
     case session::Ending::Defect:
       return runtime::Status::Defect;
     case session::Ending::Completed:
@@ -25,7 +27,6 @@ std::optional<runtime::Status> status_of(session::Ending ending) {
     case session::Ending::BadInput:
     case session::Ending::Alarm:
     case session::Ending::Collision:
-    case session::Ending::Interrupted:
       break;
   }
   return std::nullopt;
@@ -40,6 +41,17 @@ source::Diagnostic diagnostic_of(const setup::SetupError& error) {
   return diagnostic;
 }
 
+/// Of the message that a run which has begun would end with; "": its own words say it all.
+std::string code_of(runtime::Status status) {
+  if (status == runtime::Status::Defect) {
+    return source::info(source::DiagnosticId::Defect).code;
+  }
+  if (status == runtime::Status::Interrupted) {
+    return source::info(source::DiagnosticId::Interrupted).code;
+  }
+  return {};
+}
+
 runtime::Outcome outcome_of(runtime::Status status, const session::Refusal& wrong) {
   runtime::Outcome outcome;
   outcome.status = status;
@@ -49,9 +61,7 @@ runtime::Outcome outcome_of(runtime::Status status, const session::Refusal& wron
   if (wrong.sheet_errors.empty()) {
     source::Diagnostic diagnostic;
     diagnostic.message = wrong.message;
-    if (status == runtime::Status::Defect) {
-      diagnostic.code = source::info(source::DiagnosticId::Defect).code;
-    }
+    diagnostic.code = code_of(status);
     outcome.diagnostics.push_back(std::move(diagnostic));
   }
   return outcome;
