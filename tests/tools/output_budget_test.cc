@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -16,9 +15,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/support/run_arguments.h"
 #include "tests/support/run_program.h"
 #include "tests/support/run_study.h"
-#include "tools/cli/run_options.h"
 #include "tools/setup/byte_count.h"
 
 namespace g31::output_budget_test {
@@ -286,14 +285,11 @@ TEST(ByteCount, TakesUnits) {
 
 TEST(OutputBudget, OptionTakesASize) {
   const auto parsed = [](const std::string& text) {
-    CLI::App app;
-    cli::RunOptions options;
-    cli::add_run_command(app, options);
-    app.parse("run a.nc --max-output " + text);
-    return options.max_output;
+    return testing::parsed_run_options({"a.nc", "--max-output", text});
   };
-  EXPECT_EQ(parsed("1.5M"), 1'500'000U);
-  EXPECT_THROW(parsed("much"), CLI::ParseError);
+  ASSERT_TRUE(parsed("1.5M"));
+  EXPECT_EQ(parsed("1.5M").value().max_output, 1'500'000U);
+  EXPECT_FALSE(parsed("much"));
 }
 
 TEST(SizeInDocument, IsThatOfTheEscapedText) {

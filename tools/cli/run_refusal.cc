@@ -1,6 +1,7 @@
 #include "tools/cli/run_refusal.h"
 
 #include <exception>
+#include <string_view>
 #include <utility>
 
 #include "tools/cli/messages.h"
@@ -42,7 +43,7 @@ source::Diagnostic diagnostic_of(const setup::SetupError& error) {
 }
 
 /// Of the message that a run which has begun would end with; "": its own words say it all.
-std::string code_of(runtime::Status status) {
+std::string_view code_of(runtime::Status status) {
   if (status == runtime::Status::Defect) {
     return source::info(source::DiagnosticId::Defect).code;
   }
