@@ -5,9 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 
@@ -19,6 +16,7 @@
 #include "parts/import/mesh_file.h"
 #include "tests/fuzz/entry.h"
 #include "tests/fuzz/world.h"
+#include "tests/support/temporary_folder.h"
 #include "tools/printer/line_code.h"
 #include "tools/printer/line_spec.h"
 #include "tools/setup/toml_reader.h"
@@ -27,34 +25,10 @@
 namespace g31::fuzz {
 namespace {
 
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "g31_fuzz_XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  /// Written over by the next file of that ending.
-  [[nodiscard]] std::string file(std::string_view bytes, std::string_view ending) const {
-    std::string path = (path_ / "fuzz.").string();
-    path += ending;
-    std::ofstream(path, std::ios::binary)
-        .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    return path;
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
+/// Written over by the next file of that ending.
 std::string as_file(std::string_view bytes, std::string_view ending) {
-  static const Folder folder;
-  return folder.file(bytes, ending);
+  static const testing::TemporaryFolder folder;
+  return folder.write("fuzz." + std::string(ending), bytes);
 }
 
 /// The first line, without its end; it is taken off.

@@ -1,17 +1,10 @@
 #include "tests/support/run_evaluate.h"
 
-#include <gtest/gtest.h>
-
 namespace g31::testing {
 
 EvaluateOutput run_evaluate(cli::EvaluateOptions options) {
   options.json = "-";
-  EvaluateOutput output;
-  ::testing::internal::CaptureStdout();
-  ::testing::internal::CaptureStderr();
-  output.exit_code = static_cast<int>(cli::evaluate_command(options));
-  output.errors = ::testing::internal::GetCapturedStderr();
-  output.out = ::testing::internal::GetCapturedStdout();
+  EvaluateOutput output{captured([&] { return cli::evaluate_command(options); }), {}};
   if (output.exit_code == 0) {
     output.document = nlohmann::json::parse(output.out);
   }

@@ -4,16 +4,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/captured.h"
 #include "tests/support/run_program.h"
 #include "tools/cli/evaluate_command.h"
 
 namespace g31::testing {
 
 /// What `g31 evaluate` left.
-struct EvaluateOutput {
-  int exit_code = -1;
-  std::string out;
-  std::string errors;
+struct EvaluateOutput : CommandOutput {
   nlohmann::json document;  ///< null where none came
 
   [[nodiscard]] double value(const std::string& name) const {

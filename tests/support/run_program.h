@@ -1,34 +1,16 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/temporary_folder.h"
 #include "tools/cli/run_command.h"
 
 // One place compiles what a document is made of and read by.
 extern template class nlohmann::basic_json<>;
 
 namespace g31::testing {
-
-/// A folder of its own for one test, removed at its end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder();
-
-  /// Writes a file into the folder and returns its path.
-  std::string write(const std::string& name, const std::string& text) const;
-  [[nodiscard]] std::string path(const std::string& name) const;
-  [[nodiscard]] std::vector<std::string> names() const;
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The content of a file; empty where there is none.
 std::string text_of(const std::string& path);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "tests/support/captured.h"
 #include "tests/support/run_program.h"
 #include "tools/cli/study_command.h"
 
@@ -11,11 +12,7 @@ namespace g31::testing {
 std::string text_of_file(const std::string& path);
 
 /// What `g31 study` left.
-struct StudyOutput {
-  int exit_code = -1;
-  std::string out;
-  std::string errors;
-};
+using StudyOutput = CommandOutput;
 
 /// Runs the command in this process.
 StudyOutput run_study(const cli::StudyOptions& options);

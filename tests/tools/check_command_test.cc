@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/captured.h"
 #include "tests/support/run_program.h"
 #include "tools/disk/shipped.h"
 
@@ -23,13 +24,8 @@ struct CheckOutput {
 };
 
 CheckOutput checked(const cli::CheckOptions& options) {
-  ::testing::internal::CaptureStdout();
-  ::testing::internal::CaptureStderr();
-  CheckOutput output;
-  output.exit_code = static_cast<int>(cli::check_command(options));
-  output.text = ::testing::internal::GetCapturedStdout();
-  output.errors = ::testing::internal::GetCapturedStderr();
-  return output;
+  const auto said = testing::captured([&] { return cli::check_command(options); });
+  return {said.exit_code, said.out, said.errors};
 }
 
 CheckOutput checked_files(const std::vector<std::string>& files) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/captured.h"
 #include "tests/support/run_program.h"
 #include "tools/cli/explain_command.h"
 
@@ -21,11 +22,8 @@ struct Output {
 };
 
 Output explain(const ExplainOptions& options) {
-  ::testing::internal::CaptureStdout();
-  ::testing::internal::CaptureStderr();
-  const ExitCode code = explain_command(options);
-  std::string errors = ::testing::internal::GetCapturedStderr();
-  return {code, ::testing::internal::GetCapturedStdout(), std::move(errors)};
+  const auto said = testing::captured([&] { return explain_command(options); });
+  return {static_cast<ExitCode>(said.exit_code), said.out, said.errors};
 }
 
 TEST(ExplainCommand, PrintsTheEntry) {

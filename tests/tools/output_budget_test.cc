@@ -15,6 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/support/captured.h"
 #include "tests/support/run_arguments.h"
 #include "tests/support/run_program.h"
 #include "tests/support/run_study.h"
@@ -217,11 +218,7 @@ TEST(OutputBudget, DocumentReadsAsIfWrittenAtOnce) {
       options.prints.clear();
     }
     options.json = folder.path("result.json");
-    ::testing::internal::CaptureStdout();
-    ::testing::internal::CaptureStderr();
-    cli::run_command(options);
-    ::testing::internal::GetCapturedStdout();
-    ::testing::internal::GetCapturedStderr();
+    testing::captured([&] { return cli::run_command(options); });
     const std::string text = testing::text_of(options.json);
     EXPECT_EQ(ordered_json::parse(text).dump(1) + "\n", text);
   }

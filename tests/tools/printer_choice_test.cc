@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "tests/support/captured.h"
 #include "tests/support/played_printer.h"
 #include "tests/support/run_program.h"
 
@@ -17,20 +18,8 @@ namespace {
 using testing::PlayedPrinter;
 using testing::TemporaryFolder;
 
-struct Streams {
-  int exit_code = -1;
-  std::string out;
-  std::string errors;
-};
-
-Streams run(const cli::RunOptions& options) {
-  ::testing::internal::CaptureStdout();
-  ::testing::internal::CaptureStderr();
-  Streams streams;
-  streams.exit_code = static_cast<int>(cli::run_command(options));
-  streams.errors = ::testing::internal::GetCapturedStderr();
-  streams.out = ::testing::internal::GetCapturedStdout();
-  return streams;
+testing::CommandOutput run(const cli::RunOptions& options) {
+  return testing::captured([&] { return cli::run_command(options); });
 }
 
 class PrinterChoice : public ::testing::Test {
@@ -50,12 +39,12 @@ class PrinterChoice : public ::testing::Test {
 
 TEST_F(PrinterChoice, IsStandardOutputOrAFile) {
   for (const char* printer : {"", "-"}) {
-    const Streams streams = run(options(printer));
+    const testing::CommandOutput streams = run(options(printer));
     EXPECT_EQ(streams.exit_code, 0) << streams.errors;
     EXPECT_EQ(streams.out, text_);
   }
   const std::string path = folder_.write("out.txt", "what was there before, and longer");
-  const Streams streams = run(options(path));
+  const testing::CommandOutput streams = run(options(path));
   EXPECT_EQ(streams.exit_code, 0) << streams.errors;
   EXPECT_EQ(streams.out, "");
   std::ifstream file(path, std::ios::binary);
@@ -65,17 +54,17 @@ TEST_F(PrinterChoice, IsStandardOutputOrAFile) {
 TEST_F(PrinterChoice, LeavesStandardOutputToTheDocument) {
   cli::RunOptions both = options(folder_.path("out.txt"));
   both.json = "-";
-  const Streams streams = run(both);
+  const testing::CommandOutput streams = run(both);
   EXPECT_EQ(streams.exit_code, 0) << streams.errors;
   EXPECT_EQ(nlohmann::json::parse(streams.out).at("output"), text_);
   both.printer = "-";
-  const Streams refused = run(both);
+  const testing::CommandOutput refused = run(both);
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(refused.errors,
             "g31: error: --printer -: --json - writes to standard output, too: give one of them a "
             "file\n");
   both.printer = "";
-  const Streams quiet = run(both);
+  const testing::CommandOutput quiet = run(both);
   EXPECT_EQ(nlohmann::json::parse(quiet.out).at("output"), text_);
 }
 
@@ -97,7 +86,7 @@ TEST_F(PrinterChoice, IsRefusedBeforeAnythingRuns) {
       {ordinary + ",4800,e,7,2", ordinary + " is not a serial line"},
   };
   for (const auto& [printer, says] : kCases) {
-    const Streams streams = run(options(printer));
+    const testing::CommandOutput streams = run(options(printer));
     EXPECT_EQ(streams.exit_code, 2) << printer;
     EXPECT_EQ(streams.errors.rfind("g31: error: --printer " + printer + ": ", 0), 0U)
         << streams.errors;
@@ -111,14 +100,14 @@ TEST_F(PrinterChoice, ALineOfSevenBitsCannotCarryNumbersOfBprnt) {
   printer.start();
   cli::RunOptions narrow = options(printer.device() + ",19200,n,7,2");
   narrow.programs = {folder_.write("main.nc", "O1\n#1=1\nPOPEN\nBPRNT[X#1[3]]\nM30\n")};
-  const Streams streams = run(narrow);
+  const testing::CommandOutput streams = run(narrow);
   EXPECT_EQ(streams.exit_code, 3);
   EXPECT_NE(streams.errors.find("main.nc:4:1: error: "), std::string::npos) << streams.errors;
   EXPECT_NE(streams.errors.find("BPRNT need 8 data bits"), std::string::npos) << streams.errors;
 }
 
 TEST_F(PrinterChoice, AFullDiskIsNoSuccess) {
-  const Streams streams = run(options("/dev/full"));
+  const testing::CommandOutput streams = run(options("/dev/full"));
   EXPECT_EQ(streams.exit_code, 2);
   EXPECT_EQ(streams.errors,
             "g31: error: --printer /dev/full: cannot write: No space left on device\n");
