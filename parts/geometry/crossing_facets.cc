@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include "parts/geometry/bvh.h"
+#include "parts/geometry/facet_normal.h"
 
 namespace g31::parts {
 namespace {
@@ -31,18 +32,12 @@ struct Chord {
 };
 
 std::optional<FacetInPlane> facet_of(const Mesh& mesh, std::uint32_t t) {
-  constexpr double kFlat = 1e-9;  // as MeshDefects has it
-  const auto& v = mesh.triangles[t];
-  FacetInPlane facet{{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]}, {}};
-  const Point a = facet.corners[1] - facet.corners[0];
-  const Point b = facet.corners[2] - facet.corners[0];
-  const Point across = a.cross(b);
-  const double area = across.norm();
-  if (area <= kFlat * std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()})) {
+  const auto normal = facet_normal(mesh, t);
+  if (!normal) {
     return std::nullopt;
   }
-  facet.normal = across / area;
-  return facet;
+  const auto& v = mesh.triangles[t];
+  return FacetInPlane{{mesh.vertices[v[0]], mesh.vertices[v[1]], mesh.vertices[v[2]]}, *normal};
 }
 
 /// nullopt: the facet is not on both sides of the plane, each by more than `little`.

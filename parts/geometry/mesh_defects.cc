@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "parts/geometry/crossing_facets.h"
+#include "parts/geometry/facet_normal.h"
 #include "parts/geometry/mesh_edges.h"
 #include "parts/geometry/mesh_shells.h"
 #include "parts/geometry/shell_nesting.h"
@@ -29,7 +30,7 @@ class DefectSearch {
   MeshDefects find() {
     const MeshShells found = look_at_edges();
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (is_flat(t)) {
+      if (!facet_normal(mesh_, t)) {
         note(defects_.flat_facets, middle_of(t));
       }
       if (flipped_[t]) {
@@ -132,15 +133,6 @@ class DefectSearch {
   static bool has_volume(const Shell& shell) {
     const double size = shell.diagonal();
     return std::fabs(shell.volume) > 1e-12 * size * size * size;
-  }
-
-  [[nodiscard]] bool is_flat(std::uint32_t t) const {
-    constexpr double kHeight = 1e-9;  // of the longest side
-    const auto& v = mesh_.triangles[t];
-    const Point a = mesh_.vertices[v[1]] - mesh_.vertices[v[0]];
-    const Point b = mesh_.vertices[v[2]] - mesh_.vertices[v[0]];
-    const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
-    return a.cross(b).norm() <= kHeight * longest;
   }
 
   [[nodiscard]] Point middle_of(std::uint32_t t) const {

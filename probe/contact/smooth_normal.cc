@@ -52,16 +52,22 @@ Point normal_at(const ContactMesh& mesh, const Point& corner, const Point& outwa
 
 /// A facet with the normals at its corners.
 struct Facet {
-  ContactTriangle triangle;
-  Point normal;  ///< towards the ball
-  std::array<Point, 3> corners;
-
-  /// @param p  in its plane, beyond its edges, too
-  [[nodiscard]] Point normal_over(const Point& p) const {
+  /// @param up  its normal towards the ball
+  Facet(const ContactTriangle& given, const Point& up) : triangle(given), normal(up) {
     const auto& v = triangle.vertices;
     Eigen::Matrix3d edges;
     edges << v[1] - v[0], v[2] - v[0], normal;
-    const Eigen::Vector3d share = edges.inverse() * (p - v[0]);
+    shares = edges.inverse();
+  }
+
+  ContactTriangle triangle;
+  Point normal;
+  std::array<Point, 3> corners = {};
+  Eigen::Matrix3d shares;  ///< of a way from the first corner: along two edges, and up
+
+  /// @param p  in its plane, beyond its edges, too
+  [[nodiscard]] Point normal_over(const Point& p) const {
+    const Eigen::Vector3d share = shares * (p - triangle.vertices[0]);
     return ((1.0 - share.x() - share.y()) * corners[0] + share.x() * corners[1] +
             share.y() * corners[2])
         .normalized();
@@ -101,7 +107,7 @@ Point smooth_normal(const ContactMesh& mesh, const SweepHit& hit) {
   if (std::abs(along) < kCreaseCosine) {
     return hit.n_M;  // a sharp edge, or a corner
   }
-  Facet facet{triangle, std::copysign(1.0, along) * triangle.normal, {}};
+  Facet facet(triangle, std::copysign(1.0, along) * triangle.normal);
   for (std::size_t i = 0; i < 3; ++i) {
     const Point normal = normal_at(mesh, triangle.vertices[i], facet.normal);
     facet.corners[i] = normal.isZero(0.0) ? facet.normal : normal.normalized();

@@ -83,8 +83,8 @@ std::FILE* new_file(const std::string& name) {
   return descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
 }
 
-/// A pipe once somebody reads it; nullptr: errno says why not, ENXIO that nobody does.
-std::FILE* read_pipe(const std::string& path) {
+/// Opens a pipe once somebody reads it; nullptr: errno says why not, ENXIO that nobody does.
+std::FILE* open_pipe(const std::string& path) {
   constexpr int kLooksPerSecond = 50;
   int descriptor = -1;
   for (int look = 0; look <= kPipePatienceS * kLooksPerSecond; ++look) {
@@ -135,7 +135,7 @@ Result<std::shared_ptr<PartFile>, std::string> PartFile::create(const std::strin
     return made(stdout, path, "");
   }
   if (is_there && is_device_or_pipe(is)) {
-    std::FILE* const file = S_ISFIFO(is.st_mode) ? read_pipe(path) : std::fopen(path.c_str(), "wb");
+    std::FILE* const file = S_ISFIFO(is.st_mode) ? open_pipe(path) : std::fopen(path.c_str(), "wb");
     if (file == nullptr && errno == ENXIO) {
       return fmt::format("nobody has read this pipe for {} s", kPipePatienceS);
     }
