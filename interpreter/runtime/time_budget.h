@@ -9,9 +9,8 @@
 
 namespace g31::runtime {
 
-/// The wall time that is left for work within a block, and before and behind the run; none after
-/// an interruption.  Results
-/// never depend on the time, but for its end.
+/// The wall time that is left for work within a block, and before and behind the run; none after an
+/// interruption.  Results never depend on the time, but for its end.
 class TimeBudget final : public machine::WorkWatch {
  public:
   /// Time runs from here on.

@@ -8,8 +8,7 @@ namespace g31::sinumerik {
 namespace {
 
 bool has_word(const Block& block, int axis) {
-  return (is_machine_axis(axis) || is_further_axis(axis)) &&
-         block.words[address_of_axis(axis)].present;
+  return has_frame(axis) && block.words[address_of_axis(axis)].present;
 }
 
 /// What the words of the block make, to be chained or taken alone.

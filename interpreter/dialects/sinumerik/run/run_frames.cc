@@ -8,10 +8,6 @@
 namespace g31::sinumerik {
 namespace {
 
-bool has_frame(int axis) {
-  return is_machine_axis(axis) || is_further_axis(axis);
-}
-
 /// CROTS; one angle alone turns as CROT does.
 MaybeFailure turn_by_two(Frame& result, const Eigen::Vector3d& degrees,
                          const std::array<bool, 3>& given) {

@@ -43,9 +43,7 @@ MaybeFailure split(SystemAccess& access) {
   access.indices.pop_back();
   access.axis = access.indices.back();
   access.indices.pop_back();
-  return is_machine_axis(access.axis) || is_further_axis(access.axis)
-             ? std::nullopt
-             : std::optional(failure(AlarmId::BadAxisIndex));
+  return has_frame(access.axis) ? std::nullopt : std::optional(failure(AlarmId::BadAxisIndex));
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ bool Runner::frame_step(const Op& op) {
       const bool loads = op.code == OpCode::LoadComponent;
       const auto [axis, component] =
           loads ? component_of(list[0], list[1]) : component_of(list[1], list[2]);
-      if (!is_machine_axis(axis) && !is_further_axis(axis)) {
+      if (!has_frame(axis)) {
         return failed(AlarmId::BadAxisIndex);
       }
       if (loads) {

@@ -71,6 +71,10 @@ constexpr bool is_machine_axis(int axis) {
 constexpr bool is_further_axis(int axis) {
   return axis >= kFirstFurtherAxis && axis < static_cast<int>(kAxisNumbers);
 }
+/// Whether frames shift an axis: the spindle they do not.
+constexpr bool has_frame(int axis) {
+  return is_machine_axis(axis) || is_further_axis(axis);
+}
 /// Whether an axis counts in lengths.
 constexpr bool is_length_axis(int axis) {
   return is_further_axis(axis) || (is_machine_axis(axis) && is_linear_axis(axis));
