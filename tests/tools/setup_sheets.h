@@ -193,6 +193,55 @@ noise = 0.0001
 input = 3
 word = 33
 [[sensor]]
+[[tool]]
+number = 7
+kind = "probe"
+[[tool]]
+number = 5
+kind = "bull_mill"
+length = 100.0
+diameter = 16.0
+corner_radius = 1.5
+[[tool.teeth]]
+angle_deg = 90.0
+[[tool.teeth]]
+angle_deg = 270.0
+radius = 7.99
+length = 99.98
+[[tool.body]]
+name = "chuck"
+length = 40.0
+diameter = 32.0
+top_diameter = 50.0
+rounding = 1.0
+[[tool.body]]
+length = 20.0
+[[tool]]
+number = 6
+kind = "drill"
+length = 80.0
+diameter = 6.0
+tip_angle_deg = 140.0
+[[tool]]
+number = 9
+kind = "turning"
+lengths = [50.0, 80.0, -0.5]
+tip_radius = 0.4
+edge_position = 2
+[[tool_probe]]
+name = "setter"
+shape = "disc"
+size = [20.0, 6.0]
+at = [200.0, -30.0, -400.0]
+rotate_deg = [0.0, 0.0, 45.0]
+side = "table"
+input = 3
+delay_s = 0.002
+repeatability_mm = 0.0005
+pre_travel_mm = 0.01
+deflection_limit = 2.0
+filter_s = 0.01
+[[tool_probe]]
 [[skip_signal]]
 axis = "Y"
 at = 10.0

@@ -325,6 +325,26 @@ TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
   EXPECT_EQ(read.skip_signals->at(2).at, std::nullopt);
 }
 
+/// What an example of [[tool]] needs beside it.
+std::string sheet_of_tool(const KeyRow& row, const std::string& sheet) {
+  if (row.section == SectionId::ToolTooth || row.section == SectionId::ToolBody) {
+    return "[[tool]]\nnumber = 5\nlength = 100.0\ndiameter = 16.0\n" + sheet;
+  }
+  if (row.section != SectionId::Tool) {
+    return sheet;
+  }
+  const bool is_of_insert = row.id == KeyId::ToolLengths || row.id == KeyId::ToolTipRadius ||
+                            row.id == KeyId::ToolEdgePosition;
+  const std::string kind = is_of_insert                    ? "kind = \"turning\"\n"
+                           : row.id == KeyId::ToolTipAngle ? "kind = \"drill\"\n"
+                                                           : "";
+  const std::string lengths = row.id == KeyId::ToolLengths ? "" : "lengths = [1.0, 2.0, 3.0]\n";
+  const std::string length = row.id == KeyId::ToolTrueLength ? "" : "length = 100.0\n";
+  const std::string diameter = row.id == KeyId::ToolDiameter ? "" : "diameter = 16.0\n";
+  return sheet + (row.id == KeyId::ToolWhich ? "" : "number = 5\n") + kind +
+         (is_of_insert ? lengths : length + diameter);
+}
+
 TEST_F(SetupReader, EveryExampleOfTheTableIsASheet) {
   static_cast<void>(write("v55.toml", "name = \"V55\"\n"));
   for (const KeyRow& row : key_rows()) {
@@ -338,6 +358,7 @@ TEST_F(SetupReader, EveryExampleOfTheTableIsASheet) {
     if (row.section == SectionId::BelievedAxes) {
       sheet = "[machine]\ntable_side = \"C\"\n" + sheet;
     }
+    sheet = sheet_of_tool(row, sheet);
     if (row.section == SectionId::Input && row.id != KeyId::InputWhich) {
       sheet += "number = 1003\n";
     }

@@ -15,6 +15,7 @@
 
 #include "tests/support/conformance_run.h"
 #include "tests/support/effort.h"
+#include "tests/support/temporary_folder.h"
 
 namespace g31::stepper_test {
 namespace {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -114,6 +115,7 @@ class SheetCheck {
 
   const Document& document_;
   ErrorList& errors_;
+  std::size_t outer_element_ = 0;  ///< of the list being checked that may have lists within
   Sheet sheet_;
 };
 
@@ -230,6 +232,9 @@ void SheetCheck::check_list(const SectionRow& row, const Member& member) {
     return;
   }
   std::vector<SheetTable>& list = sheet_.lists[row.id];
+  for (const std::string_view inner : inner_sections(row.id)) {
+    sheet_.lists[find_section(fmt::format("{}.{}", row.path, inner))->id];
+  }
   for (const Node& element : *array) {
     const Table* members = table_or_error(element, row.path, row.example);
     if (members == nullptr) {
@@ -242,9 +247,13 @@ void SheetCheck::check_list(const SectionRow& row, const Member& member) {
     } else if (row.id == SectionId::SkipSignal) {
       check_skip_signal(*members, at(element));
     }
-    SheetTable& table = list.emplace_back();
+    SheetTable table;
     table.where = at(element);
+    table.of = outer_element_;
+    const bool is_inner = row.path.find('.') != std::string_view::npos;
+    outer_element_ = is_inner ? outer_element_ : list.size();
     check_members(*members, scope, table);
+    list.push_back(std::move(table));
   }
 }
 
@@ -285,6 +294,7 @@ void SheetCheck::check_key(const Member& member, const Scope& scope, SheetTable&
       checked_value(member.node, row.type, is_bit ? Limit::Bit : row.limit, row.unit);
   if (!checked) {
     refused(member.node, path, checked.error(), row.example);
+    into.is_whole = false;
     return;
   }
   SheetValue value = checked.value();

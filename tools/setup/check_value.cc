@@ -14,6 +14,8 @@
 #include "machine/units/axis_positions.h"
 #include "parts/import/mesh_unit.h"
 #include "probe/sensor/probe_setup.h"
+#include "probe/tooling/tool_probe_setup.h"
+#include "probe/tooling/tool_setup.h"
 #include "tools/setup/program_switch.h"
 
 namespace g31::setup {
@@ -70,6 +72,8 @@ std::string_view words_for(ValueType type) {
       return "an array of two numbers";
     case ValueType::ThreeNumbers:
       return "an array of three numbers";
+    case ValueType::NumberOrNumbers:
+      return "a number or an array of numbers";
     case ValueType::NumberOrTable:
       return "a number or an array of [place, error]";
     case ValueType::Datum:
@@ -82,12 +86,13 @@ constexpr std::string_view kProgramSwitch =
     "an M code like \"M80\", or an output \"#1100\" to \"#1115\" or \"$A_OUT[1]\" to "
     "\"$A_OUT[64]\"";
 
-/// Limits of texts that are one of a few.
-struct Choice {
+/// What a value of each limit should be; Any asks for nothing.
+struct LimitWords {
   Limit of;
   std::string_view words;
 };
-constexpr Choice kChoices[] = {
+constexpr LimitWords kLimitWords[] = {
+    {Limit::Any, ""},
     {Limit::IncrementSystem, "\"IS-A\", \"IS-B\" or \"IS-C\""},
     {Limit::RapidPath, "\"straight\" or \"independent\""},
     {Limit::OffsetMemory, "\"A\", \"B\" or \"C\""},
@@ -95,68 +100,44 @@ constexpr Choice kChoices[] = {
     {Limit::ProbeType, "\"3D\" or \"mono\""},
     {Limit::SeatKind, "\"even\" or \"tripod\""},
     {Limit::ProbeState, "\"ready\", \"dead\", \"low_battery\" or \"double_trigger\""},
+    {Limit::ToolKind,
+     "\"mill\", \"ball_mill\", \"bull_mill\", \"drill\", \"turning\", \"calibration\" or "
+     "\"probe\""},
+    {Limit::ToolProbeShape, "\"cube\", \"disc\" or \"laser\""},
+    {Limit::ToolProbeSide, "\"bed\" or \"table\""},
     {Limit::MeshUnit, "\"um\", \"mm\", \"cm\", \"m\", \"inch\" or \"foot\""},
+    {Limit::Positive, "greater than 0"},
+    {Limit::NotNegative, "0 or more"},
+    {Limit::Share, "0 to 1"},
+    {Limit::Bit, "0 or 1"},
+    {Limit::SwitchNumber, "a list of numbers 1 to 9"},
+    {Limit::ProgramNumber, "1 to 99999999"},
+    {Limit::ToolOfProbe, "1 to 99999999"},
+    {Limit::EdgePosition, "1 to 9"},
+    {Limit::TipAngle, "above 0 and 180 at most"},
+    {Limit::BlockCount, "0 to 9999"},
+    {Limit::Rising, "two numbers, the first below the second"},
+    {Limit::NotEmpty, "a string that is not empty"},
+    {Limit::MeasuringInput, "1 to 8"},
+    {Limit::DigitalInput,
+     "1 to 64 for $A_IN, 1000 to 1015 for #1000 to #1015, or 11016 to 11255 for those of a "
+     "Haas"},
+    {Limit::SensorWord, "1032 to 1035 or 1132 to 1135"},
+    {Limit::ColumnName, "a name of letters, digits, _, ., - and +"},
+    {Limit::MachineCode, "M and a number of one to eight digits"},
+    {Limit::ProgramSwitch, kProgramSwitch},
+    {Limit::AxisLetter, "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\""},
+    {Limit::AxisLetters, "letters of X, Y, Z, A, B and C, none twice"},
+    {Limit::NotAllZero, "three numbers, not all 0"},
+    {Limit::RisingPlaces, "pairs with rising places"},
 };
+static_assert(std::size(kLimitWords) == static_cast<std::size_t>(Limit::RisingPlaces) + 1,
+              "every Limit has words");
 
 std::string_view words_for(Limit limit) {
-  const auto* const choice = std::ranges::find(kChoices, limit, &Choice::of);
-  if (choice != std::end(kChoices)) {
-    return choice->words;
-  }
-  switch (limit) {
-    case Limit::Any:
-      return "";
-    case Limit::IncrementSystem:
-    case Limit::RapidPath:
-    case Limit::OffsetMemory:
-    case Limit::StoppingKind:
-    case Limit::ProbeType:
-    case Limit::SeatKind:
-    case Limit::ProbeState:
-    case Limit::MeshUnit:
-      break;
-    case Limit::Positive:
-      return "greater than 0";
-    case Limit::NotNegative:
-      return "0 or more";
-    case Limit::Share:
-      return "0 to 1";
-    case Limit::Bit:
-      return "0 or 1";
-    case Limit::SwitchNumber:
-      return "a list of numbers 1 to 9";
-    case Limit::ProgramNumber:
-    case Limit::ToolOfProbe:
-      return "1 to 99999999";
-    case Limit::BlockCount:
-      return "0 to 9999";
-    case Limit::Rising:
-      return "two numbers, the first below the second";
-    case Limit::NotEmpty:
-      return "a string that is not empty";
-    case Limit::MeasuringInput:
-      return "1 to 8";
-    case Limit::DigitalInput:
-      return "1 to 64 for $A_IN, 1000 to 1015 for #1000 to #1015, or 11016 to 11255 for those of a "
-             "Haas";
-    case Limit::SensorWord:
-      return "1032 to 1035 or 1132 to 1135";
-    case Limit::ColumnName:
-      return "a name of letters, digits, _, ., - and +";
-    case Limit::MachineCode:
-      return "M and a number of one to eight digits";
-    case Limit::ProgramSwitch:
-      return kProgramSwitch;
-    case Limit::AxisLetter:
-      return "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\"";
-    case Limit::AxisLetters:
-      return "letters of X, Y, Z, A, B and C, none twice";
-    case Limit::NotAllZero:
-      return "three numbers, not all 0";
-    case Limit::RisingPlaces:
-      return "pairs with rising places";
-  }
-  contract_violated("every Limit has words", __FILE__, __LINE__);
+  const auto* const row = std::ranges::find(kLimitWords, limit, &LimitWords::of);
+  G31_EXPECTS(row != std::end(kLimitWords));
+  return row->words;
 }
 
 bool is_sensor_word(double number) {
@@ -187,6 +168,10 @@ bool number_within(Limit limit, double number) {
     case Limit::ProgramNumber:
     case Limit::ToolOfProbe:
       return number >= 1.0 && number <= 99999999.0;
+    case Limit::EdgePosition:
+      return number >= 1.0 && number <= 9.0;
+    case Limit::TipAngle:
+      return number > 0.0 && number <= 180.0;
     case Limit::BlockCount:
       return number >= 0.0 && number <= 9999.0;
     case Limit::MeasuringInput:
@@ -206,6 +191,9 @@ bool number_within(Limit limit, double number) {
     case Limit::ProbeType:
     case Limit::SeatKind:
     case Limit::ProbeState:
+    case Limit::ToolKind:
+    case Limit::ToolProbeShape:
+    case Limit::ToolProbeSide:
     case Limit::AxisLetter:
     case Limit::AxisLetters:
     case Limit::MachineCode:
@@ -243,13 +231,17 @@ bool places_rise(const std::vector<double>& list) {
   return true;
 }
 
+template <typename Rows>
+bool has_name(const Rows& rows, const std::string& text) {
+  return std::ranges::any_of(rows, [&](const auto& row) { return row.name == text; });
+}
+
 bool text_within(Limit limit, const std::string& text) {
   switch (limit) {
     case Limit::NotEmpty:
       return !text.empty();
     case Limit::MeshUnit:
-      return std::ranges::any_of(parts::kMeshUnits,
-                                 [&](const parts::MeshUnit& unit) { return unit.name == text; });
+      return has_name(parts::kMeshUnits, text);
     case Limit::IncrementSystem:
       return text == "IS-A" || text == "IS-B" || text == "IS-C";
     case Limit::RapidPath:
@@ -263,8 +255,13 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::SeatKind:
       return text == "even" || text == "tripod";
     case Limit::ProbeState:
-      return std::ranges::any_of(probe::kProbeStateNames,
-                                 [&](const auto& row) { return row.name == text; });
+      return has_name(probe::kProbeStateNames, text);
+    case Limit::ToolKind:
+      return has_name(probe::kToolKindNames, text);
+    case Limit::ToolProbeShape:
+      return has_name(probe::kToolProbeShapeNames, text);
+    case Limit::ToolProbeSide:
+      return text == "bed" || text == "table";
     case Limit::AxisLetter:
       return text.size() == 1 && axis_index(text.front()) >= 0;
     case Limit::AxisLetters:
@@ -287,6 +284,8 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::DigitalInput:
     case Limit::SensorWord:
     case Limit::ToolOfProbe:
+    case Limit::EdgePosition:
+    case Limit::TipAngle:
     case Limit::Rising:
     case Limit::NotAllZero:
     case Limit::RisingPlaces:
@@ -416,6 +415,16 @@ Checked number_value(const Node& node, ValueType type) {
   return number ? Checked(SheetValue(number.value())) : Checked(number.error());
 }
 
+/// One number is a list of one.
+Checked number_or_list(const Node& node, ValueType type) {
+  if (std::holds_alternative<Array>(node.value)) {
+    return list_from(node, type, std::nullopt);
+  }
+  const auto number = number_from(node, type);
+  return number ? Checked(SheetValue(std::vector<double>{number.value()}))
+                : Checked(number.error());
+}
+
 Checked datum_value(const Node& node, ValueType type) {
   if (const auto* const text = std::get_if<std::string>(&node.value)) {
     return SheetValue(*text);
@@ -447,6 +456,8 @@ Checked typed_value(const Node& node, ValueType type) {
       return list_from(node, type, 2);
     case ValueType::ThreeNumbers:
       return list_from(node, type, 3);
+    case ValueType::NumberOrNumbers:
+      return number_or_list(node, type);
     case ValueType::NumberOrTable:
       return number_or_table(node, type);
     case ValueType::Datum:

@@ -16,6 +16,7 @@
 #include "tools/setup/fill_machine.h"
 #include "tools/setup/fill_probe.h"
 #include "tools/setup/fill_sensors.h"
+#include "tools/setup/fill_tools.h"
 #include "tools/setup/table_keys.h"
 
 namespace g31::setup {
@@ -178,6 +179,10 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::ProbeBody:
     case SectionId::Part:
     case SectionId::Sensor:
+    case SectionId::Tool:
+    case SectionId::ToolTooth:
+    case SectionId::ToolBody:
+    case SectionId::ToolProbe:
     case SectionId::Input:
     case SectionId::SkipSignal:
       contract_violated("a list is not a table", __FILE__, __LINE__);
@@ -286,6 +291,8 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
   }
   job.control.inputs = inputs_from(sheet, errors);
   fill_sensors(job, sheet, errors);
+  fill_tools(job, sheet, errors);
+  fill_tool_probes(job, sheet, errors);
   job.machine = machine_from(sheet, errors);
   job.control.kinematics = believed_kinematics(sheet, job.machine, errors);
   if (job.probe) {

@@ -79,25 +79,6 @@ probe::ProbeState probe_state_from(const TableKeys& keys) {
   return row->state;
 }
 
-/// A round piece between two heights above the ball centre, its edges rounded.
-probe::ProbeSection section_between(double z_bottom, double z_top, const SheetTable& table) {
-  const TableKeys keys(table);
-  const double radius = 0.5 * keys.get(KeyId::ProbeBodyDiameter, kUsualBodyDiameterMm);
-  const double radius_top = 0.5 * keys.get(KeyId::ProbeBodyTop, 2.0 * radius);
-  const double most = std::min({radius, radius_top, 0.5 * (z_top - z_bottom)});
-  const double rounding = std::min(keys.get(KeyId::ProbeBodyRounding, 0.0), most);
-  return {keys.get(KeyId::ProbeBodyName, std::string("probe body")),
-          z_bottom + rounding,
-          z_top - rounding,
-          radius - rounding,
-          radius_top - rounding,
-          rounding};
-}
-
-double length_of_body(const SheetTable& table) {
-  return TableKeys(table).get(KeyId::ProbeBodyLength, kUsualBodyLengthMm);
-}
-
 /// Stem and bodies, from the ball upwards.
 void fill_sections(probe::ProbeSetup& probe, const TableKeys& keys,
                    std::span<const SheetTable> bodies) {
@@ -114,9 +95,8 @@ void fill_sections(probe::ProbeSetup& probe, const TableKeys& keys,
   }
   double z = stem_length;
   for (const SheetTable& body : bodies) {
-    const double top = z + length_of_body(body);
-    probe.bodies.push_back(section_between(z, top, body));
-    z = top;
+    probe.bodies.push_back(body_from(z, body, "probe body"));
+    z += length_of_body(body);
   }
 }
 
@@ -158,6 +138,25 @@ std::optional<probe::ProbeSection> arm_from(const SheetTable& table,
 }
 
 }  // namespace
+
+double length_of_body(const SheetTable& table) {
+  return TableKeys(table).get(KeyId::ProbeBodyLength, kUsualBodyLengthMm);
+}
+
+probe::ProbeSection body_from(double z_bottom, const SheetTable& table, const char* usual_name) {
+  const TableKeys keys(table);
+  const double z_top = z_bottom + length_of_body(table);
+  const double radius = 0.5 * keys.get(KeyId::ProbeBodyDiameter, kUsualBodyDiameterMm);
+  const double radius_top = 0.5 * keys.get(KeyId::ProbeBodyTop, 2.0 * radius);
+  const double most = std::min({radius, radius_top, 0.5 * (z_top - z_bottom)});
+  const double rounding = std::min(keys.get(KeyId::ProbeBodyRounding, 0.0), most);
+  return {keys.get(KeyId::ProbeBodyName, std::string(usual_name)),
+          z_bottom + rounding,
+          z_top - rounding,
+          radius - rounding,
+          radius_top - rounding,
+          rounding};
+}
 
 probe::ProbeSetup probe_from(const Sheet& sheet, const SheetTable& table) {
   const TableKeys keys(table);

@@ -9,6 +9,14 @@ namespace g31::setup {
 /// [probe], which is `table`, and the lists inside it.
 probe::ProbeSetup probe_from(const Sheet& sheet, const SheetTable& table);
 
+/// Height of a [[probe.body]] or [[tool.body]], mm.
+double length_of_body(const SheetTable& table);
+
+/// A round piece of a probe or tool, its edges rounded.
+/// @param z_bottom    height of its lower end in the frame of ProbeSection, mm
+/// @param usual_name  of one that has none
+probe::ProbeSection body_from(double z_bottom, const SheetTable& table, const char* usual_name);
+
 /// The digital inputs that the probe sets.
 std::vector<machine::InputWire> wires_of(const SheetTable& table, int measuring_input);
 

@@ -10,6 +10,8 @@
 #include "parts/artefacts/part_setup.h"
 #include "probe/sensor/displacement_sensors.h"
 #include "probe/sensor/probe_setup.h"
+#include "probe/tooling/tool_probe_setup.h"
+#include "probe/tooling/tool_setup.h"
 #include "tools/setup/setup_error.h"
 
 namespace g31::setup {
@@ -20,6 +22,8 @@ struct Job {
   machine::MachineSetup machine;
   std::optional<probe::ProbeSetup> probe;  ///< none: no probe in the spindle
   std::vector<probe::DisplacementSetup> sensors;
+  std::vector<probe::ToolSetup> tools;             ///< what the magazine holds; numbers differ
+  std::vector<probe::ToolProbeSetup> tool_probes;  ///< names differ
   std::vector<parts::PartSetup> parts;
   /// Of what only the control can judge, by table and name: "variables.#500"; see RefusedSetting.
   std::map<std::string, SheetPlace> places;

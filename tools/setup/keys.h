@@ -59,8 +59,9 @@ enum class ValueType {
   WholeNumbers,
   TwoNumbers,
   ThreeNumbers,
-  NumberOrTable,  ///< a list of one number, or of pairs
-  Datum,          ///< a number, a text or a list of numbers; true is 1, false is 0
+  NumberOrNumbers,  ///< a list of one number, or of as many as it has
+  NumberOrTable,    ///< a list of one number, or of pairs
+  Datum,            ///< a number, a text or a list of numbers; true is 1, false is 0
 };
 
 /// Which values of the right type are allowed.
@@ -88,6 +89,11 @@ enum class Limit {
   SensorWord,      ///< 1032..1035 or 1132..1135, or less 1000
   ColumnName,      ///< letters, digits and _ . - +
   ToolOfProbe,     ///< 1..99999999
+  ToolKind,        ///< a row of probe::kToolKindNames
+  ToolProbeShape,  ///< a row of probe::kToolProbeShapeNames
+  ToolProbeSide,   ///< bed or table
+  EdgePosition,    ///< 1..9
+  TipAngle,        ///< above 0, 180 at most
   MachineCode,     ///< M and a number
   ProgramSwitch,   ///< that, #1100 to #1115 or $A_OUT[n]
   AxisLetter,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <utility>
@@ -21,13 +22,17 @@ struct Entry {
 struct SheetTable {
   Location where;
   std::map<std::string, Entry> entries;
+  /// Of a list within the elements of a list ([[tool.body]]): the element that it is in, from 0.
+  std::size_t of = 0;
+  bool is_whole = true;  ///< no value of it was refused
 };
 
 /// The checked keys of one sheet, or of several laid over each other.
 struct Sheet {
   /// By section and, for named sections, NAME; a table without keys is here too.
   std::map<std::pair<SectionId, std::string>, SheetTable> tables;
-  /// The elements of [[part]] and [[skip_signal]]; a list that is given without elements is here.
+  /// The elements of [[part]] and the like; a list that is given without elements is here, and one
+  /// within the elements of another that is given.
   std::map<SectionId, std::vector<SheetTable>> lists;
 
   /// The entry of an exact key of a section that has no NAME, or nullptr.

@@ -11,6 +11,7 @@
 #include "machine/base/nearest_name.h"
 #include "machine/units/axis_positions.h"
 #include "parts/artefacts/artefact.h"
+#include "probe/tooling/tool_probe_setup.h"
 #include "tools/setup/table_keys.h"
 
 namespace g31::setup {
@@ -83,6 +84,23 @@ std::string name_of_part(const SheetTable& table) {
                   shape.empty() ? std::filesystem::path(file).stem().string() : shape);
 }
 
+/// What tells the elements of a list apart: the number of a tool, the name of the others.
+std::string name_in_list(SectionId section, const SheetTable& table) {
+  const TableKeys keys(table);
+  if (section == SectionId::Tool) {
+    const Entry* const number = keys.find(KeyId::ToolWhich);
+    return number != nullptr ? fmt::format("{}", number_of(*number)) : "";
+  }
+  return section == SectionId::ToolProbe
+             ? keys.get(KeyId::ToolProbeName, probe::ToolProbeSetup().name)
+             : name_of_part(table);
+}
+
+bool has_names(const SectionRow& section) {
+  return section.form != SectionForm::List || section.id == SectionId::Part ||
+         section.id == SectionId::Tool || section.id == SectionId::ToolProbe;
+}
+
 std::optional<std::string> why_no_size(const SheetTable& part, const VariedKey& key) {
   const std::string shape = TableKeys(part).get(KeyId::PartShape, std::string());
   Names sizes;
@@ -129,8 +147,11 @@ Result<VariedKey, std::string> find_varied_key(std::string_view path) {
   }
   found.section = section->id;
   const std::string_view rest = path.substr(section->path.size() + 1);
-  if (section->form == SectionForm::List && section->id != SectionId::Part) {
-    return fmt::format("[[{}]] has no names, of lists only part.NAME can be varied", section->path);
+  if (!has_names(*section)) {
+    return fmt::format(
+        "[[{}]] has no names, of lists only part.NAME, tool.NUMBER and tool_probe.NAME can be "
+        "varied",
+        section->path);
   }
   const auto taken = find_at_end(found, rest, section->form == SectionForm::One);
   if (!taken) {
@@ -179,13 +200,16 @@ std::optional<std::string> lay_value(Sheet& sheet, const VariedKey& key, const E
     return std::nullopt;
   }
   std::vector<SheetTable>& list = sheet.lists[key.section];
-  const auto part = std::ranges::find(list, key.name, name_of_part);
-  if (part == list.end()) {
-    std::vector<std::string> names(list.size());
-    std::ranges::transform(list, names.begin(), name_of_part);
-    return fmt::format("there is no part {}{}", key.name,
+  std::vector<std::string> names;
+  for (const SheetTable& table : list) {
+    names.push_back(name_in_list(key.section, table));
+  }
+  const auto found = std::ranges::find(names, key.name);
+  if (found == names.end()) {
+    return fmt::format("there is no {} {}{}", row_of(key.section).path, key.name,
                        advice(key.name, Names(names.begin(), names.end())));
   }
+  const auto part = list.begin() + (found - names.begin());
   if (key.row->name_form == NameForm::SizeName) {
     if (auto wrong = why_no_size(*part, key)) {
       return wrong;

@@ -1,0 +1,231 @@
+#include "tools/setup/fill_tools.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "machine/base/contract.h"
+#include "tools/setup/fill_probe.h"
+#include "tools/setup/table_keys.h"
+
+namespace g31::setup {
+namespace {
+
+using probe::ToolKind;
+
+constexpr std::size_t kMostTeeth = 100;  // what a single-tooth check of a SINUMERIK has room for
+
+/// Which kinds have a key; the others refuse it.
+struct KindKey {
+  KeyId key;
+  std::vector<ToolKind> needed_by;
+  std::vector<ToolKind> taken_by;  ///< beside those
+};
+
+const std::array<KindKey, 7>& kind_keys() {
+  using enum ToolKind;
+  static const std::vector<ToolKind> turning_round = {Mill, BallMill, BullMill, Drill, Calibration};
+  static const std::array<KindKey, 7> rows = {{
+      {KeyId::ToolTrueLength, turning_round, {}},
+      {KeyId::ToolDiameter, turning_round, {}},
+      {KeyId::ToolCornerRadius, {BullMill}, {Mill}},
+      {KeyId::ToolTipAngle, {}, {Drill}},
+      {KeyId::ToolLengths, {Turning}, {}},
+      {KeyId::ToolTipRadius, {}, {Turning}},
+      {KeyId::ToolEdgePosition, {}, {Turning}},
+  }};
+  return rows;
+}
+
+std::string_view name_of_key(KeyId id) {
+  return key_rows()[static_cast<std::size_t>(id)].name;
+}
+
+const probe::ToolKindName& kind_row_from(const TableKeys& keys) {
+  const std::string given = keys.get(KeyId::ToolKind, std::string("mill"));
+  const auto* const row =
+      std::ranges::find(probe::kToolKindNames, std::string_view(given), &probe::ToolKindName::name);
+  G31_EXPECTS(row != probe::kToolKindNames.end());
+  return *row;
+}
+
+bool holds(const std::vector<ToolKind>& kinds, ToolKind kind) {
+  return std::ranges::find(kinds, kind) != kinds.end();
+}
+
+void check_keys_of_kind(const SheetTable& table, const probe::ToolKindName& kind,
+                        ErrorList& errors) {
+  const TableKeys keys(table);
+  for (const KindKey& row : kind_keys()) {
+    const Entry* const given = keys.find(row.key);
+    const bool is_needed = holds(row.needed_by, kind.kind);
+    if (given == nullptr && is_needed) {
+      errors.add(
+          SetupErrorId::KeyMissing, table.where,
+          {fmt::format("a tool of kind {}", kind.name), name_of_key(row.key)},
+          fmt::format("for example: {}", key_rows()[static_cast<std::size_t>(row.key)].example));
+    } else if (given != nullptr && !is_needed && !holds(row.taken_by, kind.kind)) {
+      errors.add(SetupErrorId::KeyOfOtherKind, given->where, {name_of_key(row.key), kind.name},
+                 kind.kind == ToolKind::Probe ? "its sizes are those of [probe]" : "leave it out");
+    }
+  }
+}
+
+/// The elements of a list within [[tool]] that belong to one tool.
+std::vector<const SheetTable*> within(const Sheet& sheet, SectionId section, std::size_t tool) {
+  std::vector<const SheetTable*> own;
+  for (const SheetTable& table : list_of(sheet, section)) {
+    if (table.of == tool) {
+      own.push_back(&table);
+    }
+  }
+  return own;
+}
+
+bool may_have(SectionId section, ToolKind kind) {
+  const bool turns = kind != ToolKind::Turning && kind != ToolKind::Probe;
+  return turns && (section == SectionId::ToolBody || kind != ToolKind::Calibration);
+}
+
+void fill_teeth(probe::ToolSetup& tool, const std::vector<const SheetTable*>& teeth,
+                ErrorList& errors) {
+  if (teeth.size() > kMostTeeth) {
+    errors.add(
+        SetupErrorId::TooManyTeeth, teeth.at(kMostTeeth)->where,
+        {std::to_string(tool.number), std::to_string(teeth.size()), std::to_string(kMostTeeth)});
+    return;
+  }
+  for (const SheetTable* const table : teeth) {
+    const TableKeys keys(*table);
+    tool.teeth.push_back({keys.get(KeyId::ToothAngle, 0.0),
+                          keys.get(KeyId::ToothRadius, 0.5 * tool.diameter_mm),
+                          keys.get(KeyId::ToothLength, tool.length_mm)});
+  }
+}
+
+/// The bodies end at the gauge line; the heights of sections begin at the lowest point.
+void fill_bodies(probe::ToolSetup& tool, const std::vector<const SheetTable*>& bodies,
+                 ErrorList& errors) {
+  double height = 0.0;
+  for (const SheetTable* const body : bodies) {
+    height += length_of_body(*body);
+  }
+  if (!bodies.empty() && height >= tool.length_mm) {
+    errors.add(
+        SetupErrorId::OutOfRange, bodies.back()->where,
+        {fmt::format("the height of the bodies of tool {}", tool.number), fmt::format("{}", height),
+         fmt::format("less than the length of the tool, {} mm", tool.length_mm)},
+        "they end at the gauge line");
+    return;
+  }
+  double z = tool.length_mm - height;
+  for (const SheetTable* const body : bodies) {
+    tool.bodies.push_back(body_from(z, *body, "holder"));
+    z += length_of_body(*body);
+  }
+}
+
+void fill_lists(probe::ToolSetup& tool, const Sheet& sheet, std::size_t order, ErrorList& errors) {
+  for (const SectionId section : {SectionId::ToolTooth, SectionId::ToolBody}) {
+    const std::vector<const SheetTable*> own = within(sheet, section, order);
+    if (!own.empty() && !may_have(section, tool.kind)) {
+      const auto* const row =
+          std::ranges::find(probe::kToolKindNames, tool.kind, &probe::ToolKindName::kind);
+      const std::string_view path = row_of(section).path;
+      errors.add(SetupErrorId::KeyOfOtherKind, own.front()->where,
+                 {path.substr(path.find('.') + 1), row->name}, "leave it out");
+    } else if (section == SectionId::ToolTooth) {
+      fill_teeth(tool, own, errors);
+    } else {
+      fill_bodies(tool, own, errors);
+    }
+  }
+}
+
+void check_corner(const probe::ToolSetup& tool, const TableKeys& keys, ErrorList& errors) {
+  if (const Entry* const corner = keys.find(KeyId::ToolCornerRadius);
+      corner != nullptr && tool.corner_radius_mm > 0.5 * tool.diameter_mm) {
+    errors.add(SetupErrorId::OutOfRange, corner->where,
+               {"tool.corner_radius", fmt::format("{}", tool.corner_radius_mm),
+                fmt::format("half the diameter at most, {} mm", 0.5 * tool.diameter_mm)});
+  }
+}
+
+probe::ToolSetup tool_with_shape_from(const TableKeys& keys) {
+  probe::ToolSetup tool;
+  tool.kind = kind_row_from(keys).kind;
+  tool.length_mm = keys.get(KeyId::ToolTrueLength, tool.length_mm);
+  tool.diameter_mm = keys.get(KeyId::ToolDiameter, tool.diameter_mm);
+  tool.corner_radius_mm = keys.get(KeyId::ToolCornerRadius, tool.corner_radius_mm);
+  if (tool.kind == ToolKind::Mill && tool.corner_radius_mm > 0.0) {
+    tool.kind = ToolKind::BullMill;
+  }
+  tool.tip_angle_deg = keys.get(KeyId::ToolTipAngle, tool.tip_angle_deg);
+  const Point lengths = point_from(keys, KeyId::ToolLengths);
+  tool.insert.lengths_mm = {lengths.x(), lengths.y(), lengths.z()};
+  tool.insert.tip_radius_mm = keys.get(KeyId::ToolTipRadius, tool.insert.tip_radius_mm);
+  tool.insert.edge_position = static_cast<int>(
+      keys.get(KeyId::ToolEdgePosition, static_cast<double>(tool.insert.edge_position)));
+  return tool;
+}
+
+/// The touch probe as a tool: one number for both.
+void join_probe(Job& job, int number, const Location& where, ErrorList& errors) {
+  if (!job.probe) {
+    errors.add(SetupErrorId::KeyMissing, where, {"a tool of kind probe", "[probe]"},
+               "write a [probe], or leave this [[tool]] out");
+    return;
+  }
+  std::optional<int>& tool = job.probe->switching.tool;
+  if (tool && *tool != number) {
+    errors.add(SetupErrorId::OutOfRange, where,
+               {"tool.number", std::to_string(number),
+                fmt::format("{}, the tool that is the probe", *tool)},
+               "one tool is the probe: probe.tool and the [[tool]] of kind probe have one number");
+  }
+  tool = number;
+}
+
+void fill_tool(Job& job, const Sheet& sheet, std::size_t order, ErrorList& errors) {
+  const SheetTable& table = list_of(sheet, SectionId::Tool)[order];
+  const TableKeys keys(table);
+  const Entry* const number = keys.find(KeyId::ToolWhich);
+  if (!table.is_whole) {
+    return;  // what is refused already would be missed again
+  }
+  if (number == nullptr) {
+    errors.add(SetupErrorId::KeyMissing, table.where, {"a tool", "number"},
+               "for example: number = 5");
+    return;
+  }
+  check_keys_of_kind(table, kind_row_from(keys), errors);
+  probe::ToolSetup tool = tool_with_shape_from(keys);
+  tool.number = static_cast<int>(number_of(*number));
+  check_corner(tool, keys, errors);
+  fill_lists(tool, sheet, order, errors);
+  if (std::ranges::find(job.tools, tool.number, &probe::ToolSetup::number) != job.tools.end()) {
+    errors.add(SetupErrorId::GivenTwice, number->where,
+               {fmt::format("[[tool]] with number {}", tool.number)});
+    return;
+  }
+  if (tool.kind == ToolKind::Probe) {
+    join_probe(job, tool.number, number->where, errors);
+  }
+  job.tools.push_back(std::move(tool));
+}
+
+}  // namespace
+
+void fill_tools(Job& job, const Sheet& sheet, ErrorList& errors) {
+  const std::size_t count = list_of(sheet, SectionId::Tool).size();
+  for (std::size_t order = 0; order < count; ++order) {
+    fill_tool(job, sheet, order, errors);
+  }
+}
+
+}  // namespace g31::setup
