@@ -16,6 +16,7 @@ inline constexpr int kAnyInput = 0;
 struct Listening {
   int input = kAnyInput;  ///< measuring input, from 1
   SignalEdge edge = SignalEdge::Rising;
+  double speed_mm_s = 0.0;  ///< at which the way is travelled; what turns meanwhile depends on it
 };
 
 /// How what gives the signal of an input is placed to do so.

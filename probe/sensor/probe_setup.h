@@ -82,12 +82,13 @@ struct ProgramSwitch {
 /// How a probe gets into the spindle and is switched.  Without any of it, it is there and on.
 struct SwitchingSetup {
   std::optional<int> tool;           ///< the number that it is; the spindle holds it at the start
+  std::vector<int> other_tools;      ///< without a number of its own it is all but these
   std::optional<ProgramSwitch> on;   ///< with one it is off at the start
   std::optional<ProgramSwitch> off;  ///< the same code as on does both turn by turn
   double start_up_s = 0.0;           ///< >= 0, from being switched on until it can give a signal
 
   /// Whether programs bring the probe or switch it on, and so can forget to.
-  [[nodiscard]] bool is_up_to_program() const { return tool || on; }
+  [[nodiscard]] bool is_up_to_program() const { return tool || on || !other_tools.empty(); }
 };
 
 /// What the set-up sheet says about the touch probe.  Lengths in mm.

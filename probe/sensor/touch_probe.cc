@@ -17,13 +17,6 @@ namespace {
 
 /// The random stream of the trigger's repeatability; other models take other numbers.
 constexpr std::uint32_t kRepeatabilityStream = 1;
-/// That of the angle at which a spindle comes to rest.
-constexpr std::uint32_t kRestStream = 2;
-
-/// The spindle that holds the probe.
-constexpr int kSpindle = 1;
-
-constexpr double kFullTurnDeg = 360.0;
 
 }  // namespace
 
@@ -33,7 +26,7 @@ TouchProbe::TouchProbe(const ProbeSetup& setup, const std::vector<ProbedPart>& p
 
 TouchProbe::TouchProbe(std::shared_ptr<const TouchableParts> parts, const ProbeSetup& setup,
                        std::uint64_t seed)
-    : setup_(setup), parts_(std::move(parts)), seed_(seed) {
+    : setup_(setup), parts_(std::move(parts)), seed_(seed), spindle_(seed) {
   G31_EXPECTS(setup.trigger_delay_s >= 0.0);
   G31_EXPECTS(setup.repeatability_mm >= 0.0);
   if (setup.switching.on) {
@@ -63,8 +56,8 @@ std::optional<machine::SensorState> TouchProbe::sensor_state(int input) const {
   machine::SensorState state;
   state.in_place = is_in_place_;
   state.switched_on = is_on();
-  state.stands = !turns_ || !setup_.switching.is_up_to_program();
-  state.angle_known = is_angle_known_ || is_round();
+  state.stands = !spindle_.turns() || !setup_.switching.is_up_to_program();
+  state.angle_known = spindle_.is_angle_known() || is_round();
   state.ball_radius_mm = balls_.front().radius;
   state.delay_s = setup_.trigger_delay_s;
   state.calibrated_feed_mm_min = setup_.calibrated_feed_mm_min;
@@ -158,29 +151,19 @@ void TouchProbe::take(const machine::MachineEvent& event) {
 }
 
 void TouchProbe::note(const machine::ToolChange& change) {
-  if (change.spindle != kSpindle) {
+  if (change.spindle != kToolSpindle) {
     return;
   }
-  is_in_place_ = !setup_.switching.tool || change.tool.number == *setup_.switching.tool;
+  const auto& [own, others, on, off, start_up_s] = setup_.switching;
+  is_in_place_ = own ? change.tool.number == *own
+                     : std::ranges::find(others, change.tool.number) == others.end();
 }
 
 void TouchProbe::note(const machine::SpindleTurn& turn) {
-  if (turn.spindle != kSpindle) {
-    return;
+  spindle_.take(turn, now_s_);
+  if (!spindle_.turns()) {
+    R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, spindle_.angle_deg(now_s_)}});
   }
-  const bool comes_to_rest = turns_ && turn.rotation == machine::Rotation::Stopped;
-  turns_ = turn.rotation != machine::Rotation::Stopped;
-  if (turn.angle_deg) {
-    stand_at(*turn.angle_deg);
-    is_angle_known_ = true;
-  } else if (comes_to_rest) {
-    stand_at(kFullTurnDeg * uniform({seed_, kRestStream}, rests_++));
-    is_angle_known_ = false;
-  }
-}
-
-void TouchProbe::stand_at(double angle_deg) {
-  R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, angle_deg}});
 }
 
 /// Whether it measures the same at every angle of the spindle.

@@ -15,6 +15,7 @@
 #include "probe/contact/sweep_mesh.h"
 #include "probe/sensor/probe_setup.h"
 #include "probe/sensor/touchable_parts.h"
+#include "probe/tooling/spindle.h"
 
 namespace g31::probe {
 
@@ -143,7 +144,6 @@ class TouchProbe final : public machine::Surroundings {
   void note(const machine::DigitalOutput& output);
   void switch_on();
   [[nodiscard]] bool is_on() const;
-  void stand_at(double angle_deg);
   [[nodiscard]] bool is_round() const;
   /// Whether no touch can give a signal.
   [[nodiscard]] bool is_silent() const;
@@ -180,9 +180,7 @@ class TouchProbe final : public machine::Surroundings {
   bool is_in_place_ = true;
   double now_s_ = 0.0;
   std::optional<double> ready_at_s_ = 0.0;  // none: switched off
-  bool turns_ = false;
-  bool is_angle_known_ = true;  // as at the start and behind M19
-  std::uint64_t rests_ = 0;     // of a spindle that had turned
+  Spindle spindle_;
 };
 
 }  // namespace g31::probe

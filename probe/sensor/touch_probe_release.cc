@@ -4,27 +4,11 @@
 #include <utility>
 
 #include "parts/geometry/winding_number.h"
-#include "probe/collision/swept_section.h"
 #include "probe/sensor/pre_travel.h"
+#include "probe/sensor/release.h"
 #include "probe/sensor/touch_probe.h"
 
 namespace g31::probe {
-namespace {
-
-/// Halvings that lead from a way of a metre down to the spacing of doubles.
-constexpr int kHalvings = 60;
-
-machine::Waypoint between(const machine::Waypoint& from, const machine::Waypoint& to,
-                          double share) {
-  machine::Waypoint point;
-  point.fraction = machine::fraction_between(from, to, share);
-  point.q_M = from.q_M + share * (to.q_M - from.q_M);
-  point.tilt = turn_between(from.tilt, to.tilt, share);
-  return point;
-}
-
-}  // namespace
-
 std::optional<TouchProbe::PartHit> TouchProbe::signalling_touch(const machine::Waypoint& at) const {
   const machine::Sweep still{at.q_M, at.q_M, at.tilt, at.tilt};
   for (const Tip& ball : balls_) {
@@ -87,12 +71,8 @@ std::optional<machine::SkipTrigger> TouchProbe::first_release_along(Points way) 
       length += piece;
       continue;
     }
-    double on = 0.0;
-    double off = 1.0;
-    for (int k = 0; k < kHalvings; ++k) {
-      const double middle = 0.5 * (on + off);
-      (signalling_touch(between(from, to, middle)) ? on : off) = middle;
-    }
+    const double off = share_to_release(
+        from, to, [this](const machine::Waypoint& at) { return signalling_touch(at).has_value(); });
     machine::SkipTrigger trigger = trigger_of(*touch);
     trigger.delay_s = setup_.trigger_delay_s;
     trigger.fraction = machine::fraction_after(way, length + off * piece + trigger_shift(event));

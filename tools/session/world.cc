@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "probe/sensor/touch_probe.h"
 #include "probe/sensor/world.h"
 #include "tools/session/sheet_places.h"
+#include "tools/session/tool_probes.h"
 
 namespace g31::session {
 namespace {
@@ -127,6 +129,7 @@ Result<BuiltParts, Refusal> build_parts(const setup::Job& job, const runtime::Ti
       return *late;
     }
   }
+  std::ranges::move(plates_of(job.tool_probes), std::back_inserter(built.parts));
   return built;
 }
 
@@ -146,14 +149,18 @@ std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
                                                        const SensedParts& parts,
                                                        std::uint64_t seed) {
   probe::World::Sets sets;
-  probe::Tools tools = probe::Tools::Fixed;
+  const bool has_tools = !job.tools.empty() || !job.tool_probes.empty();
+  const bool is_called = job.probe && job.probe->switching.tool;
+  const probe::Tools tools = has_tools || is_called ? probe::Tools::Changing : probe::Tools::Fixed;
   if (job.skip_signals) {
     sets.push_back(std::make_unique<probe::ScriptedSignals>(*job.skip_signals));
   } else if (job.probe) {
     sets.push_back(std::make_unique<probe::TouchProbe>(parts.by_balls, *job.probe, seed));
-    tools = job.probe->switching.tool ? probe::Tools::Changing : probe::Tools::Fixed;
-  } else if (job.sensors.empty()) {
+  } else if (job.sensors.empty() && !has_tools) {
     return nullptr;
+  }
+  if (!job.skip_signals) {
+    add_tool_probes(job, seed, sets);
   }
   auto sensors = job.sensors.empty() ? nullptr
                                      : std::make_unique<probe::DisplacementSensors>(

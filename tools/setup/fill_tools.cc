@@ -33,8 +33,8 @@ const std::array<KindKey, 7>& kind_keys() {
   static const std::array<KindKey, 7> rows = {{
       {KeyId::ToolTrueLength, turning_round, {}},
       {KeyId::ToolDiameter, turning_round, {}},
-      {KeyId::ToolCornerRadius, {BullMill}, {Mill}},
-      {KeyId::ToolTipAngle, {}, {Drill}},
+      {KeyId::ToolCornerRadius, {BullMill}, turning_round},
+      {KeyId::ToolTipAngle, {}, turning_round},
       {KeyId::ToolLengths, {Turning}, {}},
       {KeyId::ToolTipRadius, {}, {Turning}},
       {KeyId::ToolEdgePosition, {}, {Turning}},
@@ -215,6 +215,8 @@ void fill_tool(Job& job, const Sheet& sheet, std::size_t order, ErrorList& error
   }
   if (tool.kind == ToolKind::Probe) {
     join_probe(job, tool.number, number->where, errors);
+  } else if (job.probe) {
+    job.probe->switching.other_tools.push_back(tool.number);
   }
   job.tools.push_back(std::move(tool));
 }

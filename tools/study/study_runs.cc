@@ -47,7 +47,8 @@ using session::Refusal;
 
 /// Whether a key changes the parts, or the balls and bodies that their trees are made for.
 bool changes_geometry(const setup::VariedKey& key) {
-  return key.section == setup::SectionId::Part || key.row->id == setup::KeyId::ProbeBallDiameter ||
+  return key.section == setup::SectionId::Part || key.section == setup::SectionId::ToolProbe ||
+         key.row->id == setup::KeyId::ProbeBallDiameter ||
          key.row->id == setup::KeyId::ProbeStemDiameter;
 }
 

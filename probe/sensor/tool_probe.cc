@@ -1,0 +1,322 @@
+#include "probe/sensor/tool_probe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "machine/base/contract.h"
+#include "machine/base/random.h"
+#include "parts/geometry/placement.h"
+#include "probe/sensor/release.h"
+#include "probe/tooling/turning_teeth.h"
+
+namespace g31::probe {
+namespace {
+
+/// The random stream of the first tool probe; the next ones follow.
+constexpr std::uint32_t kFirstToolProbeStream = 0x544F4F4CU;
+
+/// The plate about its own middle.
+ConvexShape plate_of(const ToolProbeSetup& setup) {
+  const auto& [first, second, third] = setup.size_mm;
+  if (setup.shape == ToolProbeShape::Cube) {
+    return Box{0.5 * Point(first, second, third)};
+  }
+  ProbeSection round;
+  const bool is_disc = setup.shape == ToolProbeShape::Disc;
+  const double length = is_disc ? second : first;
+  round.radius_bottom = round.radius_top = 0.5 * (is_disc ? first : second);
+  round.z_bottom = -0.5 * length;
+  round.z_top = 0.5 * length;
+  if (!is_disc) {
+    round.turn_S = Eigen::Quaterniond::FromTwoVectors(Point::UnitZ(), Point::UnitX());
+  }
+  return round;
+}
+
+/// How far its middle is below the place that the sheet tells.
+double middle_below(const ToolProbeSetup& setup) {
+  switch (setup.shape) {
+    case ToolProbeShape::Cube:
+      return 0.5 * setup.size_mm[2];
+    case ToolProbeShape::Disc:
+      return 0.5 * setup.size_mm[1];
+    case ToolProbeShape::Laser:
+      break;
+  }
+  return 0.0;
+}
+
+/// The direction that gives the least of a smooth function of an angle with few minima.
+template <typename Function>
+double least_angle(const Function& of_angle) {
+  constexpr int kSamples = 48;
+  constexpr double kStep = 2.0 * std::numbers::pi / kSamples;
+  double best = 0.0;
+  for (int i = 1; i < kSamples; ++i) {
+    best = of_angle(i * kStep) < of_angle(best) ? i * kStep : best;
+  }
+  constexpr int kThirds = 60;
+  double low = best - kStep;
+  double high = best + kStep;
+  for (int i = 0; i < kThirds; ++i) {
+    const double a = low + (high - low) / 3.0;
+    const double b = high - (high - low) / 3.0;
+    (of_angle(a) < of_angle(b) ? high : low) = of_angle(a) < of_angle(b) ? b : a;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+ToolProbe::ToolProbe(const ToolProbeSetup& setup, std::shared_ptr<const ToolRack> rack,
+                     std::uint64_t seed, std::uint32_t index)
+    : setup_(setup),
+      rack_(std::move(rack)),
+      plate_(plate_of(setup)),
+      R_MT_(parts::rotation_to_machine({Point::Zero(), setup.rotate_deg})),
+      is_round_(setup.shape != ToolProbeShape::Cube),
+      seed_(seed),
+      stream_(kFirstToolProbeStream + index),
+      spindle_(seed) {
+  G31_EXPECTS(rack_ != nullptr);
+  for (const double size : setup.size_mm) {
+    plate_reach_mm_ += size;  // more than half the diagonal
+  }
+  p_M_middle_ = setup.p_M_at - middle_below(setup) * R_MT_.col(2);
+  if (setup.shape == ToolProbeShape::Cube) {
+    for (const int axis : {0, 1}) {
+      normals_M_.emplace_back(R_MT_.col(axis));
+      normals_M_.emplace_back(-R_MT_.col(axis));
+    }
+  }
+  if (setup.shape != ToolProbeShape::Laser) {
+    normals_M_.emplace_back(R_MT_.col(2));
+  }
+}
+
+bool ToolProbe::is_wired(int input) const {
+  return input == machine::kAnyInput || input == setup_.input;
+}
+
+std::optional<machine::SensorState> ToolProbe::sensor_state(int input) const {
+  if (!is_wired(input)) {
+    return std::nullopt;
+  }
+  machine::SensorState state;
+  state.in_place = held_ != nullptr;
+  state.delay_s = setup_.delay_s;
+  return state;
+}
+
+machine::ToolExtent ToolProbe::tool_extent() const {
+  machine::ToolExtent extent;
+  if (held_ != nullptr) {
+    extent.p_T_tip = held_->shape.p_T_tip;
+    extent.signal_mm = extent.body_mm = held_->shape.reach_mm;
+  }
+  return extent;
+}
+
+void ToolProbe::take(const machine::MachineEvent& event) {
+  if (const auto* const change = std::get_if<machine::ToolChange>(&event)) {
+    if (change->spindle == kToolSpindle) {
+      held_ = rack_->called(change->tool);
+    }
+  } else if (const auto* const turn = std::get_if<machine::SpindleTurn>(&event)) {
+    spindle_.take(*turn, now_s_);
+  }
+}
+
+const ToolProbe::Pieces& ToolProbe::pieces() const {
+  return spindle_.turns() ? held_->shape.envelope : held_->shape.still;
+}
+
+PlacedShape ToolProbe::placed(const ConvexShape& piece, const machine::Waypoint& at) const {
+  const Point& p_T_tip = held_->shape.p_T_tip;
+  PlacedShape there{&piece, at.tilt.toRotationMatrix(), linear_axes(at.q_M)};
+  if (at.tilt.coeffs() != Eigen::Quaterniond::Identity().coeffs()) {
+    there.p += p_T_tip - there.turn * p_T_tip;
+  }
+  const bool is_turned = held_->setup.kind != ToolKind::Turning && !spindle_.turns();
+  if (is_turned && spindle_.angle_deg(now_s_) != 0.0) {
+    there.turn *=
+        parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, spindle_.angle_deg(now_s_)}});
+  }
+  return there;
+}
+
+std::optional<ToolProbe::Touch> ToolProbe::first_touch(const Pieces& pieces,
+                                                       const machine::Waypoint& from,
+                                                       const machine::Waypoint& to) const {
+  std::optional<Touch> first;
+  const PlacedShape plate = target();
+  for (const ConvexShape& piece : pieces) {
+    const PlacedShape there = placed(piece, from);
+    const Point way = placed(piece, to).p - there.p;
+    if (way.isZero(0.0)) {
+      continue;
+    }
+    const CastHit hit = convex_cast(plate, there, way);
+    if (hit.status == CastStatus::Contact && (!first || hit.fraction < first->fraction)) {
+      first = Touch{hit.fraction, hit.n, hit.p_point};
+    }
+  }
+  return first;
+}
+
+ToolProbe::Depth ToolProbe::depth_of(const Pieces& pieces, const machine::Waypoint& at) const {
+  const PlacedShape plate = target();
+  Depth deepest{-std::numeric_limits<double>::infinity(), Point::Zero()};
+  for (const ConvexShape& piece : pieces) {
+    const PlacedShape there = placed(piece, at);
+    const auto along = [&](const Point& n) {
+      return n.dot(plate.furthest(n) - there.furthest(-n));
+    };
+    Depth least{std::numeric_limits<double>::infinity(), Point::Zero()};
+    const auto consider = [&](const Point& n) {
+      if (const double mm = along(n); mm < least.mm) {
+        least = {mm, n};
+      }
+    };
+    for (const Point& n : normals_M_) {
+      consider(n);
+    }
+    if (is_round_) {
+      const bool is_beam = setup_.shape == ToolProbeShape::Laser;
+      const Point a = R_MT_.col(is_beam ? 1 : 0);
+      const Point b = R_MT_.col(is_beam ? 2 : 1);
+      const auto direction = [&](double angle) {
+        return Point(std::cos(angle) * a + std::sin(angle) * b);
+      };
+      consider(direction(least_angle([&](double angle) { return along(direction(angle)); })));
+      if (is_beam) {
+        const Point ends = R_MT_.col(0);
+        least.mm = std::min({least.mm, along(ends), along(-ends)});
+      }
+    }
+    deepest = least.mm > deepest.mm ? least : deepest;
+  }
+  return deepest;
+}
+
+bool ToolProbe::is_on(const machine::Waypoint& at) const {
+  return held_ != nullptr && depth_of(pieces(), at).mm >= setup_.pre_travel_mm - kCastErrorMm;
+}
+
+bool ToolProbe::signals_at(const machine::Waypoint& at, int input) const {
+  return is_wired(input) && is_on(at);
+}
+
+double ToolProbe::trigger_shift(std::uint64_t event) const {
+  return setup_.repeatability_mm > 0.0
+             ? setup_.repeatability_mm * standard_normal({seed_, stream_}, event)
+             : 0.0;
+}
+
+machine::Contact ToolProbe::contact_of(const Touch& touch) const {
+  return {touch.p_M, touch.n_M, setup_.name};
+}
+
+std::optional<machine::SkipTrigger> ToolProbe::first_signal(const machine::Way& way,
+                                                            const machine::Listening& to) {
+  if (!is_wired(to.input)) {
+    return std::nullopt;
+  }
+  const bool rises = to.edge == machine::SignalEdge::Rising;
+  if (held_ == nullptr) {
+    return rises ? std::nullopt : std::optional(machine::SkipTrigger{0.0, true, 0.0, std::nullopt});
+  }
+  const std::vector<machine::Waypoint> points = machine::points_of(way);
+  return rises ? first_touch_along(points, to.speed_mm_s) : first_release_along(points);
+}
+
+std::optional<machine::SkipTrigger> ToolProbe::first_touch_along(Points way, double speed_mm_s) {
+  const std::uint64_t event = triggers_asked_++;
+  if (const Depth depth = depth_of(pieces(), way.front());
+      depth.mm >= setup_.pre_travel_mm - kCastErrorMm) {
+    const Point p_M = target().furthest(depth.n_M);
+    return machine::SkipTrigger{0.0, true, 0.0, contact_of({0.0, depth.n_M, p_M})};
+  }
+  double gone = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double piece = machine::distance_mm(way[i - 1].q_M, way[i].q_M);
+    const auto touch = first_touch(pieces(), way[i - 1], way[i]);
+    if (!touch) {
+      gone += piece;
+      continue;
+    }
+    const machine::Sweep sweep = machine::sweep_between(way[i - 1], way[i]);
+    const Point along = linear_axes(sweep.q_M_to) - linear_axes(sweep.q_M_from);
+    const double at_outline = gone + touch->fraction * piece;
+    const double inwards = -touch->n_M.dot(along) / piece;
+    const double distance = at_outline + setup_.pre_travel_mm / inwards +
+                            way_of_turning(*touch, sweep, at_outline, speed_mm_s);
+    if (!(distance <= machine::length_of(way))) {
+      return std::nullopt;
+    }
+    machine::SkipTrigger trigger;
+    trigger.contact = contact_of(*touch);
+    trigger.delay_s = setup_.delay_s + setup_.filter_s;
+    trigger.fraction = machine::fraction_after(way, distance + trigger_shift(event));
+    return trigger;
+  }
+  return std::nullopt;
+}
+
+/// How much further than its outline a tool goes that turns with teeth, mm; infinity: no tooth
+/// comes.
+double ToolProbe::way_of_turning(const Touch& touch, const machine::Sweep& sweep, double gone,
+                                 double speed_mm_s) const {
+  const bool has_teeth = !held_->setup.teeth.empty() && held_->setup.kind != ToolKind::Turning;
+  if (!has_teeth || spindle_.rate_deg_s() == 0.0 || speed_mm_s <= 0.0) {
+    return 0.0;
+  }
+  const machine::Waypoint start{0.0, sweep.q_M_from, sweep.tilt_from};
+  const PlacedShape tool = placed(held_->shape.envelope.front(), start);
+  const Point along = linear_axes(sweep.q_M_to) - linear_axes(sweep.q_M_from);
+  const Point p_M_tool = tool.p + touch.fraction * along;
+  const auto in_tool = [&](const Point& p_M) {
+    return Point(tool.turn.transpose() * (p_M - p_M_tool));
+  };
+  OutlineTouch outline;
+  outline.n_T = tool.turn.transpose() * touch.n_M;
+  outline.way_T = tool.turn.transpose() * along.normalized();
+  outline.z_T_top = in_tool(target().furthest(tool.turn.col(2))).z();
+  outline.p_T_face = in_tool(p_M_middle_).head<2>();
+  outline.face_side = (tool.turn.transpose() * R_MT_.col(0)).head<2>();
+  outline.is_face_round = setup_.shape == ToolProbeShape::Disc;
+  outline.face_half = 0.5 * Eigen::Vector2d(setup_.size_mm[0], setup_.size_mm[1]);
+  const double reached_s = now_s_ + gone / speed_mm_s;
+  const Turning turning{spindle_.angle_deg(reached_s), spindle_.rate_deg_s(), speed_mm_s};
+  return way_to_first_tooth(held_->setup, outline, turning)
+      .value_or(std::numeric_limits<double>::infinity());
+}
+
+std::optional<machine::SkipTrigger> ToolProbe::first_release_along(Points way) {
+  const std::uint64_t event = triggers_asked_++;
+  if (!is_on(way.front())) {
+    return machine::SkipTrigger{0.0, true, 0.0, std::nullopt};
+  }
+  double length = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const double piece = machine::distance_mm(way[i - 1].q_M, way[i].q_M);
+    if (is_on(way[i])) {
+      length += piece;
+      continue;
+    }
+    const double off = share_to_release(way[i - 1], way[i],
+                                        [this](const machine::Waypoint& at) { return is_on(at); });
+    machine::SkipTrigger trigger;
+    trigger.delay_s = setup_.delay_s;
+    trigger.fraction = machine::fraction_after(way, length + off * piece + trigger_shift(event));
+    return trigger;
+  }
+  return std::nullopt;
+}
+
+}  // namespace g31::probe

@@ -1,0 +1,147 @@
+#include "probe/tooling/tool_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "machine/base/contract.h"
+
+namespace g31::probe {
+namespace {
+
+double corner_radius_of(const ToolSetup& tool, double radius) {
+  const double wanted = tool.kind == ToolKind::BallMill ? radius
+                        : tool.kind == ToolKind::Mill || tool.kind == ToolKind::BullMill
+                            ? tool.corner_radius_mm
+                            : 0.0;
+  return std::min(wanted, radius);
+}
+
+/// How high the cone of a drill is.
+double cone_height(const ToolSetup& tool, double radius) {
+  return tool.kind == ToolKind::Drill ? radius / std::tan(kRadPerDeg * 0.5 * tool.tip_angle_deg)
+                                      : 0.0;
+}
+
+/// A cylinder down to z = -length, its lower edge rounded.
+ProbeSection rounded_cylinder(double radius, double length, double rounding) {
+  ProbeSection section;
+  section.z_bottom = -length + rounding;
+  section.z_top = std::max(section.z_bottom, -rounding);
+  section.radius_bottom = section.radius_top = radius - rounding;
+  section.rounding = rounding;
+  return section;
+}
+
+/// Down to where the cone of a drill begins, and the cone.
+std::vector<ConvexShape> round_pieces(const ToolSetup& tool) {
+  const double radius = 0.5 * tool.diameter_mm;
+  const double cone = cone_height(tool, radius);
+  const double rounding = corner_radius_of(tool, radius);
+  std::vector<ConvexShape> pieces = {rounded_cylinder(radius, tool.length_mm - cone, rounding)};
+  if (cone > 0.0) {
+    ProbeSection tip;
+    tip.z_bottom = -tool.length_mm;
+    tip.z_top = -tool.length_mm + cone;
+    tip.radius_top = radius;
+    pieces.emplace_back(tip);
+  }
+  return pieces;
+}
+
+Blade blade_of(const Tooth& tooth, const ToolSetup& tool) {
+  const double angle = kRadPerDeg * tooth.angle_deg;
+  const double bottom = -tooth.length_mm;
+  const double cone = cone_height(tool, tooth.radius_mm);
+  Blade blade;
+  blade.direction = {std::cos(angle), std::sin(angle)};
+  blade.rounded_radius = corner_radius_of(tool, tooth.radius_mm);
+  const double flat = tooth.radius_mm - blade.rounded_radius;
+  const double dish = tool.kind == ToolKind::Drill ? 0.0 : flat * std::tan(kRadPerDeg * kDishDeg);
+  blade.rounded_centre = {flat, bottom + cone + blade.rounded_radius};
+  blade.corners = {Blade::Radial(0.0, bottom + dish), Blade::Radial(0.0, 0.0),
+                   Blade::Radial(tooth.radius_mm, 0.0), blade.rounded_centre};
+  return blade;
+}
+
+/// The middle of the tip radius, as seen from the theoretical tip, in tip radii: X, Z.
+std::array<double, 2> centre_from_tip(int edge_position) {
+  constexpr std::array<std::array<double, 2>, 9> kCentres = {
+      {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}, {0, -1}, {-1, 0}, {0, 1}, {1, 0}, {0, 0}}};
+  G31_EXPECTS(edge_position >= 1 && edge_position <= 9);
+  return kCentres[static_cast<std::size_t>(edge_position - 1)];
+}
+
+Point tip_of(const ToolSetup& tool) {
+  if (tool.kind != ToolKind::Turning) {
+    return {0.0, 0.0, -tool.length_mm};
+  }
+  const auto& [l1, l2, l3] = tool.insert.lengths_mm;
+  return {-l1, -l3, -l2};
+}
+
+ConvexShape nose_of(const Insert& insert, const Point& p_T_tip) {
+  const auto [x, z] = centre_from_tip(insert.edge_position);
+  ProbeSection nose;
+  nose.rounding = insert.tip_radius_mm;
+  nose.p_S = p_T_tip + insert.tip_radius_mm * Point(x, 0.0, z);
+  return nose;
+}
+
+double reach_of(const ConvexShape& shape, const Point& p_T_tip) {
+  double reach = 0.0;
+  for (const Point& direction :
+       {Point(Point::UnitX()), Point(-Point::UnitX()), Point(Point::UnitY()),
+        Point(-Point::UnitY()), Point(Point::UnitZ()), Point(-Point::UnitZ())}) {
+    const double across = std::abs(direction.dot(furthest_of(shape, direction) - p_T_tip));
+    reach = std::hypot(reach, across);
+  }
+  return reach;
+}
+
+}  // namespace
+
+ConvexShape envelope_of(const Tooth& tooth, const ToolSetup& tool) {
+  return rounded_cylinder(tooth.radius_mm, tooth.length_mm - cone_height(tool, tooth.radius_mm),
+                          corner_radius_of(tool, tooth.radius_mm));
+}
+
+Tooth outline_of(const ToolSetup& tool) {
+  G31_EXPECTS(!tool.teeth.empty());
+  Tooth outline = tool.teeth.front();
+  for (const Tooth& tooth : tool.teeth) {
+    outline.radius_mm = std::max(outline.radius_mm, tooth.radius_mm);
+    outline.length_mm = std::max(outline.length_mm, tooth.length_mm);
+  }
+  return outline;
+}
+
+ToolShape shape_of(const ToolSetup& tool) {
+  G31_EXPECTS(tool.kind != ToolKind::Probe);
+  ToolShape shape;
+  shape.p_T_tip = tip_of(tool);
+  if (tool.kind == ToolKind::Turning) {
+    shape.still = {nose_of(tool.insert, shape.p_T_tip)};
+    shape.envelope = shape.still;
+  } else if (tool.teeth.empty()) {
+    shape.still = round_pieces(tool);
+    shape.envelope = shape.still;
+  } else {
+    for (const Tooth& tooth : tool.teeth) {
+      shape.still.emplace_back(blade_of(tooth, tool));
+    }
+    shape.envelope = {envelope_of(outline_of(tool), tool)};
+  }
+  for (ProbeSection body : tool.bodies) {
+    body.p_S += shape.p_T_tip;
+    shape.bodies.emplace_back(body);
+  }
+  for (const auto* const pieces : {&shape.still, &shape.envelope, &shape.bodies}) {
+    for (const ConvexShape& piece : *pieces) {
+      shape.reach_mm = std::max(shape.reach_mm, reach_of(piece, shape.p_T_tip));
+    }
+  }
+  return shape;
+}
+
+}  // namespace g31::probe

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "machine/units/units.h"
+#include "probe/tooling/convex_shape.h"
+#include "probe/tooling/tool_setup.h"
+
+namespace g31::probe {
+
+/// A tool as convex pieces in the frame of the gauge point: Z along its axis, the tool below, mm.
+struct ToolShape {
+  std::vector<ConvexShape> still;     ///< as it stands at spindle angle 0: blades, or what is round
+  std::vector<ConvexShape> envelope;  ///< what it takes up while it turns
+  std::vector<ConvexShape> bodies;    ///< chuck and shank
+  Point p_T_tip = Point::Zero();  ///< lowest point on the axis, of an insert its theoretical tip
+  double reach_mm = 0.0;          ///< no point of it is farther from the tip
+};
+
+/// The pieces of a tool.  Cutting edges are idealised: a tooth is a flat blade from the axis out,
+/// its lower edge rises towards the axis by kDishDeg; an insert is the ball of its tip radius.
+/// @pre a tool that is no probe
+ToolShape shape_of(const ToolSetup& tool);
+
+/// How a body of revolution looks that one tooth cuts.
+ConvexShape envelope_of(const Tooth& tooth, const ToolSetup& tool);
+
+/// The widest and longest of the teeth together.  @pre it has teeth
+Tooth outline_of(const ToolSetup& tool);
+
+inline constexpr double kRadPerDeg = in_rad(deg(1.0));
+
+/// How much the lower edges of teeth rise towards the axis: so it is their corner that touches.
+inline constexpr double kDishDeg = 2.0;
+
+}  // namespace g31::probe

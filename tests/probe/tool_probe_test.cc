@@ -1,0 +1,288 @@
+// A tool probe in the machine: what is latched when tools of a known shape touch it.
+
+#include "probe/sensor/tool_probe.h"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "machine/base/random.h"
+#include "machine/sim/machining_centre.h"
+#include "tests/support/effort.h"
+
+namespace g31::probe::tool_probe_test {
+namespace {
+
+using machine::Rotation;
+using machine::Touched;
+
+constexpr int kInput = 2;
+
+ToolSetup tool(ToolKind kind, double length, double diameter) {
+  ToolSetup setup;
+  setup.number = 5;
+  setup.kind = kind;
+  setup.length_mm = length;
+  setup.diameter_mm = diameter;
+  return setup;
+}
+
+/// A machine with one tool probe and one tool, which is in the spindle.
+class Bench {
+ public:
+  Bench(const ToolSetup& held, const ToolProbeSetup& setup)
+      : probe_(setup,
+               std::make_shared<const ToolRack>(std::vector<ToolSetup>{held}, std::nullopt,
+                                                UnnamedTools::Believed),
+               1, 0),
+        machine_(machine::MachineSetup(), &probe_) {
+    EXPECT_TRUE(go(0, 0, 250));
+    machine_.change_tool({{held.number, 0.0, 0.0}, 1});
+  }
+
+  machine::MachiningCentre& machine() { return machine_; }
+
+  bool go(double x, double y, double z) {
+    machine::LinearMove move;
+    move.q_M_end.head<3>() = Point(x, y, z);
+    return machine_.move(move).ok();
+  }
+
+  /// What is latched on the way; nullopt: nothing.
+  std::optional<Point> touch(const Point& end, double feed_mm_min) {
+    machine::LinearMove move;
+    move.q_M_end.head<3>() = end;
+    move.traverse = machine::Traverse::Feed;
+    move.feed_mm_min = feed_mm_min;
+    machine::SkipMove skip(move);
+    skip.input = kInput;
+    const auto outcome = machine_.move_until_skip(skip);
+    if (!outcome.ok()) {
+      fault_ = outcome.error().what;
+      return std::nullopt;
+    }
+    const auto* const touched = std::get_if<Touched>(&outcome.value());
+    return touched != nullptr ? std::optional(linear_axes(touched->q_M_latched)) : std::nullopt;
+  }
+
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+
+ private:
+  ToolProbe probe_;
+  machine::MachiningCentre machine_;
+  std::string fault_;
+};
+
+ToolProbeSetup cube(double size = 25.0) {
+  ToolProbeSetup setup;
+  setup.name = "setter";
+  setup.size_mm = {size, size, size};
+  setup.p_M_at = {200.0, 0.0, 0.0};
+  return setup;
+}
+
+ToolProbeSetup disc(double diameter, double thickness) {
+  ToolProbeSetup setup = cube();
+  setup.shape = ToolProbeShape::Disc;
+  setup.size_mm = {diameter, thickness, 0.0};
+  return setup;
+}
+
+ToolProbeSetup laser(double diameter) {
+  ToolProbeSetup setup = cube();
+  setup.shape = ToolProbeShape::Laser;
+  setup.size_mm = {300.0, diameter, 0.0};
+  return setup;
+}
+
+TEST(ToolProbe, LengthsAndRadiiAreThoseOfTheTool) {
+  Bench bench(tool(ToolKind::Mill, 103.4, 16.2), cube());
+  ASSERT_TRUE(bench.go(200, 0, 110));
+  const auto above = bench.touch({200, 0, 90}, 100);
+  ASSERT_TRUE(above);
+  EXPECT_NEAR(above->z(), 103.4, 1e-12);
+  ASSERT_TRUE(bench.go(200, 0, 120) && bench.go(240, 0, 120) && bench.go(240, 0, 98));
+  const auto side = bench.touch({200, 0, 98}, 100);
+  ASSERT_TRUE(side);
+  EXPECT_NEAR(side->x(), 200 + 12.5 + 8.1, 1e-12);
+}
+
+TEST(ToolProbe, ADiscIsRoundForTools) {
+  Bench bench(tool(ToolKind::Mill, 100, 10), disc(20, 5));
+  ASSERT_TRUE(bench.go(240, 6, 98));
+  const auto side = bench.touch({200, 6, 98}, 100);
+  ASSERT_TRUE(side);
+  EXPECT_NEAR(side->x(), 200 + std::sqrt(15.0 * 15.0 - 36.0), 1e-8);
+}
+
+TEST(ToolProbe, TheEndsOfToolsAreWhatTheirKindSays) {
+  const double gone = 3.0;  // sideways, from the middle of a plate of 2 mm
+  const auto height = [&](const ToolSetup& held) {
+    Bench bench(held, disc(2, 5));
+    EXPECT_TRUE(bench.go(200 + gone, 0, 130));
+    const auto z = bench.touch({200 + gone, 0, 80}, 100);
+    return z ? z->z() : 0.0;
+  };
+  EXPECT_NEAR(height(tool(ToolKind::Mill, 100, 16)), 100, 1e-9);
+  // The plate's rim is 2 mm from the axis.
+  EXPECT_NEAR(height(tool(ToolKind::BallMill, 100, 16)), 100 - (8 - std::sqrt(64 - 4.0)), 1e-8);
+  EXPECT_NEAR(height(tool(ToolKind::Drill, 100, 16)),
+              100 - 2 / std::tan(59 * std::numbers::pi / 180), 1e-8);
+  ToolSetup bull = tool(ToolKind::BullMill, 100, 6);
+  bull.corner_radius_mm = 2.0;
+  EXPECT_NEAR(height(bull), 100 - (2 - std::sqrt(4 - 1.0)), 1e-8);
+}
+
+TEST(ToolProbe, AStandingToolTouchesWithTheToothThatFacesThePlate) {
+  ToolSetup mill = tool(ToolKind::Mill, 100, 20);
+  mill.teeth = {{0.0, 10.0, 100.0}, {120.0, 9.9, 100.0}, {240.0, 9.8, 100.0}};
+  Bench bench(mill, cube());
+  ASSERT_TRUE(bench.go(160, 0, 98));
+  for (const auto& [angle, radius] : {std::pair(0.0, 10.0), {-120.0, 9.9}, {120.0, 9.8}}) {
+    bench.machine().turn_spindle({Rotation::Stopped, 0.0, angle, 1});
+    const auto side = bench.touch({190, 0, 98}, 100);
+    ASSERT_TRUE(side);
+    EXPECT_NEAR(side->x(), 187.5 - radius, 1e-9) << angle;
+    ASSERT_TRUE(bench.go(160, 0, 98));
+  }
+}
+
+/// Brute force: the teeth turn and advance in steps of a microsecond.
+double first_tooth_by_steps(const ToolSetup& mill, double rate_deg_s, double angle_deg,
+                            double speed_mm_s, double gap_mm) {
+  double outline = 0.0;
+  for (const Tooth& tooth : mill.teeth) {
+    outline = std::max(outline, tooth.radius_mm);
+  }
+  constexpr double kStep_s = 1e-6;
+  for (double t = (gap_mm - outline) / speed_mm_s;; t += kStep_s) {
+    for (const Tooth& tooth : mill.teeth) {
+      const double angle = (angle_deg + tooth.angle_deg + rate_deg_s * t) * std::numbers::pi / 180;
+      if (speed_mm_s * t + tooth.radius_mm * std::cos(angle) >= gap_mm) {
+        return speed_mm_s * t;
+      }
+    }
+  }
+}
+
+TEST(ToolProbe, ATurningToolTouchesWhenAToothComes) {
+  for (int i = 0; i < testing::of_many(40); ++i) {
+    const auto draw = [&](std::uint32_t what) {
+      return uniform({3, what}, static_cast<std::uint64_t>(i));
+    };
+    ToolSetup mill = tool(ToolKind::Mill, 100, 20);
+    const int count = 1 + static_cast<int>(draw(1) * 6);
+    for (int k = 0; k < count; ++k) {
+      mill.teeth.push_back(
+          {k * 360.0 / count, 10.0 - 0.02 * draw(10 + static_cast<std::uint32_t>(k)), 100.0});
+    }
+    const double rev_min = 100 + 2900 * draw(2);
+    const double feed = 20 + 300 * draw(3);
+    Bench bench(mill, cube());
+    ASSERT_TRUE(bench.go(170, 0, 98));
+    const bool clockwise = draw(4) < 0.5;
+    bench.machine().turn_spindle(
+        {clockwise ? Rotation::Clockwise : Rotation::Counterclockwise, rev_min, std::nullopt, 1});
+    const auto side = bench.touch({195, 0, 98}, feed);
+    ASSERT_TRUE(side);
+    const double rate = (clockwise ? -6.0 : 6.0) * rev_min;
+    const double gone = first_tooth_by_steps(mill, rate, 0.0, feed / 60, 17.5);
+    EXPECT_NEAR(side->x(), 170 + gone, 2e-5)
+        << i;  // what a step of the brute force is worth, and more
+    // Never before the longest tooth could touch, and no later than the next time that it comes.
+    EXPECT_LE(side->x(), 187.5 - 9.98 + feed / rev_min);
+  }
+}
+
+TEST(ToolProbe, TheLongestToothIsFeltFromAboveWhenItComesOverThePlate) {
+  ToolSetup mill = tool(ToolKind::Mill, 100, 40);
+  mill.teeth = {{0.0, 20.0, 98.0}, {180.0, 20.0, 100.0}};
+  Bench bench(mill, cube(10.0));
+  ASSERT_TRUE(bench.go(220, 0, 110));  // the plate is on the side of -X
+  const auto standing = bench.touch({220, 0, 95}, 100);
+  ASSERT_TRUE(standing);
+  EXPECT_NEAR(standing->z(), 100.0, 1e-9);
+  ASSERT_TRUE(bench.go(220, 0, 110));
+  bench.machine().turn_spindle({Rotation::Stopped, 0.0, 180.0, 1});
+  const auto turned = bench.touch({220, 0, 95}, 100);
+  ASSERT_TRUE(turned);
+  EXPECT_NEAR(turned->z(), 98.0, 1e-9);
+  ASSERT_TRUE(bench.go(220, 0, 110));
+  bench.machine().turn_spindle({Rotation::Clockwise, 500.0, std::nullopt, 1});
+  const auto turning = bench.touch({220, 0, 95}, 50);
+  ASSERT_TRUE(turning);
+  EXPECT_LE(turning->z(), 100.0);
+  EXPECT_GE(turning->z(), 100.0 - 50.0 / 500.0);
+}
+
+TEST(ToolProbe, ABeamIsBrokenAndFreeAgain) {
+  Bench bench(tool(ToolKind::Mill, 100, 10), laser(0.5));
+  ASSERT_TRUE(bench.go(200, -20, 98));
+  const auto broken = bench.touch({200, 20, 98}, 100);
+  ASSERT_TRUE(broken);
+  EXPECT_NEAR(broken->y(), -5.25, 1e-8);
+  ASSERT_TRUE(bench.go(200, 0, 98));  // no obstacle
+  machine::LinearMove move;
+  move.q_M_end.head<3>() = Point(200, 20, 98);
+  move.traverse = machine::Traverse::Feed;
+  move.feed_mm_min = 100;
+  machine::SkipMove skip(move);
+  skip.input = kInput;
+  skip.edge = machine::SignalEdge::Falling;
+  const auto free = bench.machine().move_until_skip(skip);
+  ASSERT_TRUE(free.ok());
+  const auto* const touched = std::get_if<Touched>(&free.value());
+  ASSERT_NE(touched, nullptr);
+  EXPECT_NEAR(touched->q_M_latched[1], 5.25, 1e-7);
+}
+
+TEST(ToolProbe, APlateGivesWayAndBreaks) {
+  ToolProbeSetup setup = cube();
+  setup.pre_travel_mm = 0.01;
+  setup.deflection_limit_mm = 2.0;
+  Bench bench(tool(ToolKind::Mill, 100, 10), setup);
+  ASSERT_TRUE(bench.go(200, 0, 101));
+  const auto above = bench.touch({200, 0, 95}, 100);
+  ASSERT_TRUE(above);
+  EXPECT_NEAR(above->z(), 99.99, 1e-12);
+  ASSERT_TRUE(bench.go(200, 0, 101));
+  EXPECT_FALSE(bench.go(200, 0, 99));  // a rapid into it
+}
+
+TEST(ToolProbe, AnotherInputHearsNothingAndTheToolIsPushedIn) {
+  Bench bench(tool(ToolKind::Mill, 100, 10), cube());
+  ASSERT_TRUE(bench.go(200, 0, 101));
+  machine::LinearMove move;
+  move.q_M_end.head<3>() = Point(200, 0, 90);
+  move.traverse = machine::Traverse::Feed;
+  move.feed_mm_min = 100;
+  machine::SkipMove skip(move);
+  skip.input = 1;
+  const auto outcome = bench.machine().move_until_skip(skip);
+  ASSERT_FALSE(outcome.ok());
+  EXPECT_EQ(outcome.error().what, "tool T5 is pushed 5.000 mm into setter, its deflection limit");
+  EXPECT_NEAR(outcome.error().q_M_at[2], 95.0, 1e-9);
+}
+
+TEST(ToolProbe, AnInsertTouchesWithItsRadiusAsItsEdgePositionSays) {
+  ToolSetup insert = tool(ToolKind::Turning, 0, 0);
+  insert.insert = {{50.0, 80.0, 0.0}, 0.4, 3};
+  Bench bench(insert, cube());
+  // The theoretical tip is at X - 50, Z - 80; position 3 cuts towards -X and -Z.
+  ASSERT_TRUE(bench.go(250, 0, 100));
+  const auto along_z = bench.touch({250, 0, 70}, 100);
+  ASSERT_TRUE(along_z);
+  EXPECT_NEAR(along_z->z(), 80.0, 1e-9);
+  ASSERT_TRUE(bench.go(250, 0, 100) && bench.go(280, 0, 100) && bench.go(280, 0, 70));
+  const auto along_x = bench.touch({250, 0, 70}, 100);
+  ASSERT_TRUE(along_x);
+  EXPECT_NEAR(along_x->x(), 212.5 + 50.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace g31::probe::tool_probe_test
