@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "machine/port/skip_signal.h"
 #include "machine/units/point.h"
 #include "probe/collision/probe_section.h"
@@ -96,7 +98,11 @@ struct ProbeSetup {
   double ball_diameter_mm = 6.0;  ///< > 0
   double length_mm = 120.0;       ///< spindle gauge line to ball centre, along -Z of the machine
   std::array<double, 2> eccentricity_mm = {0.0, 0.0};  ///< ball centre off the spindle axis, X Y
-  double trigger_delay_s = 0.0;                        ///< >= 0
+  bool in_turret = false;                              ///< no spindle turns it
+  /// Of the stylus from +Z, which leads from the ball to what holds it; other than none in a turret
+  /// only.
+  Eigen::Quaterniond turn_of_stylus = Eigen::Quaterniond::Identity();
+  double trigger_delay_s = 0.0;                  ///< >= 0
   std::optional<double> calibrated_feed_mm_min;  ///< > 0: what programs take off was found at it
   double repeatability_mm = 0.0;   ///< standard deviation of the trigger point along the move
   int input = machine::kAnyInput;  ///< measuring input that it is wired to; kAnyInput: all of them

@@ -160,6 +160,9 @@ void TouchProbe::note(const machine::ToolChange& change) {
 }
 
 void TouchProbe::note(const machine::SpindleTurn& turn) {
+  if (setup_.in_turret) {
+    return;
+  }
   spindle_.take(turn, now_s_);
   if (!spindle_.turns()) {
     R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, spindle_.angle_deg(now_s_)}});
@@ -277,7 +280,8 @@ double TouchProbe::depth_of(const PartHit& touch) {
 
 std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, double depth,
                                                 const machine::Sweep& sweep) const {
-  const Point n_S = R_MS_.transpose() * (sweep.tilt_from.conjugate() * touch.hit.n_M);
+  const Point n_S = setup_.turn_of_stylus.conjugate() *
+                    (R_MS_.transpose() * (sweep.tilt_from.conjugate() * touch.hit.n_M));
   const auto wanted = deflection_to_trigger(setup_.at_switch, n_S);
   if (!wanted) {
     return std::nullopt;

@@ -23,7 +23,7 @@ namespace g31::probe {
 ///
 /// The main ball's centre stands at the linear axes + (eccentricity X, eccentricity Y, -length),
 /// further balls and the rigid sections where they are from there; all of it turns about the
-/// spindle axis, and with the tilt of a sweep about the tool tip.
+/// spindle axis, and with the tilt of a sweep about the tool tip.  In a turret no spindle turns it.
 ///
 /// The signal comes when the ball is pushed in by the deflection that pre_travel.h says, shifted
 /// along the move by a normal random number of standard deviation `repeatability_mm`, but never out

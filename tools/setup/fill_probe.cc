@@ -20,6 +20,34 @@ constexpr double kUsualBodyLengthMm = 50.0;
 constexpr double kUsualInput = 1.0;
 constexpr double kUsualBodyDiameterMm = 40.0;
 
+/// The shortest turn of +Z into a direction; straight down, half a turn about X.  Eigen's
+/// FromTwoVectors answers the same and has its compiler spend ten seconds on a singular value
+/// decomposition.
+/// @pre along is not zero
+Eigen::Quaterniond turn_from_z(const Point& along) {
+  constexpr double kStraightDown = -1.0 + 1e-12;
+  const Point to = along.normalized();
+  if (to.z() < kStraightDown) {
+    return {0.0, 1.0, 0.0, 0.0};
+  }
+  const double s = std::sqrt((1.0 + to.z()) * 2.0);
+  const double inverse = 1.0 / s;
+  return {0.5 * s, -to.y() * inverse, to.x() * inverse, 0.0};
+}
+
+/// @param p_T_ball  mm, from the tool reference point
+void put_in_turret(probe::ProbeSetup& probe, const Point& p_T_ball) {
+  probe.in_turret = true;
+  probe.eccentricity_mm = {p_T_ball.x(), p_T_ball.y()};
+  probe.length_mm = -p_T_ball.z();
+  Eigen::Index along = 0;
+  if (p_T_ball.cwiseAbs().maxCoeff(&along) > 0.0) {
+    Point to_holder = Point::Zero();
+    to_holder[along] = -p_T_ball[along];
+    probe.turn_of_stylus = turn_from_z(to_holder);
+  }
+}
+
 probe::ProbeSetup plain_probe_from(const TableKeys& keys) {
   probe::ProbeSetup probe;
   probe.ball_diameter_mm = keys.get(KeyId::ProbeBallDiameter, probe.ball_diameter_mm);
@@ -27,6 +55,9 @@ probe::ProbeSetup plain_probe_from(const TableKeys& keys) {
   const std::vector<double> eccentricity =
       keys.get(KeyId::ProbeEccentricity, std::vector<double>{0.0, 0.0});
   probe.eccentricity_mm = {eccentricity.at(0), eccentricity.at(1)};
+  if (keys.find(KeyId::ProbeAt) != nullptr) {
+    put_in_turret(probe, point_from(keys, KeyId::ProbeAt));
+  }
   probe.deflection_limit_mm = keys.get(KeyId::ProbeDeflection, probe.deflection_limit_mm);
   probe.trigger_delay_s = keys.get(KeyId::ProbeTriggerDelay, probe.trigger_delay_s);
   if (const Entry* const feed = keys.find(KeyId::ProbeCalibratedFeed)) {
@@ -82,7 +113,8 @@ probe::ProbeState probe_state_from(const TableKeys& keys) {
 /// Stem and bodies, from the ball upwards.
 void fill_sections(probe::ProbeSetup& probe, const TableKeys& keys,
                    std::span<const SheetTable> bodies) {
-  double left = probe.length_mm;
+  const Point p_S_ball(probe.eccentricity_mm[0], probe.eccentricity_mm[1], -probe.length_mm);
+  double left = -(probe.turn_of_stylus.conjugate() * p_S_ball).z();
   for (const SheetTable& body : bodies) {
     left -= length_of_body(body);
   }
@@ -92,10 +124,12 @@ void fill_sections(probe::ProbeSetup& probe, const TableKeys& keys,
       0.5 * keys.get(KeyId::ProbeStemDiameter, kUsualStemToBall * probe.ball_diameter_mm);
   if (stem_radius > 0.0) {
     probe.stem.push_back({"stem", 0.0, stem_length, stem_radius, stem_radius, 0.0});
+    probe.stem.back().turn_S = probe.turn_of_stylus;
   }
   double z = stem_length;
   for (const SheetTable& body : bodies) {
     probe.bodies.push_back(body_from(z, body, "probe body"));
+    probe.bodies.back().turn_S = probe.turn_of_stylus;
     z += length_of_body(body);
   }
 }
@@ -103,21 +137,6 @@ void fill_sections(probe::ProbeSetup& probe, const TableKeys& keys,
 probe::StylusBall ball_from(const SheetTable& table, double usual_diameter_mm) {
   const TableKeys keys(table);
   return {point_from(keys, KeyId::ProbeBallAt), keys.get(KeyId::ProbeBallSize, usual_diameter_mm)};
-}
-
-/// The shortest turn of +Z into a direction; straight down, half a turn about X.  Eigen's
-/// FromTwoVectors answers the same and has its compiler spend ten seconds on a singular value
-/// decomposition.
-/// @pre along is not zero
-Eigen::Quaterniond turn_from_z(const Point& along) {
-  constexpr double kStraightDown = -1.0 + 1e-12;
-  const Point to = along.normalized();
-  if (to.z() < kStraightDown) {
-    return {0.0, 1.0, 0.0, 0.0};
-  }
-  const double s = std::sqrt((1.0 + to.z()) * 2.0);
-  const double inverse = 1.0 / s;
-  return {0.5 * s, -to.y() * inverse, to.x() * inverse, 0.0};
 }
 
 /// What holds a further ball: level from the axis of the stem, below the main ball straight from

@@ -5,6 +5,7 @@
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/execute/feed.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -30,10 +31,26 @@ void take_speed(Channel& channel, double value) {
                                                           : channel.spindle.speed) = value;
 }
 
-void orient(Channel& channel, double degrees) {
+/// A spindle that is a rotary axis of the machine, as that of a lathe with C, travels there by the
+/// shorter way.
+MaybeFailure turn_axis(Channel& channel, int axis, double degrees, const source::Location& where) {
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return wrong;
+  }
+  path::PathBlock path;
+  path.q_M_end = channel.machine_position();
+  path.q_M_end[axis] += std::remainder(degrees - path.q_M_end[axis], kFullTurn);
+  path.g = 0;
+  path.where = where;
+  return travel_to(channel, path, channel.to_work(path.q_M_end));
+}
+
+MaybeFailure orient(Channel& channel, double degrees, const source::Location& where) {
   channel.spindle.direction = Spindle::kPositioned;
   channel.spindle.angle = degrees;
   channel.port.turn_spindle({machine::Rotation::Stopped, 0.0, degrees});
+  const auto axis = channel.axis_of_spindle(static_cast<int>(channel.master_spindle));
+  return axis ? turn_axis(channel, *axis, degrees, where) : std::nullopt;
 }
 
 /// As M3, M4 and M5 have it; the sign of S says nothing about the direction.
@@ -53,7 +70,8 @@ bool turns(const Channel& channel) {
 }
 
 /// SPOS and SPOSA
-MaybeFailure orient_by(Channel& channel, const BlockWords::Word& word) {
+MaybeFailure orient_by(Channel& channel, const BlockWords::Word& word,
+                       const source::Location& where) {
   const bool adds = word.modification == Modification::Incremental;
   if (adds && !channel.spindle.angle) {
     return failure(AlarmId::NotImplemented,
@@ -64,8 +82,7 @@ MaybeFailure orient_by(Channel& channel, const BlockWords::Word& word) {
   if (!std::isfinite(degrees)) {
     return failure(AlarmId::ValueOutOfLimits, fmt::format("SPOS={:g}", degrees));
   }
-  orient(channel, degrees);
-  return std::nullopt;
+  return orient(channel, degrees, where);
 }
 
 }  // namespace
@@ -99,14 +116,16 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
       channel.spindle.direction = static_cast<int>(code);
       turn(channel);
     } else if (code == kOrient) {
-      orient(channel, 0.0);
+      if (MaybeFailure wrong = orient(channel, 0.0, block.where)) {
+        return wrong;
+      }
     }
     channel.port.auxiliary_code({static_cast<int>(code)});
     channel.inputs.hear(static_cast<int>(code), channel.now());
   }
   for (const Address address : {Address::Spindle, Address::SpindleAsync}) {
     if (words.has(address)) {
-      if (MaybeFailure wrong = orient_by(channel, words[address])) {
+      if (MaybeFailure wrong = orient_by(channel, words[address], block.where)) {
         return wrong;
       }
     }

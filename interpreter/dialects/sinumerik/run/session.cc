@@ -170,6 +170,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   }
   configure_data(*runner_, setup, refused);
   channel.preset_rapids();
+  channel.preset_codes();
   numbers_at_start_ = channel.numbers;
   for (const auto& [name, value] : setup.variables) {
     const bool is_fanuc_input = name.starts_with('#');

@@ -99,13 +99,55 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
           static_cast<std::size_t>(globals.find("$MN_MM_NUM_GLOBAL_BASE_FRAMES")->place)),
       rotary_is_modulo_(static_cast<std::size_t>(globals.find("$MA_ROT_IS_MODULO")->place)),
       axis_function_masks_(static_cast<std::size_t>(globals.find("$MA_MISC_FUNCTION_MASK")->place)),
-      rapids_are_straight_(static_cast<std::size_t>(globals.find("$MC_G0_LINEAR_MODE")->place)) {
+      rapids_are_straight_(static_cast<std::size_t>(globals.find("$MC_G0_LINEAR_MODE")->place)),
+      codes_at_start_(static_cast<std::size_t>(globals.find("$MC_GCODE_RESET_VALUES")->place)),
+      technology_(static_cast<std::size_t>(globals.find("$MCS_TECHNOLOGY")->place)),
+      tool_parameter_mask_(
+          static_cast<std::size_t>(globals.find("$MC_TOOL_PARAMETER_DEF_MASK")->place)),
+      length_plane_(static_cast<std::size_t>(globals.find("$SC_TOOL_LENGTH_CONST")->place)),
+      turning_length_plane_(
+          static_cast<std::size_t>(globals.find("$SC_TOOL_LENGTH_CONST_T")->place)),
+      length_kind_(static_cast<std::size_t>(globals.find("$SC_TOOL_LENGTH_TYPE")->place)),
+      spindles_of_axes_(
+          static_cast<std::size_t>(globals.find("$MA_SPIND_ASSIGN_TO_MACHAX")->place)) {
   for (int i = 0; i < kGroupCount; ++i) {
     group.at(static_cast<std::size_t>(i)) = preset_number(static_cast<Group>(i));
   }
   for (const Group one_block : kOneBlockGroups) {
     group[one_block] = 0;
   }
+}
+
+bool Channel::is_lathe() const {
+  constexpr double kTurning = 1.0;
+  constexpr int kAxisY = 1;
+  return numbers[technology_] == kTurning || (port.travel(kTransverseAxis) && !port.travel(kAxisY));
+}
+
+void Channel::preset_codes() {
+  for (const Group one : {Group::Plane, Group::Diameter}) {
+    const double number = numbers[codes_at_start_ + static_cast<std::size_t>(one) - 1];
+    const auto is_row = [&](const GCode& code) {
+      return code.group == one && static_cast<double>(code.number) == number;
+    };
+    if (std::ranges::any_of(g_codes(), is_row)) {
+      group[one] = static_cast<int>(number);
+    }
+  }
+  if (is_lathe() && group[Group::Plane] == preset_number(Group::Plane)) {
+    group[Group::Plane] = kPlaneZx;
+  }
+  frames_changed();
+}
+
+std::optional<int> Channel::axis_of_spindle(int spindle_number) const {
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    if (is_rotary_axis(axis) && port.travel(axis) &&
+        numbers[spindles_of_axes_ + static_cast<std::size_t>(axis)] == spindle_number) {
+      return axis;
+    }
+  }
+  return std::nullopt;
 }
 
 void Channel::preset_rapids() {
@@ -282,18 +324,30 @@ double Channel::tool_radius() const {
                          : 0.0;
 }
 
-/// Length 1 counts square to the plane, 2 and 3 in its axes: G17 Z Y X, G18 Y X Z, G19 X Z Y.
+LengthRules Channel::length_rules() const {
+  const auto number = [this](std::size_t place) {
+    return static_cast<int>(std::lround(numbers[place]));
+  };
+  return {number(length_plane_), number(turning_length_plane_), number(length_kind_),
+          number(tool_parameter_mask_)};
+}
+
 AxisPositions Channel::tool_offset() const {
   AxisPositions offset = AxisPositions::Zero();
   const EdgeData* const data = active_edge();
   if (data == nullptr) {
     return offset;
   }
-  const Plane now = plane();
-  const int axes[] = {now.normal, now.second, now.first};
+  const double type = (*data)[EdgeDatum::kType];
+  const LengthRules rules = length_rules();
+  const std::array<int, 3> axes = axes_of_lengths(rules, group[Group::Plane], type);
   for (std::size_t i = 0; i < 3; ++i) {
-    offset[axes[i]] = (*data)[EdgeDatum::kLength1 + i] + (*data)[EdgeDatum::kWear1 + i] +
-                      (*data)[EdgeDatum::kAdapter1 + i] + additive_now[i];
+    const bool is_across = axes.at(i) == kTransverseAxis && is_turning_type(type);
+    const double length = (*data)[EdgeDatum::kLength1 + i];
+    const double wear = (*data)[EdgeDatum::kWear1 + i];
+    offset[axes.at(i)] = (is_across && (rules.diameters & 2) != 0 ? length / 2.0 : length) +
+                         (is_across && (rules.diameters & 1) != 0 ? wear / 2.0 : wear) +
+                         (*data)[EdgeDatum::kAdapter1 + i] + additive_now.at(i);
   }
   return offset;
 }

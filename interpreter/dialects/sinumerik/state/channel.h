@@ -15,6 +15,7 @@
 #include "interpreter/dialects/sinumerik/state/frame.h"
 #include "interpreter/dialects/sinumerik/state/frame_set.h"
 #include "interpreter/dialects/sinumerik/state/motion_state.h"
+#include "interpreter/dialects/sinumerik/state/tool_lengths.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
@@ -221,6 +222,7 @@ class Channel {
   [[nodiscard]] const EdgeData* active_edge() const { return edge_now ? &*edge_now : nullptr; }
   /// mm, wear included; 0 without an edge
   [[nodiscard]] double tool_radius() const;
+  [[nodiscard]] LengthRules length_rules() const;
   /// mm: what the active edge adds to the machine coordinates.
   [[nodiscard]] AxisPositions tool_offset() const;
   std::array<double, 4> additive_now = {};  ///< mm, what DL added to parameters 3 to 6 of the edge
@@ -254,6 +256,12 @@ class Channel {
   // Motion
   /// As machine data want it at the start of a program.
   void preset_rapids();
+  /// The same of plane and diameters: MD20150 [5] and [28]; on a lathe G18 in the place of G17.
+  void preset_codes();
+  /// A machine without Y, or one whose MD52200 is 1.
+  [[nodiscard]] bool is_lathe() const;
+  /// MD35000: the rotary axis that a spindle is when it is positioned; nullopt: none.
+  [[nodiscard]] std::optional<int> axis_of_spindle(int spindle_number) const;
   /// The way of G0: RTLIOF acts in exact stop alone, and neither compensated nor compressed.
   /// Source: SINUMERIK ONE programming, 6FC5398-2EP40, RTLION and RTLIOF.
   [[nodiscard]] machine::RapidPath rapid_path() const;
@@ -360,6 +368,13 @@ class Channel {
   std::size_t rotary_is_modulo_;       ///< place of MD30310
   std::size_t axis_function_masks_;    ///< place of MD30455
   std::size_t rapids_are_straight_;    ///< place of MD20730
+  std::size_t codes_at_start_;         ///< place of MD20150
+  std::size_t technology_;             ///< place of MD52200
+  std::size_t tool_parameter_mask_;    ///< place of MD20360
+  std::size_t length_plane_;           ///< place of SD42940
+  std::size_t turning_length_plane_;   ///< place of SD42942
+  std::size_t length_kind_;            ///< place of SD42950
+  std::size_t spindles_of_axes_;       ///< place of MD35000
   bool is_stale_ = false;
   mutable std::optional<Chains> chains_;        ///< kept until one of them is written
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed

@@ -1,0 +1,34 @@
+#include "interpreter/dialects/sinumerik/state/tool_lengths.h"
+
+#include <cstdlib>
+#include <utility>
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr int kFirstPlane = 17;
+constexpr int kLastPlane = 19;
+constexpr int kAllAsMills = 1;
+constexpr int kAllAsTurningTools = 2;
+
+/// 1st axis, 2nd axis, normal of G17, G18 and G19.
+constexpr std::array<std::array<int, 3>, 3> kPlanes = {{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
+
+}  // namespace
+
+std::array<int, 3> axes_of_lengths(const LengthRules& rules, int group_number, double type) {
+  const int wanted =
+      is_turning_type(type) && rules.turning_plane != 0 ? rules.turning_plane : rules.plane;
+  const int plane = std::abs(wanted);
+  const bool is_fixed = plane >= kFirstPlane && plane <= kLastPlane;
+  const auto row = static_cast<std::size_t>(is_fixed ? plane - kFirstPlane : group_number - 1);
+  const bool as_turning_tool =
+      rules.kind == kAllAsTurningTools || (rules.kind != kAllAsMills && is_turning_type(type));
+  auto [first, second, normal] = kPlanes.at(row);
+  if (is_fixed && wanted < 0) {
+    std::swap(first, second);
+  }
+  return as_turning_tool ? std::array{second, first, normal} : std::array{normal, second, first};
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+
+namespace g31::sinumerik {
+
+/// Which axes the lengths of a tool count in, and what of them is a diameter.
+///
+/// Source: SINUMERIK 840D sl function manual Tools (W1), tool length compensation: milling tools
+/// have length 1 square to the plane, turning tools along its 2nd axis; with a negative plane the
+/// two axes of the plane change places.
+struct LengthRules {
+  int plane = 0;          ///< SD42940, 17 18 19 of whatever plane is active; 0: the active one
+  int turning_plane = 0;  ///< SD42942: the same of turning tools; 0: as SD42940
+  int kind = 0;           ///< SD42950: 1 all tools as mills, 2 all as turning tools, else by type
+  int diameters = 0;      ///< MD20360, of turning tools across the spindle: bit 0 wear, 1 length
+};
+
+/// $TC_DP1 500 to 599: turning tools and the probes of lathes.
+constexpr bool is_turning_type(double type) {
+  constexpr double kFirst = 500.0;
+  constexpr double kEnd = 600.0;
+  return type >= kFirst && type < kEnd;
+}
+
+/// Storage indices of the axes of lengths 1 to 3.
+/// @param group_number  of the active plane in its G group: 1 G17, 2 G18, 3 G19
+std::array<int, 3> axes_of_lengths(const LengthRules& rules, int group_number, double type);
+
+}  // namespace g31::sinumerik
