@@ -171,6 +171,11 @@ TEST(Profile, TakesTheFeedOfASkipMove) {
   setup.parameters["1174"] = 30.0;
   const ControlRun preset("meldas", "F50.\nG31X1.", setup);
   EXPECT_EQ(preset.machine().log(), (std::vector<std::string>{"skip 1.000 0.000 0.000 F30"}));
+  setup.parameters["1178"] = 40.0;
+  const ControlRun steps("meldas", "F50.\nG31.2X1.\nG31.3X2.\nG31.2X3.F60.", setup);
+  EXPECT_EQ(steps.machine().log(),
+            (std::vector<std::string>{"skip 1.000 0.000 0.000 F40", "skip 2.000 0.000 0.000 F50",
+                                      "skip 3.000 0.000 0.000 F60"}));
 }
 
 TEST(Profile, MakesIntegersForLogic) {

@@ -30,7 +30,7 @@ TEST(MacroTexts, KeepToWhatAControlStores) {
       }
     }
   }
-  EXPECT_EQ(programs, 12);
+  EXPECT_EQ(programs, 21);
 }
 
 }  // namespace

@@ -170,6 +170,7 @@ step_sagitta = 0.002
 unit = "cm"
 scale = 2.0
 closed = false
+fixture = true
 at = [250.0, -180, -300.0]
 rotate_deg = [0.0, 10.0, 90.0]
 expansion = 23.0

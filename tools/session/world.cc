@@ -17,7 +17,7 @@
 #include "probe/sensor/touch_probe.h"
 #include "probe/sensor/world.h"
 #include "tools/session/sheet_places.h"
-#include "tools/session/tool_probes.h"
+#include "tools/session/tool_sets.h"
 
 namespace g31::session {
 namespace {
@@ -58,6 +58,11 @@ probe::SeenParts seen_alone(const std::vector<probe::ProbedPart>& parts) {
     seen.push_back(std::make_shared<const probe::ContactMesh>(part.mesh_M));
   }
   return seen;
+}
+
+/// Whether the sheet says what the spindle may hold, or what measures it.
+bool are_told(const setup::Job& job) {
+  return !job.tools.empty() || !job.tool_probes.empty();
 }
 
 /// What of a mesh nobody has looked at; "": nothing.
@@ -125,6 +130,7 @@ Result<BuiltParts, Refusal> build_parts(const setup::Job& job, const runtime::Ti
     const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
     built.parts.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
     built.parts.back().is_solid = part.is_closed;
+    built.parts.back().role = part.is_fixture ? probe::Role::Rigid : probe::Role::Part;
     if (const auto late = too_late(time, part.name)) {
       return *late;
     }
@@ -142,6 +148,9 @@ SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedP
     sensed.by_sensors = std::make_shared<const probe::SeenParts>(
         sensed.by_balls ? seen_with(*sensed.by_balls) : seen_alone(parts));
   }
+  if (!job.skip_signals && are_told(job)) {
+    sensed.by_tools = tool_obstacles_of(job, parts);
+  }
   return sensed;
 }
 
@@ -149,18 +158,18 @@ std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
                                                        const SensedParts& parts,
                                                        std::uint64_t seed) {
   probe::World::Sets sets;
-  const bool has_tools = !job.tools.empty() || !job.tool_probes.empty();
   const bool is_called = job.probe && job.probe->switching.tool;
-  const probe::Tools tools = has_tools || is_called ? probe::Tools::Changing : probe::Tools::Fixed;
+  const probe::Tools tools =
+      parts.by_tools || is_called ? probe::Tools::Changing : probe::Tools::Fixed;
   if (job.skip_signals) {
     sets.push_back(std::make_unique<probe::ScriptedSignals>(*job.skip_signals));
   } else if (job.probe) {
     sets.push_back(std::make_unique<probe::TouchProbe>(parts.by_balls, *job.probe, seed));
-  } else if (job.sensors.empty() && !has_tools) {
+  } else if (job.sensors.empty() && !parts.by_tools) {
     return nullptr;
   }
-  if (!job.skip_signals) {
-    add_tool_probes(job, seed, sets);
+  if (parts.by_tools) {
+    add_tools(job, parts.by_tools, seed, sets);
   }
   auto sensors = job.sensors.empty() ? nullptr
                                      : std::make_unique<probe::DisplacementSensors>(

@@ -213,6 +213,7 @@ parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
   part.unit = keys.get(KeyId::PartUnit, part.unit);
   part.scale = keys.get(KeyId::PartScale, part.scale);
   part.is_closed = keys.get(KeyId::PartClosed, 1.0) != 0.0;
+  part.is_fixture = keys.get(KeyId::PartFixture, 0.0) != 0.0;
   part.p_M_at = point_from(keys, KeyId::PartAt);
   part.rotate_deg = point_from(keys, KeyId::PartRotate);
   part.growth.expansion = keys.get(KeyId::PartExpansion, part.growth.expansion);

@@ -53,6 +53,30 @@ M30
 %
 (EXPECT ALARM 35 AT 3)
 
+(CASE MB-283 G31.n listens to its own signals, at its own feed)
+(SOURCE M700V programming manual 15.3)
+(SHEET [parameters])
+(SHEET 1175 = 1)
+(SHEET 1177 = 6)
+(SHEET 1178 = 60)
+(SHEET [probe])
+(SHEET input = 2)
+(SHEET ball_diameter = 2.0)
+(SHEET [[part]])
+(SHEET shape = "block")
+(SHEET at = [50.0, 0.0, -110.0])
+%
+O1
+G31.1 X19.5 F100.
+#100=#5061
+G1 X0 F500.
+G31.2 X25.
+#101=#5061
+M30
+%
+(EXPECT #100 = 19.5)
+(EXPECT #101 = 19)
+
 (CASE MB-283 G31.1 to G31.3 are skip moves)
 (SIGNAL X3)
 (SIGNAL X7)

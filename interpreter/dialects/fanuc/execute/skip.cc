@@ -51,7 +51,17 @@ int axes_named(const BlockWords& words) {
   return count;
 }
 
+/// Of G31.1 to G31.3 the first of their two parameters; nullopt: another code (MB-283).
+std::optional<int> step_parameter(const NcBlock& block) {
+  constexpr int kParametersOfStep = 2;
+  const int step = block.code->number.tenth;
+  return step > 0 ? std::optional(kParametersOfStep * (step - 1)) : std::nullopt;
+}
+
 Result<SkipKind, Failure> skip_kind(const Control& control, const NcBlock& block) {
+  if (const auto step = step_parameter(block)) {
+    return SkipKind{false, control.parameters.signals(ParameterId::MultiStepSkip, *step)};
+  }
   const EvaluatedWord* const p = block.words.find('P');
   if (p == nullptr) {
     return SkipKind();
@@ -120,7 +130,10 @@ double skip_speed(const Control& control, double feed_mm_min) {
 /// mm/min: F of the block, else the parameter that some controls have, else the feed in force.
 Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) {
   const auto parameter = control.profile.skip_feed_parameter;
-  const double preset = parameter ? control.parameters.get(*parameter) : 0.0;
+  const auto step = step_parameter(block);
+  const double preset = step        ? control.parameters.get(ParameterId::MultiStepSkip, *step + 1)
+                        : parameter ? control.parameters.get(*parameter)
+                                    : 0.0;
   if (!block.words.has('F') && preset > 0.0) {
     return preset;
   }

@@ -1,6 +1,7 @@
-#include "tools/session/tool_probes.h"
+#include "tools/session/tool_sets.h"
 
-#include <memory>
+#include <algorithm>
+#include <utility>
 
 #include "machine/base/contract.h"
 #include "parts/artefacts/artefact.h"
@@ -49,12 +50,21 @@ std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup
   return plates;
 }
 
-void add_tool_probes(const setup::Job& job, std::uint64_t seed, probe::World::Sets& sets) {
-  if (job.tool_probes.empty()) {
-    return;
-  }
+std::shared_ptr<const probe::ToolObstacles> tool_obstacles_of(
+    const setup::Job& job, const std::vector<probe::ProbedPart>& parts) {
+  const bool has_fixture =
+      std::ranges::find(parts, probe::Role::Rigid, &probe::ProbedPart::role) != parts.end();
+  const auto has_holder = [](const probe::ToolSetup& tool) { return !tool.bodies.empty(); };
+  const bool matters = has_fixture || std::ranges::any_of(job.tools, has_holder);
+  return std::make_shared<const probe::ToolObstacles>(matters ? parts
+                                                              : std::vector<probe::ProbedPart>());
+}
+
+void add_tools(const setup::Job& job, std::shared_ptr<const probe::ToolObstacles> obstacles,
+               std::uint64_t seed, probe::World::Sets& sets) {
   const auto number = job.probe ? job.probe->switching.tool : std::nullopt;
   const auto rack = std::make_shared<const probe::ToolRack>(job.tools, number, unnamed_tools(job));
+  sets.push_back(std::make_unique<probe::CuttingTool>(std::move(obstacles), rack));
   for (std::size_t i = 0; i < job.tool_probes.size(); ++i) {
     sets.push_back(std::make_unique<probe::ToolProbe>(job.tool_probes[i], rack, seed,
                                                       static_cast<std::uint32_t>(i)));

@@ -1,0 +1,210 @@
+// Our tool setting macros O9851 to O9859: tools that the sheet knows truly are measured as what
+// they are, and what goes wrong writes nothing.
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/run_program.h"
+
+namespace g31::fanuc_tool_setting_test {
+namespace {
+
+using testing::RunOutput;
+
+/// The control believes other sizes than the tools have.
+constexpr const char* kTools = R"(
+[tools.1]
+length = 99.9
+radius = 8.2
+[tools.2]
+length = 120.0
+radius = 10.0
+[tools.3]
+length = 110.0
+radius = 6.0
+[tools.90]
+length = 105.0
+radius = 5.0
+[[tool]]
+number = 90
+kind = "calibration"
+length = 105.0
+diameter = 10.0
+[[tool]]
+number = 1
+length = 100.3
+diameter = 16.0
+[[tool]]
+number = 2
+length = 120.25
+diameter = 20.5
+teeth = [{ angle_deg = 0.0 }, { angle_deg = 120.0, radius = 10.24 }, { angle_deg = 240.0, length = 120.2 }]
+[[tool]]
+number = 3
+kind = "drill"
+length = 107.9
+diameter = 12.0
+)";
+
+constexpr const char* kPlate = R"(
+[[tool_probe]]
+name = "setter"
+at = [200.3, -100.4, -399.2]
+size = [25.0, 26.0, 30.0]
+)";
+
+constexpr const char* kLaser = R"(
+[[tool_probe]]
+name = "laser"
+shape = "laser"
+at = [200.0, -100.4, -399.2]
+size = [300.0, 0.5]
+)";
+
+constexpr const char* kCalibrate = "T90 M6\nG65 P9851 X200. Y-100. Z-400. K105. D10. S25.\n";
+
+class Shop {
+ public:
+  explicit Shop(const std::string& probe, const std::string& blocks,
+                const std::string& further = {}) {
+    cli::RunOptions options;
+    options.programs = {folder_.write("main.nc", "%\nO1\nG21 G90 G17 G54\n" + blocks + "M30\n%\n")};
+    options.setups = {folder_.write("sheet.toml", further + kTools + probe)};
+    options.libraries = {"macros/fanuc"};
+    options.control = "fanuc-30i";
+    options.json = folder_.path("document.json");
+    for (const char* name : {"#540", "#541", "#542", "#543", "#544", "#548", "#550", "#552", "#553",
+                             "#554", "#11001", "#10001", "#13001", "#12001", "#11002", "#13002"}) {
+      options.prints.emplace_back(name);
+    }
+    run_ = testing::run_program(options);
+  }
+
+  [[nodiscard]] std::optional<double> value(const std::string& name) const {
+    const auto& variables = run_.document["variables"];
+    return variables.contains(name) && variables[name].is_number()
+               ? std::optional(variables[name].get<double>())
+               : std::nullopt;
+  }
+  [[nodiscard]] int alarm() const {
+    const auto& alarm = run_.document["alarm"];
+    return alarm.is_object() ? alarm["number"].get<int>() : 0;
+  }
+  [[nodiscard]] int exit_code() const { return run_.exit_code; }
+  [[nodiscard]] const std::string& errors() const { return run_.errors; }
+
+ private:
+  testing::TemporaryFolder folder_;
+  RunOutput run_;
+};
+
+void expect_value(const Shop& shop, const std::string& name, double wanted, double within = 1e-6) {
+  const auto value = shop.value(name);
+  ASSERT_TRUE(value) << name << '\n' << shop.errors();
+  EXPECT_NEAR(*value, wanted, within) << name;
+}
+
+TEST(FanucToolSetting, CalibrationFindsThePlateAsItIs) {
+  const Shop shop(kPlate, kCalibrate);
+  EXPECT_EQ(shop.exit_code(), 0) << shop.errors();
+  expect_value(shop, "#540", 200.3);
+  expect_value(shop, "#541", -100.4);
+  expect_value(shop, "#542", -399.2);
+  expect_value(shop, "#543", 25.0);
+  expect_value(shop, "#544", 26.0);
+}
+
+TEST(FanucToolSetting, PreTravelIsInTheCalibration) {
+  const std::string plate = std::string(kPlate) + "pre_travel_mm = 0.02\n";
+  const Shop shop(plate, std::string(kCalibrate) + "T1 M6\nG65 P9852 H1\nG65 P9853 H1 D1\n");
+  expect_value(shop, "#542", -399.22);
+  expect_value(shop, "#543", 24.96);
+  expect_value(shop, "#11001", 100.3);
+  expect_value(shop, "#13001", 8.0);
+}
+
+TEST(FanucToolSetting, LengthAndDiameterReplaceWhatWasBelieved) {
+  const std::string measure = "T1 M6\nG65 P9852 H1 Q1.\nG65 P9853 H1 D1 Q1.\n";
+  const Shop shop(kPlate, kCalibrate + measure,
+                  "[variables]\n\"#10001\" = 0.05\n\"#12001\" = -0.1\n");
+  EXPECT_EQ(shop.exit_code(), 0) << shop.errors();
+  expect_value(shop, "#11001", 100.3);
+  expect_value(shop, "#10001", 0.0);
+  expect_value(shop, "#13001", 8.0);
+  expect_value(shop, "#12001", 0.0);
+  // Measured again it is what it was.
+  const Shop again(kPlate, kCalibrate + measure + "G65 P9852 H1\n");
+  expect_value(again, "#548", 0.0);
+}
+
+TEST(FanucToolSetting, ATurningCutterIsAsLongAndWideAsItsOutermostTeeth) {
+  const Shop shop(kPlate, std::string(kCalibrate) + "T2 M6\nG65 P9854 H2 D2 S800 R10.\n");
+  EXPECT_EQ(shop.exit_code(), 0) << shop.errors();
+  // Feed per revolution is 0.005 mm: no tooth is felt later.
+  expect_value(shop, "#11002", 120.25, 5e-3);
+  expect_value(shop, "#13002", 10.25, 5e-3);
+  EXPECT_LE(*shop.value("#11002"), 120.25 + 1e-9);
+  EXPECT_LE(*shop.value("#13002"), 10.25 + 1e-9);
+}
+
+TEST(FanucToolSetting, ABrokenToolIsAnAlarmOrAnAnswer) {
+  const std::string drill = std::string(kCalibrate) + "T3 M6\nG65 P9855 H3";  // 2.1 mm are gone
+  EXPECT_EQ(Shop(kPlate, drill + "\n").alarm(), 3176);
+  const Shop asked(kPlate, drill + " E1.\n");
+  EXPECT_EQ(asked.alarm(), 0);
+  expect_value(asked, "#550", 1.0);
+  expect_value(Shop(kPlate, drill + " E1. I3.\n"), "#550", 0.0);
+  const std::string longer = std::string(kCalibrate) + "T1 M6\n#11001=98.\nG65 P9855 H1";
+  EXPECT_EQ(Shop(kPlate, longer + "\n").alarm(), 3173);
+  expect_value(Shop(kPlate, longer + " E1.\n"), "#550", 2.0);
+}
+
+TEST(FanucToolSetting, WhatGoesWrongWritesNothing) {
+  struct Case {
+    std::string name;
+    std::string probe;
+    std::string blocks;
+    int alarm;
+  };
+  const std::string calibrate = kCalibrate;
+  const Case cases[] = {
+      {"another tool than believed", kPlate, calibrate + "T3 M6\nG65 P9852 H1 Q1.\n", 3173},
+      {"no calibration", kPlate, "T1 M6\nG65 P9852 H1\n", 3174},
+      {"no calibration", kPlate, "T1 M6\nG65 P9853 H1 D1\n", 3174},
+      {"no setter there", "", "#542=-399.2\n#540=0\n#541=0\nT1 M6\nG65 P9852 H1\n", 3171},
+      {"no offset number", kPlate, calibrate + "T1 M6\nG65 P9852\n", 3160},
+      {"setter elsewhere", kPlate, "T90 M6\nG65 P9851 X200. Y-100. Z-396. K105. D10. S25.\n", 3172},
+      {"inches", kPlate, "G20\nT90 M6\nG65 P9851 X200. Y-100. Z-400. K105. D10. S25.\n", 3170},
+      {"a radius too far off", kPlate, calibrate + "T1 M6\nG65 P9853 H1 D1 Q.1\n", 3173},
+      {"length unknown", kPlate, calibrate + "T1 M6\n#11001=0\nG65 P9855 H1\n", 3175},
+  };
+  for (const Case& one : cases) {
+    SCOPED_TRACE(one.name);
+    const Shop shop(one.probe, one.blocks);
+    EXPECT_EQ(shop.alarm(), one.alarm) << shop.errors();
+    const double unit = one.name == "inches" ? 25.4 : 1.0;
+    if (one.alarm != 3175) {
+      expect_value(shop, "#11001", 99.9 / unit);
+    }
+    expect_value(shop, "#13001", 8.2 / unit);
+  }
+}
+
+TEST(FanucToolSetting, ALaserMeasuresStandingAndTurningTools) {
+  const std::string calibrate = "T90 M6\nG65 P9856 X200. Y-100. Z-399. K105. D10.\n";
+  const Shop shop(kLaser, calibrate + "T1 M6\nG65 P9857 H1 D1 Q1.\n");
+  EXPECT_EQ(shop.exit_code(), 0) << shop.errors();
+  expect_value(shop, "#552", -100.4);
+  expect_value(shop, "#553", -398.95);
+  expect_value(shop, "#554", 0.5);
+  expect_value(shop, "#11001", 100.3);
+  expect_value(shop, "#13001", 8.0);
+  EXPECT_EQ(Shop(kLaser, calibrate + "T3 M6\nG65 P9857 H1 D1 Q1.\n").alarm(), 3173);
+}
+
+}  // namespace
+}  // namespace g31::fanuc_tool_setting_test
