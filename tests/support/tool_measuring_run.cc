@@ -5,18 +5,24 @@
 
 namespace g31::testing {
 
-MeasuringRun run_tools(const std::string& body, const std::vector<std::string>& sheets,
-                       const std::vector<std::string>& names) {
+MeasuringRun run_sheets(const std::string& body, const std::vector<std::string>& sheets,
+                        const std::vector<std::string>& names) {
   const TemporaryFolder folder;
   cli::RunOptions options;
   options.programs = {folder.write("part.mpf", body + "\nM30\n")};
-  options.setups = {folder.write("base.toml", kToolSheet)};
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     options.setups.push_back(folder.write(fmt::format("sheet{}.toml", i), sheets[i]));
   }
   options.prints = names;
   options.touches = true;
   return {run_program(options)};
+}
+
+MeasuringRun run_tools(const std::string& body, const std::vector<std::string>& sheets,
+                       const std::vector<std::string>& names) {
+  std::vector<std::string> all = {kToolSheet};
+  all.insert(all.end(), sheets.begin(), sheets.end());
+  return run_sheets(body, all, names);
 }
 
 MeasuringRun expect_tools(const std::string& body, const std::vector<std::string>& sheets,

@@ -159,6 +159,58 @@ TEST(ToolProbeMeasurement, TurnsAsTheDataOrTheCallSay) {
   EXPECT_EQ(feeds_of(given), (std::vector<double>{50.0, 30.0, 3.0}));
 }
 
+TEST(ToolProbeMeasurement, WithAnEmpiricalValueInInchesAndIncrementally) {
+  const std::string wrong = "$TC_DP3[5,1]=100.5\n";
+  expect_tools(wrong + "$SCS_MEA_EMPIRIC_VALUE[1]=0.05\n" + with_tool(5) +
+                   "CYCLE971(1,0,1,103,2,0,5,2,,0.001,1,,,,,,,,2)",
+               {kCube, kKnown},
+               {{"$TC_DP3[5,1]", 99.95}, {"_OVR[9]", -0.5}, {"_OVR[30]", 0.05}, {"_OVI[7]", 2.0}},
+               kStanding);
+  expect_tools(wrong + with_tool(5) + "G70\nCYCLE971(1,0,1,103,2,0,0.2,0.1,,0.00001,0.05)\nG71",
+               {kCube, kKnown},
+               {{"$TC_DP3[5,1]", 100.0},
+                {"_OVR[8]", 100.0 / 25.4},
+                {"_OVR[9]", -0.5 / 25.4},
+                {"_OVR[28]", 0.1}},
+               kStanding);
+  expect_tools(wrong + with_tool(5) +
+                   "G0 SUPA X200\nG0 SUPA Z-296\nCYCLE971(10001,0,1,3,2,0,5,1)\nR1=$AA_IM[Z]",
+               {kCube, kKnown}, {{"$TC_DP3[5,1]", 100.0}, {"R1", -195.5}}, kStanding);
+}
+
+TEST(ToolProbeMeasurement, LeavesTheSpindleAsItWas) {
+  expect_tools(with_tool(5) +
+                   "S300 M3\nCYCLE971(2,0,1,1,1,0,5,2)\nR1=$AC_SDIR[1] R2=$AA_S[1]\n"
+                   "M5\nG0 SUPA Z-270\nCYCLE971(2,0,1,1,1,0,5,2)\nR3=$AC_SDIR[1]",
+               {kCube, kKnown}, {{"R1", 3.0}, {"R2", 300.0}, {"R3", 5.0}}, 1e-9);
+}
+
+std::size_t signals_of(const MeasuringRun& run) {
+  std::size_t count = 0;
+  for (const auto& touch : run.output.document.at("touches")) {
+    count += touch.value("triggered", false) ? 1U : 0U;
+  }
+  return count;
+}
+
+TEST(ToolProbeMeasurement, IsRepeatedAndGoesOnWithoutAnAlarmWhereTheDataSaySo) {
+  const std::string broken = "$TC_DP3[5,1]=102\n" + with_tool(5);
+  const std::string call = "CYCLE971(1,0,1,103,2,0,5,1)\nR1=1";
+  const MeasuringRun once = run_tools(broken + call, {kCube, kKnown}, {});
+  const MeasuringRun twice =
+      run_tools(broken + "$SNS_MEA_FUNCTION_MASK=65536+8\n" + call, {kCube, kKnown}, {});
+  const MeasuringRun hidden = run_tools(broken + "$SNS_MEA_ALARM_MASK=196608\n" + call,
+                                        {kCube, kKnown}, {"R1", "_OVI[9]", "$TC_DP3[5,1]"});
+  EXPECT_EQ(once.alarm(), 61303);
+  EXPECT_EQ(signals_of(once), 1U);
+  EXPECT_EQ(twice.alarm(), 61303);
+  EXPECT_EQ(signals_of(twice), 2U);
+  EXPECT_EQ(hidden.alarm(), 0) << hidden.output.errors;
+  EXPECT_EQ(hidden.at("R1"), 1.0);
+  EXPECT_EQ(hidden.at("_OVI[9]"), 61303.0);
+  EXPECT_EQ(hidden.at("$TC_DP3[5,1]"), 102.0);
+}
+
 TEST(ToolProbeMeasurement, OfTeethOneByOne) {
   expect_tools("$TC_DPNT[6,1]=4\n$TC_DP6[6,1]=8.1 $TC_DP3[6,1]=100.1\n" + with_tool(6) +
                    "CYCLE971(102,0,1,1,1,0,5,2,,0.001,0.5)\nG0 SUPA Z-270\n"
@@ -172,6 +224,19 @@ TEST(ToolProbeMeasurement, OfTeethOneByOne) {
                 {"_OVR[12]", 99.97},
                 {"_OVI[9]", 0.0}},
                1e-4);
+}
+
+TEST(ToolSetterProgram, FindsTheTrueMillTeethAndAll) {
+  cli::RunOptions options;
+  options.programs = {"parts/library/tool_setter/measure_tools.mpf"};
+  options.setups = {"parts/library/tool_setter/setter.toml"};
+  options.prints = {"$TC_DP3[5,1]", "$TC_DP6[5,1]", "_OVR[10]", "_OVR[14]"};
+  const MeasuringRun run{run_program(options)};
+  EXPECT_EQ(run.output.exit_code, 0) << run.output.errors;
+  EXPECT_NEAR(run.at("$TC_DP3[5,1]"), 100.0, kTurning);
+  EXPECT_NEAR(run.at("$TC_DP6[5,1]"), 8.0, kTurning);
+  EXPECT_NEAR(run.at("_OVR[10]"), 8.0, 1e-4);
+  EXPECT_NEAR(run.at("_OVR[14]"), 7.985, 1e-4);
 }
 
 }  // namespace

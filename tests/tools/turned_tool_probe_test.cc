@@ -1,0 +1,233 @@
+// CYCLE982 on a lathe with a true tool probe: turning tools, mills and drills whose data are wrong.
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/tool_measuring_run.h"
+
+namespace g31::testing::turned_tool_probe_test {
+namespace {
+
+constexpr double kExactly = 1e-6;  // mm
+
+/// A cube of 20 mm about X100 Z-210, its upper face across; tools 5 and 9 turn, 6 and 7 mill and
+/// drill.  The triggers are up to 0.5 mm off.
+constexpr const char* kLathe = R"([control]
+profile = "sinumerik-828d"
+[machine]
+tool_side = "ZX"
+[tools.5]
+length = 50.0
+radius = 0.4
+type = 500.0
+[tools.6]
+length = 0.0
+radius = 5.0
+type = 120.0
+[tools.7]
+length = 0.0
+radius = 4.0
+type = 200.0
+[tools.9]
+length = 60.0
+radius = 1.0
+type = 585.0
+[[tool]]
+number = 5
+kind = "turning"
+lengths = [50.0, 80.0, 0.0]
+tip_radius = 0.4
+edge_position = 3
+[[tool]]
+number = 6
+length = 90.0
+diameter = 10.0
+[[tool]]
+number = 7
+kind = "drill"
+length = 110.0
+diameter = 8.0
+[[tool]]
+number = 9
+kind = "turning"
+lengths = [60.0, 70.0, 0.0]
+tip_radius = 1.0
+edge_position = 3
+[[tool_probe]]
+size = 20.0
+at = [100.0, 10.0, -210.0]
+rotate_deg = [-90.0, 0.0, 0.0]
+[machine_data]
+"$SC_TOOL_LENGTH_TYPE" = 2
+"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]" = -199.5
+"$SNS_MEA_TP_TRIG_PLUS_DIR_AX1[0]" = -220.3
+"$SNS_MEA_TP_TRIG_MINUS_DIR_AX2[0]" = 110.4
+"$SNS_MEA_TP_TRIG_PLUS_DIR_AX2[0]" = 89.5
+"$SNS_MEA_TP_FEED[0]" = 300.0
+)";
+
+constexpr const char* kTrue = R"([machine_data]
+"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]" = -200.0
+"$SNS_MEA_TP_TRIG_PLUS_DIR_AX1[0]" = -220.0
+"$SNS_MEA_TP_TRIG_MINUS_DIR_AX2[0]" = 110.0
+"$SNS_MEA_TP_TRIG_PLUS_DIR_AX2[0]" = 90.0
+)";
+
+/// The tool with its edge data, away from the probe in X and Z.
+std::string with_edge(int tool, double l1, double l2, int position, const char* how = "DIAMOF") {
+  return fmt::format(
+      "$TC_DP3[{0},1]={1:.3f} $TC_DP4[{0},1]={2:.3f} $TC_DP2[{0},1]={3}\n"
+      "T{0} M6\nG18 D1 {4}\nG0 SUPA X300 Z-150\n",
+      tool, l1, l2, position, how);
+}
+
+void expect_turned(const std::string& body, const std::vector<std::string>& sheets,
+                   const std::vector<ExpectedValue>& expected) {
+  std::vector<std::string> all = {kLathe};
+  all.insert(all.end(), sheets.begin(), sheets.end());
+  std::vector<std::string> names;
+  for (const ExpectedValue& row : expected) {
+    names.push_back(row.name);
+  }
+  const MeasuringRun run = run_sheets(body, all, names);
+  EXPECT_EQ(run.output.exit_code, 0) << run.output.errors;
+  for (const ExpectedValue& row : expected) {
+    EXPECT_NEAR(run.at(row.name), row.value, kExactly) << row.name;
+  }
+}
+
+TEST(TurnedToolProbe, IsCalibratedFromFourSides) {
+  expect_turned(with_edge(9, 60.0, 70.0, 3) +
+                    "CYCLE982(0,0,1,1,2,0,5,2)\nR1=_OVR[8] R2=_OVR[9]\n"
+                    "CYCLE982(0,0,1,2,2,0,5,2)\nR3=_OVR[12] R4=_OVR[13]\n"
+                    "G0 SUPA Z-260\nG0 SUPA X100\nCYCLE982(0,0,1,1,1,0,5,2)\n"
+                    "G0 SUPA X60\nCYCLE982(0,0,1,2,1,0,5,2)",
+                {},
+                {{"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]", -200.0},
+                 {"$SNS_MEA_TP_TRIG_PLUS_DIR_AX1[0]", -220.0},
+                 {"$SNS_MEA_TP_TRIG_MINUS_DIR_AX2[0]", 110.0},
+                 {"$SNS_MEA_TP_TRIG_PLUS_DIR_AX2[0]", 90.0},
+                 {"R1", -200.0},
+                 {"R2", -0.5},
+                 {"R3", 110.0},
+                 {"R4", -0.4},
+                 {"_OVR[14]", 90.0},
+                 {"_OVR[15]", 0.5},
+                 {"_OVI[2]", 982.0},
+                 {"_OVI[9]", 0.0}});
+}
+
+TEST(TurnedToolProbe, MeasuresBothLengthsOfATurningToolInRadiusAndInDiameter) {
+  for (const char* const how : {"DIAMOF", "DIAMON"}) {
+    SCOPED_TRACE(how);
+    expect_turned(with_edge(5, 50.3, 79.6, 3, how) +
+                      "CYCLE982(2,0,1,0,0,0,5,2,,,,0.0001,1)\n"
+                      "R1=_OVR[8] R2=_OVR[9] R3=_OVR[10] R4=_OVR[11]\n"
+                      "CYCLE982(2,0,1,0,0,0,5,2)",
+                  {kTrue},
+                  {{"R1", 50.0},
+                   {"R2", -0.3},
+                   {"R3", 80.0},
+                   {"R4", 0.4},
+                   {"$TC_DP3[5,1]", 50.0},
+                   {"$TC_DP4[5,1]", 80.0},
+                   {"_OVR[9]", 0.0},
+                   {"_OVR[11]", 0.0}});
+  }
+}
+
+TEST(TurnedToolProbe, MeasuresOneLengthIntoTheWear) {
+  expect_turned(with_edge(5, 50.3, 79.6, 3) +
+                    "CYCLE982(1,1,1,1,2,0,5,2,,,,0.0001,1)\n"
+                    "CYCLE982(1,1,1,2,0,0,5,2,,,,0.0001,1)",
+                {kTrue},
+                {{"$TC_DP3[5,1]", 50.3},
+                 {"$TC_DP12[5,1]", -0.3},
+                 {"$TC_DP4[5,1]", 79.6},
+                 {"$TC_DP13[5,1]", 0.4}});
+}
+
+TEST(TurnedToolProbe, MeasuresMillsAndDrills) {
+  expect_turned("$TC_DP6[6,1]=5.1\n" + with_edge(6, 0.3, 89.8, 0) +
+                    "CYCLE982(2002,0,1,0,0,0,5,2,,,,0.0001,1)",
+                {kTrue},
+                {{"$TC_DP3[6,1]", 0.0},
+                 {"$TC_DP4[6,1]", 90.0},
+                 {"$TC_DP6[6,1]", 5.0},
+                 {"_OVR[9]", -0.3},
+                 {"_OVR[11]", 0.2},
+                 {"_OVR[12]", 5.0},
+                 {"_OVR[13]", -0.1}});
+  expect_turned("$TC_DP6[6,1]=4.8\n" + with_edge(6, 0.0, 90.0, 0) +
+                    "CYCLE982(1001,0,1,2,2,0,5,2,,,,0.0001,1)",
+                {kTrue}, {{"$TC_DP6[6,1]", 5.0}, {"$TC_DP3[6,1]", 0.0}});
+  expect_turned("$TC_DP6[6,1]=5.2\n" + with_edge(6, 0.3, 90.0, 0) +
+                    "CYCLE982(2101,0,1,2,0,0,5,2,,15,0,0.0001,1)",
+                {kTrue}, {{"$TC_DP6[6,1]", 5.0}, {"$TC_DP3[6,1]", 0.0}});
+  expect_turned(with_edge(7, 0.0, 110.4, 0) + "CYCLE982(1,0,1,1,2,0,5,2,,,,0.0001,1)", {kTrue},
+                {{"$TC_DP4[7,1]", 110.0}, {"_OVR[11]", -0.4}});
+}
+
+struct AlarmCase {
+  const char* name;
+  const char* before;
+  const char* call;
+  int alarm;
+};
+
+constexpr AlarmCase kAlarms[] = {
+    {"a kind that is none", "", "CYCLE982(3,0,1,1,2,0,5,2)", 61307},
+    {"the rear edge of a side mill", "", "CYCLE982(3002,0,1,1,2,0,5,2)", 61307},
+    {"the radius of a turning tool", "", "CYCLE982(1001,0,1,1,2,0,5,2)", 61307},
+    {"incremental, all", "", "CYCLE982(100002,0,1,1,2,0,5,2)", 61307},
+    {"no path", "", "CYCLE982(1,0,1,1,2,0,0,2)", 61308},
+    {"a data set that is none", "", "CYCLE982(1,0,7,1,2,0,5,2)", 61313},
+    {"a 3D probe of lathes", "$TC_DP1[5,1]=580", "CYCLE982(0,0,1,1,2,0,5,2)", 61314},
+    {"a turning tool of Y", "$TC_DP1[5,1]=505", "CYCLE982(1,0,1,1,2,0,5,2)", 61314},
+    {"a mill with lengths as on a mill", "$TC_DP1[5,1]=120 $SC_TOOL_LENGTH_TYPE=0",
+     "CYCLE982(1,0,1,1,2,0,5,2)", 61314},
+    {"a drill without a radius by its side", "$TC_DP1[5,1]=200 $TC_DP6[5,1]=0",
+     "CYCLE982(1,0,1,2,2,0,5,2)", 61314},
+    {"an edge position that is none", "$TC_DP2[5,1]=9", "CYCLE982(1,0,1,1,2,0,5,2)", 61315},
+    {"a calibration by an edge that cuts in one axis", "$TC_DP2[5,1]=7",
+     "CYCLE982(0,0,1,1,2,0,5,2)", 61315},
+    {"no axis", "", "CYCLE982(1,0,1,0,2,0,5,2)", 61325},
+    {"an axis that the edge does not cut in", "$TC_DP2[5,1]=7", "CYCLE982(1,0,1,2,2,0,5,2)", 61325},
+    {"a direction that is none", "", "CYCLE982(1,0,1,1,3,0,5,2)", 61326},
+    {"a data set that is not calibrated", "", "CYCLE982(1,0,2,1,2,0,5,2)", 61341},
+    {"outside the safe area", "", "CYCLE982(2,0,1,0,0,0,5,0.2)", 61303},
+    {"not reached", "", "CYCLE982(1,0,1,2,2,0,0.2,2)", 61301},
+    {"reached on the way", "", "CYCLE982(1,0,1,1,2,0,0.2,2)", 61302},
+};
+
+TEST(TurnedToolProbe, EachAlarmWritesNothing) {
+  for (const AlarmCase& row : kAlarms) {
+    SCOPED_TRACE(row.name);
+    const std::vector<std::string> written = {"$TC_DP3[5,1]", "$TC_DP4[5,1]", "$TC_DP12[5,1]",
+                                              "$TC_DP13[5,1]", "$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]"};
+    const MeasuringRun run = run_sheets(with_edge(5, 50.3, 79.6, 3) + row.before + "\n" + row.call,
+                                        {kLathe, kTrue}, written);
+    EXPECT_EQ(run.alarm(), row.alarm) << run.output.errors;
+    EXPECT_EQ(run.at(written[0]), 50.3);
+    EXPECT_EQ(run.at(written[1]), 79.6);
+    EXPECT_EQ(run.at(written[2]), 0.0);
+    EXPECT_EQ(run.at(written[3]), 0.0);
+    EXPECT_EQ(run.at(written[4]), -200.0);
+  }
+}
+
+TEST(TurnedToolProbe, OneDifferenceBeyondThePermissibleOneCorrectsNothing) {
+  const MeasuringRun run =
+      run_sheets(with_edge(5, 50.3, 79.6, 3) + "CYCLE982(2,0,1,0,0,0,5,2,,,,0.0001,0.35)",
+                 {kLathe, kTrue}, {"$TC_DP3[5,1]", "$TC_DP4[5,1]", "_OVI[9]"});
+  EXPECT_EQ(run.alarm(), 0) << run.output.errors;
+  EXPECT_EQ(run.at("_OVI[9]"), 61306.0);
+  EXPECT_EQ(run.at("$TC_DP3[5,1]"), 50.3);
+  EXPECT_EQ(run.at("$TC_DP4[5,1]"), 79.6);
+}
+
+}  // namespace
+}  // namespace g31::testing::turned_tool_probe_test
