@@ -16,20 +16,6 @@ void add(ToolObstacles::Group& group, const ProbedPart& part, const CollisionMes
   group.names.push_back(part.name);
 }
 
-/// The round ones of the pieces, told from the tip.
-std::vector<ProbeSection> sections_of(const std::vector<ConvexShape>& pieces, const Point& p_T_tip,
-                                      const std::string& name) {
-  std::vector<ProbeSection> sections;
-  for (const ConvexShape& piece : pieces) {
-    if (const auto* const section = std::get_if<ProbeSection>(&piece)) {
-      sections.push_back(*section);
-      sections.back().p_S -= p_T_tip;
-      sections.back().name = sections.back().name.empty() ? name : sections.back().name;
-    }
-  }
-  return sections;
-}
-
 }  // namespace
 
 ToolObstacles::ToolObstacles(const std::vector<ProbedPart>& parts) {
@@ -79,9 +65,11 @@ void CuttingTool::take(const machine::MachineEvent& event) {
   holder_.clear();
   if (held_ != nullptr) {
     const ToolShape& shape = held_->shape;
-    cutter_ =
-        sections_of(shape.envelope, shape.p_T_tip, fmt::format("tool T{}", held_->setup.number));
-    holder_ = sections_of(shape.bodies, shape.p_T_tip, "holder");
+    cutter_ = round_sections_of(shape.envelope, shape.p_T_tip);
+    for (ProbeSection& section : cutter_) {
+      section.name = fmt::format("tool T{}", held_->setup.number);
+    }
+    holder_ = round_sections_of(shape.bodies, shape.p_T_tip);
   }
 }
 

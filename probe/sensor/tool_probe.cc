@@ -11,6 +11,7 @@
 #include "machine/base/contract.h"
 #include "machine/base/random.h"
 #include "parts/geometry/placement.h"
+#include "probe/collision/rigid_touch.h"
 #include "probe/sensor/release.h"
 #include "probe/tooling/turning_teeth.h"
 
@@ -74,12 +75,13 @@ double least_angle(const Function& of_angle) {
 }  // namespace
 
 ToolProbe::ToolProbe(const ToolProbeSetup& setup, std::shared_ptr<const ToolRack> rack,
-                     std::uint64_t seed, std::uint32_t index)
+                     std::uint64_t seed, std::uint32_t index, std::vector<CollisionMesh> chips)
     : setup_(setup),
       rack_(std::move(rack)),
       plate_(plate_of(setup)),
       R_MT_(parts::rotation_to_machine({Point::Zero(), setup.rotate_deg})),
       is_round_(setup.shape != ToolProbeShape::Cube),
+      chips_(std::move(chips)),
       seed_(seed),
       stream_(kFirstToolProbeStream + index),
       spindle_(seed) {
@@ -169,6 +171,21 @@ std::optional<ToolProbe::Touch> ToolProbe::first_touch(const Pieces& pieces,
   return first;
 }
 
+std::optional<ToolProbe::Touch> ToolProbe::chip_touch(const machine::Waypoint& from,
+                                                      const machine::Waypoint& to) const {
+  if (chips_.empty()) {
+    return std::nullopt;
+  }
+  const Point& p_T_tip = held_->shape.p_T_tip;
+  const auto sections = round_sections_of(held_->shape.envelope, p_T_tip);
+  CentreWay way{linear_axes(from.q_M) + p_T_tip, linear_axes(to.q_M) + p_T_tip};
+  way.turn_from = from.tilt;
+  way.turn_to = to.tilt;
+  const auto met = probe::first_touch(sections, chips_, way);
+  return met ? std::optional(Touch{met->touch.fraction, met->touch.n_M, met->touch.p_M_point})
+             : std::nullopt;
+}
+
 ToolProbe::Depth ToolProbe::depth_of(const Pieces& pieces, const machine::Waypoint& at) const {
   const PlacedShape plate = target();
   Depth deepest{-std::numeric_limits<double>::infinity(), Point::Zero()};
@@ -245,7 +262,12 @@ std::optional<machine::SkipTrigger> ToolProbe::first_touch_along(Points way, dou
   double gone = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
     const double piece = machine::distance_mm(way[i - 1].q_M, way[i].q_M);
-    const auto touch = first_touch(pieces(), way[i - 1], way[i]);
+    auto touch = first_touch(pieces(), way[i - 1], way[i]);
+    const auto chip = chip_touch(way[i - 1], way[i]);
+    const bool is_chip = chip && (!touch || chip->fraction < touch->fraction);
+    if (is_chip) {
+      touch = chip;
+    }
     if (!touch) {
       gone += piece;
       continue;
@@ -255,7 +277,7 @@ std::optional<machine::SkipTrigger> ToolProbe::first_touch_along(Points way, dou
     const double at_outline = gone + touch->fraction * piece;
     const double inwards = -touch->n_M.dot(along) / piece;
     const double distance = at_outline + setup_.pre_travel_mm / inwards +
-                            way_of_turning(*touch, sweep, at_outline, speed_mm_s);
+                            (is_chip ? 0.0 : way_of_turning(*touch, sweep, at_outline, speed_mm_s));
     if (!(distance <= machine::length_of(way))) {
       return std::nullopt;
     }

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "machine/port/surroundings.h"
+#include "probe/collision/collision_mesh.h"
 #include "probe/tooling/convex_cast.h"
 #include "probe/tooling/spindle.h"
 #include "probe/tooling/tool_probe_setup.h"
@@ -30,8 +31,9 @@ class ToolProbe final : public machine::Surroundings {
  public:
   /// @param rack   what the spindle may hold
   /// @param index  which of the sheet's tool probes it is: each draws numbers of its own
+  /// @param chips  what lies on the plate and hands on what touches it
   ToolProbe(const ToolProbeSetup& setup, std::shared_ptr<const ToolRack> rack, std::uint64_t seed,
-            std::uint32_t index);
+            std::uint32_t index, std::vector<CollisionMesh> chips = {});
 
   /// Rising: where the plate is pushed or the beam broken.  Falling: where it is free again.
   std::optional<machine::SkipTrigger> first_signal(const machine::Way& way,
@@ -71,6 +73,9 @@ class ToolProbe final : public machine::Surroundings {
   [[nodiscard]] std::optional<Touch> first_touch(const Pieces& pieces,
                                                  const machine::Waypoint& from,
                                                  const machine::Waypoint& to) const;
+  /// Of a chip on the plate: by the outline of the tool, kSectionTouchErrorMm.
+  [[nodiscard]] std::optional<Touch> chip_touch(const machine::Waypoint& from,
+                                                const machine::Waypoint& to) const;
   [[nodiscard]] Depth depth_of(const Pieces& pieces, const machine::Waypoint& at) const;
   [[nodiscard]] bool is_on(const machine::Waypoint& at) const;
   [[nodiscard]] double way_of_turning(const Touch& touch, const machine::Sweep& sweep, double gone,
@@ -95,6 +100,7 @@ class ToolProbe final : public machine::Surroundings {
   Point p_M_middle_ = Point::Zero();
   std::vector<Point> normals_M_;  // of the sides that tools push
   bool is_round_ = false;         // further sides all around, across the axis of the plate
+  std::vector<CollisionMesh> chips_;
   std::uint64_t seed_;
   std::uint32_t stream_;
   std::uint64_t triggers_asked_ = 0;

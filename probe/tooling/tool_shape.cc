@@ -106,6 +106,18 @@ ConvexShape envelope_of(const Tooth& tooth, const ToolSetup& tool) {
                           corner_radius_of(tool, tooth.radius_mm));
 }
 
+std::vector<ProbeSection> round_sections_of(const std::vector<ConvexShape>& pieces,
+                                            const Point& p_T_tip) {
+  std::vector<ProbeSection> sections;
+  for (const ConvexShape& piece : pieces) {
+    if (const auto* const section = std::get_if<ProbeSection>(&piece)) {
+      sections.push_back(*section);
+      sections.back().p_S -= p_T_tip;
+    }
+  }
+  return sections;
+}
+
 Tooth outline_of(const ToolSetup& tool) {
   G31_EXPECTS(!tool.teeth.empty());
   Tooth outline = tool.teeth.front();

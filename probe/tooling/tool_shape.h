@@ -22,6 +22,10 @@ struct ToolShape {
 /// @pre a tool that is no probe
 ToolShape shape_of(const ToolSetup& tool);
 
+/// The round ones of the pieces, told from the tip, as meshes are asked about them.
+std::vector<ProbeSection> round_sections_of(const std::vector<ConvexShape>& pieces,
+                                            const Point& p_T_tip);
+
 /// How a body of revolution looks that one tooth cuts.
 ConvexShape envelope_of(const Tooth& tooth, const ToolSetup& tool);
 

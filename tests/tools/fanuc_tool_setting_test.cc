@@ -57,6 +57,19 @@ at = [200.3, -100.4, -399.2]
 size = [25.0, 26.0, 30.0]
 )";
 
+/// 0.75 mm thick, beside the middle.
+constexpr const char* kChip = R"(
+[[part]]
+shape = "block"
+at = [203.0, -100.4, -398.45]
+length = 2.0
+width = 3.0
+height = 0.75
+)";
+
+/// What calibration finds of the plate.
+constexpr const char* kCalibrated = "#540=200.3\n#541=-100.4\n#542=-399.2\n#543=25.\n#544=26.\n";
+
 constexpr const char* kLaser = R"(
 [[tool_probe]]
 name = "laser"
@@ -173,6 +186,8 @@ TEST(FanucToolSetting, WhatGoesWrongWritesNothing) {
   const std::string calibrate = kCalibrate;
   const Case cases[] = {
       {"another tool than believed", kPlate, calibrate + "T3 M6\nG65 P9852 H1 Q1.\n", 3173},
+      {"a chip on the plate", kPlate + std::string(kChip),
+       kCalibrated + std::string("T1 M6\nG65 P9852 H1 Q.5\n"), 3173},
       {"no calibration", kPlate, "T1 M6\nG65 P9852 H1\n", 3174},
       {"no calibration", kPlate, "T1 M6\nG65 P9853 H1 D1\n", 3174},
       {"no setter there", "", "#542=-399.2\n#540=0\n#541=0\nT1 M6\nG65 P9852 H1\n", 3171},

@@ -26,6 +26,25 @@ parts::PartSetup plate_shape(const probe::ToolProbeSetup& setup) {
   return plate;
 }
 
+/// Whether a corner of the mesh is on the plate, or in it.
+bool lies_on(const parts::Mesh& mesh_M, const probe::ToolProbeSetup& setup) {
+  if (setup.shape == probe::ToolProbeShape::Laser) {
+    return false;
+  }
+  const auto& [first, second, third] = setup.size_mm;
+  const bool is_disc = setup.shape == probe::ToolProbeShape::Disc;
+  const double height = is_disc ? second : third;
+  const Point half = 0.5 * Point(first, is_disc ? first : second, height);
+  const Eigen::Matrix3d R_MT = parts::rotation_to_machine({Point::Zero(), setup.rotate_deg});
+  return std::ranges::any_of(mesh_M.vertices, [&](const Point& p_M) {
+    Point p_T = R_MT.transpose() * (p_M - setup.p_M_at) + Point(0.0, 0.0, half.z());
+    if (is_disc) {
+      p_T = Point(p_T.head<2>().norm(), 0.0, p_T.z());
+    }
+    return (p_T - p_T.cwiseMin(half).cwiseMax(-half)).norm() <= kOnPlateMm;
+  });
+}
+
 probe::UnnamedTools unnamed_tools(const setup::Job& job) {
   const bool stays = job.probe && !job.probe->switching.tool;
   return stays ? probe::UnnamedTools::TouchProbe : probe::UnnamedTools::Believed;
@@ -50,24 +69,35 @@ std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup
   return plates;
 }
 
-std::shared_ptr<const probe::ToolObstacles> tool_obstacles_of(
-    const setup::Job& job, const std::vector<probe::ProbedPart>& parts) {
+std::shared_ptr<const ToolParts> tool_parts_of(const setup::Job& job,
+                                               const std::vector<probe::ProbedPart>& parts) {
   const bool has_fixture =
       std::ranges::find(parts, probe::Role::Rigid, &probe::ProbedPart::role) != parts.end();
   const auto has_holder = [](const probe::ToolSetup& tool) { return !tool.bodies.empty(); };
   const bool matters = has_fixture || std::ranges::any_of(job.tools, has_holder);
-  return std::make_shared<const probe::ToolObstacles>(matters ? parts
-                                                              : std::vector<probe::ProbedPart>());
+  auto made = std::make_shared<ToolParts>();
+  made->obstacles = std::make_shared<const probe::ToolObstacles>(
+      matters ? parts : std::vector<probe::ProbedPart>());
+  for (const probe::ToolProbeSetup& setup : job.tool_probes) {
+    std::vector<probe::CollisionMesh>& chips = made->chips.emplace_back();
+    for (const probe::ProbedPart& part : parts) {
+      if (part.role == probe::Role::Part && lies_on(part.mesh_M, setup)) {
+        chips.emplace_back(part.mesh_M);
+      }
+    }
+  }
+  return made;
 }
 
-void add_tools(const setup::Job& job, std::shared_ptr<const probe::ToolObstacles> obstacles,
-               std::uint64_t seed, probe::World::Sets& sets) {
+void add_tools(const setup::Job& job, const ToolParts& parts, std::uint64_t seed,
+               probe::World::Sets& sets) {
+  G31_EXPECTS(parts.chips.size() == job.tool_probes.size());
   const auto number = job.probe ? job.probe->switching.tool : std::nullopt;
   const auto rack = std::make_shared<const probe::ToolRack>(job.tools, number, unnamed_tools(job));
-  sets.push_back(std::make_unique<probe::CuttingTool>(std::move(obstacles), rack));
+  sets.push_back(std::make_unique<probe::CuttingTool>(parts.obstacles, rack));
   for (std::size_t i = 0; i < job.tool_probes.size(); ++i) {
-    sets.push_back(std::make_unique<probe::ToolProbe>(job.tool_probes[i], rack, seed,
-                                                      static_cast<std::uint32_t>(i)));
+    sets.push_back(std::make_unique<probe::ToolProbe>(
+        job.tool_probes[i], rack, seed, static_cast<std::uint32_t>(i), parts.chips[i]));
   }
 }
 

@@ -15,14 +15,22 @@ namespace g31::session {
 /// The plates of tool probes as what the touch probe must not meet; a beam of light is none.
 std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup>& tool_probes);
 
-/// What the tools of the job must not meet among parts that are made already; nothing where neither
-/// a tool has a holder nor a part is a fixture.
-std::shared_ptr<const probe::ToolObstacles> tool_obstacles_of(
-    const setup::Job& job, const std::vector<probe::ProbedPart>& parts);
+/// What parts are to tools, with what takes long to make; may be shared by threads.
+struct ToolParts {
+  /// Empty where neither a tool has a holder nor a part is a fixture.
+  std::shared_ptr<const probe::ToolObstacles> obstacles;
+  /// Of each tool probe what lies on its plate, nearer than kOnPlateMm.
+  std::vector<std::vector<probe::CollisionMesh>> chips;
+};
+inline constexpr double kOnPlateMm = 0.05;
+
+/// Of parts that are made already.
+std::shared_ptr<const ToolParts> tool_parts_of(const setup::Job& job,
+                                               const std::vector<probe::ProbedPart>& parts);
 
 /// Puts the tools that the spindle may hold into a world, and the tool probes that measure them.
-/// @param obstacles  not null
-void add_tools(const setup::Job& job, std::shared_ptr<const probe::ToolObstacles> obstacles,
-               std::uint64_t seed, probe::World::Sets& sets);
+/// @param parts  of the same job
+void add_tools(const setup::Job& job, const ToolParts& parts, std::uint64_t seed,
+               probe::World::Sets& sets);
 
 }  // namespace g31::session

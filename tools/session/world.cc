@@ -149,7 +149,7 @@ SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedP
         sensed.by_balls ? seen_with(*sensed.by_balls) : seen_alone(parts));
   }
   if (!job.skip_signals && are_told(job)) {
-    sensed.by_tools = tool_obstacles_of(job, parts);
+    sensed.by_tools = tool_parts_of(job, parts);
   }
   return sensed;
 }
@@ -169,7 +169,7 @@ std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
     return nullptr;
   }
   if (parts.by_tools) {
-    add_tools(job, parts.by_tools, seed, sets);
+    add_tools(job, *parts.by_tools, seed, sets);
   }
   auto sensors = job.sensors.empty() ? nullptr
                                      : std::make_unique<probe::DisplacementSensors>(

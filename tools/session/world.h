@@ -11,10 +11,10 @@
 #include "machine/base/result.h"
 #include "machine/port/surroundings.h"
 #include "machine/sim/machining_centre.h"
-#include "probe/sensor/cutting_tool.h"
 #include "probe/sensor/displacement_sensors.h"
 #include "probe/sensor/touch_probe.h"
 #include "tools/session/refusal.h"
+#include "tools/session/tool_sets.h"
 #include "tools/setup/job.h"
 
 namespace g31::session {
@@ -43,7 +43,7 @@ Result<BuiltParts, Refusal> build_parts(const setup::Job& job,
 struct SensedParts {
   std::shared_ptr<const probe::TouchableParts> by_balls;  ///< null without a probe
   std::shared_ptr<const probe::SeenParts> by_sensors;     ///< null without sensors
-  std::shared_ptr<const probe::ToolObstacles> by_tools;   ///< null where the sheet tells no tools
+  std::shared_ptr<const ToolParts> by_tools;              ///< null where the sheet tells no tools
 };
 SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedPart>& parts);
 

@@ -164,3 +164,26 @@ M30
 %
 (EXPECT #100 = -8.5)
 (EXPECT #101 = 8.5)
+
+(CASE a chip on the tool probe hands on what touches it)
+(SHEET [[tool]])
+(SHEET number = 5)
+(SHEET length = 100.0)
+(SHEET diameter = 16.0)
+(SHEET [[tool_probe]])
+(SHEET size = 20.0)
+(SHEET [[part]])
+(SHEET name = "chip")
+(SHEET shape = "block")
+(SHEET at = [4.0, 0.0, 0.75])
+(SHEET length = 2.0)
+(SHEET width = 3.0)
+(SHEET height = 0.75)
+%
+O1
+T5 M6
+G31 Z90. F100.
+#100=#5063
+M30
+%
+(EXPECT #100 = 100.75)
