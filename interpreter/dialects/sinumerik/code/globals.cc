@@ -15,6 +15,8 @@ Variable row_variable(std::string_view name, Type type, int count) {
   Variable variable;
   variable.name = name;
   variable.type = type;
+  constexpr int kLongestName = 15;  // texts among machine data are names of axes
+  variable.longest = type == Type::String ? kLongestName : 0;
   constexpr int kAxes = static_cast<int>(kAxisCount);
   const bool twice = name.starts_with("$MA_") && count > kAxes;
   variable.shape = twice       ? Shape{2, {count / kAxes, kAxes, 1}}
@@ -45,8 +47,10 @@ Globals::Globals() {
   by_name_.emplace("$R", 0);  // as synchronised actions write it
   for (const MachineDatum& row : machine_data()) {
     const std::int32_t place = define(row_variable(row.name, row.type, row.count))->place;
-    std::fill(numbers_.begin() + place, numbers_.end(), row.preset);
-    number_axes(row.name, place);
+    if (is_number(row.type)) {
+      std::fill(numbers_.begin() + place, numbers_.end(), row.preset);
+      number_axes(row.name, place);
+    }
   }
   for (const MemoryRow& row : memory_rows()) {
     define(row_variable(row.name, row.type, row.count));

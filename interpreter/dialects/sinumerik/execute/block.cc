@@ -38,6 +38,8 @@ void take_codes(Channel& channel, const Block& block) {
       channel.take_stored_frames();
     } else if (changes && row.group == Group::Plane) {
       channel.frames_changed();
+    } else if (changes && row.group == Group::RadiusCompensation) {
+      channel.offset_changed();
     }
   }
   channel.suppression = channel.group[Group::FrameSuppression];

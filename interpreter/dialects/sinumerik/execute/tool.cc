@@ -151,7 +151,7 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
     }
     channel.selected_tool = number.value();
   }
-  bool changes = false;
+  bool changes = words.has(Address::Tool) && channel.changes_with_t();
   for (std::size_t i = 0; i < words.machine_code_count; ++i) {
     changes = changes || words.machine_codes[i] == kToolChange;
   }

@@ -104,11 +104,12 @@ void add_variables(Topics& all) {
                      {"access", row.access == Access::Read ? "read" : "read and write"}}}});
   }
   for (const MachineDatum& row : machine_data()) {
-    Entry entry{
-        "machine or setting datum",
-        fmt::format("{} {}", row.number, row.name),
-        text(row.text),
-        {{"type", text(name_of(row.type))}, {"before the start", fmt::format("{}", row.preset)}}};
+    Entry entry{"machine or setting datum",
+                fmt::format("{} {}", row.number, row.name),
+                text(row.text),
+                {{"type", text(name_of(row.type))},
+                 {"before the start",
+                  is_number(row.type) ? fmt::format("{}", row.preset) : std::string("empty")}}};
     if (row.count > 0) {
       entry.facts.push_back({"elements", std::to_string(row.count)});
     }

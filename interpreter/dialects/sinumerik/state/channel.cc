@@ -16,6 +16,7 @@ constexpr int kInch = number_in_group("G70");
 constexpr int kInchAndFeed = number_in_group("G700");
 constexpr int kPlaneZx = number_in_group("G18");
 constexpr int kPlaneYz = number_in_group("G19");
+constexpr int kNoCompensation = number_in_group("G40");
 constexpr int kDiameterAlways = number_in_group("DIAMON");
 constexpr int kDiameterAbsolute = number_in_group("DIAM90");
 
@@ -109,7 +110,9 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
           static_cast<std::size_t>(globals.find("$SC_TOOL_LENGTH_CONST_T")->place)),
       length_kind_(static_cast<std::size_t>(globals.find("$SC_TOOL_LENGTH_TYPE")->place)),
       spindles_of_axes_(
-          static_cast<std::size_t>(globals.find("$MA_SPIND_ASSIGN_TO_MACHAX")->place)) {
+          static_cast<std::size_t>(globals.find("$MA_SPIND_ASSIGN_TO_MACHAX")->place)),
+      tool_change_mode_(static_cast<std::size_t>(globals.find("$MC_TOOL_CHANGE_MODE")->place)),
+      diameter_axis_(static_cast<std::size_t>(globals.find("$MC_DIAMETER_AX_DEF")->place)) {
   for (int i = 0; i < kGroupCount; ++i) {
     group.at(static_cast<std::size_t>(i)) = preset_number(static_cast<Group>(i));
   }
@@ -214,11 +217,16 @@ double Channel::stored(int axis, double value) const {
   return is_length_axis(axis) ? value * mm_per_length() : value;
 }
 
+int Channel::transverse_axis() const {
+  const std::string& name = texts[diameter_axis_];
+  return name.empty() ? kTransverseAxis : axis_named(name);
+}
+
 double Channel::stored_place(int axis, double value, Counts counts) const {
   const bool doubled =
-      axis == kTransverseAxis &&
       (group[Group::Diameter] == kDiameterAlways ||
-       (group[Group::Diameter] == kDiameterAbsolute && counts == Counts::Absolute));
+       (group[Group::Diameter] == kDiameterAbsolute && counts == Counts::Absolute)) &&
+      axis == transverse_axis();
   return stored(axis, doubled ? value / 2.0 : value);
 }
 
@@ -231,8 +239,9 @@ double Channel::shown_datum(int axis, double value) const {
 }
 
 double Channel::shown_place(int axis, double value) const {
-  const bool doubled = axis == kTransverseAxis && (group[Group::Diameter] == kDiameterAlways ||
-                                                   group[Group::Diameter] == kDiameterAbsolute);
+  const bool doubled =
+      (group[Group::Diameter] == kDiameterAlways || group[Group::Diameter] == kDiameterAbsolute) &&
+      axis == transverse_axis();
   return shown_datum(axis, doubled ? value * 2.0 : value);
 }
 
@@ -342,12 +351,18 @@ AxisPositions Channel::tool_offset() const {
   const LengthRules rules = length_rules();
   const std::array<int, 3> axes = axes_of_lengths(rules, group[Group::Plane], type);
   for (std::size_t i = 0; i < 3; ++i) {
-    const bool is_across = axes.at(i) == kTransverseAxis && is_turning_type(type);
+    const bool is_across = axes.at(i) == transverse_axis() && is_turning_type(type);
     const double length = (*data)[EdgeDatum::kLength1 + i];
     const double wear = (*data)[EdgeDatum::kWear1 + i];
     offset[axes.at(i)] = (is_across && (rules.diameters & 2) != 0 ? length / 2.0 : length) +
                          (is_across && (rules.diameters & 1) != 0 ? wear / 2.0 : wear) +
                          (*data)[EdgeDatum::kAdapter1 + i] + additive_now.at(i);
+  }
+  if (group[Group::RadiusCompensation] != kNoCompensation && is_turning_type(type)) {
+    const auto [first, second] =
+        nose_centre(static_cast<int>(std::lround((*data)[EdgeDatum::kPosition])));
+    offset[plane().first] -= first * tool_radius();
+    offset[plane().second] -= second * tool_radius();
   }
   return offset;
 }

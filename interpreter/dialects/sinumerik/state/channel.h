@@ -35,7 +35,8 @@ namespace g31::sinumerik {
 /// Numbers of $TC_DP.
 struct EdgeDatum {
   static constexpr std::size_t kType = 1;
-  static constexpr std::size_t kLength1 = 3;  ///< to 5
+  static constexpr std::size_t kPosition = 2;  ///< of the cutting edge
+  static constexpr std::size_t kLength1 = 3;   ///< to 5
   static constexpr std::size_t kRadius = 6;
   static constexpr std::size_t kWear1 = 12;  ///< of lengths, to 14
   static constexpr std::size_t kRadiusWear = 15;
@@ -147,6 +148,8 @@ class Channel {
   /// Source: Basic Functions 09/2011 (6FC5397-0BP40-2BA0), G2 7.3 page 341; Fundamentals, table of
   /// what G70 and G700 act on.
   [[nodiscard]] double mm_per_datum() const;
+  /// MD20100: the axis that DIAMON counts in diameters; -1: its name is none of an axis.
+  [[nodiscard]] int transverse_axis() const;
   /// A coordinate as a word of a block has it, in mm or degrees.
   [[nodiscard]] double stored(int axis, double value) const;
   enum class Counts { Absolute, Incremental };
@@ -204,6 +207,8 @@ class Channel {
   [[nodiscard]] Frame frames_below() const;
   /// All frames in force, outermost first.
   [[nodiscard]] Frame active_frame() const;
+  /// Another point of the tool is led from now on; the program stands where it stood.
+  void offset_changed() { placement_.reset(); }
   /// Something changed that positions depend on: work coordinates are to be asked for again.
   void frames_changed() {
     is_stale_ = true;
@@ -223,7 +228,8 @@ class Channel {
   /// mm, wear included; 0 without an edge
   [[nodiscard]] double tool_radius() const;
   [[nodiscard]] LengthRules length_rules() const;
-  /// mm: what the active edge adds to the machine coordinates.
+  /// mm: what the active edge adds to the machine coordinates.  G41 and G42 lead the centre of a
+  /// turning tool's nose, other motions its theoretical tip.
   [[nodiscard]] AxisPositions tool_offset() const;
   std::array<double, 4> additive_now = {};  ///< mm, what DL added to parameters 3 to 6 of the edge
   /// nullptr: no such tool, or no such edge
@@ -254,6 +260,8 @@ class Channel {
   [[nodiscard]] static double within_turn(double degrees);
 
   // Motion
+  /// MD22550: T brings the tool, as on a turret, else M6 does.
+  [[nodiscard]] bool changes_with_t() const { return numbers[tool_change_mode_] == 0.0; }
   /// As machine data want it at the start of a program.
   void preset_rapids();
   /// The same of plane and diameters: MD20150 [5] and [28]; on a lathe G18 in the place of G17.
@@ -375,6 +383,8 @@ class Channel {
   std::size_t turning_length_plane_;   ///< place of SD42942
   std::size_t length_kind_;            ///< place of SD42950
   std::size_t spindles_of_axes_;       ///< place of MD35000
+  std::size_t tool_change_mode_;       ///< place of MD22550
+  std::size_t diameter_axis_;          ///< place of MD20100, among the texts
   bool is_stale_ = false;
   mutable std::optional<Chains> chains_;        ///< kept until one of them is written
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed

@@ -31,4 +31,19 @@ std::array<int, 3> axes_of_lengths(const LengthRules& rules, int group_number, d
   return as_turning_tool ? std::array{second, first, normal} : std::array{normal, second, first};
 }
 
+std::array<double, 2> nose_centre(int position) {
+  constexpr std::array<std::array<double, 2>, 10> kFromTip = {{{0.0, 0.0},
+                                                               {-1.0, -1.0},
+                                                               {1.0, -1.0},
+                                                               {1.0, 1.0},
+                                                               {-1.0, 1.0},
+                                                               {-1.0, 0.0},
+                                                               {0.0, -1.0},
+                                                               {1.0, 0.0},
+                                                               {0.0, 1.0},
+                                                               {0.0, 0.0}}};
+  const bool is_one = position >= 0 && position < static_cast<int>(kFromTip.size());
+  return is_one ? kFromTip.at(static_cast<std::size_t>(position)) : std::array{0.0, 0.0};
+}
+
 }  // namespace g31::sinumerik
