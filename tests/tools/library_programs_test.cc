@@ -23,5 +23,20 @@ TEST(RingGaugeProgram, CalibratesALateProbeAndMeasuresTheBore) {
   EXPECT_NEAR(value("_OVR[16]"), 0.0, 1e-6);
 }
 
+TEST(TurnedShaftProgram, CalibratesAndCorrectsTheWearOfTheTool) {
+  cli::RunOptions options;
+  options.programs = {"parts/library/turned_shaft/measure_shaft.mpf"};
+  options.setups = {"parts/library/turned_shaft/lathe.toml"};
+  options.prints = {"R1,_OVR[4],$TC_DP12[2,1]"};
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  const auto value = [&](const char* name) {
+    return output.document["variables"][name].get<double>();
+  };
+  EXPECT_NEAR(value("R1"), 40.02, 1e-6);
+  EXPECT_NEAR(value("_OVR[4]"), 50.02, 1e-6);
+  EXPECT_NEAR(value("$TC_DP12[2,1]"), -0.01, 1e-6);
+}
+
 }  // namespace
 }  // namespace g31::testing::library_programs_test
