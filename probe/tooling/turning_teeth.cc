@@ -47,13 +47,21 @@ class PassingTooth {
     const double facing_deg = std::atan2(-touch_.n_T.y(), -touch_.n_T.x()) / kRadPerDeg;
     const double rate = std::abs(turning_.rate_deg_s);
     const double passes_s = degrees_to(facing_deg, from_s) / rate;
-    double early = std::max(0.0, passes_s - 0.5 * kFullTurnDeg / rate);
+    // How long before it faces the plate a shallow cut begins; a deep one may take half the turn.
+    const double turn = kRadPerDeg * rate;
+    const double shallow_s =
+        std::sqrt(2.0 * inwards_mm_s_ * passes_s / (tooth_.radius_mm * across)) / turn;
+    constexpr double kMargin = 1.5;
+    constexpr double kShallow = 2.0;  // rad: 1 - cos is a third of the square at least
+    const bool is_shallow = kMargin * shallow_s * turn < kShallow;
+    const double before_s = is_shallow ? kMargin * shallow_s : 0.5 * kFullTurnDeg / rate;
+    double early = std::max(0.0, passes_s - before_s);
     double late = passes_s;
-    constexpr int kHalvings = 50;
-    for (int i = 0; i < kHalvings; ++i) {
+    const int halvings = is_shallow ? 30 : 50;
+    for (int i = 0; i < halvings; ++i) {
       const double middle = 0.5 * (early + late);
-      const double off = kRadPerDeg * rate * (passes_s - middle);
-      const double missing = tooth_.radius_mm * across * (1.0 - std::cos(off));
+      const double missing =
+          tooth_.radius_mm * across * (1.0 - std::cos(turn * (passes_s - middle)));
       (inwards_mm_s_ * middle < missing ? early : late) = middle;
     }
     return late;
