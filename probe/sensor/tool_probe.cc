@@ -98,6 +98,7 @@ ToolProbe::ToolProbe(const ToolProbeSetup& setup, std::shared_ptr<const ToolRack
   }
   if (setup.shape != ToolProbeShape::Laser) {
     normals_M_.emplace_back(R_MT_.col(2));
+    normals_M_.emplace_back(-R_MT_.col(2));
   }
 }
 

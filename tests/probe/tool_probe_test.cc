@@ -269,6 +269,19 @@ TEST(ToolProbe, AnotherInputHearsNothingAndTheToolIsPushedIn) {
   EXPECT_NEAR(outcome.error().q_M_at[2], 95.0, 1e-9);
 }
 
+TEST(ToolProbe, WhatIsBelowThePlateTouchesItOnlyFromBelow) {
+  ToolSetup insert = tool(ToolKind::Turning, 0, 0);
+  insert.insert = {{0.0, 0.0, 0.0}, 0.4, 1};  // cuts towards +X and +Z
+  Bench bench(insert, cube());
+  ASSERT_TRUE(bench.go(100, 0, -50) && bench.go(200, 0, -50));
+  EXPECT_FALSE(bench.machine().skip_signal(kInput));
+  const auto below = bench.touch({200, 0, -10}, 100);
+  ASSERT_TRUE(below);
+  EXPECT_NEAR(below->z(), -25.0, 1e-9);
+  EXPECT_TRUE(bench.machine().skip_signal(kInput));
+  EXPECT_TRUE(bench.go(200, 0, -50));
+}
+
 TEST(ToolProbe, AnInsertTouchesWithItsRadiusAsItsEdgePositionSays) {
   ToolSetup insert = tool(ToolKind::Turning, 0, 0);
   insert.insert = {{50.0, 80.0, 0.0}, 0.4, 3};
