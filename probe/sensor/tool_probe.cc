@@ -188,38 +188,58 @@ std::optional<ToolProbe::Touch> ToolProbe::chip_touch(const machine::Waypoint& f
 }
 
 ToolProbe::Depth ToolProbe::depth_of(const Pieces& pieces, const machine::Waypoint& at) const {
-  const PlacedShape plate = target();
   Depth deepest{-std::numeric_limits<double>::infinity(), Point::Zero()};
   for (const ConvexShape& piece : pieces) {
     const PlacedShape there = placed(piece, at);
-    const auto along = [&](const Point& n) {
-      return n.dot(plate.furthest(n) - there.furthest(-n));
-    };
-    Depth least{std::numeric_limits<double>::infinity(), Point::Zero()};
-    const auto consider = [&](const Point& n) {
-      if (const double mm = along(n); mm < least.mm) {
-        least = {mm, n};
-      }
-    };
-    for (const Point& n : normals_M_) {
-      consider(n);
+    Depth depth = depth_by_sides(there);
+    if (depth.mm >= -kCastErrorMm) {
+      depth.mm = depth_along(depth, there);
     }
-    if (is_round_) {
-      const bool is_beam = setup_.shape == ToolProbeShape::Laser;
-      const Point a = R_MT_.col(is_beam ? 1 : 0);
-      const Point b = R_MT_.col(is_beam ? 2 : 1);
-      const auto direction = [&](double angle) {
-        return Point(std::cos(angle) * a + std::sin(angle) * b);
-      };
-      consider(direction(least_angle([&](double angle) { return along(direction(angle)); })));
-      if (is_beam) {
-        const Point ends = R_MT_.col(0);
-        least.mm = std::min({least.mm, along(ends), along(-ends)});
-      }
-    }
-    deepest = least.mm > deepest.mm ? least : deepest;
+    deepest = depth.mm > deepest.mm ? depth : deepest;
   }
   return deepest;
+}
+
+/// Along the side out of which the way is shortest.  None of them tells a corner from what passes
+/// it by.
+ToolProbe::Depth ToolProbe::depth_by_sides(const PlacedShape& tool) const {
+  const PlacedShape plate = target();
+  const auto along = [&](const Point& n) { return n.dot(plate.furthest(n) - tool.furthest(-n)); };
+  Depth least{std::numeric_limits<double>::infinity(), Point::Zero()};
+  const auto consider = [&](const Point& n) {
+    if (const double mm = along(n); mm < least.mm) {
+      least = {mm, n};
+    }
+  };
+  for (const Point& n : normals_M_) {
+    consider(n);
+  }
+  if (is_round_) {
+    const bool is_beam = setup_.shape == ToolProbeShape::Laser;
+    const Point a = R_MT_.col(is_beam ? 1 : 0);
+    const Point b = R_MT_.col(is_beam ? 2 : 1);
+    const auto direction = [&](double angle) {
+      return Point(std::cos(angle) * a + std::sin(angle) * b);
+    };
+    consider(direction(least_angle([&](double angle) { return along(direction(angle)); })));
+    if (is_beam) {
+      const Point ends = R_MT_.col(0);
+      least.mm = std::min({least.mm, along(ends), along(-ends)});
+    }
+  }
+  return least;
+}
+
+/// How far back the tool touches that is drawn out along a side, and put in again.
+double ToolProbe::depth_along(const Depth& side, const PlacedShape& tool) const {
+  constexpr double kClearMm = 1.0;
+  const double out = side.mm + kClearMm;
+  const double back = out + kCastErrorMm;
+  PlacedShape drawn = tool;
+  drawn.p += out * side.n_M;
+  const CastHit hit = convex_cast(target(), drawn, -back * side.n_M);
+  return hit.status == CastStatus::Contact ? out - hit.fraction * back
+                                           : -std::numeric_limits<double>::infinity();
 }
 
 bool ToolProbe::is_on(const machine::Waypoint& at) const {

@@ -77,6 +77,8 @@ class ToolProbe final : public machine::Surroundings {
   [[nodiscard]] std::optional<Touch> chip_touch(const machine::Waypoint& from,
                                                 const machine::Waypoint& to) const;
   [[nodiscard]] Depth depth_of(const Pieces& pieces, const machine::Waypoint& at) const;
+  [[nodiscard]] Depth depth_by_sides(const PlacedShape& tool) const;
+  [[nodiscard]] double depth_along(const Depth& side, const PlacedShape& tool) const;
   [[nodiscard]] bool is_on(const machine::Waypoint& at) const;
   [[nodiscard]] double way_of_turning(const Touch& touch, const machine::Sweep& sweep, double gone,
                                       double speed_mm_s) const;

@@ -269,6 +269,19 @@ TEST(ToolProbe, AnotherInputHearsNothingAndTheToolIsPushedIn) {
   EXPECT_NEAR(outcome.error().q_M_at[2], 95.0, 1e-9);
 }
 
+TEST(ToolProbe, ACornerIsPassedByAsRoundToolsPassIt) {
+  Bench bench(tool(ToolKind::Mill, 100, 16), cube());
+  // 7 mm beside both faces of the corner: 9.9 mm from it.
+  ASSERT_TRUE(bench.go(260, 60, 97) && bench.go(219.5, 19.5, 97));
+  EXPECT_FALSE(bench.machine().skip_signal(kInput));
+  ASSERT_TRUE(bench.go(219.5, 30, 97) && bench.go(219.5, 19.5, 97));
+  const auto corner = bench.touch({200, 0, 97}, 100);
+  ASSERT_TRUE(corner);
+  EXPECT_NEAR(corner->x(), 212.5 + 8 / std::sqrt(2.0), 1e-8);
+  EXPECT_TRUE(bench.machine().skip_signal(kInput));
+  EXPECT_TRUE(bench.go(260, 60, 97));
+}
+
 TEST(ToolProbe, WhatIsBelowThePlateTouchesItOnlyFromBelow) {
   ToolSetup insert = tool(ToolKind::Turning, 0, 0);
   insert.insert = {{0.0, 0.0, 0.0}, 0.4, 1};  // cuts towards +X and +Z
