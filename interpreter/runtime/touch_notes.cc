@@ -58,7 +58,8 @@ void TouchNotes::read(std::vector<source::Diagnostic>& diagnostics) {
   using source::DiagnosticId;
   const auto beside_middle = before_ ? chord(*before_, touch) : std::nullopt;
   note(diagnostics, DiagnosticId::Chord, touch.where, beside_middle);
-  if (!beside_middle) {
+  const bool by_a_ball = touch.state.ball_radius_mm > 0.0;  // a tool probe has none
+  if (!beside_middle && by_a_ball) {
     note(diagnostics, DiagnosticId::ObliqueTouch, touch.where, oblique(touch));
     note(diagnostics, DiagnosticId::GlancingTouch, touch.where, glancing(touch));
   }

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -28,7 +27,7 @@ struct ToolObstacles {
 };
 
 /// The tool in the spindle among parts and clamps, where it is no touch probe: it cuts parts and
-/// gives no signal; clamps it must not meet, and its holder nothing at all (encounters.def).
+/// gives no signal; it must not touch clamps, and its holder nothing at all (encounters.def).
 ///
 /// Accuracy: kSectionTouchErrorMm; on a curve the chords that the machine cuts it into.
 class CuttingTool final : public machine::Surroundings {

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "machine/base/contract.h"
 #include "machine/base/random.h"
@@ -52,36 +49,16 @@ double middle_below(const ToolProbeSetup& setup) {
   return 0.0;
 }
 
-/// The direction that gives the least of a smooth function of an angle with few minima.
-template <typename Function>
-double least_angle(const Function& of_angle) {
-  constexpr int kSamples = 48;
-  constexpr double kStep = 2.0 * std::numbers::pi / kSamples;
-  double best = 0.0;
-  for (int i = 1; i < kSamples; ++i) {
-    best = of_angle(i * kStep) < of_angle(best) ? i * kStep : best;
-  }
-  constexpr int kThirds = 60;
-  double low = best - kStep;
-  double high = best + kStep;
-  for (int i = 0; i < kThirds; ++i) {
-    const double a = low + (high - low) / 3.0;
-    const double b = high - (high - low) / 3.0;
-    (of_angle(a) < of_angle(b) ? high : low) = of_angle(a) < of_angle(b) ? b : a;
-  }
-  return 0.5 * (low + high);
-}
-
 }  // namespace
 
 ToolProbe::ToolProbe(const ToolProbeSetup& setup, std::shared_ptr<const ToolRack> rack,
-                     std::uint64_t seed, std::uint32_t index, std::vector<CollisionMesh> chips)
+                     std::uint64_t seed, std::uint32_t index, ToolProbePlace place)
     : setup_(setup),
       rack_(std::move(rack)),
       plate_(plate_of(setup)),
       R_MT_(parts::rotation_to_machine({Point::Zero(), setup.rotate_deg})),
       is_round_(setup.shape != ToolProbeShape::Cube),
-      chips_(std::move(chips)),
+      place_(std::move(place)),
       seed_(seed),
       stream_(kFirstToolProbeStream + index),
       spindle_(seed) {
@@ -129,6 +106,9 @@ void ToolProbe::take(const machine::MachineEvent& event) {
   if (const auto* const change = std::get_if<machine::ToolChange>(&event)) {
     if (change->spindle == kToolSpindle) {
       held_ = rack_->called(change->tool);
+      if (held_ != nullptr && place_.chain) {
+        place_.chain->take_tool(held_->shape.p_T_tip);
+      }
     }
   } else if (const auto* const turn = std::get_if<machine::SpindleTurn>(&event)) {
     spindle_.take(*turn, now_s_);
@@ -174,7 +154,7 @@ std::optional<ToolProbe::Touch> ToolProbe::first_touch(const Pieces& pieces,
 
 std::optional<ToolProbe::Touch> ToolProbe::chip_touch(const machine::Waypoint& from,
                                                       const machine::Waypoint& to) const {
-  if (chips_.empty()) {
+  if (place_.chips.empty()) {
     return std::nullopt;
   }
   const Point& p_T_tip = held_->shape.p_T_tip;
@@ -182,64 +162,9 @@ std::optional<ToolProbe::Touch> ToolProbe::chip_touch(const machine::Waypoint& f
   CentreWay way{linear_axes(from.q_M) + p_T_tip, linear_axes(to.q_M) + p_T_tip};
   way.turn_from = from.tilt;
   way.turn_to = to.tilt;
-  const auto met = probe::first_touch(sections, chips_, way);
+  const auto met = probe::first_touch(sections, place_.chips, way);
   return met ? std::optional(Touch{met->touch.fraction, met->touch.n_M, met->touch.p_M_point})
              : std::nullopt;
-}
-
-ToolProbe::Depth ToolProbe::depth_of(const Pieces& pieces, const machine::Waypoint& at) const {
-  Depth deepest{-std::numeric_limits<double>::infinity(), Point::Zero()};
-  for (const ConvexShape& piece : pieces) {
-    const PlacedShape there = placed(piece, at);
-    Depth depth = depth_by_sides(there);
-    if (depth.mm >= -kCastErrorMm) {
-      depth.mm = depth_along(depth, there);
-    }
-    deepest = depth.mm > deepest.mm ? depth : deepest;
-  }
-  return deepest;
-}
-
-/// Along the side out of which the way is shortest.  None of them tells a corner from what passes
-/// it by.
-ToolProbe::Depth ToolProbe::depth_by_sides(const PlacedShape& tool) const {
-  const PlacedShape plate = target();
-  const auto along = [&](const Point& n) { return n.dot(plate.furthest(n) - tool.furthest(-n)); };
-  Depth least{std::numeric_limits<double>::infinity(), Point::Zero()};
-  const auto consider = [&](const Point& n) {
-    if (const double mm = along(n); mm < least.mm) {
-      least = {mm, n};
-    }
-  };
-  for (const Point& n : normals_M_) {
-    consider(n);
-  }
-  if (is_round_) {
-    const bool is_beam = setup_.shape == ToolProbeShape::Laser;
-    const Point a = R_MT_.col(is_beam ? 1 : 0);
-    const Point b = R_MT_.col(is_beam ? 2 : 1);
-    const auto direction = [&](double angle) {
-      return Point(std::cos(angle) * a + std::sin(angle) * b);
-    };
-    consider(direction(least_angle([&](double angle) { return along(direction(angle)); })));
-    if (is_beam) {
-      const Point ends = R_MT_.col(0);
-      least.mm = std::min({least.mm, along(ends), along(-ends)});
-    }
-  }
-  return least;
-}
-
-/// How far back the tool touches that is drawn out along a side, and put in again.
-double ToolProbe::depth_along(const Depth& side, const PlacedShape& tool) const {
-  constexpr double kClearMm = 1.0;
-  const double out = side.mm + kClearMm;
-  const double back = out + kCastErrorMm;
-  PlacedShape drawn = tool;
-  drawn.p += out * side.n_M;
-  const CastHit hit = convex_cast(target(), drawn, -back * side.n_M);
-  return hit.status == CastStatus::Contact ? out - hit.fraction * back
-                                           : -std::numeric_limits<double>::infinity();
 }
 
 bool ToolProbe::is_on(const machine::Waypoint& at) const {
@@ -247,7 +172,46 @@ bool ToolProbe::is_on(const machine::Waypoint& at) const {
 }
 
 bool ToolProbe::signals_at(const machine::Waypoint& at, int input) const {
-  return is_wired(input) && is_on(at);
+  return is_wired(input) && held_ != nullptr && is_on(from_bed(at));
+}
+
+std::optional<Eigen::Isometry3d> ToolProbe::part_from_bed(const machine::Waypoint& at) const {
+  if (!place_.chain || !place_.chain->is_turned(at.q_M)) {
+    return std::nullopt;
+  }
+  const Point p_P_tip = linear_axes(at.q_M) + held_->shape.p_T_tip;
+  // Linear axes count under the table alone, and such a machine has all three.
+  return place_.chain->part_from_machine(place_.chain->axes_for(p_P_tip, at.q_M).value_or(at.q_M));
+}
+
+machine::Waypoint ToolProbe::from_bed(const machine::Waypoint& at) const {
+  const auto part_from_machine = part_from_bed(at);
+  if (!part_from_machine) {
+    return at;
+  }
+  const Point& p_T_tip = held_->shape.p_T_tip;
+  const Eigen::Isometry3d machine_from_part = part_from_machine->inverse();
+  machine::Waypoint seen = at;
+  seen.q_M.head<kLinearAxisCount>() = machine_from_part * (linear_axes(at.q_M) + p_T_tip) - p_T_tip;
+  seen.tilt = Eigen::Quaterniond(machine_from_part.linear()) * at.tilt;
+  return seen;
+}
+
+std::vector<machine::Waypoint> ToolProbe::from_bed(const machine::Way& way) const {
+  std::vector<machine::Waypoint> points = machine::points_of(way);
+  for (machine::Waypoint& point : points) {
+    point = from_bed(point);
+  }
+  return points;
+}
+
+machine::Contact ToolProbe::for_part(const machine::Contact& contact,
+                                     const machine::Waypoint& at) const {
+  const auto part_from_machine = part_from_bed(at);
+  return part_from_machine
+             ? machine::Contact{*part_from_machine * contact.p_M_point,
+                                part_from_machine->linear() * contact.n_M, contact.part}
+             : contact;
 }
 
 double ToolProbe::trigger_shift(std::uint64_t event) const {
@@ -269,8 +233,12 @@ std::optional<machine::SkipTrigger> ToolProbe::first_signal(const machine::Way& 
   if (held_ == nullptr) {
     return rises ? std::nullopt : std::optional(machine::SkipTrigger{0.0, true, 0.0, std::nullopt});
   }
-  const std::vector<machine::Waypoint> points = machine::points_of(way);
-  return rises ? first_touch_along(points, to.speed_mm_s) : first_release_along(points);
+  const std::vector<machine::Waypoint> points = from_bed(way);
+  auto trigger = rises ? first_touch_along(points, to.speed_mm_s) : first_release_along(points);
+  if (trigger && trigger->contact) {
+    trigger->contact = for_part(*trigger->contact, machine::points_of(way).front());
+  }
+  return trigger;
 }
 
 std::optional<machine::SkipTrigger> ToolProbe::first_touch_along(Points way, double speed_mm_s) {
@@ -282,33 +250,47 @@ std::optional<machine::SkipTrigger> ToolProbe::first_touch_along(Points way, dou
   }
   double gone = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
-    const double piece = machine::distance_mm(way[i - 1].q_M, way[i].q_M);
-    auto touch = first_touch(pieces(), way[i - 1], way[i]);
-    const auto chip = chip_touch(way[i - 1], way[i]);
-    const bool is_chip = chip && (!touch || chip->fraction < touch->fraction);
-    if (is_chip) {
-      touch = chip;
-    }
-    if (!touch) {
-      gone += piece;
-      continue;
-    }
     const machine::Sweep sweep = machine::sweep_between(way[i - 1], way[i]);
-    const Point along = linear_axes(sweep.q_M_to) - linear_axes(sweep.q_M_from);
-    const double at_outline = gone + touch->fraction * piece;
-    const double inwards = -touch->n_M.dot(along) / piece;
-    const double distance = at_outline + setup_.pre_travel_mm / inwards +
-                            (is_chip ? 0.0 : way_of_turning(*touch, sweep, at_outline, speed_mm_s));
-    if (!(distance <= machine::length_of(way))) {
-      return std::nullopt;
+    const double piece = machine::distance_mm(sweep.q_M_from, sweep.q_M_to);
+    if (const auto push = first_push(way[i - 1], way[i])) {
+      const double at_outline = gone + push->touch.fraction * piece;
+      const double teeth =
+          push->of_plate ? way_of_turning(push->touch, sweep, at_outline, speed_mm_s) : 0.0;
+      const double distance = at_outline + push->to_signal_mm + teeth;
+      if (!(distance <= machine::length_of(way))) {
+        return std::nullopt;
+      }
+      machine::SkipTrigger trigger;
+      trigger.contact = contact_of(push->touch);
+      trigger.delay_s = setup_.delay_s + setup_.filter_s;
+      trigger.fraction = machine::fraction_after(way, distance + trigger_shift(event));
+      return trigger;
     }
-    machine::SkipTrigger trigger;
-    trigger.contact = contact_of(*touch);
-    trigger.delay_s = setup_.delay_s + setup_.filter_s;
-    trigger.fraction = machine::fraction_after(way, distance + trigger_shift(event));
-    return trigger;
+    gone += piece;
   }
   return std::nullopt;
+}
+
+/// The first touch of plate or chip that the way goes on into; also one in which it begins, less
+/// deep than the signal needs.
+std::optional<ToolProbe::Push> ToolProbe::first_push(const machine::Waypoint& from,
+                                                     const machine::Waypoint& to) const {
+  const Point along = (linear_axes(to.q_M) - linear_axes(from.q_M)).normalized();
+  if (const Depth depth = depth_of(pieces(), from); depth.mm >= -kCastErrorMm) {
+    const double inwards = -depth.n_M.dot(along);
+    if (inwards <= 0.0) {
+      return std::nullopt;  // it leaves, and comes back to nothing that is convex
+    }
+    const Touch here{0.0, depth.n_M, target().furthest(depth.n_M)};
+    return Push{here, (setup_.pre_travel_mm - std::max(0.0, depth.mm)) / inwards, false};
+  }
+  const auto plate = first_touch(pieces(), from, to);
+  const auto chip = chip_touch(from, to);
+  const bool is_chip = chip && (!plate || chip->fraction < plate->fraction);
+  const auto& touch = is_chip ? chip : plate;
+  const double inwards = touch ? -touch->n_M.dot(along) : 0.0;
+  return inwards > 0.0 ? std::optional(Push{*touch, setup_.pre_travel_mm / inwards, !is_chip})
+                       : std::nullopt;
 }
 
 /// How much further than its outline a tool goes that turns with teeth, mm; infinity: no tooth

@@ -4,10 +4,12 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "machine/kinematics/axis_chain.h"
 #include "machine/port/surroundings.h"
 #include "probe/collision/collision_mesh.h"
 #include "probe/tooling/convex_cast.h"
@@ -16,6 +18,13 @@
 #include "probe/tooling/tool_rack.h"
 
 namespace g31::probe {
+
+/// What is around a tool probe.
+struct ToolProbePlace {
+  std::vector<CollisionMesh> chips;  ///< lie on the plate and hand on what touches them
+  /// Of a machine under a probe on the bed; nullopt: no table turns, or the probe goes with it.
+  std::optional<machine::AxisChain> chain;
+};
 
 /// A tool probe: the plate or the beam of light that gives a signal where the tool in the spindle
 /// touches it.
@@ -31,9 +40,8 @@ class ToolProbe final : public machine::Surroundings {
  public:
   /// @param rack   what the spindle may hold
   /// @param index  which of the sheet's tool probes it is: each draws numbers of its own
-  /// @param chips  what lies on the plate and hands on what touches it
   ToolProbe(const ToolProbeSetup& setup, std::shared_ptr<const ToolRack> rack, std::uint64_t seed,
-            std::uint32_t index, std::vector<CollisionMesh> chips = {});
+            std::uint32_t index, ToolProbePlace place = {});
 
   /// Rising: where the plate is pushed or the beam broken.  Falling: where it is free again.
   std::optional<machine::SkipTrigger> first_signal(const machine::Way& way,
@@ -60,6 +68,12 @@ class ToolProbe final : public machine::Surroundings {
     Point n_M = Point::Zero();
     Point p_M = Point::Zero();
   };
+  /// A touch on the way into the plate, or into a chip on it.
+  struct Push {
+    Touch touch;
+    double to_signal_mm = 0.0;  ///< of the way
+    bool of_plate = true;       ///< the tool was free before, and it is no chip
+  };
   /// How deep the tool is in: < 0 where it is not.
   struct Depth {
     double mm = 0.0;
@@ -67,12 +81,22 @@ class ToolProbe final : public machine::Surroundings {
   };
 
   [[nodiscard]] bool is_wired(int input) const;
+  /// From the frame of the part, which the world is asked in, to that of the machine, and back.
+  [[nodiscard]] std::optional<Eigen::Isometry3d> part_from_bed(const machine::Waypoint& at) const;
+  [[nodiscard]] machine::Waypoint from_bed(const machine::Waypoint& at) const;
+  [[nodiscard]] std::vector<machine::Waypoint> from_bed(const machine::Way& way) const;
+  [[nodiscard]] machine::Contact for_part(const machine::Contact& contact,
+                                          const machine::Waypoint& at) const;
+  [[nodiscard]] std::optional<machine::Obstacle> obstacle_along(Points way,
+                                                                machine::Travel travel) const;
   [[nodiscard]] PlacedShape target() const { return {&plate_, R_MT_, p_M_middle_}; }
   [[nodiscard]] const Pieces& pieces() const;
   [[nodiscard]] PlacedShape placed(const ConvexShape& piece, const machine::Waypoint& at) const;
   [[nodiscard]] std::optional<Touch> first_touch(const Pieces& pieces,
                                                  const machine::Waypoint& from,
                                                  const machine::Waypoint& to) const;
+  [[nodiscard]] std::optional<Push> first_push(const machine::Waypoint& from,
+                                               const machine::Waypoint& to) const;
   /// Of a chip on the plate: by the outline of the tool, kSectionTouchErrorMm.
   [[nodiscard]] std::optional<Touch> chip_touch(const machine::Waypoint& from,
                                                 const machine::Waypoint& to) const;
@@ -102,7 +126,7 @@ class ToolProbe final : public machine::Surroundings {
   Point p_M_middle_ = Point::Zero();
   std::vector<Point> normals_M_;  // of the sides that tools push
   bool is_round_ = false;         // further sides all around, across the axis of the plate
-  std::vector<CollisionMesh> chips_;
+  ToolProbePlace place_;
   std::uint64_t seed_;
   std::uint32_t stream_;
   std::uint64_t triggers_asked_ = 0;

@@ -17,10 +17,18 @@ std::optional<machine::Obstacle> ToolProbe::first_obstacle(const machine::Way& w
   if (held_ == nullptr || setup_.shape == ToolProbeShape::Laser) {
     return std::nullopt;
   }
-  const std::vector<machine::Waypoint> points = machine::points_of(way);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const machine::Waypoint& from = points[i - 1];
-    const machine::Waypoint& to = points[i];
+  auto obstacle = obstacle_along(from_bed(way), travel);
+  if (obstacle) {
+    obstacle->contact = for_part(obstacle->contact, machine::points_of(way).front());
+  }
+  return obstacle;
+}
+
+std::optional<machine::Obstacle> ToolProbe::obstacle_along(Points way,
+                                                           machine::Travel travel) const {
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const machine::Waypoint& from = way[i - 1];
+    const machine::Waypoint& to = way[i];
     if (!machine::differ(from, to) || !comes_near(from, to)) {
       continue;
     }
@@ -49,7 +57,7 @@ bool ToolProbe::comes_near(const machine::Waypoint& from, const machine::Waypoin
   return (gap - share * along).norm() <= held_->shape.reach_mm + plate_reach_mm_ + kCastErrorMm;
 }
 
-/// What touches leaves again, for all of it is convex; what does not may come to touch.
+/// A tool that touches may leave: all shapes are convex.  Else the first touch on the way counts.
 std::optional<machine::Obstacle> ToolProbe::collision_on(const Pieces& pieces,
                                                          const machine::Waypoint& from,
                                                          const machine::Waypoint& to) const {
@@ -57,7 +65,8 @@ std::optional<machine::Obstacle> ToolProbe::collision_on(const Pieces& pieces,
   if (const Depth depth = depth_of(pieces, from); depth.mm >= -kCastErrorMm) {
     constexpr double kSideways = 1e-9;
     const Point along = linear_axes(to.q_M) - linear_axes(from.q_M);
-    return along.dot(depth.n_M) >= -kSideways * along.norm()
+    const bool leaves = along.dot(depth.n_M) >= -kSideways * along.norm();
+    return leaves && depth.mm <= setup_.deflection_limit_mm
                ? std::nullopt
                : std::optional(machine::Obstacle{
                      0.0, what, contact_of({0.0, depth.n_M, target().furthest(depth.n_M)})});
@@ -67,25 +76,31 @@ std::optional<machine::Obstacle> ToolProbe::collision_on(const Pieces& pieces,
                : std::nullopt;
 }
 
-/// On a skip move the plate gives way, but no further than it can.
+/// On a skip move the plate gives way, along the normal of the touch, but no further than it can.
 std::optional<machine::Obstacle> ToolProbe::damage_on(const machine::Waypoint& from,
                                                       const machine::Waypoint& to) const {
-  const Depth at_end = depth_of(pieces(), to);
-  const double limit = setup_.deflection_limit_mm;
-  if (at_end.mm <= limit) {
-    return std::nullopt;
-  }
-  const Depth at_start = depth_of(pieces(), from);
   const Point along = linear_axes(to.q_M) - linear_axes(from.q_M);
-  const double deeper = -along.dot(at_end.n_M);
-  if (at_start.mm >= at_end.mm || deeper <= 0.0) {
+  const Depth at_start = depth_of(pieces(), from);
+  Touch touch{0.0, at_start.n_M, Point::Zero()};
+  if (at_start.mm < -kCastErrorMm) {
+    const auto met = first_touch(pieces(), from, to);
+    if (!met) {
+      return std::nullopt;
+    }
+    touch = *met;
+  }
+  const double depth = std::max(0.0, at_start.mm);
+  const double inwards = -touch.n_M.dot(along);
+  const double limit = setup_.deflection_limit_mm;
+  if (inwards <= 0.0 || depth + (1.0 - touch.fraction) * inwards <= limit) {
     return std::nullopt;
   }
-  const double broken_at = std::clamp(1.0 - (at_end.mm - limit) / deeper, 0.0, 1.0);
-  return machine::Obstacle{broken_at,
+  touch.fraction = std::min(1.0, touch.fraction + std::max(0.0, limit - depth) / inwards);
+  touch.p_M = target().furthest(touch.n_M);
+  return machine::Obstacle{touch.fraction,
                            fmt::format("{} is pushed {:.3f} mm into {}, its deflection limit",
                                        tool_name(), limit, setup_.name),
-                           contact_of({broken_at, at_end.n_M, target().furthest(at_end.n_M)})};
+                           contact_of(touch)};
 }
 
 }  // namespace g31::probe

@@ -106,7 +106,7 @@ bool Cast::search() {
 }
 
 /// What the search ends with is off by rounding where shapes are long: the last plane is made that
-/// of a flat side, or follows the curve.  No plane is entered behind the contact, so later is
+/// of a flat side, or follows the curve.  No plane is entered after the contact, so later is
 /// truer.
 void Cast::refine() {
   n_.normalize();

@@ -27,7 +27,7 @@ inline constexpr std::array<ToolProbeShapeName, 3> kToolProbeShapeNames = {{
 }};
 
 enum class ToolProbeSide {
-  Bed,    ///< stands, whatever tables do
+  Bed,    ///< stands, however tables turn
   Table,  ///< goes along with the part
 };
 
@@ -48,7 +48,7 @@ struct ToolProbeSetup {
   double pre_travel_mm = 0.0;     ///< >= 0, along the normal until the signal
   /// How far the plate gives way until it breaks, along the normal; of a laser nothing.
   double deflection_limit_mm = 5.0;  ///< > 0
-  double filter_s = 0.0;  ///< >= 0, of a laser: a beam broken for less (a drip) gives no signal
+  double filter_s = 0.0;  ///< >= 0, of a laser: how much later the signal comes, drips sorted out
 };
 
 }  // namespace g31::probe

@@ -17,12 +17,6 @@ double corner_radius_of(const ToolSetup& tool, double radius) {
   return std::min(wanted, radius);
 }
 
-/// How high the cone of a drill is.
-double cone_height(const ToolSetup& tool, double radius) {
-  return tool.kind == ToolKind::Drill ? radius / std::tan(kRadPerDeg * 0.5 * tool.tip_angle_deg)
-                                      : 0.0;
-}
-
 /// A cylinder down to z = -length, its lower edge rounded.
 ProbeSection rounded_cylinder(double radius, double length, double rounding) {
   ProbeSection section;
@@ -49,19 +43,12 @@ std::vector<ConvexShape> round_pieces(const ToolSetup& tool) {
   return pieces;
 }
 
-Blade blade_of(const Tooth& tooth, const ToolSetup& tool) {
-  const double angle = kRadPerDeg * tooth.angle_deg;
-  const double bottom = -tooth.length_mm;
-  const double cone = cone_height(tool, tooth.radius_mm);
-  Blade blade;
-  blade.direction = {std::cos(angle), std::sin(angle)};
-  blade.rounded_radius = corner_radius_of(tool, tooth.radius_mm);
-  const double flat = tooth.radius_mm - blade.rounded_radius;
-  const double dish = tool.kind == ToolKind::Drill ? 0.0 : flat * std::tan(kRadPerDeg * kDishDeg);
-  blade.rounded_centre = {flat, bottom + cone + blade.rounded_radius};
-  blade.corners = {Blade::Radial(0.0, bottom + dish), Blade::Radial(0.0, 0.0),
-                   Blade::Radial(tooth.radius_mm, 0.0), blade.rounded_centre};
-  return blade;
+/// The body of revolution that one tooth cuts.
+std::vector<ConvexShape> envelope_of(const Tooth& tooth, const ToolSetup& tool) {
+  ToolSetup round = tool;
+  round.diameter_mm = 2.0 * tooth.radius_mm;
+  round.length_mm = tooth.length_mm;
+  return round_pieces(round);
 }
 
 /// The middle of the tip radius, as seen from the theoretical tip, in tip radii: X, Z.
@@ -101,9 +88,24 @@ double reach_of(const ConvexShape& shape, const Point& p_T_tip) {
 
 }  // namespace
 
-ConvexShape envelope_of(const Tooth& tooth, const ToolSetup& tool) {
-  return rounded_cylinder(tooth.radius_mm, tooth.length_mm - cone_height(tool, tooth.radius_mm),
-                          corner_radius_of(tool, tooth.radius_mm));
+double cone_height(const ToolSetup& tool, double radius) {
+  return tool.kind == ToolKind::Drill ? radius / std::tan(kRadPerDeg * 0.5 * tool.tip_angle_deg)
+                                      : 0.0;
+}
+
+Blade blade_of(const Tooth& tooth, const ToolSetup& tool) {
+  const double angle = kRadPerDeg * tooth.angle_deg;
+  const double bottom = -tooth.length_mm;
+  const double cone = cone_height(tool, tooth.radius_mm);
+  Blade blade;
+  blade.direction = {std::cos(angle), std::sin(angle)};
+  blade.rounded_radius = corner_radius_of(tool, tooth.radius_mm);
+  const double flat = tooth.radius_mm - blade.rounded_radius;
+  const double dish = tool.kind == ToolKind::Drill ? 0.0 : flat * std::tan(kRadPerDeg * kDishDeg);
+  blade.rounded_centre = {flat, bottom + cone + blade.rounded_radius};
+  blade.corners = {Blade::Radial(0.0, bottom + dish), Blade::Radial(0.0, 0.0),
+                   Blade::Radial(tooth.radius_mm, 0.0), blade.rounded_centre};
+  return blade;
 }
 
 std::vector<ProbeSection> round_sections_of(const std::vector<ConvexShape>& pieces,
@@ -142,7 +144,7 @@ ToolShape shape_of(const ToolSetup& tool) {
     for (const Tooth& tooth : tool.teeth) {
       shape.still.emplace_back(blade_of(tooth, tool));
     }
-    shape.envelope = {envelope_of(outline_of(tool), tool)};
+    shape.envelope = envelope_of(outline_of(tool), tool);
   }
   for (ProbeSection body : tool.bodies) {
     body.p_S += shape.p_T_tip;

@@ -26,8 +26,11 @@ ToolShape shape_of(const ToolSetup& tool);
 std::vector<ProbeSection> round_sections_of(const std::vector<ConvexShape>& pieces,
                                             const Point& p_T_tip);
 
-/// How a body of revolution looks that one tooth cuts.
-ConvexShape envelope_of(const Tooth& tooth, const ToolSetup& tool);
+/// How high the cone of a drill is at a radius, mm; of other tools 0.
+double cone_height(const ToolSetup& tool, double radius);
+
+/// A tooth at its angle.
+Blade blade_of(const Tooth& tooth, const ToolSetup& tool);
 
 /// The widest and longest of the teeth together.  @pre it has teeth
 Tooth outline_of(const ToolSetup& tool);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include <Eigen/Core>
 
@@ -34,8 +33,9 @@ struct OutlineTouch {
 /// How much further than its outline a turning tool goes until the first tooth touches, mm: a short
 /// tooth touches later, and each only when the spindle brings it.
 ///
-/// The target is taken as its tangent plane at the contact: exact on flat faces, within
-/// (F/n)^2 / 2R on a round one of radius R for the feed per revolution F/n.
+/// The target is taken as its tangent plane at the contact: exact on flat sides, from above within
+/// a 360th of the feed per revolution, within (F/n)^2 / 2R on a round one of radius R for the feed
+/// per revolution F/n.
 /// @return nullopt: none comes there, for all are too short
 std::optional<double> way_to_first_tooth(const ToolSetup& tool, const OutlineTouch& touch,
                                          const Turning& turning);

@@ -282,6 +282,104 @@ TEST(ToolProbe, ACornerIsPassedByAsRoundToolsPassIt) {
   EXPECT_TRUE(bench.go(260, 60, 97));
 }
 
+/// Brute force from above: the teeth turn and go down in small steps; of each edge many points.
+double first_depth_by_steps(const ToolSetup& mill, double rate_deg_s, double speed_mm_s,
+                            double start_mm, const Point& p_axis, double half) {
+  std::vector<std::vector<Blade::Radial>> edges;
+  for (const Tooth& tooth : mill.teeth) {
+    auto& edge = edges.emplace_back();
+    const Blade blade = blade_of(tooth, mill);
+    const Blade::Radial lowest = blade.rounded_centre - Blade::Radial(0, blade.rounded_radius);
+    for (int k = 0; k <= 600; ++k) {
+      const double share = k / 600.0;
+      const double out = share * std::numbers::pi / 2;
+      edge.emplace_back(blade.rounded_centre +
+                        blade.rounded_radius * Blade::Radial(std::sin(out), -std::cos(out)));
+      edge.emplace_back(share * blade.corners[0] + (1 - share) * lowest);
+    }
+  }
+  constexpr double kStep_s = 2e-5;
+  for (double t = 0.0; speed_mm_s * t < 5.0; t += kStep_s) {
+    const double z = start_mm - speed_mm_s * t;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const double angle = (mill.teeth[i].angle_deg + rate_deg_s * t) * std::numbers::pi / 180;
+      for (const Blade::Radial& point : edges[i]) {
+        if (z + point.y() <= 0.0 && std::abs(p_axis.x() + point.x() * std::cos(angle)) <= half &&
+            std::abs(p_axis.y() + point.x() * std::sin(angle)) <= half) {
+          return z;
+        }
+      }
+    }
+  }
+  return -1.0;
+}
+
+TEST(ToolProbe, ATurningToolOfAnyKindTouchesFromAbove) {
+  struct Case {
+    ToolKind kind;
+    double diameter;
+    double corner;
+    Point p_axis;
+    double plate;
+  };
+  const Case cases[] = {
+      {ToolKind::BallMill, 16, 0, {0, 0, 0}, 10}, {ToolKind::Drill, 12, 0, {1, 0, 0}, 10},
+      {ToolKind::BullMill, 16, 2, {1, 2, 0}, 20}, {ToolKind::Mill, 63, 0, {0, 0, 0}, 25},
+      {ToolKind::Mill, 20, 0, {9, 0, 0}, 10},     {ToolKind::BullMill, 20, 3, {8, 1, 0}, 10},
+  };
+  for (const Case& one : cases) {
+    ToolSetup mill = tool(one.kind, 100, one.diameter);
+    mill.corner_radius_mm = one.corner;
+    mill.teeth = {{0.0, one.diameter / 2, 100.0}, {170.0, one.diameter / 2, 99.995}};
+    Bench bench(mill, cube(one.plate));
+    const Point above = Point(200, 0, 0) + one.p_axis;
+    ASSERT_TRUE(bench.go(above.x(), above.y(), 100.3));
+    bench.machine().turn_spindle({Rotation::Counterclockwise, 300.0, std::nullopt, 1});
+    const auto touched = bench.touch({above.x(), above.y(), 97}, 60);
+    ASSERT_TRUE(touched) << bench.fault();
+    const double wanted =
+        first_depth_by_steps(mill, 300.0 * 6.0, 1.0, 100.3, one.p_axis, one.plate / 2);
+    EXPECT_NEAR(touched->z(), wanted, 2e-3) << static_cast<int>(one.kind) << ' ' << one.diameter;
+  }
+}
+
+TEST(ToolProbe, ADrillWithTeethTurnsOnItsTip) {
+  ToolSetup drill = tool(ToolKind::Drill, 100, 16);
+  drill.teeth = {{0.0, 8.0, 100.0}, {180.0, 8.0, 100.0}};
+  Bench bench(drill, cube());
+  bench.machine().turn_spindle({Rotation::Clockwise, 1000.0, std::nullopt, 1});
+  ASSERT_TRUE(bench.go(200, 0, 110));
+  const auto tip = bench.touch({200, 0, 95}, 100);
+  ASSERT_TRUE(tip) << bench.fault();
+  EXPECT_NEAR(tip->z(), 100.0, 1e-9);
+}
+
+TEST(ToolProbe, ATouchMayBeginLessDeepThanTheSignalNeeds) {
+  ToolProbeSetup setup = cube();
+  setup.pre_travel_mm = 0.01;
+  Bench bench(tool(ToolKind::Mill, 100, 10), setup);
+  ASSERT_TRUE(bench.go(200, 0, 101));
+  ASSERT_TRUE(bench.touch({200, 0, 95}, 100));
+  ASSERT_TRUE(bench.go(200, 0, 99.995));
+  EXPECT_FALSE(bench.machine().skip_signal(kInput));
+  const auto again = bench.touch({200, 0, 95}, 100);
+  ASSERT_TRUE(again) << bench.fault();
+  EXPECT_NEAR(again->z(), 99.99, 1e-9);
+}
+
+TEST(ToolProbe, WhatGoesThroughThePlateUnheardBreaksIt) {
+  ToolProbeSetup setup = cube(10.0);
+  setup.input = 3;
+  Bench across(tool(ToolKind::Mill, 100, 6), setup);
+  ASSERT_TRUE(across.go(160, 0, 97));
+  EXPECT_FALSE(across.touch({240, 0, 97}, 100));
+  EXPECT_NE(across.fault().find("5.000 mm into setter"), std::string::npos) << across.fault();
+  Bench down(tool(ToolKind::BallMill, 100, 16), setup);
+  ASSERT_TRUE(down.go(200, 0, 101));
+  EXPECT_FALSE(down.touch({200, 0, 80}, 100));
+  EXPECT_NE(down.fault().find("5.000 mm into setter"), std::string::npos) << down.fault();
+}
+
 TEST(ToolProbe, WhatIsBelowThePlateTouchesItOnlyFromBelow) {
   ToolSetup insert = tool(ToolKind::Turning, 0, 0);
   insert.insert = {{0.0, 0.0, 0.0}, 0.4, 1};  // cuts towards +X and +Z

@@ -45,6 +45,14 @@ bool lies_on(const parts::Mesh& mesh_M, const probe::ToolProbeSetup& setup) {
   });
 }
 
+/// What moves the part past a probe that stands on the bed.
+std::optional<machine::AxisChain> chain_under(const setup::Job& job,
+                                              const probe::ToolProbeSetup& setup) {
+  const machine::AxisChain chain(job.machine.chain, Point::Zero());
+  return setup.side == probe::ToolProbeSide::Bed && chain.has_rotary_axes() ? std::optional(chain)
+                                                                            : std::nullopt;
+}
+
 probe::UnnamedTools unnamed_tools(const setup::Job& job) {
   const bool stays = job.probe && !job.probe->switching.tool;
   return stays ? probe::UnnamedTools::TouchProbe : probe::UnnamedTools::Believed;
@@ -97,7 +105,8 @@ void add_tools(const setup::Job& job, const ToolParts& parts, std::uint64_t seed
   sets.push_back(std::make_unique<probe::CuttingTool>(parts.obstacles, rack));
   for (std::size_t i = 0; i < job.tool_probes.size(); ++i) {
     sets.push_back(std::make_unique<probe::ToolProbe>(
-        job.tool_probes[i], rack, seed, static_cast<std::uint32_t>(i), parts.chips[i]));
+        job.tool_probes[i], rack, seed, static_cast<std::uint32_t>(i),
+        probe::ToolProbePlace{parts.chips[i], chain_under(job, job.tool_probes[i])}));
   }
 }
 

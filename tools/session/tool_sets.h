@@ -19,7 +19,8 @@ std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup
 struct ToolParts {
   /// Empty where neither a tool has a holder nor a part is a fixture.
   std::shared_ptr<const probe::ToolObstacles> obstacles;
-  /// Of each tool probe what lies on its plate, nearer than kOnPlateMm.
+  /// Of each tool probe the parts that lie on its plate: a corner of them is nearer than
+  /// kOnPlateMm.
   std::vector<std::vector<probe::CollisionMesh>> chips;
 };
 inline constexpr double kOnPlateMm = 0.05;

@@ -61,7 +61,7 @@ probe::SeenParts seen_alone(const std::vector<probe::ProbedPart>& parts) {
 }
 
 /// Whether the sheet says what the spindle may hold, or what measures it.
-bool are_told(const setup::Job& job) {
+bool has_tools_or_tool_probes(const setup::Job& job) {
   return !job.tools.empty() || !job.tool_probes.empty();
 }
 
@@ -148,7 +148,7 @@ SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedP
     sensed.by_sensors = std::make_shared<const probe::SeenParts>(
         sensed.by_balls ? seen_with(*sensed.by_balls) : seen_alone(parts));
   }
-  if (!job.skip_signals && are_told(job)) {
+  if (!job.skip_signals && has_tools_or_tool_probes(job)) {
     sensed.by_tools = tool_parts_of(job, parts);
   }
   return sensed;

@@ -43,7 +43,7 @@ Result<BuiltParts, Refusal> build_parts(const setup::Job& job,
 struct SensedParts {
   std::shared_ptr<const probe::TouchableParts> by_balls;  ///< null without a probe
   std::shared_ptr<const probe::SeenParts> by_sensors;     ///< null without sensors
-  std::shared_ptr<const ToolParts> by_tools;              ///< null where the sheet tells no tools
+  std::shared_ptr<const ToolParts> by_tools;              ///< null where the sheet names no tools
 };
 SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedPart>& parts);
 

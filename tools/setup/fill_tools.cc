@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "machine/base/contract.h"
+#include "probe/tooling/tool_shape.h"
 #include "tools/setup/fill_probe.h"
 #include "tools/setup/table_keys.h"
 
@@ -156,6 +156,24 @@ void check_corner(const probe::ToolSetup& tool, const TableKeys& keys, ErrorList
   }
 }
 
+/// A cone must end below the gauge line.
+void check_tip(const probe::ToolSetup& tool, const Location& where, ErrorList& errors) {
+  if (tool.kind != ToolKind::Drill || tool.diameter_mm == 0.0 || tool.length_mm == 0.0) {
+    return;  // no drill, or what is missing is told already
+  }
+  const auto is_too_long = [&](double radius, double length) {
+    return !(probe::cone_height(tool, radius) < length);
+  };
+  const bool is_tooth = std::ranges::any_of(tool.teeth, [&](const probe::Tooth& tooth) {
+    return is_too_long(tooth.radius_mm, tooth.length_mm);
+  });
+  if (is_tooth || is_too_long(0.5 * tool.diameter_mm, tool.length_mm)) {
+    errors.add(SetupErrorId::OutOfRange, where,
+               {"tool.tip_angle_deg", fmt::format("{}", tool.tip_angle_deg),
+                "so wide that the cone is shorter than the tool"});
+  }
+}
+
 probe::ToolSetup tool_with_shape_from(const TableKeys& keys) {
   probe::ToolSetup tool;
   tool.kind = kind_row_from(keys).kind;
@@ -208,6 +226,8 @@ void fill_tool(Job& job, const Sheet& sheet, std::size_t order, ErrorList& error
   tool.number = static_cast<int>(number_of(*number));
   check_corner(tool, keys, errors);
   fill_lists(tool, sheet, order, errors);
+  const Entry* const tip = keys.find(KeyId::ToolTipAngle);
+  check_tip(tool, tip != nullptr ? tip->where : table.where, errors);
   if (std::ranges::find(job.tools, tool.number, &probe::ToolSetup::number) != job.tools.end()) {
     errors.add(SetupErrorId::GivenTwice, number->where,
                {fmt::format("[[tool]] with number {}", tool.number)});
@@ -215,6 +235,10 @@ void fill_tool(Job& job, const Sheet& sheet, std::size_t order, ErrorList& error
   }
   if (tool.kind == ToolKind::Probe) {
     join_probe(job, tool.number, number->where, errors);
+  } else if (job.probe && job.probe->switching.tool == tool.number) {
+    errors.add(SetupErrorId::OutOfRange, number->where,
+               {"tool.number", std::to_string(tool.number), "another than probe.tool"},
+               "the tool that is the probe has kind = \"probe\", or no [[tool]]");
   } else if (job.probe) {
     job.probe->switching.other_tools.push_back(tool.number);
   }

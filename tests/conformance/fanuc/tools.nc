@@ -187,3 +187,47 @@ G31 Z90. F100.
 M30
 %
 (EXPECT #100 = 100.75)
+
+(CASE a tool probe on the bed stays where it is while the table turns)
+(SHEET [machine])
+(SHEET table_side = "C")
+(SHEET [[tool]])
+(SHEET number = 5)
+(SHEET length = 100.0)
+(SHEET diameter = 16.0)
+(SHEET [[tool_probe]])
+(SHEET size = 20.0)
+(SHEET at = [60.0, 0.0, 0.0])
+(SHEET side = "bed")
+%
+O1
+T5 M6
+G0 C90.
+X60. Y0
+G31 Z90. F100.
+#100=#5063
+M30
+%
+(EXPECT #100 = 100)
+
+(CASE a tool probe on the table turns with it)
+(SHEET [machine])
+(SHEET table_side = "C")
+(SHEET [[tool]])
+(SHEET number = 5)
+(SHEET length = 100.0)
+(SHEET diameter = 16.0)
+(SHEET [[tool_probe]])
+(SHEET size = 20.0)
+(SHEET at = [60.0, 0.0, 0.0])
+(SHEET side = "table")
+%
+O1
+T5 M6
+G0 C90.
+X0 Y-60.
+G31 Z90. F100.
+#100=#5063
+M30
+%
+(EXPECT #100 = 100)

@@ -144,6 +144,9 @@ void Channel::preset_codes() {
 }
 
 std::optional<int> Channel::axis_of_spindle(int spindle_number) const {
+  if (spindle_number < 1) {
+    return std::nullopt;  // what the data of axes without a spindle say
+  }
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     if (is_rotary_axis(axis) && port.travel(axis) &&
         numbers[spindles_of_axes_ + static_cast<std::size_t>(axis)] == spindle_number) {
@@ -359,8 +362,7 @@ AxisPositions Channel::tool_offset() const {
                          (*data)[EdgeDatum::kAdapter1 + i] + additive_now.at(i);
   }
   if (group[Group::RadiusCompensation] != kNoCompensation && is_turning_type(type)) {
-    const auto [first, second] =
-        nose_centre(static_cast<int>(std::lround((*data)[EdgeDatum::kPosition])));
+    const auto [first, second] = nose_centre((*data)[EdgeDatum::kPosition]);
     offset[plane().first] -= first * tool_radius();
     offset[plane().second] -= second * tool_radius();
   }

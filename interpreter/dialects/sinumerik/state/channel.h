@@ -266,7 +266,7 @@ class Channel {
   void preset_rapids();
   /// The same of plane and diameters: MD20150 [5] and [28]; on a lathe G18 in the place of G17.
   void preset_codes();
-  /// A machine without Y, or one whose MD52200 is 1.
+  /// A machine with X and without Y, or one whose MD52200 is 1.
   [[nodiscard]] bool is_lathe() const;
   /// MD35000: the rotary axis that a spindle is when it is positioned; nullopt: none.
   [[nodiscard]] std::optional<int> axis_of_spindle(int spindle_number) const;

@@ -1,6 +1,5 @@
 #include "interpreter/dialects/sinumerik/state/tool_lengths.h"
 
-#include <cstdlib>
 #include <utility>
 
 namespace g31::sinumerik {
@@ -19,19 +18,21 @@ constexpr std::array<std::array<int, 3>, 3> kPlanes = {{{0, 1, 2}, {2, 0, 1}, {1
 std::array<int, 3> axes_of_lengths(const LengthRules& rules, int group_number, double type) {
   const int wanted =
       is_turning_type(type) && rules.turning_plane != 0 ? rules.turning_plane : rules.plane;
-  const int plane = std::abs(wanted);
-  const bool is_fixed = plane >= kFirstPlane && plane <= kLastPlane;
+  const auto is_plane = [](int number) { return number >= kFirstPlane && number <= kLastPlane; };
+  const bool is_swapped = wanted >= -kLastPlane && is_plane(-wanted);
+  const bool is_fixed = is_swapped || is_plane(wanted);
+  const int plane = is_swapped ? -wanted : wanted;
   const auto row = static_cast<std::size_t>(is_fixed ? plane - kFirstPlane : group_number - 1);
   const bool as_turning_tool =
       rules.kind == kAllAsTurningTools || (rules.kind != kAllAsMills && is_turning_type(type));
   auto [first, second, normal] = kPlanes.at(row);
-  if (is_fixed && wanted < 0) {
+  if (is_swapped) {
     std::swap(first, second);
   }
   return as_turning_tool ? std::array{second, first, normal} : std::array{normal, second, first};
 }
 
-std::array<double, 2> nose_centre(int position) {
+std::array<double, 2> nose_centre(double position) {
   constexpr std::array<std::array<double, 2>, 10> kFromTip = {{{0.0, 0.0},
                                                                {-1.0, -1.0},
                                                                {1.0, -1.0},
@@ -42,7 +43,7 @@ std::array<double, 2> nose_centre(int position) {
                                                                {1.0, 0.0},
                                                                {0.0, 1.0},
                                                                {0.0, 0.0}}};
-  const bool is_one = position >= 0 && position < static_cast<int>(kFromTip.size());
+  const bool is_one = position >= 0.0 && position < static_cast<double>(kFromTip.size());
   return is_one ? kFromTip.at(static_cast<std::size_t>(position)) : std::array{0.0, 0.0};
 }
 

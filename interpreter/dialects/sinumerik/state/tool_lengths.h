@@ -31,6 +31,6 @@ std::array<int, 3> axes_of_lengths(const LengthRules& rules, int group_number, d
 /// along the 1st and 2nd axis of the plane, in nose radii; 0 for positions that are none.
 /// @param position  $TC_DP2: in G18 1 cuts towards +Z +X, 2 -Z +X, 3 -Z -X, 4 +Z -X, 5 +Z, 6 +X, 7
 ///                  -Z, 8 -X; the lengths of 9 are of the centre itself
-std::array<double, 2> nose_centre(int position);
+std::array<double, 2> nose_centre(double position);
 
 }  // namespace g31::sinumerik
