@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "machine/base/contract.h"
-#include "probe/collision/rigid_touch.h"
 #include "probe/tooling/spindle.h"
 
 namespace g31::probe {
@@ -18,12 +17,22 @@ void add(ToolObstacles::Group& group, const ProbedPart& part, const CollisionMes
 
 }  // namespace
 
-ToolObstacles::ToolObstacles(const std::vector<ProbedPart>& parts) {
-  for (const ProbedPart& part : parts) {
+CentreWay way_of_tip(const Point& p_T_tip, const machine::Sweep& sweep) {
+  CentreWay way{linear_axes(sweep.q_M_from) + p_T_tip, linear_axes(sweep.q_M_to) + p_T_tip};
+  way.turn_from = sweep.tilt_from;
+  way.turn_to = sweep.tilt_to;
+  return way;
+}
+
+ToolObstacles::ToolObstacles(const std::vector<ProbedPart>& parts,
+                             const std::vector<CollisionMesh>& meshes) {
+  G31_EXPECTS(parts.size() == meshes.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const ProbedPart& part = parts[i];
     if (part.role == Role::SensingTarget) {
       continue;
     }
-    const CollisionMesh mesh(part.mesh_M);
+    const CollisionMesh& mesh = meshes[i];
     add(of_holders, part, mesh);
     if (encounter_of(Role::Cutter, part.role, machine::Travel::Feed) == Encounter::Obstacle) {
       add(of_cutters, part, mesh);
@@ -103,11 +112,7 @@ std::optional<machine::Obstacle> CuttingTool::touch_of(const Sections& sections,
   if (sections.empty() || others.meshes.empty()) {
     return std::nullopt;
   }
-  const Point& p_T_tip = held_->shape.p_T_tip;
-  CentreWay way{linear_axes(sweep.q_M_from) + p_T_tip, linear_axes(sweep.q_M_to) + p_T_tip};
-  way.turn_from = sweep.tilt_from;
-  way.turn_to = sweep.tilt_to;
-  const auto met = first_touch(sections, others.meshes, way);
+  const auto met = first_touch(sections, others.meshes, way_of_tip(held_->shape.p_T_tip, sweep));
   if (!met) {
     return std::nullopt;
   }

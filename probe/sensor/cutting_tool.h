@@ -7,10 +7,14 @@
 
 #include "machine/port/surroundings.h"
 #include "probe/collision/collision_mesh.h"
+#include "probe/collision/rigid_touch.h"
 #include "probe/sensor/bodies.h"
 #include "probe/tooling/tool_rack.h"
 
 namespace g31::probe {
+
+/// The way of a tool's tip in a sweep, as sections are asked about that are told from the tip.
+CentreWay way_of_tip(const Point& p_T_tip, const machine::Sweep& sweep);
 
 /// What tools must not meet, with the trees that take long to make.  Immutable, so any number of
 /// worlds on any number of threads may share one.
@@ -23,7 +27,8 @@ struct ToolObstacles {
   Group of_holders;  ///< these and all parts
 
   /// @param parts  the plates of tool probes among them count not: those answer for themselves
-  explicit ToolObstacles(const std::vector<ProbedPart>& parts);
+  /// @param meshes  of the same parts
+  ToolObstacles(const std::vector<ProbedPart>& parts, const std::vector<CollisionMesh>& meshes);
 };
 
 /// The tool in the spindle among parts and clamps, where it is no touch probe: it cuts parts and

@@ -8,7 +8,7 @@
 #include "machine/base/contract.h"
 #include "machine/base/random.h"
 #include "parts/geometry/placement.h"
-#include "probe/collision/rigid_touch.h"
+#include "probe/sensor/cutting_tool.h"
 #include "probe/sensor/release.h"
 #include "probe/tooling/turning_teeth.h"
 
@@ -36,19 +36,6 @@ ConvexShape plate_of(const ToolProbeSetup& setup) {
   return round;
 }
 
-/// How far its middle is below the place that the sheet tells.
-double middle_below(const ToolProbeSetup& setup) {
-  switch (setup.shape) {
-    case ToolProbeShape::Cube:
-      return 0.5 * setup.size_mm[2];
-    case ToolProbeShape::Disc:
-      return 0.5 * setup.size_mm[1];
-    case ToolProbeShape::Laser:
-      break;
-  }
-  return 0.0;
-}
-
 }  // namespace
 
 ToolProbe::ToolProbe(const ToolProbeSetup& setup, std::shared_ptr<const ToolRack> rack,
@@ -66,7 +53,7 @@ ToolProbe::ToolProbe(const ToolProbeSetup& setup, std::shared_ptr<const ToolRack
   for (const double size : setup.size_mm) {
     plate_reach_mm_ += size;  // more than half the diagonal
   }
-  p_M_middle_ = setup.p_M_at - middle_below(setup) * R_MT_.col(2);
+  p_M_middle_ = setup.p_M_at - 0.5 * extent_mm(setup).z() * R_MT_.col(2);
   if (setup.shape == ToolProbeShape::Cube) {
     for (const int axis : {0, 1}) {
       normals_M_.emplace_back(R_MT_.col(axis));
@@ -159,10 +146,8 @@ std::optional<ToolProbe::Touch> ToolProbe::chip_touch(const machine::Waypoint& f
   }
   const Point& p_T_tip = held_->shape.p_T_tip;
   const auto sections = round_sections_of(held_->shape.envelope, p_T_tip);
-  CentreWay way{linear_axes(from.q_M) + p_T_tip, linear_axes(to.q_M) + p_T_tip};
-  way.turn_from = from.tilt;
-  way.turn_to = to.tilt;
-  const auto met = probe::first_touch(sections, place_.chips, way);
+  const auto met = probe::first_touch(sections, place_.chips,
+                                      way_of_tip(p_T_tip, machine::sweep_between(from, to)));
   return met ? std::optional(Touch{met->touch.fraction, met->touch.n_M, met->touch.p_M_point})
              : std::nullopt;
 }

@@ -15,8 +15,12 @@ double least_angle(const Function& of_angle) {
   constexpr int kSamples = 48;
   constexpr double kStep = 2.0 * std::numbers::pi / kSamples;
   double best = 0.0;
+  double least = of_angle(best);
   for (int i = 1; i < kSamples; ++i) {
-    best = of_angle(i * kStep) < of_angle(best) ? i * kStep : best;
+    if (const double value = of_angle(i * kStep); value < least) {
+      best = i * kStep;
+      least = value;
+    }
   }
   constexpr int kThirds = 60;
   double low = best - kStep;
@@ -24,7 +28,8 @@ double least_angle(const Function& of_angle) {
   for (int i = 0; i < kThirds; ++i) {
     const double a = low + (high - low) / 3.0;
     const double b = high - (high - low) / 3.0;
-    (of_angle(a) < of_angle(b) ? high : low) = of_angle(a) < of_angle(b) ? b : a;
+    const bool is_below_b = of_angle(a) < of_angle(b);
+    (is_below_b ? high : low) = is_below_b ? b : a;
   }
   return 0.5 * (low + high);
 }
@@ -58,7 +63,7 @@ ToolProbe::Depth ToolProbe::depth_by_sides(const PlacedShape& tool) const {
   for (const Point& n : normals_M_) {
     consider(n);
   }
-  if (is_round_) {
+  if (is_round_ && least.mm >= -kCastErrorMm) {
     const bool is_beam = setup_.shape == ToolProbeShape::Laser;
     const Point a = R_MT_.col(is_beam ? 1 : 0);
     const Point b = R_MT_.col(is_beam ? 2 : 1);

@@ -51,4 +51,18 @@ struct ToolProbeSetup {
   double filter_s = 0.0;  ///< >= 0, of a laser: how much later the signal comes, drips sorted out
 };
 
+/// How large the box around it is that lies along its own axes, mm; of a beam without height.
+inline Point extent_mm(const ToolProbeSetup& setup) {
+  const auto& [first, second, third] = setup.size_mm;
+  switch (setup.shape) {
+    case ToolProbeShape::Cube:
+      return {first, second, third};
+    case ToolProbeShape::Disc:
+      return {first, first, second};
+    case ToolProbeShape::Laser:
+      break;
+  }
+  return {first, second, 0.0};
+}
+
 }  // namespace g31::probe

@@ -30,12 +30,11 @@ int MeasuringRun::alarm() const {
   return number.is_number() ? number.get<int>() : 0;
 }
 
-MeasuringRun run_measuring(const std::string& body, const std::vector<std::string>& sheets,
+MeasuringRun run_on_sheets(const std::string& program, const std::vector<std::string>& sheets,
                            const std::vector<std::string>& names) {
   const TemporaryFolder folder;
   cli::RunOptions options;
-  options.programs = {folder.write("part.mpf", "T1 M6\nG54 D1\nG0 X0 Y0 Z20\n" + body + "\nM30\n")};
-  options.setups = {folder.write("base.toml", kMeasuringSheet)};
+  options.programs = {folder.write("part.mpf", program + "\nM30\n")};
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     options.setups.push_back(folder.write(fmt::format("sheet{}.toml", i), sheets[i]));
   }
@@ -44,20 +43,43 @@ MeasuringRun run_measuring(const std::string& body, const std::vector<std::strin
   return {run_program(options)};
 }
 
-MeasuringRun expect_measured(const std::string& body, const std::vector<std::string>& sheets,
-                             const std::vector<ExpectedValue>& expected, double tolerance,
-                             const std::vector<std::string>& more_names) {
-  std::vector<std::string> names = more_names;
+std::vector<std::string> sheets_behind(const std::string& base,
+                                       const std::vector<std::string>& sheets) {
+  std::vector<std::string> all = {base};
+  all.insert(all.end(), sheets.begin(), sheets.end());
+  return all;
+}
+
+std::vector<std::string> names_of(const std::vector<ExpectedValue>& expected,
+                                  const std::vector<std::string>& more) {
+  std::vector<std::string> names = more;
   for (const ExpectedValue& row : expected) {
     names.push_back(row.name);
   }
-  MeasuringRun run = run_measuring(body, sheets, names);
+  return names;
+}
+
+void expect_values(const MeasuringRun& run, const std::vector<ExpectedValue>& expected,
+                   double tolerance) {
   EXPECT_EQ(run.output.exit_code, 0) << run.output.errors;
   if (run.output.document.is_object()) {
     for (const ExpectedValue& row : expected) {
       EXPECT_NEAR(run.at(row.name), row.value, tolerance) << row.name;
     }
   }
+}
+
+MeasuringRun run_measuring(const std::string& body, const std::vector<std::string>& sheets,
+                           const std::vector<std::string>& names) {
+  return run_on_sheets("T1 M6\nG54 D1\nG0 X0 Y0 Z20\n" + body,
+                       sheets_behind(kMeasuringSheet, sheets), names);
+}
+
+MeasuringRun expect_measured(const std::string& body, const std::vector<std::string>& sheets,
+                             const std::vector<ExpectedValue>& expected, double tolerance,
+                             const std::vector<std::string>& more_names) {
+  MeasuringRun run = run_measuring(body, sheets, names_of(expected, more_names));
+  expect_values(run, expected, tolerance);
   return run;
 }
 

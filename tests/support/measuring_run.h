@@ -78,6 +78,20 @@ struct MeasuringRun {
   [[nodiscard]] int alarm() const;
 };
 
+/// Runs a program, without its M30, on set-up sheets.
+/// @param names  variables of the document
+MeasuringRun run_on_sheets(const std::string& program, const std::vector<std::string>& sheets,
+                           const std::vector<std::string>& names);
+
+// What the runs of milling, turning and tool cycles share.
+std::vector<std::string> sheets_behind(const std::string& base,
+                                       const std::vector<std::string>& sheets);
+std::vector<std::string> names_of(const std::vector<ExpectedValue>& expected,
+                                  const std::vector<std::string>& more = {});
+/// The run went to its end without an alarm and left the values.
+void expect_values(const MeasuringRun& run, const std::vector<ExpectedValue>& expected,
+                   double tolerance);
+
 /// @param body    behind T1 M6, G54 and D1 at X0 Y0 Z20
 /// @param sheets  texts of set-up sheets, behind kMeasuringSheet
 MeasuringRun run_measuring(const std::string& body, const std::vector<std::string>& sheets,

@@ -78,10 +78,6 @@ inline constexpr const char* kKnown = R"([machine_data]
 "$SNS_MEA_TP_FEED[0]" = 300.0
 )";
 
-/// Runs a program on set-up sheets.
-MeasuringRun run_sheets(const std::string& body, const std::vector<std::string>& sheets,
-                        const std::vector<std::string>& names);
-
 /// Runs a program behind kToolSheet and further sheets.
 MeasuringRun run_tools(const std::string& body, const std::vector<std::string>& sheets,
                        const std::vector<std::string>& names);

@@ -76,15 +76,6 @@ length = 20.0
 at = [-20.0, 0.0, 150.0]
 )";
 
-/// Calibration record 1 is that of a perfect probe, in Z and X.
-inline constexpr const char* kCalibratedInTurret = R"([variables]
-"$SNS_MEA_WP_BALL_DIAM[0]" = 6.0
-"$SNS_MEA_WP_TRIG_PLUS_DIR_AX1[0]" = 3.0
-"$SNS_MEA_WP_TRIG_MINUS_DIR_AX1[0]" = -3.0
-"$SNS_MEA_WP_TRIG_PLUS_DIR_AX2[0]" = 3.0
-"$SNS_MEA_WP_TRIG_MINUS_DIR_AX2[0]" = -3.0
-)";
-
 /// @param body    behind T1 D1 M6, with the axes far from all parts
 /// @param sheets  texts of set-up sheets, behind kLatheSheet
 MeasuringRun run_turning(const std::string& body, const std::vector<std::string>& sheets,

@@ -132,7 +132,7 @@ TEST(TurnedDiameters, OnePointOutsideAndTheFace) {
     }
     all.add(out + "\nZ10\n" + count.x(10.0), "CYCLE974(0,,,1,0.2,1,3,5)", "G0 Z10\n" + out, 0.0);
     expect_readings(fmt::format("{} {}\n{}", spindle.offset, count.code, all.program),
-                    {kProbeToMinusX, kCalibratedInTurret, shaft(spindle)}, all.values);
+                    {kProbeToMinusX, kCalibrated, shaft(spindle)}, all.values);
   });
 }
 
@@ -153,7 +153,7 @@ TEST(TurnedDiameters, TwoPointsOutsideRoundTheFace) {
               section.diameter);
     }
     expect_readings(fmt::format("{} {}\n{}", spindle.offset, count.code, all.program),
-                    {spindle.along, kCalibratedInTurret, shaft(spindle)}, all.values);
+                    {spindle.along, kCalibrated, shaft(spindle)}, all.values);
   });
 }
 
@@ -170,7 +170,7 @@ TEST(TurnedDiameters, OneAndTwoPointsInside) {
               section.diameter);
     }
     expect_readings(fmt::format("{} {}\nG0 Z20\n{}", spindle.offset, count.code, all.program),
-                    {spindle.along, kCalibratedInTurret, bushing(spindle)}, all.values);
+                    {spindle.along, kCalibrated, bushing(spindle)}, all.values);
   });
 }
 
@@ -188,7 +188,7 @@ TEST(TurnedDiameters, WithY) {
   all.add("G0 X0 Y60\nZ-50", "CYCLE994(2,,,1,50,203,20,60,3,5)", "G0 Y-60\nX100", 50.03);
   all.add("G0 X100 Y0\nZ-50", "CYCLE994(3002,,,1,50,2,20,60,3,5)", "G0 X-100", 50.03);
   expect_readings("G54 DIAMON\n" + all.program,
-                  {kProbeToMinusZ, kCalibratedInTurret, shaft(kSpindles[0]), sheet}, all.values);
+                  {kProbeToMinusZ, kCalibrated, shaft(kSpindles[0]), sheet}, all.values);
 }
 
 }  // namespace

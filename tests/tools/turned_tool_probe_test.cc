@@ -92,7 +92,7 @@ void expect_turned(const std::string& body, const std::vector<std::string>& shee
   for (const ExpectedValue& row : expected) {
     names.push_back(row.name);
   }
-  const MeasuringRun run = run_sheets(body, all, names);
+  const MeasuringRun run = run_on_sheets(body, all, names);
   EXPECT_EQ(run.output.exit_code, 0) << run.output.errors;
   for (const ExpectedValue& row : expected) {
     EXPECT_NEAR(run.at(row.name), row.value, kExactly) << row.name;
@@ -208,8 +208,8 @@ TEST(TurnedToolProbe, EachAlarmWritesNothing) {
     SCOPED_TRACE(row.name);
     const std::vector<std::string> written = {"$TC_DP3[5,1]", "$TC_DP4[5,1]", "$TC_DP12[5,1]",
                                               "$TC_DP13[5,1]", "$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]"};
-    const MeasuringRun run = run_sheets(with_edge(5, 50.3, 79.6, 3) + row.before + "\n" + row.call,
-                                        {kLathe, kTrue}, written);
+    const MeasuringRun run = run_on_sheets(
+        with_edge(5, 50.3, 79.6, 3) + row.before + "\n" + row.call, {kLathe, kTrue}, written);
     EXPECT_EQ(run.alarm(), row.alarm) << run.output.errors;
     EXPECT_EQ(run.at(written[0]), 50.3);
     EXPECT_EQ(run.at(written[1]), 79.6);
@@ -221,8 +221,8 @@ TEST(TurnedToolProbe, EachAlarmWritesNothing) {
 
 TEST(TurnedToolProbe, OneDifferenceBeyondThePermissibleOneCorrectsNothing) {
   const MeasuringRun run =
-      run_sheets(with_edge(5, 50.3, 79.6, 3) + "CYCLE982(2,0,1,0,0,0,5,2,,,,0.0001,0.35)",
-                 {kLathe, kTrue}, {"$TC_DP3[5,1]", "$TC_DP4[5,1]", "_OVI[9]"});
+      run_on_sheets(with_edge(5, 50.3, 79.6, 3) + "CYCLE982(2,0,1,0,0,0,5,2,,,,0.0001,0.35)",
+                    {kLathe, kTrue}, {"$TC_DP3[5,1]", "$TC_DP4[5,1]", "_OVI[9]"});
   EXPECT_EQ(run.alarm(), 0) << run.output.errors;
   EXPECT_EQ(run.at("_OVI[9]"), 61306.0);
   EXPECT_EQ(run.at("$TC_DP3[5,1]"), 50.3);

@@ -43,7 +43,7 @@ void expect_alarms(std::span<const Case> rows, const std::string& probe = kProbe
   for (const Case& row : rows) {
     SCOPED_TRACE(row.name);
     const MeasuringRun run =
-        run_turning(row.program, {probe, kCalibratedInTurret, kShaft, row.sheet}, names);
+        run_turning(row.program, {probe, kCalibrated, kShaft, row.sheet}, names);
     EXPECT_EQ(run.output.exit_code, 3) << run.output.errors;
     EXPECT_EQ(run.alarm(), row.alarm) << run.output.errors;
     EXPECT_EQ(run.at("_OVI[9]"), row.alarm);

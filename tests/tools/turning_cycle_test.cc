@@ -30,7 +30,7 @@ struct Case {
 void expect_each(std::span<const Case> rows, const std::string& probe = kProbeToMinusX) {
   for (const Case& row : rows) {
     SCOPED_TRACE(row.name);
-    expect_turned(row.program, {probe, kCalibratedInTurret, row.sheet}, row.expected);
+    expect_turned(row.program, {probe, kCalibrated, row.sheet}, row.expected);
   }
 }
 

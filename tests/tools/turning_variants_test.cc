@@ -17,8 +17,7 @@ const std::string kAtShaft = "G54 DIAMON G0 X100\nZ-10\n";
 
 /// Diameters of 49.98 and 50.06 are read, half a turn apart.
 TEST(TurningVariants, ReversalTakesTheRunOutAway) {
-  const std::vector<std::string> sheets = {kProbeToMinusX, kCalibratedInTurret,
-                                           shaft(50.02, -0.02)};
+  const std::vector<std::string> sheets = {kProbeToMinusX, kCalibrated, shaft(50.02, -0.02)};
   const auto on_part = [&](const std::string& call) { return kAtShaft + call; };
   expect_turned(on_part("CYCLE974(2,,,1,50,2,3,5)"), sheets, {{"_OVR[4]", 49.98}});
   expect_turned(on_part("SPOS=180\nCYCLE974(2,,,1,50,2,3,5)"), sheets, {{"_OVR[4]", 50.06}});
@@ -34,7 +33,7 @@ TEST(TurningVariants, ReversalTakesTheRunOutAway) {
 TEST(TurningVariants, RepeatedReadingsCountAsTheirMean) {
   const MeasuringRun run = expect_turned(
       kAtShaft + "CYCLE974(2,,,1,50,2,3,5,,3)",
-      {kProbeToMinusX, kCalibratedInTurret, shaft(), "[probe]\nrepeatability_mm = 0.002\n"}, {});
+      {kProbeToMinusX, kCalibrated, shaft(), "[probe]\nrepeatability_mm = 0.002\n"}, {});
   double sum = 0.0;
   int touches = 0;
   for (const auto& touch : run.output.document.at("touches")) {
@@ -46,8 +45,7 @@ TEST(TurningVariants, RepeatedReadingsCountAsTheirMean) {
   ASSERT_EQ(touches, 3);
   const MeasuringRun again = run_turning(
       kAtShaft + "CYCLE974(2,,,1,50,2,3,5,,3)",
-      {kProbeToMinusX, kCalibratedInTurret, shaft(), "[probe]\nrepeatability_mm = 0.002\n"},
-      {"_OVR[4]"});
+      {kProbeToMinusX, kCalibrated, shaft(), "[probe]\nrepeatability_mm = 0.002\n"}, {"_OVR[4]"});
   EXPECT_NEAR(again.at("_OVR[4]"), 2.0 * (sum / 3.0 - 100.0 - 3.0), 1e-6);
 }
 
@@ -55,17 +53,15 @@ TEST(TurningVariants, ReplacementToolsAreCorrectedByTheirNumber) {
   expect_turned(
       "$TC_TP1[4]=2\n" + kAtShaft +
           "CYCLE974(202,,100000001,1,50,2,3,5,,1,\"ROUGHER\",,,,,,,,,,,,2)",
-      {kProbeToMinusX, kCalibratedInTurret, shaft(),
-       "[tools.4]\nname = \"ROUGHER\"\ntype = 500.0\n"},
+      {kProbeToMinusX, kCalibrated, shaft(), "[tools.4]\nname = \"ROUGHER\"\ntype = 500.0\n"},
       {{"$TC_DP12[4,1]", -0.02}, {"$TC_DP12[2,1]", 0.0}, {"_OVI[8]", 4}, {"_OVI[10]", 2}});
 }
 
 /// A measurement beyond S_TSA is made once more with SD54740 bit 0; CYCLE994 goes round again.
 TEST(TurningVariants, ASecondAttemptBeginsAboveTheCentreAgain) {
   const std::string twice = "[machine_data]\n\"$SNS_MEA_FUNCTION_MASK\" = 9\n";
-  const MeasuringRun run =
-      run_turning(kAtShaft + "CYCLE994(1002,,,1,50,2,20,30,3,0.01)",
-                  {kProbeToMinusZ, kCalibratedInTurret, shaft(), twice}, {"_OVI[9]"});
+  const MeasuringRun run = run_turning(kAtShaft + "CYCLE994(1002,,,1,50,2,20,30,3,0.01)",
+                                       {kProbeToMinusZ, kCalibrated, shaft(), twice}, {"_OVI[9]"});
   EXPECT_EQ(run.alarm(), 61303) << run.output.errors;
   std::vector<double> places;
   for (const auto& touch : run.output.document.at("touches")) {
@@ -84,7 +80,7 @@ const std::string kWithY =
     "\"$MCS_MEA_FUNCTION_MASK\" = 65538\n";
 
 TEST(TurningVariants, YIsCalibratedAndCorrectsX) {
-  const std::vector<std::string> sheets = {kProbeToMinusZ, kCalibratedInTurret, shaft(), kWithY,
+  const std::vector<std::string> sheets = {kProbeToMinusZ, kCalibrated, shaft(), kWithY,
                                            "[probe]\ntrigger_delay_s = 0.001\n"};
   const std::string calibrate = "G54 DIAMON G0 X0 Y60\nZ-10\nCYCLE973(1001,1,,50.04,3,1,3,5)\n";
   expect_turned(
@@ -126,7 +122,7 @@ TEST(TurningVariants, TheLogTellsWhatWasMeasured) {
       "CYCLE150(0,1001,\"SHAFT.TXT\")\n" + kAtShaft +
           "CYCLE973(1001,1,,50.04,2,1,3,5)\nCYCLE974(2,,,1,50,2,3,5)\nG0 X100\nZ10\nX20\n"
           "CYCLE974(0,,,1,0.1,1,3,5)\n",
-      {kProbeToMinusX, kCalibratedInTurret, shaft()}, {});
+      {kProbeToMinusX, kCalibrated, shaft()}, {});
   ASSERT_EQ(run.output.exit_code, 0) << run.output.errors;
   const std::string log = run.output.document.at("files").at("SHAFT.TXT");
   for (const char* line :

@@ -13,30 +13,30 @@ namespace {
 
 /// Standing in the sheet's place with its upper face.
 parts::PartSetup plate_shape(const probe::ToolProbeSetup& setup) {
+  const Point extent = extent_mm(setup);
   parts::PartSetup plate;
   plate.name = setup.name;
-  const auto& [first, second, third] = setup.size_mm;
+  plate.sizes["height"] = extent.z();
   if (setup.shape == probe::ToolProbeShape::Disc) {
     plate.shape = "cylinder";
-    plate.sizes = {{"diameter", first}, {"height", second}};
+    plate.sizes["diameter"] = extent.x();
   } else {
     plate.shape = "block";
-    plate.sizes = {{"length", first}, {"width", second}, {"height", third}};
+    plate.sizes["length"] = extent.x();
+    plate.sizes["width"] = extent.y();
   }
   return plate;
 }
 
-/// Whether a corner of the mesh is on the plate, or in it.
-bool lies_on(const parts::Mesh& mesh_M, const probe::ToolProbeSetup& setup) {
-  if (setup.shape == probe::ToolProbeShape::Laser) {
+/// Whether a corner of the part is on the plate, or in it.
+bool is_chip(const probe::ProbedPart& part, const probe::ToolProbeSetup& setup) {
+  if (part.role != probe::Role::Part || setup.shape == probe::ToolProbeShape::Laser) {
     return false;
   }
-  const auto& [first, second, third] = setup.size_mm;
   const bool is_disc = setup.shape == probe::ToolProbeShape::Disc;
-  const double height = is_disc ? second : third;
-  const Point half = 0.5 * Point(first, is_disc ? first : second, height);
+  const Point half = 0.5 * extent_mm(setup);
   const Eigen::Matrix3d R_MT = parts::rotation_to_machine({Point::Zero(), setup.rotate_deg});
-  return std::ranges::any_of(mesh_M.vertices, [&](const Point& p_M) {
+  return std::ranges::any_of(part.mesh_M.vertices, [&](const Point& p_M) {
     Point p_T = R_MT.transpose() * (p_M - setup.p_M_at) + Point(0.0, 0.0, half.z());
     if (is_disc) {
       p_T = Point(p_T.head<2>().norm(), 0.0, p_T.z());
@@ -77,20 +77,30 @@ std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup
   return plates;
 }
 
-std::shared_ptr<const ToolParts> tool_parts_of(const setup::Job& job,
-                                               const std::vector<probe::ProbedPart>& parts) {
-  const bool has_fixture =
-      std::ranges::find(parts, probe::Role::Rigid, &probe::ProbedPart::role) != parts.end();
+bool do_parts_matter(const setup::Job& job, const std::vector<probe::ProbedPart>& parts) {
   const auto has_holder = [](const probe::ToolSetup& tool) { return !tool.bodies.empty(); };
-  const bool matters = has_fixture || std::ranges::any_of(job.tools, has_holder);
+  const auto matters = [&](const probe::ProbedPart& part) {
+    return part.role == probe::Role::Rigid ||
+           std::ranges::any_of(job.tool_probes, [&](const probe::ToolProbeSetup& setup) {
+             return is_chip(part, setup);
+           });
+  };
+  return std::ranges::any_of(job.tools, has_holder) || std::ranges::any_of(parts, matters);
+}
+
+std::shared_ptr<const ToolParts> tool_parts_of(const setup::Job& job,
+                                               const std::vector<probe::ProbedPart>& parts,
+                                               const probe::SeenParts& meshes) {
+  G31_EXPECTS(meshes.empty() || meshes.size() == parts.size());
+  const std::vector<probe::CollisionMesh> solids(meshes.begin(), meshes.end());
   auto made = std::make_shared<ToolParts>();
   made->obstacles = std::make_shared<const probe::ToolObstacles>(
-      matters ? parts : std::vector<probe::ProbedPart>());
+      meshes.empty() ? std::vector<probe::ProbedPart>() : parts, solids);
   for (const probe::ToolProbeSetup& setup : job.tool_probes) {
     std::vector<probe::CollisionMesh>& chips = made->chips.emplace_back();
-    for (const probe::ProbedPart& part : parts) {
-      if (part.role == probe::Role::Part && lies_on(part.mesh_M, setup)) {
-        chips.emplace_back(part.mesh_M);
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+      if (is_chip(parts[i], setup)) {
+        chips.push_back(solids[i]);
       }
     }
   }

@@ -6,6 +6,7 @@
 
 #include "probe/sensor/bodies.h"
 #include "probe/sensor/cutting_tool.h"
+#include "probe/sensor/displacement_sensors.h"
 #include "probe/sensor/world.h"
 #include "probe/tooling/tool_probe_setup.h"
 #include "tools/setup/job.h"
@@ -25,9 +26,14 @@ struct ToolParts {
 };
 inline constexpr double kOnPlateMm = 0.05;
 
+/// Whether any part is more to a tool than what it cuts: its meshes are wanted then.
+bool do_parts_matter(const setup::Job& job, const std::vector<probe::ProbedPart>& parts);
+
 /// Of parts that are made already.
+/// @param meshes  of the same parts; empty where they do not matter
 std::shared_ptr<const ToolParts> tool_parts_of(const setup::Job& job,
-                                               const std::vector<probe::ProbedPart>& parts);
+                                               const std::vector<probe::ProbedPart>& parts,
+                                               const probe::SeenParts& meshes);
 
 /// Puts the tools that the spindle may hold into a world, and the tool probes that measure them.
 /// @param parts  of the same job

@@ -144,12 +144,17 @@ SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedP
   if (job.probe && !job.skip_signals) {
     sensed.by_balls = std::make_shared<const probe::TouchableParts>(*job.probe, parts);
   }
-  if (!job.sensors.empty()) {
-    sensed.by_sensors = std::make_shared<const probe::SeenParts>(
-        sensed.by_balls ? seen_with(*sensed.by_balls) : seen_alone(parts));
+  const bool has_tools = !job.skip_signals && has_tools_or_tool_probes(job);
+  const bool for_tools = has_tools && do_parts_matter(job, parts);
+  probe::SeenParts meshes;
+  if (!job.sensors.empty() || for_tools) {
+    meshes = sensed.by_balls ? seen_with(*sensed.by_balls) : seen_alone(parts);
   }
-  if (!job.skip_signals && has_tools_or_tool_probes(job)) {
-    sensed.by_tools = tool_parts_of(job, parts);
+  if (has_tools) {
+    sensed.by_tools = tool_parts_of(job, parts, for_tools ? meshes : probe::SeenParts());
+  }
+  if (!job.sensors.empty()) {
+    sensed.by_sensors = std::make_shared<const probe::SeenParts>(std::move(meshes));
   }
   return sensed;
 }
