@@ -1,22 +1,29 @@
 #!/usr/bin/env python3
-"""Prints which tests of a ctest run were skipped, and what each says about why.
+"""Says how many tests ran, which of them were skipped, and what each says about why.
 
-Usage: list_skipped.py JUNIT.xml, as `ctest --output-junit` writes it
+Usage: list_skipped.py FOLDER of the result files of the test programs, as GTEST_OUTPUT=xml:FILE makes them
 """
-import re
+import pathlib
 import sys
 import xml.etree.ElementTree
 
-REASON = re.compile(r"^.*(?:skipped: |: Skipped\n|Skipped\n)(.+)$", re.MULTILINE)
+
+def reason_of(case):
+    skipped = case.find("skipped")
+    return None if skipped is None else skipped.get("message", "").strip().splitlines()
 
 
 def main():
-    suite = xml.etree.ElementTree.parse(sys.argv[1]).getroot()
-    skipped = [case for case in suite.iter("testcase") if case.find("skipped") is not None]
-    print(f"==== {len(skipped)} of {sum(1 for _ in suite.iter('testcase'))} tests were skipped ====")
+    files = sorted(pathlib.Path(sys.argv[1]).glob("*.xml"))
+    if not files:
+        sys.exit(f"{sys.argv[1]}: no results of tests")
+    cases = [case for file in files for case in xml.etree.ElementTree.parse(file).getroot().iter("testcase")
+             if case.get("status") == "run"]
+    skipped = [case for case in cases if reason_of(case) is not None]
+    print(f"==== {len(cases)} tests, {len(skipped)} of them skipped ====")
     for case in skipped:
-        reason = REASON.search(case.findtext("system-out", ""))
-        print(f"SKIPPED {case.get('name')}: {reason.group(1) if reason else 'no reason given'}")
+        reason = reason_of(case)
+        print(f"SKIPPED {case.get('classname')}.{case.get('name')}: {reason[-1] if reason else 'no reason given'}")
 
 
 if __name__ == "__main__":
