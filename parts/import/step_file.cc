@@ -1,80 +1,57 @@
 #include "parts/import/step_file.h"
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
+#include <string>
 
-#include <BRepMesh_IncrementalMesh.hxx>
-#include <BRep_Tool.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
-#include <Poly_Triangulation.hxx>
-#include <STEPControl_Reader.hxx>
-#include <Standard_Failure.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopLoc_Location.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_Face.hxx>
-#include <TopoDS_Shape.hxx>
+#include <dlfcn.h>
 
-#include "parts/import/vertex_weld.h"
+#include "parts/import/step_module.h"
 
 namespace g31::parts {
 namespace {
 
-/// Adds the triangles of a face that was meshed before; a face without any adds nothing.
-void add_face(const TopoDS_Face& face, Mesh& mesh, VertexWeld& weld) {
-  TopLoc_Location location;
-  const Handle(Poly_Triangulation) triangles = BRep_Tool::Triangulation(face, location);
-  if (triangles.IsNull()) {
-    return;
+/// The module, once it is asked for; it stays to the end of the program, as Open CASCADE wants it.
+struct StepModule {
+  decltype(&g31_read_step) read = nullptr;
+  std::string why_not;
+};
+
+StepModule load_step_module() {
+  StepModule module;
+  // Looked for along the program's run path: beside it in a build, in lib/g31 once installed.
+  void* const library = dlopen("g31_step.so", RTLD_NOW | RTLD_LOCAL);
+  void* const symbol = library != nullptr ? dlsym(library, "g31_read_step") : nullptr;
+  if (symbol == nullptr) {
+    const char* const why = dlerror();
+    module.why_not = why != nullptr ? why : "it has no g31_read_step";
+    return module;
   }
-  const bool is_turned = face.Orientation() == TopAbs_REVERSED;
-  for (int i = 1; i <= triangles->NbTriangles(); ++i) {
-    std::array<int, 3> nodes{};
-    triangles->Triangle(i).Get(nodes[0], nodes[1], nodes[2]);
-    std::array<std::uint32_t, 3> corners{};
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const gp_Pnt p = triangles->Node(nodes[corner]).Transformed(location.Transformation());
-      corners[is_turned ? 2 - corner : corner] = weld.vertex_at({p.X(), p.Y(), p.Z()});
-    }
-    mesh.triangles.push_back(corners);
-  }
+  module.read = reinterpret_cast<decltype(module.read)>(symbol);
+  return module;
 }
 
-Result<Mesh, std::string> read_faces(const std::string& path, double sagitta_mm) {
-  // Open CASCADE reports on standard output, where a program's own output goes.
-  Message::DefaultMessenger()->ChangePrinters().Clear();
-  STEPControl_Reader reader;
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone || reader.TransferRoots() == 0) {
-    return std::string("not understood as STEP; expected a whole file with at least one body");
-  }
-  const TopoDS_Shape shape = reader.OneShape();
-  constexpr double kWidestAngleRad = 0.5;
-  const BRepMesh_IncrementalMesh mesher(shape, sagitta_mm, Standard_False, kWidestAngleRad);
-  Mesh mesh;
-  VertexWeld weld(mesh);
-  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
-    add_face(TopoDS::Face(faces.Current()), mesh, weld);
-  }
-  if (mesh.triangles.empty()) {
-    return std::string("it holds no faces; expected a body or a surface, not lines or points");
-  }
-  return mesh;
+const StepModule& step_module() {
+  static const StepModule module = load_step_module();
+  return module;
 }
 
 }  // namespace
 
 bool can_read_step() {
-  return true;
+  return step_module().read != nullptr;
 }
 
 Result<Mesh, std::string> read_step_file(const std::string& path, double sagitta_mm) {
-  try {
-    return read_faces(path, sagitta_mm);
-  } catch (const Standard_Failure& failure) {
-    return "not understood as STEP (" + std::string(failure.GetMessageString()) + ")";
+  if (!can_read_step()) {
+    return "the module that reads STEP cannot be loaded (" + step_module().why_not +
+           "); install libocct-data-exchange-7.6, where g31 was built without it "
+           "libocct-data-exchange-dev and build again, or save the part as STL, OBJ, PLY or 3MF";
   }
+  Mesh mesh;
+  std::string error;
+  if (!step_module().read(path.c_str(), sagitta_mm, &mesh, &error)) {
+    return error;
+  }
+  return mesh;
 }
 
 }  // namespace g31::parts

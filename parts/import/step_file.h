@@ -11,7 +11,7 @@ namespace g31::parts {
 /// Whether a path ends like a STEP file: .step or .stp, in whatever case.
 bool is_step_file(std::string_view path);
 
-/// Whether this g31 was built with Open CASCADE, which reads STEP.
+/// Whether the module that reads STEP through Open CASCADE is there; it is loaded then.
 bool can_read_step();
 
 /// Reads the faces of a STEP file as triangles; lengths become mm, whatever the file's unit.
@@ -20,8 +20,8 @@ bool can_read_step();
 /// the sagitta; so a hole reads too small, a shaft too small.  Plane faces are exact.
 /// @param sagitta_mm  > 0
 ///
-/// Error: what is wrong, without the path: g31 built without Open CASCADE (and what to build it
-/// with), not understood, no faces.
+/// Error: what is wrong, without the path: no module (and what to install), not understood, no
+/// faces.
 Result<Mesh, std::string> read_step_file(const std::string& path, double sagitta_mm);
 
 }  // namespace g31::parts

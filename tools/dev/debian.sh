@@ -6,7 +6,7 @@
 G31_PACKAGES=(
   g++ cmake ninja-build python3
   libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev
-  libassimp-dev zlib1g-dev libfcl-dev libccd-dev libserialport-dev libtbb-dev
+  libassimp-dev zlib1g-dev libfcl-dev libccd-dev libserialport-dev libtbb-dev libocct-data-exchange-dev
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 
