@@ -56,7 +56,6 @@ TEST(Explain, TakesTopicsAsUsersWriteThem) {
       {"dprnt", "fanuc-16i", "statement", "DPRNT"},
       {"WH", "fanuc-16i", "statement", "WHILE [condition] DO m"},
       {"EQ", "fanuc-16i", "statement", "a EQ b"},
-      {"PRB301", "fanuc-16i", "message of g31", "PRB301"},
       {"Haas", "fanuc-16i", "control", "haas"},
   };
   for (const Case& c : kCases) {

@@ -589,7 +589,7 @@ TEST_F(SetupErrorText, CutLongDetails) {
 
 TEST_F(SetupErrorText, HaveCodesOfTheirOwn) {
   const std::vector<std::string> codes = {
-#define SETUP_ERROR(name, code, text) code,
+#define SETUP_ERROR(name, code, text, about) code,
 #include "tools/setup/setup_errors.def"
 #undef SETUP_ERROR
   };

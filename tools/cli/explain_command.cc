@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "interpreter/runtime/reference.h"
 #include "tools/cli/messages.h"
-#include "tools/evaluate/manual.h"
+#include "tools/manual/manual.h"
 #include "tools/session/manual.h"
 
 namespace g31::cli {
@@ -17,21 +18,57 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "alarm 112" may come as two arguments: a head takes the argument behind it along.
+std::string in_small_letters(std::string text) {
+  std::ranges::transform(text, text.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
+
+/// "alarm 112" and "exit code 4" may come as several arguments: a head takes what is behind it
+/// along.
 std::vector<std::string> joined_topics(const std::vector<std::string>& arguments) {
   std::vector<std::string> topics;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    std::string head = arguments[i];
-    std::ranges::transform(head, head.begin(), [](char c) {
-      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
-    const bool is_head = head == "alarm" || head == "parameter";
+    const std::string head = in_small_letters(arguments[i]);
     topics.push_back(arguments[i]);
+    if (head == "exit" && i + 1 < arguments.size() &&
+        in_small_letters(arguments[i + 1]) == "code") {
+      ++i;
+    }
+    const bool is_head = head == "alarm" || head == "parameter" || head == "exit";
     if (is_head && i + 1 < arguments.size()) {
       topics.back() += ' ' + arguments[++i];
     }
   }
   return topics;
+}
+
+runtime::Entry entry_of_exit(const ExitCodeRow& row) {
+  return {
+      "exit code", fmt::format("exit {}", static_cast<int>(row.code)), std::string(row.text), {}};
+}
+
+/// "exit 4", "exit code 4"
+runtime::Entries exit_entries(const std::string& topic) {
+  std::string asked = in_small_letters(topic);
+  if (constexpr std::string_view kLong = "exit code "; asked.starts_with(kLong)) {
+    asked = "exit " + asked.substr(kLong.size());
+  }
+  runtime::Entries found;
+  for (const ExitCodeRow& row : exit_codes()) {
+    runtime::Entry entry = entry_of_exit(row);
+    if (entry.name == asked) {
+      found.push_back(std::move(entry));
+    }
+  }
+  return found;
+}
+
+runtime::Entries everything_of(const session::Control& control) {
+  runtime::Entries all = manual::everything(control);
+  std::ranges::transform(exit_codes(), std::back_inserter(all), entry_of_exit);
+  return all;
 }
 
 std::string text_of(const runtime::Entry& entry) {
@@ -56,34 +93,90 @@ void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
 }
 
-void print_text(const runtime::Entries& entries) {
+/// What a topic that nothing is named by was found in.
+struct Found {
+  std::string words;
+  runtime::Entries entries;
+  std::optional<session::Control> named_by;  ///< another control that has something of this name
+};
+
+std::string text_of(const Found& found) {
+  std::string text = fmt::format("'{}' is found in:\n", found.words);
+  for (const runtime::Entry& entry : found.entries) {
+    text += fmt::format("  {} ({}): {}\n", entry.name, entry.kind, entry.text);
+  }
+  if (found.named_by) {
+    text += fmt::format("--control {} has something that is named so\n",
+                        session::name_of(*found.named_by));
+  }
+  return text;
+}
+
+/// What is known of all topics.
+struct Answer {
+  runtime::Entries entries;
+  std::vector<Found> found;
+};
+
+void print_text(const Answer& answer) {
   std::string text;
-  for (const runtime::Entry& entry : entries) {
+  for (const runtime::Entry& entry : answer.entries) {
     text += text_of(entry);
+  }
+  for (const Found& found : answer.found) {
+    text += text_of(found);
   }
   print(text);
 }
 
-void print_json(const runtime::Entries& entries, std::string_view control) {
+void print_json(const Answer& answer, std::string_view control) {
   Json document = {{"schema", "g31.explain/1"}, {"control", control}};
   document["entries"] = Json::array();
-  for (const runtime::Entry& entry : entries) {
+  for (const runtime::Entry& entry : answer.entries) {
     document["entries"].push_back(json_of(entry));
+  }
+  for (const Found& found : answer.found) {
+    Json entries = Json::array();
+    for (const runtime::Entry& entry : found.entries) {
+      entries.push_back(json_of(entry));
+    }
+    document["found"].push_back({{"words", found.words}, {"entries", std::move(entries)}});
   }
   print(document.dump(2) + "\n");
 }
 
-std::string unknown_text(const std::string& topic, const session::Control& control) {
-  const session::Suggestion suggestion = session::suggestion_for(topic, control);
+std::string unknown_text(const std::string& topic, const session::Control& control,
+                         const session::Suggestion& suggestion) {
   if (suggestion.other_control) {
     return fmt::format("g31: error: {} does not know '{}', --control {} does\n",
                        session::name_of(control), topic,
                        session::name_of(*suggestion.other_control));
   }
+  const auto nearest =
+      suggestion.nearest_topic ? suggestion.nearest_topic : manual::nearest_name_of(topic);
   return fmt::format("g31: error: nothing is known about '{}'{}\n", topic,
-                     suggestion.nearest_topic
-                         ? fmt::format(", did you mean '{}'?", *suggestion.nearest_topic)
-                         : fmt::format(": write {}", suggestion.examples));
+                     nearest ? fmt::format(", did you mean '{}'?", *nearest)
+                             : fmt::format(": write {}", suggestion.examples));
+}
+
+/// Adds what is named by the topic, else what it is found in.  @returns whether there is any
+bool add_topic(const std::string& topic, const ExplainOptions& options,
+               const session::Control& control, Answer& answer) {
+  runtime::Entries named = options.search ? runtime::Entries() : manual::explain(topic, control);
+  std::ranges::move(options.search ? runtime::Entries() : exit_entries(topic),
+                    std::back_inserter(named));
+  if (!named.empty()) {
+    std::ranges::move(named, std::back_inserter(answer.entries));
+    return true;
+  }
+  const session::Suggestion suggestion = session::suggestion_for(topic, control);
+  runtime::Entries found = manual::search(everything_of(control), topic);
+  if (!found.empty()) {
+    answer.found.push_back({topic, std::move(found), suggestion.other_control});
+    return true;
+  }
+  std::fputs(unknown_text(topic, control, suggestion).c_str(), stderr);
+  return false;
 }
 
 }  // namespace
@@ -94,25 +187,20 @@ ExitCode explain_command(const ExplainOptions& options) {
   if (!control) {
     return refuse(session::bad_setup(control.error()));
   }
-  runtime::Entries entries;
+  Answer answer;
   if (options.all) {
-    entries = session::everything(control.value());
-    std::ranges::move(evaluate::everything(), std::back_inserter(entries));
+    answer.entries = everything_of(control.value());
   }
   ExitCode code = ExitCode::Completed;
   for (const std::string& topic : joined_topics(options.topics)) {
-    runtime::Entries found = session::explain(topic, control.value());
-    std::ranges::move(evaluate::explain(topic), std::back_inserter(found));
-    if (found.empty()) {
-      std::fputs(unknown_text(topic, control.value()).c_str(), stderr);
+    if (!add_topic(topic, options, control.value(), answer)) {
       code = ExitCode::BadUsage;
     }
-    std::ranges::move(found, std::back_inserter(entries));
   }
   if (options.json) {
-    print_json(entries, session::name_of(control.value()));
+    print_json(answer, session::name_of(control.value()));
   } else {
-    print_text(entries);
+    print_text(answer);
   }
   return code;
 }

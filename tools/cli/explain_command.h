@@ -13,10 +13,12 @@ struct ExplainOptions {
   std::string control = {};  ///< "" for the default
   bool json = false;
   bool all = false;
+  bool search = false;  ///< by words, even where something is named so
 };
 
-/// Prints what the tables of a control say about topics; standard error names the nearest topic of
-/// an unknown one.
+/// Prints what the tables of a control, of set-up sheets, shapes, studies, evaluations and codes
+/// say about topics, and of a topic that nothing is named by one line for each thing whose text has
+/// the words; standard error names the nearest topic of an unknown one.
 ExitCode explain_command(const ExplainOptions& options);
 
 }  // namespace g31::cli

@@ -6,12 +6,17 @@ namespace g31::cli {
 
 CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
   CLI::App* const explain = app.add_subcommand(
-      "explain", "Say what a variable, code, alarm, parameter, function or statement means.");
+      "explain",
+      "Say what a variable, code, alarm, parameter, function, statement, key of a set-up sheet, "
+      "shape, control, message or exit code means; other words are looked for in all texts.");
   auto* const topics = explain->add_option(
       "TOPIC", options.topics,
-      "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, PRB301, haas; of a "
-      "SINUMERIK $AA_MW, CYCLE977, _OVR[4], 61301, 55630");
+      "#5061, #100-#149, G31, M98, ATAN, GOTO, PS0112, 'alarm 112', 6001.1, haas; of a SINUMERIK "
+      "$AA_MW, CYCLE977, _OVR[4], 61301, 55630; [probe], part.at, ring, PRB301, SET103, 'exit 4'; "
+      "skip, 'ball diameter'");
   auto* const all = explain->add_flag("--all", options.all, "everything that the control has");
+  explain->add_flag("--search", options.search,
+                    "list what has the words in its text, also where something is named so");
   explain->add_option("--control", options.control, "control profile (default fanuc-16i)")
       ->type_name("NAME");
   explain->add_flag("--json", options.json, "as a document of schema g31.explain/1");
@@ -27,6 +32,8 @@ std::string explain_examples() {
   return "Examples:\n"
          "  g31 explain '#5063' --control haas\n"
          "  g31 explain G31 'alarm 115' 6001.1\n"
+         "  g31 explain '[probe]' part.at ring 'exit 4' 0i-MF\n"
+         "  g31 explain skip 'ball diameter'\n"
          "  g31 explain --all --control fanuc-30i --json\n"
          "  g31 explain CYCLE977 '_OVR[4]' 61301 --control sinumerik-828d\n\n";
 }

@@ -12,12 +12,7 @@
 namespace g31::evaluate {
 namespace {
 
-struct Row {
-  std::string_view code;
-  std::string_view text;
-};
-
-constexpr auto kDataErrorRows = std::to_array<Row>({
+constexpr auto kDataErrorRows = std::to_array<DataErrorRow>({
 #define DATA_ERROR(name, code, text) {code, text},
 #include "tools/evaluate/data_errors.def"
 #undef DATA_ERROR
@@ -33,9 +28,13 @@ std::string shown(std::string_view detail) {
 
 }  // namespace
 
+std::span<const DataErrorRow> data_error_rows() {
+  return kDataErrorRows;
+}
+
 DataError data_error(DataErrorId id, const DataFile& file, DataPlace place,
                      std::initializer_list<std::string_view> details, std::string remedy) {
-  const Row& row = kDataErrorRows.at(static_cast<std::size_t>(id));
+  const DataErrorRow& row = kDataErrorRows.at(static_cast<std::size_t>(id));
   fmt::dynamic_format_arg_store<fmt::format_context> words;
   for (const std::string_view detail : details) {
     words.push_back(shown(detail));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,14 @@ enum class DataErrorId {
 #include "tools/evaluate/data_errors.def"
 #undef DATA_ERROR
 };
+
+struct DataErrorRow {
+  std::string_view code;
+  std::string_view text;  ///< fmt format
+};
+
+/// All rows of data_errors.def.
+std::span<const DataErrorRow> data_error_rows();
 
 /// What is wrong with a file, shown as the errors of set-up sheets are.
 using DataError = setup::SetupError;

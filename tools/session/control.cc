@@ -1,7 +1,11 @@
 #include "tools/session/control.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,6 +16,51 @@
 #include "machine/base/nearest_name.h"
 
 namespace g31::session {
+namespace {
+
+struct ControlModel {
+  std::string_view model;
+  std::string_view profile;
+};
+
+constexpr auto kControlModels = std::to_array<ControlModel>({
+#define CONTROL_MODEL(model, profile) {model, profile},
+#include "tools/session/control_models.def"
+#undef CONTROL_MODEL
+});
+
+/// Small letters and digits alone: "Fanuc 0i-MF" is fanuc0imf.
+std::string plain_name(std::string_view name) {
+  std::string plain;
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
+      plain.push_back(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
+    }
+  }
+  return plain;
+}
+
+/// The profile of the longest model that the name begins with; "" for none.
+std::string_view profile_of_model(std::string_view plain) {
+  for (const std::string_view maker :
+       {"fanuc", "series", "mitsubishi", "meldas", "brother", "haas"}) {
+    if (plain.starts_with(maker) && plain.size() > maker.size()) {
+      plain.remove_prefix(maker.size());
+    }
+  }
+  std::size_t longest = 0;
+  std::string_view profile;
+  for (const ControlModel& row : kControlModels) {
+    const std::string model = plain_name(row.model);
+    if (model.size() > longest && plain.starts_with(model)) {
+      longest = model.size();
+      profile = row.profile;
+    }
+  }
+  return profile;
+}
+
+}  // namespace
 
 std::string_view name_of(const Control& control) {
   return std::visit(
@@ -22,18 +71,40 @@ std::string_view name_of(const Control& control) {
       control);
 }
 
-Result<Control, std::string> control_named(std::string_view name) {
-  if (const fanuc::Profile* const profile = fanuc::find_profile(name)) {
-    return Control(FanucControl{*profile});
-  }
-  if (name == sinumerik::kControlName) {
-    return Control(SinumerikControl{});
-  }
-  std::vector<std::string_view> known;
+std::vector<Control> all_controls() {
+  std::vector<Control> all;
   for (const fanuc::Profile& profile : fanuc::profiles()) {
-    known.push_back(profile.name);
+    all.emplace_back(FanucControl{profile});
   }
-  known.push_back(sinumerik::kControlName);
+  all.emplace_back(SinumerikControl{});
+  return all;
+}
+
+std::vector<std::string_view> models_of(const Control& control) {
+  std::vector<std::string_view> models;
+  for (const ControlModel& row : kControlModels) {
+    if (row.profile == name_of(control)) {
+      models.push_back(row.model);
+    }
+  }
+  return models;
+}
+
+Result<Control, std::string> control_named(std::string_view name) {
+  const std::string plain = plain_name(name);
+  const std::string_view of_model = profile_of_model(plain);
+  std::vector<std::string_view> known;
+  std::optional<Control> found;
+  for (const Control& control : all_controls()) {
+    known.push_back(name_of(control));
+    if (plain_name(known.back()) == plain) {
+      return control;
+    }
+    found = known.back() == of_model ? std::optional(control) : found;
+  }
+  if (found) {
+    return *found;
+  }
   const auto nearest = nearest_name(name, known);
   return fmt::format("unknown control '{}'{}; known: {}", name,
                      nearest ? fmt::format(", did you mean '{}'?", *nearest) : "",

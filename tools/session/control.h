@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "machine/base/result.h"
@@ -25,8 +26,15 @@ using Control = std::variant<FanucControl, SinumerikControl>;
 /// What --control calls it.
 std::string_view name_of(const Control& control);
 
-/// The control of this name; else one line that names the nearest and all known ones.
+/// The control of this name, in letters of any case, or of a model that runs as one does: "0i-MF"
+/// is fanuc-30i (control_models.def); else one line that names the nearest and all known ones.
 Result<Control, std::string> control_named(std::string_view name);
+
+/// All controls, those of the Fanuc dialect first.
+std::vector<Control> all_controls();
+
+/// The models that run as this control does, as control_models.def has them.
+std::vector<std::string_view> models_of(const Control& control);
 
 /// The control where nothing names one.
 Control default_control();

@@ -1,7 +1,11 @@
 #include "tools/session/manual.h"
 
+#include <algorithm>
 #include <set>
 #include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "interpreter/dialects/fanuc/explain/explain.h"
 #include "interpreter/dialects/sinumerik/explain/explain.h"
@@ -37,10 +41,43 @@ const sinumerik::Topics& shipped_topics() {
   return kTopics;
 }
 
+bool is_about_control(const runtime::Entry& entry) {
+  return entry.kind == "control";
+}
+
+runtime::Entry entry_of_control(const Control& control) {
+  return std::visit(runtime::Overloaded{
+                        [](const FanucControl& chosen) {
+                          const fanuc::Profile& profile = chosen.profile;
+                          return fanuc::reference::explain(profile.name, profile).front();
+                        },
+                        [](const SinumerikControl& chosen) {
+                          return runtime::Entry{
+                              "control",
+                              std::string(name_of(chosen)),
+                              "SINUMERIK 828D, milling and turning, with its measuring cycles",
+                              {}};
+                        },
+                    },
+                    control);
+}
+
+/// Tells at each control which models run as it does.
+void add_models(runtime::Entries& entries) {
+  for (runtime::Entry& entry : entries) {
+    const auto control = is_about_control(entry) ? control_named(entry.name)
+                                                 : Result<Control, std::string>(std::string());
+    if (control) {
+      entry.facts.push_back(
+          {"covers", fmt::format("{}", fmt::join(models_of(control.value()), ", "))});
+    }
+  }
+}
+
 }  // namespace
 
 runtime::Entries explain(const std::string& topic, const Control& control) {
-  return std::visit(
+  runtime::Entries found = std::visit(
       runtime::Overloaded{
           [&](const FanucControl& chosen) {
             return fanuc::reference::explain(topic, chosen.profile);
@@ -48,15 +85,28 @@ runtime::Entries explain(const std::string& topic, const Control& control) {
           [&](const SinumerikControl&) { return sinumerik::explain(topic, shipped_topics()); },
       },
       control);
+  const bool is_control = std::ranges::any_of(found, is_about_control);
+  const auto named = control_named(topic);
+  if (named && !is_control) {
+    found.push_back(entry_of_control(named.value()));
+  }
+  add_models(found);
+  return found;
 }
 
 runtime::Entries everything(const Control& control) {
-  return std::visit(
+  runtime::Entries all = std::visit(
       runtime::Overloaded{
           [](const FanucControl& chosen) { return fanuc::reference::everything(chosen.profile); },
           [](const SinumerikControl&) { return sinumerik::everything(shipped_topics()); },
       },
       control);
+  std::erase_if(all, is_about_control);
+  for (const Control& one : all_controls()) {
+    all.push_back(entry_of_control(one));
+  }
+  add_models(all);
+  return all;
 }
 
 Suggestion suggestion_for(const std::string& topic, const Control& control) {

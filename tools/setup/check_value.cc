@@ -17,6 +17,7 @@
 #include "probe/tooling/tool_probe_setup.h"
 #include "probe/tooling/tool_setup.h"
 #include "tools/setup/program_switch.h"
+#include "tools/setup/value_words.h"
 
 namespace g31::setup {
 namespace {
@@ -26,21 +27,10 @@ constexpr std::int64_t kLargestExact = std::int64_t{1} << 53;
 
 using Checked = Result<SheetValue, ValueProblem>;
 
-struct UnitBounds {
-  std::string_view name;
-  double least;
-  double most;
-};
-constexpr auto kBoundedUnits = std::to_array<UnitBounds>({
-#define UNIT(name, least, most) {name, least, most},
-#include "tools/setup/units.def"
-#undef UNIT
-});
-
 /// What is wrong with the size of a number of this unit; nullopt: nothing, or it has no bounds.
 std::optional<std::string> out_of_bounds(double number, Limit limit, std::string_view unit) {
-  const auto* const row = std::ranges::find(kBoundedUnits, unit, &UnitBounds::name);
-  if (row == kBoundedUnits.end()) {
+  const UnitBounds* const row = find_unit(unit);
+  if (row == nullptr) {
     return std::nullopt;
   }
   const double size = std::abs(number);
@@ -53,158 +43,12 @@ std::optional<std::string> out_of_bounds(double number, Limit limit, std::string
              : std::nullopt;
 }
 
-std::string_view words_for(ValueType type) {
-  switch (type) {
-    case ValueType::Text:
-    case ValueType::Path:
-      return "a string";
-    case ValueType::Number:
-      return "a number";
-    case ValueType::NumberOrFlag:
-      return "a number, true or false";
-    case ValueType::NumberOrVacant:
-      return "a number, or \"\" for vacant";
-    case ValueType::WholeNumber:
-      return "a whole number";
-    case ValueType::WholeNumbers:
-      return "an array of whole numbers";
-    case ValueType::TwoNumbers:
-      return "an array of two numbers";
-    case ValueType::ThreeNumbers:
-      return "an array of three numbers";
-    case ValueType::NumberOrNumbers:
-      return "a number or an array of numbers";
-    case ValueType::NumberOrTable:
-      return "a number or an array of [place, error]";
-    case ValueType::Datum:
-      return "a number, true or false, a string or an array of numbers";
-  }
-  contract_violated("every ValueType has words", __FILE__, __LINE__);
-}
-
-constexpr std::string_view kProgramSwitch =
-    "an M code like \"M80\", or an output \"#1100\" to \"#1115\" or \"$A_OUT[1]\" to "
-    "\"$A_OUT[64]\"";
-
-/// What a value of each limit should be; Any asks for nothing.
-struct LimitWords {
-  Limit of;
-  std::string_view words;
-};
-constexpr LimitWords kLimitWords[] = {
-    {Limit::Any, ""},
-    {Limit::IncrementSystem, "\"IS-A\", \"IS-B\" or \"IS-C\""},
-    {Limit::RapidPath, "\"straight\" or \"independent\""},
-    {Limit::OffsetMemory, "\"A\", \"B\" or \"C\""},
-    {Limit::StoppingKind, "\"braking\" or \"ideal\""},
-    {Limit::ProbeType, "\"3D\" or \"mono\""},
-    {Limit::SeatKind, "\"even\" or \"tripod\""},
-    {Limit::ProbeState, "\"ready\", \"dead\", \"low_battery\" or \"double_trigger\""},
-    {Limit::ToolKind,
-     "\"mill\", \"ball_mill\", \"bull_mill\", \"drill\", \"turning\", \"calibration\" or "
-     "\"probe\""},
-    {Limit::ToolProbeShape, "\"cube\", \"disc\" or \"laser\""},
-    {Limit::ToolProbeSide, "\"bed\" or \"table\""},
-    {Limit::MeshUnit, "\"um\", \"mm\", \"cm\", \"m\", \"inch\" or \"foot\""},
-    {Limit::Positive, "greater than 0"},
-    {Limit::NotNegative, "0 or more"},
-    {Limit::Share, "0 to 1"},
-    {Limit::Bit, "0 or 1"},
-    {Limit::SwitchNumber, "a list of numbers 1 to 9"},
-    {Limit::ProgramNumber, "1 to 99999999"},
-    {Limit::ToolOfProbe, "1 to 99999999"},
-    {Limit::EdgePosition, "1 to 9"},
-    {Limit::TipAngle, "above 0 and 180 at most"},
-    {Limit::BlockCount, "0 to 9999"},
-    {Limit::Rising, "two numbers, the first below the second"},
-    {Limit::NotEmpty, "a string that is not empty"},
-    {Limit::MeasuringInput, "1 to 8"},
-    {Limit::DigitalInput,
-     "1 to 64 for $A_IN, 1000 to 1015 for #1000 to #1015, or 11016 to 11255 for those of a "
-     "Haas"},
-    {Limit::SensorWord, "1032 to 1035 or 1132 to 1135"},
-    {Limit::ColumnName, "a name of letters, digits, _, ., - and +"},
-    {Limit::MachineCode, "M and a number of one to eight digits"},
-    {Limit::ProgramSwitch, kProgramSwitch},
-    {Limit::AxisLetter, "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\""},
-    {Limit::AxisLetters, "letters of X, Y, Z, A, B and C, none twice"},
-    {Limit::NotAllZero, "three numbers, not all 0"},
-    {Limit::RisingPlaces, "pairs with rising places"},
-};
-static_assert(std::size(kLimitWords) == static_cast<std::size_t>(Limit::RisingPlaces) + 1,
-              "every Limit has words");
-
-std::string_view words_for(Limit limit) {
-  const auto* const row = std::ranges::find(kLimitWords, limit, &LimitWords::of);
-  G31_EXPECTS(row != std::end(kLimitWords));
-  return row->words;
-}
-
-bool is_sensor_word(double number) {
-  const double of_row = number < 1000.0 ? number + 1000.0 : number;
-  return (of_row >= 1032.0 && of_row <= 1035.0) || (of_row >= 1132.0 && of_row <= 1135.0);
-}
-
 bool is_column_name(std::string_view text) {
   const auto serves = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
            std::string_view("_.-+").find(c) != std::string_view::npos;
   };
   return !text.empty() && std::ranges::all_of(text, serves);
-}
-
-bool number_within(Limit limit, double number) {
-  switch (limit) {
-    case Limit::Positive:
-      return number > 0.0;
-    case Limit::NotNegative:
-      return number >= 0.0;
-    case Limit::Share:
-      return number >= 0.0 && number <= 1.0;
-    case Limit::Bit:
-      return number == 0.0 || number == 1.0;
-    case Limit::SwitchNumber:
-      return number >= 1.0 && number <= 9.0;
-    case Limit::ProgramNumber:
-    case Limit::ToolOfProbe:
-      return number >= 1.0 && number <= 99999999.0;
-    case Limit::EdgePosition:
-      return number >= 1.0 && number <= 9.0;
-    case Limit::TipAngle:
-      return number > 0.0 && number <= 180.0;
-    case Limit::BlockCount:
-      return number >= 0.0 && number <= 9999.0;
-    case Limit::MeasuringInput:
-      return number >= 1.0 && number <= 8.0;
-    case Limit::DigitalInput:
-      return (number >= 1.0 && number <= 64.0) || (number >= 1000.0 && number <= 1015.0) ||
-             (number >= 11016.0 && number <= 11255.0);
-    case Limit::SensorWord:
-      return is_sensor_word(number);
-    case Limit::Any:
-    case Limit::Rising:
-    case Limit::NotEmpty:
-    case Limit::IncrementSystem:
-    case Limit::OffsetMemory:
-    case Limit::RapidPath:
-    case Limit::StoppingKind:
-    case Limit::ProbeType:
-    case Limit::SeatKind:
-    case Limit::ProbeState:
-    case Limit::ToolKind:
-    case Limit::ToolProbeShape:
-    case Limit::ToolProbeSide:
-    case Limit::AxisLetter:
-    case Limit::AxisLetters:
-    case Limit::MachineCode:
-    case Limit::ColumnName:
-    case Limit::ProgramSwitch:
-    case Limit::MeshUnit:
-    case Limit::NotAllZero:
-    case Limit::RisingPlaces:
-      return true;
-  }
-  contract_violated("every Limit judges numbers", __FILE__, __LINE__);
 }
 
 bool are_axis_letters(const std::string& text) {

@@ -11,13 +11,8 @@
 namespace g31::setup {
 namespace {
 
-struct Row {
-  std::string_view code;
-  std::string_view text;
-};
-
-constexpr auto kSetupErrorRows = std::to_array<Row>({
-#define SETUP_ERROR(name, code, text) {code, text},
+constexpr auto kSetupErrorRows = std::to_array<SetupErrorRow>({
+#define SETUP_ERROR(name, code, text, about) {code, text, about},
 #include "tools/setup/setup_errors.def"
 #undef SETUP_ERROR
 });
@@ -28,7 +23,7 @@ constexpr std::size_t kShownColumns = 120;
 /// Longest detail of a message, in bytes.
 constexpr std::size_t kLongestDetail = 400;
 
-const Row& row_of(SetupErrorId id) {
+const SetupErrorRow& row_of(SetupErrorId id) {
   return kSetupErrorRows.at(static_cast<std::size_t>(id));
 }
 
@@ -97,6 +92,10 @@ std::string excerpt(const SetupError& error) {
 }
 
 }  // namespace
+
+std::span<const SetupErrorRow> setup_error_rows() {
+  return kSetupErrorRows;
+}
 
 std::string_view code_of(SetupErrorId id) {
   return row_of(id).code;

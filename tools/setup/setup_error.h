@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,10 +12,19 @@ namespace g31::setup {
 
 /// Rows of setup_errors.def.
 enum class SetupErrorId {
-#define SETUP_ERROR(name, code, text) name,
+#define SETUP_ERROR(name, code, text, about) name,
 #include "tools/setup/setup_errors.def"
 #undef SETUP_ERROR
 };
+
+struct SetupErrorRow {
+  std::string_view code;
+  std::string_view text;   ///< fmt format
+  std::string_view about;  ///< what to look at
+};
+
+/// All rows of setup_errors.def.
+std::span<const SetupErrorRow> setup_error_rows();
 
 /// A place in a set-up sheet, for messages about what is found out only later.
 struct SheetPlace {

@@ -30,8 +30,6 @@ Entries parameters(std::string_view topic);
 Entries words(std::string_view topic, const Profile& profile);
 /// "_ABSMT"
 Entries variable_names(std::string_view topic);
-/// "PRB301"
-Entries messages(std::string_view topic);
 /// "FANUC-16I"
 Entries controls(std::string_view topic);
 

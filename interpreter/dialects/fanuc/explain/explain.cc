@@ -37,7 +37,6 @@ Entries explain(std::string_view topic, const Profile& profile) {
   append(found, parameters(normal));
   append(found, words(normal, profile));
   append(found, variable_names(normal));
-  append(found, messages(normal));
   append(found, controls(normal));
   return found;
 }
@@ -56,7 +55,6 @@ Entries everything(const Profile& profile) {
     append(all, words(name, profile));
     append(all, parameters(name));
     append(all, variable_names(name));
-    append(all, messages(name));
     append(all, controls(normal_topic(name)));
   }
   append(all, all_alarms(profile));

@@ -9,7 +9,7 @@
 namespace g31::fanuc::reference {
 
 /// What the tables say about a topic as a user writes it: "#5061", "#100-#149", "G31", "PS0112",
-/// "alarm 112", "6001.1", "parameter 3410", "atan", "GOTO", "PRB301", "haas".  A bare number may be
+/// "alarm 112", "6001.1", "parameter 3410", "atan", "GOTO", "haas".  A bare number may be
 /// an alarm and a parameter: both come.  Empty: nothing is known.
 ///
 /// A pure function of its arguments, for the command line, editors and the manual alike.

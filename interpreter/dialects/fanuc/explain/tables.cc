@@ -12,7 +12,6 @@
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
 #include "interpreter/dialects/fanuc/vocabulary/statements.h"
 #include "interpreter/dialects/fanuc/vocabulary/variable_names.h"
-#include "interpreter/source/diagnostic.h"
 
 namespace g31::fanuc::reference {
 namespace {
@@ -186,23 +185,6 @@ Entries words(std::string_view topic, const Profile& profile) {
   return found;
 }
 
-Entries messages(std::string_view topic) {
-  for (const source::DiagnosticInfo& row : source::diagnostics()) {
-    if (row.code == topic) {
-      std::string text(row.text);
-      if (const std::size_t place = text.find("{}"); place != std::string::npos) {
-        text.replace(place, 2, place == 0 ? "..." : "");
-      }
-      Entry entry{"message of g31", std::string(row.code), std::move(text), {}};
-      if (!row.remedy.empty()) {
-        entry.facts.push_back({"what to do", std::string(row.remedy)});
-      }
-      return {entry};
-    }
-  }
-  return {};
-}
-
 Entries variable_names(std::string_view topic) {
   for (const SystemName& row : system_names()) {
     if (topic == row.name || topic == fmt::format("#{}", row.name)) {
@@ -239,9 +221,6 @@ std::vector<std::string> topic_names() {
   }
   for (const LanguageWord& row : kWords) {
     names.emplace_back(row.name);
-  }
-  for (const source::DiagnosticInfo& row : source::diagnostics()) {
-    names.emplace_back(row.code);
   }
   for (const ParameterInfo& row : parameter_rows()) {
     names.push_back(row.bit ? parameter_name(row) : std::to_string(row.first));
