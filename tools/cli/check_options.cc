@@ -39,8 +39,10 @@ void add_choice(CLI::App& command, const std::string& name, Value& value,
 CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
   CLI::App* const check = app.add_subcommand(
       "check", "Say what is wrong with NC programs without running them: all of it at once.");
-  auto* const files = check->add_option("FILE", options.files,
-                                        "programs, or folders of them with all folders below");
+  auto* const files =
+      check
+          ->add_option("FILE", options.files, "programs, or folders of them with all folders below")
+          ->type_name("FILE");
   check
       ->add_option(
           "-s,--setup", options.setups,
@@ -52,7 +54,7 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
       ->add_option("--control", options.control,
                    "control profile of all programs; without it as the sheet says, else by file "
                    "ending and content")
-      ->type_name("NAME");
+      ->type_name("CONTROL");
   check->add_option("--lib", options.libraries, "folder of subprograms; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);

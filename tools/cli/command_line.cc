@@ -1,6 +1,10 @@
 #include "tools/cli/command_line.h"
 
+#include <algorithm>
+#include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -9,9 +13,13 @@
 #include "tools/cli/check_options.h"
 #include "tools/cli/evaluate_command.h"
 #include "tools/cli/evaluate_options.h"
+#include "tools/cli/exit_code_help.h"
 #include "tools/cli/explain_command.h"
 #include "tools/cli/explain_options.h"
 #include "tools/cli/interruption.h"
+#include "tools/cli/pages_command.h"
+#include "tools/cli/pages_options.h"
+#include "tools/cli/read_command_words.h"
 #include "tools/cli/run_command.h"
 #include "tools/cli/run_options.h"
 #include "tools/cli/scene_command.h"
@@ -20,7 +28,6 @@
 #include "tools/cli/study_options.h"
 
 namespace g31::cli {
-namespace {
 
 std::string exit_code_help() {
   std::string text = "Exit codes:\n";
@@ -30,52 +37,102 @@ std::string exit_code_help() {
   return text;
 }
 
+namespace {
+
+/// What the words of a command line come to, for each command.
+struct Options {
+  bool is_version_asked = false;
+  bool is_version_json = false;
+  RunOptions run;
+  ExplainOptions explain;
+  SceneOptions scene;
+  StudyOptions study;
+  CheckOptions check;
+  EvaluateOptions evaluate;
+  PagesOptions pages;
+};
+
+/// A command of g31, and what does its work.
+struct Command {
+  CLI::App* words;
+  bool lasts;  ///< it ends itself when it is interrupted
+  std::function<ExitCode()> run;
+};
+
+constexpr bool kLasts = true;
+constexpr bool kIsShort = false;
+
+/// Tells CLI11 of every command, in the order of --help.
+std::vector<Command> add_commands(CLI::App& app, Options& options, const std::string& version) {
+  std::vector<Command> commands;
+  const auto add = [&](bool lasts, CLI::App* words, const std::string& examples,
+                       std::function<ExitCode()> run) {
+    words->footer(examples + exit_code_help());
+    commands.push_back({words, lasts, std::move(run)});
+  };
+  const auto words = [&app, version] { return read_command_words(app, version); };
+  add(kLasts, add_run_command(app, options.run), run_examples(),
+      [&options] { return run_command(options.run); });
+  add(kIsShort, add_explain_command(app, options.explain), explain_examples(),
+      [&options] { return explain_command(options.explain); });
+  add(kLasts, add_scene_command(app, options.scene), scene_examples(),
+      [&options] { return scene_command(options.scene); });
+  add(kLasts, add_study_command(app, options.study), study_examples(),
+      [&options] { return study_command(options.study); });
+  add(kIsShort, add_check_command(app, options.check), check_examples(),
+      [&options] { return check_command(options.check); });
+  add(kLasts, add_evaluate_command(app, options.evaluate), evaluate_examples(),
+      [&options] { return evaluate_command(options.evaluate); });
+  add(kIsShort, add_completion_command(app, options.pages), completion_examples(),
+      [&options, words] { return completion_command(words(), options.pages); });
+  add(kIsShort, add_manual_command(app, options.pages), manual_examples(),
+      [&options, words] { return manual_command(words(), options.pages); });
+  return commands;
+}
+
+/// --version and its --json hold without a command; else one has to be given.
+void add_version(CLI::App& app, Options& options) {
+  CLI::Option* const version =
+      app.add_flag("--version", options.is_version_asked, "Print the version and exit");
+  app.add_flag("--json", options.is_version_json, "With --version: as a document g31.version/1")
+      ->needs(version);
+  app.require_subcommand(0, 1);
+  app.callback([&app, &options] {
+    if (!options.is_version_asked && app.get_subcommands().empty()) {
+      throw CLI::RequiredError("A command");
+    }
+  });
+}
+
+/// Work that lasts is ended by Ctrl-C at a place where nothing is half done; the rest ends at once.
+void take_interruptions(Options& options) {
+  const runtime::Interruption& interruption = catch_interruption();
+  options.run.budget.interruption = options.scene.run.budget.interruption = &interruption;
+  options.study.interruption = options.evaluate.interruption = &interruption;
+}
+
 }  // namespace
 
 ExitCode run_command_line(int argc, const char* const* argv, const std::string& version) {
   CLI::App app("g31 runs touch-probe NC programs on a simulated machine.", "g31");
-  app.set_version_flag("--version", "g31 " + version);
-  app.require_subcommand(1);
+  Options options;
+  add_version(app, options);
+  const std::vector<Command> commands = add_commands(app, options, version);
   app.footer(exit_code_help());
-  RunOptions run;
-  CLI::App* const run_app = add_run_command(app, run);
-  run_app->footer(run_examples() + exit_code_help());
-  ExplainOptions explain;
-  CLI::App* const explain_app = add_explain_command(app, explain);
-  explain_app->footer(explain_examples() + exit_code_help());
-  SceneOptions scene;
-  CLI::App* const scene_app = add_scene_command(app, scene);
-  scene_app->footer(scene_examples() + exit_code_help());
-  StudyOptions study;
-  CLI::App* const study_app = add_study_command(app, study);
-  study_app->footer(study_examples() + exit_code_help());
-  CheckOptions check;
-  CLI::App* const check_app = add_check_command(app, check);
-  check_app->footer(check_examples() + exit_code_help());
-  EvaluateOptions evaluate;
-  CLI::App* const evaluate_app = add_evaluate_command(app, evaluate);
-  evaluate_app->footer(evaluate_examples() + exit_code_help());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? ExitCode::Completed : ExitCode::BadUsage;
   }
-  if (check_app->parsed()) {
-    return check_command(check);
+  if (options.is_version_asked) {
+    return version_command(read_command_words(app, version), options.is_version_json);
   }
-  if (explain_app->parsed()) {
-    return explain_command(explain);
+  const auto asked = std::ranges::find_if(
+      commands, [](const Command& command) { return command.words->parsed(); });
+  if (asked->lasts) {
+    take_interruptions(options);
   }
-  const runtime::Interruption& interruption = catch_interruption();
-  run.budget.interruption = scene.run.budget.interruption = &interruption;
-  study.interruption = evaluate.interruption = &interruption;
-  if (scene_app->parsed()) {
-    return scene_command(scene);
-  }
-  if (study_app->parsed()) {
-    return study_command(study);
-  }
-  return evaluate_app->parsed() ? evaluate_command(evaluate) : run_command(run);
+  return asked->run();
 }
 
 }  // namespace g31::cli

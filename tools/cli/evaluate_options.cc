@@ -13,6 +13,7 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
       ->add_option("FILE", options.file,
                    "CSV with a line of column names, of 256 MB at most; g31 run --trace writes "
                    "such files")
+      ->type_name("FILE")
       ->required();
   command->add_option("--json", options.json, "the results as a document; - is standard output")
       ->type_name("FILE");

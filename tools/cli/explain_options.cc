@@ -18,7 +18,7 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
   explain->add_flag("--search", options.search,
                     "list what has the words in its text, also where something is named so");
   explain->add_option("--control", options.control, "control profile (default fanuc-16i)")
-      ->type_name("NAME");
+      ->type_name("CONTROL");
   explain->add_flag("--json", options.json, "as a document of schema g31.explain/1");
   explain->callback([topics, all] {
     if (topics->empty() && all->empty()) {

@@ -45,6 +45,7 @@ void add_program_options(CLI::App& command, RunOptions& options) {
   command
       .add_option("PROGRAM", options.programs,
                   "the program to run; further files are where subprograms are looked up first")
+      ->type_name("FILE")
       ->required();
   command
       .add_option("-s,--setup", options.setups,
@@ -54,7 +55,7 @@ void add_program_options(CLI::App& command, RunOptions& options) {
   command
       .add_option("--control", options.control,
                   "control profile, for example fanuc-16i, sinumerik-828d")
-      ->type_name("NAME");
+      ->type_name("CONTROL");
   command
       .add_option("--lib", options.libraries,
                   "folder of subprograms, with those below it; repeatable")

@@ -80,6 +80,14 @@ std::vector<Control> all_controls() {
   return all;
 }
 
+std::vector<std::string> control_names() {
+  std::vector<std::string> names;
+  for (const Control& control : all_controls()) {
+    names.emplace_back(name_of(control));
+  }
+  return names;
+}
+
 std::vector<std::string_view> models_of(const Control& control) {
   std::vector<std::string_view> models;
   for (const ControlModel& row : kControlModels) {

@@ -33,6 +33,9 @@ Result<Control, std::string> control_named(std::string_view name);
 /// All controls, those of the Fanuc dialect first.
 std::vector<Control> all_controls();
 
+/// What --control calls each of them.
+std::vector<std::string> control_names();
+
 /// The models that run as this control does, as control_models.def has them.
 std::vector<std::string_view> models_of(const Control& control);
 
