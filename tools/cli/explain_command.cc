@@ -11,6 +11,7 @@
 #include "interpreter/runtime/reference.h"
 #include "tools/cli/messages.h"
 #include "tools/manual/manual.h"
+#include "tools/manual/pages.h"
 #include "tools/session/manual.h"
 
 namespace g31::cli {
@@ -179,9 +180,29 @@ bool add_topic(const std::string& topic, const ExplainOptions& options,
   return false;
 }
 
+/// A page of docs, as the tables make it.
+ExitCode print_page(const std::string& name) {
+  std::vector<std::string_view> known;
+  for (const manual::Page& page : manual::pages()) {
+    if (page.name == name) {
+      print(page.make());
+      return ExitCode::Completed;
+    }
+    known.push_back(page.name);
+  }
+  std::fputs(
+      fmt::format("g31: error: there is no page '{}'; there are {}\n", name, fmt::join(known, ", "))
+          .c_str(),
+      stderr);
+  return ExitCode::BadUsage;
+}
+
 }  // namespace
 
 ExitCode explain_command(const ExplainOptions& options) {
+  if (!options.page.empty()) {
+    return print_page(options.page);
+  }
   const auto control = options.control.empty() ? session::default_control()
                                                : session::control_named(options.control);
   if (!control) {

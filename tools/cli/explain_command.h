@@ -9,11 +9,12 @@ namespace g31::cli {
 
 /// What the command line of `g31 explain` says.
 struct ExplainOptions {
-  std::vector<std::string> topics;
+  std::vector<std::string> topics = {};
   std::string control = {};  ///< "" for the default
   bool json = false;
   bool all = false;
-  bool search = false;  ///< by words, even where something is named so
+  std::string page = {};  ///< of docs: printed instead
+  bool search = false;    ///< by words, even where something is named so
 };
 
 /// Prints what the tables of a control, of set-up sheets, shapes, studies, evaluations and codes

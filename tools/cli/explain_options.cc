@@ -20,9 +20,14 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
   explain->add_option("--control", options.control, "control profile (default fanuc-16i)")
       ->type_name("CONTROL");
   explain->add_flag("--json", options.json, "as a document of schema g31.explain/1");
-  explain->callback([topics, all] {
-    if (topics->empty() && all->empty()) {
-      throw CLI::RequiredError("TOPIC or --all");
+  auto* const page = explain->add_option(
+      "--page", options.page,
+      "print a page of docs as the tables make it: set-up-sheet.md, study-file.md, codes.md, "
+      "schema/g31.sheet.schema.json");
+  page->type_name("NAME");
+  explain->callback([topics, all, page] {
+    if (topics->empty() && all->empty() && page->empty()) {
+      throw CLI::RequiredError("TOPIC, --all or --page");
     }
   });
   return explain;
@@ -34,6 +39,7 @@ std::string explain_examples() {
          "  g31 explain G31 'alarm 115' 6001.1\n"
          "  g31 explain '[probe]' part.at ring 'exit 4' 0i-MF\n"
          "  g31 explain skip 'ball diameter'\n"
+         "  g31 explain --page set-up-sheet.md > docs/set-up-sheet.md\n"
          "  g31 explain --all --control fanuc-30i --json\n"
          "  g31 explain CYCLE977 '_OVR[4]' 61301 --control sinumerik-828d\n\n";
 }

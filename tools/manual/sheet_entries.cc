@@ -115,9 +115,12 @@ std::string bare(std::string_view topic) {
 }  // namespace
 
 std::string value_words(const KeyRow& row) {
+  const std::string_view type = setup::words_for(row.type);
   const std::string_view limit = setup::words_for(row.limit);
-  return limit.empty() ? std::string(setup::words_for(row.type))
-                       : fmt::format("{}: {}", setup::words_for(row.type), limit);
+  if (limit.empty()) {
+    return std::string(type);
+  }
+  return limit.starts_with(type) ? std::string(limit) : fmt::format("{}: {}", type, limit);
 }
 
 Entries sheet_entries(std::string_view topic) {

@@ -94,6 +94,10 @@ constexpr auto kNumberRanges = std::to_array<NumberRange>({
 
 }  // namespace
 
+std::span<const UnitBounds> bounded_units() {
+  return kBoundedUnits;
+}
+
 const UnitBounds* find_unit(std::string_view name) {
   const auto* const row = std::ranges::find(kBoundedUnits, name, &UnitBounds::name);
   return row != kBoundedUnits.end() ? row : nullptr;

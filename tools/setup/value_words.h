@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,9 @@ struct UnitBounds {
   double least;  ///< in size, of a number that must be positive, or is 0 or more and not 0
   double most;   ///< in size
 };
+
+/// All rows of units.def.
+std::span<const UnitBounds> bounded_units();
 
 /// The row of a unit, or nullptr: numbers of it have no bounds.
 const UnitBounds* find_unit(std::string_view name);
