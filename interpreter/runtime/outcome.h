@@ -22,7 +22,7 @@ enum class Status {
   Setup,        ///< the set-up sheet does not fit the program
   Budget,       ///< blocks, time or output spent
   Interrupted,  ///< interrupted
-  SyntaxError,  ///< refused before the first block
+  SyntaxError,  ///< a block that cannot be read; `alarm` says which, or the main program is none
   Defect,       ///< of g31 itself
 };
 

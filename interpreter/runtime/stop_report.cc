@@ -24,8 +24,9 @@ Outcome outcome_of(StopReason reason) {
   Outcome outcome;
   outcome.status = reason.status;
   source::Diagnostic diagnostic;
-  if (reason.status == Status::Setup || reason.status == Status::Budget ||
-      reason.status == Status::Interrupted || reason.status == Status::Defect) {
+  const bool is_message = reason.status == Status::Setup || reason.status == Status::Budget ||
+                          reason.status == Status::Interrupted || reason.status == Status::Defect;
+  if (is_message && !reason.is_alarm) {
     diagnostic = make_diagnostic(static_cast<source::DiagnosticId>(reason.number), reason.where,
                                  reason.detail);
   } else if (reason.status == Status::Collision && reason.number < 0) {

@@ -12,10 +12,11 @@ namespace g31::runtime {
 /// Why a run ended before its program did, and where.
 struct StopReason {
   Status status = Status::Alarm;
-  /// Of the alarm; with Setup, Budget, Interrupted and Defect the DiagnosticId; with Collision
-  /// below 0: no alarm.
+  /// Of the alarm; with Setup, Budget, Interrupted and Defect the DiagnosticId, unless `is_alarm`;
+  /// with Collision below 0: no alarm.
   int number = 0;
-  std::string text;  ///< of the alarm
+  bool is_alarm = false;  ///< the control raises an alarm for what is wrong with the set-up
+  std::string text;       ///< of the alarm
   std::string detail;
   std::string remedy;
   source::Location where;

@@ -146,7 +146,7 @@ class SteppedRun {
   /// What became of the run, as text: outcome, moves, printouts, variables, files.
   std::string result() {
     const runtime::Outcome outcome = session().finish();
-    std::string text = fmt::format("{}, {} blocks, {} s", session::status_name(outcome.status),
+    std::string text = fmt::format("{}, {} blocks, {} s", session::status_name(outcome),
                                    outcome.blocks, machine().time_s());
     for (const source::Diagnostic& diagnostic : outcome.diagnostics) {
       text += "\n" + source::render_text(diagnostic, programs_->sources());

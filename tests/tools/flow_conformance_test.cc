@@ -15,6 +15,7 @@
 #include "interpreter/runtime/block_listener.h"
 #include "interpreter/runtime/observer.h"
 #include "tests/support/conformance_run.h"
+#include "tests/support/temporary_folder.h"
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
 #include "tools/session/prepare.h"

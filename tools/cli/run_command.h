@@ -24,6 +24,7 @@ struct RunOptions : session::Request {
   bool moves = false;
   bool touches = false;
   std::vector<std::string> allowed;  ///< codes of warnings and notes that nobody wants to hear
+  source::Severity fail_on = source::Severity::Warning;  ///< least severe that counts as a finding
   runtime::Budget budget;
   std::uint64_t max_output = runtime::OutputBudget::kUsualBytes;
 };

@@ -39,6 +39,16 @@ std::string why_not_allowed(const std::string& code) {
              : "";
 }
 
+source::Severity severity_named(const std::string& text) {
+  for (const source::Severity severity :
+       {source::Severity::Note, source::Severity::Warning, source::Severity::Error}) {
+    if (text == source::name_of(severity)) {
+      return severity;
+    }
+  }
+  throw CLI::ValidationError("--fail-on", fmt::format("{} is not error, warning or note", text));
+}
+
 }  // namespace
 
 void add_program_options(CLI::App& command, RunOptions& options) {
@@ -112,10 +122,17 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   run->add_flag("--moves", options.moves, "every move in the document");
   run->add_flag("--touches", options.touches, "every touch in the document");
   run->add_option("--allow", options.allowed,
-                  "a warning or note that is neither shown nor counted: PRB316; repeatable")
+                  "a warning or note that is neither shown nor counted: PRB316; repeatable; in a "
+                  "program (g31: allow PRB316 reason) or ; g31: allow PRB316 reason")
       ->type_name("CODE")
       ->allow_extra_args(false)
       ->check(why_not_allowed);
+  run->add_option_function<std::string>(
+         "--fail-on",
+         [&options](const std::string& text) { options.fail_on = severity_named(text); },
+         "the least message that makes a completed run exit with 1: error, warning (default) or "
+         "note")
+      ->type_name("SEVERITY");
   run->add_option("--trace", options.trace, "axis positions over time, as a table (CSV)")
       ->type_name("FILE");
   run->add_option("--trace-period", options.trace_period,

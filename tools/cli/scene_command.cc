@@ -13,6 +13,7 @@
 #include "tools/disk/disk.h"
 #include "tools/gltf/gltf_document.h"
 #include "tools/gltf/path_recorder.h"
+#include "tools/session/heard.h"
 #include "tools/session/run.h"
 #include "tools/session/world.h"
 
@@ -78,7 +79,10 @@ ExitCode scene_command(const SceneOptions& options) {
   budget.output = &output;
   budget.wall_seconds = time.left_s();
   const runtime::Outcome outcome =
-      session::with_findings(world.value().findings, run.value()->session().run(budget));
+      session::heard(
+          session::with_findings(world.value().findings, run.value()->session().run(budget)),
+          control, options.run.programs.front(), {}, programs.value()->sources())
+          .outcome;
   print_diagnostics(outcome, programs.value()->sources());
   if (outcome.status == runtime::Status::SyntaxError) {
     return ExitCode::BadUsage;

@@ -150,7 +150,7 @@ void write_run_document(const RunResult& result, const RunRecorder& recorder,
   document.add("program", std::filesystem::path(result.program).filename().string());
   document.add("control", result.control);
   document.add("seed", result.seed);
-  document.add("status", session::status_name(result.outcome.status));
+  document.add("status", session::status_name(result.outcome));
   document.add("alarm", result.outcome.alarm ? alarm_json(*result.outcome.alarm, sources) : Json());
   Json variables = Json::object();
   for (const auto& [name, value] : result.variables) {

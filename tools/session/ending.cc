@@ -13,13 +13,12 @@ runtime::Outcome with_findings(const std::vector<source::Diagnostic>& before,
   return outcome;
 }
 
-Ending ending_of(const runtime::Outcome& outcome) {
+Ending ending_of(const runtime::Outcome& outcome, source::Severity fail_on) {
   switch (outcome.status) {
     case runtime::Status::Completed: {
-      const bool findings =
-          std::ranges::any_of(outcome.diagnostics, [](const source::Diagnostic& diagnostic) {
-            return diagnostic.severity != source::Severity::Note;
-          });
+      const bool findings = std::ranges::any_of(
+          outcome.diagnostics,
+          [&](const source::Diagnostic& diagnostic) { return diagnostic.severity >= fail_on; });
       return findings ? Ending::Findings : Ending::Completed;
     }
     case runtime::Status::Alarm:
@@ -40,13 +39,14 @@ Ending ending_of(const runtime::Outcome& outcome) {
   contract_violated("every status is an ending", __FILE__, __LINE__);
 }
 
-const char* status_name(runtime::Status status) {
-  switch (status) {
+const char* status_name(const runtime::Outcome& outcome) {
+  switch (outcome.status) {
     case runtime::Status::Completed:
       return "completed";
     case runtime::Status::Alarm:
-    case runtime::Status::SyntaxError:
       return "alarm";
+    case runtime::Status::SyntaxError:
+      return outcome.alarm ? "alarm" : "usage";
     case runtime::Status::Collision:
       return "collision";
     case runtime::Status::Setup:

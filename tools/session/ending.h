@@ -11,7 +11,7 @@ namespace g31::session {
 /// What a run came to, or the attempt to begin one.
 enum class Ending : std::uint8_t {
   Completed,
-  Findings,  ///< completed, with messages that are more than notes
+  Findings,  ///< completed, with messages that somebody is to look at
   BadInput,  ///< something cannot be read, understood or written; syntax errors included
   Alarm,
   Collision,
@@ -25,10 +25,12 @@ enum class Ending : std::uint8_t {
 runtime::Outcome with_findings(const std::vector<source::Diagnostic>& before,
                                runtime::Outcome outcome);
 
-Ending ending_of(const runtime::Outcome& outcome);
+/// @param fail_on  the least severe message that makes findings of a completed run
+Ending ending_of(const runtime::Outcome& outcome,
+                 source::Severity fail_on = source::Severity::Warning);
 
-/// How reports name a status: "completed", "alarm", "collision", "setup", "budget",
-/// "interrupted" or "defect".
-const char* status_name(runtime::Status status);
+/// How reports name what a run came to: "completed", "alarm", "collision", "setup", "budget",
+/// "interrupted", "defect", or "usage" for input that could not be read and raises no alarm.
+const char* status_name(const runtime::Outcome& outcome);
 
 }  // namespace g31::session

@@ -79,6 +79,10 @@ class FanucSession final : public Session {
                                                     const std::string& text) override {
     return shown(session_->evaluate(level, text));
   }
+  std::optional<std::string> wrong_name(const std::string& name) override {
+    const auto value = session_->variable(name);
+    return value ? std::nullopt : std::optional(value.error());
+  }
   Result<runtime::ShownValue, std::string> variable(const std::string& name) override {
     return shown(session_->variable(name));
   }

@@ -23,16 +23,25 @@ Result<std::shared_ptr<Run>, Refusal> Run::open(const setup::Job& job, Programs&
   return std::shared_ptr<Run>(new Run(job, std::move(session), files.value()));
 }
 
-Result<runtime::NamedValues, std::string> Run::values(const std::vector<std::string>& names) {
-  runtime::NamedValues values;
+std::optional<std::string> Run::wrong_name(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (auto wrong = session_->wrong_name(name)) {
+      return wrong;
+    }
+  }
+  return std::nullopt;
+}
+
+Run::Values Run::values(const std::vector<std::string>& names) {
+  Values found;
   for (const std::string& name : names) {
     const auto value = session_->variable(name);
-    if (!value) {
-      return value.error();
+    found.values.emplace_back(name, value ? value.value() : runtime::ShownValue());
+    if (!value && !found.wrong) {
+      found.wrong = value.error();
     }
-    values.emplace_back(name, value.value());
   }
-  return values;
+  return found;
 }
 
 std::optional<Refusal> Run::keep_state() const {

@@ -32,10 +32,15 @@ class Run {
 
   [[nodiscard]] Session& session() { return *session_; }
 
-  /// Values by name, in the order asked for; what is wrong with a name that the control does not
-  /// have.
-  [[nodiscard]] Result<runtime::NamedValues, std::string> values(
-      const std::vector<std::string>& names);
+  /// What is wrong with the first of these names that the control does not have.
+  [[nodiscard]] std::optional<std::string> wrong_name(const std::vector<std::string>& names);
+
+  /// Values by name, in the order asked for.
+  struct Values {
+    runtime::NamedValues values;       ///< vacant where one cannot be read
+    std::optional<std::string> wrong;  ///< why the first of those cannot
+  };
+  [[nodiscard]] Values values(const std::vector<std::string>& names);
 
   /// What the program made or changed, by name; the texts live as long as the run.
   [[nodiscard]] ProgramFiles::Changes changed_files() const {

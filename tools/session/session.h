@@ -52,6 +52,8 @@ class Session {
   virtual Result<runtime::ShownValue, std::string> evaluate(std::size_t level,
                                                             const std::string& text) = 0;
 
+  /// Why --print cannot ask for this name, whatever the run will do; nullopt: it can.
+  virtual std::optional<std::string> wrong_name(const std::string& name) = 0;
   /// The value of what --print names; the reason when there is none.
   virtual Result<runtime::ShownValue, std::string> variable(const std::string& name) = 0;
   /// What a control keeps over power off.

@@ -31,6 +31,9 @@ class SinumerikSession final : public Session {
                                                     const std::string& text) override {
     return session_.evaluate(level, text);
   }
+  std::optional<std::string> wrong_name(const std::string& name) override {
+    return session_.wrong_expression(name);
+  }
   Result<runtime::ShownValue, std::string> variable(const std::string& name) override {
     return session_.variable(name);
   }

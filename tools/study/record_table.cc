@@ -196,6 +196,14 @@ std::string record_warnings(const Record& record) {
         "{} of {} runs ended with {} and {} left out of the statistics; run {}: {}\n", count,
         record.rows.size(), status, count == 1 ? "is" : "are", first->run + 1, first->note);
   }
+  const auto has_findings = [](const Row& row) {
+    return row.status == "completed" && row.exit_code != 0;
+  };
+  if (const auto count = std::ranges::count_if(record.rows, has_findings); count > 0) {
+    const auto first = std::ranges::find_if(record.rows, has_findings);
+    text += fmt::format("{} of {} runs completed with findings; run {}: {}\n", count,
+                        record.rows.size(), first->run + 1, first->note);
+  }
   for (std::size_t i = 0; i < record.description.results.size(); ++i) {
     const auto vacant = std::ranges::count_if(record.rows, [&](const Row& row) {
       return row.status == "completed" && !row.results.at(i);

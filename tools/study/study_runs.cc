@@ -13,6 +13,7 @@
 #include "interpreter/runtime/time_budget.h"
 #include "interpreter/source/diagnostic.h"
 #include "tools/disk/shipped.h"
+#include "tools/session/heard.h"
 
 namespace g31::study {
 
@@ -70,8 +71,16 @@ std::string first_line(const Refusal& refusal) {
 
 /// Why a run ended that did not complete: the last message says it.
 std::string note_of(const runtime::Outcome& outcome, const source::SourceMap& sources) {
-  return outcome.diagnostics.empty() ? std::string(session::status_name(outcome.status))
+  return outcome.diagnostics.empty() ? std::string(session::status_name(outcome))
                                      : first_line(render_text(outcome.diagnostics.back(), sources));
+}
+
+/// The first message of a completed run that makes it one with findings.
+std::string first_finding(const runtime::Outcome& outcome, const source::SourceMap& sources) {
+  const auto finding = std::ranges::find_if(outcome.diagnostics, [](const auto& message) {
+    return message.severity != source::Severity::Note;
+  });
+  return finding != outcome.diagnostics.end() ? first_line(render_text(*finding, sources)) : "";
 }
 
 double rounded(double reading, const std::optional<double>& resolution) {
@@ -459,14 +468,21 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
   runtime::Outcome outcome =
       control->run({study_.max_blocks, study_.max_time_s, &output, study_.interruption});
   Ended ended;
-  ended.status = session::status_name(outcome.status);
+  ended.status = session::status_name(outcome);
   if (inside) {
     ended.note = first_line(render_text(*inside, programs_[program]->sources()));
     outcome = session::with_findings({*inside}, outcome);
   }
-  ended.ending = session::ending_of(session::with_findings(parts.value().findings, outcome));
+  const source::SourceMap& sources = programs_[program]->sources();
+  outcome = session::heard(session::with_findings(parts.value().findings, outcome), *control_,
+                           paths_[program], {}, sources)
+                .outcome;
+  ended.ending = session::ending_of(outcome);
+  if (ended.note.empty() && ended.ending == session::Ending::Findings) {
+    ended.note = first_finding(outcome, sources);
+  }
   if (outcome.status != runtime::Status::Completed) {
-    ended.note = note_of(outcome, programs_[program]->sources());
+    ended.note = note_of(outcome, sources);
     return ended;
   }
   const bool is_main = program + 1 == paths_.size();

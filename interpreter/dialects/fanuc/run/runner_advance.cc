@@ -7,6 +7,7 @@
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/run/runner.h"
 #include "interpreter/runtime/guarded.h"
+#include "interpreter/runtime/stop_report.h"
 
 namespace g31::fanuc {
 namespace {
@@ -48,13 +49,17 @@ bool Runner::refuse_broken(const CompiledProgram& main) {
   for (const syntax::SyntaxError& error : reachable_errors(main)) {
     const auto id = static_cast<AlarmId>(error.error);
     const AlarmInfo& row = info(id);
-    outcome_.status = runtime::Status::SyntaxError;
-    outcome_.diagnostics.push_back({source::Severity::Error,
-                                    std::to_string(number_of(id, control_.profile.alarm_numbers)),
-                                    location_in(main, error.where),
-                                    fmt::format("{}: {}", row.text, error.message),
-                                    std::string(row.remedy),
-                                    {}});
+    runtime::StopReason reason;
+    reason.status = runtime::Status::SyntaxError;
+    reason.number = number_of(id, control_.profile.alarm_numbers);
+    reason.text = row.text;
+    reason.detail = error.message;
+    reason.remedy = row.remedy;
+    reason.where = location_in(main, error.where);
+    runtime::Outcome refused = runtime::outcome_of(std::move(reason));
+    outcome_.status = refused.status;
+    outcome_.alarm = outcome_.alarm ? outcome_.alarm : std::move(refused.alarm);
+    outcome_.diagnostics.push_back(std::move(refused.diagnostics.back()));
   }
   return outcome_.status == runtime::Status::SyntaxError;
 }

@@ -32,7 +32,7 @@ Result<int, Failure> named_tool(const Channel& channel, const BlockWords& words)
       return number;
     }
   }
-  return failure(AlarmId::BadToolName, *words.tool_name);
+  return missing_tool(*words.tool_name);
 }
 
 /// A set-up sheet without tools leaves them all to the program: length and radius 0.

@@ -70,6 +70,17 @@ std::optional<std::string> Runner::run_text(const std::string& source) {
   return reason ? std::optional(why(*reason)) : std::nullopt;
 }
 
+std::optional<std::string> Runner::wrong_expression(const std::string& expression) {
+  const CompiledProgram* const main = has_run_ ? nullptr : programs_.main_program();
+  const CompiledProgram* const program =
+      programs_.expression(expression, main != nullptr ? *main : home(0));
+  if (program->errors.empty()) {
+    return std::nullopt;
+  }
+  const BlockError& error = program->errors.front();
+  return why(failure(error.id, error.detail));
+}
+
 Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {
   const CompiledProgram* const main = has_run_ ? nullptr : programs_.main_program();
   const CompiledProgram* const program =

@@ -137,7 +137,7 @@ double Runner::tool_in_spindle(Arguments /*list*/) {
 MaybeFailure Runner::select_named_tool(Arguments list) {
   const double found = tool_named(list);
   if (found <= 0.0) {
-    return failure(AlarmId::BadToolName, text(list[0].value));
+    return missing_tool(text(list[0].value));
   }
   channel_.selected_tool = static_cast<int>(found);
   return std::nullopt;

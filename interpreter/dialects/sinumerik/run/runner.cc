@@ -115,7 +115,11 @@ MaybeFailure Runner::other_step(const Op& op) {
 /// What was wrong when the block was compiled.
 MaybeFailure Runner::raise(const Op& op) {
   const BlockError& error = level().program->errors[static_cast<std::size_t>(op.a.place)];
-  return failure(error.id, error.detail);
+  Failure wrong = failure(error.id, error.detail);
+  if (info(error.id).of == AlarmOf::Text) {
+    wrong.status = runtime::Status::SyntaxError;
+  }
+  return wrong;
 }
 
 MaybeFailure Runner::surplus_end(const Op& /*op*/) {
@@ -260,6 +264,7 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   const AlarmInfo& row = info(failure.id);
   runtime::StopReason reason;
   reason.status = failure.status;
+  reason.is_alarm = failure.is_alarm;
   reason.number = failure.number != 0 ? failure.number : row.number;
   reason.text = failure.text.empty() ? std::string(row.text) : source::as_utf8(failure.text);
   reason.detail = failure.detail;

@@ -65,6 +65,8 @@ class Runner {
 
   /// Runs `text` on its own, among the variables of the main program.  @returns why it failed
   std::optional<std::string> run_text(const std::string& text);
+  /// Why a text is no expression; nullopt: it is one.  Nothing is evaluated.
+  std::optional<std::string> wrong_expression(const std::string& expression);
   /// The value of an expression after a run; before it local variables have their first values.
   Result<ShownValue, std::string> value_of(const std::string& expression);
 

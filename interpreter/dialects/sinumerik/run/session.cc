@@ -228,6 +228,11 @@ Result<runtime::ShownValue, std::string> Session::evaluate(std::size_t level,
                : value.error();
 }
 
+std::optional<std::string> Session::wrong_expression(const std::string& text) {
+  const auto wrong = runner_->wrong_expression(text);
+  return wrong ? std::optional(fmt::format("{}: {}", text, *wrong)) : std::nullopt;
+}
+
 Result<runtime::ShownValue, std::string> Session::variable(const std::string& name) {
   const auto value = runner_->value_of(name);
   if (!value) {

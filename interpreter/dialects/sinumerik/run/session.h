@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,9 @@ class Session {
   /// after power on and loading.
   runtime::NamedValues values(std::size_t level, runtime::Scope scope);
   Result<runtime::ShownValue, std::string> evaluate(std::size_t level, const std::string& text);
+
+  /// Why a text is no expression among the variables of the main program; nullopt: it is one.
+  std::optional<std::string> wrong_expression(const std::string& text);
 
   /// The value of what `--print` names, any expression of the language; the reason when there is
   /// none.  Local variables are those of the main program; before the run they have their first

@@ -20,11 +20,12 @@ struct Failure {
   std::string detail;
   runtime::Status status = runtime::Status::Alarm;
   /// 0: the row's own; SETAL gives its number; with Setup, Budget, Interrupted and
-  /// Defect: the DiagnosticId.
+  /// Defect: the DiagnosticId, unless `is_alarm`.
   int number = 0;
   std::string text;                            ///< empty: the row's own
   std::optional<source::Location> where = {};  ///< of another block than the running one
   bool broken_off = false;  ///< within a block: the machine may be in the middle of a motion
+  bool is_alarm = false;    ///< with Setup: the control raises the alarm `id` for it
 };
 
 /// Alarm 12050 for one of U, V and W that the machine has not.
@@ -39,6 +40,14 @@ inline Failure failure(AlarmId id, std::string detail = {}) {
   Failure reason;
   reason.id = id;
   reason.detail = std::move(detail);
+  return reason;
+}
+
+/// The alarm of a control that is called a tool which the set-up sheet has not.
+inline Failure missing_tool(std::string name) {
+  Failure reason = failure(AlarmId::BadToolName, std::move(name));
+  reason.status = runtime::Status::Setup;
+  reason.is_alarm = true;
   return reason;
 }
 

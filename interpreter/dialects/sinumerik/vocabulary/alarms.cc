@@ -6,7 +6,7 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr auto kAlarmRows = std::to_array<AlarmInfo>({
-#define ALARM(name, number, text, remedy) {number, text, remedy},
+#define ALARM(name, number, of, text, remedy) {number, AlarmOf::of, text, remedy},
 #include "interpreter/dialects/sinumerik/vocabulary/alarms.def"
 #undef ALARM
 });

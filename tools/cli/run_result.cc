@@ -1,0 +1,89 @@
+#include "tools/cli/run_result.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "interpreter/runtime/budget_spent.h"
+#include "interpreter/runtime/overloaded.h"
+#include "interpreter/source/latin_1.h"
+#include "tools/cli/write_out.h"
+
+namespace g31::cli {
+namespace {
+
+/// What is the matter with the probe; "" for nothing.
+std::string probe_state_of(const setup::Job& job) {
+  for (const auto& [state, name] : probe::kProbeStateNames) {
+    if (job.probe && job.probe->state == state && state != probe::ProbeState::Ready) {
+      return std::string(name);
+    }
+  }
+  return {};
+}
+
+std::string shown(const runtime::ShownValue& value) {
+  return std::visit(runtime::Overloaded{
+                        [](runtime::Cell cell) {
+                          return cell.is_vacant() ? "null" : fmt::format("{}", cell.raw());
+                        },
+                        [](const std::string& text) { return source::as_utf8(text); },
+                    },
+                    value);
+}
+
+/// The document has as much time as the run, but a minute at least: a run that has spent its own is
+/// told, too.
+std::optional<session::Refusal> write_document(const OpenedRun& opened,
+                                               const report::RunResult& result) {
+  constexpr double kLeastSeconds = 60.0;
+  runtime::TimeBudget time(std::max(kLeastSeconds, opened.options.budget.wall_seconds));
+  const auto write = [&](disk::PartFile& file) {
+    report::write_run_document(result, opened.recorder, opened.sources,
+                               [&](std::string_view piece) {
+                                 file.write(piece);
+                                 time.look();
+                               });
+  };
+  try {
+    return write_out(opened.options.json, write);
+  } catch (const runtime::BudgetSpent&) {
+    return session::Refusal{
+        session::Ending::Budget,
+        fmt::format("{}: the limit of computing time is reached with the writing of the "
+                    "document: --max-time raises it",
+                    opened.options.json)};
+  }
+}
+
+}  // namespace
+
+report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard,
+                            const runtime::NamedValues& values) {
+  report::RunResult result;
+  result.program = opened.options.programs.front();
+  result.control = session::name_of(opened.prepared.control);
+  result.seed = opened.options.seed;
+  result.outcome = heard.outcome;
+  result.variables = values;
+  result.files = opened.run.changed_files();
+  result.machine_time_s = opened.machine.time_s();
+  result.probe_state = probe_state_of(opened.prepared.job);
+  return result;
+}
+
+std::optional<session::Refusal> deliver(const OpenedRun& opened, const report::RunResult& result) {
+  const RunOptions& options = opened.options;
+  if (options.json != "-") {
+    std::string text;
+    for (const auto& [name, value] : result.variables) {
+      text += fmt::format("{} = {}\n", name, shown(value));
+    }
+    if (auto wrong = write_out("-", text); wrong || options.json.empty()) {
+      return wrong;
+    }
+  }
+  return write_document(opened, result);
+}
+
+}  // namespace g31::cli
