@@ -2,6 +2,8 @@
 #
 #   g31_install_packages LOGFILE    apt's own words go to LOGFILE, and to the screen when it fails
 #   g31_build PRESET [TARGET...]    configures quietly and builds
+#   g31_build_with_progress PRESET LOGFILE [TARGET...]
+#                                   the same; its words go to LOGFILE, how far it is to standard error
 
 G31_PACKAGES=(
   g++ cmake ninja-build python3 python3-jsonschema
@@ -60,4 +62,27 @@ g31_build() {
   cmake --preset "$preset" >"build/configure-$preset.log" 2>&1 ||
     { cat "build/configure-$preset.log" >&2; return 1; }
   cmake --build --preset "$preset" --parallel "$(nproc)" "${targets[@]}"
+}
+
+g31_build_with_progress() {
+  local preset=$1 log=$2 line shown=0 tenth tty=
+  shift 2
+  [ -t 2 ] && tty=yes
+  if ! g31_build "$preset" "$@" 2>&1 | while IFS= read -r line; do
+         printf '%s\n' "$line" >&3
+         [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]] || continue
+         tenth=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2]))
+         if [ -n "$tty" ]; then
+           printf '\r  step %s of %s ' "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" >&2
+         elif [ "$tenth" -gt "$shown" ]; then
+           shown=$tenth
+           printf '  step %s of %s\n' "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" >&2
+         fi
+       done 3>"$log"; then
+    cat "$log" >&2
+    return 1
+  fi
+  if [ -n "$tty" ]; then
+    printf '\r%*s\r' 30 '' >&2
+  fi
 }

@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+"""The tree that `cmake --install` makes: it can be moved, and brings what programs, shells and man look for.
+
+Usage: install_test.py BUILD_FOLDER VERSION
+"""
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+PLACES = (
+    "bin/g31", "share/g31/macros/fanuc/O6001.nc", "share/g31/machine/library/v55.toml",
+    "share/g31/parts/library/ring_gauge/ring.toml", "share/man/man1/g31.1", "share/man/man1/g31-run.1",
+    "share/bash-completion/completions/g31", "share/zsh/vendor-completions/_g31",
+    "share/fish/vendor_completions.d/g31.fish",
+)
+COMPLETE = """source "$1"
+COMP_WORDS=("${@:2}")
+COMP_CWORD=$(($# - 2))
+_g31
+printf '%s\\n' "${COMPREPLY[@]}"
+"""
+SHEET = """[probe]
+ball_diameter = 6.0
+length = 100.0
+[start]
+X = 60.0
+Y = 0.0
+Z = 100.0
+[[part]]
+name = "bolt"
+file = "{file}"
+at = [0.0, 0.0, 0.0]
+"""
+
+
+class InstalledTree(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        first = pathlib.Path(cls.folder.name) / "first"
+        subprocess.run(["cmake", "--install", BUILD, "--prefix", first], check=True, capture_output=True)
+        cls.root = pathlib.Path(cls.folder.name) / "moved"
+        first.rename(cls.root)
+        cls.about = json.loads(cls.g31("--version", "--json").stdout)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    @classmethod
+    def g31(cls, *words):
+        return subprocess.run([cls.root / "bin/g31", *words], cwd=cls.root, capture_output=True, text=True)
+
+    def options_of(self, command):
+        words = self.g31(command, "--help").stdout.split("Examples")[0]
+        return set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", words, re.MULTILINE))
+
+    def test_files_lie_where_they_are_looked_for(self):
+        for place in PLACES:
+            self.assertTrue((self.root / place).is_file(), place)
+
+    def test_the_version_is_the_project_s(self):
+        self.assertEqual((self.about["schema"], self.about["version"]), ("g31.version/1", VERSION))
+        self.assertEqual(self.g31("--version").stdout, f"g31 {VERSION}\n")
+
+    def test_the_demo_of_the_readme_prints_what_it_says(self):
+        ring = "share/g31/parts/library/ring_gauge"
+        run = self.g31("run", "share/g31/macros/fanuc/O6001.nc", "--setup", f"{ring}/ring.toml",
+                       "--setup", f"{ring}/late_probe.toml", "--print", "#517,#518")
+        readme = (SOURCE / "README.md").read_text()
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(len(run.stdout.splitlines()), 2)
+        for line in run.stdout.splitlines():
+            self.assertIn(f"    {line}\n", readme)
+
+    def test_the_cycles_are_found(self):
+        self.assertIn("CYCLE977", self.g31("explain", "CYCLE977", "--control", "sinumerik-828d").stdout)
+
+    def test_a_step_part_is_touched_and_without_the_module_the_package_is_named(self):
+        module = self.root / "lib/g31/modules/g31_step.so"
+        if not module.exists():
+            self.skipTest("built without Open CASCADE")
+        (self.root / "skip.nc").write_text("%\nO1\nG91 G31 X-60. F100\nM30\n%\n")
+        (self.root / "bolt.toml").write_text(SHEET.format(file=SOURCE / "tests/parts/cylinder.step"))
+        call = ("run", "skip.nc", "--control", "fanuc-30i", "-s", "bolt.toml", "--print", "#5061")
+        run = self.g31(*call)
+        # A cylinder of radius 10 about the origin, and a ball of radius 3.
+        self.assertEqual(run.stdout, "#5061 = 13\n", run.stderr)
+        hidden = module.with_suffix(".hidden")
+        module.rename(hidden)
+        self.addCleanup(hidden.rename, module)
+        run = self.g31(*call)
+        self.assertEqual(run.returncode, 5)
+        self.assertIn("libocct-data-exchange", run.stderr)
+        self.assertIn("bolt.toml:10:8", run.stderr)
+
+    def complete(self, *words):
+        script = self.root / "share/bash-completion/completions/g31"
+        run = subprocess.run(["bash", "-c", COMPLETE, "bash", script, *words], cwd=self.root,
+                             capture_output=True, text=True, check=True)
+        return set(run.stdout.split())
+
+    def test_bash_completes_commands_options_choices_and_files(self):
+        self.assertEqual(self.complete("g31", ""), set(self.about["commands"]))
+        self.assertEqual(self.complete("g31", "run", "--cont"), {"--control"})
+        self.assertEqual(self.complete("g31", "run", "--control", ""), set(self.about["controls"]))
+        self.assertEqual(self.complete("g31", "check", "--format", "j"), {"json"})
+        self.assertEqual(self.complete("g31", "run", "-s", "share/g31/machine/library/v"),
+                         {"share/g31/machine/library/v55.toml"})
+        self.assertEqual(self.complete("g31", "run", "share/g31/macros/fanuc/O600"),
+                         {f"share/g31/macros/fanuc/O600{n}.nc" for n in (1, 2, 3)})
+
+    def test_each_option_of_each_command_is_completed_and_in_the_manual(self):
+        scripts = [(self.root / place).read_text() for place in PLACES if "completion" in place]
+        for command in self.about["commands"]:
+            page = (self.root / f"share/man/man1/g31-{command}.1").read_text().replace("\\-", "-")
+            self.assertIn(f"g31-{command} - ", page)
+            options = self.options_of(command)
+            self.assertIn("--help", options)
+            for option in options:
+                self.assertIn(option, page)
+                for script in scripts:
+                    self.assertRegex(script, rf"{option}\b|-l {option[2:]}\b")
+            self.assertIn("EXIT STATUS", page)
+
+    def test_zsh_and_fish_can_read_their_scripts(self):
+        for shell, place in (("zsh", PLACES[-2]), ("fish", PLACES[-1])):
+            if shutil.which(shell):
+                subprocess.run([shell, "-n", self.root / place], check=True)
+
+
+if __name__ == "__main__":
+    BUILD, VERSION = sys.argv[1:]
+    unittest.main(argv=sys.argv[:1])

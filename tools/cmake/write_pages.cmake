@@ -1,0 +1,20 @@
+# Has the program that was installed below PREFIX write its completions and the pages of its manual.
+set(program "${PREFIX}/bin/g31")
+set(ENV{ASAN_OPTIONS} detect_leaks=0)
+
+function(write_words file)
+  execute_process(COMMAND "${program}" ${ARGN} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  file(WRITE "${PREFIX}/share/${file}" "${text}")
+endfunction()
+
+write_words(bash-completion/completions/g31 completion bash)
+write_words(zsh/vendor-completions/_g31 completion zsh)
+write_words(fish/vendor_completions.d/g31.fish completion fish)
+write_words(man/man1/g31.1 manual)
+execute_process(COMMAND "${program}" --version --json OUTPUT_VARIABLE about COMMAND_ERROR_IS_FATAL ANY)
+string(JSON commands LENGTH "${about}" commands)
+math(EXPR last "${commands} - 1")
+foreach(number RANGE ${last})
+  string(JSON command GET "${about}" commands ${number})
+  write_words(man/man1/g31-${command}.1 manual ${command})
+endforeach()
