@@ -18,13 +18,30 @@ source::Location Outlet::place_of(const machine::MachineFault& fault) {
   return fault.tag ? std::bit_cast<Tag>(*fault.tag).where : source::Location();
 }
 
+runtime::ProgramView Outlet::view_of(const AxisPositions& q_M) const {
+  return view_ ? view_(q_M) : runtime::ProgramView();
+}
+
 /// What came behind a move that ended in a fault did not take place.
-std::optional<machine::MachineFault> Outlet::told(std::optional<machine::MachineFault> fault) {
-  if (fault && fault->tag) {
+/// @param move  that was asked for; the fault may be of an earlier one
+std::optional<machine::MachineFault> Outlet::told(std::optional<machine::MachineFault> fault,
+                                                  const std::optional<runtime::MoveEvent>& move) {
+  if (!fault) {
+    return fault;
+  }
+  if (fault->tag) {
     const std::uint64_t number = std::bit_cast<Tag>(*fault->tag).number;
     observer_.on_moves_undone(moves_ - number);
     moves_ = number;
   }
+  runtime::FaultEvent event;
+  event.what = fault->what;
+  event.q_M_at = fault->q_M_at;
+  event.move = fault->tag ? std::nullopt : move;
+  event.where = fault->tag ? place_of(*fault) : move ? move->where : source::Location();
+  event.contact = fault->contact;
+  event.view = view_of(fault->q_M_at);
+  observer_.on_fault(event);
   return fault;
 }
 
@@ -37,11 +54,12 @@ template <typename Move>
 std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const PathBlock& block) {
   block.g == 0 ? stop_cutting() : cut();
   const auto reached = port_.move(move);
+  const runtime::MoveEvent event{block.g, block.q_M_end, block.feed_mm_min, 0.0, block.where};
   if (!reached) {
-    return told(reached.error());
+    return told(reached.error(), event);
   }
   ++moves_;
-  observer_.on_move({block.g, block.q_M_end, block.feed_mm_min, 0.0, block.where});
+  observer_.on_move(event);
   return std::nullopt;
 }
 
@@ -86,15 +104,23 @@ std::optional<machine::MachineFault> Outlet::pause(const Pause& pause) {
 }
 
 Result<machine::SkipOutcome, machine::MachineFault> Outlet::move_until_skip(
-    const machine::SkipMove& move) {
+    const machine::SkipMove& move, source::Location where) {
+  constexpr int kSkip = 31;
   cut();
   if (auto late = stand_still()) {
     return *std::move(late);
   }
-  return port_.move_until_skip(move);
+  auto outcome = port_.move_until_skip(move);
+  if (!outcome) {
+    told(outcome.error(),
+         runtime::MoveEvent{kSkip, move.way.q_M_end, move.way.feed_mm_min, 0.0, where});
+  }
+  return outcome;
 }
 
-void Outlet::touched(const runtime::TouchEvent& event) {
+void Outlet::touched(runtime::TouchEvent event) {
+  event.time_s = port_.time_s();
+  event.view = view_of(event.q_M_latched);
   observer_.on_move({31, event.q_M_stopped, event.feed_mm_min, 0.0, event.where});
   observer_.on_touch(event);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "interpreter/path/path_block.h"
 #include "interpreter/runtime/observer.h"
@@ -18,6 +20,10 @@ class Outlet {
   Outlet(machine::MachinePort& port, runtime::Observer& observer)
       : port_(port), observer_(observer) {}
 
+  /// How the program sees places of the machine; without it nobody is told.
+  using View = std::function<runtime::ProgramView(const AxisPositions& q_M)>;
+  void show_by(View view) { view_ = std::move(view); }
+
   /// Moves the axes along a block: at rapid with g = 0, else at feed.
   /// @param plane  of an arc
   /// @returns the machine's fault; then the observer hears of no move
@@ -33,9 +39,10 @@ class Outlet {
   static source::Location place_of(const machine::MachineFault& fault);
 
   /// A move that listens to a sensor.  What became of it in words of the program is touched().
-  Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(
-      const machine::SkipMove& move);
-  void touched(const runtime::TouchEvent& event);
+  /// @param where  its block
+  Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(const machine::SkipMove& move,
+                                                                      source::Location where);
+  void touched(runtime::TouchEvent event);
 
   /// Machine time of all moves at feed and of those that listen, s.
   [[nodiscard]] double cutting_s() const {
@@ -52,7 +59,10 @@ class Outlet {
   template <typename Move>
   std::optional<machine::MachineFault> carry_out(const Move& move, const PathBlock& block);
 
-  std::optional<machine::MachineFault> told(std::optional<machine::MachineFault> fault);
+  std::optional<machine::MachineFault> told(
+      std::optional<machine::MachineFault> fault,
+      const std::optional<runtime::MoveEvent>& move = std::nullopt);
+  [[nodiscard]] runtime::ProgramView view_of(const AxisPositions& q_M) const;
   void cut();
 
   // The clock is looked at where cutting begins and ends, not at each move: what passes on has no
@@ -62,6 +72,7 @@ class Outlet {
   std::uint64_t moves_ = 0;  // that the observer has heard of
   machine::MachinePort& port_;
   runtime::Observer& observer_;
+  View view_;
 };
 
 }  // namespace g31::path

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/runtime/alarm.h"
 #include "interpreter/source/location.h"
 #include "machine/port/machine_port.h"
 
@@ -20,6 +21,13 @@ struct MoveEvent {
   source::Location where = {};  ///< the block that commands it
 };
 
+/// How the program that runs sees a place of the machine.
+struct ProgramView {
+  AxisPositions q_L = AxisPositions::Zero();  ///< work coordinates as the program writes them
+  std::optional<int> tool;                    ///< in the spindle; nullopt: no program has said
+  std::vector<CallSite> calls;                ///< of the block, innermost first
+};
+
 /// One skip move and what became of it.
 struct TouchEvent {
   std::string_view block;  ///< the measuring word: "G31", "MEAS"
@@ -30,7 +38,21 @@ struct TouchEvent {
   AxisPositions q_M_stopped;
   std::optional<machine::Contact> contact;
   double feed_mm_min = 0.0;
-  int signals = 1;  ///< how often the signal came; the first was latched
+  int signals = 1;      ///< how often the signal came; the first was latched
+  double time_s = 0.0;  ///< machine time at its end
+  ProgramView view;     ///< of the latched position
+};
+
+/// A move that a fault has ended: a collision, or a soft limit.
+struct FaultEvent {
+  std::string what;  ///< one line: the bodies that met, or axis and limit
+  AxisPositions q_M_at;
+  /// The move: 0, 1, 2, 3 or 31, its end and its feed; nullopt where the fault of a move that had
+  /// passed on is found later.
+  std::optional<MoveEvent> move;
+  source::Location where;  ///< its block
+  std::optional<machine::Contact> contact;
+  ProgramView view;  ///< of q_M_at
 };
 
 /// A programmed stop: #3006, M00, M01.
@@ -59,6 +81,8 @@ class Observer {
   /// The last moves did not take place: the one before them ended in a fault that came late.
   virtual void on_moves_undone(std::uint64_t /*count*/) {}
   virtual void on_touch(const TouchEvent&) {}
+  /// The last thing that a run does: no move ends behind it.
+  virtual void on_fault(const FaultEvent&) {}
   virtual void on_stop(const StopEvent&) {}
   /// The axes have come to rest where the program has them, and it waits for that (STOPRE).
   virtual void on_standstill(source::Location /*where*/) {}

@@ -165,7 +165,8 @@ TEST(RunErrors, OfTheCommandLineAreWrongUsage) {
     const RunOutput output = run_program(options);
     EXPECT_EQ(output.exit_code, 2);
     EXPECT_NE(output.errors.find(says), std::string::npos) << output.errors;
-    EXPECT_TRUE(output.document.is_null());
+    EXPECT_EQ(output.document.at("status"), "usage");
+    EXPECT_EQ(output.document.at("exit_code"), 2);
   }
 }
 
@@ -175,10 +176,9 @@ TEST(RunErrors, ADefectBeforeARunBeginsHasItsDocument) {
   options.programs = {folder.path("case.nc")};
   options.json = folder.path("result.json");
   ::testing::internal::CaptureStderr();
-  const auto code = cli::run_or_tell(
-      options, [](const std::function<void()>&) -> Result<cli::ExitCode, session::Refusal> {
-        contract_violated("a machine has axes", "world.cc", 1);
-      });
+  const auto code = cli::run_or_tell(options, []() -> Result<cli::ExitCode, session::Refusal> {
+    contract_violated("a machine has axes", "world.cc", 1);
+  });
   EXPECT_EQ(static_cast<int>(code), 70);
   EXPECT_EQ(::testing::internal::GetCapturedStderr(),
             "g31: defect: world.cc:1: contract violated: a machine has axes\n");

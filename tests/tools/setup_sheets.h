@@ -249,6 +249,19 @@ at = 10.0
 [[skip_signal]]
 axis = "C"
 [[skip_signal]]
+[expect]
+status = "completed"
+alarm = 3160
+output = "X 1.000\n"
+output_contains = "X 1.000"
+output_file = "expected.txt"
+touches = 4
+findings = 0
+machine_time_s = [0.0, 90.0]
+[expect.variables]
+"#160" = [19.998, 1e-4]
+[expect.work_offsets.G54]
+X = [0.0, 0.001]
 )";
 
 /// A folder of set-up sheets that goes away with the test.

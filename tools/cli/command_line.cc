@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,6 +24,7 @@
 #include "tools/cli/read_command_words.h"
 #include "tools/cli/run_command.h"
 #include "tools/cli/run_options.h"
+#include "tools/cli/run_refusal.h"
 #include "tools/cli/scene_command.h"
 #include "tools/cli/scene_options.h"
 #include "tools/cli/study_command.h"
@@ -111,18 +114,42 @@ void take_interruptions(Options& options) {
   options.study.interruption = options.evaluate.interruption = &interruption;
 }
 
+/// Where the words of a `run` that CLI11 has refused want the document; "": nowhere.
+std::string json_of_run(std::span<const char* const> words) {
+  constexpr std::string_view kOption = "--json";
+  if (words.size() < 2 || words[1] != std::string_view("run")) {
+    return {};
+  }
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    const std::string_view word = words[i];
+    if (word == kOption && i + 1 < words.size()) {
+      return words[i + 1];
+    }
+    if (word.starts_with(kOption) && word.substr(kOption.size()).starts_with('=')) {
+      return std::string(word.substr(kOption.size() + 1));
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 ExitCode run_command_line(int argc, const char* const* argv, const std::string& version) {
   CLI::App app("g31 runs touch-probe NC programs on a simulated machine.", "g31");
   Options options;
+  options.run.version = version;
   add_version(app, options);
   const std::vector<Command> commands = add_commands(app, options, version);
   app.footer(exit_code_help());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? ExitCode::Completed : ExitCode::BadUsage;
+    if (app.exit(error) == 0) {
+      return ExitCode::Completed;
+    }
+    tell_usage_error(options.run, json_of_run({argv, static_cast<std::size_t>(argc)}),
+                     error.what());
+    return ExitCode::BadUsage;
   }
   if (options.is_version_asked) {
     return version_command(read_command_words(app, version), options.is_version_json);

@@ -1,6 +1,7 @@
 #include "tools/cli/run_command.h"
 
-#include <functional>
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -9,10 +10,12 @@
 #include "interpreter/runtime/time_budget.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/printouts.h"
+#include "tools/cli/run_expectations.h"
 #include "tools/cli/run_recorder.h"
 #include "tools/cli/run_refusal.h"
 #include "tools/cli/run_result.h"
 #include "tools/cli/run_tables.h"
+#include "tools/cli/run_verdict.h"
 #include "tools/disk/disk.h"
 #include "tools/session/sheet_places.h"
 #include "tools/session/world.h"
@@ -68,35 +71,76 @@ std::optional<Refusal> keep_state(const OpenedRun& opened, const runtime::Outcom
                                                               : std::nullopt;
 }
 
-ExitCode run_to_end(const OpenedRun& opened, const Tables& tables, Printouts& printouts) {
-  const session::Heard heard = carried_out(opened);
+/// What could not be written or kept.
+std::vector<Refusal> unwritten_files(const OpenedRun& opened, const Tables& tables,
+                                     Printouts& printouts, const runtime::Outcome& outcome) {
+  std::vector<Refusal> problems;
   for (const auto& wrong : {tables.finish(), printouts.finish()}) {
     if (wrong) {
-      return refuse(*wrong);
+      problems.push_back(*wrong);
     }
   }
-  print_diagnostics(heard.outcome, opened.sources);
-  const session::Run::Values found = opened.run.values(opened.prints);
-  for (const auto& wrong : {deliver(opened, result_of(opened, heard, found.values)),
-                            keep_state(opened, heard.outcome)}) {
-    if (wrong) {
-      return refuse(*wrong);
-    }
+  if (const auto wrong = problems.empty() ? keep_state(opened, outcome) : std::nullopt) {
+    problems.push_back(*wrong);
   }
-  const ExitCode code = exit_code_of(session::ending_of(heard.outcome, opened.options.fail_on));
-  if (!found.wrong) {
-    return code;
+  return problems;
+}
+
+ExitCode run_to_end(const OpenedRun& opened, const Tables& tables, Printouts& printouts) {
+  const session::Heard heard = carried_out(opened);
+  report::RunResult result = result_of(opened, heard);
+  std::vector<Refusal> problems = unwritten_files(opened, tables, printouts, heard.outcome);
+  session::Run::Values found = opened.run.values(opened.prints);
+  result.variables = std::move(found.values);
+  result.expectations = judged(opened.expectations, opened, heard.outcome);
+  const ExitCode code =
+      exit_code_of(heard.outcome, {opened.options.fail_on, opened.expectations, result.expectations,
+                                   found.wrong.has_value(), !problems.empty()});
+  if (found.wrong) {
+    problems.push_back(session::bad_input(fmt::format("--print: {}", *found.wrong)));
   }
-  const ExitCode unread = refuse(session::bad_input(fmt::format("--print: {}", *found.wrong)));
-  const bool has_completed = heard.outcome.status == runtime::Status::Completed;
-  return has_completed ? unread : code;
+  std::vector<source::Diagnostic>& messages = result.outcome.diagnostics;
+  std::ranges::move(failures_of(result.expectations), std::back_inserter(messages));
+  print_diagnostics(result.outcome, opened.sources);
+  for (const Refusal& problem : problems) {
+    refuse(problem);
+    messages.push_back(message_of(problem));
+  }
+  result.exit_code = static_cast<int>(code);
+  const auto undelivered = deliver(opened, result);
+  return undelivered ? refuse(*undelivered) : code;
+}
+
+void connect(const Printouts& printouts, session::Run& run) {
+  if (runtime::PrinterPort* const printer = printouts.printer()) {
+    run.session().connect(*printer);
+  }
+}
+
+/// What names ask for and the control has not.
+std::optional<Refusal> unusable(const Checked& line, const expect::Expectations& expectations,
+                                session::Run& run) {
+  if (const auto wrong = run.wrong_name(line.prints)) {
+    return session::bad_input(fmt::format("--print: {}", *wrong));
+  }
+  return wrong_expectation(expectations, run);
+}
+
+/// What a run is given, as it is before the run; nothing where no document tells it.
+RunInputs inputs_before(const RunOptions& options, const setup::Job& job) {
+  RunInputs inputs;
+  if (!options.json.empty()) {
+    inputs.add(options);
+    inputs.add(job);
+  }
+  return inputs;
 }
 
 /// Makes a run ready and does it.
-Result<ExitCode, Refusal> begin_run(const RunOptions& options,
-                                    const std::function<void()>& begins) {
+Result<ExitCode, Refusal> do_run(const RunOptions& options) {
   disk::Disk disk;
-  const auto prepared = session::prepare(options, disk, session::VariablesFile::IsSaved);
+  RememberingDisk remembering(disk);
+  const auto prepared = session::prepare(options, remembering, session::VariablesFile::IsSaved);
   if (!prepared) {
     return prepared.error();
   }
@@ -108,6 +152,11 @@ Result<ExitCode, Refusal> begin_run(const RunOptions& options,
     return line.error();
   }
   const setup::Job& job = prepared.value().job;
+  const auto expectations = expectations_of(job, options.expects);
+  if (!expectations) {
+    return expectations.error();
+  }
+  RunInputs inputs = inputs_before(options, job);
   const session::Control& control = prepared.value().control;
   runtime::OutputBudget output(options.max_output);
   const auto tables = open_tables(options, job, output);
@@ -125,10 +174,13 @@ Result<ExitCode, Refusal> begin_run(const RunOptions& options,
   }
   machine::MachiningCentre& machine = *world.value().machine;
   EchoingRecorder recorder(options, *printouts.value(), machine, tables.value(), output);
+  if (expectations.value().need_output()) {
+    recorder.keep_output();
+  }
   if (tables.value().trace != nullptr) {
     machine.trace(line.value().trace_period_s, *tables.value().trace);
   }
-  const auto programs = session::open_programs(control, options, disk, job.control);
+  const auto programs = session::open_programs(control, options, remembering, job.control);
   if (!programs) {
     return programs.error();
   }
@@ -136,23 +188,20 @@ Result<ExitCode, Refusal> begin_run(const RunOptions& options,
   if (!opened) {
     return opened.error();
   }
-  if (runtime::PrinterPort* const printer = printouts.value()->printer()) {
-    opened.value()->session().connect(*printer);
+  connect(*printouts.value(), *opened.value());
+  if (const auto wrong = unusable(line.value(), expectations.value(), *opened.value())) {
+    return *wrong;
   }
-  if (const auto wrong = opened.value()->wrong_name(line.value().prints)) {
-    return session::bad_input(fmt::format("--print: {}", *wrong));
-  }
-  begins();
   return run_to_end({options, line.value().prints, prepared.value(), *opened.value(), machine,
-                     recorder, output, time, programs.value()->sources(), world.value().findings},
+                     recorder, output, time, programs.value()->sources(), world.value().findings,
+                     expectations.value(), inputs, remembering},
                     tables.value(), *printouts.value());
 }
 
 }  // namespace
 
 ExitCode run_command(const RunOptions& options) {
-  return run_or_tell(
-      options, [&](const std::function<void()>& begins) { return begin_run(options, begins); });
+  return run_or_tell(options, [&] { return do_run(options); });
 }
 
 }  // namespace g31::cli

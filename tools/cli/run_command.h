@@ -13,7 +13,9 @@ namespace g31::cli {
 /// What the command line of `g31 run` says.
 struct RunOptions : session::Request {
   std::vector<std::string> prints;
-  std::string json;  ///< file, "-" for standard output, "" for none
+  std::string version;               ///< of g31
+  std::vector<std::string> expects;  ///< "NAME=VALUE+-TOLERANCE"
+  std::string json;                  ///< file, "-" for standard output, "" for none
   /// Where printouts go: "-" standard output, a file, or a line as parse_line_spec takes it; "" as
   /// "-", unless the document goes there.
   std::string printer;

@@ -19,6 +19,7 @@ EchoingRecorder::EchoingRecorder(const RunOptions& options, Printouts& printouts
     : RunRecorder({keep_if(options.moves), keep_if(options.touches)}, budget),
       printouts_(printouts),
       keeps_(!options.json.empty()),
+      keeps_output_(keeps_),
       machine_(machine),
       readings_(tables.readings.get()) {}
 
@@ -52,7 +53,7 @@ void EchoingRecorder::on_stop(const runtime::StopEvent& event) {
 /// What is kept is charged as it will be in the document, else as it is printed.
 template <typename Form>
 void EchoingRecorder::print(const runtime::OutputEvent& event, const Form& form) {
-  if (keeps_) {
+  if (keeps_output_) {
     RunRecorder::on_output(event);
   } else {
     budget().charge(runtime::Output::Printouts, event.text.size());

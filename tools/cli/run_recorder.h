@@ -18,6 +18,9 @@ class EchoingRecorder final : public report::RunRecorder {
   EchoingRecorder(const RunOptions& options, Printouts& printouts,
                   const machine::MachinePort& machine, const Tables& tables,
                   runtime::OutputBudget& budget);
+  /// Printouts are kept without a document, too.
+  void keep_output() { keeps_output_ = true; }
+
   void on_move(const runtime::MoveEvent& event) override;
   void on_standstill(source::Location where) override;
   void on_output(const runtime::OutputEvent& event) override;
@@ -31,6 +34,7 @@ class EchoingRecorder final : public report::RunRecorder {
 
   Printouts& printouts_;
   bool keeps_;
+  bool keeps_output_;
   const machine::MachinePort& machine_;
   report::ReadingsFile* readings_;
 };

@@ -1,10 +1,15 @@
 #include "tools/cli/run_refusal.h"
 
 #include <exception>
+#include <filesystem>
+#include <optional>
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "tools/cli/messages.h"
+#include "tools/cli/run_inputs.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/report/run_document.h"
@@ -12,8 +17,8 @@
 namespace g31::cli {
 namespace {
 
-/// How the document of a run that did not begin names why; nullopt: it has no name for it.
-std::optional<runtime::Status> status_of(session::Ending ending) {
+/// How the document of a run that did not begin names why.
+runtime::Status status_of(session::Ending ending) {
   switch (ending) {
     case session::Ending::Setup:
       return runtime::Status::Setup;
@@ -30,7 +35,7 @@ std::optional<runtime::Status> status_of(session::Ending ending) {
     case session::Ending::Collision:
       break;
   }
-  return std::nullopt;
+  return runtime::Status::SyntaxError;  // without an alarm it is called usage
 }
 
 source::Diagnostic diagnostic_of(const setup::SetupError& error) {
@@ -53,54 +58,99 @@ std::string_view code_of(runtime::Status status) {
   return {};
 }
 
-runtime::Outcome outcome_of(runtime::Status status, const session::Refusal& wrong) {
+runtime::Outcome outcome_of(const session::Refusal& wrong) {
   runtime::Outcome outcome;
-  outcome.status = status;
+  outcome.status = status_of(wrong.ending);
   for (const setup::SetupError& error : wrong.sheet_errors) {
     outcome.diagnostics.push_back(diagnostic_of(error));
   }
   if (wrong.sheet_errors.empty()) {
-    source::Diagnostic diagnostic;
-    diagnostic.message = wrong.message;
-    diagnostic.code = code_of(status);
-    outcome.diagnostics.push_back(std::move(diagnostic));
+    outcome.diagnostics.push_back(message_of(wrong));
+    outcome.diagnostics.back().code = code_of(outcome.status);
   }
   return outcome;
 }
 
-ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
-  const ExitCode code = refuse(wrong);
-  const auto status = status_of(wrong.ending);
-  if (!status || options.json.empty()) {
-    return code;
-  }
+/// Writes the document of a run that did not begin.
+std::optional<session::Refusal> write_refusal(const RunOptions& options, const std::string& json,
+                                              const session::Refusal& wrong) {
   report::RunResult result;
+  RunInputs inputs;
+  inputs.add(options);
+  result.version = options.version;
+  result.exit_code = static_cast<int>(exit_code_of(wrong.ending));
+  result.inputs = inputs.files();
   result.program = options.programs.empty() ? std::string() : options.programs.front();
   result.control = options.control;
   result.seed = options.seed;
-  result.outcome = outcome_of(*status, wrong);
+  result.outcome = outcome_of(wrong);
   disk::Disk disk;
   const source::SourceMap no_sources(disk);
   runtime::OutputBudget nothing;
   const report::RunRecorder recorder({}, nothing);
-  const auto unwritten = write_out(options.json, [&](disk::PartFile& file) {
+  return write_out(json, [&](disk::PartFile& file) {
     report::write_run_document(result, recorder, no_sources,
                                [&](std::string_view piece) { file.write(piece); });
   });
+}
+
+ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
+  const ExitCode code = refuse(wrong);
+  if (options.json.empty()) {
+    return code;
+  }
+  const auto unwritten = write_refusal(options, options.json, wrong);
   return unwritten ? refuse(*unwritten) : code;
+}
+
+/// Whether two paths are the same file, which is there.
+bool are_same(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error) && !error;
+}
+
+/// Takes the document of an earlier run away.  @returns why it may not be
+std::optional<session::Refusal> remove_old_document(const RunOptions& options) {
+  for (const auto* const inputs : {&options.programs, &options.setups}) {
+    for (const std::string& path : *inputs) {
+      if (are_same(path, options.json)) {
+        return session::bad_input(
+            fmt::format("--json {}: it would take the place of what is to be read", options.json));
+      }
+    }
+  }
+  std::error_code error;
+  if (std::filesystem::is_regular_file(std::filesystem::symlink_status(options.json, error))) {
+    std::filesystem::remove(options.json, error);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
+source::Diagnostic message_of(const session::Refusal& wrong) {
+  source::Diagnostic diagnostic;
+  diagnostic.message = wrong.message;
+  return diagnostic;
+}
+
+void tell_usage_error(const RunOptions& options, const std::string& json, const std::string& why) {
+  if (json.empty()) {
+    return;
+  }
+  if (const auto unwritten = write_refusal(options, json, session::bad_input(why))) {
+    refuse(*unwritten);
+  }
+}
+
 ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
-  bool has_begun = false;
+  if (const auto wrong = remove_old_document(options)) {
+    return refuse(*wrong);
+  }
   try {
-    const auto done = work([&] { has_begun = true; });
+    const auto done = work();
     return done ? done.value() : tell(options, done.error());
   } catch (const std::exception& defect) {
-    if (has_begun) {
-      throw;
-    }
     return tell(options, {session::Ending::Defect, defect.what(), {}});
   }
 }

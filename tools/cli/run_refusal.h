@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
+#include "interpreter/source/diagnostic.h"
 #include "machine/base/result.h"
 #include "tools/cli/exit_code.h"
 #include "tools/cli/run_command.h"
@@ -9,13 +11,18 @@
 
 namespace g31::cli {
 
-/// Makes a run ready and does it; calls `begins` in between.
-using RunWork =
-    std::function<Result<ExitCode, session::Refusal>(const std::function<void()>& begins)>;
+using RunWork = std::function<Result<ExitCode, session::Refusal>()>;
 
 /// Does the work of a run.  Why it cannot begin is told on standard error, and in the document of
-/// --json where the contract has a status for it: `setup`, `budget`, `interrupted`, or `defect` for
-/// a contract of ours that is violated before the run begins.  Wrong usage leaves no document.
+/// --json: status `usage`, `setup`, `budget`, `interrupted`, or `defect` for a contract of ours
+/// that is violated.  A document of an earlier run is gone before the work begins.
 ExitCode run_or_tell(const RunOptions& options, const RunWork& work);
+
+/// The document of a command line that is refused before anything is read of it.
+/// @param json  where --json wants it; "": nowhere
+void tell_usage_error(const RunOptions& options, const std::string& json, const std::string& why);
+
+/// The message of what could not be done.
+source::Diagnostic message_of(const session::Refusal& wrong);
 
 }  // namespace g31::cli

@@ -58,14 +58,16 @@ std::optional<session::Refusal> write_document(const OpenedRun& opened,
 
 }  // namespace
 
-report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard,
-                            const runtime::NamedValues& values) {
+report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard) {
   report::RunResult result;
+  result.version = opened.options.version;
+  opened.inputs.add(opened.disk);
+  result.inputs = opened.inputs.files();
   result.program = opened.options.programs.front();
   result.control = session::name_of(opened.prepared.control);
   result.seed = opened.options.seed;
   result.outcome = heard.outcome;
-  result.variables = values;
+  result.allowed = heard.allowed;
   result.files = opened.run.changed_files();
   result.machine_time_s = opened.machine.time_s();
   result.probe_state = probe_state_of(opened.prepared.job);

@@ -7,6 +7,8 @@
 #include "interpreter/runtime/time_budget.h"
 #include "machine/sim/machining_centre.h"
 #include "tools/cli/run_command.h"
+#include "tools/cli/run_inputs.h"
+#include "tools/expect/expectation.h"
 #include "tools/report/run_document.h"
 #include "tools/report/run_recorder.h"
 #include "tools/session/heard.h"
@@ -27,12 +29,13 @@ struct OpenedRun {
   const runtime::TimeBudget& time;
   const source::SourceMap& sources;
   const std::vector<source::Diagnostic>& part_findings;
+  const expect::Expectations& expectations;
+  RunInputs& inputs;
+  const RememberingDisk& disk;
 };
 
-/// What a run that has ended tells.
-/// @param values  of the variables asked for
-report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard,
-                            const runtime::NamedValues& values);
+/// What a run that has ended tells of itself; what was made of it is still to be said.
+report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard);
 
 /// Sends the result where it goes: the document, or the variables asked for as lines.
 /// @returns why it could not be written

@@ -145,6 +145,10 @@ Json value_schema(const KeyRow& row) {
       return either_schema(number(), list_schema(number()));
     case ValueType::NumberOrTable:
       return either_schema(number(), list_schema(list_schema(number(), 2)));
+    case ValueType::ExpectedNumber:
+      return either_schema(number(), list_schema(number(), 2));
+    case ValueType::ExpectedValue:
+      return either_schema({{"type", "string"}}, either_schema(number(), list_schema(number(), 2)));
     case ValueType::Datum:
       return {{"type", Json::array({"number", "boolean", "string", "array"})},
               {"items", {{"type", "number"}}}};

@@ -7,7 +7,6 @@
 
 #include "interpreter/runtime/overloaded.h"
 #include "interpreter/source/latin_1.h"
-#include "machine/base/contract.h"
 #include "tools/session/ending.h"
 
 namespace g31::report {
@@ -86,6 +85,13 @@ Json move_json(const runtime::MoveEvent& move) {
   return object;
 }
 
+/// How the program sees the place.
+void add_view(Json& object, const runtime::ProgramView& view, const source::SourceMap& sources) {
+  object["work"] = array_of(view.q_L);
+  object["tool"] = view.tool ? Json(*view.tool) : Json();
+  object["calls"] = sites_json(view.calls, sources);
+}
+
 Json touch_json(const runtime::TouchEvent& touch, const source::SourceMap& sources) {
   Json object = {{"block", touch.block}};
   add_place(object, touch.where, sources);
@@ -100,19 +106,21 @@ Json touch_json(const runtime::TouchEvent& touch, const source::SourceMap& sourc
   if (touch.signals != 1) {
     object["signals"] = touch.signals;
   }
+  object["time_s"] = touch.time_s;
+  add_view(object, touch.view, sources);
   return object;
 }
 
-const char* severity_name(source::Severity severity) {
-  switch (severity) {
-    case source::Severity::Note:
-      return "note";
-    case source::Severity::Warning:
-      return "warning";
-    case source::Severity::Error:
-      return "error";
-  }
-  contract_violated("every severity has a name", __FILE__, __LINE__);
+/// Where and how a move was broken off.
+Json collision_json(const runtime::FaultEvent& fault, const source::SourceMap& sources) {
+  Json object = {{"what", fault.what}, {"at", array_of(fault.q_M_at)}};
+  add_place(object, fault.where, sources);
+  add_view(object, fault.view, sources);
+  object["contact"] = fault.contact ? array_of(fault.contact->p_M_point) : Json();
+  object["normal"] = fault.contact ? array_of(fault.contact->n_M) : Json();
+  object["part"] = fault.contact ? Json(fault.contact->part) : Json();
+  object["move"] = fault.move ? move_json(*fault.move) : Json();
+  return object;
 }
 
 Json json_of(const runtime::ShownValue& value) {
@@ -131,11 +139,38 @@ Json stop_json(const runtime::StopEvent& stop, const source::SourceMap& sources)
 }
 
 Json diagnostic_json(const source::Diagnostic& diagnostic, const source::SourceMap& sources) {
-  Json object = {{"severity", severity_name(diagnostic.severity)},
+  Json object = {{"severity", source::name_of(diagnostic.severity)},
                  {"code", diagnostic.code},
                  {"message", diagnostic.message}};
   add_place(object, place_of(diagnostic, sources));
+  if (!diagnostic.remedy.empty()) {
+    object["remedy"] = diagnostic.remedy;
+  }
+  for (const source::Note& note : diagnostic.notes) {
+    Json shown = {{"message", note.message}};
+    add_place(shown, note.where, sources);
+    object["notes"].push_back(std::move(shown));
+  }
   return object;
+}
+
+Json allowed_json(const session::AllowedMessage& allowed, const source::SourceMap& sources) {
+  Json object = diagnostic_json(allowed.message, sources);
+  object["reason"] = source::as_utf8(allowed.reason);
+  return object;
+}
+
+Json expectation_json(const expect::Judged& judged) {
+  Json object = {{"name", judged.name},
+                 {"expected", judged.expected},
+                 {"got", judged.got},
+                 {"holds", judged.holds}};
+  add_place(object, judged.place);
+  return object;
+}
+
+Json input_json(const InputFile& input) {
+  return {{"file", input.file}, {"sha256", input.sha256}};
 }
 
 }  // namespace
@@ -148,9 +183,13 @@ void write_run_document(const RunResult& result, const RunRecorder& recorder,
   ObjectWriter document(sink);
   document.add("schema", "g31.run/1");
   document.add("program", std::filesystem::path(result.program).filename().string());
+  if (!result.version.empty()) {
+    document.add("version", result.version);
+  }
   document.add("control", result.control);
   document.add("seed", result.seed);
   document.add("status", session::status_name(result.outcome));
+  document.add("exit_code", result.exit_code);
   document.add("alarm", result.outcome.alarm ? alarm_json(*result.outcome.alarm, sources) : Json());
   Json variables = Json::object();
   for (const auto& [name, value] : result.variables) {
@@ -172,7 +211,17 @@ void write_run_document(const RunResult& result, const RunRecorder& recorder,
   if (!result.probe_state.empty()) {
     document.add("probe", {{"state", result.probe_state}});
   }
+  if (recorder.fault()) {
+    document.add("collision", collision_json(*recorder.fault(), sources));
+  }
   document.add_list("diagnostics", result.outcome.diagnostics, shown_by(diagnostic_json));
+  if (!result.allowed.empty()) {
+    document.add_list("allowed", result.allowed, shown_by(allowed_json));
+  }
+  if (!result.expectations.empty()) {
+    document.add_list("expectations", result.expectations, expectation_json);
+  }
+  document.add_list("inputs", result.inputs, input_json);
   document.add("blocks", result.outcome.blocks);
   document.add("machine_time_s", result.machine_time_s);
   document.finish();

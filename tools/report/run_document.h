@@ -10,17 +10,30 @@
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/shown_value.h"
 #include "interpreter/source/source_map.h"
+#include "tools/expect/expectation.h"
 #include "tools/report/object_writer.h"
 #include "tools/report/run_recorder.h"
+#include "tools/session/heard.h"
 
 namespace g31::report {
 
+/// A file that a run depends on.
+struct InputFile {
+  std::string file;    ///< as it was named
+  std::string sha256;  ///< of its bytes, hexadecimal
+};
+
 /// Everything that the result document of one run tells.
 struct RunResult {
+  std::string version;  ///< of g31; "": not said
+  int exit_code = 0;    ///< that the process ends with
+  std::vector<InputFile> inputs;
   std::string program;  ///< file name of the main program, without folder
   std::string control;
   std::uint64_t seed = 0;
   runtime::Outcome outcome;
+  std::vector<expect::Judged> expectations;
+  std::vector<session::AllowedMessage> allowed;  ///< messages that nobody wants to hear
   std::vector<std::pair<std::string, runtime::ShownValue>> variables;  ///< in the order asked for
   std::map<std::string, std::string_view> files;  ///< what the program wrote, by name
   double machine_time_s = 0.0;

@@ -30,9 +30,14 @@ void RunRecorder::on_moves_undone(std::uint64_t count) {
 }
 
 void RunRecorder::on_touch(const runtime::TouchEvent& event) {
+  touch_count_ += event.triggered ? 1 : 0;
   if (what_.touches == RecordWhat::Keep::Yes && budget_.charge(Output::Touches, kTouchBytes)) {
     touches_.push_back(event);
   }
+}
+
+void RunRecorder::on_fault(const runtime::FaultEvent& event) {
+  fault_ = event;
 }
 
 void RunRecorder::on_stop(const runtime::StopEvent& event) {

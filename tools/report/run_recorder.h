@@ -30,6 +30,7 @@ class RunRecorder : public runtime::Observer {
   void on_move(const runtime::MoveEvent& event) override;
   void on_moves_undone(std::uint64_t count) override;
   void on_touch(const runtime::TouchEvent& event) override;
+  void on_fault(const runtime::FaultEvent& event) override;
   void on_stop(const runtime::StopEvent& event) override;
   void on_output(const runtime::OutputEvent& event) override;
 
@@ -37,6 +38,10 @@ class RunRecorder : public runtime::Observer {
   [[nodiscard]] const std::vector<runtime::MoveEvent>& moves() const { return moves_; }
   [[nodiscard]] const std::vector<runtime::TouchEvent>& touches() const { return touches_; }
   [[nodiscard]] const std::vector<runtime::StopEvent>& stops() const { return stops_; }
+  /// The move that did not end.
+  [[nodiscard]] const std::optional<runtime::FaultEvent>& fault() const { return fault_; }
+  /// Measuring moves that had their signal.
+  [[nodiscard]] std::size_t touch_count() const { return touch_count_; }
   [[nodiscard]] std::size_t stops_left_out() const { return stops_left_out_; }
   [[nodiscard]] const std::string& output() const { return output_; }
 
@@ -50,6 +55,8 @@ class RunRecorder : public runtime::Observer {
   std::vector<runtime::TouchEvent> touches_;
   std::vector<runtime::StopEvent> stops_;
   std::size_t stops_left_out_ = 0;
+  std::size_t touch_count_ = 0;
+  std::optional<runtime::FaultEvent> fault_;
   std::string output_;
 };
 

@@ -56,6 +56,14 @@ class Session {
   virtual std::optional<std::string> wrong_name(const std::string& name) = 0;
   /// The value of what --print names; the reason when there is none.
   virtual Result<runtime::ShownValue, std::string> variable(const std::string& name) = 0;
+  /// The machine coordinate that a work offset gives the origin, shifts of all kinds together; mm
+  /// or deg.  nullopt: the control has no such offset.
+  /// @param axis  as AxisPositions counts them
+  [[nodiscard]] virtual std::optional<double> work_offset(const std::string& name,
+                                                          int axis) const = 0;
+  /// Work offsets and tool data that are not 0 by names for people, and all that control tables of
+  /// the like hold.
+  [[nodiscard]] virtual std::map<std::string, double> tables() const = 0;
   /// What a control keeps over power off.
   [[nodiscard]] virtual std::map<std::string, double> permanent_variables() const = 0;
   /// Files that are there before the run; a control that writes none leaves them alone.

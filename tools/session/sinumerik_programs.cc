@@ -37,6 +37,11 @@ class SinumerikSession final : public Session {
   Result<runtime::ShownValue, std::string> variable(const std::string& name) override {
     return session_.variable(name);
   }
+  [[nodiscard]] std::optional<double> work_offset(const std::string& name,
+                                                  int axis) const override {
+    return session_.work_offset(name, axis);
+  }
+  [[nodiscard]] std::map<std::string, double> tables() const override { return session_.tables(); }
   [[nodiscard]] std::map<std::string, double> permanent_variables() const override {
     return session_.permanent_variables();
   }

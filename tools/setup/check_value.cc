@@ -43,6 +43,9 @@ std::optional<std::string> out_of_bounds(double number, Limit limit, std::string
              : std::nullopt;
 }
 
+constexpr std::string_view kRunStatuses[] = {"completed", "alarm",  "collision",
+                                             "setup",     "budget", "usage"};
+
 bool is_column_name(std::string_view text) {
   const auto serves = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -92,6 +95,8 @@ bool text_within(Limit limit, const std::string& text) {
       return text == "straight" || text == "independent";
     case Limit::OffsetMemory:
       return text == "A" || text == "B" || text == "C";
+    case Limit::RunStatus:
+      return std::ranges::find(kRunStatuses, text) != std::end(kRunStatuses);
     case Limit::StoppingKind:
       return text == "braking" || text == "ideal";
     case Limit::ProbeType:
@@ -280,6 +285,21 @@ Checked datum_value(const Node& node, ValueType type) {
                                                    : number_value(node, type);
 }
 
+/// A value and its tolerance; a number alone has none.
+Checked expected_number(const Node& node, ValueType type) {
+  if (!std::holds_alternative<Array>(node.value)) {
+    const Checked number = number_value(node, type);
+    return number ? Checked(SheetValue(std::vector<double>{std::get<double>(number.value()), 0.0}))
+                  : number;
+  }
+  Checked pair = list_from(node, type, 2);
+  if (pair && std::get<std::vector<double>>(pair.value()).back() < 0.0) {
+    return ValueProblem{SetupErrorId::OutOfRange, shown(pair.value()),
+                        "[value, tolerance] with a tolerance of 0 or more"};
+  }
+  return pair;
+}
+
 Checked typed_value(const Node& node, ValueType type) {
   const auto* text = std::get_if<std::string>(&node.value);
   const auto* flag = std::get_if<bool>(&node.value);
@@ -306,6 +326,10 @@ Checked typed_value(const Node& node, ValueType type) {
       return number_or_table(node, type);
     case ValueType::Datum:
       return datum_value(node, type);
+    case ValueType::ExpectedValue:
+      return text != nullptr ? Checked(SheetValue(*text)) : expected_number(node, type);
+    case ValueType::ExpectedNumber:
+      return expected_number(node, type);
   }
   contract_violated("every ValueType is read", __FILE__, __LINE__);
 }

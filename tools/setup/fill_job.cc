@@ -12,6 +12,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
+#include "tools/setup/fill_expectations.h"
 #include "tools/setup/fill_inputs.h"
 #include "tools/setup/fill_machine.h"
 #include "tools/setup/fill_probe.h"
@@ -51,6 +52,18 @@ void fill_control(runtime::ControlSetup& control, const TableKeys& keys) {
   control.variables_file = keys.get(KeyId::ControlVariablesFile, control.variables_file);
   for (const double number : keys.get(KeyId::ControlBlockSkip, std::vector<double>{})) {
     control.block_skip.insert(static_cast<int>(number));
+  }
+}
+
+void fill_parameters(runtime::ControlSetup& control, const SheetTable& table) {
+  for (const auto& [number, entry] : table.entries) {
+    control.parameters[number] = number_of(entry);
+  }
+}
+
+void fill_macro_calls(runtime::ControlSetup& control, const SheetTable& table) {
+  for (const auto& [code, entry] : table.entries) {
+    control.macro_calls[code] = static_cast<int>(number_of(entry));
   }
 }
 
@@ -136,14 +149,10 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
       fill_control(job.control, keys);
       return;
     case SectionId::Parameters:
-      for (const auto& [number, entry] : table.entries) {
-        job.control.parameters[number] = number_of(entry);
-      }
+      fill_parameters(job.control, table);
       return;
     case SectionId::MacroCalls:
-      for (const auto& [code, entry] : table.entries) {
-        job.control.macro_calls[code] = static_cast<int>(number_of(entry));
-      }
+      fill_macro_calls(job.control, table);
       return;
     case SectionId::MachineData:
     case SectionId::UserData:
@@ -159,6 +168,9 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::Tools:
       job.control.tools[std::stoi(name)] = tool_from(keys);
       return;
+    case SectionId::Expect:
+    case SectionId::ExpectVariables:
+    case SectionId::ExpectOffsets:
     case SectionId::Start:
     case SectionId::Machine:
     case SectionId::MachineErrors:
@@ -166,7 +178,7 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::Believed:
     case SectionId::BelievedAxes:
     case SectionId::Probe:
-      return;  // fill_machine, fill_probe
+      return;  // fill_expectations, fill_machine, fill_probe
     case SectionId::MachineAxes:
       fill_axis_names(job.control, name, keys);
       if (is_further_axis(name)) {
@@ -290,6 +302,7 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
       job.skip_signals->push_back(skip_signal_from(table));
     }
   }
+  job.expectations = expectations_from(sheet);
   job.control.inputs = inputs_from(sheet, errors);
   fill_sensors(job, sheet, errors);
   fill_tools(job, sheet, errors);

@@ -12,6 +12,7 @@
 #include "probe/sensor/probe_setup.h"
 #include "probe/tooling/tool_probe_setup.h"
 #include "probe/tooling/tool_setup.h"
+#include "tools/expect/expectation.h"
 #include "tools/setup/setup_error.h"
 
 namespace g31::setup {
@@ -27,6 +28,8 @@ struct Job {
   std::vector<parts::PartSetup> parts;
   /// Of what only the control can judge, by table and name: "variables.#500"; see RefusedSetting.
   std::map<std::string, SheetPlace> places;
+  expect::Expectations expectations;    ///< what [expect] says
+  std::vector<std::string> sheets;      ///< what it was read from, machine file included
   std::vector<SheetPlace> part_places;  ///< one per part: its file or shape
   /// Signals of the skip moves in order; given (even empty) means: instead of a probe.
   std::optional<std::vector<probe::SkipSignal>> skip_signals;

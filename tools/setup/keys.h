@@ -62,6 +62,8 @@ enum class ValueType {
   NumberOrNumbers,  ///< a list of one number, or of as many as it has
   NumberOrTable,    ///< a list of one number, or of pairs
   Datum,            ///< a number, a text or a list of numbers; true is 1, false is 0
+  ExpectedNumber,   ///< a number or [value, tolerance]: a list of these two
+  ExpectedValue,    ///< that, or a text
 };
 
 /// Which values of the right type are allowed.
@@ -99,6 +101,7 @@ enum class Limit {
   AxisLetter,
   AxisLetters,  ///< no letter twice
   NotAllZero,
+  RunStatus,     ///< as the document of a run has it
   RisingPlaces,  ///< the first numbers of pairs
 };
 

@@ -101,6 +101,9 @@ Result<Job, SetupErrors> SheetStack::job(std::span<const Override> overrides) co
     }
   }
   Job job = fill_job(sheet, errors);
+  for (const auto& document : documents_) {
+    job.sheets.push_back(document->path);
+  }
   return errors.empty() ? Result<Job, SetupErrors>(std::move(job)) : errors.in_file_order();
 }
 

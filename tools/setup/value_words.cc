@@ -63,6 +63,8 @@ constexpr LimitWords kLimitWords[] = {
     {Limit::AxisLetter, "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\""},
     {Limit::AxisLetters, "letters of X, Y, Z, A, B and C, none twice"},
     {Limit::NotAllZero, "three numbers, not all 0"},
+    {Limit::RunStatus,
+     "\"completed\", \"alarm\", \"collision\", \"setup\", \"budget\" or \"usage\""},
     {Limit::RisingPlaces, "pairs with rising places"},
 };
 static_assert(std::size(kLimitWords) == static_cast<std::size_t>(Limit::RisingPlaces) + 1,
@@ -149,6 +151,10 @@ std::string_view words_for(ValueType type) {
       return "a number or an array of [place, error]";
     case ValueType::Datum:
       return "a number, true or false, a string or an array of numbers";
+    case ValueType::ExpectedNumber:
+      return "a number or [value, tolerance]";
+    case ValueType::ExpectedValue:
+      return "a number, [value, tolerance], \"vacant\" or another string";
   }
   contract_violated("every ValueType has words", __FILE__, __LINE__);
 }

@@ -31,6 +31,7 @@ void change_tool(Control& control) {
     return;
   }
   const int number = *control.called_tool;
+  control.tool = number;
   control.data[kToolInSpindle] = number;
   const runtime::ToolEntry entry = control.offsets.get(number);
   control.port.change_tool(

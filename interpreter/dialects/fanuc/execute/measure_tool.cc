@@ -65,7 +65,7 @@ Result<AxisPositions, Failure> touch(Control& control, const NcBlock& block,
   move.q_M_end = approach.at(approach.zone);
   move.traverse = machine::Traverse::Feed;
   move.feed_mm_min = approach.feed_mm_min;
-  const auto outcome = control.outlet.move_until_skip(move);
+  const auto outcome = control.outlet.move_until_skip(move, block.where);
   control.coordinates.arrived_at_machine(control.port.position());
   if (!outcome) {
     return from_fault(outcome.error());

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
@@ -154,7 +156,7 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
   const auto state = control.port.sensor_state(move.input);
   control.warn_of(state, block.where);
   control.last_skip.q_M_from = control.port.position();
-  const auto outcome = control.outlet.move_until_skip(move);
+  const auto outcome = control.outlet.move_until_skip(move, block.where);
   if (!outcome) {
     control.coordinates.arrived_at_machine(control.port.position());
     return from_fault(outcome.error());
@@ -169,7 +171,7 @@ Result<std::optional<AxisPositions>, Failure> move_and_latch(Control& control, c
   }
   control.last_skip.q_M_latched = event.q_M_latched;
   control.touches.touched(event, state);
-  control.outlet.touched(event);
+  control.outlet.touched(std::move(event));
   return event.triggered ? std::optional(event.q_M_latched) : std::nullopt;
 }
 

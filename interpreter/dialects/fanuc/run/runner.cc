@@ -22,6 +22,9 @@ Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::Machine
     : library_(library), control_(profile, port, observer, system_) {
   system_.attach(control_);
   control_.here = [this] { return location_of(frame()); };
+  control_.outlet.show_by([this](const AxisPositions& q_M) {
+    return runtime::ProgramView{control_.coordinates.to_program(q_M), control_.tool, call_stack()};
+  });
 }
 
 /// Statements that touch nothing but variables: the hot loop of a macro program.

@@ -52,6 +52,14 @@ std::optional<int> system_in_name(std::string_view name) {
   return std::nullopt;
 }
 
+/// The name that a sheet has for a system.
+std::string name_of_system(int which) {
+  constexpr int kFirst = 53;  // G54 is 1
+  return which == 0                       ? std::string("EXT")
+         : which <= Coordinates::kSystems ? fmt::format("G{}", kFirst + which)
+                                          : fmt::format("G54.1 P{}", which - Coordinates::kSystems);
+}
+
 std::vector<runtime::RefusedSetting> configure_offsets(Control& control,
                                                        const runtime::ControlSetup& setup) {
   std::vector<runtime::RefusedSetting> refused;
@@ -209,6 +217,40 @@ Result<Cell, std::string> Session::variable(const std::string& name) {
     return fmt::format("{} cannot be read on this control", name);
   }
   return value.value();
+}
+
+std::optional<double> Session::work_offset(const std::string& name, int axis) const {
+  const auto system = system_in_name(name);
+  return system ? std::optional(runner_->control().coordinates.system(*system)[axis])
+                : std::nullopt;
+}
+
+std::map<std::string, double> Session::tables() const {
+  const Control& control = runner_->control();
+  std::map<std::string, double> table;
+  const auto add = [&](const std::string& name, double value) {
+    if (value != 0.0) {
+      table.emplace(name, value);
+    }
+  };
+  for (int which = 0; which <= Coordinates::kSystems + Coordinates::kAdditional; ++which) {
+    const AxisPositions& q_M = control.coordinates.system(which);
+    for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+      add(fmt::format("work_offsets.{}.{}", name_of_system(which),
+                      kAxisLetters[static_cast<std::size_t>(axis)]),
+          q_M[axis]);
+    }
+  }
+  for (int number = 1; number <= OffsetTable::kLargest; ++number) {
+    if (control.offsets.has(number)) {
+      const runtime::ToolEntry entry = control.offsets.get(number);
+      add(fmt::format("tools.{}.length", number), entry.length_mm);
+      add(fmt::format("tools.{}.length_wear", number), entry.length_wear_mm);
+      add(fmt::format("tools.{}.radius", number), entry.radius_mm);
+      add(fmt::format("tools.{}.radius_wear", number), entry.radius_wear_mm);
+    }
+  }
+  return table;
 }
 
 std::map<std::string, double> Session::permanent_variables() const {

@@ -57,6 +57,11 @@ class Session {
   /// The value of a variable as `--print` names it ("#100"); the reason when there is none.
   Result<runtime::Cell, std::string> variable(const std::string& name);
 
+  /// The machine coordinate that "G54" and the like give the origin; mm or deg.
+  [[nodiscard]] std::optional<double> work_offset(const std::string& name, int axis) const;
+  /// Work offsets and tool offsets that are not 0: "work_offsets.G54.X", "tools.5.length".
+  [[nodiscard]] std::map<std::string, double> tables() const;
+
   /// #500 to #999 that are not vacant: what a control keeps over power off.
   [[nodiscard]] std::map<std::string, double> permanent_variables() const;
 

@@ -139,6 +139,7 @@ struct Control {
   Calendar calendar;             ///< #3011, #3012
   runtime::BusyWait busy_wait;
   machine::Rotation rotation = machine::Rotation::Stopped;  ///< of the spindle
+  std::optional<int> tool;                                  ///< that M6 has brought
   std::optional<int> called_tool;                           ///< the last T; none before the first
   double timer_offset_ms = 0.0;                             ///< #3001 = simulated time + this
   double hours_offset = 0.0;                                ///< #3002 likewise

@@ -65,12 +65,15 @@ class Coordinates {
   /// Work coordinates with the tool offset still in them (#5041, #5061).
   [[nodiscard]] AxisPositions to_work(const AxisPositions& q_M) const { return q_M - shift_; }
 
+  /// Machine coordinates as a program would write them: the way back of to_machine().
+  [[nodiscard]] AxisPositions to_program(const AxisPositions& q_M) const {
+    return transform_.undo(q_M - shift_ - tool_offset_);
+  }
+
   /// A programmed move has ended at its end point.
   void arrived_at_programmed(const AxisPositions& q_L) { q_L_programmed_ = q_L; }
   /// The axes stand at a machine position that no block programmed (skip, reference point).
-  void arrived_at_machine(const AxisPositions& q_M) {
-    q_L_programmed_ = transform_.undo(q_M - shift_ - tool_offset_);
-  }
+  void arrived_at_machine(const AxisPositions& q_M) { q_L_programmed_ = to_program(q_M); }
 
  private:
   void refresh();

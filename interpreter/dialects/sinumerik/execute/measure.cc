@@ -147,7 +147,7 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
                          block.where);
   }
   const AxisPositions q_M_from = channel.port.position();
-  const auto outcome = channel.outlet.move_until_skip(move);
+  const auto outcome = channel.outlet.move_until_skip(move, block.where);
   if (!outcome) {
     channel.arrived_at_machine();
     return from_fault(outcome.error());

@@ -22,6 +22,9 @@ Runner::Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::
       frame_temporaries_(kTemporaryCount) {
   levels_.push_back(std::make_unique<Level>());
   channel_.here = [this] { return here(); };
+  channel_.outlet.show_by([this](const AxisPositions& q_M) {
+    return runtime::ProgramView{channel_.to_work(q_M), channel_.tool, calls_of(depth_)};
+  });
 }
 
 void Runner::start(const CompiledProgram& program) {
@@ -260,6 +263,15 @@ source::Location Runner::here() const {
   return location_in(program, program.spans[static_cast<std::size_t>(current_)]);
 }
 
+/// The calls that have led to a level, the innermost first.
+std::vector<runtime::CallSite> Runner::calls_of(std::size_t which) const {
+  std::vector<runtime::CallSite> calls;
+  for (std::size_t i = which; i > 0; --i) {
+    calls.push_back({levels_[i - 1]->program->name, place_of_call(i - 1)});
+  }
+  return calls;
+}
+
 runtime::Outcome Runner::outcome_of(const Failure& failure) {
   const AlarmInfo& row = info(failure.id);
   runtime::StopReason reason;
@@ -277,9 +289,7 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   for (std::size_t i = depth_; i > shown; --i) {
     reason.inside.push_back({levels_[i]->program->name, place_in(i)});
   }
-  for (std::size_t i = shown; i > 0; --i) {
-    reason.calls.push_back({levels_[i - 1]->program->name, place_in(i - 1)});
-  }
+  reason.calls = calls_of(shown);
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
   channel_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
   outcome.diagnostics.clear();

@@ -103,6 +103,7 @@ class Runner {
   void use_level();
   runtime::Outcome outcome_of(const Failure& failure);
   [[nodiscard]] std::size_t shown_level() const;
+  [[nodiscard]] std::vector<runtime::CallSite> calls_of(std::size_t which) const;
   [[nodiscard]] source::Location place_of_call(std::size_t which) const;
   [[nodiscard]] source::Location here() const;
   MaybeFailure from_step();

@@ -129,6 +129,23 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
   channel.take_stored_frames();
 }
 
+/// The components of a frame that are not those of a new one.
+void add_changes(const std::string& name, const Frame& frame,
+                 std::map<std::string, double>& table) {
+  const Frame fresh;
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    for (std::size_t i = 0; i < kComponentNames.size(); ++i) {
+      const auto component = static_cast<Component>(i);
+      const double value = frame.component(axis, component);
+      if (value != fresh.component(axis, component)) {
+        table.emplace(fmt::format("{},{},{}]", name, kAxisLetters[static_cast<std::size_t>(axis)],
+                                  kComponentNames.at(i)),
+                      value);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Session::Session(ProgramLibrary& library, machine::MachinePort& port, runtime::Observer& observer)
@@ -239,6 +256,35 @@ Result<runtime::ShownValue, std::string> Session::variable(const std::string& na
     return fmt::format("{}: {}", name, value.error());
   }
   return shown_value(value.value());
+}
+
+std::optional<double> Session::work_offset(const std::string& name, int axis) const {
+  const Channel& channel = runner_->channel();
+  const auto number = settable_in_name(name);
+  if (!number && name != "EXT") {
+    return std::nullopt;
+  }
+  const Frame& frame = number ? channel.settable.at(static_cast<std::size_t>(*number))
+                              : channel.stored_frames.channel[0];
+  return frame.component(axis, Component::Coarse) + frame.component(axis, Component::Fine);
+}
+
+std::map<std::string, double> Session::tables() const {
+  const Channel& channel = runner_->channel();
+  std::map<std::string, double> table;
+  for (std::size_t i = 0; i < channel.settable.size(); ++i) {
+    add_changes(fmt::format("$P_UIFR[{}", i), channel.settable[i], table);
+  }
+  for (const auto& [number, tool] : channel.tools) {
+    for (const auto& [edge, data] : tool.edges) {
+      for (std::size_t datum = 1; datum < data.size(); ++datum) {
+        if (data.at(datum) != 0.0) {
+          table.emplace(fmt::format("$TC_DP{}[{},{}]", datum, number, edge), data.at(datum));
+        }
+      }
+    }
+  }
+  return table;
 }
 
 std::map<std::string, double> Session::permanent_variables() const {

@@ -62,6 +62,12 @@ class Session {
   /// values.
   Result<runtime::ShownValue, std::string> variable(const std::string& name);
 
+  /// The machine coordinate that "G54" and the like give the origin; mm or deg.
+  [[nodiscard]] std::optional<double> work_offset(const std::string& name, int axis) const;
+  /// Settable frames and tool data that are not as after power on: "$P_UIFR[1,X,TR]",
+  /// "$TC_DP3[5,1]".
+  [[nodiscard]] std::map<std::string, double> tables() const;
+
   /// R parameters, GUD and data that differ from what they are after power on and loading: numbers
   /// by the name that a program writes.  Texts, frames and tools are not among them: the sheet says
   /// those.

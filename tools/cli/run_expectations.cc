@@ -1,0 +1,95 @@
+#include "tools/cli/run_expectations.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/source/latin_1.h"
+#include "tools/disk/disk.h"
+
+namespace g31::cli {
+namespace {
+
+using session::Refusal;
+
+std::size_t count_findings(const runtime::Outcome& outcome) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(outcome.diagnostics, [](const source::Diagnostic& message) {
+        return message.severity == source::Severity::Warning;
+      }));
+}
+
+}  // namespace
+
+Result<expect::Expectations, Refusal> expectations_of(
+    const setup::Job& job, const std::vector<std::string>& from_command_line) {
+  expect::Expectations all = job.expectations;
+  for (const std::string& text : from_command_line) {
+    const auto expectation = expect::parse_expectation(text);
+    if (!expectation) {
+      return session::bad_input(fmt::format("--expect {}: {}", text, expectation.error()));
+    }
+    all.rows.push_back(expectation.value());
+  }
+  return all;
+}
+
+std::optional<Refusal> wrong_expectation(const expect::Expectations& expectations,
+                                         session::Run& run) {
+  for (const expect::Expectation& row : expectations.rows) {
+    std::optional<std::string> wrong;
+    if (const auto* const variable = std::get_if<expect::Variable>(&row.what)) {
+      wrong = run.wrong_name({variable->name});
+    } else if (const auto* const offset = std::get_if<expect::WorkOffset>(&row.what);
+               offset != nullptr && !run.session().work_offset(offset->name, 0)) {
+      wrong = fmt::format("work offset {}: this control has none of this name", offset->name);
+    }
+    if (wrong) {
+      const source::ShownPlace& at = row.place;
+      return session::refusal_of({error_at({at.file, at.line, at.column, at.text},
+                                           setup::SetupErrorId::SettingRefused, {*wrong})});
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<expect::Judged> judged(const expect::Expectations& expectations,
+                                   const OpenedRun& opened, const runtime::Outcome& outcome) {
+  expect::Actual actual;
+  actual.status = session::status_name(outcome);
+  actual.alarm = outcome.alarm ? std::optional(outcome.alarm->number) : std::nullopt;
+  actual.variable = [&](const std::string& name) -> std::optional<runtime::ShownValue> {
+    const auto value = opened.run.session().variable(name);
+    return value ? std::optional(value.value()) : std::nullopt;
+  };
+  actual.work_offset = [&](const std::string& name, char axis) {
+    return opened.run.session().work_offset(name, axis_index(axis));
+  };
+  actual.file = [](const std::string& path) -> std::optional<std::string> {
+    disk::Disk disk;
+    const auto text = disk.read(path);
+    return text ? std::optional(source::as_utf8(*text)) : std::nullopt;
+  };
+  actual.output = source::as_utf8(opened.recorder.output());
+  actual.touches = opened.recorder.touch_count();
+  actual.findings = count_findings(outcome);
+  actual.machine_time_s = opened.machine.time_s();
+  return expect::judge(expectations, actual);
+}
+
+std::vector<source::Diagnostic> failures_of(const std::vector<expect::Judged>& judged) {
+  std::vector<source::Diagnostic> failures;
+  for (const expect::Judged& row : judged) {
+    if (!row.holds) {
+      failures.push_back(source::make_diagnostic(
+          source::DiagnosticId::ExpectationFailed, {},
+          fmt::format("{}: expected {}, got {}", row.name, row.expected, row.got)));
+      failures.back().in_sheet = row.place;
+    }
+  }
+  return failures;
+}
+
+}  // namespace g31::cli

@@ -1,0 +1,75 @@
+#include "tools/cli/run_inputs.h"
+
+#include <filesystem>
+
+#include "tools/disk/file_hash.h"
+#include "tools/disk/shipped.h"
+
+namespace g31::cli {
+namespace {
+
+/// Without the place where g31 is installed.
+std::string name_of_input(const std::string& path) {
+  for (const char* const root : {"macros/fanuc", "macros/sinumerik", "machine/library"}) {
+    const auto folder = disk::shipped_folder(root);
+    if (folder && path.starts_with(*folder + "/")) {
+      return root + path.substr(folder->size());
+    }
+  }
+  return path;
+}
+
+}  // namespace
+
+std::optional<std::string> RememberingDisk::read(const std::string& path) {
+  auto text = disk_.read(path);
+  if (text) {
+    paths_.insert(path);
+  }
+  return text;
+}
+
+std::optional<std::string> RememberingDisk::read_part(const std::string& path, std::uint64_t offset,
+                                                      std::size_t length) {
+  auto text = disk_.read_part(path, offset, length);
+  if (text) {
+    paths_.insert(path);
+  }
+  return text;
+}
+
+void RunInputs::add(const std::string& path) {
+  if (path.empty() || !known_.insert(std::filesystem::path(path).lexically_normal()).second) {
+    return;
+  }
+  if (auto hash = disk::sha256_of(path)) {
+    files_.push_back({name_of_input(path), *hash});
+  }
+}
+
+void RunInputs::add(const session::Request& request) {
+  for (const std::string& path : request.programs) {
+    add(path);
+  }
+  for (const std::string& path : request.setups) {
+    add(path);
+  }
+}
+
+void RunInputs::add(const setup::Job& job) {
+  for (const std::string& path : job.sheets) {
+    add(path);
+  }
+  add(job.control.variables_file);
+  for (const parts::PartSetup& part : job.parts) {
+    add(part.file);
+  }
+}
+
+void RunInputs::add(const RememberingDisk& disk) {
+  for (const std::string& path : disk.paths()) {
+    add(path);
+  }
+}
+
+}  // namespace g31::cli

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "interpreter/source/file_system.h"
+#include "tools/report/run_document.h"
+#include "tools/session/prepare.h"
+
+namespace g31::cli {
+
+/// The disk, which remembers what was read of it.
+class RememberingDisk final : public source::FileSystem {
+ public:
+  /// @param disk  outlives it
+  explicit RememberingDisk(source::FileSystem& disk) : disk_(disk) {}
+
+  std::optional<std::string> read(const std::string& path) override;
+  std::optional<std::uint64_t> size(const std::string& path) override { return disk_.size(path); }
+  std::optional<std::string> read_part(const std::string& path, std::uint64_t offset,
+                                       std::size_t length) override;
+  std::vector<std::string> list(const std::string& folder) override { return disk_.list(folder); }
+  std::vector<std::string> folders(const std::string& folder) override {
+    return disk_.folders(folder);
+  }
+  bool has_folder(const std::string& folder) override { return disk_.has_folder(folder); }
+
+  /// Paths as they were asked for.
+  [[nodiscard]] const std::set<std::string>& paths() const { return paths_; }
+
+ private:
+  source::FileSystem& disk_;
+  std::set<std::string> paths_;
+};
+
+/// The files that a run depends on, each with what it was when it was added.
+class RunInputs {
+ public:
+  /// A file that is there already stays as it was.
+  void add(const std::string& path);
+  /// Programs and sheets of a command line; what the job names; what was read.
+  void add(const session::Request& request);
+  void add(const setup::Job& job);
+  void add(const RememberingDisk& disk);
+
+  /// In the order of adding.  What comes with g31 is named from its own root.
+  [[nodiscard]] const std::vector<report::InputFile>& files() const { return files_; }
+
+ private:
+  std::set<std::string> known_;
+  std::vector<report::InputFile> files_;
+};
+
+}  // namespace g31::cli
