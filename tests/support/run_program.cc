@@ -17,6 +17,7 @@ std::string text_of(const std::string& path) {
 RunOutput run_program(cli::RunOptions options) {
   TemporaryFolder folder;
   options.json = folder.path("result.json");
+  options.talk = cli::Talk::Quiet;
   const CommandOutput said = captured([&] { return cli::run_command(options); });
   RunOutput output{said.exit_code, {}, said.errors};
   std::ifstream in(options.json, std::ios::binary);

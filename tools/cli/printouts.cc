@@ -66,10 +66,13 @@ Result<std::FILE*, Refusal> open_device(const std::string& path) {
 Result<std::shared_ptr<Printouts>, session::Refusal> Printouts::open(const RunOptions& options) {
   const std::shared_ptr<Printouts> printouts(new Printouts());
   if (options.printer.empty() || options.printer == "-") {
-    if (options.json == "-" && !options.printer.empty()) {
-      return wrong_printer("-", "--json - writes to standard output, too: give one of them a file");
+    const bool is_taken = options.json == "-" || options.jsonl == "-";
+    if (is_taken && !options.printer.empty()) {
+      return wrong_printer("-",
+                           "--json - and --jsonl - write to standard output, too: give one of "
+                           "them a file");
     }
-    printouts->stream_ = options.json == "-" ? nullptr : stdout;
+    printouts->stream_ = is_taken ? nullptr : stdout;
     return printouts;
   }
   if (printer::names_a_line(options.printer)) {

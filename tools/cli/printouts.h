@@ -28,6 +28,9 @@ class Printouts {
   /// The text of a printout; a printer at a line has had it from the control.
   void write(std::string_view text);
 
+  /// Whether people at the terminal see them there.
+  [[nodiscard]] bool go_to_standard_output() const { return stream_ == stdout; }
+
   /// The printer at a line; nullptr: none.
   [[nodiscard]] runtime::PrinterPort* printer() const { return printer_.get(); }
 

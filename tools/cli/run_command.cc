@@ -8,15 +8,18 @@
 #include <fmt/format.h>
 
 #include "interpreter/runtime/time_budget.h"
+#include "tools/cli/desk.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/printouts.h"
 #include "tools/cli/run_expectations.h"
 #include "tools/cli/run_recorder.h"
 #include "tools/cli/run_refusal.h"
 #include "tools/cli/run_result.h"
+#include "tools/cli/run_state.h"
 #include "tools/cli/run_tables.h"
 #include "tools/cli/run_verdict.h"
 #include "tools/disk/disk.h"
+#include "tools/report/event_log.h"
 #include "tools/session/sheet_places.h"
 #include "tools/session/world.h"
 #include "tools/setup/duration.h"
@@ -27,13 +30,15 @@ namespace {
 
 using session::Refusal;
 
-/// What the command line alone says, checked before anything runs.
+/// What the command line and the sheets say beside the job, checked before anything runs.
 struct Checked {
   std::vector<std::string> prints;
+  bool prints_all = false;
   double trace_period_s = 0.0;
+  expect::Expectations expectations;
 };
 
-Result<Checked, Refusal> checked(const RunOptions& options) {
+Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& job) {
   Checked checked;
   const auto period = setup::parse_duration(options.trace_period);
   if (!period) {
@@ -41,12 +46,21 @@ Result<Checked, Refusal> checked(const RunOptions& options) {
   }
   checked.trace_period_s = period.value();
   for (const std::string& list : options.prints) {
+    if (list == "all") {
+      checked.prints_all = true;
+      continue;
+    }
     const auto names = setup::parse_name_list(list);
     if (!names) {
       return session::bad_input(fmt::format("--print {}: {}", list, names.error()));
     }
     checked.prints.insert(checked.prints.end(), names.value().begin(), names.value().end());
   }
+  const auto expectations = expectations_of(job, options.expects);
+  if (!expectations) {
+    return expectations.error();
+  }
+  checked.expectations = expectations.value();
   return checked;
 }
 
@@ -71,11 +85,19 @@ std::optional<Refusal> keep_state(const OpenedRun& opened, const runtime::Outcom
                                                               : std::nullopt;
 }
 
+/// Where a run writes while it goes, and behind it.
+struct Outputs {
+  const Tables& tables;
+  Printouts& printouts;
+  Desk& desk;
+  report::EventLog* events;  ///< nullptr: nobody wants them
+};
+
 /// What could not be written or kept.
-std::vector<Refusal> unwritten_files(const OpenedRun& opened, const Tables& tables,
-                                     Printouts& printouts, const runtime::Outcome& outcome) {
+std::vector<Refusal> unwritten_files(const OpenedRun& opened, const Outputs& outputs,
+                                     const runtime::Outcome& outcome) {
   std::vector<Refusal> problems;
-  for (const auto& wrong : {tables.finish(), printouts.finish()}) {
+  for (const auto& wrong : {outputs.tables.finish(), outputs.printouts.finish()}) {
     if (wrong) {
       problems.push_back(*wrong);
     }
@@ -86,78 +108,112 @@ std::vector<Refusal> unwritten_files(const OpenedRun& opened, const Tables& tabl
   return problems;
 }
 
-ExitCode run_to_end(const OpenedRun& opened, const Tables& tables, Printouts& printouts) {
-  const session::Heard heard = carried_out(opened);
-  report::RunResult result = result_of(opened, heard);
-  std::vector<Refusal> problems = unwritten_files(opened, tables, printouts, heard.outcome);
+/// Fills in the values that the run has left.  @returns why one of --print cannot be read
+std::optional<Refusal> add_values(const OpenedRun& opened, const RunState& before,
+                                  report::RunResult& result) {
   session::Run::Values found = opened.run.values(opened.prints);
   result.variables = std::move(found.values);
+  session::Session& session = opened.run.session();
+  if (opened.prints_all) {
+    std::ranges::move(all_values(session), std::back_inserter(result.variables));
+  }
+  if (result.outcome.alarm) {
+    result.locals = locals_of_alarm(session);
+  }
+  if (opened.options.changes) {
+    result.changes = changes_since(before, session);
+  }
+  return found.wrong ? std::optional(session::bad_input(fmt::format("--print: {}", *found.wrong)))
+                     : std::nullopt;
+}
+
+/// Sends everything where it goes.  @returns why it could not be
+std::vector<Refusal> deliver_all(const OpenedRun& opened, const Outputs& outputs,
+                                 const report::RunResult& result) {
+  std::vector<Refusal> problems;
+  if (const auto wrong = deliver(opened, result)) {
+    problems.push_back(*wrong);
+  }
+  if (outputs.events != nullptr) {
+    if (const auto wrong = outputs.events->finish(result, opened.recorder.touch_count())) {
+      problems.push_back(session::bad_input(*wrong));
+    }
+  }
+  return problems;
+}
+
+ExitCode run_to_end(const OpenedRun& opened, const Outputs& outputs) {
+  const RunState before = opened.options.changes ? state_of(opened.run.session()) : RunState();
+  const session::Heard heard = carried_out(opened);
+  report::RunResult result = result_of(opened, heard);
+  std::vector<Refusal> problems = unwritten_files(opened, outputs, heard.outcome);
+  const bool has_unwritten_files = !problems.empty();
+  const auto unread = add_values(opened, before, result);
   result.expectations = judged(opened.expectations, opened, heard.outcome);
-  const ExitCode code =
+  ExitCode code =
       exit_code_of(heard.outcome, {opened.options.fail_on, opened.expectations, result.expectations,
-                                   found.wrong.has_value(), !problems.empty()});
-  if (found.wrong) {
-    problems.push_back(session::bad_input(fmt::format("--print: {}", *found.wrong)));
+                                   unread.has_value(), has_unwritten_files});
+  if (unread) {
+    problems.push_back(*unread);
   }
   std::vector<source::Diagnostic>& messages = result.outcome.diagnostics;
   std::ranges::move(failures_of(result.expectations), std::back_inserter(messages));
-  print_diagnostics(result.outcome, opened.sources);
+  outputs.desk.tell(result, opened.recorder);
   for (const Refusal& problem : problems) {
     refuse(problem);
     messages.push_back(message_of(problem));
   }
   result.exit_code = static_cast<int>(code);
-  const auto undelivered = deliver(opened, result);
-  return undelivered ? refuse(*undelivered) : code;
+  for (const Refusal& problem : deliver_all(opened, outputs, result)) {
+    code = refuse(problem);
+  }
+  outputs.desk.end(result, opened.recorder);
+  return code;
 }
 
-void connect(const Printouts& printouts, session::Run& run) {
+/// Connects the printer.  @returns what names ask for and the control has not
+std::optional<Refusal> unusable(const Checked& line, session::Run& run,
+                                const Printouts& printouts) {
   if (runtime::PrinterPort* const printer = printouts.printer()) {
     run.session().connect(*printer);
   }
-}
-
-/// What names ask for and the control has not.
-std::optional<Refusal> unusable(const Checked& line, const expect::Expectations& expectations,
-                                session::Run& run) {
   if (const auto wrong = run.wrong_name(line.prints)) {
     return session::bad_input(fmt::format("--print: {}", *wrong));
   }
-  return wrong_expectation(expectations, run);
+  return wrong_expectation(line.expectations, run);
 }
 
-/// What a run is given, as it is before the run; nothing where no document tells it.
-RunInputs inputs_before(const RunOptions& options, const setup::Job& job) {
+/// The log of --jsonl with its first line; null where nobody wants it.
+Result<std::shared_ptr<report::EventLog>, Refusal> open_events(const RunOptions& options,
+                                                               const session::Control& control,
+                                                               const source::SourceMap& sources,
+                                                               runtime::OutputBudget& budget) {
+  if (options.jsonl.empty()) {
+    return std::shared_ptr<report::EventLog>();
+  }
+  const auto events = report::EventLog::create(options.jsonl, sources, budget);
+  if (!events) {
+    return session::bad_input(events.error());
+  }
+  report::RunResult start;
+  start.version = options.version;
+  start.program = options.programs.front();
+  start.control = session::name_of(control);
+  start.seed = options.seed;
+  events.value()->start(start);
+  return events.value();
+}
+
+/// Opens what the run writes and does it.
+/// @param disk  that has been read from so far
+Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session::Prepared& prepared,
+                                       const Checked& line, RememberingDisk& disk) {
+  const setup::Job& job = prepared.job;
   RunInputs inputs;
   if (!options.json.empty()) {
     inputs.add(options);
     inputs.add(job);
   }
-  return inputs;
-}
-
-/// Makes a run ready and does it.
-Result<ExitCode, Refusal> do_run(const RunOptions& options) {
-  disk::Disk disk;
-  RememberingDisk remembering(disk);
-  const auto prepared = session::prepare(options, remembering, session::VariablesFile::IsSaved);
-  if (!prepared) {
-    return prepared.error();
-  }
-  if (const std::string& note = prepared.value().note; !note.empty()) {
-    fmt::print(stderr, "g31: note: {}\n", note);
-  }
-  const auto line = checked(options);
-  if (!line) {
-    return line.error();
-  }
-  const setup::Job& job = prepared.value().job;
-  const auto expectations = expectations_of(job, options.expects);
-  if (!expectations) {
-    return expectations.error();
-  }
-  RunInputs inputs = inputs_before(options, job);
-  const session::Control& control = prepared.value().control;
   runtime::OutputBudget output(options.max_output);
   const auto tables = open_tables(options, job, output);
   if (!tables) {
@@ -172,30 +228,57 @@ Result<ExitCode, Refusal> do_run(const RunOptions& options) {
   if (!printouts) {
     return printouts.error();
   }
-  machine::MachiningCentre& machine = *world.value().machine;
-  EchoingRecorder recorder(options, *printouts.value(), machine, tables.value(), output);
-  if (expectations.value().need_output()) {
-    recorder.keep_output();
-  }
-  if (tables.value().trace != nullptr) {
-    machine.trace(line.value().trace_period_s, *tables.value().trace);
-  }
-  const auto programs = session::open_programs(control, options, remembering, job.control);
+  const auto programs = session::open_programs(prepared.control, options, disk, job.control);
   if (!programs) {
     return programs.error();
   }
-  const auto opened = session::Run::open(job, *programs.value(), machine, recorder);
-  if (!opened) {
-    return opened.error();
+  const source::SourceMap& sources = programs.value()->sources();
+  const auto events = open_events(options, prepared.control, sources, output);
+  if (!events) {
+    return events.error();
   }
-  connect(*printouts.value(), *opened.value());
-  if (const auto wrong = unusable(line.value(), expectations.value(), *opened.value())) {
+  machine::MachiningCentre& machine = *world.value().machine;
+  Desk desk(options, sources);
+  EchoingRecorder recorder(options, *printouts.value(), machine, tables.value(), output);
+  recorder.tell(desk, events.value().get());
+  if (line.expectations.need_output()) {
+    recorder.keep_output();
+  }
+  if (tables.value().trace != nullptr) {
+    machine.trace(line.trace_period_s, *tables.value().trace);
+  }
+  const auto run = session::Run::open(job, *programs.value(), machine, recorder);
+  if (!run) {
+    return run.error();
+  }
+  if (const auto wrong = unusable(line, *run.value(), *printouts.value())) {
     return *wrong;
   }
-  return run_to_end({options, line.value().prints, prepared.value(), *opened.value(), machine,
-                     recorder, output, time, programs.value()->sources(), world.value().findings,
-                     expectations.value(), inputs, remembering},
-                    tables.value(), *printouts.value());
+  return run_to_end(
+      {options, line.prints, line.prints_all, prepared, *run.value(), machine, recorder, output,
+       time, sources, world.value().findings, line.expectations, inputs, disk},
+      {tables.value(), *printouts.value(), desk, events.value().get()});
+}
+
+/// Makes a run ready and does it.
+Result<ExitCode, Refusal> do_run(const RunOptions& options) {
+  if (options.json == "-" && options.jsonl == "-") {
+    return session::bad_input("--json and --jsonl cannot both be standard output");
+  }
+  disk::Disk disk;
+  RememberingDisk remembering(disk);
+  const auto read = session::prepare(options, remembering, session::VariablesFile::IsSaved);
+  if (!read) {
+    return read.error();
+  }
+  session::Prepared prepared = read.value();
+  prepared.job.control.block_skip.insert(options.block_skip.begin(), options.block_skip.end());
+  if (!prepared.note.empty()) {
+    fmt::print(stderr, "g31: note: {}\n", prepared.note);
+  }
+  const auto line = checked(options, prepared.job);
+  return line ? open_and_run(options, prepared, line.value(), remembering)
+              : Result<ExitCode, Refusal>(line.error());
 }
 
 }  // namespace

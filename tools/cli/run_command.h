@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,13 @@
 #include "tools/session/prepare.h"
 
 namespace g31::cli {
+
+/// How much a run says on standard error.
+enum class Talk : std::uint8_t {
+  Quiet,   ///< what is wrong
+  Usual,   ///< stops and messages as they come, too, and a line at the end
+  Verbose  ///< each measuring move, too
+};
 
 /// What the command line of `g31 run` says.
 struct RunOptions : session::Request {
@@ -23,6 +31,12 @@ struct RunOptions : session::Request {
   std::string trace;             ///< file of sampled positions, "" for none
   std::string readings;          ///< file of what sensors read at stops, "" for none
   std::string trace_period = "1ms";  ///< as parse_duration takes it
+  std::string jsonl;                 ///< file of events, "-" for standard output, "" for none
+  Talk talk = Talk::Usual;
+  bool no_colour = false;
+  bool changes = false;        ///< what the run has changed is told
+  bool optional_stop = false;  ///< M01 stops
+  std::set<int> block_skip;    ///< switches that are on beside those of the sheets
   bool moves = false;
   bool touches = false;
   std::vector<std::string> allowed;  ///< codes of warnings and notes that nobody wants to hear

@@ -49,6 +49,26 @@ source::Severity severity_named(const std::string& text) {
   throw CLI::ValidationError("--fail-on", fmt::format("{} is not error, warning or note", text));
 }
 
+/// What an operator's panel has, and how much is said.
+void add_desk_options(CLI::App& run, RunOptions& options) {
+  run.add_flag("--optional-stop", options.optional_stop,
+               "the switch for M01 is on: it stops; else it is passed");
+  run.add_option("--block-skip", options.block_skip,
+                 "the switch for /N is on, 1 to 9 (/ alone is 1); repeatable")
+      ->type_name("N")
+      ->allow_extra_args(false)
+      ->check(CLI::Range(1, 9));
+  CLI::Option* const quiet = run.add_flag_callback(
+      "-q,--quiet", [&options] { options.talk = Talk::Quiet; },
+      "on standard error only what is wrong: no stops, no messages, no line at the end");
+  run.add_flag_callback(
+         "-v,--verbose", [&options] { options.talk = Talk::Verbose; },
+         "on standard error each measuring move, too")
+      ->excludes(quiet);
+  run.add_flag("--no-color,--no-colour", options.no_colour,
+               "no colours on a terminal; so does the environment variable NO_COLOR");
+}
+
 }  // namespace
 
 void add_program_options(CLI::App& command, RunOptions& options) {
@@ -104,8 +124,10 @@ void add_program_options(CLI::App& command, RunOptions& options) {
 CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   CLI::App* const run = app.add_subcommand("run", "Run an NC program on the simulated machine.");
   add_program_options(*run, options);
-  run->add_option("--print", options.prints,
-                  "variables to report at the end: #100-#149,#5061 or R1,_OVR[4]")
+  run->add_option(
+         "--print", options.prints,
+         "variables to report at the end: #100-#149,#5061 or R1,_OVR[4]; all: every one that is "
+         "set, locals of the main program included")
       ->type_name("NAMES")
       ->allow_extra_args(false);
   run->add_option("--json", options.json, "result document; - is standard output")
@@ -124,6 +146,13 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
          "seconds for which a printer on a line may stop the program at a time (default 30)")
       ->type_name("S")
       ->check(why_no_time);
+  run->add_option("--jsonl", options.jsonl,
+                  "every move, touch, stop, printout and message as it happens, one JSON object a "
+                  "line; - is standard output")
+      ->type_name("FILE");
+  run->add_flag("--changes", options.changes,
+                "every variable, offset and tool datum that the run has changed");
+  add_desk_options(*run, options);
   run->add_flag("--moves", options.moves, "every move in the document");
   run->add_flag("--touches", options.touches, "every touch in the document");
   run->add_option("--allow", options.allowed,

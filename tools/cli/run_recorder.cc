@@ -1,5 +1,7 @@
 #include "tools/cli/run_recorder.h"
 
+#include <string>
+
 #include "interpreter/source/latin_1.h"
 
 namespace g31::cli {
@@ -23,11 +25,41 @@ EchoingRecorder::EchoingRecorder(const RunOptions& options, Printouts& printouts
       machine_(machine),
       readings_(tables.readings.get()) {}
 
+void EchoingRecorder::tell(Desk& desk, report::EventLog* events) {
+  desk_ = &desk;
+  events_ = events;
+}
+
 void EchoingRecorder::on_move(const runtime::MoveEvent& event) {
   constexpr int kDwell = 4;
   RunRecorder::on_move(event);
+  if (events_ != nullptr) {
+    events_->add(event);
+  }
   if (event.g == kDwell) {
     read_sensors();
+  }
+}
+
+void EchoingRecorder::on_moves_undone(std::uint64_t count) {
+  RunRecorder::on_moves_undone(count);
+  if (events_ != nullptr && count > 0) {
+    events_->add_undone(count);
+  }
+}
+
+void EchoingRecorder::on_touch(const runtime::TouchEvent& event) {
+  RunRecorder::on_touch(event);
+  desk_->touch(event);
+  if (events_ != nullptr) {
+    events_->add(event);
+  }
+}
+
+void EchoingRecorder::on_fault(const runtime::FaultEvent& event) {
+  RunRecorder::on_fault(event);
+  if (events_ != nullptr) {
+    events_->add(event);
   }
 }
 
@@ -36,30 +68,43 @@ void EchoingRecorder::on_standstill(source::Location /*where*/) {
 }
 
 void EchoingRecorder::on_output(const runtime::OutputEvent& event) {
-  print(event, [](std::string_view text) { return text; });
+  print(event, event.text);
+  if (events_ != nullptr) {
+    events_->add_text("output", source::as_utf8(event.text));
+  }
 }
 
 void EchoingRecorder::on_message(const runtime::OutputEvent& event) {
-  print(event, [](std::string_view text) { return source::as_utf8(text); });
+  const std::string text = source::as_utf8(event.text);
+  print(event, text);
+  if (!printouts_.go_to_standard_output()) {
+    desk_->message(text);
+  }
+  if (events_ != nullptr) {
+    events_->add_text("message", text);
+  }
 }
 
 void EchoingRecorder::on_stop(const runtime::StopEvent& event) {
   if (keeps_) {
     RunRecorder::on_stop(event);
   }
+  desk_->stop(event);
+  if (events_ != nullptr) {
+    events_->add(event);
+  }
   read_sensors();
 }
 
 /// What is kept is charged as it will be in the document, else as it is printed.
-template <typename Form>
-void EchoingRecorder::print(const runtime::OutputEvent& event, const Form& form) {
+void EchoingRecorder::print(const runtime::OutputEvent& event, std::string_view shown) {
   if (keeps_output_) {
     RunRecorder::on_output(event);
   } else {
     budget().charge(runtime::Output::Printouts, event.text.size());
   }
   if (!budget().is_spent()) {
-    printouts_.write(form(event.text));
+    printouts_.write(shown);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "tools/cli/run_inputs.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
+#include "tools/report/event_log.h"
 #include "tools/report/run_document.h"
 
 namespace g31::cli {
@@ -71,9 +72,8 @@ runtime::Outcome outcome_of(const session::Refusal& wrong) {
   return outcome;
 }
 
-/// Writes the document of a run that did not begin.
-std::optional<session::Refusal> write_refusal(const RunOptions& options, const std::string& json,
-                                              const session::Refusal& wrong) {
+/// What a run that did not begin tells.
+report::RunResult result_of(const RunOptions& options, const session::Refusal& wrong) {
   report::RunResult result;
   RunInputs inputs;
   inputs.add(options);
@@ -84,6 +84,13 @@ std::optional<session::Refusal> write_refusal(const RunOptions& options, const s
   result.control = options.control;
   result.seed = options.seed;
   result.outcome = outcome_of(wrong);
+  return result;
+}
+
+/// Writes the document of a run that did not begin.
+std::optional<session::Refusal> write_refusal(const RunOptions& options, const std::string& json,
+                                              const session::Refusal& wrong) {
+  const report::RunResult result = result_of(options, wrong);
   disk::Disk disk;
   const source::SourceMap no_sources(disk);
   runtime::OutputBudget nothing;
@@ -94,13 +101,32 @@ std::optional<session::Refusal> write_refusal(const RunOptions& options, const s
   });
 }
 
-ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
-  const ExitCode code = refuse(wrong);
-  if (options.json.empty()) {
-    return code;
+/// Writes the events of a run that did not begin: its messages and its end.
+std::optional<session::Refusal> write_refusal_events(const RunOptions& options,
+                                                     const session::Refusal& wrong) {
+  const report::RunResult result = result_of(options, wrong);
+  disk::Disk disk;
+  const source::SourceMap no_sources(disk);
+  runtime::OutputBudget nothing;
+  const auto events = report::EventLog::create(options.jsonl, no_sources, nothing);
+  if (!events) {
+    return session::bad_input(events.error());
   }
-  const auto unwritten = write_refusal(options, options.json, wrong);
-  return unwritten ? refuse(*unwritten) : code;
+  events.value()->start(result);
+  const auto problem = events.value()->finish(result, 0);
+  return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
+}
+
+ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
+  ExitCode code = refuse(wrong);
+  const bool is_one_place = options.json == options.jsonl;
+  for (const auto& unwritten :
+       {options.json.empty() ? std::nullopt : write_refusal(options, options.json, wrong),
+        options.jsonl.empty() || is_one_place ? std::nullopt
+                                              : write_refusal_events(options, wrong)}) {
+    code = unwritten ? refuse(*unwritten) : code;
+  }
+  return code;
 }
 
 /// Whether two paths are the same file, which is there.

@@ -68,6 +68,7 @@ report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard
   result.seed = opened.options.seed;
   result.outcome = heard.outcome;
   result.allowed = heard.allowed;
+  result.optional_stop = opened.options.optional_stop;
   result.files = opened.run.changed_files();
   result.machine_time_s = opened.machine.time_s();
   result.probe_state = probe_state_of(opened.prepared.job);
@@ -76,16 +77,21 @@ report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard
 
 std::optional<session::Refusal> deliver(const OpenedRun& opened, const report::RunResult& result) {
   const RunOptions& options = opened.options;
-  if (options.json != "-") {
+  if (options.json != "-" && options.jsonl != "-") {
     std::string text;
     for (const auto& [name, value] : result.variables) {
       text += fmt::format("{} = {}\n", name, shown(value));
     }
-    if (auto wrong = write_out("-", text); wrong || options.json.empty()) {
+    for (const report::ValueChange& change :
+         result.changes.value_or(std::vector<report::ValueChange>())) {
+      text +=
+          fmt::format("{} = {} (was {})\n", change.name, shown(change.after), shown(change.before));
+    }
+    if (auto wrong = write_out("-", text)) {
       return wrong;
     }
   }
-  return write_document(opened, result);
+  return options.json.empty() ? std::nullopt : write_document(opened, result);
 }
 
 }  // namespace g31::cli

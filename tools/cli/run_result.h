@@ -21,6 +21,7 @@ namespace g31::cli {
 struct OpenedRun {
   const RunOptions& options;
   const std::vector<std::string>& prints;  ///< names of variables
+  bool prints_all = false;                 ///< and all others
   const session::Prepared& prepared;
   session::Run& run;
   machine::MachiningCentre& machine;

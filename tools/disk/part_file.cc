@@ -199,6 +199,12 @@ void PartFile::give_name() {
   }
 }
 
+void PartFile::flush() {
+  if (temporary_.empty()) {
+    (void)std::fflush(file_);  // finish() tells what goes wrong
+  }
+}
+
 std::optional<std::string> PartFile::finish() {
   close();
   if (!temporary_.empty()) {

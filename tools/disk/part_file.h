@@ -29,6 +29,9 @@ class PartFile {
   /// What goes wrong is told by finish().
   void write(std::string_view text);
 
+  /// What was written is to be seen by who reads a device or a pipe.
+  void flush();
+
   /// Gives the file its name.  @returns why it is not whole; nullopt: it is
   std::optional<std::string> finish();
 

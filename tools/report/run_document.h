@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "interpreter/runtime/inspection.h"
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/shown_value.h"
 #include "interpreter/source/source_map.h"
@@ -23,6 +25,13 @@ struct InputFile {
   std::string sha256;  ///< of its bytes, hexadecimal
 };
 
+/// A variable, offset or tool datum that a run has changed.
+struct ValueChange {
+  std::string name;
+  runtime::ShownValue before;
+  runtime::ShownValue after;
+};
+
 /// Everything that the result document of one run tells.
 struct RunResult {
   std::string version;  ///< of g31; "": not said
@@ -32,10 +41,13 @@ struct RunResult {
   std::string control;
   std::uint64_t seed = 0;
   runtime::Outcome outcome;
+  bool optional_stop = false;  ///< M01 stops
   std::vector<expect::Judged> expectations;
   std::vector<session::AllowedMessage> allowed;  ///< messages that nobody wants to hear
   std::vector<std::pair<std::string, runtime::ShownValue>> variables;  ///< in the order asked for
-  std::map<std::string, std::string_view> files;  ///< what the program wrote, by name
+  runtime::NamedValues locals;                      ///< of the program that an alarm stands in
+  std::optional<std::vector<ValueChange>> changes;  ///< where they are asked for
+  std::map<std::string, std::string_view> files;    ///< what the program wrote, by name
   double machine_time_s = 0.0;
   std::string probe_state;  ///< what is the matter with the probe, "" for nothing
 };

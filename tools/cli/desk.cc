@@ -1,0 +1,188 @@
+#include "tools/cli/desk.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "interpreter/runtime/overloaded.h"
+#include "interpreter/source/latin_1.h"
+#include "interpreter/source/printable.h"
+#include "tools/report/event_json.h"
+#include "tools/session/ending.h"
+
+namespace g31::cli {
+namespace {
+
+/// As https://no-color.org asks for it.
+bool wants_colours(const RunOptions& options) {
+  const char* const refusal = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  const bool is_refused = refusal != nullptr && *refusal != '\0';
+  const bool is_dumb = terminal != nullptr && std::string_view(terminal) == "dumb";
+  return !options.no_colour && !is_refused && !is_dumb && ::isatty(STDERR_FILENO) == 1;
+}
+
+std::string_view colour_of(source::Severity severity) {
+  switch (severity) {
+    case source::Severity::Error:
+      return "\033[1;31m";
+    case source::Severity::Warning:
+      return "\033[1;33m";
+    case source::Severity::Note:
+      return "\033[1;36m";
+  }
+  return {};
+}
+
+/// The word for the severity in colour.
+std::string coloured(std::string text, source::Severity severity) {
+  const std::string word = fmt::format("{}: ", source::name_of(severity));
+  if (const std::size_t at = text.find(word); at != std::string::npos) {
+    text.replace(at, word.size(), fmt::format("{}{}\033[0m", colour_of(severity), word));
+  }
+  return text;
+}
+
+/// What is printed has its place before it.
+void say(const std::string& text) {
+  std::fflush(stdout);
+  std::fputs(text.c_str(), stderr);
+}
+
+/// "X12.5 Y-3 Z0", to a tenth of a micrometre; rotary axes where one is not 0.
+std::string shown_axes(const AxisPositions& q) {
+  std::string text;
+  const bool has_rotary = !rotary_axes(q).isZero(0.0);
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const double value = std::round(1e4 * q[static_cast<Eigen::Index>(axis)]) / 1e4 + 0.0;
+    if (axis < static_cast<std::size_t>(kLinearAxisCount) || has_rotary) {
+      text += fmt::format("{}{}{}", text.empty() ? "" : " ", kAxisLetters[axis], value);
+    }
+  }
+  return text;
+}
+
+std::string shown_value(const runtime::ShownValue& value) {
+  return std::visit(
+      runtime::Overloaded{
+          [](runtime::Cell cell) {
+            return cell.is_vacant() ? std::string("vacant") : fmt::format("{}", cell.raw());
+          },
+          [](const std::string& text) { return fmt::format("\"{}\"", source::as_utf8(text)); },
+      },
+      value);
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string end_of(const report::RunResult& result) {
+  const runtime::Outcome& outcome = result.outcome;
+  std::string text = session::status_name(outcome);
+  if (outcome.alarm) {
+    text += fmt::format(" {} {}", outcome.alarm->number, outcome.alarm->text);
+  }
+  const auto failed = std::ranges::count(result.expectations, false, &expect::Judged::holds);
+  const auto warnings = std::ranges::count(outcome.diagnostics, source::Severity::Warning,
+                                           &source::Diagnostic::severity);
+  if (failed > 0) {
+    text += fmt::format(", {} not as expected", failed);
+  }
+  if (warnings > 0) {
+    text += fmt::format(", {}", counted(static_cast<std::size_t>(warnings), "warning"));
+  }
+  return source::printable(text);
+}
+
+}  // namespace
+
+Desk::Desk(const RunOptions& options, const source::SourceMap& sources)
+    : options_(options), sources_(sources), is_coloured_(wants_colours(options)) {}
+
+std::string Desk::place(source::Location where) const {
+  const source::ShownPlace shown = sources_.show(where);
+  return shown.file.empty() ? std::string("g31: ")
+                            : fmt::format("{}:{}: ", source::printable(shown.file), shown.line);
+}
+
+void Desk::stop(const runtime::StopEvent& event) {
+  if (options_.talk == Talk::Quiet || ++stops_ > kMostStops + 1) {
+    return;
+  }
+  if (stops_ > kMostStops) {
+    say("g31: further stops are not shown\n");
+    return;
+  }
+  const bool is_passed = report::is_optional(event) && !options_.optional_stop;
+  say(fmt::format("{}{}{}{}\n", place(event.where), event.kind,
+                  event.text.empty() ? "" : fmt::format(": {}", source::printable(event.text)),
+                  is_passed ? " passed: --optional-stop is off" : ""));
+}
+
+void Desk::message(std::string_view utf8) {
+  if (options_.talk != Talk::Quiet) {
+    say(std::string(utf8));
+  }
+}
+
+void Desk::touch(const runtime::TouchEvent& event) const {
+  if (options_.talk != Talk::Verbose) {
+    return;
+  }
+  const std::string what = !event.triggered ? std::string("no touch")
+                           : event.contact  ? fmt::format("touch on '{}'", event.contact->part)
+                                            : std::string("touch");
+  say(fmt::format("{}{} at {} (machine {}), F{}\n", place(event.where), what,
+                  shown_axes(event.view.q_L), shown_axes(event.q_M_latched), event.feed_mm_min));
+}
+
+void Desk::print(const source::Diagnostic& message) const {
+  const std::string text = render_text(message, sources_);
+  say(is_coloured_ ? coloured(text, message.severity) : text);
+}
+
+void Desk::tell(const report::RunResult& result, const report::RunRecorder& recorder) const {
+  for (const source::Diagnostic& message : result.outcome.diagnostics) {
+    print(message);
+  }
+  if (options_.talk == Talk::Quiet) {
+    return;
+  }
+  if (const auto& fault = recorder.fault()) {
+    say(fmt::format("      = at {} in work coordinates, {} in those of the machine\n",
+                    shown_axes(fault->view.q_L), shown_axes(fault->q_M_at)));
+    if (fault->move) {
+      say(fmt::format(
+          "      = G{}{} on the way to {} in those of the machine\n", fault->move->g,
+          fault->move->feed_mm_min > 0.0 ? fmt::format(" F{}", fault->move->feed_mm_min) : "",
+          shown_axes(fault->move->q_M_to)));
+    }
+  }
+  constexpr std::size_t kMostLocals = 40;
+  std::string locals;
+  for (std::size_t i = 0; i < std::min(kMostLocals, result.locals.size()); ++i) {
+    const auto& [name, value] = result.locals[i];
+    locals += fmt::format("{}{} = {}", locals.empty() ? "" : ", ", name, shown_value(value));
+  }
+  if (!locals.empty()) {
+    say(fmt::format("      = with {}{}\n", source::printable(locals),
+                    result.locals.size() > kMostLocals ? " and others" : ""));
+  }
+}
+
+void Desk::end(const report::RunResult& result, const report::RunRecorder& recorder) const {
+  if (options_.talk == Talk::Quiet) {
+    return;
+  }
+  say(fmt::format(
+      "g31: {}: {}, {}, {:.1f} s of machine time\n", end_of(result),
+      counted(result.outcome.blocks, "block"),
+      recorder.touch_count() == 1 ? "1 touch" : fmt::format("{} touches", recorder.touch_count()),
+      result.machine_time_s));
+}
+
+}  // namespace g31::cli

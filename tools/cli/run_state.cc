@@ -1,0 +1,77 @@
+#include "tools/cli/run_state.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace g31::cli {
+namespace {
+
+using runtime::Cell;
+using runtime::Scope;
+using runtime::ShownValue;
+
+bool are_equal(const ShownValue& a, const ShownValue& b) {
+  const auto* const text = std::get_if<std::string>(&a);
+  const auto* const other = std::get_if<std::string>(&b);
+  if (text != nullptr || other != nullptr) {
+    return text != nullptr && other != nullptr && *text == *other;
+  }
+  return equal(std::get<Cell>(a), std::get<Cell>(b));
+}
+
+}  // namespace
+
+RunState state_of(session::Session& session) {
+  RunState state;
+  for (const auto& [name, value] : session.values(0, Scope::Common)) {
+    state[name] = value;
+  }
+  for (const auto& [name, value] : session.tables()) {
+    state[name] = Cell(value);
+  }
+  return state;
+}
+
+std::vector<report::ValueChange> changes_since(const RunState& before, session::Session& session) {
+  const RunState after = state_of(session);
+  const auto tables = session.tables();
+  std::map<std::string, report::ValueChange> changes;
+  for (const auto& [name, value] : after) {
+    const auto was = before.find(name);
+    const ShownValue otherwise = tables.contains(name) ? ShownValue(Cell(0.0)) : ShownValue();
+    const ShownValue& old = was != before.end() ? was->second : otherwise;
+    if (!are_equal(old, value)) {
+      changes[name] = {name, old, value};
+    }
+  }
+  for (const auto& [name, value] : before) {
+    if (!after.contains(name)) {
+      const auto now = session.variable(name);
+      changes[name] = {name, value, now ? now.value() : ShownValue(Cell(0.0))};
+    }
+  }
+  std::vector<report::ValueChange> list;
+  for (auto& [name, change] : changes) {
+    list.push_back(std::move(change));
+  }
+  return list;
+}
+
+runtime::NamedValues all_values(session::Session& session) {
+  runtime::NamedValues values = session.values(0, Scope::Common);
+  if (const std::size_t levels = session.call_levels().size(); levels > 0) {
+    std::ranges::move(session.values(levels - 1, Scope::Local), std::back_inserter(values));
+  }
+  return values;
+}
+
+runtime::NamedValues locals_of_alarm(session::Session& session) {
+  const auto levels = session.call_levels();
+  const auto shown = std::ranges::find_if(levels, &runtime::CallLevel::is_shown);
+  return shown != levels.end()
+             ? session.values(static_cast<std::size_t>(shown - levels.begin()), Scope::Local)
+             : runtime::NamedValues();
+}
+
+}  // namespace g31::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tools/report/run_document.h"
+#include "tools/session/session.h"
+
+namespace g31::cli {
+
+/// Variables of all programs, offsets and tool data by their names, those that are set.
+using RunState = std::map<std::string, runtime::ShownValue>;
+RunState state_of(session::Session& session);
+
+/// What has changed, by names; vacant where a value is not known or not set.
+/// @param session  behind the run
+std::vector<report::ValueChange> changes_since(const RunState& before, session::Session& session);
+
+/// Variables of all programs, then those of the main program.
+runtime::NamedValues all_values(session::Session& session);
+
+/// Of the program whose block an alarm shows.
+runtime::NamedValues locals_of_alarm(session::Session& session);
+
+}  // namespace g31::cli
