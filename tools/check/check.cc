@@ -42,7 +42,8 @@ std::unique_ptr<analysis::ProgramSet> programs_for(const Control& control,
 
 std::string shipped_for(const Control& control) {
   const bool is_fanuc = std::holds_alternative<session::FanucControl>(control);
-  return disk::shipped_folder(is_fanuc ? "macros/fanuc" : "macros/sinumerik").value_or("");
+  const std::string folder = is_fanuc ? "macros/fanuc" : "macros/sinumerik";
+  return disk::shipped_folder(folder) ? disk::shipped_name(folder) : "";
 }
 
 /// Files of one folder for one control: they share what they can call.

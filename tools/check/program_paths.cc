@@ -83,7 +83,7 @@ ProgramPaths program_paths(const std::vector<std::string>& named) {
     std::error_code error;
     if (fs::is_directory(name, error)) {
       std::ranges::for_each(programs_below(name), add);
-    } else if (fs::exists(name, error)) {
+    } else if (name == "-" || fs::exists(name, error)) {
       if (add(name)) {
         paths.named.push_back(name);
       }

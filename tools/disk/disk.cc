@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
+#include <iostream>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "tools/disk/part_file.h"
+#include "tools/disk/shipped.h"
 
 namespace g31::disk {
 
@@ -20,8 +22,8 @@ template <typename Wanted>
 std::vector<std::string> names_in(const std::string& folder, Wanted is_wanted) {
   std::vector<std::string> names;
   std::error_code error;
-  for (fs::directory_iterator it(folder.empty() ? "." : folder, error), end; !error && it != end;
-       it.increment(error)) {
+  for (fs::directory_iterator it(folder.empty() ? "." : real_path(folder), error), end;
+       !error && it != end; it.increment(error)) {
     if (is_wanted(*it)) {
       names.push_back(it->path().filename().string());
     }
@@ -30,9 +32,39 @@ std::vector<std::string> names_in(const std::string& folder, Wanted is_wanted) {
   return names;
 }
 
+/// Reads a stream to its end; nullopt where it fails or brings more than a pipe may.
+std::optional<std::string> read_to_end(std::istream& in) {
+  // Nobody knows how much will come, and there may be no end of it.
+  constexpr std::size_t kPiece = 1 << 20;
+  std::string text;
+  while (in && text.size() <= Disk::kMostOfAPipe) {
+    const std::size_t before = text.size();
+    text.resize(before + kPiece);
+    in.read(text.data() + before, static_cast<std::streamsize>(kPiece));
+    text.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
+  return in.bad() || text.size() > Disk::kMostOfAPipe ? std::nullopt
+                                                      : std::optional(std::move(text));
+}
+
+/// Standard input brings its text once; whoever reads "-" again reads the same.
+const std::optional<std::string>& standard_input() {
+  static const std::optional<std::string> kText = read_to_end(std::cin);
+  return kText;
+}
+
+bool is_standard_input(const std::string& path) {
+  return path == "-";
+}
+
 }  // namespace
 
-std::optional<std::uint64_t> Disk::size(const std::string& path) {
+std::optional<std::uint64_t> Disk::size(const std::string& named) {
+  if (is_standard_input(named)) {
+    const auto& text = standard_input();
+    return text ? std::optional<std::uint64_t>(text->size()) : std::nullopt;
+  }
+  const std::string path = real_path(named);
   std::error_code error;
   if (!fs::is_regular_file(path, error)) {
     return std::nullopt;
@@ -41,30 +73,30 @@ std::optional<std::uint64_t> Disk::size(const std::string& path) {
   return error ? std::nullopt : std::optional<std::uint64_t>(size);
 }
 
-std::optional<std::string> Disk::read(const std::string& path) {
-  if (const auto known = size(path)) {
-    return read_part(path, 0, static_cast<std::size_t>(*known));
+std::optional<std::string> Disk::read(const std::string& named) {
+  if (is_standard_input(named)) {
+    return standard_input();
   }
+  if (const auto known = size(named)) {
+    return read_part(named, 0, static_cast<std::size_t>(*known));
+  }
+  const std::string path = real_path(named);
   std::error_code error;
   std::ifstream in(path, std::ios::binary);
   if (!in || fs::is_directory(path, error)) {
     return std::nullopt;
   }
-  // A pipe or a device: nobody knows how much will come, and there may be no end of it.
-  constexpr std::size_t kPiece = 1 << 20;
-  std::string text;
-  while (in && text.size() <= kMostOfAPipe) {
-    const std::size_t before = text.size();
-    text.resize(before + kPiece);
-    in.read(text.data() + before, static_cast<std::streamsize>(kPiece));
-    text.resize(before + static_cast<std::size_t>(in.gcount()));
-  }
-  return in.bad() || text.size() > kMostOfAPipe ? std::nullopt : std::optional(std::move(text));
+  return read_to_end(in);  // a pipe or a device
 }
 
 std::optional<std::string> Disk::read_part(const std::string& path, std::uint64_t offset,
                                            std::size_t length) {
-  std::ifstream in(path, std::ios::binary);
+  if (is_standard_input(path)) {
+    const auto& text = standard_input();
+    return text && offset <= text->size() ? std::optional(text->substr(offset, length))
+                                          : std::nullopt;
+  }
+  std::ifstream in(real_path(path), std::ios::binary);
   std::string part(length, '\0');
   if (!in.seekg(static_cast<std::streamoff>(offset)) ||
       (!in.read(part.data(), static_cast<std::streamsize>(length)) && !in.eof())) {
@@ -90,7 +122,7 @@ std::vector<std::string> Disk::folders(const std::string& folder) {
 
 bool Disk::has_folder(const std::string& folder) {
   std::error_code unreadable;
-  return fs::is_directory(folder, unreadable);
+  return fs::is_directory(real_path(folder), unreadable);
 }
 
 std::optional<std::string> write_whole_file(const std::string& path, std::string_view text) {

@@ -12,14 +12,15 @@
 
 namespace g31::disk {
 
-/// The real disk.  Any number of threads may read at a time.
+/// The real disk.  Any number of threads may read at a time.  "-" is standard input, read whole
+/// once and kept; a name that begins as shipped_name() does is a file that comes with g31.
 class Disk final : public source::FileSystem {
  public:
   /// What a pipe or a device may bring, bytes; one that brings more cannot be read.
   static constexpr std::size_t kMostOfAPipe = 256'000'000;
 
-  std::optional<std::string> read(const std::string& path) override;
-  std::optional<std::uint64_t> size(const std::string& path) override;
+  std::optional<std::string> read(const std::string& named) override;
+  std::optional<std::uint64_t> size(const std::string& named) override;
   std::optional<std::string> read_part(const std::string& path, std::uint64_t offset,
                                        std::size_t length) override;
   std::vector<std::string> list(const std::string& folder) override;

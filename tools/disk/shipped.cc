@@ -2,30 +2,56 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <string_view>
 
 namespace g31::disk {
 
 namespace fs = std::filesystem;
 
-std::optional<std::string> shipped_folder(const std::string& name) {
+namespace {
+
+constexpr std::string_view kHere = "<g31>/";
+
+/// The folder that the shipped ones lie in, as far as the place of the program tells.
+fs::path root_by_program() {
   std::error_code error;
-  if (const char* const home = std::getenv("G31_HOME")) {
-    const fs::path folder = fs::path(home) / name;
-    return fs::is_directory(folder, error) ? std::optional(folder.string()) : std::nullopt;
-  }
   fs::path above = fs::read_symlink("/proc/self/exe", error).parent_path();
-  const fs::path installed = above.parent_path() / "share" / "g31" / name;
-  if (fs::is_directory(installed, error)) {
-    return installed.string();
+  const fs::path installed = above.parent_path() / "share" / "g31";
+  if (fs::is_directory(installed / "macros", error)) {
+    return installed;
   }
   // build/<preset>/tools/cli: the source tree is a few folders up.
   for (int levels = 0; levels < 6 && above.has_parent_path();
        ++levels, above = above.parent_path()) {
-    if (fs::is_directory(above / name, error)) {
-      return (above / name).string();
+    if (fs::is_directory(above / "macros", error)) {
+      return above;
     }
   }
-  return std::nullopt;
+  return {};
+}
+
+fs::path root() {
+  if (const char* const home = std::getenv("G31_HOME")) {
+    return home;
+  }
+  static const fs::path kByProgram = root_by_program();
+  return kByProgram;
+}
+
+}  // namespace
+
+std::optional<std::string> shipped_folder(const std::string& name) {
+  const fs::path folder = root() / name;
+  std::error_code error;
+  return fs::is_directory(folder, error) ? std::optional(folder.string()) : std::nullopt;
+}
+
+std::string shipped_name(const std::string& name) {
+  return std::string(kHere) + name;
+}
+
+std::string real_path(const std::string& path) {
+  return path.starts_with(kHere) ? (root() / path.substr(kHere.size())).string() : path;
 }
 
 }  // namespace g31::disk

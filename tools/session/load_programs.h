@@ -40,8 +40,8 @@ std::optional<Refusal> load_programs(Library& library, const ProgramPaths& paths
     }
     add_tree(library, files, folder);
   }
-  if (const auto folder = disk::shipped_folder(shipped)) {
-    library.add_folder(*folder);
+  if (disk::shipped_folder(shipped)) {
+    library.add_folder(disk::shipped_name(shipped));
   }
   return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #include "tools/session/prepare.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -97,10 +98,24 @@ std::optional<Refusal> lock_variables(Prepared& prepared) {
   return std::nullopt;
 }
 
+/// Standard input brings one text: whoever else wants one of it would get nothing.
+std::optional<Refusal> asks_twice_for_standard_input(const Request& request) {
+  const std::string kName = "-";
+  const auto times =
+      std::ranges::count(request.programs, kName) + std::ranges::count(request.setups, kName);
+  if (times < 2) {
+    return std::nullopt;
+  }
+  return bad_input(fmt::format("- is standard input, which can be one file; here it is {}", times));
+}
+
 }  // namespace
 
 Result<Prepared, Refusal> prepare(const Request& request, source::FileSystem& files,
                                   VariablesFile variables) {
+  if (auto wrong = asks_twice_for_standard_input(request)) {
+    return *wrong;
+  }
   const auto job =
       setup::read_job(request.setups, disk::shipped_folder("machine/library").value_or(""));
   if (!job) {

@@ -36,7 +36,9 @@ struct FileText {
   std::string reason;  ///< "" when it could be read
 };
 
-FileText read_file(const std::string& path) {
+/// @param named  "-": standard input
+FileText read_file(const std::string& named) {
+  const std::string path = named == "-" ? "/dev/stdin" : named;
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     return {{}, "it is a folder"};

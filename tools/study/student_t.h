@@ -8,8 +8,7 @@ namespace g31::study {
 ///
 /// @param p        above 0, below 1
 /// @param freedom  degrees of freedom, at least 1
-/// Accuracy: relative 1e-10 for p from 1e-6 to 1 - 1e-6.  Source: the incomplete beta function by
-/// its continued fraction, NIST DLMF 8.17.22, and bisection.
+/// Accuracy: relative 1e-10 for p from 1e-6 to 1 - 1e-6.  Source: Boost.Math.
 double student_t_quantile(double p, std::size_t freedom);
 
 /// The probability that a Student variable stays below t.

@@ -20,6 +20,10 @@ class Walk {
       const Index step = open_.back();
       open_.pop_back();
       follow(exits_of(program_, step));
+      // A block behind a wrong one counts as reached, so that all mistakes are told at once.
+      if (program_.steps[step].kind == syntax::BlockKind::Bad) {
+        visit(step + 1);
+      }
     }
     return std::move(seen_);
   }

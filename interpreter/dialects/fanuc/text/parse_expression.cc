@@ -26,6 +26,24 @@ constexpr OperatorWord kComparisons[] = {
     {"EQ", Operator::Equal}, {"NE", Operator::NotEqual},     {"GT", Operator::Greater},
     {"LT", Operator::Less},  {"GE", Operator::GreaterEqual}, {"LE", Operator::LessEqual}};
 constexpr OperatorWord kJunctions[] = {{"&&", Operator::And}, {"||", Operator::Or}};
+/// Signs of other languages, longer ones first, and the operator that Custom Macro B has for them.
+struct ForeignSign {
+  std::string_view sign;
+  std::string_view word;
+};
+constexpr ForeignSign kForeignSigns[] = {{">=", "GE"}, {"<=", "LE"}, {"<>", "NE"}, {"!=", "NE"},
+                                         {"==", "EQ"}, {">", "GT"},  {"<", "LT"},  {"=", "EQ"}};
+
+/// "; GT is what Custom Macro B has for it" where such a sign stands, else "".
+std::string hint_of_sign(std::string_view rest) {
+  for (const ForeignSign& row : kForeignSigns) {
+    if (rest.starts_with(row.sign)) {
+      return fmt::format("; {} is what Custom Macro B has for '{}'", row.word, row.sign);
+    }
+  }
+  return {};
+}
+
 /// Words come before their two-letter forms (MB-077).
 constexpr OperatorWord kSums[] = {{"+", Operator::Add},
                                   {"-", Operator::Subtract},
@@ -218,7 +236,8 @@ bool ExpressionParser::close_bracket(std::uint32_t opened_at) {
       fail_at(AlarmId::ExpressionFormat, {opened_at, opened_at + 1}, "this [ has no ]");
     } else {
       fail(AlarmId::ExpressionFormat,
-           fmt::format("an operator or ] is expected here, not {}", source::quoted(next)));
+           fmt::format("an operator or ] is expected here, not {}{}", source::quoted(next),
+                       hint_of_sign(scanner_.text().substr(scanner_.position()))));
     }
     return false;
   }

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""What a newcomer meets first: standard input, names of files that come with g31, all mistakes of a program at once.
+
+Usage: manners_test.py G31
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+RUNS = "%\nO1\n#500=3\nM30\n%\n"
+WRONG = "%\nO1\nIF[#1>=0]GOTO10\n#2=[1+\nIF[#1<>0]GOTO10\nN10 M30\n%\n"
+
+
+class Manners(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def g31(self, *words, text=""):
+        return subprocess.run([G31, *words], cwd=self.folder, input=text, capture_output=True, text=True)
+
+    def test_a_program_comes_from_standard_input(self):
+        run = self.g31("run", "-", "--print", "#500", text=RUNS)
+        self.assertEqual((run.returncode, run.stdout), (0, "#500 = 3\n"), run.stderr)
+
+    def test_so_does_a_sheet_or_a_program_to_check(self):
+        (self.folder / "a.nc").write_text(RUNS.replace("#500=3", "#501=#500*2"))
+        run = self.g31("run", "a.nc", "-s", "-", "--print", "#501", text='[variables]\n"#500" = 21.0\n')
+        self.assertEqual((run.returncode, run.stdout), (0, "#501 = 42\n"), run.stderr)
+        check = self.g31("check", "-", text=WRONG)
+        self.assertEqual(check.returncode, 1, check.stderr)
+        self.assertIn("-:3:6: error:", check.stdout)
+
+    def test_but_not_both(self):
+        run = self.g31("run", "-", "-s", "-", text=RUNS)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("standard input", run.stderr)
+
+    def test_all_mistakes_are_told_at_once_with_what_the_language_has(self):
+        (self.folder / "a.nc").write_text(WRONG)
+        run = self.g31("run", "a.nc")
+        self.assertEqual(run.returncode, 2)
+        for place, hint in (("3:6", "GE is what Custom Macro B has for '>='"), ("4:7", ""),
+                            ("5:6", "NE is what Custom Macro B has for '<>'")):
+            line = next(line for line in run.stderr.splitlines() if line.startswith(f"a.nc:{place}: error"))
+            self.assertIn(hint, line)
+
+    def test_where_g31_lies_is_in_no_message_and_no_document(self):
+        (self.folder / "a.mpf").write_text("CYCLE977(,1)\nM30\n")
+        run = self.g31("run", "a.mpf", "--json", "out.json")
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("<g31>/macros/sinumerik/CYCLE977.SPF:", run.stderr)
+        document = (self.folder / "out.json").read_text()
+        self.assertEqual(json.loads(document)["alarm"]["number"], 61311)
+        home = str(pathlib.Path(__file__).resolve().parents[2])
+        self.assertNotIn(home, run.stderr + document)
+
+
+if __name__ == "__main__":
+    G31 = pathlib.Path(sys.argv[1]).resolve()
+    unittest.main(argv=sys.argv[:1])
