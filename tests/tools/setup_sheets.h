@@ -177,6 +177,8 @@ expansion = 23.0
 temperature = 22.0
 [[part]]
 shape = "ring"
+on = "G505"
+at = [1.0, 2.0, 3.0]
 bore = 50.0
 [[part]]
 file = "ring.stl"

@@ -360,6 +360,9 @@ TEST_F(SetupReader, EveryExampleOfTheTableIsASheet) {
     if (row.section == SectionId::BelievedAxes) {
       sheet = "[machine]\ntable_side = \"C\"\n" + sheet;
     }
+    if (row.id == KeyId::PartOn) {
+      sheet = "[work_offsets.G54]\n" + sheet;
+    }
     sheet = sheet_of_tool(row, sheet);
     if (row.section == SectionId::Input && row.id != KeyId::InputWhich) {
       sheet += "number = 1003\n";

@@ -69,11 +69,13 @@ session::Heard carried_out(const OpenedRun& opened) {
   runtime::Budget budget = opened.options.budget;
   budget.output = &opened.output;
   budget.wall_seconds = opened.time.left_s();
-  session::Heard heard =
-      session::heard(session::with_findings(opened.part_findings, opened.run.session().run(budget)),
-                     opened.prepared.control, opened.options.programs.front(),
-                     opened.options.allowed, opened.sources);
+  session::Heard heard = session::heard(
+      session::with_findings(opened.world.findings, opened.run.session().run(budget)),
+      opened.prepared.control, opened.options.programs.front(), opened.options.allowed,
+      opened.sources);
   session::place_settings(opened.prepared.job, heard.outcome.diagnostics);
+  opened.recorder.missed_skips().tell_nearest(opened.prepared.job, opened.world.parts,
+                                              heard.outcome.diagnostics);
   return heard;
 }
 
@@ -244,6 +246,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   if (line.expectations.need_output()) {
     recorder.keep_output();
   }
+  recorder.missed_skips().starts_at(job.machine.q_M_start);
   if (tables.value().trace != nullptr) {
     machine.trace(line.trace_period_s, *tables.value().trace);
   }
@@ -256,7 +259,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   }
   return run_to_end(
       {options, line.prints, line.prints_all, prepared, *run.value(), machine, recorder, output,
-       time, sources, world.value().findings, line.expectations, inputs, disk},
+       time, sources, world.value(), line.expectations, inputs, disk},
       {tables.value(), *printouts.value(), desk, events.value().get()});
 }
 

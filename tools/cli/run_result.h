@@ -14,6 +14,7 @@
 #include "tools/session/heard.h"
 #include "tools/session/prepare.h"
 #include "tools/session/run.h"
+#include "tools/session/world.h"
 
 namespace g31::cli {
 
@@ -29,7 +30,7 @@ struct OpenedRun {
   runtime::OutputBudget& output;
   const runtime::TimeBudget& time;
   const source::SourceMap& sources;
-  const std::vector<source::Diagnostic>& part_findings;
+  const session::World& world;
   const expect::Expectations& expectations;
   RunInputs& inputs;
   const RememberingDisk& disk;

@@ -20,6 +20,9 @@ using setup::SectionForm;
 using setup::SectionRow;
 using setup::ValueType;
 
+constexpr std::string_view kWorkOffset =
+    "^(G0*5[4-9]|EXT|G54\\.1 P[0-9]+|G154 P[0-9]+|G0*5(0[5-9]|[1-9][0-9]))$";
+
 /// A free name as a regular expression.
 std::string_view pattern_of(NameForm form) {
   switch (form) {
@@ -36,7 +39,7 @@ std::string_view pattern_of(NameForm form) {
     case NameForm::VariableName:
       return "^(#|[A-Za-z_$])";
     case NameForm::WorkOffset:
-      return "^(G0*5[4-9]|EXT|G54\\.1 P[0-9]+|G154 P[0-9]+|G0*5(0[5-9]|[1-9][0-9]))$";
+      return kWorkOffset;
     case NameForm::ToolNumber:
       return "^[0-9]+$";
     case NameForm::ErrorName:
@@ -55,6 +58,7 @@ std::string_view pattern_of(Limit limit) {
   static constexpr std::pair<Limit, std::string_view> kPatterns[] = {
       {Limit::AxisLetters, "^[XYZABC]*$"},
       {Limit::MachineCode, "^M[0-9]+$"},
+      {Limit::WorkOffsetName, kWorkOffset},
       {Limit::ColumnName, "^[A-Za-z0-9_.+-]+$"}};
   for (const auto& [of, pattern] : kPatterns) {
     if (of == limit) {

@@ -16,6 +16,7 @@ constexpr std::uint64_t kStopBytes = 128;  // without its text
 }  // namespace
 
 void RunRecorder::on_move(const runtime::MoveEvent& event) {
+  missed_skips_.moved(event);
   if (what_.moves == RecordWhat::Keep::Yes && budget_.charge(Output::Moves, kMoveBytes)) {
     moves_.push_back(event);
   }
@@ -31,6 +32,7 @@ void RunRecorder::on_moves_undone(std::uint64_t count) {
 
 void RunRecorder::on_touch(const runtime::TouchEvent& event) {
   touch_count_ += event.triggered ? 1 : 0;
+  missed_skips_.skipped(event);
   if (what_.touches == RecordWhat::Keep::Yes && budget_.charge(Output::Touches, kTouchBytes)) {
     touches_.push_back(event);
   }

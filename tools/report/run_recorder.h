@@ -8,6 +8,7 @@
 
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/output_budget.h"
+#include "tools/session/missed_skips.h"
 
 namespace g31::report {
 
@@ -44,6 +45,8 @@ class RunRecorder : public runtime::Observer {
   [[nodiscard]] std::size_t touch_count() const { return touch_count_; }
   [[nodiscard]] std::size_t stops_left_out() const { return stops_left_out_; }
   [[nodiscard]] const std::string& output() const { return output_; }
+  [[nodiscard]] session::MissedSkips& missed_skips() { return missed_skips_; }
+  [[nodiscard]] const session::MissedSkips& missed_skips() const { return missed_skips_; }
 
  protected:
   [[nodiscard]] runtime::OutputBudget& budget() { return budget_; }
@@ -58,6 +61,7 @@ class RunRecorder : public runtime::Observer {
   std::size_t touch_count_ = 0;
   std::optional<runtime::FaultEvent> fault_;
   std::string output_;
+  session::MissedSkips missed_skips_;
 };
 
 }  // namespace g31::report

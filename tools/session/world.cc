@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/source/printable.h"
 #include "parts/artefacts/artefact.h"
 #include "parts/geometry/mesh_defects.h"
 #include "parts/geometry/placement.h"
@@ -21,6 +22,9 @@
 
 namespace g31::session {
 namespace {
+
+/// Of a comment, in bytes.
+constexpr std::size_t kShownComment = 60;
 
 Refusal unusable(const setup::SheetPlace& place, const std::string& why) {
   return {Ending::Setup, {}, {error_at(place, setup::SetupErrorId::PartUnusable, {why})}};
@@ -182,6 +186,18 @@ std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
   return std::make_unique<probe::World>(std::move(sets), tools, std::move(sensors));
 }
 
+std::vector<source::Diagnostic> lost_variables(const setup::Job& job) {
+  std::vector<source::Diagnostic> findings;
+  for (const setup::SheetPlace& place : job.lost_variables) {
+    const std::string& line = place.source_line;
+    findings.push_back(source::make_diagnostic(
+        source::DiagnosticId::SettingInComment, {},
+        source::printable(line.substr(std::min(line.find('#'), line.size()), kShownComment))));
+    findings.back().in_sheet = shown_place(place);
+  }
+  return findings;
+}
+
 std::optional<source::Diagnostic> start_inside(const setup::Job& job,
                                                const machine::MachiningCentre& machine) {
   const std::string name = machine.stands_inside();
@@ -212,6 +228,7 @@ Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed,
   if (time != nullptr) {
     world.machine->watch(*time);
   }
+  std::ranges::move(lost_variables(job), std::back_inserter(world.findings));
   if (auto inside = start_inside(job, *world.machine)) {
     world.findings.push_back(std::move(*inside));
   }

@@ -21,7 +21,7 @@ namespace g31::session {
 
 /// The simulated machine with what stands around its tool.
 struct World {
-  std::vector<source::Diagnostic> findings;  ///< what is wrong before the start: PRB511 to PRB518
+  std::vector<source::Diagnostic> findings;  ///< what is wrong before the start: PRB511 to PRB519
   std::vector<probe::ProbedPart> parts;      ///< none where nothing senses them
   std::unique_ptr<machine::Surroundings> surroundings;  ///< null: nothing can be touched
   std::unique_ptr<machine::MachiningCentre> machine;
@@ -52,6 +52,9 @@ SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedP
 std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
                                                        const SensedParts& parts,
                                                        std::uint64_t seed);
+
+/// PRB519: comments of the sheets that look like variables.
+std::vector<source::Diagnostic> lost_variables(const setup::Job& job);
 
 /// PRB517: the part that the ball of a machine of the set-up stands in before the start.
 std::optional<source::Diagnostic> start_inside(const setup::Job& job,

@@ -17,6 +17,7 @@
 #include "parts/artefacts/artefact.h"
 #include "tools/setup/check_value.h"
 #include "tools/setup/keys.h"
+#include "tools/setup/lost_variables.h"
 
 namespace g31::setup {
 namespace {
@@ -347,7 +348,9 @@ void SheetCheck::check_skip_signal(const Table& members, const Location& where) 
 Sheet check_sheet(const Document& document, ErrorList& errors) {
   SheetCheck check(document, errors);
   check.check_root();
-  return check.sheet();
+  Sheet sheet = check.sheet();
+  sheet.lost_variables = lost_variables_in(document);
+  return sheet;
 }
 
 Sheet check_machine_file(const Document& document, ErrorList& errors) {

@@ -115,6 +115,8 @@ bool text_within(Limit limit, const std::string& text) {
       return text.size() == 1 && axis_index(text.front()) >= 0;
     case Limit::AxisLetters:
       return are_axis_letters(text);
+    case Limit::WorkOffsetName:
+      return normal_name(NameForm::WorkOffset, text).has_value();
     case Limit::MachineCode:
       return is_machine_code(text);
     case Limit::ProgramSwitch:

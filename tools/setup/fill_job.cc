@@ -18,6 +18,7 @@
 #include "tools/setup/fill_probe.h"
 #include "tools/setup/fill_sensors.h"
 #include "tools/setup/fill_tools.h"
+#include "tools/setup/part_on_offset.h"
 #include "tools/setup/table_keys.h"
 
 namespace g31::setup {
@@ -214,7 +215,27 @@ parts::ShapeProfile profile_from(const TableKeys& keys) {
   return profile;
 }
 
-parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
+/// Where the sheet says that a part lies on a work offset.
+void take_offset(parts::PartSetup& part, const TableKeys& keys,
+                 const runtime::ControlSetup& control, ErrorList& errors) {
+  const Entry* const on = keys.find(KeyId::PartOn);
+  if (on == nullptr) {
+    return;
+  }
+  const auto offset = normal_name(NameForm::WorkOffset, std::get<std::string>(on->value));
+  G31_EXPECTS(offset.has_value());
+  if (!control.work_offsets.contains(*offset)) {
+    errors.add(
+        SetupErrorId::OffsetNotGiven, on->where, {*offset},
+        fmt::format("for example: [work_offsets.{}] X = 250.0",
+                    offset->find(' ') == std::string::npos ? *offset : "\"" + *offset + "\""));
+    return;
+  }
+  put_on_offset(part, control, *offset);
+}
+
+parts::PartSetup part_from(const SheetTable& table, const runtime::ControlSetup& control,
+                           ErrorList& errors) {
   const TableKeys keys(table);
   parts::PartSetup part;
   part.file = keys.get(KeyId::PartFile, part.file);
@@ -228,6 +249,7 @@ parts::PartSetup part_from(const SheetTable& table, ErrorList& errors) {
   part.is_fixture = keys.get(KeyId::PartFixture, 0.0) != 0.0;
   part.p_M_at = point_from(keys, KeyId::PartAt);
   part.rotate_deg = point_from(keys, KeyId::PartRotate);
+  take_offset(part, keys, control, errors);
   part.growth.expansion = keys.get(KeyId::PartExpansion, part.growth.expansion);
   part.growth.temperature = keys.get(KeyId::PartTemperature, part.growth.temperature);
   for (const auto& [key, entry] : table.entries) {
@@ -290,8 +312,11 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
     keep_places(job, place.first, place.second, table);
   }
   for (const SheetTable& table : list_of(sheet, SectionId::Part)) {
-    job.parts.push_back(part_from(table, errors));
+    job.parts.push_back(part_from(table, job.control, errors));
     job.part_places.push_back(place_of_body(table));
+  }
+  for (const Location& where : sheet.lost_variables) {
+    job.lost_variables.push_back(place_of(where));
   }
   if (const auto probe = sheet.tables.find({SectionId::Probe, ""}); probe != sheet.tables.end()) {
     job.probe = probe_from(sheet, probe->second);

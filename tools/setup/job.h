@@ -31,6 +31,8 @@ struct Job {
   expect::Expectations expectations;    ///< what [expect] says
   std::vector<std::string> sheets;      ///< what it was read from, machine file included
   std::vector<SheetPlace> part_places;  ///< one per part: its file or shape
+  /// Comments that look like variables, `#500 = 3.0`: probably meant as one.
+  std::vector<SheetPlace> lost_variables;
   /// Signals of the skip moves in order; given (even empty) means: instead of a probe.
   std::optional<std::vector<probe::SkipSignal>> skip_signals;
 };

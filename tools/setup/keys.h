@@ -99,7 +99,8 @@ enum class Limit {
   MachineCode,     ///< M and a number
   ProgramSwitch,   ///< that, #1100 to #1115 or $A_OUT[n]
   AxisLetter,
-  AxisLetters,  ///< no letter twice
+  AxisLetters,     ///< no letter twice
+  WorkOffsetName,  ///< as NameForm::WorkOffset
   NotAllZero,
   RunStatus,     ///< as the document of a run has it
   RisingPlaces,  ///< the first numbers of pairs

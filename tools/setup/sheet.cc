@@ -23,6 +23,8 @@ void lay_over(Sheet& below, const Sheet& above) {
   for (const auto& [section, list] : above.lists) {
     below.lists.insert_or_assign(section, list);
   }
+  below.lost_variables.insert(below.lost_variables.end(), above.lost_variables.begin(),
+                              above.lost_variables.end());
 }
 
 }  // namespace g31::setup

@@ -34,6 +34,8 @@ struct Sheet {
   /// The elements of [[part]] and the like; a list that is given without elements is here, and one
   /// within the elements of another that is given.
   std::map<SectionId, std::vector<SheetTable>> lists;
+  /// Comments that look like variables, `#500 = 3.0`.
+  std::vector<Location> lost_variables;
 
   /// The entry of an exact key of a section that has no NAME, or nullptr.
   [[nodiscard]] const Entry* find(KeyId id) const;

@@ -61,6 +61,7 @@ constexpr LimitWords kLimitWords[] = {
     {Limit::MachineCode, "M and a number of one to eight digits"},
     {Limit::ProgramSwitch, kProgramSwitch},
     {Limit::AxisLetter, "\"X\", \"Y\", \"Z\", \"A\", \"B\" or \"C\""},
+    {Limit::WorkOffsetName, "a work offset: G54 to G59, EXT, G54.1 Pn, G154 Pn or G505 to G599"},
     {Limit::AxisLetters, "letters of X, Y, Z, A, B and C, none twice"},
     {Limit::NotAllZero, "three numbers, not all 0"},
     {Limit::RunStatus,
