@@ -106,9 +106,10 @@ Result<Mesh, std::string> read_through_assimp(const std::string& path, std::stri
   // No other step is asked for: assimp's triangulation aborts the process on some damaged polygons.
   const aiScene* scene = importer.ReadFile(path, aiProcess_ValidateDataStructure);
   if (scene == nullptr) {
-    return fmt::format(
-        "not understood as a mesh ({}); expected a whole STL, OBJ, PLY, OFF or 3MF file",
-        importer.GetErrorString());
+    // What it says itself names its own loaders.
+    return std::string(
+        "not understood as a mesh; expected a whole STL, OBJ, PLY, OFF or 3MF file: "
+        "export STEP or STL");
   }
   if (scene->mRootNode == nullptr) {
     return std::string("it holds no mesh; expected at least one triangle");

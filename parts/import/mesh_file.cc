@@ -56,11 +56,17 @@ std::optional<std::string> why_unreadable(const std::string& path) {
 
 enum class MeshKind { Stl, Obj, Ply, Off, ThreeMf, Other };
 
-/// By the ending of its name; where that says nothing by its beginning.
-MeshKind kind_of(const std::string& path, std::string_view beginning) {
+/// In small letters.
+std::string ending_of(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+/// By the ending of its name; where that says nothing by its beginning.
+MeshKind kind_of(const std::string& path, std::string_view beginning) {
+  const std::string ending = ending_of(path);
   constexpr std::pair<std::string_view, MeshKind> kEndings[] = {
       {".stl", MeshKind::Stl}, {".obj", MeshKind::Obj},     {".ply", MeshKind::Ply},
       {".off", MeshKind::Off}, {".3mf", MeshKind::ThreeMf},
@@ -78,6 +84,28 @@ MeshKind kind_of(const std::string& path, std::string_view beginning) {
     }
   }
   return MeshKind::Other;
+}
+
+struct CadFormat {
+  std::string_view ending;
+  std::string_view name;
+};
+constexpr CadFormat kCadFormats[] = {
+#define CAD_FORMAT(ending, name) {ending, name},
+#include "parts/import/cad_formats.def"
+#undef CAD_FORMAT
+};
+
+/// What to do about a file of a CAD system that g31 does not read; nullopt: it is none.
+std::optional<std::string> why_foreign(const std::string& path) {
+  const std::string ending = ending_of(path);
+  for (const CadFormat& format : kCadFormats) {
+    if (ending == format.ending) {
+      return fmt::format("this is a file of {}, which g31 does not read: export STEP or STL",
+                         format.name);
+    }
+  }
+  return std::nullopt;
 }
 
 /// Packed files whose size unpacked nobody can know before; g31 takes those of 3MF alone.
@@ -116,6 +144,9 @@ class FileReader {
     std::string beginning(static_cast<std::size_t>(std::min<std::uint64_t>(size_, kBeginning)), 0);
     file_.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
     file_.seekg(0);
+    if (auto foreign = why_foreign(path_)) {
+      return *std::move(foreign);
+    }
     const MeshKind kind = kind_of(path_, beginning);
     if (kind != MeshKind::ThreeMf && is_packed(beginning)) {
       return std::string("it is packed; unpack it first");

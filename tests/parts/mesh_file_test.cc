@@ -126,6 +126,8 @@ TEST_F(MeshFile, SaysWhatIsWrongInOneLine) {
       {"PLY cut off", write("cut.ply", kPly.substr(0, kPly.size() - 30)), ""},
       {"unknown ending", write("mesh.xyzzy", "1 2 3\n"),
        "expected a whole STL, OBJ, PLY, OFF or 3MF"},
+      {"a file of a CAD system", write("part.IGS", "S      1\n"),
+       "this is a file of IGES, which g31 does not read: export STEP or STL"},
       {"broken 3MF", write("broken.3mf", "PK\x03\x04 no archive"), ""},
   };
   for (const Case& c : kCases) {

@@ -18,6 +18,7 @@
 #include "tools/evaluate/data_error.h"
 #include "tools/manual/entries.h"
 #include "tools/manual/pages.h"
+#include "tools/review/setup_rules.h"
 #include "tools/setup/value_words.h"
 #include "tools/study/study_keys.h"
 
@@ -57,6 +58,7 @@ TEST(Manual, HasEveryRowOfEveryTable) {
   EXPECT_EQ(count_of(all, "key of a study file"), study::study_keys().size());
   EXPECT_EQ(count_of(all, "message of g31"), source::diagnostics().size());
   EXPECT_EQ(count_of(all, "error of a sheet"), setup::setup_error_rows().size());
+  EXPECT_EQ(count_of(all, "finding of g31 setup"), review::setup_rules().size());
   EXPECT_EQ(count_of(all, "rule of g31 check"), analysis::rules().size());
   EXPECT_EQ(count_of(all, "error of a record"), evaluate::data_error_rows().size());
   EXPECT_EQ(count_of(all, "control"), fanuc_profiles + 1);

@@ -18,12 +18,12 @@ using session::Control;
 
 /// The control that a file speaks for; definition files are none but SINUMERIK's.
 Control control_of(const std::string& path, source::FileSystem& files) {
-  constexpr std::size_t kBeginning = 64;  // bytes: a header stands first
   const std::string ending = std::filesystem::path(path).extension().string();
   if (ending == ".DEF" || ending == ".def" || ending == ".INI" || ending == ".ini") {
     return session::SinumerikControl{};
   }
-  return session::control_of_program(path, files.read_part(path, 0, kBeginning).value_or(""));
+  return session::control_of_program(
+      path, files.read_part(path, 0, session::kProgramBeginning).value_or(""));
 }
 
 std::unique_ptr<analysis::ProgramSet> programs_for(const Control& control,

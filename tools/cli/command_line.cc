@@ -1,6 +1,7 @@
 #include "tools/cli/command_line.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <span>
 #include <string>
@@ -19,6 +20,9 @@
 #include "tools/cli/explain_command.h"
 #include "tools/cli/explain_options.h"
 #include "tools/cli/interruption.h"
+#include "tools/cli/mistyped.h"
+#include "tools/cli/new_command.h"
+#include "tools/cli/new_options.h"
 #include "tools/cli/pages_command.h"
 #include "tools/cli/pages_options.h"
 #include "tools/cli/read_command_words.h"
@@ -27,6 +31,8 @@
 #include "tools/cli/run_refusal.h"
 #include "tools/cli/scene_command.h"
 #include "tools/cli/scene_options.h"
+#include "tools/cli/setup_command.h"
+#include "tools/cli/setup_options.h"
 #include "tools/cli/study_command.h"
 #include "tools/cli/study_options.h"
 
@@ -51,6 +57,8 @@ struct Options {
   SceneOptions scene;
   StudyOptions study;
   CheckOptions check;
+  SetupOptions setup;
+  NewOptions starter;
   EvaluateOptions evaluate;
   PagesOptions pages;
 };
@@ -84,6 +92,10 @@ std::vector<Command> add_commands(CLI::App& app, Options& options, const std::st
       [&options] { return study_command(options.study); });
   add(kIsShort, add_check_command(app, options.check), check_examples(),
       [&options] { return check_command(options.check); });
+  add(kIsShort, add_setup_command(app, options.setup), setup_examples(),
+      [&options] { return setup_command(options.setup); });
+  add(kIsShort, add_new_command(app, options.starter), new_examples(),
+      [&options] { return new_command(options.starter); });
   add(kLasts, add_evaluate_command(app, options.evaluate), evaluate_examples(),
       [&options] { return evaluate_command(options.evaluate); });
   add(kIsShort, add_completion_command(app, options.pages), completion_examples(),
@@ -141,12 +153,17 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
   add_version(app, options);
   const std::vector<Command> commands = add_commands(app, options, version);
   app.footer(exit_code_help());
+  const std::vector<std::string> words =
+      without_help_word(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   try {
-    app.parse(argc, argv);
+    // CLI11 takes them from the last one on.
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
-    if (app.exit(error) == 0) {
+    const std::string hint = error.get_exit_code() == 0 ? "" : mistyped_hint(app, words);
+    if (hint.empty() && app.exit(error) == 0) {
       return ExitCode::Completed;
     }
+    std::fputs(hint.c_str(), stderr);
     tell_usage_error(options.run, json_of_run({argv, static_cast<std::size_t>(argc)}),
                      error.what());
     return ExitCode::BadUsage;

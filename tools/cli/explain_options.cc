@@ -20,10 +20,11 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
   explain->add_option("--control", options.control, "control profile (default fanuc-16i)")
       ->type_name("CONTROL");
   explain->add_flag("--json", options.json, "as a document of schema g31.explain/1");
-  auto* const page = explain->add_option(
-      "--page", options.page,
-      "print a page of docs as the tables make it: set-up-sheet.md, study-file.md, codes.md, "
-      "schema/g31.sheet.schema.json");
+  auto* const page =
+      explain->add_option("--page", options.page,
+                          "print a page of docs as the tables make it: set-up-sheet.md, "
+                          "study-file.md, codes.md, not-simulated.md, "
+                          "schema/g31.sheet.schema.json");
   page->type_name("NAME");
   explain->callback([topics, all, page] {
     if (topics->empty() && all->empty() && page->empty()) {

@@ -26,7 +26,7 @@ ORDER = re.compile(rf"(?<=\s)[<>]=?\s+{ENUMERATOR}(?![\w:(<{{.])|(?<![\w:]){ENUM
 NAMED_ROWS = (("alarms.def", "ALARM", "AlarmId"), ("addresses.def", "ADDRESS", "Address"))
 NOT_SIMULATED = "not simulated"
 # Rows whose second column is the code that documents and users know them by.
-CODED_ROW = re.compile(r'(?:DIAGNOSTIC|RULE|SETUP_ERROR|DATA_ERROR)\((\w+),\s*"([A-Z]+\d+)"')
+CODED_ROW = re.compile(r'(?:DIAGNOSTIC|RULE|SETUP_RULE|SETUP_ERROR|DATA_ERROR)\((\w+),\s*"([A-Z]+\d+)"')
 
 
 def code_of(text):

@@ -5,6 +5,7 @@
 #include "interpreter/source/diagnostic.h"
 #include "tools/evaluate/data_error.h"
 #include "tools/manual/entries.h"
+#include "tools/review/setup_rules.h"
 #include "tools/setup/setup_error.h"
 
 namespace g31::manual {
@@ -63,6 +64,10 @@ Entries all_code_entries() {
   }
   for (const setup::SetupErrorRow& row : setup::setup_error_rows()) {
     all.push_back(entry_of_code("error of a sheet", row.code, row.text, row.about));
+  }
+  for (const review::SetupRule& row : review::setup_rules()) {
+    all.push_back(entry_of_code("finding of g31 setup", row.code, row.text, row.remedy));
+    all.back().facts.push_back({"counts as", std::string(source::name_of(row.level))});
   }
   for (const analysis::Rule& row : analysis::rules()) {
     all.push_back(entry_of_code("rule of g31 check", row.code, row.text, ""));

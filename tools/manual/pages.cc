@@ -16,6 +16,7 @@ constexpr auto kPages = std::to_array<Page>({
     {"schema/g31.sheet.schema.json", "JSON Schema of set-up sheets, for editors", sheet_schema},
     {"study-file.md", "every key of a study file", study_page},
     {"codes.md", "every code of a message", codes_page},
+    {"not-simulated.md", "what of world and controls is not there", not_simulated_page},
 });
 
 std::string fact_of(const runtime::Entry& entry, std::string_view name) {

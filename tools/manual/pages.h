@@ -26,5 +26,7 @@ std::string sheet_schema();
 std::string study_page();
 /// Markdown: every code of a message.
 std::string codes_page();
+/// Markdown: what of world and controls is not there.
+std::string not_simulated_page();
 
 }  // namespace g31::manual

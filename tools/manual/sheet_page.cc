@@ -35,7 +35,7 @@ or give it in `.taplo.toml` to all sheets of a project:
 [[rule]]
 include = ["**/*.toml"]
 [rule.schema]
-path = "/usr/share/g31/docs/schema/g31.sheet.schema.json"
+path = "/usr/share/doc/g31/docs/schema/g31.sheet.schema.json"
 ```
 
 The schema cannot say everything: the reader also knows which sizes fit each other, and what a control has.

@@ -60,6 +60,42 @@ std::string_view profile_of_model(std::string_view plain) {
   return profile;
 }
 
+bool is_word_letter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$';
+}
+
+/// Whether a word stands in the text by itself; one that ends with a bracket, = or $ may go on.
+bool has_whole_word(std::string_view text, std::string_view word) {
+  for (std::size_t at = text.find(word); at != std::string_view::npos;
+       at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    const bool begins = at == 0 || !is_word_letter(text[at - 1]);
+    const bool ends =
+        end == text.size() || !is_word_letter(word.back()) || !is_word_letter(text[end]);
+    if (begins && ends) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Words that no Fanuc program has, and nothing that one has: # before a number, O before one.
+bool is_sinumerik_text(std::string_view text) {
+  static constexpr std::string_view kWords[] = {
+      "DEF REAL", "DEF INT", "DEF BOOL", "DEF STRING", "GOTOF",   "GOTOB",    "STOPRE",
+      "MEAS=",    "MEAW=",   "ENDFOR",   "ENDLOOP",    "$AA_MW[", "$AC_MEA[", "$P_UIFR["};
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool is_first = at == 0 || text[at - 1] == '\n';
+    const bool has_digit =
+        at + 1 < text.size() && std::isdigit(static_cast<unsigned char>(text[at + 1])) != 0;
+    if ((text[at] == '#' || (is_first && (text[at] == 'O' || text[at] == ':'))) && has_digit) {
+      return false;
+    }
+  }
+  return std::ranges::any_of(kWords,
+                             [&](std::string_view word) { return has_whole_word(text, word); });
+}
+
 }  // namespace
 
 std::string_view name_of(const Control& control) {
@@ -131,7 +167,9 @@ Control control_of_program(const std::string& path, std::string_view text) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
   const bool by_ending = ending == ".mpf" || ending == ".spf" || ending == ".arc";
-  return by_ending || text.starts_with("%_N_") ? Control(SinumerikControl{}) : default_control();
+  return by_ending || text.starts_with("%_N_") || is_sinumerik_text(text)
+             ? Control(SinumerikControl{})
+             : default_control();
 }
 
 }  // namespace g31::session

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -43,7 +44,9 @@ std::vector<std::string_view> models_of(const Control& control);
 Control default_control();
 
 /// The control that a program's file ending speaks for (.MPF, .SPF and .ARC are SINUMERIK), else
-/// the first line of its text (%_N_NAME_MPF).
+/// the first line of its text (%_N_NAME_MPF), else words in it that no Fanuc program has.
+/// @param text  the first kProgramBeginning bytes are enough
 Control control_of_program(const std::string& path, std::string_view text);
+inline constexpr std::size_t kProgramBeginning = 4096;
 
 }  // namespace g31::session

@@ -23,8 +23,7 @@ Result<Control, Refusal> chosen_control(const Request& request, const setup::Job
   if (request.programs.empty()) {
     return default_control();
   }
-  constexpr std::size_t kBeginning = 64;  // bytes: a header stands first
-  const auto beginning = files.read_part(request.programs.front(), 0, kBeginning);
+  const auto beginning = files.read_part(request.programs.front(), 0, kProgramBeginning);
   return control_of_program(request.programs.front(), beginning.value_or(""));
 }
 

@@ -83,6 +83,12 @@ bool has_name(const Rows& rows, const std::string& text) {
   return std::ranges::any_of(rows, [&](const auto& row) { return row.name == text; });
 }
 
+/// Of a limit whose words are its choices.
+bool is_choice(Limit limit, const std::string& text) {
+  const std::vector<std::string> choices = choices_of(limit);
+  return std::ranges::find(choices, text) != choices.end();
+}
+
 bool text_within(Limit limit, const std::string& text) {
   switch (limit) {
     case Limit::NotEmpty:
@@ -90,27 +96,21 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::MeshUnit:
       return has_name(parts::kMeshUnits, text);
     case Limit::IncrementSystem:
-      return text == "IS-A" || text == "IS-B" || text == "IS-C";
     case Limit::RapidPath:
-      return text == "straight" || text == "independent";
     case Limit::OffsetMemory:
-      return text == "A" || text == "B" || text == "C";
+    case Limit::StoppingKind:
+    case Limit::ProbeType:
+    case Limit::SeatKind:
+    case Limit::ToolProbeSide:
+      return is_choice(limit, text);
     case Limit::RunStatus:
       return std::ranges::find(kRunStatuses, text) != std::end(kRunStatuses);
-    case Limit::StoppingKind:
-      return text == "braking" || text == "ideal";
-    case Limit::ProbeType:
-      return text == "3D" || text == "mono";
-    case Limit::SeatKind:
-      return text == "even" || text == "tripod";
     case Limit::ProbeState:
       return has_name(probe::kProbeStateNames, text);
     case Limit::ToolKind:
       return has_name(probe::kToolKindNames, text);
     case Limit::ToolProbeShape:
       return has_name(probe::kToolProbeShapeNames, text);
-    case Limit::ToolProbeSide:
-      return text == "bed" || text == "table";
     case Limit::AxisLetter:
       return text.size() == 1 && axis_index(text.front()) >= 0;
     case Limit::AxisLetters:

@@ -1,0 +1,112 @@
+"""The documents of all commands against docs/schema.  Usage: document_schemas_test.py G31"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+RING = "parts/library/ring_gauge/"
+STUDY = """[study]
+program = "p.nc"
+setup = ["s.toml"]
+repeats = 3
+[results.x]
+value = "#500"
+"""
+SHEET = '[probe]\nlength = 100.0\nrepeatability_mm = 0.001\n[start]\nZ = 300.0\n[[part]]\nshape = "block"\nat = [80.0, 0.0, 210.0]\n'
+FILES = {
+    "p.nc": "O1\nG90 G31 X60. F100.\n#500=#5061\nG04 P100\nDPRNT[A#500[33]]\nM30\n",
+    "missed.nc": "O1\nG90 G31 X20. F100.\n#500=#5061\nM30\n",
+    "alarm.nc": "O1\nG65 P2\nM30\nO2\n#3000=5 (BAD)\nM99\n",
+    "crash.nc": "O1\nG90 G00 X80.\nM30\n",
+    "wrong.nc": "O1\nGOTO 7\n#1=[\nM30\n",
+    "loop.nc": "O1\nN1 GOTO 1\nM30\n",
+    "p.mpf": "MEAS=1 G1 X60 F100\nSTOPRE\nR1=$AA_MW[X]\nMSG(\"done\")\nM0\nM30\n",
+    "s.toml": SHEET,
+    "e.toml": SHEET + "[expect]\ntouches = 1\n",
+    "study.toml": STUDY,
+    "record.csv": "".join(["t,X,Y\n", *(f"{i * 0.01},{i * 0.1},{i * 0.1}\n" for i in range(50))]),
+}
+RUN = ("-s", "s.toml", "--json", "-")
+COMMANDS = (
+    ("run", "p.nc", *RUN, "--moves", "--touches", "--print", "#500,#501"),
+    ("run", "missed.nc", *RUN, "--touches"),
+    ("run", "p.nc", "-s", "e.toml", "--json", "-", "--allow", "PRB316"),
+    ("run", "missed.nc", *RUN, "--allow", "PRB301"),
+    ("run", "wrong.nc", *RUN),
+    ("run", "none.nc", *RUN),
+    ("run", "alarm.nc", *RUN),
+    ("run", "crash.nc", *RUN, "--moves"),
+    ("run", "loop.nc", *RUN, "--max-blocks", "50"),
+    ("run", "p.mpf", *RUN, "--moves", "--touches", "--print", "R1"),
+    ("explain", "G31", "probe.length", "ring", "skip", "--json"),
+    ("explain", "--all", "--json"),
+    ("explain", "--all", "--json", "--control", "sinumerik-828d"),
+    ("check", "p.nc", "wrong.nc", "p.mpf", "--json", "-"),
+    ("setup", "s.toml", "--json", "-"),
+    ("setup", "s.toml", "--program", "missed.nc", "--json", "-"),
+    ("study", "study.toml", "--json", "-"),
+    ("study", "study.toml", "--shard", "1/2", "--json", "-"),
+    ("evaluate", "diagonal", "record.csv", "--target", "5,5", "--json", "-"),
+    ("--version", "--json"),
+)
+
+
+def problems_of(g31, folder, command, jsonschema):
+    """What is wrong with the document of a command."""
+    done = subprocess.run([g31, *command], cwd=folder, capture_output=True, text=True, check=False)
+    # A study and a run of a program may print before their document, and behind it.
+    start = done.stdout.find("{")
+    if start < 0:
+        return [f"{' '.join(command)}: no document: {done.stderr[:300]}"]
+    document, _ = json.JSONDecoder().raw_decode(done.stdout[start:])
+    name = document["schema"].split("/")[0].replace("study.shard", "study")
+    schema = json.loads((ROOT / f"docs/schema/{name}.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft7Validator.check_schema(schema)
+    unknown = [
+        f"{' '.join(command)}: the schema has no {field}" for field in document if field not in schema["properties"]
+    ]
+    return unknown + [
+        f"{' '.join(command)}: {error.json_path}: {error.message[:300]}"
+        for error in jsonschema.Draft7Validator(schema).iter_errors(document)
+    ]
+
+
+def refuses(jsonschema):
+    """A schema that takes everything would say nothing."""
+    wrong = []
+    for path in sorted((ROOT / "docs/schema").glob("*.json")):
+        schema = json.loads(path.read_text(encoding="utf-8"))
+        for document in ([], {"schema": "g31.other/1"}, {"schema": 5}):
+            if jsonschema.Draft7Validator(schema).is_valid(document):
+                wrong.append(f"{path.name} takes {document}")
+    return wrong
+
+
+def left_out():
+    """Fields of a run that the page of documents does not tell."""
+    page = (ROOT / "docs/result-document.md").read_text(encoding="utf-8")
+    schema = json.loads((ROOT / "docs/schema/g31.run.schema.json").read_text(encoding="utf-8"))
+    return [f"docs/result-document.md: nothing of {name}" for name in schema["properties"] if f"`{name}`" not in page]
+
+
+def main():
+    try:
+        import jsonschema
+    except ImportError:
+        print("python3-jsonschema is not installed: schemas are not tried")
+        return 77
+    g31 = str(pathlib.Path(sys.argv[1]).resolve())
+    wrong = refuses(jsonschema) + left_out()
+    with tempfile.TemporaryDirectory() as folder:
+        for name, content in FILES.items():
+            (pathlib.Path(folder) / name).write_text(content, encoding="utf-8")
+        for command in COMMANDS:
+            wrong += problems_of(g31, folder, command, jsonschema)
+    print("\n".join([*wrong, f"{len(COMMANDS)} documents, {len(wrong)} problems"]))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

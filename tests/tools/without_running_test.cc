@@ -1,0 +1,208 @@
+// `g31 setup`: what a set-up says against itself and against a program; `g31 new`: a folder to
+// begin with.
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/captured.h"
+#include "tests/support/run_program.h"
+#include "tools/cli/new_command.h"
+#include "tools/cli/setup_command.h"
+
+namespace g31::cli::without_running_test {
+namespace {
+
+using testing::CommandOutput;
+using testing::TemporaryFolder;
+
+constexpr const char* kSheet =
+    "[start]\nZ = 300.0\n[work_offsets.G54]\nX = 100.0\n[tools.1]\nlength = 120.0\n"
+    "[machine.axes.X]\ntravel = [0.0, 500.0]\n[machine.axes.Y]\ntravel = [-200.0, 200.0]\n"
+    "[machine.axes.Z]\ntravel = [0.0, 400.0]\n[probe]\nlength = 120.0\n";
+constexpr const char* kBlock = "[[part]]\nname = \"block\"\nshape = \"block\"\non = \"G54\"\n";
+constexpr const char* kProgram = "O1\nG90 G54 G43 H1 G0 X50. Z-10.\nG31 X20. F100.\nM30\n";
+
+/// What `g31 setup` says of these sheets, and of a program where one is given.
+CommandOutput reviewed(const std::string& sheet, const std::string& program = {},
+                       bool as_document = false) {
+  const TemporaryFolder folder;
+  SetupOptions options;
+  options.setups = {folder.write("sheet.toml", sheet)};
+  if (!program.empty()) {
+    options.programs = {folder.write("case.nc", program)};
+  }
+  options.json = as_document ? "-" : "";
+  return testing::captured([&] { return setup_command(options); });
+}
+
+/// The text of a finding, without what stands around it.
+bool has(const CommandOutput& output, const std::string& text) {
+  return output.out.find(text) != std::string::npos;
+}
+
+TEST(SetupCommand, HasNothingToSayOfASetUpThatFits) {
+  const CommandOutput alone = reviewed(std::string(kSheet) + kBlock);
+  EXPECT_EQ(alone.out, "nothing is wrong with the set-up\n");
+  EXPECT_EQ(alone.exit_code, 0);
+  const CommandOutput with_program = reviewed(std::string(kSheet) + kBlock, kProgram);
+  EXPECT_EQ(with_program.out, "nothing is wrong with the set-up\n");
+  EXPECT_EQ(with_program.exit_code, 0);
+}
+
+/// The ball comes to X 500, the block begins at 670 and the ball is 3 mm: 167 mm.
+TEST(SetupCommand, SaysWhichPartIsOutOfReach) {
+  const CommandOutput output =
+      reviewed(std::string(kSheet) +
+               "[[part]]\nname = \"far\"\nshape = \"block\"\nat = [700.0, 0.0, 0.0]\n");
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_TRUE(has(output,
+                  "the stylus ball cannot reach a part: 'far' at X 670.000 to 730.000, Y "
+                  "-20.000 to 20.000, Z -20.000 to 0.000 is 167.000 mm in X beyond it "
+                  "[SUP103]\n"))
+      << output.out;
+  EXPECT_TRUE(has(output, "sheet.toml:16:9: warning: ")) << output.out;
+}
+
+/// The nearest the ball comes is X 50 of G54, 150: the block begins at 370; 217 mm with its radius.
+TEST(SetupCommand, SaysWhichPartNoMeasuringMoveComesNear) {
+  const CommandOutput output =
+      reviewed(std::string(kSheet) +
+                   "[[part]]\nname = \"beside\"\nshape = \"block\"\nat = [400.0, 0.0, 0.0]\n",
+               kProgram);
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_TRUE(has(output,
+                  "no measuring move comes near a part: 'beside', 217.000 mm at the nearest "
+                  "[SUP106]\n"))
+      << output.out;
+}
+
+TEST(SetupCommand, TellsTwins) {
+  const CommandOutput same = reviewed(std::string(kSheet) + kBlock + kBlock);
+  EXPECT_TRUE(has(same, "two parts stand in one place: 'block' and 'block' [SUP102]")) << same.out;
+  const CommandOutput named =
+      reviewed(std::string(kSheet) + kBlock + kBlock + "at = [0.0, 50.0, 0.0]\n");
+  EXPECT_TRUE(has(named, "two parts have one name: 'block' [SUP101]")) << named.out;
+}
+
+TEST(SetupCommand, TellsMissingToolsAndOffsets) {
+  const CommandOutput tool = reviewed(std::string(kSheet) + kBlock,
+                                      "O1\nG90 G54 G43 H7 G0 X50. Z-10.\nG31 X20. F100.\nM30\n");
+  EXPECT_TRUE(has(tool, "case.nc:2:")) << tool.out;
+  EXPECT_TRUE(has(tool, "[PRB501]") || has(tool, "[PRB503]")) << tool.out;
+  const CommandOutput offset =
+      reviewed(std::string(kSheet) + kBlock, "O1\nG90 G56 G31 X20. F100.\nM30\n");
+  EXPECT_TRUE(has(offset, "[PRB502]")) << offset.out;
+}
+
+TEST(SetupCommand, TellsProbesWhoseLengthTheControlDoesNotKnow) {
+  const CommandOutput output =
+      reviewed("[tools.1]\nlength = 100.0\n[probe]\nlength = 120.0\n" + std::string());
+  EXPECT_TRUE(has(output, "note: no tool of [tools] is as long as the probe: 120.000 mm [SUP105]"))
+      << output.out;
+  EXPECT_EQ(output.exit_code, 0) << "a note";
+}
+
+TEST(SetupCommand, TellsParametersWithoutEffectAndLostVariables) {
+  const CommandOutput output = reviewed("[parameters]\n\"9999\" = 1\n[variables]\n#500 = 3.0\n");
+  EXPECT_TRUE(has(output, "[PRB505]")) << output.out;
+  EXPECT_TRUE(has(output, "sheet.toml:4:1: warning: ")) << output.out;
+  EXPECT_TRUE(has(output, "[PRB519]")) << output.out;
+  EXPECT_EQ(output.exit_code, 1);
+}
+
+TEST(SetupCommand, SaysHowFarAProgramCouldBeFollowed) {
+  const CommandOutput output =
+      reviewed(std::string(kSheet) + kBlock, "O1\nIF [#5061 EQ 0] THEN #3000=1 (NOTHING)\nM30\n");
+  EXPECT_TRUE(has(output, "the program has no measuring move: ")) << output.out;
+  EXPECT_TRUE(has(output, "the program could be followed only so far: ")) << output.out;
+  EXPECT_TRUE(has(output, "case.nc:2: ")) << output.out;
+}
+
+TEST(SetupCommand, TellsPartsOfAnUnlikelySize) {
+  const TemporaryFolder folder;
+  // A cube of 0.05: metres that were meant as such.
+  std::string mesh;
+  for (const char* const p : {"0 0 0", ".05 0 0", "0 .05 0", "0 0 .05"}) {
+    mesh += std::string("v ") + p + "\n";
+  }
+  static_cast<void>(folder.write("part.obj", mesh + "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"));
+  SetupOptions options;
+  options.setups = {folder.write("sheet.toml", "[[part]]\nfile = \"part.obj\"\n")};
+  const auto output = testing::captured([&] { return setup_command(options); });
+  EXPECT_TRUE(has(output, "a part of an unlikely size: 'part' is 0.05 mm long [SUP104]"))
+      << output.out << output.errors;
+}
+
+TEST(SetupCommand, RefusesWhatARunRefuses) {
+  const CommandOutput key = reviewed("[prob]\n");
+  EXPECT_EQ(key.exit_code, 2);
+  EXPECT_NE(key.errors.find("did you mean probe?"), std::string::npos) << key.errors;
+  const CommandOutput variable = reviewed("[variables]\nR1 = 2\n");
+  EXPECT_EQ(variable.exit_code, 2) << variable.errors;
+  EXPECT_NE(variable.errors.find("[SET126]"), std::string::npos) << variable.errors;
+}
+
+TEST(SetupCommand, WritesADocument) {
+  const auto document =
+      nlohmann::json::parse(reviewed(std::string(kSheet) + kBlock + kBlock, kProgram, true).out);
+  EXPECT_EQ(document["schema"], "g31.setup/1");
+  EXPECT_EQ(document["control"], "fanuc-16i");
+  EXPECT_EQ(document["reach"]["min"], nlohmann::json::parse("[0.0, -200.0, -120.0]"));
+  EXPECT_EQ(document["parts"][0]["max"], nlohmann::json::parse("[130.0, 20.0, 0.0]"));
+  ASSERT_EQ(document["findings"].size(), 1U);
+  EXPECT_EQ(document["findings"][0]["code"], "SUP102");
+  EXPECT_EQ(document["findings"][0]["line"], 19);
+}
+
+CommandOutput begun(const std::string& folder, const std::string& control) {
+  return testing::captured([&] { return new_command({folder, control}); });
+}
+
+/// What begins is right: it runs, it is checked, its set-up fits, and its results are those of the
+/// sheet.
+TEST(NewCommand, MakesAFolderThatRuns) {
+  for (const char* const control : {"", "fanuc-0i", "fanuc-30i", "haas", "meldas", "mazatrol-iso",
+                                    "brother", "0i-MF", "sinumerik-828d"}) {
+    SCOPED_TRACE(control);
+    const TemporaryFolder folder;
+    const std::string path = folder.path("deep/starter");
+    const CommandOutput made = begun(path, control);
+    ASSERT_EQ(made.exit_code, 0) << made.errors;
+    const bool is_fanuc = std::string(control) != "sinumerik-828d";
+    RunOptions run;
+    run.programs = {path + (is_fanuc ? "/measure.nc" : "/MEASURE.MPF")};
+    run.setups = {path + "/setup.toml"};
+    run.prints = {is_fanuc ? "#503" : "R3", is_fanuc ? "#504" : "R4"};
+    const testing::RunOutput output = testing::run_program(run);
+    EXPECT_EQ(output.exit_code, 0) << output.errors;
+    EXPECT_EQ(output.errors, "");
+    EXPECT_NEAR(output.document["variables"][run.prints[0]].get<double>(), 60.0, 1e-9);
+    EXPECT_NEAR(output.document["variables"][run.prints[1]].get<double>(), 0.0, 1e-9);
+    SetupOptions setup;
+    setup.setups = run.setups;
+    setup.programs = run.programs;
+    const auto review = testing::captured([&] { return setup_command(setup); });
+    EXPECT_EQ(review.exit_code, 0) << review.out << review.errors;
+    EXPECT_NE(testing::text_of(path + "/.github/workflows/g31.yml").find("g31 run "),
+              std::string::npos);
+  }
+}
+
+TEST(NewCommand, ChangesNothingWhereAFileIsThere) {
+  const TemporaryFolder folder;
+  const std::string mine = folder.write("setup.toml", "mine");
+  const CommandOutput output = begun(folder.path("."), "");
+  EXPECT_EQ(output.exit_code, 2);
+  EXPECT_NE(output.errors.find("setup.toml is there already: nothing is changed"),
+            std::string::npos);
+  EXPECT_EQ(testing::text_of(mine), "mine");
+  EXPECT_FALSE(std::filesystem::exists(folder.path("measure.nc")));
+  EXPECT_EQ(begun(mine, "").exit_code, 2) << "a file is no folder";
+  EXPECT_EQ(begun(folder.path("."), "hass").exit_code, 5);
+}
+
+}  // namespace
+}  // namespace g31::cli::without_running_test

@@ -1,0 +1,30 @@
+#include "tools/cli/new_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace g31::cli {
+
+CLI::App* add_new_command(CLI::App& app, NewOptions& options) {
+  CLI::App* const command = app.add_subcommand(
+      "new", "Make a folder with a measuring program that runs, its set-up sheet and a CI file.");
+  command->add_option("DIR", options.folder, "the folder; it is made where it is missing")
+      ->required()
+      ->type_name("DIR");
+  command
+      ->add_option("--control", options.control,
+                   "what the program is written for (default fanuc-16i): haas, sinumerik-828d, "
+                   "0i-MF and so on")
+      ->type_name("NAME");
+  return command;
+}
+
+std::string new_examples() {
+  return "Examples:\n"
+         "  g31 new measuring\n"
+         "  g31 new measuring --control sinumerik-828d\n\n"
+         "The folder gets measure.nc (MEASURE.MPF), setup.toml, .github/workflows/g31.yml and "
+         "README.md.\n"
+         "Where one of them is there already, nothing is changed, and the exit code is 2.\n\n";
+}
+
+}  // namespace g31::cli

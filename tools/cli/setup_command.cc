@@ -1,0 +1,43 @@
+#include "tools/cli/setup_command.h"
+
+#include <algorithm>
+
+#include "interpreter/source/source_map.h"
+#include "tools/cli/messages.h"
+#include "tools/cli/write_out.h"
+#include "tools/disk/disk.h"
+#include "tools/review/review.h"
+#include "tools/review/review_document.h"
+
+namespace g31::cli {
+
+ExitCode setup_command(const SetupOptions& options) {
+  const auto reviewed = review::review(options);
+  if (!reviewed) {
+    return refuse(reviewed.error());
+  }
+  const review::Review& review = reviewed.value();
+  disk::Disk disk;
+  const source::SourceMap sources(disk);
+  std::string text;
+  for (const source::Diagnostic& finding : review.findings) {
+    text += render_text(finding, sources);
+  }
+  if (text.empty()) {
+    text = "nothing is wrong with the set-up\n";
+  }
+  const bool is_document = options.json == "-";
+  auto wrong = write_out("-", is_document ? review_document(review) : text);
+  if (!wrong && !is_document && !options.json.empty()) {
+    wrong = write_out(options.json, review_document(review));
+  }
+  if (wrong) {
+    return refuse(*wrong);
+  }
+  const bool fails = std::ranges::any_of(review.findings, [&](const source::Diagnostic& finding) {
+    return finding.severity >= options.fail_on;
+  });
+  return fails ? ExitCode::Findings : ExitCode::Completed;
+}
+
+}  // namespace g31::cli

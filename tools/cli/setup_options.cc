@@ -1,0 +1,55 @@
+#include "tools/cli/setup_options.h"
+
+#include <map>
+
+#include <CLI/CLI.hpp>
+
+namespace g31::cli {
+
+CLI::App* add_setup_command(CLI::App& app, SetupOptions& options) {
+  static const std::map<std::string, source::Severity> kLevels = {
+      {"error", source::Severity::Error},
+      {"warning", source::Severity::Warning},
+      {"note", source::Severity::Note},
+  };
+  CLI::App* const setup = app.add_subcommand(
+      "setup",
+      "Say what is wrong with set-up sheets, and how they fit a program, without running it.");
+  setup->add_option("SHEET", options.setups, "set-up sheets (TOML); later ones win key by key")
+      ->required()
+      ->type_name("FILE");
+  setup
+      ->add_option("--program", options.programs,
+                   "the program that the sheets are for; it is followed on a machine without parts")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  setup->add_option("--control", options.control, "control profile, instead of the sheet's")
+      ->type_name("NAME");
+  setup->add_option("--lib", options.libraries, "folder of subprograms; repeatable")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  setup->add_option("--json", options.json, "document g31.setup/1; - is standard output")
+      ->type_name("FILE");
+  setup
+      ->add_option_function<std::string>(
+          "--fail-on",
+          [&options](const std::string& level) { options.fail_on = kLevels.at(level); },
+          "lowest level at which a finding gives exit code 1: error, warning (default), note")
+      ->check(CLI::IsMember({"error", "warning", "note"}))
+      ->type_name("LEVEL");
+  return setup;
+}
+
+std::string setup_examples() {
+  return "Examples:\n"
+         "  g31 setup ring.toml\n"
+         "  g31 setup machine.toml part.toml --program O6001.nc\n"
+         "  g31 setup ring.toml --program measure_ring.nc --json -\n\n"
+         "Findings go to standard output, each with its place and its code (g31 explain CODE).  "
+         "With\n"
+         "--program the blocks are followed where nothing can be touched: missing tools and "
+         "offsets are\n"
+         "found, and parts that no measuring move comes near.  Nothing is written.\n\n";
+}
+
+}  // namespace g31::cli

@@ -1,0 +1,68 @@
+#include <algorithm>
+
+#include "tools/manual/markdown.h"
+#include "tools/manual/pages.h"
+#include "tools/session/manual.h"
+
+namespace g31::manual {
+namespace {
+
+constexpr std::string_view kAboutTheWorld =
+    R"(g31 runs measuring programs.  What it does not run or model is told here, and by the run itself: a block that
+cannot be run ends it with an alarm at its place, one that is passed over is a warning (PRB304), and `g31 check`
+finds both before (NC007).
+
+## The world
+
+* Nothing is cut: parts keep their shape whatever tool goes through them.
+* Parts, clamps, machine and tools are rigid; of bending there is the stem's (`probe.stem_stiffness`) and the
+  deflection of the probe until its signal.
+* A part has one temperature (`temperature`, `expansion`), the scale of each axis one of its own; heat does not flow.
+* Surfaces are the mesh: no roughness, no dirt and no oil; `sagitta` and `step_sagitta` say how fine.
+* Positioning errors, squareness, backlash, friction and lag are those of the sheet; nothing vibrates, nothing wears.
+* A probe fails as `probe.state` says; radio or optical transmission and its range are not there.
+* Doors, pallets, tool changers, coolant, chips and bar feeders are not there: M codes that g31 does not know do nothing.
+* Nobody is there: what waits for an operator goes on (stops are listed) or ends the run (PRB604).  Inputs come from
+  `[[input]]`.
+* There is one channel: programs of several channels wait for nobody.
+* Transformations of five axes do not run; rotary axes do, and touches with the table or the head turned.
+)";
+
+bool is_not_simulated(const runtime::Entry& entry) {
+  const auto says_so = [](const std::string& text) {
+    return text.find("not simulated") != std::string::npos ||
+           text.find("not yet: alarm") != std::string::npos;
+  };
+  return says_so(entry.text) || std::ranges::any_of(entry.facts, [&](const runtime::Fact& fact) {
+           return says_so(fact.value);
+         });
+}
+
+void add_control(std::string& page, std::string_view title, const session::Control& control) {
+  page += "\n## " + std::string(title) + "\n\n" + table_head({"name", "what it is", "text"});
+  for (const runtime::Entry& entry : session::everything(control)) {
+    if (entry.kind != "control" && is_not_simulated(entry)) {
+      page += table_row({entry.name, entry.kind, entry.text});
+    }
+  }
+}
+
+}  // namespace
+
+std::string not_simulated_page() {
+  std::string page = page_head("What is not simulated", "not-simulated.md");
+  page += kAboutTheWorld;
+  for (const session::Control& control : session::all_controls()) {
+    const std::string_view name = session::name_of(control);
+    if (name == "fanuc-30i") {
+      add_control(page, "Fanuc", control);
+    } else if (name == "haas") {
+      add_control(page, "Haas", control);
+    } else if (name == "sinumerik-828d") {
+      add_control(page, "SINUMERIK 828D", control);
+    }
+  }
+  return page;
+}
+
+}  // namespace g31::manual

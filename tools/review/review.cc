@@ -1,0 +1,157 @@
+#include "tools/review/review.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "machine/sim/machining_centre.h"
+#include "probe/contact/way_distance.h"
+#include "tools/disk/disk.h"
+#include "tools/review/listing.h"
+#include "tools/review/part_places.h"
+#include "tools/review/setup_rules.h"
+#include "tools/session/sheet_places.h"
+#include "tools/session/world.h"
+
+namespace g31::review {
+namespace {
+
+/// The disk, with a program on it that does nothing: what a control says of its set-up alone.
+class DiskWithIdleProgram final : public source::FileSystem {
+ public:
+  static constexpr const char* kPath = "O0001";
+
+  std::optional<std::string> read(const std::string& path) override {
+    return path == kPath ? std::optional<std::string>("M30\n") : disk_.read(path);
+  }
+  std::vector<std::string> list(const std::string& folder) override {
+    return folder.empty() ? std::vector<std::string>() : disk_.list(folder);
+  }
+  std::vector<std::string> folders(const std::string& folder) override {
+    return disk_.folders(folder);
+  }
+  bool has_folder(const std::string& folder) override { return disk_.has_folder(folder); }
+
+ private:
+  disk::Disk disk_;
+};
+
+/// What a run says of its set-up, beside what it says of its touches.
+bool is_about_setup(const source::Diagnostic& diagnostic) {
+  static constexpr auto kIds =
+      std::to_array({source::DiagnosticId::SetupMissingTool,
+                     source::DiagnosticId::SetupMissingOffset, source::DiagnosticId::OffsetNeverSet,
+                     source::DiagnosticId::ProgramTwice, source::DiagnosticId::UnknownParameter});
+  return std::ranges::any_of(
+      kIds, [&](source::DiagnosticId id) { return source::info(id).code == diagnostic.code; });
+}
+
+/// The ball's way nearest to a part.
+double nearest_way(const setup::Job& job, const std::vector<SkipWay>& skips,
+                   const probe::ProbedPart& part, const Box& box) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const SkipWay& way : skips) {
+    const Point p_M_from = way.q_M_from.head<3>() + job.machine.p_T_tip;
+    const Point p_M_to = way.q_M_to.head<3>() + job.machine.p_T_tip;
+    const auto beside = [&](const Point& p) {
+      return (box.p_M_min - p).cwiseMax(p - box.p_M_max).cwiseMax(Point::Zero()).norm();
+    };
+    // No nearer than the box is from both ends, less the way.
+    const double at_least = 0.5 * (beside(p_M_from) + beside(p_M_to) - (p_M_to - p_M_from).norm());
+    if (at_least < nearest) {
+      nearest = std::min(nearest, probe::distance_of_way(part.mesh_M, p_M_from, p_M_to));
+    }
+  }
+  return nearest;
+}
+
+/// Parts that the ball passes farther away than this, mm, are not what the program measures.
+constexpr double kNearMm = 20.0;
+
+void judge_skips(const setup::Job& job, const Listing& listing, const session::BuiltParts& built,
+                 Review& review) {
+  if (!job.probe || job.skip_signals) {
+    return;
+  }
+  if (listing.skips.empty()) {
+    review.findings.push_back(finding_of(
+        SetupRuleId::NoSkips, listing.ended_at.empty() ? "no G31, no MEAS" : listing.ended_at));
+    return;
+  }
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    const double distance =
+        nearest_way(job, listing.skips, built.parts.at(i), review.parts.at(i).box) -
+        0.5 * job.probe->ball_diameter_mm;
+    if (!job.parts[i].is_fixture && distance > kNearMm) {
+      review.findings.push_back(
+          finding_of(SetupRuleId::FarFromSkips,
+                     fmt::format("'{}', {:.3f} mm at the nearest", job.parts[i].name, distance)));
+      review.findings.back().in_sheet = session::shown_place(job.part_places.at(i));
+    }
+  }
+}
+
+void judge_lengths(const setup::Job& job, std::vector<source::Diagnostic>& findings) {
+  const auto& tools = job.control.tools;
+  if (!job.probe || tools.empty()) {
+    return;
+  }
+  constexpr double kSameMm = 1.0;
+  const double length = -job.machine.p_T_tip.z();
+  const bool is_known = std::ranges::any_of(tools, [&](const auto& tool) {
+    return std::abs(tool.second.length_mm + tool.second.length_wear_mm - length) < kSameMm;
+  });
+  if (!is_known) {
+    findings.push_back(finding_of(SetupRuleId::OtherLength, fmt::format("{:.3f} mm", length)));
+  }
+}
+
+/// What the control says of the set-up, with a program or without.
+Result<Listing, session::Refusal> followed(const session::Request& request,
+                                           const session::Prepared& prepared) {
+  if (!request.programs.empty()) {
+    disk::Disk disk;
+    return listing_of(request, prepared, disk);
+  }
+  DiskWithIdleProgram files;
+  return listing_of({{DiskWithIdleProgram::kPath}, request.libraries}, prepared, files);
+}
+
+}  // namespace
+
+Result<Review, session::Refusal> review(const session::Request& request) {
+  disk::Disk disk;
+  const auto prepared = session::prepare(request, disk);
+  if (!prepared) {
+    return prepared.error();
+  }
+  const setup::Job& job = prepared.value().job;
+  const auto built = session::build_parts(job);
+  if (!built) {
+    return built.error();
+  }
+  const auto listing = followed(request, prepared.value());
+  if (!listing) {
+    return listing.error();
+  }
+  Review review{prepared.value().control, placed_parts(built.value().parts), reach_of(job),
+                built.value().findings};
+  std::ranges::move(session::lost_variables(job), std::back_inserter(review.findings));
+  judge_places(job, review.parts, review.reach, review.findings);
+  judge_lengths(job, review.findings);
+  std::ranges::copy_if(listing.value().outcome.diagnostics, std::back_inserter(review.findings),
+                       is_about_setup);
+  if (!request.programs.empty()) {
+    judge_skips(job, listing.value(), built.value(), review);
+    if (!listing.value().ended_at.empty()) {
+      review.findings.push_back(finding_of(SetupRuleId::ListingEnded, listing.value().ended_at));
+    }
+  }
+  return review;
+}
+
+}  // namespace g31::review
