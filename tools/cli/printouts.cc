@@ -68,9 +68,9 @@ Result<std::shared_ptr<Printouts>, session::Refusal> Printouts::open(const RunOp
   if (options.printer.empty() || options.printer == "-") {
     const bool is_taken = options.json == "-" || options.jsonl == "-";
     if (is_taken && !options.printer.empty()) {
-      return wrong_printer("-",
-                           "--json - and --jsonl - write to standard output, too: give one of "
-                           "them a file");
+      const std::string taker = options.json == "-" ? "--json -" : "--jsonl -";
+      return wrong_printer(
+          "-", fmt::format("{} writes to standard output, too: give one of them a file", taker));
     }
     printouts->stream_ = is_taken ? nullptr : stdout;
     return printouts;

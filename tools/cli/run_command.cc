@@ -169,7 +169,9 @@ ExitCode run_to_end(const OpenedRun& opened, const Outputs& outputs) {
   for (const Refusal& problem : deliver_all(opened, outputs, result)) {
     code = refuse(problem);
   }
-  outputs.desk.end(result, opened.recorder);
+  if (!has_unwritten_files) {
+    outputs.desk.end(result, opened.recorder);
+  }
   return code;
 }
 
