@@ -52,7 +52,8 @@ TEST(HostileFiles, AreRefusedWithTheirName) {
     const RunOutput output = run_program(options);
     EXPECT_EQ(output.exit_code, c.exit_code);
     EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
-    EXPECT_TRUE(output.document.is_null());
+    ASSERT_TRUE(output.document.is_object());
+    EXPECT_EQ(output.document.at("status"), "usage");
   }
 }
 
