@@ -30,7 +30,7 @@ FILES = {
 }
 RUN = ("-s", "s.toml", "--json", "-")
 COMMANDS = (
-    ("run", "p.nc", *RUN, "--moves", "--touches", "--print", "#500,#501"),
+    ("run", "p.nc", *RUN, "--moves", "--touches", "--changes", "--print", "#500,#501"),
     ("run", "missed.nc", *RUN, "--touches"),
     ("run", "p.nc", "-s", "e.toml", "--json", "-", "--allow", "PRB316"),
     ("run", "missed.nc", *RUN, "--allow", "PRB301"),

@@ -49,6 +49,31 @@ class Manners(unittest.TestCase):
             line = next(line for line in run.stderr.splitlines() if line.startswith(f"a.nc:{place}: error"))
             self.assertIn(hint, line)
 
+    def test_an_array_is_no_value(self):
+        (self.folder / "a.mpf").write_text("DEF REAL F[3]=SET(1,2,3)\nR1=5\nM30\n")
+        for words in (("--print", "F"), ("--expect", "F=1"), ("--print", "_OVR")):
+            run = self.g31("run", "a.mpf", *words)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn("an array is not a value", run.stderr)
+
+    def test_no_output_takes_the_place_of_what_is_read_or_of_another(self):
+        program, sheet = self.folder / "a.nc", self.folder / "a.toml"
+        program.write_text(RUNS)
+        sheet.write_text("[start]\nX = 0.0\n")
+        for words in (("--jsonl", "a.nc"), ("--trace", "a.nc"), ("--readings", "a.nc"), ("--printer", "a.nc"),
+                      ("--json", "a.toml"), ("--json", "b", "--jsonl", "b"), ("--json", "b", "--trace", "b")):
+            run = self.g31("run", "a.nc", "-s", "a.toml", *words)
+            self.assertEqual(run.returncode, 2, f"{words}: {run.stderr}")
+            self.assertRegex(run.stderr, "take the place|cannot both")
+        self.g31("run", "--json", "a.nc")
+        self.g31("run", "a.nc", "--json", "a.toml", "--nonsense")
+        self.assertEqual((program.read_text(), sheet.read_text()), (RUNS, "[start]\nX = 0.0\n"))
+
+    def test_help_of_no_command_is_a_mistake(self):
+        run = self.g31("help", "rnu")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("did you mean run?", run.stderr)
+
     def test_where_g31_lies_is_in_no_message_and_no_document(self):
         (self.folder / "a.mpf").write_text("CYCLE977(,1)\nM30\n")
         run = self.g31("run", "a.mpf", "--json", "out.json")

@@ -159,7 +159,7 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
     // CLI11 takes them from the last one on.
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
-    const std::string hint = error.get_exit_code() == 0 ? "" : mistyped_hint(app, words);
+    const std::string hint = mistyped_hint(app, words);
     if (hint.empty() && app.exit(error) == 0) {
       return ExitCode::Completed;
     }

@@ -125,7 +125,7 @@ void Desk::stop(const runtime::StopEvent& event) {
 
 void Desk::message(std::string_view utf8) {
   if (options_.talk != Talk::Quiet) {
-    say(std::string(utf8));
+    say(source::printable(utf8));
   }
 }
 

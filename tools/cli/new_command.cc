@@ -23,6 +23,13 @@ std::optional<session::Refusal> in_the_way(const fs::path& folder,
   }
   for (const StarterFile& file : files) {
     const fs::path path = folder / file.path;
+    for (fs::path above = path.parent_path(); above != folder && above.has_relative_path();
+         above = above.parent_path()) {
+      if (fs::exists(above, unreadable) && !fs::is_directory(above, unreadable)) {
+        return session::bad_input(
+            fmt::format("{} is no folder: nothing is changed", above.string()));
+      }
+    }
     if (fs::symlink_status(path, unreadable).type() != fs::file_type::not_found) {
       return session::bad_input(fmt::format(
           "{} is there already: nothing is changed; name another folder", path.string()));

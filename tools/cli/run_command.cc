@@ -267,9 +267,6 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
 
 /// Makes a run ready and does it.
 Result<ExitCode, Refusal> do_run(const RunOptions& options) {
-  if (options.json == "-" && options.jsonl == "-") {
-    return session::bad_input("--json and --jsonl cannot both be standard output");
-  }
   disk::Disk disk;
   RememberingDisk remembering(disk);
   const auto read = session::prepare(options, remembering, session::VariablesFile::IsSaved);

@@ -10,13 +10,11 @@ namespace {
 
 /// Without the place where g31 is installed.
 std::string name_of_input(const std::string& path) {
-  for (const char* const root : {"macros/fanuc", "macros/sinumerik", "machine/library"}) {
-    const auto folder = disk::shipped_folder(root);
-    if (folder && path.starts_with(*folder + "/")) {
-      return root + path.substr(folder->size());
-    }
-  }
-  return path;
+  const std::string root = "machine/library";
+  const auto folder = disk::shipped_folder(root);
+  return folder && path.starts_with(*folder + "/")
+             ? disk::shipped_name(root + path.substr(folder->size()))
+             : path;
 }
 
 }  // namespace
@@ -42,7 +40,7 @@ void RunInputs::add(const std::string& path) {
   if (path.empty() || !known_.insert(std::filesystem::path(path).lexically_normal()).second) {
     return;
   }
-  if (auto hash = disk::sha256_of(path)) {
+  if (auto hash = disk::sha256_of(disk::real_path(path))) {
     files_.push_back({name_of_input(path), *hash});
   }
 }

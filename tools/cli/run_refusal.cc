@@ -1,5 +1,7 @@
 #include "tools/cli/run_refusal.h"
 
+#include <algorithm>
+#include <array>
 #include <exception>
 #include <filesystem>
 #include <optional>
@@ -117,39 +119,91 @@ std::optional<session::Refusal> write_refusal_events(const RunOptions& options,
   return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
 }
 
+/// Whether a document may take the place of what is there: nothing, an earlier document, or what is
+/// called one.  The value of --json may be a word that was meant otherwise: `run --json part.nc`.
+bool may_be_replaced(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::is_regular_file(path, error) || path.ends_with(".json") ||
+      fs::file_size(path, error) == 0) {
+    return true;
+  }
+  constexpr std::size_t kHead = 64;
+  disk::Disk disk;
+  return disk.read_part(path, 0, kHead).value_or("").find("\"g31.") != std::string::npos;
+}
+
+/// Writes the document of a run that did not begin where it takes nobody else's place.
+std::optional<session::Refusal> write_refusal_with_care(const RunOptions& options,
+                                                        const std::string& json,
+                                                        const session::Refusal& wrong) {
+  if (!may_be_replaced(json)) {
+    return session::bad_input(
+        fmt::format("--json {}: this file is no document of g31, so it stays as it is", json));
+  }
+  return write_refusal(options, json, wrong);
+}
+
 ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
   ExitCode code = refuse(wrong);
-  const bool is_one_place = options.json == options.jsonl;
   for (const auto& unwritten :
-       {options.json.empty() ? std::nullopt : write_refusal(options, options.json, wrong),
-        options.jsonl.empty() || is_one_place ? std::nullopt
-                                              : write_refusal_events(options, wrong)}) {
+       {options.json.empty() ? std::nullopt : write_refusal_with_care(options, options.json, wrong),
+        options.jsonl.empty() ? std::nullopt : write_refusal_events(options, wrong)}) {
     code = unwritten ? refuse(*unwritten) : code;
   }
   return code;
 }
 
-/// Whether two paths are the same file, which is there.
+/// Whether two paths are the same file, there or not.
 bool are_same(const std::string& a, const std::string& b) {
   std::error_code error;
-  return std::filesystem::equivalent(a, b, error) && !error;
+  return a == b || (std::filesystem::equivalent(a, b, error) && !error);
 }
 
-/// Takes the document of an earlier run away.  @returns why it may not be
-std::optional<session::Refusal> remove_old_document(const RunOptions& options) {
-  for (const auto* const inputs : {&options.programs, &options.setups}) {
-    for (const std::string& path : *inputs) {
-      if (are_same(path, options.json)) {
+/// Why something that the run writes may not be where it is wanted: what is to be read is there, or
+/// another output is to be.
+std::optional<session::Refusal> wrong_place(const RunOptions& options) {
+  struct Output {
+    std::string_view option;
+    const std::string& path;
+  };
+  const std::array outputs = {Output{"--json", options.json}, Output{"--jsonl", options.jsonl},
+                              Output{"--trace", options.trace},
+                              Output{"--readings", options.readings},
+                              Output{"--printer", options.printer}};
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const auto& [option, path] = outputs.at(i);
+    if (path.empty()) {
+      continue;
+    }
+    for (const auto* const inputs : {&options.programs, &options.setups}) {
+      if (path != "-" && std::ranges::any_of(*inputs, [&](const std::string& input) {
+            return are_same(input, path);
+          })) {
         return session::bad_input(
-            fmt::format("--json {}: it would take the place of what is to be read", options.json));
+            fmt::format("{} {}: it would take the place of what is to be read", option, path));
+      }
+    }
+    for (std::size_t other = 0; other < i; ++other) {
+      if (path != "-" && are_same(outputs.at(other).path, path)) {
+        return session::bad_input(
+            fmt::format("{} and {} cannot both be {}", outputs.at(other).option, option, path));
       }
     }
   }
-  std::error_code error;
-  if (std::filesystem::is_regular_file(std::filesystem::symlink_status(options.json, error))) {
-    std::filesystem::remove(options.json, error);
+  if (options.json == "-" && options.jsonl == "-") {
+    return session::bad_input("--json and --jsonl cannot both be standard output");
   }
   return std::nullopt;
+}
+
+/// Takes the document of an earlier run away.
+void remove_old_document(const RunOptions& options) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(std::filesystem::symlink_status(options.json, error)) &&
+      may_be_replaced(options.json)) {
+    std::filesystem::remove(options.json, error);
+  }
 }
 
 }  // namespace
@@ -161,18 +215,20 @@ source::Diagnostic message_of(const session::Refusal& wrong) {
 }
 
 void tell_usage_error(const RunOptions& options, const std::string& json, const std::string& why) {
-  if (json.empty()) {
+  const bool is_option = json.starts_with('-') && json != "-";
+  if (json.empty() || is_option) {
     return;
   }
-  if (const auto unwritten = write_refusal(options, json, session::bad_input(why))) {
+  if (const auto unwritten = write_refusal_with_care(options, json, session::bad_input(why))) {
     refuse(*unwritten);
   }
 }
 
 ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
-  if (const auto wrong = remove_old_document(options)) {
+  if (const auto wrong = wrong_place(options)) {
     return refuse(*wrong);
   }
+  remove_old_document(options);
   try {
     const auto done = work();
     return done ? done.value() : tell(options, done.error());

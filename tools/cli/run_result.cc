@@ -77,6 +77,8 @@ report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard
 
 std::optional<session::Refusal> deliver(const OpenedRun& opened, const report::RunResult& result) {
   const RunOptions& options = opened.options;
+  // The document is there although nobody reads the variables.
+  const auto written = options.json.empty() ? std::nullopt : write_document(opened, result);
   if (options.json != "-" && options.jsonl != "-") {
     std::string text;
     for (const auto& [name, value] : result.variables) {
@@ -91,7 +93,7 @@ std::optional<session::Refusal> deliver(const OpenedRun& opened, const report::R
       return wrong;
     }
   }
-  return options.json.empty() ? std::nullopt : write_document(opened, result);
+  return written;
 }
 
 }  // namespace g31::cli

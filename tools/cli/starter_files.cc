@@ -69,7 +69,7 @@ M30
 )";
 
 constexpr std::string_view kSheet =
-    R"(# What the program finds on the machine.  Every key: docs/set-up-sheet.md, or g31 explain KEY.
+    R"(# What the program finds on the machine.  What a key means: g31 explain KEY.
 
 [control]
 profile = "{profile}"

@@ -51,7 +51,8 @@ void add_at_part(const setup::Job& job, std::size_t part, SetupRuleId rule,
 }
 
 bool is_same_body(const parts::PartSetup& a, const parts::PartSetup& b) {
-  return a.file == b.file && a.shape == b.shape && a.p_M_at == b.p_M_at;
+  return a.file == b.file && a.shape == b.shape && a.sizes == b.sizes && a.profile == b.profile &&
+         a.scale == b.scale && a.p_M_at == b.p_M_at && a.rotate_deg == b.rotate_deg;
 }
 
 void judge_twins(const setup::Job& job, std::size_t part,

@@ -82,6 +82,9 @@ void judge_skips(const setup::Job& job, const Listing& listing, const session::B
         SetupRuleId::NoSkips, listing.ended_at.empty() ? "no G31, no MEAS" : listing.ended_at));
     return;
   }
+  if (!listing.ended_at.empty() || listing.skips.size() == kMostSkips) {
+    return;  // what comes behind may touch any part
+  }
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
     const double distance =
         nearest_way(job, listing.skips, built.parts.at(i), review.parts.at(i).box) -

@@ -52,7 +52,11 @@ std::string_view profile_of_model(std::string_view plain) {
   std::string_view profile;
   for (const ControlModel& row : kControlModels) {
     const std::string model = plain_name(row.model);
-    if (model.size() > longest && plain.starts_with(model)) {
+    // M60 is a model, M605 none; 0i-MF goes on with letters.
+    const bool is_model = plain.starts_with(model) &&
+                          (plain.size() == model.size() ||
+                           std::isdigit(static_cast<unsigned char>(plain[model.size()])) == 0);
+    if (model.size() > longest && is_model) {
       longest = model.size();
       profile = row.profile;
     }
@@ -64,7 +68,7 @@ bool is_word_letter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$';
 }
 
-/// Whether a word stands in the text by itself; one that ends with a bracket, = or $ may go on.
+/// Whether a word stands in the text by itself; one that ends with a bracket or = may go on.
 bool has_whole_word(std::string_view text, std::string_view word) {
   for (std::size_t at = text.find(word); at != std::string_view::npos;
        at = text.find(word, at + 1)) {

@@ -85,9 +85,9 @@ runtime::Entries explain(const std::string& topic, const Control& control) {
           [&](const SinumerikControl&) { return sinumerik::explain(topic, shipped_topics()); },
       },
       control);
-  const bool is_control = std::ranges::any_of(found, is_about_control);
+  // M60 is a word of programs before it is the plate of a control.
   const auto named = control_named(topic);
-  if (named && !is_control) {
+  if (named && found.empty()) {
     found.push_back(entry_of_control(named.value()));
   }
   add_models(found);

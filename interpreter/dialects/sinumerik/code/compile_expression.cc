@@ -92,6 +92,8 @@ Expr Compiler::expression(int level) {
   while (!failed() && row >= 0 && operators()[static_cast<std::size_t>(row)].level >= level) {
     cursor_.next();
     Expr right = expression(operators()[static_cast<std::size_t>(row)].level + 1);
+    expect_value(left);
+    expect_value(right);
     left = combine(row, std::move(left), std::move(right));
     row = operator_row(cursor_.peek());
   }
@@ -115,6 +117,7 @@ Expr Compiler::unary() {
   }
   Expr operand = expression(shows ? kJoinLevel : kSignLevel);
   --depth_;
+  expect_value(operand);
   if (failed() || token.is(Symbol::Plus)) {
     return operand;
   }
@@ -334,6 +337,7 @@ Expr Compiler::concatenate(Expr left, Expr right, ShortSpan where) {
 
 /// What << makes of an operand.
 Expr Compiler::as_text(Expr from) {
+  expect_value(from);
   if (failed() || from.type == Type::String) {
     return from;
   }
@@ -389,10 +393,14 @@ void Compiler::narrow(Expr& value, Type from) {
   value.is_constant = false;
 }
 
-Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
-  if (!failed() && from.is_whole_array) {
-    fail(AlarmId::InvalidIndex, from.where, "an array is not a value");
+void Compiler::expect_value(const Expr& expr) {
+  if (!failed() && expr.is_whole_array) {
+    fail(AlarmId::InvalidIndex, expr.where, "an array is not a value");
   }
+}
+
+Expr Compiler::convert(Expr from, Type to, AlarmId mismatch) {
+  expect_value(from);
   if (failed() || from.type == to) {
     return from;
   }

@@ -123,6 +123,7 @@ std::unique_ptr<CompiledProgram> Compiler::run_expression() {
   find_letter_names(cursor_.tokens(), program_->locals);
   block_ = whole_;
   const Expr value = expression();
+  expect_value(value);
   expect_end();
   if (failed()) {
     raise_from(0);

@@ -134,6 +134,8 @@ class Compiler {
   Expr compare(OpCode code, Expr left, Expr right, ShortSpan where);
   Expr concatenate(Expr left, Expr right, ShortSpan where);
   Expr arithmetic(OpCode code, Expr left, Expr right, ShortSpan where);
+  /// A whole array is an argument and nothing else: its alarm where a value is wanted.
+  void expect_value(const Expr& expr);
   Expr convert(Expr from, Type to, AlarmId mismatch = AlarmId::WrongType);
   void narrow(Expr& value, Type from);
   Expr as_text(Expr from);
