@@ -125,7 +125,8 @@ void Desk::stop(const runtime::StopEvent& event) {
 
 void Desk::message(std::string_view utf8) {
   if (options_.talk != Talk::Quiet) {
-    say(source::printable(utf8));
+    const bool is_line = utf8.ends_with('\n');
+    say(source::printable(utf8.substr(0, utf8.size() - (is_line ? 1 : 0))) + (is_line ? "\n" : ""));
   }
 }
 
