@@ -65,9 +65,22 @@ class Manners(unittest.TestCase):
             run = self.g31("run", "a.nc", "-s", "a.toml", *words)
             self.assertEqual(run.returncode, 2, f"{words}: {run.stderr}")
             self.assertRegex(run.stderr, "take the place|cannot both")
+        (self.folder / "r.csv").write_text("t,X,Y\n0,1,0\n")
+        for words in (("check", "a.nc", "--json", "a.nc"), ("setup", "a.toml", "--json", "a.toml"),
+                      ("study", "a.toml", "--csv", "a.toml"), ("evaluate", "circle", "r.csv", "--svg", "r.csv"),
+                      ("evaluate", "circle", "r.csv", "--svg", "b", "--json", "b")):
+            run = self.g31(*words)
+            self.assertEqual(run.returncode, 2, f"{words}: {run.stderr}")
+            self.assertRegex(run.stderr, "take the place|cannot both")
         self.g31("run", "--json", "a.nc")
         self.g31("run", "a.nc", "--json", "a.toml", "--nonsense")
         self.assertEqual((program.read_text(), sheet.read_text()), (RUNS, "[start]\nX = 0.0\n"))
+
+    def test_what_explain_cannot_write_is_told(self):
+        with open("/dev/full", "w") as full:
+            run = subprocess.run([G31, "explain", "ring"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("cannot write", run.stderr)
 
     def test_help_of_no_command_is_a_mistake(self):
         run = self.g31("help", "rnu")

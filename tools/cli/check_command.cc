@@ -11,6 +11,7 @@
 #include "tools/check/check.h"
 #include "tools/check/check_document.h"
 #include "tools/cli/messages.h"
+#include "tools/cli/output_places.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
@@ -117,6 +118,11 @@ ExitCode check_command(const CheckOptions& options) {
   if (options.lists_rules) {
     const auto wrong = write_out("-", list_of_rules());
     return wrong ? refuse(*wrong) : ExitCode::Completed;
+  }
+  std::vector<std::string> inputs = options.files;
+  inputs.insert(inputs.end(), options.setups.begin(), options.setups.end());
+  if (const auto wrong = wrong_place({{"--json", options.json}}, inputs)) {
+    return refuse(*wrong);
   }
   const auto requested = request_of(options);
   if (!requested) {

@@ -8,6 +8,7 @@
 
 #include "tools/cli/evaluate_request.h"
 #include "tools/cli/messages.h"
+#include "tools/cli/output_places.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/evaluate/compensation.h"
@@ -64,6 +65,13 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
   const auto asked = evaluate_request(options);
   if (!asked) {
     return refuse(asked.error());
+  }
+  if (const auto wrong =
+          wrong_place({{"--json", options.json},
+                       {"--svg", options.svg},
+                       {"--compensation", file_given(options, evaluate::OptionId::Compensation)}},
+                      {options.file, file_given(options, evaluate::OptionId::Diameters)})) {
+    return refuse(*wrong);
   }
   evaluate::Request request = asked.value();
   disk::Disk disk;

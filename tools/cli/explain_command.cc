@@ -10,6 +10,7 @@
 
 #include "interpreter/runtime/reference.h"
 #include "tools/cli/messages.h"
+#include "tools/cli/write_out.h"
 #include "tools/manual/manual.h"
 #include "tools/manual/pages.h"
 #include "tools/session/manual.h"
@@ -90,10 +91,6 @@ Json json_of(const runtime::Entry& entry) {
   return object;
 }
 
-void print(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stdout);
-}
-
 /// What a topic that nothing is named by was found in.
 struct Found {
   std::string words;
@@ -119,7 +116,7 @@ struct Answer {
   std::vector<Found> found;
 };
 
-void print_text(const Answer& answer) {
+std::string text_of(const Answer& answer) {
   std::string text;
   for (const runtime::Entry& entry : answer.entries) {
     text += text_of(entry);
@@ -127,10 +124,10 @@ void print_text(const Answer& answer) {
   for (const Found& found : answer.found) {
     text += text_of(found);
   }
-  print(text);
+  return text;
 }
 
-void print_json(const Answer& answer, std::string_view control) {
+std::string document_of(const Answer& answer, std::string_view control) {
   Json document = {{"schema", "g31.explain/1"}, {"control", control}};
   document["entries"] = Json::array();
   for (const runtime::Entry& entry : answer.entries) {
@@ -143,7 +140,7 @@ void print_json(const Answer& answer, std::string_view control) {
     }
     document["found"].push_back({{"words", found.words}, {"entries", std::move(entries)}});
   }
-  print(document.dump(2) + "\n");
+  return document.dump(2) + "\n";
 }
 
 std::string unknown_text(const std::string& topic, const session::Control& control,
@@ -180,13 +177,18 @@ bool add_topic(const std::string& topic, const ExplainOptions& options,
   return false;
 }
 
+/// To standard output.
+ExitCode printed(const std::string& text, ExitCode code) {
+  const auto wrong = write_out("-", text);
+  return wrong ? refuse(*wrong) : code;
+}
+
 /// A page of docs, as the tables make it.
 ExitCode print_page(const std::string& name) {
   std::vector<std::string_view> known;
   for (const manual::Page& page : manual::pages()) {
     if (page.name == name) {
-      print(page.make());
-      return ExitCode::Completed;
+      return printed(page.make(), ExitCode::Completed);
     }
     known.push_back(page.name);
   }
@@ -218,12 +220,9 @@ ExitCode explain_command(const ExplainOptions& options) {
       code = ExitCode::BadUsage;
     }
   }
-  if (options.json) {
-    print_json(answer, session::name_of(control.value()));
-  } else {
-    print_text(answer);
-  }
-  return code;
+  return printed(
+      options.json ? document_of(answer, session::name_of(control.value())) : text_of(answer),
+      code);
 }
 
 }  // namespace g31::cli

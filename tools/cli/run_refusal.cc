@@ -1,16 +1,16 @@
 #include "tools/cli/run_refusal.h"
 
-#include <algorithm>
-#include <array>
 #include <exception>
 #include <filesystem>
 #include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "tools/cli/messages.h"
+#include "tools/cli/output_places.h"
 #include "tools/cli/run_inputs.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
@@ -154,47 +154,19 @@ ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
   return code;
 }
 
-/// Whether two paths are the same file, there or not.
-bool are_same(const std::string& a, const std::string& b) {
-  std::error_code error;
-  return a == b || (std::filesystem::equivalent(a, b, error) && !error);
-}
-
-/// Why something that the run writes may not be where it is wanted: what is to be read is there, or
-/// another output is to be.
-std::optional<session::Refusal> wrong_place(const RunOptions& options) {
-  struct Output {
-    std::string_view option;
-    const std::string& path;
-  };
-  const std::array outputs = {Output{"--json", options.json}, Output{"--jsonl", options.jsonl},
-                              Output{"--trace", options.trace},
-                              Output{"--readings", options.readings},
-                              Output{"--printer", options.printer}};
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const auto& [option, path] = outputs.at(i);
-    if (path.empty()) {
-      continue;
-    }
-    for (const auto* const inputs : {&options.programs, &options.setups}) {
-      if (path != "-" && std::ranges::any_of(*inputs, [&](const std::string& input) {
-            return are_same(input, path);
-          })) {
-        return session::bad_input(
-            fmt::format("{} {}: it would take the place of what is to be read", option, path));
-      }
-    }
-    for (std::size_t other = 0; other < i; ++other) {
-      if (path != "-" && are_same(outputs.at(other).path, path)) {
-        return session::bad_input(
-            fmt::format("{} and {} cannot both be {}", outputs.at(other).option, option, path));
-      }
-    }
-  }
+/// Why something that the run writes may not be where it is wanted.
+std::optional<session::Refusal> wrong_place_of(const RunOptions& options) {
+  std::vector<std::string> inputs = options.programs;
+  inputs.insert(inputs.end(), options.setups.begin(), options.setups.end());
   if (options.json == "-" && options.jsonl == "-") {
     return session::bad_input("--json and --jsonl cannot both be standard output");
   }
-  return std::nullopt;
+  return wrong_place({{"--json", options.json},
+                      {"--jsonl", options.jsonl},
+                      {"--trace", options.trace},
+                      {"--readings", options.readings},
+                      {"--printer", options.printer}},
+                     inputs);
 }
 
 /// Takes the document of an earlier run away.
@@ -225,7 +197,7 @@ void tell_usage_error(const RunOptions& options, const std::string& json, const 
 }
 
 ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
-  if (const auto wrong = wrong_place(options)) {
+  if (const auto wrong = wrong_place_of(options)) {
     return refuse(*wrong);
   }
   remove_old_document(options);

@@ -4,6 +4,7 @@
 
 #include "interpreter/source/source_map.h"
 #include "tools/cli/messages.h"
+#include "tools/cli/output_places.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/review/review.h"
@@ -12,6 +13,11 @@
 namespace g31::cli {
 
 ExitCode setup_command(const SetupOptions& options) {
+  std::vector<std::string> inputs = options.programs;
+  inputs.insert(inputs.end(), options.setups.begin(), options.setups.end());
+  if (const auto wrong = wrong_place({{"--json", options.json}}, inputs)) {
+    return refuse(*wrong);
+  }
   const auto reviewed = review::review(options);
   if (!reviewed) {
     return refuse(reviewed.error());

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "tools/cli/messages.h"
+#include "tools/cli/output_places.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/study/read_study.h"
@@ -186,6 +187,11 @@ ExitCode study_command(const StudyOptions& options) {
   }
   if (options.json == "-" && options.csv == "-") {
     return refuse(session::bad_input("--json and --csv cannot both be standard output"));
+  }
+  std::vector<std::string> inputs = options.merge;
+  inputs.push_back(options.study);
+  if (const auto wrong = wrong_place({{"--json", options.json}, {"--csv", options.csv}}, inputs)) {
+    return refuse(*wrong);
   }
   const Made made = options.merge.empty() ? run_study(options) : merge_shards(options);
   if (!made) {

@@ -77,9 +77,8 @@ void judge_skips(const setup::Job& job, const Listing& listing, const session::B
   if (!job.probe || job.skip_signals) {
     return;
   }
-  if (listing.skips.empty()) {
-    review.findings.push_back(finding_of(
-        SetupRuleId::NoSkips, listing.ended_at.empty() ? "no G31, no MEAS" : listing.ended_at));
+  if (listing.skips.empty() && listing.ended_at.empty()) {
+    review.findings.push_back(finding_of(SetupRuleId::NoSkips, "no G31, no MEAS"));
     return;
   }
   if (!listing.ended_at.empty() || listing.skips.size() == kMostSkips) {

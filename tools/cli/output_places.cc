@@ -1,0 +1,41 @@
+#include "tools/cli/output_places.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace g31::cli {
+namespace {
+
+/// Whether two paths are the same file, there or not.
+bool are_same(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return a == b || (std::filesystem::equivalent(a, b, error) && !error);
+}
+
+}  // namespace
+
+std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outputs,
+                                            const std::vector<std::string>& inputs) {
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    const std::string& path = output->path;
+    if (path.empty() || path == "-") {
+      continue;
+    }
+    const auto is_here = [&](const std::string& other) { return are_same(other, path); };
+    if (std::ranges::any_of(inputs, is_here)) {
+      return session::bad_input(fmt::format("{} {}: it would take the place of what is to be read",
+                                            output->option, path));
+    }
+    const auto taken = std::find_if(outputs.begin(), output,
+                                    [&](const OutputPlace& other) { return is_here(other.path); });
+    if (taken != output) {
+      return session::bad_input(
+          fmt::format("{} and {} cannot both be {}", taken->option, output->option, path));
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace g31::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/session/refusal.h"
+
+namespace g31::cli {
+
+/// Where an option wants something written.
+struct OutputPlace {
+  std::string_view option;
+  std::string path;  ///< "-": standard output; "": nothing is wanted
+};
+
+/// Why outputs may not be where they are wanted: a file that is to be read is there, or another
+/// output is to be.
+/// @param inputs  files and folders that the command reads
+std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outputs,
+                                            const std::vector<std::string>& inputs);
+
+}  // namespace g31::cli
