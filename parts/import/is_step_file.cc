@@ -1,14 +1,12 @@
 #include <algorithm>
-#include <cctype>
 
+#include "machine/base/letters.h"
 #include "parts/import/step_file.h"
 
 namespace g31::parts {
 
 bool is_step_file(std::string_view path) {
-  std::string ending(path.substr(std::min(path.size(), path.rfind('.'))));
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = in_small_letters(path.substr(std::min(path.size(), path.rfind('.'))));
   return ending == ".step" || ending == ".stp";
 }
 

@@ -1,7 +1,6 @@
 #include "parts/import/mesh_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -15,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "machine/base/contract.h"
+#include "machine/base/letters.h"
 #include "parts/import/assimp_file.h"
 #include "parts/import/mesh_limits.h"
 #include "parts/import/mesh_unit.h"
@@ -58,10 +58,7 @@ enum class MeshKind { Stl, Obj, Ply, Off, ThreeMf, Other };
 
 /// In small letters.
 std::string ending_of(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
+  return in_small_letters(std::filesystem::path(path).extension().string());
 }
 
 /// By the ending of its name; where that says nothing by its beginning.

@@ -7,17 +7,12 @@
 #include <string_view>
 #include <utility>
 
+#include "machine/base/letters.h"
+
 namespace g31::check {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
 
 bool is_one_of(const std::string& ending, std::initializer_list<std::string_view> endings) {
   return std::ranges::find(endings, ending) != endings.end();
@@ -35,8 +30,8 @@ bool has_program_number(const std::string& stem) {
 }
 
 bool is_program(const fs::path& path, bool beside_sinumerik) {
-  const std::string ending = lower(path.extension().string());
-  return is_sinumerik(ending) || has_program_number(lower(path.stem().string())) ||
+  const std::string ending = in_small_letters(path.extension().string());
+  return is_sinumerik(ending) || has_program_number(in_small_letters(path.stem().string())) ||
          is_one_of(ending, {".nc", ".cnc", ".tap", ".eia", ".iso", ".ncc", ".min"}) ||
          (ending == ".def" && beside_sinumerik);
 }
@@ -55,8 +50,9 @@ std::vector<std::string> programs_below(const std::string& folder) {
   }
   std::vector<std::string> found;
   for (auto& [place, files] : by_folder) {
-    const bool beside_sinumerik = std::ranges::any_of(
-        files, [](const fs::path& file) { return is_sinumerik(lower(file.extension().string())); });
+    const bool beside_sinumerik = std::ranges::any_of(files, [](const fs::path& file) {
+      return is_sinumerik(in_small_letters(file.extension().string()));
+    });
     std::ranges::sort(files);
     for (const fs::path& file : files) {
       if (is_program(file, beside_sinumerik)) {

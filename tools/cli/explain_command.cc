@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "interpreter/runtime/reference.h"
+#include "machine/base/letters.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/write_out.h"
 #include "tools/manual/manual.h"
@@ -19,13 +20,6 @@ namespace g31::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string in_small_letters(std::string text) {
-  std::ranges::transform(text, text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
 
 /// "alarm 112" and "exit code 4" may come as several arguments: a head takes what is behind it
 /// along.

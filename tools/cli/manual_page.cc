@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "machine/base/contract.h"
+#include "machine/base/letters.h"
 #include "tools/cli/exit_code.h"
 
 namespace g31::cli {
@@ -35,17 +36,14 @@ std::string line(std::string_view text) {
 }
 
 std::string heading(const ProgramWords& words, const std::string& page, const std::string& text) {
-  std::string capitals = page;
-  std::ranges::transform(capitals, capitals.begin(), [](char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  });
+  std::string title = line(in_capitals(page));
+  title.pop_back();  // the heading goes on
   std::string small = text;
   if (small.ends_with('.')) {
     small.pop_back();
   }
-  return fmt::format(".TH {} 1 \"\" \"{} {}\" \"User Commands\"\n.SH NAME\n{} \\- {}",
-                     line(capitals).substr(0, line(capitals).size() - 1), words.program.name,
-                     words.version, page, line(small));
+  return fmt::format(".TH {} 1 \"\" \"{} {}\" \"User Commands\"\n.SH NAME\n{} \\- {}", title,
+                     words.program.name, words.version, page, line(small));
 }
 
 std::string options(const std::vector<OptionWords>& rows) {

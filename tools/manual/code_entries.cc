@@ -3,6 +3,7 @@
 
 #include "interpreter/analysis/finding.h"
 #include "interpreter/source/diagnostic.h"
+#include "machine/base/letters.h"
 #include "tools/evaluate/data_error.h"
 #include "tools/manual/entries.h"
 #include "tools/review/setup_rules.h"
@@ -81,10 +82,7 @@ Entries all_code_entries() {
 }
 
 Entries code_entries(std::string_view topic) {
-  std::string code(topic);
-  std::ranges::transform(code, code.begin(), [](char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  });
+  const std::string code = in_capitals(topic);
   Entries found = all_code_entries();
   std::erase_if(found, [&](const Entry& entry) { return entry.name != code; });
   return found;

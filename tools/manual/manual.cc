@@ -4,6 +4,7 @@
 #include <cctype>
 #include <iterator>
 
+#include "machine/base/letters.h"
 #include "machine/base/nearest_name.h"
 #include "parts/artefacts/artefact.h"
 #include "tools/evaluate/manual.h"
@@ -19,14 +20,6 @@ using runtime::Entry;
 
 void append(Entries& all, Entries more) {
   std::ranges::move(more, std::back_inserter(all));
-}
-
-std::string in_small_letters(std::string_view text) {
-  std::string small(text);
-  std::ranges::transform(small, small.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return small;
 }
 
 std::vector<std::string> words_in(std::string_view text) {

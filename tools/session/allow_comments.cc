@@ -5,14 +5,12 @@
 #include <limits>
 #include <utility>
 
+#include "machine/base/letters.h"
+
 namespace g31::session {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
-
-char capital(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -27,8 +25,7 @@ std::string_view trimmed(std::string_view text) {
 /// Takes a word in capitals off the front of a text, which may have it in small letters.
 bool take(std::string_view& text, std::string_view word) {
   const bool is_there =
-      text.size() >= word.size() &&
-      std::ranges::equal(text.substr(0, word.size()), word, {}, [](char c) { return capital(c); });
+      text.size() >= word.size() && in_capitals(text.substr(0, word.size())) == word;
   if (is_there) {
     text = trimmed(text.substr(word.size()));
   }
@@ -39,8 +36,7 @@ bool take(std::string_view& text, std::string_view word) {
 std::string take_code(std::string_view& text) {
   constexpr std::size_t kLetters = 3;
   constexpr std::size_t kLength = 6;
-  std::string code(text.substr(0, kLength));
-  std::ranges::transform(code, code.begin(), capital);
+  std::string code = in_capitals(text.substr(0, kLength));
   const bool is_code = code.size() == kLength &&
                        std::all_of(code.begin(), code.begin() + kLetters,
                                    [](char c) { return c >= 'A' && c <= 'Z'; }) &&

@@ -13,6 +13,7 @@
 #include "interpreter/dialects/sinumerik/run/session.h"
 #include "interpreter/runtime/overloaded.h"
 #include "machine/base/contract.h"
+#include "machine/base/letters.h"
 #include "machine/base/nearest_name.h"
 
 namespace g31::session {
@@ -34,7 +35,7 @@ std::string plain_name(std::string_view name) {
   std::string plain;
   for (const char c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      plain.push_back(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
+      plain.push_back(small_letter(c));
     }
   }
   return plain;
@@ -166,10 +167,7 @@ Control default_control() {
 }
 
 Control control_of_program(const std::string& path, std::string_view text) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
+  const std::string ending = in_small_letters(std::filesystem::path(path).extension().string());
   const bool by_ending = ending == ".mpf" || ending == ".spf" || ending == ".arc";
   return by_ending || text.starts_with("%_N_") || is_sinumerik_text(text)
              ? Control(SinumerikControl{})

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "machine/base/letters.h"
+
 namespace g31::setup {
 namespace {
 
@@ -16,20 +18,16 @@ struct SizeUnit {
 constexpr SizeUnit kSizeUnits[] = {{'K', 1e3}, {'M', 1e6}, {'G', 1e9}};
 constexpr double kMostBytes = 1e15;
 
-char upper_letter(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
 /// Bytes of a unit as it stands behind a number; 0: there is no such unit.
 double bytes_of(std::string_view unit) {
-  if (!unit.empty() && upper_letter(unit.back()) == 'B') {
+  if (!unit.empty() && capital_letter(unit.back()) == 'B') {
     unit.remove_suffix(1);
   }
   if (unit.empty()) {
     return 1.0;
   }
   for (const SizeUnit& known : kSizeUnits) {
-    if (unit.size() == 1 && upper_letter(unit.front()) == known.letter) {
+    if (unit.size() == 1 && capital_letter(unit.front()) == known.letter) {
       return known.bytes;
     }
   }

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "machine/base/letters.h"
+
 namespace g31::fanuc {
 namespace {
 
@@ -45,11 +47,7 @@ std::span<const SystemName> system_names() {
 }
 
 std::string upper_case(std::string_view text) {
-  std::string upper(text);
-  for (char& c : upper) {
-    c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  }
-  return upper;
+  return in_capitals(text);
 }
 
 bool is_variable_name(std::string_view name) {

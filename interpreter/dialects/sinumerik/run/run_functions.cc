@@ -5,15 +5,9 @@
 
 #include "interpreter/dialects/sinumerik/run/runner.h"
 #include "machine/base/contract.h"
+#include "machine/base/letters.h"
 
 namespace g31::sinumerik {
-namespace {
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-}  // namespace
 
 MaybeFailure Runner::call_function(const Op& op) {
   const Arguments list = arguments_of(op);
@@ -123,7 +117,7 @@ MaybeFailure Runner::upper_case(const Op& op, Arguments list) {
 
 MaybeFailure Runner::lower_case(const Op& op, Arguments list) {
   std::string all = text(list[0].value);
-  std::ranges::transform(all, all.begin(), lower);
+  std::ranges::transform(all, all.begin(), small_letter);
   text(op.result) = std::move(all);
   return std::nullopt;
 }

@@ -5,19 +5,17 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "machine/base/letters.h"
+
 namespace g31::sinumerik {
 
 constexpr char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return capital_letter(c);
 }
 
 /// Names do not mind case: all tables are in upper case.
 inline std::string upper(std::string_view text) {
-  std::string all(text);
-  for (char& c : all) {
-    c = upper(c);
-  }
-  return all;
+  return in_capitals(text);
 }
 
 constexpr bool is_digit(char c) {
