@@ -4,6 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/control_and_level_options.h"
+
 namespace g31::cli {
 namespace {
 
@@ -11,12 +13,6 @@ const std::map<std::string, CheckOptions::Format> kFormats = {
     {"text", CheckOptions::Format::Text},
     {"json", CheckOptions::Format::Json},
     {"github", CheckOptions::Format::Github},
-};
-
-const std::map<std::string, source::Severity> kLevels = {
-    {"error", source::Severity::Error},
-    {"warning", source::Severity::Warning},
-    {"note", source::Severity::Note},
 };
 
 /// Takes the names of a map, and says them when another comes.
@@ -50,11 +46,9 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
           "later ones win key by key")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  check
-      ->add_option("--control", options.control,
-                   "control profile of all programs; without it as the sheet says, else by file "
-                   "ending and content")
-      ->type_name("CONTROL");
+  add_control_option(*check, options.control,
+                     "control profile of all programs; without it as the sheet says, else by file "
+                     "ending and content");
   check->add_option("--lib", options.libraries, "folder of subprograms; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);
@@ -65,8 +59,9 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
   check->add_option("--disable", options.disabled, "leave out findings of this rule; repeatable")
       ->type_name("RULE")
       ->allow_extra_args(false);
-  add_choice(*check, "--fail-on", options.fail_on, kLevels,
-             "lowest level at which a finding gives exit code 1: error, warning (default), note");
+  add_fail_on_option(
+      *check, options.fail_on,
+      "lowest level at which a finding gives exit code 1: error, warning (default), note");
   auto* const rules = check->add_flag("--rules", options.lists_rules, "list the rules");
   check->callback([files, rules] {
     if (files->empty() && rules->empty()) {

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/control_and_level_options.h"
+
 namespace g31::cli {
 
 CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
@@ -17,8 +19,7 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
   auto* const all = explain->add_flag("--all", options.all, "everything that the control has");
   explain->add_flag("--search", options.search,
                     "list what has the words in its text, also where something is named so");
-  explain->add_option("--control", options.control, "control profile (default fanuc-16i)")
-      ->type_name("CONTROL");
+  add_control_option(*explain, options.control, "control profile (default fanuc-16i)");
   explain->add_flag("--json", options.json, "as a document of schema g31.explain/1");
   auto* const page =
       explain->add_option("--page", options.page,

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/control_and_level_options.h"
+
 namespace g31::cli {
 
 CLI::App* add_new_command(CLI::App& app, NewOptions& options) {
@@ -10,11 +12,9 @@ CLI::App* add_new_command(CLI::App& app, NewOptions& options) {
   command->add_option("DIR", options.folder, "the folder; it is made where it is missing")
       ->required()
       ->type_name("DIR");
-  command
-      ->add_option("--control", options.control,
-                   "what the program is written for (default fanuc-16i): haas, sinumerik-828d, "
-                   "0i-MF and so on")
-      ->type_name("NAME");
+  add_control_option(*command, options.control,
+                     "what the program is written for (default fanuc-16i): haas, sinumerik-828d, "
+                     "0i-MF and so on");
   return command;
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/source/diagnostic.h"
+#include "tools/cli/control_and_level_options.h"
 #include "tools/setup/byte_count.h"
 
 namespace g31::cli {
@@ -37,16 +38,6 @@ std::string why_not_allowed(const std::string& code) {
   return row->severity == source::Severity::Error
              ? fmt::format("{} is an error, which ends the run", code)
              : "";
-}
-
-source::Severity severity_named(const std::string& text) {
-  for (const source::Severity severity :
-       {source::Severity::Note, source::Severity::Warning, source::Severity::Error}) {
-    if (text == source::name_of(severity)) {
-      return severity;
-    }
-  }
-  throw CLI::ValidationError("--fail-on", fmt::format("{} is not error, warning or note", text));
 }
 
 /// What an operator's panel has, and how much is said.
@@ -82,10 +73,8 @@ void add_program_options(CLI::App& command, RunOptions& options) {
                   "set-up sheet (TOML); repeatable, later ones win key by key")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  command
-      .add_option("--control", options.control,
-                  "control profile, for example fanuc-16i, sinumerik-828d")
-      ->type_name("CONTROL");
+  add_control_option(command, options.control,
+                     "control profile, for example fanuc-16i, sinumerik-828d");
   command
       .add_option("--lib", options.libraries,
                   "folder of subprograms, with those below it; repeatable")
@@ -161,12 +150,9 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->type_name("CODE")
       ->allow_extra_args(false)
       ->check(why_not_allowed);
-  run->add_option_function<std::string>(
-         "--fail-on",
-         [&options](const std::string& text) { options.fail_on = severity_named(text); },
-         "the least message that makes a completed run exit with 1: error, warning (default) or "
-         "note")
-      ->type_name("SEVERITY");
+  add_fail_on_option(*run, options.fail_on,
+                     "the least message that makes a completed run exit with 1: error, warning "
+                     "(default) or note");
   run->add_option("--trace", options.trace, "axis positions over time, as a table (CSV)")
       ->type_name("FILE");
   run->add_option("--trace-period", options.trace_period,

@@ -1,17 +1,12 @@
 #include "tools/cli/setup_options.h"
 
-#include <map>
-
 #include <CLI/CLI.hpp>
+
+#include "tools/cli/control_and_level_options.h"
 
 namespace g31::cli {
 
 CLI::App* add_setup_command(CLI::App& app, SetupOptions& options) {
-  static const std::map<std::string, source::Severity> kLevels = {
-      {"error", source::Severity::Error},
-      {"warning", source::Severity::Warning},
-      {"note", source::Severity::Note},
-  };
   CLI::App* const setup = app.add_subcommand(
       "setup",
       "Say what is wrong with set-up sheets, and how they fit a program, without running it.");
@@ -23,20 +18,15 @@ CLI::App* add_setup_command(CLI::App& app, SetupOptions& options) {
                    "the program that the sheets are for; it is followed on a machine without parts")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  setup->add_option("--control", options.control, "control profile, instead of the sheet's")
-      ->type_name("NAME");
+  add_control_option(*setup, options.control, "control profile, instead of the sheet's");
   setup->add_option("--lib", options.libraries, "folder of subprograms; repeatable")
       ->type_name("DIR")
       ->allow_extra_args(false);
   setup->add_option("--json", options.json, "document g31.setup/1; - is standard output")
       ->type_name("FILE");
-  setup
-      ->add_option_function<std::string>(
-          "--fail-on",
-          [&options](const std::string& level) { options.fail_on = kLevels.at(level); },
-          "lowest level at which a finding gives exit code 1: error, warning (default), note")
-      ->check(CLI::IsMember({"error", "warning", "note"}))
-      ->type_name("LEVEL");
+  add_fail_on_option(
+      *setup, options.fail_on,
+      "lowest level at which a finding gives exit code 1: error, warning (default), note");
   return setup;
 }
 
