@@ -69,10 +69,10 @@ session::Heard carried_out(const OpenedRun& opened) {
   runtime::Budget budget = opened.options.budget;
   budget.output = &opened.output;
   budget.wall_seconds = opened.time.left_s();
+  session::ProgramComments comments(opened.sources.files(), opened.prepared.control);
   session::Heard heard = session::heard(
-      session::with_findings(opened.world.findings, opened.run.session().run(budget)),
-      opened.prepared.control, opened.options.programs.front(), opened.options.allowed,
-      opened.sources);
+      session::with_findings(opened.world.findings, opened.run.session().run(budget)), comments,
+      opened.options.programs.front(), opened.options.allowed, opened.sources);
   session::place_settings(opened.prepared.job, heard.outcome.diagnostics);
   opened.recorder.missed_skips().tell_nearest(opened.prepared.job, opened.world.parts,
                                               heard.outcome.diagnostics);

@@ -78,10 +78,11 @@ ExitCode scene_command(const SceneOptions& options) {
   runtime::Budget budget = options.run.budget;
   budget.output = &output;
   budget.wall_seconds = time.left_s();
+  session::ProgramComments comments(disk, control);
   const runtime::Outcome outcome =
       session::heard(
           session::with_findings(world.value().findings, run.value()->session().run(budget)),
-          control, options.run.programs.front(), {}, programs.value()->sources())
+          comments, options.run.programs.front(), {}, programs.value()->sources())
           .outcome;
   print_diagnostics(outcome, programs.value()->sources());
   if (outcome.status == runtime::Status::SyntaxError) {

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "interpreter/runtime/outcome.h"
+#include "interpreter/source/file_system.h"
 #include "interpreter/source/source_map.h"
+#include "tools/session/allow_comments.h"
 #include "tools/session/control.h"
 
 namespace g31::session {
@@ -21,14 +25,32 @@ struct Heard {
   std::vector<AllowedMessage> allowed;
 };
 
+/// The comments of programs that allow a message, whichever files are asked for: each is read once,
+/// so many runs of a program may share them.  Any number of threads may ask.
+class ProgramComments {
+ public:
+  /// @param files  outlives it
+  ProgramComments(source::FileSystem& files, const Control& control);
+
+  /// Of a file that cannot be read, or is longer than kLongestFile, there are none.
+  const std::vector<AllowComment>& of(const std::string& file);
+
+ private:
+  static constexpr std::size_t kLongestFile = 16U << 20U;
+
+  source::FileSystem& files_;
+  CommentForm form_;
+  std::mutex mutex_;
+  std::map<std::string, std::vector<AllowComment>> by_file_;
+};
+
 /// Takes out of an outcome what comments of the programs allow (allow_comments.h), then what
 /// `codes` name; errors stay.  A comment of the main program, or of a file that messages are of,
 /// which allowed nothing in a completed run is a note itself (PRB326).
 /// @param program  the path of the main program
 /// @param codes    of warnings and notes
-/// @param sources  of the programs that ran; files of more than kLongestFile are not looked at
-Heard heard(runtime::Outcome outcome, const Control& control, const std::string& program,
+/// @param sources  of the programs that ran
+Heard heard(runtime::Outcome outcome, ProgramComments& comments, const std::string& program,
             const std::vector<std::string>& codes, const source::SourceMap& sources);
-inline constexpr std::size_t kLongestFile = 16U << 20U;
 
 }  // namespace g31::session

@@ -220,6 +220,7 @@ std::optional<Refusal> StudyRuns::try_control() {
     return chosen.error();
   }
   control_ = chosen.value();
+  comments_.emplace(disk_, *control_);
   for (std::size_t program = 0; program < paths_.size(); ++program) {
     const auto opened =
         session::open_programs(*control_, request_of(program), disk_, job.value().control);
@@ -474,7 +475,7 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
     outcome = session::with_findings({*inside}, outcome);
   }
   const source::SourceMap& sources = programs_[program]->sources();
-  outcome = session::heard(session::with_findings(parts.value().findings, outcome), *control_,
+  outcome = session::heard(session::with_findings(parts.value().findings, outcome), *comments_,
                            paths_[program], {}, sources)
                 .outcome;
   ended.ending = session::ending_of(outcome);

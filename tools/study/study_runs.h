@@ -10,6 +10,7 @@
 #include "tools/disk/disk.h"
 #include "tools/session/control.h"
 #include "tools/session/ending.h"
+#include "tools/session/heard.h"
 #include "tools/session/prepare.h"
 #include "tools/session/programs.h"
 #include "tools/session/refusal.h"
@@ -93,7 +94,8 @@ class StudyRuns {
   disk::Disk disk_;
   Description description_;
   std::optional<session::Control> control_;
-  std::vector<std::string> paths_;  ///< programs of `before`, then the main one
+  std::optional<session::ProgramComments> comments_;  ///< of all programs, each read once
+  std::vector<std::string> paths_;                    ///< programs of `before`, then the main one
   std::vector<std::shared_ptr<session::Programs>> programs_;  ///< one for each of paths_
   std::vector<std::string> variables_;                        ///< that results read
   std::vector<setup::SheetStack> stacks_;  ///< one for each combination of listed sheets
