@@ -165,17 +165,6 @@ bool Expectations::names_an_ending() const {
   return has<Status>() || has<Alarm>();
 }
 
-std::vector<std::string> Expectations::variables() const {
-  std::vector<std::string> names;
-  for (const Expectation& row : rows) {
-    const auto* const variable = std::get_if<Variable>(&row.what);
-    if (variable != nullptr && std::ranges::find(names, variable->name) == names.end()) {
-      names.push_back(variable->name);
-    }
-  }
-  return names;
-}
-
 bool Expectations::need_output() const {
   return has<Output>() || has<OutputPart>() || has<OutputFile>();
 }

@@ -63,7 +63,7 @@ struct OutputFile {
 struct Touches {
   std::size_t count = 0;
 };
-/// Messages that are more than notes.
+/// Warnings of the run.
 struct Findings {
   std::size_t count = 0;
 };
@@ -87,8 +87,6 @@ struct Expectations {
 
   /// Whether a status or an alarm is among them.
   [[nodiscard]] bool names_an_ending() const;
-  /// The variables that they ask for, each once.
-  [[nodiscard]] std::vector<std::string> variables() const;
   /// Whether the printouts must be kept for them.
   [[nodiscard]] bool need_output() const;
   template <typename Kind>
