@@ -119,9 +119,7 @@ ExitCode check_command(const CheckOptions& options) {
     const auto wrong = write_out("-", list_of_rules());
     return wrong ? refuse(*wrong) : ExitCode::Completed;
   }
-  std::vector<std::string> inputs = options.files;
-  inputs.insert(inputs.end(), options.setups.begin(), options.setups.end());
-  if (const auto wrong = wrong_place({{"--json", options.json}}, inputs)) {
+  if (const auto wrong = wrong_place({{"--json", options.json}}, {options.files, options.setups})) {
     return refuse(*wrong);
   }
   const auto requested = request_of(options);

@@ -70,7 +70,7 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
           wrong_place({{"--json", options.json},
                        {"--svg", options.svg},
                        {"--compensation", file_given(options, evaluate::OptionId::Compensation)}},
-                      {options.file, file_given(options, evaluate::OptionId::Diameters)})) {
+                      {{options.file, file_given(options, evaluate::OptionId::Diameters)}})) {
     return refuse(*wrong);
   }
   evaluate::Request request = asked.value();

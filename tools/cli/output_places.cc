@@ -17,14 +17,16 @@ bool are_same(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outputs,
-                                            const std::vector<std::string>& inputs) {
+                                            const std::vector<std::vector<std::string>>& inputs) {
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {
     const std::string& path = output->path;
     if (path.empty() || path == "-") {
       continue;
     }
     const auto is_here = [&](const std::string& other) { return are_same(other, path); };
-    if (std::ranges::any_of(inputs, is_here)) {
+    if (std::ranges::any_of(inputs, [&](const std::vector<std::string>& list) {
+          return std::ranges::any_of(list, is_here);
+        })) {
       return session::bad_input(fmt::format("{} {}: it would take the place of what is to be read",
                                             output->option, path));
     }

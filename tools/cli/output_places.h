@@ -17,8 +17,8 @@ struct OutputPlace {
 
 /// Why outputs may not be where they are wanted: a file that is to be read is there, or another
 /// output is to be.
-/// @param inputs  files and folders that the command reads
+/// @param inputs  lists of files and folders that the command reads
 std::optional<session::Refusal> wrong_place(const std::vector<OutputPlace>& outputs,
-                                            const std::vector<std::string>& inputs);
+                                            const std::vector<std::vector<std::string>>& inputs);
 
 }  // namespace g31::cli

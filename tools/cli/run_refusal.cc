@@ -156,8 +156,6 @@ ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
 
 /// Why something that the run writes may not be where it is wanted.
 std::optional<session::Refusal> wrong_place_of(const RunOptions& options) {
-  std::vector<std::string> inputs = options.programs;
-  inputs.insert(inputs.end(), options.setups.begin(), options.setups.end());
   if (options.json == "-" && options.jsonl == "-") {
     return session::bad_input("--json and --jsonl cannot both be standard output");
   }
@@ -166,7 +164,7 @@ std::optional<session::Refusal> wrong_place_of(const RunOptions& options) {
                       {"--trace", options.trace},
                       {"--readings", options.readings},
                       {"--printer", options.printer}},
-                     inputs);
+                     {options.programs, options.setups});
 }
 
 /// Takes the document of an earlier run away.

@@ -13,9 +13,8 @@
 namespace g31::cli {
 
 ExitCode setup_command(const SetupOptions& options) {
-  std::vector<std::string> inputs = options.programs;
-  inputs.insert(inputs.end(), options.setups.begin(), options.setups.end());
-  if (const auto wrong = wrong_place({{"--json", options.json}}, inputs)) {
+  if (const auto wrong =
+          wrong_place({{"--json", options.json}}, {options.programs, options.setups})) {
     return refuse(*wrong);
   }
   const auto reviewed = review::review(options);

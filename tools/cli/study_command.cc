@@ -188,9 +188,8 @@ ExitCode study_command(const StudyOptions& options) {
   if (options.json == "-" && options.csv == "-") {
     return refuse(session::bad_input("--json and --csv cannot both be standard output"));
   }
-  std::vector<std::string> inputs = options.merge;
-  inputs.push_back(options.study);
-  if (const auto wrong = wrong_place({{"--json", options.json}, {"--csv", options.csv}}, inputs)) {
+  if (const auto wrong = wrong_place({{"--json", options.json}, {"--csv", options.csv}},
+                                     {options.merge, {options.study}})) {
     return refuse(*wrong);
   }
   const Made made = options.merge.empty() ? run_study(options) : merge_shards(options);
