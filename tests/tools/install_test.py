@@ -77,7 +77,7 @@ class InstalledTree(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(len(run.stdout.splitlines()), 2)
         for line in run.stdout.splitlines():
-            self.assertIn(f"    {line}\n", readme)
+            self.assertIn(f"\n{line}\n", readme)
 
     def test_the_cycles_are_found(self):
         self.assertIn("CYCLE977", self.g31("explain", "CYCLE977", "--control", "sinumerik-828d").stdout)
