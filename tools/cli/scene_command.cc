@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,7 +11,9 @@
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/gltf/gltf_document.h"
-#include "tools/gltf/path_recorder.h"
+#include "tools/picture/pictured_part.h"
+#include "tools/picture/tip.h"
+#include "tools/picture/way_recorder.h"
 #include "tools/session/heard.h"
 #include "tools/session/run.h"
 #include "tools/session/world.h"
@@ -25,23 +26,6 @@ std::optional<gltf::GltfForm> form_of(std::string_view path) {
     return gltf::GltfForm::Binary;
   }
   return path.ends_with(".gltf") ? std::optional(gltf::GltfForm::Text) : std::nullopt;
-}
-
-/// From the spindle gauge point to the ball's centre; without a probe the gauge point is drawn.
-Point drawn_tip(const setup::Job& job) {
-  if (!job.probe) {
-    return Point::Zero();
-  }
-  const auto& [x, y] = job.probe->eccentricity_mm;
-  return {x, y, -job.probe->length_mm};
-}
-
-std::vector<gltf::PicturedPart> pictured(const session::World& world) {
-  std::vector<gltf::PicturedPart> parts;
-  for (const probe::ProbedPart& part : world.parts) {
-    parts.push_back({part.name, &part.mesh_M});
-  }
-  return parts;
 }
 
 }  // namespace
@@ -65,7 +49,7 @@ ExitCode scene_command(const SceneOptions& options) {
     return refuse(world.error());
   }
   runtime::OutputBudget output(options.run.max_output);
-  gltf::PathRecorder recorder(*world.value().machine, job.machine, drawn_tip(job), output);
+  picture::WayRecorder recorder(*world.value().machine, job.machine, picture::tip_of(job), output);
   runtime::Observer nobody;
   const auto programs = session::open_programs(control, options.run, disk, job.control);
   if (!programs) {
@@ -89,7 +73,8 @@ ExitCode scene_command(const SceneOptions& options) {
     return ExitCode::BadUsage;
   }
   const std::string document =
-      gltf::gltf_document(pictured(world.value()), recorder.trace(), *form);
+      gltf::gltf_document(picture::parts_of(world.value()),
+                          {recorder.ways(), recorder.contacts(), recorder.collisions()}, *form);
   if (const auto wrong = write_out(options.output, document)) {
     return refuse(*wrong);
   }

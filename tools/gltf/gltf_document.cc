@@ -24,7 +24,7 @@ struct Colour {
 };
 
 constexpr Colour kPartColour = {"part", {0.62, 0.65, 0.70}};
-constexpr std::array<Colour, kPathKinds> kPathColours = {{
+constexpr std::array<Colour, picture::kPathKinds> kPathColours = {{
     {"rapid", {0.95, 0.60, 0.10}},
     {"feed", {0.10, 0.40, 0.90}},
     {"skip", {0.10, 0.65, 0.25}},
@@ -34,6 +34,22 @@ constexpr Colour kCollisionColour = {"collision", {0.90, 0.05, 0.05}};
 
 constexpr double kMarkRadiusMm = 0.5;
 constexpr double kWhiskerMm = 5.0;
+
+/// All chords of a kind of motion, two points each.
+std::vector<Point> segments_of(std::span<const picture::Way> ways, picture::PathKind kind) {
+  std::vector<Point> segments;
+  for (const picture::Way& way : ways) {
+    if (way.kind != kind) {
+      continue;
+    }
+    for (std::size_t i = 1; i < way.points.size(); ++i) {
+      if (way.points[i] != way.points[i - 1]) {
+        segments.insert(segments.end(), {way.points[i - 1], way.points[i]});
+      }
+    }
+  }
+  return segments;
+}
 
 Json array_of(const Point& p) {
   return {p.x(), p.y(), p.z()};
@@ -88,7 +104,7 @@ parts::Mesh small_ball(double radius) {
 
 class Document {
  public:
-  Document(std::span<const PicturedPart> parts, const Trace& trace) {
+  Document(std::span<const picture::PicturedPart> parts, const Trace& trace) {
     add_parts(parts);
     add_paths(trace);
     add_marks("contacts", trace.contacts, kContactColour);
@@ -180,10 +196,10 @@ class Document {
             {"mode", static_cast<int>(Mode::Lines)}};
   }
 
-  void add_parts(std::span<const PicturedPart> parts) {
+  void add_parts(std::span<const picture::PicturedPart> parts) {
     std::vector<std::size_t> nodes;
     std::optional<std::size_t> material;
-    for (const PicturedPart& part : parts) {
+    for (const picture::PicturedPart& part : parts) {
       if (part.mesh_M->triangles.empty()) {
         continue;
       }
@@ -197,8 +213,8 @@ class Document {
 
   void add_paths(const Trace& trace) {
     std::vector<std::size_t> nodes;
-    for (std::size_t kind = 0; kind < kPathKinds; ++kind) {
-      const Segments& segments = trace.paths[kind];
+    for (std::size_t kind = 0; kind < picture::kPathKinds; ++kind) {
+      const auto segments = segments_of(trace.ways, static_cast<picture::PathKind>(kind));
       if (segments.empty()) {
         continue;
       }
@@ -210,7 +226,8 @@ class Document {
     add_group("path", nodes);
   }
 
-  void add_marks(std::string_view name, std::span<const Mark> marks, const Colour& colour) {
+  void add_marks(std::string_view name, std::span<const picture::Mark> marks,
+                 const Colour& colour) {
     if (marks.empty()) {
       return;
     }
@@ -220,7 +237,7 @@ class Document {
     const std::size_t mesh =
         add_mesh(colour.name, Json::array({ball, lines_of(whisker, material)}));
     std::vector<std::size_t> nodes;
-    for (const Mark& mark : marks) {
+    for (const picture::Mark& mark : marks) {
       Json extras = {{"part", mark.part}, {"normal", array_of(mark.n_M)}};
       if (!mark.what.empty()) {
         extras["what"] = mark.what;
@@ -277,7 +294,8 @@ std::string binary_file(const Document& document) {
 
 }  // namespace
 
-std::string gltf_document(std::span<const PicturedPart> parts, const Trace& trace, GltfForm form) {
+std::string gltf_document(std::span<const picture::PicturedPart> parts, const Trace& trace,
+                          GltfForm form) {
   const Document document(parts, trace);
   if (form == GltfForm::Binary) {
     return binary_file(document);

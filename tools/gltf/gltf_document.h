@@ -3,7 +3,8 @@
 #include <span>
 #include <string>
 
-#include "tools/gltf/picture.h"
+#include "tools/gltf/trace.h"
+#include "tools/picture/pictured_part.h"
 
 namespace g31::gltf {
 
@@ -20,6 +21,7 @@ enum class GltfForm {
 /// double stands in the extras of these nodes; positions in the buffer are float32.
 ///
 /// The same picture gives the same bytes.
-std::string gltf_document(std::span<const PicturedPart> parts, const Trace& trace, GltfForm form);
+std::string gltf_document(std::span<const picture::PicturedPart> parts, const Trace& trace,
+                          GltfForm form);
 
 }  // namespace g31::gltf

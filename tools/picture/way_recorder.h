@@ -1,27 +1,29 @@
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "interpreter/runtime/output_budget.h"
 #include "machine/port/machine_port.h"
 #include "machine/sim/axis_dynamics.h"
-#include "tools/gltf/picture.h"
+#include "tools/picture/way.h"
 
-namespace g31::gltf {
+namespace g31::picture {
 
-/// A machine that another one does the work for, and that draws what it does.
+/// A machine that another one does the work for, and that keeps the ways of a point in the spindle:
+/// the stylus ball's centre.  M19 turns it about the spindle axis.
 ///
-/// The line is that of a point in the spindle, the stylus ball's centre; M19 turns it about the
-/// spindle axis.  Arcs are drawn as chords of 5 degrees at most, rapids of each axis on its own as
-/// 48 chords of equal time.
-class PathRecorder final : public machine::MachinePort {
+/// Straight moves are two points, arcs chords of 5 degrees at most, rapids of each axis on its own
+/// 48 chords; moves of no linear axis leave no way.
+class WayRecorder final : public machine::MachinePort {
  public:
   /// @param machine  not owned: it must outlive the recorder
   /// @param setup    of that machine
-  /// @param p_S_tip  mm, from the spindle gauge point to the drawn point at spindle angle 0
-  /// @param budget   is charged for each line; outlives the recorder
-  PathRecorder(machine::MachinePort& machine, const machine::MachineSetup& setup,
-               const Point& p_S_tip, runtime::OutputBudget& budget);
+  /// @param p_S_tip  mm, from the spindle gauge point to that point at spindle angle 0 (tip_of)
+  /// @param budget   is charged for each chord; outlives the recorder
+  WayRecorder(machine::MachinePort& machine, const machine::MachineSetup& setup,
+              const Point& p_S_tip, runtime::OutputBudget& budget);
 
   Result<AxisPositions, machine::MachineFault> move(const machine::LinearMove& move) override;
   Result<AxisPositions, machine::MachineFault> move(const machine::ArcMove& arc) override;
@@ -56,22 +58,37 @@ class PathRecorder final : public machine::MachinePort {
   [[nodiscard]] AxisPositions position() const override { return machine_.position(); }
   [[nodiscard]] double time_s() const override { return machine_.time_s(); }
 
-  [[nodiscard]] const Trace& trace() const { return trace_; }
+  /// In the order of the moves.
+  [[nodiscard]] const std::vector<Way>& ways() const { return ways_; }
+  /// Of skip moves, in order.
+  [[nodiscard]] const std::vector<Mark>& contacts() const { return contacts_; }
+  [[nodiscard]] const std::vector<Mark>& collisions() const { return collisions_; }
 
  private:
+  /// Where and when a move begins.
+  struct Beginning {
+    AxisPositions q_M;
+    double time_s;
+  };
+
+  [[nodiscard]] Beginning beginning() const { return {machine_.position(), machine_.time_s()}; }
   [[nodiscard]] Point tip_at(const AxisPositions& q_M) const;
-  void draw(PathKind kind, const AxisPositions& q_M_from, const AxisPositions& q_M_to);
-  /// In chords of equal shares of the path, to where the machine stands.
+  /// Of a move that began there and has ended where the machine stands.
+  void keep(PathKind kind, const Beginning& from);
+  /// The same in chords of equal shares of the path.
   template <typename Path>
-  void draw_curve(PathKind kind, const Path& path, int chords);
+  void keep_curve(PathKind kind, const Beginning& from, const Path& path, int chords);
+  void keep(Way way, const std::vector<AxisPositions>& q_M);
   void mark(const machine::MachineFault& fault);
 
   machine::MachinePort& machine_;
   machine::AxisDynamics dynamics_;
   Point p_S_tip_;
   Eigen::Matrix3d R_MS_ = Eigen::Matrix3d::Identity();
-  Trace trace_;
+  std::vector<Way> ways_;
+  std::vector<Mark> contacts_;
+  std::vector<Mark> collisions_;
   runtime::OutputBudget& budget_;
 };
 
-}  // namespace g31::gltf
+}  // namespace g31::picture

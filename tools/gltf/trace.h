@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "tools/picture/way.h"
+
+namespace g31::gltf {
+
+/// What a program did, ready to be drawn; the lists belong to somebody else.
+struct Trace {
+  std::span<const picture::Way> ways;       ///< in order
+  std::span<const picture::Mark> contacts;  ///< of skip moves, in order
+  std::span<const picture::Mark> collisions;
+};
+
+}  // namespace g31::gltf
