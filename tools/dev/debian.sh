@@ -11,6 +11,8 @@ G31_PACKAGES=(
   libassimp-dev zlib1g-dev libfcl-dev libccd-dev libmeshoptimizer-dev libserialport-dev libtbb-dev nettle-dev libocct-data-exchange-dev libboost-math-dev
   libgtest-dev libgmock-dev libbenchmark-dev
 )
+# The script of report pages is bundled by node; one that came from elsewhere than Debian will do.
+command -v npm >/dev/null || G31_PACKAGES+=(nodejs npm)
 
 g31_missing_packages() {
   local installed package

@@ -1,0 +1,128 @@
+// What a run says at any time: where the ball is, which move and which line it is, which touches there are.
+
+/** @typedef {import('./types').Contact} Contact */
+/** @typedef {import('./types').TimedMove} TimedMove */
+/** @typedef {import('./types').WayFigure} Way */
+
+const AT_ONCE = 1e-6; // s; times of one moment differ by rounding alone
+const SAME_PLACE = 0.5; // mm; a second touch of one wall comes closer than that to the first
+
+/** @param {{g: number}} move @returns {import('./types').Kind} */
+const kindOf = (move) => (move.g === 0 ? 'rapid' : move.g === 31 ? 'skip' : 'feed');
+
+/** The last index whose key is at most the value, or -1. @template T
+ * @param {T[]} list sorted by key @param {number} value @param {(item: T) => number} key */
+function lastUpTo(list, value, key) {
+  let low = 0;
+  let high = list.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (key(list[middle]) <= value) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
+}
+
+export class Run {
+  /** @param {import('./types').RunDocument} document @param {import('./types').Figures} figures */
+  constructor(document, figures) {
+    this.document = document;
+    this.figures = figures;
+    this.frame = figures.frame ?? { name: '', origin: [0, 0, 0] };
+    /** @type {Way[]} */
+    this.ways = figures.ways ?? [];
+    this.moves = timedMoves(document);
+    this.contacts = contactsOf(document, figures);
+    this.hits = this.contacts.filter((contact) => contact.hit);
+    this.collision = document.collision ?? null;
+    const ends = [document.machine_time_s ?? 0, this.moves.at(-1)?.until ?? 0, this.ways.at(-1)?.time_s[1] ?? 0];
+    this.duration = Math.max(...ends);
+  }
+
+  /** The ball centre in the machine frame; null before the first way. @param {number} time */
+  ballAt(time) {
+    if (!this.ways.length) return null;
+    const index = Math.max(0, lastUpTo(this.ways, time, (way) => way.time_s[0]));
+    const { time_s: [from, until], points } = this.ways[index];
+    const steps = points.length / 3 - 1;
+    const place = until > from ? Math.min(1, Math.max(0, (time - from) / (until - from))) * steps : steps;
+    const step = Math.min(Math.floor(place), Math.max(0, steps - 1));
+    const part = place - step;
+    return [0, 1, 2].map((axis) => {
+      const a = points[3 * step + axis];
+      const b = steps > 0 ? points[3 * step + 3 + axis] : a;
+      return a + part * (b - a);
+    });
+  }
+
+  /** The move that is on its way, or that has just ended. @param {number} time */
+  moveAt(time) {
+    const behind = lastUpTo(this.moves, time - AT_ONCE, (move) => move.until);
+    return this.moves[Math.min(behind + 1, this.moves.length - 1)] ?? null;
+  }
+
+  /** File and line that the machine is at; a touch knows them better than the moves. @param {number} time
+   * @param {Contact | null} chosen */
+  placeAt(time, chosen) {
+    if (this.collision?.file && time >= this.duration - AT_ONCE) return this.collision;
+    if (chosen && Math.abs(chosen.time - time) < AT_ONCE) return chosen.touch;
+    return this.moveAt(time);
+  }
+
+  /** @param {number} time @returns {import('./types').Kind | 'collision'} */
+  kindAt(time) {
+    if (this.collision && time >= this.duration - AT_ONCE) return 'collision';
+    const way = this.ways[lastUpTo(this.ways, time, (each) => each.time_s[0])];
+    return this.moveAt(time)?.kind ?? way?.kind ?? 'rapid';
+  }
+
+  /** @param {number} number from 1 @returns {Contact | null} */
+  contact(number) {
+    return this.contacts[number - 1] ?? null;
+  }
+}
+
+/** @param {import('./types').RunDocument} document @returns {TimedMove[]} */
+function timedMoves(document) {
+  let from = 0;
+  return (document.moves ?? []).filter((move) => move.time_s != null).map((move) => {
+    const until = /** @type {number} */ (move.time_s);
+    const timed = { ...move, kind: kindOf(move), from, until };
+    from = until;
+    return timed;
+  });
+}
+
+/** @param {import('./types').RunDocument} document @param {import('./types').Figures} figures @returns {Contact[]} */
+function contactsOf(document, figures) {
+  const contacts = (document.touches ?? []).map((touch, index) => {
+    const figure = figures.touch?.[index];
+    return {
+      number: index + 1,
+      touch,
+      time: touch.time_s,
+      hit: touch.triggered && touch.contact != null,
+      ball: figure?.ball ?? null,
+      deviation: figure?.deviation ?? null,
+      partDeviation: figure?.part_deviation ?? null,
+      angle: figure?.angle ?? null,
+      role: figure?.role ?? '',
+      counts: touch.triggered,
+    };
+  });
+  const hits = contacts.filter((contact) => contact.hit);
+  hits.forEach((contact, index) => {
+    contact.counts = !(index + 1 < hits.length && sameWall(contact.touch, hits[index + 1].touch));
+  });
+  return contacts;
+}
+
+/** Whether the second touch repeats the first, as slow touches repeat fast ones.
+ * @param {import('./types').Touch} first @param {import('./types').Touch} second */
+function sameWall(first, second) {
+  if (first.part !== second.part || !first.contact || !second.contact || !first.normal || !second.normal) return false;
+  const { contact, normal } = second;
+  const apart = Math.hypot(...first.contact.map((value, axis) => value - contact[axis]));
+  const along = first.normal.reduce((sum, value, axis) => sum + value * normal[axis], 0);
+  return apart < SAME_PLACE && along > 0.999 && first.time_s < second.time_s;
+}

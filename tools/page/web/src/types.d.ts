@@ -1,0 +1,75 @@
+// What the page holds for the script: the document of the run and what only pictures need.
+// Lengths in mm, times in s, machine coordinates unless said otherwise.
+
+export type Point = number[];
+export type Kind = 'rapid' | 'feed' | 'skip';
+
+export interface Call { program: string; file?: string; line?: number }
+export interface CallSpan extends Call { level: number; time_s: [number, number]; blocks: [number, number] }
+
+export interface Move { g: number; to: Point; feed?: number; t?: number; time_s?: number; file?: string; line?: number }
+
+export interface Touch {
+  block: string; file: string; line: number; triggered: boolean;
+  commanded: Point; latched: Point; stopped: Point; work: Point;
+  contact: Point | null; normal: Point | null; part: string | null;
+  feed: number; time_s: number; calls: Call[];
+}
+
+export interface Collision {
+  what: string; at: Point; work: Point; contact: Point | null; normal: Point | null; part: string | null;
+  file?: string; line?: number; move: Move | null;
+}
+
+export interface LineCounts { file: string; lines: Record<string, number>; conditions?: Record<string, [number, number]> }
+
+export interface RunDocument {
+  schema: string; program?: string; status?: string; machine_time_s?: number;
+  moves?: Move[]; touches?: Touch[]; calls?: CallSpan[]; counts?: LineCounts[]; collision?: Collision | null;
+  alarm?: { file?: string; line?: number } | null;
+}
+
+export interface PartFigure {
+  name: string; shape: string | null; sizes?: Record<string, number>; fixture?: boolean;
+  origin: Point; positions: string; triangles: string;
+}
+
+export interface Cylinder { diameter: number; length: number }
+export interface ProbeFigure {
+  ball: number; offset: Point; stem: Cylinder | null; body: Cylinder | null; holder?: Cylinder | null;
+}
+
+export interface WayFigure { move: number; kind: Kind; time_s: [number, number]; points: number[] }
+export interface TouchFigure {
+  ball: Point; deviation: number | null; part_deviation?: number | null; angle: number | null; role: string;
+}
+
+export interface Figures {
+  parts?: PartFigure[]; probe?: ProbeFigure | null; ways?: WayFigure[]; touch?: TouchFigure[];
+  frame?: { name: string; origin: Point };
+  compare?: { document: RunDocument; figures: Figures } | null;
+  words?: Record<string, string>; language?: string; listing?: { file: string; text: string }[];
+}
+
+/** A touch with all that figures show of it; its number counts from 1. */
+export interface Contact {
+  number: number; touch: Touch; time: number; hit: boolean; ball: Point | null;
+  deviation: number | null; partDeviation: number | null; angle: number | null; role: string;
+  /** Whether the measurement rests on it: no second touch of the same place follows at once. */
+  counts: boolean;
+}
+
+export interface TimedMove extends Move { kind: Kind; from: number; until: number }
+
+export interface Box { low: Point; high: Point }
+export interface Part {
+  name: string; fixture: boolean; origin: Point;
+  /** Relative to origin. */
+  positions: Float32Array; triangles: Uint32Array;
+  /** In machine coordinates. */
+  box: Box;
+}
+
+declare global {
+  interface Window { g31?: RunDocument; g31Timing?: Record<string, number> }
+}
