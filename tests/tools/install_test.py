@@ -3,6 +3,7 @@
 
 Usage: install_test.py BUILD_FOLDER VERSION
 """
+import datetime
 import json
 import pathlib
 import re
@@ -128,6 +129,17 @@ class InstalledTree(unittest.TestCase):
                 for script in scripts:
                     self.assertRegex(script, rf"{option}\b|-l {option[2:]}\b")
             self.assertIn("EXIT STATUS", page)
+
+    def test_the_pages_of_the_manual_have_no_fault_and_the_date_of_the_package(self):
+        pages = sorted((self.root / "share/man/man1").glob("*.1"))
+        self.assertEqual(len(pages), len(self.about["commands"]) + 1)
+        changes = (SOURCE / "tools/cmake/debian_files.cmake").read_text()
+        day = datetime.datetime.strptime(re.search(r"\w{3}, (\d+ \w{3} \d{4}) 00:00", changes)[1], "%d %b %Y")
+        for page in pages:
+            self.assertIn(f" 1 {day:%Y-%m-%d} ", page.read_text().splitlines()[0])
+        if shutil.which("mandoc"):
+            lint = subprocess.run(["mandoc", "-Tlint", *pages], capture_output=True, text=True)
+            self.assertEqual(lint.stdout + lint.stderr, "")
 
     def test_zsh_and_fish_can_read_their_scripts(self):
         for shell, place in (("zsh", PLACES[-2]), ("fish", PLACES[-1])):

@@ -11,8 +11,34 @@
 namespace g31::cli {
 namespace {
 
+/// Of this version, as the changes of the Debian package have it (debian_files.cmake).
+constexpr std::string_view kDate = "2026-11-22";
+
+/// Bytes of a line in the page; mandoc -Tlint asks for 80 at most.
+constexpr std::size_t kWidth = 78;
+
+/// A line in pieces that are no longer than kWidth, broken at blanks.
+/// @param joint  "" where lines are filled; the escape that joins them where they are not
+std::string folded(std::string text, std::string_view joint) {
+  std::string pieces;
+  while (text.size() > kWidth) {
+    const std::size_t blank = text.find_last_of(' ', kWidth);
+    if (blank == std::string::npos || text.find_first_not_of(' ') > blank) {
+      break;
+    }
+    pieces +=
+        joint.empty() ? text.substr(0, blank) : text.substr(0, blank + 1) + std::string(joint);
+    pieces += '\n';
+    text.erase(0, blank + 1);
+    if (text.starts_with('.')) {
+      text.insert(0, "\\&");
+    }
+  }
+  return pieces + text;
+}
+
 /// A line as it is: nothing in it is a request or an escape of roff.
-std::string line(std::string_view text) {
+std::string line(std::string_view text, std::string_view joint = "") {
   std::string plain;
   if (text.starts_with('.') || text.starts_with('\'')) {
     plain = "\\&";
@@ -32,7 +58,7 @@ std::string line(std::string_view text) {
         plain += c;
     }
   }
-  return plain + "\n";
+  return folded(plain, joint) + "\n";
 }
 
 std::string heading(const ProgramWords& words, const std::string& page, const std::string& text) {
@@ -42,8 +68,9 @@ std::string heading(const ProgramWords& words, const std::string& page, const st
   if (small.ends_with('.')) {
     small.pop_back();
   }
-  return fmt::format(".TH {} 1 \"\" \"{} {}\" \"User Commands\"\n.SH NAME\n{} \\- {}", title,
-                     words.program.name, words.version, page, line(small));
+  std::string named = line(fmt::format("{} - {}", page, small));
+  return fmt::format(".TH {} 1 {} \"{} {}\" \"User Commands\"\n.SH NAME\n{}", title, kDate,
+                     words.program.name, words.version, named);
 }
 
 std::string options(const std::vector<OptionWords>& rows) {
@@ -77,7 +104,7 @@ std::string as_it_is(const std::string& text) {
   std::string body;
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t to = std::min(text.find('\n', from), text.size());
-    body += line(std::string_view(text).substr(from, to - from));
+    body += line(std::string_view(text).substr(from, to - from), "\\");
     from = to + 1;
   }
   return body.empty() ? body : ".nf\n" + body + ".fi\n";
