@@ -13,11 +13,9 @@
 #include "interpreter/source/diagnostic.h"
 #include "parts/artefacts/artefact.h"
 #include "tests/support/captured.h"
-#include "tests/support/run_program.h"
 #include "tools/cli/explain_command.h"
 #include "tools/evaluate/data_error.h"
 #include "tools/manual/entries.h"
-#include "tools/manual/pages.h"
 #include "tools/review/setup_rules.h"
 #include "tools/setup/value_words.h"
 #include "tools/study/study_keys.h"
@@ -39,7 +37,7 @@ std::string explained(const std::string& topic) {
 }
 
 bool is_known(const std::string& topic) {
-  return !explain(topic, session::default_control()).empty();
+  return !manual::explain(topic, session::default_control()).empty();
 }
 
 std::size_t count_of(const runtime::Entries& entries, std::string_view kind) {
@@ -48,7 +46,7 @@ std::size_t count_of(const runtime::Entries& entries, std::string_view kind) {
 
 /// Every row of every table: one entry, with a text, and nothing left of a format.
 TEST(Manual, HasEveryRowOfEveryTable) {
-  const runtime::Entries all = everything(session::default_control());
+  const runtime::Entries all = manual::everything(session::default_control());
   const auto fanuc_profiles = fanuc::profiles().size();
   EXPECT_EQ(count_of(all, "section of a set-up sheet"), setup::section_rows().size());
   EXPECT_EQ(count_of(all, "key of a set-up sheet"), setup::key_rows().size());
@@ -207,44 +205,6 @@ TEST(Manual, SuggestsKeysAndShapes) {
   EXPECT_NE(explained("ball_diamter").find("did you mean 'ball_diameter'?"), std::string::npos);
   EXPECT_EQ(exit_code_of_last, cli::ExitCode::BadUsage);
   EXPECT_NE(explained("spheer").find("did you mean 'sphere'?"), std::string::npos);
-}
-
-/// The committed pages are what the tables say now: `g31 explain --page NAME > docs/NAME`.
-TEST(Pages, AreWhatTheTablesSay) {
-  for (const Page& page : pages()) {
-    EXPECT_EQ(testing::text_of("docs/" + std::string(page.name)), page.make()) << page.name;
-    EXPECT_EQ(printed({.page = std::string(page.name)}), page.make());
-  }
-  EXPECT_NE(printed({.page = "nothing.md"}).find("there is no page 'nothing.md'; there are set-up"),
-            std::string::npos);
-  EXPECT_EQ(exit_code_of_last, cli::ExitCode::BadUsage);
-}
-
-/// One row of the page for each key, shape, size and code, counted by hand-made patterns.
-TEST(Pages, HaveARowForEveryRow) {
-  const std::string sheet = sheet_page();
-  const auto has_cell = [&](std::string_view name) {
-    return sheet.find("| `" + std::string(name) + "` |") != std::string::npos;
-  };
-  for (const setup::KeyRow& row : setup::key_rows()) {
-    if (row.name_form == setup::NameForm::Exact) {
-      EXPECT_TRUE(has_cell(row.name)) << row.name;
-    } else {
-      EXPECT_NE(sheet.find("| " + std::string(row.name) + " |"), std::string::npos) << row.name;
-    }
-  }
-  for (const parts::Shape& shape : parts::shapes()) {
-    EXPECT_NE(sheet.find("\n### " + std::string(shape.name) + "\n"), std::string::npos);
-  }
-  for (const parts::ShapeSize& size : parts::shape_sizes()) {
-    EXPECT_TRUE(has_cell(size.name)) << size.name;
-  }
-  const auto lines = static_cast<std::size_t>(std::ranges::count(sheet, '\n'));
-  EXPECT_GE(lines, setup::key_rows().size() + parts::shape_sizes().size());
-  const std::string codes = codes_page();
-  for (const runtime::Entry& entry : all_code_entries()) {
-    EXPECT_NE(codes.find("\n| " + entry.name + " |"), std::string::npos) << entry.name;
-  }
 }
 
 /// Numbers on both sides of each range, once more as the comments of keys.h have them.

@@ -24,8 +24,7 @@ CLI::App* add_explain_command(CLI::App& app, ExplainOptions& options) {
   auto* const page =
       explain->add_option("--page", options.page,
                           "print a page of docs as the tables make it: set-up-sheet.md, "
-                          "study-file.md, codes.md, not-simulated.md, "
-                          "schema/g31.sheet.schema.json");
+                          "codes.md, reference/cycles.md, ...; of an unknown name all are listed");
   page->type_name("NAME");
   explain->callback([topics, all, page] {
     if (topics->empty() && all->empty() && page->empty()) {

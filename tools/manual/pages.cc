@@ -6,6 +6,7 @@
 
 #include "tools/manual/entries.h"
 #include "tools/manual/markdown.h"
+#include "tools/manual/reference_pages.h"
 #include "tools/study/study_keys.h"
 
 namespace g31::manual {
@@ -17,6 +18,31 @@ constexpr auto kPages = std::to_array<Page>({
     {"study-file.md", "every key of a study file", study_page},
     {"codes.md", "every code of a message", codes_page},
     {"not-simulated.md", "what of world and controls is not there", not_simulated_page},
+    {"reference/controls.md", "what controls have otherwise", controls_page},
+    {"reference/rules.md", "every rule of g31 check", rules_page},
+    {"reference/cycles.md", "measuring cycles, other cycles, macros", cycles_page},
+    {"reference/fanuc-variables.md", "every variable of Fanuc controls",
+     [] { return reference_page("reference/fanuc-variables.md"); }},
+    {"reference/fanuc-g-codes.md", "every G and M code",
+     [] { return reference_page("reference/fanuc-g-codes.md"); }},
+    {"reference/fanuc-language.md", "every function and statement",
+     [] { return reference_page("reference/fanuc-language.md"); }},
+    {"reference/fanuc-parameters.md", "every parameter",
+     [] { return reference_page("reference/fanuc-parameters.md"); }},
+    {"reference/fanuc-alarms.md", "every alarm",
+     [] { return reference_page("reference/fanuc-alarms.md"); }},
+    {"reference/sinumerik-variables.md", "every variable of the SINUMERIK",
+     [] { return reference_page("reference/sinumerik-variables.md"); }},
+    {"reference/sinumerik-g-codes.md", "every G code",
+     [] { return reference_page("reference/sinumerik-g-codes.md"); }},
+    {"reference/sinumerik-language.md", "every word of the language",
+     [] { return reference_page("reference/sinumerik-language.md"); }},
+    {"reference/machine-data.md", "every machine and setting datum",
+     [] { return reference_page("reference/machine-data.md"); }},
+    {"reference/measuring-data.md", "every variable of the measuring cycles",
+     [] { return reference_page("reference/measuring-data.md"); }},
+    {"reference/sinumerik-alarms.md", "every alarm",
+     [] { return reference_page("reference/sinumerik-alarms.md"); }},
 });
 
 std::string fact_of(const runtime::Entry& entry, std::string_view name) {
