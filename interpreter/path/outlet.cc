@@ -18,8 +18,9 @@ source::Location Outlet::place_of(const machine::MachineFault& fault) {
   return fault.tag ? std::bit_cast<Tag>(*fault.tag).where : source::Location();
 }
 
-runtime::ProgramView Outlet::view_of(const AxisPositions& q_M) const {
-  return view_ ? view_(q_M) : runtime::ProgramView();
+runtime::ProgramView Outlet::view_of(const AxisPositions& q_M,
+                                     const AxisPositions& q_M_commanded) const {
+  return view_ ? view_(q_M, q_M_commanded) : runtime::ProgramView();
 }
 
 /// What came behind a move that ended in a fault did not take place.
@@ -40,7 +41,7 @@ std::optional<machine::MachineFault> Outlet::told(std::optional<machine::Machine
   event.move = fault->tag ? std::nullopt : move;
   event.where = fault->tag ? place_of(*fault) : move ? move->where : source::Location();
   event.contact = fault->contact;
-  event.view = view_of(fault->q_M_at);
+  event.view = view_of(fault->q_M_at, event.move ? event.move->q_M_to : fault->q_M_at);
   observer_.on_fault(event);
   return fault;
 }
@@ -120,7 +121,7 @@ Result<machine::SkipOutcome, machine::MachineFault> Outlet::move_until_skip(
 
 void Outlet::touched(runtime::TouchEvent event) {
   event.time_s = port_.time_s();
-  event.view = view_of(event.q_M_latched);
+  event.view = view_of(event.q_M_latched, event.q_M_commanded);
   observer_.on_move({31, event.q_M_stopped, event.feed_mm_min, 0.0, event.where});
   observer_.on_touch(event);
 }

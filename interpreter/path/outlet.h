@@ -21,7 +21,8 @@ class Outlet {
       : port_(port), observer_(observer) {}
 
   /// How the program sees places of the machine; without it nobody is told.
-  using View = std::function<runtime::ProgramView(const AxisPositions& q_M)>;
+  using View = std::function<runtime::ProgramView(const AxisPositions& q_M,
+                                                  const AxisPositions& q_M_commanded)>;
   void show_by(View view) { view_ = std::move(view); }
 
   /// Moves the axes along a block: at rapid with g = 0, else at feed.
@@ -62,7 +63,8 @@ class Outlet {
   std::optional<machine::MachineFault> told(
       std::optional<machine::MachineFault> fault,
       const std::optional<runtime::MoveEvent>& move = std::nullopt);
-  [[nodiscard]] runtime::ProgramView view_of(const AxisPositions& q_M) const;
+  [[nodiscard]] runtime::ProgramView view_of(const AxisPositions& q_M,
+                                             const AxisPositions& q_M_commanded) const;
   void cut();
 
   // The clock is looked at where cutting begins and ends, not at each move: what passes on has no

@@ -42,15 +42,17 @@ class BlockListener {
   virtual ~BlockListener() = default;
 
   virtual Verdict on_block(const BlockPlace& place) = 0;
-  /// A call or a return: the levels of calls from here on.
-  virtual void on_level(std::uint16_t /*depth*/) {}
+  /// A call or a return: the levels of calls from here on, and the program that they are in.
+  virtual void on_level(std::uint16_t /*depth*/, const std::string& /*program*/) {}
 
-  /// Whether on_write() is to be called; asked once, when a run begins.  One that nobody hears
-  /// costs nothing.
+  /// Whether on_write() and on_condition() are to be called; asked once, when a run begins.  What
+  /// nobody hears costs nothing.
   [[nodiscard]] virtual bool hears_writes() const { return false; }
   /// An assignment was made, whatever the value was before; or a procedure has changed the variable
   /// for its result.  Arguments of calls are none, nor frames as a whole.
   virtual void on_write(const WriteEvent&) {}
+  /// The condition of a block (IF, WHILE, UNTIL, one more pass of FOR, a row of CASE) was asked.
+  virtual void on_condition(const source::Location& /*where*/, bool /*is_met*/) {}
 };
 
 }  // namespace g31::runtime

@@ -81,10 +81,12 @@ class BlockWatch {
     return ++work_ % kWorkPerLook == 0 ? look_around() : std::nullopt;
   }
 
-  /// The program has gone down or up to another level of calls.
-  void level_changed(std::size_t depth) const {
+  /// The run has gone down or up to another level of calls.
+  /// @param name_of_program  () -> std::string; called for a listener only
+  template <typename NameOfProgram>
+  void level_changed(std::size_t depth, NameOfProgram&& name_of_program) const {
     if (listener_ != nullptr) {
-      listener_->on_level(static_cast<std::uint16_t>(depth));
+      listener_->on_level(static_cast<std::uint16_t>(depth), name_of_program());
     }
   }
 

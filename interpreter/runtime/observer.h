@@ -21,11 +21,12 @@ struct MoveEvent {
   source::Location where = {};  ///< the block that commands it
 };
 
-/// How the program that runs sees a place of the machine.
+/// How the program that runs sees a place of the machine, and where the move was to end.
 struct ProgramView {
   AxisPositions q_L = AxisPositions::Zero();  ///< work coordinates as the program writes them
-  std::optional<int> tool;                    ///< in the spindle; nullopt: no program has said
-  std::vector<CallSite> calls;                ///< of the block, innermost first
+  AxisPositions q_L_commanded = AxisPositions::Zero();  ///< of the end
+  std::optional<int> tool;      ///< in the spindle; nullopt: no program has said
+  std::vector<CallSite> calls;  ///< of the block, innermost first
 };
 
 /// One skip move and what became of it.

@@ -40,10 +40,14 @@ class Pauses final : public runtime::BlockListener {
     return place.number <= most_ || numbers_.contains(place.number) ? runtime::Verdict::Pause
                                                                     : runtime::Verdict::Run;
   }
-  void on_level(std::uint16_t depth) override { depths.push_back(depth); }
+  void on_level(std::uint16_t depth, const std::string& program) override {
+    depths.push_back(depth);
+    programs.push_back(program);
+  }
 
   runtime::BlockPlace last;
   std::vector<std::uint16_t> depths;
+  std::vector<std::string> programs;  ///< of those levels
 
  private:
   std::uint64_t most_;

@@ -38,7 +38,10 @@ class Heard final : public runtime::BlockListener {
     numbers.push_back(place.number);
     return place.number == number_ ? verdict_ : Verdict::Run;
   }
-  void on_level(std::uint16_t depth) override { levels.push_back(depth); }
+  void on_level(std::uint16_t depth, const std::string& program) override {
+    levels.push_back(depth);
+    programs.push_back(program);
+  }
 
   /// Where the blocks stand, told behind the run.
   [[nodiscard]] std::vector<int> lines(const SteppedRun& run) const {
@@ -52,6 +55,7 @@ class Heard final : public runtime::BlockListener {
   std::vector<source::Location> places;
   std::vector<int> depths;
   std::vector<int> levels;
+  std::vector<std::string> programs;  ///< of those levels
   std::vector<bool> skipped;
   std::vector<bool> shown;
   std::vector<std::uint64_t> numbers;

@@ -30,7 +30,7 @@ FILES = {
 }
 RUN = ("-s", "s.toml", "--json", "-")
 COMMANDS = (
-    ("run", "p.nc", *RUN, "--moves", "--touches", "--changes", "--print", "#500,#501"),
+    ("run", "p.nc", *RUN, "--moves", "--touches", "--blocks", "--changes", "--print", "#500,#501"),
     ("run", "missed.nc", *RUN, "--touches"),
     ("run", "p.nc", "-s", "e.toml", "--json", "-", "--allow", "PRB316"),
     ("run", "missed.nc", *RUN, "--allow", "PRB301"),
@@ -39,7 +39,7 @@ COMMANDS = (
     ("run", "alarm.nc", *RUN),
     ("run", "crash.nc", *RUN, "--moves"),
     ("run", "loop.nc", *RUN, "--max-blocks", "50"),
-    ("run", "p.mpf", *RUN, "--moves", "--touches", "--print", "R1"),
+    ("run", "p.mpf", *RUN, "--moves", "--touches", "--blocks", "--print", "R1"),
     ("explain", "G31", "probe.length", "ring", "skip", "--json"),
     ("explain", "--all", "--json"),
     ("explain", "--all", "--json", "--control", "sinumerik-828d"),

@@ -8,8 +8,8 @@
 
 #include "interpreter/analysis/program_set.h"
 #include "interpreter/analysis/static_findings.h"
-#include "interpreter/runtime/overloaded.h"
 #include "tools/disk/shipped.h"
+#include "tools/session/analysed_programs.h"
 
 namespace g31::check {
 namespace {
@@ -24,20 +24,6 @@ Control control_of(const std::string& path, source::FileSystem& files) {
   }
   return session::control_of_program(
       path, files.read_part(path, 0, session::kProgramBeginning).value_or(""));
-}
-
-std::unique_ptr<analysis::ProgramSet> programs_for(const Control& control,
-                                                   const runtime::ControlSetup& setup,
-                                                   source::SourceMap& sources) {
-  return std::visit(runtime::Overloaded{
-                        [&](const session::FanucControl& chosen) {
-                          return analysis::fanuc_programs(chosen.profile, sources);
-                        },
-                        [&](const session::SinumerikControl&) {
-                          return analysis::sinumerik_programs(sources, setup);
-                        },
-                    },
-                    control);
 }
 
 std::string shipped_for(const Control& control) {
@@ -98,7 +84,7 @@ Findings check(const Request& request, source::SourceMap& sources) {
   std::map<std::string, std::vector<analysis::Finding>> by_file;
   const std::vector<Group> groups = groups_of(request, sources.files());
   for (const Group& group : groups) {
-    auto programs = programs_for(group.control, request.setup, sources);
+    auto programs = session::analysed_programs(group.control, sources, request.setup);
     std::vector<std::string> readable;
     for (const std::string& path : group.files) {
       (programs->add_file(path) ? readable : all.unreadable).push_back(path);

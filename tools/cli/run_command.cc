@@ -1,6 +1,7 @@
 #include "tools/cli/run_command.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -71,8 +72,12 @@ session::Heard carried_out(const OpenedRun& opened) {
   budget.wall_seconds = opened.time.left_s();
   session::ProgramComments comments(opened.sources.files(), opened.prepared.control);
   session::Heard heard = session::heard(
-      session::with_findings(opened.world.findings, opened.run.session().run(budget)), comments,
-      opened.options.programs.front(), opened.options.allowed, opened.sources);
+      session::with_findings(opened.world.findings,
+                             opened.run.session().run(budget, opened.chronicle)),
+      comments, opened.options.programs.front(), opened.options.allowed, opened.sources);
+  if (opened.chronicle != nullptr) {
+    opened.chronicle->finish();
+  }
   session::place_settings(opened.prepared.job, heard.outcome.diagnostics);
   opened.recorder.missed_skips().tell_nearest(opened.prepared.job, opened.world.parts,
                                               heard.outcome.diagnostics);
@@ -208,6 +213,11 @@ Result<std::shared_ptr<report::EventLog>, Refusal> open_events(const RunOptions&
   return events.value();
 }
 
+/// What calls name the main program by.
+std::string main_name(const RunOptions& options) {
+  return std::filesystem::path(options.programs.front()).stem().string();
+}
+
 /// Opens what the run writes and does it.
 /// @param disk  that has been read from so far
 Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session::Prepared& prepared,
@@ -245,6 +255,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   Desk desk(options, sources);
   EchoingRecorder recorder(options, *printouts.value(), machine, tables.value(), output);
   recorder.tell(desk, events.value().get());
+  report::RunChronicle chronicle(main_name(options), machine, output);
   if (line.expectations.need_output()) {
     recorder.keep_output();
   }
@@ -259,10 +270,10 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   if (const auto wrong = unusable(line, *run.value(), *printouts.value())) {
     return *wrong;
   }
-  return run_to_end(
-      {options, line.prints, line.prints_all, prepared, *run.value(), machine, recorder, output,
-       time, sources, world.value(), line.expectations, inputs, disk},
-      {tables.value(), *printouts.value(), desk, events.value().get()});
+  return run_to_end({options, line.prints, line.prints_all, prepared, *run.value(), machine,
+                     recorder, options.blocks ? &chronicle : nullptr, output, time, sources,
+                     world.value(), line.expectations, inputs, disk},
+                    {tables.value(), *printouts.value(), desk, events.value().get()});
 }
 
 /// Makes a run ready and does it.

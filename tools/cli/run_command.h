@@ -39,6 +39,7 @@ struct RunOptions : session::Request {
   std::set<int> block_skip;    ///< switches that are on beside those of the sheets
   bool moves = false;
   bool touches = false;
+  bool blocks = false;               ///< calls, counts of blocks and values of variables are kept
   std::vector<std::string> allowed;  ///< codes of warnings and notes that nobody wants to hear
   source::Severity fail_on = source::Severity::Warning;  ///< least severe that counts as a finding
   runtime::Budget budget;

@@ -144,6 +144,9 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   add_desk_options(*run, options);
   run->add_flag("--moves", options.moves, "every move in the document");
   run->add_flag("--touches", options.touches, "every touch in the document");
+  run->add_flag("--blocks", options.blocks,
+                "in the document how often each block ran, every call with its time, and what "
+                "variables were given");
   run->add_option("--allow", options.allowed,
                   "a warning or note that is neither shown nor counted: PRB316; repeatable; in a "
                   "program (g31: allow PRB316 reason) or ; g31: allow PRB316 reason")

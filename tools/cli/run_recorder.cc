@@ -18,7 +18,7 @@ Keep keep_if(bool is_asked) {
 EchoingRecorder::EchoingRecorder(const RunOptions& options, Printouts& printouts,
                                  const machine::MachinePort& machine, const Tables& tables,
                                  runtime::OutputBudget& budget)
-    : RunRecorder({keep_if(options.moves), keep_if(options.touches)}, budget),
+    : RunRecorder({keep_if(options.moves), keep_if(options.touches)}, budget, &machine),
       printouts_(printouts),
       keeps_(!options.json.empty()),
       keeps_output_(keeps_),

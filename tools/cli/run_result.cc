@@ -8,6 +8,7 @@
 #include "interpreter/runtime/overloaded.h"
 #include "interpreter/source/latin_1.h"
 #include "tools/cli/write_out.h"
+#include "tools/session/analysed_programs.h"
 
 namespace g31::cli {
 namespace {
@@ -56,6 +57,14 @@ std::optional<session::Refusal> write_document(const OpenedRun& opened,
   }
 }
 
+/// What of the programs ran.
+std::vector<coverage::FileCoverage> coverage_of(const OpenedRun& opened) {
+  source::SourceMap texts(opened.sources.files());
+  const auto programs =
+      session::analysed_programs(opened.prepared.control, texts, opened.prepared.job.control);
+  return coverage::coverage_of(opened.chronicle->counts(), opened.sources, *programs, texts);
+}
+
 }  // namespace
 
 report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard) {
@@ -72,6 +81,10 @@ report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard
   result.files = opened.run.changed_files();
   result.machine_time_s = opened.machine.time_s();
   result.probe_state = probe_state_of(opened.prepared.job);
+  if (opened.chronicle != nullptr) {
+    result.chronicle = opened.chronicle;
+    result.coverage = coverage_of(opened);
+  }
   return result;
 }
 

@@ -27,6 +27,7 @@ struct OpenedRun {
   session::Run& run;
   machine::MachiningCentre& machine;
   const report::RunRecorder& recorder;
+  report::RunChronicle* chronicle = nullptr;  ///< nullptr: nobody wants it
   runtime::OutputBudget& output;
   const runtime::TimeBudget& time;
   const source::SourceMap& sources;

@@ -85,6 +85,7 @@ Json touch_json(const runtime::TouchEvent& touch, const source::SourceMap& sourc
   }
   object["time_s"] = touch.time_s;
   add_view(object, touch.view, sources);
+  object["work_commanded"] = array_of(touch.view.q_L_commanded);
   return object;
 }
 

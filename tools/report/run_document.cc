@@ -2,6 +2,8 @@
 
 #include <charconv>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -77,6 +79,85 @@ Json input_json(const InputFile& input) {
   return {{"file", input.file}, {"sha256", input.sha256}};
 }
 
+/// Moves with place and time of their ends; without a clock the time is not known.
+struct TimedMove {
+  const runtime::MoveEvent& move;
+  std::optional<double> time_s;
+};
+
+std::vector<TimedMove> timed_moves(const RunRecorder& recorder) {
+  std::vector<TimedMove> moves;
+  const std::vector<double>& times = recorder.move_times();
+  for (std::size_t i = 0; i < recorder.moves().size(); ++i) {
+    moves.push_back(
+        {recorder.moves()[i], i < times.size() ? std::optional(times[i]) : std::nullopt});
+  }
+  return moves;
+}
+
+Json timed_json(const TimedMove& timed, const source::SourceMap& sources) {
+  Json object = move_json(timed.move);
+  if (timed.time_s) {
+    object["time_s"] = *timed.time_s;
+  }
+  add_place(object, timed.move.where, sources);
+  return object;
+}
+
+Json call_json(const CallSpan& call, const source::SourceMap& sources) {
+  Json object = {{"program", call.program}, {"level", call.level}};
+  if (call.level > 0) {
+    add_place(object, call.call, sources);
+  }
+  object["time_s"] = {call.time_from_s, call.time_to_s};
+  object["blocks"] = {call.first_block, call.last_block};
+  return object;
+}
+
+Json counts_json(const coverage::FileCoverage& coverage) {
+  Json lines = Json::object();
+  for (const auto& [line, runs] : coverage.lines) {
+    lines[std::to_string(line)] = runs;
+  }
+  Json conditions = Json::object();
+  for (const auto& [line, times] : coverage.conditions) {
+    conditions[std::to_string(line)] = times;
+  }
+  return {{"file", std::filesystem::path(coverage.file).filename().string()},
+          {"lines", std::move(lines)},
+          {"conditions", std::move(conditions)}};
+}
+
+Json history_json(const VariableHistory& history) {
+  Json values = Json::array();
+  for (const auto& [time_s, value] : history.values) {
+    values.push_back(Json::array({time_s, json_of(value)}));
+  }
+  return {{"name", history.name}, {"writes", history.writes}, {"values", std::move(values)}};
+}
+
+void add_stops(const RunResult& result, const RunRecorder& recorder,
+               const source::SourceMap& sources, ObjectWriter& document) {
+  document.add_list("stops", recorder.stops(), [&](const runtime::StopEvent& stop) {
+    Json object = stop_json(stop, sources);
+    if (is_optional(stop) && !result.optional_stop) {
+      object["passed"] = true;
+    }
+    return object;
+  });
+  if (recorder.stops_left_out() > 0) {
+    document.add("stops_left_out", recorder.stops_left_out());
+  }
+}
+
+void add_chronicle(const RunResult& result, const source::SourceMap& sources,
+                   ObjectWriter& document) {
+  document.add_list("calls", result.chronicle->calls(),
+                    [&](const CallSpan& call) { return call_json(call, sources); });
+  document.add_list("counts", result.coverage, counts_json);
+  document.add_list("history", result.chronicle->histories(), history_json);
+}
+
 }  // namespace
 
 void write_run_document(const RunResult& result, const RunRecorder& recorder,
@@ -103,21 +184,15 @@ void write_run_document(const RunResult& result, const RunRecorder& recorder,
   }
   document.add_latin_1("output", recorder.output());
   document.add_latin_1("files", result.files);
-  document.add_list("stops", recorder.stops(), [&](const runtime::StopEvent& stop) {
-    Json object = stop_json(stop, sources);
-    if (is_optional(stop) && !result.optional_stop) {
-      object["passed"] = true;
-    }
-    return object;
-  });
-  if (recorder.stops_left_out() > 0) {
-    document.add("stops_left_out", recorder.stops_left_out());
-  }
+  add_stops(result, recorder, sources, document);
   if (recorder.what().moves == RecordWhat::Keep::Yes) {
-    document.add_list("moves", recorder.moves(), move_json);
+    document.add_list("moves", timed_moves(recorder), shown_by(timed_json));
   }
   if (recorder.what().touches == RecordWhat::Keep::Yes) {
     document.add_list("touches", recorder.touches(), shown_by(touch_json));
+  }
+  if (result.chronicle != nullptr) {
+    add_chronicle(result, sources, document);
   }
   if (!result.probe_state.empty()) {
     document.add("probe", {{"state", result.probe_state}});

@@ -12,8 +12,10 @@
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/shown_value.h"
 #include "interpreter/source/source_map.h"
+#include "tools/coverage/coverage.h"
 #include "tools/expect/expectation.h"
 #include "tools/report/object_writer.h"
+#include "tools/report/run_chronicle.h"
 #include "tools/report/run_recorder.h"
 #include "tools/session/heard.h"
 
@@ -49,7 +51,9 @@ struct RunResult {
   std::optional<std::vector<ValueChange>> changes;  ///< where they are asked for
   std::map<std::string, std::string_view> files;    ///< what the program wrote, by name
   double machine_time_s = 0.0;
-  std::string probe_state;  ///< what is the matter with the probe, "" for nothing
+  std::string probe_state;                  ///< what is the matter with the probe, "" for nothing
+  const RunChronicle* chronicle = nullptr;  ///< where it is asked for; outlives the result
+  std::vector<coverage::FileCoverage> coverage;  ///< of what the chronicle has counted
 };
 
 /// Writes the JSON text of schema `g31.run/1` (docs: the command-line contract), which ends in a

@@ -19,6 +19,9 @@ void RunRecorder::on_move(const runtime::MoveEvent& event) {
   missed_skips_.moved(event);
   if (what_.moves == RecordWhat::Keep::Yes && budget_.charge(Output::Moves, kMoveBytes)) {
     moves_.push_back(event);
+    if (clock_ != nullptr) {
+      move_times_.push_back(clock_->time_s());
+    }
   }
 }
 
@@ -26,6 +29,7 @@ void RunRecorder::on_moves_undone(std::uint64_t count) {
   if (what_.moves == RecordWhat::Keep::Yes) {
     const auto fewer = std::min(static_cast<std::size_t>(count), moves_.size());
     moves_.resize(moves_.size() - fewer);
+    move_times_.resize(std::min(moves_.size(), move_times_.size()));
     budget_.give_back(Output::Moves, fewer * kMoveBytes);
   }
 }

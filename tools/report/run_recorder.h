@@ -8,6 +8,7 @@
 
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/output_budget.h"
+#include "machine/port/machine_port.h"
 #include "tools/session/missed_skips.h"
 
 namespace g31::report {
@@ -26,7 +27,10 @@ class RunRecorder : public runtime::Observer {
   static constexpr std::size_t kMostStops = 10000;
 
   /// @param budget  is charged for what is kept; outlives the recorder
-  RunRecorder(RecordWhat what, runtime::OutputBudget& budget) : what_(what), budget_(budget) {}
+  /// @param clock   knows when a move has ended; outlives the recorder; nullptr: nobody does
+  RunRecorder(RecordWhat what, runtime::OutputBudget& budget,
+              const machine::MachinePort* clock = nullptr)
+      : what_(what), budget_(budget), clock_(clock) {}
 
   void on_move(const runtime::MoveEvent& event) override;
   void on_moves_undone(std::uint64_t count) override;
@@ -37,6 +41,9 @@ class RunRecorder : public runtime::Observer {
 
   [[nodiscard]] const RecordWhat& what() const { return what_; }
   [[nodiscard]] const std::vector<runtime::MoveEvent>& moves() const { return moves_; }
+  /// Machine time at the end of each move, s, as if the axes came to rest there; empty without a
+  /// clock.
+  [[nodiscard]] const std::vector<double>& move_times() const { return move_times_; }
   [[nodiscard]] const std::vector<runtime::TouchEvent>& touches() const { return touches_; }
   [[nodiscard]] const std::vector<runtime::StopEvent>& stops() const { return stops_; }
   /// The move that did not end.
@@ -54,7 +61,9 @@ class RunRecorder : public runtime::Observer {
  private:
   RecordWhat what_;
   runtime::OutputBudget& budget_;
+  const machine::MachinePort* clock_;
   std::vector<runtime::MoveEvent> moves_;
+  std::vector<double> move_times_;
   std::vector<runtime::TouchEvent> touches_;
   std::vector<runtime::StopEvent> stops_;
   std::size_t stops_left_out_ = 0;

@@ -37,8 +37,9 @@ class Session {
   /// What became of the run, which ends here if it stands at a pause.
   virtual runtime::Outcome finish() = 0;
   /// All of it at once.
-  runtime::Outcome run(const runtime::Budget& budget) {
-    begin(budget, nullptr);
+  /// @param listener  as there; pauses nowhere
+  runtime::Outcome run(const runtime::Budget& budget, runtime::BlockListener* listener = nullptr) {
+    begin(budget, listener);
     advance();
     return finish();
   }

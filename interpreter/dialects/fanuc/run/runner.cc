@@ -22,8 +22,10 @@ Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::Machine
     : library_(library), control_(profile, port, observer, system_) {
   system_.attach(control_);
   control_.here = [this] { return location_of(frame()); };
-  control_.outlet.show_by([this](const AxisPositions& q_M) {
-    return runtime::ProgramView{control_.coordinates.to_program(q_M), control_.tool, call_stack()};
+  control_.outlet.show_by([this](const AxisPositions& q_M, const AxisPositions& q_M_commanded) {
+    return runtime::ProgramView{control_.coordinates.to_program(q_M),
+                                control_.coordinates.to_program(q_M_commanded), control_.tool,
+                                call_stack()};
   });
 }
 
@@ -103,7 +105,8 @@ MaybeFailure Runner::loop() {
     }
     const bool is_followed =
         control_.touches.missed.any() || (is_watched && control_.watch.write_listener() != nullptr);
-    const bool is_plain = !is_followed || next.kind != BlockKind::Assign;
+    const BlockKind kind = next.kind;
+    const bool is_plain = !is_followed || kind != BlockKind::Assign;
     if (is_plain && fast_step(next, now)) {
       if (control_.evaluator.failed()) [[unlikely]] {
         return from_evaluation();
@@ -111,8 +114,23 @@ MaybeFailure Runner::loop() {
     } else if (auto failure = rare_step(next)) {
       return failure;
     }
+    if (is_watched) [[unlikely]] {
+      tell_condition(kind);
+    }
   }
   return std::nullopt;
+}
+
+/// Tells a listener what became of the condition of the block that has run, if it has one.
+void Runner::tell_condition(syntax::BlockKind kind) const {
+  runtime::BlockListener* const listener = control_.watch.write_listener();
+  const bool is_jump = kind == BlockKind::IfGoto;
+  if (listener == nullptr || (!is_jump && kind != BlockKind::IfThen && kind != BlockKind::While)) {
+    return;
+  }
+  const Frame& now = frames_.back();
+  const bool goes_on = now.step == now.current + 1;
+  listener->on_condition(location_of(now), goes_on != is_jump);
 }
 
 /// The block of the step that comes next.

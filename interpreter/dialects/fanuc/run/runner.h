@@ -105,6 +105,7 @@ class Runner {
   // runner.cc: the loop
   MaybeFailure loop();
   [[nodiscard]] runtime::BlockPlace next_place() const;
+  void tell_condition(syntax::BlockKind kind) const;
   bool fast_step(const Step& step, Frame& now);
   MaybeFailure rare_step(const Step& step);
   MaybeFailure set_names(const Step& step);

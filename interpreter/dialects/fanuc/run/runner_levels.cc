@@ -53,7 +53,7 @@ MaybeFailure Runner::enter(const Entry& entry) {
   level.modal_calls = frame().modal_calls;
   frames_.push_back(std::move(level));
   control_.modal.word('O') = entry.program->number;
-  control_.watch.level_changed(frames_.size() - 1);
+  control_.watch.level_changed(frames_.size() - 1, [&] { return name_of(*frame().program); });
   return std::nullopt;
 }
 
@@ -225,7 +225,7 @@ MaybeFailure Runner::return_from_call() {
     }
     frames_.pop_back();
     control_.modal.word('O') = frame().program->number;
-    control_.watch.level_changed(frames_.size() - 1);
+    control_.watch.level_changed(frames_.size() - 1, [&] { return name_of(*frame().program); });
   }
   if (p == nullptr) {
     return std::nullopt;

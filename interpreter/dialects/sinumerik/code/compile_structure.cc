@@ -83,7 +83,7 @@ bool Compiler::jumps_behind() const {
 void Compiler::if_statement() {
   const bool is_jump = jumps_behind();
   const Expr condition = boolean(expression());
-  const std::int32_t step = code_.emit(OpCode::JumpIfNot, {}, condition.value, {}, condition.where);
+  const std::int32_t step = code_.emit(OpCode::JumpIfNot, {}, condition.value, {}, block_);
   if (!failed() && jump_statement()) {
     set_target(step, code_.here());
     return;
@@ -217,7 +217,7 @@ void Compiler::while_statement() {
       code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block_);
   const Expr condition = boolean(expression());
   expect_end();
-  const std::int32_t exit = code_.emit(OpCode::JumpIfNot, {}, condition.value, {}, condition.where);
+  const std::int32_t exit = code_.emit(OpCode::JumpIfNot, {}, condition.value, {}, block_);
   open(StructureKind::While, head, exit);
 }
 
@@ -247,8 +247,7 @@ void Compiler::until_statement() {
   const Expr condition = boolean(expression());
   expect_end();
   if (const auto loop = close_loop(StructureKind::Repeat)) {
-    code_.emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head + 1},
-               condition.where);
+    code_.emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head + 1}, block_);
   }
 }
 
@@ -330,7 +329,7 @@ void Compiler::case_statement() {
       return;
     }
     const Expr equal = compare(OpCode::Equal, value, wanted, wanted.where);
-    const std::int32_t past = code_.emit(OpCode::JumpIfNot, {}, equal.value, {}, wanted.where);
+    const std::int32_t past = code_.emit(OpCode::JumpIfNot, {}, equal.value, {}, block_);
     if (!failed() && !jump_statement()) {
       fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
     }

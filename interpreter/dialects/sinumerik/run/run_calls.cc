@@ -180,7 +180,7 @@ MaybeFailure Runner::enter(const CompiledProgram& program, const std::vector<Bou
     save_codes(into);
   }
   ++depth_;
-  channel_.watch.level_changed(depth_);
+  channel_.watch.level_changed(depth_, [&] { return levels_[depth_]->program->name; });
   use_level();
   return std::nullopt;
 }
@@ -278,7 +278,7 @@ void Runner::leave_level() {
     modal_call_.reset();
   }
   --depth_;
-  channel_.watch.level_changed(depth_);
+  channel_.watch.level_changed(depth_, [&] { return levels_[depth_]->program->name; });
 }
 
 MaybeFailure Runner::go_on_at(const ReturnTarget& target) {

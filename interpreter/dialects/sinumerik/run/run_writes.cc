@@ -41,6 +41,9 @@ MaybeFailure Runner::heard_loop(runtime::BlockListener& listener) {
     for (WrittenValue& value : written) {
       value.before = value_now(value, op);
     }
+    if (op.code == OpCode::JumpIfNot) {
+      listener.on_condition(where, number(op.a) != 0.0);
+    }
     if (MaybeFailure reason = any_step(op)) {
       return reason;
     }

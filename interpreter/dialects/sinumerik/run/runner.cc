@@ -22,8 +22,9 @@ Runner::Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::
       frame_temporaries_(kTemporaryCount) {
   levels_.push_back(std::make_unique<Level>());
   channel_.here = [this] { return here(); };
-  channel_.outlet.show_by([this](const AxisPositions& q_M) {
-    return runtime::ProgramView{channel_.to_work(q_M), channel_.tool, calls_of(depth_)};
+  channel_.outlet.show_by([this](const AxisPositions& q_M, const AxisPositions& q_M_commanded) {
+    return runtime::ProgramView{channel_.to_work(q_M), channel_.to_work(q_M_commanded),
+                                channel_.tool, calls_of(depth_)};
   });
 }
 

@@ -1,0 +1,97 @@
+#include "tools/report/run_chronicle.h"
+
+namespace g31::report {
+namespace {
+
+// What an entry of a list of the document takes, about.
+constexpr std::uint64_t kCallBytes = 160;
+constexpr std::uint64_t kValueBytes = 32;
+constexpr std::uint64_t kBlockBytes = 16;
+
+/// Leaves every second value out.
+void thin(VariableHistory& history) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < history.values.size(); i += 2) {
+    history.values[kept++] = std::move(history.values[i]);
+  }
+  history.values.resize(kept);
+  history.stride *= 2;
+}
+
+}  // namespace
+
+RunChronicle::RunChronicle(std::string main, const machine::MachinePort& clock,
+                           runtime::OutputBudget& budget)
+    : clock_(clock), budget_(budget) {
+  open(0, main);
+}
+
+runtime::Verdict RunChronicle::on_block(const runtime::BlockPlace& place) {
+  block_ = place.where;
+  number_ = place.number;
+  const std::size_t known = counts_.blocks().size();
+  if (!place.is_skipped) {
+    counts_.add(place.where);
+  }
+  if (counts_.blocks().size() > known) {
+    budget_.charge(runtime::Output::Blocks, kBlockBytes);
+  }
+  return runtime::Verdict::Run;
+}
+
+void RunChronicle::on_level(std::uint16_t depth, const std::string& program) {
+  if (depth < open_.size()) {
+    close_to(std::size_t{depth} + 1);
+  } else {
+    open(depth, program);
+  }
+}
+
+void RunChronicle::on_write(const runtime::WriteEvent& event) {
+  const auto [found, is_new] = known_.try_emplace(event.name, histories_.size());
+  if (is_new) {
+    histories_.push_back({event.name, 0, {}, 1, {}, 0});
+  }
+  VariableHistory& history = histories_[found->second];
+  // The last value is always there; the next write takes its place unless it is a stride's.
+  const bool stays = history.writes == 0 || (history.writes - 1) % history.stride == 0;
+  if (!stays) {
+    history.values.pop_back();
+  } else if (!budget_.charge(runtime::Output::History, kValueBytes)) {
+    return;
+  }
+  ++history.writes;
+  history.last_write = event.where;
+  history.last_block = number_;
+  history.values.emplace_back(clock_.time_s(), event.now);
+  if (history.values.size() > VariableHistory::kMostValues) {
+    thin(history);
+  }
+}
+
+void RunChronicle::on_condition(const source::Location& where, bool is_met) {
+  counts_.add_condition(where, is_met);
+}
+
+void RunChronicle::finish() {
+  close_to(0);
+}
+
+void RunChronicle::open(std::uint16_t level, const std::string& program) {
+  if (budget_.charge(runtime::Output::Calls, kCallBytes)) {
+    const double now_s = clock_.time_s();
+    open_.push_back(calls_.size());
+    calls_.push_back({program, level, block_, now_s, now_s, number_, number_});
+  }
+}
+
+void RunChronicle::close_to(std::size_t levels) {
+  while (open_.size() > levels) {
+    CallSpan& call = calls_[open_.back()];
+    call.time_to_s = clock_.time_s();
+    call.last_block = number_;
+    open_.pop_back();
+  }
+}
+
+}  // namespace g31::report
