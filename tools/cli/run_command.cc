@@ -13,6 +13,7 @@
 #include "tools/cli/messages.h"
 #include "tools/cli/printouts.h"
 #include "tools/cli/run_expectations.h"
+#include "tools/cli/run_page.h"
 #include "tools/cli/run_recorder.h"
 #include "tools/cli/run_refusal.h"
 #include "tools/cli/run_result.h"
@@ -20,6 +21,7 @@
 #include "tools/cli/run_tables.h"
 #include "tools/cli/run_verdict.h"
 #include "tools/disk/disk.h"
+#include "tools/picture/tip.h"
 #include "tools/report/event_log.h"
 #include "tools/session/sheet_places.h"
 #include "tools/session/world.h"
@@ -62,6 +64,9 @@ Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& jo
     return expectations.error();
   }
   checked.expectations = expectations.value();
+  if (const auto wrong = wrong_report(options)) {
+    return *wrong;
+  }
   return checked;
 }
 
@@ -140,6 +145,11 @@ std::vector<Refusal> deliver_all(const OpenedRun& opened, const Outputs& outputs
   std::vector<Refusal> problems;
   if (const auto wrong = deliver(opened, result)) {
     problems.push_back(*wrong);
+  }
+  if (!opened.options.report.empty()) {
+    if (const auto wrong = deliver_page(opened, result)) {
+      problems.push_back(*wrong);
+    }
   }
   if (outputs.events != nullptr) {
     if (const auto wrong = outputs.events->finish(result, opened.recorder.touch_count())) {
@@ -224,7 +234,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
                                        const Checked& line, RememberingDisk& disk) {
   const setup::Job& job = prepared.job;
   RunInputs inputs;
-  if (!options.json.empty()) {
+  if (!options.json.empty() || !options.report.empty()) {
     inputs.add(options);
     inputs.add(job);
   }
@@ -263,7 +273,10 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   if (tables.value().trace != nullptr) {
     machine.trace(line.trace_period_s, *tables.value().trace);
   }
-  const auto run = session::Run::open(job, *programs.value(), machine, recorder);
+  picture::WayRecorder ways(machine, job.machine, picture::tip_of(job), output);
+  machine::MachinePort& port =
+      options.report.empty() ? static_cast<machine::MachinePort&>(machine) : ways;
+  const auto run = session::Run::open(job, *programs.value(), port, recorder);
   if (!run) {
     return run.error();
   }
@@ -271,7 +284,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
     return *wrong;
   }
   return run_to_end({options, line.prints, line.prints_all, prepared, *run.value(), machine,
-                     recorder, options.blocks ? &chronicle : nullptr, output, time, sources,
+                     recorder, options.blocks ? &chronicle : nullptr, ways, output, time, sources,
                      world.value(), line.expectations, inputs, disk},
                     {tables.value(), *printouts.value(), desk, events.value().get()});
 }
@@ -296,7 +309,13 @@ Result<ExitCode, Refusal> do_run(const RunOptions& options) {
 
 }  // namespace
 
-ExitCode run_command(const RunOptions& options) {
+ExitCode run_command(const RunOptions& given) {
+  RunOptions options = given;
+  if (!options.report.empty()) {
+    options.moves = true;
+    options.touches = true;
+    options.blocks = true;
+  }
   return run_or_tell(options, [&] { return do_run(options); });
 }
 

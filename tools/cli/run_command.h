@@ -7,6 +7,7 @@
 
 #include "interpreter/runtime/outcome.h"
 #include "tools/cli/exit_code.h"
+#include "tools/page/language.h"
 #include "tools/session/prepare.h"
 
 namespace g31::cli {
@@ -30,8 +31,10 @@ struct RunOptions : session::Request {
   double printer_wait_s = 30.0;  ///< how long the printer may keep the program waiting at a time
   std::string trace;             ///< file of sampled positions, "" for none
   std::string readings;          ///< file of what sensors read at stops, "" for none
-  std::string trace_period = "1ms";  ///< as parse_duration takes it
-  std::string jsonl;                 ///< file of events, "-" for standard output, "" for none
+  std::string trace_period = "1ms";                   ///< as parse_duration takes it
+  std::string report;                                 ///< HTML file, "" for none
+  page::Language language = page::Language::English;  ///< of the report
+  std::string jsonl;  ///< file of events, "-" for standard output, "" for none
   Talk talk = Talk::Usual;
   bool no_colour = false;
   bool changes = false;        ///< what the run has changed is told
@@ -48,6 +51,7 @@ struct RunOptions : session::Request {
 
 /// Runs a program and reports: to standard output or the printer what it prints, standard error
 /// what is wrong.
-ExitCode run_command(const RunOptions& options);
+/// A report shows all that the document can have, and so all of it is kept.
+ExitCode run_command(const RunOptions& given);
 
 }  // namespace g31::cli

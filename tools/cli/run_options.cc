@@ -10,6 +10,7 @@
 
 #include "interpreter/source/diagnostic.h"
 #include "tools/cli/control_and_level_options.h"
+#include "tools/cli/report_options.h"
 #include "tools/setup/byte_count.h"
 
 namespace g31::cli {
@@ -121,6 +122,7 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->allow_extra_args(false);
   run->add_option("--json", options.json, "result document; - is standard output")
       ->type_name("FILE");
+  add_report_options(*run, options.report, options.language);
   run->add_option("--expect", options.expects,
                   "what a variable is to be at the end, #160=19.998+-0.001 or #7=vacant; else exit "
                   "code 1; repeatable, [expect] of a sheet says more")
@@ -178,6 +180,7 @@ std::string run_examples() {
          "  g31 run part.arc SUB.SPF -s machine.toml --lib cycles\n"
          "  g31 run step.nc -s bed.toml --readings bed.csv\n"
          "  g31 run part.nc -s machine.toml --expect '#160=19.998+-0.001' --json result.json\n"
+         "  g31 run part.nc -s machine.toml --report part.html\n"
          "  g31 run part.nc -s machine.toml --printer printout.txt\n"
          "  g31 run part.nc -s machine.toml --printer /dev/ttyS0,4800,e,7,2\n\n"
          "A printer at a line, as a control feeds it (more in macros/README.md):\n"

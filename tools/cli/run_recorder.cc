@@ -20,7 +20,7 @@ EchoingRecorder::EchoingRecorder(const RunOptions& options, Printouts& printouts
                                  runtime::OutputBudget& budget)
     : RunRecorder({keep_if(options.moves), keep_if(options.touches)}, budget, &machine),
       printouts_(printouts),
-      keeps_(!options.json.empty()),
+      keeps_(!options.json.empty() || !options.report.empty()),
       keeps_output_(keeps_),
       machine_(machine),
       readings_(tables.readings.get()) {}

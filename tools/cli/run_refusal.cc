@@ -124,7 +124,7 @@ std::optional<session::Refusal> write_refusal_events(const RunOptions& options,
 bool may_be_replaced(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
-  if (!fs::is_regular_file(path, error) || path.ends_with(".json") ||
+  if (!fs::is_regular_file(path, error) || path.ends_with(".json") || path.ends_with(".html") ||
       fs::file_size(path, error) == 0) {
     return true;
   }
@@ -161,18 +161,21 @@ std::optional<session::Refusal> wrong_place_of(const RunOptions& options) {
   }
   return wrong_place({{"--json", options.json},
                       {"--jsonl", options.jsonl},
+                      {"--report", options.report},
                       {"--trace", options.trace},
                       {"--readings", options.readings},
                       {"--printer", options.printer}},
                      {options.programs, options.setups});
 }
 
-/// Takes the document of an earlier run away.
-void remove_old_document(const RunOptions& options) {
-  std::error_code error;
-  if (std::filesystem::is_regular_file(std::filesystem::symlink_status(options.json, error)) &&
-      may_be_replaced(options.json)) {
-    std::filesystem::remove(options.json, error);
+/// Takes document and report of an earlier run away.
+void remove_old_results(const RunOptions& options) {
+  for (const std::string& path : {options.json, options.report}) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path, error)) &&
+        may_be_replaced(path)) {
+      std::filesystem::remove(path, error);
+    }
   }
 }
 
@@ -198,7 +201,7 @@ ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
   if (const auto wrong = wrong_place_of(options)) {
     return refuse(*wrong);
   }
-  remove_old_document(options);
+  remove_old_results(options);
   try {
     const auto done = work();
     return done ? done.value() : tell(options, done.error());

@@ -9,6 +9,7 @@
 #include "tools/cli/run_command.h"
 #include "tools/cli/run_inputs.h"
 #include "tools/expect/expectation.h"
+#include "tools/picture/way_recorder.h"
 #include "tools/report/run_document.h"
 #include "tools/report/run_recorder.h"
 #include "tools/session/heard.h"
@@ -28,6 +29,7 @@ struct OpenedRun {
   machine::MachiningCentre& machine;
   const report::RunRecorder& recorder;
   report::RunChronicle* chronicle = nullptr;  ///< nullptr: nobody wants it
+  const picture::WayRecorder& ways;           ///< of the ball; none unless a report is wanted
   runtime::OutputBudget& output;
   const runtime::TimeBudget& time;
   const source::SourceMap& sources;

@@ -30,6 +30,19 @@ fs::path root_by_program() {
   return {};
 }
 
+/// What a build makes lies in share/g31 of the build folder; the source tree does not have it.
+fs::path built_folder(const std::string& name) {
+  std::error_code error;
+  fs::path above = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (int levels = 0; levels < 4 && above.has_parent_path();
+       ++levels, above = above.parent_path()) {
+    if (fs::is_directory(above / "share" / "g31" / name, error)) {
+      return above / "share" / "g31" / name;
+    }
+  }
+  return {};
+}
+
 fs::path root() {
   if (const char* const home = std::getenv("G31_HOME")) {
     return home;
@@ -43,7 +56,11 @@ fs::path root() {
 std::optional<std::string> shipped_folder(const std::string& name) {
   const fs::path folder = root() / name;
   std::error_code error;
-  return fs::is_directory(folder, error) ? std::optional(folder.string()) : std::nullopt;
+  if (fs::is_directory(folder, error)) {
+    return folder.string();
+  }
+  const fs::path built = built_folder(name);
+  return built.empty() ? std::nullopt : std::optional(built.string());
 }
 
 std::string shipped_name(const std::string& name) {

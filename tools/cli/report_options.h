@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "tools/page/language.h"
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace g31::cli {
+
+/// --report and --lang of every command that shows what it found as a page.
+void add_report_options(CLI::App& command, std::string& report, page::Language& language);
+
+}  // namespace g31::cli

@@ -1,0 +1,177 @@
+#include "tools/page/charts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "tools/page/html.h"
+
+namespace g31::page {
+namespace {
+
+constexpr double kWidth = 560.0;
+constexpr double kHeight = 220.0;
+constexpr double kLeft = 64.0;
+constexpr double kRight = 16.0;
+constexpr double kTop = 14.0;
+constexpr double kBottom = 30.0;
+
+/// What values a drawing must show, a little more on both sides.
+struct Span {
+  double least = 0.0;
+  double most = 0.0;
+
+  explicit Span(const Readings& readings) {
+    std::vector<double> all = readings.values;
+    all.insert(all.end(), readings.published.begin(), readings.published.end());
+    if (readings.known) {
+      all.push_back(*readings.known);
+    }
+    if (readings.mean && readings.deviation) {
+      all.push_back(*readings.mean - 2.0 * *readings.deviation);
+      all.push_back(*readings.mean + 2.0 * *readings.deviation);
+    }
+    const auto [low, high] = std::ranges::minmax(all);
+    const double room = high > low ? (high - low) * 0.06 : std::max(std::abs(high) * 1e-6, 1e-6);
+    least = low - room;
+    most = high + room;
+  }
+  [[nodiscard]] double share(double value) const { return (value - least) / (most - least); }
+};
+
+/// Decimals that tell two ends of a span apart.
+int decimals_for(const Span& span) {
+  return std::clamp(static_cast<int>(std::ceil(1.5 - std::log10(span.most - span.least))), 0, 9);
+}
+
+std::string text(double x, double y, std::string_view anchor, std::string_view words,
+                 std::string_view colour = "--ink2") {
+  return fmt::format(
+      R"html(<text x="{:.1f}" y="{:.1f}" font-size="11" text-anchor="{}" fill="var({})">{}</text>)html",
+      x, y, anchor, colour, escaped(words));
+}
+
+std::string opened_svg(std::string_view label) {
+  return fmt::format(R"(<svg class="fig" viewBox="0 0 {} {}" role="img" aria-label="{}">)", kWidth,
+                     kHeight, escaped(label));
+}
+
+std::string labelled(const Readings& readings, std::string_view what, const Span& span) {
+  const int decimals = decimals_for(span);
+  std::string label = fmt::format("{} of {} readings", what, readings.values.size());
+  if (readings.mean) {
+    label += fmt::format(", mean {} {}", number(readings.mean, decimals), readings.unit);
+  }
+  if (readings.known) {
+    label += fmt::format(", known value {}", number(readings.known, decimals));
+  }
+  return label;
+}
+
+/// A line across the drawing for what is known or was published.
+std::string mark(double x1, double y1, double x2, double y2, std::string_view colour,
+                 std::string_view dashes) {
+  return fmt::format(
+      R"html(<path d="M{:.1f} {:.1f}L{:.1f} {:.1f}" stroke="var({})" stroke-width="1.6"{}/>)html",
+      x1, y1, x2, y2, colour,
+      dashes.empty() ? std::string() : fmt::format(R"( stroke-dasharray="{}")", dashes));
+}
+
+std::vector<std::size_t> counted(const Readings& readings, const Span& span) {
+  const auto classes = static_cast<std::size_t>(
+      std::clamp(std::sqrt(static_cast<double>(readings.values.size())), 5.0, 40.0));
+  std::vector<std::size_t> counts(classes, 0);
+  for (const double value : readings.values) {
+    const auto at = static_cast<std::size_t>(span.share(value) * static_cast<double>(classes));
+    ++counts[std::min(at, classes - 1)];
+  }
+  return counts;
+}
+
+}  // namespace
+
+std::string histogram(const Readings& readings) {
+  if (readings.values.empty()) {
+    return {};
+  }
+  const Span span(readings);
+  const auto x = [&](double value) {
+    return kLeft + span.share(value) * (kWidth - kLeft - kRight);
+  };
+  const std::vector<std::size_t> counts = counted(readings, span);
+  const double most = static_cast<double>(std::ranges::max(counts));
+  const double floor = kHeight - kBottom;
+  const double step = (kWidth - kLeft - kRight) / static_cast<double>(counts.size());
+  std::string svg = opened_svg(labelled(readings, "histogram", span));
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double height = static_cast<double>(counts[i]) / most * (floor - kTop);
+    svg += fmt::format(
+        R"html(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="var(--mat3)"/>)html",
+        kLeft + static_cast<double>(i) * step + 0.5, floor - height, std::max(step - 1.0, 0.5),
+        height);
+  }
+  svg += mark(kLeft, floor, kWidth - kRight, floor, "--ink3", "");
+  svg += text(kLeft - 6.0, kTop + 8.0, "end", fmt::format("{:.0f}", most)) +
+         text(kLeft - 6.0, floor, "end", "0");
+  if (readings.known) {
+    svg += mark(x(*readings.known), kTop, x(*readings.known), floor, "--accent", "");
+  }
+  for (const double value : readings.published) {
+    svg += mark(x(value), kTop, x(value), floor, "--warn", "5 3");
+  }
+  if (readings.mean) {
+    svg += mark(x(*readings.mean), kTop, x(*readings.mean), floor, "--ink", "2 2");
+  }
+  const int decimals = decimals_for(span);
+  svg += text(kLeft, kHeight - 10.0, "start", number(span.least, decimals)) +
+         text(kWidth - kRight, kHeight - 10.0, "end",
+              fmt::format("{} {}", number(span.most, decimals), readings.unit));
+  return svg + "</svg>";
+}
+
+std::string run_chart(const Readings& readings) {
+  if (readings.values.empty()) {
+    return {};
+  }
+  const Span span(readings);
+  const auto y = [&](double value) {
+    return kHeight - kBottom - span.share(value) * (kHeight - kBottom - kTop);
+  };
+  const double count = static_cast<double>(readings.values.size());
+  const auto x = [&](std::size_t i) {
+    return kLeft + (static_cast<double>(i) + 0.5) / count * (kWidth - kLeft - kRight);
+  };
+  std::string svg = opened_svg(labelled(readings, "run chart", span));
+  if (readings.mean && readings.deviation) {
+    const double top = y(*readings.mean + 2.0 * *readings.deviation);
+    const double bottom = y(*readings.mean - 2.0 * *readings.deviation);
+    svg += fmt::format(
+        R"html(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="var(--mat)"/>)html",
+        kLeft, top, kWidth - kLeft - kRight, bottom - top);
+    svg += mark(kLeft, y(*readings.mean), kWidth - kRight, y(*readings.mean), "--ink", "2 2");
+  }
+  if (readings.known) {
+    svg += mark(kLeft, y(*readings.known), kWidth - kRight, y(*readings.known), "--accent", "");
+  }
+  for (const double value : readings.published) {
+    svg += mark(kLeft, y(value), kWidth - kRight, y(value), "--warn", "5 3");
+  }
+  constexpr std::size_t kMostPoints = 2000;
+  const std::size_t stride = (readings.values.size() + kMostPoints - 1) / kMostPoints;
+  std::string dots;
+  for (std::size_t i = 0; i < readings.values.size(); i += stride) {
+    dots += fmt::format("M{:.1f} {:.1f}h0", x(i), y(readings.values[i]));
+  }
+  svg += fmt::format(
+      R"html(<path d="{}" stroke="var(--feed)" stroke-width="4" stroke-linecap="round"/>)html",
+      dots);
+  const int decimals = decimals_for(span);
+  svg += text(kLeft - 6.0, kTop + 8.0, "end", number(span.most, decimals)) +
+         text(kLeft - 6.0, kHeight - kBottom, "end", number(span.least, decimals)) +
+         text(kLeft, kHeight - 10.0, "start", "1") +
+         text(kWidth - kRight, kHeight - 10.0, "end", fmt::format("{:.0f}", count));
+  return svg + "</svg>";
+}
+
+}  // namespace g31::page

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/evaluate/evaluation.h"
+#include "tools/page/report.h"
+#include "tools/study/record.h"
+
+namespace g31::page {
+
+/// What pages of all commands say of how they were made.
+struct Making {
+  std::string version;  ///< of g31
+  std::string command;  ///< that repeats it
+  std::vector<Input> inputs;
+  Language language = Language::English;
+  int exit_code = 0;
+};
+
+/// @param file      that was evaluated, without its folder
+/// @param document  of the evaluation
+Report report_of(const evaluate::Evaluation& evaluation, const std::string& file,
+                 const std::string& document, const Making& making);
+
+/// Of each result at each point a histogram, a run chart and its statistics, beside them what is
+/// known and what was published.  The first kMostCharts of them are drawn; the table has all.
+/// @param document  of the study
+Report report_of(const study::Record& record, const std::string& document, const Making& making);
+
+inline constexpr std::size_t kMostCharts = 24;
+
+}  // namespace g31::page

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tools/page/report.h"
+
+// The parts of a page as HTML, each of the report alone; "" where the report has nothing for it.
+
+namespace g31::page {
+
+std::string summary_part(const Report& report);
+std::string ending_part(const Report& report);
+std::string results_part(const Report& report);
+/// Frames of plan, scene and time line, which the script draws.
+std::string motion_part(const Report& report);
+std::string drawings_part(const Report& report);
+std::string touches_part(const Report& report);
+std::string listing_part(const Report& report);
+std::string variables_part(const Report& report);
+std::string inputs_part(const Report& report);
+
+/// A table or a file of more rows than this is filled in by the script, as far as it is seen.
+inline constexpr std::size_t kMostRows = 2000;
+
+// What several parts need.
+
+inline std::string_view word(const Report& report, Word word) {
+  return text_of(word, report.language);
+}
+/// A link to a line of the listing; "" for no place.
+std::string link_to(const Place& place);
+/// A button that chooses a touch.
+std::string badge_of(std::size_t touch);
+
+}  // namespace g31::page

@@ -1,0 +1,157 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interpreter/source/diagnostic.h"
+#include "tools/page/language.h"
+
+namespace g31::page {
+
+/// A place in a program that the page can show; line 0: none.
+struct Place {
+  std::string file;  ///< without its folder
+  int line = 0;
+};
+
+/// How it ended, for the sign beside the headline.
+enum class Sign : std::uint8_t {
+  Good,
+  Bad,     ///< ran to its end, and something is not as it should be
+  Broken,  ///< did not come to its end
+};
+
+/// The answer first.
+struct Verdict {
+  Sign sign = Sign::Good;
+  std::string state;     ///< in two or three words
+  std::string headline;  ///< a sentence
+  std::string sentence;  ///< why
+};
+
+/// What is to be looked at.
+struct Finding {
+  source::Severity severity = source::Severity::Note;
+  std::string code;
+  std::string text;
+  Place place;
+  std::size_t touch = 0;  ///< its number; 0: none
+};
+
+struct Frame {
+  std::string program;
+  Place place;
+  std::string text;  ///< of the block
+};
+
+/// Where a run ended before its time.
+struct Ending {
+  std::string title;
+  std::vector<Frame> stack;  ///< innermost first
+  std::vector<std::pair<std::string, std::string>> variables;
+  std::vector<std::pair<std::string, std::string>> facts;  ///< positions, what met what
+};
+
+/// One row of the table of results; lengths and all else in the unit of the variable.
+struct Characteristic {
+  std::string name;      ///< for people
+  std::string variable;  ///< "_OVR[4]"
+  std::optional<double> nominal;
+  std::array<double, 2> tolerance = {0.0, 0.0};  ///< lower, upper, from the nominal
+  std::optional<double> measured;                ///< nullopt: not reached
+  std::optional<double> true_size;               ///< of the simulated part, where it is known
+  std::vector<std::size_t> touches;              ///< numbers
+};
+
+/// One skip move.
+struct TouchRow {
+  std::string block;  ///< "G31", "MEAS"
+  Place place;
+  double time_s = 0.0;
+  double feed = 0.0;
+  bool is_triggered = false;
+  std::array<double, 3> commanded = {};  ///< work coordinates
+  std::array<double, 3> latched = {};
+  std::string part;                              ///< "": none
+  std::optional<std::array<double, 3>> contact;  ///< in the frame of the part
+  std::optional<double> deviation_mm;            ///< how much too deep the ball was latched
+  std::optional<double> angle_deg;               ///< between the move and the inward normal
+  std::string caller;  ///< the call of the main program that it belongs to
+};
+
+/// A program that ran.
+struct Listing {
+  std::string file;  ///< without its folder
+  std::string text;  ///< UTF-8
+  std::map<int, std::uint64_t> counts;
+  std::map<int, std::array<std::uint64_t, 2>> conditions;  ///< not met, met
+};
+
+struct VariableRow {
+  std::string name;
+  std::string meaning;
+  std::uint64_t writes = 0;
+  std::vector<std::pair<double, std::optional<double>>> values;  ///< over time; null: vacant
+  std::string last;
+};
+
+struct Printout {
+  std::string kind;  ///< "M00", "MSG"; "": printed
+  std::string text;
+  Place place;
+};
+
+struct Input {
+  std::string file;
+  std::string what;
+  std::string sha256;
+};
+
+/// A drawing of its own: histogram, run chart, plot.
+struct Drawing {
+  std::string title;
+  std::string svg;
+  std::string caption;
+};
+
+/// A plain table; cells of numbers are right-aligned.
+struct Table {
+  std::string title;
+  std::vector<std::string> head;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// Everything that a page shows.  Empty parts are left out of it.
+struct Report {
+  Language language = Language::English;
+  std::string title;  ///< the file that it is about
+  std::string what;   ///< beside the title
+  Verdict verdict;
+  std::vector<Finding> findings;
+  std::vector<std::pair<std::string, std::string>> facts;
+  std::string command;  ///< that repeats it
+  std::optional<Ending> ending;
+  std::vector<Characteristic> results;
+  bool has_motion = false;  ///< plan, scene and time line are to be drawn
+  double duration_s = 0.0;
+  std::string frame;  ///< "G54": of commanded and latched positions
+  std::vector<TouchRow> touches;
+  std::vector<Drawing> drawings;
+  std::vector<Table> tables;
+  std::vector<Listing> listings;
+  std::vector<VariableRow> variables;
+  bool has_printouts = false;  ///< the part is there, though nothing was printed
+  std::vector<Printout> printouts;
+  std::vector<Input> inputs;
+  std::vector<std::string> limits;  ///< what was not simulated
+  std::string document;             ///< JSON of the command
+  std::string figures;              ///< JSON of what only pictures need; "": none
+};
+
+}  // namespace g31::page

@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "tools/page/html.h"
+#include "tools/page/parts.h"
+#include "tools/page/signs.h"
+
+namespace g31::page {
+namespace {
+
+/// A deviation that floating point has put a hair beyond a limit is at it.
+constexpr double kHair = 1e-9;
+
+std::optional<double> deviation_of(const Characteristic& row) {
+  return row.measured && row.nominal ? std::optional(*row.measured - *row.nominal) : std::nullopt;
+}
+
+bool is_out(const Characteristic& row) {
+  const auto deviation = deviation_of(row);
+  return deviation &&
+         (*deviation < row.tolerance[0] - kHair || *deviation > row.tolerance[1] + kHair);
+}
+
+/// The tolerance as a zone with quarter ticks, the measured value from the nominal, the true size.
+class ToleranceBar {
+ public:
+  explicit ToleranceBar(const Characteristic& row)
+      : row_(row),
+        largest_(std::max({std::abs(row.tolerance[0]), std::abs(row.tolerance[1]), 1e-9})) {}
+
+  [[nodiscard]] std::string svg() const {
+    const auto deviation = deviation_of(row_);
+    std::string text = fmt::format(
+        R"(<svg class="fig" style="width:{0}px" viewBox="0 0 {0} 26" role="img" aria-label="{1}">)",
+        kWidth,
+        deviation ? fmt::format("deviation {} of {} to {} µm", micrometres(deviation),
+                                micrometres(row_.tolerance[0]), micrometres(row_.tolerance[1]))
+                  : "not reached");
+    text +=
+        fmt::format(R"html(<rect x="{:.1f}" y="5" width="{:.1f}" height="16" fill="var({})"/>)html",
+                    x(row_.tolerance[0]), x(row_.tolerance[1]) - x(row_.tolerance[0]),
+                    deviation ? "--good2" : "--mat");
+    text += ticks();
+    text += fmt::format(
+        R"html(<path d="M4 13H{}" stroke="var(--line2)"/><path d="M{:.1f} 3V23" stroke="var(--ink3)" stroke-dasharray="2 2"/>)html",
+        kWidth - 4, x(0.0));
+    return text + (deviation ? measured(*deviation) : "") + true_size() + "</svg>";
+  }
+
+ private:
+  static constexpr double kWidth = 216.0;
+  static constexpr double kMargin = 7.0;
+  static constexpr double kShown = 1.6;  // of the larger limit
+
+  [[nodiscard]] double x(double deviation) const {
+    const double share = std::clamp(deviation / (largest_ * kShown), -1.0, 1.0);
+    return kWidth / 2.0 + share * (kWidth / 2.0 - kMargin);
+  }
+
+  [[nodiscard]] std::string ticks() const {
+    std::string text;
+    for (int quarter = -4; quarter <= 4; ++quarter) {
+      const double at = quarter / 4.0 * largest_;
+      if (at < row_.tolerance[0] - kHair || at > row_.tolerance[1] + kHair) {
+        continue;
+      }
+      const bool is_limit = std::abs(quarter) == 4;
+      text += fmt::format(R"html(<path d="M{:.1f} {}V{}" stroke="var({})" stroke-width="{}"/>)html",
+                          x(at), is_limit ? 2 : 18, is_limit ? 24 : 21,
+                          is_limit ? "--good" : "--line2", is_limit ? "1.5" : "1");
+    }
+    return text;
+  }
+
+  static std::string band(double from, double to, std::string_view colour) {
+    return fmt::format(
+        R"html(<rect x="{:.1f}" y="10" width="{:.1f}" height="6" fill="var({})"/>)html",
+        std::min(from, to), std::abs(to - from), colour);
+  }
+
+  [[nodiscard]] std::string measured(double deviation) const {
+    const double inside = std::clamp(deviation, row_.tolerance[0], row_.tolerance[1]);
+    std::string text = band(x(0.0), x(inside), "--ink");
+    if (is_out(row_)) {
+      text += band(x(inside), x(deviation), "--bad");
+    }
+    return text +
+           fmt::format(R"html(<path d="M{:.1f} 3V23" stroke="var({})" stroke-width="2.5"/>)html",
+                       x(deviation), is_out(row_) ? "--bad" : "--ink");
+  }
+
+  [[nodiscard]] std::string true_size() const {
+    return row_.true_size && row_.nominal
+               ? fmt::format(
+                     R"html(<path d="M{:.1f} 7.5l5 5.5-5 5.5-5-5.5z" fill="var(--paper)" stroke="var(--accent)" stroke-width="1.6"/>)html",
+                     x(*row_.true_size - *row_.nominal))
+               : "";
+  }
+
+  const Characteristic& row_;
+  double largest_;
+};
+
+std::string tolerance_text(const Characteristic& row) {
+  if (!row.nominal) {
+    return "–";
+  }
+  const auto& [lower, upper] = row.tolerance;
+  return upper == -lower ? fmt::format("±{:.4f}", upper)
+                         : fmt::format("{} {}", number(lower, 4, ShowSign::Always),
+                                       number(upper, 4, ShowSign::Always));
+}
+
+std::string share_text(const Characteristic& row) {
+  const auto deviation = deviation_of(row);
+  if (!deviation) {
+    return "–";
+  }
+  const double limit = *deviation > 0.0 ? row.tolerance[1] : -row.tolerance[0];
+  constexpr double kPercent = 100.0;
+  return limit > 0.0 ? fmt::format("{:.0f} %", std::abs(*deviation) / limit * kPercent) : "–";
+}
+
+std::string verdict_text(const Report& report, const Characteristic& row) {
+  const auto shown = [&](std::string_view colour, std::string_view sign, Word name) {
+    return fmt::format(R"(<span class="verd {}">{}{}</span>)", colour, sign, word(report, name));
+  };
+  if (!row.nominal) {
+    return shown("mut", "", Word::Reported);
+  }
+  if (!row.measured) {
+    return shown("mut", "", Word::NotReached);
+  }
+  return is_out(row) ? shown("no", svg_of(Sign::Bad), Word::Out)
+                     : shown("ok", svg_of(Sign::Good), Word::In);
+}
+
+std::string row_of(const Report& report, const Characteristic& row) {
+  const auto cell = [&](Word label, std::string_view value, std::string_view kind = "n") {
+    return fmt::format(R"(<td class="{}" data-l="{}">{}</td>)", kind, word(report, label), value);
+  };
+  const auto error =
+      row.measured && row.true_size ? std::optional(*row.measured - *row.true_size) : std::nullopt;
+  std::string touches;
+  for (const std::size_t touch : row.touches) {
+    touches += badge_of(touch) + " ";
+  }
+  const bool has_name = row.name != row.variable;
+  std::string html = "<tr>";
+  html += has_name ? fmt::format(
+                         R"(<th scope="row" class="name">{} <code class="mut vr">{}</code></th>)",
+                         escaped(row.name), escaped(row.variable))
+                   : fmt::format(R"(<th scope="row" class="name"><code>{}</code></th>)",
+                                 escaped(row.variable));
+  html += cell(Word::Nominal, number(row.nominal, 4));
+  html += cell(Word::Tolerance, tolerance_text(row));
+  html += cell(Word::Measured, number(row.measured, 4), "n big");
+  html += cell(Word::Deviation,
+               fmt::format(R"(<span class="{}">{}</span>)", is_out(row) ? "no big" : "",
+                           micrometres(deviation_of(row))));
+  html += fmt::format(R"(<td class="bar">{}</td>)", row.nominal ? ToleranceBar(row).svg() : "");
+  html += cell(Word::OfTolerance, share_text(row), is_out(row) ? "n no" : "n");
+  html += cell(Word::TrueSize, number(row.true_size, 4));
+  html += cell(Word::MeasuringError, micrometres(error));
+  html += cell(Word::Touches, touches.empty() ? R"(<span class="mut">–</span>)" : touches, "");
+  return html + fmt::format(R"(<td class="vd">{}</td></tr>)", verdict_text(report, row));
+}
+
+}  // namespace
+
+std::string results_part(const Report& report) {
+  if (report.results.empty()) {
+    return {};
+  }
+  const auto say = [&](Word name) { return word(report, name); };
+  std::string html = fmt::format(
+      R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{0}</h2><span class="right"><span class="key"><svg width="18" height="10" aria-hidden="true"><path d="M9 0v10" stroke="var(--ink)" stroke-width="2.5"/></svg>{1}</span><span class="key"><svg width="12" height="12" aria-hidden="true"><path d="M6 1l5 5-5 5-5-5z" fill="none" stroke="var(--accent)" stroke-width="1.6"/></svg>{2}</span></span></header><div class="tw" tabindex="0" role="region" aria-label="{0}"><table id="results"><thead><tr>)html",
+      say(Word::Results), say(Word::Measured), say(Word::TrueSize));
+  const std::pair<Word, std::string_view> kHeads[] = {
+      {Word::Characteristic, ""}, {Word::Nominal, "n"},    {Word::Tolerance, "n"},
+      {Word::Measured, "n"},      {Word::Deviation, "n"},  {Word::Limits, "mid"},
+      {Word::OfTolerance, "n"},   {Word::TrueSize, "n"},   {Word::MeasuringError, "n"},
+      {Word::Touches, ""},        {Word::VerdictHead, ""},
+  };
+  for (const auto& [name, kind] : kHeads) {
+    const bool in_um = name == Word::Deviation || name == Word::MeasuringError;
+    html += fmt::format(R"(<th scope="col" class="{}">{}{}</th>)", kind, say(name),
+                        in_um ? "<br>µm" : "");
+  }
+  html += "</tr></thead><tbody>";
+  for (const Characteristic& row : report.results) {
+    html += row_of(report, row);
+  }
+  return html + "</tbody></table></div></section>\n";
+}
+
+}  // namespace g31::page

@@ -1,0 +1,232 @@
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+#include "tools/gltf/base64.h"
+#include "tools/page/html.h"
+#include "tools/page/run_report.h"
+#include "tools/picture/thinned.h"
+#include "tools/picture/tip.h"
+
+namespace g31::page {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
+
+// Of a part in a picture: what a screen shows, in a page that is sent by mail.
+constexpr std::size_t kMostTriangles = 40'000;
+constexpr double kMostErrorMm = 0.05;
+
+Json array_of(const Point& p) {
+  return Json::array({p.x(), p.y(), p.z()});
+}
+
+/// Values as they lie in memory, least significant byte first, in base64.
+template <typename Value>
+std::string packed(const std::vector<Value>& values) {
+  static_assert(std::endian::native == std::endian::little);
+  std::string bytes(values.size() * sizeof(Value), '\0');
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  return gltf::base64(bytes);
+}
+
+Json part_json(const RunPage& run, const picture::PicturedPart& part) {
+  const auto sheet = std::ranges::find(run.job.parts, part.name, &parts::PartSetup::name);
+  const bool is_named = sheet != run.job.parts.end();
+  const Point p_M_origin = is_named ? sheet->p_M_at : Point(Point::Zero());
+  const std::optional<parts::Mesh> thinned =
+      picture::thinned(*part.mesh_M, kMostTriangles, kMostErrorMm);
+  const parts::Mesh& mesh = thinned ? *thinned : *part.mesh_M;
+  std::vector<float> places;
+  for (const Point& p : mesh.vertices) {
+    const Point from_origin = p - p_M_origin;
+    for (const double value : {from_origin.x(), from_origin.y(), from_origin.z()}) {
+      places.push_back(static_cast<float>(value));
+    }
+  }
+  std::vector<std::uint32_t> corners;
+  for (const auto& triangle : mesh.triangles) {
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  }
+  return {{"name", part.name},
+          {"shape", is_named && !sheet->shape.empty() ? Json(sheet->shape) : Json()},
+          {"sizes", is_named ? Json(sheet->sizes) : Json::object()},
+          {"fixture", part.is_fixture},
+          {"origin", array_of(p_M_origin)},
+          {"positions", packed(places)},
+          {"triangles", packed(corners)}};
+}
+
+Json section_json(const probe::ProbeSection& section) {
+  return {
+      {"name", section.name},
+      {"z", {section.z_bottom, section.z_top}},
+      {"radius", {section.radius_bottom + section.rounding, section.radius_top + section.rounding}},
+      {"at", array_of(section.p_S)}};
+}
+
+/// One cylinder in place of several pieces above each other; null: there is none.
+Json cylinder_json(const std::vector<probe::ProbeSection>& sections) {
+  double length = 0.0;
+  double radius = 0.0;
+  for (const probe::ProbeSection& section : sections) {
+    length = std::max(length, section.z_top);
+    radius = std::max(
+        {radius, section.radius_bottom + section.rounding, section.radius_top + section.rounding});
+  }
+  return sections.empty() ? Json() : Json{{"diameter", 2.0 * radius}, {"length", length}};
+}
+
+Json probe_json(const setup::Job& job) {
+  if (!job.probe) {
+    return {};
+  }
+  const probe::ProbeSetup& probe = *job.probe;
+  Json sections = Json::array();
+  for (const auto* const list : {&probe.stem, &probe.bodies}) {
+    for (const probe::ProbeSection& section : *list) {
+      sections.push_back(section_json(section));
+    }
+  }
+  return {{"ball", probe.ball_diameter_mm},
+          {"offset", array_of(picture::tip_of(job))},
+          {"stem", cylinder_json(probe.stem)},
+          {"body", cylinder_json(probe.bodies)},
+          {"sections", std::move(sections)}};
+}
+
+/// Ways belong to the moves by the times of their ends, which the same clock has told.
+Json ways_json(const RunPage& run) {
+  constexpr const char* kKinds[] = {"rapid", "feed", "skip"};
+  const std::vector<double>& times = run.recorder.move_times();
+  Json list = Json::array();
+  std::size_t move = 0;
+  for (const picture::Way& way : run.ways) {
+    while (move < times.size() && times[move] < way.time_to_s) {
+      ++move;
+    }
+    Json points = Json::array();
+    for (const Point& p : way.points) {
+      for (const double value : {p.x(), p.y(), p.z()}) {
+        points.push_back(std::round(value * 1e6) / 1e6);
+      }
+    }
+    list.push_back({{"move", move < times.size() ? Json(move) : Json(-1)},
+                    {"kind", kKinds[static_cast<std::size_t>(way.kind)]},
+                    {"time_s", {way.time_from_s, way.time_to_s}},
+                    {"points", std::move(points)}});
+  }
+  return list;
+}
+
+Json touches_json(const RunPage& run, const Report& report) {
+  const std::vector<Meeting> meetings = meetings_of(run);
+  const auto or_null = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+  };
+  Json list = Json::array();
+  for (std::size_t i = 0; i < meetings.size(); ++i) {
+    const Meeting& meeting = meetings[i];
+    list.push_back({{"ball", meeting.p_M_ball ? array_of(*meeting.p_M_ball) : Json()},
+                    {"deviation", or_null(meeting.deviation_mm)},
+                    {"angle", or_null(meeting.angle_deg)},
+                    {"role", report.touches[i].caller}});
+  }
+  return list;
+}
+
+/// The work coordinates of the touches where all of them have the same, not turned; else those of
+/// the machine.
+Json frame_json(const RunPage& run, const Report& report) {
+  constexpr double kSame = 1e-6;  // mm
+  const std::vector<Meeting> meetings = meetings_of(run);
+  std::optional<Point> origin;
+  for (std::size_t i = 0; i < meetings.size(); ++i) {
+    if (meetings[i].p_M_ball) {
+      const Point from_here =
+          *meetings[i].p_M_ball - linear_axes(run.recorder.touches()[i].view.q_L);
+      if (origin && (*origin - from_here).norm() > kSame) {
+        return {{"name", text_of(Word::MachineCoordinates, report.language)},
+                {"origin", {0.0, 0.0, 0.0}}};
+      }
+      origin = from_here;
+    }
+  }
+  return origin ? Json{{"name", report.frame}, {"origin", array_of(*origin)}}
+                : Json{{"name", text_of(Word::MachineCoordinates, report.language)},
+                       {"origin", {0.0, 0.0, 0.0}}};
+}
+
+Json words_json(Language language) {
+  Json words = Json::object();
+  if (language == Language::Japanese) {
+#define SCRIPT_WORD(key, japanese) words[key] = japanese;
+#include "tools/page/words.def"
+  }
+  return words;
+}
+
+}  // namespace
+
+std::vector<Meeting> meetings_of(const RunPage& run) {
+  const auto& touches = run.recorder.touches();
+  const double radius = run.job.probe ? run.job.probe->ball_diameter_mm / 2.0 : 0.0;
+  std::vector<Meeting> meetings(touches.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    const runtime::TouchEvent& touch = touches[i];
+    while (next < run.ways.size() && run.ways[next].time_to_s < touch.time_s) {
+      ++next;
+    }
+    if (next == run.ways.size() || run.ways[next].time_to_s != touch.time_s) {
+      continue;  // the axes did not move: the signal was there already
+    }
+    const picture::Way& way = run.ways[next];
+    Meeting& meeting = meetings[i];
+    // The way ends where the axes stopped; what was latched lies on it before.
+    meeting.p_M_ball =
+        way.points.back() + linear_axes(touch.q_M_latched) - linear_axes(touch.q_M_stopped);
+    const Point along = way.points.back() - way.points.front();
+    if (!touch.contact || along.isZero(0.0)) {
+      continue;
+    }
+    const Point inward = -touch.contact->n_M;
+    const double cosine = std::clamp(inward.dot(along.normalized()), -1.0, 1.0);
+    meeting.angle_deg = std::acos(cosine) * kDegreesPerRadian;
+    if (run.job.probe) {
+      const Point p_M_wall = touch.contact->p_M_point + radius * touch.contact->n_M;
+      meeting.deviation_mm = (*meeting.p_M_ball - p_M_wall).dot(inward);
+    }
+  }
+  return meetings;
+}
+
+std::string figures_of(const RunPage& run, const Report& report) {
+  Json figures = Json::object();
+  figures["parts"] = Json::array();
+  for (const picture::PicturedPart& part : run.parts) {
+    figures["parts"].push_back(part_json(run, part));
+  }
+  figures["probe"] = probe_json(run.job);
+  figures["ways"] = ways_json(run);
+  figures["touch"] = touches_json(run, report);
+  figures["frame"] = frame_json(run, report);
+  figures["compare"] = Json();
+  figures["words"] = words_json(report.language);
+  figures["language"] = name_of(report.language);
+  figures["listing"] = Json::array();
+  for (const Listing& listing : report.listings) {
+    figures["listing"].push_back({{"file", listing.file}, {"text", listing.text}});
+  }
+  return figures.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace g31::page

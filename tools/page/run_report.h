@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "interpreter/source/source_map.h"
+#include "tools/expect/expectation.h"
+#include "tools/page/report.h"
+#include "tools/picture/pictured_part.h"
+#include "tools/picture/way.h"
+#include "tools/report/run_document.h"
+#include "tools/report/run_recorder.h"
+#include "tools/setup/job.h"
+
+namespace g31::page {
+
+/// A run that has ended, with all that is known of it; everything outlives the call.
+struct RunPage {
+  const report::RunResult& result;  ///< with a chronicle
+  const report::RunRecorder& recorder;
+  const source::SourceMap& sources;
+  const setup::Job& job;
+  const expect::Expectations& expectations;
+  /// The number that a variable or an offset is, where it is one.
+  std::function<std::optional<double>(const expect::What& what)> value;
+  std::span<const picture::Way> ways;
+  std::vector<picture::PicturedPart> parts;
+  std::string command;  ///< that repeats the run
+};
+
+Report report_of(const RunPage& run, Language language);
+
+/// The answer in a sentence.
+/// @param results  that are judged
+Verdict verdict_of(const RunPage& run, std::span<const Characteristic> results);
+
+/// What pictures need of it, as JSON; lengths mm, machine frame.
+std::string figures_of(const RunPage& run, const Report& report);
+
+/// How much deeper than the wall each touch has latched the ball, mm, and at what angle to the
+/// inward normal the ball came, deg; empty where there was no contact.
+struct Meeting {
+  std::optional<Point> p_M_ball;  ///< centre of the ball at the latched position
+  std::optional<double> deviation_mm;
+  std::optional<double> angle_deg;
+};
+std::vector<Meeting> meetings_of(const RunPage& run);
+
+}  // namespace g31::page

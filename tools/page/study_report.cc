@@ -1,0 +1,141 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "tools/page/charts.h"
+#include "tools/page/html.h"
+#include "tools/page/other_reports.h"
+
+namespace g31::page {
+namespace {
+
+constexpr int kStudyDecimals = 6;
+
+/// The rows of one point, in the order of their runs.
+std::vector<double> readings_at(const study::Record& record, std::size_t point,
+                                std::size_t result) {
+  std::vector<double> values;
+  const std::size_t repeats = std::max<std::size_t>(record.description.repeats, 1);
+  for (const study::Row& row : record.rows) {
+    if (row.run / repeats == point && result < row.results.size() && row.results[result]) {
+      values.push_back(*row.results[result]);
+    }
+  }
+  return values;
+}
+
+std::string point_name(const study::Description& study, std::size_t point) {
+  std::string name;
+  for (std::size_t i = 0; i < study.listed.size() && point < study.points.size(); ++i) {
+    name += fmt::format("{}{} = {}", i > 0 ? ", " : "", study.listed[i], study.points[point][i]);
+  }
+  return name;
+}
+
+Table summary_table(const study::Record& record, Language language) {
+  const study::Description& study = record.description;
+  Table table{std::string(text_of(Word::Results, language)),
+              {std::string(text_of(Word::Characteristic, language)), "n", "mean", "s", "min", "max",
+               "bias", "U (k = 2)", "known", "published", "unit"},
+              {}};
+  const std::size_t points = std::max<std::size_t>(study.points.size(), 1);
+  for (std::size_t point = 0; point < points; ++point) {
+    const std::string where = point_name(study, point);
+    for (std::size_t i = 0; i < study.results.size(); ++i) {
+      const study::ResultForm& form = study.results[i];
+      const study::Summary summary = study::summary_of(record, point, i);
+      std::string published;
+      for (const double value : form.published) {
+        published += (published.empty() ? "" : ", ") + number(value, kStudyDecimals);
+      }
+      table.rows.push_back(
+          {where.empty() ? form.name : fmt::format("{}, {}", form.name, where),
+           fmt::format("{}", summary.n), number(summary.mean, kStudyDecimals),
+           number(summary.standard_deviation, kStudyDecimals), number(summary.min, kStudyDecimals),
+           number(summary.max, kStudyDecimals),
+           number(summary.bias, kStudyDecimals, ShowSign::Always),
+           number(summary.expanded_uncertainty, kStudyDecimals),
+           number(form.expected, kStudyDecimals), published.empty() ? "–" : published, form.unit});
+    }
+  }
+  return table;
+}
+
+void add_charts(const study::Record& record, Report& report) {
+  const study::Description& study = record.description;
+  const std::size_t points = std::max<std::size_t>(study.points.size(), 1);
+  for (std::size_t point = 0; point < points; ++point) {
+    for (std::size_t i = 0; i < study.results.size(); ++i) {
+      if (report.drawings.size() + 2 > kMostCharts) {
+        return;
+      }
+      const study::ResultForm& form = study.results[i];
+      const study::Summary summary = study::summary_of(record, point, i);
+      const Readings readings{
+          readings_at(record, point, i), form.unit, form.expected, form.published, summary.mean,
+          summary.standard_deviation};
+      if (readings.values.empty()) {
+        continue;
+      }
+      const std::string where = point_name(study, point);
+      const std::string name = where.empty() ? form.name : fmt::format("{}, {}", form.name, where);
+      report.drawings.push_back(
+          {name, histogram(readings),
+           "histogram; dotted: mean, blue: known value, dashed amber: published"});
+      report.drawings.push_back(
+          {name, run_chart(readings), "run chart; grey: mean and two standard deviations"});
+    }
+  }
+}
+
+}  // namespace
+
+Report report_of(const study::Record& record, const std::string& document, const Making& making) {
+  const study::Description& study = record.description;
+  const auto statuses = study::count_by_status(record);
+  const auto completed = statuses.find("completed");
+  const std::size_t whole = completed == statuses.end() ? 0 : completed->second;
+  Report report;
+  report.language = making.language;
+  report.title = study.name;
+  report.what = fmt::format("{}, {}", study.program, study.control);
+  const bool is_whole = whole == record.rows.size();
+  report.verdict = {is_whole ? Sign::Good : Sign::Bad,
+                    is_whole ? "All runs completed" : "Runs left out",
+                    fmt::format("{} of {} runs completed.", whole, record.rows.size()), ""};
+  if (!study.results.empty()) {
+    const study::Summary summary = study::summary_of(record, 0, 0);
+    const study::ResultForm& form = study.results.front();
+    report.verdict.sentence =
+        fmt::format("{}: mean {} {}, standard deviation {}, of {} readings.", form.name,
+                    number(summary.mean, kStudyDecimals), form.unit,
+                    number(summary.standard_deviation, kStudyDecimals), summary.n);
+  }
+  for (const auto& [status, count] : statuses) {
+    if (status != "completed") {
+      report.findings.push_back({source::Severity::Warning,
+                                 "",
+                                 fmt::format("{} runs ended with status {}", count, status),
+                                 {},
+                                 0});
+    }
+  }
+  const auto fact = [&](Word name, std::string value) {
+    report.facts.emplace_back(text_of(name, making.language), std::move(value));
+  };
+  fact(Word::Program, study.program);
+  fact(Word::Control, study.control);
+  fact(Word::Runs, fmt::format("{}", record.rows.size()));
+  fact(Word::Seed, fmt::format("{}", study.seed));
+  fact(Word::ExitCode, fmt::format("{}", making.exit_code));
+  fact(Word::Version, making.version);
+  report.command = making.command;
+  report.tables.push_back(summary_table(record, making.language));
+  add_charts(record, report);
+  report.inputs = making.inputs;
+  report.limits = study.assumes;
+  report.document = document;
+  return report;
+}
+
+}  // namespace g31::page

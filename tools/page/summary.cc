@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include "tools/page/html.h"
+#include "tools/page/parts.h"
+#include "tools/page/signs.h"
+
+namespace g31::page {
+namespace {
+
+std::string finding(const Report& report, const Finding& one) {
+  const std::string_view severity = source::name_of(one.severity);
+  std::string html = fmt::format(
+      R"(<div class="find {0}">{1}<div><span class="vh">{0}: </span>{2}</div><div class="loc">)",
+      severity, svg_of(one.severity), escaped(one.text));
+  if (!one.code.empty()) {
+    html += fmt::format(R"(<span class="mono">{}</span>)", escaped(one.code));
+  }
+  if (const std::string link = link_to(one.place); !link.empty()) {
+    html += fmt::format("<span>{}</span>", link);
+  }
+  if (one.touch > 0) {
+    html += fmt::format("<span>{} {}</span>", word(report, Word::Touch), badge_of(one.touch));
+  }
+  return html + "</div></div>";
+}
+
+std::string pairs(const std::vector<std::pair<std::string, std::string>>& rows) {
+  std::string html = "<table><tbody>";
+  for (const auto& [name, value] : rows) {
+    html += fmt::format(R"(<tr><th scope="row"><code>{}</code></th><td class="n">{}</td></tr>)",
+                        escaped(name), escaped(value));
+  }
+  return html + "</tbody></table>";
+}
+
+}  // namespace
+
+std::string summary_part(const Report& report) {
+  const Verdict& verdict = report.verdict;
+  std::string html = fmt::format(
+      R"(<section id="summary" class="card verdict-card" aria-labelledby="headline"><div class="verdict {}"><div class="vmain">{}<div><div class="state">{}</div><h2 class="headline" id="headline">{}</h2></div><p>{}</p></div><div class="findings"><h3>{}</h3>)",
+      class_of(verdict.sign), svg_of(verdict.sign), escaped(verdict.state),
+      escaped(verdict.headline), escaped(verdict.sentence),
+      report.findings.empty()
+          ? std::string(word(report, Word::NoFindings))
+          : fmt::format("{}: {}", word(report, Word::Findings), report.findings.size()));
+  for (const Finding& one : report.findings) {
+    html += finding(report, one);
+  }
+  html += R"(</div></div><dl class="facts">)";
+  for (const auto& [name, value] : report.facts) {
+    html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", escaped(name), escaped(value));
+  }
+  return html +
+         fmt::format(
+             R"(</dl><div class="cmd"><span class="lab">{}</span><pre id="command">{}</pre><button class="btn noprint" type="button" id="copy">{}</button></div></section>
+)",
+             word(report, Word::RepeatIt), escaped(report.command), word(report, Word::Copy));
+}
+
+std::string ending_part(const Report& report) {
+  if (!report.ending) {
+    return {};
+  }
+  const Ending& ending = *report.ending;
+  std::string html = fmt::format(
+      R"(<section id="alarm" class="card" aria-labelledby="hal"><header><h2 id="hal">{}</h2><span class="sub">{}</span></header><div class="frames"><div><h3>{}</h3>)",
+      word(report, Word::WhereItEnded), escaped(ending.title), word(report, Word::CallStack));
+  for (std::size_t i = 0; i < ending.stack.size(); ++i) {
+    const Frame& frame = ending.stack[i];
+    html += fmt::format(
+        R"(<div class="frame"><span class="ix">{}</span><span><b>{}</b> {}</span><code>{}</code></div>)",
+        i, escaped(frame.program), link_to(frame.place), escaped(frame.text));
+  }
+  html += fmt::format("</div><div><h3>{}</h3>{}</div><div><h3>{}</h3>{}</div></div></section>\n",
+                      word(report, Word::VariablesThere), pairs(ending.variables),
+                      word(report, Word::Positions), pairs(ending.facts));
+  return html;
+}
+
+}  // namespace g31::page
