@@ -83,7 +83,8 @@ class Shell:
     def write(self, name, lines):
         file = self.folder / name
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")
+        text = "".join(f"{line}\n" for line in lines).replace(INSTALLED, f"{ROOT}/")
+        file.write_text(text, encoding="utf-8")
 
 
 def answered(shell, lines):
