@@ -1,0 +1,71 @@
+// A headless browser and pages in it that note what must not be: requests, errors.
+import { spawnSync } from 'node:child_process';
+import fs from 'node:fs';
+import { createRequire } from 'node:module';
+import os from 'node:os';
+import path from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { samplePage } from './sample_page.mjs';
+
+const { G31_PAGE_BUNDLE, G31_PAGE_PACKAGES, G31_CHROMIUM, G31_PROGRAM } = process.env;
+const ROOT = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..');
+export const packages = createRequire(path.join(path.resolve(G31_PAGE_PACKAGES), 'package.json'));
+
+const { chromium } = packages('playwright-core');
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'g31-page-'));
+process.on('exit', () => fs.rmSync(folder, { recursive: true, force: true }));
+
+/** A browser that draws WebGL without a graphics card. */
+export const launch = () => chromium.launch({
+  executablePath: G31_CHROMIUM,
+  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
+});
+
+/** A sample run as a page on the disk; its place. */
+export function pageOf(name, run) {
+  const file = path.join(folder, `${name}.html`);
+  fs.writeFileSync(file, samplePage(run, G31_PAGE_BUNDLE));
+  return file;
+}
+
+/** A page that g31 itself writes; null where this g31 writes none. */
+export function reportOf(name, words) {
+  if (!spawnSync(G31_PROGRAM, ['run', '--help'], { encoding: 'utf8' }).stdout.includes('--report')) return null;
+  const file = path.join(folder, `${name}.html`);
+  const done = spawnSync(G31_PROGRAM, ['run', ...words, '--report', file], { cwd: ROOT, encoding: 'utf8' });
+  if (!fs.existsSync(file)) throw new Error(`no page from g31: ${done.stderr}`);
+  return file;
+}
+
+/** Opens a page; its notes hold requests to elsewhere and errors.
+ * @param {{width?: number, theme?: string, before?: string}} [wish] before: script that runs ahead of the page's */
+export async function open(browser, file, { width = 1400, theme = 'light', before = '' } = {}) {
+  const context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme: theme });
+  const page = await context.newPage();
+  const notes = [];
+  page.on('request', (request) => request.url().startsWith('http') && notes.push(`request ${request.url()}`));
+  page.on('console', (message) => message.type() === 'error' && notes.push(`console ${message.text()}`));
+  page.on('pageerror', (error) => notes.push(`error ${error.stack}`));
+  if (before) await page.addInitScript(before);
+  await page.goto(pathToFileURL(file).href);
+  await page.waitForFunction(() => window.g31Timing?.scene != null, null, { timeout: 60000 });
+  return { page, notes, close: () => context.close() };
+}
+
+/** Of the scene: shares of its pixels that are drawn, and how many colours there are. */
+export const pixelsOf = (page) => page.evaluate(() => {
+  const scene = document.getElementById('scene');
+  const copy = document.createElement('canvas');
+  [copy.width, copy.height] = [scene.width, scene.height];
+  const context = copy.getContext('2d');
+  context.drawImage(scene, 0, 0);
+  const { data } = context.getImageData(0, 0, copy.width, copy.height);
+  const colours = new Set();
+  let drawn = 0;
+  for (let at = 0; at < data.length; at += 4) {
+    if (data[at + 3] < 128) continue;
+    drawn += 1;
+    colours.add((data[at] << 16) | (data[at + 1] << 8) | data[at + 2]);
+  }
+  return { drawn: drawn / (data.length / 4), colours: colours.size, sum: data.reduce((sum, value) => sum + value, 0) };
+});

@@ -1,0 +1,116 @@
+// What figures show, against closed forms: sections, circles, the run at a time, captions, marks.
+import assert from 'node:assert/strict';
+import test, { after, before } from 'node:test';
+import { launch, open, pageOf } from './browser.mjs';
+import { BORE, sampleRun } from './sample_run.mjs';
+import { circleOf, cutsOf, outlinesOf, roundOf } from '../../tools/page/web/src/section.js';
+import { Run } from '../../tools/page/web/src/run.js';
+import { SolidEdges, cylinder } from '../../tools/page/web/src/solid_edges.js';
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+const near = (value, wanted, by) => assert.ok(Math.abs(value - wanted) <= by, `${value} is not ${wanted} +- ${by}`);
+
+test('a circle through points of a circle is that circle', () => {
+  for (const angles of [[0, 1, 2], [0, 0.3, 3, 4], [1, 2, 3, 4, 5, 6]]) {
+    const { u, v, r } = circleOf(angles.map((a) => [150 + 20 * Math.cos(a), -80 + 20 * Math.sin(a)]));
+    for (const [value, wanted] of [[u, 150], [v, -80], [r, 20]]) near(value, wanted, 1e-9);
+  }
+  assert.equal(circleOf([[0, 0], [1, 1], [2, 2]]), null);
+});
+
+test('the section of a cylinder is its circle, at any height and from any origin', () => {
+  const part = { ...cylinder(12, -3, 9), origin: [1000, -500, 30] };
+  for (const height of [27.5, 30, 38.9]) {
+    const cuts = cutsOf(part, [0, 0, 1], height);
+    const ends = [];
+    for (let n = 0; n < cuts.length; n += 3) {
+      ends.push([cuts[n], cuts[n + 1]]);
+      near(cuts[n + 2], height, 1e-9);
+    }
+    const outlines = outlinesOf(ends);
+    assert.equal(outlines.length, 1);
+    const circle = roundOf(outlines[0]);
+    near(circle.u, 1000, 1e-3); // its corners are not evenly spread
+    near(circle.v, -500, 1e-3);
+    near(circle.r, 6, 0.02); // corners lie on the circle, the cuts of the sides' diagonals within
+  }
+  assert.deepEqual(cutsOf(part, [0, 0, 1], 40), []);
+});
+
+test('a square is not round', () => {
+  const side = (a, b) => Array.from({ length: 10 }, (_, n) => [a[0] + (n / 10) * (b[0] - a[0]), a[1] + (n / 10) * (b[1] - a[1])]);
+  assert.equal(roundOf([...side([0, 0], [1, 0]), ...side([1, 0], [1, 1]), ...side([1, 1], [0, 1]), ...side([0, 1], [0, 0])]), null);
+});
+
+test('a cylinder has two sharp rims and two sides that turn away', () => {
+  const edges = new SolidEdges(cylinder(10, 0, 5));
+  assert.equal(edges.sharp.length / 6, 2 * 48);
+  assert.equal(edges.silhouette([1, 0.01, 0]).length / 6 >= 2, true);
+  assert.equal(edges.silhouette([0, 0, 1]).length, 0);
+});
+
+test('the ball is where its way has it', () => {
+  const { document, figures } = sampleRun();
+  const run = new Run(document, figures);
+  for (const [index, way] of figures.ways.entries()) {
+    const [from, until] = way.time_s;
+    const middle = [0, 1, 2].map((axis) => (way.points[axis] + way.points[6 + axis]) / 2);
+    run.ballAt((from + until) / 2).forEach((value, axis) => near(value, middle[axis], 1e-9));
+    assert.equal(run.kindAt((from + until) / 2), way.kind);
+    assert.equal(run.moveAt((from + until) / 2).line, document.moves[index].line);
+  }
+  run.ballAt(1e9).forEach((value, axis) => near(value, figures.ways.at(-1).points[6 + axis], 1e-9));
+});
+
+test('slow touches count, the fast ones that they repeat do not', () => {
+  const { document, figures } = sampleRun({ rounds: 2 });
+  const run = new Run(document, figures);
+  for (const contact of run.hits) assert.equal(contact.counts, contact.role === 'measuring', `touch ${contact.number}`);
+});
+
+test('the plan says what was put in: centre 1 um off in X, diameter by part and measurement', async () => {
+  const { page, close } = await open(browser, pageOf('plan', sampleRun()));
+  await page.click('tr[data-touch="3"] td:nth-child(3)');
+  const caption = await page.textContent('#plancap');
+  assert.match(caption, /centre X \+1\.0 Y 0\.0 µm, diameter \+29\.4 µm/); // 2 (10.5 + 4.2)
+  assert.match(await page.textContent('#plan svg'), /\+15\.7 µm/); // 10.5 + 4.2 + 1.0 at +X
+  const ball = await page.evaluate(() => document.querySelector('#pball').getBoundingClientRect().width);
+  const bore = await page.evaluate(() => {
+    const d = document.querySelector('#plan path').getAttribute('d').split('M').slice(1).map((loop) => loop.match(/[-\d.]+ [-\d.]+/g).map((p) => p.split(' ').map(Number)));
+    return Math.min(...d.map((loop) => Math.max(...loop.map((p) => p[0])) - Math.min(...loop.map((p) => p[0]))));
+  });
+  near((ball - 1.8) / bore, 6 / (2 * BORE.r), 0.01); // true size, but for the stroke
+  await close();
+});
+
+test('another plane can be chosen and shows a section along the bore', async () => {
+  const { page, close } = await open(browser, pageOf('planes', sampleRun()));
+  await page.click('#planhead button[data-part="0"]');
+  await page.click('#planhead button[data-plane="1"]');
+  assert.match(await page.textContent('#planhead .sub'), /section at Y/);
+  assert.equal(await page.getAttribute('#planhead button[data-plane="1"]', 'aria-pressed'), 'true');
+  await close();
+});
+
+test('a collision is shown in plan, scene and time line', async () => {
+  const { page, close } = await open(browser, pageOf('crash', sampleRun({ crash: true })));
+  assert.match(await page.textContent('#plan'), /the ball touches plate/);
+  assert.match(await page.textContent('#chart'), /collision, \d+\.\d+ s/);
+  assert.equal(await page.locator('.scene-labels path[stroke="var(--bad)"]').count(), 1);
+  assert.match(await page.textContent('#now'), /collision.*O9010\.nc:45/);
+  await close();
+});
+
+test('the other run is a dashed ghost in plan and time line', async () => {
+  const run = sampleRun();
+  run.figures.compare = sampleRun({ shift: 0.004 });
+  const { page, close } = await open(browser, pageOf('compared', run));
+  for (const place of ['#plan .ghost', '#chart .ghost']) {
+    assert.ok(await page.locator(place).count() > 0, place);
+    assert.match(await page.locator(place).first().getAttribute('stroke-dasharray'), /\d/);
+  }
+  await close();
+});

@@ -1,0 +1,76 @@
+// Long runs open quickly; program text is only ever text; a page may have any of its parts missing.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import test, { after, before } from 'node:test';
+import { launch, open, pageOf } from './browser.mjs';
+import { sampleRun } from './sample_run.mjs';
+
+const HOSTILE = '</script><script>window.bad = 1</script><img src=x onerror="window.bad = 2"> "\' &amp; <!-- \u2028';
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+/** Seconds that the processor was busy for a page since it was opened: not those that it was busy for others. */
+async function secondsOf(page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Performance.enable', { timeDomain: 'threadTicks' });
+  await page.reload();
+  await page.waitForFunction(() => window.g31Timing?.ready != null, null, { timeout: 60000 });
+  const { metrics } = await session.send('Performance.getMetrics');
+  return metrics.find(({ name }) => name === 'TaskDuration').value;
+}
+
+test('10,000 touches and 100,000 lines: 8 MB at most, ready in 2 s, all rows within reach', async () => {
+  const run = sampleRun({ rounds: 417, lines: 100000 });
+  assert.ok(run.document.touches.length >= 10000);
+  const file = pageOf('long', run);
+  assert.ok(fs.statSync(file).size < 8e6, `${fs.statSync(file).size} bytes`);
+  const { page, close } = await open(browser, file);
+  const busy = await secondsOf(page);
+  assert.ok(busy > 0.05 && busy < 2, `${busy} s`);
+  assert.ok(await page.locator('#listing li').count() < 200);
+  await page.evaluate(() => { document.getElementById('listing').scrollTop = 1e9; });
+  await page.waitForSelector('#listing li[data-l="100000"]');
+  await page.keyboard.press('[');
+  const number = await page.locator('#touches tr.sel').getAttribute('data-touch');
+  const hits = run.document.touches.map((touch, n) => (touch.triggered ? n + 1 : 0)).filter(Boolean);
+  assert.equal(Number(number), hits.at(-2));
+  await close();
+});
+
+test('markup in programs and names is shown, not obeyed', async () => {
+  for (const lines of [60, 3000]) {
+    const run = sampleRun({ lines, text: (line) => (line === 38 ? HOSTILE : line === 39 ? 'X'.repeat(200000) : `N${line}`) });
+    run.document.calls[1].program = HOSTILE;
+    run.document.touches[2].part = HOSTILE;
+    run.figures.parts[0].name = HOSTILE;
+    const { page, notes, close } = await open(browser, pageOf(`hostile${lines}`, run));
+    await page.click('#next');
+    await page.click('#next');
+    assert.equal(await page.evaluate(() => window.bad), undefined);
+    assert.deepEqual(notes, []);
+    assert.match(await page.textContent('#listing'), /<\/script><script>window\.bad = 1/);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= document.documentElement.clientWidth));
+    await close();
+  }
+});
+
+test('any part of the page may be missing', async () => {
+  for (const ids of ['plan|planhead', 'scenebox|plancap|timeline', 'chart|now|allt|ltabs', 'touches|listing']) {
+    const file = pageOf('without', sampleRun());
+    fs.writeFileSync(file, fs.readFileSync(file, 'utf8').replace(new RegExp(`id="(${ids})"`, 'g'), 'data-gone="$1"'));
+    const { page, notes, close } = await open(browser, file);
+    await page.keyboard.press(']');
+    assert.deepEqual(notes, [], ids);
+    await close();
+  }
+});
+
+test('a document without figures or moves draws what there is', async () => {
+  const { document } = sampleRun();
+  const bare = { ...document, moves: undefined, calls: undefined, counts: undefined };
+  const { notes, close } = await open(browser, pageOf('bare', { document: { ...bare, counts: [] }, figures: { listing: [] } }));
+  assert.deepEqual(notes, []);
+  await close();
+});

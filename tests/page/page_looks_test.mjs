@@ -1,0 +1,72 @@
+// How a page looks to whom: light and dark, narrow and magnified, for screen readers, without WebGL.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import test, { after, before } from 'node:test';
+import { launch, open, packages, pageOf, pixelsOf } from './browser.mjs';
+import { sampleRun } from './sample_run.mjs';
+
+const AXE = fs.readFileSync(packages.resolve('axe-core/axe.min.js'), 'utf8');
+const TAGS = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+const ground = (page) => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+
+test('light and dark follow the system; the button overrides', async () => {
+  const file = pageOf('themes', sampleRun());
+  const light = await open(browser, file);
+  const dark = await open(browser, file, { theme: 'dark' });
+  assert.equal(await ground(light.page), 'rgb(243, 244, 245)');
+  assert.equal(await ground(dark.page), 'rgb(14, 17, 19)');
+  assert.notEqual((await pixelsOf(light.page)).sum, (await pixelsOf(dark.page)).sum);
+  await dark.page.click('#theme');
+  await dark.page.waitForTimeout(300);
+  assert.equal(await ground(dark.page), 'rgb(243, 244, 245)');
+  assert.equal((await pixelsOf(light.page)).sum, (await pixelsOf(dark.page)).sum);
+  await light.close();
+  await dark.close();
+});
+
+// 400 % of a window of 1280 px leaves 320 px.
+for (const width of [320, 350, 420, 1400]) {
+  test(`nothing lies beside a window of ${width} px`, async () => {
+    const { page, close } = await open(browser, pageOf(`narrow${width}`, sampleRun()), { width });
+    const [wide, seen] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]);
+    assert.ok(wide <= seen, `${wide} px`);
+    const small = await page.evaluate(() => {
+      const svg = document.querySelector('#chart svg');
+      return svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+    });
+    assert.ok(small > 0.95, 'figures are redrawn, not shrunk');
+    await close();
+  });
+}
+
+for (const [name, run] of [['plain', sampleRun()], ['crash', sampleRun({ crash: true })]]) {
+  for (const theme of ['light', 'dark']) {
+    for (const width of [500, 1400]) {
+      test(`axe finds nothing: ${name}, ${theme}, ${width} px`, async () => {
+        const { page, close } = await open(browser, pageOf(`axe_${name}`, run), { theme, width });
+        await page.evaluate(AXE);
+        const { violations } = await page.evaluate((tags) => axe.run(document, { runOnly: tags }), TAGS);
+        assert.deepEqual(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(' | ')}`), []);
+        await close();
+      });
+    }
+  }
+}
+
+test('without WebGL a sketch stands for the scene, and all else works', async () => {
+  const before_ = 'const get = HTMLCanvasElement.prototype.getContext;'
+    + 'HTMLCanvasElement.prototype.getContext = function (kind, ...rest) { return /webgl/.test(kind) ? null : get.call(this, kind, ...rest); };';
+  const { page, notes, close } = await open(browser, pageOf('flat', sampleRun()), { before: before_ });
+  assert.equal(await page.locator('#scenebox canvas').count(), 0);
+  assert.ok((await page.locator('svg#scene path').first().getAttribute('d')).length > 1000);
+  assert.match(await page.textContent('#scenebox'), /no 3D graphics/);
+  await page.click('tr[data-touch="9"] td:nth-child(3)');
+  assert.equal(await page.locator('.scene-labels .badge.sel').textContent(), '9');
+  assert.deepEqual(notes, []);
+  await close();
+});
