@@ -1,5 +1,6 @@
 // Begins: reads what the page holds, draws the figures, links what belongs together.
 import { Choice } from './choice.js';
+import { drawLegends } from './legends.js';
 import { Listing } from './listing.js';
 import { byId } from './markup.js';
 import { jsonOf, partsOf } from './page_data.js';
@@ -82,6 +83,7 @@ function start(document_, figures) {
   const timeline = new Timeline(choice, other);
   const transport = new Transport(choice, (file, line) => listing.textOf(file, line));
   transport.show();
+  drawLegends(other != null);
   linkEverything(choice, listing);
   linkTheme(() => choice.tell('theme'));
   followSize(choice);

@@ -134,7 +134,7 @@ export class Plan {
     const head = byId('planhead');
     if (!head) return;
     const { run } = this.choice;
-    const size = view.contacts.length ? word('plan_magnified', { mag: view.magnification }) : word('plan_true_size');
+    const size = view.magnification ? word('plan_magnified', { mag: view.magnification }) : word('plan_true_size');
     const axis = AXES[view.plane.w];
     const height = num(view.height - run.frame.origin[view.plane.w], 1);
     const choose = (/** @type {string} */ label, /** @type {string} */ name, /** @type {string[]} */ items, /** @type {number} */ on) =>
@@ -151,7 +151,7 @@ export class Plan {
 /** Where each wall was probed from. @param {PlanView} view @param {Sheet} page */
 function approachesOf(view, page) {
   const seen = new Set();
-  const reach = view.frame.half * 0.3;
+  const reach = Math.min(view.frame.half * 0.3, 2.5 * (view.run.figures.probe?.ball ?? view.frame.half));
   return view.contacts.map(({ touch, ball }) => {
     if (!touch.normal || !ball || seen.size > 24) return '';
     const [nu, nv] = flat(touch.normal, view.plane);
@@ -233,7 +233,7 @@ export class Sheet {
     const bar = (step * this.scale).toFixed(1);
     let drawn = `<path d="M${right - Number(bar)} ${low}v-5m0 5h${bar}m0 0v-5" fill="none" stroke="var(--ink2)"/>`
       + `<text x="${right}" y="${low - 8}" font-size="11" fill="var(--ink2)" text-anchor="end" class="halo">${num(step, decimalsOf(step))} mm</text>`;
-    if (this.view.contacts.length) {
+    if (this.view.magnification) {
       const perMicron = (this.scale * this.view.magnification) / 1000;
       const microns = niceStep(26 / perMicron);
       const long = microns * perMicron;

@@ -17,7 +17,7 @@ export function planKeys(view, compared) {
   }
   const { contacts } = view;
   if (contacts.some(({ partDeviation }) => partDeviation != null)) keys.push(key(swatch('var(--ink)'), word('own_deviation')));
-  if (contacts.some(({ deviation }) => deviation != null)) keys.push(key(swatch('var(--accent)'), word('measured_adds')));
+  if (view.magnification) keys.push(key(swatch('var(--accent)'), word('measured_adds')));
   const axes = view.plane.name;
   for (const { truth, circle } of view.measured) {
     const values = { u: axes[0], v: axes[1], du: um(circle.u - truth.u), dv: um(circle.v - truth.v), dd: um(2 * (circle.r - truth.r)) };

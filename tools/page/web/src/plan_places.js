@@ -26,7 +26,7 @@ export function drawOrigin(view, page) {
  * @param {PlanView} view @param {Sheet} page */
 export function measuredOf(view, page) {
   return view.measured.map(({ truth, circle }) => {
-    const m = view.magnification;
+    const m = view.magnification ?? 1;
     const [du, dv] = [circle.u - truth.u, circle.v - truth.v];
     /** @type {import('./section').Flat[]} */
     const points = [];

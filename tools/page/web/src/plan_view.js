@@ -17,6 +17,7 @@ export const PLANES = [
 const MAGNIFICATIONS = [20, 50, 100, 200, 500, 1000, 2000, 5000];
 const IN_PLANE = 0.75; // of a normal's length; touches that look further out of the plane are not of it
 const AROUND = 1.83; // the view spans this much more than the contacts do
+const SEEN = 5e-5; // mm; what is less is shown as 0.0 um
 const FEW_DIRECTIONS = 0.2; // rad; touches closer together than that on a wall are one direction
 
 /** @param {number[]} point @param {Plane} plane @returns {Flat} */
@@ -155,10 +156,12 @@ export class PlanView {
     return circles.sort((a, b) => apart(a) - apart(b))[0] ?? null;
   }
 
-  /** So that the largest whisker is about a quarter of the outline, or of what is seen of a larger one. */
+  /** So that the largest whisker is about a quarter of the outline, or of what is seen of a larger one; null
+   * where no touch deviates. */
   magnificationOf() {
-    const largest = Math.max(1e-4, ...this.contacts.map(({ deviation, partDeviation }) => Math.max(
+    const largest = Math.max(0, ...this.contacts.map(({ deviation, partDeviation }) => Math.max(
       Math.abs(deviation ?? 0), Math.abs((deviation ?? 0) + (partDeviation ?? 0)))));
+    if (largest < SEEN) return null;
     const room = Math.min(0.29 * this.frame.half, ...this.measured.map(({ truth }) => 0.52 * truth.r));
     return MAGNIFICATIONS.filter((factor) => largest * factor <= room).pop() ?? MAGNIFICATIONS[0];
   }

@@ -69,7 +69,7 @@ function balls(view, page) {
 function tip(whisker, depth, view, page) {
   const [du, dv] = whisker.into;
   const [x, y] = page.at(whisker.at);
-  const long = depth * view.magnification * page.scale;
+  const long = depth * (view.magnification ?? 1) * page.scale;
   return [x + du * long + dv * whisker.beside, y - dv * long + du * whisker.beside];
 }
 
@@ -121,7 +121,7 @@ function label(whisker, view, page, chosen, taken) {
     const box = { x: x - 11, y: y - 9.5, w: 22, h: 19 };
     if (taken.some((other) => overlap(other, box))) continue;
     taken.push(box);
-    return mark(contact, x, y, isChosen) + value(contact, x, y, isBoss ? -du : du, page, taken, isChosen);
+    return mark(contact, x, y, isChosen) + (view.magnification ? value(contact, x, y, isBoss ? -du : du, page, taken, isChosen) : '');
   }
   return '';
 }
@@ -131,7 +131,7 @@ function label(whisker, view, page, chosen, taken) {
 function value(contact, x, y, du, page, taken, isChosen) {
   if (contact.deviation == null) return '';
   const text = um(contact.deviation + (contact.partDeviation ?? 0)) + (page.width < 460 ? '' : ' µm');
-  const wide = text.length * 6.6;
+  const wide = text.length * 7.3;
   for (const side of du < -0.3 ? [-1, 1] : [1, -1]) {
     const from = x + side * 13;
     const box = { x: side > 0 ? from : from - wide, y: y - 8, w: wide, h: 16 };

@@ -5,6 +5,7 @@ import { SolidEdges, cylinder } from './solid_edges.js';
 const STRAIGHT = 1e-3; // mm; points of a way nearer than that to a line say nothing
 const SAME = 10; // contacts within 1/SAME mm are one place
 const CONTACTS = 5000;
+const INWARD = 0.8; // of the touches of a part that is cut open
 const HALF_OPEN = (40 * Math.PI) / 180; // the wedge that is cut out spans 180 degrees less twice this
 
 /** @typedef {import('./types').Part} Part */
@@ -29,7 +30,8 @@ function apexOf(part, run) {
   const middle = middleOf(points.map(({ touch }) => touch.contact ?? []));
   const inward = points.filter(({ touch: { contact, normal } }) => contact && normal
     && (contact[0] - middle[0]) * normal[0] + (contact[1] - middle[1]) * normal[1] < 0);
-  if (inward.length < 2) return null;
+  // A part with bosses and bores stays whole: its pins must not vanish with what is cut away.
+  if (inward.length < 2 || inward.length < INWARD * points.length) return null;
   return middleOf(inward.map(({ touch }) => touch.contact ?? []));
 }
 

@@ -90,7 +90,7 @@ export class SceneLabels {
 
   /** @param {Orbit} orbit @param {number} magnification */
   scale(orbit, magnification) {
-    if (!this.places.some(({ deviation }) => deviation)) return '';
+    if (!this.places.some(({ deviation }) => Math.abs(deviation ?? 0) > 5e-5)) return '';
     return `<span class="scene-scale" style="${at(orbit, 10, orbit.height - 16)}">${esc(word('whisker_scale', { mag: num(magnification, 0) }))}</span>`;
   }
 }

@@ -45,6 +45,8 @@ const ENGLISH = {
   view_fit: 'Fit',
   section: 'Section',
   no_webgl: 'This browser shows no 3D graphics (WebGL): a sketch of edges stands for the scene.',
+  drag_to_turn: 'cut open towards you, drag to turn',
+  positions_mm: 'axis positions in mm',
   contact_normal: 'contact and surface normal',
   whisker_scale: 'deviations × {mag}',
   rows_left_out: '{shown} of {all} rows are printed: {rule}.',

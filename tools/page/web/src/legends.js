@@ -1,0 +1,38 @@
+// Legends of scene and time line, where the command has left room for them.
+import { byId, esc } from './markup.js';
+import { word } from './words.js';
+
+/** @typedef {import('./types').Kind} Kind */
+
+/** @param {string} drawn @param {string} text */
+const key = (drawn, text) => `<span class="key">${drawn}${esc(text)}</span>`;
+
+/** @param {boolean} compared */
+function sceneLegend(compared) {
+  const line = (/** @type {string} */ ink, width = 2, dashes = '') => `<svg width="22" height="8" aria-hidden="true"><path d="M0 4H22" `
+    + `stroke="var(--${ink})" stroke-width="${width}"${dashes ? ` stroke-dasharray="${dashes}"` : ''}/></svg>`;
+  const normal = '<svg width="22" height="10" aria-hidden="true"><circle cx="4" cy="5" r="3.2" fill="var(--ink)"/>'
+    + '<path d="M4 5H20M16 2l4 3-4 3" fill="none" stroke="var(--ink)" stroke-width="1.3"/></svg>';
+  const keys = [key(line('rapid', 2, '5 4'), word('rapid')), key(line('feed'), word('feed')), key(line('skip', 2.6), word('skip')),
+    key(normal, word('contact_normal'))];
+  if (compared) keys.push(key(line('accent', 1.4, '3 3'), word('other_run')));
+  return keys.join('');
+}
+
+/** The bands of motion differ in height, too. */
+function timelineLegend() {
+  const heights = /** @type {[Kind, number][]} */ ([['rapid', 4], ['feed', 8], ['skip', 12]]);
+  const keys = heights.map(([kind, height]) => key(`<svg width="14" height="12" aria-hidden="true"><rect y="${6 - height / 2}" width="14" `
+    + `height="${height}" fill="var(--${kind})"/></svg>`, word(kind)));
+  return `<span class="right">${keys.join('')}${key('', word('positions_mm'))}</span>`;
+}
+
+/** @param {boolean} compared */
+export function drawLegends(compared) {
+  const scene = byId('scenecap');
+  if (scene && !scene.childElementCount) scene.innerHTML = sceneLegend(compared);
+  const sceneHead = byId('scenehead');
+  if (sceneHead && sceneHead.childElementCount < 2) sceneHead.insertAdjacentHTML('beforeend', `<span class="sub noprint">${esc(word('drag_to_turn'))}</span>`);
+  const chart = byId('charthead');
+  if (chart && chart.childElementCount < 2) chart.insertAdjacentHTML('beforeend', timelineLegend());
+}
