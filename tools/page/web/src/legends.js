@@ -27,12 +27,12 @@ function timelineLegend() {
   return `<span class="right">${keys.join('')}${key('', word('positions_mm'))}</span>`;
 }
 
-/** @param {boolean} compared */
-export function drawLegends(compared) {
+/** @param {boolean} compared @param {boolean} isCut whether a part is cut open */
+export function drawLegends(compared, isCut) {
   const scene = byId('scenecap');
   if (scene && !scene.childElementCount) scene.innerHTML = sceneLegend(compared);
   const sceneHead = byId('scenehead');
-  if (sceneHead && sceneHead.childElementCount < 2) sceneHead.insertAdjacentHTML('beforeend', `<span class="sub noprint">${esc(word('drag_to_turn'))}</span>`);
+  if (sceneHead && sceneHead.childElementCount < 2) sceneHead.insertAdjacentHTML('beforeend', `<span class="sub noprint">${esc(word(isCut ? 'cut_drag_to_turn' : 'drag_to_turn'))}</span>`);
   const chart = byId('charthead');
   if (chart && chart.childElementCount < 2) chart.insertAdjacentHTML('beforeend', timelineLegend());
 }

@@ -8,6 +8,7 @@ import { Plan } from './plan.js';
 import { keepPrintable } from './print.js';
 import { Run } from './run.js';
 import { Scene } from './scene.js';
+import { apexOf } from './scene_content.js';
 import { Timeline } from './timeline.js';
 import { TouchTable } from './touch_table.js';
 import { Transport } from './transport.js';
@@ -60,6 +61,7 @@ function followSize(choice) {
   let timer = 0;
   let width = document.documentElement.clientWidth;
   addEventListener('resize', () => {
+    if (document.documentElement.dataset.paper != null) return;
     clearTimeout(timer);
     timer = window.setTimeout(() => {
       if (document.documentElement.clientWidth === width) return; // a bar of the browser came or went
@@ -83,7 +85,7 @@ function start(document_, figures) {
   const timeline = new Timeline(choice, other);
   const transport = new Transport(choice, (file, line) => listing.textOf(file, line));
   transport.show();
-  drawLegends(other != null);
+  drawLegends(other != null, parts.some((part) => apexOf(part, run) != null));
   linkEverything(choice, listing);
   linkTheme(() => choice.tell('theme'));
   followSize(choice);

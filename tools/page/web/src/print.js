@@ -9,9 +9,11 @@ const TIMELINE = 900; // px
  */
 export function keepPrintable({ plan, scene, timeline, listing, table }) {
   let theme = '';
+  const root = document.documentElement;
   addEventListener('beforeprint', () => {
-    theme = document.documentElement.dataset.theme ?? '';
-    document.documentElement.dataset.theme = 'light';
+    root.dataset.paper = ''; // a change of size is now that of the paper
+    theme = root.dataset.theme ?? '';
+    root.dataset.theme = 'light';
     plan.draw(PLAN.width, PLAN.share);
     timeline.draw(TIMELINE);
     scene.beforePrint(PLAN.width, PLAN.share);
@@ -19,8 +21,9 @@ export function keepPrintable({ plan, scene, timeline, listing, table }) {
     table.beforePrint();
   });
   addEventListener('afterprint', () => {
-    if (theme) document.documentElement.dataset.theme = theme;
-    else delete document.documentElement.dataset.theme;
+    delete root.dataset.paper;
+    if (theme) root.dataset.theme = theme;
+    else delete root.dataset.theme;
     plan.draw();
     timeline.draw();
     scene.afterPrint();

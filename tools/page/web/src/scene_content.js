@@ -20,7 +20,7 @@ export function solidsOf(parts, run) {
 
 /** Where a part is cut open: at the middle of the touches that are in it, not of those around it.
  * @param {Part} part @param {import('./run').Run} run */
-function apexOf(part, run) {
+export function apexOf(part, run) {
   const points = run.hits.filter(({ touch }) => touch.part === part.name);
   const { collision } = run;
   if (!points.length) {
