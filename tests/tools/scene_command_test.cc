@@ -17,8 +17,8 @@
 
 #include "machine/units/point.h"
 #include "tests/support/run_program.h"
-#include "tools/gltf/base64.h"
 #include "tools/gltf/gltf_document.h"
+#include "tools/picture/base64.h"
 
 namespace g31::scene_command_test {
 namespace {
@@ -186,12 +186,16 @@ TEST(SceneCommand, ContactsStandWhereTheTouchesWere) {
   options.touches = true;
   const RunOutput output = run_program(options);
   std::size_t count = 0;
+  std::size_t number = 0;
   for (const auto& touch : output.document.at("touches")) {
+    ++number;
     if (touch.at("contact").is_null()) {
       continue;
     }
-    const Json* const node = node_named(glb, "contact " + std::to_string(++count));
+    ++count;
+    const Json* const node = node_named(glb, "touch " + std::to_string(number) + ", ring");
     ASSERT_NE(node, nullptr);
+    EXPECT_EQ(node->at("extras").at("touch"), number);
     EXPECT_EQ(point_of(node->at("translation")), point_of(touch.at("contact")));
     EXPECT_EQ(point_of(node->at("extras").at("normal")), point_of(touch.at("normal")));
     EXPECT_EQ(node->at("extras").at("part"), touch.at("part"));
@@ -219,7 +223,7 @@ TEST(SceneCommand, TheRootTurnsMillimetresAndZUpToMetresAndYUp) {
   for (const std::size_t child : root.at("children")) {
     groups.push_back(glb.json.at("nodes").at(child).at("name"));
   }
-  EXPECT_EQ(groups, (std::vector<std::string>{"parts", "path", "contacts"}));
+  EXPECT_EQ(groups, (std::vector<std::string>{"parts", "path", "contacts", "stylus"}));
 }
 
 /// One rapid, one feed move, a quarter of an arc, a skip move; then into the wall.
@@ -252,17 +256,55 @@ TEST(SceneCommand, PathsAreSortedByKindAndCollisionsMarked) {
   for (std::size_t i = 6; i + 6 < feed.size(); i += 3) {
     EXPECT_NEAR(std::hypot(feed[i] - 250.0, feed[i + 1] + 180.0), 5.0, 1e-4);
   }
-  const Json* const crash = node_named(glb, "collision 1");
+  const Json* const crash = node_named(glb, "collision 1, ring");
   ASSERT_NE(crash, nullptr);
   EXPECT_EQ(crash->at("extras").at("what"), "stylus ball touches ring");
   EXPECT_NEAR(point_of(crash->at("translation")).y(), -180.0 + 19.998, 1e-3);
+}
+
+TEST(SceneCommand, TheStylusStandsAtTheLastTouchInTrueSize) {
+  const Glb glb = parse_glb(scene_of(kMeasureRing, "ring.glb").file);
+  const Json* const ball = node_named(glb, "stylus ball");
+  ASSERT_NE(ball, nullptr);
+  const std::size_t last = node_named(glb, "contacts")->at("children").back();
+  const Json& touch = glb.json.at("nodes").at(last);
+  EXPECT_EQ(ball->at("translation"), touch.at("extras").at("ball_mm"));
+  // The sheet says 6 mm; the ring's wall is a radius away, but for how late the control latches.
+  const Point gap = point_of(ball->at("translation")) - point_of(touch.at("translation"));
+  EXPECT_NEAR(gap.norm(), 3.0, 0.02);
+  const std::size_t mesh = ball->at("mesh");
+  const std::vector<double> surface = numbers_of(
+      glb, glb.json.at("meshes").at(mesh).at("primitives").at(0).at("attributes").at("POSITION"));
+  for (std::size_t i = 0; i + 2 < surface.size(); i += 3) {
+    EXPECT_NEAR(Point(surface[i], surface[i + 1], surface[i + 2]).norm(), 3.0, 1e-6);
+  }
+}
+
+TEST(SceneCommand, PartsHaveTheirEdgesAndWaysAreTubes) {
+  const Glb glb = parse_glb(scene_of(kMeasureRing, "ring.glb").file);
+  const auto primitives = [&](const char* name) {
+    const std::size_t mesh = node_named(glb, name)->at("mesh");
+    return glb.json.at("meshes").at(mesh).at("primitives");
+  };
+  const Json ring = primitives("ring");
+  ASSERT_EQ(ring.size(), 2U);
+  EXPECT_TRUE(ring.at(0).at("attributes").contains("COLOR_0"));
+  EXPECT_EQ(ring.at(1).at("mode"), 1);
+  const Json skip = primitives("skip");
+  ASSERT_EQ(skip.size(), 2U);
+  const auto vertices = [&](const Json& primitive) {
+    const std::size_t accessor = primitive.at("attributes").at("POSITION");
+    return glb.json.at("accessors").at(accessor).at("count").get<std::size_t>();
+  };
+  EXPECT_EQ(skip.at(1).at("mode"), 4);
+  EXPECT_EQ(vertices(skip.at(1)), 3 * vertices(skip.at(0))) << "a prism of three sides each";
 }
 
 TEST(SceneCommand, TheTextFormHoldsTheSameBuffer) {
   const Glb glb = parse_glb(scene_of(kMeasureRing, "ring.glb").file);
   const Json text = Json::parse(scene_of(kMeasureRing, "ring.gltf").file);
   const std::string uri = text.at("buffers").at(0).at("uri");
-  EXPECT_EQ(uri, "data:application/octet-stream;base64," + gltf::base64(glb.buffer));
+  EXPECT_EQ(uri, "data:application/octet-stream;base64," + picture::base64(glb.buffer));
   EXPECT_EQ(text.at("nodes"), glb.json.at("nodes"));
 }
 
@@ -290,9 +332,9 @@ TEST(Base64, MatchesTheExamplesOfItsStandard) {
                                                                 {"fooba", "Zm9vYmE="},
                                                                 {"foobar", "Zm9vYmFy"}}};
   for (const auto& [bytes, text] : kExamples) {
-    EXPECT_EQ(gltf::base64(bytes), text);
+    EXPECT_EQ(picture::base64(bytes), text);
   }
-  EXPECT_EQ(gltf::base64("\xff\xfe"), "//4=");
+  EXPECT_EQ(picture::base64("\xff\xfe"), "//4=");
 }
 
 }  // namespace

@@ -126,12 +126,66 @@ TEST(WayRecorder, TheSpindleTurnsTheBall) {
 
 TEST(WayRecorder, AWayThatTheBudgetDoesNotHaveIsNotKept) {
   const machine::MachineSetup setup = quick_axes();
-  runtime::OutputBudget budget(100);
+  runtime::OutputBudget budget(200);
   MachiningCentre machine(setup, nullptr);
   WayRecorder recorder(machine, setup, Point::Zero(), budget);
   ASSERT_TRUE(recorder.move(feed_to(at(1, 0, 0), 600.0)).ok());
   EXPECT_THROW((void)recorder.move(feed_to(at(2, 0, 0), 600.0)), runtime::BudgetSpent);
   EXPECT_EQ(recorder.ways().size(), 1U);
+}
+
+TEST(WayRecorder, ATableThatTurnsIsTheFrameOfAll) {
+  setup::Job job;
+  job.machine = quick_axes();
+  job.machine.axes[5].present = true;
+  job.machine.chain.table_side = "C";
+  runtime::OutputBudget budget;
+  MachiningCentre machine(job.machine, nullptr);
+  WayRecorder recorder(machine, job, budget);
+  AxisPositions q_M = at(10, 0, 0);
+  ASSERT_TRUE(recorder.move(feed_to(q_M, 600.0)).ok());
+  q_M[5] = 90.0;
+  ASSERT_TRUE(recorder.move(feed_to(q_M, 600.0)).ok());
+  ASSERT_EQ(recorder.ways().size(), 2U) << "the tool stands, the part turns under it";
+  const Way& turn = recorder.ways().back();
+  EXPECT_EQ(turn.points.size(), 20U);
+  for (const Point& p : turn.points) {
+    EXPECT_NEAR(p.norm(), 10.0, 1e-9);
+  }
+  // ISO 841: C counts the tool against the part.
+  EXPECT_NEAR((turn.points.back() - Point(0, 10, 0)).norm(), 0.0, 1e-9);
+}
+
+TEST(WayRecorder, InATurretNoSpindleTurnsTheBall) {
+  setup::Job job;
+  job.machine = quick_axes();
+  job.probe.emplace();
+  job.probe->eccentricity_mm = {0.5, 0.0};
+  job.probe->in_turret = true;
+  runtime::OutputBudget budget;
+  MachiningCentre machine(job.machine, nullptr);
+  WayRecorder recorder(machine, job, budget);
+  machine::SpindleTurn half;
+  half.angle_deg = 180.0;
+  recorder.turn_spindle(half);
+  EXPECT_EQ(recorder.stylus().p_M, Point(0.5, 0.0, -120.0));
+}
+
+TEST(WayRecorder, FollowsTheToolThatIsCalled) {
+  setup::Job job;
+  job.machine = quick_axes();
+  job.tools.emplace_back();
+  job.tools.back().number = 7;
+  job.tools.back().length_mm = 80.0;
+  runtime::OutputBudget budget;
+  MachiningCentre machine(job.machine, nullptr);
+  WayRecorder recorder(machine, job, budget);
+  EXPECT_EQ(recorder.stylus().p_M, Point::Zero());
+  recorder.change_tool({{7, 79.0, 5.0}, 1});
+  EXPECT_EQ(recorder.stylus().p_M, Point(0.0, 0.0, -80.0)) << "where it truly is";
+  EXPECT_EQ(recorder.stylus().tool, 7);
+  recorder.change_tool({{8, 50.0, 5.0}, 1});
+  EXPECT_EQ(recorder.stylus().tool, 0);
 }
 
 TEST(TipOf, IsTheBallOrTheGaugePoint) {

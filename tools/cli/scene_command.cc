@@ -1,5 +1,6 @@
 #include "tools/cli/scene_command.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,11 +9,13 @@
 
 #include "interpreter/runtime/observer.h"
 #include "tools/cli/messages.h"
+#include "tools/cli/svg_to_png.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/gltf/gltf_document.h"
 #include "tools/picture/pictured_part.h"
-#include "tools/picture/tip.h"
+#include "tools/picture/still.h"
+#include "tools/picture/stylus_shape.h"
 #include "tools/picture/way_recorder.h"
 #include "tools/session/heard.h"
 #include "tools/session/run.h"
@@ -21,20 +24,84 @@
 namespace g31::cli {
 namespace {
 
-std::optional<gltf::GltfForm> form_of(std::string_view path) {
-  if (path.ends_with(".glb")) {
-    return gltf::GltfForm::Binary;
+/// What the end of the file's name says; empty: nothing that g31 writes.
+std::string_view form_of(std::string_view path) {
+  const auto form =
+      std::ranges::find_if(kSceneForms, [&](std::string_view end) { return path.ends_with(end); });
+  return form == kSceneForms.end() ? std::string_view() : *form;
+}
+
+/// Why nothing can be written there whatever the run comes to.
+std::optional<session::Refusal> refused(const SceneOptions& options) {
+  const std::string_view form = form_of(options.output);
+  if (form.empty()) {
+    return session::bad_input(fmt::format(
+        "-o {}: a scene is a .glb or a .gltf file, a picture of it a .svg or a .png file",
+        options.output));
   }
-  return path.ends_with(".gltf") ? std::optional(gltf::GltfForm::Text) : std::nullopt;
+  if (form == ".png" && !has_svg_drawer()) {
+    return session::bad_input(
+        fmt::format("-o {}: {} draws it and is not installed (Debian: librsvg2-bin); a .svg file "
+                    "needs nothing more",
+                    options.output, kSvgDrawer));
+  }
+  return std::nullopt;
+}
+
+picture::StillScene still_of(const setup::Job& job, const picture::WayRecorder& recorder) {
+  picture::StillScene scene;
+  scene.ways = recorder.ways();
+  scene.contacts = recorder.contacts();
+  scene.collisions = recorder.collisions();
+  scene.has_y = job.machine.axes[1].present;
+  if (!scene.collisions.empty()) {
+    scene.last = scene.collisions.back().stylus;
+  } else {
+    scene.last = scene.contacts.empty() ? recorder.stylus() : scene.contacts.back().stylus;
+  }
+  scene.tip_radius_mm = picture::tip_radius(job, scene.last.tool);
+  return scene;
+}
+
+std::string file_name(const std::string& path) {
+  return path.substr(path.find_last_of('/') + 1);
+}
+
+/// The file that was asked for.
+Result<std::string, session::Refusal> document_of(const SceneOptions& options,
+                                                  const setup::Job& job,
+                                                  const session::World& world,
+                                                  const picture::WayRecorder& recorder) {
+  const std::string_view form = form_of(options.output);
+  const auto parts = picture::parts_of(world);
+  picture::StillScene scene = still_of(job, recorder);
+  const auto stylus = picture::stylus_shape(job, scene.last.tool);
+  if (form == ".glb" || form == ".gltf") {
+    return gltf::gltf_document(parts,
+                               {scene.ways, scene.contacts, scene.collisions, stylus, scene.last},
+                               form == ".glb" ? gltf::GltfForm::Binary : gltf::GltfForm::Text);
+  }
+  scene.title = file_name(options.run.programs.front());
+  scene.parts = parts;
+  scene.stylus = stylus;
+  const std::string svg = picture::still_svg(
+      scene,
+      {options.width, options.theme == "dark" ? picture::Theme::Dark : picture::Theme::Light});
+  if (form == ".svg") {
+    return svg;
+  }
+  const auto png = svg_to_png(svg);
+  if (!png) {
+    return session::bad_input(fmt::format("-o {}: {}", options.output, png.error()));
+  }
+  return png.value().bytes;
 }
 
 }  // namespace
 
 ExitCode scene_command(const SceneOptions& options) {
-  const auto form = form_of(options.output);
-  if (!form) {
-    return refuse(session::bad_input(
-        fmt::format("-o {}: a scene is a .glb or a .gltf file", options.output)));
+  if (const auto wrong = refused(options)) {
+    return refuse(*wrong);
   }
   disk::Disk disk;
   const auto prepared = session::prepare(options.run, disk);
@@ -49,7 +116,7 @@ ExitCode scene_command(const SceneOptions& options) {
     return refuse(world.error());
   }
   runtime::OutputBudget output(options.run.max_output);
-  picture::WayRecorder recorder(*world.value().machine, job.machine, picture::tip_of(job), output);
+  picture::WayRecorder recorder(*world.value().machine, job, output);
   runtime::Observer nobody;
   const auto programs = session::open_programs(control, options.run, disk, job.control);
   if (!programs) {
@@ -72,10 +139,11 @@ ExitCode scene_command(const SceneOptions& options) {
   if (outcome.status == runtime::Status::SyntaxError) {
     return ExitCode::BadUsage;
   }
-  const std::string document =
-      gltf::gltf_document(picture::parts_of(world.value()),
-                          {recorder.ways(), recorder.contacts(), recorder.collisions()}, *form);
-  if (const auto wrong = write_out(options.output, document)) {
+  const auto document = document_of(options, job, world.value(), recorder);
+  if (!document) {
+    return refuse(document.error());
+  }
+  if (const auto wrong = write_out(options.output, document.value())) {
     return refuse(*wrong);
   }
   return exit_code_of(session::ending_of(outcome));

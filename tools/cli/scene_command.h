@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 
 #include "tools/cli/exit_code.h"
 #include "tools/cli/run_command.h"
@@ -10,10 +12,16 @@ namespace g31::cli {
 /// What the command line of `g31 scene` says.
 struct SceneOptions {
   RunOptions run;
-  std::string output;  ///< ends in .glb or .gltf
+  std::string output;           ///< ends in one of kSceneForms
+  int width = 1200;             ///< pixels, of a still
+  std::string theme = "light";  ///< of a still: light or dark
 };
 
-/// Runs a program and writes what happened as a glTF scene: parts, path, contacts, collisions.
+/// What a scene is written as, by the end of the file's name.
+inline constexpr std::array<std::string_view, 4> kSceneForms = {".glb", ".gltf", ".svg", ".png"};
+
+/// Runs a program and writes what happened as a glTF scene or as a still: parts, ways, stylus,
+/// contacts, collisions.
 ///
 /// Also of a run that ends in an alarm or a collision, up to there; the exit code is that of the
 /// run.  Nothing else is written: no document, no variables file.

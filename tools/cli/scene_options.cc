@@ -1,18 +1,34 @@
 #include "tools/cli/scene_options.h"
 
+#include <string>
+#include <vector>
+
 #include <CLI/CLI.hpp>
 
 #include "tools/cli/run_options.h"
+#include "tools/picture/still.h"
 
 namespace g31::cli {
 
 CLI::App* add_scene_command(CLI::App& app, SceneOptions& options) {
   CLI::App* const scene = app.add_subcommand(
-      "scene", "Run an NC program and write parts, path and contacts as a glTF 2.0 scene.");
+      "scene",
+      "Run an NC program and write parts, ways and touches as a glTF 2.0 scene or a picture.");
   add_program_options(*scene, options.run);
-  scene->add_option("-o,--output", options.output, "the scene: a .glb or a .gltf file")
+  scene
+      ->add_option("-o,--output", options.output,
+                   "a .glb or .gltf file: a scene for any viewer; a .svg or .png file: a "
+                   "picture for documents (.png needs rsvg-convert, Debian: librsvg2-bin)")
       ->type_name("FILE")
       ->required();
+  scene->add_option("--width", options.width, "of a picture, pixels")
+      ->type_name("PX")
+      ->check(CLI::Range(picture::kLeastStillPixels, picture::kMostStillPixels))
+      ->capture_default_str();
+  scene->add_option("--theme", options.theme, "of a picture: light or dark")
+      ->type_name("THEME")
+      ->check(CLI::IsMember(std::vector<std::string>{"light", "dark"}))
+      ->capture_default_str();
   return scene;
 }
 
@@ -20,6 +36,7 @@ std::string scene_examples() {
   return "Examples:\n"
          "  g31 scene measure_ring.nc --setup ring.toml -o ring.glb\n"
          "  g31 scene part.nc -s machine.toml -s fixture.toml -o part.gltf\n"
+         "  g31 scene part.nc -s machine.toml -o part.svg --width 1600 --theme dark\n"
          "  g31 scene part.mpf --control sinumerik-828d -s machine.toml -o part.glb\n\n";
 }
 

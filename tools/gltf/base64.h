@@ -1,11 +1,9 @@
 #pragma once
 
-#include <string>
-#include <string_view>
+#include "tools/picture/base64.h"
 
 namespace g31::gltf {
 
-/// Bytes in the letters of RFC 4648, section 4, with padding.
-std::string base64(std::string_view bytes);
+using picture::base64;
 
 }  // namespace g31::gltf

@@ -9,8 +9,10 @@
 
 #include <Eigen/Geometry>
 
-#include "tools/gltf/base64.h"
 #include "tools/gltf/gltf_buffer.h"
+#include "tools/gltf/gltf_shapes.h"
+#include "tools/picture/base64.h"
+#include "tools/picture/feature_edges.h"
 
 namespace g31::gltf {
 namespace {
@@ -23,7 +25,11 @@ struct Colour {
   std::array<double, 3> rgb;
 };
 
-constexpr Colour kPartColour = {"part", {0.62, 0.65, 0.70}};
+constexpr Colour kPartColour = {"part", {0.78, 0.80, 0.84}};
+constexpr Colour kFixtureColour = {"fixture", {0.50, 0.53, 0.58}};
+constexpr Colour kEdgeColour = {"edge", {0.13, 0.15, 0.18}};
+constexpr Colour kStylusColour = {"stylus", {0.45, 0.48, 0.52}};
+constexpr Colour kBallColour = {"stylus ball", {0.62, 0.09, 0.14}};
 constexpr std::array<Colour, picture::kPathKinds> kPathColours = {{
     {"rapid", {0.95, 0.60, 0.10}},
     {"feed", {0.10, 0.40, 0.90}},
@@ -34,22 +40,7 @@ constexpr Colour kCollisionColour = {"collision", {0.90, 0.05, 0.05}};
 
 constexpr double kMarkRadiusMm = 0.5;
 constexpr double kWhiskerMm = 5.0;
-
-/// All chords of a kind of motion, two points each.
-std::vector<Point> segments_of(std::span<const picture::Way> ways, picture::PathKind kind) {
-  std::vector<Point> segments;
-  for (const picture::Way& way : ways) {
-    if (way.kind != kind) {
-      continue;
-    }
-    for (std::size_t i = 1; i < way.points.size(); ++i) {
-      if (way.points[i] != way.points[i - 1]) {
-        segments.insert(segments.end(), {way.points[i - 1], way.points[i]});
-      }
-    }
-  }
-  return segments;
-}
+constexpr double kTubeRadiusMm = 0.12;
 
 Json array_of(const Point& p) {
   return {p.x(), p.y(), p.z()};
@@ -67,41 +58,6 @@ Json rotation_from_z(const Point& n) {
   return {q[0], q[1], q[2], q[3]};
 }
 
-/// A ball about the origin, as an icosahedron.
-parts::Mesh small_ball(double radius) {
-  const double golden = 0.5 * (1.0 + std::sqrt(5.0));
-  parts::Mesh mesh;
-  for (const double a : {-1.0, 1.0}) {
-    for (const double b : {-golden, golden}) {
-      for (const Point& corner : {Point(0, a, b), Point(a, b, 0), Point(b, 0, a)}) {
-        mesh.vertices.emplace_back(radius * corner.normalized());
-      }
-    }
-  }
-  // Three corners that are all next to each other make a face.
-  const double edge = 1.1 * 2.0 * radius / std::sqrt(golden * golden + 1.0);
-  const auto close = [&](std::uint32_t a, std::uint32_t b) {
-    return (mesh.vertices[a] - mesh.vertices[b]).norm() < edge;
-  };
-  for (std::uint32_t a = 0; a < 12; ++a) {
-    for (std::uint32_t b = a + 1; b < 12; ++b) {
-      for (std::uint32_t c = b + 1; c < 12; ++c) {
-        if (!close(a, b) || !close(b, c) || !close(c, a)) {
-          continue;
-        }
-        const Point normal =
-            (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
-        if (normal.dot(mesh.vertices[a]) > 0.0) {
-          mesh.triangles.push_back({a, b, c});
-        } else {
-          mesh.triangles.push_back({a, c, b});
-        }
-      }
-    }
-  }
-  return mesh;
-}
-
 class Document {
  public:
   Document(std::span<const picture::PicturedPart> parts, const Trace& trace) {
@@ -109,6 +65,7 @@ class Document {
     add_paths(trace);
     add_marks("contacts", trace.contacts, kContactColour);
     add_marks("collisions", trace.collisions, kCollisionColour);
+    add_stylus(trace);
     const std::size_t root = add_node({{"name", "machine coordinates, mm"},
                                        {"rotation", {-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)}},
                                        {"scale", {0.001, 0.001, 0.001}},
@@ -198,15 +155,32 @@ class Document {
 
   void add_parts(std::span<const picture::PicturedPart> parts) {
     std::vector<std::size_t> nodes;
-    std::optional<std::size_t> material;
+    std::array<std::optional<std::size_t>, 2> materials;  // of parts, of fixtures
+    std::optional<std::size_t> edge_material;
     for (const picture::PicturedPart& part : parts) {
       if (part.mesh_M->triangles.empty()) {
         continue;
       }
-      material = material ? material : std::optional(add_material(kPartColour, Shading::Lit));
-      const std::size_t mesh =
-          add_mesh(part.name, Json::array({triangles_of(*part.mesh_M, *material)}));
-      nodes.push_back(add_node({{"name", part.name}, {"mesh", mesh}}));
+      auto& material = materials[part.is_fixture ? 1 : 0];
+      if (!material) {
+        material = add_material(part.is_fixture ? kFixtureColour : kPartColour, Shading::Lit);
+      }
+      Json surface = triangles_of(*part.mesh_M, *material);
+      surface["attributes"]["COLOR_0"] = buffer_.add_points(shades_by_height(*part.mesh_M));
+      Json primitives = Json::array({surface});
+      std::vector<Point> edges;
+      for (const picture::Segment& edge : picture::feature_edges(*part.mesh_M)) {
+        edges.insert(edges.end(), {edge.p_from, edge.p_to});
+      }
+      if (!edges.empty()) {
+        if (!edge_material) {
+          edge_material = add_material(kEdgeColour, Shading::Unlit);
+        }
+        primitives.push_back(lines_of(edges, *edge_material));
+      }
+      nodes.push_back(add_node({{"name", part.name},
+                                {"mesh", add_mesh(part.name, primitives)},
+                                {"extras", {{"fixture", part.is_fixture}}}}));
     }
     add_group("parts", nodes);
   }
@@ -220,7 +194,9 @@ class Document {
       }
       const Colour& colour = kPathColours[kind];
       const std::size_t material = add_material(colour, Shading::Unlit);
-      const std::size_t mesh = add_mesh(colour.name, Json::array({lines_of(segments, material)}));
+      const Json tubes = triangles_of(tubes_about(segments, kTubeRadiusMm), material);
+      const std::size_t mesh =
+          add_mesh(colour.name, Json::array({lines_of(segments, material), tubes}));
       nodes.push_back(add_node({{"name", colour.name}, {"mesh", mesh}}));
     }
     add_group("path", nodes);
@@ -234,22 +210,54 @@ class Document {
     const std::size_t material = add_material(colour, Shading::Unlit);
     const std::array<Point, 2> whisker = {Point::Zero(), Point(0.0, 0.0, kWhiskerMm)};
     const Json ball = triangles_of(small_ball(kMarkRadiusMm), material);
+    const Json tube = triangles_of(tubes_about(whisker, kTubeRadiusMm), material);
     const std::size_t mesh =
-        add_mesh(colour.name, Json::array({ball, lines_of(whisker, material)}));
+        add_mesh(colour.name, Json::array({ball, lines_of(whisker, material), tube}));
     std::vector<std::size_t> nodes;
     for (const picture::Mark& mark : marks) {
-      Json extras = {{"part", mark.part}, {"normal", array_of(mark.n_M)}};
+      Json extras = {{"part", mark.part},
+                     {"normal", array_of(mark.n_M)},
+                     {"contact_mm", array_of(mark.p_M)},
+                     {"ball_mm", array_of(mark.stylus.p_M)}};
+      if (mark.touch > 0) {
+        extras["touch"] = mark.touch;
+      }
       if (!mark.what.empty()) {
         extras["what"] = mark.what;
       }
-      nodes.push_back(
-          add_node({{"name", std::string(colour.name) + " " + std::to_string(nodes.size() + 1)},
-                    {"mesh", mesh},
-                    {"translation", array_of(mark.p_M)},
-                    {"rotation", rotation_from_z(mark.n_M)},
-                    {"extras", std::move(extras)}}));
+      nodes.push_back(add_node({{"name", name_of(mark, nodes.size() + 1)},
+                                {"mesh", mesh},
+                                {"translation", array_of(mark.p_M)},
+                                {"rotation", rotation_from_z(mark.n_M)},
+                                {"extras", std::move(extras)}}));
     }
     add_group(name, nodes);
+  }
+
+  /// "touch 3, ring": as the table of touches counts; "collision 1, ring".
+  static std::string name_of(const picture::Mark& mark, std::size_t number) {
+    const std::string name = mark.touch > 0 ? "touch " + std::to_string(mark.touch)
+                                            : "collision " + std::to_string(number);
+    return name + ", " + mark.part;
+  }
+
+  /// In true size, where it was at last.
+  void add_stylus(const Trace& trace) {
+    std::vector<std::size_t> nodes;
+    std::array<std::optional<std::size_t>, 2> materials;  // of what holds, of balls
+    for (const picture::StylusPiece& piece : trace.stylus) {
+      auto& material = materials[piece.is_ball ? 1 : 0];
+      if (!material) {
+        material = add_material(piece.is_ball ? kBallColour : kStylusColour, Shading::Lit);
+      }
+      const Eigen::Vector4d turn = trace.stylus_place.turn.coeffs();
+      nodes.push_back(add_node(
+          {{"name", piece.name},
+           {"mesh", add_mesh(piece.name, Json::array({triangles_of(piece.mesh_S, *material)}))},
+           {"translation", array_of(trace.stylus_place.p_M)},
+           {"rotation", {turn[0], turn[1], turn[2], turn[3]}}}));
+    }
+    add_group("stylus", nodes);
   }
 
   GltfBuffer buffer_;
@@ -300,8 +308,8 @@ std::string gltf_document(std::span<const picture::PicturedPart> parts, const Tr
   if (form == GltfForm::Binary) {
     return binary_file(document);
   }
-  return text_of(
-             document.json("data:application/octet-stream;base64," + base64(document.bytes()))) +
+  return text_of(document.json("data:application/octet-stream;base64," +
+                               picture::base64(document.bytes()))) +
          "\n";
 }
 

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "tools/picture/stylus_shape.h"
 #include "tools/picture/way.h"
 
 namespace g31::gltf {
@@ -11,6 +12,8 @@ struct Trace {
   std::span<const picture::Way> ways;       ///< in order
   std::span<const picture::Mark> contacts;  ///< of skip moves, in order
   std::span<const picture::Mark> collisions;
+  std::span<const picture::StylusPiece> stylus;  ///< what the spindle holds
+  picture::StylusPlace stylus_place;             ///< where it is shown
 };
 
 }  // namespace g31::gltf

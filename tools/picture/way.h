@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "machine/units/point.h"
 
 namespace g31::picture {
@@ -13,7 +15,8 @@ enum class PathKind { Rapid, Feed, Skip };
 
 inline constexpr std::size_t kPathKinds = 3;
 
-/// What the stylus ball's centre did in one move.
+/// What the stylus ball's centre did in one move.  Where rotary axes turn tool and part against
+/// each other, it is told in the frame of the part, as contacts are.
 struct Way {
   PathKind kind = PathKind::Rapid;
   double time_from_s = 0.0;  ///< simulated time
@@ -23,12 +26,21 @@ struct Way {
   std::vector<Point> points;
 };
 
+/// Where the point that ways follow stands, and how what carries it is turned there.
+struct StylusPlace {
+  Point p_M = Point::Zero();                                 ///< mm, machine frame
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  ///< spindle and rotary axes
+  int tool = 0;  ///< the tool whose lowest point it is; 0: the probe, or the gauge point
+};
+
 /// Where something was touched, wanted or not.
 struct Mark {
   Point p_M = Point::Zero();   ///< mm, machine frame
-  Point n_M = Point::UnitZ();  ///< unit normal of the surface there
+  Point n_M = Point::UnitZ();  ///< unit normal of the surface there, out of the material
   std::string part;
-  std::string what;  ///< "stylus ball touches ring"; empty for a wanted touch
+  std::string what;       ///< "stylus ball touches ring"; empty for a wanted touch
+  std::size_t touch = 0;  ///< the how-manyth skip move it is of, from 1; 0: a collision
+  StylusPlace stylus;     ///< as latched; of a collision where it happened
 };
 
 }  // namespace g31::picture

@@ -8,18 +8,19 @@
 #include <variant>
 
 #include "parts/geometry/placement.h"
+#include "probe/tooling/spindle.h"
+#include "tools/picture/tip.h"
 
 namespace g31::picture {
 namespace {
 
 /// A chord: two points, as many bytes as the two forms of a scene and memory take.
-constexpr std::uint64_t kChordBytes = 64;
+constexpr std::uint64_t kChordBytes = 128;
 /// A mark has names and a place in lists.
 constexpr std::uint64_t kMarkBytes = 256;
 
-Mark mark_of(const machine::Contact& contact, const std::string& what) {
-  return {contact.p_M_point, contact.n_M, contact.part, what};
-}
+/// No chord is of more: of an arc, of a rotary axis.
+constexpr double kChordDeg = 5.0;
 
 const std::optional<machine::Contact>& contact_of(const machine::SkipOutcome& outcome) {
   static const std::optional<machine::Contact> kNone;
@@ -30,11 +31,28 @@ const std::optional<machine::Contact>& contact_of(const machine::SkipOutcome& ou
   return already != nullptr ? already->contact : kNone;
 }
 
+/// Into how many chords of kChordDeg rotary axes turn.
+int turning_chords(const AxisPositions& q_M_from, const AxisPositions& q_M_to) {
+  const double turned_deg =
+      (q_M_to - q_M_from).segment<kRotaryAxisCount>(kLinearAxisCount).cwiseAbs().maxCoeff();
+  return 1 + static_cast<int>(turned_deg / kChordDeg);
+}
+
 }  // namespace
 
 WayRecorder::WayRecorder(machine::MachinePort& machine, const machine::MachineSetup& setup,
                          const Point& p_S_tip, runtime::OutputBudget& budget)
-    : machine_(machine), dynamics_(setup), p_S_tip_(p_S_tip), budget_(budget) {}
+    : machine_(machine),
+      dynamics_(setup),
+      p_S_tip_(p_S_tip),
+      chain_(setup.chain, p_S_tip),
+      budget_(budget) {}
+
+WayRecorder::WayRecorder(machine::MachinePort& machine, const setup::Job& job,
+                         runtime::OutputBudget& budget)
+    : WayRecorder(machine, job.machine, tip_of(job), budget) {
+  job_ = &job;
+}
 
 Result<AxisPositions, machine::MachineFault> WayRecorder::move(const machine::LinearMove& move) {
   const Beginning from = beginning();
@@ -59,7 +77,7 @@ Result<AxisPositions, machine::MachineFault> WayRecorder::move(const machine::Ar
   const Beginning from = beginning();
   auto outcome = machine_.move(arc);
   if (machine_.position() != from.q_M || outcome) {
-    constexpr double kChordRad = std::numbers::pi / 36.0;
+    constexpr double kChordRad = kChordDeg * std::numbers::pi / 180.0;
     const machine::ArcPath path(from.q_M, arc);
     keep_curve(PathKind::Feed, from, path,
                1 + static_cast<int>(std::fabs(path.turned_rad()) / kChordRad));
@@ -74,29 +92,70 @@ Result<machine::SkipOutcome, machine::MachineFault> WayRecorder::move_until_skip
     const machine::SkipMove& move) {
   const Beginning from = beginning();
   auto outcome = machine_.move_until_skip(move);
+  ++skips_;
   keep(PathKind::Skip, from);
   if (!outcome) {
     mark(outcome.error());
   } else if (const auto& contact = contact_of(outcome.value());
              contact && budget_.charge(runtime::Output::Scene, kMarkBytes)) {
-    contacts_.push_back(mark_of(*contact, {}));
+    const auto* touched = std::get_if<machine::Touched>(&outcome.value());
+    contacts_.push_back(
+        mark_of(*contact, touched != nullptr ? touched->q_M_latched : machine_.position()));
+    contacts_.back().touch = skips_;
   }
   return outcome;
 }
 
+void WayRecorder::change_tool(const machine::ToolChange& change) {
+  machine_.change_tool(change);
+  if (job_ == nullptr || change.spindle != probe::kToolSpindle) {
+    return;
+  }
+  const auto tool = std::ranges::find(job_->tools, change.tool.number, &probe::ToolSetup::number);
+  const bool has_lowest_point = tool != job_->tools.end() &&
+                                tool->kind != probe::ToolKind::Turning &&
+                                tool->kind != probe::ToolKind::Probe;
+  tool_ = has_lowest_point ? tool->number : 0;
+  p_S_tip_ = has_lowest_point ? Point(0.0, 0.0, -tool->length_mm) : p_S_probe_;
+  chain_.take_tool(p_S_tip_);
+}
+
 void WayRecorder::turn_spindle(const machine::SpindleTurn& turn) {
   machine_.turn_spindle(turn);
-  if (turn.angle_deg) {
+  const bool turns_it = turn.spindle == probe::kToolSpindle &&
+                        (job_ == nullptr || !job_->probe || !job_->probe->in_turret);
+  if (turn.angle_deg && turns_it) {
     R_MS_ = parts::rotation_to_machine({Point::Zero(), {0.0, 0.0, *turn.angle_deg}});
   }
 }
 
-Point WayRecorder::tip_at(const AxisPositions& q_M) const {
-  return linear_axes(q_M) + R_MS_ * p_S_tip_;
+std::optional<machine::MachineFault> WayRecorder::take_late_fault() {
+  auto fault = machine_.take_late_fault();
+  if (fault) {
+    mark(*fault);
+  }
+  return fault;
+}
+
+StylusPlace WayRecorder::stylus_at(const AxisPositions& q_M) const {
+  if (!chain_.has_rotary_axes()) {
+    return {linear_axes(q_M) + R_MS_ * p_S_tip_, Eigen::Quaterniond(R_MS_), tool_};
+  }
+  // As the touch probe sees itself: the axes carry the tip as it is without the spindle's turn.
+  const machine::ToolPlace place = chain_.for_part(q_M);
+  return {linear_axes(place.q) + p_S_tip_ + place.tilt * (R_MS_ * p_S_tip_ - p_S_tip_),
+          place.tilt * Eigen::Quaterniond(R_MS_), tool_};
 }
 
 void WayRecorder::keep(PathKind kind, const Beginning& from) {
-  keep({kind, from.time_s, machine_.time_s(), {}}, {from.q_M, machine_.position()});
+  const AxisPositions q_M_to = machine_.position();
+  const int chords = chain_.has_rotary_axes() ? turning_chords(from.q_M, q_M_to) : 1;
+  std::vector<AxisPositions> q_M;
+  const machine::StraightPath path(from.q_M, q_M_to);
+  for (int i = 0; i <= chords; ++i) {
+    q_M.push_back(path.at(static_cast<double>(i) / chords));
+  }
+  keep({kind, from.time_s, machine_.time_s(), {}}, q_M);
 }
 
 template <typename Path>
@@ -121,25 +180,37 @@ void WayRecorder::keep_curve(PathKind kind, const Beginning& from, const Path& p
 }
 
 void WayRecorder::keep(Way way, const std::vector<AxisPositions>& q_M) {
-  const auto is_at_start = [&](const AxisPositions& q) {
-    return linear_axes(q) == linear_axes(q_M.front());
-  };
-  if (std::ranges::all_of(q_M, is_at_start) ||
-      !budget_.charge(runtime::Output::Scene, kChordBytes * (q_M.size() - 1))) {
+  std::vector<Point> points;
+  points.reserve(q_M.size());
+  for (const AxisPositions& q : q_M) {
+    points.push_back(stylus_at(q).p_M);
+  }
+  const auto is_at_start = [&](const Point& p) { return p == points.front(); };
+  if (std::ranges::all_of(points, is_at_start) ||
+      !budget_.charge(runtime::Output::Scene, kChordBytes * (points.size() - 1))) {
     return;
   }
   // The end of a move that passes on is told as if the axes came to rest there.
   way.time_to_s = std::max(way.time_from_s, way.time_to_s);
-  for (const AxisPositions& q : q_M) {
-    way.points.push_back(tip_at(q));
-  }
+  way.points = std::move(points);
   ways_.push_back(std::move(way));
 }
 
 void WayRecorder::mark(const machine::MachineFault& fault) {
   if (fault.contact) {
-    collisions_.push_back(mark_of(*fault.contact, fault.what));
+    collisions_.push_back(mark_of(*fault.contact, fault.q_M_at));
+    collisions_.back().what = fault.what;
   }
+}
+
+Mark WayRecorder::mark_of(const machine::Contact& contact, const AxisPositions& q_M) const {
+  Mark mark = {contact.p_M_point, contact.n_M, contact.part, {}, 0, stylus_at(q_M)};
+  if (chain_.has_rotary_axes() && chain_.is_turned(q_M)) {
+    const Eigen::Isometry3d part_from_machine = chain_.part_from_machine(q_M);
+    mark.p_M = part_from_machine * contact.p_M_point;
+    mark.n_M = part_from_machine.linear() * contact.n_M;
+  }
+  return mark;
 }
 
 }  // namespace g31::picture

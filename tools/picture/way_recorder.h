@@ -5,17 +5,21 @@
 #include <Eigen/Core>
 
 #include "interpreter/runtime/output_budget.h"
+#include "machine/kinematics/axis_chain.h"
 #include "machine/port/machine_port.h"
 #include "machine/sim/axis_dynamics.h"
 #include "tools/picture/way.h"
+#include "tools/setup/job.h"
 
 namespace g31::picture {
 
 /// A machine that another one does the work for, and that keeps the ways of a point in the spindle:
-/// the stylus ball's centre.  M19 turns it about the spindle axis.
+/// the stylus ball's centre, or the lowest point of the tool that is there.  M19 turns it about the
+/// spindle axis.
 ///
-/// Straight moves are two points, arcs chords of 5 degrees at most, rapids of each axis on its own
-/// 48 chords; moves of no linear axis leave no way.
+/// Where rotary axes turn tool and part against each other, all is told in the frame of the part.
+/// Straight moves are two points, moves of such axes and chords of 5 degrees at most, rapids of
+/// each axis on its own 48 chords; moves of no axis leave no way.
 class WayRecorder final : public machine::MachinePort {
  public:
   /// @param machine  not owned: it must outlive the recorder
@@ -24,6 +28,11 @@ class WayRecorder final : public machine::MachinePort {
   /// @param budget   is charged for each chord; outlives the recorder
   WayRecorder(machine::MachinePort& machine, const machine::MachineSetup& setup,
               const Point& p_S_tip, runtime::OutputBudget& budget);
+
+  /// The same for the machine of a set-up: knows which probe no spindle turns, and where the lowest
+  /// point of each tool is that programs call.
+  /// @param job  outlives the recorder
+  WayRecorder(machine::MachinePort& machine, const setup::Job& job, runtime::OutputBudget& budget);
 
   Result<AxisPositions, machine::MachineFault> move(const machine::LinearMove& move) override;
   Result<AxisPositions, machine::MachineFault> move(const machine::ArcMove& arc) override;
@@ -39,7 +48,7 @@ class WayRecorder final : public machine::MachinePort {
   [[nodiscard]] std::optional<double> displacement(int input) const override {
     return machine_.displacement(input);
   }
-  void change_tool(const machine::ToolChange& change) override { machine_.change_tool(change); }
+  void change_tool(const machine::ToolChange& change) override;
   void turn_spindle(const machine::SpindleTurn& turn) override;
   void auxiliary_code(const machine::AuxiliaryCode& code) override {
     machine_.auxiliary_code(code);
@@ -49,9 +58,7 @@ class WayRecorder final : public machine::MachinePort {
   }
   void dwell(double seconds) override { machine_.dwell(seconds); }
   void stand_still() override { machine_.stand_still(); }
-  std::optional<machine::MachineFault> take_late_fault() override {
-    return machine_.take_late_fault();
-  }
+  std::optional<machine::MachineFault> take_late_fault() override;
   [[nodiscard]] std::optional<machine::AxisTravel> travel(int axis) const override {
     return machine_.travel(axis);
   }
@@ -63,6 +70,8 @@ class WayRecorder final : public machine::MachinePort {
   /// Of skip moves, in order.
   [[nodiscard]] const std::vector<Mark>& contacts() const { return contacts_; }
   [[nodiscard]] const std::vector<Mark>& collisions() const { return collisions_; }
+  /// Where it stands now.
+  [[nodiscard]] StylusPlace stylus() const { return stylus_at(machine_.position()); }
 
  private:
   /// Where and when a move begins.
@@ -72,7 +81,7 @@ class WayRecorder final : public machine::MachinePort {
   };
 
   [[nodiscard]] Beginning beginning() const { return {machine_.position(), machine_.time_s()}; }
-  [[nodiscard]] Point tip_at(const AxisPositions& q_M) const;
+  [[nodiscard]] StylusPlace stylus_at(const AxisPositions& q_M) const;
   /// Of a move that began there and has ended where the machine stands.
   void keep(PathKind kind, const Beginning& from);
   /// The same in chords of equal shares of the path.
@@ -80,11 +89,18 @@ class WayRecorder final : public machine::MachinePort {
   void keep_curve(PathKind kind, const Beginning& from, const Path& path, int chords);
   void keep(Way way, const std::vector<AxisPositions>& q_M);
   void mark(const machine::MachineFault& fault);
+  /// Told in the frame of the part, the axes standing there.
+  [[nodiscard]] Mark mark_of(const machine::Contact& contact, const AxisPositions& q_M) const;
 
   machine::MachinePort& machine_;
   machine::AxisDynamics dynamics_;
   Point p_S_tip_;
+  Point p_S_probe_ = p_S_tip_;
+  const setup::Job* job_ = nullptr;
+  int tool_ = 0;  // whose tip it is
+  machine::AxisChain chain_;
   Eigen::Matrix3d R_MS_ = Eigen::Matrix3d::Identity();
+  std::size_t skips_ = 0;
   std::vector<Way> ways_;
   std::vector<Mark> contacts_;
   std::vector<Mark> collisions_;

@@ -1,10 +1,10 @@
-#include "tools/gltf/base64.h"
+#include "tools/picture/base64.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
-namespace g31::gltf {
+namespace g31::picture {
 
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kLetters =
@@ -25,4 +25,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace g31::gltf
+}  // namespace g31::picture

@@ -1,0 +1,253 @@
+// Stills of runs: what is drawn is there, what is behind is not, numbers do not lie on each other.
+
+#include "tools/picture/still.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <numbers>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/cli/scene_command.h"
+#include "tools/cli/svg_to_png.h"
+#include "tools/picture/png.h"
+#include "tools/picture/raster.h"
+
+namespace g31::picture::still_test {
+namespace {
+
+using testing::TemporaryFolder;
+
+parts::Mesh box(const Point& low, const Point& high) {
+  parts::Mesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    mesh.vertices.emplace_back((i & 1) != 0 ? high.x() : low.x(), (i & 2) != 0 ? high.y() : low.y(),
+                               (i & 4) != 0 ? high.z() : low.z());
+  }
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+std::size_t count(const std::string& text, const std::string& piece) {
+  std::size_t found = 0;
+  for (auto at = text.find(piece); at != std::string::npos; at = text.find(piece, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+struct Still {
+  int exit_code = -1;
+  std::string file;
+  std::string errors;
+};
+
+Still still_of(const std::string& program, const std::string& name,
+               const std::string& theme = "light") {
+  TemporaryFolder folder;
+  cli::SceneOptions options;
+  options.run.programs = {program};
+  options.run.setups = {"parts/library/ring_gauge/ring.toml",
+                        "parts/library/ring_gauge/late_probe.toml"};
+  options.output = folder.path(name);
+  options.theme = theme;
+  Still still;
+  ::testing::internal::CaptureStderr();
+  still.exit_code = static_cast<int>(cli::scene_command(options));
+  still.errors = ::testing::internal::GetCapturedStderr();
+  std::ifstream file(options.output, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  still.file = std::move(bytes).str();
+  return still;
+}
+
+const char* const kMeasureRing = "parts/library/ring_gauge/measure_ring.nc";
+
+/// Left, top and width of the fields of numbers, view by view.
+std::vector<std::vector<std::array<double, 3>>> fields_of(const std::string& svg) {
+  std::vector<std::vector<std::array<double, 3>>> views;
+  const std::regex field(
+      R"re(<image |<rect class="number" x="([0-9.]+)" y="([0-9.]+)" width="([0-9.]+)")re");
+  for (std::sregex_iterator match(svg.begin(), svg.end(), field), end; match != end; ++match) {
+    if ((*match)[1].str().empty()) {
+      views.emplace_back();
+    } else {
+      views.back().push_back(
+          {std::stod((*match)[1]), std::stod((*match)[2]), std::stod((*match)[3])});
+    }
+  }
+  return views;
+}
+
+TEST(Still, OfTheRingHasItsTouchesByNumberTwice) {
+  const Still still = still_of(kMeasureRing, "ring.svg");
+  ASSERT_EQ(still.exit_code, 0) << still.errors;
+  EXPECT_EQ(still.file, still_of(kMeasureRing, "again.svg").file);
+  EXPECT_NE(still.file, still_of(kMeasureRing, "dark.svg", "dark").file);
+  // A fast and a slow touch at each place; the first of three moves finds no wall.
+  for (const char* numbers : {">2, 3<", ">5, 6<", ">8, 9<", ">11, 12<"}) {
+    EXPECT_EQ(count(still.file, numbers), 2U) << numbers << ": once in each view";
+  }
+  for (const char* words : {">measure_ring.nc<", "Isometric, cut open", "From above (XY)", ">ring<",
+                            " mm</text>", " \u00b5m (", ">skip move<", "what measuring adds"}) {
+    EXPECT_NE(still.file.find(words), std::string::npos) << words;
+  }
+  const auto views = fields_of(still.file);
+  ASSERT_EQ(views.size(), 2U);
+  for (const auto& fields : views) {
+    ASSERT_EQ(fields.size(), 4U);
+    for (const auto& a : fields) {
+      for (const auto& b : fields) {
+        const bool apart = a == b || a[0] + a[2] < b[0] || b[0] + b[2] < a[0] ||
+                           a[1] + 18.0 < b[1] || b[1] + 18.0 < a[1];
+        EXPECT_TRUE(apart) << a[0] << " " << a[1] << " and " << b[0] << " " << b[1];
+      }
+    }
+  }
+}
+
+TEST(Still, NamesFormsThatItCanWrite) {
+  const Still bitmap = still_of(kMeasureRing, "ring.bmp");
+  EXPECT_EQ(bitmap.exit_code, 2);
+  EXPECT_NE(bitmap.errors.find("a picture of it a .svg or a .png file"), std::string::npos)
+      << bitmap.errors;
+  EXPECT_TRUE(bitmap.file.empty());
+  const Still png = still_of(kMeasureRing, "ring.png");
+  if (cli::has_svg_drawer()) {
+    EXPECT_EQ(png.exit_code, 0);
+    EXPECT_EQ(png.file.substr(0, 4), "\x89PNG");
+  } else {
+    EXPECT_EQ(png.exit_code, 2);
+    EXPECT_NE(png.errors.find("librsvg2-bin"), std::string::npos);
+  }
+}
+
+/// A cube of 40 mm and a feed along X behind it, as seen from the front; the ball's way is longer.
+TEST(Still, AWayBehindAWallIsNotDrawnSolid) {
+  const parts::Mesh cube = box({-20, -20, -20}, {20, 20, 20});
+  const std::vector<PicturedPart> parts = {{"cube", &cube, false}};
+  const std::vector<Way> ways = {{PathKind::Feed, 0.0, 1.0, {{-23, 23, -18}, {23, 23, -18}}}};
+  StillScene scene;
+  scene.title = "a < b & \"c\"";
+  scene.ways = ways;
+  const std::string free = still_svg(scene, {});
+  EXPECT_EQ(count(free, "class=\"way feed hidden\" d"), 0U);
+  EXPECT_NE(free.find("a &lt; b &amp; &quot;c&quot;"), std::string::npos);
+  scene.parts = parts;
+  const std::string behind = still_svg(scene, {});
+  // In the legend, and once in the isometric view; from above it is seen whole.
+  EXPECT_EQ(count(behind, "class=\"way feed hidden\" d"), 2U);
+  const auto plan = behind.find("From above");
+  EXPECT_LT(behind.find("class=\"way feed hidden\" d"), plan);
+}
+
+TEST(Still, ADeviationIsAWhiskerOfItsTrueLength) {
+  const parts::Mesh cube = box({-20, -20, -20}, {20, 20, 20});
+  const std::vector<PicturedPart> parts = {{"cube", &cube, false}};
+  Mark mark;
+  mark.p_M = {20, 0, 0};
+  mark.n_M = Point::UnitX();
+  mark.part = "cube";
+  mark.touch = 1;
+  mark.stylus.p_M = {20.0 + 3.0 - 0.01, 0, 0};  // latched 10 um deep
+  const std::vector<Mark> contacts = {mark};
+  StillScene scene;
+  scene.parts = parts;
+  scene.contacts = contacts;
+  scene.tip_radius_mm = 3.0;
+  scene.last = mark.stylus;
+  const std::string svg = still_svg(scene, {});
+  std::smatch whisker;
+  ASSERT_TRUE(std::regex_search(
+      svg, whisker,
+      std::regex(R"re(class="whisker" d="M([0-9.]+) ([0-9.]+)L([0-9.]+) ([0-9.]+)")re")));
+  std::smatch bar;
+  ASSERT_TRUE(std::regex_search(
+      svg, bar,
+      std::regex(
+          R"re(class="scale added" d="M([0-9.]+) [0-9.]+V[0-9.]+H([0-9.]+)[^>]*>\s*<text[^>]*>([0-9.]+) )re")));
+  const double length = std::stod(whisker[1]) - std::stod(whisker[3]);
+  const double bar_um = std::stod(bar[3]);
+  const double bar_pixels = std::stod(bar[2]) - std::stod(bar[1]);
+  EXPECT_NEAR(length / bar_pixels * bar_um, 10.0, 0.1) << "into the wall, to the left";
+  EXPECT_EQ(whisker[2], whisker[4]);
+}
+
+TEST(Raster, ABallCoversTheAreaOfItsCircle) {
+  std::vector<Eigen::Vector2d> profile;
+  for (int i = 0; i <= 90; ++i) {
+    const double angle = std::numbers::pi * (i - 45) / 90.0;
+    profile.emplace_back(i % 90 == 0 ? 0.0 : 10.0 * std::cos(angle), 10.0 * std::sin(angle));
+  }
+  View view;
+  view.pixels_per_mm = 10.0;
+  view.width = 300;
+  view.height = 240;
+  Raster raster(view, std::nullopt);
+  raster.draw(turned_body(profile, 180), {}, false);
+  int covered = 0;
+  for (int y = 0; y < view.height; ++y) {
+    for (int x = 0; x < view.width; ++x) {
+      const double depth = raster.depth_at(x, y);
+      if (!std::isfinite(depth)) {
+        continue;
+      }
+      ++covered;
+      const double off = std::hypot(x + 0.5 - 150.0, y + 0.5 - 120.0) / 10.0;
+      EXPECT_NEAR(depth, std::sqrt(std::max(0.0, 100.0 - off * off)), off < 9.5 ? 0.05 : 1.0);
+    }
+  }
+  EXPECT_NEAR(covered, std::numbers::pi * 100.0 * 100.0, 60.0);
+  EXPECT_TRUE(raster.shows(view.seen({0, 0, 10.1}), 0.0));
+  EXPECT_FALSE(raster.shows(view.seen({0, 0, 9.5}), 0.1));
+}
+
+TEST(Raster, ACutShowsTheFaceWhereItWent) {
+  View view;
+  view.towards = Point(1, -1, 1).normalized();
+  view.right = Point(1, 1, 0).normalized();
+  view.up = view.towards.cross(view.right);
+  view.pixels_per_mm = 4.0;
+  view.width = 400;
+  view.height = 400;
+  Raster raster(view, CutOpen{5.0, -5.0});
+  raster.draw(box({-20, -20, -20}, {20, 20, 20}), {}, true);
+  const auto surface_at = [&](const Point& p_M) {
+    const Seen seen = view.seen(p_M);
+    return raster.depth_at(seen.x, seen.y) - seen.depth;
+  };
+  EXPECT_NEAR(surface_at({5, -12, 3}), 0.0, 0.5) << "the face across X";
+  EXPECT_NEAR(surface_at({12, -5, -8}), 0.0, 0.5) << "the face across Y";
+  EXPECT_NEAR(surface_at({0, 0, 20}), 0.0, 0.5) << "the top that is left";
+  EXPECT_LT(surface_at({20, -20, 20}), -10.0) << "the corner is gone";
+}
+
+TEST(Png, HoldsItsPixels) {
+  const std::string pixels = {1, 2, 3, 10, 20, 30, 7, 7, 7, 0, 0, 0};
+  const std::string file = png_of(2, 2, pixels);
+  const auto data = file.find("IDAT");
+  ASSERT_NE(data, std::string::npos);
+  std::array<unsigned char, 14> rows = {};
+  uLongf size = rows.size();
+  ASSERT_EQ(uncompress(rows.data(), &size, reinterpret_cast<const Bytef*>(file.data() + data + 4),
+                       file.size() - data - 4 - 16),
+            Z_OK);
+  // Each row: the filter that takes off the pixel before.
+  EXPECT_EQ(rows,
+            (std::array<unsigned char, 14>{1, 1, 2, 3, 9, 18, 27, 1, 7, 7, 7, 249, 249, 249}));
+}
+
+}  // namespace
+}  // namespace g31::picture::still_test

@@ -1,0 +1,150 @@
+#include "tools/picture/stylus_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "probe/sensor/bodies.h"
+
+namespace g31::picture {
+namespace {
+
+/// Half a circle from its lowest point to its highest one, or a part of it.
+void add_arc(std::vector<Eigen::Vector2d>& profile, const Eigen::Vector2d& middle, double radius,
+             double from_rad, double to_rad) {
+  constexpr int kPieces = 12;
+  for (int i = 0; i <= kPieces; ++i) {
+    const double angle = from_rad + (to_rad - from_rad) * i / kPieces;
+    profile.emplace_back(std::max(0.0, middle.x() + radius * std::cos(angle)),
+                         middle.y() + radius * std::sin(angle));
+  }
+}
+
+constexpr double kQuarter = std::numbers::pi / 2.0;
+
+parts::Mesh ball_of(double radius) {
+  std::vector<Eigen::Vector2d> profile;
+  add_arc(profile, {0.0, 0.0}, radius, -kQuarter, kQuarter);
+  return turned_body(profile);
+}
+
+/// In its own frame.
+parts::Mesh mesh_of(const probe::ProbeSection& section) {
+  const Eigen::Vector2d bottom(section.radius_bottom, section.z_bottom);
+  const Eigen::Vector2d top(section.radius_top, section.z_top);
+  std::vector<Eigen::Vector2d> profile;
+  if (section.rounding > 0.0) {
+    profile.emplace_back(0.0, section.z_bottom - section.rounding);
+    add_arc(profile, bottom, section.rounding, -kQuarter, 0.0);
+    add_arc(profile, top, section.rounding, 0.0, kQuarter);
+    profile.emplace_back(0.0, section.z_top + section.rounding);
+  } else {
+    profile = {{0.0, section.z_bottom}, bottom, top, {0.0, section.z_top}};
+  }
+  return turned_body(profile);
+}
+
+parts::Mesh moved(parts::Mesh mesh, const Eigen::Quaterniond& turn, const Point& by) {
+  const Eigen::Matrix3d R = turn.toRotationMatrix();
+  for (Point& p : mesh.vertices) {
+    p = R * p + by;
+  }
+  return mesh;
+}
+
+const probe::ToolSetup* tool_of(const setup::Job& job, int tool) {
+  const auto found = std::ranges::find(job.tools, tool, &probe::ToolSetup::number);
+  return tool == 0 || found == job.tools.end() ? nullptr : &*found;
+}
+
+/// Its outline up to the gauge line, or to the shank where the sheet has one.
+parts::Mesh tool_mesh(const probe::ToolSetup& tool) {
+  const double radius = 0.5 * tool.diameter_mm;
+  double top = tool.length_mm;
+  for (const probe::ProbeSection& body : tool.bodies) {
+    top = std::min(top, body.z_bottom);
+  }
+  std::vector<Eigen::Vector2d> profile = {{0.0, 0.0}};
+  if (tool.kind == probe::ToolKind::BallMill) {
+    add_arc(profile, {0.0, radius}, radius, -kQuarter, 0.0);
+  } else if (tool.kind == probe::ToolKind::Drill) {
+    profile.emplace_back(radius,
+                         radius / std::tan(tool.tip_angle_deg / 2.0 * std::numbers::pi / 180.0));
+  } else {
+    profile.emplace_back(radius, 0.0);
+  }
+  profile.emplace_back(radius, std::max(top, profile.back().y()));
+  profile.emplace_back(0.0, profile.back().y());
+  return turned_body(profile);
+}
+
+}  // namespace
+
+parts::Mesh turned_body(const std::vector<Eigen::Vector2d>& profile, int sides) {
+  parts::Mesh mesh;
+  const auto count = static_cast<std::uint32_t>(sides);
+  for (const Eigen::Vector2d& p : profile) {
+    for (int i = 0; i < sides; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / sides;
+      mesh.vertices.emplace_back(p.x() * std::cos(angle), p.x() * std::sin(angle), p.y());
+    }
+  }
+  for (std::uint32_t ring = 0; ring + 1 < profile.size(); ++ring) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t a = ring * count + i;
+      const std::uint32_t b = ring * count + (i + 1) % count;
+      // At an end on the axis one of the two has no area.
+      if (profile[ring].x() > 0.0) {
+        mesh.triangles.push_back({a, b, b + count});
+      }
+      if (profile[ring + 1].x() > 0.0) {
+        mesh.triangles.push_back({a, b + count, a + count});
+      }
+    }
+  }
+  return mesh;
+}
+
+parts::Mesh standing_at(const parts::Mesh& mesh_S, const StylusPlace& place) {
+  return moved(mesh_S, place.turn, place.p_M);
+}
+
+double tip_radius(const setup::Job& job, int tool) {
+  if (const probe::ToolSetup* const setup = tool_of(job, tool)) {
+    return 0.5 * setup->diameter_mm;
+  }
+  return tool == 0 && job.probe ? 0.5 * job.probe->ball_diameter_mm : 0.0;
+}
+
+std::vector<StylusPiece> stylus_shape(const setup::Job& job, int tool) {
+  std::vector<StylusPiece> pieces;
+  if (const probe::ToolSetup* const setup = tool_of(job, tool)) {
+    pieces.push_back({fmt::format("tool {}", tool), false, tool_mesh(*setup)});
+    for (const probe::ProbeSection& body : setup->bodies) {
+      pieces.push_back({body.name, false, moved(mesh_of(body), body.turn_S, body.p_S)});
+    }
+    return pieces;
+  }
+  if (!job.probe) {
+    return pieces;
+  }
+  const std::vector<probe::ToolBody> bodies = probe::bodies_of(*job.probe);
+  Point p_S_main = Point::Zero();  // from the gauge point
+  for (const probe::ToolBody& body : bodies) {
+    if (const auto* ball = std::get_if<probe::Ball>(&body.shape)) {
+      p_S_main = pieces.empty() ? ball->p_S_centre : p_S_main;
+      pieces.push_back({body.name, true,
+                        moved(ball_of(ball->radius_mm), Eigen::Quaterniond::Identity(),
+                              ball->p_S_centre - p_S_main)});
+    } else {
+      const auto& section = std::get<probe::ProbeSection>(body.shape);
+      pieces.push_back({body.name, false, moved(mesh_of(section), section.turn_S, section.p_S)});
+    }
+  }
+  return pieces;
+}
+
+}  // namespace g31::picture

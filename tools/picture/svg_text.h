@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace g31::picture {
+
+/// Words as they stand in XML; what XML has no sign for becomes a question mark.
+std::string xml_escaped(std::string_view words);
+
+}  // namespace g31::picture
