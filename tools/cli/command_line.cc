@@ -150,6 +150,8 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
   CLI::App app("g31 runs touch-probe NC programs on a simulated machine.", "g31");
   Options options;
   options.run.version = version;
+  options.study.version = version;
+  options.evaluate.version = version;
   add_version(app, options);
   const std::vector<Command> commands = add_commands(app, options, version);
   app.footer(exit_code_help());

@@ -1,6 +1,7 @@
 #include "tools/cli/evaluate_command.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 
@@ -9,6 +10,8 @@
 #include "tools/cli/evaluate_request.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
+#include "tools/cli/run_page.h"
+#include "tools/cli/shown_command.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/evaluate/compensation.h"
@@ -59,6 +62,25 @@ std::optional<session::Refusal> write_compensation(const EvaluateOptions& option
   return write_out(path, evaluate::compensation_sheet(error.empty() ? "EYX" : error, *motion));
 }
 
+std::optional<session::Refusal> report_evaluation(const EvaluateOptions& options,
+                                                  const evaluate::Evaluation& evaluation) {
+  ShownCommand command("g31 evaluate");
+  command.add(options.kind);
+  command.add(options.file);
+  command.add("--columns", options.columns);
+  command.add("--unit", options.unit);
+  for (const evaluate::OptionRow& row : evaluate::options()) {
+    command.add(row.option, file_given(options, row.id));
+  }
+  command.add("--report", options.report);
+  const page::Making making{options.version, command.line(), page_inputs({options.file}),
+                            options.language, 0};
+  const std::string name = std::filesystem::path(options.file).filename().string();
+  return write_page(
+      options.report,
+      page::report_of(evaluation, name, evaluate::evaluation_document(evaluation, true), making));
+}
+
 }  // namespace
 
 ExitCode evaluate_command(const EvaluateOptions& options) {
@@ -69,11 +91,17 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
   if (const auto wrong =
           wrong_place({{"--json", options.json},
                        {"--svg", options.svg},
+                       {"--report", options.report},
                        {"--compensation", file_given(options, evaluate::OptionId::Compensation)}},
                       {{options.file, file_given(options, evaluate::OptionId::Diameters)}})) {
     return refuse(*wrong);
   }
+  if (const auto wrong = wrong_report(options.report)) {
+    return refuse(*wrong);
+  }
   evaluate::Request request = asked.value();
+  request.wants_drawing = request.wants_drawing || !options.report.empty();
+  request.wants_curves = request.wants_curves || !options.report.empty();
   disk::Disk disk;
   const std::string diameters = file_given(options, evaluate::OptionId::Diameters);
   std::optional<std::string> diameters_text;
@@ -99,6 +127,9 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
   auto wrong = write_compensation(options, evaluation.value());
   if (!wrong && !options.svg.empty()) {
     wrong = write_out(options.svg, evaluation.value().svg);
+  }
+  if (!wrong && !options.report.empty()) {
+    wrong = report_evaluation(options, evaluation.value());
   }
   if (!wrong) {
     wrong = hand_over(options, evaluation.value());

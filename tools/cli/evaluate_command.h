@@ -8,6 +8,7 @@
 #include "interpreter/runtime/interruption.h"
 #include "tools/cli/exit_code.h"
 #include "tools/evaluate/evaluation.h"
+#include "tools/page/language.h"
 
 namespace g31::cli {
 
@@ -20,7 +21,10 @@ struct EvaluateOptions {
   std::string file;
   std::string json;  ///< file, "-" for standard output, "" for none
   bool has_curves = false;
-  std::string svg;      ///< file of the drawing, "" for none
+  std::string svg;                                    ///< file of the drawing, "" for none
+  std::string report;                                 ///< HTML file, "" for none
+  page::Language language = page::Language::English;  ///< of the report
+  std::string version;                                ///< of g31
   std::string magnify;  ///< how many times it enlarges errors; "": so that they are seen
   std::vector<std::string> columns;                 ///< "X=x_act"
   std::string unit;                                 ///< "" for mm

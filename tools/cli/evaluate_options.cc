@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "tools/cli/report_options.h"
+
 namespace g31::cli {
 
 CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
@@ -19,6 +21,7 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
       ->type_name("FILE");
   command->add_flag("--curves", options.has_curves, "every curve into the document");
   command->add_option("--svg", options.svg, "a drawing")->type_name("FILE");
+  add_report_options(*command, options.report, options.language);
   command
       ->add_option("--magnify", options.magnify,
                    "how many times a drawn circle or square enlarges its errors; 1 is true size")

@@ -64,7 +64,7 @@ Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& jo
     return expectations.error();
   }
   checked.expectations = expectations.value();
-  if (const auto wrong = wrong_report(options)) {
+  if (const auto wrong = wrong_report(options.report)) {
     return *wrong;
   }
   return checked;

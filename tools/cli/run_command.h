@@ -34,7 +34,8 @@ struct RunOptions : session::Request {
   std::string trace_period = "1ms";                   ///< as parse_duration takes it
   std::string report;                                 ///< HTML file, "" for none
   page::Language language = page::Language::English;  ///< of the report
-  std::string jsonl;  ///< file of events, "-" for standard output, "" for none
+  std::string compare;  ///< document of another run for the report, "" for none
+  std::string jsonl;    ///< file of events, "-" for standard output, "" for none
   Talk talk = Talk::Usual;
   bool no_colour = false;
   bool changes = false;        ///< what the run has changed is told

@@ -29,11 +29,7 @@ std::optional<std::string> RememberingDisk::read(const std::string& path) {
 
 std::optional<std::string> RememberingDisk::read_part(const std::string& path, std::uint64_t offset,
                                                       std::size_t length) {
-  auto text = disk_.read_part(path, offset, length);
-  if (text) {
-    paths_.insert(path);
-  }
-  return text;
+  return disk_.read_part(path, offset, length);
 }
 
 void RunInputs::add(const std::string& path) {

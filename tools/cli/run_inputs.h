@@ -11,7 +11,8 @@
 
 namespace g31::cli {
 
-/// The disk, which remembers what was read of it.
+/// The disk, which remembers what was read of it in whole: who looks for a program looks into the
+/// beginnings of many.
 class RememberingDisk final : public source::FileSystem {
  public:
   /// @param disk  outlives it

@@ -61,6 +61,16 @@ void add_desk_options(CLI::App& run, RunOptions& options) {
                "no colours on a terminal; so does the environment variable NO_COLOR");
 }
 
+/// The report and what stands in it.
+void add_page_options(CLI::App& run, RunOptions& options) {
+  add_report_options(run, options.report, options.language);
+  run.add_option("--compare", options.compare,
+                 "beside the run of the report another one, as its document (--json --moves "
+                 "--touches) tells it")
+      ->type_name("OTHER.json")
+      ->needs("--report");
+}
+
 }  // namespace
 
 void add_program_options(CLI::App& command, RunOptions& options) {
@@ -122,7 +132,7 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
       ->allow_extra_args(false);
   run->add_option("--json", options.json, "result document; - is standard output")
       ->type_name("FILE");
-  add_report_options(*run, options.report, options.language);
+  add_page_options(*run, options);
   run->add_option("--expect", options.expects,
                   "what a variable is to be at the end, #160=19.998+-0.001 or #7=vacant; else exit "
                   "code 1; repeatable, [expect] of a sheet says more")

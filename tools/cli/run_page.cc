@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "tools/cli/shown_command.h"
 #include "tools/cli/write_out.h"
+#include "tools/disk/disk.h"
 #include "tools/page/run_report.h"
 #include "tools/page/write_page.h"
 #include "tools/picture/pictured_part.h"
@@ -13,50 +15,46 @@
 namespace g31::cli {
 namespace {
 
-/// A word of a command line as a shell takes it.
-std::string quoted(const std::string& word) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./=+,:%@";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
-    return word;
-  }
-  std::string safe = "'";
-  for (const char c : word) {
-    safe += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return safe + "'";
-}
-
 /// The command line that repeats a run.
 std::string command_of(const RunOptions& options) {
-  std::string line = "g31 run";
-  const auto add = [&](std::string_view option, const std::string& value) {
-    line += fmt::format("{}{} {}", option.empty() ? "" : " ", option, quoted(value));
-  };
-  const auto add_all = [&](std::string_view option, const std::vector<std::string>& values) {
-    for (const std::string& value : values) {
-      add(option, value);
-    }
-  };
-  add_all("", options.programs);
-  add_all("-s", options.setups);
-  add_all("--lib", options.libraries);
-  if (!options.control.empty()) {
-    add("--control", options.control);
+  ShownCommand command("g31 run");
+  for (const std::string& program : options.programs) {
+    command.add(program);
   }
-  add_all("--set", options.assignments);
+  command.add("-s", options.setups);
+  command.add("--lib", options.libraries);
+  command.add("--control", options.control);
+  command.add("--set", options.assignments);
   if (options.seed != 0) {
-    add("--seed", fmt::format("{}", options.seed));
+    command.add("--seed", fmt::format("{}", options.seed));
   }
-  line += options.optional_stop ? " --optional-stop" : "";
+  if (options.optional_stop) {
+    command.add("--optional-stop");
+  }
   for (const int number : options.block_skip) {
-    add("--block-skip", fmt::format("{}", number));
+    command.add("--block-skip", fmt::format("{}", number));
   }
-  add_all("--print", options.prints);
-  add_all("--expect", options.expects);
-  add_all("--allow", options.allowed);
-  add("--report", options.report);
-  return line;
+  command.add("--print", options.prints);
+  command.add("--expect", options.expects);
+  command.add("--allow", options.allowed);
+  command.add("--report", options.report);
+  command.add("--compare", options.compare);
+  return command.line();
+}
+
+/// What --compare names.
+Result<page::OtherRun, session::Refusal> compared_run(const std::string& path,
+                                                      const setup::Job& job) {
+  constexpr std::uint64_t kMostBytes = 512'000'000;
+  disk::Disk disk;
+  const auto size = disk.size(path);
+  const auto text = size && *size <= kMostBytes ? disk.read(path) : std::nullopt;
+  if (!text) {
+    return session::bad_input(fmt::format("--compare: cannot read {}", path));
+  }
+  auto other = page::other_run(*text, job);
+  return other ? Result<page::OtherRun, session::Refusal>(other.value())
+               : session::bad_input(fmt::format("--compare {}: {}", path, other.error()));
 }
 
 std::optional<double> number_in(const runtime::ShownValue& value) {
@@ -76,8 +74,8 @@ std::optional<double> value_of(const OpenedRun& opened, const expect::What& what
 
 }  // namespace
 
-std::optional<session::Refusal> wrong_report(const RunOptions& options) {
-  if (options.report.empty()) {
+std::optional<session::Refusal> wrong_report(const std::string& report) {
+  if (report.empty()) {
     return std::nullopt;
   }
   const auto assets = page::read_assets();
@@ -85,23 +83,44 @@ std::optional<session::Refusal> wrong_report(const RunOptions& options) {
                 : std::optional(session::bad_input(fmt::format("--report: {}", assets.error())));
 }
 
+std::vector<page::Input> page_inputs(const std::vector<std::string>& paths) {
+  RunInputs files;
+  for (const std::string& path : paths) {
+    files.add(path);
+  }
+  std::vector<page::Input> inputs;
+  for (const report::InputFile& file : files.files()) {
+    inputs.push_back({file.file, "", file.sha256});
+  }
+  return inputs;
+}
+
+std::optional<session::Refusal> write_page(const std::string& path, const page::Report& report) {
+  const auto assets = page::read_assets();
+  return assets ? write_out(path, page::page_of(report, assets.value()))
+                : std::optional(session::bad_input(fmt::format("--report: {}", assets.error())));
+}
+
 std::optional<session::Refusal> deliver_page(const OpenedRun& opened,
                                              const report::RunResult& result) {
-  const auto assets = page::read_assets();
-  if (!assets) {
-    return session::bad_input(fmt::format("--report: {}", assets.error()));
+  page::RunPage run{result,
+                    opened.recorder,
+                    opened.sources,
+                    opened.prepared.job,
+                    opened.expectations,
+                    [&](const expect::What& what) { return value_of(opened, what); },
+                    opened.ways.ways(),
+                    picture::parts_of(opened.world),
+                    command_of(opened.options),
+                    std::nullopt};
+  if (!opened.options.compare.empty()) {
+    auto other = compared_run(opened.options.compare, opened.prepared.job);
+    if (!other) {
+      return other.error();
+    }
+    run.other = other.value();
   }
-  const page::RunPage run{result,
-                          opened.recorder,
-                          opened.sources,
-                          opened.prepared.job,
-                          opened.expectations,
-                          [&](const expect::What& what) { return value_of(opened, what); },
-                          opened.ways.ways(),
-                          picture::parts_of(opened.world),
-                          command_of(opened.options)};
-  const page::Report report = page::report_of(run, opened.options.language);
-  return write_out(opened.options.report, page::page_of(report, assets.value()));
+  return write_page(opened.options.report, page::report_of(run, opened.options.language));
 }
 
 }  // namespace g31::cli

@@ -165,7 +165,7 @@ std::optional<session::Refusal> wrong_place_of(const RunOptions& options) {
                       {"--trace", options.trace},
                       {"--readings", options.readings},
                       {"--printer", options.printer}},
-                     {options.programs, options.setups});
+                     {options.programs, options.setups, {options.compare}});
 }
 
 /// Takes document and report of an earlier run away.

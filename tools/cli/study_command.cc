@@ -14,6 +14,8 @@
 
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
+#include "tools/cli/run_page.h"
+#include "tools/cli/shown_command.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/study/read_study.h"
@@ -157,6 +159,32 @@ Made merge_shards(const StudyOptions& options) {
                 : Made(session::bad_input(fmt::format("--merge: {}", merged.error())));
 }
 
+ExitCode worst_of(const study::Record& record) {
+  int worst = 0;
+  for (const study::Row& row : record.rows) {
+    worst = std::max(worst, row.exit_code);
+  }
+  return static_cast<ExitCode>(worst);
+}
+
+std::optional<Refusal> report_study(const StudyOptions& options, const study::Record& record) {
+  ShownCommand command("g31 study");
+  if (!options.study.empty()) {
+    command.add(options.study);
+  }
+  command.add("--merge", options.merge);
+  command.add("--repeats", options.repeats ? fmt::format("{}", *options.repeats) : "");
+  command.add("--seed", options.seed ? fmt::format("{}", *options.seed) : "");
+  command.add("--report", options.report);
+  std::vector<std::string> inputs = options.merge;
+  if (!options.study.empty()) {
+    inputs.push_back(options.study);
+  }
+  const page::Making making{options.version, command.line(), page_inputs(inputs), options.language,
+                            static_cast<int>(worst_of(record))};
+  return write_page(options.report, page::report_of(record, study::record_json(record), making));
+}
+
 std::optional<Refusal> deliver(const StudyOptions& options, const study::Record& record) {
   std::optional<Refusal> wrong;
   if (!options.json.empty()) {
@@ -165,18 +193,13 @@ std::optional<Refusal> deliver(const StudyOptions& options, const study::Record&
   if (!wrong && !options.csv.empty()) {
     wrong = write_out(options.csv, study::record_csv(record));
   }
+  if (!wrong && !options.report.empty()) {
+    wrong = report_study(options, record);
+  }
   if (!wrong && options.json != "-" && options.csv != "-" && !record.shard) {
     wrong = write_out("-", study::record_table(record));
   }
   return wrong;
-}
-
-ExitCode worst_of(const study::Record& record) {
-  int worst = 0;
-  for (const study::Row& row : record.rows) {
-    worst = std::max(worst, row.exit_code);
-  }
-  return static_cast<ExitCode>(worst);
 }
 
 }  // namespace
@@ -188,8 +211,12 @@ ExitCode study_command(const StudyOptions& options) {
   if (options.json == "-" && options.csv == "-") {
     return refuse(session::bad_input("--json and --csv cannot both be standard output"));
   }
-  if (const auto wrong = wrong_place({{"--json", options.json}, {"--csv", options.csv}},
-                                     {options.merge, {options.study}})) {
+  if (const auto wrong = wrong_report(options.report)) {
+    return refuse(*wrong);
+  }
+  if (const auto wrong = wrong_place(
+          {{"--json", options.json}, {"--csv", options.csv}, {"--report", options.report}},
+          {options.merge, {options.study}})) {
     return refuse(*wrong);
   }
   const Made made = options.merge.empty() ? run_study(options) : merge_shards(options);

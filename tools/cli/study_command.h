@@ -8,15 +8,19 @@
 
 #include "interpreter/runtime/interruption.h"
 #include "tools/cli/exit_code.h"
+#include "tools/page/language.h"
 
 namespace g31::cli {
 
 /// What the command line of `g31 study` says.
 struct StudyOptions {
-  std::string study;  ///< the study file; "" with --merge
-  std::string json;   ///< file, "-" for standard output, "" for none
-  std::string csv;    ///< the same
-  std::string shard;  ///< "i/n", "" for all
+  std::string study;   ///< the study file; "" with --merge
+  std::string json;    ///< file, "-" for standard output, "" for none
+  std::string csv;     ///< the same
+  std::string report;  ///< HTML file, "" for none
+  page::Language language = page::Language::English;  ///< of the report
+  std::string version;                                ///< of g31
+  std::string shard;                                  ///< "i/n", "" for all
   std::vector<std::string> merge;
   std::size_t threads = 0;             ///< 0: one a core
   std::optional<std::size_t> repeats;  ///< in the place of the study's

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "tools/cli/report_options.h"
 #include "tools/study/study_keys.h"
 
 namespace g31::cli {
@@ -15,6 +16,7 @@ CLI::App* add_study_command(CLI::App& app, StudyOptions& options) {
       ->type_name("FILE");
   study->add_option("--csv", options.csv, "one line for each run; - is standard output")
       ->type_name("FILE");
+  add_report_options(*study, options.report, options.language);
   study
       ->add_option("--threads", options.threads,
                    "threads; the same bytes with any number (default: one a core)")

@@ -53,8 +53,9 @@ std::string text(double x, double y, std::string_view anchor, std::string_view w
 }
 
 std::string opened_svg(std::string_view label) {
-  return fmt::format(R"(<svg class="fig" viewBox="0 0 {} {}" role="img" aria-label="{}">)", kWidth,
-                     kHeight, escaped(label));
+  return fmt::format(
+      R"(<svg class="fig" style="max-width:44rem" viewBox="0 0 {} {}" role="img" aria-label="{}">)",
+      kWidth, kHeight, escaped(label));
 }
 
 std::string labelled(const Readings& readings, std::string_view what, const Span& span) {

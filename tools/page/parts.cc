@@ -9,9 +9,11 @@ namespace {
 
 std::string drawing(const Drawing& drawing) {
   return fmt::format(
-      R"(<section class="card"><header><h2>{}</h2></header><div class="drawing">{}</div>)"
-      R"(<div class="cap">{}</div></section>)",
-      escaped(drawing.title), drawing.svg, escaped(drawing.caption));
+      R"(<section class="card"><header><h2>{}</h2></header><div class="drawing">{}</div>{}</section>)",
+      escaped(drawing.title), drawing.svg,
+      drawing.caption.empty()
+          ? std::string()
+          : fmt::format(R"(<div class="cap">{}</div>)", escaped(drawing.caption)));
 }
 
 std::string table(const Table& table) {

@@ -66,6 +66,7 @@ struct Characteristic {
   std::array<double, 2> tolerance = {0.0, 0.0};  ///< lower, upper, from the nominal
   std::optional<double> measured;                ///< nullopt: not reached
   std::optional<double> true_size;               ///< of the simulated part, where it is known
+  std::optional<double> other;                   ///< in the run that is compared, where it tells
   std::vector<std::size_t> touches;              ///< numbers
 };
 

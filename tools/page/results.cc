@@ -137,6 +137,12 @@ std::string verdict_text(const Report& report, const Characteristic& row) {
                      : shown("ok", svg_of(Sign::Good), Word::In);
 }
 
+/// Whether another run tells of any of the results.
+bool compares(const Report& report) {
+  return std::ranges::any_of(report.results,
+                             [](const Characteristic& row) { return row.other.has_value(); });
+}
+
 std::string row_of(const Report& report, const Characteristic& row) {
   const auto cell = [&](Word label, std::string_view value, std::string_view kind = "n") {
     return fmt::format(R"(<td class="{}" data-l="{}">{}</td>)", kind, word(report, label), value);
@@ -164,6 +170,12 @@ std::string row_of(const Report& report, const Characteristic& row) {
   html += cell(Word::OfTolerance, share_text(row), is_out(row) ? "n no" : "n");
   html += cell(Word::TrueSize, number(row.true_size, 4));
   html += cell(Word::MeasuringError, micrometres(error));
+  if (compares(report)) {
+    html += cell(Word::OtherRun, number(row.other, 4));
+    html += cell(Word::Difference,
+                 micrometres(row.measured && row.other ? std::optional(*row.measured - *row.other)
+                                                       : std::nullopt));
+  }
   html += cell(Word::Touches, touches.empty() ? R"(<span class="mut">–</span>)" : touches, "");
   return html + fmt::format(R"(<td class="vd">{}</td></tr>)", verdict_text(report, row));
 }
@@ -178,14 +190,18 @@ std::string results_part(const Report& report) {
   std::string html = fmt::format(
       R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{0}</h2><span class="right"><span class="key"><svg width="18" height="10" aria-hidden="true"><path d="M9 0v10" stroke="var(--ink)" stroke-width="2.5"/></svg>{1}</span><span class="key"><svg width="12" height="12" aria-hidden="true"><path d="M6 1l5 5-5 5-5-5z" fill="none" stroke="var(--accent)" stroke-width="1.6"/></svg>{2}</span></span></header><div class="tw" tabindex="0" role="region" aria-label="{0}"><table id="results"><thead><tr>)html",
       say(Word::Results), say(Word::Measured), say(Word::TrueSize));
-  const std::pair<Word, std::string_view> kHeads[] = {
-      {Word::Characteristic, ""}, {Word::Nominal, "n"},    {Word::Tolerance, "n"},
-      {Word::Measured, "n"},      {Word::Deviation, "n"},  {Word::Limits, "mid"},
-      {Word::OfTolerance, "n"},   {Word::TrueSize, "n"},   {Word::MeasuringError, "n"},
-      {Word::Touches, ""},        {Word::VerdictHead, ""},
+  std::vector<std::pair<Word, std::string_view>> heads = {
+      {Word::Characteristic, ""}, {Word::Nominal, "n"},   {Word::Tolerance, "n"},
+      {Word::Measured, "n"},      {Word::Deviation, "n"}, {Word::Limits, "mid"},
+      {Word::OfTolerance, "n"},   {Word::TrueSize, "n"},  {Word::MeasuringError, "n"},
   };
-  for (const auto& [name, kind] : kHeads) {
-    const bool in_um = name == Word::Deviation || name == Word::MeasuringError;
+  if (compares(report)) {
+    heads.insert(heads.end(), {{Word::OtherRun, "n"}, {Word::Difference, "n"}});
+  }
+  heads.insert(heads.end(), {{Word::Touches, ""}, {Word::VerdictHead, ""}});
+  for (const auto& [name, kind] : heads) {
+    const bool in_um =
+        name == Word::Deviation || name == Word::MeasuringError || name == Word::Difference;
     html += fmt::format(R"(<th scope="col" class="{}">{}{}</th>)", kind, say(name),
                         in_um ? "<br>µm" : "");
   }

@@ -219,7 +219,7 @@ std::string figures_of(const RunPage& run, const Report& report) {
   figures["ways"] = ways_json(run);
   figures["touch"] = touches_json(run, report);
   figures["frame"] = frame_json(run, report);
-  figures["compare"] = Json();
+  figures["compare"] = run.other ? Json::parse(run.other->figures) : Json();
   figures["words"] = words_json(report.language);
   figures["language"] = name_of(report.language);
   figures["listing"] = Json::array();

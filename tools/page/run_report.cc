@@ -133,6 +133,10 @@ std::vector<Characteristic> results_of(const RunPage& run, const Writers& writer
       row.tolerance = {-within->tolerance, within->tolerance};
     }
     row.touches = writers.touches_of(variable);
+    if (run.other) {
+      const auto there = run.other->variables.find(variable);
+      row.other = there == run.other->variables.end() ? std::nullopt : std::optional(there->second);
+    }
     known.insert(variable);
     rows.push_back(std::move(row));
   };

@@ -8,6 +8,7 @@
 
 #include "interpreter/source/source_map.h"
 #include "tools/expect/expectation.h"
+#include "tools/page/other_run.h"
 #include "tools/page/report.h"
 #include "tools/picture/pictured_part.h"
 #include "tools/picture/way.h"
@@ -28,7 +29,8 @@ struct RunPage {
   std::function<std::optional<double>(const expect::What& what)> value;
   std::span<const picture::Way> ways;
   std::vector<picture::PicturedPart> parts;
-  std::string command;  ///< that repeats the run
+  std::string command;            ///< that repeats the run
+  std::optional<OtherRun> other;  ///< that is shown beside it
 };
 
 Report report_of(const RunPage& run, Language language);

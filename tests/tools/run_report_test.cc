@@ -1,0 +1,192 @@
+// The page of --report: what stands in it without script.
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/captured.h"
+#include "tests/support/temporary_folder.h"
+#include "tools/cli/command_line.h"
+#include "tools/page/html.h"
+#include "tools/page/parts.h"
+#include "tools/page/write_page.h"
+
+namespace g31::run_report_test {
+namespace {
+
+using testing::TemporaryFolder;
+
+testing::CommandOutput g31(const std::vector<std::string>& words) {
+  std::vector<const char*> arguments = {"g31"};
+  for (const std::string& word : words) {
+    arguments.push_back(word.c_str());
+  }
+  return testing::captured([&] {
+    return cli::run_command_line(static_cast<int>(arguments.size()), arguments.data(), "7.8.9");
+  });
+}
+
+std::string text_in(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+bool has(const std::string& page, const std::string& piece) {
+  return page.find(piece) != std::string::npos;
+}
+
+constexpr const char* kRing =
+    "[machine]\n"
+    "start = [0, 0, 120]\n"
+    "[probe]\n"
+    "ball_diameter = 6.0\n"
+    "length = 100.0\n"
+    "trigger_delay = 0.004\n"
+    "[[part]]\n"
+    "name = \"ring\"\n"
+    "shape = \"ring\"\n"
+    "at = [0.0, 0.0, 20.0]\n"
+    "[part.sizes]\n"
+    "bore = 40.0\n";
+
+/// Touches the bore towards +X with 300 mm/min: 4 ms are 20 um too deep.
+constexpr const char* kTouch =
+    "%\n"
+    "O7(ONE TOUCH)\n"
+    "G90 G0 X0. Y0.\n"
+    "G1 Z115. F2000.\n"
+    "G31 X30. F300.\n"
+    "#160=#5061(WALL <b>)\n"
+    "IF[#160LT0]THEN #161=1\n"
+    "M30\n"
+    "%\n";
+
+class Report : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!page::read_assets()) {
+      GTEST_SKIP() << "the page's script was not built: node and npm are not here";
+    }
+  }
+
+  std::string page_of(const std::string& program, const std::vector<std::string>& more = {}) {
+    program_ = folder_.write("part.nc", program);
+    std::vector<std::string> words = {"run",      program_, "-s", folder_.write("ring.toml", kRing),
+                                      "--report", path()};
+    words.insert(words.end(), more.begin(), more.end());
+    output_ = g31(words);
+    return text_in(path());
+  }
+
+  [[nodiscard]] std::string path() const { return folder_.path("part.html"); }
+
+  TemporaryFolder folder_;
+  std::string program_;
+  testing::CommandOutput output_;
+};
+
+TEST_F(Report, HasResultsTouchesAndListing) {
+  const std::string page = page_of(kTouch, {"--expect", "#160=17.02+-0.001"});
+  EXPECT_EQ(output_.exit_code, 0) << output_.errors;
+  EXPECT_TRUE(has(page, "In tolerance"));
+  EXPECT_TRUE(has(page, R"(<table id="results">)"));
+  EXPECT_TRUE(has(page, R"(<tr data-touch="1">)"));
+  EXPECT_TRUE(has(page, "+20.0</td>")) << "4 ms at 5 mm/s";
+  EXPECT_TRUE(has(page, R"(<li id="L-part.nc-5" data-l="5" class="x">)"));
+  EXPECT_TRUE(has(page, R"(<li id="L-part.nc-7" data-l="7" class="p">)")) << "only one way";
+  EXPECT_TRUE(has(page, "G31 X30. F300."));
+  for (const char* const id : {"summary", "scenebox", "timeline", "plan", "chart", "listing"}) {
+    EXPECT_TRUE(has(page, fmt::format(R"( id="{}")", id))) << id;
+  }
+}
+
+TEST_F(Report, SaysByHowMuchAResultIsOut) {
+  const std::string page = page_of(kTouch, {"--expect", "#160=17+-0.005"});
+  EXPECT_EQ(output_.exit_code, 1);
+  // 17.020 is 15 um beyond 17.005.
+  EXPECT_TRUE(has(page, "WALL &lt;b&gt; is 15.0 µm over its upper limit.")) << page.substr(0, 400);
+}
+
+TEST_F(Report, IsTheSameBytesTwice) {
+  EXPECT_EQ(page_of(kTouch), page_of(kTouch));
+}
+
+// Program text is only ever text.
+TEST_F(Report, ShowsHostileTextAsText) {
+  const std::string page = page_of(
+      "O8(</script><script>alert(1)</script>)\n"
+      "#100=1(<img src=x onerror=alert(2)>)\n"
+      "#3006=1(<b>&\"'STOP)\n"
+      "M30\n");
+  EXPECT_FALSE(has(page, "<script>alert(1)"));
+  EXPECT_FALSE(has(page, "<img src=x"));
+  EXPECT_TRUE(has(page, "&lt;img src=x onerror=alert(2)&gt;"));
+  EXPECT_TRUE(has(page, "&lt;b&gt;&amp;&quot;&#39;STOP"));
+  EXPECT_TRUE(has(page, "\\u003c/script>"));
+}
+
+TEST_F(Report, TellsWhereACollisionWas) {
+  const std::string page = page_of("O9\nG90 G0 X30. Y0.\nG0 Z100.\nM30\n");
+  EXPECT_EQ(output_.exit_code, 4) << output_.errors;
+  EXPECT_TRUE(has(page, R"(<section id="alarm")"));
+  EXPECT_TRUE(has(page, "part.nc:3"));
+  EXPECT_TRUE(has(page, " err\">"));
+}
+
+TEST_F(Report, SpeaksJapanese) {
+  const std::string page = page_of(kTouch, {"--lang", "ja"});
+  EXPECT_TRUE(has(page, R"(<html lang="ja">)"));
+  EXPECT_TRUE(has(page, "測定"));
+  EXPECT_FALSE(has(page, ">Results<"));
+}
+
+TEST_F(Report, OfAnEarlierRunIsGoneBeforeTheWork) {
+  page_of(kTouch);
+  ASSERT_FALSE(text_in(path()).empty());
+  const std::string page = page_of(kTouch, {"--print", "nonsense"});
+  EXPECT_EQ(output_.exit_code, 2);
+  EXPECT_FALSE(has(page, "In tolerance"));
+}
+
+TEST(ReportOptions, AreRefusedWhereTheyCannotBe) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("a.nc", "O1\nM30\n");
+  EXPECT_EQ(g31({"run", program, "--report", "a.pdf"}).exit_code, 2);
+  EXPECT_EQ(g31({"run", program, "--report", "a.html", "--lang", "fr"}).exit_code, 2);
+  EXPECT_EQ(g31({"run", program, "--report", program}).exit_code, 2);
+}
+
+// A listing of more rows than a page writes out is filled in by the script.
+TEST(ReportParts, LeaveLongTablesToTheScript) {
+  page::Report report;
+  page::Listing listing{"long.nc", "", {}, {}};
+  for (int i = 0; i < 2001; ++i) {
+    listing.text += "G4 X1.\n";
+  }
+  report.listings.push_back(listing);
+  EXPECT_TRUE(has(page::listing_part(report), R"(data-virtual data-rows="2001")"));
+  report.listings[0].text.resize(report.listings[0].text.size() - 7);
+  EXPECT_TRUE(has(page::listing_part(report), R"(id="L-long.nc-2000")"));
+  report.touches.resize(2001);
+  EXPECT_TRUE(has(page::touches_part(report), "<tbody data-virtual>"));
+}
+
+TEST(ReportNumbers, HaveARealMinusAndNoNegativeZero) {
+  EXPECT_EQ(page::number(-0.00004, 4), "0.0000");
+  EXPECT_EQ(page::number(-1.5, 1), "−1.5");
+  EXPECT_EQ(page::number(1.5, 1, page::ShowSign::Always), "+1.5");
+  EXPECT_EQ(page::number(std::nullopt, 3), "–");
+  EXPECT_EQ(page::number(NAN, 3), "–");
+  EXPECT_EQ(page::micrometres(0.0046), "+4.6");
+  EXPECT_EQ(page::json_for_script("a</script>"), "a\\u003c/script>");
+}
+
+}  // namespace
+}  // namespace g31::run_report_test
