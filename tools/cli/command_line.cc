@@ -35,6 +35,8 @@
 #include "tools/cli/setup_options.h"
 #include "tools/cli/study_command.h"
 #include "tools/cli/study_options.h"
+#include "tools/cli/view_command.h"
+#include "tools/cli/view_options.h"
 
 namespace g31::cli {
 
@@ -53,6 +55,7 @@ struct Options {
   bool is_version_asked = false;
   bool is_version_json = false;
   RunOptions run;
+  ViewOptions view;
   ExplainOptions explain;
   SceneOptions scene;
   StudyOptions study;
@@ -84,6 +87,8 @@ std::vector<Command> add_commands(CLI::App& app, Options& options, const std::st
   const auto words = [&app, version] { return read_command_words(app, version); };
   add(kLasts, add_run_command(app, options.run), run_examples(),
       [&options] { return run_command(options.run); });
+  add(kLasts, add_view_command(app, options.view), view_examples(),
+      [&options] { return view_command(options.view); });
   add(kIsShort, add_explain_command(app, options.explain), explain_examples(),
       [&options] { return explain_command(options.explain); });
   add(kLasts, add_scene_command(app, options.scene), scene_examples(),
@@ -123,7 +128,8 @@ void add_version(CLI::App& app, Options& options) {
 void take_interruptions(Options& options) {
   const runtime::Interruption& interruption = catch_interruption();
   options.run.budget.interruption = options.scene.run.budget.interruption = &interruption;
-  options.study.interruption = options.evaluate.interruption = &interruption;
+  options.view.interruption = options.study.interruption = options.evaluate.interruption =
+      &interruption;
 }
 
 /// Where the words of a `run` that CLI11 has refused want the document; "": nowhere.
@@ -149,7 +155,7 @@ std::string json_of_run(std::span<const char* const> words) {
 ExitCode run_command_line(int argc, const char* const* argv, const std::string& version) {
   CLI::App app("g31 runs touch-probe NC programs on a simulated machine.", "g31");
   Options options;
-  options.run.version = version;
+  options.run.version = options.view.run.version = version;
   options.study.version = version;
   options.evaluate.version = version;
   add_version(app, options);

@@ -66,7 +66,7 @@ Result<std::FILE*, Refusal> open_device(const std::string& path) {
 Result<std::shared_ptr<Printouts>, session::Refusal> Printouts::open(const RunOptions& options) {
   const std::shared_ptr<Printouts> printouts(new Printouts());
   if (options.printer.empty() || options.printer == "-") {
-    const bool is_taken = options.json == "-" || options.jsonl == "-";
+    const bool is_taken = options.json == "-" || options.jsonl == "-" || options.watch != nullptr;
     if (is_taken && !options.printer.empty()) {
       const std::string taker = options.json == "-" ? "--json -" : "--jsonl -";
       return wrong_printer(

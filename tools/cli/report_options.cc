@@ -18,6 +18,10 @@ void add_report_options(CLI::App& command, std::string& report, page::Language& 
                    ? std::string()
                    : fmt::format("{} is no .html file", path);
       });
+  add_language_option(command, language);
+}
+
+void add_language_option(CLI::App& command, page::Language& language) {
   command
       .add_option_function<std::string>(
           "--lang",

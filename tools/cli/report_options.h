@@ -13,4 +13,7 @@ namespace g31::cli {
 /// --report and --lang of every command that shows what it found as a page.
 void add_report_options(CLI::App& command, std::string& report, page::Language& language);
 
+/// --lang alone.
+void add_language_option(CLI::App& command, page::Language& language);
+
 }  // namespace g31::cli

@@ -64,7 +64,7 @@ Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& jo
     return expectations.error();
   }
   checked.expectations = expectations.value();
-  if (const auto wrong = wrong_report(options.report)) {
+  if (const auto wrong = wants_page(options) ? why_no_page() : std::nullopt) {
     return *wrong;
   }
   return checked;
@@ -93,8 +93,10 @@ session::Heard carried_out(const OpenedRun& opened) {
 /// refused has left nothing.
 std::optional<Refusal> keep_state(const OpenedRun& opened, const runtime::Outcome& outcome) {
   const bool has_run = outcome.status != runtime::Status::SyntaxError || outcome.blocks > 0;
-  return has_run && outcome.status != runtime::Status::Defect ? opened.run.keep_state()
-                                                              : std::nullopt;
+  const bool leaves_nothing = opened.options.watch != nullptr;
+  return has_run && !leaves_nothing && outcome.status != runtime::Status::Defect
+             ? opened.run.keep_state()
+             : std::nullopt;
 }
 
 /// Where a run writes while it goes, and behind it.
@@ -146,7 +148,7 @@ std::vector<Refusal> deliver_all(const OpenedRun& opened, const Outputs& outputs
   if (const auto wrong = deliver(opened, result)) {
     problems.push_back(*wrong);
   }
-  if (!opened.options.report.empty()) {
+  if (wants_page(opened.options)) {
     if (const auto wrong = deliver_page(opened, result)) {
       problems.push_back(*wrong);
     }
@@ -234,7 +236,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
                                        const Checked& line, RememberingDisk& disk) {
   const setup::Job& job = prepared.job;
   RunInputs inputs;
-  if (!options.json.empty() || !options.report.empty()) {
+  if (!options.json.empty() || wants_page(options)) {
     inputs.add(options);
     inputs.add(job);
   }
@@ -275,7 +277,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   }
   picture::WayRecorder ways(machine, job.machine, picture::tip_of(job), output);
   machine::MachinePort& port =
-      options.report.empty() ? static_cast<machine::MachinePort&>(machine) : ways;
+      wants_page(options) ? ways : static_cast<machine::MachinePort&>(machine);
   const auto run = session::Run::open(job, *programs.value(), port, recorder);
   if (!run) {
     return run.error();
@@ -289,11 +291,26 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
                     {tables.value(), *printouts.value(), desk, events.value().get()});
 }
 
+/// Tells of the files that are read without the disk of the run.
+void look_at(const setup::Job& job, const Watch& watch) {
+  for (const std::string& sheet : job.sheets) {
+    watch.looked(sheet);
+  }
+  for (const parts::PartSetup& part : job.parts) {
+    watch.looked(part.file);
+  }
+}
+
 /// Makes a run ready and does it.
 Result<ExitCode, Refusal> do_run(const RunOptions& options) {
   disk::Disk disk;
   RememberingDisk remembering(disk);
-  const auto read = session::prepare(options, remembering, session::VariablesFile::IsSaved);
+  if (options.watch != nullptr) {
+    remembering.tell(options.watch->looked);
+  }
+  const auto read = session::prepare(
+      options, remembering,
+      options.watch == nullptr ? session::VariablesFile::IsSaved : session::VariablesFile::IsRead);
   if (!read) {
     return read.error();
   }
@@ -301,6 +318,9 @@ Result<ExitCode, Refusal> do_run(const RunOptions& options) {
   prepared.job.control.block_skip.insert(options.block_skip.begin(), options.block_skip.end());
   if (!prepared.note.empty()) {
     fmt::print(stderr, "g31: note: {}\n", prepared.note);
+  }
+  if (options.watch != nullptr) {
+    look_at(prepared.job, *options.watch);
   }
   const auto line = checked(options, prepared.job);
   return line ? open_and_run(options, prepared, line.value(), remembering)
@@ -311,7 +331,7 @@ Result<ExitCode, Refusal> do_run(const RunOptions& options) {
 
 ExitCode run_command(const RunOptions& given) {
   RunOptions options = given;
-  if (!options.report.empty()) {
+  if (wants_page(options)) {
     options.moves = true;
     options.touches = true;
     options.blocks = true;

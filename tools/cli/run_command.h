@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,6 +20,13 @@ enum class Talk : std::uint8_t {
   Verbose  ///< each measuring move, too
 };
 
+/// A run that is watched: its page goes to who watches, and it leaves nothing else behind.
+struct Watch {
+  std::uint64_t edition = 0;                            ///< of the page
+  std::function<void(std::string html)> take;           ///< gets the page, once
+  std::function<void(const std::string& path)> looked;  ///< hears of files and folders it looks for
+};
+
 /// What the command line of `g31 run` says.
 struct RunOptions : session::Request {
   std::vector<std::string> prints;
@@ -34,6 +42,7 @@ struct RunOptions : session::Request {
   std::string trace_period = "1ms";                   ///< as parse_duration takes it
   std::string report;                                 ///< HTML file, "" for none
   page::Language language = page::Language::English;  ///< of the report
+  const Watch* watch = nullptr;                       ///< nullptr: nobody watches
   std::string compare;  ///< document of another run for the report, "" for none
   std::string jsonl;    ///< file of events, "-" for standard output, "" for none
   Talk talk = Talk::Usual;

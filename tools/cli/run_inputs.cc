@@ -20,6 +20,7 @@ std::string name_of_input(const std::string& path) {
 }  // namespace
 
 std::optional<std::string> RememberingDisk::read(const std::string& path) {
+  looked_(path);
   auto text = disk_.read(path);
   if (text) {
     paths_.insert(path);
@@ -29,6 +30,7 @@ std::optional<std::string> RememberingDisk::read(const std::string& path) {
 
 std::optional<std::string> RememberingDisk::read_part(const std::string& path, std::uint64_t offset,
                                                       std::size_t length) {
+  looked_(path);
   return disk_.read_part(path, offset, length);
 }
 

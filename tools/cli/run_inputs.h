@@ -1,8 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interpreter/source/file_system.h"
@@ -19,20 +21,34 @@ class RememberingDisk final : public source::FileSystem {
   explicit RememberingDisk(source::FileSystem& disk) : disk_(disk) {}
 
   std::optional<std::string> read(const std::string& path) override;
-  std::optional<std::uint64_t> size(const std::string& path) override { return disk_.size(path); }
+  std::optional<std::uint64_t> size(const std::string& path) override {
+    looked_(path);
+    return disk_.size(path);
+  }
   std::optional<std::string> read_part(const std::string& path, std::uint64_t offset,
                                        std::size_t length) override;
-  std::vector<std::string> list(const std::string& folder) override { return disk_.list(folder); }
+  std::vector<std::string> list(const std::string& folder) override {
+    looked_(folder);
+    return disk_.list(folder);
+  }
   std::vector<std::string> folders(const std::string& folder) override {
+    looked_(folder);
     return disk_.folders(folder);
   }
-  bool has_folder(const std::string& folder) override { return disk_.has_folder(folder); }
+  bool has_folder(const std::string& folder) override {
+    looked_(folder);
+    return disk_.has_folder(folder);
+  }
+
+  /// Whom it tells of all that it is asked for, before it looks, be it there or not.
+  void tell(std::function<void(const std::string& path)> looked) { looked_ = std::move(looked); }
 
   /// Paths as they were asked for.
   [[nodiscard]] const std::set<std::string>& paths() const { return paths_; }
 
  private:
   source::FileSystem& disk_;
+  std::function<void(const std::string& path)> looked_ = [](const std::string&) {};
   std::set<std::string> paths_;
 };
 

@@ -121,6 +121,15 @@ void add_program_options(CLI::App& command, RunOptions& options) {
       ->type_name("SIZE");
 }
 
+void add_expect_option(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("--expect", options.expects,
+                  "what a variable is to be at the end, #160=19.998+-0.001 or #7=vacant; else exit "
+                  "code 1; repeatable, [expect] of a sheet says more")
+      ->type_name("NAME=VALUE+-TOLERANCE")
+      ->allow_extra_args(false);
+}
+
 CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   CLI::App* const run = app.add_subcommand("run", "Run an NC program on the simulated machine.");
   add_program_options(*run, options);
@@ -133,11 +142,7 @@ CLI::App* add_run_command(CLI::App& app, RunOptions& options) {
   run->add_option("--json", options.json, "result document; - is standard output")
       ->type_name("FILE");
   add_page_options(*run, options);
-  run->add_option("--expect", options.expects,
-                  "what a variable is to be at the end, #160=19.998+-0.001 or #7=vacant; else exit "
-                  "code 1; repeatable, [expect] of a sheet says more")
-      ->type_name("NAME=VALUE+-TOLERANCE")
-      ->allow_extra_args(false);
+  add_expect_option(*run, options);
   run->add_option("--printer", options.printer,
                   "where printouts go: a file, - for standard output (default), or a serial line "
                   "as DEVICE,BAUD,PARITY,DATA BITS,STOP BITS")

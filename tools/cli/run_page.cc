@@ -17,7 +17,7 @@ namespace {
 
 /// The command line that repeats a run.
 std::string command_of(const RunOptions& options) {
-  ShownCommand command("g31 run");
+  ShownCommand command(options.watch != nullptr ? "g31 view" : "g31 run");
   for (const std::string& program : options.programs) {
     command.add(program);
   }
@@ -72,15 +72,28 @@ std::optional<double> value_of(const OpenedRun& opened, const expect::What& what
   return value ? number_in(value.value()) : std::nullopt;
 }
 
+/// Sends a page where it is wanted.  @returns why it could not be written
+std::optional<session::Refusal> send(const RunOptions& options, page::Report report) {
+  if (options.watch == nullptr) {
+    return write_page(options.report, report);
+  }
+  if (const auto assets = page::read_assets()) {
+    report.edition = options.watch->edition;
+    options.watch->take(page::page_of(report, assets.value()));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-std::optional<session::Refusal> wrong_report(const std::string& report) {
-  if (report.empty()) {
-    return std::nullopt;
-  }
+std::optional<session::Refusal> why_no_page() {
   const auto assets = page::read_assets();
   return assets ? std::nullopt
                 : std::optional(session::bad_input(fmt::format("--report: {}", assets.error())));
+}
+
+std::optional<session::Refusal> wrong_report(const std::string& report) {
+  return report.empty() ? std::nullopt : why_no_page();
 }
 
 std::vector<page::Input> page_inputs(const std::vector<std::string>& paths) {
@@ -120,7 +133,17 @@ std::optional<session::Refusal> deliver_page(const OpenedRun& opened,
     }
     run.other = other.value();
   }
-  return write_page(opened.options.report, page::report_of(run, opened.options.language));
+  return send(opened.options, page::report_of(run, opened.options.language));
+}
+
+std::optional<session::Refusal> deliver_refusal_page(const RunOptions& options,
+                                                     const report::RunResult& result,
+                                                     const source::SourceMap& sources) {
+  if (why_no_page()) {
+    return std::nullopt;  // it is why there is a refusal, or it comes with the next run
+  }
+  return send(options,
+              page::refusal_report(result, sources, command_of(options), options.language));
 }
 
 }  // namespace g31::cli

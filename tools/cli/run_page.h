@@ -10,13 +10,24 @@
 
 namespace g31::cli {
 
-/// Why --report cannot be done, whatever the work will come to; nullopt: it can, or nobody wants
-/// it.
+/// Whether somebody wants the run as a page: in a file, or to watch it.
+inline bool wants_page(const RunOptions& options) {
+  return !options.report.empty() || options.watch != nullptr;
+}
+
+/// Why no page can be made, whatever the work will come to; nullopt: it can.
+std::optional<session::Refusal> why_no_page();
+/// The same for --report; nullopt where nobody wants it, too.
 std::optional<session::Refusal> wrong_report(const std::string& report);
 
 /// Writes the report.  @returns why it could not be written
 std::optional<session::Refusal> deliver_page(const OpenedRun& opened,
                                              const report::RunResult& result);
+
+/// The same of a run that did not begin.
+std::optional<session::Refusal> deliver_refusal_page(const RunOptions& options,
+                                                     const report::RunResult& result,
+                                                     const source::SourceMap& sources);
 
 /// Files that a page tells its reader of, with their hashes.
 std::vector<page::Input> page_inputs(const std::vector<std::string>& paths);

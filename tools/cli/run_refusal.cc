@@ -12,6 +12,7 @@
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/run_inputs.h"
+#include "tools/cli/run_page.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/report/event_log.h"
@@ -119,6 +120,19 @@ std::optional<session::Refusal> write_refusal_events(const RunOptions& options,
   return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
 }
 
+/// Shows why a run did not begin as its page.
+std::optional<session::Refusal> show_refusal(const RunOptions& options,
+                                             const session::Refusal& wrong) {
+  if (options.watch != nullptr) {
+    for (const setup::SetupError& error : wrong.sheet_errors) {
+      options.watch->looked(error.file);
+    }
+  }
+  disk::Disk disk;
+  const source::SourceMap no_sources(disk);
+  return deliver_refusal_page(options, result_of(options, wrong), no_sources);
+}
+
 /// Whether a document may take the place of what is there: nothing, an earlier document, or what is
 /// called one.  The value of --json may be a word that was meant otherwise: `run --json part.nc`.
 bool may_be_replaced(const std::string& path) {
@@ -148,7 +162,8 @@ ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
   ExitCode code = refuse(wrong);
   for (const auto& unwritten :
        {options.json.empty() ? std::nullopt : write_refusal_with_care(options, options.json, wrong),
-        options.jsonl.empty() ? std::nullopt : write_refusal_events(options, wrong)}) {
+        options.jsonl.empty() ? std::nullopt : write_refusal_events(options, wrong),
+        wants_page(options) ? show_refusal(options, wrong) : std::nullopt}) {
     code = unwritten ? refuse(*unwritten) : code;
   }
   return code;

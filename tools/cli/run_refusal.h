@@ -15,7 +15,8 @@ using RunWork = std::function<Result<ExitCode, session::Refusal>()>;
 
 /// Does the work of a run.  Why it cannot begin is told on standard error, and in the document of
 /// --json: status `usage`, `setup`, `budget`, `interrupted`, or `defect` for a contract of ours
-/// that is violated.  A document of an earlier run is gone before the work begins.
+/// that is violated; and in the page of --report.  A document of an earlier run is gone before the
+/// work begins.
 ExitCode run_or_tell(const RunOptions& options, const RunWork& work);
 
 /// The document of a command line that is refused before anything is read of it.

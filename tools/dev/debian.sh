@@ -8,7 +8,7 @@
 G31_PACKAGES=(
   g++ cmake ninja-build python3 python3-jsonschema
   libeigen3-dev libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev
-  libassimp-dev zlib1g-dev libfcl-dev libccd-dev libmeshoptimizer-dev libserialport-dev libtbb-dev nettle-dev libocct-data-exchange-dev libboost-math-dev
+  libassimp-dev zlib1g-dev libfcl-dev libccd-dev libmeshoptimizer-dev libserialport-dev libcpp-httplib-dev libtbb-dev nettle-dev libocct-data-exchange-dev libboost-math-dev
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 # The script of report pages is bundled by node; one that came from elsewhere than Debian will do.

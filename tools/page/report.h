@@ -41,7 +41,8 @@ struct Finding {
   std::string code;
   std::string text;
   Place place;
-  std::size_t touch = 0;  ///< its number; 0: none
+  std::size_t touch = 0;     ///< its number; 0: none
+  std::string excerpt = {};  ///< the line with a mark under it, and what would be right; "": none
 };
 
 struct Frame {
@@ -153,6 +154,8 @@ struct Report {
   std::vector<std::string> limits;  ///< what was not simulated
   std::string document;             ///< JSON of the command
   std::string figures;              ///< JSON of what only pictures need; "": none
+  /// Of a page that is served and makes way for the next one; 0: it stays as it is.
+  std::uint64_t edition = 0;
 };
 
 }  // namespace g31::page

@@ -163,7 +163,8 @@ std::vector<Finding> findings_of(const RunPage& run) {
   std::vector<Finding> findings;
   for (const source::Diagnostic& message : run.result.outcome.diagnostics) {
     findings.push_back({message.severity, message.code, message.message,
-                        place_at(source::place_of(message, run.sources)), 0});
+                        place_at(source::place_of(message, run.sources)), 0,
+                        excerpt_of(message, run.sources)});
   }
   std::ranges::stable_sort(findings, std::greater(), &Finding::severity);
   return findings;

@@ -35,6 +35,15 @@ struct RunPage {
 
 Report report_of(const RunPage& run, Language language);
 
+/// Of a run that did not begin: why, at its place.
+/// @param result   what is known of it; places of its messages are in sheets or in `sources`
+/// @param command  that repeats it
+Report refusal_report(const report::RunResult& result, const source::SourceMap& sources,
+                      const std::string& command, Language language);
+
+/// The line of an error with a mark under it, and what would be right; "" for others.
+std::string excerpt_of(const source::Diagnostic& message, const source::SourceMap& sources);
+
 /// The answer in a sentence.
 /// @param results  that are judged
 Verdict verdict_of(const RunPage& run, std::span<const Characteristic> results);

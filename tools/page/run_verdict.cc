@@ -102,7 +102,9 @@ Verdict verdict_of(const RunPage& run, std::span<const Characteristic> results) 
                             outcome.alarm->text),
                 touched(run)};
       }
-      return {Sign::Broken, "Alarm", "An alarm stopped the program.", touched(run)};
+      return outcome.status == Status::Alarm
+                 ? Verdict{Sign::Broken, "Alarm", "An alarm stopped the program.", touched(run)}
+                 : Verdict{Sign::Broken, "Not run", "The program cannot be read.", ""};
     case Status::Setup:
       return {Sign::Broken, "Set-up", "The set-up does not fit the program.", touched(run)};
     case Status::Budget:

@@ -9,9 +9,13 @@ namespace {
 
 std::string finding(const Report& report, const Finding& one) {
   const std::string_view severity = source::name_of(one.severity);
-  std::string html = fmt::format(
-      R"(<div class="find {0}">{1}<div><span class="vh">{0}: </span>{2}</div><div class="loc">)",
-      severity, svg_of(one.severity), escaped(one.text));
+  std::string html =
+      fmt::format(R"(<div class="find {0}">{1}<div><span class="vh">{0}: </span>{2}</div>)",
+                  severity, svg_of(one.severity), escaped(one.text));
+  if (!one.excerpt.empty()) {
+    html += fmt::format(R"(<pre class="excerpt">{}</pre>)", escaped(one.excerpt));
+  }
+  html += R"(<div class="loc">)";
   if (!one.code.empty()) {
     html += fmt::format(R"(<span class="mono">{}</span>)", escaped(one.code));
   }

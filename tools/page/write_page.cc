@@ -12,13 +12,16 @@ namespace g31::page {
 namespace {
 
 std::string head_of(const Report& report, const PageAssets& assets) {
+  const bool is_served = report.edition != 0;
   return fmt::format(
       R"(<!doctype html>
-<html lang="{0}"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1"><meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data: blob:"><title>{1}: {2} – {3}</title><style>
-{4}</style></head>
+<html lang="{0}"{4}><head><meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1"><meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data: blob:{5}"><title>{1}: {2} – {3}</title><style>
+{6}</style></head>
 )",
       name_of(report.language), escaped(report.title), escaped(report.verdict.state),
-      word(report, Word::RunReport), assets.css);
+      word(report, Word::RunReport),
+      is_served ? fmt::format(R"( data-edition="{}")", report.edition) : std::string(),
+      is_served ? "; connect-src 'self'" : "", assets.css);
 }
 
 std::string bar_of(const Report& report) {

@@ -2,6 +2,7 @@
 import { Choice } from './choice.js';
 import { drawLegends } from './legends.js';
 import { Listing } from './listing.js';
+import { followEditions, restoreTheme } from './live.js';
 import { byId } from './markup.js';
 import { jsonOf, partsOf } from './page_data.js';
 import { Plan } from './plan.js';
@@ -89,6 +90,7 @@ function start(document_, figures) {
   linkEverything(choice, listing);
   linkTheme(() => choice.tell('theme'));
   followSize(choice);
+  followEditions(choice);
   keepPrintable({ plan, scene, timeline, listing, table });
   setTimeout(() => {
     scene.start();
@@ -101,6 +103,7 @@ function begin() {
   const document_ = jsonOf('g31-document');
   if (!document_) return;
   window.g31 = document_;
+  restoreTheme();
   const figures = jsonOf('g31-figures') ?? {};
   useWords(figures.words);
   linkCopy();

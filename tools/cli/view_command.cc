@@ -1,0 +1,71 @@
+#include "tools/cli/view_command.h"
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "tools/cli/messages.h"
+#include "tools/cli/run_page.h"
+#include "tools/view/file_watch.h"
+#include "tools/view/page_server.h"
+
+namespace g31::cli {
+namespace {
+
+/// Runs the program once in a thread of its own, until it has ended and something is saved, or the
+/// view is to end.
+void view_once(const ViewOptions& options, view::FileWatch& files, const Watch& watch,
+               runtime::Interruption& interruption) {
+  constexpr std::chrono::milliseconds kBetweenLooks(50);
+  RunOptions run = options.run;
+  run.talk = Talk::Quiet;
+  run.watch = &watch;
+  run.budget.interruption = &interruption;
+  std::thread work([&run] { run_command(run); });
+  while (!runtime::is_interrupted(options.interruption) && !files.has_changed()) {
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+  interruption = true;
+  if (!runtime::is_interrupted(options.interruption)) {
+    files.wait_for_rest();
+  }
+  work.join();
+}
+
+}  // namespace
+
+ExitCode view_command(const ViewOptions& options) {
+  if (const auto wrong = why_no_page()) {
+    return refuse(*wrong);
+  }
+  const auto server = view::PageServer::open(options.port);
+  if (!server) {
+    return refuse(session::bad_input(fmt::format("--port {}: {}", options.port, server.error())));
+  }
+  fmt::print("{}\n", server.value()->address());
+  std::fflush(stdout);
+  view::FileWatch files;
+  for (const auto* const list : {&options.run.programs, &options.run.setups}) {
+    for (const std::string& path : *list) {
+      files.add(path);
+    }
+  }
+  for (std::uint64_t edition = 1; !runtime::is_interrupted(options.interruption); ++edition) {
+    runtime::Interruption interruption = false;
+    files.begin();
+    const Watch watch{edition,
+                      [&](std::string html) {
+                        if (!interruption) {  // else what is shown would be of files of before
+                          server.value()->show(edition, std::move(html));
+                        }
+                      },
+                      [&](const std::string& path) { files.add(path); }};
+    view_once(options, files, watch, interruption);
+  }
+  return ExitCode::Completed;
+}
+
+}  // namespace g31::cli

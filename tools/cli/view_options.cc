@@ -1,0 +1,34 @@
+#include "tools/cli/view_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "tools/cli/report_options.h"
+#include "tools/cli/run_options.h"
+
+namespace g31::cli {
+
+CLI::App* add_view_command(CLI::App& app, ViewOptions& options) {
+  constexpr int kLastPort = 65535;
+  CLI::App* const view = app.add_subcommand(
+      "view", "Show the run of an NC program in a browser, anew whenever a file of it is saved.");
+  add_program_options(*view, options.run);
+  add_expect_option(*view, options.run);
+  add_language_option(*view, options.run.language);
+  view->add_option("--port", options.port, "of 127.0.0.1; 0, the default: any that is free")
+      ->type_name("N")
+      ->check(CLI::Range(0, kLastPort));
+  return view;
+}
+
+std::string view_examples() {
+  return "Examples:\n"
+         "  g31 view measure_ring.nc --setup ring.toml\n"
+         "  g31 view part.mpf --control sinumerik-828d -s machine.toml --lang ja\n"
+         "  g31 view part.nc -s machine.toml --expect '#160=19.998+-0.001' --port 8031\n\n"
+         "Open the address that it prints.  Save the program, a sheet, a subprogram or a part in\n"
+         "your editor: the page is new at once; what is wrong shows there, too.  Only this\n"
+         "computer is answered, and only with the token of the address.  Nothing is written, no\n"
+         "variables file either.  Ctrl-C ends it, with exit code 0.\n\n";
+}
+
+}  // namespace g31::cli
