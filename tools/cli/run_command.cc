@@ -21,7 +21,6 @@
 #include "tools/cli/run_tables.h"
 #include "tools/cli/run_verdict.h"
 #include "tools/disk/disk.h"
-#include "tools/picture/tip.h"
 #include "tools/report/event_log.h"
 #include "tools/session/sheet_places.h"
 #include "tools/session/world.h"
@@ -275,7 +274,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   if (tables.value().trace != nullptr) {
     machine.trace(line.trace_period_s, *tables.value().trace);
   }
-  picture::WayRecorder ways(machine, job.machine, picture::tip_of(job), output);
+  picture::WayRecorder ways(machine, job, output);
   machine::MachinePort& port =
       wants_page(options) ? ways : static_cast<machine::MachinePort&>(machine);
   const auto run = session::Run::open(job, *programs.value(), port, recorder);

@@ -4,8 +4,8 @@
 #include <zlib.h>
 
 #include "machine/base/contract.h"
-#include "tools/gltf/base64.h"
 #include "tools/page/html.h"
+#include "tools/picture/base64.h"
 
 namespace g31::page {
 namespace {
@@ -39,7 +39,7 @@ std::string embedded(std::string_view id, std::string_view json) {
                        json_for_script(json));
   }
   return fmt::format("<script type=\"text/plain\" id=\"{}\" data-encoding=\"gzip\">{}</script>\n",
-                     id, gltf::base64(compressed(json)));
+                     id, picture::base64(compressed(json)));
 }
 
 }  // namespace g31::page

@@ -18,7 +18,7 @@ std::string drawing(const Drawing& drawing) {
 
 std::string table(const Table& table) {
   std::string html = fmt::format(
-      R"(<section class="card"><header><h2>{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{0}"><table><thead><tr>)",
+      R"(<section class="card"><header><h2>{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{0}, table"><table><thead><tr>)",
       escaped(table.title));
   for (std::size_t i = 0; i < table.head.size(); ++i) {
     html += fmt::format(R"(<th scope="col"{}>{}</th>)", i > 0 ? R"( class="n")" : "",
@@ -88,7 +88,7 @@ std::string motion_part(const Report& report) {
 std::string inputs_part(const Report& report) {
   const auto say = [&](Word name) { return word(report, name); };
   std::string html = fmt::format(
-      R"(<section class="card" id="inputs" aria-labelledby="hin"><header><h2 id="hin">{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{0}"><table><thead><tr><th scope="col">{1}</th><th scope="col">{2}</th><th scope="col">SHA-256</th></tr></thead><tbody>)",
+      R"(<section class="card" id="inputs" aria-labelledby="hin"><header><h2 id="hin">{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{0}, table"><table><thead><tr><th scope="col">{1}</th><th scope="col">{2}</th><th scope="col">SHA-256</th></tr></thead><tbody>)",
       say(Word::InputsLimits), say(Word::File), say(Word::What));
   for (const Input& input : report.inputs) {
     html += fmt::format(R"(<tr><td><code>{}</code></td><td>{}</td><td class="hash">{}</td></tr>)",

@@ -188,7 +188,7 @@ std::string results_part(const Report& report) {
   }
   const auto say = [&](Word name) { return word(report, name); };
   std::string html = fmt::format(
-      R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{0}</h2><span class="right"><span class="key"><svg width="18" height="10" aria-hidden="true"><path d="M9 0v10" stroke="var(--ink)" stroke-width="2.5"/></svg>{1}</span><span class="key"><svg width="12" height="12" aria-hidden="true"><path d="M6 1l5 5-5 5-5-5z" fill="none" stroke="var(--accent)" stroke-width="1.6"/></svg>{2}</span></span></header><div class="tw" tabindex="0" role="region" aria-label="{0}"><table id="results"><thead><tr>)html",
+      R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{0}</h2><span class="right"><span class="key"><svg width="18" height="10" aria-hidden="true"><path d="M9 0v10" stroke="var(--ink)" stroke-width="2.5"/></svg>{1}</span><span class="key"><svg width="12" height="12" aria-hidden="true"><path d="M6 1l5 5-5 5-5-5z" fill="none" stroke="var(--accent)" stroke-width="1.6"/></svg>{2}</span></span></header><div class="tw" tabindex="0" role="region" aria-label="{0}, table"><table id="results"><thead><tr>)html",
       say(Word::Results), say(Word::Measured), say(Word::TrueSize));
   std::vector<std::pair<Word, std::string_view>> heads = {
       {Word::Characteristic, ""}, {Word::Nominal, "n"},   {Word::Tolerance, "n"},

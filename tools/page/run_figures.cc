@@ -8,9 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tools/gltf/base64.h"
 #include "tools/page/html.h"
 #include "tools/page/run_report.h"
+#include "tools/picture/base64.h"
 #include "tools/picture/thinned.h"
 #include "tools/picture/tip.h"
 
@@ -35,7 +35,7 @@ std::string packed(const std::vector<Value>& values) {
   static_assert(std::endian::native == std::endian::little);
   std::string bytes(values.size() * sizeof(Value), '\0');
   std::memcpy(bytes.data(), values.data(), bytes.size());
-  return gltf::base64(bytes);
+  return picture::base64(bytes);
 }
 
 Json part_json(const RunPage& run, const picture::PicturedPart& part) {

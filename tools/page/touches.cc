@@ -77,7 +77,7 @@ std::string touches_part(const Report& report) {
         say(Word::AlsoWithout), without);
   }
   html += fmt::format(
-      R"(</header><div class="tw" tabindex="0" role="region" aria-label="{}"><table id="touches">)",
+      R"(</header><div class="tw" tabindex="0" role="region" aria-label="{}, table"><table id="touches">)",
       say(Word::Touches));
   html += head_of(report);
   if (report.touches.size() > kMostRows) {

@@ -99,7 +99,7 @@ std::string variables_part(const Report& report) {
   std::string html;
   if (!report.variables.empty()) {
     html += fmt::format(
-        R"(<section class="card flow" id="variables" aria-labelledby="hva"><header><h2 id="hva">{0}</h2><span class="sub">{1}</span></header><div class="tw tall" tabindex="0" role="region" aria-label="{0}"><table><thead><tr><th scope="col">{2}</th><th scope="col">{3}</th><th scope="col">{4}, 0 – {5} s</th><th scope="col" class="n">{6}</th><th scope="col" class="n">{7}</th></tr></thead><tbody>)",
+        R"(<section class="card flow" id="variables" aria-labelledby="hva"><header><h2 id="hva">{0}</h2><span class="sub">{1}</span></header><div class="tw tall" tabindex="0" role="region" aria-label="{0}, table"><table><thead><tr><th scope="col">{2}</th><th scope="col">{3}</th><th scope="col">{4}, 0 – {5} s</th><th scope="col" class="n">{6}</th><th scope="col" class="n">{7}</th></tr></thead><tbody>)",
         say(Word::Variables), say(Word::WrittenByRun), say(Word::Variable), say(Word::Meaning),
         say(Word::OverTheRun), number(report.duration_s, 1), say(Word::Writes),
         say(Word::LastValue));
