@@ -43,18 +43,17 @@ bool has(const std::string& page, const std::string& piece) {
 }
 
 constexpr const char* kRing =
-    "[machine]\n"
-    "start = [0, 0, 120]\n"
+    "[start]\n"
+    "Z = 120.0\n"
     "[probe]\n"
     "ball_diameter = 6.0\n"
     "length = 100.0\n"
-    "trigger_delay = 0.004\n"
+    "trigger_delay_s = 0.004\n"
     "[[part]]\n"
     "name = \"ring\"\n"
     "shape = \"ring\"\n"
-    "at = [0.0, 0.0, 20.0]\n"
-    "[part.sizes]\n"
-    "bore = 40.0\n";
+    "bore = 40.0\n"
+    "at = [0.0, 0.0, 20.0]\n";
 
 /// Touches the bore towards +X with 300 mm/min: 4 ms are 20 um too deep.
 constexpr const char* kTouch =

@@ -224,6 +224,18 @@ Result<std::shared_ptr<report::EventLog>, Refusal> open_events(const RunOptions&
   return events.value();
 }
 
+/// What recorder and machine are to keep from the start.
+void begin_records(const Checked& line, const setup::Job& job, const Tables& tables,
+                   EchoingRecorder& recorder, machine::MachiningCentre& machine) {
+  if (line.expectations.need_output()) {
+    recorder.keep_output();
+  }
+  recorder.missed_skips().starts_at(job.machine.q_M_start);
+  if (tables.trace != nullptr) {
+    machine.trace(line.trace_period_s, *tables.trace);
+  }
+}
+
 /// What calls name the main program by.
 std::string main_name(const RunOptions& options) {
   return std::filesystem::path(options.programs.front()).stem().string();
@@ -266,14 +278,11 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   Desk desk(options, sources);
   EchoingRecorder recorder(options, *printouts.value(), machine, tables.value(), output);
   recorder.tell(desk, events.value().get());
-  report::RunChronicle chronicle(main_name(options), machine, output);
-  if (line.expectations.need_output()) {
-    recorder.keep_output();
+  std::optional<report::RunChronicle> chronicle;
+  if (options.blocks) {
+    chronicle.emplace(main_name(options), machine, output);
   }
-  recorder.missed_skips().starts_at(job.machine.q_M_start);
-  if (tables.value().trace != nullptr) {
-    machine.trace(line.trace_period_s, *tables.value().trace);
-  }
+  begin_records(line, job, tables.value(), recorder, machine);
   picture::WayRecorder ways(machine, job, output);
   machine::MachinePort& port =
       wants_page(options) ? ways : static_cast<machine::MachinePort&>(machine);
@@ -285,7 +294,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
     return *wrong;
   }
   return run_to_end({options, line.prints, line.prints_all, prepared, *run.value(), machine,
-                     recorder, options.blocks ? &chronicle : nullptr, ways, output, time, sources,
+                     recorder, chronicle ? &*chronicle : nullptr, ways, output, time, sources,
                      world.value(), line.expectations, inputs, disk},
                     {tables.value(), *printouts.value(), desk, events.value().get()});
 }

@@ -79,29 +79,28 @@ Json input_json(const InputFile& input) {
   return {{"file", input.file}, {"sha256", input.sha256}};
 }
 
-/// Moves with place and time of their ends; without a clock the time is not known.
-struct TimedMove {
-  const runtime::MoveEvent& move;
-  std::optional<double> time_s;
-};
-
-std::vector<TimedMove> timed_moves(const RunRecorder& recorder) {
-  std::vector<TimedMove> moves;
+/// The moves with place and time of their ends.
+void add_timed_moves(const RunRecorder& recorder, const source::SourceMap& sources,
+                     ObjectWriter& document) {
   const std::vector<double>& times = recorder.move_times();
-  for (std::size_t i = 0; i < recorder.moves().size(); ++i) {
-    moves.push_back(
-        {recorder.moves()[i], i < times.size() ? std::optional(times[i]) : std::nullopt});
-  }
-  return moves;
+  std::size_t number = 0;
+  document.add_list("moves", recorder.moves(), [&](const runtime::MoveEvent& move) {
+    Json object = move_json(move);
+    if (number < times.size()) {
+      object["time_s"] = times[number++];
+    }
+    add_place(object, move.where, sources);
+    return object;
+  });
 }
 
-Json timed_json(const TimedMove& timed, const source::SourceMap& sources) {
-  Json object = move_json(timed.move);
-  if (timed.time_s) {
-    object["time_s"] = *timed.time_s;
+void add_moves(const RunResult& result, const RunRecorder& recorder,
+               const source::SourceMap& sources, ObjectWriter& document) {
+  if (result.chronicle != nullptr) {
+    add_timed_moves(recorder, sources, document);
+  } else {
+    document.add_list("moves", recorder.moves(), move_json);
   }
-  add_place(object, timed.move.where, sources);
-  return object;
 }
 
 Json call_json(const CallSpan& call, const source::SourceMap& sources) {
@@ -186,7 +185,7 @@ void write_run_document(const RunResult& result, const RunRecorder& recorder,
   document.add_latin_1("files", result.files);
   add_stops(result, recorder, sources, document);
   if (recorder.what().moves == RecordWhat::Keep::Yes) {
-    document.add_list("moves", timed_moves(recorder), shown_by(timed_json));
+    add_moves(result, recorder, sources, document);
   }
   if (recorder.what().touches == RecordWhat::Keep::Yes) {
     document.add_list("touches", recorder.touches(), shown_by(touch_json));
