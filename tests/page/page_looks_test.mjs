@@ -66,7 +66,7 @@ test('without WebGL a sketch stands for the scene, and all else works', async ()
   assert.ok((await page.locator('svg#scene path').first().getAttribute('d')).length > 1000);
   assert.match(await page.textContent('#scenebox'), /no 3D graphics/);
   await page.click('tr[data-touch="9"] td:nth-child(3)');
-  assert.equal(await page.locator('.scene-labels .badge.sel').textContent(), '9');
+  await page.locator('.scene-labels .badge.sel', { hasText: /^9$/ }).waitFor({ timeout: 10000 });
   assert.deepEqual(notes, []);
   await close();
 });
