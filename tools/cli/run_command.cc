@@ -66,6 +66,9 @@ Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& jo
   if (const auto wrong = wants_page(options) ? why_no_page() : std::nullopt) {
     return *wrong;
   }
+  if (const auto wrong = wrong_comparison(options, job)) {
+    return *wrong;
+  }
   return checked;
 }
 

@@ -86,6 +86,13 @@ std::optional<session::Refusal> send(const RunOptions& options, page::Report rep
 
 }  // namespace
 
+std::optional<session::Refusal> wrong_comparison(const RunOptions& options, const setup::Job& job) {
+  const auto other = options.compare.empty()
+                         ? Result<page::OtherRun, session::Refusal>(page::OtherRun())
+                         : compared_run(options.compare, job);
+  return other ? std::nullopt : std::optional(other.error());
+}
+
 std::optional<session::Refusal> why_no_page() {
   const auto assets = page::read_assets();
   return assets ? std::nullopt

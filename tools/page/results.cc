@@ -10,8 +10,9 @@
 namespace g31::page {
 namespace {
 
-/// A deviation that floating point has put a hair beyond a limit is at it.
-constexpr double kHair = 1e-9;
+/// A limit in decimal digits is none in binary ones: a billionth of it more does no harm.  The same
+/// as expectations are judged by.
+constexpr double kSlack = 1.0 + 1e-9;
 
 std::optional<double> deviation_of(const Characteristic& row) {
   return row.measured && row.nominal ? std::optional(*row.measured - *row.nominal) : std::nullopt;
@@ -20,7 +21,7 @@ std::optional<double> deviation_of(const Characteristic& row) {
 bool is_out(const Characteristic& row) {
   const auto deviation = deviation_of(row);
   return deviation &&
-         (*deviation < row.tolerance[0] - kHair || *deviation > row.tolerance[1] + kHair);
+         (*deviation < row.tolerance[0] * kSlack || *deviation > row.tolerance[1] * kSlack);
 }
 
 /// The tolerance as a zone with quarter ticks, the measured value from the nominal, the true size.
@@ -63,7 +64,7 @@ class ToleranceBar {
     std::string text;
     for (int quarter = -4; quarter <= 4; ++quarter) {
       const double at = quarter / 4.0 * largest_;
-      if (at < row_.tolerance[0] - kHair || at > row_.tolerance[1] + kHair) {
+      if (at < row_.tolerance[0] * kSlack || at > row_.tolerance[1] * kSlack) {
         continue;
       }
       const bool is_limit = std::abs(quarter) == 4;
@@ -198,7 +199,7 @@ std::string results_part(const Report& report) {
   if (compares(report)) {
     heads.insert(heads.end(), {{Word::OtherRun, "n"}, {Word::Difference, "n"}});
   }
-  heads.insert(heads.end(), {{Word::Touches, ""}, {Word::VerdictHead, ""}});
+  heads.insert(heads.end(), {{Word::TouchesOfCall, ""}, {Word::VerdictHead, ""}});
   for (const auto& [name, kind] : heads) {
     const bool in_um =
         name == Word::Deviation || name == Word::MeasuringError || name == Word::Difference;

@@ -38,13 +38,11 @@ std::string packed(const std::vector<Value>& values) {
   return picture::base64(bytes);
 }
 
-Json part_json(const RunPage& run, const picture::PicturedPart& part) {
+/// @param mesh  that stands for the part's own in the picture
+Json part_json(const RunPage& run, const picture::PicturedPart& part, const parts::Mesh& mesh) {
   const auto sheet = std::ranges::find(run.job.parts, part.name, &parts::PartSetup::name);
   const bool is_named = sheet != run.job.parts.end();
   const Point p_M_origin = is_named ? sheet->p_M_at : Point(Point::Zero());
-  const std::optional<parts::Mesh> thinned =
-      picture::thinned(*part.mesh_M, kMostTriangles, kMostErrorMm);
-  const parts::Mesh& mesh = thinned ? *thinned : *part.mesh_M;
   std::vector<float> places;
   for (const Point& p : mesh.vertices) {
     const Point from_origin = p - p_M_origin;
@@ -176,6 +174,10 @@ Json words_json(Language language) {
 
 }  // namespace
 
+std::optional<parts::Mesh> mesh_for_picture(const picture::PicturedPart& part) {
+  return picture::thinned(*part.mesh_M, kMostTriangles, kMostErrorMm);
+}
+
 std::vector<Meeting> meetings_of(const RunPage& run) {
   const auto& touches = run.recorder.touches();
   const double radius = run.job.probe ? run.job.probe->ball_diameter_mm / 2.0 : 0.0;
@@ -186,8 +188,13 @@ std::vector<Meeting> meetings_of(const RunPage& run) {
     while (next < run.ways.size() && run.ways[next].time_to_s < touch.time_s) {
       ++next;
     }
-    if (next == run.ways.size() || run.ways[next].time_to_s != touch.time_s) {
+    if (next == run.ways.size() || run.ways[next].time_to_s != touch.time_s ||
+        run.ways[next].kind != picture::PathKind::Skip) {
       continue;  // the axes did not move: the signal was there already
+    }
+    // Ways are told in the frame of the part, contacts in that of the machine.
+    if (!rotary_axes(touch.q_M_latched).isZero(0.0)) {
+      continue;
     }
     const picture::Way& way = run.ways[next];
     Meeting& meeting = meetings[i];
@@ -201,7 +208,10 @@ std::vector<Meeting> meetings_of(const RunPage& run) {
     const Point inward = -touch.contact->n_M;
     const double cosine = std::clamp(inward.dot(along.normalized()), -1.0, 1.0);
     meeting.angle_deg = std::acos(cosine) * kDegreesPerRadian;
-    if (run.job.probe) {
+    // What touches a tool probe is a tool, of another radius.
+    const bool is_part = std::ranges::find(run.job.parts, touch.contact->part,
+                                           &parts::PartSetup::name) != run.job.parts.end();
+    if (run.job.probe && is_part) {
       const Point p_M_wall = touch.contact->p_M_point + radius * touch.contact->n_M;
       meeting.deviation_mm = (*meeting.p_M_ball - p_M_wall).dot(inward);
     }
@@ -213,7 +223,9 @@ std::string figures_of(const RunPage& run, const Report& report) {
   Json figures = Json::object();
   figures["parts"] = Json::array();
   for (const picture::PicturedPart& part : run.parts) {
-    figures["parts"].push_back(part_json(run, part));
+    if (const auto mesh = mesh_for_picture(part)) {
+      figures["parts"].push_back(part_json(run, part, *mesh));
+    }
   }
   figures["probe"] = probe_json(run.job);
   figures["ways"] = ways_json(run);

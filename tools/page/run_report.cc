@@ -236,6 +236,11 @@ std::optional<std::array<double, 3>> in_part(const RunPage& run, const machine::
   return std::array<double, 3>{p.x(), p.y(), p.z()};
 }
 
+/// Whether a table may have turned the part away from where the sheet lays it.
+bool is_turned(const runtime::TouchEvent& touch) {
+  return !rotary_axes(touch.q_M_latched).isZero(0.0);
+}
+
 std::vector<TouchRow> touches_of(const RunPage& run, const Writers& writers) {
   std::vector<TouchRow> rows;
   const std::vector<Meeting> meetings = meetings_of(run);
@@ -251,7 +256,7 @@ std::vector<TouchRow> touches_of(const RunPage& run, const Writers& writers) {
     row.latched = linear(touch.view.q_L);
     if (touch.contact) {
       row.part = touch.contact->part;
-      row.contact = in_part(run, *touch.contact);
+      row.contact = is_turned(touch) ? std::nullopt : in_part(run, *touch.contact);
     }
     row.deviation_mm = meetings[i].deviation_mm;
     row.angle_deg = meetings[i].angle_deg;
@@ -333,6 +338,12 @@ std::vector<std::string> limits_of(const RunPage& run) {
         "Probe as the sheet says: ball {} mm, signal {} ms late, scatter {} mm, pre-travel {} mm.",
         probe.ball_diameter_mm, probe.trigger_delay_s * kMsPerSecond, probe.repeatability_mm,
         probe.at_switch.pre_travel_mm));
+  }
+  for (const picture::PicturedPart& part : run.parts) {
+    if (!mesh_for_picture(part)) {
+      limits.push_back(fmt::format("{} is not drawn: its {} triangles are too many for a page.",
+                                   part.name, part.mesh_M->triangles.size()));
+    }
   }
   limits.emplace_back(
       "Not simulated: cutting, chips, coolant, deformation of parts and machine by forces, and "

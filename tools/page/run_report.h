@@ -48,6 +48,10 @@ std::string excerpt_of(const source::Diagnostic& message, const source::SourceMa
 /// @param results  that are judged
 Verdict verdict_of(const RunPage& run, std::span<const Characteristic> results);
 
+/// The mesh that stands for a part in the picture; nullopt: so few triangles cannot show it, and it
+/// is left out.
+std::optional<parts::Mesh> mesh_for_picture(const picture::PicturedPart& part);
+
 /// What pictures need of it, as JSON; lengths mm, machine frame.
 std::string figures_of(const RunPage& run, const Report& report);
 

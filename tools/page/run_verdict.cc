@@ -16,11 +16,12 @@ double beyond(const Characteristic& row) {
   if (!row.measured || !row.nominal) {
     return 0.0;
   }
-  constexpr double kRounding = 1e-9;
+  constexpr double kSlackOfLimit = 1.0 + 1e-9;  // as expectations are judged by
   const double deviation = *row.measured - *row.nominal;
-  const double over = deviation - row.tolerance[1];
-  const double under = row.tolerance[0] - deviation;
-  return over > kRounding ? over : under > kRounding ? -under : 0.0;
+  if (deviation > row.tolerance[1] * kSlackOfLimit) {
+    return deviation - row.tolerance[1];
+  }
+  return deviation < row.tolerance[0] * kSlackOfLimit ? deviation - row.tolerance[0] : 0.0;
 }
 
 std::string touched(const RunPage& run) {
@@ -28,24 +29,25 @@ std::string touched(const RunPage& run) {
   if (ways == 0) {
     return "It made no skip move.";
   }
-  return fmt::format("{} of {} skip moves met something, in {} s of machine time.",
+  return fmt::format("{} of {} skip moves had their signal, in {} s of machine time.",
                      run.recorder.touch_count(), ways, number(run.result.machine_time_s, 1));
 }
 
 Verdict measured_out(const RunPage& run, std::span<const Characteristic> results) {
   const auto is_out = [](const Characteristic& row) { return beyond(row) != 0.0; };
   const auto out = std::ranges::count_if(results, is_out);
-  const Characteristic& first = *std::ranges::find_if(results, is_out);
+  const Characteristic& first = *std::ranges::max_element(
+      results, {}, [](const Characteristic& row) { return std::abs(beyond(row)); });
   Verdict verdict{Sign::Bad, "Out of tolerance", "", ""};
   const double far = beyond(first);
   verdict.headline =
       out == 1 ? fmt::format("{} is {} µm {} its {} limit.", first.name,
-                             number(std::abs(far) * 1000.0, 1), far > 0.0 ? "over" : "under",
-                             far > 0.0 ? "upper" : "lower")
+                             number(std::abs(far) * 1000.0, std::abs(far) < 1e-4 ? 4 : 1),
+                             far > 0.0 ? "over" : "under", far > 0.0 ? "upper" : "lower")
                : fmt::format("{} of {} characteristics are out of tolerance.", out, results.size());
   verdict.sentence =
-      fmt::format("The program measured {}, allowed is {} to {}. ", number(first.measured, 4),
-                  number(*first.nominal + first.tolerance[0], 4),
+      fmt::format("{}: the program measured {}, allowed is {} to {}. ", first.name,
+                  number(first.measured, 4), number(*first.nominal + first.tolerance[0], 4),
                   number(*first.nominal + first.tolerance[1], 4));
   if (first.true_size) {
     verdict.sentence +=
@@ -62,8 +64,7 @@ Verdict completed(const RunPage& run, std::span<const Characteristic> results) {
   }
   const auto unmet = std::ranges::find(run.result.expectations, false, &expect::Judged::holds);
   if (unmet != run.result.expectations.end()) {
-    return {Sign::Bad, "Not as expected",
-            fmt::format("{} is not what the sheet expects.", unmet->name),
+    return {Sign::Bad, "Not as expected", fmt::format("{} is not as expected.", unmet->name),
             fmt::format("Expected was {}, it came to {}. {}", unmet->expected, unmet->got,
                         touched(run))};
   }
@@ -86,6 +87,9 @@ Verdict completed(const RunPage& run, std::span<const Characteristic> results) {
 
 Verdict verdict_of(const RunPage& run, std::span<const Characteristic> results) {
   const runtime::Outcome& outcome = run.result.outcome;
+  if (outcome.status != Status::Completed && run.result.exit_code == 0) {
+    return {Sign::Good, "As expected", "The run ended as it was expected to.", touched(run)};
+  }
   switch (outcome.status) {
     case Status::Completed:
       return completed(run, results);

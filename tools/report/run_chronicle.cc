@@ -1,5 +1,7 @@
 #include "tools/report/run_chronicle.h"
 
+#include <utility>
+
 namespace g31::report {
 namespace {
 
@@ -23,7 +25,9 @@ void thin(VariableHistory& history) {
 RunChronicle::RunChronicle(std::string main, const machine::MachinePort& clock,
                            runtime::OutputBudget& budget)
     : clock_(clock), budget_(budget) {
-  open(0, main);
+  // Nothing is charged before a program runs: who hears of a spent budget is not there yet.
+  open_.push_back(0);
+  calls_.push_back({std::move(main), 0, {}, clock.time_s(), clock.time_s(), 0, 0});
 }
 
 runtime::Verdict RunChronicle::on_block(const runtime::BlockPlace& place) {
@@ -48,17 +52,21 @@ void RunChronicle::on_level(std::uint16_t depth, const std::string& program) {
 }
 
 void RunChronicle::on_write(const runtime::WriteEvent& event) {
+  const auto known = known_.find(event.name);
+  const VariableHistory* const before =
+      known == known_.end() ? nullptr : &histories_[known->second];
+  // The last value is always there; the next write takes its place unless it is a stride's.
+  const bool stays = before == nullptr || (before->writes - 1) % before->stride == 0;
+  if (stays && !budget_.charge(runtime::Output::History, kValueBytes)) {
+    return;
+  }
   const auto [found, is_new] = known_.try_emplace(event.name, histories_.size());
   if (is_new) {
     histories_.push_back({event.name, 0, {}, 1, {}, 0});
   }
   VariableHistory& history = histories_[found->second];
-  // The last value is always there; the next write takes its place unless it is a stride's.
-  const bool stays = history.writes == 0 || (history.writes - 1) % history.stride == 0;
   if (!stays) {
     history.values.pop_back();
-  } else if (!budget_.charge(runtime::Output::History, kValueBytes)) {
-    return;
   }
   ++history.writes;
   history.last_write = event.where;
