@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/cli/command_line.h"
+
 namespace g31::testing {
 
 CommandOutput captured(const std::function<cli::ExitCode()>& command) {
@@ -12,6 +14,16 @@ CommandOutput captured(const std::function<cli::ExitCode()>& command) {
   output.errors = ::testing::internal::GetCapturedStderr();
   output.out = ::testing::internal::GetCapturedStdout();
   return output;
+}
+
+CommandOutput g31(const std::vector<std::string>& words, const std::string& version) {
+  std::vector<const char*> arguments = {"g31"};
+  for (const std::string& word : words) {
+    arguments.push_back(word.c_str());
+  }
+  return captured([&] {
+    return cli::run_command_line(static_cast<int>(arguments.size()), arguments.data(), version);
+  });
 }
 
 }  // namespace g31::testing

@@ -20,13 +20,7 @@ using testing::CommandOutput;
 using testing::TemporaryFolder;
 
 CommandOutput g31(const std::vector<std::string>& words) {
-  std::vector<const char*> arguments = {"g31"};
-  for (const std::string& word : words) {
-    arguments.push_back(word.c_str());
-  }
-  return testing::captured([&] {
-    return cli::run_command_line(static_cast<int>(arguments.size()), arguments.data(), "1.2.3");
-  });
+  return testing::g31(words, "1.2.3");
 }
 
 /// Runs a program in a folder of its own.

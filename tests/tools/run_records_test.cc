@@ -16,19 +16,10 @@ namespace g31::run_records_test {
 namespace {
 
 using nlohmann::json;
+using testing::g31;
 using testing::run_program;
 using testing::RunOutput;
 using testing::TemporaryFolder;
-
-testing::CommandOutput g31(const std::vector<std::string>& words) {
-  std::vector<const char*> arguments = {"g31"};
-  for (const std::string& word : words) {
-    arguments.push_back(word.c_str());
-  }
-  return testing::captured([&] {
-    return cli::run_command_line(static_cast<int>(arguments.size()), arguments.data(), "7.8.9");
-  });
-}
 
 TEST(RunRecord, IsThereWhateverHappened) {
   const struct {

@@ -19,17 +19,8 @@
 namespace g31::run_report_test {
 namespace {
 
+using testing::g31;
 using testing::TemporaryFolder;
-
-testing::CommandOutput g31(const std::vector<std::string>& words) {
-  std::vector<const char*> arguments = {"g31"};
-  for (const std::string& word : words) {
-    arguments.push_back(word.c_str());
-  }
-  return testing::captured([&] {
-    return cli::run_command_line(static_cast<int>(arguments.size()), arguments.data(), "7.8.9");
-  });
-}
 
 std::string text_in(const std::string& path) {
   std::ifstream file(path, std::ios::binary);

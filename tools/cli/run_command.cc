@@ -38,6 +38,7 @@ struct Checked {
   bool prints_all = false;
   double trace_period_s = 0.0;
   expect::Expectations expectations;
+  std::optional<page::OtherRun> other;  ///< of --compare
 };
 
 Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& job) {
@@ -66,8 +67,12 @@ Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& jo
   if (const auto wrong = wants_page(options) ? why_no_page() : std::nullopt) {
     return *wrong;
   }
-  if (const auto wrong = wrong_comparison(options, job)) {
-    return *wrong;
+  if (!options.compare.empty()) {
+    auto other = compared_run(options.compare, job);
+    if (!other) {
+      return other.error();
+    }
+    checked.other = other.value();
   }
   return checked;
 }
@@ -296,10 +301,11 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   if (const auto wrong = unusable(line, *run.value(), *printouts.value())) {
     return *wrong;
   }
-  return run_to_end({options, line.prints, line.prints_all, prepared, *run.value(), machine,
-                     recorder, chronicle ? &*chronicle : nullptr, ways, output, time, sources,
-                     world.value(), line.expectations, inputs, disk},
-                    {tables.value(), *printouts.value(), desk, events.value().get()});
+  return run_to_end(
+      {options, line.prints, line.prints_all, prepared, *run.value(), machine, recorder,
+       chronicle ? &*chronicle : nullptr, ways, output, time, sources, world.value(),
+       line.expectations, line.other ? &*line.other : nullptr, inputs, disk},
+      {tables.value(), *printouts.value(), desk, events.value().get()});
 }
 
 /// Tells of the files that are read without the disk of the run.

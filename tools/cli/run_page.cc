@@ -42,21 +42,6 @@ std::string command_of(const RunOptions& options) {
   return command.line();
 }
 
-/// What --compare names.
-Result<page::OtherRun, session::Refusal> compared_run(const std::string& path,
-                                                      const setup::Job& job) {
-  constexpr std::uint64_t kMostBytes = 512'000'000;
-  disk::Disk disk;
-  const auto size = disk.size(path);
-  const auto text = size && *size <= kMostBytes ? disk.read(path) : std::nullopt;
-  if (!text) {
-    return session::bad_input(fmt::format("--compare: cannot read {}", path));
-  }
-  auto other = page::other_run(*text, job);
-  return other ? Result<page::OtherRun, session::Refusal>(other.value())
-               : session::bad_input(fmt::format("--compare {}: {}", path, other.error()));
-}
-
 std::optional<double> number_in(const runtime::ShownValue& value) {
   const auto* const cell = std::get_if<runtime::Cell>(&value);
   return cell != nullptr && !cell->is_vacant() ? std::optional(cell->raw()) : std::nullopt;
@@ -86,11 +71,18 @@ std::optional<session::Refusal> send(const RunOptions& options, page::Report rep
 
 }  // namespace
 
-std::optional<session::Refusal> wrong_comparison(const RunOptions& options, const setup::Job& job) {
-  const auto other = options.compare.empty()
-                         ? Result<page::OtherRun, session::Refusal>(page::OtherRun())
-                         : compared_run(options.compare, job);
-  return other ? std::nullopt : std::optional(other.error());
+Result<page::OtherRun, session::Refusal> compared_run(const std::string& path,
+                                                      const setup::Job& job) {
+  constexpr std::uint64_t kMostBytes = 512'000'000;
+  disk::Disk disk;
+  const auto size = disk.size(path);
+  const auto text = size && *size <= kMostBytes ? disk.read(path) : std::nullopt;
+  if (!text) {
+    return session::bad_input(fmt::format("--compare: cannot read {}", path));
+  }
+  auto other = page::other_run(*text, job);
+  return other ? Result<page::OtherRun, session::Refusal>(other.value())
+               : session::bad_input(fmt::format("--compare {}: {}", path, other.error()));
 }
 
 std::optional<session::Refusal> why_no_page() {
@@ -123,23 +115,16 @@ std::optional<session::Refusal> write_page(const std::string& path, const page::
 
 std::optional<session::Refusal> deliver_page(const OpenedRun& opened,
                                              const report::RunResult& result) {
-  page::RunPage run{result,
-                    opened.recorder,
-                    opened.sources,
-                    opened.prepared.job,
-                    opened.expectations,
-                    [&](const expect::What& what) { return value_of(opened, what); },
-                    opened.ways.ways(),
-                    picture::parts_of(opened.world),
-                    command_of(opened.options),
-                    std::nullopt};
-  if (!opened.options.compare.empty()) {
-    auto other = compared_run(opened.options.compare, opened.prepared.job);
-    if (!other) {
-      return other.error();
-    }
-    run.other = other.value();
-  }
+  const page::RunPage run{result,
+                          opened.recorder,
+                          opened.sources,
+                          opened.prepared.job,
+                          opened.expectations,
+                          [&](const expect::What& what) { return value_of(opened, what); },
+                          opened.ways.ways(),
+                          picture::parts_of(opened.world),
+                          command_of(opened.options),
+                          opened.other};
   return send(opened.options, page::report_of(run, opened.options.language));
 }
 

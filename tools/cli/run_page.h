@@ -20,8 +20,9 @@ std::optional<session::Refusal> why_no_page();
 /// The same for --report; nullopt where nobody wants it, too.
 std::optional<session::Refusal> wrong_report(const std::string& report);
 
-/// Why the other run of --compare cannot be shown; nullopt: it can, or nobody wants it.
-std::optional<session::Refusal> wrong_comparison(const RunOptions& options, const setup::Job& job);
+/// The other run of --compare.  @returns why it cannot be shown
+Result<page::OtherRun, session::Refusal> compared_run(const std::string& path,
+                                                      const setup::Job& job);
 
 /// Writes the report.  @returns why it could not be written
 std::optional<session::Refusal> deliver_page(const OpenedRun& opened,

@@ -18,7 +18,8 @@ Keep keep_if(bool is_asked) {
 EchoingRecorder::EchoingRecorder(const RunOptions& options, Printouts& printouts,
                                  const machine::MachinePort& machine, const Tables& tables,
                                  runtime::OutputBudget& budget)
-    : RunRecorder({keep_if(options.moves), keep_if(options.touches)}, budget, &machine),
+    : RunRecorder({keep_if(options.moves), keep_if(options.touches)}, budget,
+                  options.blocks ? &machine : nullptr),
       printouts_(printouts),
       keeps_(!options.json.empty() || !options.report.empty()),
       keeps_output_(keeps_),

@@ -9,6 +9,7 @@
 #include "tools/cli/run_command.h"
 #include "tools/cli/run_inputs.h"
 #include "tools/expect/expectation.h"
+#include "tools/page/other_run.h"
 #include "tools/picture/way_recorder.h"
 #include "tools/report/run_document.h"
 #include "tools/report/run_recorder.h"
@@ -35,6 +36,7 @@ struct OpenedRun {
   const source::SourceMap& sources;
   const session::World& world;
   const expect::Expectations& expectations;
+  const page::OtherRun* other = nullptr;  ///< that the page shows beside it; nullptr: none
   RunInputs& inputs;
   const RememberingDisk& disk;
 };

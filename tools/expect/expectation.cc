@@ -46,10 +46,8 @@ std::string shown(const Within& within) {
                                 : fmt::format("{}", within.value);
 }
 
-/// A tolerance in decimal digits is none in binary ones: a billionth of it more does no harm.
 bool is_within(double number, const Within& within) {
-  constexpr double kSlack = 1e-9;
-  return std::abs(number - within.value) <= within.tolerance * (1.0 + kSlack);
+  return std::abs(number - within.value) <= within.tolerance * (1.0 + kLimitSlack);
 }
 
 bool agrees(const ShownValue& got, const ExpectedValue& expected) {

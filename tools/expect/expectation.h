@@ -21,6 +21,9 @@ struct Within {
   double tolerance = 0.0;
 };
 
+/// A limit in decimal digits is none in binary ones: so much of it more does no harm.
+inline constexpr double kLimitSlack = 1e-9;
+
 /// From and to, both allowed.
 struct Range {
   double from = 0.0;

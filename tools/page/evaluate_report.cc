@@ -40,7 +40,7 @@ Report report_of(const evaluate::Evaluation& evaluation, const std::string& file
   }
   report.verdict.sentence = fmt::format("{} rows were evaluated.", evaluation.samples);
   for (const std::string& note : evaluation.notes) {
-    report.findings.push_back({source::Severity::Note, "", note, {}, 0});
+    report.findings.push_back({source::Severity::Note, "", note, {}});
   }
   report.facts = {{std::string(text_of(Word::File, making.language)), file},
                   {std::string(text_of(Word::Version, making.language)), making.version}};

@@ -1,5 +1,3 @@
-#include <filesystem>
-
 #include "interpreter/source/latin_1.h"
 #include "tools/page/run_report.h"
 
@@ -27,21 +25,12 @@ Verdict why_not(const report::RunResult& result) {
   return {Sign::Broken, "Not run", "The run could not begin.", ""};
 }
 
-/// Of a path, without its folder.
-std::string last_name(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
-
 std::vector<Finding> refused_findings(const report::RunResult& result,
                                       const source::SourceMap& sources) {
   std::vector<Finding> findings;
   for (const source::Diagnostic& message : result.outcome.diagnostics) {
-    const source::ShownPlace place = source::place_of(message, sources);
-    findings.push_back({message.severity,
-                        message.code,
-                        source::as_utf8(message.message),
-                        {last_name(place.file), place.line},
-                        0,
+    findings.push_back({message.severity, message.code, source::as_utf8(message.message),
+                        place_at(source::place_of(message, sources)),
                         excerpt_of(message, sources)});
   }
   return findings;
@@ -61,7 +50,7 @@ Report refusal_report(const report::RunResult& result, const source::SourceMap& 
                       const std::string& command, Language language) {
   Report report;
   report.language = language;
-  report.title = last_name(result.program);
+  report.title = without_folder(result.program);
   report.what = result.control;
   report.verdict = why_not(result);
   report.findings = refused_findings(result, sources);

@@ -41,7 +41,6 @@ struct Finding {
   std::string code;
   std::string text;
   Place place;
-  std::size_t touch = 0;     ///< its number; 0: none
   std::string excerpt = {};  ///< the line with a mark under it, and what would be right; "": none
 };
 
@@ -70,6 +69,13 @@ struct Characteristic {
   std::optional<double> other;                   ///< in the run that is compared, where it tells
   std::vector<std::size_t> touches;              ///< numbers
 };
+
+/// Measured less nominal; nullopt where one of them is not there.
+std::optional<double> deviation_of(const Characteristic& row);
+
+/// By how much the deviation is beyond a limit, by the rule that expectations are judged by; 0: it
+/// is in tolerance, or there is none.
+double excess_of(const Characteristic& row);
 
 /// One skip move.
 struct TouchRow {

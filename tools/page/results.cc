@@ -10,18 +10,8 @@
 namespace g31::page {
 namespace {
 
-/// A limit in decimal digits is none in binary ones: a billionth of it more does no harm.  The same
-/// as expectations are judged by.
-constexpr double kSlack = 1.0 + 1e-9;
-
-std::optional<double> deviation_of(const Characteristic& row) {
-  return row.measured && row.nominal ? std::optional(*row.measured - *row.nominal) : std::nullopt;
-}
-
 bool is_out(const Characteristic& row) {
-  const auto deviation = deviation_of(row);
-  return deviation &&
-         (*deviation < row.tolerance[0] * kSlack || *deviation > row.tolerance[1] * kSlack);
+  return excess_of(row) != 0.0;
 }
 
 /// The tolerance as a zone with quarter ticks, the measured value from the nominal, the true size.
@@ -64,7 +54,7 @@ class ToleranceBar {
     std::string text;
     for (int quarter = -4; quarter <= 4; ++quarter) {
       const double at = quarter / 4.0 * largest_;
-      if (at < row_.tolerance[0] * kSlack || at > row_.tolerance[1] * kSlack) {
+      if (at < row_.tolerance[0] || at > row_.tolerance[1]) {
         continue;
       }
       const bool is_limit = std::abs(quarter) == 4;

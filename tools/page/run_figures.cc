@@ -2,8 +2,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
-#include <map>
 #include <numbers>
 
 #include <nlohmann/json.hpp>
@@ -125,8 +123,7 @@ Json ways_json(const RunPage& run) {
   return list;
 }
 
-Json touches_json(const RunPage& run, const Report& report) {
-  const std::vector<Meeting> meetings = meetings_of(run);
+Json touches_json(const Meetings& meetings, const Report& report) {
   const auto or_null = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json();
   };
@@ -143,24 +140,22 @@ Json touches_json(const RunPage& run, const Report& report) {
 
 /// The work coordinates of the touches where all of them have the same, not turned; else those of
 /// the machine.
-Json frame_json(const RunPage& run, const Report& report) {
+Json frame_json(const RunPage& run, const Meetings& meetings, const Report& report) {
   constexpr double kSame = 1e-6;  // mm
-  const std::vector<Meeting> meetings = meetings_of(run);
+  const Json of_machine = {{"name", text_of(Word::MachineCoordinates, report.language)},
+                           {"origin", {0.0, 0.0, 0.0}}};
   std::optional<Point> origin;
   for (std::size_t i = 0; i < meetings.size(); ++i) {
     if (meetings[i].p_M_ball) {
       const Point from_here =
           *meetings[i].p_M_ball - linear_axes(run.recorder.touches()[i].view.q_L);
       if (origin && (*origin - from_here).norm() > kSame) {
-        return {{"name", text_of(Word::MachineCoordinates, report.language)},
-                {"origin", {0.0, 0.0, 0.0}}};
+        return of_machine;
       }
       origin = from_here;
     }
   }
-  return origin ? Json{{"name", report.frame}, {"origin", array_of(*origin)}}
-                : Json{{"name", text_of(Word::MachineCoordinates, report.language)},
-                       {"origin", {0.0, 0.0, 0.0}}};
+  return origin ? Json{{"name", report.frame}, {"origin", array_of(*origin)}} : of_machine;
 }
 
 Json words_json(Language language) {
@@ -174,14 +169,18 @@ Json words_json(Language language) {
 
 }  // namespace
 
-std::optional<parts::Mesh> mesh_for_picture(const picture::PicturedPart& part) {
-  return picture::thinned(*part.mesh_M, kMostTriangles, kMostErrorMm);
+PictureMeshes meshes_for_picture(const RunPage& run) {
+  PictureMeshes meshes;
+  for (const picture::PicturedPart& part : run.parts) {
+    meshes.push_back(picture::thinned(*part.mesh_M, kMostTriangles, kMostErrorMm));
+  }
+  return meshes;
 }
 
-std::vector<Meeting> meetings_of(const RunPage& run) {
+Meetings meetings_of(const RunPage& run) {
   const auto& touches = run.recorder.touches();
   const double radius = run.job.probe ? run.job.probe->ball_diameter_mm / 2.0 : 0.0;
-  std::vector<Meeting> meetings(touches.size());
+  Meetings meetings(touches.size());
   std::size_t next = 0;
   for (std::size_t i = 0; i < touches.size(); ++i) {
     const runtime::TouchEvent& touch = touches[i];
@@ -219,26 +218,29 @@ std::vector<Meeting> meetings_of(const RunPage& run) {
   return meetings;
 }
 
-std::string figures_of(const RunPage& run, const Report& report) {
+std::string figures_of(const RunPage& run, const Meetings& meetings, const PictureMeshes& meshes,
+                       const Report& report) {
   Json figures = Json::object();
   figures["parts"] = Json::array();
-  for (const picture::PicturedPart& part : run.parts) {
-    if (const auto mesh = mesh_for_picture(part)) {
-      figures["parts"].push_back(part_json(run, part, *mesh));
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (meshes[i]) {
+      figures["parts"].push_back(part_json(run, run.parts[i], *meshes[i]));
     }
   }
   figures["probe"] = probe_json(run.job);
   figures["ways"] = ways_json(run);
-  figures["touch"] = touches_json(run, report);
-  figures["frame"] = frame_json(run, report);
-  figures["compare"] = run.other ? Json::parse(run.other->figures) : Json();
+  figures["touch"] = touches_json(meetings, report);
+  figures["frame"] = frame_json(run, meetings, report);
   figures["words"] = words_json(report.language);
   figures["language"] = name_of(report.language);
   figures["listing"] = Json::array();
   for (const Listing& listing : report.listings) {
     figures["listing"].push_back({{"file", listing.file}, {"text", listing.text}});
   }
-  return figures.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = figures.dump(-1, ' ', false, Json::error_handler_t::replace);
+  // The other run is text already, and may be large.
+  text.pop_back();
+  return text + ",\"compare\":" + (run.other != nullptr ? run.other->figures : "null") + "}";
 }
 
 }  // namespace g31::page

@@ -1,9 +1,7 @@
 #include "tools/page/run_report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -17,14 +15,6 @@
 
 namespace g31::page {
 namespace {
-
-std::string without_folder(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
-
-Place place_at(const source::ShownPlace& place) {
-  return {without_folder(place.file), place.line};
-}
 
 std::array<double, 3> linear(const AxisPositions& q) {
   const Point p = linear_axes(q);
@@ -42,8 +32,7 @@ std::string shown(const runtime::ShownValue& value) {
                     value);
 }
 
-/// The comment of a line, which says what the variable is that it assigns: (DIAMETER) or ;
-/// diameter.
+/// The comment of a line, (DIAMETER) or ; diameter: what the variable is that it assigns.
 std::string comment_of(std::string_view line) {
   const std::size_t open = line.rfind('(');
   const std::size_t close = line.rfind(')');
@@ -133,7 +122,7 @@ std::vector<Characteristic> results_of(const RunPage& run, const Writers& writer
       row.tolerance = {-within->tolerance, within->tolerance};
     }
     row.touches = writers.touches_of(variable);
-    if (run.other) {
+    if (run.other != nullptr) {
       const auto there = run.other->variables.find(variable);
       row.other = there == run.other->variables.end() ? std::nullopt : std::optional(there->second);
     }
@@ -163,7 +152,7 @@ std::vector<Finding> findings_of(const RunPage& run) {
   std::vector<Finding> findings;
   for (const source::Diagnostic& message : run.result.outcome.diagnostics) {
     findings.push_back({message.severity, message.code, message.message,
-                        place_at(source::place_of(message, run.sources)), 0,
+                        place_at(source::place_of(message, run.sources)),
                         excerpt_of(message, run.sources)});
   }
   std::ranges::stable_sort(findings, std::greater(), &Finding::severity);
@@ -241,9 +230,9 @@ bool is_turned(const runtime::TouchEvent& touch) {
   return !rotary_axes(touch.q_M_latched).isZero(0.0);
 }
 
-std::vector<TouchRow> touches_of(const RunPage& run, const Writers& writers) {
+std::vector<TouchRow> touches_of(const RunPage& run, const Meetings& meetings,
+                                 const Writers& writers) {
   std::vector<TouchRow> rows;
-  const std::vector<Meeting> meetings = meetings_of(run);
   for (std::size_t i = 0; i < meetings.size(); ++i) {
     const runtime::TouchEvent& touch = run.recorder.touches()[i];
     TouchRow row;
@@ -329,7 +318,7 @@ std::vector<Input> inputs_of(const RunPage& run) {
   return inputs;
 }
 
-std::vector<std::string> limits_of(const RunPage& run) {
+std::vector<std::string> limits_of(const RunPage& run, const PictureMeshes& meshes) {
   std::vector<std::string> limits;
   if (run.job.probe) {
     const probe::ProbeSetup& probe = *run.job.probe;
@@ -339,16 +328,15 @@ std::vector<std::string> limits_of(const RunPage& run) {
         probe.ball_diameter_mm, probe.trigger_delay_s * kMsPerSecond, probe.repeatability_mm,
         probe.at_switch.pre_travel_mm));
   }
-  for (const picture::PicturedPart& part : run.parts) {
-    if (!mesh_for_picture(part)) {
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (!meshes[i]) {
       limits.push_back(fmt::format("{} is not drawn: its {} triangles are too many for a page.",
-                                   part.name, part.mesh_M->triangles.size()));
+                                   run.parts[i].name, run.parts[i].mesh_M->triangles.size()));
     }
   }
   limits.emplace_back(
       "Not simulated: cutting, chips, coolant, deformation of parts and machine by forces, and "
-      "what "
-      "the sheet does not name of the machine's errors.");
+      "what the sheet does not name of the machine's errors.");
   if (std::ranges::any_of(run.result.inputs, [](const report::InputFile& file) {
         return file.file.starts_with("<g31>/macros/sinumerik");
       })) {
@@ -361,9 +349,19 @@ std::vector<std::string> limits_of(const RunPage& run) {
 
 }  // namespace
 
+std::string without_folder(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+Place place_at(const source::ShownPlace& place) {
+  return {without_folder(place.file), place.line};
+}
+
 Report report_of(const RunPage& run, Language language) {
   const report::RunResult& result = run.result;
   const Writers writers(run);
+  const Meetings meetings = meetings_of(run);
+  const PictureMeshes meshes = meshes_for_picture(run);
   Report report;
   report.language = language;
   report.title = without_folder(result.program);
@@ -393,16 +391,16 @@ Report report_of(const RunPage& run, Language language) {
   report.has_motion = !run.recorder.moves().empty() || !run.parts.empty();
   report.duration_s = result.machine_time_s;
   report.frame = text_of(Word::WorkCoordinates, language);
-  report.touches = touches_of(run, writers);
+  report.touches = touches_of(run, meetings, writers);
   report.listings = listings_of(run);
   report.variables = variables_of(run);
   report.has_printouts = true;
   report.printouts = printouts_of(run);
   report.inputs = inputs_of(run);
-  report.limits = limits_of(run);
+  report.limits = limits_of(run, meshes);
   report::write_run_document(result, run.recorder, run.sources,
                              [&](std::string_view piece) { report.document += piece; });
-  report.figures = figures_of(run, report);
+  report.figures = figures_of(run, meetings, meshes, report);
   return report;
 }
 

@@ -29,11 +29,15 @@ struct RunPage {
   std::function<std::optional<double>(const expect::What& what)> value;
   std::span<const picture::Way> ways;
   std::vector<picture::PicturedPart> parts;
-  std::string command;            ///< that repeats the run
-  std::optional<OtherRun> other;  ///< that is shown beside it
+  std::string command;              ///< that repeats the run
+  const OtherRun* other = nullptr;  ///< that is shown beside it; nullptr: none
 };
 
 Report report_of(const RunPage& run, Language language);
+
+/// How pages name files and places: without folders.
+std::string without_folder(const std::string& path);
+Place place_at(const source::ShownPlace& place);
 
 /// Of a run that did not begin: why, at its place.
 /// @param result   what is known of it; places of its messages are in sheets or in `sources`
@@ -48,12 +52,10 @@ std::string excerpt_of(const source::Diagnostic& message, const source::SourceMa
 /// @param results  that are judged
 Verdict verdict_of(const RunPage& run, std::span<const Characteristic> results);
 
-/// The mesh that stands for a part in the picture; nullopt: so few triangles cannot show it, and it
-/// is left out.
-std::optional<parts::Mesh> mesh_for_picture(const picture::PicturedPart& part);
-
-/// What pictures need of it, as JSON; lengths mm, machine frame.
-std::string figures_of(const RunPage& run, const Report& report);
+/// The meshes that stand for the parts in the picture, one each; nullopt: so few triangles cannot
+/// show it, and it is left out.
+using PictureMeshes = std::vector<std::optional<parts::Mesh>>;
+PictureMeshes meshes_for_picture(const RunPage& run);
 
 /// How much deeper than the wall each touch has latched the ball, mm, and at what angle to the
 /// inward normal the ball came, deg; empty where there was no contact.
@@ -62,6 +64,12 @@ struct Meeting {
   std::optional<double> deviation_mm;
   std::optional<double> angle_deg;
 };
-std::vector<Meeting> meetings_of(const RunPage& run);
+using Meetings = std::vector<Meeting>;
+Meetings meetings_of(const RunPage& run);
+
+/// What pictures need of it, as JSON; lengths mm, machine frame.
+/// @param report  what the page says of the run already
+std::string figures_of(const RunPage& run, const Meetings& meetings, const PictureMeshes& meshes,
+                       const Report& report);
 
 }  // namespace g31::page

@@ -11,19 +11,6 @@ namespace {
 
 using runtime::Status;
 
-/// By how much a measured value is beyond a limit; 0: it is in tolerance.
-double beyond(const Characteristic& row) {
-  if (!row.measured || !row.nominal) {
-    return 0.0;
-  }
-  constexpr double kSlackOfLimit = 1.0 + 1e-9;  // as expectations are judged by
-  const double deviation = *row.measured - *row.nominal;
-  if (deviation > row.tolerance[1] * kSlackOfLimit) {
-    return deviation - row.tolerance[1];
-  }
-  return deviation < row.tolerance[0] * kSlackOfLimit ? deviation - row.tolerance[0] : 0.0;
-}
-
 std::string touched(const RunPage& run) {
   const std::size_t ways = run.recorder.touches().size();
   if (ways == 0) {
@@ -34,12 +21,12 @@ std::string touched(const RunPage& run) {
 }
 
 Verdict measured_out(const RunPage& run, std::span<const Characteristic> results) {
-  const auto is_out = [](const Characteristic& row) { return beyond(row) != 0.0; };
+  const auto is_out = [](const Characteristic& row) { return excess_of(row) != 0.0; };
   const auto out = std::ranges::count_if(results, is_out);
   const Characteristic& first = *std::ranges::max_element(
-      results, {}, [](const Characteristic& row) { return std::abs(beyond(row)); });
+      results, {}, [](const Characteristic& row) { return std::abs(excess_of(row)); });
   Verdict verdict{Sign::Bad, "Out of tolerance", "", ""};
-  const double far = beyond(first);
+  const double far = excess_of(first);
   verdict.headline =
       out == 1 ? fmt::format("{} is {} µm {} its {} limit.", first.name,
                              number(std::abs(far) * 1000.0, std::abs(far) < 1e-4 ? 4 : 1),
@@ -59,7 +46,8 @@ Verdict measured_out(const RunPage& run, std::span<const Characteristic> results
 }
 
 Verdict completed(const RunPage& run, std::span<const Characteristic> results) {
-  if (std::ranges::any_of(results, [](const Characteristic& row) { return beyond(row) != 0.0; })) {
+  if (std::ranges::any_of(results,
+                          [](const Characteristic& row) { return excess_of(row) != 0.0; })) {
     return measured_out(run, results);
   }
   const auto unmet = std::ranges::find(run.result.expectations, false, &expect::Judged::holds);

@@ -116,8 +116,7 @@ Report report_of(const study::Record& record, const std::string& document, const
       report.findings.push_back({source::Severity::Warning,
                                  "",
                                  fmt::format("{} runs ended with status {}", count, status),
-                                 {},
-                                 0});
+                                 {}});
     }
   }
   const auto fact = [&](Word name, std::string value) {

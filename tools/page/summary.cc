@@ -7,7 +7,7 @@
 namespace g31::page {
 namespace {
 
-std::string finding(const Report& report, const Finding& one) {
+std::string finding(const Finding& one) {
   const std::string_view severity = source::name_of(one.severity);
   std::string html =
       fmt::format(R"(<div class="find {0}">{1}<div><span class="vh">{0}: </span>{2}</div>)",
@@ -21,9 +21,6 @@ std::string finding(const Report& report, const Finding& one) {
   }
   if (const std::string link = link_to(one.place); !link.empty()) {
     html += fmt::format("<span>{}</span>", link);
-  }
-  if (one.touch > 0) {
-    html += fmt::format("<span>{} {}</span>", word(report, Word::Touch), badge_of(one.touch));
   }
   return html + "</div></div>";
 }
@@ -49,7 +46,7 @@ std::string summary_part(const Report& report) {
           ? std::string(word(report, Word::NoFindings))
           : fmt::format("{}: {}", word(report, Word::Findings), report.findings.size()));
   for (const Finding& one : report.findings) {
-    html += finding(report, one);
+    html += finding(one);
   }
   html += R"(</div></div><dl class="facts">)";
   for (const auto& [name, value] : report.facts) {
