@@ -122,6 +122,7 @@ std::optional<session::Refusal> deliver_page(const OpenedRun& opened,
                           opened.expectations,
                           [&](const expect::What& what) { return value_of(opened, what); },
                           opened.ways.ways(),
+                          opened.ways.contacts(),
                           picture::parts_of(opened.world),
                           command_of(opened.options),
                           opened.other};

@@ -9,6 +9,7 @@
 #include "tools/page/html.h"
 #include "tools/page/run_report.h"
 #include "tools/picture/base64.h"
+#include "tools/picture/stylus_shape.h"
 #include "tools/picture/thinned.h"
 #include "tools/picture/tip.h"
 
@@ -179,41 +180,37 @@ PictureMeshes meshes_for_picture(const RunPage& run) {
 
 Meetings meetings_of(const RunPage& run) {
   const auto& touches = run.recorder.touches();
-  const double radius = run.job.probe ? run.job.probe->ball_diameter_mm / 2.0 : 0.0;
   Meetings meetings(touches.size());
+  std::vector<Point> along(touches.size(), Point::Zero());
   std::size_t next = 0;
   for (std::size_t i = 0; i < touches.size(); ++i) {
-    const runtime::TouchEvent& touch = touches[i];
-    while (next < run.ways.size() && run.ways[next].time_to_s < touch.time_s) {
+    while (next < run.ways.size() && run.ways[next].time_to_s < touches[i].time_s) {
       ++next;
     }
-    if (next == run.ways.size() || run.ways[next].time_to_s != touch.time_s ||
-        run.ways[next].kind != picture::PathKind::Skip) {
-      continue;  // the axes did not move: the signal was there already
+    // Without a way of its own the axes did not move: the signal was there already.
+    if (next < run.ways.size() && run.ways[next].time_to_s == touches[i].time_s &&
+        run.ways[next].kind == picture::PathKind::Skip) {
+      const std::vector<Point>& points = run.ways[next].points;
+      along[i] = points.back() - points.front();
+      meetings[i].p_M_ball = points.back();
     }
-    // Ways are told in the frame of the part, contacts in that of the machine.
-    if (!rotary_axes(touch.q_M_latched).isZero(0.0)) {
+  }
+  // Each touch with a contact has left a mark, unless the budget was spent with it.
+  auto mark = run.contacts.begin();
+  for (std::size_t i = 0; i < touches.size() && mark != run.contacts.end(); ++i) {
+    if (!touches[i].contact) {
       continue;
     }
-    const picture::Way& way = run.ways[next];
     Meeting& meeting = meetings[i];
-    // The way ends where the axes stopped; what was latched lies on it before.
-    meeting.p_M_ball =
-        way.points.back() + linear_axes(touch.q_M_latched) - linear_axes(touch.q_M_stopped);
-    const Point along = way.points.back() - way.points.front();
-    if (!touch.contact || along.isZero(0.0)) {
-      continue;
+    meeting.p_M_ball = mark->stylus.p_M;
+    meeting.p_M_contact = mark->p_M;
+    if (!along[i].isZero(0.0)) {
+      const double cosine = std::clamp(-mark->n_M.dot(along[i].normalized()), -1.0, 1.0);
+      meeting.angle_deg = std::acos(cosine) * kDegreesPerRadian;
+      meeting.deviation_mm =
+          picture::latched_depth_mm(*mark, picture::tip_radius(run.job, mark->stylus.tool));
     }
-    const Point inward = -touch.contact->n_M;
-    const double cosine = std::clamp(inward.dot(along.normalized()), -1.0, 1.0);
-    meeting.angle_deg = std::acos(cosine) * kDegreesPerRadian;
-    // What touches a tool probe is a tool, of another radius.
-    const bool is_part = std::ranges::find(run.job.parts, touch.contact->part,
-                                           &parts::PartSetup::name) != run.job.parts.end();
-    if (run.job.probe && is_part) {
-      const Point p_M_wall = touch.contact->p_M_point + radius * touch.contact->n_M;
-      meeting.deviation_mm = (*meeting.p_M_ball - p_M_wall).dot(inward);
-    }
+    ++mark;
   }
   return meetings;
 }

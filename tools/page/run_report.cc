@@ -214,20 +214,16 @@ std::optional<Ending> ending_of(const RunPage& run) {
   return ending;
 }
 
-/// A point of the machine in the frame of the part that was touched.
-std::optional<std::array<double, 3>> in_part(const RunPage& run, const machine::Contact& contact) {
-  const auto part = std::ranges::find(run.job.parts, contact.part, &parts::PartSetup::name);
+/// A place in the frame of the part that was touched.
+std::optional<std::array<double, 3>> in_part(const RunPage& run, const std::string& name,
+                                             const Point& p_M) {
+  const auto part = std::ranges::find(run.job.parts, name, &parts::PartSetup::name);
   if (part == run.job.parts.end()) {
     return std::nullopt;
   }
   const Eigen::Matrix3d R_MP = parts::rotation_to_machine({part->p_M_at, part->rotate_deg, {}});
-  const Point p = R_MP.transpose() * (contact.p_M_point - part->p_M_at);
+  const Point p = R_MP.transpose() * (p_M - part->p_M_at);
   return std::array<double, 3>{p.x(), p.y(), p.z()};
-}
-
-/// Whether a table may have turned the part away from where the sheet lays it.
-bool is_turned(const runtime::TouchEvent& touch) {
-  return !rotary_axes(touch.q_M_latched).isZero(0.0);
 }
 
 std::vector<TouchRow> touches_of(const RunPage& run, const Meetings& meetings,
@@ -245,7 +241,8 @@ std::vector<TouchRow> touches_of(const RunPage& run, const Meetings& meetings,
     row.latched = linear(touch.view.q_L);
     if (touch.contact) {
       row.part = touch.contact->part;
-      row.contact = is_turned(touch) ? std::nullopt : in_part(run, *touch.contact);
+      row.contact =
+          meetings[i].p_M_contact ? in_part(run, row.part, *meetings[i].p_M_contact) : std::nullopt;
     }
     row.deviation_mm = meetings[i].deviation_mm;
     row.angle_deg = meetings[i].angle_deg;

@@ -28,6 +28,7 @@ struct RunPage {
   /// The number that a variable or an offset is, where it is one.
   std::function<std::optional<double>(const expect::What& what)> value;
   std::span<const picture::Way> ways;
+  std::span<const picture::Mark> contacts;  ///< of skip moves
   std::vector<picture::PicturedPart> parts;
   std::string command;              ///< that repeats the run
   const OtherRun* other = nullptr;  ///< that is shown beside it; nullptr: none
@@ -57,14 +58,15 @@ Verdict verdict_of(const RunPage& run, std::span<const Characteristic> results);
 using PictureMeshes = std::vector<std::optional<parts::Mesh>>;
 PictureMeshes meshes_for_picture(const RunPage& run);
 
-/// How much deeper than the wall each touch has latched the ball, mm, and at what angle to the
-/// inward normal the ball came, deg; empty where there was no contact.
+/// Where a touch met its part; all places in the frame of the part as the sheet lays it, mm.
 struct Meeting {
   std::optional<Point> p_M_ball;  ///< centre of the ball at the latched position
-  std::optional<double> deviation_mm;
-  std::optional<double> angle_deg;
+  std::optional<Point> p_M_contact;
+  std::optional<double> deviation_mm;  ///< how much deeper than the wall the ball was latched
+  std::optional<double> angle_deg;     ///< between the move and the inward normal
 };
 using Meetings = std::vector<Meeting>;
+/// One for each touch, in their order.
 Meetings meetings_of(const RunPage& run);
 
 /// What pictures need of it, as JSON; lengths mm, machine frame.

@@ -236,12 +236,7 @@ void StillView::find_groups() {
 
 /// Nullopt: another ball than the main one touched, or none is known.
 std::optional<double> StillView::deviation_mm(const Mark& mark) const {
-  if (scene_.tip_radius_mm <= 0.0 || mark.stylus.tool != 0 || scene_.last.tool != 0) {
-    return std::nullopt;
-  }
-  const double off = scene_.tip_radius_mm - mark.n_M.dot(mark.stylus.p_M - mark.p_M);
-  constexpr double kMostMm = 1.0;
-  return std::fabs(off) < kMostMm ? std::optional(off) : std::nullopt;
+  return scene_.last.tool != 0 ? std::nullopt : latched_depth_mm(mark, scene_.tip_radius_mm);
 }
 
 void StillView::draw_whiskers() {

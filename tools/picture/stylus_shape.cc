@@ -119,6 +119,15 @@ double tip_radius(const setup::Job& job, int tool) {
   return tool == 0 && job.probe ? 0.5 * job.probe->ball_diameter_mm : 0.0;
 }
 
+std::optional<double> latched_depth_mm(const Mark& mark, double ball_radius_mm) {
+  if (ball_radius_mm <= 0.0 || mark.stylus.tool != 0) {
+    return std::nullopt;
+  }
+  const double depth = ball_radius_mm - mark.n_M.dot(mark.stylus.p_M - mark.p_M);
+  constexpr double kMostMm = 1.0;  // further off it was another ball
+  return std::fabs(depth) < kMostMm ? std::optional(depth) : std::nullopt;
+}
+
 std::vector<StylusPiece> stylus_shape(const setup::Job& job, int tool) {
   std::vector<StylusPiece> pieces;
   if (const probe::ToolSetup* const setup = tool_of(job, tool)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,11 @@ std::vector<StylusPiece> stylus_shape(const setup::Job& job, int tool);
 
 /// mm, of the main ball or of the tool; 0: there is neither.
 double tip_radius(const setup::Job& job, int tool);
+
+/// How much deeper than the wall, along the inward normal, the main ball was latched, mm; nullopt:
+/// a tool or another ball touched, or no radius is known.
+/// @param ball_radius_mm  0: not known
+std::optional<double> latched_depth_mm(const Mark& mark, double ball_radius_mm);
 
 /// A mesh that is told from the ball's centre, where that stands in the machine.
 parts::Mesh standing_at(const parts::Mesh& mesh_S, const StylusPlace& place);
