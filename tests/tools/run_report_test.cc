@@ -104,6 +104,25 @@ TEST_F(Report, SaysByHowMuchAResultIsOut) {
   EXPECT_TRUE(has(page, "WALL &lt;b&gt; is 15.0 µm over its upper limit.")) << page.substr(0, 400);
 }
 
+// The table has turned the block's side x = 20 towards -Y; the ball meets it squarely and in time.
+TEST_F(Report, TellsTouchesInTheFrameOfATurnedPart) {
+  const std::string sheet = folder_.write("table.toml",
+                                          "[start]\nZ = 150.0\n"
+                                          "[machine]\ntable_side = \"C\"\ntool_side = \"XYZ\"\n"
+                                          "[probe]\nball_diameter = 6.0\nlength = 100.0\n"
+                                          "[[part]]\nname = \"block\"\nshape = \"block\"\n"
+                                          "length = 40.0\nwidth = 40.0\nheight = 20.0\n"
+                                          "at = [30.0, 0.0, 0.0]\n");
+  const std::string program = folder_.write(
+      "turned.nc",
+      "O4\nG21 G90 G54\nG0 C90.\nG0 X0. Y-80.\nG1 Z95. F2000.\nG31 Y0. F300.\nG0 Y-80.\nM30\n");
+  output_ = g31({"run", program, "-s", sheet, "--report", path()});
+  ASSERT_EQ(output_.exit_code, 0) << output_.errors;
+  EXPECT_TRUE(has(text_in(path()),
+                  R"(<td>block</td><td class="n">20.0000</td><td class="n">0.0000</td>)"
+                  R"(<td class="n">−5.0000</td><td class="n dev">0.0</td><td class="n">0.0</td>)"));
+}
+
 TEST_F(Report, IsTheSameBytesTwice) {
   EXPECT_EQ(page_of(kTouch), page_of(kTouch));
 }
