@@ -26,6 +26,9 @@ FILES = {
     "s.toml": SHEET,
     "e.toml": SHEET + "[expect]\ntouches = 1\n",
     "study.toml": STUDY,
+    "plan.json": '{"schema": "g31.plan/1", "measures": [{"id": "F1.X", "nominal": 40, "tolerance": [-0.1, 0.1]},'
+    ' {"id": "F1.Y", "nominal": 25}]}',
+    "results.txt": "F1-X 40.01200\n",
     "record.csv": "".join(["t,X,Y\n", *(f"{i * 0.01},{i * 0.1},{i * 0.1}\n" for i in range(50))]),
 }
 RUN = ("-s", "s.toml", "--json", "-")
@@ -49,6 +52,7 @@ COMMANDS = (
     ("study", "study.toml", "--json", "-"),
     ("study", "study.toml", "--shard", "1/2", "--json", "-"),
     ("evaluate", "diagonal", "record.csv", "--target", "5,5", "--json", "-"),
+    ("judge", "plan.json", "results.txt", "--json", "-"),
     ("--version", "--json"),
 )
 

@@ -20,6 +20,8 @@
 #include "tools/cli/explain_command.h"
 #include "tools/cli/explain_options.h"
 #include "tools/cli/interruption.h"
+#include "tools/cli/judge_command.h"
+#include "tools/cli/judge_options.h"
 #include "tools/cli/mistyped.h"
 #include "tools/cli/new_command.h"
 #include "tools/cli/new_options.h"
@@ -63,6 +65,7 @@ struct Options {
   SetupOptions setup;
   NewOptions starter;
   EvaluateOptions evaluate;
+  JudgeOptions judge;
   PagesOptions pages;
 };
 
@@ -103,6 +106,8 @@ std::vector<Command> add_commands(CLI::App& app, Options& options, const std::st
       [&options] { return new_command(options.starter); });
   add(kLasts, add_evaluate_command(app, options.evaluate), evaluate_examples(),
       [&options] { return evaluate_command(options.evaluate); });
+  add(kLasts, add_judge_command(app, options.judge), judge_examples(),
+      [&options] { return judge_command(options.judge); });
   add(kIsShort, add_completion_command(app, options.pages), completion_examples(),
       [&options, words] { return completion_command(words(), options.pages); });
   add(kIsShort, add_manual_command(app, options.pages), manual_examples(),
@@ -129,7 +134,7 @@ void take_interruptions(Options& options) {
   const runtime::Interruption& interruption = catch_interruption();
   options.run.budget.interruption = options.scene.run.budget.interruption = &interruption;
   options.view.interruption = options.study.interruption = options.evaluate.interruption =
-      &interruption;
+      options.judge.interruption = &interruption;
 }
 
 /// Where the words of a `run` that CLI11 has refused want the document; "": nowhere.

@@ -10,6 +10,7 @@
 #include "tools/cli/evaluate_request.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
+#include "tools/cli/read_input.h"
 #include "tools/cli/run_page.h"
 #include "tools/cli/shown_command.h"
 #include "tools/cli/write_out.h"
@@ -32,18 +33,7 @@ std::optional<session::Refusal> hand_over(const EvaluateOptions& options,
   return write_out(options.json, evaluate::evaluation_document(evaluation, options.has_curves));
 }
 
-/// A file of data: what is made of it takes a small multiple of its size, in memory and as output.
-Result<std::string, session::Refusal> read_data(disk::Disk& disk, const std::string& path) {
-  if (const auto size = disk.size(path); size && *size > kMostDataBytes) {
-    return session::bad_input(
-        fmt::format("{}: {} bytes are too many: at most {}; leave out rows "
-                    "that say nothing new",
-                    path, *size, kMostDataBytes));
-  }
-  auto text = disk.read(path);
-  return text ? Result<std::string, session::Refusal>(*std::move(text))
-              : session::bad_input(fmt::format("cannot read {}", path));
-}
+constexpr InputLimit kLargestRecord{kMostDataBytes, "leave out rows that say nothing new"};
 
 /// What an option that names a file says; "": it was not given.
 std::string file_given(const EvaluateOptions& options, evaluate::OptionId id) {
@@ -106,14 +96,14 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
   const std::string diameters = file_given(options, evaluate::OptionId::Diameters);
   std::optional<std::string> diameters_text;
   if (!diameters.empty()) {
-    const auto read = read_data(disk, diameters);
+    const auto read = read_input(disk, diameters, kLargestRecord);
     if (!read) {
       return refuse(read.error());
     }
     diameters_text = read.value();
     request.diameters = {diameters, *diameters_text};
   }
-  const auto text = read_data(disk, options.file);
+  const auto text = read_input(disk, options.file, kLargestRecord);
   if (!text) {
     return refuse(text.error());
   }

@@ -1,0 +1,68 @@
+#include "tools/cli/judge_command.h"
+
+#include <cstdio>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "tools/cli/messages.h"
+#include "tools/cli/output_places.h"
+#include "tools/cli/read_input.h"
+#include "tools/cli/read_results.h"
+#include "tools/cli/write_out.h"
+#include "tools/plan/judgement_document.h"
+
+namespace g31::cli {
+namespace {
+
+constexpr InputLimit kLargestPlan{64'000'000, "a plan of g31 plan is far smaller"};
+
+std::optional<session::Refusal> hand_over_judgement(const JudgeOptions& options,
+                                                    const plan::Judgement& judgement) {
+  for (const plan::Remark& remark : judgement.remarks) {
+    std::fputs(
+        fmt::format("{}:{}: warning: {}\n", options.results, remark.line, remark.text).c_str(),
+        stderr);
+  }
+  const bool is_document = options.json == "-";
+  auto wrong = write_out(
+      "-", is_document ? plan::judgement_document(judgement) : plan::judgement_table(judgement));
+  if (wrong || is_document || options.json.empty()) {
+    return wrong;
+  }
+  return write_out(options.json, plan::judgement_document(judgement));
+}
+
+}  // namespace
+
+ExitCode judge_command(const JudgeOptions& options) {
+  if (options.plan == "-" && options.results == "-") {
+    return refuse(
+        session::bad_input("standard input cannot be both the plan and the results: name a file"));
+  }
+  if (const auto wrong =
+          wrong_place({{"--json", options.json}}, {{options.plan, options.results}})) {
+    return refuse(*wrong);
+  }
+  disk::Disk disk;
+  const auto text = read_input(disk, options.plan, kLargestPlan);
+  if (!text) {
+    return refuse(text.error());
+  }
+  const auto measures = plan::read_measures(options.plan, text.value());
+  if (!measures) {
+    return refuse(session::bad_input(measures.error()));
+  }
+  const auto results = read_results(options, measures.value(), disk);
+  if (!results) {
+    return refuse(results.error());
+  }
+  const plan::Judgement judgement = plan::judged(measures.value(), results.value());
+  if (const auto wrong = hand_over_judgement(options, judgement)) {
+    return refuse(*wrong);
+  }
+  const bool all_good = plan::count(judgement, plan::Verdict::Good) == judgement.measures.size();
+  return all_good ? ExitCode::Completed : ExitCode::Findings;
+}
+
+}  // namespace g31::cli

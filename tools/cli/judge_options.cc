@@ -1,0 +1,44 @@
+#include "tools/cli/judge_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace g31::cli {
+
+CLI::App* add_judge_command(CLI::App& app, JudgeOptions& options) {
+  CLI::App* const command = app.add_subcommand(
+      "judge", "Compare what an inspection program printed with its plan: good, bad, missing.");
+  command
+      ->add_option("PLAN", options.plan,
+                   "a document g31.plan/1; its measures say id, nominal and tolerance, and printed "
+                   "where the program prints another name than the id in capitals with - for . ")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("RESULTS", options.results,
+                   "lines of names and values: a file, - for standard input, or a serial line as "
+                   "DEVICE,BAUD,PARITY,DATA BITS,STOP BITS")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--json", options.json, "the judgement as a document; - is standard output")
+      ->type_name("FILE");
+  constexpr double kShortestWaitS = 0.1;
+  constexpr double kLongestWaitS = 86'400.0;
+  command
+      ->add_option("--wait", options.wait_s,
+                   "how long a serial line may be silent, until what has not come is missing")
+      ->type_name("S")
+      ->check(CLI::Range(kShortestWaitS, kLongestWaitS))
+      ->capture_default_str();
+  return command;
+}
+
+std::string judge_examples() {
+  return "The exit code is 1 with any measure that is not good.\n\n"
+         "Examples:\n"
+         "  g31 run inspect.nc -s setup.toml --printer results.txt\n"
+         "  g31 judge plan.json results.txt\n"
+         "  g31 judge plan.json results.txt --json judgement.json\n"
+         "  g31 judge plan.json /dev/ttyS0,4800,e,7,2 --wait 300\n\n";
+}
+
+}  // namespace g31::cli
