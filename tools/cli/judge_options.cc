@@ -10,7 +10,8 @@ CLI::App* add_judge_command(CLI::App& app, JudgeOptions& options) {
   command
       ->add_option("PLAN", options.plan,
                    "a document g31.plan/1; its measures say id, nominal and tolerance, and printed "
-                   "where the program prints another name than the id in capitals with - for . ")
+                   "where the program prints another name than the id in capitals with - for other "
+                   "characters")
       ->type_name("FILE")
       ->required();
   command
