@@ -2,42 +2,35 @@
 
 #include <chrono>
 #include <cstddef>
-#include <cstdlib>
 #include <string>
 #include <thread>
-#include <utility>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <termios.h>
-#include <unistd.h>
 
+#include "tests/support/captured.h"
+#include "tests/support/played_printer.h"
 #include "tests/support/run_program.h"
 #include "tools/cli/judge_command.h"
+#include "tools/printer/line_code.h"
 
 namespace g31::judge_test {
 namespace {
 
+using testing::captured;
+using testing::CommandOutput;
+using testing::PlayedPrinter;
+using testing::run_program;
+using testing::RunOutput;
 using testing::TemporaryFolder;
 
-struct JudgeOutput {
-  int exit_code = -1;
-  std::string out;
-  std::string errors;
-
+struct JudgeOutput : CommandOutput {
   [[nodiscard]] nlohmann::json rows() const { return nlohmann::json::parse(out).at("measures"); }
 };
 
 JudgeOutput judged_by(const cli::JudgeOptions& options) {
-  ::testing::internal::CaptureStdout();
-  ::testing::internal::CaptureStderr();
-  JudgeOutput output;
-  output.exit_code = static_cast<int>(cli::judge_command(options));
-  output.out = ::testing::internal::GetCapturedStdout();
-  output.errors = ::testing::internal::GetCapturedStderr();
-  return output;
+  return {captured([&] { return cli::judge_command(options); })};
 }
 
 std::string plan_of(const std::string& measures) {
@@ -101,23 +94,20 @@ TEST(Judge, UsesThePrintedNameOfThePlan) {
   EXPECT_EQ(output.rows()[1].at("deviation"), 0.5);
 }
 
-class GarbledLines : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(GarbledLines, AreNamedAndNeverGuessed) {
-  const JudgeOutput output = judge(fmt::format("F1-Y 25.0\n{}\nF1-X-PLACE -3.0\n", GetParam()));
-  EXPECT_EQ(output.exit_code, 1);
-  EXPECT_EQ(output.rows()[0].at("verdict"), "missing") << output.out;
-  EXPECT_EQ(output.rows()[1].at("verdict"), "good");
-  EXPECT_EQ(output.rows()[2].at("verdict"), "good");
-  EXPECT_NE(output.errors.find("results.txt:2: warning: "), std::string::npos) << output.errors;
+TEST(Judge, NamesGarbledLinesAndNeverGuesses) {
+  for (const char* const line :
+       {"F1-X 40.0.0", "F1-X 4O.0", "F1-X", "F1-X nan", "F1-X inf", "F1-X 1e400", "F1-X 4e1",
+        "F1-X 0x28", "F1-X 40.0 mm", "F1-X == 40.0", "F1-X 40,0", "F1-X .", "F1-X --40",
+        "F1-X 99999999", "G1-X 40.0", "40.0", "F1-X \xE5\x83\x34"}) {
+    SCOPED_TRACE(line);
+    const JudgeOutput output = judge(fmt::format("F1-Y 25.0\n{}\nF1-X-PLACE -3.0\n", line));
+    EXPECT_EQ(output.exit_code, 1);
+    EXPECT_EQ(output.rows()[0].at("verdict"), "missing") << output.out;
+    EXPECT_EQ(output.rows()[1].at("verdict"), "good");
+    EXPECT_EQ(output.rows()[2].at("verdict"), "good");
+    EXPECT_NE(output.errors.find("results.txt:2: warning: "), std::string::npos) << output.errors;
+  }
 }
-
-INSTANTIATE_TEST_SUITE_P(All, GarbledLines,
-                         ::testing::Values("F1-X 40.0.0", "F1-X 4O.0", "F1-X", "F1-X nan",
-                                           "F1-X inf", "F1-X 1e400", "F1-X 4e1", "F1-X 0x28",
-                                           "F1-X 40.0 mm", "F1-X == 40.0", "F1-X 40,0", "F1-X .",
-                                           "F1-X --40", "F1-X 99999999", "G1-X 40.0", "40.0",
-                                           "F1-X \xE5\x83\x34"));
 
 TEST(Judge, QuotesALineWithoutItsControlCharacters) {
   const JudgeOutput output = judge("F1-X \x1B[2J40.0\n");
@@ -148,21 +138,15 @@ TEST(Judge, ReadsLinesHoweverTheyEnd) {
   EXPECT_EQ(judge(std::string(2, '\0') + "F1-X 40\nF1-Y 25\nF1-X-PLACE -3\n").exit_code, 0);
 }
 
-/// Even parity in bit 8, as the ISO code has it.
-std::string with_parity(std::string text) {
-  for (char& c : text) {
-    auto ones = 0;
-    for (int bit = 0; bit < 7; ++bit) {
-      ones += (c >> bit) & 1;
-    }
-    c = static_cast<char>(ones % 2 == 0 ? c : c | '\x80');
-  }
-  return text;
+/// As a control sends it: ISO code, even parity in bit 8.
+std::string in_iso_code(const std::string& text) {
+  constexpr auto kIso = runtime::PrintCode::Iso;
+  return printer::encoded(text, kIso, {"", 19200, printer::Parity::None, 8, 1}).value();
 }
 
 TEST(Judge, DecodesIsoCode) {
   const std::string printed = "F1-X 40.012\nF1-Y 25.000\nF1-X-PLACE -3.0\n";
-  std::string iso = with_parity(printed);
+  std::string iso = in_iso_code(printed);
   ASSERT_NE(iso, printed);
   EXPECT_EQ(judge(iso).exit_code, 0);
   const std::size_t digit = printed.find("12");
@@ -172,39 +156,40 @@ TEST(Judge, DecodesIsoCode) {
   EXPECT_EQ(output.rows()[1].at("verdict"), "good");
 }
 
-class WrongPlans : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
-
-TEST_P(WrongPlans, AreRefusedAtTheirPlace) {
-  const TemporaryFolder folder;
-  cli::JudgeOptions options;
-  options.plan = folder.write("plan.json", GetParam().first);
-  options.results = folder.write("results.txt", "F1-X 40\n");
-  const JudgeOutput output = judged_by(options);
-  EXPECT_EQ(output.exit_code, 2);
-  EXPECT_EQ(output.out, "");
-  EXPECT_NE(output.errors.find(GetParam().second), std::string::npos) << output.errors;
-}
-
 #define PLAN(measures) "{\"schema\": \"g31.plan/1\", \"measures\": " measures "}"
-INSTANTIATE_TEST_SUITE_P(
-    All, WrongPlans,
-    ::testing::Values(
-        std::pair("", "plan.json:1:1: no JSON"), std::pair("{\n \"a\": [1,\n", "plan.json:3:1: no"),
-        std::pair("[]", "expected a document with"),
-        std::pair("{\"schema\": \"g31.run/1\"}", "\"g31.plan/1\""),
-        std::pair(PLAN("5"), "measures: expected a list"),
-        std::pair(PLAN("[5]"), "measures[0]: expected an object"),
-        std::pair(PLAN("[{\"nominal\": 1}]"), "measures[0]: id: expected 1 to 64"),
-        std::pair(PLAN("[{\"id\": \"A B\", \"nominal\": 1}]"), "measures[0]: id: "),
-        std::pair(PLAN("[{\"id\": \"A\"}]"), "measures[0]: nominal: expected a length"),
-        std::pair(PLAN("[{\"id\": \"A\", \"nominal\": 1e7}]"), "measures[0]: nominal: "),
-        std::pair(PLAN("[{\"id\": \"A\", \"nominal\": 1e400}]"), "number that is too large"),
-        std::pair(PLAN("[{\"id\": \"A\", \"nominal\": 1, \"tolerance\": [0.1, -0.1]}]"),
-                  "measures[0]: tolerance: expected [lower, upper]"),
-        std::pair(PLAN("[{\"id\": \"A\", \"nominal\": 1}, {\"id\": \"A\", \"nominal\": 1}]"),
-                  "measures[1]: A: another measure"),
-        std::pair(PLAN("[{\"id\": \"A.B\", \"nominal\": 1}, {\"id\": \"A_B\", \"nominal\": 1}]"),
-                  "measures[1]: A_B: another measure")));
+TEST(Judge, RefusesWrongPlansAtTheirPlace) {
+  const struct {
+    const char* text;
+    const char* message;
+  } kCases[] = {{"", "plan.json:1:1: no JSON"},
+                {"{\n \"a\": [1,\n", "plan.json:3:1: no"},
+                {"[]", "expected a document with"},
+                {"{\"schema\": \"g31.run/1\"}", "\"g31.plan/1\""},
+                {PLAN("5"), "measures: expected a list"},
+                {PLAN("[5]"), "measures[0]: expected an object"},
+                {PLAN("[{\"nominal\": 1}]"), "measures[0]: id: expected 1 to 64"},
+                {PLAN("[{\"id\": \"A B\", \"nominal\": 1}]"), "measures[0]: id: "},
+                {PLAN("[{\"id\": \"A\"}]"), "measures[0]: nominal: expected a length"},
+                {PLAN("[{\"id\": \"A\", \"nominal\": 1e7}]"), "measures[0]: nominal: "},
+                {PLAN("[{\"id\": \"A\", \"nominal\": 1e400}]"), "number that is too large"},
+                {PLAN("[{\"id\": \"A\", \"nominal\": 1, \"tolerance\": [0.1, -0.1]}]"),
+                 "measures[0]: tolerance: expected [lower, upper]"},
+                {PLAN("[{\"id\": \"A\", \"nominal\": 1}, {\"id\": \"A\", \"nominal\": 1}]"),
+                 "measures[1]: A: another measure"},
+                {PLAN("[{\"id\": \"A.B\", \"nominal\": 1}, {\"id\": \"A_B\", \"nominal\": 1}]"),
+                 "measures[1]: A_B: another measure"}};
+  for (const auto& wrong : kCases) {
+    SCOPED_TRACE(wrong.text);
+    const TemporaryFolder folder;
+    cli::JudgeOptions options;
+    options.plan = folder.write("plan.json", wrong.text);
+    options.results = folder.write("results.txt", "F1-X 40\n");
+    const JudgeOutput output = judged_by(options);
+    EXPECT_EQ(output.exit_code, 2);
+    EXPECT_EQ(output.out, "");
+    EXPECT_NE(output.errors.find(wrong.message), std::string::npos) << output.errors;
+  }
+}
 #undef PLAN
 
 TEST(Judge, SaysWhichFileCannotBeRead) {
@@ -223,53 +208,32 @@ TEST(Judge, SaysWhichFileCannotBeRead) {
   EXPECT_EQ(judged_by(options).exit_code, 2);
 }
 
-/// The end of a pseudo-terminal that the program prints into.
-class Line {
- public:
-  Line() : far_(::posix_openpt(O_RDWR | O_NOCTTY)) {
-    EXPECT_EQ(::grantpt(far_) + ::unlockpt(far_), 0);
-    device_ = ::ptsname(far_);
-    near_ = ::open(device_.c_str(), O_RDWR | O_NOCTTY);
-    termios raw = {};
-    ::tcgetattr(near_, &raw);
-    ::cfmakeraw(&raw);
-    EXPECT_EQ(::tcsetattr(near_, TCSANOW, &raw), 0);
+void say(const PlayedPrinter& line, const std::string& bytes) {
+  for (const char c : bytes) {
+    line.say(c);
   }
-  Line(const Line&) = delete;
-  Line& operator=(const Line&) = delete;
-  ~Line() {
-    ::close(near_);
-    ::close(far_);
-  }
+}
 
-  void send(const std::string& bytes) const {
-    EXPECT_EQ(::write(far_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
-  }
-  [[nodiscard]] std::string settings(const char* rest) const { return device_ + rest; }
-
- private:
-  int far_;
-  int near_ = -1;
-  std::string device_;
-};
-
-TEST(JudgeOverALine, EndsOnceEveryMeasureHasCome) {
+JudgeOutput judge_line(const PlayedPrinter& line, const char* settings, double wait_s) {
   const TemporaryFolder folder;
-  const Line line;
   cli::JudgeOptions options;
   options.plan = folder.write("plan.json", plan_of(kPocket));
-  options.results = line.settings(",19200,e,7,2");
+  options.results = line.device() + settings;
   options.json = "-";
-  options.wait_s = 30.0;
+  options.wait_s = wait_s;
+  return judged_by(options);
+}
+
+TEST(JudgeOverALine, EndsOnceEveryMeasureHasCome) {
+  const PlayedPrinter line;
   std::thread program([&line] {
-    line.send(
-        with_parity("\x12"
-                    "F1-X 40.012\nF1-Y 25.0"));
+    say(line, in_iso_code("\x12"
+                          "F1-X 40.012\nF1-Y 25.0"));
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    line.send(with_parity("1\nF1-X-PLACE -3.0\n\x14"));
+    say(line, in_iso_code("1\nF1-X-PLACE -3.0\n\x14"));
   });
   const auto begin = std::chrono::steady_clock::now();
-  const JudgeOutput output = judged_by(options);
+  const JudgeOutput output = judge_line(line, ",19200,e,7,2", 30.0);
   program.join();
   EXPECT_EQ(output.exit_code, 0) << output.out << output.errors;
   EXPECT_EQ(output.rows()[1].at("actual"), 25.01) << "a line counts when it has ended";
@@ -277,18 +241,34 @@ TEST(JudgeOverALine, EndsOnceEveryMeasureHasCome) {
 }
 
 TEST(JudgeOverALine, CallsMissingWhatSilenceLeavesOut) {
-  const TemporaryFolder folder;
-  const Line line;
-  cli::JudgeOptions options;
-  options.plan = folder.write("plan.json", plan_of(kPocket));
-  options.results = line.settings(",19200,n,8,1");
-  options.json = "-";
-  options.wait_s = 0.5;
-  line.send("F1-X 40.012\nF1-Y 25.01\n");
-  const JudgeOutput output = judged_by(options);
+  const PlayedPrinter line;
+  say(line, "F1-X 40.012\nF1-Y 25.01\n");
+  const JudgeOutput output = judge_line(line, ",19200,n,8,1", 0.5);
   EXPECT_EQ(output.exit_code, 1);
   EXPECT_EQ(output.rows()[1].at("verdict"), "good");
   EXPECT_EQ(output.rows()[2].at("verdict"), "missing");
+}
+
+TEST(JudgeOverALine, ReadsWhatARunPrints) {
+  const TemporaryFolder folder;
+  PlayedPrinter printer;
+  cli::RunOptions run;
+  run.programs = {folder.write("p.nc",
+                               "O1\n#1=40.01234\n#2=24.94\n#3=-3.\nPOPEN\nDPRNT[F1-X*#1[35]]\n"
+                               "DPRNT[F1-Y*#2[35]]\nDPRNT[F1-X-PLACE*#3[35]]\nPCLOS\nM30\n")};
+  run.printer = printer.device() + ",19200,e,7,2";
+  printer.start();
+  const RunOutput ran = run_program(run);
+  ASSERT_EQ(ran.exit_code, 0) << ran.errors;
+  const PlayedPrinter line;
+  say(line, printer.heard());
+  const JudgeOutput output = judge_line(line, ",19200,e,7,2", 30.0);
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_EQ(output.errors, "");
+  const nlohmann::json rows = output.rows();
+  EXPECT_EQ(rows[0].at("actual"), 40.01234);
+  EXPECT_EQ(rows[1].at("verdict"), "bad");
+  EXPECT_EQ(rows[2].at("actual"), -3.0);
 }
 
 }  // namespace

@@ -76,15 +76,14 @@ std::string text_of(const CheckFindings& found, const source::SourceMap& sources
 /// The findings where they are wanted.
 std::optional<session::Refusal> hand_out(const CheckOptions& options, const CheckFindings& found,
                                          const source::SourceMap& sources) {
-  const bool as_document = options.format == CheckOptions::Format::Json || options.json == "-";
-  const bool as_annotations = options.format == CheckOptions::Format::Github;
-  auto wrong = write_out("-", as_document      ? check::check_document(found, sources)
-                              : as_annotations ? check::github_annotations(found, sources)
-                                               : text_of(found, sources));
-  if (wrong || options.json.empty() || options.json == "-") {
-    return wrong;
-  }
-  return write_out(options.json, check::check_document(found, sources));
+  const auto document = [&] { return check::check_document(found, sources); };
+  const auto for_people = [&] {
+    if (options.format == CheckOptions::Format::Github) {
+      return check::github_annotations(found, sources);
+    }
+    return options.format == CheckOptions::Format::Json ? document() : text_of(found, sources);
+  };
+  return write_result(options.json, for_people, document);
 }
 
 /// What is to be checked, and as what: by the command line, else by the sheets.

@@ -21,18 +21,6 @@
 namespace g31::cli {
 namespace {
 
-std::optional<session::Refusal> hand_over(const EvaluateOptions& options,
-                                          const evaluate::Evaluation& evaluation) {
-  const bool is_document = options.json == "-";
-  auto wrong =
-      write_out("-", is_document ? evaluate::evaluation_document(evaluation, options.has_curves)
-                                 : evaluate::evaluation_table(evaluation));
-  if (wrong || is_document || options.json.empty()) {
-    return wrong;
-  }
-  return write_out(options.json, evaluate::evaluation_document(evaluation, options.has_curves));
-}
-
 constexpr InputLimit kLargestRecord{kMostDataBytes, "leave out rows that say nothing new"};
 
 /// What an option that names a file says; "": it was not given.
@@ -122,7 +110,9 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
     wrong = report_evaluation(options, evaluation.value());
   }
   if (!wrong) {
-    wrong = hand_over(options, evaluation.value());
+    wrong = write_result(
+        options.json, [&] { return evaluate::evaluation_table(evaluation.value()); },
+        [&] { return evaluate::evaluation_document(evaluation.value(), options.has_curves); });
   }
   return wrong ? refuse(*wrong) : ExitCode::Completed;
 }

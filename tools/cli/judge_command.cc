@@ -1,7 +1,7 @@
 #include "tools/cli/judge_command.h"
 
 #include <cstdio>
-#include <optional>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -17,20 +17,11 @@ namespace {
 
 constexpr InputLimit kLargestPlan{64'000'000, "a plan of g31 plan is far smaller"};
 
-std::optional<session::Refusal> hand_over_judgement(const JudgeOptions& options,
-                                                    const plan::Judgement& judgement) {
+void print_remarks(const std::string& results, const plan::Judgement& judgement) {
   for (const plan::Remark& remark : judgement.remarks) {
-    std::fputs(
-        fmt::format("{}:{}: warning: {}\n", options.results, remark.line, remark.text).c_str(),
-        stderr);
+    std::fputs(fmt::format("{}:{}: warning: {}\n", results, remark.line, remark.text).c_str(),
+               stderr);
   }
-  const bool is_document = options.json == "-";
-  auto wrong = write_out(
-      "-", is_document ? plan::judgement_document(judgement) : plan::judgement_table(judgement));
-  if (wrong || is_document || options.json.empty()) {
-    return wrong;
-  }
-  return write_out(options.json, plan::judgement_document(judgement));
 }
 
 }  // namespace
@@ -58,7 +49,10 @@ ExitCode judge_command(const JudgeOptions& options) {
     return refuse(results.error());
   }
   const plan::Judgement judgement = plan::judged(measures.value(), results.value());
-  if (const auto wrong = hand_over_judgement(options, judgement)) {
+  print_remarks(options.results, judgement);
+  if (const auto wrong = write_result(
+          options.json, [&] { return plan::judgement_table(judgement); },
+          [&] { return plan::judgement_document(judgement); })) {
     return refuse(*wrong);
   }
   const bool all_good = plan::count(judgement, plan::Verdict::Good) == judgement.measures.size();

@@ -3,12 +3,12 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdio>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "tools/cli/read_input.h"
 #include "tools/plan/judgement.h"
-#include "tools/plan/printed_bytes.h"
 #include "tools/printer/line_code.h"
 #include "tools/printer/line_spec.h"
 #include "tools/printer/serial_line.h"
@@ -21,22 +21,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostReceived = 16'000'000;
 constexpr InputLimit kLargestPrintout{kMostReceived, "a printout of results is far smaller"};
-
-/// Bytes of a line of 7 bits have the parity that the port does not take off.
-std::string text_of_line(const std::string& bytes, const printer::LineSpec& line) {
-  if (line.data_bits != 7) {
-    return plan::printed_text(bytes);
-  }
-  switch (line.parity) {
-    case printer::Parity::Even:
-      return plan::without_parity(bytes, plan::BitEight::Even);
-    case printer::Parity::Odd:
-      return plan::without_parity(bytes, plan::BitEight::Odd);
-    case printer::Parity::None:
-      break;
-  }
-  return plan::without_parity(bytes, plan::BitEight::Ignored);
-}
 
 bool has_all(const std::string& text, const std::vector<plan::Measure>& measures) {
   const std::size_t whole = text.rfind('\n');  // a number without its end may go on
@@ -55,6 +39,7 @@ Result<std::string, session::Refusal> received(const JudgeOptions& options,
   constexpr std::chrono::milliseconds kGlance{50};
   const std::chrono::duration<double> patience(options.wait_s);
   std::string bytes;
+  bool is_judged = true;  // in a pause, so that a long printout is not read anew with each part
   for (auto heard = Clock::now(); Clock::now() - heard < patience;) {
     if (runtime::is_interrupted(options.interruption)) {
       return session::interrupted();
@@ -65,20 +50,20 @@ Result<std::string, session::Refusal> received(const JudgeOptions& options,
                  stderr);
       break;
     }
-    if (part.value().empty()) {
-      continue;
+    if (!part.value().empty()) {
+      heard = Clock::now();
+      bytes += part.value();
+      is_judged = false;
+    } else if (!std::exchange(is_judged, true) &&
+               has_all(printer::decoded(bytes, line), measures)) {
+      break;
     }
-    heard = Clock::now();
-    bytes += part.value();
     if (bytes.size() > kMostReceived) {
       return session::bad_input(fmt::format("{}: more than {} bytes came; {}", options.results,
                                             kMostReceived, kLargestPrintout.advice));
     }
-    if (has_all(text_of_line(bytes, line), measures)) {
-      break;
-    }
   }
-  return text_of_line(bytes, line);
+  return printer::decoded(bytes, line);
 }
 
 }  // namespace
@@ -92,7 +77,7 @@ Result<std::string, session::Refusal> read_results(const JudgeOptions& options,
                 : session::bad_input(fmt::format("{}: {}", options.results, line.error()));
   }
   const auto bytes = read_input(disk, options.results, kLargestPrintout);
-  return bytes ? Result<std::string, session::Refusal>(plan::printed_text(bytes.value()))
+  return bytes ? Result<std::string, session::Refusal>(printer::printed_text(bytes.value()))
                : bytes.error();
 }
 

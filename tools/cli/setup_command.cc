@@ -31,12 +31,8 @@ ExitCode setup_command(const SetupOptions& options) {
   if (text.empty()) {
     text = "nothing is wrong with the set-up\n";
   }
-  const bool is_document = options.json == "-";
-  auto wrong = write_out("-", is_document ? review_document(review) : text);
-  if (!wrong && !is_document && !options.json.empty()) {
-    wrong = write_out(options.json, review_document(review));
-  }
-  if (wrong) {
+  if (const auto wrong = write_result(
+          options.json, [&] { return text; }, [&] { return review_document(review); })) {
     return refuse(*wrong);
   }
   const bool fails = std::ranges::any_of(review.findings, [&](const source::Diagnostic& finding) {

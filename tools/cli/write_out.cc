@@ -14,4 +14,12 @@ std::optional<session::Refusal> write_out(const std::string& path,
   return problem ? std::optional(session::bad_input(*problem)) : std::nullopt;
 }
 
+std::optional<session::Refusal> write_result(const std::string& json,
+                                             const std::function<std::string()>& for_people,
+                                             const std::function<std::string()>& document) {
+  const bool is_document = json == "-";
+  auto wrong = write_out("-", is_document ? document() : for_people());
+  return wrong || is_document || json.empty() ? wrong : write_out(json, document());
+}
+
 }  // namespace g31::cli

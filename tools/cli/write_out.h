@@ -17,4 +17,11 @@ std::optional<session::Refusal> write_out(const std::string& path, std::string_v
 std::optional<session::Refusal> write_out(const std::string& path,
                                           const std::function<void(disk::PartFile&)>& write);
 
+/// What a command found, for people on standard output, and as a document where --json wants it;
+/// a document on standard output stands there alone.
+/// @param json  of the option: "" for none
+std::optional<session::Refusal> write_result(const std::string& json,
+                                             const std::function<std::string()>& for_people,
+                                             const std::function<std::string()>& document);
+
 }  // namespace g31::cli

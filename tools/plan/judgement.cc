@@ -112,13 +112,6 @@ class Sheet {
   std::size_t line_ = 0;
 };
 
-/// What a printer is told and does not print.
-bool is_control_code(char c) {
-  constexpr char kDC1 = 0x11;
-  constexpr char kDC4 = 0x14;
-  return c == '\0' || (c >= kDC1 && c <= kDC4);
-}
-
 }  // namespace
 
 std::string_view word_of(Verdict verdict) {
@@ -134,7 +127,7 @@ Judgement judged(const std::vector<Measure>& measures, std::string_view text) {
     if (text[i] == '\n' || (text[i] == '\r' && !is_pair)) {
       sheet.take(line);
       line.clear();
-    } else if (!is_pair && !is_control_code(text[i])) {
+    } else if (!is_pair) {
       line += text[i];
     }
   }

@@ -37,7 +37,7 @@ struct Judgement {
 /// Compares printed text with the design.  A limit of the tolerance itself is good.  A line that
 /// does not read as pairs of name and value makes every measure that it names missing and is
 /// quoted; of a measure that comes twice the last line counts and the first is named.
-/// @param text  lines end with LF, CR LF or CR; control codes of a printer are passed over
+/// @param text  lines end with LF, CR LF or CR
 Judgement judged(const std::vector<Measure>& measures, std::string_view text);
 
 std::size_t count(const Judgement& judgement, Verdict verdict);

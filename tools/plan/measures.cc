@@ -14,7 +14,6 @@ namespace {
 using PlanJson = nlohmann::json;
 using Problem = std::optional<std::string>;
 
-constexpr double kLongestMm = 1e6;
 constexpr std::size_t kLongestName = 64;
 constexpr std::size_t kMostMeasures = 100'000;
 

@@ -9,6 +9,9 @@
 
 namespace g31::plan {
 
+/// No length of a plan and no printed one is larger, mm.
+inline constexpr double kLongestMm = 1e6;
+
 /// Limits of a deviation from the nominal value, mm; lower <= upper.
 struct Tolerance {
   double lower = 0.0;

@@ -5,12 +5,13 @@
 #include <cstddef>
 #include <system_error>
 
+#include "tools/plan/measures.h"
+
 namespace g31::plan {
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
 constexpr std::string_view kBetween = " \t=";
-constexpr double kLargest = 1e6;
 
 std::string_view without_blanks(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(kBlanks), text.size()));
@@ -38,7 +39,7 @@ std::optional<double> take_number(std::string_view& text) {
   double value = 0.0;
   const auto [end, error] =
       std::from_chars(word.data(), word.data() + word.size(), value, std::chars_format::fixed);
-  if (error != std::errc() || end != word.data() + word.size() || value > kLargest) {
+  if (error != std::errc() || end != word.data() + word.size() || value > kLongestMm) {
     return std::nullopt;
   }
   return is_negative ? -value : value;

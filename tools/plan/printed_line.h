@@ -9,7 +9,7 @@ namespace g31::plan {
 /// A value as a program printed it, with the name before it.
 struct PrintedValue {
   std::string_view name;
-  double value = 0.0;  ///< finite, at most a million
+  double value = 0.0;  ///< mm, at most kLongestMm
 };
 
 /// Whether a line carries no results: empty, or `%` or `;` comes first.

@@ -1,5 +1,6 @@
 #include "tools/printer/line_code.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace g31::printer {
@@ -13,6 +14,25 @@ char with_parity(char c, Parity parity) {
   const bool is_odd = std::popcount(character) % 2 != 0;
   const bool sets_bit = parity != Parity::None && is_odd == (parity == Parity::Even);
   return static_cast<char>(sets_bit ? character | kParityBit : character);
+}
+
+bool has_bit_eight(char c) {
+  return (static_cast<unsigned char>(c) & kParityBit) != 0;
+}
+
+/// The printed characters of bytes whose bit 8 is a parity bit; Parity::None: it means nothing.
+std::string without_parity(std::string_view bytes, Parity parity) {
+  std::string text;
+  text.reserve(bytes.size());
+  for (const char c : bytes) {
+    const char plain = with_parity(c, Parity::None);
+    if (parity != Parity::None && c != with_parity(c, parity)) {
+      text += kWrongByte;
+    } else if (plain != '\0' && !control_code(plain)) {
+      text += plain;
+    }
+  }
+  return text;
 }
 
 bool makes_parity_here(const LineSpec& line) {
@@ -49,6 +69,21 @@ std::optional<std::string> encoded(std::string_view bytes, runtime::PrintCode co
     c = with_parity(c, parity);
   }
   return coded;
+}
+
+std::string decoded(std::string_view bytes, const LineSpec& line) {
+  return line.data_bits == 7 ? without_parity(bytes, line.parity) : printed_text(bytes);
+}
+
+std::string printed_text(std::string_view bytes) {
+  const auto even = static_cast<std::size_t>(
+      std::ranges::count_if(bytes, [](char c) { return c == with_parity(c, Parity::Even); }));
+  if (std::ranges::any_of(bytes, has_bit_eight) && 10 * even >= 9 * bytes.size()) {
+    return without_parity(bytes, Parity::Even);
+  }
+  std::string text(bytes);
+  std::erase_if(text, [](char c) { return !has_bit_eight(c) && (c == '\0' || control_code(c)); });
+  return text;
 }
 
 std::optional<ControlCode> control_code(char received) {

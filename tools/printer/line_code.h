@@ -42,6 +42,17 @@ double character_time_s(const LineSpec& line);
 std::optional<std::string> encoded(std::string_view bytes, runtime::PrintCode code,
                                    const LineSpec& line);
 
+/// Stands where a byte came with the wrong parity: no name and no number holds it.
+inline constexpr char kWrongByte = '?';
+
+/// What `encoded` undone gives: the text that came over a line, without control codes and the NULs
+/// of a leader.  On 7 bits the port has left the parity to us; of 8 bits see `printed_text`.
+std::string decoded(std::string_view bytes, const LineSpec& line);
+
+/// The same of a printout that was kept as its bytes came.  ISO code, which has even parity in bit
+/// 8, is known by bytes beyond 127 where nine bytes of ten have even parity; any other keeps bit 8.
+std::string printed_text(std::string_view bytes);
+
 /// Which control code a received byte is, with or without parity; nullopt: another character.
 std::optional<ControlCode> control_code(char received);
 
