@@ -6,17 +6,14 @@
 #include <vector>
 
 #include "machine/base/result.h"
+#include "probe/planning/inspection_plan.h"
 
 namespace g31::plan {
 
 /// No length of a plan and no printed one is larger, mm.
 inline constexpr double kLongestMm = 1e6;
 
-/// Limits of a deviation from the nominal value, mm; lower <= upper.
-struct Tolerance {
-  double lower = 0.0;
-  double upper = 0.0;
-};
+using probe::Tolerance;
 
 /// What a plan says of one measure, as far as a printed value is judged by it.
 struct Measure {
