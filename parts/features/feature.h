@@ -52,6 +52,7 @@ struct Feature {
   double walls_to_z = 0.0;
   double corner_radius_mm = 0.0;  ///< the largest between two walls
   double floor_radius_mm = 0.0;   ///< between walls and floor
+  bool has_flat_floor = false;    ///< not a drill's point, and there is one
   bool is_round = false;          ///< its wall is one cylinder; `own` is the box around it
 
   [[nodiscard]] bool is_open(Side side) const { return open[static_cast<std::size_t>(side)]; }

@@ -1,0 +1,167 @@
+#include "parts/features/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "parts/features/recognise.h"
+
+namespace g31::parts {
+namespace {
+
+using Why = std::optional<std::string>;
+
+constexpr std::array<Side, 4> kUprightSides = {Side::XPlus, Side::XMinus, Side::YPlus,
+                                               Side::YMinus};
+constexpr const char* kNoRectangle =
+    "its outline is no rectangle: an island stands in it, or it is an L, a T or a cross";
+
+/// The angle of the axes that a wall's normal is parallel to, -45 < angle <= 45.
+double angle_of(const Point& normal) {
+  constexpr double kQuarter = 90.0;
+  constexpr double kPerDegree = 1e10;  // 1e-10 deg are 2e-9 mm in 1 m
+  double angle = std::atan2(normal.y(), normal.x()) * 180.0 / std::numbers::pi;
+  angle -= kQuarter * std::ceil((angle - kQuarter / 2) / kQuarter - 1e-9);
+  return std::round(angle * kPerDegree) / kPerDegree + 0.0;
+}
+
+/// The side that a normal shows to best.
+Side side_of(const Point& normal_own) {
+  return *std::ranges::max_element(kUprightSides, {},
+                                   [&](Side side) { return direction_of(side).dot(normal_own); });
+}
+
+class OutlineFinder {
+ public:
+  OutlineFinder(const RemovedVolume& volume, const SortedFaces& sorted, Outline& outline)
+      : volume_(volume), sorted_(sorted), outline_(outline) {}
+
+  Why find() {
+    for (const auto step : {&OutlineFinder::take_walls, &OutlineFinder::take_open_faces,
+                            &OutlineFinder::take_corners}) {
+      if (auto why = (this->*step)()) {
+        return why;
+      }
+    }
+    for (const Side side : kUprightSides) {
+      if (!at(side).is_wall && !at(side).is_open) {
+        return fmt::format("it has no upright wall on its {} side", name_of(side));
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  OutlineSide& at(Side side) { return outline_.sides[static_cast<std::size_t>(side)]; }
+
+  Why take_walls() {
+    const auto largest = std::ranges::max_element(
+        sorted_.walls, {}, [](const RemovedFace* face) { return face->area_mm2; });
+    outline_.axes.angle_deg = angle_of((*largest)->normal_P);
+    for (const RemovedFace* wall : sorted_.walls) {
+      const Point normal = outline_.axes.own_of(wall->normal_P);
+      const Side side = side_of(normal);
+      if ((normal - direction_of(side)).norm() > 10.0 * kSameDirection) {
+        return "its walls do not stand at right angles to each other";
+      }
+      if (auto why = close(side, reach(side, wall->at_P))) {
+        return why;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// How far out a point is.
+  [[nodiscard]] double reach(Side side, const Point& p_P) const {
+    return direction_of(side).dot(outline_.axes.own_of(p_P));
+  }
+
+  Why close(Side side, double how_far) {
+    OutlineSide& closed = at(side);
+    if (closed.is_wall && std::abs(closed.at - how_far) > kSamePlaceMm) {
+      return kNoRectangle;
+    }
+    if (!closed.is_wall) {
+      closed.at = how_far;
+    }
+    closed.is_wall = true;
+    return std::nullopt;
+  }
+
+  Why take_open_faces() {
+    for (const RemovedFace* face : sorted_.open) {
+      if (std::abs(face->normal_P.z()) > 0.5) {
+        continue;  // above or below
+      }
+      const Side side = side_of(outline_.axes.own_of(face->normal_P));
+      if (at(side).is_wall) {
+        return fmt::format("its {} side is open in part only", name_of(side));
+      }
+      at(side).is_open = true;
+      at(side).at = farthest(side);
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] double farthest(Side side) const {
+    double far = -std::numeric_limits<double>::infinity();
+    for (const RemovedFace& face : volume_.faces) {
+      for (const Point& p : face.border_P) {
+        far = std::max(far, reach(side, p));
+      }
+    }
+    return far;
+  }
+
+  Why take_corners() {
+    for (const RemovedFace* corner : sorted_.corners) {
+      int touched = 0;
+      for (const Side side : kUprightSides) {
+        const double how_far = reach(side, corner->axis_at_P) + corner->radius_mm;
+        if (!reaches(*corner, side, how_far)) {
+          continue;
+        }
+        ++touched;
+        if (at(side).is_open || close(side, how_far)) {
+          return kNoRectangle;
+        }
+      }
+      if (touched < 2) {
+        return "a round wall runs into a straight one at an angle";
+      }
+      outline_.corner_radius_mm = std::max(outline_.corner_radius_mm, corner->radius_mm);
+    }
+    return std::nullopt;
+  }
+
+  /// Whether the arc of a corner comes to where its circle is farthest out.
+  [[nodiscard]] bool reaches(const RemovedFace& corner, Side side, double how_far) const {
+    return std::ranges::any_of(
+        corner.border_P, [&](const Point& p) { return reach(side, p) > how_far - kSamePlaceMm; });
+  }
+
+  const RemovedVolume& volume_;
+  const SortedFaces& sorted_;
+  Outline& outline_;
+};
+
+}  // namespace
+
+Point direction_of(Side side) {
+  const auto index = static_cast<int>(side);
+  Point direction = Point::Zero();
+  direction[index / 2] = index % 2 == 0 ? 1.0 : -1.0;
+  return direction;
+}
+
+Why find_outline(const RemovedVolume& volume, const SortedFaces& sorted, Outline& outline) {
+  if (sorted.walls.empty()) {
+    return sorted.corners.empty() ? "it has no upright walls" : "it is round, but not all round";
+  }
+  return OutlineFinder(volume, sorted, outline).find();
+}
+
+}  // namespace g31::parts

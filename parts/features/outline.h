@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parts/features/feature.h"
+#include "parts/features/removed_volume.h"
+
+namespace g31::parts {
+
+/// The faces of a removed volume by what they are to whoever stands in it.
+struct SortedFaces {
+  using Faces = std::vector<const RemovedFace*>;
+  Faces walls;    ///< upright planes
+  Faces corners;  ///< upright cylinders, hollow
+  Faces floors;
+  Faces edges;  ///< chamfers and roundings along the upper edge or the floor
+  Faces open;
+};
+
+/// Why the faces of a volume are none that a kind has; nothing: they may be.
+/// @param sorted  filled as far as that
+std::optional<std::string> sort_faces(const RemovedVolume& volume, SortedFaces& sorted);
+
+/// What closes one side of a volume.
+struct OutlineSide {
+  bool is_open = false;
+  bool is_wall = false;  ///< a plane, or the round end of a slot
+  double at = 0.0;       ///< how far out it is, in own axes along the side's direction
+};
+
+/// A rectangle seen from above, each side a wall or open.
+struct Outline {
+  OwnAxes axes;
+  std::array<OutlineSide, 4> sides;  ///< as Side counts X and Y
+  double corner_radius_mm = 0.0;
+};
+
+/// The outline of a volume with straight walls.
+/// @param outline  filled on success
+/// @returns why it is no rectangle
+std::optional<std::string> find_outline(const RemovedVolume& volume, const SortedFaces& sorted,
+                                        Outline& outline);
+
+/// The direction that a side shows to, in own axes.
+Point direction_of(Side side);
+
+}  // namespace g31::parts
