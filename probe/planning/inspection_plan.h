@@ -31,9 +31,9 @@ struct Tolerance {
 
 /// A length between two touches.
 struct PlannedMeasure {
-  std::string id;       ///< "F1.X", "F1.X.place"
-  std::size_t feature;  ///< index
-  char axis = 'X';      ///< X, Y or Z, of the feature's own axes
+  std::string id;           ///< "F1.X", "F1.X.place"
+  std::size_t feature = 0;  ///< index
+  char axis = 'X';          ///< X, Y or Z, of the feature's own axes
   Characteristic what = Characteristic::Size;
   double nominal = 0.0;  ///< mm
   std::optional<Tolerance> tolerance;
@@ -43,11 +43,19 @@ struct PlannedMeasure {
   double origin_mm = 0.0;  ///< of a place: the minus corner of the stock, along direction
 };
 
+/// A size of a feature that is left out.
+struct LeftOut {
+  std::size_t feature = 0;  ///< index
+  char axis = 'X';
+  std::string why;
+};
+
 /// What is touched and what comes of it.
 struct InspectionPlan {
   std::vector<std::string> features;  ///< for comments: "F1 closed pocket"
   std::vector<PlannedPoint> points;
   std::vector<PlannedMeasure> measures;
+  std::vector<LeftOut> left_out;
 };
 
 }  // namespace g31::probe

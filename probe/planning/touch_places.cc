@@ -1,0 +1,203 @@
+#include "probe/planning/touch_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace g31::probe {
+namespace {
+
+using parts::Side;
+
+/// Of a ball from what it must not touch.
+constexpr double kFreeMm = 0.5;
+constexpr int kSteps = 4;  // to each side of the wanted place
+
+int axis_of(Side side) {
+  return static_cast<int>(side) / 2;
+}
+
+bool is_plus(Side side) {
+  return static_cast<int>(side) % 2 == 0;
+}
+
+Point outwards(Side side) {
+  Point direction = Point::Zero();
+  direction[axis_of(side)] = is_plus(side) ? 1.0 : -1.0;
+  return direction;
+}
+
+struct Range {
+  double from;
+  double to;
+
+  [[nodiscard]] bool is_empty() const { return !(from <= to); }
+  [[nodiscard]] double nearest(double value) const { return std::clamp(value, from, to); }
+};
+
+/// The wanted value, then others of the range, near ones first.
+std::vector<double> values_of(const Range& range, double wanted) {
+  if (range.is_empty()) {
+    return {};
+  }
+  const double first = range.nearest(wanted);
+  std::vector<double> values = {first};
+  for (int i = 1; i <= kSteps; ++i) {
+    for (const double end : {range.to, range.from}) {
+      const double value = first + (end - first) * i / kSteps;
+      if (value != first) {
+        values.push_back(value);
+      }
+    }
+  }
+  return values;
+}
+
+/// Places of a face that is at right angles to an own axis.
+class PlacesOnFace {
+ public:
+  PlacesOnFace(const PlacedOn& on, Point normal_own, double approach)
+      : on_(on), normal_own_(std::move(normal_own)), approach_(approach) {}
+
+  void add(const Point& at_own) {
+    const auto& axes = on_.feature.axes;
+    PlannedPoint point;
+    point.at_P = axes.part_of(at_own);
+    point.normal_P = axes.part_of(normal_own_);
+    point.start_P = axes.part_of(at_own + (on_.ball_radius_mm + approach_) * normal_own_);
+    places_.push_back(std::move(point));
+  }
+
+  /// The nearest to the first one first.
+  TouchPlaces places() && {
+    if (!places_.empty()) {
+      const Point wanted = places_.front().at_P;
+      std::ranges::stable_sort(places_, {}, [&wanted](const PlannedPoint& point) {
+        return (point.at_P - wanted).squaredNorm();
+      });
+    }
+    return std::move(places_);
+  }
+
+ private:
+  const PlacedOn& on_;
+  Point normal_own_;
+  double approach_;
+  TouchPlaces places_;
+};
+
+/// Of a side: the axis that runs along it.
+int across_of(Side side) {
+  return 1 - axis_of(side);
+}
+
+double middle_of(const parts::Box& box, int axis) {
+  return (box.min[axis] + box.max[axis]) / 2;
+}
+
+/// Where along a side its face is plane and the ball stays clear of the walls beside it.
+Range across_range(const PlacedOn& on, Side side) {
+  const parts::Feature& feature = on.feature;
+  const int across = across_of(side);
+  const double middle = middle_of(feature.own, across);
+  const double margin = std::max(feature.corner_radius_mm, on.ball_radius_mm + kFreeMm);
+  const Range range{feature.own.min[across] + margin, feature.own.max[across] - margin};
+  return feature.is_round || range.is_empty() ? Range{middle, middle} : range;
+}
+
+}  // namespace
+
+TouchPlaces wall_places(const PlacedOn& on, Side side) {
+  const parts::Feature& feature = on.feature;
+  const int axis = axis_of(side);
+  const double wall = is_plus(side) ? feature.own.max[axis] : feature.own.min[axis];
+  const double least_z =
+      feature.is_open(Side::ZMinus)
+          ? feature.walls_from_z
+          : std::max(feature.walls_from_z, feature.own.min.z() + on.ball_radius_mm + kFreeMm);
+  // An open side lets the ball start as far off as it likes; a wall there holds it in the middle.
+  const Side facing = static_cast<Side>(static_cast<int>(side) ^ 1);
+  const double room = (feature.own.max[axis] - feature.own.min[axis]) / 2 - on.ball_radius_mm;
+  const double approach =
+      feature.is_open(facing) ? on.distances.approach : std::min(on.distances.approach, room);
+  PlacesOnFace places(on, -outwards(side), approach);
+  if (approach <= 0.0) {
+    return {};
+  }
+  const Range across = across_range(on, side);
+  const Range heights{least_z, feature.walls_to_z};
+  for (const double z : values_of(heights, feature.own.max.z() - on.distances.depth)) {
+    for (const double a : values_of(across, middle_of(feature.own, across_of(side)))) {
+      Point at(0.0, 0.0, z);
+      at[axis] = wall;
+      at[across_of(side)] = a;
+      places.add(at);
+    }
+  }
+  return std::move(places).places();
+}
+
+TouchPlaces outer_places(const PlacedOn& on, Side side) {
+  const parts::Feature& feature = on.feature;
+  const int axis = axis_of(side);
+  const double face = is_plus(side) ? feature.own.max[axis] : feature.own.min[axis];
+  const double floor = feature.own.min.z();
+  const Range heights{on.product_P.min.z(), floor};
+  const Range across = across_range(on, side);
+  PlacesOnFace places(on, outwards(side), on.distances.approach);
+  const double wanted = floor - on.distances.depth;
+  const double first = wanted < heights.from ? (heights.from + heights.to) / 2 : wanted;
+  for (const double z : values_of(heights, first)) {
+    for (const double a : values_of(across, middle_of(feature.own, across_of(side)))) {
+      Point at(0.0, 0.0, z);
+      at[axis] = face;
+      at[across_of(side)] = a;
+      places.add(at);
+    }
+  }
+  return std::move(places).places();
+}
+
+TouchPlaces floor_places(const PlacedOn& on) {
+  const parts::Feature& feature = on.feature;
+  const double inset = on.ball_radius_mm + kFreeMm + feature.floor_radius_mm;
+  const auto range = [&](int axis) {
+    return Range{feature.own.min[axis] + inset, feature.own.max[axis] - inset};
+  };
+  PlacesOnFace places(on, Point::UnitZ(), on.distances.approach_z);
+  for (const double x : values_of(range(0), middle_of(feature.own, 0))) {
+    for (const double y : values_of(range(1), middle_of(feature.own, 1))) {
+      places.add({x, y, feature.own.min.z()});
+    }
+  }
+  return std::move(places).places();
+}
+
+TouchPlaces top_places(const PlacedOn& on) {
+  constexpr double kFartherMm[] = {0.0, 2.0, 5.0, 10.0, 20.0};
+  const parts::Feature& feature = on.feature;
+  TouchPlaces all;
+  for (const double farther : kFartherMm) {
+    for (const Side side : {Side::XMinus, Side::XPlus, Side::YMinus, Side::YPlus}) {
+      if (feature.is_open(side)) {
+        continue;
+      }
+      const int axis = axis_of(side);
+      const double wall = is_plus(side) ? feature.own.max[axis] : feature.own.min[axis];
+      PlacesOnFace places(on, Point::UnitZ(), on.distances.approach_z);
+      const double beside = on.distances.beside + farther;
+      for (const double a :
+           values_of(across_range(on, side), middle_of(feature.own, across_of(side)))) {
+        Point at(0.0, 0.0, feature.own.max.z());
+        at[axis] = wall + (is_plus(side) ? beside : -beside);
+        at[across_of(side)] = a;
+        places.add(at);
+      }
+      auto found = std::move(places).places();
+      all.insert(all.end(), found.begin(), found.end());
+    }
+  }
+  return all;
+}
+
+}  // namespace g31::probe
