@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "machine/units/rounded_length.h"
 #include "parts/features/outline.h"
 
 namespace g31::parts {
@@ -15,16 +16,11 @@ namespace {
 
 using Why = std::optional<std::string>;
 
-double rounded(double mm) {
-  constexpr double kPerMm = 1e9;
-  return std::round(mm * kPerMm) / kPerMm + 0.0;
-}
-
 Box rounded(const Box& box) {
   Box result;
   for (int axis = 0; axis < 3; ++axis) {
-    result.min[axis] = rounded(box.min[axis]);
-    result.max[axis] = rounded(box.max[axis]);
+    result.min[axis] = rounded_length(box.min[axis]);
+    result.max[axis] = rounded_length(box.max[axis]);
   }
   return result;
 }
@@ -88,8 +84,8 @@ class Recogniser {
         feature_.floor_radius_mm = std::max(feature_.floor_radius_mm, edge->radius_mm);
       }
     }
-    feature_.walls_from_z = rounded(feature_.walls_from_z);
-    feature_.walls_to_z = rounded(feature_.walls_to_z);
+    feature_.walls_from_z = rounded_length(feature_.walls_from_z);
+    feature_.walls_to_z = rounded_length(feature_.walls_to_z);
     feature_.has_flat_floor = !sorted_.floors.empty();
   }
 
@@ -133,7 +129,7 @@ class Recogniser {
     }
     const auto& sides = outline.sides;
     feature_.axes = outline.axes;
-    feature_.corner_radius_mm = rounded(outline.corner_radius_mm);
+    feature_.corner_radius_mm = rounded_length(outline.corner_radius_mm);
     feature_.own.min = {-sides[1].at, -sides[3].at, volume_.box_P.min.z()};
     feature_.own.max = {sides[0].at, sides[2].at, volume_.box_P.max.z()};
     feature_.own = rounded(feature_.own);

@@ -17,7 +17,8 @@ bool can_read_step();
 /// Reads the faces of a STEP file as triangles; lengths become mm, whatever the file's unit.
 ///
 /// Facets have their corners on the true surfaces, and no edge of one is farther from them than
-/// the sagitta; so a hole reads too small, a shaft too small.  Plane faces are exact.
+/// the sagitta; so a hole reads too small, a shaft too small.  Plane faces are exact, and so are
+/// upright round walls where a ball comes along X or Y (round_walls.h).
 /// @param sagitta_mm  > 0
 ///
 /// Error: what is wrong, without the path: no module (and what to install), not understood, no

@@ -1,19 +1,19 @@
-// What the module g31_step is made of, the one file that knows Open CASCADE.
+// The faces of a STEP file as triangles, in the module g31_step.
 
 #include "parts/import/step_module.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
 #include <Poly_Triangulation.hxx>
-#include <STEPControl_Reader.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
@@ -22,6 +22,7 @@
 #include <TopoDS_Shape.hxx>
 
 #include "machine/base/result.h"
+#include "parts/import/step_shape.h"
 #include "parts/import/vertex_weld.h"
 
 namespace g31::parts {
@@ -47,20 +48,37 @@ void add_face(const TopoDS_Face& face, Mesh& mesh, VertexWeld& weld) {
   }
 }
 
-Result<Mesh, std::string> read_faces(const std::string& path, double sagitta_mm) {
-  // Open CASCADE reports on standard output, where a program's own output goes.
-  Message::DefaultMessenger()->ChangePrinters().Clear();
-  STEPControl_Reader reader;
-  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone || reader.TransferRoots() == 0) {
-    return std::string("not understood as STEP; expected a whole file with at least one body");
+/// Notes the triangles of a face from `first` on, where it is an upright cylinder.
+void note_round_wall(const TopoDS_Face& face, std::size_t first, const Mesh& mesh,
+                     std::vector<RoundWall>& walls) {
+  const BRepAdaptor_Surface surface(face, Standard_False);
+  if (surface.GetType() != GeomAbs_Cylinder) {
+    return;
   }
-  const TopoDS_Shape shape = reader.OneShape();
+  constexpr double kUpright = 1e-12;
+  const gp_Ax1 axis = surface.Cylinder().Axis();
+  if (std::hypot(axis.Direction().X(), axis.Direction().Y()) < kUpright) {
+    const gp_Pnt at = axis.Location();
+    walls.push_back(
+        {{at.X(), at.Y(), at.Z()}, surface.Cylinder().Radius(), first, mesh.triangles.size()});
+  }
+}
+
+Result<Mesh, std::string> read_faces(const std::string& path, double sagitta_mm,
+                                     std::vector<RoundWall>& walls) {
+  const auto read = read_step_shape(path);
+  if (!read) {
+    return read.error();
+  }
+  const TopoDS_Shape& shape = read.value();
   constexpr double kWidestAngleRad = 0.5;
   const BRepMesh_IncrementalMesh mesher(shape, sagitta_mm, Standard_False, kWidestAngleRad);
   Mesh mesh;
   VertexWeld weld(mesh);
   for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
+    const std::size_t first = mesh.triangles.size();
     add_face(TopoDS::Face(faces.Current()), mesh, weld);
+    note_round_wall(TopoDS::Face(faces.Current()), first, mesh, walls);
   }
   if (mesh.triangles.empty()) {
     return std::string("it holds no faces; expected a body or a surface, not lines or points");
@@ -73,9 +91,9 @@ Result<Mesh, std::string> read_faces(const std::string& path, double sagitta_mm)
 }  // namespace g31::parts
 
 bool g31_read_step(const char* path, double sagitta_mm, g31::parts::Mesh* mesh,
-                   std::string* error) {
+                   std::vector<g31::parts::RoundWall>* walls, std::string* error) {
   try {
-    auto read = g31::parts::read_faces(path, sagitta_mm);
+    auto read = g31::parts::read_faces(path, sagitta_mm, *walls);
     if (read) {
       *mesh = std::move(read.value());
       return true;

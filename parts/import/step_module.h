@@ -1,18 +1,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "parts/geometry/mesh.h"
+#include "parts/import/round_walls.h"
 
-// The one function of the module g31_step, which is loaded when a STEP file is to be read: the
-// libraries of Open CASCADE would add 25 ms to each start of g31, which takes 4 ms without them.
-// Program and module come from one build, so they agree on these types.
+// A function of the module g31_step, which is loaded when a STEP file is to be read: the libraries
+// of Open CASCADE would add 25 ms to each start of g31, which takes 4 ms without them. Program and
+// module come from one build, so they agree on these types.
 
 /// Reads the faces of a STEP file as triangles, as parts::read_step_file says.
 /// @param mesh   what was read, mm; unchanged on failure
+/// @param walls  those of upright cylinders in it
 /// @param error  on failure what is wrong, without the path
 /// @returns whether it was read; no exception leaves it but that of memory
-extern "C" __attribute__((visibility("default"))) bool g31_read_step(const char* path,
-                                                                     double sagitta_mm,
-                                                                     g31::parts::Mesh* mesh,
-                                                                     std::string* error);
+extern "C" __attribute__((visibility("default"))) bool g31_read_step(
+    const char* path, double sagitta_mm, g31::parts::Mesh* mesh,
+    std::vector<g31::parts::RoundWall>* walls, std::string* error);

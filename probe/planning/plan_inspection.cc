@@ -1,11 +1,11 @@
 #include "probe/planning/plan_inspection.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "machine/units/rounded_length.h"
 #include "probe/planning/touch_places.h"
 
 namespace g31::probe {
@@ -102,7 +102,7 @@ class Planner {
     size.feature = feature();
     size.axis = kAxisLetters[axis];
     size.direction_P = direction;
-    size.nominal = rounded(apart.dot(direction));
+    size.nominal = rounded_length(apart.dot(direction));
     size.tolerance = options_.tolerance;
     size.first = add_point(*first);
     size.second = add_point(*second);
@@ -118,13 +118,8 @@ class Planner {
     place.id += ".place";
     place.what = Characteristic::Place;
     place.origin_mm = part_.stock_P.min.dot(size.direction_P);
-    place.nominal = rounded(middle.dot(size.direction_P) - place.origin_mm);
+    place.nominal = rounded_length(middle.dot(size.direction_P) - place.origin_mm);
     plan_.measures.push_back(std::move(place));
-  }
-
-  static double rounded(double mm) {
-    constexpr double kPerMm = 1e9;
-    return std::round(mm * kPerMm) / kPerMm + 0.0;
   }
 
   std::size_t add_point(PlannedPoint point) {

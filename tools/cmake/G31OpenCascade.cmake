@@ -4,7 +4,9 @@
 find_path(G31_OCCT_HEADERS STEPControl_Reader.hxx PATH_SUFFIXES opencascade)
 set(found ${G31_OCCT_HEADERS})
 set(libraries)
-foreach(toolkit TKSTEP TKXSBase TKMesh TKTopAlgo TKBRep TKMath TKernel)
+foreach(toolkit
+    TKSTEP TKSTEPAttr TKSTEPBase TKXSBase TKMesh TKBool TKBO TKShHealing TKPrim TKTopAlgo TKGeomAlgo TKGeomBase TKBRep
+    TKG3d TKG2d TKMath TKernel)
   find_library(G31_OCCT_${toolkit} ${toolkit})
   list(APPEND libraries ${G31_OCCT_${toolkit}})
   if(NOT G31_OCCT_${toolkit})

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "machine/base/result.h"
+#include "parts/features/removed_volume.h"
+
+namespace g31::parts {
+
+/// What a product is cut from.  With neither: the box around the product.
+struct StockChoice {
+  std::string file;  ///< STEP or a mesh
+  /// A block of these sizes, mm, centred on the product's box in X and Y, standing on its lower
+  /// face.
+  std::optional<Point> block_mm;
+};
+
+/// Stock less product.
+struct Removal {
+  Box product_P;
+  Box stock_P;
+  std::vector<RemovedVolume> volumes;
+};
+
+/// More faces of product or stock are refused.
+inline constexpr int kMostFaces = 20'000;
+
+/// Cuts a product out of its stock, by Open CASCADE, and divides what is removed into connected
+/// pieces, those in level layers wherever a floor is.
+/// @param product  a STEP file of one or more bodies, else a mesh file of one closed surface
+///
+/// Accuracy: 1e-6 mm.
+/// Error: one line with the file: not read, no solid, too many faces, the product is outside of the
+/// stock (by how much, on which side), Open CASCADE cannot cut them.
+Result<Removal, std::string> removal_of(const std::string& product, const StockChoice& stock);
+
+}  // namespace g31::parts

@@ -1,0 +1,208 @@
+// Stock less product, in the module g31_step.
+
+#include "parts/solids/removal_module.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Splitter.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepGProp.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <GProp_GProps.hxx>
+#include <Standard_Failure.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS.hxx>
+#include <fmt/format.h>
+#include <gp_Pln.hxx>
+
+#include "parts/solids/described_face.h"
+#include "parts/solids/solid_shape.h"
+
+namespace g31::parts {
+namespace {
+
+using Solids = Result<TopoDS_Shape, std::string>;
+
+constexpr double kSameHeightMm = 1e-6;
+constexpr double kLeastVolumeMm3 = 1e-6;
+
+TopTools_ListOfShape solids_in(const TopoDS_Shape& shape) {
+  TopTools_ListOfShape solids;
+  for (TopExp_Explorer each(shape, TopAbs_SOLID); each.More(); each.Next()) {
+    solids.Append(each.Current());
+  }
+  return solids;
+}
+
+Solids stock_shape(const RemovalRequest& request, const Box& product_P) {
+  if (request.stock) {
+    return solids_of(*request.stock);
+  }
+  Box stock_P = product_P;
+  if (request.block_mm) {
+    const Point& size = *request.block_mm;
+    if (!(size.minCoeff() > 0.0)) {
+      return std::string("the sizes of the stock are not all above 0");
+    }
+    const Point middle = (product_P.min + product_P.max) / 2;
+    stock_P.min = {middle.x() - size.x() / 2, middle.y() - size.y() / 2, product_P.min.z()};
+    stock_P.max = stock_P.min + size;
+  }
+  const Point& a = stock_P.min;
+  const Point& b = stock_P.max;
+  return TopoDS_Shape(
+      BRepPrimAPI_MakeBox(gp_Pnt(a.x(), a.y(), a.z()), gp_Pnt(b.x(), b.y(), b.z())).Shape());
+}
+
+/// By how much the product is outside of the stock; "": it is not.
+std::string outside(const Box& product_P, const Box& stock_P) {
+  constexpr const char* kAxes[] = {"X", "Y", "Z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double minus = stock_P.min[axis] - product_P.min[axis];
+    const double plus = product_P.max[axis] - stock_P.max[axis];
+    if (std::max(minus, plus) > kSameHeightMm) {
+      return fmt::format(
+          "the product is {:.6g} mm outside of the stock on its {}{} side; both files have one "
+          "coordinate system, and the stock is the larger one",
+          std::max(minus, plus), plus > minus ? '+' : '-', kAxes[axis]);
+    }
+  }
+  return {};
+}
+
+class Remover {
+ public:
+  Remover(const TopoDS_Shape& product, const TopoDS_Shape& stock)
+      : product_(product), stock_(stock), describer_(product) {}
+
+  /// @returns why it cannot be done
+  std::string remove(std::vector<RemovedVolume>& volumes) {
+    TopTools_ListOfShape stock = solids_in(stock_);
+    TopTools_ListOfShape product = solids_in(product_);
+    BRepAlgoAPI_Cut cut;
+    cut.SetArguments(stock);
+    cut.SetTools(product);
+    cut.Build();
+    if (cut.HasErrors() || !cut.IsDone()) {
+      return "Open CASCADE cannot cut the product out of the stock; is one of them no clean solid?";
+    }
+    for (TopExp_Explorer each(cut.Shape(), TopAbs_SOLID); each.More(); each.Next()) {
+      add_layers(each.Current(), volumes);
+    }
+    return {};
+  }
+
+ private:
+  void add_layers(const TopoDS_Shape& solid, std::vector<RemovedVolume>& volumes) {
+    RemovedVolume whole = described(solid);
+    if (whole.volume_mm3 < kLeastVolumeMm3) {
+      return;
+    }
+    const std::vector<double> heights = floors_within(whole);
+    if (heights.empty()) {
+      volumes.push_back(std::move(whole));
+      return;
+    }
+    TopTools_ListOfShape pieces;
+    pieces.Append(solid);
+    TopTools_ListOfShape planes;
+    for (const double z : heights) {
+      planes.Append(level_face(whole.box_P, z));
+    }
+    BRepAlgoAPI_Splitter splitter;
+    splitter.SetArguments(pieces);
+    splitter.SetTools(planes);
+    splitter.Build();
+    for (TopExp_Explorer each(splitter.Shape(), TopAbs_SOLID); each.More(); each.Next()) {
+      RemovedVolume piece = described(each.Current());
+      if (piece.volume_mm3 >= kLeastVolumeMm3) {
+        volumes.push_back(std::move(piece));
+      }
+    }
+  }
+
+  /// A level face larger than a box.
+  static TopoDS_Shape level_face(const Box& box, double z) {
+    constexpr double kLargerMm = 10.0;
+    const Point middle = (box.min + box.max) / 2;
+    const Point half = (box.max - box.min) / 2 + Point::Constant(kLargerMm);
+    const gp_Pln plane(gp_Pnt(middle.x(), middle.y(), z), gp_Dir(0.0, 0.0, 1.0));
+    return BRepBuilderAPI_MakeFace(plane, -half.x(), half.x(), -half.y(), half.y()).Face();
+  }
+
+  RemovedVolume described(const TopoDS_Shape& solid) {
+    RemovedVolume volume;
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(solid, properties);
+    volume.volume_mm3 = properties.Mass();
+    volume.box_P = box_around(solid);
+    for (TopExp_Explorer each(solid, TopAbs_FACE); each.More(); each.Next()) {
+      volume.faces.push_back(describer_.described(TopoDS::Face(each.Current())));
+    }
+    return volume;
+  }
+
+  /// Heights of floors below which the volume goes on.
+  static std::vector<double> floors_within(const RemovedVolume& volume) {
+    std::vector<double> heights;
+    for (const RemovedFace& face : volume.faces) {
+      const double z = face.at_P.z();
+      const bool is_floor =
+          !face.is_open && face.surface == FaceSurface::Plane && face.normal_P.z() < -1.0 + 1e-12;
+      const bool is_new = std::ranges::none_of(
+          heights, [z](double other) { return std::abs(other - z) < kSameHeightMm; });
+      if (is_floor && is_new && z > volume.box_P.min.z() + kSameHeightMm) {
+        heights.push_back(z);
+      }
+    }
+    return heights;
+  }
+
+  TopoDS_Shape product_;
+  TopoDS_Shape stock_;
+  FaceDescriber describer_;
+};
+
+/// @returns why it cannot be done
+std::string remove(const RemovalRequest& request, Removal& removal) {
+  const auto product = solids_of(request.product);
+  if (!product) {
+    return product.error();
+  }
+  removal.product_P = box_around(product.value());
+  const auto stock = stock_shape(request, removal.product_P);
+  if (!stock) {
+    return stock.error();
+  }
+  removal.stock_P = box_around(stock.value());
+  if (auto why = outside(removal.product_P, removal.stock_P); !why.empty()) {
+    return why;
+  }
+  return Remover(product.value(), stock.value()).remove(removal.volumes);
+}
+
+}  // namespace
+}  // namespace g31::parts
+
+bool g31_remove(const g31::parts::RemovalRequest* request, g31::parts::Removal* removal,
+                std::string* error) {
+  try {
+    g31::parts::Removal found;
+    *error = g31::parts::remove(*request, found);
+    if (error->empty()) {
+      *removal = std::move(found);
+      return true;
+    }
+  } catch (const Standard_Failure& failure) {
+    *error = request->product.name + ": Open CASCADE cannot work with it (" +
+             failure.GetMessageString() + ")";
+  } catch (const std::exception& failure) {
+    *error = request->product.name + ": Open CASCADE cannot work with it (" + failure.what() + ")";
+  }
+  return false;
+}
