@@ -53,6 +53,9 @@ COMMANDS = (
     ("study", "study.toml", "--shard", "1/2", "--json", "-"),
     ("evaluate", "diagonal", "record.csv", "--target", "5,5", "--json", "-"),
     ("judge", "plan.json", "results.txt", "--json", "-"),
+    # Writes its document into a folder.
+    ("plan", str(ROOT / "parts/library/inspection/product.step"), "--stock", "box", "-o", "inspection", "--as-machined",
+     str(ROOT / "parts/library/inspection/product.step")),
     ("--version", "--json"),
 )
 
@@ -61,10 +64,12 @@ def problems_of(g31, folder, command, jsonschema):
     """What is wrong with the document of a command."""
     done = subprocess.run([g31, *command], cwd=folder, capture_output=True, text=True, check=False)
     # A study and a run of a program may print before their document, and behind it.
-    start = done.stdout.find("{")
+    written = pathlib.Path(folder) / "inspection/plan.json"
+    text = written.read_text(encoding="utf-8") if command[0] == "plan" and written.exists() else done.stdout
+    start = text.find("{")
     if start < 0:
         return [f"{' '.join(command)}: no document: {done.stderr[:300]}"]
-    document, _ = json.JSONDecoder().raw_decode(done.stdout[start:])
+    document, _ = json.JSONDecoder().raw_decode(text[start:])
     name = document["schema"].split("/")[0].replace("study.shard", "study")
     schema = json.loads((ROOT / f"docs/schema/{name}.schema.json").read_text(encoding="utf-8"))
     jsonschema.Draft7Validator.check_schema(schema)

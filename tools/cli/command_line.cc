@@ -27,6 +27,8 @@
 #include "tools/cli/new_options.h"
 #include "tools/cli/pages_command.h"
 #include "tools/cli/pages_options.h"
+#include "tools/cli/plan_command.h"
+#include "tools/cli/plan_options.h"
 #include "tools/cli/read_command_words.h"
 #include "tools/cli/run_command.h"
 #include "tools/cli/run_options.h"
@@ -65,6 +67,7 @@ struct Options {
   SetupOptions setup;
   NewOptions starter;
   EvaluateOptions evaluate;
+  PlanOptions plan;
   JudgeOptions judge;
   PagesOptions pages;
 };
@@ -106,6 +109,8 @@ std::vector<Command> add_commands(CLI::App& app, Options& options, const std::st
       [&options] { return new_command(options.starter); });
   add(kLasts, add_evaluate_command(app, options.evaluate), evaluate_examples(),
       [&options] { return evaluate_command(options.evaluate); });
+  add(kLasts, add_plan_command(app, options.plan), plan_examples(),
+      [&options] { return plan_command(options.plan); });
   add(kLasts, add_judge_command(app, options.judge), judge_examples(),
       [&options] { return judge_command(options.judge); });
   add(kIsShort, add_completion_command(app, options.pages), completion_examples(),
@@ -134,7 +139,7 @@ void take_interruptions(Options& options) {
   const runtime::Interruption& interruption = catch_interruption();
   options.run.budget.interruption = options.scene.run.budget.interruption = &interruption;
   options.view.interruption = options.study.interruption = options.evaluate.interruption =
-      options.judge.interruption = &interruption;
+      options.plan.interruption = options.judge.interruption = &interruption;
 }
 
 /// Where the words of a `run` that CLI11 has refused want the document; "": nowhere.
@@ -162,7 +167,7 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
   Options options;
   options.run.version = options.view.run.version = version;
   options.study.version = version;
-  options.evaluate.version = version;
+  options.evaluate.version = options.plan.version = version;
   add_version(app, options);
   const std::vector<Command> commands = add_commands(app, options, version);
   app.footer(exit_code_help());

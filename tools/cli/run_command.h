@@ -11,6 +11,10 @@
 #include "tools/page/language.h"
 #include "tools/session/prepare.h"
 
+namespace g31::page {
+struct Report;
+}  // namespace g31::page
+
 namespace g31::cli {
 
 /// How much a run says on standard error.
@@ -43,6 +47,8 @@ struct RunOptions : session::Request {
   std::string report;                                 ///< HTML file, "" for none
   page::Language language = page::Language::English;  ///< of the report
   const Watch* watch = nullptr;                       ///< nullptr: nobody watches
+  std::function<void(page::Report&)>
+      amend_page;       ///< what a command changes of the report; may be empty
   std::string compare;  ///< document of another run for the report, "" for none
   std::string jsonl;    ///< file of events, "-" for standard output, "" for none
   Talk talk = Talk::Usual;

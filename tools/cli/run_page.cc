@@ -126,7 +126,11 @@ std::optional<session::Refusal> deliver_page(const OpenedRun& opened,
                           picture::parts_of(opened.world),
                           command_of(opened.options),
                           opened.other};
-  return send(opened.options, page::report_of(run, opened.options.language));
+  page::Report report = page::report_of(run, opened.options.language);
+  if (opened.options.amend_page) {
+    opened.options.amend_page(report);
+  }
+  return send(opened.options, std::move(report));
 }
 
 std::optional<session::Refusal> deliver_refusal_page(const RunOptions& options,

@@ -5,6 +5,7 @@
 
 #include "tools/evaluate/evaluation.h"
 #include "tools/page/report.h"
+#include "tools/plan/planned_part.h"
 #include "tools/study/record.h"
 
 namespace g31::page {
@@ -27,6 +28,10 @@ Report report_of(const evaluate::Evaluation& evaluation, const std::string& file
 /// known and what was published.  The first kMostCharts of them are drawn; the table has all.
 /// @param document  of the study
 Report report_of(const study::Record& record, const std::string& document, const Making& making);
+
+/// Makes the page of a plan from that of the run that proved it.
+/// @param command  that makes the plan
+void add_plan(const plan::PlannedPart& planned, const std::string& command, Report& report);
 
 inline constexpr std::size_t kMostCharts = 24;
 

@@ -1,7 +1,6 @@
 #include "tools/plan/judgement.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <string>
@@ -9,16 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "machine/units/rounded_length.h"
 #include "tools/plan/printed_line.h"
 
 namespace g31::plan {
 namespace {
-
-constexpr double kPerMm = 1e9;  // deviations are whole millionths of a micrometre
-
-double rounded(double mm) {
-  return std::round(mm * kPerMm) / kPerMm + 0.0;
-}
 
 /// A line as a message shows it: nothing in it moves a terminal's cursor.
 std::string quoted(std::string_view line) {
@@ -99,10 +93,10 @@ class Sheet {
     if (!row.actual) {
       return;
     }
-    row.deviation = rounded(*row.actual - row.measure.nominal);
+    row.deviation = rounded_length(*row.actual - row.measure.nominal);
     const auto& tolerance = row.measure.tolerance;
-    const bool is_good = !tolerance || (*row.deviation >= rounded(tolerance->lower) &&
-                                        *row.deviation <= rounded(tolerance->upper));
+    const bool is_good = !tolerance || (*row.deviation >= rounded_length(tolerance->lower) &&
+                                        *row.deviation <= rounded_length(tolerance->upper));
     row.verdict = is_good ? Verdict::Good : Verdict::Bad;
   }
 

@@ -17,6 +17,7 @@ text { font-family: "DejaVu Sans", Helvetica, Arial, sans-serif; font-size: 12px
 .grid { stroke: #dde3e8; stroke-width: 1; }
 .nominal { stroke: #8b979f; stroke-width: 1; stroke-dasharray: 8 3 2 3; }
 .way { stroke-width: 1.4; stroke-linejoin: round; }
+.area { fill-opacity: 0.2; stroke-width: 1.4; }
 .dashed { stroke-dasharray: 5 3; stroke-width: 1; }
 .line0 { stroke: #0b5fa5; } .fill0 { fill: #0b5fa5; }
 .line1 { stroke: #c2410c; } .fill1 { fill: #c2410c; }
@@ -96,6 +97,14 @@ void Svg::way(std::span<const Eigen::Vector2d> points, std::string_view style) {
   }
   text_.back() = '"';
   text_ += "/>\n";
+}
+
+void Svg::area(std::span<const Eigen::Vector2d> corners, std::string_view style) {
+  fmt::format_to(std::back_inserter(text_), "<polygon class=\"{}\" points=\"", style);
+  for (const Eigen::Vector2d& p : corners) {
+    fmt::format_to(std::back_inserter(text_), "{:.2f},{:.2f} ", p.x(), p.y());
+  }
+  text_ += "\"/>\n";
 }
 
 void Svg::dot(const Eigen::Vector2d& at, double radius, std::string_view style) {

@@ -23,6 +23,8 @@ class Svg {
   void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::string_view style);
   /// A line through points.
   void way(std::span<const Eigen::Vector2d> points, std::string_view style);
+  /// A closed outline, its inside filled.
+  void area(std::span<const Eigen::Vector2d> corners, std::string_view style);
   void dot(const Eigen::Vector2d& at, double radius, std::string_view style);
   /// A filled arrow head whose tip is at a point.
   void arrow(const Eigen::Vector2d& tip, const Eigen::Vector2d& along, std::string_view style);

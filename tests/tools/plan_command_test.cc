@@ -1,0 +1,322 @@
+// `g31 plan`: from the case study's model to a program that has run on it, in every dialect.
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "parts/import/step_file.h"
+#include "tests/support/captured.h"
+#include "tests/support/played_printer.h"
+#include "tests/support/run_program.h"
+#include "tools/cli/judge_command.h"
+#include "tools/session/control.h"
+
+namespace g31::plan_command_test {
+namespace {
+
+using nlohmann::json;
+using testing::CommandOutput;
+using testing::TemporaryFolder;
+using testing::text_of;
+
+const std::string kProduct = "parts/library/inspection/product.step";
+
+class Plan : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!parts::can_read_step()) {
+      GTEST_SKIP() << "g31 was built without Open CASCADE: no STEP file is read";
+    }
+  }
+
+  [[nodiscard]] CommandOutput plan(std::vector<std::string> words) const {
+    words.insert(words.begin(), "plan");
+    words.insert(words.end(), {"-o", folder_.path("out")});
+    return testing::g31(words);
+  }
+
+  [[nodiscard]] std::string out(const std::string& name) const {
+    return folder_.path("out") + "/" + name;
+  }
+
+  [[nodiscard]] json document() const { return json::parse(text_of(out("plan.json"))); }
+
+  /// The product with other coordinates, as its STEP text has them.
+  [[nodiscard]] std::string changed_product(
+      const std::vector<std::pair<std::string, std::string>>& changes) const {
+    std::string text = text_of(kProduct);
+    for (const auto& [from, to] : changes) {
+      EXPECT_NE(text.find(from), std::string::npos) << from;
+      for (std::size_t at = text.find(from); at != std::string::npos;
+           at = text.find(from, at + to.size())) {
+        text.replace(at, from.size(), to);
+      }
+    }
+    return folder_.write("machined.step", text);
+  }
+
+  TemporaryFolder folder_;
+};
+
+json find(const json& rows, const std::string& id) {
+  for (const json& row : rows) {
+    if (row.at("id") == id) {
+      return row;
+    }
+  }
+  return json::object();
+}
+
+TEST_F(Plan, FindsTheSevenFeaturesOfFiveKindsOfTheCaseStudy) {
+  const CommandOutput output = plan({kProduct, "--stock", "160,110,40"});
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_EQ(output.errors, "");
+  struct Row {
+    const char* kind;
+    std::vector<double> min;
+    std::vector<double> max;
+    std::vector<std::string> open;
+  };
+  const std::vector<Row> rows = {
+      {"open_slot", {0, 45, -10}, {160, 57, 0}, {"+X", "-X", "+Z"}},
+      {"closed_slot", {20, 0, -12}, {36, 25, 0}, {"-Y", "+Z"}},
+      {"blind_hole", {20, 75, -18}, {40, 95, 0}, {"+Z"}},
+      {"closed_slot", {60, 0, -8}, {72, 25, 0}, {"-Y", "+Z"}},
+      {"blind_hole", {67, 77, -14}, {83, 93, 0}, {"+Z"}},
+      {"closed_pocket", {90, 10, -15}, {130, 35, 0}, {"+Z"}},
+      {"open_pocket", {120, 75, -12}, {160, 110, 0}, {"+X", "+Y", "+Z"}},
+  };
+  const json features = document().at("features");
+  ASSERT_EQ(features.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(features[i].at("id"), fmt::format("F{}", i + 1));
+    EXPECT_EQ(features[i].at("kind"), rows[i].kind);
+    EXPECT_EQ(features[i].at("min"), rows[i].min);
+    EXPECT_EQ(features[i].at("max"), rows[i].max);
+    EXPECT_EQ(features[i].at("open"), rows[i].open);
+  }
+  EXPECT_TRUE(document().at("not_measured").empty());
+}
+
+// The paper's points: 5 mm below the upper face and 5 mm below the floor, 3 mm beside the edge.
+TEST_F(Plan, TouchesWhereThePaperDoes) {
+  ASSERT_EQ(plan({kProduct, "--stock", "box"}).exit_code, 0);
+  const json plan = document();
+  const auto point = [&plan](const std::string& measure, std::size_t which) {
+    return find(plan.at("points"), find(plan.at("measures"), measure).at("points").at(which));
+  };
+  using V = std::vector<double>;
+  EXPECT_EQ(point("F7.X", 0).at("at"), V({120, 92.5, -5}));
+  EXPECT_EQ(point("F7.X", 0).at("start"), V({126, 92.5, -5}));
+  EXPECT_EQ(point("F7.X", 1).at("at"), V({160, 92.5, -17}));
+  EXPECT_EQ(point("F7.X", 1).at("start"), V({166, 92.5, -17}));
+  EXPECT_EQ(point("F7.Y", 1).at("at"), V({140, 110, -17}));
+  EXPECT_EQ(point("F7.Z", 0).at("at"), V({140, 92.5, -12}));
+  EXPECT_EQ(point("F7.Z", 0).at("start"), V({140, 92.5, 1}));
+  EXPECT_EQ(point("F7.Z", 1).at("at"), V({117, 92.5, 0}));
+  EXPECT_EQ(point("F3.X", 0).at("at"), V({20, 85, -5}));
+  for (const json& each : plan.at("points")) {
+    EXPECT_FALSE(each.contains("moved")) << each;
+  }
+}
+
+/// The variables that the program leaves, and what it prints.
+struct ProgramRun {
+  std::map<std::string, double> variables;
+  std::string printed;
+};
+
+ProgramRun run_plan(const std::string& program, const std::string& sheet, const json& measures) {
+  cli::RunOptions options;
+  options.programs = {program};
+  options.setups = {sheet};
+  for (const json& measure : measures) {
+    options.prints.push_back(measure.at("variable"));
+  }
+  const auto ran = testing::run_program(options);
+  EXPECT_EQ(ran.exit_code, 0) << ran.errors;
+  ProgramRun run;
+  if (ran.exit_code != 0) {
+    return run;
+  }
+  for (const json& measure : measures) {
+    const std::string name = measure.at("variable");
+    run.variables[name] = ran.document.at("variables").at(name);
+  }
+  run.printed = ran.document.at("output");
+  for (const json& text : ran.document.at("files")) {
+    run.printed += text;
+  }
+  return run;
+}
+
+TEST_F(Plan, ItsProgramRunsOnEveryControlAndItsValuesAreThoseOfTheModel) {
+  for (const std::string& control : session::control_names()) {
+    SCOPED_TRACE(control);
+    // What eight digits hold; rounding may take half of the last one.
+    const CommandOutput output =
+        plan({kProduct, "--stock", "box", "--control", control, "--tolerance", "1.1e-5"});
+    ASSERT_EQ(output.exit_code, 0) << output.errors;
+    const std::string program = out(control == "sinumerik-828d" ? "INSPECT.MPF" : "inspect.nc");
+    const json measures = document().at("measures");
+    ASSERT_EQ(measures.size(), 29U);
+    const ProgramRun run = run_plan(program, out("setup.toml"), measures);
+    ASSERT_EQ(run.variables.size(), measures.size());
+    for (const json& measure : measures) {
+      EXPECT_NEAR(run.variables.at(measure.at("variable")), measure.at("nominal"), 1e-6)
+          << measure.at("id");
+    }
+    const CommandOutput judged =
+        testing::g31({"judge", out("plan.json"), folder_.write("results.txt", run.printed)});
+    EXPECT_EQ(judged.exit_code, 0) << judged.out << judged.errors;
+    EXPECT_NE(judged.out.find("29 of 29 good"), std::string::npos);
+  }
+}
+
+TEST_F(Plan, FindsTheErrorsOfAMachinedPartAndNothingElse) {
+  // The pocket F6 0.05 too wide, the hole F3 0.03 too flat, the slot F4 shifted by 0.02.
+  const std::string machined = changed_product({{"(90.,", "(89.975,"},
+                                                {"(130.,", "(130.025,"},
+                                                {",-18.)", ",-17.97)"},
+                                                {"(60.,", "(60.02,"},
+                                                {"(72.,", "(72.02,"}});
+  const CommandOutput output =
+      plan({kProduct, "--stock", "box", "--tolerance", "0.01", "--as-machined", machined});
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  const std::map<std::string, double> errors = {
+      {"F6.X", 0.05}, {"F3.Z", -0.03}, {"F4.X.place", 0.02}};
+  for (const json& row : document().at("as_machined").at("measures")) {
+    const auto error = errors.find(row.at("id"));
+    const bool is_wrong = error != errors.end();
+    EXPECT_EQ(row.at("verdict"), is_wrong ? "bad" : "good") << row;
+    EXPECT_NEAR(row.at("deviation"), is_wrong ? error->second : 0.0, 1e-3) << row;
+  }
+}
+
+TEST_F(Plan, ItsProgramPrintsOverALineToWhoJudges) {
+  ASSERT_EQ(plan({kProduct, "--stock", "box", "--tolerance", "1.1e-5"}).exit_code, 0);
+  const testing::PlayedPrinter judge_line;
+  testing::PlayedPrinter printer([&judge_line, passed = std::size_t{0}](
+                                     testing::PlayedPrinter&, const std::string& received) mutable {
+    for (; passed < received.size(); ++passed) {
+      judge_line.say(received[passed]);
+    }
+  });
+  printer.start();
+  cli::JudgeOptions judge;
+  judge.plan = out("plan.json");
+  judge.results = judge_line.device() + ",19200,e,7,2";
+  judge.json = folder_.path("judgement.json");
+  judge.wait_s = 30.0;
+  auto verdict = cli::ExitCode::Defect;
+  std::thread judging([&] { verdict = cli::judge_command(judge); });
+  cli::RunOptions run;
+  run.programs = {out("inspect.nc")};
+  run.setups = {out("setup.toml")};
+  run.printer = printer.device() + ",19200,e,7,2";
+  EXPECT_EQ(testing::run_program(run).exit_code, 0);
+  judging.join();
+  printer.heard();
+  EXPECT_EQ(verdict, cli::ExitCode::Completed) << text_of(judge.json);
+}
+
+TEST_F(Plan, TheSheetOfAShopKeepsItsFixturesAndTheirPlace) {
+  std::filesystem::create_directory(folder_.path("shop"));
+  folder_.write(
+      "shop/clamp.stl",
+      "solid clamp\n"
+      "facet normal 0 0 1\nouter loop\nvertex 75 30 20\nvertex 85 30 20\nvertex 80 70 20\n"
+      "endloop\nendfacet\nendsolid clamp\n");
+  const std::string sheet = folder_.write(
+      "shop/machine.toml",
+      "[control]\nprofile = \"fanuc-30i\"\n"
+      "[work_offsets.G54]\nX = 300.0\nY = -200.0\nZ = -400.0\n"
+      "[tools.7]\nlength = 152.0    # to the lower end of the ball\n"
+      "[probe]\nball_diameter = 4.0\nlength = 150.0\ntool = 7\non = \"M80\"\noff = \"M81\"\n"
+      "[[part]]\nname = \"clamp\"\nfile = \"clamp.stl\"   # bridges the slot F1\n"
+      "closed = false\nfixture = true\non = \"G54\"\n");
+  const CommandOutput output = plan({kProduct, "--stock", "box", "--setup", sheet});
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  const json plan = document();
+  EXPECT_EQ(plan.at("control"), "fanuc-30i");
+  const json y = find(plan.at("measures"), "F1.Y");
+  const json point = find(plan.at("points"), y.at("points").at(0));
+  EXPECT_NE(point.value("moved", "").find("clamp"), std::string::npos) << point;
+  const ProgramRun run = run_plan(out("inspect.nc"), out("setup.toml"), json::array({y}));
+  EXPECT_NEAR(run.variables.at(y.at("variable")), 12.0, 1e-6);
+  const std::string program = text_of(out("inspect.nc"));
+  for (const char* const block : {"T7 M06", "G43 H7", "M80", "M81"}) {
+    EXPECT_NE(program.find(block), std::string::npos) << block;
+  }
+}
+
+TEST_F(Plan, RefusesWhatItCannotUseAndWritesNothing) {
+  const std::string whole = text_of(kProduct);
+  const std::string truncated = folder_.write("cut.step", whole.substr(0, whole.size() / 2));
+  const std::string empty = folder_.write("empty.step", "");
+  const std::string other = folder_.write(
+      "other.toml",
+      "[control]\nprofile = \"haas\"\n[work_offsets.G54]\nX = 0.0\n[probe]\nlength = 100.0\n");
+  const std::string no_probe = folder_.write("no_probe.toml", "[work_offsets.G54]\nX = 0.0\n");
+  const std::string own_part = folder_.write(
+      "own.toml",
+      "[work_offsets.G54]\nX = 0.0\n[probe]\nlength = 100.0\n[[part]]\nshape = \"ring\"\n");
+  struct Case {
+    std::vector<std::string> words;
+    int exit_code;
+    std::string message;
+  };
+  const std::vector<Case> cases = {
+      {{truncated, "--stock", "box"}, 2, "cut.step"},
+      {{empty, "--stock", "box"}, 2, "empty.step"},
+      {{folder_.path("none.step"), "--stock", "box"}, 2, "none.step"},
+      {{kProduct, "--stock", "100,110,40"}, 2, "outside"},
+      {{kProduct, "--stock", "0,110,40"}, 2, "--stock"},
+      {{kProduct, "--stock", "nan,110,40"}, 2, "--stock"},
+      {{kProduct, "--stock", "1e300,110,40"}, 2, "--stock"},
+      {{kProduct, "--stock", folder_.path("none.stl")}, 2, "none.stl"},
+      {{kProduct, "--stock", "box", "--control", "fanuc-99"}, 5, "fanuc-99"},
+      {{kProduct, "--stock", "box", "--setup", other, "--control", "fanuc-30i"},
+       2,
+       "other.toml:2:"},
+      {{kProduct, "--stock", "box", "--setup", no_probe}, 2, "no [probe]"},
+      {{kProduct, "--stock", "box", "--setup", own_part}, 2, "fixture = true"},
+      {{kProduct, "--stock", "box", "--tolerance", "-1"}, 2, "--tolerance"},
+      {{kProduct, "--stock", "box", "--as-machined", truncated}, 5, "cut.step"},
+  };
+  for (const Case& row : cases) {
+    SCOPED_TRACE(fmt::format("{}", fmt::join(row.words, " ")));
+    const CommandOutput output = plan(row.words);
+    EXPECT_EQ(output.exit_code, row.exit_code) << output.errors;
+    EXPECT_NE(output.errors.find(row.message), std::string::npos) << output.errors;
+    EXPECT_EQ(output.out, "");
+    EXPECT_FALSE(std::filesystem::exists(folder_.path("out")));
+    for (const std::string& name : folder_.names()) {
+      EXPECT_EQ(name.find("out."), std::string::npos) << name << " is left over";
+    }
+  }
+}
+
+TEST_F(Plan, IsTheSameEachTime) {
+  ASSERT_EQ(plan({kProduct, "--stock", "box"}).exit_code, 0);
+  std::map<std::string, std::string> first;
+  for (const char* const name : {"plan.json", "plan.html", "inspect.nc", "setup.toml"}) {
+    first[name] = text_of(out(name));
+    EXPECT_GT(first[name].size(), 100U) << name;
+  }
+  ASSERT_EQ(plan({kProduct, "--stock", "box"}).exit_code, 0);
+  for (const auto& [name, text] : first) {
+    EXPECT_TRUE(text_of(out(name)) == text) << name;
+  }
+}
+
+}  // namespace
+}  // namespace g31::plan_command_test

@@ -1,0 +1,59 @@
+#include "tools/cli/plan_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace g31::cli {
+
+CLI::App* add_plan_command(CLI::App& app, PlanOptions& options) {
+  CLI::App* const command = app.add_subcommand(
+      "plan", "Make a probing program for a part from its CAD model, run against it before.");
+  command->add_option("PRODUCT", options.product, "the part: a STEP file, or a mesh")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option(
+          "--stock", options.stock,
+          "what the part is cut from: a STEP file or a mesh; X,Y,Z: a block of these sizes, "
+          "centred on the part in X and Y and standing on its lower face; box: the block "
+          "around the part")
+      ->type_name("STOCK")
+      ->required();
+  command
+      ->add_option("-o,--output", options.folder,
+                   "the folder that gets plan.json, the program, setup.toml and plan.html")
+      ->type_name("DIR")
+      ->required();
+  command->add_option("--control", options.control, "the control that the program is for")
+      ->type_name("NAME");
+  command
+      ->add_option("-s,--setup", options.setup,
+                   "a sheet with machine, probe, fixtures and [work_offsets.G54], in which the "
+                   "part's origin is to lie; its other parts are fixtures")
+      ->type_name("SHEET");
+  constexpr double kLeastMm = 1e-5;
+  constexpr double kMostMm = 1000.0;
+  command
+      ->add_option("--tolerance", options.tolerance_mm,
+                   "of every measure, mm: what deviates by up to T either way is good")
+      ->type_name("T")
+      ->check(CLI::Range(kLeastMm, kMostMm));
+  command
+      ->add_option("--as-machined", options.as_machined,
+                   "another file of the part, on which the program is run as well; plan.json has "
+                   "the judgement")
+      ->type_name("FILE");
+  return command;
+}
+
+std::string plan_examples() {
+  return "The exit code is 1 where anything is not measured; plan.json says why.\n\n"
+         "Examples:\n"
+         "  g31 plan product.step --stock box -o inspection\n"
+         "  g31 plan product.step --stock stock.step -o inspection --control 828D --tolerance "
+         "0.05\n"
+         "  g31 plan product.step --stock 160,110,40 -o inspection --as-machined machined.step\n"
+         "  g31 run inspection/inspect.nc -s inspection/setup.toml --printer results.txt\n"
+         "  g31 judge inspection/plan.json results.txt\n\n";
+}
+
+}  // namespace g31::cli

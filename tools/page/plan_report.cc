@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include "tools/page/html.h"
+#include "tools/page/other_reports.h"
+#include "tools/plan/plan_drawing.h"
+
+namespace g31::page {
+namespace {
+
+constexpr int kPlanDecimals = 3;
+
+std::string range_of(const parts::Box& box, int axis) {
+  return fmt::format("{} to {}", number(box.min[axis], kPlanDecimals),
+                     number(box.max[axis], kPlanDecimals));
+}
+
+Table features_table(const plan::PlannedPart& planned, Language language) {
+  const auto word = [language](Word which) { return std::string(text_of(which, language)); };
+  Table table{word(Word::Features),
+              {word(Word::Feature), word(Word::Kind), "X", "Y", "Z", word(Word::OpenSides)},
+              {}};
+  for (std::size_t i = 0; i < planned.part.features.size(); ++i) {
+    const parts::Feature& feature = planned.part.features[i];
+    std::string open;
+    for (std::size_t side = 0; side < parts::kSides; ++side) {
+      if (feature.open[side]) {
+        open +=
+            fmt::format("{}{}", open.empty() ? "" : " ", name_of(static_cast<parts::Side>(side)));
+      }
+    }
+    table.rows.push_back({plan::feature_id(i), std::string(words_of(feature.kind)),
+                          range_of(feature.box_P, 0), range_of(feature.box_P, 1),
+                          range_of(feature.box_P, 2), open});
+  }
+  return table;
+}
+
+Table points_table(const plan::PlannedPart& planned, Language language) {
+  Table table{std::string(text_of(Word::Points, language)), {"", "X", "Y", "Z", ""}, {}};
+  for (const probe::PlannedPoint& point : planned.plan.points) {
+    table.rows.push_back({point.id, number(point.at_P.x(), kPlanDecimals),
+                          number(point.at_P.y(), kPlanDecimals),
+                          number(point.at_P.z(), kPlanDecimals), point.moved});
+  }
+  return table;
+}
+
+Table left_out_table(const plan::PlannedPart& planned, Language language) {
+  Table table{
+      std::string(text_of(Word::NotMeasured, language)),
+      {std::string(text_of(Word::Feature, language)), std::string(text_of(Word::Why, language))},
+      {}};
+  for (std::size_t i = 0; i < planned.part.unknown.size(); ++i) {
+    table.rows.push_back(
+        {plan::feature_id(planned.part.features.size() + i), planned.part.unknown[i].why});
+  }
+  for (const probe::LeftOut& left : planned.plan.left_out) {
+    table.rows.push_back(
+        {fmt::format("{}.{}", plan::feature_id(left.feature), left.axis), left.why});
+  }
+  return table;
+}
+
+/// What was printed on the part as machined; without one the run on the product.
+std::vector<Characteristic> characteristics(const plan::PlannedPart& planned) {
+  std::vector<Characteristic> rows;
+  for (std::size_t i = 0; i < planned.plan.measures.size(); ++i) {
+    const probe::PlannedMeasure& measure = planned.plan.measures[i];
+    Characteristic row;
+    row.name = measure.id;
+    row.variable = planned.program.measures[i].variable;
+    row.nominal = measure.nominal;
+    if (measure.tolerance) {
+      row.tolerance = {measure.tolerance->lower, measure.tolerance->upper};
+    }
+    row.measured =
+        planned.as_machined ? planned.as_machined->measures[i].actual : planned.proven_values[i];
+    row.touches = {measure.first + 1, measure.second + 1};  // points are in the program's order
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+void add_plan(const plan::PlannedPart& planned, const std::string& command, Report& report) {
+  const Language language = report.language;
+  report.title = planned.product;
+  report.what = "g31 plan";
+  report.verdict.headline =
+      fmt::format("{} features, {} measures, {} touches.", planned.part.features.size(),
+                  planned.plan.measures.size(), planned.plan.points.size());
+  report.verdict.sentence = fmt::format(
+      "The program ran against the part without touching anything else; its largest deviation is "
+      "{} "
+      "µm.",
+      micrometres(planned.largest_deviation_mm));
+  if (planned.as_machined) {
+    const std::size_t all = planned.as_machined->measures.size();
+    const std::size_t good = count(*planned.as_machined, plan::Verdict::Good);
+    report.verdict.sentence +=
+        fmt::format(" On the part as machined {} of {} measures are good.", good, all);
+  }
+  report.command = command;
+  report.results = characteristics(planned);
+  report.drawings.push_back({planned.product, plan::plan_drawing(planned), ""});
+  report.tables.push_back(features_table(planned, language));
+  report.tables.push_back(points_table(planned, language));
+  if (planned.leaves_something_out()) {
+    report.tables.push_back(left_out_table(planned, language));
+  }
+}
+
+}  // namespace g31::page

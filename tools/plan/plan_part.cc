@@ -1,0 +1,306 @@
+#include "tools/plan/plan_part.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "parts/features/recognise.h"
+#include "parts/solids/removal.h"
+#include "tools/disk/disk.h"
+#include "tools/plan/plan_sheet.h"
+#include "tools/plan/plan_touches.h"
+#include "tools/plan/prove.h"
+#include "tools/plan/touch_order.h"
+#include "tools/session/manual.h"
+#include "tools/session/prepare.h"
+#include "tools/setup/toml_reader.h"
+
+namespace g31::plan {
+namespace {
+
+namespace fs = std::filesystem;
+using session::Control;
+using session::Refusal;
+using Wrong = std::optional<Refusal>;
+
+/// Numbers between commas; empty where a text is anything else.
+std::vector<double> numbers_of(std::string_view text) {
+  std::vector<double> numbers;
+  for (const char* begin = text.data(); begin <= text.data() + text.size();) {
+    double number = 0.0;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(begin, end, number);
+    if (error == std::errc::invalid_argument || (rest < end && *rest != ',')) {
+      return {};
+    }
+    numbers.push_back(error == std::errc() ? number : std::numeric_limits<double>::infinity());
+    begin = rest + 1;
+  }
+  return numbers;
+}
+
+/// What --stock says.
+Result<parts::StockChoice, Refusal> stock_of(const std::string& text) {
+  parts::StockChoice stock;
+  const std::vector<double> sizes = numbers_of(text);
+  const auto is_size = [](double mm) { return mm > 0.0 && mm <= kLongestMm; };
+  if (sizes.size() == 3) {
+    if (!std::ranges::all_of(sizes, is_size)) {
+      return session::bad_input(
+          fmt::format("--stock {}: expected sizes above 0, of at most {:g} mm", text, kLongestMm));
+    }
+    stock.block_mm = Point(sizes[0], sizes[1], sizes[2]);
+  } else if (text != "box") {
+    stock.file = text;
+  }
+  return stock;
+}
+
+/// A path as a file in another folder is to name it.
+std::string seen_from(const std::string& folder, const std::string& path) {
+  return fs::absolute(path)
+      .lexically_normal()
+      .lexically_relative(fs::absolute(folder).lexically_normal())
+      .string();
+}
+
+class PartPlanner {
+ public:
+  explicit PartPlanner(const PlanRequest& request) : request_(request) {}
+
+  Result<PlannedPart, Refusal> planned() {
+    for (const auto step : {&PartPlanner::find_features, &PartPlanner::choose_control,
+                            &PartPlanner::write_sheet, &PartPlanner::plan_touches_and_program,
+                            &PartPlanner::run_on_product, &PartPlanner::run_on_machined_part}) {
+      if (auto wrong = (this->*step)()) {
+        return *std::move(wrong);
+      }
+    }
+    return std::move(planned_);
+  }
+
+ private:
+  Wrong find_features() {
+    const auto stock = stock_of(request_.stock);
+    if (!stock) {
+      return stock.error();
+    }
+    const auto removal = parts::removal_of(request_.product, stock.value());
+    if (!removal) {
+      return session::bad_input(removal.error());
+    }
+    planned_.product = fs::path(request_.product).filename().string();
+    planned_.product_P = removal.value().product_P;
+    planned_.part = parts::recognise(removal.value().stock_P, removal.value().volumes);
+    return std::nullopt;
+  }
+
+  Wrong choose_control() {
+    setup::Job job;
+    if (!request_.sheet.empty()) {
+      const auto read = session::prepare(sheet_request({request_.sheet}), disk_);
+      if (!read) {
+        return read.error();
+      }
+      control_ = read.value().control;
+    } else {
+      const auto named = request_.control.empty() ? session::default_control()
+                                                  : session::control_named(request_.control);
+      if (!named) {
+        return session::bad_setup(named.error());
+      }
+      control_ = named.value();
+    }
+    planned_.control = session::name_of(*control_);
+    planned_.program_file =
+        std::holds_alternative<session::SinumerikControl>(*control_) ? "INSPECT.MPF" : "inspect.nc";
+    return std::nullopt;
+  }
+
+  [[nodiscard]] session::Request sheet_request(std::vector<std::string> sheets) const {
+    session::Request request;
+    request.setups = std::move(sheets);
+    request.control = request_.control;
+    return request;
+  }
+
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return (fs::path(request_.folder) / name).string();
+  }
+
+  Wrong write(const std::string& name, const std::string& text) const {
+    const auto why = disk::write_whole_file(path(name), text);
+    return why ? Wrong(session::bad_input(fmt::format("cannot write {}: {}", path(name), *why)))
+               : std::nullopt;
+  }
+
+  Wrong write_sheet() {
+    const SheetContents contents{
+        planned_.control, planned_.program_file, seen_from(request_.folder, request_.product),
+        std::max(planned_.product_P.max.z(), planned_.part.stock_P.max.z())};
+    if (request_.sheet.empty()) {
+      return write(std::string(kSheetFile), usual_sheet(contents));
+    }
+    const auto sheet = sheet_with_product(request_.sheet, request_.folder, contents);
+    return sheet ? write(std::string(kSheetFile), sheet.value()) : Wrong(sheet.error());
+  }
+
+  Wrong plan_touches_and_program() {
+    const auto prepared = session::prepare(sheet_request({path(std::string(kSheetFile))}), disk_);
+    if (!prepared) {
+      return prepared.error();
+    }
+    const setup::Job& job = prepared.value().job;
+    const auto touches = plan_touches(job, planned_, request_.tolerance_mm);
+    if (!touches) {
+      return touches.error();
+    }
+    planned_.plan = touches.value().plan;
+    put_in_order(planned_.plan);
+    planned_.ball_radius_mm = touches.value().ball_radius_mm;
+    if (planned_.plan.measures.empty()) {
+      return session::bad_input(nothing_to_measure());
+    }
+    const auto options = program_options(job, touches.value());
+    if (!options) {
+      return options.error();
+    }
+    planned_.program = inspection_program(planned_.plan, options.value());
+    return write(planned_.program_file, planned_.program.text);
+  }
+
+  [[nodiscard]] Result<ProgramOptions, Refusal> program_options(
+      const setup::Job& job, const PlannedTouches& touches) const {
+    const auto* const fanuc = std::get_if<session::FanucControl>(&*control_);
+    ProgramOptions options;
+    options.language = fanuc != nullptr ? ProgramLanguage::Fanuc : ProgramLanguage::Sinumerik;
+    options.has_metric_code = !session::explain("G21", *control_).empty();
+    options.product = planned_.product;
+    options.ball_radius_mm = touches.ball_radius_mm;
+    options.clear_z_P = touches.clear_z_P;
+    const probe::SwitchingSetup& switching = job.probe->switching;
+    options.tool = switching.tool;
+    options.switch_on = switch_block(switching.on, options.language);
+    options.switch_off = switch_block(switching.off, options.language);
+    options.start_up_s = switching.start_up_s;
+    const auto number = length_offset(job);
+    if (!number) {
+      return session::bad_setup(fmt::format(
+          "{}: no tool of the sheet is about as long as the probe, {} mm; expected [tools.N] with "
+          "the length to its ball",
+          request_.sheet, job.probe->length_mm));
+    }
+    options.length_offset = *number;
+    options.tool_name = job.control.tools.at(*number).name;
+    options.tip_below_centre_mm = job.control.tools.at(*number).length_mm - job.probe->length_mm;
+    return options;
+  }
+
+  /// The block by which a program switches the probe; "": it has nothing to do.
+  static std::string switch_block(const std::optional<probe::ProgramSwitch>& by,
+                                  ProgramLanguage language) {
+    if (!by) {
+      return "";
+    }
+    if (by->kind == probe::ProgramSwitch::Kind::Code) {
+      return fmt::format("M{}", by->number);
+    }
+    return language == ProgramLanguage::Fanuc ? fmt::format("#{}=1", by->number)
+                                              : fmt::format("$A_OUT[{}]=1", by->number);
+  }
+
+  /// The tool that the control takes the probe for.
+  static std::optional<int> length_offset(const setup::Job& job) {
+    if (job.probe->switching.tool && job.control.tools.contains(*job.probe->switching.tool)) {
+      return job.probe->switching.tool;
+    }
+    for (const auto& [number, tool] : job.control.tools) {
+      if (std::abs(tool.length_mm - job.probe->length_mm) <= job.probe->ball_diameter_mm) {
+        return number;
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string nothing_to_measure() const {
+    std::string text = fmt::format("nothing can be measured on {}", request_.product);
+    if (!planned_.part.unknown.empty()) {
+      text += ": " + planned_.part.unknown.front().why;
+    } else if (!planned_.plan.left_out.empty()) {
+      text += ": " + planned_.plan.left_out.front().why;
+    } else {
+      text += ": nothing was cut from the stock";
+    }
+    return text;
+  }
+
+  [[nodiscard]] ProofRequest proof_request() const {
+    ProofRequest proof;
+    proof.run = sheet_request({path(std::string(kSheetFile))});
+    proof.run.programs = {path(planned_.program_file)};
+    proof.interruption = request_.interruption;
+    for (const PrintedMeasure& measure : planned_.program.measures) {
+      proof.variables.push_back(measure.variable);
+    }
+    return proof;
+  }
+
+  Wrong run_on_product() {
+    const auto proof = prove(proof_request());
+    if (!proof) {
+      return proof.error();
+    }
+    const Proof& run = proof.value();
+    if (run.ending != session::Ending::Completed) {
+      return Refusal{run.ending == session::Ending::Findings ? session::Ending::Defect : run.ending,
+                     fmt::format("the program does not run against {} as it should; nothing is "
+                                 "written:\n{}",
+                                 planned_.product, run.messages)};
+    }
+    planned_.touches = run.touches;
+    planned_.machine_time_s = run.machine_time_s;
+    planned_.proven_values = run.values;
+    for (std::size_t i = 0; i < run.values.size(); ++i) {
+      const double nominal = planned_.plan.measures[i].nominal;
+      const double deviation = run.values[i] ? std::abs(*run.values[i] - nominal) : nominal;
+      planned_.largest_deviation_mm = std::max(planned_.largest_deviation_mm, deviation);
+    }
+    return std::nullopt;
+  }
+
+  Wrong run_on_machined_part() {
+    if (request_.as_machined.empty()) {
+      return std::nullopt;
+    }
+    ProofRequest request = proof_request();
+    request.other_product = request_.as_machined;
+    const auto proof = prove(request);
+    if (!proof) {
+      return proof.error();
+    }
+    planned_.as_machined = judged(measures_of(planned_), proof.value().printed);
+    as_machined_messages_ = proof.value().messages;
+    return std::nullopt;
+  }
+
+  const PlanRequest& request_;
+  disk::Disk disk_;
+  std::optional<Control> control_;
+  PlannedPart planned_;
+  std::string as_machined_messages_;
+};
+
+}  // namespace
+
+Result<PlannedPart, Refusal> plan_part(const PlanRequest& request) {
+  return PartPlanner(request).planned();
+}
+
+}  // namespace g31::plan

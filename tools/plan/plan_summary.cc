@@ -1,0 +1,72 @@
+#include "tools/plan/plan_summary.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "tools/plan/judgement_document.h"
+
+namespace g31::plan {
+namespace {
+
+std::string box_text(const parts::Box& box) {
+  constexpr std::string_view kAxes = "XYZ";
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string range = fmt::format("{:g}..{:g}", box.min[axis], box.max[axis]);
+    text += fmt::format("  {} {:<15}", kAxes[static_cast<std::size_t>(axis)], range);
+  }
+  return text;
+}
+
+std::string sizes_of(const PlannedPart& planned, std::size_t feature) {
+  std::string text;
+  for (const probe::PlannedMeasure& measure : planned.plan.measures) {
+    if (measure.feature == feature && measure.what == probe::Characteristic::Size) {
+      text += fmt::format(" {} {:g}", measure.axis, measure.nominal);
+    }
+  }
+  return text;
+}
+
+std::string features_text(const PlannedPart& planned) {
+  std::string text;
+  for (std::size_t i = 0; i < planned.part.features.size(); ++i) {
+    const parts::Feature& feature = planned.part.features[i];
+    text += fmt::format("{:<4} {:<14}{}  sizes{}\n", feature_id(i), words_of(feature.kind),
+                        box_text(feature.box_P), sizes_of(planned, i));
+  }
+  for (const probe::PlannedPoint& point : planned.plan.points) {
+    if (!point.moved.empty()) {
+      text += fmt::format("{:<4} moved: {}\n", point.id, point.moved);
+    }
+  }
+  for (std::size_t i = 0; i < planned.part.unknown.size(); ++i) {
+    text += fmt::format("{:<4} not measured: {}\n", feature_id(planned.part.features.size() + i),
+                        planned.part.unknown[i].why);
+  }
+  for (const probe::LeftOut& left : planned.plan.left_out) {
+    text += fmt::format("{}.{} not measured: {}\n", feature_id(left.feature), left.axis, left.why);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string plan_summary(const PlannedPart& planned, const std::string& folder) {
+  constexpr double kNmPerMm = 1e6;
+  std::string text = features_text(planned);
+  text += fmt::format(
+      "proven on {}: {} touches in {:.0f} s of machine time, nothing else was touched; largest "
+      "deviation {:.3f} nm\n",
+      planned.product, planned.touches, planned.machine_time_s,
+      planned.largest_deviation_mm * kNmPerMm);
+  if (planned.as_machined) {
+    text += "as machined:\n" + judgement_table(*planned.as_machined);
+  }
+  return text +
+         fmt::format("now: g31 run {0}/{1} -s {0}/setup.toml\n", folder, planned.program_file);
+}
+
+}  // namespace g31::plan

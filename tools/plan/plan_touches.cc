@@ -1,0 +1,75 @@
+#include "tools/plan/plan_touches.h"
+
+#include <algorithm>
+
+#include "parts/import/step_file.h"
+#include "probe/planning/plan_inspection.h"
+#include "probe/planning/reach.h"
+#include "probe/sensor/touch_probe.h"
+#include "tools/session/world.h"
+
+namespace g31::plan {
+namespace {
+
+/// A probe of the same shape that is there, on, and gives its signal where it touches.
+probe::ProbeSetup perfect(const probe::ProbeSetup& setup) {
+  probe::ProbeSetup probe = setup;
+  probe.switching = {};
+  probe.at_switch = {};
+  probe.repeatability_mm = 0.0;
+  probe.trigger_delay_s = 0.0;
+  probe.state = probe::ProbeState::Ready;
+  return probe;
+}
+
+/// The highest point of all that stands there and of the stock, product frame.
+double top_of(const std::vector<probe::ProbedPart>& parts, const Point& p_M_product,
+              const parts::Box& stock_P) {
+  double top = stock_P.max.z();
+  for (const probe::ProbedPart& part : parts) {
+    for (const Point& p_M : part.mesh_M.vertices) {
+      top = std::max(top, p_M.z() - p_M_product.z());
+    }
+  }
+  return top;
+}
+
+}  // namespace
+
+Result<PlannedTouches, session::Refusal> plan_touches(const setup::Job& job,
+                                                      const PlannedPart& part,
+                                                      std::optional<double> tolerance_mm) {
+  const parts::PartSetup& product = job.parts.back();
+  if (!job.probe || job.probe->in_turret || product.rotate_deg != Point::Zero()) {
+    return session::bad_setup(
+        "a plan needs a probe in the spindle, and a work offset that is not turned");
+  }
+  const auto built = session::build_parts(job);
+  if (!built) {
+    return built.error();
+  }
+  const probe::ProbeSetup setup = perfect(*job.probe);
+  probe::TouchProbe world(setup, built.value().parts, 0);
+  probe::PlanningOptions options;
+  options.ball_radius_mm = setup.ball_diameter_mm / 2;
+  // Both walls of a hole are off by as much, and each facet may be by twice its sagitta.
+  options.surface_error_mm =
+      parts::is_step_file(product.file) ? 2.0 * product.step_sagitta_mm : 0.0;
+  if (tolerance_mm) {
+    options.tolerance = probe::Tolerance{-*tolerance_mm, *tolerance_mm};
+  }
+  probe::ProbeWay way;
+  way.p_M_product = product.p_M_at;
+  way.p_S_ball = {setup.eccentricity_mm[0], setup.eccentricity_mm[1], -setup.length_mm};
+  way.ball_radius_mm = options.ball_radius_mm;
+  way.clear_z_P = top_of(built.value().parts, product.p_M_at, part.part.stock_P) +
+                  options.ball_radius_mm + options.distances.approach_z;
+  probe::Reach reach(world, way);
+  const auto unreachable = [&reach](const probe::PlannedPoint& point, double error) {
+    return reach.problem(point, error);
+  };
+  return PlannedTouches{probe::plan_inspection(part.part, part.product_P, options, unreachable),
+                        options.ball_radius_mm, way.clear_z_P};
+}
+
+}  // namespace g31::plan

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parts/features/feature.h"
+#include "parts/geometry/box.h"
+#include "probe/planning/inspection_plan.h"
+#include "tools/plan/inspection_program.h"
+#include "tools/plan/judgement.h"
+
+namespace g31::plan {
+
+/// A part with what is to be measured on it, the program that does it, and what it was proven by.
+struct PlannedPart {
+  std::string product;       ///< its file, without its folder
+  std::string control;       ///< the profile's name
+  std::string program_file;  ///< "inspect.nc", "INSPECT.MPF"
+  parts::Box product_P;
+  parts::RecognisedPart part;
+  probe::InspectionPlan plan;
+  InspectionProgram program;
+  double ball_radius_mm = 0.0;
+  std::size_t touches = 0;                           ///< of the run that proved it
+  double machine_time_s = 0.0;                       ///< of that run
+  double largest_deviation_mm = 0.0;                 ///< of a measure in that run
+  std::vector<std::optional<double>> proven_values;  ///< of the measures in that run
+  std::optional<Judgement> as_machined;
+
+  /// Whether a volume is of no kind, or a size is left out.
+  [[nodiscard]] bool leaves_something_out() const {
+    return !part.unknown.empty() || !plan.left_out.empty();
+  }
+};
+
+/// "F7": the ids of features, and behind them of the volumes of no kind.
+std::string feature_id(std::size_t index);
+
+/// What a run judges printed values by.
+std::vector<Measure> measures_of(const PlannedPart& planned);
+
+}  // namespace g31::plan

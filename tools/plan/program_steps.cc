@@ -1,0 +1,200 @@
+#include "tools/plan/program_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "tools/plan/measures.h"
+
+namespace g31::plan {
+namespace {
+
+/// Hands out the variables of contacts and takes them back.
+class Pool {
+ public:
+  explicit Pool(int first) : next_(first) {}
+
+  int take() {
+    if (free_.empty()) {
+      return next_++;
+    }
+    const int variable = *free_.begin();
+    free_.erase(free_.begin());
+    return variable;
+  }
+
+  void give_back(int variable) { free_.insert(variable); }
+
+ private:
+  int next_;
+  std::set<int> free_;
+};
+
+/// No feature has more points than these, and one is done with before the next.
+constexpr int kContacts = 8;
+
+class StepMaker {
+ public:
+  explicit StepMaker(const probe::InspectionPlan& plan)
+      : plan_(plan),
+        keeps_(static_cast<int>(plan.measures.size()) + kContacts <= kProgramVariables),
+        pool_(keeps_ ? static_cast<int>(plan.measures.size()) : 1),
+        contact_(plan.points.size(), -1) {}
+
+  ProgramSteps made() {
+    ProgramSteps made;
+    for (std::size_t point = 0; point < plan_.points.size(); ++point) {
+      made.steps.push_back(step_of(point));
+    }
+    for (std::size_t i = 1; i < made.steps.size(); ++i) {
+      made.steps[i].begins_feature = made.steps[i].feature != made.steps[i - 1].feature;
+    }
+    if (!made.steps.empty()) {
+      made.steps.front().begins_feature = true;
+    }
+    for (std::size_t i = 0; i < plan_.measures.size(); ++i) {
+      made.variables.push_back(keeps_ ? static_cast<int>(i) : -1);
+    }
+    return made;
+  }
+
+ private:
+  ProgramStep step_of(std::size_t point) {
+    ProgramStep step;
+    step.point = point;
+    step.contact = contact_[point] = pool_.take();
+    for (std::size_t i = 0; i < plan_.measures.size(); ++i) {
+      const probe::PlannedMeasure& measure = plan_.measures[i];
+      if (measure.first != point && measure.second != point) {
+        continue;
+      }
+      step.feature = measure.feature;
+      step.direction_P = measure.direction_P;
+      const int first = contact_[measure.first];
+      const int second = contact_[measure.second];
+      if (first >= 0 && second >= 0) {
+        step.results.push_back({i, keeps_ ? static_cast<int>(i) : 0, first, second});
+      }
+    }
+    // Both contacts have served: every measure of one is a measure of the other.
+    if (!step.results.empty()) {
+      pool_.give_back(step.results.front().first);
+      pool_.give_back(step.results.front().second);
+    }
+    return step;
+  }
+
+  const probe::InspectionPlan& plan_;
+  bool keeps_;
+  Pool pool_;
+  std::vector<int> contact_;  // of each point; -1: not touched so far
+};
+
+/// As few decimals as a value has, with a point.
+std::string trimmed(std::string text) {
+  text.erase(text.find_last_not_of('0') + 1);
+  return text == "-0." ? "0." : text;
+}
+
+}  // namespace
+
+ProgramSteps program_steps(const probe::InspectionPlan& plan) {
+  return StepMaker(plan).made();
+}
+
+std::vector<std::string> printed_names(const probe::InspectionPlan& plan) {
+  std::vector<std::string> names;
+  std::set<std::string> taken;
+  for (const probe::PlannedMeasure& measure : plan.measures) {
+    const std::string name = printed_name(measure.id);
+    std::string unlike = name;
+    for (int number = 2; !taken.insert(unlike).second; ++number) {
+      unlike = fmt::format("{}-{}", name, number);
+    }
+    names.push_back(unlike);
+  }
+  return names;
+}
+
+int decimals_of(const probe::PlannedMeasure& measure) {
+  constexpr int kDigits = 8;
+  constexpr int kLeastWhole = 3;
+  // Room for a part that is not as it should be.
+  const double largest = 1.1 * std::abs(measure.nominal) + 10.0;
+  int whole = kLeastWhole;
+  for (double limit = 1000.0; largest >= limit && whole < kDigits; limit *= 10.0) {
+    ++whole;
+  }
+  return kDigits - whole;
+}
+
+std::string coordinate(double mm) {
+  return trimmed(fmt::format("{:.3f}", mm));
+}
+
+std::string exact(double mm) {
+  return trimmed(fmt::format("{:.7f}", mm));
+}
+
+std::string less(const std::string& number) {
+  if (number == "0.") {
+    return "";
+  }
+  return number.front() == '-' ? "+" + number.substr(1) : "-" + number;
+}
+
+int axis_along(const Point& direction) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) == 1.0) {
+      return axis;
+    }
+  }
+  return -1;
+}
+
+std::string angle_text(const Point& direction) {
+  return exact(std::atan2(direction.y(), direction.x()) * 180.0 / std::numbers::pi);
+}
+
+Point end_of_touch(const probe::PlannedPoint& point, const ProgramOptions& options) {
+  return point.at_P + (options.ball_radius_mm - options.overtravel_mm) * point.normal_P;
+}
+
+std::string words_of(const probe::PlannedPoint& point) {
+  const int axis = axis_along(point.normal_P);
+  if (axis < 0) {
+    return point.id + " on a turned wall";
+  }
+  // A face is called by the side that it looks to.
+  return fmt::format("{} on a face that looks to {}{}", point.id,
+                     point.normal_P[axis] > 0.0 ? '+' : '-',
+                     std::string_view("XYZ")[static_cast<std::size_t>(axis)]);
+}
+
+std::string variable_name(ProgramLanguage language, int variable) {
+  constexpr int kFirstCommon = 110;
+  constexpr int kFirstR = 10;
+  return language == ProgramLanguage::Fanuc ? fmt::format("#{}", kFirstCommon + variable)
+                                            : fmt::format("R{}", kFirstR + variable);
+}
+
+InspectionProgram inspection_program(const probe::InspectionPlan& plan,
+                                     const ProgramOptions& options) {
+  InspectionProgram program;
+  const ProgramSteps steps = program_steps(plan);
+  const bool is_fanuc = options.language == ProgramLanguage::Fanuc;
+  program.text =
+      is_fanuc ? fanuc_program(plan, steps, options) : sinumerik_program(plan, steps, options);
+  const auto names = printed_names(plan);
+  for (std::size_t i = 0; i < plan.measures.size(); ++i) {
+    const int variable = steps.variables[i];
+    program.measures.push_back({names[i], decimals_of(plan.measures[i]),
+                                variable < 0 ? "" : variable_name(options.language, variable)});
+  }
+  return program;
+}
+
+}  // namespace g31::plan

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "probe/planning/inspection_plan.h"
+#include "tools/plan/inspection_program.h"
+
+namespace g31::plan {
+
+/// A measure that is computed once its second point is touched.
+struct StepResult {
+  std::size_t measure = 0;
+  int variable = 0;  ///< gets it, counted from 0
+  int first = 0;     ///< variables of its contacts
+  int second = 0;
+};
+
+/// One touch of a program, and what comes of it.
+struct ProgramStep {
+  std::size_t point = 0;
+  std::size_t feature = 0;
+  bool begins_feature = false;
+  int contact = 0;                    ///< the variable that gets the coordinate of the contact
+  Point direction_P = Point::Zero();  ///< that it is counted along
+  std::vector<StepResult> results;
+};
+
+/// So many variables a program has for contacts and results.
+inline constexpr int kProgramVariables = 90;
+
+struct ProgramSteps {
+  std::vector<ProgramStep> steps;
+  /// The variable of each measure; -1: it does not stay there.
+  std::vector<int> variables;
+};
+
+/// The touches with their variables.  As long as there are enough of them, each
+/// measure keeps its own.
+ProgramSteps program_steps(const probe::InspectionPlan& plan);
+
+/// "#110" or "R10" for the first.
+std::string variable_name(ProgramLanguage language, int variable);
+
+/// Names before printed values: those of the measures, as controls can print them, no two alike.
+std::vector<std::string> printed_names(const probe::InspectionPlan& plan);
+
+/// Decimals that leave a value within eight digits.
+int decimals_of(const probe::PlannedMeasure& measure);
+
+/// A coordinate of a program: "-12.5", "40."; to 0.001 mm.
+std::string coordinate(double mm);
+
+/// A length that values depend on: "40.0000001".
+std::string exact(double mm);
+
+/// What takes a number away from what stands before it: "-45.", "+10.", "" for 0.
+std::string less(const std::string& number);
+
+/// The axis that a direction is parallel to; -1: none.
+int axis_along(const Point& direction);
+
+/// The angle of a direction in the plane as a number of degrees, to 1e-7.
+std::string angle_text(const Point& direction);
+
+/// Where the ball's centre is at the end of a touch that does not come.
+Point end_of_touch(const probe::PlannedPoint& point, const ProgramOptions& options);
+
+/// "P3 at the +X wall": what a comment says of a touch.
+std::string words_of(const probe::PlannedPoint& point);
+
+std::string fanuc_program(const probe::InspectionPlan& plan, const ProgramSteps& steps,
+                          const ProgramOptions& options);
+std::string sinumerik_program(const probe::InspectionPlan& plan, const ProgramSteps& steps,
+                              const ProgramOptions& options);
+
+}  // namespace g31::plan

@@ -1,0 +1,89 @@
+#include "tools/plan/prove.h"
+
+#include <utility>
+
+#include "interpreter/runtime/observer.h"
+#include "interpreter/runtime/time_budget.h"
+#include "tools/disk/disk.h"
+#include "tools/session/programs.h"
+#include "tools/session/run.h"
+#include "tools/session/world.h"
+
+namespace g31::plan {
+namespace {
+
+using session::Refusal;
+
+/// Keeps what a program prints, and counts its touches.
+class Listener final : public runtime::Observer {
+ public:
+  void on_output(const runtime::OutputEvent& event) override { printed_ += event.text; }
+  void on_message(const runtime::OutputEvent& /*event*/) override {}
+  void on_touch(const runtime::TouchEvent& event) override { touches_ += event.triggered ? 1 : 0; }
+
+  [[nodiscard]] const std::string& printed() const { return printed_; }
+  [[nodiscard]] std::size_t touches() const { return touches_; }
+
+ private:
+  std::string printed_;
+  std::size_t touches_ = 0;
+};
+
+std::optional<double> number_of(session::Session& session, const std::string& name) {
+  const auto value = session.variable(name);
+  const auto* const cell = value ? std::get_if<runtime::Cell>(&value.value()) : nullptr;
+  return cell != nullptr && !cell->is_vacant() ? std::optional(cell->raw()) : std::nullopt;
+}
+
+}  // namespace
+
+Result<Proof, Refusal> prove(const ProofRequest& request) {
+  disk::Disk disk;
+  const auto read = session::prepare(request.run, disk);
+  if (!read) {
+    return read.error();
+  }
+  session::Prepared prepared = read.value();
+  setup::Job& job = prepared.job;
+  if (!request.other_product.empty() && !job.parts.empty()) {
+    job.parts.back().file = request.other_product;
+  }
+  runtime::Budget budget;
+  budget.interruption = request.interruption;
+  runtime::OutputBudget output(runtime::OutputBudget::kUsualBytes);
+  budget.output = &output;
+  runtime::TimeBudget time(budget.wall_seconds, budget.interruption);
+  const auto world = session::build_world(job, request.run.seed, &time);
+  if (!world) {
+    return world.error();
+  }
+  const auto programs = session::open_programs(prepared.control, request.run, disk, job.control);
+  if (!programs) {
+    return programs.error();
+  }
+  Listener listener;
+  const auto run = session::Run::open(job, *programs.value(), *world.value().machine, listener);
+  if (!run) {
+    return run.error();
+  }
+  session::Session& session = run.value()->session();
+  const runtime::Outcome outcome =
+      session::with_findings(world.value().findings, session.run(budget));
+  Proof proof;
+  proof.ending = session::ending_of(outcome);
+  for (const source::Diagnostic& message : outcome.diagnostics) {
+    proof.messages += render_text(message, programs.value()->sources());
+  }
+  proof.printed = listener.printed();
+  for (const auto& [name, text] : run.value()->changed_files()) {
+    proof.printed += text;
+  }
+  proof.touches = listener.touches();
+  proof.machine_time_s = world.value().machine->time_s();
+  for (const std::string& name : request.variables) {
+    proof.values.push_back(number_of(session, name));
+  }
+  return proof;
+}
+
+}  // namespace g31::plan
