@@ -164,7 +164,9 @@ ExitCode plan_command(const PlanOptions& options) {
   request.interruption = options.interruption;
   const auto planned = plan::plan_part(request);
   if (!planned) {
-    return refuse(planned.error());
+    Refusal wrong = planned.error();
+    replace_all(wrong.message, made.value()->path(), fs::path(options.folder).string());
+    return refuse(wrong);
   }
   const std::string document = plan::plan_document(planned.value());
   const std::string html = page_of(options, planned.value(), *made.value());

@@ -103,7 +103,6 @@ class PartPlanner {
   }
 
   Wrong choose_control() {
-    setup::Job job;
     if (!request_.sheet.empty()) {
       const auto read = session::prepare(sheet_request({request_.sheet}), disk_);
       if (!read) {
@@ -158,7 +157,12 @@ class PartPlanner {
       return prepared.error();
     }
     const setup::Job& job = prepared.value().job;
-    const auto touches = plan_touches(job, planned_, request_.tolerance_mm);
+    const auto built = session::build_parts(job);
+    if (!built) {
+      return built.error();
+    }
+    parts_ = built.value();
+    const auto touches = plan_touches(job, parts_, planned_, request_.tolerance_mm);
     if (!touches) {
       return touches.error();
     }
@@ -253,24 +257,39 @@ class PartPlanner {
   }
 
   Wrong run_on_product() {
-    const auto proof = prove(proof_request());
+    ProofRequest request = proof_request();
+    request.parts = &parts_;
+    const auto proof = prove(request);
     if (!proof) {
       return proof.error();
     }
     const Proof& run = proof.value();
     if (run.ending != session::Ending::Completed) {
-      return Refusal{run.ending == session::Ending::Findings ? session::Ending::Defect : run.ending,
-                     fmt::format("the program does not run against {} as it should; nothing is "
-                                 "written:\n{}",
-                                 planned_.product, run.messages)};
+      return Refusal{
+          run.ending == session::Ending::Findings ? session::Ending::BadInput : run.ending,
+          fmt::format("the program does not run against {} as it should; nothing is "
+                      "written:\n{}",
+                      planned_.product, run.messages)};
     }
     planned_.touches = run.touches;
     planned_.machine_time_s = run.machine_time_s;
-    planned_.proven_values = run.values;
-    for (std::size_t i = 0; i < run.values.size(); ++i) {
-      const double nominal = planned_.plan.measures[i].nominal;
-      const double deviation = run.values[i] ? std::abs(*run.values[i] - nominal) : nominal;
-      planned_.largest_deviation_mm = std::max(planned_.largest_deviation_mm, deviation);
+    return take_values(run);
+  }
+
+  /// Of the measures: from their variables, and from the printout where they do not stay there.
+  Wrong take_values(const Proof& run) {
+    const Judgement printed = judged(measures_of(planned_), run.printed);
+    for (std::size_t i = 0; i < printed.measures.size(); ++i) {
+      const JudgedMeasure& row = printed.measures[i];
+      const bool stays = !planned_.program.measures[i].variable.empty();
+      const auto value = stays ? run.values[i] : row.actual;
+      if (!value || !row.actual) {
+        return Refusal{session::Ending::Defect,
+                       fmt::format("the program did not print {}", row.measure.id)};
+      }
+      planned_.proven_values.push_back(value);
+      planned_.largest_deviation_mm =
+          std::max(planned_.largest_deviation_mm, std::abs(*value - row.measure.nominal));
     }
     return std::nullopt;
   }
@@ -286,15 +305,14 @@ class PartPlanner {
       return proof.error();
     }
     planned_.as_machined = judged(measures_of(planned_), proof.value().printed);
-    as_machined_messages_ = proof.value().messages;
     return std::nullopt;
   }
 
   const PlanRequest& request_;
   disk::Disk disk_;
   std::optional<Control> control_;
+  session::BuiltParts parts_;  // of the sheet
   PlannedPart planned_;
-  std::string as_machined_messages_;
 };
 
 }  // namespace

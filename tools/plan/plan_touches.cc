@@ -6,7 +6,6 @@
 #include "probe/planning/plan_inspection.h"
 #include "probe/planning/reach.h"
 #include "probe/sensor/touch_probe.h"
-#include "tools/session/world.h"
 
 namespace g31::plan {
 namespace {
@@ -37,6 +36,7 @@ double top_of(const std::vector<probe::ProbedPart>& parts, const Point& p_M_prod
 }  // namespace
 
 Result<PlannedTouches, session::Refusal> plan_touches(const setup::Job& job,
+                                                      const session::BuiltParts& built,
                                                       const PlannedPart& part,
                                                       std::optional<double> tolerance_mm) {
   const parts::PartSetup& product = job.parts.back();
@@ -44,12 +44,8 @@ Result<PlannedTouches, session::Refusal> plan_touches(const setup::Job& job,
     return session::bad_setup(
         "a plan needs a probe in the spindle, and a work offset that is not turned");
   }
-  const auto built = session::build_parts(job);
-  if (!built) {
-    return built.error();
-  }
   const probe::ProbeSetup setup = perfect(*job.probe);
-  probe::TouchProbe world(setup, built.value().parts, 0);
+  probe::TouchProbe world(setup, built.parts, 0);
   probe::PlanningOptions options;
   options.ball_radius_mm = setup.ball_diameter_mm / 2;
   // Both walls of a hole are off by as much, and each facet may be by twice its sagitta.
@@ -62,8 +58,8 @@ Result<PlannedTouches, session::Refusal> plan_touches(const setup::Job& job,
   way.p_M_product = product.p_M_at;
   way.p_S_ball = {setup.eccentricity_mm[0], setup.eccentricity_mm[1], -setup.length_mm};
   way.ball_radius_mm = options.ball_radius_mm;
-  way.clear_z_P = top_of(built.value().parts, product.p_M_at, part.part.stock_P) +
-                  options.ball_radius_mm + options.distances.approach_z;
+  way.clear_z_P = top_of(built.parts, product.p_M_at, part.part.stock_P) + options.ball_radius_mm +
+                  options.distances.approach_z;
   probe::Reach reach(world, way);
   const auto unreachable = [&reach](const probe::PlannedPoint& point, double error) {
     return reach.problem(point, error);

@@ -6,6 +6,7 @@
 #include "probe/planning/inspection_plan.h"
 #include "tools/plan/planned_part.h"
 #include "tools/session/refusal.h"
+#include "tools/session/world.h"
 #include "tools/setup/job.h"
 
 namespace g31::plan {
@@ -17,9 +18,11 @@ struct PlannedTouches {
   double clear_z_P = 0.0;  ///< of the ball's centre: nothing stands so high
 };
 
-/// @param job   its last part is the product
+/// @param job    its last part is the product
+/// @param built  the parts of the job
 /// @param part  whose features are found
 Result<PlannedTouches, session::Refusal> plan_touches(const setup::Job& job,
+                                                      const session::BuiltParts& built,
                                                       const PlannedPart& part,
                                                       std::optional<double> tolerance_mm);
 

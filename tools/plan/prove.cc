@@ -4,10 +4,10 @@
 
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/time_budget.h"
+#include "machine/sim/machining_centre.h"
 #include "tools/disk/disk.h"
 #include "tools/session/programs.h"
 #include "tools/session/run.h"
-#include "tools/session/world.h"
 
 namespace g31::plan {
 namespace {
@@ -53,22 +53,28 @@ Result<Proof, Refusal> prove(const ProofRequest& request) {
   runtime::OutputBudget output(runtime::OutputBudget::kUsualBytes);
   budget.output = &output;
   runtime::TimeBudget time(budget.wall_seconds, budget.interruption);
-  const auto world = session::build_world(job, request.run.seed, &time);
-  if (!world) {
-    return world.error();
+  const auto made = request.parts == nullptr
+                        ? session::build_parts(job, &time)
+                        : Result<session::BuiltParts, Refusal>(session::BuiltParts());
+  if (!made) {
+    return made.error();
   }
+  const session::BuiltParts& built = request.parts == nullptr ? made.value() : *request.parts;
+  const auto surroundings =
+      session::surroundings_of(job, session::sensed_parts(job, built.parts), request.run.seed);
+  machine::MachiningCentre machine(job.machine, surroundings.get());
+  machine.watch(time);
   const auto programs = session::open_programs(prepared.control, request.run, disk, job.control);
   if (!programs) {
     return programs.error();
   }
   Listener listener;
-  const auto run = session::Run::open(job, *programs.value(), *world.value().machine, listener);
+  const auto run = session::Run::open(job, *programs.value(), machine, listener);
   if (!run) {
     return run.error();
   }
   session::Session& session = run.value()->session();
-  const runtime::Outcome outcome =
-      session::with_findings(world.value().findings, session.run(budget));
+  const runtime::Outcome outcome = session::with_findings(built.findings, session.run(budget));
   Proof proof;
   proof.ending = session::ending_of(outcome);
   for (const source::Diagnostic& message : outcome.diagnostics) {
@@ -79,7 +85,7 @@ Result<Proof, Refusal> prove(const ProofRequest& request) {
     proof.printed += text;
   }
   proof.touches = listener.touches();
-  proof.machine_time_s = world.value().machine->time_s();
+  proof.machine_time_s = machine.time_s();
   for (const std::string& name : request.variables) {
     proof.values.push_back(number_of(session, name));
   }

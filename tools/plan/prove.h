@@ -10,6 +10,7 @@
 #include "tools/session/ending.h"
 #include "tools/session/prepare.h"
 #include "tools/session/refusal.h"
+#include "tools/session/world.h"
 
 namespace g31::plan {
 
@@ -28,6 +29,8 @@ struct ProofRequest {
   session::Request run;
   std::vector<std::string> variables;
   std::string other_product;  ///< a file in the place of the last part; "": as the sheet has it
+  /// Of that sheet, where they are made already; outlive the run.
+  const session::BuiltParts* parts = nullptr;
   const runtime::Interruption* interruption = nullptr;
 };
 
