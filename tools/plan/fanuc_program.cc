@@ -119,10 +119,15 @@ class FanucWriter {
       }
     }
     line("{} F{}", block, coordinate(options_.touch_feed));
-    line("IF [ABS[#{}{}] GT {}] GOTO {}", 5061 + axis,
+    line("IF [ABS[{}{}] GT {}] GOTO {}", skip_position(axis),
          less(axis == 2 ? height(end[axis]) : coordinate(end[axis])), kNearlyThereMm, number);
     line("#3000= 101 (P{} IS NOT TOUCHED)", number);
     line("N{}", number);
+  }
+
+  /// As it is programmed: #5063 includes the length of the tool.
+  static std::string skip_position(int axis) {
+    return axis == 2 ? "#5063-#5083" : fmt::format("#{}", 5061 + axis);
   }
 
   /// Where the ball touches: its centre less its radius along the normal.
@@ -135,9 +140,9 @@ class FanucWriter {
       return fmt::format("#5061*COS[{0}]+#5062*SIN[{0}]{1}#100", angle, is_along ? '-' : '+');
     }
     std::string text =
-        fmt::format("#{}{}#100", 5061 + axis, point.normal_P[axis] > 0.0 ? '-' : '+');
+        fmt::format("{}{}#100", skip_position(axis), point.normal_P[axis] > 0.0 ? '-' : '+');
     if (axis == 2 && options_.tip_below_centre_mm != 0.0) {
-      text += less(exact(-options_.tip_below_centre_mm));
+      text += less_exact(-options_.tip_below_centre_mm);
     }
     return text;
   }
@@ -149,12 +154,12 @@ class FanucWriter {
     const bool is_against = axis >= 0 && measure.direction_P[axis] < 0.0;
     const int from = is_against ? result.second : result.first;
     const int to = is_against ? result.first : result.second;
-    text_ += comment(fmt::format("{}: nominal {}", measure.id, exact(measure.nominal)));
+    text_ += comment(fmt::format("{}: nominal {}", measure.id, nominal_text(measure.nominal)));
     if (measure.what == probe::Characteristic::Size) {
       line("{}={}-{}", variable(result.variable), variable(to), variable(from));
     } else {
       line("{}={}[{}+{}]/2{}", variable(result.variable), is_against ? "-" : "", variable(from),
-           variable(to), less(exact(measure.origin_mm)));
+           variable(to), less_exact(measure.origin_mm));
     }
     const int decimals = decimals_of(measure);
     line("DPRNT[{}*{}[{}{}]]", names_[result.measure], variable(result.variable), 8 - decimals,

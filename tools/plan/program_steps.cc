@@ -79,12 +79,23 @@ class StepMaker {
         step.results.push_back({i, keeps_ ? static_cast<int>(i) : 0, first, second});
       }
     }
-    // Both contacts have served: every measure of one is a measure of the other.
-    if (!step.results.empty()) {
-      pool_.give_back(step.results.front().first);
-      pool_.give_back(step.results.front().second);
+    for (std::size_t touched = 0; touched <= point; ++touched) {
+      if (contact_[touched] >= 0 && last_use(touched) == point) {
+        pool_.give_back(contact_[touched]);
+      }
     }
     return step;
+  }
+
+  /// The point after which no measure needs the contact of this one.
+  [[nodiscard]] std::size_t last_use(std::size_t point) const {
+    std::size_t last = point;
+    for (const probe::PlannedMeasure& measure : plan_.measures) {
+      if (measure.first == point || measure.second == point) {
+        last = std::max({last, measure.first, measure.second});
+      }
+    }
+    return last;
   }
 
   const probe::InspectionPlan& plan_;
@@ -135,8 +146,29 @@ std::string coordinate(double mm) {
   return trimmed(fmt::format("{:.3f}", mm));
 }
 
-std::string exact(double mm) {
-  return trimmed(fmt::format("{:.7f}", mm));
+std::string exact(double value) {
+  constexpr int kDigits = 8;
+  constexpr double kClosely = 1e-8;
+  const double whole = std::floor(std::abs(value));
+  const int before = whole < 1.0 ? 1 : static_cast<int>(std::log10(whole)) + 1;
+  std::string text = trimmed(fmt::format("{:.{}f}", value, std::clamp(kDigits - before, 1, 7)));
+  const double rest = value - std::stod(text);
+  if (std::abs(rest) > kClosely) {
+    text += (rest < 0.0 ? "-" : "+") + trimmed(fmt::format("{:.8f}", std::abs(rest))).substr(1);
+  }
+  return text;
+}
+
+std::string less_exact(double value) {
+  const std::string number = exact(-value);
+  if (number == "0.") {
+    return "";
+  }
+  return number.front() == '-' ? number : "+" + number;
+}
+
+std::string nominal_text(double mm) {
+  return trimmed(fmt::format("{:.5f}", mm));
 }
 
 std::string less(const std::string& number) {

@@ -52,8 +52,14 @@ int decimals_of(const probe::PlannedMeasure& measure);
 /// A coordinate of a program: "-12.5", "40."; to 0.001 mm.
 std::string coordinate(double mm);
 
-/// A length that values depend on: "40.0000001".
-std::string exact(double mm);
+/// A number that values depend on: "40.0000001"; of two summands where eight digits are too few.
+std::string exact(double value);
+
+/// What takes it away from what stands before it; "" for 0.
+std::string less_exact(double value);
+
+/// A length in a comment, to 0.00001 mm.
+std::string nominal_text(double mm);
 
 /// What takes a number away from what stands before it: "-45.", "+10.", "" for 0.
 std::string less(const std::string& number);

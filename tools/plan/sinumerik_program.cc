@@ -133,7 +133,7 @@ class SinumerikWriter {
     std::string text = fmt::format("$AA_MW[{}]{}R1", kAxisWords[static_cast<std::size_t>(axis)],
                                    point.normal_P[axis] > 0.0 ? '-' : '+');
     if (axis == 2 && options_.tip_below_centre_mm != 0.0) {
-      text += less(exact(-options_.tip_below_centre_mm));
+      text += less_exact(-options_.tip_below_centre_mm);
     }
     return text;
   }
@@ -144,12 +144,12 @@ class SinumerikWriter {
     const bool is_against = axis >= 0 && measure.direction_P[axis] < 0.0;
     const int from = is_against ? result.second : result.first;
     const int to = is_against ? result.first : result.second;
-    comment(fmt::format("{}: nominal {}", measure.id, exact(measure.nominal)));
+    comment(fmt::format("{}: nominal {}", measure.id, nominal_text(measure.nominal)));
     if (measure.what == probe::Characteristic::Size) {
       line("{}={}-{}", variable(result.variable), variable(to), variable(from));
     } else {
       line("{}={}({}+{})/2{}", variable(result.variable), is_against ? "-" : "", variable(from),
-           variable(to), less(exact(measure.origin_mm)));
+           variable(to), less_exact(measure.origin_mm));
     }
     line("WRITE(FAULT,\"INSPECT_LOG\",SPRINT(\"{} %.{}f\",{}))", names_[result.measure],
          decimals_of(measure), variable(result.variable));
