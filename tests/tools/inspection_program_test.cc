@@ -1,0 +1,209 @@
+// Inspection programs of plans made by hand run on every control over parts whose sizes are known.
+
+#include "tools/plan/inspection_program.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/run_program.h"
+#include "tools/plan/judgement.h"
+
+namespace g31::plan::inspection_program_test {
+namespace {
+
+using probe::Characteristic;
+using probe::InspectionPlan;
+using testing::RunOutput;
+using testing::TemporaryFolder;
+
+constexpr double kRadius = 3.0;
+
+Point turned(const Point& p, double angle_deg) {
+  const double angle = angle_deg * std::numbers::pi / 180.0;
+  return {p.x() * std::cos(angle) - p.y() * std::sin(angle),
+          p.x() * std::sin(angle) + p.y() * std::cos(angle), p.z()};
+}
+
+/// A plan of a part whose axes are turned by an angle.
+struct PlanMaker {
+  double angle_deg = 0.0;
+  InspectionPlan plan = {};
+
+  std::size_t point(const Point& at, const Point& normal) {
+    const double off = kRadius + (normal.z() > 0.5 ? 10.0 : 3.0);
+    const Point at_P = turned(at, angle_deg);
+    const Point normal_P = turned(normal, angle_deg);
+    plan.points.push_back({fmt::format("P{}", plan.points.size() + 1), at_P, normal_P,
+                           Point(at_P + off * normal_P), ""});
+    return plan.points.size() - 1;
+  }
+
+  void measure(const std::string& id, Characteristic what, double nominal, const Point& direction,
+               const std::array<std::size_t, 2>& points, double origin = 0.0) {
+    plan.measures.push_back({id, plan.features.size() - 1, 'X', what, nominal,
+                             probe::Tolerance{-0.1, 0.1}, points[0], points[1],
+                             turned(direction, angle_deg), origin});
+  }
+};
+
+/// The pocket of the shape of that name, 60 x 40 x 15 in a block of 80 x 60.
+InspectionPlan pocket_plan(double angle_deg = 0.0) {
+  const Point x = Point::UnitX();
+  const Point y = Point::UnitY();
+  PlanMaker maker{angle_deg};
+  maker.plan.features = {"F1 closed pocket (milled)"};
+  const auto west = maker.point({-30.0, 2.0, -7.0}, x);
+  const auto east = maker.point({30.0, 2.0, -7.0}, -x);
+  const auto south = maker.point({-1.5, -20.0, -7.0}, y);
+  const auto north = maker.point({-1.5, 20.0, -7.0}, -y);
+  const auto floor = maker.point({4.0, 0.0, -15.0}, Point::UnitZ());
+  const auto top = maker.point({34.5, 0.0, 0.0}, Point::UnitZ());
+  const auto side = maker.point({40.0, 0.0, -7.0}, x);
+  maker.plan.points[west].moved = "5 mm aside: a (clamp) \xC3\xA4";
+  maker.measure("F1.X", Characteristic::Size, 60.0, x, {west, east});
+  maker.measure("F1.X.place", Characteristic::Place, 40.0, x, {west, east}, -40.0);
+  maker.measure("F1.Y", Characteristic::Size, 40.0, -y, {north, south});
+  maker.measure("F1.Y.place", Characteristic::Place, -30.0, -y, {south, north}, 30.0);
+  maker.measure("F1.Z", Characteristic::Size, 15.0, Point::UnitZ(), {floor, top});
+  maker.measure("F1.wall", Characteristic::Size, 10.0, x, {east, side});
+  maker.measure("F1.Z.place", Characteristic::Place, 492.5, Point::UnitZ(), {floor, top}, -500.0);
+  return maker.plan;
+}
+
+bool is_sinumerik(std::string_view profile) {
+  return profile == "sinumerik-828d";
+}
+
+ProgramOptions options_for(std::string_view profile) {
+  ProgramOptions options;
+  options.language = is_sinumerik(profile) ? ProgramLanguage::Sinumerik : ProgramLanguage::Fanuc;
+  options.has_metric_code = profile != "brother";
+  options.product = "pocket.stl";
+  options.ball_radius_mm = kRadius;
+  options.clear_z_P = 30.0;
+  options.tip_below_centre_mm = kRadius;
+  if (is_sinumerik(profile)) {
+    options.tool = 1;
+  }
+  return options;
+}
+
+/// @param length  of the probe in the tool table
+std::string sheet(const std::string& part, double length = 123.0) {
+  return fmt::format(
+      "[machine]\nstopping = \"ideal\"\n[start]\nX = 0.0\nY = 0.0\nZ = 0.0\n"
+      "[work_offsets.G54]\nX = 317.125\nY = -151.75\nZ = -300.5\n"
+      "[tools.1]\nlength = {}\nradius = 3.0\n[probe]\nball_diameter = 6.0\nlength = 120.0\n"
+      "[[part]]\non = \"G54\"\n{}",
+      length, part);
+}
+
+struct Inspected : RunOutput {
+  std::string printed;
+};
+
+Inspected inspected(const InspectionProgram& program, std::string_view profile,
+                    const std::string& sheet_text) {
+  const TemporaryFolder folder;
+  cli::RunOptions run;
+  run.programs = {folder.write(is_sinumerik(profile) ? "INSPECT.MPF" : "inspect.nc", program.text)};
+  run.setups = {folder.write("sheet.toml", sheet_text)};
+  run.control = std::string(profile);
+  for (const PrintedMeasure& measure : program.measures) {
+    run.prints.push_back(measure.variable);
+  }
+  Inspected output{testing::run_program(run), ""};
+  if (output.document.is_object()) {
+    const auto& files = output.document.at("files");
+    output.printed = is_sinumerik(profile) ? files.value("INSPECT_LOG", "")
+                                           : output.document.at("output").get<std::string>();
+  }
+  return output;
+}
+
+std::vector<Measure> to_judge(const InspectionPlan& plan, const InspectionProgram& program) {
+  std::vector<Measure> measures;
+  for (std::size_t m = 0; m < plan.measures.size(); ++m) {
+    measures.push_back({plan.measures[m].id, program.measures[m].name, plan.measures[m].nominal,
+                        plan.measures[m].tolerance});
+  }
+  return measures;
+}
+
+/// What is measured is within 1e-6 mm of it in the variables, and printed to the last digit.
+void expect_values(const InspectionPlan& plan, std::string_view profile,
+                   const std::string& sheet_text, const std::vector<double>& expected) {
+  SCOPED_TRACE(profile);
+  const InspectionProgram program = inspection_program(plan, options_for(profile));
+  const Inspected output = inspected(program, profile, sheet_text);
+  ASSERT_EQ(output.exit_code, 0) << output.errors << program.text;
+  EXPECT_EQ(output.document["diagnostics"].size(), 0U) << output.errors;
+  const Judgement judgement = judged(to_judge(plan, program), output.printed);
+  for (std::size_t m = 0; m < expected.size(); ++m) {
+    SCOPED_TRACE(plan.measures[m].id);
+    const std::string& variable = program.measures[m].variable;
+    EXPECT_NEAR(output.document["variables"].value(variable, -1.0), expected[m], 1e-6);
+    EXPECT_EQ(judgement.measures[m].verdict, Verdict::Good) << output.printed;
+  }
+}
+
+/// 0.05 right of where it should be, 0.03 in front, 0.01 high, and of other sizes.
+constexpr const char* kPocket =
+    "shape = \"pocket\"\nlength = 60.012\nwidth = 39.9876\ndepth = 15.0234\nwall = 9.99\n"
+    "at = [0.05, -0.03, 0.01]\n";
+/// X, its place, Y, its place (against Y), Z, the wall, the middle of floor and top.
+const std::vector<double> kPocketIs = {
+    60.012, 40.05, 39.9876, -29.97, 15.0234, 9.99, 500.0 + 0.01 - 15.0234 / 2.0};
+
+constexpr std::string_view kProfiles[] = {"fanuc-0i",     "fanuc-16i",     "fanuc-30i",
+                                          "haas",         "brother",       "meldas",
+                                          "mazatrol-iso", "sinumerik-828d"};
+
+/// Three measures share a wall, two of them with the other one.
+TEST(InspectionProgram, MeasuresAPocketOnEveryControl) {
+  for (const std::string_view profile : kProfiles) {
+    expect_values(pocket_plan(), profile, sheet(kPocket), kPocketIs);
+  }
+}
+
+/// The part is turned about its origin, which lies 0.05 and -0.03 off along its own axes.  The last
+/// angle has more digits than a number of a control.
+TEST(InspectionProgram, MeasuresAPocketTurnedByAnyAngle) {
+  for (const double angle : {30.0, 45.0, 90.0, -123.456789012}) {
+    SCOPED_TRACE(angle);
+    const Point at = turned({0.05, -0.03, 0.01}, angle);
+    const std::string part = fmt::format(
+        "shape = \"pocket\"\nlength = 60.012\nwidth = 39.9876\ndepth = 15.0234\nwall = 9.99\n"
+        "at = [{}, {}, {}]\nrotate_deg = [0.0, 0.0, {:.12f}]\n",
+        at.x(), at.y(), at.z(), angle);
+    for (const std::string_view profile : kProfiles) {
+      expect_values(pocket_plan(angle), profile, sheet(part), kPocketIs);
+    }
+  }
+}
+
+/// The floor is 4 mm lower than the plan has it, 1 mm behind the end of its touch.
+TEST(InspectionProgram, NamesAFloorThatIsNotThere) {
+  for (const std::string_view profile : kProfiles) {
+    SCOPED_TRACE(profile);
+    const InspectionProgram program = inspection_program(pocket_plan(), options_for(profile));
+    const Inspected output =
+        inspected(program, profile, sheet("shape = \"pocket\"\ndepth = 19.0\n"));
+    EXPECT_EQ(output.exit_code, 3);
+    const std::string alarm = output.document["alarm"].dump();
+    EXPECT_NE(alarm.find(is_sinumerik(profile) ? "P5 is not touched" : "P5 IS NOT TOUCHED"),
+              std::string::npos)
+        << output.errors;
+    EXPECT_EQ(output.printed.find("F1-Z"), std::string::npos) << output.printed;
+  }
+}
+
+}  // namespace
+}  // namespace g31::plan::inspection_program_test
