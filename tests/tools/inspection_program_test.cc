@@ -205,5 +205,20 @@ TEST(InspectionProgram, NamesAFloorThatIsNotThere) {
   }
 }
 
+/// Nobody has milled the pocket.
+TEST(InspectionProgram, StopsBeforeWhatIsInTheWay) {
+  for (const std::string_view profile : kProfiles) {
+    SCOPED_TRACE(profile);
+    const InspectionProgram program = inspection_program(pocket_plan(), options_for(profile));
+    const Inspected output = inspected(
+        program, profile, sheet("shape = \"block\"\nlength = 80.0\nwidth = 60.0\nheight = 30.0\n"));
+    EXPECT_EQ(output.exit_code, 3) << output.errors;
+    const std::string alarm = output.document["alarm"].dump();
+    EXPECT_NE(alarm.find(is_sinumerik(profile) ? "in the way to P1" : "IN THE WAY TO P1"),
+              std::string::npos)
+        << output.errors;
+  }
+}
+
 }  // namespace
 }  // namespace g31::plan::inspection_program_test

@@ -21,6 +21,7 @@ std::string comment(std::string_view text) {
 }
 
 constexpr std::string_view kAxes = "XYZ";
+constexpr double kNearlyThereMm = 0.01;
 
 class FanucWriter {
  public:
@@ -70,8 +71,12 @@ class FanucWriter {
         line("G04 X{}", coordinate(options_.start_up_s));
       }
     }
+    line("M05");
     line("#100={} (RADIUS OF THE BALL)", exact(options_.ball_radius_mm));
+    line("#101={} (FEED OF THE WAYS)", coordinate(options_.approach_feed));
+    line("#102={} (FEED OF THE TOUCHES)", coordinate(options_.touch_feed));
     line("POPEN");
+    line("G00 G43 H{} Z{}", options_.length_offset, height(options_.clear_z_P));
   }
 
   /// Of the ball's centre in Z as the control counts it.
@@ -91,23 +96,34 @@ class FanucWriter {
     line("#103={}", step.point + 1);
     const std::string above =
         fmt::format("X{} Y{}", coordinate(point.start_P.x()), coordinate(point.start_P.y()));
-    if (above_.empty()) {
+    if (above != above_) {
+      if (!above_.empty()) {
+        line("G00 Z{}", height(options_.clear_z_P));
+      }
       line("G00 {}", above);
-      line("G43 H{} Z{}", options_.length_offset, height(options_.clear_z_P));
-    } else if (above != above_) {
-      line("G00 Z{}", height(options_.clear_z_P));
-      line("{}", above);
+    }
+    const std::string z = height(point.start_P.z());
+    if (above != above_ || z != z_) {
+      write_way_down(z, step.point + 1);
     }
     above_ = above;
-    line("G01 Z{} F{}", height(point.start_P.z()), coordinate(options_.approach_feed));
+    z_ = z;
     write_skip(point, step.point + 1);
     line("{}={}", variable(step.contact), contact(point, step));
-    line("G01 X{} Y{} Z{} F{}", coordinate(point.start_P.x()), coordinate(point.start_P.y()),
-         height(point.start_P.z()), coordinate(options_.approach_feed));
+    line("G01 X{} Y{} Z{} F#101", coordinate(point.start_P.x()), coordinate(point.start_P.y()),
+         height(point.start_P.z()));
+  }
+
+  /// As a touch too, so that nothing breaks on what should not be there.
+  void write_way_down(const std::string& z, std::size_t number) {
+    line("G31 Z{} F#101", z);
+    line("IF [ABS[{}{}] LT {}] GOTO {}", skip_position(2), less(z), kNearlyThereMm,
+         10 * number - 1);
+    line("#3000= 102 (SOMETHING IS IN THE WAY TO P{})", number);
+    line("N{}", 10 * number - 1);
   }
 
   void write_skip(const probe::PlannedPoint& point, std::size_t number) {
-    constexpr double kNearlyThereMm = 0.01;
     const Point end = end_of_touch(point, options_);
     int axis = 0;
     point.normal_P.cwiseAbs().maxCoeff(&axis);
@@ -118,11 +134,11 @@ class FanucWriter {
                              i == 2 ? height(end[i]) : coordinate(end[i]));
       }
     }
-    line("{} F{}", block, coordinate(options_.touch_feed));
+    line("{} F#102", block);
     line("IF [ABS[{}{}] GT {}] GOTO {}", skip_position(axis),
-         less(axis == 2 ? height(end[axis]) : coordinate(end[axis])), kNearlyThereMm, number);
+         less(axis == 2 ? height(end[axis]) : coordinate(end[axis])), kNearlyThereMm, 10 * number);
     line("#3000= 101 (P{} IS NOT TOUCHED)", number);
-    line("N{}", number);
+    line("N{}", 10 * number);
   }
 
   /// As it is programmed: #5063 includes the length of the tool.
@@ -180,7 +196,9 @@ class FanucWriter {
   const ProgramOptions& options_;
   std::vector<std::string> names_;
   std::string text_;
-  std::string above_;  // where the probe is in X and Y
+  // Where the probe is: in X and Y, in Z.
+  std::string above_;
+  std::string z_;
 };
 
 }  // namespace

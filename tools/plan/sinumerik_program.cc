@@ -74,7 +74,10 @@ class SinumerikWriter {
         line("G4 F{}", coordinate(options_.start_up_s));
       }
     }
+    line("M5");
     line("R1={}  ; radius of the ball", exact(options_.ball_radius_mm));
+    line("R3={}  ; feed of the ways", coordinate(options_.approach_feed));
+    line("R4={}  ; feed of the touches", coordinate(options_.touch_feed));
     line("IF ISFILE(\"INSPECT_LOG\")");
     line("  DELETE(FAULT,\"INSPECT_LOG\")");
     line("ENDIF");
@@ -100,8 +103,14 @@ class SinumerikWriter {
       line("G0 Z{}", height(options_.clear_z_P));
       line("{}", above);
     }
+    // As a touch too, so that nothing breaks on what should not be there.
+    const std::string z = height(point.start_P.z());
+    if (above != above_ || z != z_) {
+      line("MEAS=1 G1 Z{} F=R3", z);
+      write_check("$AC_MEA[1]<>0", 65001, fmt::format("Something is in the way to {}", point.id));
+    }
     above_ = above;
-    line("G1 Z{} F{}", height(point.start_P.z()), coordinate(options_.approach_feed));
+    z_ = z;
     std::string block = "MEAS=1 G1";
     const Point end = end_of_touch(point, options_);
     for (int i = 0; i < 3; ++i) {
@@ -110,15 +119,20 @@ class SinumerikWriter {
                              i == 2 ? height(end[i]) : coordinate(end[i]));
       }
     }
-    line("{} F{}", block, coordinate(options_.touch_feed));
+    line("{} F=R4", block);
+    write_check("$AC_MEA[1]==0", 65000, point.id + " is not touched");
+    line("{}={}", variable(step.contact), contact(point, step));
+    line("G1 X{} Y{} Z{} F=R3", coordinate(point.start_P.x()), coordinate(point.start_P.y()),
+         height(point.start_P.z()));
+  }
+
+  /// The alarm of a move that did not come to what it should.
+  void write_check(std::string_view wrong, int alarm, const std::string& text) {
     line("STOPRE");
-    line("IF $AC_MEA[1]==0");
-    line("  SETAL(65000,\"P{} is not touched\")", step.point + 1);
+    line("IF {}", wrong);
+    line("  SETAL({},\"{}\")", alarm, text);
     line("  M0");
     line("ENDIF");
-    line("{}={}", variable(step.contact), contact(point, step));
-    line("G1 X{} Y{} Z{} F{}", coordinate(point.start_P.x()), coordinate(point.start_P.y()),
-         height(point.start_P.z()), coordinate(options_.approach_feed));
   }
 
   /// Where the ball touches: its centre less its radius along the normal.
@@ -160,7 +174,9 @@ class SinumerikWriter {
   const ProgramOptions& options_;
   std::vector<std::string> names_;
   std::string text_;
-  std::string above_;  // where the probe is in X and Y
+  // Where the probe is: in X and Y, in Z.
+  std::string above_;
+  std::string z_;
 };
 
 }  // namespace
