@@ -1,12 +1,8 @@
 #include "tools/plan/plan_part.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <limits>
-#include <string_view>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,9 +12,10 @@
 #include "tools/disk/disk.h"
 #include "tools/plan/plan_sheet.h"
 #include "tools/plan/plan_touches.h"
+#include "tools/plan/program_options.h"
 #include "tools/plan/prove.h"
+#include "tools/plan/stock_choice.h"
 #include "tools/plan/touch_order.h"
-#include "tools/session/manual.h"
 #include "tools/session/prepare.h"
 #include "tools/setup/toml_reader.h"
 
@@ -29,39 +26,6 @@ namespace fs = std::filesystem;
 using session::Control;
 using session::Refusal;
 using Wrong = std::optional<Refusal>;
-
-/// Numbers between commas; empty where a text is anything else.
-std::vector<double> numbers_of(std::string_view text) {
-  std::vector<double> numbers;
-  for (const char* begin = text.data(); begin <= text.data() + text.size();) {
-    double number = 0.0;
-    const char* const end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(begin, end, number);
-    if (error == std::errc::invalid_argument || (rest < end && *rest != ',')) {
-      return {};
-    }
-    numbers.push_back(error == std::errc() ? number : std::numeric_limits<double>::infinity());
-    begin = rest + 1;
-  }
-  return numbers;
-}
-
-/// What --stock says.
-Result<parts::StockChoice, Refusal> stock_of(const std::string& text) {
-  parts::StockChoice stock;
-  const std::vector<double> sizes = numbers_of(text);
-  const auto is_size = [](double mm) { return mm > 0.0 && mm <= kLongestMm; };
-  if (sizes.size() == 3) {
-    if (!std::ranges::all_of(sizes, is_size)) {
-      return session::bad_input(
-          fmt::format("--stock {}: expected sizes above 0, of at most {:g} mm", text, kLongestMm));
-    }
-    stock.block_mm = Point(sizes[0], sizes[1], sizes[2]);
-  } else if (text != "box") {
-    stock.file = text;
-  }
-  return stock;
-}
 
 /// A path as a file in another folder is to name it.
 std::string seen_from(const std::string& folder, const std::string& path) {
@@ -88,7 +52,7 @@ class PartPlanner {
 
  private:
   Wrong find_features() {
-    const auto stock = stock_of(request_.stock);
+    const auto stock = stock_choice(request_.stock);
     if (!stock) {
       return stock.error();
     }
@@ -172,65 +136,14 @@ class PartPlanner {
     if (planned_.plan.measures.empty()) {
       return session::bad_input(nothing_to_measure());
     }
-    const auto options = program_options(job, touches.value());
+    const auto options = program_options(job, *control_, touches.value());
     if (!options) {
       return options.error();
     }
-    planned_.program = inspection_program(planned_.plan, options.value());
+    ProgramOptions named = options.value();
+    named.product = planned_.product;
+    planned_.program = inspection_program(planned_.plan, named);
     return write(planned_.program_file, planned_.program.text);
-  }
-
-  [[nodiscard]] Result<ProgramOptions, Refusal> program_options(
-      const setup::Job& job, const PlannedTouches& touches) const {
-    const auto* const fanuc = std::get_if<session::FanucControl>(&*control_);
-    ProgramOptions options;
-    options.language = fanuc != nullptr ? ProgramLanguage::Fanuc : ProgramLanguage::Sinumerik;
-    options.has_metric_code = !session::explain("G21", *control_).empty();
-    options.product = planned_.product;
-    options.ball_radius_mm = touches.ball_radius_mm;
-    options.clear_z_P = touches.clear_z_P;
-    const probe::SwitchingSetup& switching = job.probe->switching;
-    options.tool = switching.tool;
-    options.switch_on = switch_block(switching.on, options.language);
-    options.switch_off = switch_block(switching.off, options.language);
-    options.start_up_s = switching.start_up_s;
-    const auto number = length_offset(job);
-    if (!number) {
-      return session::bad_setup(fmt::format(
-          "{}: no tool of the sheet is about as long as the probe, {} mm; expected [tools.N] with "
-          "the length to its ball",
-          request_.sheet, job.probe->length_mm));
-    }
-    options.length_offset = *number;
-    options.tool_name = job.control.tools.at(*number).name;
-    options.tip_below_centre_mm = job.control.tools.at(*number).length_mm - job.probe->length_mm;
-    return options;
-  }
-
-  /// The block by which a program switches the probe; "": it has nothing to do.
-  static std::string switch_block(const std::optional<probe::ProgramSwitch>& by,
-                                  ProgramLanguage language) {
-    if (!by) {
-      return "";
-    }
-    if (by->kind == probe::ProgramSwitch::Kind::Code) {
-      return fmt::format("M{}", by->number);
-    }
-    return language == ProgramLanguage::Fanuc ? fmt::format("#{}=1", by->number)
-                                              : fmt::format("$A_OUT[{}]=1", by->number);
-  }
-
-  /// The tool that the control takes the probe for.
-  static std::optional<int> length_offset(const setup::Job& job) {
-    if (job.probe->switching.tool && job.control.tools.contains(*job.probe->switching.tool)) {
-      return job.probe->switching.tool;
-    }
-    for (const auto& [number, tool] : job.control.tools) {
-      if (std::abs(tool.length_mm - job.probe->length_mm) <= job.probe->ball_diameter_mm) {
-        return number;
-      }
-    }
-    return std::nullopt;
   }
 
   [[nodiscard]] std::string nothing_to_measure() const {
