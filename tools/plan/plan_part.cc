@@ -67,20 +67,15 @@ class PartPlanner {
   }
 
   Wrong choose_control() {
+    std::vector<std::string> sheets;
     if (!request_.sheet.empty()) {
-      const auto read = session::prepare(sheet_request({request_.sheet}), disk_);
-      if (!read) {
-        return read.error();
-      }
-      control_ = read.value().control;
-    } else {
-      const auto named = request_.control.empty() ? session::default_control()
-                                                  : session::control_named(request_.control);
-      if (!named) {
-        return session::bad_setup(named.error());
-      }
-      control_ = named.value();
+      sheets.push_back(request_.sheet);
     }
+    const auto read = session::prepare(sheet_request(std::move(sheets)), disk_);
+    if (!read) {
+      return read.error();
+    }
+    control_ = read.value().control;
     planned_.control = session::name_of(*control_);
     planned_.program_file =
         std::holds_alternative<session::SinumerikControl>(*control_) ? "INSPECT.MPF" : "inspect.nc";

@@ -131,15 +131,14 @@ std::vector<std::string> printed_names(const probe::InspectionPlan& plan) {
 }
 
 int decimals_of(const probe::PlannedMeasure& measure) {
-  constexpr int kDigits = 8;
   constexpr int kLeastWhole = 3;
   // Room for a part that is not as it should be.
   const double largest = 1.1 * std::abs(measure.nominal) + 10.0;
   int whole = kLeastWhole;
-  for (double limit = 1000.0; largest >= limit && whole < kDigits; limit *= 10.0) {
+  for (double limit = 1000.0; largest >= limit && whole < kPrintedDigits; limit *= 10.0) {
     ++whole;
   }
-  return kDigits - whole;
+  return kPrintedDigits - whole;
 }
 
 std::string coordinate(double mm) {
@@ -191,19 +190,8 @@ std::string angle_text(const Point& direction) {
   return exact(std::atan2(direction.y(), direction.x()) * 180.0 / std::numbers::pi);
 }
 
-Point end_of_touch(const probe::PlannedPoint& point, const ProgramOptions& options) {
-  return point.at_P + (options.ball_radius_mm - options.overtravel_mm) * point.normal_P;
-}
-
-std::string words_of(const probe::PlannedPoint& point) {
-  const int axis = axis_along(point.normal_P);
-  if (axis < 0) {
-    return point.id + " on a turned wall";
-  }
-  // A face is called by the side that it looks to.
-  return fmt::format("{} on a face that looks to {}{}", point.id,
-                     point.normal_P[axis] > 0.0 ? '+' : '-',
-                     std::string_view("XYZ")[static_cast<std::size_t>(axis)]);
+char axis_letter(int axis) {
+  return "XYZ"[axis];
 }
 
 std::string variable_name(ProgramLanguage language, int variable) {

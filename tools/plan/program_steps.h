@@ -46,7 +46,10 @@ std::string variable_name(ProgramLanguage language, int variable);
 /// Names before printed values: those of the measures, as controls can print them, no two alike.
 std::vector<std::string> printed_names(const probe::InspectionPlan& plan);
 
-/// Decimals that leave a value within eight digits.
+/// Digits of a printed value, as many as DPRNT has room for.
+inline constexpr int kPrintedDigits = 8;
+
+/// Decimals that leave a value within them.
 int decimals_of(const probe::PlannedMeasure& measure);
 
 /// A coordinate of a program: "-12.5", "40."; to 0.001 mm.
@@ -70,11 +73,8 @@ int axis_along(const Point& direction);
 /// The angle of a direction in the plane as a number of degrees, to 1e-7.
 std::string angle_text(const Point& direction);
 
-/// Where the ball's centre is at the end of a touch that does not come.
-Point end_of_touch(const probe::PlannedPoint& point, const ProgramOptions& options);
-
-/// "P3 at the +X wall": what a comment says of a touch.
-std::string words_of(const probe::PlannedPoint& point);
+/// 'X' for 0.
+char axis_letter(int axis);
 
 std::string fanuc_program(const probe::InspectionPlan& plan, const ProgramSteps& steps,
                           const ProgramOptions& options);

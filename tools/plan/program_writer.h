@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "tools/plan/program_steps.h"
+
+namespace g31::plan {
+
+/// What a language calls the things that an inspection program works with.
+struct ProgramWords {
+  ProgramLanguage language = ProgramLanguage::Fanuc;
+  std::string_view open;  ///< of an expression
+  std::string_view close;
+  std::string_view rapid;  ///< moves
+  std::string_view feed;
+  std::string_view ways_feed;            ///< "F#101"
+  std::string_view radius;               ///< of the ball: "#100"
+  std::string_view point;                ///< the variable that has the number of the point
+  std::array<std::string_view, 3> skip;  ///< where a touch was, as coordinates are programmed
+};
+
+/// Writes the touches of a program one after the other; a language adds its blocks.
+class ProgramWriter {
+ public:
+  ProgramWriter(const ProgramWriter&) = delete;
+  ProgramWriter& operator=(const ProgramWriter&) = delete;
+  virtual ~ProgramWriter() = default;
+
+  std::string text();
+
+ protected:
+  /// @param words  outlives the writer, as all else does
+  ProgramWriter(const probe::InspectionPlan& plan, const ProgramSteps& steps,
+                const ProgramOptions& options, const ProgramWords& words)
+      : plan_(plan), steps_(steps), options_(options), words_(words), names_(printed_names(plan)) {}
+
+  template <typename... Parts>
+  void line(fmt::format_string<Parts...> form, Parts&&... parts) {
+    fmt::format_to(std::back_inserter(text_), form, std::forward<Parts>(parts)...);
+    text_ += '\n';
+  }
+
+  [[nodiscard]] const ProgramSteps& steps() const { return steps_; }
+  [[nodiscard]] const ProgramOptions& options() const { return options_; }
+  [[nodiscard]] const ProgramWords& words() const { return words_; }
+  /// "#110"
+  [[nodiscard]] std::string variable(int number) const {
+    return variable_name(words_.language, number);
+  }
+  /// Z of the ball's centre as the control counts it.
+  [[nodiscard]] std::string height(double z_P) const {
+    return coordinate(z_P - options_.tip_below_centre_mm);
+  }
+
+  /// A skip move to where the ball ends if it does not touch.
+  struct Skip {
+    std::string words;   ///< "Y45."
+    int axis = 0;        ///< along which it is mostly
+    std::string target;  ///< in that axis
+    std::size_t point = 0;
+  };
+
+  virtual void comment(std::string_view text) = 0;
+  virtual void write_head() = 0;
+  /// Along Z, as a touch too: nothing breaks on what should not be there.
+  virtual void write_way_down(const std::string& z, std::size_t point) = 0;
+  virtual void write_skip(const Skip& skip) = 0;
+  virtual void write_print(const std::string& name, const std::string& variable, int decimals) = 0;
+  virtual void write_end() = 0;
+
+ private:
+  void write_touch(const ProgramStep& step);
+  void go_to_start(const probe::PlannedPoint& point, std::size_t number);
+  [[nodiscard]] Skip skip_of(const probe::PlannedPoint& point, std::size_t number) const;
+  [[nodiscard]] std::string contact(const probe::PlannedPoint& point,
+                                    const ProgramStep& step) const;
+  void write_result(const StepResult& result);
+
+  const probe::InspectionPlan& plan_;
+  const ProgramSteps& steps_;
+  const ProgramOptions& options_;
+  const ProgramWords& words_;
+  std::vector<std::string> names_;
+  std::string text_;
+  // Where the probe is: in X and Y, in Z.
+  std::string above_;
+  std::string z_;
+};
+
+}  // namespace g31::plan
