@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "machine/units/point.h"
+#include "parts/features/drawn_dimension.h"
 #include "parts/geometry/box.h"
 
 namespace g31::parts {
@@ -69,6 +70,7 @@ struct RecognisedPart {
   Box stock_P;
   std::vector<Feature> features;       ///< by the lower corner of their boxes: X, then Y, then Z
   std::vector<UnknownVolume> unknown;  ///< in the same order
+  std::vector<DrawnDimension> dimensions = {};  ///< that the model states
 };
 
 }  // namespace g31::parts

@@ -66,7 +66,8 @@ void note_round_wall(const TopoDS_Face& face, std::size_t first, const Mesh& mes
 
 Result<Mesh, std::string> read_faces(const std::string& path, double sagitta_mm,
                                      std::vector<RoundWall>& walls) {
-  const auto read = read_step_shape(path);
+  STEPControl_Reader reader;
+  const auto read = read_step_shape(path, reader);
   if (!read) {
     return read.error();
   }

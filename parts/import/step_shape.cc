@@ -9,7 +9,6 @@
 #include <Interface_ReportEntity.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
-#include <STEPControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
 #include <fmt/format.h>
 
@@ -43,10 +42,10 @@ std::string faults_of(const Handle(StepData_StepModel) & model) {
 
 }  // namespace
 
-Result<TopoDS_Shape, std::string> read_step_shape(const std::string& path) {
+Result<TopoDS_Shape, std::string> read_step_shape(const std::string& path,
+                                                  STEPControl_Reader& reader) {
   // Open CASCADE reports on standard output, where a program's own output goes.
   Message::DefaultMessenger()->ChangePrinters().Clear();
-  STEPControl_Reader reader;
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone) {
     return std::string("not understood as STEP; expected a whole file with at least one body");
   }

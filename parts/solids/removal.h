@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "machine/base/result.h"
+#include "parts/features/drawn_dimension.h"
 #include "parts/features/removed_volume.h"
 
 namespace g31::parts {
@@ -22,6 +23,7 @@ struct Removal {
   Box product_P;
   Box stock_P;
   std::vector<RemovedVolume> volumes;
+  std::vector<DrawnDimension> dimensions;  ///< that the product's file states (AP242)
 };
 
 /// More faces of product or stock are refused.

@@ -26,8 +26,6 @@
 namespace g31::parts {
 namespace {
 
-using Solids = Result<TopoDS_Shape, std::string>;
-
 constexpr double kSameHeightMm = 1e-6;
 constexpr double kLeastVolumeMm3 = 1e-6;
 
@@ -39,9 +37,10 @@ TopTools_ListOfShape solids_in(const TopoDS_Shape& shape) {
   return solids;
 }
 
-Solids stock_shape(const RemovalRequest& request, const Box& product_P) {
+Result<TopoDS_Shape, std::string> stock_shape(const RemovalRequest& request, const Box& product_P) {
   if (request.stock) {
-    return solids_of(*request.stock);
+    const auto stock = solids_of(*request.stock);
+    return stock ? Result<TopoDS_Shape, std::string>(stock.value().shape) : stock.error();
   }
   Box stock_P = product_P;
   if (request.block_mm) {
@@ -168,13 +167,27 @@ class Remover {
   FaceDescriber describer_;
 };
 
+/// What the file says of sizes, with its faces as plain data.
+std::vector<DrawnDimension> drawn(const SourceSolids& product) {
+  std::vector<DrawnDimension> dimensions;
+  FaceDescriber describer(product.shape);
+  for (const StepDimension& step : product.dimensions) {
+    DrawnDimension dimension{step.nominal_mm, step.lower_mm, step.upper_mm, {}};
+    for (const TopoDS_Face& face : step.faces) {
+      dimension.faces.push_back(describer.described(face));
+    }
+    dimensions.push_back(std::move(dimension));
+  }
+  return dimensions;
+}
+
 /// @returns why it cannot be done
 std::string remove(const RemovalRequest& request, Removal& removal) {
   const auto product = solids_of(request.product);
   if (!product) {
     return product.error();
   }
-  removal.product_P = box_around(product.value());
+  removal.product_P = box_around(product.value().shape);
   const auto stock = stock_shape(request, removal.product_P);
   if (!stock) {
     return stock.error();
@@ -183,7 +196,8 @@ std::string remove(const RemovalRequest& request, Removal& removal) {
   if (auto why = outside(removal.product_P, removal.stock_P); !why.empty()) {
     return why;
   }
-  return Remover(product.value(), stock.value()).remove(removal.volumes);
+  removal.dimensions = drawn(product.value());
+  return Remover(product.value().shape, stock.value()).remove(removal.volumes);
 }
 
 }  // namespace

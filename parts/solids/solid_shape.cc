@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -29,7 +30,7 @@
 namespace g31::parts {
 namespace {
 
-using Solids = Result<TopoDS_Shape, std::string>;
+using Solids = Result<SourceSolids, std::string>;
 
 /// Coordinates of mesh files are no better (float32).
 constexpr double kMeshToleranceMm = 1e-5;
@@ -63,7 +64,8 @@ TopoDS_Shape joined(const TopoDS_Shape& shape, double tolerance_mm) {
 }
 
 Solids from_step(const SolidSource& source) {
-  const auto read = read_step_shape(source.step_path);
+  STEPControl_Reader reader;
+  const auto read = read_step_shape(source.step_path, reader);
   if (!read) {
     return source.name + ": " + read.error();
   }
@@ -91,12 +93,13 @@ Solids from_step(const SolidSource& source) {
   if (faces > kMostFaces) {
     return too_many(source.name, static_cast<std::size_t>(faces));
   }
+  std::vector<StepDimension> dimensions = dimensions_of(reader);
   if (!BRepCheck_Analyzer(solids).IsValid()) {
     ShapeFix_Shape fix(solids);
     fix.Perform();
-    return joined(fix.Shape(), 0.0);
+    return SourceSolids{joined(fix.Shape(), 0.0), std::move(dimensions)};
   }
-  return joined(solids, 0.0);
+  return SourceSolids{joined(solids, 0.0), std::move(dimensions)};
 }
 
 Solids from_mesh(const SolidSource& source) {
@@ -134,7 +137,7 @@ Solids from_mesh(const SolidSource& source) {
   if (!is_closed) {
     return source.name + ": its surface is not closed; expected that of a solid";
   }
-  return joined(solids, kMeshToleranceMm);
+  return SourceSolids{joined(solids, kMeshToleranceMm), {}};
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 #include "probe/planning/plan_inspection.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "machine/units/rounded_length.h"
+#include "probe/planning/drawn_size.h"
 #include "probe/planning/touch_places.h"
 
 namespace g31::probe {
@@ -104,6 +106,7 @@ class Planner {
     size.direction_P = direction;
     size.nominal = rounded_length(apart.dot(direction));
     size.tolerance = options_.tolerance;
+    take_drawn(*first, *second, size);
     size.first = add_point(*first);
     size.second = add_point(*second);
     plan_.measures.push_back(size);
@@ -112,11 +115,28 @@ class Planner {
     }
   }
 
+  /// What the model itself says of a size comes first.
+  void take_drawn(const PlannedPoint& first, const PlannedPoint& second,
+                  PlannedMeasure& size) const {
+    const parts::DrawnDimension* const drawn = drawn_between(part_.dimensions, first, second);
+    // One that is so far from the faces was not drawn for them.
+    constexpr double kNearMm = 1.0;
+    if (drawn == nullptr || std::abs(drawn->nominal_mm - size.nominal) > kNearMm) {
+      return;
+    }
+    size.nominal = rounded_length(drawn->nominal_mm);
+    if (drawn->lower_mm && drawn->upper_mm) {
+      size.tolerance =
+          Tolerance{rounded_length(*drawn->lower_mm), rounded_length(*drawn->upper_mm)};
+    }
+  }
+
   void add_place(const PlannedMeasure& size) {
     PlannedMeasure place = size;
     const auto middle = (plan_.points[size.first].at_P + plan_.points[size.second].at_P) / 2;
     place.id += ".place";
     place.what = Characteristic::Place;
+    place.tolerance = options_.tolerance;
     place.origin_mm = part_.stock_P.min.dot(size.direction_P);
     place.nominal = rounded_length(middle.dot(size.direction_P) - place.origin_mm);
     plan_.measures.push_back(std::move(place));

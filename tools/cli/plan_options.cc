@@ -33,8 +33,10 @@ CLI::App* add_plan_command(CLI::App& app, PlanOptions& options) {
   constexpr double kLeastMm = 1e-5;
   constexpr double kMostMm = 1000.0;
   command
-      ->add_option("--tolerance", options.tolerance_mm,
-                   "of every measure, mm: what deviates by up to T either way is good")
+      ->add_option(
+          "--tolerance", options.tolerance_mm,
+          "of every measure whose size the model does not state itself (AP242), mm: what deviates "
+          "by up to T either way is good")
       ->type_name("T")
       ->check(CLI::Range(kLeastMm, kMostMm));
   command

@@ -63,6 +63,7 @@ class PartPlanner {
     planned_.product = fs::path(request_.product).filename().string();
     planned_.product_P = removal.value().product_P;
     planned_.part = parts::recognise(removal.value().stock_P, removal.value().volumes);
+    planned_.part.dimensions = removal.value().dimensions;
     return std::nullopt;
   }
 
