@@ -1,6 +1,7 @@
 // The page of --report: what stands in it without script.
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -170,6 +171,35 @@ TEST(ReportOptions, AreRefusedWhereTheyCannotBe) {
   EXPECT_EQ(g31({"run", program, "--report", "a.pdf"}).exit_code, 2);
   EXPECT_EQ(g31({"run", program, "--report", "a.html", "--lang", "fr"}).exit_code, 2);
   EXPECT_EQ(g31({"run", program, "--report", program}).exit_code, 2);
+  EXPECT_EQ(g31({"run", program, "--lang", "ja"}).exit_code, 2) << "of which report?";
+  const std::string page = folder.path("a.html");
+  EXPECT_EQ(g31({"run", program, "--report", page, "--compare", ""}).exit_code, 2);
+}
+
+TEST(ReportOptions, AreRefusedBeforeTheWorkWhereThePageCannotBeWritten) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("a.nc", "O1\nPOPEN\nDPRNT[DONE]\nM30\n");
+  std::filesystem::create_directory(folder.path("folder.html"));
+  for (const std::string& page : {folder.path("none/a.html"), folder.path("folder.html")}) {
+    const testing::CommandOutput output = g31({"run", program, "--report", page});
+    EXPECT_EQ(output.exit_code, 2);
+    EXPECT_EQ(output.out, "") << "the program has run";
+    EXPECT_NE(output.errors.find("cannot write"), std::string::npos) << output.errors;
+  }
+}
+
+TEST(ReportOptions, ThatChangeARunAreInTheCommandThatRepeatsIt) {
+  const TemporaryFolder folder;
+  const std::string program = folder.write("a.nc", "O1\nM30\n");
+  const std::string page = folder.path("a.html");
+  ASSERT_EQ(g31({"run", program, "--report", page, "--lang", "ja", "--fail-on", "error",
+                 "--max-blocks", "100", "--max-time", "7", "--max-output", "1M"})
+                .exit_code,
+            0);
+  EXPECT_NE(text_in(page).find("--fail-on error --max-blocks 100 --max-time 7 --max-output 1000000 "
+                               "--report " +
+                               page + " --lang ja"),
+            std::string::npos);
 }
 
 // A listing of more rows than a page writes out is filled in by the script.

@@ -51,6 +51,7 @@ std::optional<session::Refusal> report_evaluation(const EvaluateOptions& options
     command.add(row.option, file_given(options, row.id));
   }
   command.add("--report", options.report);
+  command.add("--lang", language_given(options.language));
   const page::Making making{options.version, command.line(), page_inputs({options.file}),
                             options.language, 0};
   const std::string name = std::filesystem::path(options.file).filename().string();

@@ -19,6 +19,7 @@ void add_report_options(CLI::App& command, std::string& report, page::Language& 
                    : fmt::format("{} is no .html file", path);
       });
   add_language_option(command, language);
+  command.get_option("--lang")->needs("--report");
 }
 
 void add_language_option(CLI::App& command, page::Language& language) {

@@ -64,7 +64,7 @@ Result<Checked, Refusal> checked(const RunOptions& options, const setup::Job& jo
     return expectations.error();
   }
   checked.expectations = expectations.value();
-  if (const auto wrong = wants_page(options) ? why_no_page() : std::nullopt) {
+  if (const auto wrong = options.watch != nullptr ? why_no_page() : wrong_report(options.report)) {
     return *wrong;
   }
   if (!options.compare.empty()) {

@@ -68,6 +68,7 @@ void add_page_options(CLI::App& run, RunOptions& options) {
                  "beside the run of the report another one, as its document (--json --moves "
                  "--touches) tells it")
       ->type_name("OTHER.json")
+      ->check([](const std::string& path) { return path.empty() ? "it names no file" : ""; })
       ->needs("--report");
 }
 

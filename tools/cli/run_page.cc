@@ -1,7 +1,9 @@
 #include "tools/cli/run_page.h"
 
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -14,6 +16,23 @@
 
 namespace g31::cli {
 namespace {
+
+/// What of the limits is not as usual.
+void add_limits(const RunOptions& options, ShownCommand& command) {
+  const RunOptions usual;
+  if (options.fail_on != usual.fail_on) {
+    command.add("--fail-on", std::string(source::name_of(options.fail_on)));
+  }
+  if (options.budget.blocks != usual.budget.blocks) {
+    command.add("--max-blocks", fmt::format("{}", options.budget.blocks));
+  }
+  if (options.budget.wall_seconds != usual.budget.wall_seconds) {
+    command.add("--max-time", fmt::format("{}", options.budget.wall_seconds));
+  }
+  if (options.max_output != usual.max_output) {
+    command.add("--max-output", fmt::format("{}", options.max_output));
+  }
+}
 
 /// The command line that repeats a run.
 std::string command_of(const RunOptions& options) {
@@ -37,7 +56,9 @@ std::string command_of(const RunOptions& options) {
   command.add("--print", options.prints);
   command.add("--expect", options.expects);
   command.add("--allow", options.allowed);
+  add_limits(options, command);
   command.add("--report", options.report);
+  command.add("--lang", language_given(options.language));
   command.add("--compare", options.compare);
   return command.line();
 }
@@ -92,7 +113,29 @@ std::optional<session::Refusal> why_no_page() {
 }
 
 std::optional<session::Refusal> wrong_report(const std::string& report) {
-  return report.empty() ? std::nullopt : why_no_page();
+  if (report.empty()) {
+    return std::nullopt;
+  }
+  if (auto wrong = why_no_page()) {
+    return wrong;
+  }
+  // Before the work, not behind it; what is no file is not disturbed before there is a page.
+  std::error_code unknown;
+  if (std::filesystem::is_directory(report, unknown)) {
+    return session::bad_input(fmt::format("--report {}: cannot write: it is a folder", report));
+  }
+  if (std::filesystem::exists(report, unknown) &&
+      !std::filesystem::is_regular_file(report, unknown)) {
+    return std::nullopt;
+  }
+  const auto place = disk::PartFile::create(report);
+  return place ? std::nullopt
+               : std::optional(session::bad_input(
+                     fmt::format("--report {}: cannot write: {}", report, place.error())));
+}
+
+std::string language_given(page::Language language) {
+  return language == page::Language::English ? std::string() : std::string(name_of(language));
 }
 
 std::vector<page::Input> page_inputs(const std::vector<std::string>& paths) {
@@ -136,7 +179,7 @@ std::optional<session::Refusal> deliver_page(const OpenedRun& opened,
 std::optional<session::Refusal> deliver_refusal_page(const RunOptions& options,
                                                      const report::RunResult& result,
                                                      const source::SourceMap& sources) {
-  if (why_no_page()) {
+  if (options.watch != nullptr ? why_no_page() : wrong_report(options.report)) {
     return std::nullopt;  // it is why there is a refusal, or it comes with the next run
   }
   return send(options,

@@ -17,8 +17,11 @@ inline bool wants_page(const RunOptions& options) {
 
 /// Why no page can be made, whatever the work will come to; nullopt: it can.
 std::optional<session::Refusal> why_no_page();
-/// The same for --report; nullopt where nobody wants it, too.
+/// The same for --report, and why its file cannot be written; nullopt where nobody wants it, too.
 std::optional<session::Refusal> wrong_report(const std::string& report);
+
+/// What --lang has to say for a language; "": nothing.
+std::string language_given(page::Language language);
 
 /// The other run of --compare.  @returns why it cannot be shown
 Result<page::OtherRun, session::Refusal> compared_run(const std::string& path,

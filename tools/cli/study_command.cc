@@ -176,6 +176,7 @@ std::optional<Refusal> report_study(const StudyOptions& options, const study::Re
   command.add("--repeats", options.repeats ? fmt::format("{}", *options.repeats) : "");
   command.add("--seed", options.seed ? fmt::format("{}", *options.seed) : "");
   command.add("--report", options.report);
+  command.add("--lang", language_given(options.language));
   std::vector<std::string> inputs = options.merge;
   if (!options.study.empty()) {
     inputs.push_back(options.study);
