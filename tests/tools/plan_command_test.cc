@@ -258,6 +258,22 @@ TEST_F(Plan, TheSheetOfAShopKeepsItsFixturesAndTheirPlace) {
   }
 }
 
+// A machine of g31's own library is named without a folder; what is not there is left as it is.
+TEST_F(Plan, TheSheetOfAShopKeepsItsMachineAndItsFiles) {
+  std::filesystem::create_directory(folder_.path("shop"));
+  const std::string sheet = folder_.write(
+      "shop/machine.toml",
+      "[work_offsets.G54]\r\nX = 300.0\r\nY = -200.0\r\nZ = -300.0\r\n[machine]\r\nfile = "
+      "\"v55.toml\"\r\n[tools.1]\r\nlength = 120.0\r\n[probe]\r\nlength = 120.0\r\n");
+  const CommandOutput output =
+      plan({kProduct, "--stock", "box", "--setup", sheet, "--control", "haas"});
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  const std::string made = text_of(out("setup.toml"));
+  EXPECT_NE(made.find("file = \"v55.toml\"\r\n"), std::string::npos) << made;
+  EXPECT_NE(made.find("profile = \"haas\""), std::string::npos) << made;
+  EXPECT_NE(made.find("on = \"G54\""), std::string::npos) << made;
+}
+
 TEST_F(Plan, RefusesWhatItCannotUseAndWritesNothing) {
   const std::string whole = text_of(kProduct);
   const std::string truncated = folder_.write("cut.step", whole.substr(0, whole.size() / 2));

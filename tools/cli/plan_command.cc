@@ -165,7 +165,13 @@ ExitCode plan_command(const PlanOptions& options) {
   const auto planned = plan::plan_part(request);
   if (!planned) {
     Refusal wrong = planned.error();
-    replace_all(wrong.message, made.value()->path(), fs::path(options.folder).string());
+    const std::string folder = fs::path(options.folder).string();
+    replace_all(wrong.message, made.value()->path(), folder);
+    for (setup::SetupError& error : wrong.sheet_errors) {
+      for (std::string* const text : {&error.file, &error.message}) {
+        replace_all(*text, made.value()->path(), folder);
+      }
+    }
     return refuse(wrong);
   }
   const std::string document = plan::plan_document(planned.value());

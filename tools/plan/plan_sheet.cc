@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -66,11 +67,7 @@ class SheetEditor {
       }
     }
     take_paths(document_.root, "");
-    std::string text = control_text_ + replaced();
-    if (!text.ends_with('\n')) {
-      text += '\n';
-    }
-    result = text + "\n" + part_text(contents_);
+    result = replaced() + "\n" + control_text_ + part_text(contents_);
     return std::nullopt;
   }
 
@@ -162,6 +159,10 @@ class SheetEditor {
       return;
     }
     const fs::path from = fs::absolute(fs::path(document_.path)).parent_path() / *text;
+    std::error_code unknown;
+    if (member.key == "file" && !fs::exists(from, unknown)) {
+      return;  // a machine that comes with g31
+    }
     const fs::path to =
         from.lexically_normal().lexically_relative(fs::absolute(folder_).lexically_normal());
     replacements_[{member.node.line, member.node.column}] = as_toml(to.string());

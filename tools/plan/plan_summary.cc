@@ -55,13 +55,13 @@ std::string features_text(const PlannedPart& planned) {
 }  // namespace
 
 std::string plan_summary(const PlannedPart& planned, const std::string& folder) {
-  constexpr double kNmPerMm = 1e6;
+  constexpr double kUmPerMm = 1e3;
   std::string text = features_text(planned);
   text += fmt::format(
       "proven on {}: {} touches in {:.0f} s of machine time, nothing else was touched; largest "
-      "deviation {:.3f} nm\n",
+      "deviation {:.4f} um\n",
       planned.product, planned.touches, planned.machine_time_s,
-      planned.largest_deviation_mm * kNmPerMm);
+      planned.largest_deviation_mm * kUmPerMm);
   if (planned.as_machined) {
     text += "as machined:\n" + judgement_table(*planned.as_machined);
   }
