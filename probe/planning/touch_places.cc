@@ -105,12 +105,40 @@ Range across_range(const PlacedOn& on, Side side) {
   return feature.is_round || range.is_empty() ? Range{middle, middle} : range;
 }
 
+/// A face at a side of a feature, own axes.
+struct SideFace {
+  Side side;
+  double at;  ///< along the side's axis
+  Point normal;
+  double approach;  ///< of the ball
+  Range heights;
+  double wanted_z;
+};
+
+TouchPlaces side_places(const PlacedOn& on, const SideFace& face) {
+  const int across = across_of(face.side);
+  PlacesOnFace places(on, face.normal, face.approach);
+  for (const double z : values_of(face.heights, face.wanted_z)) {
+    for (const double a :
+         values_of(across_range(on, face.side), middle_of(on.feature.own, across))) {
+      Point at(0.0, 0.0, z);
+      at[axis_of(face.side)] = face.at;
+      at[across] = a;
+      places.add(at);
+    }
+  }
+  return std::move(places).places();
+}
+
+double at_side(const parts::Box& box, Side side) {
+  return is_plus(side) ? box.max[axis_of(side)] : box.min[axis_of(side)];
+}
+
 }  // namespace
 
 TouchPlaces wall_places(const PlacedOn& on, Side side) {
   const parts::Feature& feature = on.feature;
   const int axis = axis_of(side);
-  const double wall = is_plus(side) ? feature.own.max[axis] : feature.own.min[axis];
   const double least_z =
       feature.is_open(Side::ZMinus)
           ? feature.walls_from_z
@@ -120,42 +148,27 @@ TouchPlaces wall_places(const PlacedOn& on, Side side) {
   const double room = (feature.own.max[axis] - feature.own.min[axis]) / 2 - on.ball_radius_mm;
   const double approach =
       feature.is_open(facing) ? on.distances.approach : std::min(on.distances.approach, room);
-  PlacesOnFace places(on, -outwards(side), approach);
   if (approach <= 0.0) {
     return {};
   }
-  const Range across = across_range(on, side);
-  const Range heights{least_z, feature.walls_to_z};
-  for (const double z : values_of(heights, feature.own.max.z() - on.distances.depth)) {
-    for (const double a : values_of(across, middle_of(feature.own, across_of(side)))) {
-      Point at(0.0, 0.0, z);
-      at[axis] = wall;
-      at[across_of(side)] = a;
-      places.add(at);
-    }
-  }
-  return std::move(places).places();
+  return side_places(on, {side,
+                          at_side(feature.own, side),
+                          -outwards(side),
+                          approach,
+                          {least_z, feature.walls_to_z},
+                          feature.own.max.z() - on.distances.depth});
 }
 
 TouchPlaces outer_places(const PlacedOn& on, Side side) {
-  const parts::Feature& feature = on.feature;
-  const int axis = axis_of(side);
-  const double face = is_plus(side) ? feature.own.max[axis] : feature.own.min[axis];
-  const double floor = feature.own.min.z();
-  const Range heights{on.product_P.min.z(), floor};
-  const Range across = across_range(on, side);
-  PlacesOnFace places(on, outwards(side), on.distances.approach);
+  const double floor = on.feature.own.min.z();
+  const double lowest = on.product_P.min.z();
   const double wanted = floor - on.distances.depth;
-  const double first = wanted < heights.from ? (heights.from + heights.to) / 2 : wanted;
-  for (const double z : values_of(heights, first)) {
-    for (const double a : values_of(across, middle_of(feature.own, across_of(side)))) {
-      Point at(0.0, 0.0, z);
-      at[axis] = face;
-      at[across_of(side)] = a;
-      places.add(at);
-    }
-  }
-  return std::move(places).places();
+  return side_places(on, {side,
+                          at_side(on.feature.own, side),
+                          outwards(side),
+                          on.distances.approach,
+                          {lowest, floor},
+                          wanted < lowest ? (lowest + floor) / 2 : wanted});
 }
 
 TouchPlaces floor_places(const PlacedOn& on) {
@@ -182,14 +195,12 @@ TouchPlaces top_places(const PlacedOn& on) {
       if (feature.is_open(side)) {
         continue;
       }
-      const int axis = axis_of(side);
-      const double wall = is_plus(side) ? feature.own.max[axis] : feature.own.min[axis];
       PlacesOnFace places(on, Point::UnitZ(), on.distances.approach_z);
       const double beside = on.distances.beside + farther;
       for (const double a :
            values_of(across_range(on, side), middle_of(feature.own, across_of(side)))) {
         Point at(0.0, 0.0, feature.own.max.z());
-        at[axis] = wall + (is_plus(side) ? beside : -beside);
+        at[axis_of(side)] = at_side(feature.own, side) + (is_plus(side) ? beside : -beside);
         at[across_of(side)] = a;
         places.add(at);
       }
