@@ -1,6 +1,5 @@
 #include "parts/features/recognise.h"
 
-#include <initializer_list>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,7 +40,7 @@ std::set<std::string_view> open_of(const Feature& feature) {
 TEST(Recognise, NamesEveryKindInAllItsOrientationsByItsOpenSides) {
   struct Case {
     std::string kind;
-    std::initializer_list<Side> open;
+    std::vector<Side> open;
   };
   const std::vector<Case> cases = {
       {"closed_pocket", {ZPlus}},

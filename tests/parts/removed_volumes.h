@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -15,7 +14,7 @@ namespace g31::testing {
 class VolumeMaker {
  public:
   /// A cuboid; all of its sides but the open ones are walls of the product.
-  VolumeMaker(parts::Box box, std::initializer_list<parts::Side> open, double angle_deg = 0.0)
+  VolumeMaker(parts::Box box, const std::vector<parts::Side>& open, double angle_deg = 0.0)
       : box_(std::move(box)) {
     axes_.angle_deg = angle_deg;
     for (int side = 0; side < 6; ++side) {

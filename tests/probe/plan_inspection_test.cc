@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ using parts::Side;
 
 const parts::Box kBlock{{0, 0, -40}, {160, 110, 0}};
 
-Feature feature(FeatureKind kind, const parts::Box& box, std::initializer_list<Side> open) {
+Feature feature(FeatureKind kind, const parts::Box& box, const std::vector<Side>& open) {
   Feature feature;
   feature.kind = kind;
   feature.box_P = feature.own = box;
@@ -79,7 +80,7 @@ TEST(PlanInspection, TouchesAnOpenPocketWhereThePaperDoes) {
 TEST(PlanInspection, MeasuresOfEachKindWhatThePaperSays) {
   struct Case {
     FeatureKind kind;
-    std::initializer_list<Side> open;
+    std::vector<Side> open;
     std::string measures;
   };
   const Case cases[] = {

@@ -193,7 +193,8 @@ TEST_F(Plan, FindsTheErrorsOfAMachinedPartAndNothingElse) {
   ASSERT_EQ(output.exit_code, 0) << output.errors;
   const std::map<std::string, double> errors = {
       {"F6.X", 0.05}, {"F3.Z", -0.03}, {"F4.X.place", 0.02}};
-  for (const json& row : document().at("as_machined").at("measures")) {
+  const json document_made = document();
+  for (const json& row : document_made.at("as_machined").at("measures")) {
     const auto error = errors.find(row.at("id"));
     const bool is_wrong = error != errors.end();
     EXPECT_EQ(row.at("verdict"), is_wrong ? "bad" : "good") << row;
