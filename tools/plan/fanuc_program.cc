@@ -5,8 +5,17 @@ namespace {
 
 /// #5063 includes the length of the tool.
 constexpr ProgramWords kWords = {
-    ProgramLanguage::Fanuc,           "[", "]", "G00", "G01", "F#101", "#100", "#103",
-    {"#5061", "#5062", "#5063-#5083"}};
+    .language = ProgramLanguage::Fanuc,
+    .open = "[",
+    .close = "]",
+    .rapid = "G00",
+    .feed = "G01",
+    .ways_feed = "F#101",
+    .radius = "#100",
+    .point = "#103",
+    .dwell = "G04 X",
+    .skip = {"#5061", "#5062", "#5063-#5083"},
+};
 constexpr double kNearlyThereMm = 0.01;
 
 class FanucWriter final : public ProgramWriter {
@@ -41,12 +50,7 @@ class FanucWriter final : public ProgramWriter {
     }
     line("G90 G17 G40 G80{}", options().has_metric_code ? " G21" : "");
     line("G54");
-    if (!options().switch_on.empty()) {
-      line("{}", options().switch_on);
-      if (options().start_up_s > 0.0) {
-        line("G04 X{}", coordinate(options().start_up_s));
-      }
-    }
+    write_switch_on();
     line("M05");
     line("#100={} (RADIUS OF THE BALL)", exact(options().ball_radius_mm));
     line("#101={} (FEED OF THE WAYS)", coordinate(options().approach_feed));
@@ -75,14 +79,7 @@ class FanucWriter final : public ProgramWriter {
     line("DPRNT[{}*{}[{}{}]]", name, variable, kPrintedDigits - decimals, decimals);
   }
 
-  void write_end() override {
-    line("PCLOS");
-    line("G00 Z{}", height(options().clear_z_P));
-    if (!options().switch_off.empty()) {
-      line("{}", options().switch_off);
-    }
-    line("M30\n%");
-  }
+  void write_end() override { line("PCLOS\nM30\n%"); }
 };
 
 }  // namespace

@@ -30,8 +30,22 @@ std::string ProgramWriter::text() {
       write_result(result);
     }
   }
+  line("{} Z{}", words_.rapid, height(options_.clear_z_P));
+  if (!options_.switch_off.empty()) {
+    line("{}", options_.switch_off);
+  }
   write_end();
   return std::move(text_);
+}
+
+void ProgramWriter::write_switch_on() {
+  if (options_.switch_on.empty()) {
+    return;
+  }
+  line("{}", options_.switch_on);
+  if (options_.start_up_s > 0.0) {
+    line("{}{}", words_.dwell, coordinate(options_.start_up_s));
+  }
 }
 
 void ProgramWriter::write_touch(const ProgramStep& step) {

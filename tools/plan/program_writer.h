@@ -23,6 +23,7 @@ struct ProgramWords {
   std::string_view ways_feed;            ///< "F#101"
   std::string_view radius;               ///< of the ball: "#100"
   std::string_view point;                ///< the variable that has the number of the point
+  std::string_view dwell;                ///< before seconds: "G04 X"
   std::array<std::string_view, 3> skip;  ///< where a touch was, as coordinates are programmed
 };
 
@@ -67,12 +68,16 @@ class ProgramWriter {
     std::size_t point = 0;
   };
 
+  /// Switches the probe on and waits until it is ready.
+  void write_switch_on();
+
   virtual void comment(std::string_view text) = 0;
   virtual void write_head() = 0;
   /// Along Z, as a touch too: nothing breaks on what should not be there.
   virtual void write_way_down(const std::string& z, std::size_t point) = 0;
   virtual void write_skip(const Skip& skip) = 0;
   virtual void write_print(const std::string& name, const std::string& variable, int decimals) = 0;
+  /// Behind the last way up, the probe switched off.
   virtual void write_end() = 0;
 
  private:

@@ -3,15 +3,18 @@
 namespace g31::plan {
 namespace {
 
-constexpr ProgramWords kWords = {ProgramLanguage::Sinumerik,
-                                 "(",
-                                 ")",
-                                 "G0",
-                                 "G1",
-                                 "F=R3",
-                                 "R1",
-                                 "R2",
-                                 {"$AA_MW[X]", "$AA_MW[Y]", "$AA_MW[Z]"}};
+constexpr ProgramWords kWords = {
+    .language = ProgramLanguage::Sinumerik,
+    .open = "(",
+    .close = ")",
+    .rapid = "G0",
+    .feed = "G1",
+    .ways_feed = "F=R3",
+    .radius = "R1",
+    .point = "R2",
+    .dwell = "G4 F",
+    .skip = {"$AA_MW[X]", "$AA_MW[Y]", "$AA_MW[Z]"},
+};
 
 class SinumerikWriter final : public ProgramWriter {
  public:
@@ -44,12 +47,7 @@ class SinumerikWriter final : public ProgramWriter {
                                             : fmt::format("=\"{}\"", options().tool_name));
     line("M6");
     line("D1");
-    if (!options().switch_on.empty()) {
-      line("{}", options().switch_on);
-      if (options().start_up_s > 0.0) {
-        line("G4 F{}", coordinate(options().start_up_s));
-      }
-    }
+    write_switch_on();
     line("M5");
     line("R1={}  ; radius of the ball", exact(options().ball_radius_mm));
     line("R3={}  ; feed of the ways", coordinate(options().approach_feed));
@@ -83,13 +81,7 @@ class SinumerikWriter final : public ProgramWriter {
     line("WRITE(FAULT,\"INSPECT_LOG\",SPRINT(\"{} %.{}f\",{}))", name, decimals, variable);
   }
 
-  void write_end() override {
-    line("G0 Z{}", height(options().clear_z_P));
-    if (!options().switch_off.empty()) {
-      line("{}", options().switch_off);
-    }
-    line("M30");
-  }
+  void write_end() override { line("M30"); }
 };
 
 }  // namespace
