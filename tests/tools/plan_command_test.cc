@@ -275,6 +275,26 @@ TEST_F(Plan, TheSheetOfAShopKeepsItsMachineAndItsFiles) {
   EXPECT_NE(made.find("on = \"G54\""), std::string::npos) << made;
 }
 
+// Of the block around a cylinder four corners are removed, all of no kind.
+TEST_F(Plan, WhatIsOfNoKindIsNamedAndTheRestIsWritten) {
+  const std::string boss = folder_.write("boss.step", text_of("tests/parts/cylinder.step"));
+  const CommandOutput output = plan({boss, "--stock", "box"});
+  ASSERT_EQ(output.exit_code, 1) << output.errors;
+  const json plan = document();
+  EXPECT_TRUE(plan.at("features").empty());
+  EXPECT_TRUE(plan.at("measures").empty());
+  ASSERT_FALSE(plan.at("not_measured").empty());
+  for (const json& row : plan.at("not_measured")) {
+    EXPECT_FALSE(row.at("why").get<std::string>().empty());
+    EXPECT_TRUE(row.contains("min") && row.contains("max")) << row;
+  }
+  for (const char* const name : {"inspect.nc", "setup.toml", "plan.html"}) {
+    EXPECT_FALSE(text_of(out(name)).empty()) << name;
+  }
+  EXPECT_NE(output.out.find("nothing is measured"), std::string::npos) << output.out;
+  EXPECT_EQ(this->plan({boss, "--stock", "box", "--control", "828D"}).exit_code, 1);
+}
+
 TEST_F(Plan, RefusesWhatItCannotUseAndWritesNothing) {
   const std::string whole = text_of(kProduct);
   const std::string truncated = folder_.write("cut.step", whole.substr(0, whole.size() / 2));

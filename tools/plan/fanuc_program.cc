@@ -41,7 +41,7 @@ class FanucWriter final : public ProgramWriter {
     comment("inspection of " + options().product);
     comment("made by g31 plan, and run on the model before");
     comment("origin of G54: that of the model");
-    if (steps().variables.front() >= 0) {
+    if (!steps().variables.empty() && steps().variables.front() >= 0) {
       comment(fmt::format("results: {} to {}", variable(steps().variables.front()).substr(1),
                           variable(steps().variables.back()).substr(1)));
     }

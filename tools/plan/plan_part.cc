@@ -129,9 +129,6 @@ class PartPlanner {
     planned_.plan = touches.value().plan;
     put_in_order(planned_.plan);
     planned_.ball_radius_mm = touches.value().ball_radius_mm;
-    if (planned_.plan.measures.empty()) {
-      return session::bad_input(nothing_to_measure());
-    }
     const auto options = program_options(job, *control_, touches.value());
     if (!options) {
       return options.error();
@@ -140,18 +137,6 @@ class PartPlanner {
     named.product = planned_.product;
     planned_.program = inspection_program(planned_.plan, named);
     return write(planned_.program_file, planned_.program.text);
-  }
-
-  [[nodiscard]] std::string nothing_to_measure() const {
-    std::string text = fmt::format("nothing can be measured on {}", request_.product);
-    if (!planned_.part.unknown.empty()) {
-      text += ": " + planned_.part.unknown.front().why;
-    } else if (!planned_.plan.left_out.empty()) {
-      text += ": " + planned_.plan.left_out.front().why;
-    } else {
-      text += ": nothing was cut from the stock";
-    }
-    return text;
   }
 
   [[nodiscard]] ProofRequest proof_request() const {

@@ -57,6 +57,10 @@ std::string features_text(const PlannedPart& planned) {
 std::string plan_summary(const PlannedPart& planned, const std::string& folder) {
   constexpr double kUmPerMm = 1e3;
   std::string text = features_text(planned);
+  if (planned.plan.measures.empty()) {
+    text += planned.leaves_something_out() ? "nothing is measured\n"
+                                           : "nothing was cut from the stock\n";
+  }
   text += fmt::format(
       "proven on {}: {} touches in {:.0f} s of machine time, nothing else was touched; largest "
       "deviation {:.4f} um\n",

@@ -36,7 +36,7 @@ class SinumerikWriter final : public ProgramWriter {
     comment("Inspection of " + options().product);
     comment("made by g31 plan, and run on the model before");
     comment("Origin of G54: that of the model.  Results go to the file INSPECT_LOG");
-    if (steps().variables.front() >= 0) {
+    if (!steps().variables.empty() && steps().variables.front() >= 0) {
       comment(fmt::format("and stay in {} to {}", variable(steps().variables.front()),
                           variable(steps().variables.back())));
     }
