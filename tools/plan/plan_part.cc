@@ -196,7 +196,9 @@ class PartPlanner {
     request.other_product = request_.as_machined;
     const auto proof = prove(request);
     if (!proof) {
-      return proof.error();
+      Refusal wrong = proof.error();
+      wrong.ending = session::Ending::BadInput;  // the sheet has run before: it is the file
+      return wrong;
     }
     planned_.as_machined = judged(measures_of(planned_), proof.value().printed);
     return std::nullopt;
