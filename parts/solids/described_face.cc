@@ -1,5 +1,7 @@
 #include "parts/solids/described_face.h"
 
+#include <algorithm>
+
 #include <BOPTools_AlgoTools3D.hxx>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
@@ -7,10 +9,10 @@
 #include <BRepGProp_Face.hxx>
 #include <BRep_Tool.hxx>
 #include <GProp_GProps.hxx>
-#include <IntTools_Context.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+#include <TopoDS_Solid.hxx>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Sphere.hxx>
@@ -82,15 +84,27 @@ void take_border(const TopoDS_Face& shape, RemovedFace& face) {
 
 }  // namespace
 
-RemovedFace described(const TopoDS_Face& shape, bool is_open) {
+FaceDescriber::FaceDescriber(const TopoDS_Shape& product) : context_(new IntTools_Context) {
+  for (TopExp_Explorer each(product, TopAbs_SOLID); each.More(); each.Next()) {
+    solids_.push_back(std::make_unique<BRepClass3d_SolidClassifier>(each.Current()));
+  }
+}
+
+bool FaceDescriber::is_on_product(const Point& p_P) const {
+  constexpr double kToleranceMm = 1e-6;
+  return std::ranges::any_of(solids_, [&](const auto& solid) {
+    solid->Perform(gp_Pnt(p_P.x(), p_P.y(), p_P.z()), kToleranceMm);
+    return solid->State() != TopAbs_OUT;
+  });
+}
+
+RemovedFace FaceDescriber::described(const TopoDS_Face& shape) {
   RemovedFace face;
-  face.is_open = is_open;
   take_surface(shape, face);
   take_border(shape, face);
   gp_Pnt at;
   gp_Pnt2d uv;
-  const Handle(IntTools_Context) context = new IntTools_Context;
-  BOPTools_AlgoTools3D::PointInFace(shape, at, uv, context);
+  BOPTools_AlgoTools3D::PointInFace(shape, at, uv, context_);
   gp_Vec normal;
   BRepGProp_Face(shape).Normal(uv.X(), uv.Y(), at, normal);
   face.at_P = point_of(at);
@@ -98,6 +112,7 @@ RemovedFace described(const TopoDS_Face& shape, bool is_open) {
   GProp_GProps properties;
   BRepGProp::SurfaceProperties(shape, properties);
   face.area_mm2 = properties.Mass();
+  face.is_open = !is_on_product(face.at_P);
   return face;
 }
 

@@ -1,6 +1,12 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <IntTools_Context.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Shape.hxx>
 
 #include "parts/features/removed_volume.h"
 
@@ -8,8 +14,19 @@
 
 namespace g31::parts {
 
-/// A face as plain data.
-/// @param is_open  what it is to the volume that it bounds
-RemovedFace described(const TopoDS_Face& face, bool is_open);
+/// Tells faces of removed volumes of one product as plain data.
+class FaceDescriber {
+ public:
+  /// @param product  its solids
+  explicit FaceDescriber(const TopoDS_Shape& product);
+
+  [[nodiscard]] RemovedFace described(const TopoDS_Face& face);
+
+ private:
+  [[nodiscard]] bool is_on_product(const Point& p_P) const;
+
+  std::vector<std::unique_ptr<BRepClass3d_SolidClassifier>> solids_;
+  Handle(IntTools_Context) context_;
+};
 
 }  // namespace g31::parts

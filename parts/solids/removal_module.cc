@@ -7,7 +7,6 @@
 #include <exception>
 #include <utility>
 
-#include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -17,7 +16,6 @@
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_ListOfShape.hxx>
-#include <TopTools_MapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <fmt/format.h>
 #include <gp_Pln.hxx>
@@ -76,53 +74,31 @@ std::string outside(const Box& product_P, const Box& stock_P) {
   return {};
 }
 
-/// Faces of shapes, whatever way they look.
-class Faces {
- public:
-  [[nodiscard]] bool has(const TopoDS_Shape& face) const { return faces_.Contains(face); }
-
-  /// What an operation has left of a face.
-  void add_left(BRepAlgoAPI_BuilderAlgo& operation, const TopoDS_Shape& face) {
-    if (!operation.IsDeleted(face)) {
-      faces_.Add(face);
-    }
-    for (const TopoDS_Shape& piece : operation.Modified(face)) {
-      faces_.Add(piece);
-    }
-  }
-
- private:
-  TopTools_MapOfShape faces_;
-};
-
 class Remover {
  public:
-  Remover(TopoDS_Shape product, TopoDS_Shape stock)
-      : product_(std::move(product)), stock_(std::move(stock)) {}
+  Remover(const TopoDS_Shape& product, const TopoDS_Shape& stock)
+      : product_(product), stock_(stock), describer_(product) {}
 
   /// @returns why it cannot be done
   std::string remove(std::vector<RemovedVolume>& volumes) {
+    TopTools_ListOfShape stock = solids_in(stock_);
+    TopTools_ListOfShape product = solids_in(product_);
     BRepAlgoAPI_Cut cut;
-    cut.SetArguments(solids_in(stock_));
-    cut.SetTools(solids_in(product_));
+    cut.SetArguments(stock);
+    cut.SetTools(product);
     cut.Build();
     if (cut.HasErrors() || !cut.IsDone()) {
       return "Open CASCADE cannot cut the product out of the stock; is one of them no clean solid?";
     }
-    Faces walls;
-    for (TopExp_Explorer each(product_, TopAbs_FACE); each.More(); each.Next()) {
-      walls.add_left(cut, each.Current());
-    }
     for (TopExp_Explorer each(cut.Shape(), TopAbs_SOLID); each.More(); each.Next()) {
-      add_layers(each.Current(), walls, volumes);
+      add_layers(each.Current(), volumes);
     }
     return {};
   }
 
  private:
-  static void add_layers(const TopoDS_Shape& solid, const Faces& walls,
-                         std::vector<RemovedVolume>& volumes) {
-    RemovedVolume whole = removed(solid, walls);
+  void add_layers(const TopoDS_Shape& solid, std::vector<RemovedVolume>& volumes) {
+    RemovedVolume whole = described(solid);
     if (whole.volume_mm3 < kLeastVolumeMm3) {
       return;
     }
@@ -141,14 +117,8 @@ class Remover {
     splitter.SetArguments(pieces);
     splitter.SetTools(planes);
     splitter.Build();
-    Faces walls_of_pieces;
-    for (TopExp_Explorer each(solid, TopAbs_FACE); each.More(); each.Next()) {
-      if (walls.has(each.Current())) {
-        walls_of_pieces.add_left(splitter, each.Current());
-      }
-    }
     for (TopExp_Explorer each(splitter.Shape(), TopAbs_SOLID); each.More(); each.Next()) {
-      RemovedVolume piece = removed(each.Current(), walls_of_pieces);
+      RemovedVolume piece = described(each.Current());
       if (piece.volume_mm3 >= kLeastVolumeMm3) {
         volumes.push_back(std::move(piece));
       }
@@ -164,15 +134,14 @@ class Remover {
     return BRepBuilderAPI_MakeFace(plane, -half.x(), half.x(), -half.y(), half.y()).Face();
   }
 
-  static RemovedVolume removed(const TopoDS_Shape& solid, const Faces& walls) {
+  RemovedVolume described(const TopoDS_Shape& solid) {
     RemovedVolume volume;
     GProp_GProps properties;
     BRepGProp::VolumeProperties(solid, properties);
     volume.volume_mm3 = properties.Mass();
     volume.box_P = box_around(solid);
     for (TopExp_Explorer each(solid, TopAbs_FACE); each.More(); each.Next()) {
-      const TopoDS_Face& face = TopoDS::Face(each.Current());
-      volume.faces.push_back(described(face, !walls.has(face)));
+      volume.faces.push_back(describer_.described(TopoDS::Face(each.Current())));
     }
     return volume;
   }
@@ -195,15 +164,17 @@ class Remover {
 
   TopoDS_Shape product_;
   TopoDS_Shape stock_;
+  FaceDescriber describer_;
 };
 
 /// What the file says of sizes, with its faces as plain data.
 std::vector<DrawnDimension> drawn(const SourceSolids& product) {
   std::vector<DrawnDimension> dimensions;
+  FaceDescriber describer(product.shape);
   for (const StepDimension& step : product.dimensions) {
     DrawnDimension dimension{step.nominal_mm, step.lower_mm, step.upper_mm, {}};
     for (const TopoDS_Face& face : step.faces) {
-      dimension.faces.push_back(described(face, false));
+      dimension.faces.push_back(describer.described(face));
     }
     dimensions.push_back(std::move(dimension));
   }

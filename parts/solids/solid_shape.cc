@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -141,16 +140,6 @@ Solids from_mesh(const SolidSource& source) {
   return SourceSolids{joined(solids, kMeshToleranceMm), {}};
 }
 
-bool has_free_forms(const TopoDS_Shape& shape) {
-  for (TopExp_Explorer each(shape, TopAbs_FACE); each.More(); each.Next()) {
-    const auto type = BRepAdaptor_Surface(TopoDS::Face(each.Current()), Standard_False).GetType();
-    if (type > GeomAbs_Torus) {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 Solids solids_of(const SolidSource& source) {
@@ -159,11 +148,7 @@ Solids solids_of(const SolidSource& source) {
 
 Box box_around(const TopoDS_Shape& shape) {
   Bnd_Box bounds;
-  if (has_free_forms(shape)) {
-    BRepBndLib::Add(shape, bounds, Standard_False);  // exact ones take seconds for each face
-  } else {
-    BRepBndLib::AddOptimal(shape, bounds, Standard_False, Standard_False);
-  }
+  BRepBndLib::AddOptimal(shape, bounds, Standard_False, Standard_False);
   bounds.SetGap(0.0);
   Box box;
   bounds.Get(box.min.x(), box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z());

@@ -23,8 +23,7 @@ struct SourceSolids {
 /// Error: why there are none, with the name.
 Result<SourceSolids, std::string> solids_of(const SolidSource& source);
 
-/// The box around a shape, exact where its vertices bound it; around free-form faces it may be
-/// larger.
+/// The box around a shape, exact where its vertices bound it.
 Box box_around(const TopoDS_Shape& shape);
 
 }  // namespace g31::parts
