@@ -69,3 +69,14 @@ export const pixelsOf = (page) => page.evaluate(() => {
   }
   return { drawn: drawn / (data.length / 4), colours: colours.size, sum: data.reduce((sum, value) => sum + value, 0) };
 });
+
+/** Tries a check until it holds: what is drawn follows what was done in one of the next frames, on a busy computer later. */
+export async function eventually(check, patience_ms = 20000) {
+  for (const end = Date.now() + patience_ms; ; await new Promise((resolve) => { setTimeout(resolve, 50); })) {
+    try {
+      return await check();
+    } catch (error) {
+      if (Date.now() > end) throw error;
+    }
+  }
+}

@@ -1,7 +1,7 @@
 // What a reader does with a page: choose, scrub, play, turn, print, with pointer and keys.
 import assert from 'node:assert/strict';
 import test, { after, before } from 'node:test';
-import { launch, open, pageOf, pixelsOf, reportOf } from './browser.mjs';
+import { eventually, launch, open, pageOf, pixelsOf, reportOf } from './browser.mjs';
 import { sampleRun } from './sample_run.mjs';
 
 const RING = 'parts/library/ring_gauge';
@@ -35,7 +35,7 @@ test('a touch chosen in the table is chosen everywhere, and the playhead goes th
   assert.deepEqual(await chosen(page), [9]);
   assert.ok(Math.abs(await time(page) - time_s) < 0.001);
   assert.equal(await line(page), `${file}:${at}`);
-  assert.equal(await page.locator('.scene-labels .badge.sel').textContent(), '9');
+  await eventually(async () => assert.equal(await page.locator('.scene-labels .badge.sel').textContent(), '9'));
   for (const figure of ['#plan', '#chart']) {
     assert.equal(await page.locator(`${figure} g[data-t="9"] rect`).getAttribute('fill'), 'var(--accent)');
   }
@@ -88,8 +88,7 @@ test('keys: touch before and next, play and pause, arrows on the range, arrows o
   const { sum } = await pixelsOf(page);
   await page.focus('#scene');
   await page.keyboard.press('ArrowLeft');
-  await page.waitForTimeout(300);
-  assert.notEqual((await pixelsOf(page)).sum, sum, 'it turns');
+  await eventually(async () => assert.notEqual((await pixelsOf(page)).sum, sum, 'it turns'));
 });
 
 test('the section can be closed, views be chosen', async () => {
@@ -98,11 +97,9 @@ test('the section can be closed, views be chosen', async () => {
   await page.waitForTimeout(200);
   const open_ = await pixelsOf(page);
   await page.click('[data-view="section"]');
-  await page.waitForTimeout(200);
-  assert.notEqual((await pixelsOf(page)).sum, open_.sum);
+  await eventually(async () => assert.notEqual((await pixelsOf(page)).sum, open_.sum));
   await page.click('[data-view="z"]');
-  await page.waitForTimeout(200);
-  assert.ok((await pixelsOf(page)).drawn > 0.1);
+  await eventually(async () => assert.ok((await pixelsOf(page)).drawn > 0.1));
 });
 
 test('lines, files and ways without a signal answer', async () => {

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import test, { after, before } from 'node:test';
-import { launch, open, packages, pageOf, pixelsOf } from './browser.mjs';
+import { eventually, launch, open, packages, pageOf, pixelsOf } from './browser.mjs';
 import { sampleRun } from './sample_run.mjs';
 
 const AXE = fs.readFileSync(packages.resolve('axe-core/axe.min.js'), 'utf8');
@@ -22,9 +22,8 @@ test('light and dark follow the system; the button overrides', async () => {
   assert.equal(await ground(dark.page), 'rgb(14, 17, 19)');
   assert.notEqual((await pixelsOf(light.page)).sum, (await pixelsOf(dark.page)).sum);
   await dark.page.click('#theme');
-  await dark.page.waitForTimeout(300);
-  assert.equal(await ground(dark.page), 'rgb(243, 244, 245)');
-  assert.equal((await pixelsOf(light.page)).sum, (await pixelsOf(dark.page)).sum);
+  await eventually(async () => assert.equal(await ground(dark.page), 'rgb(243, 244, 245)'));
+  await eventually(async () => assert.equal((await pixelsOf(light.page)).sum, (await pixelsOf(dark.page)).sum));
   await light.close();
   await dark.close();
 });
