@@ -2,10 +2,10 @@
 
 namespace g31::testing {
 
-/// How many of so many like cases a test tries: all, and a fourth of them under the address
-/// sanitizer, where each takes ten times as long and only what it does to memory is asked.
+/// How many of so many like cases a test tries: all, and a fourth of them under the
+/// sanitizers, where each takes ten times as long and only what it does to memory is asked.
 constexpr int of_many(int cases) {
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(G31_UNDER_SANITIZERS)
   return (cases + 3) / 4;
 #else
   return cases;

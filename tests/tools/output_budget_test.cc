@@ -31,7 +31,7 @@ using testing::TemporaryFolder;
 
 constexpr std::uint64_t kMegabyte = 1'000'000;
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(G31_UNDER_SANITIZERS)
 constexpr bool kBoundsMemory = false;  // the sanitizer itself takes terabytes of addresses
 #else
 constexpr bool kBoundsMemory = true;
