@@ -45,7 +45,8 @@ ToolProbe::ToolProbe(const ToolProbeSetup& setup, std::shared_ptr<const ToolRack
       plate_(plate_of(setup)),
       R_MT_(parts::rotation_to_machine({Point::Zero(), setup.rotate_deg})),
       is_round_(setup.shape != ToolProbeShape::Cube),
-      place_(std::move(place)),
+      chips_(std::move(place.chips)),
+      bed_(std::move(place.chain)),
       seed_(seed),
       stream_(kFirstToolProbeStream + index),
       spindle_(seed) {
@@ -93,8 +94,8 @@ void ToolProbe::take(const machine::MachineEvent& event) {
   if (const auto* const change = std::get_if<machine::ToolChange>(&event)) {
     if (change->spindle == kToolSpindle) {
       held_ = rack_->called(change->tool);
-      if (held_ != nullptr && place_.chain) {
-        place_.chain->take_tool(held_->shape.p_T_tip);
+      if (held_ != nullptr) {
+        bed_.take_tool(held_->shape.p_T_tip);
       }
     }
   } else if (const auto* const turn = std::get_if<machine::SpindleTurn>(&event)) {
@@ -141,62 +142,44 @@ std::optional<ToolProbe::Touch> ToolProbe::first_touch(const Pieces& pieces,
 
 std::optional<ToolProbe::Touch> ToolProbe::chip_touch(const machine::Waypoint& from,
                                                       const machine::Waypoint& to) const {
-  if (place_.chips.empty()) {
+  if (chips_.empty()) {
     return std::nullopt;
   }
   const Point& p_T_tip = held_->shape.p_T_tip;
   const auto sections = round_sections_of(held_->shape.envelope, p_T_tip);
-  const auto met = probe::first_touch(sections, place_.chips,
-                                      way_of_tip(p_T_tip, machine::sweep_between(from, to)));
+  const auto met =
+      probe::first_touch(sections, chips_, way_of_tip(p_T_tip, machine::sweep_between(from, to)));
   return met ? std::optional(Touch{met->touch.fraction, met->touch.n_M, met->touch.p_M_point})
              : std::nullopt;
 }
 
+/// Chuck and shank break a beam of light as well; into a plate they must not go.
+ToolProbe::Depth ToolProbe::depth_at(const machine::Waypoint& at) const {
+  const Depth depth = depth_of(pieces(), at);
+  if (setup_.shape != ToolProbeShape::Laser) {
+    return depth;
+  }
+  const Depth of_holder = depth_of(held_->shape.bodies, at);
+  return of_holder.mm > depth.mm ? of_holder : depth;
+}
+
+/// Of plate or chip, pushed so far that the signal is there.  A chip lies on the upper face: what
+/// it hands on goes down.
+std::optional<ToolProbe::Touch> ToolProbe::touch_at(const machine::Waypoint& at) const {
+  if (const Depth depth = depth_at(at); depth.mm >= setup_.pre_travel_mm - kCastErrorMm) {
+    return Touch{0.0, depth.n_M, target().furthest(depth.n_M)};
+  }
+  machine::Waypoint raised = at;
+  raised.q_M.head<kLinearAxisCount>() += setup_.pre_travel_mm * R_MT_.col(2);
+  return chip_touch(raised, raised);
+}
+
 bool ToolProbe::is_on(const machine::Waypoint& at) const {
-  return held_ != nullptr && depth_of(pieces(), at).mm >= setup_.pre_travel_mm - kCastErrorMm;
+  return held_ != nullptr && touch_at(at).has_value();
 }
 
 bool ToolProbe::signals_at(const machine::Waypoint& at, int input) const {
-  return is_wired(input) && held_ != nullptr && is_on(from_bed(at));
-}
-
-std::optional<Eigen::Isometry3d> ToolProbe::part_from_bed(const machine::Waypoint& at) const {
-  if (!place_.chain || !place_.chain->is_turned(at.q_M)) {
-    return std::nullopt;
-  }
-  const Point p_P_tip = linear_axes(at.q_M) + held_->shape.p_T_tip;
-  // Linear axes count under the table alone, and such a machine has all three.
-  return place_.chain->part_from_machine(place_.chain->axes_for(p_P_tip, at.q_M).value_or(at.q_M));
-}
-
-machine::Waypoint ToolProbe::from_bed(const machine::Waypoint& at) const {
-  const auto part_from_machine = part_from_bed(at);
-  if (!part_from_machine) {
-    return at;
-  }
-  const Point& p_T_tip = held_->shape.p_T_tip;
-  const Eigen::Isometry3d machine_from_part = part_from_machine->inverse();
-  machine::Waypoint seen = at;
-  seen.q_M.head<kLinearAxisCount>() = machine_from_part * (linear_axes(at.q_M) + p_T_tip) - p_T_tip;
-  seen.tilt = Eigen::Quaterniond(machine_from_part.linear()) * at.tilt;
-  return seen;
-}
-
-std::vector<machine::Waypoint> ToolProbe::from_bed(const machine::Way& way) const {
-  std::vector<machine::Waypoint> points = machine::points_of(way);
-  for (machine::Waypoint& point : points) {
-    point = from_bed(point);
-  }
-  return points;
-}
-
-machine::Contact ToolProbe::for_part(const machine::Contact& contact,
-                                     const machine::Waypoint& at) const {
-  const auto part_from_machine = part_from_bed(at);
-  return part_from_machine
-             ? machine::Contact{*part_from_machine * contact.p_M_point,
-                                part_from_machine->linear() * contact.n_M, contact.part}
-             : contact;
+  return is_wired(input) && held_ != nullptr && is_on(bed_.from_bed(at));
 }
 
 double ToolProbe::trigger_shift(std::uint64_t event) const {
@@ -218,20 +201,18 @@ std::optional<machine::SkipTrigger> ToolProbe::first_signal(const machine::Way& 
   if (held_ == nullptr) {
     return rises ? std::nullopt : std::optional(machine::SkipTrigger{0.0, true, 0.0, std::nullopt});
   }
-  const std::vector<machine::Waypoint> points = from_bed(way);
+  const std::vector<machine::Waypoint> points = bed_.from_bed(way);
   auto trigger = rises ? first_touch_along(points, to.speed_mm_s) : first_release_along(points);
   if (trigger && trigger->contact) {
-    trigger->contact = for_part(*trigger->contact, machine::points_of(way).front());
+    trigger->contact = bed_.for_part(*trigger->contact, machine::points_of(way).front());
   }
   return trigger;
 }
 
 std::optional<machine::SkipTrigger> ToolProbe::first_touch_along(Points way, double speed_mm_s) {
   const std::uint64_t event = triggers_asked_++;
-  if (const Depth depth = depth_of(pieces(), way.front());
-      depth.mm >= setup_.pre_travel_mm - kCastErrorMm) {
-    const Point p_M = target().furthest(depth.n_M);
-    return machine::SkipTrigger{0.0, true, 0.0, contact_of({0.0, depth.n_M, p_M})};
+  if (const auto touch = touch_at(way.front())) {
+    return machine::SkipTrigger{0.0, true, 0.0, contact_of(*touch)};
   }
   double gone = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) {
@@ -261,7 +242,7 @@ std::optional<machine::SkipTrigger> ToolProbe::first_touch_along(Points way, dou
 std::optional<ToolProbe::Push> ToolProbe::first_push(const machine::Waypoint& from,
                                                      const machine::Waypoint& to) const {
   const Point along = (linear_axes(to.q_M) - linear_axes(from.q_M)).normalized();
-  if (const Depth depth = depth_of(pieces(), from); depth.mm >= -kCastErrorMm) {
+  if (const Depth depth = depth_at(from); depth.mm >= -kCastErrorMm) {
     const double inwards = -depth.n_M.dot(along);
     if (inwards <= 0.0) {
       return std::nullopt;  // it leaves, and comes back to nothing that is convex
@@ -270,11 +251,12 @@ std::optional<ToolProbe::Push> ToolProbe::first_push(const machine::Waypoint& fr
     return Push{here, (setup_.pre_travel_mm - std::max(0.0, depth.mm)) / inwards, false};
   }
   const auto plate = first_touch(pieces(), from, to);
-  const auto chip = chip_touch(from, to);
-  const bool is_chip = chip && (!plate || chip->fraction < plate->fraction);
-  const auto& touch = is_chip ? chip : plate;
+  const bool is_beam = setup_.shape == ToolProbeShape::Laser;
+  const auto other = is_beam ? first_touch(held_->shape.bodies, from, to) : chip_touch(from, to);
+  const bool is_other = other && (!plate || other->fraction < plate->fraction);
+  const auto& touch = is_other ? other : plate;
   const double inwards = touch ? -touch->n_M.dot(along) : 0.0;
-  return inwards > 0.0 ? std::optional(Push{*touch, setup_.pre_travel_mm / inwards, !is_chip})
+  return inwards > 0.0 ? std::optional(Push{*touch, setup_.pre_travel_mm / inwards, !is_other})
                        : std::nullopt;
 }
 

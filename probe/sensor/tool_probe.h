@@ -7,11 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Geometry>
-
 #include "machine/kinematics/axis_chain.h"
 #include "machine/port/surroundings.h"
 #include "probe/collision/collision_mesh.h"
+#include "probe/sensor/bed_view.h"
 #include "probe/tooling/convex_cast.h"
 #include "probe/tooling/spindle.h"
 #include "probe/tooling/tool_probe_setup.h"
@@ -32,7 +31,8 @@ struct ToolProbePlace {
 /// A tool that stands touches with what its teeth are at the angle of the spindle, one that turns
 /// when the spindle brings the first tooth (turning_teeth.h).  The signal comes when the plate is
 /// pushed by the pre-travel along its normal, shifted along the move by a normal random number of
-/// standard deviation `repeatability_mm`.  A beam gives way to nothing and is no obstacle.
+/// standard deviation `repeatability_mm`.  A beam gives way to nothing and is no obstacle; chuck
+/// and shank break it, too.
 ///
 /// Accuracy: kCastErrorMm for what stands.  How deep a tool is in is taken along the normals of the
 /// plate's faces.
@@ -72,7 +72,7 @@ class ToolProbe final : public machine::Surroundings {
   struct Push {
     Touch touch;
     double to_signal_mm = 0.0;  ///< of the way
-    bool of_plate = true;       ///< the tool was free before, and it is no chip
+    bool of_plate = true;       ///< the tool was free before; no chip, and no holder in a beam
   };
   /// How deep the tool is in: < 0 where it is not.
   struct Depth {
@@ -81,12 +81,6 @@ class ToolProbe final : public machine::Surroundings {
   };
 
   [[nodiscard]] bool is_wired(int input) const;
-  /// From the frame of the part, which the world is asked in, to that of the machine, and back.
-  [[nodiscard]] std::optional<Eigen::Isometry3d> part_from_bed(const machine::Waypoint& at) const;
-  [[nodiscard]] machine::Waypoint from_bed(const machine::Waypoint& at) const;
-  [[nodiscard]] std::vector<machine::Waypoint> from_bed(const machine::Way& way) const;
-  [[nodiscard]] machine::Contact for_part(const machine::Contact& contact,
-                                          const machine::Waypoint& at) const;
   [[nodiscard]] std::optional<machine::Obstacle> obstacle_along(Points way,
                                                                 machine::Travel travel) const;
   [[nodiscard]] PlacedShape target() const { return {&plate_, R_MT_, p_M_middle_}; }
@@ -101,8 +95,10 @@ class ToolProbe final : public machine::Surroundings {
   [[nodiscard]] std::optional<Touch> chip_touch(const machine::Waypoint& from,
                                                 const machine::Waypoint& to) const;
   [[nodiscard]] Depth depth_of(const Pieces& pieces, const machine::Waypoint& at) const;
+  [[nodiscard]] Depth depth_at(const machine::Waypoint& at) const;
   [[nodiscard]] Depth depth_by_sides(const PlacedShape& tool) const;
   [[nodiscard]] double depth_along(const Depth& side, const PlacedShape& tool) const;
+  [[nodiscard]] std::optional<Touch> touch_at(const machine::Waypoint& at) const;
   [[nodiscard]] bool is_on(const machine::Waypoint& at) const;
   [[nodiscard]] double way_of_turning(const Touch& touch, const machine::Sweep& sweep, double gone,
                                       double speed_mm_s) const;
@@ -126,7 +122,8 @@ class ToolProbe final : public machine::Surroundings {
   Point p_M_middle_ = Point::Zero();
   std::vector<Point> normals_M_;  // of the sides that tools push
   bool is_round_ = false;         // further sides all around, across the axis of the plate
-  ToolProbePlace place_;
+  std::vector<CollisionMesh> chips_;
+  BedView bed_;
   std::uint64_t seed_;
   std::uint32_t stream_;
   std::uint64_t triggers_asked_ = 0;

@@ -241,6 +241,25 @@ TEST(ToolProbe, ABeamIsBrokenAndFreeAgain) {
   EXPECT_NEAR(touched->q_M_latched[1], 5.25, 1e-7);
 }
 
+TEST(ToolProbe, AHolderBreaksABeamAsTheToolDoes) {
+  ToolSetup mill = tool(ToolKind::Mill, 100, 10);
+  ProbeSection chuck;  // 50 mm high, 40 mm thick, from 50 mm above the lowest point on
+  chuck.z_bottom = 50.0;
+  chuck.z_top = 100.0;
+  chuck.radius_bottom = chuck.radius_top = 20.0;
+  mill.bodies = {chuck};
+  Bench bench(mill, laser(0.5));
+  ASSERT_TRUE(bench.go(200, -60, 40));
+  const auto broken = bench.touch({200, 60, 40}, 100);
+  ASSERT_TRUE(broken);
+  EXPECT_NEAR(broken->y(), -20.25, 1e-8) << "the chuck's radius and the beam's";
+  EXPECT_TRUE(bench.machine().skip_signal(kInput));
+  ASSERT_TRUE(bench.go(200, -60, 40) && bench.go(200, -60, 60));
+  const auto shank = bench.touch({200, 60, 60}, 100);
+  ASSERT_TRUE(shank);
+  EXPECT_NEAR(shank->y(), -5.25, 1e-8) << "the beam is below the chuck";
+}
+
 TEST(ToolProbe, APlateGivesWayAndBreaks) {
   ToolProbeSetup setup = cube();
   setup.pre_travel_mm = 0.01;

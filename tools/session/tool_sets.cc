@@ -6,6 +6,7 @@
 #include "machine/base/contract.h"
 #include "parts/artefacts/artefact.h"
 #include "parts/geometry/placement.h"
+#include "probe/sensor/chips.h"
 #include "probe/sensor/tool_probe.h"
 
 namespace g31::session {
@@ -28,27 +29,10 @@ parts::PartSetup plate_shape(const probe::ToolProbeSetup& setup) {
   return plate;
 }
 
-/// Whether a corner of the part is on the plate, or in it.
-bool is_chip(const probe::ProbedPart& part, const probe::ToolProbeSetup& setup) {
-  if (part.role != probe::Role::Part || setup.shape == probe::ToolProbeShape::Laser) {
-    return false;
-  }
-  const bool is_disc = setup.shape == probe::ToolProbeShape::Disc;
-  const Point half = 0.5 * extent_mm(setup);
-  const Eigen::Matrix3d R_MT = parts::rotation_to_machine({Point::Zero(), setup.rotate_deg});
-  return std::ranges::any_of(part.mesh_M.vertices, [&](const Point& p_M) {
-    Point p_T = R_MT.transpose() * (p_M - setup.p_M_at) + Point(0.0, 0.0, half.z());
-    if (is_disc) {
-      p_T = Point(p_T.head<2>().norm(), 0.0, p_T.z());
-    }
-    return (p_T - p_T.cwiseMin(half).cwiseMax(-half)).norm() <= kOnPlateMm;
-  });
-}
-
 /// What moves the part past a probe that stands on the bed.
 std::optional<machine::AxisChain> chain_under(const setup::Job& job,
                                               const probe::ToolProbeSetup& setup) {
-  const machine::AxisChain chain(job.machine.chain, Point::Zero());
+  const machine::AxisChain chain = chain_of(job);
   return setup.side == probe::ToolProbeSide::Bed && chain.has_rotary_axes() ? std::optional(chain)
                                                                             : std::nullopt;
 }
@@ -59,6 +43,10 @@ probe::UnnamedTools unnamed_tools(const setup::Job& job) {
 }
 
 }  // namespace
+
+machine::AxisChain chain_of(const setup::Job& job) {
+  return {job.machine.chain, Point::Zero()};
+}
 
 std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup>& tool_probes) {
   std::vector<probe::ProbedPart> plates;
@@ -82,7 +70,7 @@ bool do_parts_matter(const setup::Job& job, const std::vector<probe::ProbedPart>
   const auto matters = [&](const probe::ProbedPart& part) {
     return part.role == probe::Role::Rigid ||
            std::ranges::any_of(job.tool_probes, [&](const probe::ToolProbeSetup& setup) {
-             return is_chip(part, setup);
+             return probe::is_chip(part, setup);
            });
   };
   return std::ranges::any_of(job.tools, has_holder) || std::ranges::any_of(parts, matters);
@@ -99,7 +87,7 @@ std::shared_ptr<const ToolParts> tool_parts_of(const setup::Job& job,
   for (const probe::ToolProbeSetup& setup : job.tool_probes) {
     std::vector<probe::CollisionMesh>& chips = made->chips.emplace_back();
     for (std::size_t i = 0; i < solids.size(); ++i) {
-      if (is_chip(parts[i], setup)) {
+      if (probe::is_chip(parts[i], setup)) {
         chips.push_back(solids[i]);
       }
     }

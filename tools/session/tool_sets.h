@@ -16,15 +16,16 @@ namespace g31::session {
 /// The plates of tool probes as what the touch probe must not meet; a beam of light is none.
 std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup>& tool_probes);
 
+/// The axes of the machine, whatever tool it holds.
+machine::AxisChain chain_of(const setup::Job& job);
+
 /// What parts are to tools, with what takes long to make; may be shared by threads.
 struct ToolParts {
   /// Empty where neither a tool has a holder nor a part is a fixture.
   std::shared_ptr<const probe::ToolObstacles> obstacles;
-  /// Of each tool probe the parts that lie on its plate: a corner of them is nearer than
-  /// kOnPlateMm.
+  /// Of each tool probe the parts that lie on its plate (chips.h).
   std::vector<std::vector<probe::CollisionMesh>> chips;
 };
-inline constexpr double kOnPlateMm = 0.05;
 
 /// Whether any part is more to a tool than what it cuts: its meshes are wanted then.
 bool do_parts_matter(const setup::Job& job, const std::vector<probe::ProbedPart>& parts);

@@ -14,6 +14,7 @@
 #include "parts/geometry/mesh_defects.h"
 #include "parts/geometry/placement.h"
 #include "parts/import/mesh_file.h"
+#include "probe/sensor/bed_view.h"
 #include "probe/sensor/scripted_signals.h"
 #include "probe/sensor/touch_probe.h"
 #include "probe/sensor/world.h"
@@ -48,10 +49,33 @@ std::optional<Refusal> too_late(const runtime::TimeBudget* time, const std::stri
   return std::nullopt;
 }
 
-probe::SeenParts seen_with(const probe::TouchableParts& touchable) {
+/// Parts that stand on the bed go another way past the probe where tables turn.
+bool goes_alone(const setup::Job& job, const probe::ProbedPart& part) {
+  return part.mount == probe::Mount::Bed && chain_of(job).has_rotary_axes();
+}
+
+std::shared_ptr<const probe::TouchableParts> touchable(const setup::Job& job,
+                                                       const std::vector<probe::ProbedPart>& parts,
+                                                       bool alone) {
+  std::vector<probe::ProbedPart> chosen;
+  std::ranges::copy_if(parts, std::back_inserter(chosen), [&](const probe::ProbedPart& part) {
+    return goes_alone(job, part) == alone;
+  });
+  return alone && chosen.empty()
+             ? nullptr
+             : std::make_shared<const probe::TouchableParts>(*job.probe, chosen);
+}
+
+/// The meshes of all parts in their order, as the probe has them already.
+probe::SeenParts seen_with(const setup::Job& job, const std::vector<probe::ProbedPart>& parts,
+                           const SensedParts& sensed) {
   probe::SeenParts seen;
-  for (const auto& part : touchable.parts()) {
-    seen.push_back(part.mesh);
+  std::size_t of_table = 0;
+  std::size_t of_bed = 0;
+  for (const probe::ProbedPart& part : parts) {
+    const bool alone = goes_alone(job, part);
+    const auto& all = (alone ? sensed.on_bed : sensed.by_balls)->parts();
+    seen.push_back(all.at(alone ? of_bed++ : of_table++).mesh);
   }
   return seen;
 }
@@ -146,13 +170,14 @@ Result<BuiltParts, Refusal> build_parts(const setup::Job& job, const runtime::Ti
 SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedPart>& parts) {
   SensedParts sensed;
   if (job.probe && !job.skip_signals) {
-    sensed.by_balls = std::make_shared<const probe::TouchableParts>(*job.probe, parts);
+    sensed.by_balls = touchable(job, parts, false);
+    sensed.on_bed = touchable(job, parts, true);
   }
   const bool has_tools = !job.skip_signals && has_tools_or_tool_probes(job);
   const bool for_tools = has_tools && do_parts_matter(job, parts);
   probe::SeenParts meshes;
   if (!job.sensors.empty() || for_tools) {
-    meshes = sensed.by_balls ? seen_with(*sensed.by_balls) : seen_alone(parts);
+    meshes = sensed.by_balls ? seen_with(job, parts, sensed) : seen_alone(parts);
   }
   if (has_tools) {
     sensed.by_tools = tool_parts_of(job, parts, for_tools ? meshes : probe::SeenParts());
@@ -174,6 +199,10 @@ std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
     sets.push_back(std::make_unique<probe::ScriptedSignals>(*job.skip_signals));
   } else if (job.probe) {
     sets.push_back(std::make_unique<probe::TouchProbe>(parts.by_balls, *job.probe, seed));
+    if (parts.on_bed != nullptr) {
+      sets.push_back(std::make_unique<probe::BedObstacles>(
+          std::make_unique<probe::TouchProbe>(parts.on_bed, *job.probe, seed), chain_of(job)));
+    }
   } else if (job.sensors.empty() && !parts.by_tools) {
     return nullptr;
   }

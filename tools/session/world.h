@@ -42,8 +42,10 @@ Result<BuiltParts, Refusal> build_parts(const setup::Job& job,
 /// The parts of a set-up, ready for what senses them.
 struct SensedParts {
   std::shared_ptr<const probe::TouchableParts> by_balls;  ///< null without a probe
-  std::shared_ptr<const probe::SeenParts> by_sensors;     ///< null without sensors
-  std::shared_ptr<const ToolParts> by_tools;              ///< null where the sheet names no tools
+  /// What of it stands on the bed while tables turn; null: nothing.
+  std::shared_ptr<const probe::TouchableParts> on_bed;
+  std::shared_ptr<const probe::SeenParts> by_sensors;  ///< null without sensors
+  std::shared_ptr<const ToolParts> by_tools;           ///< null where the sheet names no tools
 };
 SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedPart>& parts);
 
