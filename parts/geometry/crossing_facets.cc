@@ -83,6 +83,34 @@ bool cross(const FacetInPlane& a, const FacetInPlane& b, double little) {
   return std::min(in_a.to, in_b.to) - std::max(in_a.from, in_b.from) > little;
 }
 
+/// Two facets of one plane that face the same way and lie over each other: across the sides of
+/// neither of them, in the plane, is there a line that parts them.
+bool lie_over(const FacetInPlane& a, const FacetInPlane& b, double little) {
+  if (a.normal.dot(b.normal) <= 0.0) {
+    return false;  // pieces that stand on each other
+  }
+  for (const Point& p : b.corners) {
+    if (std::abs(a.normal.dot(p - a.corners[0])) > little) {
+      return false;
+    }
+  }
+  // Facets that only abut may do so inexactly.
+  const double least = 16.0 * little;
+  for (const FacetInPlane* const facet : {&a, &b}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point side = facet->corners.at((i + 1) % 3) - facet->corners.at(i);
+      const Point across = a.normal.cross(side).normalized();
+      const auto along = [&](const Point& p) { return across.dot(p); };
+      const auto [a_low, a_high] = std::ranges::minmax(a.corners, {}, along);
+      const auto [b_low, b_high] = std::ranges::minmax(b.corners, {}, along);
+      if (std::min(along(a_high), along(b_high)) - std::max(along(a_low), along(b_low)) <= least) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 int common_corners(const std::array<std::uint32_t, 3>& a, const std::array<std::uint32_t, 3>& b) {
   return static_cast<int>(std::ranges::count_if(
       a, [&](std::uint32_t corner) { return std::ranges::find(b, corner) != b.end(); }));
@@ -125,7 +153,7 @@ class CrossingSearch {
         ++pairs_;
         const bool hang_together = common_corners(mesh_.triangles[t], mesh_.triangles[other]) > 1;
         const auto second = hang_together ? std::nullopt : facet_of(mesh_, other);
-        crosses = second && cross(*facet, *second, little_);
+        crosses = second && (cross(*facet, *second, little_) || lie_over(*facet, *second, little_));
       }
       return 0.0;
     });

@@ -18,10 +18,11 @@ inline constexpr std::uint64_t kMostFacetsForCrossings = 100'000;
 /// Pairs of facets whose boxes meet; there are about ten for each facet of a careful mesh.
 inline constexpr std::uint64_t kMostCrossingPairs = 20'000'000;
 
-/// Looks for facets that have a piece of a line inside both of them.  Those that touch in a corner,
-/// an edge or a plane do not cross; nor do those that reach through each other by less than what a
-/// file of float32 numbers cannot say: 2^-22 of the largest coordinate.  Facets without area and
-/// facets with a common edge are left out.
+/// Looks for facets that have a piece of a line inside both of them, and for those that lie over
+/// each other in one plane and face the same way.  Those that touch in a corner, an edge or back to
+/// back do not cross; nor do those that reach through each other by less than what a file of
+/// float32 numbers cannot say: 2^-22 of the largest coordinate, in a plane 16 times that.  Facets
+/// without area and facets with a common edge are left out.
 ///
 /// Of a mesh of more than kMostFacetsForCrossings facets none is looked at.
 /// @param most_pairs  of facets whose boxes meet; the search ends with the facet that has more

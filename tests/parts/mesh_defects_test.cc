@@ -194,6 +194,22 @@ TEST(CrossingFacets, AreNoneWhereFacetsTouch) {
   EXPECT_FALSE(crossing_facets(together(box, moved_by(box, {10 - 1e-4, 3, 3}))).facets.empty());
 }
 
+/// No facet goes through another one: pieces of four faces lie over each other.
+TEST(CrossingFacets, AreThoseThatLieOverEachOtherInOnePlane) {
+  const Mesh box = box_mesh({10, 10, 10});
+  for (const Point& by : {Point(4, 0, 0), Point(0, -3, 0), Point(0, 0, 9.9), Point(1e-3, 0, 0)}) {
+    EXPECT_FALSE(crossing_facets(together(box, moved_by(box, by))).facets.empty()) << by;
+  }
+  const Mesh leaf{{Point(0, 0, 0), Point(9, 0, 0), Point(0, 9, 0)}, {{0, 1, 2}}};
+  const auto with = [&](const Mesh& other) {
+    return crossing_facets(together(leaf, other)).facets;
+  };
+  EXPECT_EQ(with(moved_by(leaf, {1, 1, 0})), (std::vector<std::uint32_t>{0}));
+  EXPECT_TRUE(with(turned_over(moved_by(leaf, {1, 1, 0}))).empty()) << "back to back";
+  EXPECT_TRUE(with(moved_by(leaf, {4.5, 4.5, 0})).empty()) << "beside the long side";
+  EXPECT_TRUE(with(moved_by(leaf, {1, 1, 0.1})).empty()) << "above it";
+}
+
 // Brute force: every side of a facet against every other facet.
 TEST(CrossingFacets, AreThoseThatASideGoesThrough) {
   const auto goes_through = [](const Mesh& mesh, std::uint32_t t, std::uint32_t other) {
