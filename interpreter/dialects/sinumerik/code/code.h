@@ -87,6 +87,8 @@ struct Variable {
   Shape shape;
   std::int32_t longest = 0;  ///< STRING[n]: n
   Limits limits;
+  DatumUnit unit = DatumUnit::Plain;
+  bool is_by_axis = false;  ///< its last index is an axis: rotary axes count in degrees
 };
 
 /// An argument of a call, a function or a list.

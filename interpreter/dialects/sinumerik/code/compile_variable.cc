@@ -16,6 +16,11 @@ bool has_parts(const Variable& variable) {
   return variable.type == Type::String || variable.type == Type::Frame;
 }
 
+/// Whether a step may take or leave an element's number where it stands.
+bool is_plain_memory(const Variable& variable) {
+  return variable.storage != Storage::Reference && variable.unit == DatumUnit::Plain;
+}
+
 Bank bank_of(Storage storage) {
   return storage == Storage::Global ? Bank::Globals : Bank::Locals;
 }
@@ -285,7 +290,7 @@ void Compiler::assign_variable(std::int32_t variable, ShortSpan where) {
 void Compiler::place(Expr& target, const Element& element) const {
   const Variable& known = program_->variables[static_cast<std::size_t>(target.variable)];
   target.element = element.number;
-  target.is_constant = element.is_fixed && known.storage != Storage::Reference;
+  target.is_constant = element.is_fixed && is_plain_memory(known);
   target.value = {bank_of(known.storage), known.place + element.offset};
 }
 

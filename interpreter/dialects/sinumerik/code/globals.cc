@@ -11,6 +11,10 @@
 namespace g31::sinumerik {
 namespace {
 
+bool is_by_axis(std::string_view name) {
+  return name.starts_with("$MA_") || name.starts_with("$SA_");
+}
+
 Variable row_variable(std::string_view name, Type type, int count) {
   Variable variable;
   variable.name = name;
@@ -18,7 +22,8 @@ Variable row_variable(std::string_view name, Type type, int count) {
   constexpr int kLongestName = 15;  // texts among machine data are names of axes
   variable.longest = type == Type::String ? kLongestName : 0;
   constexpr int kAxes = static_cast<int>(kAxisCount);
-  const bool twice = name.starts_with("$MA_") && count > kAxes;
+  variable.is_by_axis = is_by_axis(name);
+  const bool twice = variable.is_by_axis && count > kAxes;
   variable.shape = twice       ? Shape{2, {count / kAxes, kAxes, 1}}
                    : count > 0 ? Shape{1, {count, 1, 1}}
                                : Shape{};
@@ -46,7 +51,9 @@ Globals::Globals() {
   define(r);
   by_name_.emplace("$R", 0);  // as synchronised actions write it
   for (const MachineDatum& row : machine_data()) {
-    const std::int32_t place = define(row_variable(row.name, row.type, row.count))->place;
+    Variable variable = row_variable(row.name, row.type, row.count);
+    variable.unit = row.unit;
+    const std::int32_t place = define(variable)->place;
     if (is_number(row.type)) {
       std::fill(numbers_.begin() + place, numbers_.end(), row.preset);
       number_axes(row.name, place);

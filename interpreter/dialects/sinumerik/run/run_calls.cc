@@ -89,6 +89,7 @@ std::vector<BoundValue> Runner::bound(const CallSite& site) {
       reference.numbers = reference.numbers != nullptr ? reference.numbers + element : nullptr;
       reference.texts = reference.texts != nullptr ? reference.texts + element : nullptr;
       reference.frames = reference.frames != nullptr ? reference.frames + element : nullptr;
+      reference.first += element;
       reference.shape = {};
     }
     if (argument.form == Form::Omitted || argument.form == Form::Whole) {

@@ -163,7 +163,7 @@ std::vector<std::pair<std::string, ShownValue>> Runner::local_values(std::size_t
       if (found.texts != nullptr) {
         value.text = found.texts[element];
       } else if (found.numbers != nullptr) {
-        value.number = without_sign_of_zero(found.numbers[element]);
+        value.number = without_sign_of_zero(loaded(found, static_cast<std::size_t>(element)));
       }
       values.emplace_back(element_name(shaped, element), std::move(value));
     }

@@ -196,6 +196,8 @@ Reference Runner::variable(std::int32_t which) {
   found.type = known.type;
   found.shape = known.shape;
   found.longest = known.longest;
+  found.unit = known.unit;
+  found.is_by_axis = known.is_by_axis;
   if (known.type == Type::String) {
     found.texts = (is_global ? channel_.texts : level().texts).data() + known.place;
   } else if (known.type == Type::Frame) {
@@ -204,6 +206,27 @@ Reference Runner::variable(std::int32_t which) {
     found.numbers = (is_global ? channel_.numbers : level().numbers).data() + known.place;
   }
   return found;
+}
+
+/// A number of an array as the program counts it.
+double Runner::loaded(const Reference& from, std::size_t element) const {
+  const double kept = from.numbers[element];
+  return from.unit == DatumUnit::Plain
+             ? kept
+             : kept / channel_.kept_per_datum(from.unit, from.axis(element));
+}
+
+/// And the other way; false: it is no number that may be kept.
+bool Runner::store(const Reference& into, std::size_t element, double value) {
+  double kept = value;
+  if (into.unit != DatumUnit::Plain) {
+    kept *= channel_.kept_per_datum(into.unit, into.axis(element));
+  }
+  if (!std::isfinite(kept)) {
+    return failed(AlarmId::ArithmeticError, "too large");
+  }
+  into.numbers[element] = kept;
+  return true;
 }
 
 /// result = result * size + a, when a is an index of that dimension.
@@ -228,11 +251,10 @@ bool Runner::array_step(const Op& op) {
     case ArrayStep::Index:
       return index(op);
     case ArrayStep::Load:
-      number(op.result) = variable(op.b.place).numbers[static_cast<std::size_t>(number(op.a))];
+      number(op.result) = loaded(variable(op.b.place), static_cast<std::size_t>(number(op.a)));
       return true;
     case ArrayStep::Store:
-      variable(op.b.place).numbers[static_cast<std::size_t>(number(op.a))] = number(op.result);
-      return true;
+      return store(variable(op.b.place), static_cast<std::size_t>(number(op.a)), number(op.result));
     case ArrayStep::Fill:
       return fill(op);
     case ArrayStep::Repeat:

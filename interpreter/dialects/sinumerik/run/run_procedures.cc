@@ -27,8 +27,9 @@ MaybeFailure Runner::set_result(const Argument& target, double value) {
   if (MaybeFailure wrong = beyond_limits(into, *kept)) {
     return wrong;
   }
-  if (found.numbers != nullptr) {
-    found.numbers[static_cast<std::size_t>(number(target.element))] = *kept;
+  if (found.numbers != nullptr &&
+      !store(found, static_cast<std::size_t>(number(target.element)), *kept)) {
+    return from_step();
   }
   return std::nullopt;
 }

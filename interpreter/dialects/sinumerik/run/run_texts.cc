@@ -149,7 +149,7 @@ bool Runner::set_element(const Reference& target, std::int32_t element, const Ar
   } else if (target.type == Type::Frame) {
     target.frames[at] = omitted ? Frame() : frame(value.value);
   } else {
-    target.numbers[at] = omitted ? initial_number(target.type) : number(value.value);
+    return store(target, at, omitted ? initial_number(target.type) : number(value.value));
   }
   return true;
 }

@@ -207,7 +207,7 @@ runtime::ShownValue Runner::value_now(const WrittenValue& written, const Op& op)
     return shown_value({Type::String, 0.0, written.in.texts[written.element]});
   }
   return shown_value(
-      {written.in.type, without_sign_of_zero(written.in.numbers[written.element]), {}});
+      {written.in.type, without_sign_of_zero(loaded(written.in, written.element)), {}});
 }
 
 }  // namespace g31::sinumerik

@@ -156,6 +156,8 @@ class Runner {
   bool failed(AlarmId id, std::string detail = {});
   bool index(const Op& op);
   Reference variable(std::int32_t which);
+  [[nodiscard]] double loaded(const Reference& from, std::size_t element) const;
+  bool store(const Reference& into, std::size_t element, double value);
   double& number(Operand place) {
     return banks_[static_cast<std::size_t>(place.bank)][place.place];
   }

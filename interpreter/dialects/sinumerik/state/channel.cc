@@ -216,6 +216,15 @@ double Channel::mm_per_datum() const {
   return mm_per(group[Group::Unit] == kInchAndFeed ? LengthUnit::Inch : LengthUnit::Millimetre);
 }
 
+double Channel::kept_per_datum(DatumUnit unit, std::optional<int> axis) const {
+  const bool counts = unit != DatumUnit::Plain && (!axis || is_length_axis(*axis));
+  if (!counts || group[Group::Unit] != kInchAndFeed) {
+    return 1.0;
+  }
+  constexpr double kMmPerMetre = 1000.0;
+  return unit == DatumUnit::Metres ? mm_per_datum() / kMmPerMetre : mm_per_datum();
+}
+
 double Channel::stored(int axis, double value) const {
   return is_length_axis(axis) ? value * mm_per_length() : value;
 }

@@ -148,6 +148,10 @@ class Channel {
   /// Source: Basic Functions 09/2011 (6FC5397-0BP40-2BA0), G2 7.3 page 341; Fundamentals, table of
   /// what G70 and G700 act on.
   [[nodiscard]] double mm_per_datum() const;
+  /// What one unit of a machine or setting datum, as programs count it, is in the unit that it is
+  /// kept in.
+  /// @param axis  that it is of, if it is of one
+  [[nodiscard]] double kept_per_datum(DatumUnit unit, std::optional<int> axis) const;
   /// MD20100: the axis that DIAMON counts in diameters; -1: its name is none of an axis.
   [[nodiscard]] int transverse_axis() const;
   /// A coordinate as a word of a block has it, in mm or degrees.

@@ -12,6 +12,7 @@
 #include "interpreter/dialects/sinumerik/code/code.h"
 #include "interpreter/dialects/sinumerik/state/frame.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+#include "machine/units/axis_positions.h"
 
 namespace g31::sinumerik {
 
@@ -23,6 +24,15 @@ struct Reference {
   Frame* frames = nullptr;
   Shape shape;
   std::int32_t longest = 0;
+  DatumUnit unit = DatumUnit::Plain;
+  bool is_by_axis = false;
+  std::size_t first = 0;  ///< which element of the variable `numbers` begins with
+
+  /// The axis of an element; nullopt: it is of none.
+  [[nodiscard]] std::optional<int> axis(std::size_t element) const {
+    return is_by_axis ? std::optional(static_cast<int>((first + element) % kAxisCount))
+                      : std::nullopt;
+  }
 };
 
 /// What a call gives for one parameter.

@@ -6,8 +6,8 @@ namespace g31::sinumerik {
 namespace {
 
 constexpr auto kMachineData = std::to_array<MachineDatum>({
-#define MACHINE_DATA(number, name, type, count, preset, text) \
-  {number, name, Type::type, count, preset, text},
+#define MACHINE_DATA(number, name, type, count, preset, unit, text) \
+  {number, name, Type::type, count, preset, DatumUnit::unit, text},
 #include "interpreter/dialects/sinumerik/vocabulary/machine_data.def"
 #undef MACHINE_DATA
 });

@@ -14,6 +14,7 @@ struct MachineDatum {
   Type type;
   int count;  ///< 0: no array
   double preset;
+  DatumUnit unit;
   std::string_view text;
 };
 

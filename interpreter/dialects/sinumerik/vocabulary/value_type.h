@@ -43,6 +43,13 @@ constexpr double initial_number(Type type) {
   return type == Type::Axis ? kNoAxis : 0.0;
 }
 
+/// What of a datum counts in the unit of length that a program has chosen.
+enum class DatumUnit : std::uint8_t {
+  Plain,   ///< nothing
+  Length,  ///< kept in mm or mm/min
+  Metres,  ///< kept in m/s^2 or m/s^3
+};
+
 /// How an array is laid out; a single variable has none of the sizes.
 struct Shape {
   static constexpr int kMostDimensions = 3;
