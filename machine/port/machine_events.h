@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <variant>
 
@@ -7,9 +8,15 @@ namespace g31::machine {
 
 /// A tool as the control that calls it believes it to be.
 struct Tool {
-  int number = 0;          ///< 0: none
-  double length_mm = 0.0;  ///< gauge line to tip, along -Z of the machine
-  double radius_mm = 0.0;
+  /// Of a tool of a lathe, whose edge does not turn.
+  struct Edge {
+    std::array<double, 3> lengths_mm = {};  ///< along X, Z and Y: tool reference point less tip
+    int position = 9;  ///< 1 to 9 as SINUMERIK counts; 9: the tip is the middle
+  };
+  int number = 0;                           ///< 0: none
+  double length_mm = 0.0;                   ///< gauge line to tip, along -Z of the machine
+  double radius_mm = 0.0;                   ///< of a turning tool: of its tip
+  std::optional<Edge> edge = std::nullopt;  ///< nullopt: it is round and turns
 };
 
 /// A tool comes into a spindle; what was there goes.

@@ -34,6 +34,10 @@ std::shared_ptr<const HeldTool> ToolRack::called(const machine::Tool& tool) cons
   believed.number = tool.number;
   believed.length_mm = tool.length_mm;
   believed.diameter_mm = 2.0 * std::abs(tool.radius_mm);
+  if (tool.edge) {
+    believed.kind = ToolKind::Turning;
+    believed.insert = {tool.edge->lengths_mm, std::abs(tool.radius_mm), tool.edge->position};
+  }
   return held(believed);
 }
 

@@ -139,6 +139,22 @@ TEST(TurnedToolProbe, MeasuresBothLengthsOfATurningToolInRadiusAndInDiameter) {
   }
 }
 
+/// Without [[tool]] the turret holds what the control believes: an insert where its data have it.
+TEST(TurnedToolProbe, FindsABelievedTurningToolAsItsDataSay) {
+  constexpr const char* kCalibrationToolAlone =
+      "[[tool]]\nnumber = 9\nkind = \"turning\"\nlengths = [60.0, 70.0, 0.0]\ntip_radius = 1.0\n";
+  expect_turned(with_edge(5, 50.3, 79.6, 3) + "R1=$P_TOOLL[1] R2=$P_TOOLL[2] R3=$P_TOOLL[3]\n" +
+                    "CYCLE982(2,0,1,0,0,0,5,2,,,,0.0001,1)",
+                {kTrue, kCalibrationToolAlone},
+                {{"R1", 50.3},
+                 {"R2", 79.6},
+                 {"R3", 0.0},
+                 {"_OVR[8]", 50.3},
+                 {"_OVR[9]", 0.0},
+                 {"_OVR[10]", 79.6},
+                 {"_OVR[11]", 0.0}});
+}
+
 TEST(TurnedToolProbe, MeasuresOneLengthIntoTheWear) {
   expect_turned(with_edge(5, 50.3, 79.6, 3) +
                     "CYCLE982(1,1,1,1,2,0,5,2,,,,0.0001,1)\n"

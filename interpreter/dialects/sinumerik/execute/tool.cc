@@ -126,6 +126,38 @@ MaybeFailure take_cutting_speed(Channel& channel, double speed) {
   return std::nullopt;
 }
 
+double along(const ToolLengths& lengths, char axis) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < lengths.axes.size(); ++i) {
+    sum += lengths.axes.at(i) == axis_index(axis) ? lengths.mm.at(i) : 0.0;
+  }
+  return sum;
+}
+
+/// The active tool as its data have it.
+machine::Tool believed_tool(const Channel& channel) {
+  machine::Tool tool{channel.tool, 0.0, channel.tool_radius()};
+  const EdgeData* const data = channel.active_edge();
+  if (data == nullptr) {
+    return tool;
+  }
+  const ToolLengths lengths = channel.tool_lengths();
+  if (!is_turning_type((*data)[EdgeDatum::kType])) {
+    // Length 1 of a mill is along its axis, whichever plane is active.
+    tool.length_mm = lengths.as_turning_tool ? along(lengths, 'Z') : lengths.mm.front();
+    return tool;
+  }
+  const double position = (*data)[EdgeDatum::kPosition];
+  machine::Tool::Edge edge;
+  edge.lengths_mm = {along(lengths, 'X'), along(lengths, 'Z'), along(lengths, 'Y')};
+  if (position >= 1.0 && position < edge.position) {
+    edge.position = static_cast<int>(position);
+  }
+  tool.length_mm = edge.lengths_mm[1];
+  tool.edge = edge;
+  return tool;
+}
+
 }  // namespace
 
 MaybeFailure take_tool_technology(Channel& channel, const Block& block) {
@@ -161,15 +193,16 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
     if (MaybeFailure wrong = select_edge(channel, channel.tool == 0 ? 0.0 : 1.0)) {
       return wrong;
     }
-    const double length = channel.tool_offset()[channel.plane().normal];
-    if (!std::isfinite(length)) {
+    const machine::Tool believed = believed_tool(channel);
+    const std::array<double, 3> lengths = channel.tool_lengths().mm;
+    if (!std::ranges::all_of(lengths, [](double mm) { return std::isfinite(mm); })) {
       return failure(AlarmId::ValueOutOfLimits, fmt::format("the length of T{}", channel.tool));
     }
     if (!channel.selected_tool) {
       channel.warnings.add(channel.diagnostics, source::DiagnosticId::ChangeWithoutTool,
                            block.where);
     } else {
-      channel.port.change_tool({{channel.tool, length, channel.tool_radius()}});
+      channel.port.change_tool({believed});
     }
   }
   MaybeFailure wrong =

@@ -353,24 +353,37 @@ LengthRules Channel::length_rules() const {
           number(tool_parameter_mask_)};
 }
 
+ToolLengths Channel::tool_lengths() const {
+  const EdgeData* const data = active_edge();
+  if (data == nullptr) {
+    return {};
+  }
+  const double type = (*data)[EdgeDatum::kType];
+  const LengthRules rules = length_rules();
+  ToolLengths lengths = axes_of_lengths(rules, group[Group::Plane], type);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool is_across = lengths.axes.at(i) == transverse_axis() && is_turning_type(type);
+    const double length = (*data)[EdgeDatum::kLength1 + i];
+    const double wear = (*data)[EdgeDatum::kWear1 + i];
+    lengths.mm.at(i) = (is_across && (rules.diameters & 2) != 0 ? length / 2.0 : length) +
+                       (is_across && (rules.diameters & 1) != 0 ? wear / 2.0 : wear) +
+                       (*data)[EdgeDatum::kAdapter1 + i] + additive_now.at(i);
+  }
+  return lengths;
+}
+
 AxisPositions Channel::tool_offset() const {
   AxisPositions offset = AxisPositions::Zero();
   const EdgeData* const data = active_edge();
   if (data == nullptr) {
     return offset;
   }
-  const double type = (*data)[EdgeDatum::kType];
-  const LengthRules rules = length_rules();
-  const std::array<int, 3> axes = axes_of_lengths(rules, group[Group::Plane], type);
+  const ToolLengths lengths = tool_lengths();
   for (std::size_t i = 0; i < 3; ++i) {
-    const bool is_across = axes.at(i) == transverse_axis() && is_turning_type(type);
-    const double length = (*data)[EdgeDatum::kLength1 + i];
-    const double wear = (*data)[EdgeDatum::kWear1 + i];
-    offset[axes.at(i)] = (is_across && (rules.diameters & 2) != 0 ? length / 2.0 : length) +
-                         (is_across && (rules.diameters & 1) != 0 ? wear / 2.0 : wear) +
-                         (*data)[EdgeDatum::kAdapter1 + i] + additive_now.at(i);
+    offset[lengths.axes.at(i)] = lengths.mm.at(i);
   }
-  if (group[Group::RadiusCompensation] != kNoCompensation && is_turning_type(type)) {
+  if (group[Group::RadiusCompensation] != kNoCompensation &&
+      is_turning_type((*data)[EdgeDatum::kType])) {
     const auto [first, second] = nose_centre((*data)[EdgeDatum::kPosition]);
     offset[plane().first] -= first * tool_radius();
     offset[plane().second] -= second * tool_radius();

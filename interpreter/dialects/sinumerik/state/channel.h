@@ -234,6 +234,8 @@ class Channel {
   [[nodiscard]] LengthRules length_rules() const;
   /// mm: what the active edge adds to the machine coordinates.  G41 and G42 lead the centre of a
   /// turning tool's nose, other motions its theoretical tip.
+  /// mm, wear and adapter included, radii across the spindle; 0 without an edge
+  [[nodiscard]] ToolLengths tool_lengths() const;
   [[nodiscard]] AxisPositions tool_offset() const;
   std::array<double, 4> additive_now = {};  ///< mm, what DL added to parameters 3 to 6 of the edge
   /// nullptr: no such tool, or no such edge

@@ -15,7 +15,7 @@ constexpr std::array<std::array<int, 3>, 3> kPlanes = {{{0, 1, 2}, {2, 0, 1}, {1
 
 }  // namespace
 
-std::array<int, 3> axes_of_lengths(const LengthRules& rules, int group_number, double type) {
+ToolLengths axes_of_lengths(const LengthRules& rules, int group_number, double type) {
   const int wanted =
       is_turning_type(type) && rules.turning_plane != 0 ? rules.turning_plane : rules.plane;
   const auto is_plane = [](int number) { return number >= kFirstPlane && number <= kLastPlane; };
@@ -29,7 +29,11 @@ std::array<int, 3> axes_of_lengths(const LengthRules& rules, int group_number, d
   if (is_swapped) {
     std::swap(first, second);
   }
-  return as_turning_tool ? std::array{second, first, normal} : std::array{normal, second, first};
+  ToolLengths lengths;
+  lengths.axes =
+      as_turning_tool ? std::array{second, first, normal} : std::array{normal, second, first};
+  lengths.as_turning_tool = as_turning_tool;
+  return lengths;
 }
 
 std::array<double, 2> nose_centre(double position) {

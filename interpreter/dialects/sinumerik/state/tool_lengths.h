@@ -16,6 +16,13 @@ struct LengthRules {
   int diameters = 0;      ///< MD20360, of turning tools across the spindle: bit 0 wear, 1 length
 };
 
+/// Lengths 1 to 3 of a tool and the storage indices of the axes that they count in.
+struct ToolLengths {
+  std::array<double, 3> mm = {};
+  std::array<int, 3> axes = {};
+  bool as_turning_tool = false;
+};
+
 /// $TC_DP1 500 to 599: turning tools and the probes of lathes.
 constexpr bool is_turning_type(double type) {
   constexpr double kFirst = 500.0;
@@ -23,9 +30,9 @@ constexpr bool is_turning_type(double type) {
   return type >= kFirst && type < kEnd;
 }
 
-/// Storage indices of the axes of lengths 1 to 3.
+/// The axes of a tool's lengths, and whether they are those of a turning tool; mm are 0.
 /// @param group_number  of the active plane in its G group: 1 G17, 2 G18, 3 G19
-std::array<int, 3> axes_of_lengths(const LengthRules& rules, int group_number, double type);
+ToolLengths axes_of_lengths(const LengthRules& rules, int group_number, double type);
 
 /// From the theoretical tip of a turning tool, which its lengths are of, to the centre of its nose,
 /// along the 1st and 2nd axis of the plane, in nose radii; 0 for positions that are none.

@@ -114,9 +114,7 @@ Number tool_length(Channel& channel, const SystemAccess& access) {
   if (which < 1 || which > 3) {
     return failure(AlarmId::IndexOne, fmt::format("$P_TOOLL[{}]", which));
   }
-  const Plane plane = channel.plane();
-  const int axes[] = {plane.normal, plane.second, plane.first};
-  return channel.tool_offset()[axes[which - 1]] / channel.mm_per_datum();
+  return channel.tool_lengths().mm.at(static_cast<std::size_t>(which) - 1) / channel.mm_per_datum();
 }
 
 Number active_edge_datum(Channel& channel, const SystemAccess& access) {
