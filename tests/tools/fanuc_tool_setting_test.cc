@@ -164,6 +164,17 @@ TEST(FanucToolSetting, ATurningCutterIsAsLongAndWideAsItsOutermostTeeth) {
   EXPECT_LE(*shop.value("#13002"), 10.25 + 1e-9);
 }
 
+TEST(FanucToolSetting, ARadiusThatIsRefusedLeavesTheLengthAsItWas) {
+  const std::string measure = std::string(kCalibrate) + "#11002=120.2\n#13002=9.9\nT2 M6\n";
+  const Shop refused(kPlate, measure + "G65 P9854 H2 D2 S800 R10. Q.1\n");
+  EXPECT_EQ(refused.alarm(), 3173) << "the radius is 0.35 off, the length 0.05";
+  expect_value(refused, "#11002", 120.2, 0.0);
+  expect_value(refused, "#13002", 9.9, 0.0);
+  const Shop taken(kPlate, measure + "G65 P9854 H2 D2 S800 R10. Q.5\n");
+  expect_value(taken, "#11002", 120.25, 5e-3);
+  expect_value(taken, "#13002", 10.25, 5e-3);
+}
+
 TEST(FanucToolSetting, ABrokenToolIsAnAlarmOrAnAnswer) {
   const std::string drill = std::string(kCalibrate) + "T3 M6\nG65 P9855 H3";  // 2.1 mm are gone
   EXPECT_EQ(Shop(kPlate, drill + "\n").alarm(), 3176);
