@@ -112,6 +112,37 @@ CutResult chamfer_by_distance(const PlaneWay& before, const PlaneWay& behind, do
   return MaybeCut(Cut{*begin, *end, false, ArcShape()});
 }
 
+/// A turn less than this needs no rounding: the axes hardly change their speed, rad.
+constexpr double kLeastTurnToPass = 1e-3;
+
+/// As the control rounds of itself.  The arc leaves the corner along its bisector.
+MaybeCut passing_by(const PlaneWay& before, const PlaneWay& behind, const CornerWish& wish,
+                    double longest_leg) {
+  const PlanePoint in = direction_at_end(before);
+  const PlanePoint out = direction_at_start(behind);
+  const double half_turn = std::atan2(std::abs(cross(in, out)), in.dot(out)) / 2.0;
+  if (before.arc || behind.arc || half_turn < 0.5 * kLeastTurnToPass) {
+    return std::nullopt;
+  }
+  double leg = std::min(wish.size_mm, longest_leg);
+  // The arc leaves the corner by leg tan(half_turn / 2).
+  const PlanePoint away = (out - in).normalized() * std::tan(half_turn / 2.0);
+  for (const Eigen::Index axis : {0, 1}) {
+    if (leg * std::abs(away[axis]) > wish.tolerance_mm[axis]) {
+      leg = wish.tolerance_mm[axis] / std::abs(away[axis]);
+    }
+  }
+  if (!(leg > kOnePointMm)) {
+    return std::nullopt;
+  }
+  const bool to_left = cross(in, out) > 0.0;
+  const PlanePoint inwards = to_left ? PlanePoint(-in.y(), in.x()) : PlanePoint(in.y(), -in.x());
+  const PlanePoint begin = before.to - leg * in;
+  const auto turn = to_left ? machine::Turn::Counterclockwise : machine::Turn::Clockwise;
+  const PlanePoint centre = begin + leg / std::tan(half_turn) * inwards;
+  return Cut{begin, before.to + leg * out, true, ArcShape{centre, turn}};
+}
+
 Cut chamfer_of(const PlaneWay& before, const PlaneWay& behind, const CornerWish& wish) {
   const PlanePoint in = direction_at_end(before);
   const PlanePoint out = direction_at_start(behind);
@@ -206,7 +237,12 @@ Result<ContourCorners::Given, CornerFault> ContourCorners::take(const PathBlock&
     const PlaneWay before = way_of(held_->block, held_->q_M_from, plane);
     const bool flat = is_flat(held_->q_M_from, held_->block.q_M_end, plane) &&
                       is_flat(q_M_from, block.q_M_end, plane);
-    const auto cut = cut_between(before, way_of(block, q_M_from, plane), held_->wish, flat, rules_);
+    const PlaneWay behind = way_of(block, q_M_from, plane);
+    const double longest_leg = 0.5 * std::min(held_->length_mm, (behind.to - behind.from).norm());
+    const auto cut =
+        held_->wish.kind == CornerWish::Kind::PassBy
+            ? CutResult(flat ? passing_by(before, behind, held_->wish, longest_leg) : MaybeCut())
+            : cut_between(before, behind, held_->wish, flat, rules_);
     if (!cut) {
       return CornerFault{cut.error(), held_->block.where};
     }
@@ -223,7 +259,8 @@ Result<ContourCorners::Given, CornerFault> ContourCorners::take(const PathBlock&
   const bool is_cut_away =
       q_M_begin != q_M_from && (q_M_begin - block.q_M_end).norm() < kOnePointMm;
   if (wish.kind != CornerWish::Kind::Sharp && moves && !is_cut_away) {
-    held_ = Held{block, q_M_begin, plane, wish};
+    const double length_mm = (plane.of(block.q_M_end) - plane.of(q_M_from)).norm();
+    held_ = Held{block, q_M_begin, plane, wish, length_mm};
   } else if (!is_cut_away) {
     given.now.emplace_back(block);
   }

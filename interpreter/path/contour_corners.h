@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "interpreter/path/path_block.h"
@@ -9,8 +10,16 @@ namespace g31::path {
 
 /// What a block asks for at the corner behind it.
 struct CornerWish {
-  enum class Kind { Sharp, Rounding, ChamferLength, ChamferWidth } kind = Kind::Sharp;
-  double size_mm = 0.0;      ///< radius; length of the chamfer; what it takes off each way
+  enum class Kind {
+    Sharp,
+    Rounding,
+    ChamferLength,
+    ChamferWidth,
+    PassBy,  ///< the control's own: rounded where that can be, sharp where it cannot
+  } kind = Kind::Sharp;
+  double size_mm = 0.0;  ///< radius; length of the chamfer; what it takes off each way
+  /// Of PassBy: how far the axes of the plane may leave the corner, mm.
+  PlanePoint tolerance_mm = PlanePoint::Constant(std::numeric_limits<double>::infinity());
   double feed_mm_min = 0.0;  ///< of the rounding or chamfer; 0: that of the block in front of it
 };
 
@@ -40,6 +49,9 @@ struct CornerFault {
 /// large as they allow, or is an error.  None is made where the next block does not move in the
 /// plane, moves at rapid, or goes on in the same direction.
 ///
+/// PassBy is an arc between two straight ways that begins and ends `size_mm` from the corner at
+/// most, no farther than half of either way, and leaves it by `tolerance_mm` at most.
+///
 /// Pure geometry: it knows neither the machine nor the program.
 class ContourCorners {
  public:
@@ -53,6 +65,10 @@ class ContourCorners {
   };
 
   [[nodiscard]] bool holds() const { return held_.has_value(); }
+  /// Whether the block waits for no more than a corner that may as well be sharp.
+  [[nodiscard]] bool holds_to_pass_by() const {
+    return held_ && held_->wish.kind == CornerWish::Kind::PassBy;
+  }
   /// The end of the block that waits, as programmed, and the plane of its corner.
   [[nodiscard]] const AxisPositions& held_end() const { return held_->block.q_M_end; }
   [[nodiscard]] OffsetPlane held_plane() const { return held_->plane; }
@@ -70,6 +86,7 @@ class ContourCorners {
     AxisPositions q_M_from;
     OffsetPlane plane;
     CornerWish wish;
+    double length_mm = 0.0;  ///< of its way in the plane, as programmed
   };
 
   CornerRules rules_;

@@ -2,6 +2,7 @@
 
 #include "interpreter/path/contour_corners.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -49,10 +50,9 @@ PlaneWay way_at_origin(std::mt19937_64& random, double degrees, bool ends) {
   return ends ? PlaneWay{far, PlanePoint::Zero(), arc} : PlaneWay{PlanePoint::Zero(), far, arc};
 }
 
-/// What a rounding of this radius makes of two ways.
-std::vector<PlaneWay> rounded(const PlaneWay& before, const PlaneWay& behind, double radius) {
+/// What a wish makes of the corner of two ways.
+std::vector<PlaneWay> cut(const PlaneWay& before, const PlaneWay& behind, const CornerWish& wish) {
   ContourCorners corners;
-  const CornerWish wish{CornerWish::Kind::Rounding, radius, 0.0};
   PathItems items;
   for (const auto& [way, asks] : {std::pair{before, wish}, std::pair{behind, CornerWish{}}}) {
     const auto given = corners.take(block_to(way), at(way.from), OffsetPlane{}, asks);
@@ -68,6 +68,48 @@ std::vector<PlaneWay> rounded(const PlaneWay& before, const PlaneWay& behind, do
     from = ways.back().to;
   }
   return ways;
+}
+
+/// What a rounding of this radius makes of two ways.
+std::vector<PlaneWay> rounded(const PlaneWay& before, const PlaneWay& behind, double radius) {
+  CornerWish wish;
+  wish.kind = CornerWish::Kind::Rounding;
+  wish.size_mm = radius;
+  return cut(before, behind, wish);
+}
+
+/// The corner is at the origin: the arc's nearest point is what the tolerance is about, axis by
+/// axis.
+TEST(ContourCorners, PassingByKeepsDistanceToleranceAndDirection) {
+  std::mt19937_64 random(20250103);
+  std::uniform_real_distribution<double> turn(5.0, 170.0);
+  std::uniform_real_distribution<double> length(1.0, 30.0);
+  for (int i = 0; i < 400; ++i) {
+    SCOPED_TRACE(i);
+    const double heading = 360.0 * static_cast<double>(i) / 400.0;
+    const double degrees = random() % 2 == 0 ? turn(random) : -turn(random);
+    const PlaneWay before{polar(heading, -length(random)), PlanePoint::Zero(), std::nullopt};
+    const PlaneWay behind{PlanePoint::Zero(), polar(heading + degrees, length(random)),
+                          std::nullopt};
+    CornerWish wish;
+    wish.kind = CornerWish::Kind::PassBy;
+    wish.size_mm = 4.0;
+    wish.tolerance_mm = i % 2 == 0 ? wish.tolerance_mm : PlanePoint(0.05, 0.2);
+    const auto ways = cut(before, behind, wish);
+    ASSERT_EQ(ways.size(), 3U);
+    ASSERT_TRUE(ways[1].arc.has_value());
+    EXPECT_LT((direction_at_end(ways[0]) - direction_at_start(ways[1])).norm(), 1e-7);
+    EXPECT_LT((direction_at_end(ways[1]) - direction_at_start(ways[2])).norm(), 1e-7);
+    const double leg = ways[1].from.norm();
+    EXPECT_NEAR(ways[1].to.norm(), leg, 1e-9);
+    const PlanePoint centre = ways[1].arc->centre;
+    const double radius = (ways[1].from - centre).norm();
+    const PlanePoint nearest = centre * (1.0 - radius / centre.norm());
+    const double longest = std::min({4.0, before.from.norm() / 2, behind.to.norm() / 2});
+    const double share = std::max({leg / longest, std::abs(nearest.x()) / wish.tolerance_mm.x(),
+                                   std::abs(nearest.y()) / wish.tolerance_mm.y()});
+    EXPECT_NEAR(share, 1.0, 1e-7) << "as large as all three allow, and no larger";
+  }
 }
 
 TEST(ContourCorners, RoundingsGoOnInTheSameDirectionAtBothEnds) {

@@ -282,6 +282,9 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
   }
   channel.clocks.block_began = channel.port.time_s();
   take_codes(channel, block);
+  if (MaybeFailure wrong = finish_passing_by(channel, block)) {
+    return wrong;
+  }
   if (const GCode* const code = block.code_of(Group::ToolRotation)) {
     turn_to_tool(channel, *code);
   }

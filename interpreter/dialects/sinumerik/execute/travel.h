@@ -30,6 +30,9 @@ MaybeFailure pause(Channel& channel, const path::Pause& wait);
 
 /// What the block's RND, CHF, CHR and RNDM ask for; before its motion.
 MaybeFailure read_corner(Channel& channel, const Block& block);
+/// Before a block that is no line at feed, or has M codes: a line that waits for the corner that
+/// G641 or G642 would round gets none.
+MaybeFailure finish_passing_by(Channel& channel, const Block& block);
 /// Whether G41 or G42 shifts the path: with an edge.
 bool is_compensation_on(const Channel& channel);
 /// What the block's G40 G41 G42, D and plane say; before its motion.

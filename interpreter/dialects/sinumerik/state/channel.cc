@@ -95,6 +95,7 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
           static_cast<std::size_t>(globals.find("$MN_PROG_FUNCTION_MASK")->place)),
       upper_soft_limits_(static_cast<std::size_t>(globals.find("$MA_POS_LIMIT_PLUS")->place)),
       lower_soft_limits_(static_cast<std::size_t>(globals.find("$MA_POS_LIMIT_MINUS")->place)),
+      rounding_tolerances_(static_cast<std::size_t>(globals.find("$MA_COMPRESS_POS_TOL")->place)),
       base_frames_(static_cast<std::size_t>(globals.find("$MC_MM_NUM_BASE_FRAMES")->place)),
       global_base_frames_(
           static_cast<std::size_t>(globals.find("$MN_MM_NUM_GLOBAL_BASE_FRAMES")->place)),
@@ -274,6 +275,10 @@ MaybeFailure Channel::set_component(int axis, Component component, double value,
 
 bool Channel::keeps_settable_frame() const {
   return (std::lround(numbers[frame_save_mask_]) & 1) != 0;
+}
+
+double Channel::rounding_tolerance(int axis) const {
+  return numbers[rounding_tolerances_ + static_cast<std::size_t>(axis)];
 }
 
 AxisPositions Channel::upper_soft_limits() const {

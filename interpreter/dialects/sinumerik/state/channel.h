@@ -204,6 +204,8 @@ class Channel {
   [[nodiscard]] bool keeps_settable_frame() const;
   /// $MA_POS_LIMIT_PLUS and $MA_POS_LIMIT_MINUS
   [[nodiscard]] AxisPositions upper_soft_limits() const;
+  /// MD33100, mm: how far G642 may round an axis off its corner.
+  [[nodiscard]] double rounding_tolerance(int axis) const;
   [[nodiscard]] AxisPositions lower_soft_limits() const;
   /// Whether > and < make a difference where == makes none ($MN_PROG_FUNCTION_MASK).
   [[nodiscard]] bool orders_exactly() const;
@@ -232,10 +234,10 @@ class Channel {
   /// mm, wear included; 0 without an edge
   [[nodiscard]] double tool_radius() const;
   [[nodiscard]] LengthRules length_rules() const;
-  /// mm: what the active edge adds to the machine coordinates.  G41 and G42 lead the centre of a
-  /// turning tool's nose, other motions its theoretical tip.
   /// mm, wear and adapter included, radii across the spindle; 0 without an edge
   [[nodiscard]] ToolLengths tool_lengths() const;
+  /// mm: what the active edge adds to the machine coordinates.  G41 and G42 lead the centre of a
+  /// turning tool's nose, other motions its theoretical tip.
   [[nodiscard]] AxisPositions tool_offset() const;
   std::array<double, 4> additive_now = {};  ///< mm, what DL added to parameters 3 to 6 of the edge
   /// nullptr: no such tool, or no such edge
@@ -377,6 +379,7 @@ class Channel {
   std::size_t program_function_mask_;  ///< place of MD10280
   std::size_t upper_soft_limits_;      ///< place of MD36110
   std::size_t lower_soft_limits_;      ///< place of MD36100
+  std::size_t rounding_tolerances_;    ///< place of MD33100
   std::size_t base_frames_;            ///< place of MD28081
   std::size_t global_base_frames_;     ///< place of MD18602
   std::size_t rotary_is_modulo_;       ///< place of MD30310

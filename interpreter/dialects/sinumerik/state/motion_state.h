@@ -80,8 +80,10 @@ struct MachinePoints {
 struct CornerStage {
   path::ContourCorners contour;
   path::CornerWish wish;
-  double modal_radius_mm = 0.0;  ///< RNDM
-  double modal_feed = 0.0;       ///< FRCM, as programmed
+  double modal_radius_mm = 0.0;    ///< RNDM
+  double modal_feed = 0.0;         ///< FRCM, as programmed
+  double passing_mm = 0.0;         ///< ADIS: where G641 begins to round, at most
+  double axis_tolerance_mm = 0.0;  ///< ATOL; 0: that of the machine data
 };
 
 /// A straight line of which a block says only the angle (ANG): its end comes of the next block.
