@@ -24,7 +24,7 @@ enum class RapidPath {
 
 /// When a control goes on to the next block.
 enum class BlockEnd {
-  ExactStop,  ///< once the axes have followed to the end (G61, G09, rapids)
+  ExactStop,  ///< once the axes have followed to the end (G61, G09, rapids of most controls)
   PassOn      ///< without a stop, as fast as corners allow; lagging axes round them (G64)
 };
 

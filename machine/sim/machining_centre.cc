@@ -63,15 +63,21 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
   }
   const StraightPath path(q_M_, move.q_M_end, move.mm_per_degree);
   if (path.moves()) {
-    if (auto fault = move.traverse == Traverse::Feed
-                         ? feed(path, dynamics_.limits(path, move),
-                                {move.ends, move.contour_control, move.tag})
+    const Passing passing{move.ends, move.contour_control, move.tag};
+    if (auto fault = move.traverse == Traverse::Feed || passes_on(move)
+                         ? feed(path, dynamics_.limits(path, move), passing)
                          : carry_out(path, move)) {
       return *std::move(fault);
     }
   }
   q_M_ = move.q_M_end;
   return q_M_;
+}
+
+/// A rapid passes on where the control plans it ahead, as one of the moves of a path.
+bool MachiningCentre::passes_on(const LinearMove& rapid) const {
+  return rapid.ends == BlockEnd::PassOn && rapid.rapid_path == RapidPath::Straight &&
+         joins({rapid.ends, rapid.contour_control, rapid.tag});
 }
 
 Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {

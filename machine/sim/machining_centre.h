@@ -110,6 +110,7 @@ class MachiningCentre final : public MachinePort {
                                    const Passing& passing);
   // A move that the one before may have passed on into, and that may pass on itself.
   [[nodiscard]] bool joins(const Passing& passing) const;
+  [[nodiscard]] bool passes_on(const LinearMove& rapid) const;
   template <typename Path>
   std::optional<MachineFault> pass_on(const Path& path, const PathLimits& limits,
                                       const Passing& passing);

@@ -70,5 +70,34 @@ TEST(PassingOn, OfSinumerikBlocks) {
   }
 }
 
+/// Accelerating, at the highest speed, braking; rates of the ideal machine.
+double seconds_between(double from, double peak, double to, double length) {
+  constexpr double kAcceleration = 2000.0;
+  const double ramps = (2.0 * peak * peak - from * from - to * to) / (2.0 * kAcceleration);
+  return (2.0 * peak - from - to) / kAcceleration + (length - ramps) / peak;
+}
+
+TEST(PassingOn, OfSinumerikRapids) {
+  constexpr double kRapid = 20000.0 / 60.0;
+  constexpr double kFeed = 50.0;
+  const Case kCases[] = {
+      {"exact stop", "G60\nG0 X100\nX200\n", 2.0 * seconds_between(0.0, kRapid, 0.0, 100.0)},
+      {"rapids are one way", "G64\nG0 X100\nX200\n", seconds_between(0.0, kRapid, 0.0, 200.0)},
+      {"into a feed", "G64\nG0 X100\nG1 X200 F3000\n",
+       seconds_between(0.0, kRapid, kFeed, 100.0) + seconds_between(kFeed, kFeed, 0.0, 100.0)},
+      {"out of a feed", "G64\nG1 X100 F3000\nG0 X200\n",
+       seconds_between(0.0, kFeed, kFeed, 100.0) + seconds_between(kFeed, kRapid, 0.0, 100.0)},
+      {"a dwell stands", "G64\nG0 X100\nG4 F1\nX200\n",
+       1.0 + 2.0 * seconds_between(0.0, kRapid, 0.0, 100.0)},
+  };
+  for (const Case& c : kCases) {
+    SCOPED_TRACE(c.name);
+    EXPECT_NEAR(seconds_of("case.mpf", std::string(c.between) + "M30\n"), c.seconds, 1e-9);
+  }
+  const double stops = 2.0 * seconds_between(0.0, kRapid, 0.0, 100.0);
+  EXPECT_NEAR(seconds_of("case.nc", "O1\nG90G64G0X100.\nX200.\nM30\n"), stops, 1e-9)
+      << "a Fanuc looks whether its axes have arrived";
+}
+
 }  // namespace
 }  // namespace g31::passing_on_test

@@ -167,9 +167,9 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
       return feed.error();
     }
     path.feed_mm_min = feed.value();
-    path.ends = block_end(channel);
-    path.contour_control = contour_control(channel);
   }
+  path.ends = block_end(channel);
+  path.contour_control = contour_control(channel);
   return travel_to(channel, path, q_W_end.value());
 }
 
