@@ -41,12 +41,12 @@ struct OwnAxes {
   [[nodiscard]] Point part_of(const Point& p_own) const;
 };
 
-/// One of the eight kinds, found on a product.
+/// One of the kinds, found on a product.
 struct Feature {
   FeatureKind kind = FeatureKind::ClosedPocket;
   Box box_P;                        ///< product frame P
   OwnAxes axes;                     ///< of a round one those of the product
-  Box own;                          ///< between its walls, in its own axes
+  Box own;                          ///< from wall to wall, in its own axes
   std::array<bool, kSides> open{};  ///< by Side, in its own axes
   /// Heights between which its walls are upright: below a chamfer, above a rounded floor edge.
   double walls_from_z = 0.0;
@@ -55,14 +55,19 @@ struct Feature {
   double floor_radius_mm = 0.0;   ///< between walls and floor
   bool has_flat_floor = false;    ///< not a drill's point, and there is one
   bool is_round = false;          ///< its wall is one cylinder; `own` is the box around it
+  double facet_error_mm = 0.0;    ///< how far facets are from the round walls that they stand for
 
   [[nodiscard]] bool is_open(Side side) const { return open[static_cast<std::size_t>(side)]; }
+  /// Whether it is of material and not of air: its walls look outwards, its floor is around it.
+  [[nodiscard]] bool is_standing() const {
+    return kind == FeatureKind::Boss || kind == FeatureKind::Rib;
+  }
 };
 
 /// A removed volume of none of the kinds.
 struct UnknownVolume {
   Box box_P;
-  std::string why;  ///< "an island stands in it"
+  std::string why;  ///< "one of its walls is inclined by 3 deg"
 };
 
 /// What a product is made of, as far as it can be measured.

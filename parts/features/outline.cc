@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "parts/features/faceted_walls.h"
 #include "parts/features/recognise.h"
 
 namespace g31::parts {
@@ -16,8 +17,7 @@ using Why = std::optional<std::string>;
 
 constexpr std::array<Side, 4> kUprightSides = {Side::XPlus, Side::XMinus, Side::YPlus,
                                                Side::YMinus};
-constexpr const char* kNoRectangle =
-    "its outline is no rectangle: an island stands in it, or it is an L, a T or a cross";
+constexpr const char* kNoRectangle = "its outline is no rectangle: it is an L, a T or a cross";
 
 /// The angle of the axes that a wall's normal is parallel to, -45 < angle <= 45.
 double angle_of(const Point& normal) {
@@ -36,8 +36,12 @@ Side side_of(const Point& normal_own) {
 
 class OutlineFinder {
  public:
-  OutlineFinder(const RemovedVolume& volume, const SortedFaces& sorted, Outline& outline)
-      : volume_(volume), sorted_(sorted), outline_(outline) {}
+  OutlineFinder(const RemovedVolume& volume, const SortedFaces& sorted, SeenFrom from,
+                Outline& outline)
+      : volume_(volume),
+        sorted_(sorted),
+        outwards_(from == SeenFrom::Inside ? 1.0 : -1.0),
+        outline_(outline) {}
 
   Why find() {
     for (const auto step : {&OutlineFinder::take_walls, &OutlineFinder::take_open_faces,
@@ -62,7 +66,7 @@ class OutlineFinder {
         sorted_.walls, {}, [](const RemovedFace* face) { return face->area_mm2; });
     outline_.axes.angle_deg = angle_of((*largest)->normal_P);
     for (const RemovedFace* wall : sorted_.walls) {
-      const Point normal = outline_.axes.own_of(wall->normal_P);
+      const Point normal = outwards_ * outline_.axes.own_of(wall->normal_P);
       const Side side = side_of(normal);
       if ((normal - direction_of(side)).norm() > 10.0 * kSameDirection) {
         return "its walls do not stand at right angles to each other";
@@ -79,9 +83,9 @@ class OutlineFinder {
     return direction_of(side).dot(outline_.axes.own_of(p_P));
   }
 
-  Why close(Side side, double how_far) {
+  Why close(Side side, double how_far, double same_mm = kSamePlaceMm) {
     OutlineSide& closed = at(side);
-    if (closed.is_wall && std::abs(closed.at - how_far) > kSamePlaceMm) {
+    if (closed.is_wall && std::abs(closed.at - how_far) > same_mm) {
       return kNoRectangle;
     }
     if (!closed.is_wall) {
@@ -119,13 +123,14 @@ class OutlineFinder {
   Why take_corners() {
     for (const RemovedFace* corner : sorted_.corners) {
       int touched = 0;
+      const double same_mm = corner->facet_error_mm > 0.0 ? kSameCircleMm : kSamePlaceMm;
       for (const Side side : kUprightSides) {
         const double how_far = reach(side, corner->axis_at_P) + corner->radius_mm;
-        if (!reaches(*corner, side, how_far)) {
+        if (!reaches(*corner, side, how_far - same_mm)) {
           continue;
         }
         ++touched;
-        if (at(side).is_open || close(side, how_far)) {
+        if (at(side).is_open || close(side, how_far, same_mm)) {
           return kNoRectangle;
         }
       }
@@ -139,12 +144,13 @@ class OutlineFinder {
 
   /// Whether the arc of a corner comes to where its circle is farthest out.
   [[nodiscard]] bool reaches(const RemovedFace& corner, Side side, double how_far) const {
-    return std::ranges::any_of(
-        corner.border_P, [&](const Point& p) { return reach(side, p) > how_far - kSamePlaceMm; });
+    return std::ranges::any_of(corner.border_P,
+                               [&](const Point& p) { return reach(side, p) > how_far; });
   }
 
   const RemovedVolume& volume_;
   const SortedFaces& sorted_;
+  double outwards_;  // of a wall's normal, which shows out of the removed volume
   Outline& outline_;
 };
 
@@ -157,11 +163,12 @@ Point direction_of(Side side) {
   return direction;
 }
 
-Why find_outline(const RemovedVolume& volume, const SortedFaces& sorted, Outline& outline) {
+Why find_outline(const RemovedVolume& volume, const SortedFaces& sorted, SeenFrom from,
+                 Outline& outline) {
   if (sorted.walls.empty()) {
     return sorted.corners.empty() ? "it has no upright walls" : "it is round, but not all round";
   }
-  return OutlineFinder(volume, sorted, outline).find();
+  return OutlineFinder(volume, sorted, from, outline).find();
 }
 
 }  // namespace g31::parts

@@ -14,15 +14,20 @@ namespace g31::parts {
 struct SortedFaces {
   using Faces = std::vector<const RemovedFace*>;
   Faces walls;    ///< upright planes
-  Faces corners;  ///< upright cylinders, hollow
+  Faces corners;  ///< upright cylinders: hollow, of an island round outside
   Faces floors;
   Faces edges;  ///< chamfers and roundings along the upper edge or the floor
   Faces open;
 };
 
-/// Why the faces of a volume are none that a kind has; nothing: they may be.
+/// From where faces go round: from what is cut out, or from what is left standing in it.
+enum class SeenFrom { Inside, Island };
+
+/// Why faces of a volume are none that a kind has; nothing: they may be.
+/// @param faces   of the volume
 /// @param sorted  filled as far as that
-std::optional<std::string> sort_faces(const RemovedVolume& volume, SortedFaces& sorted);
+std::optional<std::string> sort_faces(const RemovedVolume& volume, const SortedFaces::Faces& faces,
+                                      SeenFrom from, SortedFaces& sorted);
 
 /// What closes one side of a volume.
 struct OutlineSide {
@@ -38,11 +43,11 @@ struct Outline {
   double corner_radius_mm = 0.0;
 };
 
-/// The outline of a volume with straight walls.
+/// The outline of a volume, or of an island in it, with straight walls.
 /// @param outline  filled on success
 /// @returns why it is no rectangle
 std::optional<std::string> find_outline(const RemovedVolume& volume, const SortedFaces& sorted,
-                                        Outline& outline);
+                                        SeenFrom from, Outline& outline);
 
 /// The direction that a side shows to, in own axes.
 Point direction_of(Side side);

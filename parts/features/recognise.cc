@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <tuple>
-#include <variant>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "machine/units/rounded_length.h"
+#include "parts/features/islands.h"
 #include "parts/features/outline.h"
 
 namespace g31::parts {
@@ -25,32 +27,44 @@ Box rounded(const Box& box) {
   return result;
 }
 
-/// Finds out what one removed volume is.
+/// Finds out what goes round in a removed volume: its outline, or an island.
 class Recogniser {
  public:
-  explicit Recogniser(const RemovedVolume& volume) : volume_(volume) {}
+  Recogniser(const RemovedVolume& volume, SeenFrom from) : volume_(volume), from_(from) {}
 
-  std::variant<Feature, UnknownVolume> result() {
-    if (auto why = problem()) {
-      return UnknownVolume{rounded(volume_.box_P), *std::move(why)};
-    }
-    return feature_;
-  }
-
- private:
-  Why problem() {
-    if (auto why = sort_faces(volume_, sorted_)) {
+  /// @param faces  that go round, and for an outline all that is level
+  /// @returns why its shape is that of no kind
+  Why find_shape(const SortedFaces::Faces& faces) {
+    if (auto why = sort_faces(volume_, faces, from_, sorted_)) {
       return why;
     }
     take_heights();
+    if (from_ == SeenFrom::Island && sorted_.walls.empty() && sorted_.corners.empty()) {
+      return "it has no upright walls";
+    }
+    if (stands_in_the_open()) {
+      return std::nullopt;
+    }
     if (auto why = is_one_circle() ? take_circle() : take_rectangle()) {
       return why;
     }
-    if (!has_open(Side::ZPlus)) {
-      return "it is not open towards +Z: the probe does not get in";
+    for (const RemovedFace* corner : sorted_.corners) {
+      feature_.facet_error_mm = std::max(feature_.facet_error_mm, corner->facet_error_mm);
     }
     if (feature_.walls_to_z - feature_.walls_from_z < kLeastWallMm) {
       return "it has no upright wall between its chamfers and its floor";
+    }
+    return std::nullopt;
+  }
+
+  /// Names an outline by its open sides.
+  /// @param islands  that stand in it, in mm^2 seen from above; nothing: it is not known
+  Why find_kind(std::optional<double> islands) {
+    if (!has_open(Side::ZPlus)) {
+      return "it is not open towards +Z: the probe does not get in";
+    }
+    if (islands && !fills_its_outline(*islands)) {
+      return "its outline is no rectangle, or its floor is not level";
     }
     open(Side::ZPlus);
     if (sorted_.floors.empty() && has_open(Side::ZMinus)) {
@@ -59,6 +73,41 @@ class Recogniser {
     return take_kind();
   }
 
+  /// What an island is that has a floor around it.
+  Feature standing() && {
+    feature_.kind = feature_.is_round ? FeatureKind::Boss : FeatureKind::Rib;
+    feature_.open.fill(true);
+    feature_.open[static_cast<std::size_t>(Side::ZMinus)] = false;
+    feature_.has_flat_floor = true;
+    return std::move(feature_);
+  }
+
+  [[nodiscard]] const Feature& feature() const { return feature_; }
+
+  /// Whether nothing of the product is around it.
+  [[nodiscard]] bool stands_in_the_open() const {
+    return from_ == SeenFrom::Inside && sorted_.walls.empty() && sorted_.corners.empty() &&
+           has_open(Side::ZPlus) && has_open(Side::XPlus) && has_open(Side::XMinus) &&
+           has_open(Side::YPlus) && has_open(Side::YMinus);
+  }
+
+  /// How much of the plane it takes, mm^2; nothing: chamfers, roundings or slanting ends change it.
+  [[nodiscard]] std::optional<double> footprint() const {
+    const bool has_slanting_ends = from_ == SeenFrom::Inside && feature_.axes.angle_deg != 0.0;
+    if (!sorted_.edges.empty() || has_slanting_ends) {
+      return std::nullopt;
+    }
+    const Point size = feature_.own.max - feature_.own.min;
+    double area = size.x() * size.y();
+    for (const RemovedFace* corner : sorted_.corners) {
+      const double arc = corner->area_mm2 / (size.z() * corner->radius_mm);  // rad
+      area -= corner->radius_mm * corner->radius_mm * (arc * 2.0 / std::numbers::pi) *
+              (1.0 - std::numbers::pi / 4.0);
+    }
+    return area;
+  }
+
+ private:
   void open(Side side) { feature_.open[static_cast<std::size_t>(side)] = true; }
 
   [[nodiscard]] bool has_open(Side side) const {
@@ -124,7 +173,7 @@ class Recogniser {
 
   Why take_rectangle() {
     Outline outline;
-    if (auto why = find_outline(volume_, sorted_, outline)) {
+    if (auto why = find_outline(volume_, sorted_, from_, outline)) {
       return why;
     }
     const auto& sides = outline.sides;
@@ -133,30 +182,44 @@ class Recogniser {
     feature_.own.min = {-sides[1].at, -sides[3].at, volume_.box_P.min.z()};
     feature_.own.max = {sides[0].at, sides[2].at, volume_.box_P.max.z()};
     feature_.own = rounded(feature_.own);
-    feature_.box_P = outline.axes.angle_deg == 0.0 ? feature_.own : rounded(volume_.box_P);
+    feature_.box_P = outline.axes.angle_deg == 0.0 ? feature_.own : rounded(box_of_faces());
     for (std::size_t side = 0; side < sides.size(); ++side) {
       feature_.open[side] = sides[side].is_open;
     }
-    return fills_its_outline() ? std::nullopt
-                               : Why("its outline is no rectangle, or its floor is not level");
+    return std::nullopt;
   }
 
-  /// Whether the volume is that of its box less the corners; not asked where chamfers, roundings or
-  /// slanting ends change it.
-  [[nodiscard]] bool fills_its_outline() const {
-    if (!sorted_.edges.empty() || feature_.axes.angle_deg != 0.0) {
+  [[nodiscard]] Box box_of_faces() const {
+    if (from_ == SeenFrom::Inside) {
+      return volume_.box_P;
+    }
+    Box box;
+    for (const auto* const faces : {&sorted_.walls, &sorted_.corners, &sorted_.edges}) {
+      for (const RemovedFace* face : *faces) {
+        for (const Point& p : face->border_P) {
+          box.include(p);
+        }
+      }
+    }
+    return box;
+  }
+
+  /// Whether the product, or what stands in the volume, is a mesh with round walls.
+  [[nodiscard]] bool has_facets() const {
+    return std::ranges::any_of(volume_.faces,
+                               [](const RemovedFace& face) { return face.facet_error_mm > 0.0; });
+  }
+
+  /// Whether the volume is that of its box less the corners and what stands in it.
+  [[nodiscard]] bool fills_its_outline(double islands_mm2) const {
+    const auto area = footprint();
+    if (!area || feature_.is_round) {
       return true;
     }
-    const Point size = feature_.own.max - feature_.own.min;
-    double area = size.x() * size.y();
-    for (const RemovedFace* corner : sorted_.corners) {
-      const double arc = corner->area_mm2 / (size.z() * corner->radius_mm);  // rad
-      area -= corner->radius_mm * corner->radius_mm * (arc * 2.0 / std::numbers::pi) *
-              (1.0 - std::numbers::pi / 4.0);
-    }
-    constexpr double kShare = 1e-6;
-    const double whole = area * size.z();
-    return std::abs(volume_.volume_mm3 - whole) < kShare * whole + kSamePlaceMm;
+    // Facets cut corners: 30 deg wide ones 5 percent of a hole.
+    const double share = has_facets() ? 0.05 : 1e-6;
+    const double whole = (*area - islands_mm2) * (feature_.own.max.z() - feature_.own.min.z());
+    return std::abs(volume_.volume_mm3 - whole) < share * whole + kSamePlaceMm;
   }
 
   Why take_kind() {
@@ -190,9 +253,57 @@ class Recogniser {
   static constexpr double kLeastWallMm = 1e-3;
 
   const RemovedVolume& volume_;
+  SeenFrom from_;
   SortedFaces sorted_;
   Feature feature_;
 };
+
+/// What one removed volume is, and what stands in it.
+struct Found {
+  std::vector<Feature> features;
+  Why problem;  ///< of the volume itself
+};
+
+Found found_in(const RemovedVolume& volume) {
+  Found found;
+  const FacesAround faces = faces_around(volume);
+  Recogniser outline(volume, SeenFrom::Inside);
+  found.problem = outline.find_shape(faces.outer);
+  std::optional<double> islands_mm2 = 0.0;
+  Why odd_island;
+  for (const auto& around : faces.islands) {
+    Recogniser island(volume, SeenFrom::Island);
+    auto why = island.find_shape(around);
+    if (!why && !outline.feature().has_flat_floor) {
+      why = "no floor is around it";
+    }
+    if (why) {
+      odd_island = "an island stands in it that is no boss and no rib: " + *why;
+      continue;
+    }
+    const auto footprint = island.footprint();
+    islands_mm2 =
+        islands_mm2 && footprint ? std::optional(*islands_mm2 + *footprint) : std::nullopt;
+    found.features.push_back(std::move(island).standing());
+  }
+  if (!found.problem && odd_island) {
+    found.problem = odd_island;
+  }
+  if (!found.problem && outline.stands_in_the_open()) {
+    if (found.features.empty()) {
+      found.problem = "it has no upright walls: the stock is higher there";
+    }
+    return found;
+  }
+  if (found.problem) {
+    return found;
+  }
+  found.problem = outline.find_kind(islands_mm2);
+  if (!found.problem) {
+    found.features.push_back(outline.feature());
+  }
+  return found;
+}
 
 auto lower_corner(const Box& box) {
   return std::make_tuple(box.min.x(), box.min.y(), box.min.z(), box.max.x(), box.max.y());
@@ -204,11 +315,10 @@ RecognisedPart recognise(const Box& stock_P, const std::vector<RemovedVolume>& v
   RecognisedPart part;
   part.stock_P = rounded(stock_P);
   for (const RemovedVolume& volume : volumes) {
-    auto result = Recogniser(volume).result();
-    if (auto* const feature = std::get_if<Feature>(&result)) {
-      part.features.push_back(std::move(*feature));
-    } else {
-      part.unknown.push_back(std::move(std::get<UnknownVolume>(result)));
+    Found found = found_in(volume);
+    std::ranges::move(found.features, std::back_inserter(part.features));
+    if (found.problem) {
+      part.unknown.push_back({rounded(volume.box_P), *std::move(found.problem)});
     }
   }
   const auto box_of = [](const auto& found) { return lower_corner(found.box_P); };

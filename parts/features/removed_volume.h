@@ -21,6 +21,7 @@ struct RemovedFace {
   Point axis_P = Point::UnitZ();    ///< unit
   double radius_mm = 0.0;           ///< of a cylinder or sphere; of a torus that of its tube
   double area_mm2 = 0.0;            ///< > 0
+  double facet_error_mm = 0.0;      ///< how far the product's facets are from it, > 0 of a mesh
   std::vector<Point> border_P;      ///< the ends of its edges, and points along curved ones
 };
 

@@ -42,7 +42,8 @@ double degrees(double rad) {
 
 class FaceSorter {
  public:
-  FaceSorter(const RemovedVolume& volume, SortedFaces& sorted) : volume_(volume), sorted_(sorted) {}
+  FaceSorter(const RemovedVolume& volume, SeenFrom from, SortedFaces& sorted)
+      : volume_(volume), from_(from), sorted_(sorted) {}
 
   Why take(const RemovedFace& face) {
     if (face.is_open) {
@@ -81,8 +82,9 @@ class FaceSorter {
   }
 
   Why take_upright_cylinder(const RemovedFace& face) {
-    if (!is_hollow(face)) {
-      return "a round boss or a rounded outer corner stands in it";
+    if (is_hollow(face) != (from_ == SeenFrom::Inside)) {
+      return from_ == SeenFrom::Inside ? "a rounded outer corner stands in it"
+                                       : "an island stands in it that has hollow walls";
     }
     sorted_.corners.push_back(&face);
     return std::nullopt;
@@ -114,19 +116,22 @@ class FaceSorter {
     const double steepness = std::hypot(face.normal_P.x(), face.normal_P.y());
     const double run = (heights.highest - heights.lowest) * -face.normal_P.z() / steepness;
     const Point size = volume_.box_P.max - volume_.box_P.min;
-    return run > 0.5 * std::min(size.x(), size.y());
+    constexpr double kShare = 0.51;  // the facets of a drill point reach over half of it
+    return run > kShare * std::min(size.x(), size.y());
   }
 
   const RemovedVolume& volume_;
+  SeenFrom from_;
   SortedFaces& sorted_;
 };
 
 }  // namespace
 
-Why sort_faces(const RemovedVolume& volume, SortedFaces& sorted) {
-  FaceSorter sorter(volume, sorted);
-  for (const RemovedFace& face : volume.faces) {
-    if (auto why = sorter.take(face)) {
+Why sort_faces(const RemovedVolume& volume, const SortedFaces::Faces& faces, SeenFrom from,
+               SortedFaces& sorted) {
+  FaceSorter sorter(volume, from, sorted);
+  for (const RemovedFace* face : faces) {
+    if (auto why = sorter.take(*face)) {
       return why;
     }
   }

@@ -58,8 +58,9 @@ class Planner {
   void add_sideways(const PlacedOn& on, int axis) {
     const auto plus = static_cast<Side>(2 * axis);
     const auto minus = static_cast<Side>(2 * axis + 1);
-    const bool is_plus_open = on.feature.is_open(plus);
-    const bool is_minus_open = on.feature.is_open(minus);
+    // Air is around what stands free, but its walls are its own.
+    const bool is_plus_open = on.feature.is_open(plus) && !on.feature.is_standing();
+    const bool is_minus_open = on.feature.is_open(minus) && !on.feature.is_standing();
     if (is_plus_open && is_minus_open) {
       return;  // the stock's own size
     }
@@ -97,8 +98,10 @@ class Planner {
       return;
     }
     const Point apart = second->at_P - first->at_P;
-    const bool are_facing = axis < 2 && first->normal_P.dot(second->normal_P) < 0.0;
-    const Point direction = first->normal_P;  // away from the first face, so to the second
+    const bool has_middle = axis < 2 && first->normal_P.dot(second->normal_P) < 0.0;
+    const bool is_from_outside = apart.dot(first->normal_P) < 0.0;
+    const Point direction =
+        is_from_outside ? Point(Point::Zero() - first->normal_P) : first->normal_P;
     PlannedMeasure size;
     size.id = fmt::format("F{}.{}", feature() + 1, kAxisLetters[axis]);
     size.feature = feature();
@@ -110,7 +113,7 @@ class Planner {
     size.first = add_point(*first);
     size.second = add_point(*second);
     plan_.measures.push_back(size);
-    if (are_facing) {
+    if (has_middle) {
       add_place(size);
     }
   }
@@ -151,8 +154,10 @@ class Planner {
   /// @param why  filled where no place is reached
   std::optional<PlannedPoint> choose(const Feature& feature, const TouchPlaces& places,
                                      std::string& why) const {
-    const double error =
-        feature.is_round || feature.corner_radius_mm > 0.0 ? options_.surface_error_mm : 0.0;
+    // Each facet may be off by twice its sagitta, as a ball in its corner is.
+    const double error = feature.is_round || feature.corner_radius_mm > 0.0
+                             ? std::max(options_.surface_error_mm, 2.0 * feature.facet_error_mm)
+                             : 0.0;
     if (places.empty()) {
       why = fmt::format("the ball of {:g} mm does not fit between its edges",
                         2.0 * options_.ball_radius_mm);

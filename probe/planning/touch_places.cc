@@ -100,7 +100,9 @@ Range across_range(const PlacedOn& on, Side side) {
   const parts::Feature& feature = on.feature;
   const int across = across_of(side);
   const double middle = middle_of(feature.own, across);
-  const double margin = std::max(feature.corner_radius_mm, on.ball_radius_mm + kFreeMm);
+  const double margin = feature.is_standing()
+                            ? feature.corner_radius_mm + kFreeMm
+                            : std::max(feature.corner_radius_mm, on.ball_radius_mm + kFreeMm);
   const Range range{feature.own.min[across] + margin, feature.own.max[across] - margin};
   return feature.is_round || range.is_empty() ? Range{middle, middle} : range;
 }
@@ -134,15 +136,84 @@ double at_side(const parts::Box& box, Side side) {
   return is_plus(side) ? box.max[axis_of(side)] : box.min[axis_of(side)];
 }
 
+/// The lowest touch of a wall, at which the ball stays clear of a floor.
+double least_z_of(const PlacedOn& on) {
+  const parts::Feature& feature = on.feature;
+  return feature.is_open(Side::ZMinus)
+             ? feature.walls_from_z
+             : std::max(feature.walls_from_z, feature.own.min.z() + on.ball_radius_mm + kFreeMm);
+}
+
+/// Of a standing feature, from outside; where there is not room enough, from nearer.
+TouchPlaces standing_wall_places(const PlacedOn& on, Side side) {
+  const parts::Feature& feature = on.feature;
+  constexpr double kNearMm = 1.0;
+  TouchPlaces all;
+  for (const double approach : {on.distances.approach, kNearMm}) {
+    const auto places = side_places(on, {side,
+                                         at_side(feature.own, side),
+                                         outwards(side),
+                                         approach,
+                                         {least_z_of(on), feature.walls_to_z},
+                                         feature.own.max.z() - on.distances.depth});
+    all.insert(all.end(), places.begin(), places.end());
+  }
+  return all;
+}
+
+/// On a level face beside a feature.
+/// @param beside  at least, from its side
+/// @param is_wanted  whether it may be beside a side
+template <typename IsWanted>
+TouchPlaces places_beside(const PlacedOn& on, double z, double beside, const IsWanted& is_wanted) {
+  constexpr double kFartherMm[] = {0.0, 2.0, 5.0, 10.0, 20.0};
+  const parts::Feature& feature = on.feature;
+  TouchPlaces all;
+  for (const double farther : kFartherMm) {
+    for (const Side side : {Side::XMinus, Side::XPlus, Side::YMinus, Side::YPlus}) {
+      if (!is_wanted(side)) {
+        continue;
+      }
+      PlacesOnFace places(on, Point::UnitZ(), on.distances.approach_z);
+      const double off = beside + farther;
+      for (const double a :
+           values_of(across_range(on, side), middle_of(on.feature.own, across_of(side)))) {
+        Point at(0.0, 0.0, z);
+        at[axis_of(side)] = at_side(feature.own, side) + (is_plus(side) ? off : -off);
+        at[across_of(side)] = a;
+        places.add(at);
+      }
+      auto found = std::move(places).places();
+      all.insert(all.end(), found.begin(), found.end());
+    }
+  }
+  return all;
+}
+
+/// On the level face within the walls of a feature, first in its middle.
+/// @param inset  from its walls
+TouchPlaces places_within(const PlacedOn& on, double z, double inset) {
+  const parts::Feature& feature = on.feature;
+  const auto range = [&](int axis) {
+    return Range{feature.own.min[axis] + inset, feature.own.max[axis] - inset};
+  };
+  PlacesOnFace places(on, Point::UnitZ(), on.distances.approach_z);
+  for (const double x : values_of(range(0), middle_of(feature.own, 0))) {
+    for (const double y : values_of(range(1), middle_of(feature.own, 1))) {
+      places.add({x, y, z});
+    }
+  }
+  return std::move(places).places();
+}
+
 }  // namespace
 
 TouchPlaces wall_places(const PlacedOn& on, Side side) {
   const parts::Feature& feature = on.feature;
+  if (feature.is_standing()) {
+    return standing_wall_places(on, side);
+  }
   const int axis = axis_of(side);
-  const double least_z =
-      feature.is_open(Side::ZMinus)
-          ? feature.walls_from_z
-          : std::max(feature.walls_from_z, feature.own.min.z() + on.ball_radius_mm + kFreeMm);
   // An open side lets the ball start as far off as it likes; a wall there holds it in the middle.
   const Side facing = static_cast<Side>(static_cast<int>(side) ^ 1);
   const double room = (feature.own.max[axis] - feature.own.min[axis]) / 2 - on.ball_radius_mm;
@@ -155,7 +226,7 @@ TouchPlaces wall_places(const PlacedOn& on, Side side) {
                           at_side(feature.own, side),
                           -outwards(side),
                           approach,
-                          {least_z, feature.walls_to_z},
+                          {least_z_of(on), feature.walls_to_z},
                           feature.own.max.z() - on.distances.depth});
 }
 
@@ -173,42 +244,17 @@ TouchPlaces outer_places(const PlacedOn& on, Side side) {
 
 TouchPlaces floor_places(const PlacedOn& on) {
   const parts::Feature& feature = on.feature;
-  const double inset = on.ball_radius_mm + kFreeMm + feature.floor_radius_mm;
-  const auto range = [&](int axis) {
-    return Range{feature.own.min[axis] + inset, feature.own.max[axis] - inset};
-  };
-  PlacesOnFace places(on, Point::UnitZ(), on.distances.approach_z);
-  for (const double x : values_of(range(0), middle_of(feature.own, 0))) {
-    for (const double y : values_of(range(1), middle_of(feature.own, 1))) {
-      places.add({x, y, feature.own.min.z()});
-    }
-  }
-  return std::move(places).places();
+  const double free = on.ball_radius_mm + kFreeMm + feature.floor_radius_mm;
+  return feature.is_standing()
+             ? places_beside(on, feature.own.min.z(), free, [](Side /*side*/) { return true; })
+             : places_within(on, feature.own.min.z(), free);
 }
 
 TouchPlaces top_places(const PlacedOn& on) {
-  constexpr double kFartherMm[] = {0.0, 2.0, 5.0, 10.0, 20.0};
   const parts::Feature& feature = on.feature;
-  TouchPlaces all;
-  for (const double farther : kFartherMm) {
-    for (const Side side : {Side::XMinus, Side::XPlus, Side::YMinus, Side::YPlus}) {
-      if (feature.is_open(side)) {
-        continue;
-      }
-      PlacesOnFace places(on, Point::UnitZ(), on.distances.approach_z);
-      const double beside = on.distances.beside + farther;
-      for (const double a :
-           values_of(across_range(on, side), middle_of(feature.own, across_of(side)))) {
-        Point at(0.0, 0.0, feature.own.max.z());
-        at[axis_of(side)] = at_side(feature.own, side) + (is_plus(side) ? beside : -beside);
-        at[across_of(side)] = a;
-        places.add(at);
-      }
-      auto found = std::move(places).places();
-      all.insert(all.end(), found.begin(), found.end());
-    }
-  }
-  return all;
+  return feature.is_standing() ? places_within(on, feature.own.max.z(), kFreeMm)
+                               : places_beside(on, feature.own.max.z(), on.distances.beside,
+                                               [&](Side side) { return !feature.is_open(side); });
 }
 
 }  // namespace g31::probe

@@ -22,16 +22,16 @@ struct PlacedOn {
 };
 
 /// On a wall, at the middle across and a depth below the upper edge.  Of a round wall all places
-/// are at the middle across.
+/// are at the middle across.  Walls of a standing feature are touched from outside.
 TouchPlaces wall_places(const PlacedOn& on, parts::Side side);
 
 /// On the outer face of the product at an open side, a depth below the floor.
 TouchPlaces outer_places(const PlacedOn& on, parts::Side side);
 
-/// On the floor, first in its middle.
+/// On the floor, first in its middle; beside a standing feature.
 TouchPlaces floor_places(const PlacedOn& on);
 
-/// On the upper face beside the walls.
+/// On the upper face beside the walls; on top of a standing feature.
 TouchPlaces top_places(const PlacedOn& on);
 
 }  // namespace g31::probe

@@ -1,5 +1,6 @@
 #include "parts/features/recognise.h"
 
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -144,6 +145,24 @@ TEST(Recognise, ChamfersAndRoundedFloorsOnlyMoveWhereTheWallsAreUpright) {
   EXPECT_EQ(pocket.floor_radius_mm, 2.0);
 }
 
+TEST(Recognise, WhatStandsInAPocketIsABoss) {
+  VolumeMaker maker(kPocket, {ZPlus});
+  RemovedFace round = VolumeMaker::upright({110, 22, 0}, 4.0, 0.0, 360.0, kPocket);
+  round.normal_P = -round.normal_P;
+  maker.add(round);
+  maker.volume.volume_mm3 -= 16.0 * std::numbers::pi * 15.0;
+  const RecognisedPart part = recognised(maker);
+  ASSERT_EQ(part.features.size(), 2U) << part.unknown.at(0).why;
+  EXPECT_EQ(name_of(part.features[0].kind), "closed_pocket");
+  EXPECT_EQ(part.features[0].own.max, kPocket.max);
+  EXPECT_EQ(name_of(part.features[1].kind), "boss");
+  EXPECT_EQ(part.features[1].own.min, Point(106, 18, -15));
+  EXPECT_EQ(part.features[1].own.max, Point(114, 26, 0));
+  // The pocket is less than its box without the boss.
+  maker.volume.volume_mm3 -= 10.0;
+  EXPECT_EQ(recognised(maker).features.size(), 1U);
+}
+
 TEST(Recognise, SaysWhyAVolumeIsOfNoKind) {
   VolumeMaker island(kPocket, {ZPlus});
   island.add_wall({105, 20, -5}, {1, 0, 0});
@@ -167,11 +186,11 @@ TEST(Recognise, SaysWhyAVolumeIsOfNoKind) {
   crooked.add_wall({100, 35, -5}, Point(0.1, 1, 0).normalized());
   EXPECT_NE(kind_of(crooked).find("right angles"), std::string::npos);
 
-  VolumeMaker boss(kPocket, {ZPlus});
-  RemovedFace round = VolumeMaker::upright({110, 22, 0}, 4.0, 0.0, 360.0, kPocket);
+  VolumeMaker corner(kPocket, {ZPlus});
+  RemovedFace round = VolumeMaker::upright({90, 10, 0}, 4.0, 0.0, 90.0, kPocket);
   round.normal_P = -round.normal_P;
-  boss.add(round);
-  EXPECT_NE(kind_of(boss).find("round boss"), std::string::npos);
+  corner.add(round);
+  EXPECT_NE(kind_of(corner).find("rounded outer corner"), std::string::npos);
 
   VolumeMaker smaller(kPocket, {ZPlus});
   smaller.volume.volume_mm3 *= 0.9;

@@ -106,6 +106,33 @@ TEST(PlanInspection, MeasuresOfEachKindWhatThePaperSays) {
   }
 }
 
+// From outside: 5 mm below its top; from the floor 3.5 mm beside it, where a ball of 6 mm is free.
+TEST(PlanInspection, TouchesWhatStandsFreeFromOutside) {
+  using enum Side;
+  for (const FeatureKind kind : {FeatureKind::Boss, FeatureKind::Rib}) {
+    SCOPED_TRACE(name_of(kind));
+    Feature standing =
+        feature(kind, {{40, 20, -12}, {60, 30, 0}}, {XPlus, XMinus, YPlus, YMinus, ZPlus});
+    standing.is_round = kind == FeatureKind::Boss;
+    const InspectionPlan plan = plan_inspection(part_with(standing), kBlock, {}, never);
+    EXPECT_TRUE(plan.left_out.empty());
+    ASSERT_EQ(plan.measures.size(), 5U);
+    const auto& p = plan.points;
+    const PlannedMeasure& x = *find(plan, "F1.X");
+    EXPECT_EQ(x.nominal, 20.0);
+    EXPECT_EQ(x.direction_P, Point(1, 0, 0));
+    expect_point(p[x.first], {40, 25, -5}, {-1, 0, 0}, {34, 25, -5});
+    expect_point(p[x.second], {60, 25, -5}, {1, 0, 0}, {66, 25, -5});
+    EXPECT_EQ(find(plan, "F1.X.place")->nominal, 50.0);
+    EXPECT_EQ(find(plan, "F1.Y")->nominal, 10.0);
+    EXPECT_EQ(find(plan, "F1.Y.place")->nominal, 25.0);
+    const PlannedMeasure& z = *find(plan, "F1.Z");
+    EXPECT_EQ(z.nominal, 12.0);
+    expect_point(p[z.first], {36.5, 25, -12}, {0, 0, 1}, {36.5, 25, 1});
+    expect_point(p[z.second], {50, 25, 0}, {0, 0, 1}, {50, 25, 13});
+  }
+}
+
 TEST(PlanInspection, MovesAPointAlongItsFaceWhereItIsNotReached) {
   const auto part =
       part_with(feature(FeatureKind::ClosedPocket, {{20, 20, -12}, {60, 50, 0}}, {Side::ZPlus}));

@@ -23,9 +23,10 @@ constexpr double kEdge = 40.0;
 constexpr double kBeside = 720.0;
 constexpr double kTop = 56.0;
 
-/// Colours go by how open a feature is, so that like ones look alike.
-std::size_t colour_of(parts::FeatureKind kind) {
-  return static_cast<std::size_t>(kind) % 4;
+/// Colours go by how open a feature is, so that like ones look alike; what stands in a pocket has
+/// another one than it.
+std::size_t colour_of(const Feature& feature) {
+  return (static_cast<std::size_t>(feature.kind) + (feature.is_standing() ? 2 : 0)) % 4;
 }
 
 class Drawing {
@@ -85,7 +86,7 @@ class Drawing {
   }
 
   void draw_feature(const Feature& feature, const std::string& id) {
-    const std::size_t colour = colour_of(feature.kind);
+    const std::size_t colour = colour_of(feature);
     svg_.area(outline_of(feature), fmt::format("area line{0} fill{0}", colour));
     name_box(feature.box_P, id, "ink");
   }
@@ -145,7 +146,7 @@ class Drawing {
     for (const Feature& feature : planned_.part.features) {
       if (std::ranges::find(kinds, feature.kind) == kinds.end()) {
         kinds.push_back(feature.kind);
-        legend.line(fmt::format("way line{}", colour_of(feature.kind)), words_of(feature.kind));
+        legend.line(fmt::format("way line{}", colour_of(feature)), words_of(feature.kind));
       }
     }
     legend.line("nominal", "way between the touches");
