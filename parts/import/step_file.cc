@@ -3,9 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "parts/import/byte_stream.h"
 #include "parts/import/round_walls.h"
 #include "parts/import/step_library.h"
 #include "parts/import/step_module.h"
+#include "parts/import/work_apart.h"
 
 namespace g31::parts {
 namespace {
@@ -13,6 +15,20 @@ namespace {
 const StepFunction& step_reader() {
   static const StepFunction reader = find_in_step_library("g31_read_step");
   return reader;
+}
+
+/// What a file was read as; with an error nothing else.
+struct ReadFaces {
+  std::string error;
+  Mesh mesh;
+  std::vector<RoundWall> walls;
+};
+
+template <typename Stream>
+void pass(Stream& stream, ReadFaces& faces) {
+  pass(stream, faces.error);
+  pass(stream, faces.mesh);
+  pass(stream, faces.walls);
 }
 
 }  // namespace
@@ -26,14 +42,24 @@ Result<Mesh, std::string> read_step_file(const std::string& path, double sagitta
     return step_reader().why_not + ", or save the part as STL, OBJ, PLY or 3MF";
   }
   const auto read = reinterpret_cast<decltype(&g31_read_step)>(step_reader().address);
-  Mesh mesh;
-  std::vector<RoundWall> walls;
-  std::string error;
-  if (!read(path.c_str(), sagitta_mm, &mesh, &walls, &error)) {
-    return error;
+  const WorkApart done = done_apart([&] {
+    ReadFaces faces;
+    read(path.c_str(), sagitta_mm, &faces.mesh, &faces.walls, &faces.error);
+    ByteWriter writer;
+    pass(writer, faces);
+    return std::move(writer).take();
+  });
+  if (!done.why_not.empty()) {
+    return "not understood as STEP: Open CASCADE does not get through it (" + done.why_not + ")";
   }
-  refine_round_walls(mesh, walls);
-  return mesh;
+  ByteReader reader(done.bytes);
+  ReadFaces faces;
+  pass(reader, faces);
+  if (!faces.error.empty()) {
+    return faces.error;
+  }
+  refine_round_walls(faces.mesh, faces.walls);
+  return faces.mesh;
 }
 
 }  // namespace g31::parts

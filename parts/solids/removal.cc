@@ -1,22 +1,56 @@
 #include "parts/solids/removal.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "parts/features/faceted_walls.h"
 #include "parts/import/mesh_file.h"
 #include "parts/import/step_file.h"
 #include "parts/import/step_library.h"
+#include "parts/import/work_apart.h"
+#include "parts/solids/removal_bytes.h"
 #include "parts/solids/removal_module.h"
 
 namespace g31::parts {
 namespace {
 
 Result<SolidSource, std::string> source_of(const std::string& path) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(path, unknown)) {
+    return path + ": there is no such file";
+  }
   if (is_step_file(path)) {
     return SolidSource{path, path, {}};
   }
   const auto mesh = read_mesh_file(path);
   return mesh ? Result<SolidSource, std::string>(SolidSource{path, "", mesh.value()})
               : Result<SolidSource, std::string>(path + ": " + mesh.error());
+}
+
+/// What the module makes of a request, in a process of its own.
+Result<Removal, std::string> remove_apart(decltype(&g31_remove) remove,
+                                          const RemovalRequest& request) {
+  Removal removal;
+  std::string error;
+  const WorkApart done = done_apart([&] {
+    remove(&request, &removal, &error);
+    ByteWriter writer;
+    pass(writer, error);
+    pass(writer, removal);
+    return std::move(writer).take();
+  });
+  if (!done.why_not.empty()) {
+    return fmt::format("{}: Open CASCADE does not get through it ({})", request.product.name,
+                       done.why_not);
+  }
+  ByteReader reader(done.bytes);
+  pass(reader, error);
+  pass(reader, removal);
+  return error.empty() ? Result<Removal, std::string>(std::move(removal)) : error;
 }
 
 }  // namespace
@@ -40,13 +74,13 @@ Result<Removal, std::string> removal_of(const std::string& product, const StockC
     }
     request.stock = stock_source.value();
   }
-  Removal removal;
-  std::string error;
-  const auto remove = reinterpret_cast<decltype(&g31_remove)>(function.address);
-  if (!remove(&request, &removal, &error)) {
-    return error;
+  auto removal = remove_apart(reinterpret_cast<decltype(&g31_remove)>(function.address), request);
+  if (!removal || !request.product.step_path.empty()) {
+    return removal;
   }
-  return removal;
+  Removal of_mesh = removal.value();
+  std::ranges::for_each(of_mesh.volumes, find_round_walls);
+  return of_mesh;
 }
 
 }  // namespace g31::parts

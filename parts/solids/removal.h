@@ -28,14 +28,17 @@ struct Removal {
 
 /// More faces of product or stock are refused.
 inline constexpr int kMostFaces = 20'000;
+/// Longer products are refused.
+inline constexpr double kLongestPartMm = 1e4;
 
-/// Cuts a product out of its stock, by Open CASCADE, and divides what is removed into connected
-/// pieces, those in level layers wherever a floor is.
+/// Cuts a product out of its stock, by Open CASCADE, in a process of its own (work_apart.h), and
+/// divides what is removed into connected pieces, each piece at its highest floor, and so on.
+/// Round walls of a mesh are found (faceted_walls.h).
 /// @param product  a STEP file of one or more bodies, else a mesh file of one closed surface
 ///
 /// Accuracy: 1e-6 mm.
-/// Error: one line with the file: not read, no solid, too many faces, the product is outside of the
-/// stock (by how much, on which side), Open CASCADE cannot cut them.
+/// Error: one line with the file: not read, no solid, too many faces, too long, the product is
+/// outside of the stock (by how much, on which side), Open CASCADE cannot cut them.
 Result<Removal, std::string> removal_of(const std::string& product, const StockChoice& stock);
 
 }  // namespace g31::parts

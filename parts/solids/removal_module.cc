@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include <BRepAlgoAPI_Cut.hxx>
@@ -97,31 +98,33 @@ class Remover {
   }
 
  private:
+  /// Divides a solid at its highest floor, and what is above and below that in the same way: one
+  /// pocket's floor does not divide another one.
   void add_layers(const TopoDS_Shape& solid, std::vector<RemovedVolume>& volumes) {
     RemovedVolume whole = described(solid);
     if (whole.volume_mm3 < kLeastVolumeMm3) {
       return;
     }
-    const std::vector<double> heights = floors_within(whole);
-    if (heights.empty()) {
+    const auto height = highest_floor_within(whole);
+    if (!height) {
       volumes.push_back(std::move(whole));
       return;
     }
     TopTools_ListOfShape pieces;
     pieces.Append(solid);
     TopTools_ListOfShape planes;
-    for (const double z : heights) {
-      planes.Append(level_face(whole.box_P, z));
-    }
+    planes.Append(level_face(whole.box_P, *height));
     BRepAlgoAPI_Splitter splitter;
     splitter.SetArguments(pieces);
     splitter.SetTools(planes);
     splitter.Build();
-    for (TopExp_Explorer each(splitter.Shape(), TopAbs_SOLID); each.More(); each.Next()) {
-      RemovedVolume piece = described(each.Current());
-      if (piece.volume_mm3 >= kLeastVolumeMm3) {
-        volumes.push_back(std::move(piece));
-      }
+    TopTools_ListOfShape layers = solids_in(splitter.Shape());
+    if (layers.Extent() < 2) {  // it does not take the plane
+      volumes.push_back(std::move(whole));
+      return;
+    }
+    for (const TopoDS_Shape& layer : layers) {
+      add_layers(layer, volumes);
     }
   }
 
@@ -146,20 +149,18 @@ class Remover {
     return volume;
   }
 
-  /// Heights of floors below which the volume goes on.
-  static std::vector<double> floors_within(const RemovedVolume& volume) {
-    std::vector<double> heights;
+  /// The highest floor below which the volume goes on.
+  static std::optional<double> highest_floor_within(const RemovedVolume& volume) {
+    std::optional<double> highest;
     for (const RemovedFace& face : volume.faces) {
       const double z = face.at_P.z();
       const bool is_floor =
           !face.is_open && face.surface == FaceSurface::Plane && face.normal_P.z() < -1.0 + 1e-12;
-      const bool is_new = std::ranges::none_of(
-          heights, [z](double other) { return std::abs(other - z) < kSameHeightMm; });
-      if (is_floor && is_new && z > volume.box_P.min.z() + kSameHeightMm) {
-        heights.push_back(z);
+      if (is_floor && z > volume.box_P.min.z() + kSameHeightMm && z > highest.value_or(z - 1.0)) {
+        highest = z;
       }
     }
-    return heights;
+    return highest;
   }
 
   TopoDS_Shape product_;
@@ -188,6 +189,13 @@ std::string remove(const RemovalRequest& request, Removal& removal) {
     return product.error();
   }
   removal.product_P = box_around(product.value().shape);
+  const double longest = (removal.product_P.max - removal.product_P.min).maxCoeff();
+  if (!(longest <= kLongestPartMm)) {
+    return fmt::format(
+        "{}: the product is {:.6g} mm long; one of up to {:g} mm can be planned; is its unit "
+        "right?",
+        request.product.name, longest, kLongestPartMm);
+  }
   const auto stock = stock_shape(request, removal.product_P);
   if (!stock) {
     return stock.error();

@@ -187,6 +187,72 @@ TEST(RecognisedSolids, SeveralLevelsAreSplitAtTheirFloors) {
   EXPECT_EQ(kinds_of(counterbore), (std::vector<std::string>{"blind_hole", "through_hole"}));
 }
 
+void expect_box(const parts::Feature& feature, const Box& box) {
+  EXPECT_LT((feature.own.min - box.min).norm(), 1e-6) << feature.own.min.transpose();
+  EXPECT_LT((feature.own.max - box.max).norm(), 1e-6) << feature.own.max.transpose();
+}
+
+TEST(RecognisedSolids, WhatStandsFreeInAPocketIsABossOrARib) {
+  const Box box{{50, 35, -12}, {110, 75, 0}};
+  const auto part = recognised(
+      {cut(pocket(box), {pin({65, 55, -20}, 10, 40), pocket({{80, 50, -20}, {100, 56, 10}})})});
+  ASSERT_EQ(kinds_of(part), (std::vector<std::string>{"closed_pocket", "boss", "rib"}));
+  expect_box(part.features[0], box);
+  expect_box(part.features[1], {{60, 50, -12}, {70, 60, 0}});
+  expect_box(part.features[2], {{80, 50, -12}, {100, 56, 0}});
+  EXPECT_EQ(open_of(part.features[1]), (std::set<std::string>{"+X", "-X", "+Y", "-Y", "+Z"}));
+  EXPECT_TRUE(part.features[1].is_round);
+
+  const auto turned_rib =
+      recognised({cut(pocket(box), {turned(pocket({{70, 52, -20}, {90, 58, 10}}), 20.0)})});
+  ASSERT_EQ(kinds_of(turned_rib), (std::vector<std::string>{"closed_pocket", "rib"}));
+  EXPECT_NEAR(turned_rib.features[1].axes.angle_deg, 20.0, 1e-7);
+}
+
+TEST(RecognisedSolids, ABossThatIsLowerThanThePocketEndsAtItsTop) {
+  const Box box{{50, 35, -12}, {110, 75, 0}};
+  const auto part = recognised({cut(pocket(box), {pin({65, 55, -20}, 10, 14)})});
+  ASSERT_EQ(kinds_of(part), (std::vector<std::string>{"closed_pocket", "closed_pocket", "boss"}));
+  expect_box(part.features[2], {{60, 50, -12}, {70, 60, -6}});
+}
+
+TEST(RecognisedSolids, ABossOnAPlateIsAllThatIsFound) {
+  const auto part =
+      recognised({cut(pocket({{0, 0, -15}, {160, 110, 0}}), {pin({80, 55, -20}, 30, 40)})});
+  ASSERT_EQ(kinds_of(part), std::vector<std::string>{"boss"});
+  expect_box(part.features[0], {{65, 40, -15}, {95, 70, 0}});
+  const auto tube =
+      recognised({cut(pocket({{0, 0, -15}, {160, 110, 0}}), {pin({80, 55, -20}, 30, 40)}),
+                  pin({80, 55, -10}, 12, 15)});
+  EXPECT_EQ(kinds_of(tube), (std::vector<std::string>{"boss", "blind_hole"}));
+}
+
+// A stock that is higher: what is faced off is one volume, and no pocket's floor divides another.
+TEST(RecognisedSolids, AHigherStockIsDividedAtTheFaceOfThePart) {
+  const Box deep{{20, 20, -25}, {60, 50, 0}};
+  const Box flat{{90, 60, -6}, {140, 100, 0}};
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path("product.step");
+  testing::write_step(cut(block(kStock), {pocket(deep), pocket(flat)}), "product", path);
+  const auto removal = parts::removal_of(path, {"", kStock.max - kStock.min + Point(0, 0, 10)});
+  ASSERT_TRUE(removal.ok()) << removal.error();
+  const auto part = parts::recognise(removal.value().stock_P, removal.value().volumes);
+  ASSERT_EQ(part.features.size(), 2U);
+  expect_box(part.features[0], deep);
+  expect_box(part.features[1], flat);
+  ASSERT_EQ(part.unknown.size(), 1U);
+  EXPECT_EQ(part.unknown[0].box_P.min, Point(0, 0, 0));
+  EXPECT_NE(part.unknown[0].why.find("the stock is higher"), std::string::npos);
+
+  // A wider one: the part stands in it like an island, but on no floor.
+  const auto wider = parts::removal_of(path, {"", kStock.max - kStock.min + Point(20, 20, 0)});
+  ASSERT_TRUE(wider.ok()) << wider.error();
+  const auto in_it = parts::recognise(wider.value().stock_P, wider.value().volumes);
+  EXPECT_EQ(in_it.features.size(), 2U);
+  ASSERT_EQ(in_it.unknown.size(), 1U);
+  EXPECT_NE(in_it.unknown[0].why.find("no floor is around it"), std::string::npos);
+}
+
 /// Rounds the edges of a shape that are chosen.
 TopoDS_Shape rounded(const TopoDS_Shape& shape, double radius,
                      const std::function<bool(const gp_Pnt&, const gp_Pnt&)>& is_chosen) {
@@ -260,10 +326,13 @@ TEST(RecognisedSolids, WhatIsOfNoKindHasAReason) {
     EXPECT_TRUE(part.features.empty());
     return part.unknown.empty() ? "" : part.unknown[0].why;
   };
-  // A round and a square island.
-  EXPECT_NE(reason({cut(pocket(box), {pin({80, 55, -20}, 10, 40)})}).find("round boss"),
-            std::string::npos);
-  EXPECT_NE(reason({cut(pocket(box), {pocket({{75, 50, -20}, {85, 60, 10}})})}).find("island"),
+  // An island that leans against a wall, and one of six sides.
+  EXPECT_NE(
+      reason({cut(pocket(box), {pocket({{75, 50, -20}, {85, 90, 10}})})}).find("no rectangle"),
+      std::string::npos);
+  const TopoDS_Shape block_of_island = pocket({{70, 48, -20}, {90, 62, 10}});
+  EXPECT_NE(reason({cut(pocket(box), {block_of_island, turned(block_of_island, 45.0)})})
+                .find("an island stands in it"),
             std::string::npos);
   // An L.
   EXPECT_NE(reason({pocket({{50, 35, -12}, {110, 50, 0}}), pocket({{50, 35, -12}, {65, 90, 0}})})

@@ -107,5 +107,15 @@ TEST(StepDialects, AStockOfItsOwn) {
       << outside.error();
 }
 
+// Millimetres that are taken for metres.
+TEST(StepDialects, APartOfManyMetresIsRefused) {
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path("part.step");
+  testing::write_step(block({{0, 0, 0}, {100'000, 80'000, 30'000}}), "part", path);
+  const auto removal = parts::removal_of(path, {});
+  ASSERT_FALSE(removal.ok());
+  EXPECT_NE(removal.error().find("is its unit right?"), std::string::npos) << removal.error();
+}
+
 }  // namespace
 }  // namespace g31::step_dialects_test

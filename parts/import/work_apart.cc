@@ -1,0 +1,148 @@
+#include "parts/import/work_apart.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <string_view>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace g31::parts {
+namespace {
+
+constexpr int kDone = 0;
+constexpr int kOutOfMemory = 3;
+
+/// A file of the system, closed at its end.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+
+  [[nodiscard]] int number() const { return number_; }
+  void close() {
+    if (number_ >= 0) {
+      ::close(number_);
+      number_ = -1;
+    }
+  }
+
+ private:
+  int number_;
+};
+
+/// What a child has of its parent that is not for it.
+void leave_parent() {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it does not outlive who waits for it
+  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGINT, SIGTERM, SIGPIPE}) {
+    std::signal(number, SIG_DFL);
+  }
+  rlimit limit{};
+  ::setrlimit(RLIMIT_CORE, &limit);
+  limit.rlim_cur = kMostSecondsApart;
+  limit.rlim_max = kMostSecondsApart + 1;
+  ::setrlimit(RLIMIT_CPU, &limit);
+  const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  ::dup2(nowhere, STDOUT_FILENO);
+  ::dup2(nowhere, STDERR_FILENO);
+}
+
+bool write_all(int to, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(to, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) {
+      return false;
+    }
+    bytes.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
+  }
+  return true;
+}
+
+[[noreturn]] void work_in_child(const std::function<std::string()>& work, int to) {
+  leave_parent();
+  int code = EXIT_FAILURE;
+  try {
+    code = write_all(to, work()) ? kDone : EXIT_FAILURE;
+  } catch (const std::bad_alloc&) {
+    code = kOutOfMemory;
+  } catch (const std::exception&) {
+    code = EXIT_FAILURE;
+  }
+  ::_exit(code);
+}
+
+/// Until the other end is closed.
+std::string read_all(int from) {
+  constexpr std::size_t kPiece = 1U << 16U;
+  std::array<char, kPiece> piece{};
+  std::string bytes;
+  for (;;) {
+    const ssize_t count = ::read(from, piece.data(), piece.size());
+    if (count > 0) {
+      bytes.append(piece.data(), static_cast<std::size_t>(count));
+    } else if (count == 0 || errno != EINTR) {
+      return bytes;
+    }
+  }
+}
+
+/// How a process ended; "": well.
+std::string end_of(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) {
+      return "its process is lost";
+    }
+  }
+  if (WIFSIGNALED(status)) {
+    const int number = WTERMSIG(status);
+    return number == SIGXCPU || number == SIGKILL
+               ? fmt::format("it takes more than {} s or too much memory", kMostSecondsApart)
+               : fmt::format("it breaks off at this file with signal {} ({})", number,
+                             ::strsignal(number));
+  }
+  switch (WEXITSTATUS(status)) {
+    case kDone:
+      return "";
+    case kOutOfMemory:
+      return "it takes more memory than there is";
+    default:
+      return "it breaks off at this file";
+  }
+}
+
+}  // namespace
+
+WorkApart done_apart(const std::function<std::string()>& work) {
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+    return {"", fmt::format("no process can be made for it: {}", std::strerror(errno))};
+  }
+  Descriptor from(ends[0]);
+  Descriptor to(ends[1]);
+  const pid_t child = ::fork();
+  if (child < 0) {
+    return {"", fmt::format("no process can be made for it: {}", std::strerror(errno))};
+  }
+  if (child == 0) {
+    from.close();
+    work_in_child(work, to.number());
+  }
+  to.close();
+  WorkApart done{read_all(from.number()), ""};
+  done.why_not = end_of(child);
+  return done;
+}
+
+}  // namespace g31::parts

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace g31::parts {
+
+/// What came of work in another process.
+struct WorkApart {
+  std::string bytes;  ///< that the work returned
+  /// How the process ended before it was done: by which signal, out of time or memory; "": it was.
+  std::string why_not;
+};
+
+/// A process that works apart gets so much processor time.
+inline constexpr int kMostSecondsApart = 300;
+
+/// Does work in a copy of this process, so that a library that breaks off at a file takes nothing
+/// else with it.  What it prints is thrown away.
+WorkApart done_apart(const std::function<std::string()>& work);
+
+}  // namespace g31::parts

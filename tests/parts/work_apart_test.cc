@@ -1,0 +1,82 @@
+// Work in a process of its own comes back whole, or with the reason why not.
+
+#include "parts/import/work_apart.h"
+
+#include <csignal>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "parts/import/byte_stream.h"
+
+namespace g31::parts::work_apart_test {
+namespace {
+
+TEST(WorkApart, BringsWhatItReturns) {
+  // More than a pipe holds at once, and a byte that ends texts.
+  std::string bytes(1'000'000, 'x');
+  bytes[7] = '\0';
+  const WorkApart done = done_apart([&] { return bytes; });
+  EXPECT_EQ(done.why_not, "");
+  EXPECT_TRUE(done.bytes == bytes);
+}
+
+TEST(WorkApart, NamesTheSignalThatItBreaksOffWith) {
+  for (const int number : {SIGSEGV, SIGABRT, SIGFPE}) {
+    const WorkApart done = done_apart([number]() -> std::string {
+      std::raise(number);
+      return "not reached";
+    });
+    EXPECT_NE(done.why_not.find("signal " + std::to_string(number)), std::string::npos)
+        << done.why_not;
+    EXPECT_EQ(done.bytes, "");
+  }
+}
+
+TEST(WorkApart, ThatThrowsBreaksOff) {
+  const WorkApart done = done_apart([]() -> std::string { throw std::runtime_error("no"); });
+  EXPECT_EQ(done.why_not, "it breaks off at this file");
+  const WorkApart large = done_apart([]() -> std::string { throw std::bad_alloc(); });
+  EXPECT_EQ(large.why_not, "it takes more memory than there is");
+}
+
+TEST(ByteStream, ReadsWhatItWrote) {
+  Mesh mesh{{{1.0, -2.5, 3.0}, {0.1, 0.2, 0.3}, {0, 0, 0}}, {{0, 1, 2}}};
+  std::optional<double> there = 4.5;
+  std::optional<double> none;
+  ByteWriter writer;
+  pass(writer, mesh);
+  pass(writer, there);
+  pass(writer, none);
+  const std::string bytes = std::move(writer).take();
+  Mesh read;
+  std::optional<double> first;
+  std::optional<double> second;
+  ByteReader reader(bytes);
+  pass(reader, read);
+  pass(reader, first);
+  pass(reader, second);
+  EXPECT_TRUE(reader.is_whole());
+  EXPECT_EQ(reader.left(), 0U);
+  EXPECT_EQ(read.vertices, mesh.vertices);
+  EXPECT_EQ(read.triangles, mesh.triangles);
+  EXPECT_EQ(first, 4.5);
+  EXPECT_FALSE(second);
+}
+
+TEST(ByteStream, BytesThatEndTooEarlyAreNotWhole) {
+  Mesh mesh{{{1.0, -2.5, 3.0}}, {{0, 0, 0}}};
+  ByteWriter writer;
+  pass(writer, mesh);
+  const std::string bytes = std::move(writer).take();
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    ByteReader reader(std::string_view(bytes).substr(0, size));
+    Mesh read;
+    pass(reader, read);
+    EXPECT_LE(read.vertices.size(), 32U);
+  }
+}
+
+}  // namespace
+}  // namespace g31::parts::work_apart_test
