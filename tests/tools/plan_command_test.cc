@@ -314,9 +314,10 @@ TEST_F(Plan, RefusesWhatItCannotUseAndWritesNothing) {
   const std::vector<Case> cases = {
       {{truncated, "--stock", "box"}, 2, "cut.step"},
       {{empty, "--stock", "box"}, 2, "empty.step"},
-      {{folder_.path("none.step"), "--stock", "box"}, 2, "none.step"},
+      {{folder_.path("none.step"), "--stock", "box"}, 2, "none.step: there is no such file"},
       {{kProduct, "--stock", "100,110,40"}, 2, "outside"},
       {{kProduct, "--stock", "0,110,40"}, 2, "--stock"},
+      {{kProduct, "--stock", "160,110"}, 2, "expected three sizes"},
       {{kProduct, "--stock", "nan,110,40"}, 2, "--stock"},
       {{kProduct, "--stock", "1e300,110,40"}, 2, "--stock"},
       {{kProduct, "--stock", folder_.path("none.stl")}, 2, "none.stl"},
@@ -327,6 +328,7 @@ TEST_F(Plan, RefusesWhatItCannotUseAndWritesNothing) {
       {{kProduct, "--stock", "box", "--setup", no_probe}, 2, "no [probe]"},
       {{kProduct, "--stock", "box", "--setup", own_part}, 2, "fixture = true"},
       {{kProduct, "--stock", "box", "--tolerance", "-1"}, 2, "--tolerance"},
+      {{kProduct, "--stock", "box", "--as-machined", truncated}, 2, "--as-machined"},
       {{kProduct, "--stock", "box", "--as-machined", truncated}, 2, "cut.step"},
   };
   for (const Case& row : cases) {

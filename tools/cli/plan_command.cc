@@ -39,7 +39,9 @@ class FolderBeside {
     name += ".g31-XXXXXX";
     if (::mkdtemp(name.data()) == nullptr) {
       return session::bad_input(
-          fmt::format("-o {}: cannot make a folder beside it: {}", folder, std::strerror(errno)));
+          fmt::format("-o {}: cannot make a folder beside it: {}; expected a name in a folder that "
+                      "is there and can be written to",
+                      folder, std::strerror(errno)));
     }
     return std::shared_ptr<FolderBeside>(new FolderBeside(name));
   }

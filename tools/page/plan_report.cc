@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "tools/page/html.h"
@@ -61,8 +63,21 @@ Table left_out_table(const plan::PlannedPart& planned, Language language) {
   return table;
 }
 
+/// The numbers of the touches of points: ways down are touches that do not come.
+std::vector<std::size_t> numbers_of_points(const Report& report) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < report.touches.size(); ++i) {
+    if (report.touches[i].is_triggered) {
+      numbers.push_back(i + 1);
+    }
+  }
+  return numbers;
+}
+
 /// What was printed on the part as machined; without one the run on the product.
-std::vector<Characteristic> characteristics(const plan::PlannedPart& planned) {
+/// @param touches  of the points, in the program's order
+std::vector<Characteristic> characteristics(const plan::PlannedPart& planned,
+                                            const std::vector<std::size_t>& touches) {
   std::vector<Characteristic> rows;
   for (std::size_t i = 0; i < planned.plan.measures.size(); ++i) {
     const probe::PlannedMeasure& measure = planned.plan.measures[i];
@@ -75,7 +90,9 @@ std::vector<Characteristic> characteristics(const plan::PlannedPart& planned) {
     }
     row.measured =
         planned.as_machined ? planned.as_machined->measures[i].actual : planned.proven_values[i];
-    row.touches = {measure.first + 1, measure.second + 1};  // points are in the program's order
+    if (std::max(measure.first, measure.second) < touches.size()) {
+      row.touches = {touches[measure.first], touches[measure.second]};
+    }
     rows.push_back(std::move(row));
   }
   return rows;
@@ -102,7 +119,7 @@ void add_plan(const plan::PlannedPart& planned, const std::string& command, Repo
         fmt::format(" On the part as machined {} of {} measures are good.", good, all);
   }
   report.command = command;
-  report.results = characteristics(planned);
+  report.results = characteristics(planned, numbers_of_points(report));
   report.drawings.push_back({planned.product, plan::plan_drawing(planned), ""});
   report.tables.push_back(features_table(planned, language));
   report.tables.push_back(points_table(planned, language));

@@ -196,9 +196,11 @@ class PartPlanner {
     request.other_product = request_.as_machined;
     const auto proof = prove(request);
     if (!proof) {
-      Refusal wrong = proof.error();
-      wrong.ending = session::Ending::BadInput;  // the sheet has run before: it is the file
-      return wrong;
+      // The sheet has run before: it is the file.
+      const setup::SetupErrors& errors = proof.error().sheet_errors;
+      return session::bad_input(
+          fmt::format("--as-machined {}: {}", request_.as_machined,
+                      errors.empty() ? proof.error().message : errors.front().message));
     }
     planned_.as_machined = judged(measures_of(planned_), proof.value().printed);
     return std::nullopt;

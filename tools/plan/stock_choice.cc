@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <limits>
 #include <string_view>
 #include <system_error>
@@ -34,6 +35,7 @@ std::vector<double> numbers_of(std::string_view text) {
 
 Result<parts::StockChoice, session::Refusal> stock_choice(const std::string& text) {
   parts::StockChoice stock;
+  std::error_code unknown;
   const std::vector<double> sizes = numbers_of(text);
   const auto is_size = [](double mm) { return mm > 0.0 && mm <= kLongestMm; };
   if (sizes.size() == 3) {
@@ -42,6 +44,9 @@ Result<parts::StockChoice, session::Refusal> stock_choice(const std::string& tex
           fmt::format("--stock {}: expected sizes above 0, of at most {:g} mm", text, kLongestMm));
     }
     stock.block_mm = Point(sizes[0], sizes[1], sizes[2]);
+  } else if (!sizes.empty() && !std::filesystem::exists(text, unknown)) {
+    return session::bad_input(fmt::format(
+        "--stock {}: expected three sizes X,Y,Z in mm, the name of a file, or box", text));
   } else if (text != "box") {
     stock.file = text;
   }
