@@ -12,7 +12,17 @@ struct Tag {
   source::Location where;
 };
 
+const machine::AxisTransformPtr kUnled;
+
+machine::MachineFault unreachable(const AxisPositions& q_M) {
+  return {machine::FaultKind::SoftLimit,
+          "the linear axes do not lead to the place as the rotary axes stand", q_M, std::nullopt};
+}
+
 }  // namespace
+
+Outlet::Outlet(machine::MachinePort& port, runtime::Observer& observer)
+    : port_(port), observer_(observer), transform_(&kUnled) {}
 
 source::Location Outlet::place_of(const machine::MachineFault& fault) {
   return fault.tag ? std::bit_cast<Tag>(*fault.tag).where : source::Location();
@@ -55,7 +65,7 @@ template <typename Move>
 std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const PathBlock& block) {
   block.g == 0 ? stop_cutting() : cut();
   const auto reached = port_.move(move);
-  const runtime::MoveEvent event{block.g, block.q_M_end, block.feed_mm_min, 0.0, block.where};
+  const runtime::MoveEvent event{block.g, move.q_M_end, block.feed_mm_min, 0.0, block.where};
   if (!reached) {
     return told(reached.error(), event);
   }
@@ -67,15 +77,20 @@ std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const P
 std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
                                                   const OffsetPlane& plane) {
   const auto tag = std::bit_cast<machine::MoveTag>(Tag{moves_, block.where});
+  const machine::AxisTransformPtr& transform = block.of_axes ? kUnled : *transform_;
+  const auto q_M_end = transform ? transform->axes_at(block.q_M_end) : std::optional(block.q_M_end);
+  if (!q_M_end) {
+    return told(unreachable(port_.position()));
+  }
   if (!block.arc) {
     const auto traverse = block.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
     return carry_out(
-        machine::LinearMove{block.q_M_end, traverse, block.feed_mm_min, block.ends,
-                            block.mm_per_degree, block.rapid_path, block.contour_control, tag},
+        machine::LinearMove{*q_M_end, traverse, block.feed_mm_min, block.ends, block.mm_per_degree,
+                            block.rapid_path, block.contour_control, tag, transform},
         block);
   }
   machine::ArcMove move;
-  move.q_M_end = block.q_M_end;
+  move.q_M_end = *q_M_end;
   move.first_axis = plane.first;
   move.second_axis = plane.second;
   move.centre_first = block.arc->centre.x();
@@ -85,6 +100,7 @@ std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
   move.ends = block.ends;
   move.contour_control = block.contour_control;
   move.tag = tag;
+  move.transform = transform;
   return carry_out(move, block);
 }
 

@@ -17,13 +17,15 @@ namespace g31::path {
 class Outlet {
  public:
   /// Both outlive the outlet.
-  Outlet(machine::MachinePort& port, runtime::Observer& observer)
-      : port_(port), observer_(observer) {}
+  Outlet(machine::MachinePort& port, runtime::Observer& observer);
 
   /// How the program sees places of the machine; without it nobody is told.
   using View = std::function<runtime::ProgramView(const AxisPositions& q_M,
                                                   const AxisPositions& q_M_commanded)>;
   void show_by(View view) { view_ = std::move(view); }
+
+  /// What leads the axes from now on, looked at for each block.  @param transform  outlives this
+  void lead_by(const machine::AxisTransformPtr& transform) { transform_ = &transform; }
 
   /// Moves the axes along a block: at rapid with g = 0, else at feed.
   /// @param plane  of an arc
@@ -75,6 +77,7 @@ class Outlet {
   machine::MachinePort& port_;
   runtime::Observer& observer_;
   View view_;
+  const machine::AxisTransformPtr* transform_;
 };
 
 }  // namespace g31::path

@@ -59,7 +59,8 @@ PlanePoint direction_at_end(const PlaneWay& way);
 /// The angle an arc turns through, rad, in (0, 2 pi]; 0 for a straight way.
 double sweep_rad(const PlaneWay& way);
 
-/// One block of motion: as it is programmed, or as the compensation gives it to the machine.
+/// One block of motion: as it is programmed, or as the compensation gives it to the machine.  Where
+/// a transformation leads the axes (Outlet::lead_by), its places are in base coordinates.
 struct PathBlock {
   AxisPositions q_M_end = AxisPositions::Zero();  ///< mm and deg, machine coordinates
   std::optional<ArcShape> arc;                    ///< machine coordinates in the plane
@@ -70,6 +71,7 @@ struct PathBlock {
   double mm_per_degree = 0.0;  ///< of a line: see machine::LinearMove
   machine::RapidPath rapid_path = machine::RapidPath::Straight;  ///< for g = 0
   machine::ContourControl contour_control = machine::ContourControl::Off;
+  bool of_axes = false;  ///< its end is a position of the axes, whatever leads them (G53)
 };
 
 struct Pause {

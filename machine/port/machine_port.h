@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "machine/base/result.h"
+#include "machine/port/axis_transform.h"
 #include "machine/port/contact.h"
 #include "machine/port/machine_events.h"
 #include "machine/port/skip_signal.h"
@@ -39,7 +40,8 @@ enum class ContourControl {
 /// What the caller knows a move by; a fault that comes late brings it back.
 using MoveTag = std::array<std::uint64_t, 3>;
 
-/// A move of all axes to an end point, straight unless it is a rapid of each axis on its own.
+/// A move of all axes to an end point: straight, unless it is a rapid of each axis on its own or a
+/// transformation leads it.
 struct LinearMove {
   AxisPositions q_M_end = AxisPositions::Zero();  ///< mm and deg, machine coordinates
   Traverse traverse = Traverse::Rapid;
@@ -51,6 +53,9 @@ struct LinearMove {
   RapidPath rapid_path = RapidPath::Straight;  ///< with Traverse::Rapid
   ContourControl contour_control = ContourControl::Off;
   MoveTag tag = {};
+  /// Leads the axes: the way is straight in its base coordinates, rapids too, and the feed that of
+  /// the way there.
+  AxisTransformPtr transform = {};
 };
 
 /// How far an axis may go; mm and deg, machine coordinates.
@@ -64,7 +69,8 @@ enum class Turn { Clockwise, Counterclockwise };
 /// An arc at feed in the plane of two linear axes; the other axes go along in proportion (helix).
 ///
 /// Clockwise as seen when first_axis points right and second_axis up.  A start and an end that
-/// coincide in the plane make a full circle.
+/// coincide in the plane make a full circle.  With a transformation all of it but q_M_end is in its
+/// base coordinates.
 struct ArcMove {
   AxisPositions q_M_end = AxisPositions::Zero();  ///< mm and deg, machine coordinates
   int first_axis = 0;                             ///< storage indices of the plane
@@ -76,6 +82,7 @@ struct ArcMove {
   BlockEnd ends = BlockEnd::ExactStop;
   ContourControl contour_control = ContourControl::Off;
   MoveTag tag = {};
+  AxisTransformPtr transform = {};  ///< leads the axes
 };
 
 /// The skip signal came during the move; the axes have stopped past the touch by the overtravel, or

@@ -122,6 +122,35 @@ MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) con
   return MotionProfile(path.length(), most.speed, most.acceleration, most.jerk);
 }
 
+PathLimits AxisDynamics::limits(const LedPath& path, const LinearMove& move) const {
+  G31_EXPECTS(path.length() > 0.0);
+  const AxisPositions& most =
+      accelerations(move.traverse == Traverse::Feed ? move.contour_control : ContourControl::Off);
+  const int pieces = path.piece_count();
+  const double piece = path.length() / pieces;
+  AxisPositions steepest = AxisPositions::Zero();
+  AxisPositions most_bent = AxisPositions::Zero();
+  AxisPositions before = AxisPositions::Zero();
+  AxisPositions q_M = path.from();
+  for (int i = 1; i <= pieces; ++i) {
+    const AxisPositions q_M_next = path.at(static_cast<double>(i) / pieces);
+    const AxisPositions slope = (q_M_next - q_M) / piece;
+    steepest = steepest.cwiseMax(slope.cwiseAbs());
+    if (i > 1) {
+      most_bent = most_bent.cwiseMax((slope - before).cwiseAbs() / piece);
+    }
+    before = slope;
+    q_M = q_M_next;
+  }
+  const double fastest = 1.0 / steepest.cwiseQuotient(rapid_per_s_).maxCoeff();
+  const double bent = 2.0 * most_bent.cwiseQuotient(most).maxCoeff();
+  const double wanted = move.traverse == Traverse::Rapid ? std::numeric_limits<double>::infinity()
+                                                         : move.feed_mm_min / kSecondsPerMinute;
+  const double speed = std::min({fastest, wanted, 1.0 / std::sqrt(bent)});
+  const double acceleration = 0.5 / steepest.cwiseQuotient(most).maxCoeff();
+  return {speed, acceleration, limits_jerk_ ? jerk_along(1.0, steepest) : 0.0};
+}
+
 double AxisDynamics::corner_speed(const AxisPositions& along_before,
                                   const AxisPositions& along_behind) const {
   const AxisPositions change = (along_behind - along_before).cwiseAbs();

@@ -5,6 +5,7 @@
 #include "machine/port/machine_port.h"
 #include "machine/sim/arc_path.h"
 #include "machine/sim/independent_path.h"
+#include "machine/sim/led_path.h"
 #include "machine/sim/machine_setup.h"
 #include "machine/sim/motion_profile.h"
 #include "machine/sim/path_planner.h"
@@ -43,6 +44,12 @@ class AxisDynamics {
   [[nodiscard]] PathLimits limits(const ArcPath& path, double feed_mm_min,
                                   ContourControl contour_control = ContourControl::Off) const;
   [[nodiscard]] MotionProfile profile(const ArcPath& path, double feed_mm_min) const;
+
+  /// The motion along a led way: the feed, or for a rapid the fastest there is, so slow that in no
+  /// piece of the way an axis exceeds its rapid rate, nor half its acceleration by the bend of the
+  /// way; the other half is for the speed along it.
+  /// @param path  path.length() > 0; only axes that are present move
+  [[nodiscard]] PathLimits limits(const LedPath& path, const LinearMove& move) const;
 
   /// The speed of a corner between two ways that pass on into each other: no axis changes its speed
   /// there by more than its corner_jump, or what its acceleration makes in kCornerS.  Infinite

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,9 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
   if (!limits_.contain(move.q_M_end)) {
     return soft_limit_fault(move.q_M_end);
   }
+  if (const auto led = led_path(q_M_, move)) {
+    return move_led(*led, move);
+  }
   const StraightPath path(q_M_, move.q_M_end, move.mm_per_degree);
   if (path.moves()) {
     const Passing passing{move.ends, move.contour_control, move.tag};
@@ -80,13 +84,53 @@ bool MachiningCentre::passes_on(const LinearMove& rapid) const {
          joins({rapid.ends, rapid.contour_control, rapid.tag});
 }
 
+std::optional<MachineFault> MachiningCentre::fault_on(const LedPath& path) const {
+  if (!path.leads()) {
+    return MachineFault{FaultKind::SoftLimit,
+                        "the linear axes do not lead along the way as the rotary axes turn", q_M_,
+                        std::nullopt};
+  }
+  const int pieces = path.piece_count();
+  for (int i = 1; i <= pieces; ++i) {
+    const AxisPositions q_M = path.at(static_cast<double>(i) / pieces);
+    if (!limits_.contain(q_M)) {
+      return soft_limit_fault(q_M);
+    }
+  }
+  return std::nullopt;
+}
+
+Result<AxisPositions, MachineFault> MachiningCentre::move_led(const LedPath& path,
+                                                              const LinearMove& move) {
+  if (auto fault = fault_on(path)) {
+    return *std::move(fault);
+  }
+  const PathLimits limits = dynamics_.limits(path, move);
+  const Travel travel = move.traverse == Traverse::Rapid ? Travel::Rapid : Travel::Feed;
+  auto fault =
+      travel == Travel::Feed
+          ? feed(path, limits, {move.ends, move.contour_control, move.tag})
+          : carry_out(path,
+                      MotionProfile(path.length(), limits.speed, limits.acceleration, limits.jerk),
+                      {travel, move.ends});
+  if (fault) {
+    return *std::move(fault);
+  }
+  q_M_ = move.q_M_end;
+  return q_M_;
+}
+
 Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
   expect_legal(arc);
+  LinearMove straight{arc.q_M_end, Traverse::Feed, arc.feed_mm_min, arc.ends};
+  straight.contour_control = arc.contour_control;
+  straight.tag = arc.tag;
+  straight.transform = arc.transform;
+  if (const auto led = led_path(q_M_, arc)) {
+    return led->length() < kFullCircleGapMm ? move(straight) : move_led(*led, straight);
+  }
   const ArcPath path(q_M_, arc);
   if (path.length() < kFullCircleGapMm) {
-    LinearMove straight{arc.q_M_end, Traverse::Feed, arc.feed_mm_min, arc.ends};
-    straight.contour_control = arc.contour_control;
-    straight.tag = arc.tag;
     return move(straight);
   }
   if (const AxisBox circle = path.circle_bounds();
@@ -247,9 +291,19 @@ std::optional<MachineFault> MachiningCentre::carry_out(const Path& path, const P
   if (late_) {
     return take_late_fault();
   }
-  if (!real_.are_ideal()) {
+  if constexpr (std::is_same_v<Path, LedPath>) {
     return carry_out_really(real_.motion(path, profile.phases(), how.contour_control), how);
+  } else {
+    return real_.are_ideal()
+               ? carry_out_ideally(path, profile, how)
+               : carry_out_really(real_.motion(path, profile.phases(), how.contour_control), how);
   }
+}
+
+template <typename Path, typename Profile>
+std::optional<MachineFault> MachiningCentre::carry_out_ideally(const Path& path,
+                                                               const Profile& profile,
+                                                               const Carriage& how) {
   if (surroundings_ != nullptr) {
     auto obstacle = obstacle_on(path, how.travel);
     if (obstacle) {
@@ -274,6 +328,9 @@ template std::optional<MachineFault> MachiningCentre::carry_out(const StraightPa
                                                                 const MotionProfile&,
                                                                 const Carriage&);
 template std::optional<MachineFault> MachiningCentre::carry_out(const ArcPath&,
+                                                                const MotionProfile&,
+                                                                const Carriage&);
+template std::optional<MachineFault> MachiningCentre::carry_out(const LedPath&,
                                                                 const MotionProfile&,
                                                                 const Carriage&);
 

@@ -9,6 +9,7 @@
 #include "machine/sim/axis_dynamics.h"
 #include "machine/sim/clock.h"
 #include "machine/sim/continuous_path.h"
+#include "machine/sim/led_path.h"
 #include "machine/sim/machine_setup.h"
 #include "machine/sim/motion_sampler.h"
 #include "machine/sim/real_axes.h"
@@ -93,6 +94,8 @@ class MachiningCentre final : public MachinePort {
   /// What the way that a skip move took, of axes and tool tip, has broken.
   std::optional<MachineFault> damage(const AxisPositions& q_M_from, const Waypoint& tip_from);
   [[nodiscard]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;
+  Result<AxisPositions, MachineFault> move_led(const LedPath& path, const LinearMove& move);
+  [[nodiscard]] std::optional<MachineFault> fault_on(const LedPath& path) const;
   MachineFault stop_at(Obstacle obstacle, const AxisPositions& q_M_stop, double seconds);
   std::optional<Obstacle> obstacle_on(const StraightPath& path, Travel travel);
   template <typename Curve>
@@ -103,6 +106,9 @@ class MachiningCentre final : public MachinePort {
   template <typename Path, typename Profile>
   std::optional<MachineFault> carry_out(const Path& path, const Profile& profile,
                                         const Carriage& how);
+  template <typename Path, typename Profile>
+  std::optional<MachineFault> carry_out_ideally(const Path& path, const Profile& profile,
+                                                const Carriage& how);
   std::optional<MachineFault> carry_out_really(const ServoMotion& motion, const Carriage& how);
 
   template <typename Path>

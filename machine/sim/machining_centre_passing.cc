@@ -1,6 +1,7 @@
 // Moves that pass on into each other.
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "machine/sim/arc_path.h"
@@ -47,6 +48,8 @@ std::optional<MachineFault> MachiningCentre::feed(const Path& path, const PathLi
 template std::optional<MachineFault> MachiningCentre::feed(const StraightPath&, const PathLimits&,
                                                            const Passing&);
 template std::optional<MachineFault> MachiningCentre::feed(const ArcPath&, const PathLimits&,
+                                                           const Passing&);
+template std::optional<MachineFault> MachiningCentre::feed(const LedPath&, const PathLimits&,
                                                            const Passing&);
 
 bool MachiningCentre::joins(const Passing& passing) const {
@@ -98,8 +101,10 @@ std::optional<MachineFault> MachiningCentre::pass_on(const Path& path, const Pat
 template <typename Path>
 std::optional<Obstacle> MachiningCentre::obstacle_in_passing(const Path& path,
                                                              const PathLimits& limits) {
-  if (real_.are_ideal()) {
-    return obstacle_on(path, Travel::Feed);
+  if constexpr (!std::is_same_v<Path, LedPath>) {
+    if (real_.are_ideal()) {
+      return obstacle_on(path, Travel::Feed);
+    }
   }
   const MotionProfile alone(path.length(), limits.speed, limits.acceleration, limits.jerk);
   auto obstacle = real_.first_obstacle(real_.motion(path, alone.phases()),

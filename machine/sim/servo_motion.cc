@@ -94,6 +94,34 @@ std::array<AxisPositions, 4> command_between(const IndependentPath& path,
   return command;
 }
 
+/// A piece of a phase on a led way as a cubic of the time since its beginning.
+struct LedPiece {
+  std::array<AxisPositions, 4> command;
+  bool is_close = false;  ///< within kLedCommandError of the way
+};
+
+/// Through four points of the way at equal times; where such a cubic is furthest from a quartic it
+/// is compared with the way.
+LedPiece led_piece(const LedPath& path, const MotionPhase& phase, double from_s, double to_s) {
+  const double duration_s = to_s - from_s;
+  const auto place = [&](double part) {
+    const double distance = phase.distance_after(from_s + part * duration_s);
+    return path.at(std::clamp(distance / path.length(), 0.0, 1.0));
+  };
+  const AxisPositions q[] = {place(0.0), place(1.0 / 3.0), place(2.0 / 3.0), place(1.0)};
+  const AxisPositions along = -5.5 * q[0] + 9.0 * q[1] - 4.5 * q[2] + q[3];
+  const AxisPositions bend = 9.0 * q[0] - 22.5 * q[1] + 18.0 * q[2] - 4.5 * q[3];
+  const AxisPositions twist = -4.5 * q[0] + 13.5 * q[1] - 13.5 * q[2] + 4.5 * q[3];
+  LedPiece piece{{q[0], along / duration_s, bend / (duration_s * duration_s),
+                  twist / (duration_s * duration_s * duration_s)},
+                 true};
+  for (const double part : {0.127, 0.873}) {
+    const AxisPositions off = value_of(piece.command, part * duration_s) - place(part);
+    piece.is_close = piece.is_close && off.cwiseAbs().maxCoeff() <= kLedCommandError;
+  }
+  return piece;
+}
+
 /// Into how many pieces a phase on an arc is cut, so that a cubic through the ends of each, with
 /// their speeds, stays within kArcCommandErrorMm: h^4 / 384 times the fourth derivative by time.
 int pieces_of(const ArcPath& arc, const MotionPhase& phase) {
@@ -212,6 +240,27 @@ void ServoMotion::add_phase(const ArcPath& arc, const MotionPhase& phase) {
     add_piece({q_from, v_from / h, (3.0 * way - 2.0 * v_from - v_to) / (h * h),
                (v_from + v_to - 2.0 * way) / (h * h * h)},
               h);
+  }
+}
+
+void ServoMotion::add_phase(const LedPath& path, const MotionPhase& phase) {
+  constexpr double kShortestPart = 1.0 / kMostPiecesOfPhase;
+  double from_s = 0.0;
+  double step_s = phase.duration_s;
+  while (from_s < phase.duration_s) {
+    look();
+    // What is left is not cut so that next to nothing remains.
+    const double left_s = phase.duration_s - from_s;
+    const bool is_last = left_s <= 1.01 * step_s;
+    const double to_s = is_last ? phase.duration_s : from_s + step_s;
+    const LedPiece piece = led_piece(path, phase, from_s, to_s);
+    if (piece.is_close || to_s - from_s <= kShortestPart * phase.duration_s) {
+      add_piece(piece.command, to_s - from_s);
+      from_s = to_s;
+      step_s *= 1.5;
+    } else {
+      step_s = 0.5 * (to_s - from_s);
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include "machine/port/work_watch.h"
 #include "machine/sim/arc_path.h"
 #include "machine/sim/independent_path.h"
+#include "machine/sim/led_path.h"
 #include "machine/sim/motion_phases.h"
 #include "machine/sim/straight_path.h"
 #include "machine/sim/velocity_loop.h"
@@ -16,7 +17,7 @@
 namespace g31::machine {
 
 /// A way of all axes that the control commands.
-using CommandedPath = std::variant<StraightPath, ArcPath, IndependentPath>;
+using CommandedPath = std::variant<StraightPath, ArcPath, IndependentPath, LedPath>;
 
 /// How the axes follow their commands.
 struct ServoLoops {
@@ -39,7 +40,8 @@ struct ServoState {
 /// where it is commanded.  An axis with a velocity loop follows as LoopMotion says.
 ///
 /// Accuracy: straight moves and rapids of each axis on its own are solved in closed form; on arcs
-/// the command is taken within kArcCommandErrorMm; for velocity loops see LoopMotion.
+/// the command is taken within kArcCommandErrorMm, on led ways within kLedCommandError; for
+/// velocity loops see LoopMotion.
 class ServoMotion {
  public:
   /// @param phases    the speed along the path; it may stop before the end of the path
@@ -97,6 +99,7 @@ class ServoMotion {
   void add_phase(const StraightPath& path, const MotionPhase& phase);
   void add_phase(const ArcPath& path, const MotionPhase& phase);
   void add_phase(const IndependentPath& path, const MotionPhase& phase);
+  void add_phase(const LedPath& path, const MotionPhase& phase);
   void add_piece(const Cubic& command, double duration_s);
   [[nodiscard]] const Piece& piece_at(double time_s) const;
   [[nodiscard]] AxisPositions decay(double time_s) const;
@@ -122,5 +125,9 @@ class ServoMotion {
 
 /// How far a command on an arc may be beside the arc, mm.
 inline constexpr double kArcCommandErrorMm = 1e-8;
+
+/// How far a command on a led way may be beside it, mm or deg: the tip that it holds stays within
+/// 1e-9 mm.
+inline constexpr double kLedCommandError = 1e-10;
 
 }  // namespace g31::machine

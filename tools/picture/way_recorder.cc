@@ -59,9 +59,13 @@ Result<AxisPositions, machine::MachineFault> WayRecorder::move(const machine::Li
   auto outcome = machine_.move(move);
   const PathKind kind =
       move.traverse == machine::Traverse::Rapid ? PathKind::Rapid : PathKind::Feed;
+  const auto led = machine::led_path(from.q_M, move);
   const auto independent =
-      dynamics_.independent_path(machine::StraightPath(from.q_M, move.q_M_end), move);
-  if (independent && machine_.position() != from.q_M) {
+      led ? std::nullopt
+          : dynamics_.independent_path(machine::StraightPath(from.q_M, move.q_M_end), move);
+  if (led && machine_.position() != from.q_M) {
+    keep_curve(kind, from, *led, turning_chords(from.q_M, move.q_M_end));
+  } else if (independent && machine_.position() != from.q_M) {
     constexpr int kRapidChords = 48;
     keep_curve(kind, from, *independent, kRapidChords);
   } else {
@@ -78,9 +82,13 @@ Result<AxisPositions, machine::MachineFault> WayRecorder::move(const machine::Ar
   auto outcome = machine_.move(arc);
   if (machine_.position() != from.q_M || outcome) {
     constexpr double kChordRad = kChordDeg * std::numbers::pi / 180.0;
-    const machine::ArcPath path(from.q_M, arc);
-    keep_curve(PathKind::Feed, from, path,
-               1 + static_cast<int>(std::fabs(path.turned_rad()) / kChordRad));
+    if (const auto led = machine::led_path(from.q_M, arc)) {
+      keep_curve(PathKind::Feed, from, *led, 2 * led->piece_count());
+    } else {
+      const machine::ArcPath path(from.q_M, arc);
+      keep_curve(PathKind::Feed, from, path,
+                 1 + static_cast<int>(std::fabs(path.turned_rad()) / kChordRad));
+    }
   }
   if (!outcome) {
     mark(outcome.error());

@@ -1,0 +1,80 @@
+#include "machine/sim/led_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "machine/base/contract.h"
+
+namespace g31::machine {
+namespace {
+
+constexpr int kMostPieces = 20'000;
+
+}  // namespace
+
+LedPath::LedPath(const BasePath& base, const AxisPositions& q_M_from, const AxisPositions& q_M_to,
+                 AxisTransformPtr transform)
+    : base_(base), q_M_from_(q_M_from), q_M_to_(q_M_to), transform_(std::move(transform)) {
+  G31_EXPECTS(transform_ != nullptr);
+}
+
+double LedPath::length() const {
+  return std::visit([](const auto& path) { return path.length(); }, base_);
+}
+
+AxisPositions LedPath::base_at(double fraction) const {
+  return std::visit([&](const auto& path) { return path.at(fraction); }, base_);
+}
+
+AxisPositions LedPath::at(double fraction) const {
+  G31_EXPECTS(fraction >= 0.0);
+  if (fraction == 0.0) {
+    return q_M_from_;
+  }
+  return fraction >= 1.0 ? q_M_to_ : transform_->axes_at(base_at(fraction)).value_or(q_M_to_);
+}
+
+AxisPositions LedPath::slope_at(double fraction) const {
+  constexpr double kStep = 1e-4;
+  const double before = std::max(0.0, fraction - kStep);
+  const double behind = std::min(1.0, fraction + kStep);
+  return (at(behind) - at(before)) / (behind - before);
+}
+
+int LedPath::piece_count() const {
+  const double turned_deg = rotary_axes(q_M_to_ - q_M_from_).cwiseAbs().maxCoeff();
+  const int pieces = std::min(kMostPieces, 1 + static_cast<int>(turned_deg / kLedPieceDeg));
+  return std::holds_alternative<ArcPath>(base_) ? std::max(pieces, kLeastArcPieces) : pieces;
+}
+
+bool LedPath::leads() const {
+  const int pieces = piece_count();
+  for (int i = 1; i < pieces; ++i) {
+    if (!transform_->axes_at(base_at(static_cast<double>(i) / pieces))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::optional<LedPath> led_path(const AxisPositions& q_M_from, const LinearMove& move) {
+  if (!move.transform || rotary_axes(q_M_from) == rotary_axes(move.q_M_end)) {
+    return std::nullopt;
+  }
+  const StraightPath base(move.transform->base_at(q_M_from), move.transform->base_at(move.q_M_end),
+                          move.mm_per_degree);
+  return LedPath(base, q_M_from, move.q_M_end, move.transform);
+}
+
+std::optional<LedPath> led_path(const AxisPositions& q_M_from, const ArcMove& arc) {
+  if (!arc.transform) {
+    return std::nullopt;
+  }
+  ArcMove base = arc;
+  base.q_M_end = arc.transform->base_at(arc.q_M_end);
+  return LedPath(ArcPath(arc.transform->base_at(q_M_from), base), q_M_from, arc.q_M_end,
+                 arc.transform);
+}
+
+}  // namespace g31::machine
