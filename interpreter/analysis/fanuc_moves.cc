@@ -39,8 +39,14 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
     case GAction::SetData:
     case GAction::EndData:
     case GAction::ToolLength:
+    case GAction::TipControl:
     case GAction::LocalShift:
     case GAction::MachineMove:
+    case GAction::ToolToPlane:
+    case GAction::TableOffset:
+    case GAction::SettingError:
+    case GAction::OriginOnTable:
+    case GAction::OriginOnTableOff:
     case GAction::WorkOffset:
     case GAction::MacroCall:
     case GAction::SetPosition:
@@ -52,6 +58,7 @@ std::optional<Move::Kind> move_of(const fanuc::GCode& code) {
     case GAction::Scaling:
     case GAction::ScalingOff:
     case GAction::Rotation:
+    case GAction::TiltedPlane:
     case GAction::RotationOff:
     case GAction::CycleOff:
     case GAction::StrokeCheck:

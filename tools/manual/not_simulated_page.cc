@@ -25,7 +25,11 @@ finds both before (NC007).
 * Nobody is there: what waits for an operator goes on (stops are listed) or ends the run (PRB604).  Inputs come from
   `[[input]]`.
 * There is one channel: programs of several channels wait for nobody.
-* Transformations of five axes do not run; rotary axes do, and touches with the table or the head turned.
+* Transformations of SINUMERIK (TRAORI, CYCLE800) do not run; rotary axes do, and touches with the table or the head
+  turned.
+* Fanuc, five axes: tilted planes and tool centre point control run; the tool's reference direction is Z (parameters 19697
+  to 19699), no axis is hypothetical, the radius is not compensated in space, and an axis that would be too fast slows
+  the move instead of alarm 5422.
 )";
 
 bool is_not_simulated(const runtime::Entry& entry) {

@@ -41,8 +41,8 @@ std::string plain_name(std::string_view name) {
   return plain;
 }
 
-/// The profile of the longest model that the name begins with; "" for none.
-std::string_view profile_of_model(std::string_view plain) {
+/// The longest model that the name begins with, or nullptr.
+const ControlModel* model_of(std::string_view plain) {
   for (const std::string_view maker :
        {"fanuc", "series", "mitsubishi", "meldas", "brother", "haas"}) {
     if (plain.starts_with(maker) && plain.size() > maker.size()) {
@@ -50,7 +50,7 @@ std::string_view profile_of_model(std::string_view plain) {
     }
   }
   std::size_t longest = 0;
-  std::string_view profile;
+  const ControlModel* found = nullptr;
   for (const ControlModel& row : kControlModels) {
     const std::string model = plain_name(row.model);
     // M60 is a model, M605 none; 0i-MF goes on with letters.
@@ -59,10 +59,17 @@ std::string_view profile_of_model(std::string_view plain) {
                            std::isdigit(static_cast<unsigned char>(plain[model.size()])) == 0);
     if (model.size() > longest && is_model) {
       longest = model.size();
-      profile = row.profile;
+      found = &row;
     }
   }
-  return profile;
+  return found;
+}
+
+Control as_model(const Control& control, std::string_view model) {
+  const auto* const chosen = std::get_if<FanucControl>(&control);
+  return chosen != nullptr
+             ? Control(FanucControl{fanuc::profile_of_model(chosen->profile.get(), model)})
+             : control;
 }
 
 bool is_word_letter(char c) {
@@ -141,7 +148,7 @@ std::vector<std::string_view> models_of(const Control& control) {
 
 Result<Control, std::string> control_named(std::string_view name) {
   const std::string plain = plain_name(name);
-  const std::string_view of_model = profile_of_model(plain);
+  const ControlModel* const model = model_of(plain);
   std::vector<std::string_view> known;
   std::optional<Control> found;
   for (const Control& control : all_controls()) {
@@ -149,7 +156,9 @@ Result<Control, std::string> control_named(std::string_view name) {
     if (plain_name(known.back()) == plain) {
       return control;
     }
-    found = known.back() == of_model ? std::optional(control) : found;
+    if (model != nullptr && known.back() == model->profile) {
+      found = as_model(control, model->model);
+    }
   }
   if (found) {
     return *found;

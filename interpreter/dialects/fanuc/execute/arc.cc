@@ -85,7 +85,7 @@ Result<Eigen::Vector2d, Failure> centre_of(const Control& control, const NcBlock
 }
 
 MaybeFailure straight(Control& control, const AxisPositions& q_L_end, int g) {
-  if (auto failure = feed_to(control, control.coordinates.to_machine(q_L_end), g)) {
+  if (auto failure = feed_to(control, control.coordinates.to_path(q_L_end), g)) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);
@@ -101,10 +101,10 @@ MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d&
   AxisPositions q_W_centre = arc.q_W_start;
   q_W_centre[arc.plane.first] = centre.x();
   q_W_centre[arc.plane.second] = centre.y();
-  const AxisPositions q_M_centre = control.coordinates.work_to_machine(q_W_centre);
+  const AxisPositions q_B_centre = control.coordinates.work_to_path(q_W_centre);
   path::PathBlock block;
-  block.q_M_end = control.coordinates.work_to_machine(arc.q_W_end);
-  block.arc = path::ArcShape{{q_M_centre[arc.plane.first], q_M_centre[arc.plane.second]}, arc.turn};
+  block.q_M_end = control.coordinates.work_to_path(arc.q_W_end);
+  block.arc = path::ArcShape{{q_B_centre[arc.plane.first], q_B_centre[arc.plane.second]}, arc.turn};
   block.g = arc.turn == Turn::Clockwise ? 2 : 3;
   block.feed_mm_min = switched_feed(control, feed.value());
   block.where = control.block;
@@ -130,7 +130,7 @@ MaybeFailure move_unequally_scaled(Control& control, const Arc& arc,
   if (auto failure = move_along(control, round, centre)) {
     return failure;
   }
-  return feed_to(control, control.coordinates.work_to_machine(arc.q_W_end), 1);
+  return feed_to(control, control.coordinates.work_to_path(arc.q_W_end), 1);
 }
 
 Turn programmed_turn(const Control& control) {
@@ -150,6 +150,39 @@ MaybeFailure refused_arc(const Control& control, const NcBlock& block, const Pla
   return std::nullopt;
 }
 
+/// An arc stands still for the machine while it runs: rotary axes may turn the tool, and the plane
+/// about its own normal (FANUC A-79348E pp. 23, 24).
+MaybeFailure refuse_turning_arc(const Control& control, const AxisPositions& q_L_end) {
+  constexpr double kSameDirection = 1e-9;
+  const Coordinates& coordinates = control.coordinates;
+  if (!coordinates.leader()) {
+    return std::nullopt;
+  }
+  const AxisPositions q_M = control.port.position();
+  const AxisPositions q_B_end = coordinates.to_path(q_L_end);
+  const bool turns = rotary_axes(q_B_end) != rotary_axes(q_M);
+  if (coordinates.tip_system() == TipSystem::None) {
+    return turns ? MaybeFailure(
+                       block_failure(AlarmId::NotInTiltedPlane, "an arc that turns a rotary axis"))
+                 : std::nullopt;
+  }
+  if (coordinates.tip_system() == TipSystem::Workpiece &&
+      (turns || coordinates.table_turn(q_M) != Eigen::Matrix3d::Identity())) {
+    return block_failure(AlarmId::NotUnderTipControl,
+                         "an arc with the table turned and parameter 19696.5 = 1");
+  }
+  Point normal = Point::Unit(control.modal.plane().across);
+  if (coordinates.plane()) {
+    normal = coordinates.plane()->linear() * normal;
+  }
+  const Point tilts =
+      (coordinates.table_turn(q_B_end) - coordinates.table_turn(q_M)).transpose() * normal;
+  return tilts.norm() > kSameDirection
+             ? MaybeFailure(block_failure(AlarmId::NotUnderTipControl,
+                                          "the plane of an arc tilts while it runs"))
+             : std::nullopt;
+}
+
 }  // namespace
 
 /// G02, G03 in the plane in force; a third axis makes a helix (MB-302 to MB-305).
@@ -166,6 +199,9 @@ MaybeFailure execute_arc(Control& control, const NcBlock& block) {
   }
   const AxisPositions q_L_start = control.coordinates.programmed();
   const AxisPositions q_L_end = programmed_end(control, block);
+  if (auto failure = refuse_turning_arc(control, q_L_end)) {
+    return failure;
+  }
   if (!by_radius && !has_centre) {
     return straight(control, q_L_end, 1);
   }

@@ -56,6 +56,10 @@ constexpr ActionRow kActions[] = {
     {GAction::MirrorOff, execute_mirror_off},
     {GAction::Scaling, execute_scaling},
     {GAction::Rotation, execute_rotation},
+    {GAction::TiltedPlane, execute_tilted_plane},
+    {GAction::ToolToPlane, execute_tool_to_plane},
+    {GAction::TableOffset, execute_table_offset},
+    {GAction::SettingError, execute_setting_error},
     {GAction::MeasureTool, execute_tool_measurement},
     {GAction::MeasureDiameter, execute_diameter_measurement},
     {GAction::MeasureWork, execute_work_measurement},
@@ -136,8 +140,9 @@ MaybeFailure execute_words(Control& control, const NcBlock& block, double feed_b
   if (in_canned_cycle(control)) {
     return execute_canned_cycle(control, block);
   }
-  return block.has_axis_word || is_full_circle(control, block) ? execute_motion(control, block)
-                                                               : std::nullopt;
+  const bool moves = block.has_axis_word || is_full_circle(control, block) ||
+                     turns_by_direction(control, block.words);
+  return moves ? execute_motion(control, block) : std::nullopt;
 }
 
 }  // namespace
@@ -154,6 +159,9 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
     return codes.error();
   }
   if (auto failure = select_offsets(control, words, codes.value())) {
+    return failure;
+  }
+  if (auto failure = refuse_unfinished_plane(control, codes.value())) {
     return failure;
   }
   command_machine(control, words);

@@ -59,7 +59,7 @@ class Hole {
   const CannedCycle& cycle_;
   Plane plane_;
   AxisPositions q_L_;
-  AxisPositions q_M_aside_ = AxisPositions::Zero();
+  AxisPositions q_B_aside_ = AxisPositions::Zero();
 };
 
 MaybeFailure Hole::drill() {
@@ -85,9 +85,9 @@ MaybeFailure Hole::move(double level, machine::Traverse traverse) {
     return halt_failure(*halt);
   }
   q_L_[plane_.across] = level;
-  const AxisPositions q_M_end = control_.coordinates.to_machine(q_L_) + q_M_aside_;
-  return traverse == machine::Traverse::Rapid ? rapid_to(control_, q_M_end, control_.rapid_path())
-                                              : feed_to(control_, q_M_end, 1);
+  const AxisPositions q_B_end = control_.coordinates.to_path(q_L_) + q_B_aside_;
+  return traverse == machine::Traverse::Rapid ? rapid_to(control_, q_B_end, control_.rapid_path())
+                                              : feed_to(control_, q_B_end, 1);
 }
 
 MaybeFailure Hole::enter() {
@@ -147,29 +147,29 @@ MaybeFailure Hole::dwell() {
   return std::nullopt;
 }
 
-/// The shift of G76 and G87, in machine coordinates: the spindle stands still where it was
-/// oriented, however the program is turned.
+/// The shift of G76 and G87, in path coordinates: the spindle stands still where it was oriented,
+/// however the program is turned.
 AxisPositions Hole::shift() const {
   const bool second = control_.parameters.is_on(ParameterId::ShiftAlongSecond);
   const bool negative = control_.parameters.is_on(ParameterId::ShiftNegative);
-  AxisPositions q_M_shift = AxisPositions::Zero();
-  q_M_shift[second ? plane_.second : plane_.first] = negative ? -data_.q : data_.q;
-  return q_M_shift;
+  AxisPositions q_B_shift = AxisPositions::Zero();
+  q_B_shift[second ? plane_.second : plane_.first] = negative ? -data_.q : data_.q;
+  return q_B_shift;
 }
 
 MaybeFailure Hole::step_aside() {
   if (cycle_.shift == CannedCycle::Shift::None || data_.q == 0.0) {
     return std::nullopt;
   }
-  q_M_aside_ = shift();
+  q_B_aside_ = shift();
   return rapid(q_L_[plane_.across]);
 }
 
 MaybeFailure Hole::step_back() {
-  if (q_M_aside_ == AxisPositions::Zero()) {
+  if (q_B_aside_ == AxisPositions::Zero()) {
     return std::nullopt;
   }
-  q_M_aside_.setZero();
+  q_B_aside_.setZero();
   return rapid(q_L_[plane_.across]);
 }
 
@@ -237,9 +237,9 @@ Result<int, Failure> repeats_of(const Control& control, const NcBlock& block) {
 MaybeFailure position(Control& control, const NcBlock& block, const Plane& plane) {
   AxisPositions q_L_end = programmed_end(control, block);
   q_L_end[plane.across] = control.coordinates.programmed()[plane.across];
-  AxisPositions q_M_end = control.coordinates.to_machine(q_L_end);
-  q_M_end[plane.across] = control.port.position()[plane.across];
-  if (auto failure = rapid_to(control, q_M_end, control.rapid_path())) {
+  AxisPositions q_B_end = control.coordinates.to_path(q_L_end);
+  q_B_end[plane.across] = control.path_position()[plane.across];
+  if (auto failure = rapid_to(control, q_B_end, control.rapid_path())) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);

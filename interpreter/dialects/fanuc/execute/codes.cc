@@ -29,63 +29,41 @@ void end_mode(Control& control, GAction action, Codes& codes) {
   }
 }
 
+bool is_frame(GAction action) {
+  return action == GAction::Mirror || action == GAction::MirrorOff || action == GAction::Scaling ||
+         action == GAction::Rotation || action == GAction::TiltedPlane ||
+         action == GAction::StrokeCheck;
+}
+
+/// What the rest of the block is to know of a modal code.
+void note_modal_code(const Control& control, const GCode& code, Codes& codes) {
+  if (is_frame(code.action)) {
+    codes.frame = &code;
+  } else if (code.action == GAction::ToolLength || code.action == GAction::TipControl) {
+    codes.tool_length = &code;
+  } else if (code.action == GAction::WorkOffset) {
+    codes.work_offset = &code;
+  } else if (code.action == GAction::PolarOn) {
+    codes.starts_polar = true;
+  } else if (code.action == GAction::CannedCycle) {
+    codes.starts_cycle = codes.starts_cycle || !in_canned_cycle(control);
+  } else if (code.action == GAction::SurfaceSpeed) {
+    codes.unsimulated = &code;
+  }
+}
+
 /// What a modal code does at once, before the other words of its block.
 void take_modal_code(Control& control, const GCode& code, Codes& codes) {
-  switch (code.action) {
-    case GAction::ToolLength:
-      codes.tool_length = &code;
-      break;
-    case GAction::WorkOffset:
-      codes.work_offset = &code;
-      break;
-    case GAction::Mirror:
-    case GAction::MirrorOff:
-    case GAction::Scaling:
-    case GAction::Rotation:
-    case GAction::StrokeCheck:
-      codes.frame = &code;
-      break;
-    case GAction::ScalingOff:
-    case GAction::RotationOff:
-    case GAction::PolarOff:
-      end_mode(control, code.action, codes);
-      break;
-    case GAction::PolarOn:
-      codes.starts_polar = true;
-      break;
-    case GAction::Motion:
-    case GAction::CycleOff:
-      end_canned_cycle(control);
-      break;
-    case GAction::CannedCycle:
-      codes.starts_cycle = codes.starts_cycle || !in_canned_cycle(control);
-      break;
-    case GAction::SurfaceSpeed:
-      codes.unsimulated = &code;
-      break;
-    case GAction::Modal:
-    case GAction::NoEffect:
-    case GAction::ExactStop:
-    case GAction::ContourControl:
-    case GAction::Dwell:
-    case GAction::SetData:
-    case GAction::EndData:
-    case GAction::CheckReference:
-    case GAction::ToReference:
-    case GAction::FromReference:
-    case GAction::Skip:
-    case GAction::MeasureTool:
-    case GAction::MeasureDiameter:
-    case GAction::MeasureWork:
-    case GAction::MeasureCentre:
-    case GAction::LocalShift:
-    case GAction::MachineMove:
-    case GAction::MacroCall:
-    case GAction::SetPosition:
-    case GAction::PresetSystem:
-    case GAction::Unsimulated:
-    case GAction::Refused:
-      break;
+  note_modal_code(control, code, codes);
+  if (code.action == GAction::ScalingOff || code.action == GAction::RotationOff ||
+      code.action == GAction::PolarOff) {
+    end_mode(control, code.action, codes);
+  } else if (code.action == GAction::OriginOnTable) {
+    control.coordinates.shift_with_table(control.port.position());
+  } else if (code.action == GAction::OriginOnTableOff) {
+    control.coordinates.end_shift_with_table();
+  } else if (code.action == GAction::Motion || code.action == GAction::CycleOff) {
+    end_canned_cycle(control);
   }
   control.modal.group[code.group] = code.number;
 }
@@ -95,6 +73,42 @@ void take_modal_code(Control& control, const GCode& code, Codes& codes) {
 bool is_second_call(const EvaluatedWord& word) {
   constexpr double kCalls[] = {65.0, 66.0, 66.1, 67.0};
   return std::ranges::find(kCalls, word.number) != std::end(kCalls);
+}
+
+/// A code that has no place in a tilted plane, or under tool centre point control.
+MaybeFailure refuse_when_led(const Control& control, const EvaluatedWord& word, const GCode& code) {
+  const Coordinates& coordinates = control.coordinates;
+  const bool holds_tip = coordinates.tip_system() != TipSystem::None;
+  if (holds_tip && code.action == GAction::TiltedPlane) {
+    return at_word(AlarmId::TiltedPlaneNotAllowed, word,
+                   fmt::format("{} under tool centre point control", to_text(code.number)));
+  }
+  const bool starts_side = code.group == Group::CutterCompensation && code.number.whole != 40;
+  if (holds_tip && (starts_side || is_barred_under_tip_control(code.action))) {
+    return at_word(AlarmId::NotUnderTipControl, word,
+                   fmt::format("{} under tool centre point control", to_text(code.number)));
+  }
+  return coordinates.plane() && is_barred_in_plane(code.action)
+             ? MaybeFailure(at_word(AlarmId::NotInTiltedPlane, word,
+                                    fmt::format("{} in a tilted plane", to_text(code.number))))
+             : std::nullopt;
+}
+
+/// Without the option the code is not there: FANUC 30i operator's manual B-63944EN, alarm PS0010.
+MaybeFailure refuse_without_rotary_axes(const Control& control, const EvaluatedWord& word,
+                                        const GCode& code) {
+  if (!needs_rotary_axes(code.action)) {
+    return std::nullopt;
+  }
+  for (int axis = kLinearAxisCount; axis < static_cast<int>(kAxisCount); ++axis) {
+    if (control.port.travel(axis)) {
+      return std::nullopt;
+    }
+  }
+  return at_word(AlarmId::ImproperGCode, word,
+                 fmt::format("{} is of machines with rotary axes: [machine.axes.C] of the set-up "
+                             "sheet gives it one",
+                             to_text(code.number)));
 }
 
 MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& codes) {
@@ -111,6 +125,14 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
   if (code->action == GAction::Refused) {
     return at_word(AlarmId::ImproperGCode, word,
                    fmt::format("{}, {}", to_text(code->number), code->text));
+  }
+  if (auto failure = refuse_without_rotary_axes(control, word, *code)) {
+    return failure;
+  }
+  if (control.coordinates.leader()) {
+    if (auto failure = refuse_when_led(control, word, *code)) {
+      return failure;
+    }
   }
   if (code->group != Group::OneShot) {
     take_modal_code(control, *code, codes);

@@ -157,7 +157,7 @@ MaybeFailure past_corner(Control& control, const PathBlock& block) {
   }
   const AxisPositions q_M_from =
       waits ? cutter.corners.held_end()
-            : control.coordinates.to_machine(control.coordinates.programmed());
+            : control.coordinates.to_path(control.coordinates.programmed());
   const auto given = cutter.corners.take(block, q_M_from, offset_plane(control), cutter.wish);
   if (!given) {
     return from_corner_fault(given.error());
@@ -227,7 +227,7 @@ MaybeFailure read_compensation(Control& control, const NcBlock& block) {
       return block_failure(AlarmId::CornerWithoutMove, "G41 and G42 begin behind a corner");
     }
     cutter.compensation.set_rules(rules_of(control));
-    cutter.compensation.engage(control.port.position(), command.plane);
+    cutter.compensation.engage(control.path_position(), command.plane);
   }
   return std::nullopt;
 }

@@ -7,6 +7,8 @@
 
 namespace g31::fanuc {
 
+struct Codes;
+
 /// One NC block at work: its words and the G codes found in them.
 struct NcBlock {
   const BlockWords& words;
@@ -45,6 +47,10 @@ MaybeFailure execute_mirror(Control& control, const NcBlock& block);         // 
 MaybeFailure execute_mirror_off(Control& control, const NcBlock& block);     // transforms.cc
 MaybeFailure execute_scaling(Control& control, const NcBlock& block);        // transforms.cc
 MaybeFailure execute_rotation(Control& control, const NcBlock& block);       // transforms.cc
+MaybeFailure execute_tilted_plane(Control& control, const NcBlock& block);   // tilted_plane.cc
+MaybeFailure execute_tool_to_plane(Control& control, const NcBlock& block);  // tool_axis.cc
+MaybeFailure execute_table_offset(Control& control, const NcBlock& block);   // offsets.cc
+MaybeFailure execute_setting_error(Control& control, const NcBlock& block);  // offsets.cc
 MaybeFailure execute_canned_cycle(Control& control, const NcBlock& block);   // canned_cycle.cc
 
 /// M75 of a Haas, at the end of its block (measure_work.cc).
@@ -57,9 +63,18 @@ void command_machine(Control& control, const BlockWords& words);
 /// A block between G10 L50 or L3 and G11 (data_input.cc).
 MaybeFailure execute_data_block(Control& control, const BlockWords& words);
 
-void start_polar(Control& control);         // G16; transforms.cc
-void cancel_scaling(Control& control);      // G50; transforms.cc
-void cancel_rotation(Control& control);     // G69; transforms.cc
+void start_polar(Control& control);      // G16; transforms.cc
+void cancel_scaling(Control& control);   // G50; transforms.cc
+void cancel_rotation(Control& control);  // G69; transforms.cc
+/// Points and vectors of G68.2 P2 and P3 stand in blocks that follow each other (tilted_plane.cc).
+MaybeFailure refuse_unfinished_plane(const Control& control, const Codes& codes);
+/// G43.4 and G43.5 begin, or another code of their group ends them (tool_axis.cc).
+MaybeFailure select_tip_control(Control& control);
+/// Whether the block turns the tool by I J K under G43.5, and to where (tool_axis.cc).
+bool turns_by_direction(const Control& control, const BlockWords& words);
+MaybeFailure take_tool_direction(const Control& control, const NcBlock& block,
+                                 AxisPositions& q_L_end);
+
 void start_canned_cycle(Control& control);  // the first after G80; canned_cycle.cc
 
 /// Radius of the tool offset D in force, geometry and wear, mm; 0 for D0 (offsets.cc).
@@ -77,10 +92,13 @@ AxisPositions cartesian_end(const Control& control, const NcBlock& block);
 /// asked once a motion, because radius and angle go on from block to block.
 AxisPositions programmed_end(Control& control, const NcBlock& block);
 
-/// Moves to a machine position at rapid, through cutter compensation, and tells the observer.
-MaybeFailure rapid_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way);
+/// Moves to a place in path coordinates at rapid, through cutter compensation, and tells the
+/// observer.
+MaybeFailure rapid_to(Control& control, const AxisPositions& q_B_end, machine::RapidPath way);
 /// The same at the feed in force; `g` is how the document names the move.
-MaybeFailure feed_to(Control& control, const AxisPositions& q_M_end, int g);
+MaybeFailure feed_to(Control& control, const AxisPositions& q_B_end, int g);
+/// The axes to a machine position, whatever leads them, as G00 or G01 is in force.
+MaybeFailure move_axes_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way);
 
 /// The feed in mm/min in force, or why there is none; G95 takes the spindle speed S along (MB-314).
 Result<double, Failure> feed_in_force(const Control& control);

@@ -119,7 +119,7 @@ MaybeFailure execute_tool_measurement(Control& control, const NcBlock& block) {
   }
   Approach approach;
   approach.axis = axis.value();
-  approach.q_M_nominal = control.coordinates.to_machine(programmed_end(control, block));
+  approach.q_M_nominal = control.coordinates.to_path(programmed_end(control, block));
   const double way = approach.q_M_nominal[approach.axis] - control.port.position()[approach.axis];
   approach.sign = way < 0.0 ? -1.0 : 1.0;
   approach.zone = control.parameters.get(ParameterId::MeasuringZone);

@@ -107,7 +107,7 @@ MaybeFailure execute_work_measurement(Control& control, const NcBlock& block) {
         AlarmId::OffsetInMeasurement,
         fmt::format("{} measures without a tool length offset", to_text(block.code->number)));
   }
-  const AxisPositions q_M_end = control.coordinates.to_machine(programmed_end(control, block));
+  const AxisPositions q_M_end = control.coordinates.to_path(programmed_end(control, block));
   const auto q_M_latched = touch_on_way_to(control, block, q_M_end);
   if (!q_M_latched) {
     return q_M_latched.error();
@@ -132,7 +132,7 @@ MaybeFailure execute_diameter_measurement(Control& control, const NcBlock& block
   if (names_any(block.words, kZ, kZ) || !names_any(block.words, kX, kX + 1)) {
     return block_failure(AlarmId::AxisInMeasurement, "G35 moves X or Y");
   }
-  const AxisPositions q_M_end = control.coordinates.to_machine(programmed_end(control, block));
+  const AxisPositions q_M_end = control.coordinates.to_path(programmed_end(control, block));
   const auto q_M_latched = touch_on_way_to(control, block, q_M_end);
   if (!q_M_latched) {
     return q_M_latched.error();

@@ -5,6 +5,9 @@ namespace g31::fanuc {
 
 namespace {
 
+/// A tip that moves by rounding alone stands.
+constexpr double kTipStandsMm = 1e-9;
+
 /// Radius and angle of the block into the polar coordinates; the plane's axes of the end from them.
 void take_polar_words(Control& control, const NcBlock& block, AxisPositions& q_L_end) {
   const Plane plane = control.modal.plane();
@@ -89,40 +92,109 @@ double switched_feed(const Control& control, double feed_mm_min) {
   return as_programmed ? feed_mm_min : feed_mm_min * switches.override_percent / 100.0;
 }
 
-MaybeFailure rapid_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way) {
+MaybeFailure rapid_to(Control& control, const AxisPositions& q_B_end, machine::RapidPath way) {
   path::PathBlock block;
-  block.q_M_end = q_M_end;
+  block.q_M_end = q_B_end;
   block.g = 0;
   block.where = control.block;
   block.rapid_path = way;
   return travel(control, block);
 }
 
-MaybeFailure feed_to(Control& control, const AxisPositions& q_M_end, int g) {
+/// The feed is that of the tip at the part; where it stands, that of the rotary axes (parameter
+/// 19696.6).
+void take_tip_feed(const Control& control, path::PathBlock& block) {
+  block.mm_per_degree = 0.0;
+  const double most = control.parameters.get(ParameterId::LargestFeed);
+  const double way = (linear_axes(block.q_M_end) - linear_axes(control.path_position())).norm();
+  if (way < kTipStandsMm && most > 0.0 && !control.parameters.is_on(ParameterId::TurnsByFeed)) {
+    block.feed_mm_min = most;
+  }
+}
+
+Result<path::PathBlock, Failure> feed_block(const Control& control, const AxisPositions& q_B_end,
+                                            int g) {
   const auto feed = feed_in_force(control);
   if (!feed) {
     return feed.error();
   }
   path::PathBlock block;
-  block.q_M_end = q_M_end;
+  block.q_M_end = q_B_end;
   block.g = g;
   block.where = control.block;
   block.feed_mm_min = switched_feed(control, feed.value());
   block.ends = control.feed_end();
   block.contour_control = control.contour_control();
   block.mm_per_degree = control.scale.mm_per_unit();
+  if (control.coordinates.tip_system() != TipSystem::None) {
+    take_tip_feed(control, block);
+  }
+  return block;
+}
+
+MaybeFailure feed_to(Control& control, const AxisPositions& q_B_end, int g) {
+  const auto block = feed_block(control, q_B_end, g);
+  return block ? travel(control, block.value()) : MaybeFailure(block.error());
+}
+
+MaybeFailure move_axes_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way) {
+  path::PathBlock block;
+  block.q_M_end = q_M_end;
+  block.g = 0;
+  block.where = control.block;
+  block.rapid_path = way;
+  if (control.modal.group[Group::Motion].whole == 1) {
+    const auto fed = feed_block(control, q_M_end, 1);
+    if (!fed) {
+      return fed.error();
+    }
+    block = fed.value();
+  }
+  block.of_axes = true;
   return travel(control, block);
 }
+
+namespace {
+
+/// In a tilted plane nothing holds the tip while a rotary axis turns: the axes go straight to where
+/// the block ends, and those that it does not name stay.
+MaybeFailure turn_in_plane(Control& control, const NcBlock& block, const AxisPositions& q_L_end) {
+  const AxisPositions q_B_end = control.coordinates.to_path(q_L_end);
+  auto q_M_end = control.coordinates.axes_at(q_B_end);
+  if (!q_M_end) {
+    return block_failure(AlarmId::NoReachablePosition);
+  }
+  if (!block.words.has('X') && !block.words.has('Y') && !block.words.has('Z')) {
+    q_M_end->head<kLinearAxisCount>() = linear_axes(control.port.position());
+  }
+  auto failure = move_axes_to(control, *q_M_end, control.rapid_path());
+  control.coordinates.arrived_at_machine(control.port.position());
+  return failure;
+}
+
+bool turns_in_plane(const Control& control, const AxisPositions& q_L_end) {
+  const Coordinates& coordinates = control.coordinates;
+  return coordinates.plane() && coordinates.tip_system() == TipSystem::None &&
+         rotary_axes(q_L_end) != rotary_axes(coordinates.programmed());
+}
+
+}  // namespace
 
 MaybeFailure execute_motion(Control& control, const NcBlock& block) {
   const int g = control.modal.group[Group::Motion].whole;
   if (g == 2 || g == 3) {
     return execute_arc(control, block);
   }
-  const AxisPositions q_L_end = programmed_end(control, block);
-  const AxisPositions q_M_end = control.coordinates.to_machine(q_L_end);
-  if (auto failure = g == 0 ? rapid_to(control, q_M_end, control.rapid_path())
-                            : feed_to(control, q_M_end, g)) {
+  AxisPositions q_L_end = programmed_end(control, block);
+  if (auto failure = take_tool_direction(control, block, q_L_end)) {
+    return failure;
+  }
+  if (turns_in_plane(control, q_L_end)) {
+    return turn_in_plane(control, block, q_L_end);
+  }
+  const AxisPositions q_B_end = control.coordinates.to_path(q_L_end);
+  if (auto failure = g == 0 ? rapid_to(control, q_B_end, control.rapid_path())
+                            : feed_to(control, q_B_end, g)) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);
@@ -151,9 +223,7 @@ MaybeFailure execute_machine_move(Control& control, const NcBlock& block) {
       }
     }
   }
-  auto failure = control.modal.group[Group::Motion].whole == 1
-                     ? feed_to(control, q_M_end, 1)
-                     : rapid_to(control, q_M_end, control.machine_rapid_path());
+  auto failure = move_axes_to(control, q_M_end, control.machine_rapid_path());
   control.coordinates.arrived_at_machine(control.port.position());
   return failure;
 }

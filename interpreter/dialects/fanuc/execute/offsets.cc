@@ -15,6 +15,17 @@ Failure missing(source::DiagnosticId row, std::string what) {
   return failure;
 }
 
+/// P of G54.2 and G54.4; 0 ends them.
+Result<int, Failure> number_of_error(const NcBlock& block, int largest) {
+  const EvaluatedWord* const p = block.words.find('P');
+  const auto number = p != nullptr ? integer_of(*p) : Result<int, Failure>(1);
+  if (number && (number.value() < 0 || number.value() > largest)) {
+    return at_word(AlarmId::IllegalOffsetNumber, *p,
+                   fmt::format("{} has P0 to P{}", to_text(block.code->number), largest));
+  }
+  return number;
+}
+
 }  // namespace
 
 /// G54 to G59, G54.1 Pn, G54 Pn (MB-292, MB-293); G110 to G129 and G154 Pn of a Haas.
@@ -62,9 +73,15 @@ MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
       return number.error();
     }
     if (number.value() < 0 || number.value() > OffsetTable::kLargest) {
-      return at_word(AlarmId::IllegalOffsetNumber, *h, "H is 0 to 999");
+      return at_word(control.modal.group[Group::ToolLength].tenth != 0
+                         ? AlarmId::TipControlOffset
+                         : AlarmId::IllegalOffsetNumber,
+                     *h, "H is 0 to 999");
     }
     control.modal.length_offset = number.value();
+  }
+  if (auto failure = select_tip_control(control)) {
+    return failure;
   }
   AxisPositions q_offset = AxisPositions::Zero();
   const int number = control.modal.length_offset;
@@ -79,7 +96,7 @@ MaybeFailure select_tool_length(Control& control, const BlockWords& words) {
     }
     const runtime::ToolEntry entry = control.offsets.get(number);
     const double length = entry.length_mm + entry.length_wear_mm;
-    q_offset[kToolAxis] = code == 43 ? length : -length;
+    q_offset[kToolAxis] = code == 44 ? -length : length;
   }
   const bool shifts = control.profile.length_change == LengthChange::ShiftsCoordinates ||
                       control.parameters.is_on(ParameterId::LengthShifts);
@@ -133,6 +150,30 @@ MaybeFailure execute_preset(Control& control, const NcBlock& block) {
       control.coordinates.clear_shifts(static_cast<int>(axis));
     }
   }
+  return std::nullopt;
+}
+
+MaybeFailure execute_table_offset(Control& control, const NcBlock& block) {
+  const auto number = number_of_error(block, PartErrors::kTableOffsets);
+  if (!number) {
+    return number.error();
+  }
+  PartErrors errors = control.coordinates.part_errors();
+  errors.select_table_offset(number.value());
+  control.coordinates.set_part_errors(errors,
+                                      control.parameters.is_on(ParameterId::TurnsToolToPart));
+  return std::nullopt;
+}
+
+MaybeFailure execute_setting_error(Control& control, const NcBlock& block) {
+  const auto number = number_of_error(block, PartErrors::kSettingErrors);
+  if (!number) {
+    return number.error();
+  }
+  PartErrors errors = control.coordinates.part_errors();
+  errors.select_setting_error(number.value());
+  control.coordinates.set_part_errors(errors,
+                                      control.parameters.is_on(ParameterId::TurnsToolToPart));
   return std::nullopt;
 }
 

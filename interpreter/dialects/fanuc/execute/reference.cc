@@ -46,7 +46,7 @@ MaybeFailure execute_reference(Control& control, const NcBlock& block) {
     return std::nullopt;
   }
   const AxisPositions q_L_via = cartesian_end(control, block);
-  const AxisPositions q_M_via = control.coordinates.to_machine(q_L_via);
+  const AxisPositions q_M_via = control.coordinates.to_path(q_L_via);
   if (auto failure = rapid_to(control, q_M_via, control.machine_rapid_path())) {
     return failure;
   }
@@ -87,15 +87,15 @@ MaybeFailure execute_from_reference(Control& control, const NcBlock& block) {
   if (!block.has_axis_word) {
     return std::nullopt;
   }
-  if (auto failure = rapid_to(control, control.coordinates.to_machine(q_L_via),
+  if (auto failure = rapid_to(control, control.coordinates.to_path(q_L_via),
                               machine::RapidPath::Independent)) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_via);
   // An incremental end counts from the intermediate point.
   const AxisPositions q_L_end = cartesian_end(control, block);
-  if (auto failure = rapid_to(control, control.coordinates.to_machine(q_L_end),
-                              control.machine_rapid_path())) {
+  if (auto failure =
+          rapid_to(control, control.coordinates.to_path(q_L_end), control.machine_rapid_path())) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);
@@ -106,7 +106,7 @@ MaybeFailure execute_from_reference(Control& control, const NcBlock& block) {
 /// (MB-317).
 MaybeFailure execute_check_reference(Control& control, const NcBlock& block) {
   const AxisPositions q_L_end = cartesian_end(control, block);
-  const AxisPositions q_M_end = control.coordinates.to_machine(q_L_end);
+  const AxisPositions q_M_end = control.coordinates.to_path(q_L_end);
   if (!block.has_axis_word) {
     return std::nullopt;
   }

@@ -80,6 +80,32 @@ MaybeFailure set_work_offset(Control& control, const NcBlock& block, int l) {
   return std::nullopt;
 }
 
+/// G10 L21 P1..P8: where a part lies on the table otherwise than it should, and the positions of
+/// the rotary axes at which that was found.
+MaybeFailure set_table_offset(Control& control, const NcBlock& block) {
+  const EvaluatedWord* const p = block.words.find('P');
+  const auto number = p != nullptr ? integer_of(*p) : Result<int, Failure>(0);
+  if (!number) {
+    return number.error();
+  }
+  if (number.value() < 1 || number.value() > PartErrors::kTableOffsets) {
+    return block_failure(AlarmId::IllegalPInG10,
+                         fmt::format("P of G10 L21 is 1 to {}", PartErrors::kTableOffsets));
+  }
+  PartErrors errors = control.coordinates.part_errors();
+  AxisPositions q_offset = errors.table_offset(number.value());
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (const EvaluatedWord* const word = block.words.find(kAxisLetters[axis])) {
+      double& value = q_offset[static_cast<Eigen::Index>(axis)];
+      value = (control.modal.incremental() ? value : 0.0) + axis_value(control, *word, axis);
+    }
+  }
+  errors.set_table_offset(number.value(), q_offset);
+  control.coordinates.set_part_errors(errors,
+                                      control.parameters.is_on(ParameterId::TurnsToolToPart));
+  return std::nullopt;
+}
+
 }  // namespace
 
 MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
@@ -100,6 +126,11 @@ MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
   }
   if (l.value() == 2 || l.value() == 20) {
     return set_work_offset(control, block, l.value());
+  }
+  constexpr int kTableOffset = 21;
+  constexpr GNumber kTableOffsetCode{54, 2};
+  if (l.value() == kTableOffset && has_g_code(control.profile, *find_g_code(kTableOffsetCode))) {
+    return set_table_offset(control, block);
   }
   for (const OffsetForm& form : kOffsetForms) {
     if (form.l == l.value() && control.offsets.memory() >= form.from) {

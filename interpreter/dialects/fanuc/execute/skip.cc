@@ -112,12 +112,11 @@ int listened_input(const Control& control, unsigned signals) {
 /// G31 P98: a feed move that no skip signal ends; #5061.. hold its end.
 MaybeFailure execute_torque_skip(Control& control, const NcBlock& block) {
   const AxisPositions q_L_end = programmed_end(control, block);
-  const AxisPositions q_M_end = control.coordinates.to_machine(q_L_end);
-  if (auto failure = feed_to(control, q_M_end, 31)) {
+  if (auto failure = feed_to(control, control.coordinates.to_path(q_L_end), 31)) {
     return failure;
   }
   control.coordinates.arrived_at_programmed(q_L_end);
-  control.q_W_skip = control.coordinates.to_work(q_M_end);
+  control.q_W_skip = control.coordinates.to_work(control.port.position());
   control.touches.latched();
   return std::nullopt;
 }
@@ -146,6 +145,20 @@ Result<double, Failure> skip_feed(const Control& control, const NcBlock& block) 
     return failure;
   }
   return feed;
+}
+
+/// The axes at the end of a skip move, which is straight for them.
+Result<AxisPositions, Failure> skip_end(const Control& control, const NcBlock& block,
+                                        const AxisPositions& q_L_end) {
+  const Coordinates& coordinates = control.coordinates;
+  const AxisPositions q_B_end = coordinates.to_path(q_L_end);
+  if (coordinates.leader() && rotary_axes(q_B_end) != rotary_axes(control.port.position())) {
+    return block_failure(AlarmId::NotUnderTipControl,
+                         fmt::format("{} turns a rotary axis", to_text(block.code->number)));
+  }
+  const auto q_M_end = coordinates.axes_at(q_B_end);
+  return q_M_end ? Result<AxisPositions, Failure>(*q_M_end)
+                 : block_failure(AlarmId::NoReachablePosition);
 }
 
 }  // namespace
@@ -192,8 +205,12 @@ MaybeFailure execute_skip(Control& control, const NcBlock& block) {
     return feed.error();
   }
   const AxisPositions q_L_end = programmed_end(control, block);
+  const auto q_M_end = skip_end(control, block, q_L_end);
+  if (!q_M_end) {
+    return q_M_end.error();
+  }
   machine::LinearMove way;
-  way.q_M_end = control.coordinates.to_machine(q_L_end);
+  way.q_M_end = q_M_end.value();
   way.traverse = machine::Traverse::Feed;
   way.feed_mm_min = skip_speed(control, feed.value());
   way.mm_per_degree = control.scale.mm_per_unit();

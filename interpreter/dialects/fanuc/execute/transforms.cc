@@ -124,6 +124,10 @@ MaybeFailure execute_rotation(Control& control, const NcBlock& block) {
 void cancel_rotation(Control& control) {
   control.transforms.rotation.reset();
   apply(control);
+  control.plane_points = {};
+  if (control.coordinates.plane()) {
+    control.coordinates.set_plane(std::nullopt);
+  }
 }
 
 /// G16: under G90 about the work origin, under G91 about the present point (MB-301).

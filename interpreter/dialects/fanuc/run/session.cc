@@ -8,6 +8,7 @@
 
 #include "interpreter/dialects/fanuc/run/inspector.h"
 #include "interpreter/dialects/fanuc/run/runner.h"
+#include "interpreter/dialects/fanuc/state/believed_chain.h"
 #include "interpreter/dialects/fanuc/text/scanner.h"
 
 namespace g31::fanuc {
@@ -105,6 +106,25 @@ void configure_calls(Control& control, const runtime::ControlSetup& setup,
   }
 }
 
+/// The centre of rotation of a Haas is in its settings: parameters 19700 to 19702 of others.
+void take_centre_settings(Control& control) {
+  constexpr int kTableOfSettings = 20000;
+  constexpr int kCentre = 19700;
+  const int first = kTableOfSettings + control.profile.first_centre_setting;
+  Parameters parameters = control.parameters;
+  bool is_set = false;
+  for (int axis = 0; axis < kLinearAxisCount && first != kTableOfSettings; ++axis) {
+    const auto setting = control.data.find(first + axis);
+    if (setting != control.data.end()) {
+      parameters.set_value(kCentre + axis, setting->second);
+      is_set = true;
+    }
+  }
+  if (is_set) {
+    control.apply(parameters);
+  }
+}
+
 }  // namespace
 
 Session::Session(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
@@ -137,6 +157,8 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   }
   Parameters parameters = given.value();
   parameters.set_reference(setup.q_M_reference);
+  fill_kinematics(parameters, setup.kinematics);
+  control.take_kinematics(setup.kinematics);
   control.apply(parameters);
   if (!setup.increment.empty()) {
     control.scale.set_increment_system(setup.increment);
@@ -169,6 +191,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
           {"variables." + name, fmt::format("variable {}: cannot be set on this control", name)});
     }
   }
+  take_centre_settings(control);
   return refused;
 }
 

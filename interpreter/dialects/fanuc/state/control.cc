@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/state/believed_chain.h"
+
 namespace g31::fanuc {
 namespace {
 
@@ -67,7 +69,8 @@ Modal::Modal() {
                                                     {Group::CuttingMode, {64, 0}},
                                                     {Group::Rotation, {69, 0}},
                                                     {Group::Polar, {15, 0}},
-                                                    {Group::Mirror, {50, 1}}};
+                                                    {Group::Mirror, {50, 1}},
+                                                    {Group::DynamicOffset, {255, 0}}};
   for (const auto& [which, code] : kPowerOn) {
     group[which] = code;
   }
@@ -84,6 +87,7 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
       evaluator(variables, touches.missed, rules_of(chosen, parameters)) {
   scale.excess_decimals = profile.excess_decimals;
   rapids.positioning = profile.rapids.positioning;
+  outlet.lead_by(coordinates.leader());
 }
 
 void Control::position_read() {
@@ -168,6 +172,10 @@ void Control::apply(const Parameters& given) {
   variables.protect(nearest_integer(parameters.get(ParameterId::FirstProtected)),
                     nearest_integer(parameters.get(ParameterId::LastProtected)));
   choose_system_variables();
+  const machine::AxisChainSetup believed = believed_chain(parameters, sheet_kinematics_);
+  if (believed != coordinates.kinematics()) {
+    coordinates.set_kinematics(believed);
+  }
 }
 
 void Control::set_offset_memory(OffsetMemory memory) {

@@ -19,6 +19,7 @@
 #include "interpreter/dialects/fanuc/state/failure.h"
 #include "interpreter/dialects/fanuc/state/lookahead.h"
 #include "interpreter/dialects/fanuc/state/offsets.h"
+#include "interpreter/dialects/fanuc/state/plane_points.h"
 #include "interpreter/dialects/fanuc/state/polar.h"
 #include "interpreter/dialects/fanuc/state/signals.h"
 #include "interpreter/dialects/fanuc/state/variables.h"
@@ -150,6 +151,7 @@ struct Control {
   int mirror_state = 0;                   ///< #3007
   int restart_state = 0;                  ///< #3008
   TransformStages transforms;             ///< G51.1, G51, G68
+  PlanePoints plane_points;               ///< G68.2 P2 and P3, as far as they have come
   std::optional<PolarCoordinates> polar;  ///< G16
   CycleData cycle;                        ///< of the canned cycle in force
   /// Where the last G28 or G30 of each axis went through (L); none before the first.
@@ -212,6 +214,8 @@ struct Control {
                                                        : machine::RapidPath::Independent;
   }
 
+  /// What the machine is by the set-up sheet, as far as no parameter says otherwise.
+  void take_kinematics(const machine::AxisChainSetup& sheet) { sheet_kinematics_ = sheet; }
   /// Takes over parameters and what they change.
   void apply(const Parameters& given);
   /// Tool offset memory A, B or C, and with it the numbers of the offset variables.
@@ -222,11 +226,16 @@ struct Control {
   /// Where the axes stand, in machine coordinates; a block that waits in cutter compensation counts
   /// as done, its end beside the programmed one; one that waits for its corner too, at the corner.
   [[nodiscard]] AxisPositions position() const {
-    if (cutter.corners.holds()) {
-      return cutter.corners.held_end();
+    if (!cutter.corners.holds() && !cutter.compensation.engaged()) {
+      return port.position();
     }
-    return cutter.compensation.engaged() ? cutter.compensation.position() : port.position();
+    return coordinates
+        .axes_at(cutter.corners.holds() ? cutter.corners.held_end()
+                                        : cutter.compensation.position())
+        .value_or(port.position());
   }
+  /// Path coordinates where the axes stand.
+  [[nodiscard]] AxisPositions path_position() const { return coordinates.path_at(port.position()); }
 
   /// mm of a value in the unit in force, and back.
   [[nodiscard]] double to_mm(double value) const { return value * scale.mm_per_unit(); }
@@ -241,6 +250,8 @@ struct Control {
 
  private:
   void choose_system_variables();
+
+  machine::AxisChainSetup sheet_kinematics_;
 
   runtime::Warnings warnings_;
   std::set<std::pair<source::DiagnosticId, std::string>> warned_;

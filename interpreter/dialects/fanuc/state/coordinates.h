@@ -2,20 +2,44 @@
 
 #include <array>
 #include <map>
+#include <memory>
+#include <optional>
 
+#include <Eigen/Geometry>
+
+#include "interpreter/dialects/fanuc/state/part_errors.h"
 #include "interpreter/dialects/fanuc/state/work_transform.h"
 #include "interpreter/dialects/fanuc/vocabulary/g_codes.h"
+#include "interpreter/path/tip_transform.h"
+#include "machine/kinematics/axis_chain.h"
+#include "machine/kinematics/orientation.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::fanuc {
 
+/// In which system a program under tool centre point control is written (parameter 19696.5).
+enum class TipSystem {
+  None,       ///< no tool centre point control
+  OnTable,    ///< fixed on the table, turning with it
+  Workpiece,  ///< the work coordinate system, which does not turn
+};
+
+/// The tool as it stands for the work coordinate system on the table as it lies with the rotary
+/// axes at 0.
+struct ToolInWork {
+  Point p_W_tip;         ///< mm
+  Eigen::Matrix3d turn;  ///< its third column points from the tip to the holder
+};
+
 /// Work coordinates of the control: transform, offsets, shifts and the programmed point; mm and deg
-/// throughout.  Three frames:
+/// throughout.  Four frames:
 ///
 ///   L  as the program writes it; what #5001.. show (MB-139)
-///   W  behind mirror, scaling and rotation
-///   M  machine = W + shift + tool offset, where shift = external + selected system + G52 + G92
-///      (MB-145)
+///   W  behind mirror, scaling and rotation; in a tilted plane (G68.2) the coordinates of the plane
+///   B  what motion is made of, path coordinates: M, or, where a transformation leads the axes, its
+///      base coordinates
+///   M  the axes; without a transformation W + shift + tool offset, where shift = external +
+///      selected system + G52 + G92 (MB-145)
 ///
 /// Changing a shift or the transform moves nothing: the programmed point is re-read behind the new
 /// one.  Changing the tool offset moves nothing either; the next move takes it along (MB-295).
@@ -36,7 +60,7 @@ class Coordinates {
   /// G52
   void set_local_shift(int axis, double value);
   [[nodiscard]] const AxisPositions& local_shift() const { return local_shift_; }
-  /// G92: from now on the programmed point reads `value` on this axis.
+  /// G92: from now on the programmed point reads `value` on this axis.  @pre nothing leads the axes
   void declare(int axis, double value);
   /// G92.1: the axis has no G52 and no G92 any more.
   void clear_shifts(int axis);
@@ -44,30 +68,69 @@ class Coordinates {
   void set_transform(const WorkTransform& transform);
   [[nodiscard]] const WorkTransform& transform() const { return transform_; }
 
-  void set_tool_offset(const AxisPositions& offset) { tool_offset_ = offset; }
+  /// What the control takes the machine for.
+  void set_kinematics(const machine::AxisChainSetup& believed);
+  [[nodiscard]] const machine::AxisChainSetup& kinematics() const { return believed_; }
+  /// G68.2: where the feature coordinate system lies in the work coordinate system.  nullopt: G69.
+  void set_plane(const std::optional<Eigen::Isometry3d>& work_from_plane);
+  [[nodiscard]] const std::optional<Eigen::Isometry3d>& plane() const { return work_from_plane_; }
+  /// G54.2 and G54.4: the axes go where the part truly is, and the numbers stay as programmed.
+  /// @param turns_tool  under tool centre point control the tool is turned along (11200.0)
+  void set_part_errors(const PartErrors& errors, bool turns_tool);
+  [[nodiscard]] const PartErrors& part_errors() const { return part_errors_; }
+  /// G254: the work origin goes where the table has carried it.
+  void shift_with_table(const AxisPositions& q_M);
+  /// G255
+  void end_shift_with_table();
+  /// G43.4, G43.5 and G49.
+  void set_tip_system(TipSystem system);
+  [[nodiscard]] TipSystem tip_system() const { return tip_system_; }
+  /// What leads the axes; null: nothing.  The place stays the same, for the outlet to look at.
+  [[nodiscard]] const machine::AxisTransformPtr& leader() const { return leader_; }
+
+  void set_tool_offset(const AxisPositions& offset);
   /// The same for a control whose axis does not follow: the programmed point is re-read.
   void shift_tool_offset(const AxisPositions& offset);
   /// An axis has been brought to a machine position without its tool offset, which is over with it.
-  void end_tool_offset(int axis) { tool_offset_[axis] = 0.0; }
+  void end_tool_offset(int axis);
   [[nodiscard]] const AxisPositions& tool_offset() const { return tool_offset_; }
+  /// The tool offset as it acts along the axes of W, the axes standing there (#5081).
+  [[nodiscard]] AxisPositions tool_offset_at(const AxisPositions& q_M) const;
+
+  /// How the table, its axes standing there, has turned the frame of the machine against the part.
+  [[nodiscard]] Eigen::Matrix3d table_turn(const AxisPositions& q_M) const;
+  [[nodiscard]] ToolInWork tool_in_work(const AxisPositions& q_M) const;
 
   [[nodiscard]] const AxisPositions& shift() const { return shift_; }
   [[nodiscard]] const AxisPositions& programmed() const { return q_L_programmed_; }
 
-  /// Machine coordinates of a programmed point.
-  [[nodiscard]] AxisPositions to_machine(const AxisPositions& q_L) const {
-    return work_to_machine(transform_.apply(q_L));
+  /// Path coordinates of a programmed point.
+  [[nodiscard]] AxisPositions to_path(const AxisPositions& q_L) const {
+    return work_to_path(transform_.apply(q_L));
   }
-  /// Machine coordinates of a point behind the transform.
-  [[nodiscard]] AxisPositions work_to_machine(const AxisPositions& q_W) const {
-    return q_W + shift_ + tool_offset_;
+  /// Path coordinates of a point behind the transform.
+  [[nodiscard]] AxisPositions work_to_path(const AxisPositions& q_W) const {
+    return is_plain_ ? AxisPositions(q_W + shift_ + tool_offset_) : led_path_of(q_W);
+  }
+  /// The axes for path coordinates.  nullopt: as the rotary axes stand, the linear ones do not lead
+  /// there.
+  [[nodiscard]] std::optional<AxisPositions> axes_at(const AxisPositions& q_B) const {
+    return tip_ ? tip_->axes_at(q_B) : std::optional(q_B);
+  }
+  /// Path coordinates where the axes stand.
+  [[nodiscard]] AxisPositions path_at(const AxisPositions& q_M) const {
+    return tip_ ? tip_->base_at(q_M) : q_M;
   }
   /// Work coordinates with the tool offset still in them (#5041, #5061).
-  [[nodiscard]] AxisPositions to_work(const AxisPositions& q_M) const { return q_M - shift_; }
+  [[nodiscard]] AxisPositions to_work(const AxisPositions& q_M) const {
+    return is_plain_ ? AxisPositions(q_M - shift_)
+                     : AxisPositions(led_work_of(path_at(q_M)) + tool_offset_at(q_M));
+  }
 
-  /// Machine coordinates as a program would write them: the way back of to_machine().
+  /// Machine coordinates as a program would write them: the way back of to_path() and axes_at().
   [[nodiscard]] AxisPositions to_program(const AxisPositions& q_M) const {
-    return transform_.undo(q_M - shift_ - tool_offset_);
+    return transform_.undo(is_plain_ ? AxisPositions(q_M - shift_ - tool_offset_)
+                                     : led_work_of(path_at(q_M)));
   }
 
   /// A programmed move has ended at its end point.
@@ -77,16 +140,37 @@ class Coordinates {
 
  private:
   void refresh();
+  void take_shift();
+  void lead();
+  /// Changes what leads the axes; they stay where the programmed point has them.
+  template <typename Change>
+  void keep_axes(Change change);
+  [[nodiscard]] AxisPositions led_path_of(const AxisPositions& q_W) const;
+  [[nodiscard]] AxisPositions led_work_of(const AxisPositions& q_B) const;
+  /// The rotary axes for a tool turned against where it is.
+  void turn_tool(AxisPositions& q_B, const Eigen::Matrix3d& turn) const;
 
   std::array<AxisPositions, kSystems + 1> systems_;
   std::map<int, AxisPositions> additional_;
   int selected_ = 1;
   AxisPositions local_shift_ = AxisPositions::Zero();
   AxisPositions declared_shift_ = AxisPositions::Zero();
+  AxisPositions table_shift_ = AxisPositions::Zero();  // G254
   AxisPositions tool_offset_ = AxisPositions::Zero();
   AxisPositions shift_ = AxisPositions::Zero();
   WorkTransform transform_;
   AxisPositions q_L_programmed_ = AxisPositions::Zero();
+  machine::AxisChainSetup believed_;
+  machine::AxisChain table_{believed_, Point::Zero()};   // that chain, for what turns the part
+  std::optional<machine::OrientationAxes> orientation_;  // that of the chain
+  PartErrors part_errors_;
+  Eigen::Isometry3d error_ = Eigen::Isometry3d::Identity();  // they, on the table
+  bool turns_tool_ = false;
+  bool is_plain_ = true;  // nothing leads the axes, and the part is where it should be
+  std::optional<Eigen::Isometry3d> work_from_plane_;
+  TipSystem tip_system_ = TipSystem::None;
+  std::shared_ptr<const path::TipTransform> tip_;
+  machine::AxisTransformPtr leader_;  // the same
 };
 
 }  // namespace g31::fanuc

@@ -51,6 +51,11 @@ bool is_fence(const GCode& code, const Profile& profile) {
     case GAction::SetPosition:
     case GAction::PresetSystem:
     case GAction::StrokeCheck:
+    case GAction::ToolToPlane:
+    case GAction::TableOffset:
+    case GAction::SettingError:
+    case GAction::OriginOnTable:
+    case GAction::OriginOnTableOff:
       return true;
     case GAction::WorkOffset:
       return code.number.tenth != 0;
@@ -63,6 +68,7 @@ bool is_fence(const GCode& code, const Profile& profile) {
     case GAction::ContourControl:
     case GAction::Motion:
     case GAction::ToolLength:
+    case GAction::TipControl:
     case GAction::MacroCall:
     case GAction::PolarOn:
     case GAction::PolarOff:
@@ -71,6 +77,7 @@ bool is_fence(const GCode& code, const Profile& profile) {
     case GAction::Scaling:
     case GAction::ScalingOff:
     case GAction::Rotation:
+    case GAction::TiltedPlane:
     case GAction::RotationOff:
     case GAction::CannedCycle:
     case GAction::CycleOff:

@@ -43,6 +43,10 @@ WriteResult write_work_offset(Control& control, const Place& place, Cell value);
 ReadResult read_local_shift(Control& control, const Place& place);
 WriteResult write_local_shift(Control& control, const Place& place, Cell value);
 
+/// #26000 and on: a cell of ten for each number of G54.4.
+ReadResult read_setting_error(Control& control, const Place& place);
+WriteResult write_setting_error(Control& control, const Place& place, Cell value);
+
 // state.cc
 ReadResult read_timer(Control& control, const Place& place);
 WriteResult write_timer(Control& control, const Place& place, Cell value);

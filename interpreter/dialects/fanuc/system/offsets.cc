@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "interpreter/dialects/fanuc/system/access.h"
 #include "machine/base/contract.h"
 
@@ -96,6 +98,58 @@ WriteResult write_local_shift(Control& control, const Place& place, Cell value) 
     return AlarmId::IllegalVariable;
   }
   control.coordinates.set_local_shift(axis, control.stored(axis, value.or_zero()));
+  return std::nullopt;
+}
+
+namespace {
+
+constexpr int kCellsOfError = 10;
+constexpr int kFirstAngle = 3;
+constexpr int kFirstTablePosition = 6;
+constexpr int kUsedCells = 8;
+
+/// The number of an error in the unit in force; nullptr: the cell holds none.
+double* cell_of(SettingError& error, int cell) {
+  if (cell >= kUsedCells) {
+    return nullptr;
+  }
+  if (cell >= kFirstTablePosition) {
+    return &error.table_deg.at(static_cast<std::size_t>(cell - kFirstTablePosition));
+  }
+  return cell >= kFirstAngle ? &error.turn_deg[cell - kFirstAngle] : &error.shift[cell];
+}
+
+}  // namespace
+
+ReadResult read_setting_error(Control& control, const Place& place) {
+  SettingError error =
+      control.coordinates.part_errors().setting_error(place.index() / kCellsOfError);
+  const int cell = place.index() % kCellsOfError;
+  const double* const number = cell_of(error, cell);
+  if (number == nullptr) {
+    return AlarmId::IllegalVariable;
+  }
+  return Cell(cell < kFirstAngle ? control.from_mm(*number) : *number);
+}
+
+WriteResult write_setting_error(Control& control, const Place& place, Cell value) {
+  constexpr double kMost = 1e5;
+  PartErrors errors = control.coordinates.part_errors();
+  const int n = place.index() / kCellsOfError;
+  SettingError error = errors.setting_error(n);
+  const int cell = place.index() % kCellsOfError;
+  double* const number = cell_of(error, cell);
+  if (number == nullptr) {
+    return AlarmId::IllegalVariable;
+  }
+  *number = cell < kFirstAngle ? control.to_mm(value.or_zero()) : value.or_zero();
+  if (!(std::abs(*number) <= kMost)) {
+    return AlarmId::IllegalOffsetValue;
+  }
+  errors.set_setting_error(n, error);
+  control.use_measured();
+  control.coordinates.set_part_errors(errors,
+                                      control.parameters.is_on(ParameterId::TurnsToolToPart));
   return std::nullopt;
 }
 

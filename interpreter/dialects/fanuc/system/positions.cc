@@ -34,7 +34,7 @@ ReadResult read_skip_position(Control& control, const Place& place) {
 }
 
 ReadResult read_tool_offset(Control& control, const Place& place) {
-  return axis_of(control, place, control.coordinates.tool_offset());
+  return axis_of(control, place, control.coordinates.tool_offset_at(control.position()));
 }
 
 /// Servo deviation, handle interrupt and distance to go: an ideal control between two blocks.

@@ -9,8 +9,31 @@ constexpr bool takes_axis_words(GAction action) {
   return action == GAction::Dwell || action == GAction::SetData || action == GAction::LocalShift ||
          action == GAction::SetPosition || action == GAction::PresetSystem ||
          action == GAction::Mirror || action == GAction::MirrorOff || action == GAction::Scaling ||
-         action == GAction::Rotation || action == GAction::StrokeCheck ||
-         action == GAction::Unsimulated;
+         action == GAction::Rotation || action == GAction::TiltedPlane ||
+         action == GAction::StrokeCheck || action == GAction::Unsimulated;
+}
+
+/// Whether a code has no place in a tilted plane (G68.2).
+constexpr bool is_barred_in_plane(GAction action) {
+  return action == GAction::WorkOffset || action == GAction::SetPosition ||
+         action == GAction::PresetSystem || action == GAction::LocalShift ||
+         action == GAction::CheckReference || action == GAction::ToReference ||
+         action == GAction::FromReference || action == GAction::MeasureTool ||
+         action == GAction::MeasureDiameter || action == GAction::MeasureWork ||
+         action == GAction::MeasureCentre || action == GAction::Mirror ||
+         action == GAction::Scaling || action == GAction::Rotation;
+}
+
+/// Whether a code has no place under tool centre point control (G43.4).
+constexpr bool is_barred_under_tip_control(GAction action) {
+  return action != GAction::WorkOffset &&
+         (is_barred_in_plane(action) || action == GAction::ToolToPlane);
+}
+
+/// Whether a code is an option of machines with rotary axes.
+constexpr bool needs_rotary_axes(GAction action) {
+  return action == GAction::TipControl || action == GAction::ToolToPlane ||
+         action == GAction::TableOffset || action == GAction::OriginOnTable;
 }
 
 }  // namespace g31::fanuc

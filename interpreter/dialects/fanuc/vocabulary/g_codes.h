@@ -31,6 +31,7 @@ enum class GAction : std::uint8_t {
   MeasureWork,
   MeasureCentre,
   ToolLength,
+  TipControl,  ///< a tool length code, with tool centre point control
   LocalShift,
   MachineMove,
   WorkOffset,
@@ -44,6 +45,12 @@ enum class GAction : std::uint8_t {
   Scaling,
   ScalingOff,
   Rotation,
+  TiltedPlane,
+  ToolToPlane,
+  TableOffset,       ///< G54.2
+  SettingError,      ///< G54.4
+  OriginOnTable,     ///< G254
+  OriginOnTableOff,  ///< G255
   RotationOff,
   CannedCycle,
   CycleOff,

@@ -65,6 +65,7 @@ class Parameters {
   // By number; `otherwise` where nothing sets it.
   [[nodiscard]] double value(int number, double otherwise = 0.0) const;
   [[nodiscard]] bool bit(int number, int bit) const;
+  [[nodiscard]] bool has(int number) const { return values_.contains(number); }
   /// For all axes, where it has one for each.
   void set_value(int number, double value);
   void set_axis_value(int number, int axis, double value) { axis_values_[{number, axis}] = value; }

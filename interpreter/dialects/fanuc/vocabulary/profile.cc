@@ -11,7 +11,12 @@ namespace {
 
 using enum VariableGroup;
 
-constexpr GNumber kUnitCodes[] = {{20, 0}, {21, 0}};
+constexpr GNumber kFiveAxisCodes[] = {{43, 4}, {43, 5}, {53, 1}, {53, 6}, {54, 2},
+                                      {54, 4}, {68, 2}, {68, 3}, {68, 4}};
+constexpr GNumber kMissingOfBrother[] = {{20, 0}, {21, 0}, {43, 4}, {43, 5}, {53, 1}, {53, 6},
+                                         {54, 2}, {54, 4}, {68, 2}, {68, 3}, {68, 4}};
+/// The tilted plane is an option there, tool centre point control is not to be had.
+constexpr GNumber kMissingOf0iF[] = {{43, 4}, {43, 5}, {53, 6}, {54, 2}, {54, 4}, {68, 3}, {68, 4}};
 
 /// Groups that MELDAS numbers otherwise: G54 12, G61 13, G66 14, G96 17, G15 18, G50.1 19 (MB-335).
 constexpr ModalLayout meldas_modal_layout() {
@@ -35,6 +40,7 @@ constexpr Profile fanuc_0i() {
   Profile profile = fanuc_16i();
   profile.name = "fanuc-0i";
   profile.text = "Fanuc 0i-A to 0i-C; for 0i-D and 0i-F take fanuc-30i";
+  profile.missing_g_codes = kFiveAxisCodes;
   return profile;
 }
 
@@ -61,6 +67,12 @@ constexpr Profile fanuc_30i() {
   profile.macro_alarm.has_plain_numbers = true;
   profile.variables = profile.variables.with(Series30i).with(ExecutingModal);
   profile.output.most_digits = 9;
+  return profile;
+}
+
+constexpr Profile fanuc_0i_f() {
+  Profile profile = fanuc_30i();
+  profile.missing_g_codes = kMissingOf0iF;
   return profile;
 }
 
@@ -127,6 +139,7 @@ constexpr Profile haas() {
   profile.bare_reference_moves_all = true;
   profile.variables = {Basic, OffsetsHaas, ShiftAt5201, HaasTables};
   profile.own_g_codes = CodeSet::Haas;
+  profile.missing_g_codes = kFiveAxisCodes;
   profile.plans_ahead = true;
   profile.joins_conditions = true;
   profile.conditions_are_numbers = true;
@@ -138,6 +151,8 @@ constexpr Profile haas() {
   profile.tool_measurement = ToolMeasurement::ToTravelEnd;
   profile.dwell_point_is_seconds = true;
   profile.modal_layout[12] = 14;  // G54 and the like are group 12 there
+  profile.modal_layout[23] = 23;
+  profile.first_centre_setting = 255;
   profile.output.fewest_digits = 1;
   profile.output.style.overflow = OutputStyle::Overflow::Widen;
   profile.output.style.plus_sign = OutputStyle::PlusSign::Omit;
@@ -150,7 +165,7 @@ constexpr Profile brother() {
   profile.text = "Brother C00";
   profile.has_then = false;
   profile.loops = {4, 4};
-  profile.missing_g_codes = kUnitCodes;
+  profile.missing_g_codes = kMissingOfBrother;
   profile.calls = {4, 8, 8};
   profile.macro_alarm.base = 9000;
   profile.macro_alarm.largest = 999;
@@ -162,6 +177,16 @@ constexpr Profile brother() {
 
 constexpr Profile kProfiles[] = {fanuc_16i(),    fanuc_30i(), fanuc_0i(), meldas(),
                                  mazatrol_iso(), haas(),      brother()};
+
+/// Models that run as a profile does, but for a few codes.
+struct ModelProfile {
+  std::string_view model;
+  Profile profile;
+};
+constexpr ModelProfile kModelProfiles[] = {{"0i-MD", fanuc_0i_f()},
+                                           {"0i-MF", fanuc_0i_f()},
+                                           {"0i-D", fanuc_0i_f()},
+                                           {"0i-F", fanuc_0i_f()}};
 
 }  // namespace
 
@@ -177,6 +202,11 @@ bool has_g_code(const Profile& profile, const GCode& code) {
 const Profile* find_profile(std::string_view name) {
   const auto* const row = std::ranges::find(kProfiles, name, &Profile::name);
   return row != std::end(kProfiles) ? row : nullptr;
+}
+
+const Profile& profile_of_model(const Profile& profile, std::string_view model) {
+  const auto* const row = std::ranges::find(kModelProfiles, model, &ModelProfile::model);
+  return row != std::end(kModelProfiles) ? row->profile : profile;
 }
 
 }  // namespace g31::fanuc

@@ -93,6 +93,7 @@ constexpr ModalLayout fanuc_modal_layout() {
   for (std::size_t n = 0; n < layout.size(); ++n) {
     layout[n] = static_cast<std::uint8_t>(n);
   }
+  layout[static_cast<std::size_t>(Group::DynamicOffset)] = 0;  // of a Haas
   return layout;
 }
 
@@ -176,6 +177,9 @@ struct Profile {
   SkipFeed skip_feed = SkipFeed::Modal;
   std::optional<ParameterId> skip_feed_parameter;  ///< feed of G31 without F (MB-334)
 
+  /// Of the settings that give the centre of rotation X Y Z of the table (MRZP) the first; 0: none.
+  int first_centre_setting = 0;
+
   int blocks_read = 3;  ///< in cutter compensation, where parameter 19625 says nothing
 
   // DPRNT and BPRNT
@@ -190,5 +194,8 @@ std::span<const Profile> profiles();
 
 /// The profile of this name, or nullptr.
 const Profile* find_profile(std::string_view name);
+
+/// The profile as one of the models that run so has it: 0i-F lacks codes that 30i has.
+const Profile& profile_of_model(const Profile& profile, std::string_view model);
 
 }  // namespace g31::fanuc

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include "machine/kinematics/axis_chain.h"
+#include "machine/units/axis_positions.h"
+
+namespace g31::fanuc {
+
+/// How a part lies on the table otherwise than it should (G54.4): found with the table at some
+/// position.
+struct SettingError {
+  Point shift = Point::Zero();               ///< mm, along the axes of the machine
+  Point turn_deg = Point::Zero();            ///< about X, then Y, then Z of the work system
+  std::array<double, 2> table_deg = {0, 0};  ///< positions of the table's axes it was found at
+};
+
+/// Where the part truly is on the table, by what was entered of it (G54.2, G54.4).
+///
+/// Sources: FANUC A-79634E pp. 10, 19; G54.2 as commonly used.
+class PartErrors {
+ public:
+  PartErrors() { table_offsets_.fill(AxisPositions::Zero()); }
+
+  static constexpr int kTableOffsets = 8;   ///< G54.2 P1..P8
+  static constexpr int kSettingErrors = 7;  ///< G54.4 P1..P7; 0 is added to each
+
+  /// G54.2: mm, and the positions of rotary axes that it was found at, deg.  @param n  1..8
+  [[nodiscard]] const AxisPositions& table_offset(int n) const;
+  void set_table_offset(int n, const AxisPositions& q_offset);
+  /// @param n  0..7
+  [[nodiscard]] const SettingError& setting_error(int n) const;
+  void set_setting_error(int n, const SettingError& error);
+
+  /// 0: none.
+  void select_table_offset(int n) { table_offset_selected_ = n; }
+  void select_setting_error(int n) { setting_error_selected_ = n; }
+  [[nodiscard]] bool is_any_selected() const {
+    return table_offset_selected_ != 0 || setting_error_selected_ != 0;
+  }
+  [[nodiscard]] bool has_setting_error() const { return setting_error_selected_ != 0; }
+
+  /// From where a point of the work system should be to where it is: on the table as it lies with
+  /// its axes at 0, the work origin at (0, 0, 0).
+  [[nodiscard]] Eigen::Isometry3d on_table(const machine::AxisChainSetup& believed) const;
+
+ private:
+  std::array<AxisPositions, kTableOffsets + 1> table_offsets_{};
+  std::array<SettingError, kSettingErrors + 1> setting_errors_{};
+  int table_offset_selected_ = 0;
+  int setting_error_selected_ = 0;
+};
+
+}  // namespace g31::fanuc

@@ -1,0 +1,222 @@
+(Five-axis codes of other controls, on a machine whose table turns about C and tilts about A.)
+(SOURCE Haas mill operator's manual NGC, G234, G254, G268; MELDAS M700V programming manual pp. 469 to 472; FANUC 0i-F, options)
+(SHEET [machine])
+(SHEET table_side = "CA")
+(SHEET tool_side = "XYZ")
+(SHEET [machine.axes.A])
+(SHEET travel = [-120.0, 120.0])
+(SHEET centre = [0.0, 20.0, -450.0])
+(SHEET [machine.axes.C])
+(SHEET travel = [-36000.0, 36000.0])
+(SHEET centre = [5.0, -3.0, 0.0])
+(SHEET [work_offsets.G54])
+(SHEET X = 40.0)
+(SHEET Y = -25.0)
+(SHEET Z = -380.0)
+(SHEET [tools.1])
+(SHEET length = 120.0)
+
+(CASE G234 holds the tip on the table, G49 ends it)
+(CONTROL haas)
+%
+O1
+G234 H1
+G90 G0 X30. Y-20. Z10. A35. C-70.
+#104=#5021
+#105=#5022
+#106=#5023
+#107=#4008
+G49
+#108=#4008
+M30
+%
+(EXPECT #104 = 66.698399 WITHIN 0.0000006)
+(EXPECT #105 = 85.312448 WITHIN 0.0000006)
+(EXPECT #106 = -278.070302 WITHIN 0.0000006)
+(EXPECT #107 = 234)
+(EXPECT #108 = 49)
+
+(CASE G254 takes the work origin along with the table)
+(CONTROL haas)
+%
+O1
+G43 H1
+G90 G0 A30. C45.
+G254
+#110=#4023
+G0 X15. Y-10. Z2.
+#101=#5001
+#104=#5021
+#105=#5022
+#106=#5023
+#107=#5041
+#108=#5043
+G255
+#111=#4023
+G0 X0 Y0 Z0
+#109=#5021
+M30
+%
+(EXPECT #101 = 15 WITHIN 0.0000006)
+(EXPECT #104 = 29.192388 WITHIN 0.0000006)
+(EXPECT #105 = -9.823813 WITHIN 0.0000006)
+(EXPECT #106 = -235.725678 WITHIN 0.0000006)
+(EXPECT #107 = 15 WITHIN 0.0000006)
+(EXPECT #108 = 122 WITHIN 0.0000006)
+(EXPECT #109 = 40 WITHIN 0.0000006)
+(EXPECT #110 = 254)
+(EXPECT #111 = 255)
+
+(CASE G268, G253 and G269 are a tilted plane)
+(CONTROL haas)
+%
+O1
+G43 H1
+G268 X60. Y-40. Z-3. I35. J-25. K0
+G253
+G90 G0 X15. Y-10. Z2.
+#104=#5021
+#105=#5022
+#106=#5023
+#107=#5024
+#108=#5026
+#109=#5061
+G269
+#110=#4016
+M30
+%
+(EXPECT #104 = 62.257705 WITHIN 0.0000006)
+(EXPECT #105 = -134.574038 WITHIN 0.0000006)
+(EXPECT #106 = -321.489661 WITHIN 0.0000006)
+(EXPECT #107 = -25 WITHIN 0.0000006)
+(EXPECT #108 = 35 WITHIN 0.0000006)
+(EXPECT #110 = 269)
+
+(CASE G268 with other axes in Q)
+(CONTROL haas)
+%
+O1
+G268 X0 Y0 Z0 I20. J-15. K40. Q123
+G90 G0 X1000. Y0 Z0
+#104=#5021
+#105=#5022
+#106=#5023
+M30
+%
+(EXPECT #104 = 779.942 WITHIN 0.0006)
+(EXPECT #105 = 511.212 WITHIN 0.0006)
+(EXPECT #106 = 26.156 WITHIN 0.0006)
+
+(CASE the centre of rotation of a Haas is in settings 255 to 257)
+(CONTROL haas)
+(SET #20255 = 5)
+(SET #20256 = 20)
+(SET #20257 = -449.9)
+%
+O1
+G234 H1
+G90 G0 X30. Y-20. Z10. A35. C0
+#104=#5022
+#105=#5023
+M30
+%
+(EXPECT #104 = 12.583874386 WITHIN 0.0000006)
+(EXPECT #105 = -227.167283298 WITHIN 0.0000006)
+
+(CASE a Haas has no G43.4)
+(CONTROL haas)
+%
+O1
+#100=0
+G43.4 H1
+#100=1
+M30
+%
+(EXPECT ALARM 10 AT 5)
+(EXPECT #100 = 0)
+
+(CASE MELDAS and Mazak have G68.2, G53.1 and G69)
+(CONTROL meldas mazatrol-iso)
+%
+O1
+G43 H1
+G68.2 X60. Y-40. Z-3. I35. J-25. K0
+G53.1
+G90 G0 X15. Y-10. Z2.
+#104=#5021
+#105=#5022
+#106=#5023
+#107=#5024
+#108=#5026
+G69
+M30
+%
+(EXPECT #104 = 62.257705 WITHIN 0.0000006)
+(EXPECT #105 = -134.574038 WITHIN 0.0000006)
+(EXPECT #106 = -321.489661 WITHIN 0.0000006)
+(EXPECT #107 = -25 WITHIN 0.0000006)
+(EXPECT #108 = 35 WITHIN 0.0000006)
+
+(CASE MELDAS and Mazak have G43.4)
+(CONTROL meldas mazatrol-iso)
+%
+O1
+G43.4 H1
+G90 G0 X30. Y-20. Z10. A35. C-70.
+#104=#5021
+#105=#5022
+#106=#5023
+M30
+%
+(EXPECT #104 = 66.698399 WITHIN 0.0000006)
+(EXPECT #105 = 85.312448 WITHIN 0.0000006)
+(EXPECT #106 = -278.070302 WITHIN 0.0000006)
+
+(CASE errors of a tilted plane are operation error 185)
+(CONTROL meldas mazatrol-iso)
+%
+O1
+#100=0
+G53.1
+#100=1
+M30
+%
+(EXPECT ALARM 185 AT 5)
+(EXPECT #100 = 0)
+
+(CASE the older 0i and a Brother have none of it)
+(CONTROL fanuc-0i brother)
+%
+O1
+#100=0
+G68.2 I1.
+#100=1
+M30
+%
+(EXPECT ALARM 10 AT 5)
+(EXPECT #100 = 0)
+
+(CASE 0i-F has the tilted plane)
+(CONTROL 0i-MF 0i-F)
+%
+O1
+G68.2 X0 Y0 Z0 I35. J-25. K0
+G53.1
+#107=#5024
+#108=#5026
+M30
+%
+(EXPECT #107 = -25 WITHIN 0.0000006)
+(EXPECT #108 = 35 WITHIN 0.0000006)
+
+(CASE 0i-F has no tool centre point control)
+(CONTROL 0i-MF 0i-F)
+%
+O1
+#100=0
+G43.4 H1
+#100=1
+M30
+%
+(EXPECT ALARM 10 AT 5)
+(EXPECT #100 = 0)
