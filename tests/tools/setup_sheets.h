@@ -243,8 +243,12 @@ delay_s = 0.002
 repeatability_mm = 0.0005
 pre_travel_mm = 0.01
 deflection_limit = 2.0
-filter_s = 0.01
 [[tool_probe]]
+[[tool_probe]]
+name = "beam"
+shape = "laser"
+size = [300.0, 0.5]
+filter_s = 0.01
 [[skip_signal]]
 axis = "Y"
 at = 10.0

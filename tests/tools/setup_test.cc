@@ -332,6 +332,9 @@ std::string sheet_of_tool(const KeyRow& row, const std::string& sheet) {
   if (row.section == SectionId::ToolTooth || row.section == SectionId::ToolBody) {
     return "[[tool]]\nnumber = 5\nlength = 100.0\ndiameter = 16.0\n" + sheet;
   }
+  if (row.id == KeyId::ToolProbeFilter) {
+    return sheet + "shape = \"laser\"\nsize = [300.0, 0.5]\n";
+  }
   if (row.section != SectionId::Tool) {
     return sheet;
   }

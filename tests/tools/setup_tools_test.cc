@@ -56,7 +56,7 @@ TEST_F(SetupTools, ToolsArriveWithTeethAndBodies) {
 
 TEST_F(SetupTools, ToolProbesArrive) {
   const std::vector<probe::ToolProbeSetup> probes = job({kEveryKey}).tool_probes;
-  ASSERT_EQ(probes.size(), 2U);
+  ASSERT_EQ(probes.size(), 3U);
   const probe::ToolProbeSetup& disc = probes[0];
   EXPECT_EQ(disc.name, "setter");
   EXPECT_EQ(disc.shape, probe::ToolProbeShape::Disc);
@@ -69,11 +69,12 @@ TEST_F(SetupTools, ToolProbesArrive) {
   EXPECT_EQ(disc.repeatability_mm, 0.0005);
   EXPECT_EQ(disc.pre_travel_mm, 0.01);
   EXPECT_EQ(disc.deflection_limit_mm, 2.0);
-  EXPECT_EQ(disc.filter_s, 0.01);
   EXPECT_EQ(probes[1].name, "tool probe");
   EXPECT_EQ(probes[1].shape, probe::ToolProbeShape::Cube);
   EXPECT_EQ(probes[1].size_mm, (std::array<double, 3>{25.0, 25.0, 25.0}));
   EXPECT_EQ(probes[1].input, 2);
+  EXPECT_EQ(probes[2].shape, probe::ToolProbeShape::Laser);
+  EXPECT_EQ(probes[2].filter_s, 0.01);
 }
 
 TEST_F(SetupTools, SizesFollowTheShape) {
@@ -203,6 +204,21 @@ const ErrorCase kOfTools[] = {
     5 | edge_position = 10
       |                 ^
 )"},
+    {"a tooth longer than its tool",
+     "[[tool]]\nnumber = 5\nlength = 50.0\ndiameter = 8.0\nteeth = [{ }, { length = 50.1 }]\n",
+     R"(sheet1.toml:5:26: error: tool 5 has length = 50, but its longest tooth is 50.1 mm [SET150]
+    5 | teeth = [{ }, { length = 50.1 }]
+      |                          ^
+      = give the tool what its teeth reach, or correct the tooth
+)"},
+    {"teeth that are all narrower than their tool",
+     "[[tool]]\nnumber = 5\nlength = 50.0\ndiameter = 8.0\n"
+     "teeth = [{ radius = 3.9 }, { radius = 3.8 }]\n",
+     R"(sheet1.toml:4:12: error: tool 5 has diameter = 8, but its widest tooth has a radius of 3.9 mm [SET150]
+    4 | diameter = 8.0
+      |            ^
+      = give the tool what its teeth reach, or correct the tooth
+)"},
     {"a tip without an angle",
      "[[tool]]\nnumber = 5\nkind = \"drill\"\nlength = 9\ndiameter = 2\ntip_angle_deg = 0\n",
      R"(sheet1.toml:6:17: error: tool.tip_angle_deg is 0, it should be above 0 and 180 at most [SET105]
@@ -255,10 +271,34 @@ const ErrorCase kOfToolProbes[] = {
     2 | size = [10.0, 0.0, 20.0]
       |        ^
 )"},
+    {"a disc as large as a shop", "[[tool_probe]]\nshape = \"disc\"\nsize = [1000000.0, 11.0]\n",
+     R"(sheet1.toml:3:8: error: tool_probe.size is [1000000, 11], it should be 1000 mm of a disc across at most [SET105]
+    3 | size = [1000000.0, 11.0]
+      |        ^
+)"},
     {"a side that is none", "[[tool_probe]]\nside = \"wall\"\n",
      R"(sheet1.toml:2:8: error: tool_probe.side is "wall", it should be "bed" or "table" [SET105]
     2 | side = "wall"
       |        ^
+)"},
+    {"a signal behind the breaking of the plate",
+     "[[tool_probe]]\npre_travel_mm = 2.0\ndeflection_limit = 2.0\n",
+     R"(sheet1.toml:2:17: error: tool_probe.pre_travel_mm is 2, it should be less than deflection_limit, 2 mm [SET105]
+    2 | pre_travel_mm = 2.0
+      |                 ^
+)"},
+    {"a beam that gives way",
+     "[[tool_probe]]\nshape = \"laser\"\nsize = [50.0, 1.0]\npre_travel_mm = 0.1\n",
+     R"(sheet1.toml:4:17: error: tool_probe.pre_travel_mm is not for a laser [SET151]
+    4 | pre_travel_mm = 0.1
+      |                 ^
+      = leave it out
+)"},
+    {"a plate that sorts drips out", "[[tool_probe]]\nfilter_s = 0.01\n",
+     R"(sheet1.toml:2:12: error: tool_probe.filter_s is not for a cube [SET151]
+    2 | filter_s = 0.01
+      |            ^
+      = leave it out
 )"},
     {"a name twice", "[[tool_probe]]\n[[tool_probe]]\n",
      R"(sheet1.toml:2:1: error: the tool probe "tool probe" is given twice in this sheet [SET108]

@@ -14,6 +14,7 @@ namespace g31::setup {
 namespace {
 
 constexpr double kUsualInputOfToolProbe = 2.0;
+constexpr double kWidestDiscMm = 1000.0;
 
 probe::ToolProbeShape shape_from(const TableKeys& keys) {
   const std::string given = keys.get(KeyId::ToolProbeShape, std::string("cube"));
@@ -64,6 +65,39 @@ void fill_size(probe::ToolProbeSetup& probe, const SheetTable& table, ErrorList&
   }
   probe.size_mm.fill(0.0);
   std::ranges::copy(list, probe.size_mm.begin());
+  if (probe.shape == probe::ToolProbeShape::Disc && list.front() > kWidestDiscMm) {
+    errors.add(SetupErrorId::OutOfRange, given->where,
+               {"tool_probe.size", fmt::format("[{}]", fmt::join(list, ", ")),
+                fmt::format("{} mm of a disc across at most", kWidestDiscMm)});
+  }
+}
+
+/// A plate gives way, a beam of light sorts drips out.
+void check_keys_of_shape(const probe::ToolProbeSetup& probe, const TableKeys& keys,
+                         ErrorList& errors) {
+  const bool is_beam = probe.shape == probe::ToolProbeShape::Laser;
+  const std::vector<KeyId> others =
+      is_beam ? std::vector{KeyId::ToolProbePreTravel, KeyId::ToolProbeDeflection}
+              : std::vector{KeyId::ToolProbeFilter};
+  for (const KeyId id : others) {
+    if (const Entry* const given = keys.find(id)) {
+      const auto* const shape = std::ranges::find(probe::kToolProbeShapeNames, probe.shape,
+                                                  &probe::ToolProbeShapeName::shape);
+      errors.add(SetupErrorId::KeyOfOtherShape, given->where,
+                 {key_rows()[static_cast<std::size_t>(id)].name, shape->name}, "leave it out");
+    }
+  }
+}
+
+/// The signal comes before the plate breaks.
+void check_pre_travel(const probe::ToolProbeSetup& probe, const TableKeys& keys,
+                      ErrorList& errors) {
+  const Entry* const given = keys.find(KeyId::ToolProbePreTravel);
+  if (given != nullptr && !(probe.pre_travel_mm < probe.deflection_limit_mm)) {
+    errors.add(SetupErrorId::OutOfRange, given->where,
+               {"tool_probe.pre_travel_mm", fmt::format("{}", probe.pre_travel_mm),
+                fmt::format("less than deflection_limit, {} mm", probe.deflection_limit_mm)});
+  }
 }
 
 probe::ToolProbeSetup tool_probe_from(const SheetTable& table, ErrorList& errors) {
@@ -83,6 +117,10 @@ probe::ToolProbeSetup tool_probe_from(const SheetTable& table, ErrorList& errors
   probe.pre_travel_mm = keys.get(KeyId::ToolProbePreTravel, probe.pre_travel_mm);
   probe.deflection_limit_mm = keys.get(KeyId::ToolProbeDeflection, probe.deflection_limit_mm);
   probe.filter_s = keys.get(KeyId::ToolProbeFilter, probe.filter_s);
+  check_keys_of_shape(probe, keys, errors);
+  if (probe.shape != probe::ToolProbeShape::Laser) {
+    check_pre_travel(probe, keys, errors);
+  }
   return probe;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -147,6 +148,52 @@ void fill_lists(probe::ToolSetup& tool, const Sheet& sheet, std::size_t order, E
   }
 }
 
+/// Length and diameter of a tool are those of its longest and of its widest tooth.
+struct ReachOfTeeth {
+  KeyId of_tooth;
+  KeyId of_tool;
+  double probe::Tooth::*reach;
+  double wanted;  ///< as the tool's own key says
+  double shown;   ///< the value of that key
+  const char* words;
+};
+
+/// At the tooth that reaches too far, else, where none reaches so far, at the tool's own key.
+void check_reach(const probe::ToolSetup& tool, const ReachOfTeeth& row, const TableKeys& keys,
+                 const std::vector<const SheetTable*>& teeth, ErrorList& errors) {
+  const auto most = std::ranges::max_element(tool.teeth, {}, row.reach);
+  constexpr double kSameMm = 1e-6;
+  const double reach = (*most).*row.reach;
+  const Entry* const own = keys.find(row.of_tool);
+  if (own == nullptr || std::abs(reach - row.wanted) <= kSameMm) {
+    return;  // what is missing is told already
+  }
+  const auto which = static_cast<std::size_t>(most - tool.teeth.begin());
+  const Entry* const given = TableKeys(*teeth[which]).find(row.of_tooth);
+  errors.add(SetupErrorId::TeethOfAnotherTool,
+             reach > row.wanted && given != nullptr ? given->where : own->where,
+             {std::to_string(tool.number), name_of_key(row.of_tool), fmt::format("{}", row.shown),
+              row.words, fmt::format("{}", reach)},
+             "give the tool what its teeth reach, or correct the tooth");
+}
+
+void check_teeth(const probe::ToolSetup& tool, const SheetTable& table,
+                 const std::vector<const SheetTable*>& teeth, ErrorList& errors) {
+  if (tool.teeth.empty()) {
+    return;
+  }
+  const TableKeys keys(table);
+  const ReachOfTeeth rows[] = {
+      {KeyId::ToothLength, KeyId::ToolTrueLength, &probe::Tooth::length_mm, tool.length_mm,
+       tool.length_mm, "longest tooth is"},
+      {KeyId::ToothRadius, KeyId::ToolDiameter, &probe::Tooth::radius_mm, 0.5 * tool.diameter_mm,
+       tool.diameter_mm, "widest tooth has a radius of"},
+  };
+  for (const ReachOfTeeth& row : rows) {
+    check_reach(tool, row, keys, teeth, errors);
+  }
+}
+
 void check_corner(const probe::ToolSetup& tool, const TableKeys& keys, ErrorList& errors) {
   if (const Entry* const corner = keys.find(KeyId::ToolCornerRadius);
       corner != nullptr && tool.corner_radius_mm > 0.5 * tool.diameter_mm) {
@@ -226,6 +273,7 @@ void fill_tool(Job& job, const Sheet& sheet, std::size_t order, ErrorList& error
   tool.number = static_cast<int>(number_of(*number));
   check_corner(tool, keys, errors);
   fill_lists(tool, sheet, order, errors);
+  check_teeth(tool, table, within(sheet, SectionId::ToolTooth, order), errors);
   const Entry* const tip = keys.find(KeyId::ToolTipAngle);
   check_tip(tool, tip != nullptr ? tip->where : table.where, errors);
   if (std::ranges::find(job.tools, tool.number, &probe::ToolSetup::number) != job.tools.end()) {
