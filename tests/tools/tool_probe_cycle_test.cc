@@ -104,6 +104,29 @@ TEST(ToolProbeMeasurement, OfStandingToolsFindsTheirTrueLengthAndRadius) {
   }
 }
 
+/// The triggers are in the coordinates of G54, which is not that of the calibration in MCS.
+TEST(ToolProbeMeasurement, InWorkCoordinates) {
+  const std::string known =
+      "[machine_data]\n\"$SNS_MEA_TPW_TRIG_MINUS_DIR_AX1[0]\" = 112.5\n"
+      "\"$SNS_MEA_TPW_TRIG_PLUS_DIR_AX1[0]\" = 87.5\n"
+      "\"$SNS_MEA_TPW_TRIG_MINUS_DIR_AX2[0]\" = -37.5\n"
+      "\"$SNS_MEA_TPW_TRIG_PLUS_DIR_AX2[0]\" = -62.5\n"
+      "\"$SNS_MEA_TPW_TRIG_MINUS_DIR_AX3[0]\" = 0.0\n"
+      "\"$SNS_MEA_TPW_EDGE_DISK_SIZE[0]\" = 25.0\n\"$SNS_MEA_TPW_FEED[0]\" = 300.0\n";
+  expect_tools("$TC_DP3[5,1]=100.3 $TC_DP6[5,1]=7.8\n" + with_tool(5) +
+                   "CYCLE971(11,0,1,103,2,0,5,2,,0.0001,1)\nR1=_OVR[8] R2=_OVR[9]\n"
+                   "G0 SUPA Z-270\nCYCLE971(11,0,1,2,1,0,5,2,,0.0001,1)\nR3=_OVR[10] R4=_OVR[11]",
+               {kCube, known},
+               {{"R1", 100.0},
+                {"R2", -0.3},
+                {"R3", 8.0},
+                {"R4", 0.2},
+                {"$TC_DP3[5,1]", 100.0},
+                {"$TC_DP6[5,1]", 8.0},
+                {"_OVI[9]", 0.0}},
+               kStanding);
+}
+
 TEST(ToolProbeMeasurement, OfADrillAndOfAMillWithTheWearCorrected) {
   expect_tools("$TC_DP3[7,1]=119.7\n" + with_tool(7, 200.0) + "CYCLE971(1,0,1,3,2,0,5,2,,0.001,1)",
                {kCube, kKnown}, {{"$TC_DP3[7,1]", 120.0}, {"_OVR[8]", 120.0}}, kStanding);
