@@ -21,9 +21,11 @@ struct MoveEvent {
   source::Location where = {};  ///< the block that commands it
 };
 
-/// How the program that runs sees a place of the machine, and where the move was to end.
+/// How the control shows a place of the machine, and where the move was to end.
 struct ProgramView {
-  AxisPositions q_L = AxisPositions::Zero();  ///< work coordinates as the program writes them
+  /// Work coordinates of the tool's tip: of a Fanuc those that #5061 counts in, which G68 and G51
+  /// do not turn; of SINUMERIK those of all frames.
+  AxisPositions q_L = AxisPositions::Zero();
   AxisPositions q_L_commanded = AxisPositions::Zero();  ///< of the end
   std::optional<int> tool;      ///< in the spindle; nullopt: no program has said
   std::vector<CallSite> calls;  ///< of the block, innermost first

@@ -23,8 +23,8 @@ Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::Machine
   system_.attach(control_);
   control_.here = [this] { return location_of(frame()); };
   control_.outlet.show_by([this](const AxisPositions& q_M, const AxisPositions& q_M_commanded) {
-    return runtime::ProgramView{control_.coordinates.to_program(q_M),
-                                control_.coordinates.to_program(q_M_commanded), control_.tool,
+    return runtime::ProgramView{control_.coordinates.tip_to_work(q_M),
+                                control_.coordinates.tip_to_work(q_M_commanded), control_.tool,
                                 call_stack()};
   });
 }
@@ -63,6 +63,7 @@ bool Runner::fast_step(const Step& step, Frame& now) {
       }
       if (evaluator.condition(*now.program, step.condition)) {
         now.step = step.jump;
+        has_jumped_ = true;
       }
       return true;
     case BlockKind::IfThen:
@@ -107,6 +108,7 @@ MaybeFailure Runner::loop() {
         control_.touches.missed.any() || (is_watched && control_.watch.write_listener() != nullptr);
     const BlockKind kind = next.kind;
     const bool is_plain = !is_followed || kind != BlockKind::Assign;
+    has_jumped_ = false;
     if (is_plain && fast_step(next, now)) {
       if (control_.evaluator.failed()) [[unlikely]] {
         return from_evaluation();
@@ -129,8 +131,9 @@ void Runner::tell_condition(syntax::BlockKind kind) const {
     return;
   }
   const Frame& now = frames_.back();
-  const bool goes_on = now.step == now.current + 1;
-  listener->on_condition(location_of(now), goes_on != is_jump);
+  // A GOTO may lead to the very next block.
+  const bool is_met = is_jump ? has_jumped_ : now.step == now.current + 1;
+  listener->on_condition(location_of(now), is_met);
 }
 
 /// The block of the step that comes next.
@@ -171,6 +174,7 @@ MaybeFailure Runner::rare_step(const Step& step) {
       if (control_.evaluator.failed()) {
         return from_evaluation();
       }
+      has_jumped_ = holds;
       return holds ? jump(step) : std::nullopt;
     }
     case BlockKind::Output:

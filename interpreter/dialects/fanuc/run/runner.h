@@ -186,9 +186,10 @@ class Runner {
   /// the arguments of a call are made of, by variable.
   std::vector<std::pair<std::uint32_t, runtime::MissedTouches::Reading>> read_by_words_;
   std::vector<std::pair<std::int32_t, runtime::MissedTouches::Reading>> read_by_arguments_;
-  bool ended_ = false;      ///< the program
-  bool is_paused_ = false;  ///< before the step that comes next
-  bool is_over_ = false;    ///< the run; outcome_ says how
+  bool has_jumped_ = false;  ///< the IF ... GOTO that has just run
+  bool ended_ = false;       ///< the program
+  bool is_paused_ = false;   ///< before the step that comes next
+  bool is_over_ = false;     ///< the run; outcome_ says how
   runtime::Outcome outcome_;
 };
 

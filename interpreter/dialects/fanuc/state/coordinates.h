@@ -127,10 +127,14 @@ class Coordinates {
                      : AxisPositions(led_work_of(path_at(q_M)) + tool_offset_at(q_M));
   }
 
+  /// The same without it: work coordinates of the tool's tip, before G51.1, G51 and G68.
+  [[nodiscard]] AxisPositions tip_to_work(const AxisPositions& q_M) const {
+    return is_plain_ ? AxisPositions(q_M - shift_ - tool_offset_) : led_work_of(path_at(q_M));
+  }
+
   /// Machine coordinates as a program would write them: the way back of to_path() and axes_at().
   [[nodiscard]] AxisPositions to_program(const AxisPositions& q_M) const {
-    return transform_.undo(is_plain_ ? AxisPositions(q_M - shift_ - tool_offset_)
-                                     : led_work_of(path_at(q_M)));
+    return transform_.undo(tip_to_work(q_M));
   }
 
   /// A programmed move has ended at its end point.
