@@ -121,6 +121,16 @@ std::span<const ShapeSize> shape_sizes() {
   return kSizes;
 }
 
+std::optional<double> size_of(const PartSetup& part, const std::string& name) {
+  const std::vector<std::string_view> known = size_names(part.shape);
+  if (std::ranges::find(known, name) == known.end()) {
+    return std::nullopt;
+  }
+  const Sizes sizes = with_defaults(part);
+  const auto found = sizes.find(name);
+  return found != sizes.end() ? std::optional(found->second) : std::nullopt;
+}
+
 Result<Mesh, std::string> make_artefact(const PartSetup& part) {
   const std::string who = "part '" + part.name + "': ";
   const auto row = std::ranges::find(kShapes, std::string_view(part.shape), &Shape::name);

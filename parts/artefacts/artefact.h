@@ -29,6 +29,10 @@ struct Shape {
 std::span<const Shape> shapes();
 std::span<const ShapeSize> shape_sizes();
 
+/// A size of the part's shape, mm: as it is given, or as the shape has it; nullopt: the shape has
+/// no such size, or works it out from the others.
+std::optional<double> size_of(const PartSetup& part, const std::string& name);
+
 /// Makes the mesh of the part's `shape` with its `sizes`, in the part frame P.
 ///
 /// Error: one line that names the part and says what is wrong: unknown shape or size (with the

@@ -119,6 +119,19 @@ TEST(Expectations, OfTheCommandLineComeBehindThoseOfSheets) {
       << bad.errors;
 }
 
+// As a later sheet does, key by key.
+TEST(Expectations, OfTheCommandLineTakeThePlaceOfTheSheets) {
+  const std::string sheet =
+      std::string(kSignal) +
+      "[expect.variables]\n\"#100\" = 1.0\n\"#101\" = [13.5, 0.1]\n\"#7\" = \"vacant\"\n";
+  const RunOutput good = run_with(kProgram, sheet, {"#0100=20+-0.001"});
+  EXPECT_EQ(good.exit_code, 0) << good.errors;
+  EXPECT_EQ(good.document.at("expectations").size(), 4U) << "three, and the status";
+  const RunOutput last = run_with(kProgram, sheet, {"#100=20+-0.001", "#100=3"});
+  EXPECT_EQ(last.exit_code, 1);
+  EXPECT_EQ(last.document.at("expectations").size(), 4U);
+}
+
 TEST(Expectations, OfSinumerik) {
   const char* const kMain =
       "DEF STRING[9] TT=\"OK\"\nR1=5\n$P_UIFR[1]=CTRANS(X,10,Y,2):CFINE(X,0.5)\nM30\n";

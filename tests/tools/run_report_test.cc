@@ -101,8 +101,8 @@ TEST_F(Report, HasResultsTouchesAndListing) {
 TEST_F(Report, SaysByHowMuchAResultIsOut) {
   const std::string page = page_of(kTouch, {"--expect", "#160=17+-0.005"});
   EXPECT_EQ(output_.exit_code, 1);
-  // 17.020 is 15 um beyond 17.005.
-  EXPECT_TRUE(has(page, "WALL &lt;b&gt; is 15.0 µm over its upper limit.")) << page.substr(0, 400);
+  // 17.020 is 0.015 beyond 17.005, of a unit that nobody has said.
+  EXPECT_TRUE(has(page, "WALL &lt;b&gt; is 0.0150 over its upper limit.")) << page.substr(0, 400);
 }
 
 // The table has turned the block's side x = 20 towards -Y; the ball meets it squarely and in time.
@@ -155,6 +155,86 @@ TEST_F(Report, SpeaksJapanese) {
   EXPECT_TRUE(has(page, R"(<html lang="ja">)"));
   EXPECT_TRUE(has(page, "測定"));
   EXPECT_FALSE(has(page, ">Results<"));
+  EXPECT_TRUE(has(page, "プログラムは最後まで実行されました。"));
+  EXPECT_TRUE(has(page, "対象外: 切削"));
+  EXPECT_TRUE(has(page, R"(aria-label="測定点 1")"));
+  const std::string out = page_of(kTouch, {"--lang", "ja", "--expect", "#160=17+-0.005"});
+  EXPECT_TRUE(has(out, "WALL &lt;b&gt; は上限を 0.0150 超えています。"));
+  const std::string crash = page_of("O9\nG90 G0 X30. Y0.\nG0 Z100.\nM30\n", {"--lang", "ja"});
+  EXPECT_TRUE(has(crash, R"(<div class="state">衝突</div>)"));
+  EXPECT_TRUE(has(crash, "その後の動作は不明です。"));
+  const std::string alarm = page_of("O9\n#3000=7(BAD)\nM30\n", {"--lang", "ja"});
+  EXPECT_TRUE(has(alarm, "アラーム 3007 で停止しました: BAD"));
+}
+
+// Every word that the script says has its Japanese.
+TEST(ReportWords, OfTheScriptAreThereInJapanese) {
+  const std::string script = text_in("tools/page/web/src/words.js");
+  const std::string table = text_in("tools/page/words.def");
+  const std::size_t begin = script.find("const ENGLISH = {");
+  std::istringstream lines(script.substr(begin, script.find("\n};", begin) - begin));
+  int words = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t colon = line.find(':');
+    if (line.starts_with("  ") && line.size() > 2 && line[2] >= 'a' && line[2] <= 'z') {
+      const std::string key = line.substr(2, colon - 2);
+      EXPECT_TRUE(has(table, fmt::format("SCRIPT_WORD(\"{}\"", key))) << key;
+      ++words;
+    }
+  }
+  EXPECT_GT(words, 40);
+}
+
+// Comments and printouts, in whatever they are written.
+TEST_F(Report, ShowsTextsAsTheyWereMeant) {
+  const std::string page = page_of(
+      "O8(\x91\xAA\x92\xE8)\n"
+      "#100=1(\x8C\x61)\n"
+      "#101=2(Bohrung \xD8 20)\n"
+      "#102=3(径)\n"
+      "M30\n");
+  EXPECT_TRUE(has(page, "O8(測定)"));
+  EXPECT_TRUE(has(page, R"(<td class="wrapcell">径</td>)"));
+  EXPECT_TRUE(has(page, "#101=2(Bohrung Ø 20)"));
+  EXPECT_TRUE(has(page, "#102=3(径)"));
+}
+
+// Two files of one name, in two folders.
+TEST_F(Report, GivesFilesOfOneNameNamesOfTheirOwn) {
+  std::filesystem::create_directory(folder_.path("lib"));
+  folder_.write("lib/part.nc", "O9\nG0 X1.\nG31 X30. F300.\n#3006=1(HERE)\nM99\n");
+  const std::string page =
+      page_of("O8\nG90 G0 X0. Y0.\nG1 Z115. F2000.\nG65 P9\nM30\n", {"--lib", folder_.path("lib")});
+  ASSERT_EQ(output_.exit_code, 0) << output_.errors;
+  EXPECT_TRUE(has(page, R"(<li id="L-part.nc-4")"));
+  EXPECT_TRUE(has(page, R"(<li id="L-part.nc~2-3" data-l="3")"));
+  EXPECT_TRUE(has(page, R"(<a href="#L-part.nc~2-3" data-go="part.nc~2:3">part.nc~2:3</a> G31)"));
+  EXPECT_TRUE(
+      has(page, R"("names":{"touches":["part.nc~2"],"moves":["part.nc","part.nc","part.nc~2")"));
+  EXPECT_TRUE(has(page, R"("counts":["part.nc~2","part.nc"])") ||
+              has(page, R"("counts":["part.nc","part.nc~2"])"));
+}
+
+TEST_F(Report, CountsAJumpToTheVeryNextBlockAsMet) {
+  const std::string page =
+      page_of("O8\n#1=2\nIF[#1EQ2]GOTO5\nN5 #2=1\nIF[#1EQ3]GOTO6\nN6 #3=1\nM30\n");
+  EXPECT_TRUE(
+      has(page, R"(data-l="3" class="p"><span class="ct" title="condition met 1, not met 0")"));
+  EXPECT_TRUE(
+      has(page, R"(data-l="5" class="p"><span class="ct" title="condition met 0, not met 1")"));
+}
+
+// G68 turns what the program writes; #5061 and the table of touches stay as they are.
+TEST_F(Report, TellsTouchesUnderARotationAsTheControlShowsThem) {
+  const std::string page = page_of(
+      "O8\nG90 G17 G0 X0. Y0.\nG1 Z115. F2000.\nG68 X0 Y0 R90.\nG31 X30. F300.\n"
+      "#160=#5062\nG69\nM30\n",
+      {"--print", "#160", "--allow", "PRB303"});
+  ASSERT_EQ(output_.exit_code, 0) << output_.errors;
+  EXPECT_TRUE(output_.out.starts_with("#160 = 17.02")) << output_.out;
+  // Commanded 0, 30 and latched 0, 17.02: along Y.
+  EXPECT_TRUE(has(page, R"(<td class="n">0.000</td><td class="n">30.000</td>)")) << page;
+  EXPECT_TRUE(has(page, R"(<td class="n">0.0000</td><td class="n">17.0200</td>)"));
 }
 
 TEST_F(Report, OfAnEarlierRunIsGoneBeforeTheWork) {
@@ -192,11 +272,33 @@ TEST(ReportOptions, ThatChangeARunAreInTheCommandThatRepeatsIt) {
   const TemporaryFolder folder;
   const std::string program = folder.write("a.nc", "O1\nM30\n");
   const std::string page = folder.path("a.html");
-  ASSERT_EQ(g31({"run", program, "--report", page, "--lang", "ja", "--fail-on", "error",
-                 "--max-blocks", "100", "--max-time", "7", "--max-output", "1M"})
+  ASSERT_EQ(g31({"run",
+                 program,
+                 "--report",
+                 page,
+                 "--lang",
+                 "ja",
+                 "--fail-on",
+                 "error",
+                 "--max-blocks",
+                 "100",
+                 "--max-time",
+                 "7",
+                 "--max-output",
+                 "1M",
+                 "--printer-wait",
+                 "5",
+                 "--trace",
+                 folder.path("t.csv"),
+                 "--trace-period",
+                 "4ms",
+                 "--changes"})
                 .exit_code,
             0);
   EXPECT_NE(text_in(page).find("--fail-on error --max-blocks 100 --max-time 7 --max-output 1000000 "
+                               "--printer-wait 5 --trace " +
+                               folder.path("t.csv") +
+                               " --trace-period 4ms --changes "
                                "--report " +
                                page + " --lang ja"),
             std::string::npos);

@@ -22,6 +22,7 @@
 #include "tools/cli/run_verdict.h"
 #include "tools/disk/disk.h"
 #include "tools/report/event_log.h"
+#include "tools/session/expected_names.h"
 #include "tools/session/sheet_places.h"
 #include "tools/session/world.h"
 #include "tools/setup/duration.h"
@@ -175,7 +176,9 @@ ExitCode run_to_end(const OpenedRun& opened, const Outputs& outputs) {
   std::vector<Refusal> problems = unwritten_files(opened, outputs, heard.outcome);
   const bool has_unwritten_files = !problems.empty();
   const auto unread = add_values(opened, before, result);
-  result.expectations = judged(opened.expectations, opened, heard.outcome);
+  const expect::Actual actual = actual_of(opened, heard.outcome);
+  result.expectations = expect::judge(opened.expectations, actual);
+  result.characteristics = expect::measured(opened.expectations, actual);
   ExitCode code =
       exit_code_of(heard.outcome, {opened.options.fail_on, opened.expectations, result.expectations,
                                    unread.has_value(), has_unwritten_files});
@@ -208,7 +211,7 @@ std::optional<Refusal> unusable(const Checked& line, session::Run& run,
   if (const auto wrong = run.wrong_name(line.prints)) {
     return session::bad_input(fmt::format("--print: {}", *wrong));
   }
-  return wrong_expectation(line.expectations, run);
+  return session::wrong_expectation(line.expectations, run);
 }
 
 /// The log of --jsonl with its first line; null where nobody wants it.

@@ -8,6 +8,7 @@
 
 #include "interpreter/source/latin_1.h"
 #include "tools/disk/disk.h"
+#include "tools/setup/variable_name.h"
 
 namespace g31::cli {
 namespace {
@@ -21,6 +22,23 @@ std::size_t count_findings(const runtime::Outcome& outcome) {
       }));
 }
 
+/// The one spelling of the variable that a row is about; "": it is about something else.
+std::string variable_of(const expect::Expectation& row) {
+  const auto* const variable = std::get_if<expect::Variable>(&row.what);
+  return variable == nullptr ? std::string()
+                             : setup::normal_variable_name(variable->name).value_or(variable->name);
+}
+
+/// Puts a row in the place of that of the same variable, as a later sheet would, or behind all.
+void lay_over(expect::Expectations& below, const expect::Expectation& row) {
+  const auto same = std::ranges::find(below.rows, variable_of(row), variable_of);
+  if (same != below.rows.end()) {
+    *same = row;
+  } else {
+    below.rows.push_back(row);
+  }
+}
+
 }  // namespace
 
 Result<expect::Expectations, Refusal> expectations_of(
@@ -31,32 +49,12 @@ Result<expect::Expectations, Refusal> expectations_of(
     if (!expectation) {
       return session::bad_input(fmt::format("--expect {}: {}", text, expectation.error()));
     }
-    all.rows.push_back(expectation.value());
+    lay_over(all, expectation.value());
   }
   return all;
 }
 
-std::optional<Refusal> wrong_expectation(const expect::Expectations& expectations,
-                                         session::Run& run) {
-  for (const expect::Expectation& row : expectations.rows) {
-    std::optional<std::string> wrong;
-    if (const auto* const variable = std::get_if<expect::Variable>(&row.what)) {
-      wrong = run.wrong_name({variable->name});
-    } else if (const auto* const offset = std::get_if<expect::WorkOffset>(&row.what);
-               offset != nullptr && !run.session().work_offset(offset->name, 0)) {
-      wrong = fmt::format("work offset {}: this control has none of this name", offset->name);
-    }
-    if (wrong) {
-      const source::ShownPlace& at = row.place;
-      return session::refusal_of({error_at({at.file, at.line, at.column, at.text},
-                                           setup::SetupErrorId::SettingRefused, {*wrong})});
-    }
-  }
-  return std::nullopt;
-}
-
-std::vector<expect::Judged> judged(const expect::Expectations& expectations,
-                                   const OpenedRun& opened, const runtime::Outcome& outcome) {
+expect::Actual actual_of(const OpenedRun& opened, const runtime::Outcome& outcome) {
   expect::Actual actual;
   actual.status = session::status_name(outcome);
   actual.alarm = outcome.alarm ? std::optional(outcome.alarm->number) : std::nullopt;
@@ -76,7 +74,7 @@ std::vector<expect::Judged> judged(const expect::Expectations& expectations,
   actual.touches = opened.recorder.touch_count();
   actual.findings = count_findings(outcome);
   actual.machine_time_s = opened.machine.time_s();
-  return expect::judge(expectations, actual);
+  return actual;
 }
 
 std::vector<source::Diagnostic> failures_of(const std::vector<expect::Judged>& judged) {

@@ -34,6 +34,25 @@ void add_limits(const RunOptions& options, ShownCommand& command) {
   }
 }
 
+/// What it writes beside the report, and the printer, which may stop it.
+void add_outputs(const RunOptions& options, ShownCommand& command) {
+  const RunOptions usual;
+  command.add("--printer", options.printer);
+  if (options.printer_wait_s != usual.printer_wait_s) {
+    command.add("--printer-wait", fmt::format("{}", options.printer_wait_s));
+  }
+  command.add("--trace", options.trace);
+  if (options.trace_period != usual.trace_period) {
+    command.add("--trace-period", options.trace_period);
+  }
+  command.add("--readings", options.readings);
+  command.add("--json", options.json);
+  command.add("--jsonl", options.jsonl);
+  if (options.changes) {
+    command.add("--changes");
+  }
+}
+
 /// The command line that repeats a run.
 std::string command_of(const RunOptions& options) {
   ShownCommand command(options.watch != nullptr ? "g31 view" : "g31 run");
@@ -57,6 +76,7 @@ std::string command_of(const RunOptions& options) {
   command.add("--expect", options.expects);
   command.add("--allow", options.allowed);
   add_limits(options, command);
+  add_outputs(options, command);
   command.add("--report", options.report);
   command.add("--lang", language_given(options.language));
   command.add("--compare", options.compare);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -83,6 +84,17 @@ Judged of_text(std::string name, const std::optional<std::string>& expected, std
           in_quotes(got),
           holds,
           {}};
+}
+
+/// @pre it has limits
+Judged judged_limits(const MeasuredCharacteristic& row) {
+  const Characteristic& what = row.what;
+  const std::string unit = what.unit.name == "none" ? "" : fmt::format(" {}", what.unit.name);
+  return {fmt::format("{} ({})", what.name, what.variable),
+          fmt::format("{} {:+} {:+}{}", *what.nominal, what.tolerance->lower, what.tolerance->upper,
+                      unit),
+          row.actual ? fmt::format("{}{}", *row.actual, unit) : std::string("no number"),
+          row.verdict() == CharacteristicVerdict::Good, what.place};
 }
 
 /// Looks at one of each kind.
@@ -167,16 +179,36 @@ bool Expectations::need_output() const {
   return has<Output>() || has<OutputPart>() || has<OutputFile>();
 }
 
+std::vector<MeasuredCharacteristic> measured(const Expectations& expectations,
+                                             const Actual& actual) {
+  std::vector<MeasuredCharacteristic> all;
+  for (const Characteristic& what : expectations.characteristics) {
+    const auto value = actual.variable(what.variable);
+    const auto* const cell = value ? std::get_if<Cell>(&*value) : nullptr;
+    all.push_back(
+        {what, cell != nullptr && !cell->is_vacant() ? std::optional(cell->raw()) : std::nullopt});
+  }
+  return all;
+}
+
 std::vector<Judged> judge(const Expectations& expectations, const Actual& actual) {
   std::vector<Judged> all;
-  if (!expectations.rows.empty() && !expectations.names_an_ending()) {
+  std::vector<Judged> limited;
+  for (const MeasuredCharacteristic& row : measured(expectations, actual)) {
+    if (row.what.tolerance) {
+      limited.push_back(judged_limits(row));
+    }
+  }
+  if (!(expectations.rows.empty() && limited.empty()) && !expectations.names_an_ending()) {
     all.push_back(Judge{actual}(Status{"completed"}));
-    all.back().place = expectations.rows.front().place;
+    all.back().place =
+        expectations.rows.empty() ? limited.front().place : expectations.rows.front().place;
   }
   for (const Expectation& row : expectations.rows) {
     all.push_back(std::visit(Judge{actual}, row.what));
     all.back().place = row.place;
   }
+  std::ranges::move(limited, std::back_inserter(all));
   return all;
 }
 

@@ -12,6 +12,7 @@
 #include "interpreter/runtime/shown_value.h"
 #include "interpreter/source/source_map.h"
 #include "machine/base/result.h"
+#include "tools/expect/characteristic.h"
 
 namespace g31::expect {
 
@@ -20,9 +21,6 @@ struct Within {
   double value = 0.0;
   double tolerance = 0.0;
 };
-
-/// A limit in decimal digits is none in binary ones: so much of it more does no harm.
-inline constexpr double kLimitSlack = 1e-9;
 
 /// From and to, both allowed.
 struct Range {
@@ -87,6 +85,7 @@ struct Expectation {
 /// complete.
 struct Expectations {
   std::vector<Expectation> rows;
+  std::vector<Characteristic> characteristics;
 
   /// Whether a status or an alarm is among them.
   [[nodiscard]] bool names_an_ending() const;
@@ -128,7 +127,12 @@ struct Judged {
   source::ShownPlace place;
 };
 
-/// Looks at each, in their order; without a status or an alarm among them first at the status.
+/// What the run came to of each characteristic, in their order.
+std::vector<MeasuredCharacteristic> measured(const Expectations& expectations,
+                                             const Actual& actual);
+
+/// Looks at each, in their order, then at the characteristics that have limits; without a status or
+/// an alarm among them first at the status.
 std::vector<Judged> judge(const Expectations& expectations, const Actual& actual);
 
 /// `NAME=VALUE+-TOLERANCE`, `NAME=VALUE` exactly, or `NAME=vacant`.

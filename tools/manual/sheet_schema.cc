@@ -59,7 +59,8 @@ std::string_view pattern_of(Limit limit) {
       {Limit::AxisLetters, "^[XYZABC]*$"},
       {Limit::MachineCode, "^M[0-9]+$"},
       {Limit::WorkOffsetName, kWorkOffset},
-      {Limit::ColumnName, "^[A-Za-z0-9_.+-]+$"}};
+      {Limit::ColumnName, "^[A-Za-z0-9_.+-]+$"},
+      {Limit::VariableName, "^ *(#|[A-Za-z_$])"}};
   for (const auto& [of, pattern] : kPatterns) {
     if (of == limit) {
       return pattern;
@@ -125,6 +126,20 @@ Json either_schema(Json one, Json other) {
   return {{"anyOf", Json::array({std::move(one), std::move(other)})}};
 }
 
+/// A number, or a list of them; a tolerance has two at most.
+Json numbers_schema(const KeyRow& row) {
+  Json number = number_schema(row, "number");
+  if (row.limit != Limit::Tolerance) {
+    return either_schema(number, list_schema(number));
+  }
+  Json one_side = number;
+  one_side["minimum"] = 0;
+  Json list = list_schema(std::move(number));
+  list["minItems"] = 1;
+  list["maxItems"] = 2;
+  return either_schema(std::move(one_side), std::move(list));
+}
+
 Json value_schema(const KeyRow& row) {
   const auto number = [&] { return number_schema(row, "number"); };
   switch (row.type) {
@@ -146,7 +161,7 @@ Json value_schema(const KeyRow& row) {
     case ValueType::ThreeNumbers:
       return list_schema(number(), 3);
     case ValueType::NumberOrNumbers:
-      return either_schema(number(), list_schema(number()));
+      return numbers_schema(row);
     case ValueType::NumberOrTable:
       return either_schema(number(), list_schema(list_schema(number(), 2)));
     case ValueType::ExpectedNumber:

@@ -2,6 +2,7 @@
 
 #include "tools/page/html.h"
 #include "tools/page/other_reports.h"
+#include "tools/page/said.h"
 
 namespace g31::page {
 namespace {
@@ -36,9 +37,11 @@ Report report_of(const evaluate::Evaluation& evaluation, const std::string& file
   if (!evaluation.results.empty()) {
     const evaluate::Quantity& first = evaluation.results.front();
     report.verdict.headline =
-        fmt::format("{} is {} {}.", first.name, number(first.value, kDecimals), first.unit);
+        said(making.language, Word::SaysValue, fmt::arg("name", first.name),
+             fmt::arg("value", number(first.value, kDecimals)), fmt::arg("unit", first.unit));
   }
-  report.verdict.sentence = fmt::format("{} rows were evaluated.", evaluation.samples);
+  report.verdict.sentence =
+      said(making.language, Word::SaysRowsEvaluated, fmt::arg("rows", evaluation.samples));
   for (const std::string& note : evaluation.notes) {
     report.findings.push_back({source::Severity::Note, "", note, {}});
   }

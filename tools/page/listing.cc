@@ -49,23 +49,32 @@ std::string condition_title(const Listing& listing, int line) {
                            condition->second[0]);
 }
 
-/// Numbers of the touches that a line made.
-using TouchesByLine = std::map<int, std::vector<std::size_t>>;
+/// The touches that a line made, as buttons.
+using BadgesByLine = std::map<int, std::string>;
 
-TouchesByLine touches_of(const Report& report, const Listing& listing) {
-  TouchesByLine found;
+BadgesByLine badges_of(const Report& report, const Listing& listing) {
+  constexpr std::size_t kMostBadges = 6;
+  std::map<int, std::vector<std::size_t>> found;
   for (std::size_t i = 0; i < report.touches.size(); ++i) {
     const TouchRow& touch = report.touches[i];
     if (touch.is_triggered && touch.place.file == listing.file) {
       found[touch.place.line].push_back(i + 1);
     }
   }
-  return found;
+  BadgesByLine badges;
+  for (const auto& [line, numbers] : found) {
+    for (std::size_t i = 0; i < std::min(numbers.size(), kMostBadges); ++i) {
+      badges[line] += badge_of(report, numbers[i]);
+    }
+    if (numbers.size() > kMostBadges) {
+      badges[line] += fmt::format("<span>+{}</span>", numbers.size() - kMostBadges);
+    }
+  }
+  return badges;
 }
 
 std::string line_of(const Listing& listing, int line, std::string_view text,
-                    const TouchesByLine& touches, bool is_end) {
-  constexpr std::size_t kMostBadges = 6;
+                    const BadgesByLine& badges, bool is_end) {
   const auto count = listing.counts.find(line);
   std::string kind(class_of_line(listing, line));
   kind += is_end ? " err" : "";
@@ -76,13 +85,8 @@ std::string line_of(const Listing& listing, int line, std::string_view text,
       condition_title(listing, line),
       count == listing.counts.end() ? std::string() : std::to_string(count->second), line,
       text.empty() ? " " : escaped(text));
-  if (const auto here = touches.find(line); here != touches.end()) {
-    for (std::size_t i = 0; i < std::min(here->second.size(), kMostBadges); ++i) {
-      html += badge_of(here->second[i]);
-    }
-    if (here->second.size() > kMostBadges) {
-      html += fmt::format("<span>+{}</span>", here->second.size() - kMostBadges);
-    }
+  if (const auto here = badges.find(line); here != badges.end()) {
+    html += here->second;
   }
   return html + "</span></li>\n";
 }
@@ -95,13 +99,13 @@ std::string file_of(const Report& report, const Listing& listing, bool is_shown)
   if (lines.size() > kMostRows) {
     return fmt::format(R"({} data-virtual data-rows="{}"></ol>)", start, lines.size());
   }
-  const TouchesByLine touches = touches_of(report, listing);
+  const BadgesByLine badges = badges_of(report, listing);
   const Place end =
       report.ending && !report.ending->stack.empty() ? report.ending->stack.front().place : Place();
   std::string html = start + ">";
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const int line = static_cast<int>(i) + 1;
-    html += line_of(listing, line, lines[i], touches, end.file == listing.file && end.line == line);
+    html += line_of(listing, line, lines[i], badges, end.file == listing.file && end.line == line);
   }
   return html + "</ol>";
 }

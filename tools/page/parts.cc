@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "tools/page/html.h"
+#include "tools/page/said.h"
 
 namespace g31::page {
 namespace {
@@ -47,10 +48,10 @@ std::string link_to(const Place& place) {
                         : file;
 }
 
-std::string badge_of(std::size_t touch) {
+std::string badge_of(const Report& report, std::size_t touch) {
   return fmt::format(
-      R"(<button class="badge" type="button" data-t="{0}" aria-label="Touch {0}">{0}</button>)",
-      touch);
+      R"(<button class="badge" type="button" data-t="{0}" aria-label="{1}">{0}</button>)", touch,
+      said(report.language, Word::TouchNumber, fmt::arg("number", touch)));
 }
 
 std::string drawings_part(const Report& report) {

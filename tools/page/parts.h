@@ -31,6 +31,6 @@ inline std::string_view word(const Report& report, Word word) {
 /// A link to a line of the listing; "" for no place.
 std::string link_to(const Place& place);
 /// A button that chooses a touch.
-std::string badge_of(std::size_t touch);
+std::string badge_of(const Report& report, std::size_t touch);
 
 }  // namespace g31::page

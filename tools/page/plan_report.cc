@@ -4,6 +4,7 @@
 
 #include "tools/page/html.h"
 #include "tools/page/other_reports.h"
+#include "tools/page/said.h"
 #include "tools/plan/plan_drawing.h"
 
 namespace g31::page {
@@ -84,9 +85,10 @@ std::vector<Characteristic> characteristics(const plan::PlannedPart& planned,
     Characteristic row;
     row.name = measure.id;
     row.variable = planned.program.measures[i].variable;
+    row.unit = expect::kResultUnits[0];
     row.nominal = measure.nominal;
     if (measure.tolerance) {
-      row.tolerance = {measure.tolerance->lower, measure.tolerance->upper};
+      row.tolerance = expect::Limits{measure.tolerance->lower, measure.tolerance->upper};
     }
     row.measured =
         planned.as_machined ? planned.as_machined->measures[i].actual : planned.proven_values[i];
@@ -105,18 +107,16 @@ void add_plan(const plan::PlannedPart& planned, const std::string& command, Repo
   report.title = planned.product;
   report.what = "g31 plan";
   report.verdict.headline =
-      fmt::format("{} features, {} measures, {} touches.", planned.part.features.size(),
-                  planned.plan.measures.size(), planned.plan.points.size());
-  report.verdict.sentence = fmt::format(
-      "The program ran against the part without touching anything else; its largest deviation is "
-      "{} "
-      "µm.",
-      micrometres(planned.largest_deviation_mm));
+      said(language, Word::SaysPlan, fmt::arg("features", planned.part.features.size()),
+           fmt::arg("measures", planned.plan.measures.size()),
+           fmt::arg("touches", planned.plan.points.size()));
+  report.verdict.sentence = said(language, Word::SaysProof,
+                                 fmt::arg("deviation", micrometres(planned.largest_deviation_mm)));
   if (planned.as_machined) {
     const std::size_t all = planned.as_machined->measures.size();
     const std::size_t good = count(*planned.as_machined, plan::Verdict::Good);
     report.verdict.sentence +=
-        fmt::format(" On the part as machined {} of {} measures are good.", good, all);
+        " " + said(language, Word::SaysAsMachined, fmt::arg("good", good), fmt::arg("all", all));
   }
   report.command = command;
   report.results = characteristics(planned, numbers_of_points(report));

@@ -1,4 +1,5 @@
-#include "interpreter/source/latin_1.h"
+#include "interpreter/source/readable_text.h"
+#include "tools/page/file_names.h"
 #include "tools/page/run_report.h"
 
 namespace g31::page {
@@ -6,31 +7,35 @@ namespace {
 
 using runtime::Status;
 
-Verdict why_not(const report::RunResult& result) {
+Verdict why_not(const report::RunResult& result, Language language) {
+  const auto broken = [language](Word state, Word headline) {
+    return Verdict{Sign::Broken, std::string(text_of(state, language)),
+                   std::string(text_of(headline, language)), ""};
+  };
   switch (result.outcome.status) {
     case Status::Setup:
-      return {Sign::Broken, "Set-up", "The set-up is not right: nothing ran.", ""};
+      return broken(Word::SetUp, Word::SaysSetUpWrong);
     case Status::Budget:
-      return {Sign::Broken, "Limit reached", "A limit was reached before the program began.", ""};
+      return broken(Word::StateLimit, Word::SaysLimitBefore);
     case Status::Interrupted:
-      return {Sign::Broken, "Interrupted", "It was interrupted before the program began.", ""};
+      return broken(Word::StateInterrupted, Word::SaysInterruptedBefore);
     case Status::Defect:
-      return {Sign::Broken, "Defect of g31", "g31 itself has a defect here.", ""};
+      return broken(Word::StateDefect, Word::SaysDefect);
     case Status::Completed:
     case Status::SyntaxError:
     case Status::Alarm:
     case Status::Collision:
       break;
   }
-  return {Sign::Broken, "Not run", "The run could not begin.", ""};
+  return broken(Word::StateNotRun, Word::SaysNotBegun);
 }
 
 std::vector<Finding> refused_findings(const report::RunResult& result,
                                       const source::SourceMap& sources) {
   std::vector<Finding> findings;
   for (const source::Diagnostic& message : result.outcome.diagnostics) {
-    findings.push_back({message.severity, message.code, source::as_utf8(message.message),
-                        place_at(source::place_of(message, sources)),
+    findings.push_back({message.severity, message.code, source::readable_text(message.message),
+                        FileNames().at(source::place_of(message, sources)),
                         excerpt_of(message, sources)});
   }
   return findings;
@@ -52,7 +57,7 @@ Report refusal_report(const report::RunResult& result, const source::SourceMap& 
   report.language = language;
   report.title = without_folder(result.program);
   report.what = result.control;
-  report.verdict = why_not(result);
+  report.verdict = why_not(result, language);
   report.findings = refused_findings(result, sources);
   report.facts = {
       {std::string(text_of(Word::Program, language)), report.title},
@@ -62,7 +67,8 @@ Report refusal_report(const report::RunResult& result, const source::SourceMap& 
   };
   report.command = command;
   for (const report::InputFile& file : result.inputs) {
-    report.inputs.push_back({file.file, "read by the run", file.sha256});
+    report.inputs.push_back(
+        {file.file, std::string(text_of(Word::InputRead, language)), file.sha256});
   }
   runtime::OutputBudget nothing;
   const report::RunRecorder recorder({}, nothing);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "interpreter/source/diagnostic.h"
+#include "tools/expect/characteristic.h"
 #include "tools/page/language.h"
 
 namespace g31::page {
@@ -58,24 +59,35 @@ struct Ending {
   std::vector<std::pair<std::string, std::string>> facts;  ///< positions, what met what
 };
 
-/// One row of the table of results; lengths and all else in the unit of the variable.
+/// One row of the table of results; all numbers in its unit.
 struct Characteristic {
-  std::string name;      ///< for people
-  std::string variable;  ///< "_OVR[4]"
+  std::string name;                        ///< for people
+  std::string variable;                    ///< "_OVR[4]"
+  std::optional<expect::ResultUnit> unit;  ///< nullopt: nobody says which
   std::optional<double> nominal;
-  std::array<double, 2> tolerance = {0.0, 0.0};  ///< lower, upper, from the nominal
-  std::optional<double> measured;                ///< nullopt: not reached
-  std::optional<double> true_size;               ///< of the simulated part, where it is known
-  std::optional<double> other;                   ///< in the run that is compared, where it tells
-  std::vector<std::size_t> touches;              ///< numbers
+  std::optional<expect::Limits> tolerance;  ///< from the nominal; nullopt: it is not judged
+  std::optional<double> measured;           ///< nullopt: not reached
+  std::optional<double> true_size;          ///< of the simulated part, where it is known
+  std::optional<double> other;              ///< in the run that is compared, where it tells
+  std::vector<std::size_t> touches;         ///< numbers
 };
 
 /// Measured less nominal; nullopt where one of them is not there.
 std::optional<double> deviation_of(const Characteristic& row);
 
-/// By how much the deviation is beyond a limit, by the rule that expectations are judged by; 0: it
-/// is in tolerance, or there is none.
+/// By how much the deviation is beyond a limit, by the rule that runs are judged by; 0: it is in
+/// tolerance, or there is none.
 double excess_of(const Characteristic& row);
+
+/// How a value of the row is written: one digit more than nominal and tolerance have.
+int decimals_of(const Characteristic& row);
+
+/// "mm"; "" where nobody says which.
+std::string_view unit_name(const Characteristic& row);
+
+/// A difference of two values of the row, with its sign: "+15.0 µm" of a length, "+0.0150" or
+/// "+0.0150 deg" of all else; a dash where there is none.
+std::string difference_text(const Characteristic& row, const std::optional<double>& difference);
 
 /// One skip move.
 struct TouchRow {

@@ -5,6 +5,7 @@
 
 #include "tools/page/html.h"
 #include "tools/page/parts.h"
+#include "tools/page/said.h"
 #include "tools/page/signs.h"
 
 namespace g31::page {
@@ -17,22 +18,21 @@ bool is_out(const Characteristic& row) {
 /// The tolerance as a zone with quarter ticks, the measured value from the nominal, the true size.
 class ToleranceBar {
  public:
-  explicit ToleranceBar(const Characteristic& row)
+  /// @pre the row has a tolerance
+  ToleranceBar(const Characteristic& row, Language language)
       : row_(row),
-        largest_(std::max({std::abs(row.tolerance[0]), std::abs(row.tolerance[1]), 1e-9})) {}
+        language_(language),
+        limits_(*row.tolerance),
+        largest_(std::max({std::abs(limits_.lower), std::abs(limits_.upper), 1e-9})) {}
 
   [[nodiscard]] std::string svg() const {
     const auto deviation = deviation_of(row_);
     std::string text = fmt::format(
         R"(<svg class="fig" style="width:{0}px" viewBox="0 0 {0} 26" role="img" aria-label="{1}">)",
-        kWidth,
-        deviation ? fmt::format("deviation {} of {} to {} µm", micrometres(deviation),
-                                micrometres(row_.tolerance[0]), micrometres(row_.tolerance[1]))
-                  : "not reached");
-    text +=
-        fmt::format(R"html(<rect x="{:.1f}" y="5" width="{:.1f}" height="16" fill="var({})"/>)html",
-                    x(row_.tolerance[0]), x(row_.tolerance[1]) - x(row_.tolerance[0]),
-                    deviation ? "--good2" : "--mat");
+        kWidth, label());
+    text += fmt::format(
+        R"html(<rect x="{:.1f}" y="5" width="{:.1f}" height="16" fill="var({})"/>)html",
+        x(limits_.lower), x(limits_.upper) - x(limits_.lower), deviation ? "--good2" : "--mat");
     text += ticks();
     text += fmt::format(
         R"html(<path d="M4 13H{}" stroke="var(--line2)"/><path d="M{:.1f} 3V23" stroke="var(--ink3)" stroke-dasharray="2 2"/>)html",
@@ -45,6 +45,15 @@ class ToleranceBar {
   static constexpr double kMargin = 7.0;
   static constexpr double kShown = 1.6;  // of the larger limit
 
+  [[nodiscard]] std::string label() const {
+    const auto deviation = deviation_of(row_);
+    return deviation ? said(language_, Word::SaysDeviation,
+                            fmt::arg("deviation", difference_text(row_, deviation)),
+                            fmt::arg("lower", difference_text(row_, limits_.lower)),
+                            fmt::arg("upper", difference_text(row_, limits_.upper)))
+                     : std::string(text_of(Word::NotReached, language_));
+  }
+
   [[nodiscard]] double x(double deviation) const {
     const double share = std::clamp(deviation / (largest_ * kShown), -1.0, 1.0);
     return kWidth / 2.0 + share * (kWidth / 2.0 - kMargin);
@@ -54,7 +63,7 @@ class ToleranceBar {
     std::string text;
     for (int quarter = -4; quarter <= 4; ++quarter) {
       const double at = quarter / 4.0 * largest_;
-      if (at < row_.tolerance[0] || at > row_.tolerance[1]) {
+      if (at < limits_.lower || at > limits_.upper) {
         continue;
       }
       const bool is_limit = std::abs(quarter) == 4;
@@ -72,7 +81,7 @@ class ToleranceBar {
   }
 
   [[nodiscard]] std::string measured(double deviation) const {
-    const double inside = std::clamp(deviation, row_.tolerance[0], row_.tolerance[1]);
+    const double inside = std::clamp(deviation, limits_.lower, limits_.upper);
     std::string text = band(x(0.0), x(inside), "--ink");
     if (is_out(row_)) {
       text += band(x(inside), x(deviation), "--bad");
@@ -91,25 +100,28 @@ class ToleranceBar {
   }
 
   const Characteristic& row_;
+  Language language_;
+  expect::Limits limits_;
   double largest_;
 };
 
 std::string tolerance_text(const Characteristic& row) {
-  if (!row.nominal) {
+  if (!row.tolerance) {
     return "–";
   }
-  const auto& [lower, upper] = row.tolerance;
-  return upper == -lower ? fmt::format("±{:.4f}", upper)
-                         : fmt::format("{} {}", number(lower, 4, ShowSign::Always),
-                                       number(upper, 4, ShowSign::Always));
+  const auto& [lower, upper] = *row.tolerance;
+  const int decimals = decimals_of(row);
+  return upper == -lower ? fmt::format("±{:.{}f}", upper, decimals)
+                         : fmt::format("{} {}", number(lower, decimals, ShowSign::Always),
+                                       number(upper, decimals, ShowSign::Always));
 }
 
 std::string share_text(const Characteristic& row) {
   const auto deviation = deviation_of(row);
-  if (!deviation) {
+  if (!deviation || !row.tolerance) {
     return "–";
   }
-  const double limit = *deviation > 0.0 ? row.tolerance[1] : -row.tolerance[0];
+  const double limit = *deviation > 0.0 ? row.tolerance->upper : -row.tolerance->lower;
   constexpr double kPercent = 100.0;
   return limit > 0.0 ? fmt::format("{:.0f} %", std::abs(*deviation) / limit * kPercent) : "–";
 }
@@ -118,11 +130,11 @@ std::string verdict_text(const Report& report, const Characteristic& row) {
   const auto shown = [&](std::string_view colour, std::string_view sign, Word name) {
     return fmt::format(R"(<span class="verd {}">{}{}</span>)", colour, sign, word(report, name));
   };
-  if (!row.nominal) {
-    return shown("mut", "", Word::Reported);
-  }
-  if (!row.measured) {
+  if (!row.measured && (row.tolerance || row.nominal)) {
     return shown("mut", "", Word::NotReached);
+  }
+  if (!row.tolerance) {
+    return shown("mut", "", Word::Reported);
   }
   return is_out(row) ? shown("no", svg_of(Sign::Bad), Word::Out)
                      : shown("ok", svg_of(Sign::Good), Word::In);
@@ -142,7 +154,7 @@ std::string row_of(const Report& report, const Characteristic& row) {
       row.measured && row.true_size ? std::optional(*row.measured - *row.true_size) : std::nullopt;
   std::string touches;
   for (const std::size_t touch : row.touches) {
-    touches += badge_of(touch) + " ";
+    touches += badge_of(report, touch) + " ";
   }
   const bool has_name = row.name != row.variable;
   std::string html = "<tr>";
@@ -151,21 +163,26 @@ std::string row_of(const Report& report, const Characteristic& row) {
                          escaped(row.name), escaped(row.variable))
                    : fmt::format(R"(<th scope="row" class="name"><code>{}</code></th>)",
                                  escaped(row.variable));
-  html += cell(Word::Nominal, number(row.nominal, 4));
+  const int decimals = decimals_of(row);
+  const std::string_view unit = unit_name(row);
+  html += cell(Word::Nominal, number(row.nominal, decimals));
   html += cell(Word::Tolerance, tolerance_text(row));
-  html += cell(Word::Measured, number(row.measured, 4), "n big");
+  html += cell(Word::Measured, number(row.measured, decimals), "n big");
+  html += cell(Word::TrueSize, number(row.true_size, decimals));
+  html += cell(Word::Unit, unit.empty() ? "–" : unit, "");
   html += cell(Word::Deviation,
                fmt::format(R"(<span class="{}">{}</span>)", is_out(row) ? "no big" : "",
-                           micrometres(deviation_of(row))));
-  html += fmt::format(R"(<td class="bar">{}</td>)", row.nominal ? ToleranceBar(row).svg() : "");
+                           difference_text(row, deviation_of(row))));
+  html += cell(Word::MeasuringError, difference_text(row, error));
+  html += fmt::format(R"(<td class="bar">{}</td>)",
+                      row.tolerance ? ToleranceBar(row, report.language).svg() : "");
   html += cell(Word::OfTolerance, share_text(row), is_out(row) ? "n no" : "n");
-  html += cell(Word::TrueSize, number(row.true_size, 4));
-  html += cell(Word::MeasuringError, micrometres(error));
   if (compares(report)) {
-    html += cell(Word::OtherRun, number(row.other, 4));
-    html += cell(Word::Difference,
-                 micrometres(row.measured && row.other ? std::optional(*row.measured - *row.other)
-                                                       : std::nullopt));
+    html += cell(Word::OtherRun, number(row.other, decimals));
+    html +=
+        cell(Word::Difference, difference_text(row, row.measured && row.other
+                                                        ? std::optional(*row.measured - *row.other)
+                                                        : std::nullopt));
   }
   html += cell(Word::Touches, touches.empty() ? R"(<span class="mut">–</span>)" : touches, "");
   return html + fmt::format(R"(<td class="vd">{}</td></tr>)", verdict_text(report, row));
@@ -182,19 +199,17 @@ std::string results_part(const Report& report) {
       R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{0}</h2><span class="right"><span class="key"><svg width="18" height="10" aria-hidden="true"><path d="M9 0v10" stroke="var(--ink)" stroke-width="2.5"/></svg>{1}</span><span class="key"><svg width="12" height="12" aria-hidden="true"><path d="M6 1l5 5-5 5-5-5z" fill="none" stroke="var(--accent)" stroke-width="1.6"/></svg>{2}</span></span></header><div class="tw" tabindex="0" role="region" aria-label="{0}, table"><table id="results"><thead><tr>)html",
       say(Word::Results), say(Word::Measured), say(Word::TrueSize));
   std::vector<std::pair<Word, std::string_view>> heads = {
-      {Word::Characteristic, ""}, {Word::Nominal, "n"},   {Word::Tolerance, "n"},
-      {Word::Measured, "n"},      {Word::Deviation, "n"}, {Word::Limits, "mid"},
-      {Word::OfTolerance, "n"},   {Word::TrueSize, "n"},  {Word::MeasuringError, "n"},
+      {Word::Characteristic, ""}, {Word::Nominal, "n"},        {Word::Tolerance, "n"},
+      {Word::Measured, "n"},      {Word::TrueSize, "n"},       {Word::Unit, ""},
+      {Word::Deviation, "n"},     {Word::MeasuringError, "n"}, {Word::Limits, "mid"},
+      {Word::OfTolerance, "n"},
   };
   if (compares(report)) {
     heads.insert(heads.end(), {{Word::OtherRun, "n"}, {Word::Difference, "n"}});
   }
   heads.insert(heads.end(), {{Word::TouchesOfCall, ""}, {Word::VerdictHead, ""}});
   for (const auto& [name, kind] : heads) {
-    const bool in_um =
-        name == Word::Deviation || name == Word::MeasuringError || name == Word::Difference;
-    html += fmt::format(R"(<th scope="col" class="{}">{}{}</th>)", kind, say(name),
-                        in_um ? "<br>µm" : "");
+    html += fmt::format(R"(<th scope="col" class="{}">{}</th>)", kind, say(name));
   }
   html += "</tr></thead><tbody>";
   for (const Characteristic& row : report.results) {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/page/html.h"
-#include "tools/page/run_report.h"
+#include "tools/page/run_parts.h"
 #include "tools/picture/base64.h"
 #include "tools/picture/stylus_shape.h"
 #include "tools/picture/thinned.h"
@@ -124,19 +124,52 @@ Json ways_json(const RunPage& run) {
   return list;
 }
 
-Json touches_json(const Meetings& meetings, const Report& report) {
+Json touches_json(const Pictured& pictured, const Report& report) {
   const auto or_null = [](const std::optional<double>& value) {
     return value ? Json(*value) : Json();
   };
   Json list = Json::array();
-  for (std::size_t i = 0; i < meetings.size(); ++i) {
-    const Meeting& meeting = meetings[i];
+  for (std::size_t i = 0; i < pictured.meetings.size(); ++i) {
+    const Meeting& meeting = pictured.meetings[i];
     list.push_back({{"ball", meeting.p_M_ball ? array_of(*meeting.p_M_ball) : Json()},
                     {"deviation", or_null(meeting.deviation_mm)},
                     {"angle", or_null(meeting.angle_deg)},
                     {"role", report.touches[i].caller}});
+    if (const auto& share = pictured.shares[i]) {
+      list.back()["part_deviation"] = share->nominal_to_true_mm;
+      if (share->limits_mm) {
+        list.back()["limits"] = {share->limits_mm->lower, share->limits_mm->upper};
+      }
+    }
   }
   return list;
+}
+
+/// What the page calls the files of touches, moves, calls, counts and collision, in their order in
+/// the document, which calls several alike; null: as it does.
+Json names_json(const RunPage& run, const FileNames& names) {
+  if (!names.has_namesakes()) {
+    return {};
+  }
+  const auto name_at = [&](const source::Location& where) {
+    return Json(names.at(run.sources.show(where)).file);
+  };
+  const auto each = [](const auto& list, const auto& name) {
+    Json all = Json::array();
+    for (const auto& one : list) {
+      all.push_back(name(one));
+    }
+    return all;
+  };
+  const auto by_place = [&](const auto& event) { return name_at(event.where); };
+  Json object = {{"touches", each(run.recorder.touches(), by_place)},
+                 {"moves", each(run.recorder.moves(), by_place)}};
+  object["calls"] = each(run.result.chronicle->calls(),
+                         [&](const report::CallSpan& call) { return name_at(call.call); });
+  object["counts"] = each(run.result.coverage,
+                          [&](const coverage::FileCoverage& file) { return names.of(file.file); });
+  object["collision"] = run.recorder.fault() ? name_at(run.recorder.fault()->where) : Json();
+  return object;
 }
 
 /// The work coordinates of the touches where all of them have the same, not turned; else those of
@@ -204,6 +237,7 @@ Meetings meetings_of(const RunPage& run) {
     Meeting& meeting = meetings[i];
     meeting.p_M_ball = mark->stylus.p_M;
     meeting.p_M_contact = mark->p_M;
+    meeting.n_M = mark->n_M;
     if (!along[i].isZero(0.0)) {
       const double cosine = std::clamp(-mark->n_M.dot(along[i].normalized()), -1.0, 1.0);
       meeting.angle_deg = std::acos(cosine) * kDegreesPerRadian;
@@ -215,8 +249,8 @@ Meetings meetings_of(const RunPage& run) {
   return meetings;
 }
 
-std::string figures_of(const RunPage& run, const Meetings& meetings, const PictureMeshes& meshes,
-                       const Report& report) {
+std::string figures_of(const RunPage& run, const Pictured& pictured, const Report& report) {
+  const PictureMeshes& meshes = pictured.meshes;
   Json figures = Json::object();
   figures["parts"] = Json::array();
   for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -226,8 +260,9 @@ std::string figures_of(const RunPage& run, const Meetings& meetings, const Pictu
   }
   figures["probe"] = probe_json(run.job);
   figures["ways"] = ways_json(run);
-  figures["touch"] = touches_json(meetings, report);
-  figures["frame"] = frame_json(run, meetings, report);
+  figures["touch"] = touches_json(pictured, report);
+  figures["names"] = names_json(run, pictured.names);
+  figures["frame"] = frame_json(run, pictured.meetings, report);
   figures["words"] = words_json(report.language);
   figures["language"] = name_of(report.language);
   figures["listing"] = Json::array();

@@ -36,10 +36,6 @@ struct RunPage {
 
 Report report_of(const RunPage& run, Language language);
 
-/// How pages name files and places: without folders.
-std::string without_folder(const std::string& path);
-Place place_at(const source::ShownPlace& place);
-
 /// Of a run that did not begin: why, at its place.
 /// @param result   what is known of it; places of its messages are in sheets or in `sources`
 /// @param command  that repeats it
@@ -51,7 +47,7 @@ std::string excerpt_of(const source::Diagnostic& message, const source::SourceMa
 
 /// The answer in a sentence.
 /// @param results  that are judged
-Verdict verdict_of(const RunPage& run, std::span<const Characteristic> results);
+Verdict verdict_of(const RunPage& run, std::span<const Characteristic> results, Language language);
 
 /// The meshes that stand for the parts in the picture, one each; nullopt: so few triangles cannot
 /// show it, and it is left out.
@@ -62,16 +58,12 @@ PictureMeshes meshes_for_picture(const RunPage& run);
 struct Meeting {
   std::optional<Point> p_M_ball;  ///< centre of the ball at the latched position
   std::optional<Point> p_M_contact;
+  Point n_M = Point::Zero();           ///< outwards, where there is a contact
   std::optional<double> deviation_mm;  ///< how much deeper than the wall the ball was latched
   std::optional<double> angle_deg;     ///< between the move and the inward normal
 };
 using Meetings = std::vector<Meeting>;
 /// One for each touch, in their order.
 Meetings meetings_of(const RunPage& run);
-
-/// What pictures need of it, as JSON; lengths mm, machine frame.
-/// @param report  what the page says of the run already
-std::string figures_of(const RunPage& run, const Meetings& meetings, const PictureMeshes& meshes,
-                       const Report& report);
 
 }  // namespace g31::page

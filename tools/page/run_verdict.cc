@@ -5,108 +5,173 @@
 
 #include "tools/page/html.h"
 #include "tools/page/run_report.h"
+#include "tools/page/said.h"
 
 namespace g31::page {
 namespace {
 
 using runtime::Status;
+using Rows = std::span<const Characteristic>;
 
-std::string touched(const RunPage& run) {
-  const std::size_t ways = run.recorder.touches().size();
-  if (ways == 0) {
-    return "It made no skip move.";
-  }
-  return fmt::format("{} of {} skip moves had their signal, in {} s of machine time.",
-                     run.recorder.touch_count(), ways, number(run.result.machine_time_s, 1));
+/// What a verdict is made of.
+struct Case {
+  const RunPage& run;
+  Rows results;
+  Language language;
+
+  [[nodiscard]] std::string word(Word name) const { return std::string(text_of(name, language)); }
+};
+
+bool is_out(const Characteristic& row) {
+  return excess_of(row) != 0.0;
 }
 
-Verdict measured_out(const RunPage& run, std::span<const Characteristic> results) {
-  const auto is_out = [](const Characteristic& row) { return excess_of(row) != 0.0; };
-  const auto out = std::ranges::count_if(results, is_out);
-  const Characteristic& first = *std::ranges::max_element(
-      results, {}, [](const Characteristic& row) { return std::abs(excess_of(row)); });
-  Verdict verdict{Sign::Bad, "Out of tolerance", "", ""};
-  const double far = excess_of(first);
-  verdict.headline =
-      out == 1 ? fmt::format("{} is {} µm {} its {} limit.", first.name,
-                             number(std::abs(far) * 1000.0, std::abs(far) < 1e-4 ? 4 : 1),
-                             far > 0.0 ? "over" : "under", far > 0.0 ? "upper" : "lower")
-               : fmt::format("{} of {} characteristics are out of tolerance.", out, results.size());
-  verdict.sentence =
-      fmt::format("{}: the program measured {}, allowed is {} to {}. ", first.name,
-                  number(first.measured, 4), number(*first.nominal + first.tolerance[0], 4),
-                  number(*first.nominal + first.tolerance[1], 4));
-  if (first.true_size) {
-    verdict.sentence +=
-        fmt::format("The simulated part is {}: the measurement adds {} µm. ",
-                    number(first.true_size, 4), micrometres(*first.measured - *first.true_size));
+std::string touched(const Case& of) {
+  const std::size_t ways = of.run.recorder.touches().size();
+  return ways == 0 ? of.word(Word::SaysNoSkip)
+                   : said(of.language, Word::SaysTouched,
+                          fmt::arg("hits", of.run.recorder.touch_count()), fmt::arg("ways", ways),
+                          fmt::arg("seconds", number(of.run.result.machine_time_s, 1)));
+}
+
+Verdict with_touches(Sign sign, const Case& of, Word state, Word headline) {
+  return {sign, of.word(state), of.word(headline), touched(of)};
+}
+
+/// A value of a row with its unit.
+std::string value_text(const Characteristic& row, const std::optional<double>& value) {
+  const std::string_view unit = unit_name(row);
+  return number(value, decimals_of(row)) +
+         (unit.empty() ? std::string() : fmt::format(" {}", unit));
+}
+
+/// How far it is beyond its limit, without a sign; so small an amount has more digits.
+std::string amount_text(const Characteristic& row) {
+  constexpr double kUmPerMm = 1000.0;
+  constexpr double kSmallMm = 1e-4;
+  const double far = std::abs(excess_of(row));
+  if (row.unit && row.unit->mm > 0.0) {
+    const double far_mm = far * row.unit->mm;
+    return number(far_mm * kUmPerMm, far_mm < kSmallMm ? 4 : 1) + " µm";
   }
-  verdict.sentence += touched(run);
+  return value_text(row, far);
+}
+
+Verdict measured_out(const Case& of) {
+  const auto out = std::ranges::count_if(of.results, is_out);
+  const Characteristic& worst = *std::ranges::max_element(
+      of.results, {}, [](const Characteristic& row) { return std::abs(excess_of(row)); });
+  Verdict verdict{Sign::Bad, of.word(Word::StateOut), "", ""};
+  verdict.headline = said(of.language, excess_of(worst) > 0.0 ? Word::SaysOver : Word::SaysUnder,
+                          fmt::arg("name", worst.name), fmt::arg("amount", amount_text(worst)));
+  if (out > 1) {
+    verdict.sentence =
+        said(of.language, Word::SaysOut, fmt::arg("out", out), fmt::arg("all", of.results.size())) +
+        " ";
+  }
+  verdict.sentence +=
+      said(of.language, Word::SaysMeasured, fmt::arg("name", worst.name),
+           fmt::arg("measured", value_text(worst, worst.measured)),
+           fmt::arg("lower", number(*worst.nominal + worst.tolerance->lower, decimals_of(worst))),
+           fmt::arg("upper", value_text(worst, *worst.nominal + worst.tolerance->upper))) +
+      " ";
+  if (worst.true_size) {
+    verdict.sentence +=
+        said(of.language, Word::SaysTrue, fmt::arg("truth", value_text(worst, worst.true_size)),
+             fmt::arg("error", difference_text(worst, *worst.measured - *worst.true_size))) +
+        " ";
+  }
+  verdict.sentence += touched(of);
   return verdict;
 }
 
-Verdict completed(const RunPage& run, std::span<const Characteristic> results) {
-  if (std::ranges::any_of(results,
-                          [](const Characteristic& row) { return excess_of(row) != 0.0; })) {
-    return measured_out(run, results);
+/// @pre some of the results have a tolerance, and all of these are in it
+Verdict measured_in(const Case& of) {
+  std::vector<std::string> names;
+  for (const Characteristic& row : of.results) {
+    if (row.tolerance) {
+      names.push_back(row.name);
+    }
   }
-  const auto unmet = std::ranges::find(run.result.expectations, false, &expect::Judged::holds);
-  if (unmet != run.result.expectations.end()) {
-    return {Sign::Bad, "Not as expected", fmt::format("{} is not as expected.", unmet->name),
-            fmt::format("Expected was {}, it came to {}. {}", unmet->expected, unmet->got,
-                        touched(run))};
+  const Word sentence = names.size() == 1   ? Word::SaysOneIn
+                        : names.size() == 2 ? Word::SaysTwoIn
+                                            : Word::SaysAllIn;
+  return {Sign::Good, of.word(Word::StateInTolerance),
+          said(of.language, sentence, fmt::arg("name", names.front()),
+               fmt::arg("other", names.back()), fmt::arg("others", names.size() - 1)),
+          touched(of)};
+}
+
+Verdict completed(const Case& of) {
+  if (std::ranges::any_of(of.results, is_out)) {
+    return measured_out(of);
   }
-  const auto judged = std::ranges::count_if(
-      results, [](const Characteristic& row) { return row.nominal.has_value(); });
-  if (run.result.exit_code != 0) {
-    return {Sign::Bad, "Completed with findings", "The program ran to its end, with findings.",
-            "What was found stands beside. " + touched(run)};
+  const report::RunResult& result = of.run.result;
+  const auto unmet = std::ranges::find(result.expectations, false, &expect::Judged::holds);
+  if (unmet != result.expectations.end()) {
+    return {Sign::Bad, of.word(Word::StateNotAsExpected),
+            said(of.language, Word::SaysNotExpected, fmt::arg("name", unmet->name)),
+            said(of.language, Word::SaysExpected, fmt::arg("expected", unmet->expected),
+                 fmt::arg("got", unmet->got)) +
+                " " + touched(of)};
   }
-  if (judged > 0) {
-    return {Sign::Good, "In tolerance",
-            judged == 1 ? "The characteristic is in tolerance."
-                        : fmt::format("All {} characteristics are in tolerance.", judged),
-            touched(run)};
+  if (result.exit_code != 0) {
+    return {Sign::Bad, of.word(Word::StateFindings), of.word(Word::SaysFindings),
+            of.word(Word::SaysSeeFindings) + " " + touched(of)};
   }
-  return {Sign::Good, "Completed", "The program ran to its end.", touched(run)};
+  const bool is_judged = std::ranges::any_of(
+      of.results, [](const Characteristic& row) { return row.tolerance.has_value(); });
+  return is_judged ? measured_in(of)
+                   : with_touches(Sign::Good, of, Word::StateCompleted, Word::SaysToEnd);
+}
+
+Verdict stopped(const Case& of) {
+  const auto& alarm = of.run.result.outcome.alarm;
+  if (alarm) {
+    return {Sign::Broken,
+            said(of.language, Word::StateAlarmNumber, fmt::arg("number", alarm->number)),
+            said(of.language, Word::SaysAlarm, fmt::arg("number", alarm->number),
+                 fmt::arg("text", alarm->text)),
+            touched(of)};
+  }
+  return of.run.result.outcome.status == Status::Alarm
+             ? with_touches(Sign::Broken, of, Word::StateAlarm, Word::SaysAnAlarm)
+             : Verdict{Sign::Broken, of.word(Word::StateNotRun), of.word(Word::SaysUnreadable), ""};
+}
+
+Verdict collided(const Case& of) {
+  const auto& fault = of.run.recorder.fault();
+  return {Sign::Broken, of.word(Word::StateCollision),
+          fault ? fmt::format("{}.", fault->what) : of.word(Word::SaysCollision),
+          of.word(Word::SaysNotKnown) + " " + touched(of)};
 }
 
 }  // namespace
 
-Verdict verdict_of(const RunPage& run, std::span<const Characteristic> results) {
-  const runtime::Outcome& outcome = run.result.outcome;
-  if (outcome.status != Status::Completed && run.result.exit_code == 0) {
-    return {Sign::Good, "As expected", "The run ended as it was expected to.", touched(run)};
+Verdict verdict_of(const RunPage& run, Rows results, Language language) {
+  const Case of{run, results, language};
+  const Status status = run.result.outcome.status;
+  if (status != Status::Completed && run.result.exit_code == 0) {
+    return with_touches(Sign::Good, of, Word::StateAsExpected, Word::SaysAsExpected);
   }
-  switch (outcome.status) {
+  switch (status) {
     case Status::Completed:
-      return completed(run, results);
+      return completed(of);
     case Status::Collision:
-      return {Sign::Broken, "Collision",
-              run.recorder.fault() ? fmt::format("{}.", run.recorder.fault()->what)
-                                   : "The run ended in a collision.",
-              "What the program did behind it is not known. " + touched(run)};
+      return collided(of);
     case Status::Alarm:
     case Status::SyntaxError:
-      if (outcome.alarm) {
-        return {Sign::Broken, fmt::format("Alarm {}", outcome.alarm->number),
-                fmt::format("Alarm {} stopped the program: {}", outcome.alarm->number,
-                            outcome.alarm->text),
-                touched(run)};
-      }
-      return outcome.status == Status::Alarm
-                 ? Verdict{Sign::Broken, "Alarm", "An alarm stopped the program.", touched(run)}
-                 : Verdict{Sign::Broken, "Not run", "The program cannot be read.", ""};
+      return stopped(of);
     case Status::Setup:
-      return {Sign::Broken, "Set-up", "The set-up does not fit the program.", touched(run)};
+      return with_touches(Sign::Broken, of, Word::SetUp, Word::SaysSetUp);
     case Status::Budget:
-      return {Sign::Broken, "Limit reached", "The run was ended by its limits.", touched(run)};
+      return with_touches(Sign::Broken, of, Word::StateLimit, Word::SaysLimit);
     case Status::Interrupted:
-      return {Sign::Broken, "Interrupted", "The run was interrupted.", touched(run)};
+      return with_touches(Sign::Broken, of, Word::StateInterrupted, Word::SaysInterrupted);
     case Status::Defect:
       break;
   }
-  return {Sign::Broken, "Defect of g31", "g31 itself has a defect here.", touched(run)};
+  return with_touches(Sign::Broken, of, Word::StateDefect, Word::SaysDefect);
 }
 
 }  // namespace g31::page

@@ -5,6 +5,7 @@
 #include "tools/page/charts.h"
 #include "tools/page/html.h"
 #include "tools/page/other_reports.h"
+#include "tools/page/said.h"
 
 namespace g31::page {
 namespace {
@@ -34,9 +35,10 @@ std::string point_name(const study::Description& study, std::size_t point) {
 
 Table summary_table(const study::Record& record, Language language) {
   const study::Description& study = record.description;
-  Table table{std::string(text_of(Word::Results, language)),
-              {std::string(text_of(Word::Characteristic, language)), "n", "mean", "s", "min", "max",
-               "bias", "U (k = 2)", "known", "published", "unit"},
+  const auto say = [language](Word name) { return std::string(text_of(name, language)); };
+  Table table{say(Word::Results),
+              {say(Word::Characteristic), "n", say(Word::Mean), "s", "min", "max", say(Word::Bias),
+               "U (k = 2)", say(Word::Known), say(Word::Published), say(Word::Unit)},
               {}};
   const std::size_t points = std::max<std::size_t>(study.points.size(), 1);
   for (std::size_t point = 0; point < points; ++point) {
@@ -80,10 +82,9 @@ void add_charts(const study::Record& record, Report& report) {
       const std::string where = point_name(study, point);
       const std::string name = where.empty() ? form.name : fmt::format("{}, {}", form.name, where);
       report.drawings.push_back(
-          {name, histogram(readings),
-           "histogram; dotted: mean, blue: known value, dashed amber: published"});
+          {name, histogram(readings), std::string(text_of(Word::SaysHistogram, report.language))});
       report.drawings.push_back(
-          {name, run_chart(readings), "run chart; grey: mean and two standard deviations"});
+          {name, run_chart(readings), std::string(text_of(Word::SaysRunChart, report.language))});
     }
   }
 }
@@ -100,22 +101,27 @@ Report report_of(const study::Record& record, const std::string& document, const
   report.title = study.name;
   report.what = fmt::format("{}, {}", study.program, study.control);
   const bool is_whole = whole == record.rows.size();
-  report.verdict = {is_whole ? Sign::Good : Sign::Bad,
-                    is_whole ? "All runs completed" : "Runs left out",
-                    fmt::format("{} of {} runs completed.", whole, record.rows.size()), ""};
+  report.verdict = {
+      is_whole ? Sign::Good : Sign::Bad,
+      std::string(text_of(is_whole ? Word::StateAllRuns : Word::StateRunsLeftOut, making.language)),
+      said(making.language, Word::SaysRuns, fmt::arg("whole", whole),
+           fmt::arg("all", record.rows.size())),
+      ""};
   if (!study.results.empty()) {
     const study::Summary summary = study::summary_of(record, 0, 0);
     const study::ResultForm& form = study.results.front();
     report.verdict.sentence =
-        fmt::format("{}: mean {} {}, standard deviation {}, of {} readings.", form.name,
-                    number(summary.mean, kStudyDecimals), form.unit,
-                    number(summary.standard_deviation, kStudyDecimals), summary.n);
+        said(making.language, Word::SaysMean, fmt::arg("name", form.name),
+             fmt::arg("mean", number(summary.mean, kStudyDecimals)), fmt::arg("unit", form.unit),
+             fmt::arg("deviation", number(summary.standard_deviation, kStudyDecimals)),
+             fmt::arg("readings", summary.n));
   }
   for (const auto& [status, count] : statuses) {
     if (status != "completed") {
       report.findings.push_back({source::Severity::Warning,
                                  "",
-                                 fmt::format("{} runs ended with status {}", count, status),
+                                 said(making.language, Word::SaysRunsEnded,
+                                      fmt::arg("count", count), fmt::arg("status", status)),
                                  {}});
     }
   }

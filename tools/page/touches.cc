@@ -22,12 +22,13 @@ std::string three(const std::optional<std::array<double, 3>>& place, int decimal
   return cells;
 }
 
-std::string row_of(const TouchRow& touch, std::size_t number_of_touch, bool is_folded) {
+std::string row_of(const Report& report, std::size_t number_of_touch, bool is_folded) {
+  const TouchRow& touch = report.touches[number_of_touch - 1];
   const bool is_steep = touch.angle_deg && *touch.angle_deg > kSteepDeg;
   std::string html = fmt::format(
       R"(<tr data-touch="{0}"{1}{2}><td class="stick">{3}</td><td>{4} {5}</td>)", number_of_touch,
       touch.is_triggered ? "" : R"( class="un")", is_folded ? " hidden" : "",
-      badge_of(number_of_touch), link_to(touch.place), escaped(touch.block));
+      badge_of(report, number_of_touch), link_to(touch.place), escaped(touch.block));
   html += fmt::format(R"(<td class="n">{}</td><td class="n">{}</td>)", number(touch.time_s, 3),
                       number(touch.feed, 0));
   html += three(touch.commanded, 3) + three(touch.latched, 4);
@@ -85,7 +86,7 @@ std::string touches_part(const Report& report) {
   } else {
     html += "<tbody>";
     for (std::size_t i = 0; i < report.touches.size(); ++i) {
-      html += row_of(report.touches[i], i + 1, folds && !report.touches[i].is_triggered);
+      html += row_of(report, i + 1, folds && !report.touches[i].is_triggered);
     }
   }
   return html + "</tbody></table></div></section>\n";

@@ -75,6 +75,29 @@ Json expectation_json(const expect::Judged& judged) {
   return object;
 }
 
+Json or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
+
+/// Numbers in its unit.
+Json characteristic_json(const expect::MeasuredCharacteristic& row) {
+  const expect::Characteristic& what = row.what;
+  Json object = {
+      {"name", what.name},
+      {"variable", what.variable},
+      {"unit", what.unit.name},
+      {"nominal", or_null(what.nominal)},
+      {"tolerance",
+       what.tolerance ? Json::array({what.tolerance->lower, what.tolerance->upper}) : Json()},
+      {"actual", or_null(row.actual)},
+      {"deviation", or_null(row.deviation())},
+      {"true", or_null(what.true_value())},
+      {"measuring_error", or_null(row.measuring_error())},
+      {"verdict", expect::name_of(row.verdict())}};
+  add_place(object, what.place);
+  return object;
+}
+
 Json input_json(const InputFile& input) {
   return {{"file", input.file}, {"sha256", input.sha256}};
 }
@@ -205,6 +228,9 @@ void write_run_document(const RunResult& result, const RunRecorder& recorder,
   }
   if (!result.expectations.empty()) {
     document.add_list("expectations", result.expectations, expectation_json);
+  }
+  if (!result.characteristics.empty()) {
+    document.add_list("characteristics", result.characteristics, characteristic_json);
   }
   document.add_list("inputs", result.inputs, input_json);
   document.add("blocks", result.outcome.blocks);

@@ -45,6 +45,7 @@ struct RunResult {
   runtime::Outcome outcome;
   bool optional_stop = false;  ///< M01 stops
   std::vector<expect::Judged> expectations;
+  std::vector<expect::MeasuredCharacteristic> characteristics;
   std::vector<session::AllowedMessage> allowed;  ///< messages that nobody wants to hear
   std::vector<std::pair<std::string, runtime::ShownValue>> variables;  ///< in the order asked for
   runtime::NamedValues locals;                      ///< of the program that an alarm stands in

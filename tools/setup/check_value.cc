@@ -16,8 +16,10 @@
 #include "probe/sensor/probe_setup.h"
 #include "probe/tooling/tool_probe_setup.h"
 #include "probe/tooling/tool_setup.h"
+#include "tools/expect/characteristic.h"
 #include "tools/setup/program_switch.h"
 #include "tools/setup/value_words.h"
+#include "tools/setup/variable_name.h"
 
 namespace g31::setup {
 namespace {
@@ -78,6 +80,11 @@ bool places_rise(const std::vector<double>& list) {
   return true;
 }
 
+/// One number for both sides, or the limits of each.
+bool is_tolerance(const std::vector<double>& list) {
+  return list.size() == 1 ? list[0] >= 0.0 : list.size() == 2 && list[0] < list[1];
+}
+
 template <typename Rows>
 bool has_name(const Rows& rows, const std::string& text) {
   return std::ranges::any_of(rows, [&](const auto& row) { return row.name == text; });
@@ -123,6 +130,10 @@ bool text_within(Limit limit, const std::string& text) {
       return program_switch(text).has_value();
     case Limit::ColumnName:
       return is_column_name(text);
+    case Limit::VariableName:
+      return normal_variable_name(text).has_value();
+    case Limit::ResultUnit:
+      return has_name(expect::kResultUnits, text);
     case Limit::Any:
     case Limit::Positive:
     case Limit::NotNegative:
@@ -140,6 +151,7 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::Rising:
     case Limit::NotAllZero:
     case Limit::RisingPlaces:
+    case Limit::Tolerance:
       return true;
   }
   contract_violated("every Limit judges texts", __FILE__, __LINE__);
@@ -158,6 +170,9 @@ bool within(Limit limit, const SheetValue& value) {
     }
     if (limit == Limit::RisingPlaces) {
       return places_rise(*list);
+    }
+    if (limit == Limit::Tolerance) {
+      return is_tolerance(*list);
     }
     if (limit == Limit::NotAllZero) {
       return std::ranges::any_of(*list, [](double n) { return n != 0.0; });

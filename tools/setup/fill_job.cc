@@ -12,6 +12,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/units/axis_positions.h"
+#include "tools/setup/fill_characteristics.h"
 #include "tools/setup/fill_expectations.h"
 #include "tools/setup/fill_inputs.h"
 #include "tools/setup/fill_machine.h"
@@ -198,6 +199,7 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::ToolProbe:
     case SectionId::Input:
     case SectionId::SkipSignal:
+    case SectionId::Characteristic:
       contract_violated("a list is not a table", __FILE__, __LINE__);
   }
 }
@@ -328,6 +330,7 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
     }
   }
   job.expectations = expectations_from(sheet);
+  job.expectations.characteristics = characteristics_from(sheet, job.parts, errors);
   job.control.inputs = inputs_from(sheet, errors);
   fill_sensors(job, sheet, errors);
   fill_tools(job, sheet, errors);

@@ -104,6 +104,9 @@ enum class Limit {
   NotAllZero,
   RunStatus,     ///< as the document of a run has it
   RisingPlaces,  ///< the first numbers of pairs
+  VariableName,  ///< as NameForm::VariableName
+  ResultUnit,    ///< a row of result_units.def
+  Tolerance,     ///< 0 or more, or two numbers, the first below the second
 };
 
 struct SectionRow {

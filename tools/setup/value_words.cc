@@ -67,8 +67,11 @@ constexpr LimitWords kLimitWords[] = {
     {Limit::RunStatus,
      "\"completed\", \"alarm\", \"collision\", \"setup\", \"budget\" or \"usage\""},
     {Limit::RisingPlaces, "pairs with rising places"},
+    {Limit::VariableName, "a variable like #500, R1 or _OVR[0]"},
+    {Limit::ResultUnit, "\"mm\", \"um\", \"inch\", \"deg\" or \"none\""},
+    {Limit::Tolerance, "0 or more, or [lower, upper] with the lower below the upper"},
 };
-static_assert(std::size(kLimitWords) == static_cast<std::size_t>(Limit::RisingPlaces) + 1,
+static_assert(std::size(kLimitWords) == static_cast<std::size_t>(Limit::Tolerance) + 1,
               "every Limit has words");
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();

@@ -4,7 +4,7 @@ import { drawLegends } from './legends.js';
 import { Listing } from './listing.js';
 import { followEditions, restoreTheme } from './live.js';
 import { byId } from './markup.js';
-import { jsonOf, partsOf } from './page_data.js';
+import { jsonOf, named, partsOf } from './page_data.js';
 import { Plan } from './plan.js';
 import { keepPrintable } from './print.js';
 import { Run } from './run.js';
@@ -74,7 +74,7 @@ function followSize(choice) {
 
 /** @param {import('./types').RunDocument} document_ @param {import('./types').Figures} figures */
 function start(document_, figures) {
-  const run = new Run(document_, figures);
+  const run = new Run(named(document_, figures), figures);
   const { compare } = figures;
   const other = compare ? new Run(compare.document, compare.figures) : null;
   const parts = partsOf(figures);

@@ -48,3 +48,21 @@ export function partsOf(figures) {
     };
   });
 }
+
+/** The document with the names that the page has for files of one name in several folders.
+ * @param {import('./types').RunDocument} document @param {import('./types').Figures} figures
+ * @returns {import('./types').RunDocument} */
+export function named(document, { names }) {
+  if (!names) return document;
+  /** @template {{file?: string}} T @param {T[] | undefined} list @param {string[]} files @returns {T[]} */
+  const each = (list, files) => (list ?? []).map((one, n) => (one.file && files[n] ? { ...one, file: files[n] } : one));
+  const { touches, moves, calls, counts, collision } = document;
+  return {
+    ...document,
+    touches: each(touches, names.touches),
+    moves: each(moves, names.moves),
+    calls: each(calls, names.calls),
+    counts: each(counts, names.counts),
+    collision: collision && names.collision ? { ...collision, file: names.collision } : collision,
+  };
+}

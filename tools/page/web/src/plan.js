@@ -4,6 +4,7 @@ import { planKeys } from './plan_keys.js';
 import { PLANES, PlanView, flat, planeOf } from './plan_view.js';
 import { whiskersOf } from './plan_whiskers.js';
 import { drawCrash, drawOrigin, measuredOf } from './plan_places.js';
+import { hasZones, zonesOf } from './plan_zones.js';
 import { word } from './words.js';
 
 const AXES = ['X', 'Y', 'Z'];
@@ -80,7 +81,7 @@ export class Plan {
     const view = this.view();
     const page = new Sheet(view, width, clamp(width * share, 300, 540));
     const { run, touch } = this.choice;
-    const drawing = [this.material(view, page), page.rulers(run.frame.origin), measuredOf(view, page), drawOrigin(view, page),
+    const drawing = [this.material(view, page), page.rulers(run.frame.origin), zonesOf(view, page), measuredOf(view, page), drawOrigin(view, page),
       this.ghost(view, page), view.crash ? '' : approachesOf(view, page), whiskersOf(view, page, touch), view.crash ? drawCrash(view, page) : '',
       this.ball(page), page.scales()].join('');
     const label = esc(word('plan_aria', { part: this.part.name }));
@@ -88,7 +89,7 @@ export class Plan {
     this.page = page;
     this.head(view);
     const caption = byId('plancap');
-    if (caption) caption.innerHTML = planKeys(view, this.other != null);
+    if (caption) caption.innerHTML = planKeys(view, this.other != null, hasZones(view));
     this.moveBall();
   }
 

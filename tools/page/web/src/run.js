@@ -105,6 +105,7 @@ function contactsOf(document, figures) {
       ball: figure?.ball ?? null,
       deviation: figure?.deviation ?? null,
       partDeviation: figure?.part_deviation ?? null,
+      limits: figure?.limits ?? null,
       angle: figure?.angle ?? null,
       role: figure?.role ?? '',
       counts: touch.triggered,

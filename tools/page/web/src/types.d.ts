@@ -42,11 +42,19 @@ export interface ProbeFigure {
 export interface WayFigure { move: number; kind: Kind; time_s: [number, number]; points: number[] }
 export interface TouchFigure {
   ball: Point; deviation: number | null; part_deviation?: number | null; angle: number | null; role: string;
+  /** Half of the tolerance of the size that the wall is of, into the material. */
+  limits?: [number, number];
+}
+
+/** What the page calls files that the document calls alike, in the order of the document. */
+export interface FileNames {
+  touches: string[]; moves: string[]; calls: string[]; counts: string[]; collision: string | null;
 }
 
 export interface Figures {
   parts?: PartFigure[]; probe?: ProbeFigure | null; ways?: WayFigure[]; touch?: TouchFigure[];
   frame?: { name: string; origin: Point };
+  names?: FileNames | null;
   compare?: { document: RunDocument; figures: Figures } | null;
   words?: Record<string, string>; language?: string; listing?: { file: string; text: string }[];
 }
@@ -55,6 +63,7 @@ export interface Figures {
 export interface Contact {
   number: number; touch: Touch; time: number; hit: boolean; ball: Point | null;
   deviation: number | null; partDeviation: number | null; angle: number | null; role: string;
+  limits: [number, number] | null;
   /** Whether the measurement rests on it: no second touch of the same place follows at once. */
   counts: boolean;
 }

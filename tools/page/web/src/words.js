@@ -27,6 +27,7 @@ const ENGLISH = {
   own_deviation: 'the part’s own deviation',
   measured_adds: 'how much too deep the ball was latched, before any calibration',
   measured_circle: 'circle through what was latched, before any calibration: centre {u} {du} {v} {dv} µm, diameter {dd} µm',
+  tolerance_of_size: 'tolerance of size',
   probing_direction: 'probing direction',
   thin_does_not_count: 'thin: first touch, does not count',
   section_at: 'section at {axis} {height} mm',

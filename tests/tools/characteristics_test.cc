@@ -1,0 +1,272 @@
+// [[characteristic]]: what a program measures, beside what the simulated part truly is.
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/captured.h"
+#include "tests/support/run_program.h"
+#include "tools/page/write_page.h"
+
+namespace g31::characteristics_test {
+namespace {
+
+using nlohmann::json;
+using testing::g31;
+using testing::run_program;
+using testing::RunOutput;
+using testing::TemporaryFolder;
+
+constexpr double kAccuracy = 1e-9;  // mm
+
+std::string text_in(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+RunOutput ring_with(const std::vector<std::string>& assignments) {
+  const std::string folder = "parts/library/ring_gauge/";
+  cli::RunOptions options;
+  options.programs = {folder + "measure_ring.nc"};
+  options.setups = {folder + "ring.toml", folder + "late_probe.toml", folder + "diameters.toml"};
+  options.assignments = assignments;
+  return run_program(options);
+}
+
+// The ring is 39.996; 50 mm/min for 4 ms are 3.33 um too far at each wall, unless they are taken
+// off.
+TEST(Characteristics, OfTheRingAreItsTrueSizeAndWhatTheProbeAdds) {
+  const double overtravel = 50.0 / 60.0 * 0.004;
+  for (const bool is_calibrated : {false, true}) {
+    SCOPED_TRACE(is_calibrated);
+    const std::string amount = fmt::format("{}", is_calibrated ? -overtravel : 0.0);
+    const RunOutput output = ring_with({"#517=" + amount, "#518=" + amount});
+    EXPECT_EQ(output.exit_code, 0) << output.errors;
+    const json& rows = output.document.at("characteristics");
+    ASSERT_EQ(rows.size(), 2U);
+    const double error = is_calibrated ? 0.0 : 2.0 * overtravel;
+    for (const json& row : rows) {
+      EXPECT_EQ(row.at("unit"), "mm");
+      EXPECT_EQ(row.at("nominal"), 40.0);
+      EXPECT_EQ(row.at("true"), 39.996);
+      EXPECT_EQ(row.at("verdict"), "good");
+      EXPECT_NEAR(row.at("actual"), 39.996 + error, kAccuracy);
+      EXPECT_NEAR(row.at("deviation"), -0.004 + error, kAccuracy);
+      EXPECT_NEAR(row.at("measuring_error"), error, kAccuracy);
+    }
+    EXPECT_EQ(rows[0].at("name"), "Bore of the ring, X");
+    EXPECT_EQ(rows[1].at("variable"), "#179");
+  }
+}
+
+constexpr const char* kProgram = "O1\n#500=39.989\n#501=90.25\n#502=1.5748\nM30\n";
+
+RunOutput run_with(const std::string& rows, const std::string& program = kProgram) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("a.nc", program)};
+  options.setups = {folder.write(
+      "sheet.toml", "[[part]]\nname = \"ring\"\nshape = \"ring\"\nbore = 40.004\n" + rows)};
+  return run_program(options);
+}
+
+TEST(Characteristics, OutOfToleranceAreAFindingAtTheirPlace) {
+  const RunOutput output = run_with(
+      "[[characteristic]]\nname = \"Bore\"\nvariable = \"#0500\"\nnominal = 40.0\n"
+      "tolerance = 0.01\ntrue = \"ring.bore\"\n");
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_NE(output.errors.find("sheet.toml:7:12: error: not as expected: Bore (#500): expected 40 "
+                               "-0.01 +0.01 mm, got 39.989 mm [PRB701]"),
+            std::string::npos)
+      << output.errors;
+  const json& row = output.document.at("characteristics").at(0);
+  EXPECT_EQ(row.at("verdict"), "bad");
+  EXPECT_NEAR(row.at("measuring_error"), 39.989 - 40.004, 1e-12);
+}
+
+TEST(Characteristics, AreInTheirUnitAndWithinTheirOwnLimits) {
+  const RunOutput output = run_with(
+      // Limits of one sign, and the values at them.
+      "[[characteristic]]\nname = \"fit\"\nvariable = \"#500\"\nnominal = 39.98\n"
+      "tolerance = [0.009, 0.03]\n"
+      "[[characteristic]]\nname = \"angle\"\nvariable = \"#501\"\nnominal = 90.0\nunit = \"deg\"\n"
+      "tolerance = [-0.25, 0.25]\n"
+      "[[characteristic]]\nname = \"inches\"\nvariable = \"#502\"\nnominal = 1.5748\n"
+      "unit = \"inch\"\ntrue = \"ring.bore\"\n"
+      "[[characteristic]]\nname = \"vacant\"\nvariable = \"#503\"\nunit = \"none\"\n");
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  const json& rows = output.document.at("characteristics");
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0].at("verdict"), "good") << "39.98 + 0.009 is 39.989";
+  EXPECT_EQ(rows[1].at("verdict"), "good");
+  EXPECT_EQ(rows[1].at("true"), nullptr);
+  EXPECT_NEAR(rows[2].at("true"), 40.004 / 25.4, 1e-12);
+  EXPECT_EQ(rows[2].at("verdict"), "reported");
+  EXPECT_EQ(rows[2].at("tolerance"), nullptr);
+  EXPECT_EQ(rows[3].at("verdict"), "missing");
+  EXPECT_EQ(rows[3].at("actual"), nullptr);
+}
+
+TEST(Characteristics, ThatAreNotReachedAreNoGoodOnes) {
+  const RunOutput output = run_with(
+      "[[characteristic]]\nname = \"Bore\"\nvariable = \"#503\"\nnominal = 40.0\n"
+      "tolerance = 0.01\n");
+  EXPECT_EQ(output.exit_code, 1);
+  EXPECT_NE(output.errors.find("got no number"), std::string::npos) << output.errors;
+}
+
+TEST(Characteristics, ThatCannotBeAreRefused) {
+  const std::string whole = "[[characteristic]]\nname = \"B\"\nvariable = \"#500\"\n";
+  const struct {
+    std::string rows;
+    const char* says;
+    int exit_code;
+  } kCases[] = {
+      {"[[characteristic]]\nname = \"B\"\n", "a characteristic needs variable [SET121]", 2},
+      {"[[characteristic]]\nvariable = \"#500\"\n", "a characteristic needs name [SET121]", 2},
+      {whole + "tolerance = 0.1\n", "characteristic.tolerance needs nominal [SET121]", 2},
+      {whole + "nominal = 1.0\ntolerance = -0.1\n", "it should be 0 or more, or [lower, upper]", 2},
+      {whole + "nominal = 1.0\ntolerance = [0.1, -0.1]\n", "[lower, upper]", 2},
+      {whole + "nominal = 1.0\ntolerance = [0.1, 0.2, 0.3]\n", "[lower, upper]", 2},
+      {whole + "nominal = 1e10\n", "it should be 1000000000 that of unit at most", 2},
+      {whole + "unit = \"ell\"\n", "it should be \"mm\", \"um\", \"inch\", \"deg\" or \"none\"", 2},
+      {whole + "true = \"ring\"\n", "it should be \"ring.bore\" or \"ring.outer_diameter\"", 2},
+      {whole + "true = \"rung.bore\"\n", "is \"rung.bore\", it should be \"ring.bore\"", 2},
+      {whole + "true = \"ring.bor\"\n", "is \"ring.bor\", it should be \"ring.bore\"", 2},
+      {whole + "true = \"ring.outer_diameter\"\n",
+       "characteristic.true needs outer_diameter of part ring [SET121]", 2},
+      {whole + "unit = \"deg\"\ntrue = \"ring.bore\"\n",
+       "a unit of length where true says the size of a part [SET105]", 2},
+      {"[[characteristic]]\nname = \"B\"\nvariable = \"5x\"\n",
+       "it should be a variable like #500, R1 or _OVR[0] [SET105]", 2},
+      {"[[characteristic]]\nname = \"B\"\nvariable = \"#99999\"\n",
+       "#99999 cannot be read on this control [SET126]", 2},
+  };
+  for (const auto& c : kCases) {
+    SCOPED_TRACE(c.rows);
+    const RunOutput output = run_with(c.rows);
+    EXPECT_EQ(output.exit_code, c.exit_code) << output.errors;
+    EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
+    EXPECT_NE(output.errors.find("sheet.toml:"), std::string::npos) << output.errors;
+  }
+}
+
+/// Figures of a page that is small enough for plain text.
+json figures_in(const std::string& page) {
+  const std::string begin = R"(<script type="application/json" id="g31-figures">)";
+  const std::size_t from = page.find(begin) + begin.size();
+  return json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+class CharacteristicPage : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!page::read_assets()) {
+      GTEST_SKIP() << "the page's script was not built: node and npm are not here";
+    }
+  }
+
+  /// The page of four touches from the middle, towards +X, -X, +Y and -Y.
+  std::string page_of(const std::string& part, const std::string& rows) {
+    const std::string sheet =
+        "[start]\nZ = 150.0\n[probe]\nball_diameter = 6.0\nlength = 100.0\n"
+        "stem_diameter = 2.0\ntrigger_delay_s = 0.004\n[[part]]\n" +
+        part + "at = [0.0, 0.0, 20.0]\n" + rows;
+    const std::string program =
+        "O7\nG90 G0 X0. Y0.\nG1 Z115. F2000.\n"
+        "G31 X60. F300.\n#101=#5061\nG0 X0.\nG31 X-60. F300.\n#102=#5061\nG0 X0.\n"
+        "G31 Y60. F300.\n#103=#5062\nG0 Y0.\nG31 Y-60. F300.\n#104=#5062\nG0 Y0.\n"
+        "#160=#101-#102+6.\n#161=#103-#104+6.\nM30\n";
+    output_ = g31({"run", folder_.write("a.nc", program), "-s", folder_.write("a.toml", sheet),
+                   "--report", folder_.path("a.html")});
+    return text_in(folder_.path("a.html"));
+  }
+
+  TemporaryFolder folder_;
+  testing::CommandOutput output_;
+};
+
+constexpr const char* kRows =
+    "[[characteristic]]\nname = \"along X\"\nvariable = \"#160\"\nnominal = {}\n"
+    "tolerance = [-0.02, 0.05]\ntrue = \"p.{}\"\n"
+    "[[characteristic]]\nname = \"along Y\"\nvariable = \"#161\"\nnominal = {}\n"
+    "tolerance = 0.1\ntrue = \"p.{}\"\n";
+
+// 300 mm/min for 4 ms are 20 um too deep, in the part's own deviation of half of true less nominal.
+TEST_F(CharacteristicPage, SplitsAWhiskerOfABoreIntoPartAndMeasurement) {
+  const std::string page = page_of("name = \"p\"\nshape = \"ring\"\nbore = 39.996\n",
+                                   fmt::format(fmt::runtime(kRows), 40.0, "bore", 40.0, "bore"));
+  EXPECT_EQ(output_.exit_code, 0) << output_.errors;
+  const json figures = figures_in(page);
+  const json& touches = figures.at("touch");
+  ASSERT_EQ(touches.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(touches[i].at("part_deviation"), -0.002, 1e-12) << "a smaller bore is less deep";
+    EXPECT_NEAR(touches[i].at("deviation"), 0.020, 1e-6);
+    EXPECT_NEAR(touches[i].at("limits").at(0), i < 2 ? -0.01 : -0.05, 1e-12);
+    EXPECT_NEAR(touches[i].at("limits").at(1), i < 2 ? 0.025 : 0.05, 1e-12);
+  }
+  // Measured is 39.996 + 0.040, in the columns' order.
+  EXPECT_NE(page.find(R"(data-l="Measured">40.036</td>)"), std::string::npos);
+  EXPECT_NE(page.find(R"(data-l="True size">39.996</td>)"), std::string::npos);
+  EXPECT_NE(page.find(R"(data-l="Measuring error">+40.0 µm</td>)"), std::string::npos);
+  EXPECT_NE(page.find(R"(<span class="">+36.0 µm</span>)"), std::string::npos);
+  EXPECT_NE(page.find("along X and along Y are in tolerance."), std::string::npos);
+}
+
+TEST_F(CharacteristicPage, TellsTheWallsOfTwoSizesApart) {
+  const std::string page =
+      page_of("name = \"p\"\nshape = \"pocket\"\nlength = 60.01\nwidth = 39.98\n",
+              fmt::format(fmt::runtime(kRows), 60.0, "length", 40.0, "width"));
+  const json figures = figures_in(page);
+  const json& touches = figures.at("touch");
+  ASSERT_EQ(touches.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(touches[i].at("part_deviation"), i < 2 ? 0.005 : -0.01, 1e-12) << i;
+  }
+}
+
+TEST_F(CharacteristicPage, HasNoPartOfAWhiskerWhereTheWallIsOfAnotherSize) {
+  const std::string page =
+      page_of("name = \"p\"\nshape = \"pocket\"\nlength = 60.0\nwidth = 40.0\n",
+              "[[characteristic]]\nname = \"deep\"\nvariable = \"#160\"\nnominal = 15.0\n"
+              "true = \"p.depth\"\n");
+  const json figures = figures_in(page);
+  for (const json& touch : figures.at("touch")) {
+    EXPECT_FALSE(touch.contains("part_deviation"));
+  }
+}
+
+// From outside towards the middle: a larger boss stands further out.
+TEST_F(CharacteristicPage, SplitsAWhiskerOfABossTheOtherWay) {
+  const std::string sheet =
+      "[start]\nZ = 150.0\n[probe]\nball_diameter = 6.0\nlength = 100.0\nstem_diameter = 2.0\n"
+      "[[part]]\nname = \"p\"\nshape = \"plug\"\ndiameter = 30.01\nat = [0.0, 0.0, 20.0]\n"
+      "[[characteristic]]\nname = \"boss\"\nvariable = \"#160\"\nnominal = 30.0\n"
+      "tolerance = [0.0, 0.02]\ntrue = \"p.diameter\"\n";
+  const std::string program =
+      "O7\nG90 G0 X-40. Y0.\nG1 Z115. F2000.\nG31 X0. F300.\n#101=#5061\nG0 X-40.\nG0 Z140.\n"
+      "G0 X40.\nG1 Z115. F2000.\nG31 X0. F300.\n#160=#5061-#101-6.\nM30\n";
+  output_ = g31({"run", folder_.write("a.nc", program), "-s", folder_.write("a.toml", sheet),
+                 "--report", folder_.path("a.html")});
+  EXPECT_EQ(output_.exit_code, 0) << output_.errors;
+  const json figures = figures_in(text_in(folder_.path("a.html")));
+  const json& touches = figures.at("touch");
+  ASSERT_EQ(touches.size(), 2U);
+  for (const json& touch : touches) {
+    EXPECT_NEAR(touch.at("part_deviation"), -0.005, 1e-12);
+    EXPECT_NEAR(touch.at("limits").at(0), -0.01, 1e-12);
+    EXPECT_NEAR(touch.at("limits").at(1), 0.0, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace g31::characteristics_test

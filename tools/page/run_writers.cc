@@ -1,0 +1,130 @@
+#include "tools/page/run_writers.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
+#include "interpreter/source/readable_text.h"
+
+namespace g31::page {
+namespace {
+
+/// What a call touches comes behind its beginning.
+bool is_within(double time_s, const report::CallSpan& call) {
+  return time_s > call.time_from_s && time_s <= call.time_to_s;
+}
+
+bool continues_name(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Whether a block names a variable.
+bool names(std::string_view block, std::string_view variable) {
+  for (std::size_t at = block.find(variable); at != std::string_view::npos;
+       at = block.find(variable, at + 1)) {
+    const std::size_t end = at + variable.size();
+    const bool begins = at == 0 || !continues_name(block[at - 1]) || variable.front() == '#';
+    if (begins && (end == block.size() || !continues_name(block[end]))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a block reads where the last measuring move was latched: #5061 to #5069, $AA_MW, $AA_MM.
+bool reads_touch(std::string_view block) {
+  return block.find("#506") != std::string_view::npos ||
+         block.find("$AA_M") != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string comment_of(std::string_view line) {
+  const std::size_t open = line.rfind('(');
+  const std::size_t close = line.rfind(')');
+  const std::size_t semicolon = line.find(';');
+  std::string_view text;
+  if (semicolon != std::string_view::npos) {
+    text = line.substr(semicolon + 1);
+  } else if (open != std::string_view::npos && close != std::string_view::npos && close > open &&
+             line.find_first_not_of(" \t\r", close + 1) == std::string_view::npos) {
+    text = line.substr(open + 1, close - open - 1);
+  }
+  const std::size_t first = text.find_first_not_of(" \t");
+  const std::size_t last = text.find_last_not_of(" \t\r");
+  return first == std::string_view::npos
+             ? std::string()
+             : source::readable_text(text.substr(first, last - first + 1));
+}
+
+std::string Writers::meaning_of(const std::string& variable) const {
+  const report::VariableHistory* const history = find(variable);
+  return history == nullptr ? "" : comment_of(run_.sources.show(history->last_write).text);
+}
+
+std::vector<std::size_t> Writers::touches_of(const std::string& variable) const {
+  Found found;
+  if (const report::VariableHistory* const history = find(variable)) {
+    add_touches(*history, found);
+  }
+  return {found.touches.begin(), found.touches.end()};
+}
+
+void Writers::add_touches(const report::VariableHistory& history, Found& found) const {
+  if (!found.variables.insert(&history).second || add_touches_of_call(history, found)) {
+    return;
+  }
+  const source::ShownPlace place = run_.sources.show(history.last_write);
+  const std::string_view line = place.text;
+  const std::string_view read = line.substr(std::min(line.find('='), line.size()));
+  for (const report::VariableHistory& other : run_.result.chronicle->histories()) {
+    if (other.last_block < history.last_block && names(read, other.name)) {
+      add_touches(other, found);
+    }
+  }
+  if (reads_touch(read)) {
+    add_last_touch(history.values.back().first, found);
+  }
+}
+
+bool Writers::add_touches_of_call(const report::VariableHistory& history, Found& found) const {
+  bool is_in_call = false;
+  for (const report::CallSpan& call : run_.result.chronicle->calls()) {
+    const bool is_it = call.level == 1 && call.first_block < history.last_block &&
+                       history.last_block <= call.last_block;
+    is_in_call = is_in_call || is_it;
+    const auto& touches = run_.recorder.touches();
+    for (std::size_t i = 0; is_it && i < touches.size(); ++i) {
+      if (touches[i].triggered && is_within(touches[i].time_s, call)) {
+        found.touches.insert(i + 1);
+      }
+    }
+  }
+  return is_in_call;
+}
+
+void Writers::add_last_touch(double time_s, Found& found) const {
+  const auto& touches = run_.recorder.touches();
+  const auto behind = std::ranges::upper_bound(touches, time_s, {}, &runtime::TouchEvent::time_s);
+  if (behind != touches.begin() && std::prev(behind)->triggered) {
+    found.touches.insert(static_cast<std::size_t>(behind - touches.begin()));
+  }
+}
+
+std::string Writers::caller_at(double time_s) const {
+  std::string name;
+  for (const report::CallSpan& call : run_.result.chronicle->calls()) {
+    if (call.level == 1 && is_within(time_s, call)) {
+      name = call.program;
+    }
+  }
+  return name;
+}
+
+const report::VariableHistory* Writers::find(const std::string& variable) const {
+  const auto histories = run_.result.chronicle->histories();
+  const auto found = std::ranges::find(histories, variable, &report::VariableHistory::name);
+  return found == histories.end() ? nullptr : &*found;
+}
+
+}  // namespace g31::page

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/page/run_report.h"
+
+namespace g31::page {
+
+/// The comment of a line, (DIAMETER) or ; diameter: what the variable is that it assigns.
+/// @returns UTF-8; "": none
+std::string comment_of(std::string_view line);
+
+/// Names and touches of what variables came to, by what wrote them last.
+class Writers {
+ public:
+  /// @param run  outlives it
+  explicit Writers(const RunPage& run) : run_(run) {}
+
+  [[nodiscard]] std::string meaning_of(const std::string& variable) const;
+  /// Numbers of the touches that the last value of the variable rests on, rising: those in the call
+  /// of the main program that it was written in; of one that the main program wrote itself those of
+  /// the variables in that block, or the touch whose position it reads there.
+  [[nodiscard]] std::vector<std::size_t> touches_of(const std::string& variable) const;
+  /// The program that the main program called for what happened at a time; "": it did it itself.
+  [[nodiscard]] std::string caller_at(double time_s) const;
+
+ private:
+  /// What is found while one variable leads to others.
+  struct Found {
+    std::set<std::size_t> touches;
+    std::set<const report::VariableHistory*> variables;
+  };
+
+  [[nodiscard]] const report::VariableHistory* find(const std::string& variable) const;
+  void add_touches(const report::VariableHistory& history, Found& found) const;
+  /// @returns whether the variable was written in a call
+  bool add_touches_of_call(const report::VariableHistory& history, Found& found) const;
+  void add_last_touch(double time_s, Found& found) const;
+
+  const RunPage& run_;
+};
+
+}  // namespace g31::page
