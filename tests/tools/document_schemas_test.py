@@ -24,6 +24,9 @@ FILES = {
     "loop.nc": "O1\nN1 GOTO 1\nM30\n",
     "p.mpf": "MEAS=1 G1 X60 F100\nSTOPRE\nR1=$AA_MW[X]\nMSG(\"done\")\nM0\nM30\n",
     "s.toml": SHEET,
+    "c.toml": SHEET + '[[characteristic]]\nname = "X"\nvariable = "#500"\nnominal = 47.0\ntolerance = 0.1\ntrue = "block.length"\n'
+    '[[characteristic]]\nname = "Y"\nvariable = "#777"\n',
+    "wrong.toml": "[probe]\nlength = true\n",
     "e.toml": SHEET + "[expect]\ntouches = 1\n",
     "study.toml": STUDY,
     "plan.json": '{"schema": "g31.plan/1", "measures": [{"id": "F1.X", "nominal": 40, "tolerance": [-0.1, 0.1]},'
@@ -57,6 +60,29 @@ COMMANDS = (
     ("plan", str(ROOT / "parts/library/inspection/product.step"), "--stock", "box", "-o", "inspection", "--as-machined",
      str(ROOT / "parts/library/inspection/product.step")),
     ("--version", "--json"),
+    ("run", "p.nc", "-s", "c.toml", "--json", "-"),
+    # Refused, each by itself.
+    ("setup", "wrong.toml", "--json", "-"),
+    ("setup", "none.toml", "--json", "-"),
+    ("study", "none.toml", "--json", "-"),
+    ("study", "wrong.toml", "--json", "-"),
+    ("study", "--json", "-"),
+    ("evaluate", "diagonal", "none.csv", "--target", "5,5", "--json", "-"),
+    ("evaluate", "diagonal", "record.csv", "--target", "far", "--json", "-"),
+    ("check", "p.nc", "none.nc", "--json", "-"),
+    ("check", "p.nc", "--setup", "wrong.toml", "--json", "-"),
+)
+EVENTS = (
+    ("run", "p.nc", "-s", "s.toml", "--jsonl", "-", "--print", "#500"),
+    ("run", "p.mpf", "-s", "s.toml", "--jsonl", "-"),
+    ("run", "crash.nc", "-s", "s.toml", "--jsonl", "-"),
+    ("run", "alarm.nc", "--jsonl", "-"),
+    ("run", "wrong.nc", "--jsonl", "-"),
+    # Refused, some of them late.
+    ("run", "none.nc", "--jsonl", "-"),
+    ("run", "p.nc", "-s", "wrong.toml", "--jsonl", "-"),
+    ("run", "p.nc", "--jsonl", "-", "--print", "nonsense"),
+    ("run", "p.nc", "--jsonl", "-", "--expect", "#99999=1"),
 )
 
 
@@ -80,6 +106,26 @@ def problems_of(g31, folder, command, jsonschema):
         f"{' '.join(command)}: {error.json_path}: {error.message[:300]}"
         for error in jsonschema.Draft7Validator(schema).iter_errors(document)
     ]
+
+
+def problems_of_events(g31, folder, command, jsonschema):
+    """What is wrong with the lines of --jsonl."""
+    done = subprocess.run([g31, *command], cwd=folder, capture_output=True, text=True, check=False)
+    schema = json.loads((ROOT / "docs/schema/g31.events.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft7Validator.check_schema(schema)
+    said = " ".join(command)
+    events = [json.loads(line) for line in done.stdout.splitlines()]
+    names = [event["event"] for event in events]
+    wrong = []
+    if names.count("start") != 1 or names.count("end") != 1 or (names[0], names[-1]) != ("start", "end"):
+        wrong.append(f"{said}: one start, one end: {names}")
+    known = {row["properties"]["event"]["const"]: set(row["properties"]) for row in schema["oneOf"]}
+    for event in events:
+        wrong += [f"{said}: {event['event']}: {error.message[:300]}" for error in jsonschema.Draft7Validator(schema).iter_errors(event)]
+        wrong += [f"{said}: {event['event']}: the schema has no {name}" for name in set(event) - known[event["event"]]]
+    if events[-1]["exit_code"] != done.returncode:
+        wrong.append(f"{said}: exit code {events[-1]['exit_code']}, not {done.returncode}")
+    return wrong
 
 
 def refuses(jsonschema):
@@ -113,7 +159,9 @@ def main():
             (pathlib.Path(folder) / name).write_text(content, encoding="utf-8")
         for command in COMMANDS:
             wrong += problems_of(g31, folder, command, jsonschema)
-    print("\n".join([*wrong, f"{len(COMMANDS)} documents, {len(wrong)} problems"]))
+        for command in EVENTS:
+            wrong += problems_of_events(g31, folder, command, jsonschema)
+    print("\n".join([*wrong, f"{len(COMMANDS)} documents, {len(EVENTS)} logs, {len(wrong)} problems"]))
     return 1 if wrong else 0
 
 

@@ -51,7 +51,7 @@ std::string escaped(std::string_view text, bool is_property) {
 }  // namespace
 
 std::string check_document(std::span<const analysis::Finding> findings,
-                           const source::SourceMap& sources) {
+                           std::span<const std::string> unread, const source::SourceMap& sources) {
   Json document = {{"schema", "g31.check/1"}};
   document["findings"] = Json::array();
   for (const analysis::Finding& finding : findings) {
@@ -68,6 +68,13 @@ std::string check_document(std::span<const analysis::Finding> findings,
     row["remedy"] = finding.remedy;
     row["alarm"] = finding.alarm != 0 ? Json(finding.alarm) : Json(nullptr);
     document["findings"].push_back(std::move(row));
+  }
+  if (!unread.empty()) {
+    document["diagnostics"] = Json::array();
+    for (const std::string& message : unread) {
+      document["diagnostics"].push_back(
+          {{"severity", "error"}, {"code", ""}, {"message", message}});
+    }
   }
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -10,9 +10,10 @@ namespace g31::check {
 
 /// The JSON text of schema `g31.check/1` (docs: the command-line contract), ending in a line break.
 /// Columns count characters from 1.  Bytes that are no UTF-8 are replaced by U+FFFD.
+/// @param unread   what is wrong with files that could not be looked at, a line each
 /// @param sources  of the findings
 std::string check_document(std::span<const analysis::Finding> findings,
-                           const source::SourceMap& sources);
+                           std::span<const std::string> unread, const source::SourceMap& sources);
 
 /// One line for each finding, as GitHub turns it into an annotation: `::error file=...::message`.
 std::string github_annotations(std::span<const analysis::Finding> findings,

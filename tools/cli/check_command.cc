@@ -12,6 +12,7 @@
 #include "tools/check/check_document.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/disk/shipped.h"
@@ -73,10 +74,29 @@ std::string text_of(const CheckFindings& found, const source::SourceMap& sources
   return text;
 }
 
+/// What was asked for and could not be looked at.
+std::vector<session::Refusal> left_out(const check::Request& request,
+                                       const check::Findings& checked) {
+  std::vector<session::Refusal> all;
+  for (const std::string& path : request.paths.missing) {
+    all.push_back(session::bad_input(fmt::format("{}: no such file or folder", path)));
+  }
+  for (const std::string& path : checked.unreadable) {
+    all.push_back(session::bad_input(fmt::format("cannot read the program {}", path)));
+  }
+  return all;
+}
+
 /// The findings where they are wanted.
+/// @param missing  files that were not there to be looked at
 std::optional<session::Refusal> hand_out(const CheckOptions& options, const CheckFindings& found,
+                                         const std::vector<session::Refusal>& missing,
                                          const source::SourceMap& sources) {
-  const auto document = [&] { return check::check_document(found, sources); };
+  std::vector<std::string> unread;
+  for (const session::Refusal& one : missing) {
+    unread.push_back(one.message);
+  }
+  const auto document = [&] { return check::check_document(found, unread, sources); };
   const auto for_people = [&] {
     if (options.format == CheckOptions::Format::Github) {
       return check::github_annotations(found, sources);
@@ -123,23 +143,21 @@ ExitCode check_command(const CheckOptions& options) {
   }
   const auto requested = request_of(options);
   if (!requested) {
-    return refuse(requested.error());
+    return refuse(requested.error(), options.json, "g31.check/1");
   }
   const check::Request& request = requested.value();
   disk::Disk disk;
   source::SourceMap sources(disk);
   check::Findings checked = check::check(request, sources);
+  const std::vector<session::Refusal> missing = left_out(request, checked);
   const CheckFindings found = without_disabled(std::move(checked.found), options.disabled);
-  if (const auto wrong = hand_out(options, found, sources)) {
+  if (const auto wrong = hand_out(options, found, missing, sources)) {
     return refuse(*wrong);
   }
-  for (const std::string& path : request.paths.missing) {
-    (void)refuse(session::bad_input(fmt::format("{}: no such file or folder", path)));
+  for (const session::Refusal& one : missing) {
+    (void)refuse(one);
   }
-  for (const std::string& path : checked.unreadable) {
-    (void)refuse(session::bad_input(fmt::format("cannot read the program {}", path)));
-  }
-  if (!request.paths.missing.empty() || !checked.unreadable.empty()) {
+  if (!missing.empty()) {
     return ExitCode::BadUsage;
   }
   const bool fails = std::ranges::any_of(found, [&](const analysis::Finding& finding) {

@@ -11,6 +11,7 @@
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/read_input.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/run_page.h"
 #include "tools/cli/shown_command.h"
 #include "tools/cli/write_out.h"
@@ -50,6 +51,7 @@ std::optional<session::Refusal> report_evaluation(const EvaluateOptions& options
   for (const evaluate::OptionRow& row : evaluate::options()) {
     command.add(row.option, file_given(options, row.id));
   }
+  command.add("--magnify", options.magnify);
   command.add("--report", options.report);
   command.add("--lang", language_given(options.language));
   const page::Making making{options.version, command.line(), page_inputs({options.file}),
@@ -63,10 +65,9 @@ std::optional<session::Refusal> report_evaluation(const EvaluateOptions& options
 }  // namespace
 
 ExitCode evaluate_command(const EvaluateOptions& options) {
-  const auto asked = evaluate_request(options);
-  if (!asked) {
-    return refuse(asked.error());
-  }
+  const auto refused = [&options](const session::Refusal& wrong) {
+    return refuse(wrong, options.json, "g31.evaluation/1");
+  };
   if (const auto wrong =
           wrong_place({{"--json", options.json},
                        {"--svg", options.svg},
@@ -75,8 +76,12 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
                       {{options.file, file_given(options, evaluate::OptionId::Diameters)}})) {
     return refuse(*wrong);
   }
+  const auto asked = evaluate_request(options);
+  if (!asked) {
+    return refused(asked.error());
+  }
   if (const auto wrong = wrong_report(options.report)) {
-    return refuse(*wrong);
+    return refused(*wrong);
   }
   evaluate::Request request = asked.value();
   request.wants_drawing = request.wants_drawing || !options.report.empty();
@@ -87,21 +92,21 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
   if (!diameters.empty()) {
     const auto read = read_input(disk, diameters, kLargestRecord);
     if (!read) {
-      return refuse(read.error());
+      return refused(read.error());
     }
     diameters_text = read.value();
     request.diameters = {diameters, *diameters_text};
   }
   const auto text = read_input(disk, options.file, kLargestRecord);
   if (!text) {
-    return refuse(text.error());
+    return refused(text.error());
   }
   const auto evaluation = evaluate::evaluate({options.file, text.value()}, request);
   if (!evaluation) {
-    return refuse(session::refusal_of({evaluation.error()}));
+    return refused(session::refusal_of({evaluation.error()}));
   }
   if (runtime::is_interrupted(options.interruption)) {
-    return refuse(session::interrupted());
+    return refused(session::interrupted());
   }
   auto wrong = write_compensation(options, evaluation.value());
   if (!wrong && !options.svg.empty()) {

@@ -12,6 +12,7 @@
 #include "tools/cli/desk.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/printouts.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/run_expectations.h"
 #include "tools/cli/run_page.h"
 #include "tools/cli/run_recorder.h"
@@ -281,14 +282,10 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
     return programs.error();
   }
   const source::SourceMap& sources = programs.value()->sources();
-  const auto events = open_events(options, prepared.control, sources, output);
-  if (!events) {
-    return events.error();
-  }
   machine::MachiningCentre& machine = *world.value().machine;
   Desk desk(options, sources);
   EchoingRecorder recorder(options, *printouts.value(), machine, tables.value(), output);
-  recorder.tell(desk, events.value().get());
+  recorder.tell(desk, nullptr);
   std::optional<report::RunChronicle> chronicle;
   if (options.blocks) {
     chronicle.emplace(main_name(options), machine, output);
@@ -304,6 +301,12 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   if (const auto wrong = unusable(line, *run.value(), *printouts.value())) {
     return *wrong;
   }
+  // Behind all that may refuse the run: standard output has one beginning.
+  const auto events = open_events(options, prepared.control, sources, output);
+  if (!events) {
+    return events.error();
+  }
+  recorder.tell(desk, events.value().get());
   return run_to_end(
       {options, line.prints, line.prints_all, prepared, *run.value(), machine, recorder,
        chronicle ? &*chronicle : nullptr, ways, output, time, sources, world.value(),

@@ -11,69 +11,17 @@
 
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/run_inputs.h"
 #include "tools/cli/run_page.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/report/event_log.h"
 #include "tools/report/run_document.h"
+#include "tools/session/ending.h"
 
 namespace g31::cli {
 namespace {
-
-/// How the document of a run that did not begin names why.
-runtime::Status status_of(session::Ending ending) {
-  switch (ending) {
-    case session::Ending::Setup:
-      return runtime::Status::Setup;
-    case session::Ending::Budget:
-      return runtime::Status::Budget;
-    case session::Ending::Interrupted:
-      return runtime::Status::Interrupted;
-    case session::Ending::Defect:
-      return runtime::Status::Defect;
-    case session::Ending::Completed:
-    case session::Ending::Findings:
-    case session::Ending::BadInput:
-    case session::Ending::Alarm:
-    case session::Ending::Collision:
-      break;
-  }
-  return runtime::Status::SyntaxError;  // without an alarm it is called usage
-}
-
-source::Diagnostic diagnostic_of(const setup::SetupError& error) {
-  source::Diagnostic diagnostic;
-  diagnostic.code = error.code;
-  diagnostic.message = error.message;
-  diagnostic.remedy = error.remedy;
-  diagnostic.in_sheet = {error.file, error.line, error.column, error.source_line};
-  return diagnostic;
-}
-
-/// Of the message that a run which has begun would end with; "": its own words say it all.
-std::string_view code_of(runtime::Status status) {
-  if (status == runtime::Status::Defect) {
-    return source::info(source::DiagnosticId::Defect).code;
-  }
-  if (status == runtime::Status::Interrupted) {
-    return source::info(source::DiagnosticId::Interrupted).code;
-  }
-  return {};
-}
-
-runtime::Outcome outcome_of(const session::Refusal& wrong) {
-  runtime::Outcome outcome;
-  outcome.status = status_of(wrong.ending);
-  for (const setup::SetupError& error : wrong.sheet_errors) {
-    outcome.diagnostics.push_back(diagnostic_of(error));
-  }
-  if (wrong.sheet_errors.empty()) {
-    outcome.diagnostics.push_back(message_of(wrong));
-    outcome.diagnostics.back().code = code_of(outcome.status);
-  }
-  return outcome;
-}
 
 /// What a run that did not begin tells.
 report::RunResult result_of(const RunOptions& options, const session::Refusal& wrong) {
@@ -133,29 +81,21 @@ std::optional<session::Refusal> show_refusal(const RunOptions& options,
   return deliver_refusal_page(options, result_of(options, wrong), no_sources);
 }
 
-/// Whether a document may take the place of what is there: nothing, an earlier document, or what is
-/// called one.  The value of --json may be a word that was meant otherwise: `run --json part.nc`.
-bool may_be_replaced(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  if (!fs::is_regular_file(path, error) || path.ends_with(".json") || path.ends_with(".html") ||
-      fs::file_size(path, error) == 0) {
-    return true;
-  }
-  constexpr std::size_t kHead = 64;
-  disk::Disk disk;
-  return disk.read_part(path, 0, kHead).value_or("").find("\"g31.") != std::string::npos;
-}
-
 /// Writes the document of a run that did not begin where it takes nobody else's place.
 std::optional<session::Refusal> write_refusal_with_care(const RunOptions& options,
                                                         const std::string& json,
                                                         const session::Refusal& wrong) {
   if (!may_be_replaced(json)) {
-    return session::bad_input(
-        fmt::format("--json {}: this file is no document of g31, so it stays as it is", json));
+    return not_a_document(json);
   }
   return write_refusal(options, json, wrong);
+}
+
+/// The line that every run ends with.
+void tell_end(const RunOptions& options, const session::Refusal& wrong) {
+  if (options.talk != Talk::Quiet) {
+    fmt::print(stderr, "g31: {}: nothing has run\n", session::status_name(outcome_of(wrong)));
+  }
 }
 
 ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
@@ -166,6 +106,7 @@ ExitCode tell(const RunOptions& options, const session::Refusal& wrong) {
         wants_page(options) ? show_refusal(options, wrong) : std::nullopt}) {
     code = unwritten ? refuse(*unwritten) : code;
   }
+  tell_end(options, wrong);
   return code;
 }
 
@@ -195,12 +136,6 @@ void remove_old_results(const RunOptions& options) {
 }
 
 }  // namespace
-
-source::Diagnostic message_of(const session::Refusal& wrong) {
-  source::Diagnostic diagnostic;
-  diagnostic.message = wrong.message;
-  return diagnostic;
-}
 
 void tell_usage_error(const RunOptions& options, const std::string& json, const std::string& why) {
   const bool is_option = json.starts_with('-') && json != "-";

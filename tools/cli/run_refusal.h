@@ -3,7 +3,6 @@
 #include <functional>
 #include <string>
 
-#include "interpreter/source/diagnostic.h"
 #include "machine/base/result.h"
 #include "tools/cli/exit_code.h"
 #include "tools/cli/run_command.h"
@@ -22,8 +21,5 @@ ExitCode run_or_tell(const RunOptions& options, const RunWork& work);
 /// The document of a command line that is refused before anything is read of it.
 /// @param json  where --json wants it; "": nowhere
 void tell_usage_error(const RunOptions& options, const std::string& json, const std::string& why);
-
-/// The message of what could not be done.
-source::Diagnostic message_of(const session::Refusal& wrong);
 
 }  // namespace g31::cli

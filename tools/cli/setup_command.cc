@@ -5,6 +5,7 @@
 #include "interpreter/source/source_map.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
 #include "tools/review/review.h"
@@ -19,7 +20,7 @@ ExitCode setup_command(const SetupOptions& options) {
   }
   const auto reviewed = review::review(options);
   if (!reviewed) {
-    return refuse(reviewed.error());
+    return refuse(reviewed.error(), options.json, "g31.setup/1");
   }
   const review::Review& review = reviewed.value();
   disk::Disk disk;

@@ -14,6 +14,7 @@
 
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/run_page.h"
 #include "tools/cli/shown_command.h"
 #include "tools/cli/write_out.h"
@@ -175,6 +176,7 @@ std::optional<Refusal> report_study(const StudyOptions& options, const study::Re
   command.add("--merge", options.merge);
   command.add("--repeats", options.repeats ? fmt::format("{}", *options.repeats) : "");
   command.add("--seed", options.seed ? fmt::format("{}", *options.seed) : "");
+  command.add("--shard", options.shard);
   command.add("--report", options.report);
   command.add("--lang", language_given(options.language));
   std::vector<std::string> inputs = options.merge;
@@ -206,23 +208,25 @@ std::optional<Refusal> deliver(const StudyOptions& options, const study::Record&
 }  // namespace
 
 ExitCode study_command(const StudyOptions& options) {
+  constexpr std::string_view kSchema = "g31.study/1";
   if (options.study.empty() && options.merge.empty()) {
-    return refuse(session::bad_input("a study file is missing: g31 study FILE.toml"));
+    return refuse(session::bad_input("a study file is missing: g31 study FILE.toml"), options.json,
+                  kSchema);
   }
   if (options.json == "-" && options.csv == "-") {
     return refuse(session::bad_input("--json and --csv cannot both be standard output"));
-  }
-  if (const auto wrong = wrong_report(options.report)) {
-    return refuse(*wrong);
   }
   if (const auto wrong = wrong_place(
           {{"--json", options.json}, {"--csv", options.csv}, {"--report", options.report}},
           {options.merge, {options.study}})) {
     return refuse(*wrong);
   }
+  if (const auto wrong = wrong_report(options.report)) {
+    return refuse(*wrong, options.json, kSchema);
+  }
   const Made made = options.merge.empty() ? run_study(options) : merge_shards(options);
   if (!made) {
-    return refuse(made.error());
+    return refuse(made.error(), options.json, kSchema);
   }
   const study::Record& record = made.value();
   if (const auto wrong = deliver(options, record)) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "interpreter/runtime/outcome.h"
+#include "tools/cli/exit_code.h"
+#include "tools/session/refusal.h"
+
+namespace g31::cli {
+
+/// The message of what could not be done.
+source::Diagnostic message_of(const session::Refusal& wrong);
+
+/// What the document of a command that did not begin tells: a status, and a message for each thing
+/// that is wrong.
+runtime::Outcome outcome_of(const session::Refusal& wrong);
+
+/// Whether a document may take the place of what is there: nothing, an earlier document, or what is
+/// called one.  The value of --json may be a word that was meant otherwise: `run --json part.nc`.
+bool may_be_replaced(const std::string& path);
+
+/// Why that document may not be where --json wants it.
+session::Refusal not_a_document(const std::string& json);
+
+/// Says why on standard error and, where --json wants a document, in one of `schema`, `status`,
+/// `exit_code` and `diagnostics`.
+/// @param json  of the option: "" for none
+ExitCode refuse(const session::Refusal& wrong, const std::string& json, std::string_view schema);
+
+}  // namespace g31::cli
