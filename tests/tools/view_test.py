@@ -122,6 +122,18 @@ class Safety(Served):
         self.assertIn(f"--port {port}", run.stderr)
 
 
+    def test_connections_that_say_nothing_keep_nobody_waiting(self):
+        self.start()
+        self.until("Completed")
+        silent = [socket.create_connection(("127.0.0.1", self.port)) for _ in range(300)]
+        self.addCleanup(lambda: [one.close() for one in silent])
+        began = time.monotonic()
+        self.assertEqual(self.ask()[0], 200)
+        took = time.monotonic() - began
+        print(f"answered {took:.2f} s behind 300 connections that say nothing", file=sys.stderr)
+        self.assertLess(took, 2.0, "each of them is waited for 2 s")
+
+
 class Live(Served):
     def test_a_save_shows_and_so_does_an_error_until_it_is_mended(self):
         self.start("--expect", "#500=3")
@@ -137,6 +149,22 @@ class Live(Served):
         new.write_text(PROGRAM.format(3))
         new.rename(self.folder / "a.nc")
         self.until("In tolerance")
+
+    def test_an_input_that_never_rests_is_run_a_few_times_a_second(self):
+        self.start()
+        events = self.listen()
+        first = self.heard(events)
+        began = time.monotonic()
+        number = 0
+        while time.monotonic() - began < 4.0:
+            number += 1
+            self.write("a.nc", BROKEN + f"(LINE {number})\n")
+            time.sleep(0.15)
+        self.write("a.nc", PROGRAM.format(3))
+        self.until("Completed")
+        page = self.ask()[1]
+        edition = int(re.search(r'data-edition="(\d+)"', page)[1])
+        self.assertLessEqual(edition - first, 4 * 4, "four in two seconds, and those at both ends")
 
     def test_two_windows_hear_of_each_edition(self):
         self.start()

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <deque>
 #include <thread>
 #include <utility>
 
@@ -14,6 +15,30 @@
 
 namespace g31::cli {
 namespace {
+
+/// How soon runs follow each other: four at once, and no more than that in two seconds.  An input
+/// that is another one at each look, bad or good, keeps the computer busy no more than that.
+class Pace {
+ public:
+  /// Returns when the next run may begin, or the view is to end.
+  void wait(const runtime::Interruption* interruption) {
+    constexpr std::size_t kAtOnce = 4;
+    constexpr std::chrono::seconds kFor(2);
+    constexpr std::chrono::milliseconds kBetweenLooks(50);
+    while (begun_.size() >= kAtOnce && Clock::now() < begun_.front() + kFor &&
+           !runtime::is_interrupted(interruption)) {
+      std::this_thread::sleep_for(kBetweenLooks);
+    }
+    begun_.push_back(Clock::now());
+    if (begun_.size() > kAtOnce) {
+      begun_.pop_front();
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::deque<Clock::time_point> begun_;
+};
 
 /// Runs the program once in a thread of its own, until it has ended and something is saved, or the
 /// view is to end.
@@ -53,7 +78,9 @@ ExitCode view_command(const ViewOptions& options) {
       files.add(path);
     }
   }
+  Pace pace;
   for (std::uint64_t edition = 1; !runtime::is_interrupted(options.interruption); ++edition) {
+    pace.wait(options.interruption);
     runtime::Interruption interruption = false;
     files.begin();
     const Watch watch{edition,

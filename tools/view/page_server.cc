@@ -15,12 +15,13 @@
 #include <httplib.h>
 #include <sys/random.h>
 
+#include "tools/view/elastic_threads.h"
+
 namespace g31::view {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
-constexpr int kThreads = 16;
-constexpr int kMostListeners = 10;  // below the threads: each listener keeps one
+constexpr int kMostListeners = 10;  // each keeps a thread for as long as it listens
 constexpr std::size_t kMostPayload = 1024;
 constexpr auto kPatience = std::chrono::seconds(2);
 
@@ -101,7 +102,7 @@ int PageServer::Work::refusal_of(const httplib::Request& request) const {
 }
 
 void PageServer::Work::set_up() {
-  server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };  // the server's own
+  server_.new_task_queue = [] { return new ElasticThreads(); };  // the server's own
   server_.set_keep_alive_max_count(1);
   server_.set_payload_max_length(kMostPayload);
   server_.set_read_timeout(kPatience);
