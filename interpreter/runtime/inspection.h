@@ -30,4 +30,10 @@ enum class Scope : std::uint8_t {
 /// Variables by the names that programs write.
 using NamedValues = std::vector<std::pair<std::string, ShownValue>>;
 
+/// A number in a table of a control: an offset, a tool datum, a component of a frame.
+struct TableValue {
+  double value = 0.0;
+  double fresh = 0.0;  ///< on a control that nobody has set up: 1 of a scale
+};
+
 }  // namespace g31::runtime

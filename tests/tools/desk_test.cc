@@ -160,6 +160,52 @@ TEST(Changes, OfVariablesOffsetsAndTools) {
       << sinumerik.errors;
 }
 
+// Base frames and texts, too; a scale that was never set was 1.
+TEST(Changes, OfFramesAndTextsOfSinumerik) {
+  const testing::TemporaryFolder folder;
+  folder.write("GUD6.DEF", "%_N_GUD6_DEF\nDEF CHAN STRING[20] NOTE\nDEF CHAN REAL DEEP\nM17\n");
+  const std::string program = folder.write("a.mpf",
+                                           "NOTE=\"DONE\"\nDEEP=2\n$P_UIFR[1,X,SC]=2\n"
+                                           "$P_CHBFR[0,Y,TR]=1.5\n$P_SETFR[Z,TR]=-3\nM30\n");
+  const CommandOutput output = testing::g31({"run", program, "--changes"});
+  EXPECT_EQ(output.out,
+            "$P_CHBFR[0,Y,TR] = 1.5 (was 0)\n$P_SETFR[Z,TR] = -3 (was 0)\n"
+            "$P_UIFR[1,X,SC] = 2 (was 1)\nDEEP = 2 (was null)\nNOTE = DONE (was )\n")
+      << output.errors;
+}
+
+TEST(Endings, OfARunThatIsRefusedHaveTheirLine) {
+  const CommandOutput wrong = run_of("a.nc", "O1\nM30\n", {"--print", "nonsense"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_TRUE(wrong.errors.ends_with("g31: usage: nothing has run\n")) << wrong.errors;
+  const CommandOutput sheet = run_of("a.nc", "O1\nM30\n", {}, "[probe]\nlength = true\n");
+  EXPECT_TRUE(sheet.errors.ends_with("g31: usage: nothing has run\n")) << sheet.errors;
+  const CommandOutput part = run_of("a.nc", "O1\nM30\n", {},
+                                    "[[part]]\nshape = \"ring\"\nbore = 50.0\n"
+                                    "outer_diameter = 40.0\n");
+  EXPECT_TRUE(part.errors.ends_with("g31: setup: nothing has run\n")) << part.errors;
+  const CommandOutput quiet = run_of("a.nc", "O1\nM30\n", {"--print", "nonsense", "-q"});
+  EXPECT_FALSE(has(quiet.errors, "nothing has run")) << quiet.errors;
+}
+
+// Where an axis stands at the start no variable says.
+TEST(Settings, OfSinumerikAreOfVariables) {
+  for (const auto& [setting, says] :
+       {std::pair("X=5", "it is an axis; where it stands at the start says [start]"),
+        std::pair("F=500", "variable F: "), std::pair("G=1", "variable G: "),
+        std::pair("WIDTH=1", "variable WIDTH: ")}) {
+    const CommandOutput output =
+        run_of("a.mpf", "R1=$AA_IM[X]\nM30\n", {"--set", setting, "--print", "R1"});
+    EXPECT_EQ(output.exit_code, 5) << setting << output.errors;
+    EXPECT_TRUE(has(output.errors, says)) << setting << output.errors;
+    EXPECT_EQ(output.out, "") << setting;
+  }
+  const CommandOutput good = run_of("a.mpf", "R1=R2\nM30\n",
+                                    {"--set", "R2=5", "--set", "_OVR[4]=1", "--set",
+                                     "$P_UIFR[1,X,TR]=2", "--print", "R1,$P_UIFR[1,X,TR]"});
+  EXPECT_EQ(good.out, "R1 = 5\n$P_UIFR[1,X,TR] = 2\n") << good.errors;
+}
+
 TEST(Prints, AllOfThem) {
   EXPECT_EQ(run_of("a.nc", "O1\n#1=3\n#100=7\n#500=8\nM30\n", {"--print", "all"}).out,
             "#100 = 7\n#500 = 8\n#1 = 3\n");

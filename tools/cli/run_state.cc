@@ -20,35 +20,42 @@ bool are_equal(const ShownValue& a, const ShownValue& b) {
   return equal(std::get<Cell>(a), std::get<Cell>(b));
 }
 
+/// On a control that nobody has set up; a variable is vacant, or an empty text.
+ShownValue fresh_value(const StateValue& of) {
+  if (of.fresh) {
+    return Cell(*of.fresh);
+  }
+  return std::holds_alternative<std::string>(of.value) ? ShownValue(std::string()) : ShownValue();
+}
+
 }  // namespace
 
 RunState state_of(session::Session& session) {
   RunState state;
   for (const auto& [name, value] : session.values(0, Scope::Common)) {
-    state[name] = value;
+    state[name] = {value, std::nullopt};
   }
-  for (const auto& [name, value] : session.tables()) {
-    state[name] = Cell(value);
+  for (const auto& [name, entry] : session.tables()) {
+    state[name] = {Cell(entry.value), entry.fresh};
   }
   return state;
 }
 
 std::vector<report::ValueChange> changes_since(const RunState& before, session::Session& session) {
   const RunState after = state_of(session);
-  const auto tables = session.tables();
   std::map<std::string, report::ValueChange> changes;
-  for (const auto& [name, value] : after) {
+  for (const auto& [name, now] : after) {
     const auto was = before.find(name);
-    const ShownValue otherwise = tables.contains(name) ? ShownValue(Cell(0.0)) : ShownValue();
-    const ShownValue& old = was != before.end() ? was->second : otherwise;
-    if (!are_equal(old, value)) {
-      changes[name] = {name, old, value};
+    const ShownValue old = was != before.end() ? was->second.value : fresh_value(now);
+    if (!are_equal(old, now.value)) {
+      changes[name] = {name, old, now.value};
     }
   }
-  for (const auto& [name, value] : before) {
+  for (const auto& [name, was] : before) {
     if (!after.contains(name)) {
       const auto now = session.variable(name);
-      changes[name] = {name, value, now ? now.value() : ShownValue(Cell(0.0))};
+      const bool is_variable = !was.fresh && now;
+      changes[name] = {name, was.value, is_variable ? now.value() : fresh_value(was)};
     }
   }
   std::vector<report::ValueChange> list;

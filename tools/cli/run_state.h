@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,12 @@
 
 namespace g31::cli {
 
+struct StateValue {
+  runtime::ShownValue value;
+  std::optional<double> fresh;  ///< of an entry of a table: on a fresh control
+};
 /// Variables of all programs, offsets and tool data by their names, those that are set.
-using RunState = std::map<std::string, runtime::ShownValue>;
+using RunState = std::map<std::string, StateValue>;
 RunState state_of(session::Session& session);
 
 /// What has changed, by names; vacant where a value is not known or not set.

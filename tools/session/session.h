@@ -62,9 +62,8 @@ class Session {
   /// @param axis  as AxisPositions counts them
   [[nodiscard]] virtual std::optional<double> work_offset(const std::string& name,
                                                           int axis) const = 0;
-  /// Work offsets and tool data that are not 0 by names for people, and all that control tables of
-  /// the like hold.
-  [[nodiscard]] virtual std::map<std::string, double> tables() const = 0;
+  /// Work offsets, frames and tool data that are not as on a fresh control, by names for people.
+  [[nodiscard]] virtual std::map<std::string, runtime::TableValue> tables() const = 0;
   /// What a control keeps over power off.
   [[nodiscard]] virtual std::map<std::string, double> permanent_variables() const = 0;
   /// Files that are there before the run; a control that writes none leaves them alone.

@@ -41,7 +41,9 @@ class SinumerikSession final : public Session {
                                                   int axis) const override {
     return session_.work_offset(name, axis);
   }
-  [[nodiscard]] std::map<std::string, double> tables() const override { return session_.tables(); }
+  [[nodiscard]] std::map<std::string, runtime::TableValue> tables() const override {
+    return session_.tables();
+  }
   [[nodiscard]] std::map<std::string, double> permanent_variables() const override {
     return session_.permanent_variables();
   }

@@ -248,12 +248,12 @@ std::optional<double> Session::work_offset(const std::string& name, int axis) co
                 : std::nullopt;
 }
 
-std::map<std::string, double> Session::tables() const {
+std::map<std::string, runtime::TableValue> Session::tables() const {
   const Control& control = runner_->control();
-  std::map<std::string, double> table;
+  std::map<std::string, runtime::TableValue> table;
   const auto add = [&](const std::string& name, double value) {
     if (value != 0.0) {
-      table.emplace(name, value);
+      table.emplace(name, runtime::TableValue{value});
     }
   };
   for (int which = 0; which <= Coordinates::kSystems + Coordinates::kAdditional; ++which) {

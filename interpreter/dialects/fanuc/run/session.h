@@ -60,7 +60,7 @@ class Session {
   /// The machine coordinate that "G54" and the like give the origin; mm or deg.
   [[nodiscard]] std::optional<double> work_offset(const std::string& name, int axis) const;
   /// Work offsets and tool offsets that are not 0: "work_offsets.G54.X", "tools.5.length".
-  [[nodiscard]] std::map<std::string, double> tables() const;
+  [[nodiscard]] std::map<std::string, runtime::TableValue> tables() const;
 
   /// #500 to #999 that are not vacant: what a control keeps over power off.
   [[nodiscard]] std::map<std::string, double> permanent_variables() const;

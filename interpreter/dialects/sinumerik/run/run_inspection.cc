@@ -81,6 +81,19 @@ std::optional<std::string> Runner::wrong_expression(const std::string& expressio
   return why(failure(error.id, error.detail));
 }
 
+std::optional<std::string> Runner::why_no_variable(const std::string& name) {
+  const CompiledProgram* const program = programs_.expression(name, home(0));
+  if (!program->errors.empty()) {
+    const BlockError& error = program->errors.front();
+    return why(failure(error.id, error.detail));
+  }
+  return program->result.type == Type::Axis
+             ? std::optional(fmt::format("it is an axis; where it stands at the start says [start] "
+                                         "of a sheet: {} = 5.0",
+                                         name))
+             : std::nullopt;
+}
+
 Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {
   const CompiledProgram* const main = has_run_ ? nullptr : programs_.main_program();
   const CompiledProgram* const program =

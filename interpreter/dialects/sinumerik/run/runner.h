@@ -67,6 +67,8 @@ class Runner {
   std::optional<std::string> run_text(const std::string& text);
   /// Why a text is no expression; nullopt: it is one.  Nothing is evaluated.
   std::optional<std::string> wrong_expression(const std::string& expression);
+  /// Why a name is none of a variable that may get a number before the run; nullopt: it is one.
+  std::optional<std::string> why_no_variable(const std::string& name);
   /// The value of an expression after a run; before it local variables have their first values.
   Result<ShownValue, std::string> value_of(const std::string& expression);
 

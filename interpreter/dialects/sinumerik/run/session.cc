@@ -129,21 +129,38 @@ void configure_tables(Channel& channel, const runtime::ControlSetup& setup,
   channel.take_stored_frames();
 }
 
+using Table = std::map<std::string, runtime::TableValue>;
+
 /// The components of a frame that are not those of a new one.
-void add_changes(const std::string& name, const Frame& frame,
-                 std::map<std::string, double>& table) {
+/// @param name  as far as the axis: "$P_UIFR[1,", "$P_SETFR["
+void add_changes(const std::string& name, const Frame& frame, Table& table) {
   const Frame fresh;
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     for (std::size_t i = 0; i < kComponentNames.size(); ++i) {
       const auto component = static_cast<Component>(i);
       const double value = frame.component(axis, component);
       if (value != fresh.component(axis, component)) {
-        table.emplace(fmt::format("{},{},{}]", name, kAxisLetters[static_cast<std::size_t>(axis)],
+        table.emplace(fmt::format("{}{},{}]", name, kAxisLetters[static_cast<std::size_t>(axis)],
                                   kComponentNames.at(i)),
-                      value);
+                      runtime::TableValue{value, fresh.component(axis, component)});
       }
     }
   }
+}
+
+/// Basic and system frames as the control keeps them.
+void add_stored_frames(const FrameSet& stored, Table& table) {
+  for (std::size_t i = 0; i < FrameSet::kBases; ++i) {
+    add_changes(fmt::format("$P_NCBFR[{},", i), stored.global.at(i), table);
+    add_changes(fmt::format("$P_CHBFR[{},", i), stored.channel.at(i), table);
+  }
+  add_changes("$P_PARTFR[", stored.part, table);
+  add_changes("$P_SETFR[", stored.set, table);
+  add_changes("$P_EXTFR[", stored.external, table);
+  add_changes("$P_TOOLFR[", stored.tool, table);
+  add_changes("$P_WPFR[", stored.workpiece, table);
+  add_changes("$P_TRAFR[", stored.transformation, table);
+  add_changes("$P_CYCFR[", stored.cycle, table);
 }
 
 }  // namespace
@@ -161,6 +178,7 @@ Session::Session(ProgramLibrary& library, machine::MachinePort& port, runtime::O
   }
   runner_->channel().loads_data = false;
   numbers_at_start_ = runner_->channel().numbers;
+  texts_at_start_ = runner_->channel().texts;
 }
 
 Session::~Session() = default;
@@ -189,12 +207,14 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   channel.preset_rapids();
   channel.preset_codes();
   numbers_at_start_ = channel.numbers;
+  texts_at_start_ = channel.texts;
   for (const auto& [name, value] : setup.variables) {
-    const bool is_fanuc_input = name.starts_with('#');
-    const auto wrong =
-        is_fanuc_input
-            ? std::optional<std::string>("not a variable of this control")
-            : runner_->run_text(fmt::format("{}={}", name, written_number(value.value_or(0.0))));
+    auto wrong = name.starts_with('#')
+                     ? std::optional<std::string>("not a variable of this control")
+                     : runner_->why_no_variable(name);
+    if (!wrong) {
+      wrong = runner_->run_text(fmt::format("{}={}", name, written_number(value.value_or(0.0))));
+    }
     if (wrong) {
       refused.push_back({"variables." + name, fmt::format("variable {}: {}", name, *wrong)});
     }
@@ -235,6 +255,15 @@ runtime::NamedValues Session::values(std::size_t level, runtime::Scope scope) {
   for (const auto& [name, number] : permanent_variables()) {
     values.emplace_back(name, runtime::Cell(number));
   }
+  const std::vector<std::string>& texts = runner_->channel().texts;
+  for (const Variable& variable : programs_.globals().variables()) {
+    for (std::int32_t i = 0; variable.type == Type::String && i < variable.shape.count(); ++i) {
+      const auto place = static_cast<std::size_t>(variable.place + i);
+      if (texts[place] != texts_at_start_[place]) {
+        values.emplace_back(element_name(variable, i), texts[place]);
+      }
+    }
+  }
   return values;
 }
 
@@ -269,17 +298,19 @@ std::optional<double> Session::work_offset(const std::string& name, int axis) co
   return frame.component(axis, Component::Coarse) + frame.component(axis, Component::Fine);
 }
 
-std::map<std::string, double> Session::tables() const {
+std::map<std::string, runtime::TableValue> Session::tables() const {
   const Channel& channel = runner_->channel();
-  std::map<std::string, double> table;
+  Table table;
   for (std::size_t i = 0; i < channel.settable.size(); ++i) {
-    add_changes(fmt::format("$P_UIFR[{}", i), channel.settable[i], table);
+    add_changes(fmt::format("$P_UIFR[{},", i), channel.settable[i], table);
   }
+  add_stored_frames(channel.stored_frames, table);
   for (const auto& [number, tool] : channel.tools) {
     for (const auto& [edge, data] : tool.edges) {
       for (std::size_t datum = 1; datum < data.size(); ++datum) {
         if (data.at(datum) != 0.0) {
-          table.emplace(fmt::format("$TC_DP{}[{},{}]", datum, number, edge), data.at(datum));
+          table.emplace(fmt::format("$TC_DP{}[{},{}]", datum, number, edge),
+                        runtime::TableValue{data.at(datum)});
         }
       }
     }

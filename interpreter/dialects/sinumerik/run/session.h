@@ -66,7 +66,7 @@ class Session {
   [[nodiscard]] std::optional<double> work_offset(const std::string& name, int axis) const;
   /// Settable frames and tool data that are not as after power on: "$P_UIFR[1,X,TR]",
   /// "$TC_DP3[5,1]".
-  [[nodiscard]] std::map<std::string, double> tables() const;
+  [[nodiscard]] std::map<std::string, runtime::TableValue> tables() const;
 
   /// R parameters, GUD and data that differ from what they are after power on and loading: numbers
   /// by the name that a program writes.  Texts, frames and tools are not among them: the sheet says
@@ -81,6 +81,7 @@ class Session {
   CallablePrograms programs_;
   std::unique_ptr<Runner> runner_;
   std::vector<double> numbers_at_start_;  ///< as definition and INI files leave them
+  std::vector<std::string> texts_at_start_;
 };
 
 }  // namespace g31::sinumerik
