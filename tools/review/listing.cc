@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "machine/sim/machining_centre.h"
+#include "tools/session/expected_names.h"
 #include "tools/session/run.h"
 #include "tools/session/sheet_places.h"
 
@@ -46,7 +47,8 @@ std::string end_of(const runtime::Outcome& outcome, const source::SourceMap& sou
 
 Result<Listing, session::Refusal> listing_of(const session::ProgramPaths& paths,
                                              const session::Prepared& prepared,
-                                             source::FileSystem& files) {
+                                             source::FileSystem& files,
+                                             const expect::Expectations& expected) {
   const setup::Job& job = prepared.job;
   Listing listing;
   machine::MachiningCentre machine(job.machine, nullptr);
@@ -58,6 +60,9 @@ Result<Listing, session::Refusal> listing_of(const session::ProgramPaths& paths,
   const auto run = session::Run::open(job, *programs.value(), machine, recorder);
   if (!run) {
     return run.error();
+  }
+  if (const auto wrong = session::wrong_expectation(expected, *run.value())) {
+    return *wrong;
   }
   runtime::Budget budget;
   budget.blocks = kMostBlocks;

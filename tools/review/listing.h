@@ -7,6 +7,7 @@
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/outcome.h"
 #include "machine/base/result.h"
+#include "tools/expect/expectation.h"
 #include "tools/session/prepare.h"
 #include "tools/session/refusal.h"
 
@@ -30,10 +31,12 @@ inline constexpr std::size_t kMostSkips = 10000;
 
 /// Follows the main program of a request on the machine of the job, without parts: kMostBlocks
 /// blocks at most, and kMostSeconds.  Nothing is written.
-/// @param files  where the programs are
+/// @param files     where the programs are
+/// @param expected  names that the control is asked for
 Result<Listing, session::Refusal> listing_of(const session::ProgramPaths& paths,
                                              const session::Prepared& prepared,
-                                             source::FileSystem& files);
+                                             source::FileSystem& files,
+                                             const expect::Expectations& expected);
 
 inline constexpr std::uint64_t kMostBlocks = 1'000'000;
 inline constexpr double kMostSeconds = 10.0;

@@ -14,6 +14,7 @@
 #include "tools/review/listing.h"
 #include "tools/review/part_places.h"
 #include "tools/review/setup_rules.h"
+#include "tools/review/unread_variables.h"
 #include "tools/session/sheet_places.h"
 #include "tools/session/world.h"
 
@@ -117,10 +118,10 @@ Result<Listing, session::Refusal> followed(const session::Request& request,
                                            const session::Prepared& prepared) {
   if (!request.programs.empty()) {
     disk::Disk disk;
-    return listing_of(request, prepared, disk);
+    return listing_of(request, prepared, disk, prepared.job.expectations);
   }
   DiskWithIdleProgram files;
-  return listing_of({{DiskWithIdleProgram::kPath}, request.libraries}, prepared, files);
+  return listing_of({{DiskWithIdleProgram::kPath}, request.libraries}, prepared, files, {});
 }
 
 }  // namespace
@@ -149,6 +150,7 @@ Result<Review, session::Refusal> review(const session::Request& request) {
                        is_about_setup);
   if (!request.programs.empty()) {
     judge_skips(job, listing.value(), built.value(), review);
+    judge_variables(request, prepared.value(), review.findings);
     if (!listing.value().ended_at.empty()) {
       review.findings.push_back(finding_of(SetupRuleId::ListingEnded, listing.value().ended_at));
     }
