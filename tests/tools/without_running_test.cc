@@ -52,6 +52,36 @@ TEST(SetupCommand, HasNothingToSayOfASetUpThatFits) {
   EXPECT_EQ(with_program.exit_code, 0);
 }
 
+TEST(SetupCommand, SaysWhichVariablesNoProgramReads) {
+  const std::string variables =
+      "[variables]\n\"#500\" = 1.0\n\"#501\" = 2.0\n\"#502\" = 3.0\n\"#503\" = 4.0\n"
+      "[expect.variables]\n\"#502\" = 3.0\n";
+  const std::string program =
+      "O1\n#501=5\nIF[#503LT0]GOTO9\nG90 G54 G43 H1 G0 X50. Z-10.\nG31 X20. F#500\nN9 M30\n";
+  const CommandOutput output = reviewed(std::string(kSheet) + kBlock + variables, program);
+  EXPECT_EQ(output.exit_code, 0) << "a note";
+  EXPECT_TRUE(has(output, "note: no program reads a variable of the sheets: #501 [SUP109]"))
+      << output.out;
+  for (const char* const read : {"sheets: #500", "sheets: #502", "sheets: #503"}) {
+    EXPECT_FALSE(has(output, read)) << output.out;
+  }
+  EXPECT_TRUE(has(output, "sheet.toml:21:10: ")) << output.out;
+  const CommandOutput computed = reviewed(std::string(kSheet) + kBlock + variables,
+                                          "O1\nG90 G54 G43 H1 G0 X50. Z-10.\n"
+                                          "G31 X20. F#[500+#1]\nM30\n");
+  EXPECT_FALSE(has(computed, "SUP109")) << computed.out << "any of them may be read";
+}
+
+TEST(SetupCommand, RefusesNamesThatTheControlHasNot) {
+  for (const char* const expected :
+       {"[expect.variables]\n\"#99999\" = 3.0\n", "[expect.work_offsets.G505]\nX = 1.0\n",
+        "[[characteristic]]\nname = \"A\"\nvariable = \"#99999\"\n"}) {
+    const CommandOutput output = reviewed(std::string(kSheet) + kBlock + expected, kProgram);
+    EXPECT_EQ(output.exit_code, 2) << expected << output.errors;
+    EXPECT_NE(output.errors.find("sheet.toml:"), std::string::npos) << output.errors;
+  }
+}
+
 /// The ball comes to X 500, the block begins at 670 and the ball is 3 mm: 167 mm.
 TEST(SetupCommand, SaysWhichPartIsOutOfReach) {
   const CommandOutput output =
@@ -186,8 +216,9 @@ TEST(NewCommand, MakesAFolderThatRuns) {
     setup.programs = run.programs;
     const auto review = testing::captured([&] { return setup_command(setup); });
     EXPECT_EQ(review.exit_code, 0) << review.out << review.errors;
-    EXPECT_NE(testing::text_of(path + "/.github/workflows/g31.yml").find("g31 run "),
-              std::string::npos);
+    for (const char* const pipeline : {"/.github/workflows/g31.yml", "/.gitlab-ci.yml"}) {
+      EXPECT_NE(testing::text_of(path + pipeline).find("g31 run "), std::string::npos) << pipeline;
+    }
   }
 }
 

@@ -137,6 +137,19 @@ jobs:
         run: g31 run {program} --setup setup.toml --json result.json
 )";
 
+constexpr std::string_view kGitlab =
+    R"(# Runs the program at each push.  The runner needs g31: install it there, or name an image that has it.
+measuring programs:
+  script:
+    - g31 check {program} --setup setup.toml
+    - g31 setup setup.toml --program {program}
+    - g31 run {program} --setup setup.toml --json result.json
+  artifacts:
+    when: always
+    paths:
+      - result.json
+)";
+
 constexpr std::string_view kReadme = R"(# Measuring programs
 
 `{program}` measures the width of a block in X with the control {profile}; `setup.toml` says what it finds on
@@ -146,8 +159,8 @@ the machine.
     g31 setup setup.toml --program {program}
     g31 check {program}
 
-Exit code 0: all is well; `g31 run --help` has the others.  `.github/workflows/g31.yml` does the same at
-each push.  Next: put your own program beside it, give its parts and offsets in `setup.toml`.
+Exit code 0: all is well; `g31 run --help` has the others.  `.github/workflows/g31.yml` (GitHub) and
+`.gitlab-ci.yml` (GitLab) do the same at each push: keep the one that you need.  Next: put your own program beside it, give its parts and offsets in `setup.toml`.
 )";
 
 std::string filled(std::string_view text, std::string_view name, std::string_view value) {
@@ -170,6 +183,7 @@ std::vector<StarterFile> starter_files(const session::Control& control) {
           {"setup.toml", filled(filled(kSheet, "profile", session::name_of(control)), "width",
                                 is_fanuc ? "\"#503\"" : "R3")},
           {".github/workflows/g31.yml", filled(kWorkflow, "program", program)},
+          {".gitlab-ci.yml", filled(kGitlab, "program", program)},
           {"README.md", filled(readme, "results", is_fanuc ? "#503,#504" : "R3,R4")}};
 }
 
