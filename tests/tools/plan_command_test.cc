@@ -344,6 +344,18 @@ TEST_F(Plan, RefusesWhatItCannotUseAndWritesNothing) {
   }
 }
 
+// The way down to the slot F1 is the first skip move; its walls are touched by the next two.
+TEST_F(Plan, ItsPageShowsTheTouchesOfAMeasure) {
+  ASSERT_EQ(plan({kProduct, "--stock", "box"}).exit_code, 0);
+  const std::string page = text_of(out("plan.html"));
+  const std::size_t begin = page.find("class=\"name\">F1.Y <");
+  ASSERT_NE(begin, page.npos);
+  const std::string row = page.substr(begin, page.find("</tr>", begin) - begin);
+  EXPECT_NE(row.find("data-t=\"2\""), row.npos) << row;
+  EXPECT_NE(row.find("data-t=\"3\""), row.npos) << row;
+  EXPECT_EQ(row.find("data-t=\"1\""), row.npos) << row;
+}
+
 TEST_F(Plan, IsTheSameEachTime) {
   ASSERT_EQ(plan({kProduct, "--stock", "box"}).exit_code, 0);
   std::map<std::string, std::string> first;

@@ -146,6 +146,20 @@ bool compares(const Report& report) {
                              [](const Characteristic& row) { return row.other.has_value(); });
 }
 
+/// Whether the true size of any result is known.
+bool knows_true_sizes(const Report& report) {
+  return std::ranges::any_of(report.results,
+                             [](const Characteristic& row) { return row.true_size.has_value(); });
+}
+
+/// What the sign of a true size means.
+std::string true_size_key(const Report& report) {
+  constexpr const char* kKey =
+      R"html(<span class="key"><svg width="12" height="12" aria-hidden="true"><path d="M6 1l5 5-5 5-5-5z" fill="none" stroke="var(--accent)" stroke-width="1.6"/></svg>)html";
+  return knows_true_sizes(report) ? kKey + std::string(word(report, Word::TrueSize)) + "</span>"
+                                  : "";
+}
+
 std::string row_of(const Report& report, const Characteristic& row) {
   const auto cell = [&](Word label, std::string_view value, std::string_view kind = "n") {
     return fmt::format(R"(<td class="{}" data-l="{}">{}</td>)", kind, word(report, label), value);
@@ -168,12 +182,16 @@ std::string row_of(const Report& report, const Characteristic& row) {
   html += cell(Word::Nominal, number(row.nominal, decimals));
   html += cell(Word::Tolerance, tolerance_text(row));
   html += cell(Word::Measured, number(row.measured, decimals), "n big");
-  html += cell(Word::TrueSize, number(row.true_size, decimals));
+  if (knows_true_sizes(report)) {
+    html += cell(Word::TrueSize, number(row.true_size, decimals));
+  }
   html += cell(Word::Unit, unit.empty() ? "–" : unit, "");
   html += cell(Word::Deviation,
                fmt::format(R"(<span class="{}">{}</span>)", is_out(row) ? "no big" : "",
                            difference_text(row, deviation_of(row))));
-  html += cell(Word::MeasuringError, difference_text(row, error));
+  if (knows_true_sizes(report)) {
+    html += cell(Word::MeasuringError, difference_text(row, error));
+  }
   html += fmt::format(R"(<td class="bar">{}</td>)",
                       row.tolerance ? ToleranceBar(row, report.language).svg() : "");
   html += cell(Word::OfTolerance, share_text(row), is_out(row) ? "n no" : "n");
@@ -196,14 +214,17 @@ std::string results_part(const Report& report) {
   }
   const auto say = [&](Word name) { return word(report, name); };
   std::string html = fmt::format(
-      R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{0}</h2><span class="right"><span class="key"><svg width="18" height="10" aria-hidden="true"><path d="M9 0v10" stroke="var(--ink)" stroke-width="2.5"/></svg>{1}</span><span class="key"><svg width="12" height="12" aria-hidden="true"><path d="M6 1l5 5-5 5-5-5z" fill="none" stroke="var(--accent)" stroke-width="1.6"/></svg>{2}</span></span></header><div class="tw" tabindex="0" role="region" aria-label="{0}, table"><table id="results"><thead><tr>)html",
-      say(Word::Results), say(Word::Measured), say(Word::TrueSize));
+      R"html(<section class="card" aria-labelledby="hres"><header><h2 id="hres">{0}</h2><span class="right"><span class="key"><svg width="18" height="10" aria-hidden="true"><path d="M9 0v10" stroke="var(--ink)" stroke-width="2.5"/></svg>{1}</span>{2}</span></header><div class="tw" tabindex="0" role="region" aria-label="{0}, table"><table id="results"><thead><tr>)html",
+      say(Word::Results), say(Word::Measured), true_size_key(report));
   std::vector<std::pair<Word, std::string_view>> heads = {
-      {Word::Characteristic, ""}, {Word::Nominal, "n"},        {Word::Tolerance, "n"},
-      {Word::Measured, "n"},      {Word::TrueSize, "n"},       {Word::Unit, ""},
-      {Word::Deviation, "n"},     {Word::MeasuringError, "n"}, {Word::Limits, "mid"},
-      {Word::OfTolerance, "n"},
+      {Word::Characteristic, ""}, {Word::Nominal, "n"},     {Word::Tolerance, "n"},
+      {Word::Measured, "n"},      {Word::Unit, ""},         {Word::Deviation, "n"},
+      {Word::Limits, "mid"},      {Word::OfTolerance, "n"},
   };
+  if (knows_true_sizes(report)) {
+    heads.insert(heads.begin() + 4, {Word::TrueSize, "n"});
+    heads.insert(heads.begin() + 7, {Word::MeasuringError, "n"});
+  }
   if (compares(report)) {
     heads.insert(heads.end(), {{Word::OtherRun, "n"}, {Word::Difference, "n"}});
   }
