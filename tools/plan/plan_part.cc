@@ -57,6 +57,9 @@ class PartPlanner {
       return stock.error();
     }
     const auto removal = parts::removal_of(request_.product, stock.value());
+    if (runtime::is_interrupted(request_.interruption)) {
+      return session::interrupted();
+    }
     if (!removal) {
       return session::bad_input(removal.error());
     }
