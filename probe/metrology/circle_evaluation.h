@@ -37,6 +37,11 @@ struct CircleEvaluation {
   double mean_radial_error = 0.0;  ///< mm, mean over the angle of what was recorded
   std::optional<Extremes> ccw;     ///< the same of one direction, where recorded
   std::optional<Extremes> cw;
+  /// Smallest distance of two circles that hold the path, mm: all turns, counter-clockwise,
+  /// clockwise.
+  std::optional<double> minimum_zone;
+  std::optional<double> minimum_zone_ccw;
+  std::optional<double> minimum_zone_cw;
   std::optional<CircleDirections> directions;  ///< where both were recorded
   std::array<std::optional<double>, 2> spike;  ///< mm; where no reversal was recorded, nothing
 };
@@ -47,8 +52,10 @@ struct CircleEvaluation {
 /// (`circle_turns`).  Fitted are the samples that the model describes: not those within
 /// 0.3 s of the start of a turn and 0.1 s of its end (servo loops settle; 10 to 60 degrees), nor
 /// those from 2 degrees before a reversal of an axis to 10 degrees behind it and further while the
-/// residuals are significant there (play is taken up, friction turns round), at most 40.  The spike
-/// of an axis is the largest residual outwards in those ranges.
+/// residuals are significant there (play is taken up, friction turns round), at most 40.  What the
+/// errors change by when another 10 degrees are left out there is part of their uncertainties: what
+/// friction leaves behind dies away slowly.  The spike of an axis is the largest residual outwards
+/// in those ranges.
 ///
 /// Error: what is wrong with the record as a circle, one line.
 Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& samples,

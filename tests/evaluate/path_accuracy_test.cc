@@ -131,6 +131,16 @@ TEST(PathAccuracy, AReversalOnACircleMakesASpikeOfTenMicrometres) {
     EXPECT_NEAR(circle.value("spike_X"), 10.12, 0.1);
     EXPECT_NEAR(circle.value("spike_Y"), 10.12, 0.1);
     EXPECT_NEAR(1000.0 * (circle.value("radius") - 50.0), run.contour_control ? -2.8 : -14.8, 0.1);
+    // The machine has neither play nor squareness; what friction leaves behind is in the
+    // uncertainties.
+    for (const char* const nothing :
+         {"backlash_X", "backlash_Y", "squareness", "centre_x", "centre_y"}) {
+      EXPECT_LE(std::abs(circle.value(nothing)), 3.0 * circle.u(nothing)) << nothing;
+    }
+    EXPECT_LE(std::abs(circle.value("scale_X") - circle.value("scale_Y")),
+              3.0 * std::hypot(circle.u("scale_X"), circle.u("scale_Y")));
+    EXPECT_LE(circle.u("squareness"), 1.0) << "um/m";
+    EXPECT_LE(circle.value("minimum_zone"), circle.value("circular_error"));
   }
 }
 
