@@ -132,14 +132,15 @@ MaybeCut passing_by(const PlaneWay& before, const PlaneWay& behind, const Corner
       leg = wish.tolerance_mm[axis] / std::abs(away[axis]);
     }
   }
-  if (!(leg > kOnePointMm)) {
-    return std::nullopt;
+  const double radius = leg / std::tan(half_turn);
+  if (!(leg > kOnePointMm) || !(radius > kOnePointMm)) {
+    return std::nullopt;  // too little to round, or straight back
   }
   const bool to_left = cross(in, out) > 0.0;
   const PlanePoint inwards = to_left ? PlanePoint(-in.y(), in.x()) : PlanePoint(in.y(), -in.x());
   const PlanePoint begin = before.to - leg * in;
   const auto turn = to_left ? machine::Turn::Counterclockwise : machine::Turn::Clockwise;
-  const PlanePoint centre = begin + leg / std::tan(half_turn) * inwards;
+  const PlanePoint centre = begin + radius * inwards;
   return Cut{begin, before.to + leg * out, true, ArcShape{centre, turn}};
 }
 
