@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -125,6 +126,33 @@ TEST(ToolProbeMeasurement, InWorkCoordinates) {
                 {"$TC_DP6[5,1]", 8.0},
                 {"_OVI[9]", 0.0}},
                kStanding);
+}
+
+/// Calls and results count in the program's unit; what the cycles keep is what it was in
+/// millimetres.
+TEST(ToolProbeMeasurement, IsTheSameInEachUnit) {
+  for (const auto& [code, unit] :
+       {std::pair{"G71", 1.0}, std::pair{"G70", 25.4}, std::pair{"G700", 25.4}}) {
+    SCOPED_TRACE(code);
+    const std::string limits = fmt::format("{:.12f},{:.12f}", 5.0 / unit, 2.0 / unit);
+    const std::string tolerances = fmt::format(",,{:.12f},{:.12f}", 0.0001 / unit, 1.0 / unit);
+    expect_tools(with_tool(9) + code + "\nCYCLE971(100000,0,1,0,0,0," + limits +
+                     ")\nR1=_OVR[8] R2=_OVR[16]\nG710",
+                 {kCube},
+                 {{"R1", 212.5 / unit},
+                  {"R2", -300.0 / unit},
+                  {"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]", 212.5},
+                  {"$SNS_MEA_TP_TRIG_MINUS_DIR_AX3[0]", -300.0}},
+                 kStanding);
+    expect_tools(
+        "$TC_DP3[5,1]=100.3 $TC_DP6[5,1]=7.8\n" + with_tool(5) + code +
+            "\nCYCLE971(1,0,1,103,2,0," + limits + tolerances +
+            ")\nR1=_OVR[8]\nG710 G0 SUPA Z-270\n" + code + "\nCYCLE971(1,0,1,2,1,0," + limits +
+            tolerances + ")\nR2=_OVR[10]\nG710",
+        {kCube, kKnown},
+        {{"R1", 100.0 / unit}, {"R2", 8.0 / unit}, {"$TC_DP3[5,1]", 100.0}, {"$TC_DP6[5,1]", 8.0}},
+        kStanding);
+  }
 }
 
 TEST(ToolProbeMeasurement, OfADrillAndOfAMillWithTheWearCorrected) {

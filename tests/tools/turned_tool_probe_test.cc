@@ -1,6 +1,7 @@
 // CYCLE982 on a lathe with a true tool probe: turning tools, mills and drills whose data are wrong.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -153,6 +154,26 @@ TEST(TurnedToolProbe, FindsABelievedTurningToolAsItsDataSay) {
                  {"_OVR[9]", 0.0},
                  {"_OVR[10]", 79.6},
                  {"_OVR[11]", 0.0}});
+}
+
+TEST(TurnedToolProbe, MeasuresTheSameInEachUnit) {
+  for (const auto& [code, unit] :
+       {std::pair{"G71", 1.0}, std::pair{"G70", 25.4}, std::pair{"G700", 25.4}}) {
+    SCOPED_TRACE(code);
+    const std::string limits = fmt::format("{:.12f},{:.12f}", 5.0 / unit, 2.0 / unit);
+    expect_turned(with_edge(9, 60.0, 70.0, 3) + code + "\nCYCLE982(0,0,1,1,2,0," + limits +
+                      ")\nR1=_OVR[8] R2=$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]\nG710",
+                  {},
+                  {{"R1", -200.0 / unit},
+                   {"R2", -200.0 / (std::string(code) == "G700" ? unit : 1.0)},
+                   {"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]", -200.0}});
+    expect_turned(
+        with_edge(5, 50.3, 79.6, 3, "DIAMON") + code + "\nCYCLE982(2,0,1,0,0,0," + limits +
+            fmt::format(",,,,{:.12f},{:.12f}", 0.0001 / unit, 1.0 / unit) +
+            ")\nR1=_OVR[8] R2=_OVR[10]\nG710",
+        {kTrue},
+        {{"R1", 50.0 / unit}, {"R2", 80.0 / unit}, {"$TC_DP3[5,1]", 50.0}, {"$TC_DP4[5,1]", 80.0}});
+  }
 }
 
 TEST(TurnedToolProbe, MeasuresOneLengthIntoTheWear) {
