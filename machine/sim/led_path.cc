@@ -17,6 +17,7 @@ LedPath::LedPath(const BasePath& base, const AxisPositions& q_M_from, const Axis
                  AxisTransformPtr transform)
     : base_(base), q_M_from_(q_M_from), q_M_to_(q_M_to), transform_(std::move(transform)) {
   G31_EXPECTS(transform_ != nullptr);
+  cubic_ = as_cubic();
 }
 
 double LedPath::length() const {
@@ -32,10 +33,45 @@ AxisPositions LedPath::at(double fraction) const {
   if (fraction == 0.0) {
     return q_M_from_;
   }
-  return fraction >= 1.0 ? q_M_to_ : transform_->axes_at(base_at(fraction)).value_or(q_M_to_);
+  if (fraction >= 1.0) {
+    return q_M_to_;
+  }
+  if (cubic_) {
+    const Cubic& a = *cubic_;
+    return a[0] + fraction * (a[1] + fraction * (a[2] + fraction * a[3]));
+  }
+  return led_to(fraction);
+}
+
+AxisPositions LedPath::led_to(double fraction) const {
+  return transform_->axes_at(base_at(fraction)).value_or(q_M_to_);
+}
+
+std::optional<LedPath::Cubic> LedPath::as_cubic() const {
+  if (piece_count() > 1) {
+    return std::nullopt;
+  }
+  const Cubic a = cubic_through({q_M_from_, led_to(1.0 / 3.0), led_to(2.0 / 3.0), q_M_to_});
+  for (const double f : kFurthestFromQuartic) {
+    const AxisPositions off = a[0] + f * (a[1] + f * (a[2] + f * a[3])) - led_to(f);
+    if (!(off.cwiseAbs().maxCoeff() <= kLedErrorMm)) {
+      return std::nullopt;
+    }
+  }
+  return a;
+}
+
+std::array<AxisPositions, 4> cubic_through(const std::array<AxisPositions, 4>& q) {
+  return {q[0], -5.5 * q[0] + 9.0 * q[1] - 4.5 * q[2] + q[3],
+          9.0 * q[0] - 22.5 * q[1] + 18.0 * q[2] - 4.5 * q[3],
+          -4.5 * q[0] + 13.5 * q[1] - 13.5 * q[2] + 4.5 * q[3]};
 }
 
 AxisPositions LedPath::slope_at(double fraction) const {
+  if (cubic_) {
+    const Cubic& a = *cubic_;
+    return a[1] + fraction * (2.0 * a[2] + 3.0 * fraction * a[3]);
+  }
   constexpr double kStep = 1e-4;
   const double before = std::max(0.0, fraction - kStep);
   const double behind = std::min(1.0, fraction + kStep);
@@ -49,6 +85,9 @@ int LedPath::piece_count() const {
 }
 
 bool LedPath::leads() const {
+  if (cubic_) {
+    return true;
+  }
   const int pieces = piece_count();
   for (int i = 1; i < pieces; ++i) {
     if (!transform_->axes_at(base_at(static_cast<double>(i) / pieces))) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <variant>
 
@@ -11,6 +12,9 @@ namespace g31::machine {
 
 /// A way that is straight, or an arc, in the base coordinates of a transformation: the axes go
 /// along curves.
+///
+/// A short way that a cubic tells within kLedErrorMm is told by it, for each point of the
+/// transformation takes the time of many.
 class LedPath {
  public:
   using BasePath = std::variant<StraightPath, ArcPath>;
@@ -42,13 +46,27 @@ class LedPath {
   [[nodiscard]] bool leads() const;
 
  private:
+  using Cubic = std::array<AxisPositions, 4>;  // by powers of the fraction
+
   [[nodiscard]] AxisPositions base_at(double fraction) const;
+  [[nodiscard]] AxisPositions led_to(double fraction) const;
+  [[nodiscard]] std::optional<Cubic> as_cubic() const;
 
   BasePath base_;
   AxisPositions q_M_from_;
   AxisPositions q_M_to_;
   AxisTransformPtr transform_;
+  std::optional<Cubic> cubic_;
 };
+
+/// The cubic a[0] + f (a[1] + f (a[2] + f a[3])) through the points at the fractions 0, 1/3, 2/3
+/// and 1.
+std::array<AxisPositions, 4> cubic_through(const std::array<AxisPositions, 4>& q);
+/// Where such a cubic is furthest from a quartic.
+inline constexpr double kFurthestFromQuartic[] = {0.127, 0.873};
+
+/// mm or deg: the tip that a transformation holds stays within 1e-9 mm.
+inline constexpr double kLedErrorMm = 1e-10;
 
 /// The way of a move from a position; nullopt: no transformation leads it, or no rotary axis turns,
 /// so that what is straight in base coordinates is so for the axes.

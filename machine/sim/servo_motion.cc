@@ -97,27 +97,25 @@ std::array<AxisPositions, 4> command_between(const IndependentPath& path,
 /// A piece of a phase on a led way as a cubic of the time since its beginning.
 struct LedPiece {
   std::array<AxisPositions, 4> command;
-  bool is_close = false;  ///< within kLedCommandError of the way
+  bool is_close = false;  ///< within kLedErrorMm of the way
 };
 
-/// Through four points of the way at equal times; where such a cubic is furthest from a quartic it
-/// is compared with the way.
+/// Through four points of the way at equal times, and compared with it between them.
 LedPiece led_piece(const LedPath& path, const MotionPhase& phase, double from_s, double to_s) {
   const double duration_s = to_s - from_s;
   const auto place = [&](double part) {
     const double distance = phase.distance_after(from_s + part * duration_s);
     return path.at(std::clamp(distance / path.length(), 0.0, 1.0));
   };
-  const AxisPositions q[] = {place(0.0), place(1.0 / 3.0), place(2.0 / 3.0), place(1.0)};
-  const AxisPositions along = -5.5 * q[0] + 9.0 * q[1] - 4.5 * q[2] + q[3];
-  const AxisPositions bend = 9.0 * q[0] - 22.5 * q[1] + 18.0 * q[2] - 4.5 * q[3];
-  const AxisPositions twist = -4.5 * q[0] + 13.5 * q[1] - 13.5 * q[2] + 4.5 * q[3];
-  LedPiece piece{{q[0], along / duration_s, bend / (duration_s * duration_s),
-                  twist / (duration_s * duration_s * duration_s)},
-                 true};
-  for (const double part : {0.127, 0.873}) {
+  LedPiece piece{cubic_through({place(0.0), place(1.0 / 3.0), place(2.0 / 3.0), place(1.0)}), true};
+  double scale = 1.0;
+  for (AxisPositions& power : piece.command) {
+    power *= scale;
+    scale /= duration_s;
+  }
+  for (const double part : kFurthestFromQuartic) {
     const AxisPositions off = value_of(piece.command, part * duration_s) - place(part);
-    piece.is_close = piece.is_close && off.cwiseAbs().maxCoeff() <= kLedCommandError;
+    piece.is_close = piece.is_close && off.cwiseAbs().maxCoeff() <= kLedErrorMm;
   }
   return piece;
 }

@@ -40,7 +40,7 @@ struct ServoState {
 /// where it is commanded.  An axis with a velocity loop follows as LoopMotion says.
 ///
 /// Accuracy: straight moves and rapids of each axis on its own are solved in closed form; on arcs
-/// the command is taken within kArcCommandErrorMm, on led ways within kLedCommandError; for
+/// the command is taken within kArcCommandErrorMm, on led ways within kLedErrorMm; for
 /// velocity loops see LoopMotion.
 class ServoMotion {
  public:
@@ -125,9 +125,5 @@ class ServoMotion {
 
 /// How far a command on an arc may be beside the arc, mm.
 inline constexpr double kArcCommandErrorMm = 1e-8;
-
-/// How far a command on a led way may be beside it, mm or deg: the tip that it holds stays within
-/// 1e-9 mm.
-inline constexpr double kLedCommandError = 1e-10;
 
 }  // namespace g31::machine
