@@ -106,8 +106,11 @@ MaybeFailure rapid_to(Control& control, const AxisPositions& q_B_end, machine::R
 void take_tip_feed(const Control& control, path::PathBlock& block) {
   block.mm_per_degree = 0.0;
   const double most = control.parameters.get(ParameterId::LargestFeed);
-  const double way = (linear_axes(block.q_M_end) - linear_axes(control.path_position())).norm();
-  if (way < kTipStandsMm && most > 0.0 && !control.parameters.is_on(ParameterId::TurnsByFeed)) {
+  if (most <= 0.0 || control.parameters.is_on(ParameterId::TurnsByFeed)) {
+    return;
+  }
+  const Point way = linear_axes(block.q_M_end) - linear_axes(control.path_position());
+  if (way.norm() < kTipStandsMm) {
     block.feed_mm_min = most;
   }
 }
