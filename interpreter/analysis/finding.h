@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "interpreter/source/diagnostic.h"
 
@@ -28,6 +30,18 @@ std::span<const Rule> rules();
 
 const Rule& info(RuleId id);
 
+/// A text in the place of another.
+struct Edit {
+  source::Location where;  ///< known; of no length: put in there
+  std::string text;
+};
+
+/// What mends a finding for certain.
+struct Fix {
+  std::string title;        ///< what it does: "remove the comment"
+  std::vector<Edit> edits;  ///< none touches another
+};
+
 /// Something that can be said of a program without running it.
 struct Finding {
   RuleId rule = RuleId::WrongBlock;
@@ -35,6 +49,7 @@ struct Finding {
   source::Location where;  ///< known
   std::string message;     ///< one line, no final full stop
   std::string remedy;      ///< what would be right; may be empty
+  std::optional<Fix> fix = {};
 };
 
 /// A finding as a message for people: with the alarm's number, if it has one.

@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -59,6 +60,13 @@ struct Block {
   bool to_any_label = false;  ///< the target of its jump is known when running: a block of `labels`
 };
 
+/// One text in the place of another, which mends a fault for certain.
+struct Repair {
+  std::string title;  ///< what it does: "write GOTOB"
+  syntax::ShortSpan where;
+  std::string text;
+};
+
 /// What is wrong with a block, as the control will say when it gets there.
 struct Fault {
   enum class Kind : std::uint8_t {
@@ -72,6 +80,7 @@ struct Fault {
   syntax::ShortSpan where;
   std::string message;  ///< text of the alarm and what it is about
   std::string remedy;
+  std::optional<Repair> repair = {};
 };
 
 /// A call of another program, or its preparation.

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -63,6 +64,8 @@ class SinumerikTranslation {
   void next(StepIndex step) { go(step + 1, EdgeKind::Next); }
   void jump_if_not(StepIndex step);
   void jump_to_text(StepIndex step);
+  [[nodiscard]] std::optional<Repair> other_direction(const std::string& name,
+                                                      syntax::ShortSpan where) const;
   void repeat_part(StepIndex step);
   void call(const sinumerik::CallSite& site, syntax::ShortSpan where);
   void stop(AlarmId id, syntax::ShortSpan where, const std::string& detail);
@@ -86,6 +89,7 @@ class SinumerikTranslation {
   std::vector<BlockIndex> block_of_;  ///< of each step
   std::vector<RepeatedPart> parts_;
   BlockIndex now_ = 0;
+  StepIndex now_step_ = 0;
   std::vector<StepIndex> open_;  ///< steps of the present block that are still to be followed
   std::vector<bool> followed_;   ///< per step
   std::set<std::string> asked_for_;
@@ -142,6 +146,7 @@ void SinumerikTranslation::follow_block(BlockIndex index) {
 void SinumerikTranslation::follow(StepIndex step) {
   const Op& here = op(step);
   const OpCode code = here.code;
+  now_step_ = step;
   if (code == OpCode::Jump || code == OpCode::JumpInto) {
     go(here.a.place, here.a.place == step + 1 ? EdgeKind::Next : EdgeKind::Jump);
   } else if (code == OpCode::JumpIfNot) {
@@ -187,7 +192,8 @@ void SinumerikTranslation::stop(AlarmId id, syntax::ShortSpan where, const std::
                                        : Fault::Kind::Block,
        row.number, where,
        detail.empty() ? std::string(row.text) : fmt::format("{}: {}", row.text, detail),
-       std::string(row.remedy)});
+       std::string(row.remedy),
+       id == AlarmId::JumpTargetMissing ? other_direction(detail, where) : std::nullopt});
 }
 
 void SinumerikTranslation::jump_if_not(StepIndex step) {
@@ -224,6 +230,25 @@ void SinumerikTranslation::jump_to_text(StepIndex step) {
   } else {
     stop(AlarmId::JumpTargetMissing, span(step), name);
   }
+}
+
+/// The letter of GOTOF or GOTOB, where the label that is missing there lies the other way.
+std::optional<Repair> SinumerikTranslation::other_direction(const std::string& name,
+                                                            syntax::ShortSpan where) const {
+  if (!find_label(program_, name, now_step_, sinumerik::Direction::Both)) {
+    return std::nullopt;
+  }
+  constexpr std::size_t kLength = 5;
+  const std::string_view before = program_.file->text().substr(0, where.begin);
+  const std::size_t end = before.find_last_not_of(" \t") + 1;  // npos + 1 is 0
+  const std::string word =
+      end < kLength ? std::string() : sinumerik::upper(before.substr(end - kLength, kLength));
+  if (word != "GOTOF" && word != "GOTOB") {
+    return std::nullopt;
+  }
+  const std::string other = word == "GOTOF" ? "B" : "F";
+  const auto letter = static_cast<std::uint32_t>(end - 1);
+  return Repair{"write GOTO" + other, {letter, letter + 1}, other};
 }
 
 void SinumerikTranslation::repeat_part(StepIndex step) {

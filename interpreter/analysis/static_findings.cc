@@ -1,9 +1,13 @@
 #include "interpreter/analysis/static_findings.h"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include "interpreter/analysis/look_alikes.h"
 
 namespace g31::analysis {
 namespace {
@@ -78,8 +82,13 @@ class Findings {
     if (!is_reached && rule != RuleId::NotSimulated) {
       rule = RuleId::UnreachedFault;
     }
-    found_.push_back(
-        {rule, fault.alarm, flow.file->at(fault.where.widened()), fault.message, fault.remedy});
+    std::optional<Fix> fix;
+    const auto repair = fault.repair ? fault.repair : plain_character(*flow.file, fault.where);
+    if (repair) {
+      fix = Fix{repair->title, {{flow.file->at(repair->where.widened()), repair->text}}};
+    }
+    found_.push_back({rule, fault.alarm, flow.file->at(fault.where.widened()), fault.message,
+                      fault.remedy, std::move(fix)});
   }
 
   ProgramSet& programs_;

@@ -217,7 +217,8 @@ TEST(Check, TheDocumentHasTheShapeOfTheContract) {
     "message": "alarm 78, NUMBER NOT FOUND: O1234 is in none of the files and folders",
     "file": ")" + options.files[0] +
                                   R"(", "line": 2, "column": 9, "end_line": 2, "end_column": 14,
-    "fix": null, "remedy": "give the file, or its folder with --lib", "alarm": 78}]})"));
+    "fix": null, "line_text": "(\u00e4?)G65 P1234", "remedy": "give the file, or its folder with --lib",
+    "alarm": 78}]})"));
   options.json = "-";
   EXPECT_EQ(json::parse(checked(options).text), document);
   options.json = "";

@@ -8,8 +8,10 @@
 
 #include "interpreter/analysis/program_set.h"
 #include "interpreter/analysis/static_findings.h"
+#include "tools/check/disabled_findings.h"
 #include "tools/disk/shipped.h"
 #include "tools/session/analysed_programs.h"
+#include "tools/session/message_comments.h"
 
 namespace g31::check {
 namespace {
@@ -87,11 +89,19 @@ Findings check(const Request& request, source::SourceMap& sources) {
     auto programs = session::analysed_programs(group.control, sources, request.setup);
     std::vector<std::string> readable;
     for (const std::string& path : group.files) {
-      (programs->add_file(path) ? readable : all.unreadable).push_back(path);
+      const bool is_readable = programs->add_file(path);
+      (is_readable ? readable : all.unreadable).push_back(path);
+      if (!is_readable) {
+        request.file_done();
+      }
     }
     add_callable(*programs, group, groups, request);
     for (const std::string& path : readable) {
-      by_file[path] = analysis::static_findings(*programs, path);
+      const source::SourceFile& file = programs->text(path);
+      by_file[path] = without_disabled(
+          analysis::static_findings(*programs, path), file,
+          session::message_comments(file.text(), session::comment_form(group.control)), sources);
+      request.file_done();
     }
   }
   for (const std::string& path : request.paths.files) {

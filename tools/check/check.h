@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ struct Request {
   std::optional<session::Control> control;  ///< of all; without one each file speaks for itself
   std::vector<std::string> libraries;       ///< folders of subprograms
   runtime::ControlSetup setup;              ///< what the sheets say the control knows
+  /// Told behind each file of `paths`.
+  std::function<void()> file_done = [] {};
 };
 
 /// The findings of some files, file by file.
@@ -26,6 +29,8 @@ struct Findings {
   std::vector<std::string> unreadable;  ///< files
 };
 
+/// Without what comments of the programs disable (disabled_findings.h).
+///
 /// Looks up what a program calls as a run of it would: in its file, in the other files of its
 /// folder that are checked, in those that are named, in its folder, in the libraries and among the
 /// programs shipped with g31.

@@ -1,40 +1,22 @@
 #include "tools/check/check_document.h"
 
-#include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "interpreter/source/printable.h"
+#include "tools/check/extent.h"
 
 namespace g31::check {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view kSchema = "g31.check/1";
+
 std::string_view level_of(const analysis::Finding& finding) {
   return source::name_of(analysis::info(finding.rule).level);
-}
-
-/// Where a finding stands: on one line, and never of no width.  Columns count characters from 1.
-struct Extent {
-  std::string file;
-  int line = 0;
-  int column = 0;
-  int end_column = 0;
-};
-
-/// @param bytes  of the line before the column
-int column_of(std::string_view line, std::size_t bytes) {
-  return 1 + static_cast<int>(source::character_count(source::printable(line.substr(0, bytes))));
-}
-
-Extent extent_of(const analysis::Finding& finding, const source::SourceMap& sources) {
-  const source::ShownPlace place = sources.show(finding.where);
-  const auto before = static_cast<std::size_t>(std::max(place.column, 1)) - 1;
-  const int column = column_of(place.text, before);
-  const int end = column_of(place.text, before + finding.where.length);
-  return {place.file, place.line, column, std::max(end, column + 1)};
 }
 
 /// GitHub's own escapes.
@@ -48,11 +30,24 @@ std::string escaped(std::string_view text, bool is_property) {
   return all;
 }
 
+Json json_of(const analysis::Fix& fix, const source::SourceMap& sources) {
+  Json edits = Json::array();
+  for (const analysis::Edit& edit : fix.edits) {
+    const Extent extent = extent_of(edit, sources);
+    edits.push_back({{"line", extent.line},
+                     {"column", extent.column},
+                     {"end_line", extent.end_line},
+                     {"end_column", extent.end_column},
+                     {"text", edit.text}});
+  }
+  return {{"title", fix.title}, {"edits", std::move(edits)}};
+}
+
 }  // namespace
 
 std::string check_document(std::span<const analysis::Finding> findings,
                            std::span<const std::string> unread, const source::SourceMap& sources) {
-  Json document = {{"schema", "g31.check/1"}};
+  Json document = {{"schema", kSchema}};
   document["findings"] = Json::array();
   for (const analysis::Finding& finding : findings) {
     const Extent extent = extent_of(finding, sources);
@@ -62,9 +57,10 @@ std::string check_document(std::span<const analysis::Finding> findings,
                 {"file", extent.file},
                 {"line", extent.line},
                 {"column", extent.column},
-                {"end_line", extent.line},
+                {"end_line", extent.end_line},
                 {"end_column", extent.end_column},
-                {"fix", nullptr}};
+                {"fix", finding.fix ? json_of(*finding.fix, sources) : Json(nullptr)}};
+    row["line_text"] = extent.line_text;
     row["remedy"] = finding.remedy;
     row["alarm"] = finding.alarm != 0 ? Json(finding.alarm) : Json(nullptr);
     document["findings"].push_back(std::move(row));
@@ -77,6 +73,19 @@ std::string check_document(std::span<const analysis::Finding> findings,
     }
   }
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string rules_document() {
+  Json document = {{"schema", kSchema}};
+  document["findings"] = Json::array();
+  document["rules"] = Json::array();
+  for (const analysis::Rule& rule : analysis::rules()) {
+    document["rules"].push_back({{"rule", rule.code},
+                                 {"level", source::name_of(rule.level)},
+                                 {"title", rule.title},
+                                 {"text", rule.text}});
+  }
+  return document.dump(1) + "\n";
 }
 
 std::string github_annotations(std::span<const analysis::Finding> findings,

@@ -15,6 +15,9 @@ namespace g31::check {
 std::string check_document(std::span<const analysis::Finding> findings,
                            std::span<const std::string> unread, const source::SourceMap& sources);
 
+/// A document of the same schema without findings, with all rules.
+std::string rules_document();
+
 /// One line for each finding, as GitHub turns it into an annotation: `::error file=...::message`.
 std::string github_annotations(std::span<const analysis::Finding> findings,
                                const source::SourceMap& sources);

@@ -3,15 +3,21 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "interpreter/analysis/finding.h"
-#include "machine/base/nearest_name.h"
+#include "machine/base/letters.h"
+#include "tools/check/baseline.h"
 #include "tools/check/check.h"
 #include "tools/check/check_document.h"
+#include "tools/check/named_rule.h"
+#include "tools/check/sarif.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
+#include "tools/cli/progress.h"
+#include "tools/cli/read_input.h"
 #include "tools/cli/refusal_document.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
@@ -38,16 +44,9 @@ std::string list_of_rules() {
 
 /// What the command line says that is wrong; nullopt: nothing.
 std::optional<session::Refusal> why_not(const CheckOptions& options) {
-  std::vector<std::string_view> known;
-  for (const analysis::Rule& rule : analysis::rules()) {
-    known.push_back(rule.code);
-  }
   for (const std::string& rule : options.disabled) {
-    if (std::ranges::find(known, rule) == known.end()) {
-      const auto nearest = nearest_name(rule, known);
-      return session::bad_input(
-          fmt::format("--disable {}: no such rule{}; g31 check --rules lists them", rule,
-                      nearest ? fmt::format(", did you mean {}?", *nearest) : ""));
+    if (const auto wrong = check::why_no_rule(rule)) {
+      return session::bad_input(fmt::format("--disable {}: {}", rule, *wrong));
     }
   }
   disk::Disk disk;
@@ -56,12 +55,41 @@ std::optional<session::Refusal> why_not(const CheckOptions& options) {
       return session::bad_input(fmt::format("--lib {}: no such folder", folder));
     }
   }
-  return std::nullopt;
+  std::vector<std::string> baselines;
+  if (!options.baseline.empty()) {
+    baselines.push_back(options.baseline);
+  }
+  if (options.baseline == "-" && std::ranges::find(options.files, "-") != options.files.end()) {
+    return session::bad_input(
+        "standard input cannot be both a program and the baseline: name a file");
+  }
+  return wrong_place({{"--json", options.json}}, {options.files, options.setups, baselines});
 }
 
-CheckFindings without_disabled(CheckFindings found, const std::vector<std::string>& disabled) {
+/// The earlier findings that nobody wants to hear again; without a baseline none.
+Result<check::Baseline, session::Refusal> baseline_of(const CheckOptions& options) {
+  if (options.baseline.empty()) {
+    return check::Baseline();
+  }
+  constexpr InputLimit kLargestBaseline{256'000'000, "check fewer programs at a time"};
+  disk::Disk disk;
+  const auto text = read_input(disk, options.baseline, kLargestBaseline);
+  if (!text) {
+    return text.error();
+  }
+  const auto baseline = check::Baseline::read(options.baseline, text.value());
+  if (!baseline) {
+    return session::bad_input(baseline.error());
+  }
+  return baseline.value();
+}
+
+/// Without the rules that --disable names.
+CheckFindings without_rules(CheckFindings found, const std::vector<std::string>& disabled) {
   std::erase_if(found, [&](const analysis::Finding& finding) {
-    return std::ranges::find(disabled, analysis::info(finding.rule).code) != disabled.end();
+    return std::ranges::any_of(disabled, [&](const std::string& rule) {
+      return in_capitals(rule) == analysis::info(finding.rule).code;
+    });
   });
   return found;
 }
@@ -98,10 +126,17 @@ std::optional<session::Refusal> hand_out(const CheckOptions& options, const Chec
   }
   const auto document = [&] { return check::check_document(found, unread, sources); };
   const auto for_people = [&] {
-    if (options.format == CheckOptions::Format::Github) {
-      return check::github_annotations(found, sources);
+    switch (options.format) {
+      case CheckOptions::Format::Text:
+        return text_of(found, sources);
+      case CheckOptions::Format::Json:
+        return document();
+      case CheckOptions::Format::Sarif:
+        return check::sarif_log(found, sources, options.version);
+      case CheckOptions::Format::Github:
+        return check::github_annotations(found, sources);
     }
-    return options.format == CheckOptions::Format::Json ? document() : text_of(found, sources);
+    return std::string();
   };
   return write_result(options.json, for_people, document);
 }
@@ -128,6 +163,14 @@ Result<check::Request, session::Refusal> request_of(const CheckOptions& options)
   return request;
 }
 
+ExitCode list_rules(const CheckOptions& options) {
+  const auto document = [] { return check::rules_document(); };
+  const bool as_json = options.format == CheckOptions::Format::Json;
+  const auto wrong = write_result(
+      options.json, [&] { return as_json ? document() : list_of_rules(); }, document);
+  return wrong ? refuse(*wrong) : ExitCode::Completed;
+}
+
 }  // namespace
 
 ExitCode check_command(const CheckOptions& options) {
@@ -135,22 +178,28 @@ ExitCode check_command(const CheckOptions& options) {
     return refuse(*wrong);
   }
   if (options.lists_rules) {
-    const auto wrong = write_out("-", list_of_rules());
-    return wrong ? refuse(*wrong) : ExitCode::Completed;
+    return list_rules(options);
   }
-  if (const auto wrong = wrong_place({{"--json", options.json}}, {options.files, options.setups})) {
-    return refuse(*wrong);
+  const auto baseline = baseline_of(options);
+  if (!baseline) {
+    return refuse(baseline.error());
   }
   const auto requested = request_of(options);
   if (!requested) {
     return refuse(requested.error(), options.json, "g31.check/1");
   }
-  const check::Request& request = requested.value();
+  check::Request request = requested.value();
   disk::Disk disk;
   source::SourceMap sources(disk);
-  check::Findings checked = check::check(request, sources);
+  check::Findings checked;
+  {
+    Progress progress(request.paths.files.size(), "files", shows_progress(options.quiet));
+    request.file_done = [&] { progress.one_done(); };
+    checked = check::check(request, sources);
+  }
   const std::vector<session::Refusal> missing = left_out(request, checked);
-  const CheckFindings found = without_disabled(std::move(checked.found), options.disabled);
+  const CheckFindings found = without_rules(
+      baseline.value().without_known(std::move(checked.found), sources), options.disabled);
   if (const auto wrong = hand_out(options, found, missing, sources)) {
     return refuse(*wrong);
   }

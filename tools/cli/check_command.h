@@ -10,7 +10,7 @@ namespace g31::cli {
 
 /// What the command line of `g31 check` says.
 struct CheckOptions {
-  enum class Format { Text, Json, Github };
+  enum class Format { Text, Json, Sarif, Github };
 
   std::vector<std::string> files;        ///< or folders
   std::vector<std::string> setups = {};  ///< sheets; later ones win key by key
@@ -20,7 +20,10 @@ struct CheckOptions {
   Format format = Format::Text;
   std::string json = {};  ///< file of the document, - for standard output; "": none
   source::Severity fail_on = source::Severity::Warning;
+  std::string baseline = {};  ///< an earlier document; "": none
   bool lists_rules = false;
+  bool quiet = false;   ///< no progress
+  std::string version;  ///< of g31
 };
 
 /// Prints what is wrong with programs as far as it can be told without running them.

@@ -12,6 +12,7 @@ namespace {
 const std::map<std::string, CheckOptions::Format> kFormats = {
     {"text", CheckOptions::Format::Text},
     {"json", CheckOptions::Format::Json},
+    {"sarif", CheckOptions::Format::Sarif},
     {"github", CheckOptions::Format::Github},
 };
 
@@ -37,7 +38,8 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
       "check", "Say what is wrong with NC programs without running them: all of it at once.");
   auto* const files =
       check
-          ->add_option("FILE", options.files, "programs, or folders of them with all folders below")
+          ->add_option("FILE", options.files,
+                       "programs, or folders of them with all folders below; - is standard input")
           ->type_name("FILE");
   check
       ->add_option(
@@ -53,16 +55,25 @@ CLI::App* add_check_command(CLI::App& app, CheckOptions& options) {
       ->type_name("DIR")
       ->allow_extra_args(false);
   add_choice(*check, "--format", options.format, kFormats,
-             "text (default), json (the document), github (annotations)");
+             "text (default), json (the document), sarif (SARIF 2.1.0), github (annotations)");
   check->add_option("--json", options.json, "document g31.check/1; - is standard output")
       ->type_name("FILE");
-  check->add_option("--disable", options.disabled, "leave out findings of this rule; repeatable")
+  check
+      ->add_option("--baseline", options.baseline,
+                   "earlier document of this command: its findings (rule, file, text of the line) "
+                   "are left out")
+      ->type_name("FILE");
+  check
+      ->add_option("--disable", options.disabled,
+                   "leave out findings of this rule; repeatable; in a program "
+                   "(g31: disable=NC003 reason) or ; g31: disable=NC003 reason")
       ->type_name("RULE")
       ->allow_extra_args(false);
   add_fail_on_option(
       *check, options.fail_on,
       "lowest level at which a finding gives exit code 1: error, warning (default), note");
   auto* const rules = check->add_flag("--rules", options.lists_rules, "list the rules");
+  check->add_flag("-q,--quiet", options.quiet, "no progress on a terminal");
   check->callback([files, rules] {
     if (files->empty() && rules->empty()) {
       throw CLI::RequiredError("FILE or --rules");
@@ -78,12 +89,18 @@ std::string check_examples() {
          "  g31 check *.MPF *.SPF --json findings.json\n"
          "  g31 check archive.arc --setup machine.toml\n"
          "  g31 check programs/ --format github --fail-on error\n"
+         "  g31 check programs/ --json known.json; g31 check programs/ --baseline known.json\n"
+         "  g31 check programs/ --format sarif > findings.sarif\n"
+         "  g31 check - < part.nc\n"
          "  g31 check --rules\n\n"
          "Findings go to standard output, each with its place and its rule.  Subprograms are "
          "looked up\n"
          "in the file, beside it, in the other files named, in --lib and among those that come "
          "with\n"
-         "g31; a G or M code that parameters make a macro call is taken as it is.\n\n";
+         "g31; a G or M code that parameters make a macro call is taken as it is.  A comment "
+         "disables rules\n"
+         "for its own line; alone on a line for the next block; before the first block for the "
+         "file.\n\n";
 }
 
 }  // namespace g31::cli

@@ -1,19 +1,16 @@
 #include "tools/cli/study_command.h"
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
-#include <chrono>
 #include <cstdio>
-#include <mutex>
 #include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
+#include "tools/cli/progress.h"
 #include "tools/cli/refusal_document.h"
 #include "tools/cli/run_page.h"
 #include "tools/cli/shown_command.h"
@@ -29,40 +26,6 @@
 
 namespace g31::cli {
 namespace {
-
-/// A line on a terminal that says how far the study is; elsewhere nothing.
-class ProgressBar {
- public:
-  explicit ProgressBar(std::size_t runs) : runs_(runs), shows_(::isatty(STDERR_FILENO) == 1) {}
-  ProgressBar(const ProgressBar&) = delete;
-  ProgressBar& operator=(const ProgressBar&) = delete;
-  ~ProgressBar() {
-    if (shows_) {
-      std::fputs("\r\033[K", stderr);
-    }
-  }
-
-  /// From any thread.
-  void one_done() {
-    const std::size_t done = ++done_;
-    if (!shows_ || done * kSteps / runs_ == (done - 1) * kSteps / runs_) {
-      return;
-    }
-    const std::lock_guard lock(mutex_);
-    const std::size_t filled = done * kWidth / runs_;
-    const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-    std::fputs(fmt::format("\r[{}] {} of {} runs", bar, done, runs_).c_str(), stderr);
-    std::fflush(stderr);
-  }
-
- private:
-  static constexpr std::size_t kWidth = 40;
-  static constexpr std::size_t kSteps = 200;
-  std::size_t runs_;
-  bool shows_;
-  std::atomic<std::size_t> done_ = 0;
-  std::mutex mutex_;
-};
 
 /// "3/8".
 std::optional<study::Shard> shard_from(std::string_view text) {
@@ -118,7 +81,7 @@ Made run_study(const StudyOptions& options) {
             study::first_run_of({shard->index + 1, shard->of}, span.end)};
   }
   study::Record record{runs.description(), shard, {}};
-  ProgressBar progress(span.end - span.begin);
+  Progress progress(span.end - span.begin, "runs", shows_progress(false));
   record.rows = study::run_all(
       span, options.threads,
       [&](std::size_t number) {

@@ -241,7 +241,11 @@ std::string rules_page() {
   std::string page = page_head("Rules of g31 check", "reference/rules.md");
   page +=
       "What `g31 check` finds without running a program.  `--disable NC007` leaves a rule out, "
-      "`--fail-on` says from which level a finding gives exit code 1.\n\n" +
+      "`--fail-on` says from which level a finding gives exit code 1.  In a program "
+      "`(g31: disable=NC005 reason)` or `; g31: disable=NC005 reason` leaves findings out: for its "
+      "own line; alone on a line, for the next block; before the first block, for the file.  "
+      "`--baseline FILE` leaves out what an earlier document has: the same rule, file and text of "
+      "the line.\n\n" +
       table_head({"code", "title", "level", "what it finds"});
   for (const analysis::Rule& rule : analysis::rules()) {
     page +=

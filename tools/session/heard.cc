@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 
@@ -17,19 +16,19 @@ namespace {
 struct Asked {
   ProgramComments& comments;
   std::set<std::string> files;
-  std::set<const AllowComment*> used;
+  std::set<const MessageComment*> used;
 };
 
 /// The comment that allows a message; it is used then.
-const AllowComment* comment_for(const source::Diagnostic& message, const source::SourceMap& sources,
-                                Asked& asked) {
+const MessageComment* comment_for(const source::Diagnostic& message,
+                                  const source::SourceMap& sources, Asked& asked) {
   if (!message.where.is_known()) {
     return nullptr;
   }
   const source::ShownPlace place = sources.show(message.where);
   asked.files.insert(place.file);
-  const std::vector<AllowComment>& all = asked.comments.of(place.file);
-  const auto comment = std::ranges::find_if(all, [&](const AllowComment& candidate) {
+  const std::vector<MessageComment>& all = asked.comments.of(place.file);
+  const auto comment = std::ranges::find_if(all, [&](const MessageComment& candidate) {
     return candidate.code == message.code && candidate.first_line <= place.line &&
            place.line <= candidate.last_line;
   });
@@ -40,7 +39,7 @@ const AllowComment* comment_for(const source::Diagnostic& message, const source:
   return &*comment;
 }
 
-source::Diagnostic useless(const std::string& file, const AllowComment& comment) {
+source::Diagnostic useless(const std::string& file, const MessageComment& comment) {
   source::Diagnostic note =
       source::make_diagnostic(source::DiagnosticId::AllowsNothing, {},
                               comment.code.empty() ? std::string("it names no code")
@@ -52,15 +51,16 @@ source::Diagnostic useless(const std::string& file, const AllowComment& comment)
 }  // namespace
 
 ProgramComments::ProgramComments(source::FileSystem& files, const Control& control)
-    : files_(files),
-      form_(std::holds_alternative<FanucControl>(control) ? CommentForm::Parentheses
-                                                          : CommentForm::Semicolon) {}
+    : files_(files), form_(comment_form(control)) {}
 
-const std::vector<AllowComment>& ProgramComments::of(const std::string& file) {
+const std::vector<MessageComment>& ProgramComments::of(const std::string& file) {
   const std::lock_guard lock(mutex_);
   const auto [entry, is_new] = by_file_.try_emplace(file);
   if (is_new && files_.size(file).value_or(0) <= kLongestFile) {
-    entry->second = allow_comments(files_.read(file).value_or(""), form_);
+    entry->second = message_comments(files_.read(file).value_or(""), form_);
+    std::erase_if(entry->second, [](const MessageComment& comment) {
+      return comment.verb != MessageComment::Verb::Allow;
+    });
   }
   return entry->second;
 }
@@ -76,7 +76,7 @@ Heard heard(runtime::Outcome outcome, ProgramComments& comments, const std::stri
   outcome.diagnostics.clear();
   for (source::Diagnostic& message : messages) {
     const bool may_be = message.severity != source::Severity::Error;
-    const AllowComment* const comment = may_be ? comment_for(message, sources, asked) : nullptr;
+    const MessageComment* const comment = may_be ? comment_for(message, sources, asked) : nullptr;
     if (comment != nullptr || (may_be && is_named(message))) {
       heard.allowed.push_back({std::move(message), comment != nullptr ? comment->reason : ""});
     } else {
@@ -84,7 +84,7 @@ Heard heard(runtime::Outcome outcome, ProgramComments& comments, const std::stri
     }
   }
   for (const std::string& file : asked.files) {
-    for (const AllowComment& comment : comments.of(file)) {
+    for (const MessageComment& comment : comments.of(file)) {
       source::Diagnostic note = useless(file, comment);
       if (!asked.used.contains(&comment) && outcome.status == runtime::Status::Completed &&
           !is_named(note)) {

@@ -8,8 +8,8 @@
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/source/file_system.h"
 #include "interpreter/source/source_map.h"
-#include "tools/session/allow_comments.h"
 #include "tools/session/control.h"
+#include "tools/session/message_comments.h"
 
 namespace g31::session {
 
@@ -33,7 +33,7 @@ class ProgramComments {
   ProgramComments(source::FileSystem& files, const Control& control);
 
   /// Of a file that cannot be read, or is longer than kLongestFile, there are none.
-  const std::vector<AllowComment>& of(const std::string& file);
+  const std::vector<MessageComment>& of(const std::string& file);
 
  private:
   static constexpr std::size_t kLongestFile = 16U << 20U;
@@ -41,10 +41,10 @@ class ProgramComments {
   source::FileSystem& files_;
   CommentForm form_;
   std::mutex mutex_;
-  std::map<std::string, std::vector<AllowComment>> by_file_;
+  std::map<std::string, std::vector<MessageComment>> by_file_;
 };
 
-/// Takes out of an outcome what comments of the programs allow (allow_comments.h), then what
+/// Takes out of an outcome what comments of the programs allow (message_comments.h), then what
 /// `codes` name; errors stay.  A comment of the main program, or of a file that messages are of,
 /// which allowed nothing in a completed run is a note itself (PRB326).
 /// @param program  the path of the main program

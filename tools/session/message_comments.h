@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tools/session/control.h"
 
 namespace g31::session {
 
@@ -13,13 +16,23 @@ enum class CommentForm : std::uint8_t {
   Semicolon,    ///< ; to the end of the line, of SINUMERIK
 };
 
-/// A comment that says which message nobody wants to hear: `(g31: allow PRB301 reason)`.
-struct AllowComment {
-  std::string code;    ///< in capitals; "": the comment names none
+CommentForm comment_form(const Control& control);
+
+/// A comment that says which message nobody wants to hear: `(g31: allow PRB301 reason)` of a run,
+/// `(g31: disable=NC003 reason)` of `g31 check`.
+struct MessageComment {
+  enum class Verb : std::uint8_t { Allow, Disable };
+
+  Verb verb = Verb::Allow;
+  std::string code;    ///< letters and three digits, in capitals; "": the comment names none
+  std::string named;   ///< what stands in the place of the code, as written; may be empty
   std::string reason;  ///< what stands behind the codes; may be empty
   int line = 0;        ///< where the comment stands, from 1
   int column = 0;
   std::string text;  ///< of that line
+  /// The whole comment, in bytes of the program.
+  std::size_t begin = 0;
+  std::size_t length = 0;
   /// The lines it is for: its own; alone on a line the next one with a block; before the first
   /// block of the file all of them.
   int first_line = 0;
@@ -28,6 +41,6 @@ struct AllowComment {
 
 /// The comments of a program, in their order; one with several codes is several.  Letters count the
 /// same small and in capitals.
-std::vector<AllowComment> allow_comments(std::string_view program, CommentForm form);
+std::vector<MessageComment> message_comments(std::string_view program, CommentForm form);
 
 }  // namespace g31::session
