@@ -12,6 +12,7 @@
 
 #include "interpreter/analysis/flow_builder.h"
 #include "interpreter/analysis/sinumerik_accesses.h"
+#include "interpreter/analysis/sinumerik_constants.h"
 #include "interpreter/analysis/sinumerik_moves.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
@@ -162,6 +163,8 @@ void SinumerikTranslation::follow(StepIndex step) {
     } else {
       stop(error.id, span(step), error.detail);
     }
+  } else if (const auto wrong = wrong_constant(program_, here)) {
+    stop(wrong->id, span(step), wrong->detail);
   } else if (code == OpCode::EndProgram) {
     const bool is_end_of_text = step + 1 == static_cast<StepIndex>(program_.ops.size());
     (is_end_of_text ? now().leaves.by_return : now().leaves.by_end) = true;

@@ -8,6 +8,7 @@
 #include "interpreter/analysis/program_set.h"
 #include "interpreter/analysis/sinumerik_flow.h"
 #include "interpreter/dialects/sinumerik/code/callable_programs.h"
+#include "interpreter/dialects/sinumerik/code/value_limits.h"
 #include "interpreter/dialects/sinumerik/code/wrong_argument.h"
 #include "interpreter/dialects/sinumerik/vocabulary/names.h"
 #include "machine/base/contract.h"
@@ -71,6 +72,24 @@ Fault fault_of(sinumerik::AlarmId id, syntax::ShortSpan where, const std::string
           std::string(row.remedy)};
 }
 
+/// A text that is given as it stands and has more characters than its parameter.
+std::optional<sinumerik::WrongArgument> text_too_long(const sinumerik::Variable& parameter,
+                                                      const sinumerik::Argument& argument,
+                                                      const sinumerik::CompiledProgram& caller) {
+  const bool is_known = argument.form == sinumerik::Argument::Form::Value &&
+                        argument.type == sinumerik::Type::String &&
+                        argument.value.bank == sinumerik::Bank::Constants &&
+                        parameter.type == sinumerik::Type::String;
+  if (!is_known) {
+    return std::nullopt;
+  }
+  const auto wrong = sinumerik::too_long(
+      caller.text_constants[static_cast<std::size_t>(argument.value.place)], parameter.longest);
+  return wrong ? std::optional(sinumerik::WrongArgument{
+                     wrong->id, fmt::format("{}: {}", parameter.name, wrong->detail)})
+               : std::nullopt;
+}
+
 /// What the program called says to the arguments, as a run does when it takes them.
 std::optional<Fault> fault_between(const sinumerik::CompiledProgram& caller,
                                    const sinumerik::CallSite& call, syntax::ShortSpan where,
@@ -92,9 +111,12 @@ std::optional<Fault> fault_between(const sinumerik::CompiledProgram& caller,
   for (std::size_t i = 0; i < called.parameters.size(); ++i) {
     const sinumerik::Parameter& parameter = called.parameters[i];
     const sinumerik::Argument& argument = i < given.size() ? given[i] : kOmitted;
-    const auto wrong =
-        wrong_argument(parameter, called.variables[static_cast<std::size_t>(parameter.variable)],
-                       given_by(argument, caller));
+    const sinumerik::Variable& variable =
+        called.variables[static_cast<std::size_t>(parameter.variable)];
+    auto wrong = wrong_argument(parameter, variable, given_by(argument, caller));
+    if (!wrong) {
+      wrong = text_too_long(variable, argument, caller);
+    }
     if (wrong) {
       const bool is_omitted = argument.form == sinumerik::Argument::Form::Omitted;
       return fault_of(wrong->id, is_omitted ? where : argument.where,

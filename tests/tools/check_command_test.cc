@@ -144,6 +144,43 @@ TEST(Check, ACallIsRightWhereOneOfTheProgramsOfItsNameTakesIt) {
   EXPECT_TRUE(found[0].starts_with("PART.MPF:3:1: error: alarm 12340")) << found[0];
 }
 
+TEST(Check, ConstantsThatDoNotFitAreTold) {
+  TemporaryFolder folder;
+  const std::string main = folder.write("PART.MPF",
+                                        "DEF STRING[5] NAME\n"
+                                        "DEF INT COUNT=2147483648\n"
+                                        "DEF REAL LLI 0 ULI 10 DEPTH=3\n"
+                                        "DEF CHAR LETTER\n"
+                                        "DEF REAL LIST[2,3]\n"
+                                        "NAME=\"TOO LONG\"\n"
+                                        "LETTER=256\n"
+                                        "DEPTH=11\n"
+                                        "R1=LIST[1,3]\n"
+                                        "R2=R1/0\n"
+                                        "SUBX(\"ABCDE\")\n"
+                                        "IF FALSE\nNAME=\"TOO LONG\"\nENDIF\n"
+                                        "NAME=\"FITTS\" COUNT=2147483647 LETTER=255\n"
+                                        "DEPTH=10 LIST[1,2]=R1/2 LIST[COUNT,0]=1\n"
+                                        "M30\n");
+  const std::string sub = folder.write("SUBX.SPF", "PROC SUBX(STRING[4] A)\nM17\n");
+  const CheckOutput output = checked_files({main, sub});
+  EXPECT_EQ(
+      places(output.text, folder),
+      (std::vector<std::string>{
+          "PART.MPF:2:15: error: alarm 14096, illegal type conversion: 2147483648 is not INT "
+          "[NC002]",
+          "PART.MPF:6:1: error: alarm 12210, string too long: \"TOO LONG\" in STRING[5] [NC002]",
+          "PART.MPF:7:8: error: alarm 14096, illegal type conversion: 256 is not CHAR [NC002]",
+          "PART.MPF:8:1: error: alarm 17090, value above upper limit: DEPTH = 11 [NC002]",
+          "PART.MPF:9:11: error: alarm 17030, illegal array index 2: LIST[3] of 3 [NC002]",
+          "PART.MPF:10:4: error: alarm 14051, arithmetic error in part program: division by zero "
+          "[NC002]",
+          "PART.MPF:11:6: error: alarm 12210, string too long: SUBX, A: \"ABCDE\" in STRING[4] "
+          "[NC009]",
+          "PART.MPF:13:1: warning: alarm 12210, string too long: \"TOO LONG\" in STRING[5] [NC003]",
+      }));
+}
+
 TEST(Check, ShippedProgramsPassWithoutAWord) {
   const auto macros = disk::shipped_folder("macros");
   ASSERT_TRUE(macros);

@@ -27,6 +27,10 @@ bool Runner::failed(AlarmId id, std::string detail) {
   return false;
 }
 
+bool Runner::failed(WrongValue wrong) {
+  return failed(wrong.id, std::move(wrong.detail));
+}
+
 /// result = value, which must be a number.
 bool Runner::take(const Op& op, double value) {
   if (!std::isfinite(value)) [[unlikely]] {
@@ -147,28 +151,16 @@ bool Runner::rare_number_step(const Op& op) {
 
 bool Runner::is_within_limits(const Op& op) {
   const Variable& into = level().program->variables[static_cast<std::size_t>(op.b.place)];
-  fault_ = beyond_limits(into, number(op.a));
-  return !fault_;
-}
-
-/// LLI and ULI of a variable.
-MaybeFailure Runner::beyond_limits(const Variable& into, double value) {
-  const bool below = into.limits.low && value < *into.limits.low;
-  const bool above = into.limits.high && value > *into.limits.high;
-  return below || above
-             ? std::optional(failure(below ? AlarmId::BelowLimit : AlarmId::AboveLimit,
-                                     fmt::format("{} = {}", into.name, shown(Type::Real, value))))
-             : std::nullopt;
+  const auto wrong = beyond_limits(into, number(op.a));
+  return !wrong || failed(*wrong);
 }
 
 /// result = a as INT or CHAR, the types of whole numbers; or an alarm.
 bool Runner::take_whole(const Op& op, Type type, AlarmId alarm) {
   const double a = number(op.a);
   const double whole = rounded(a);
-  const bool fits = type == Type::Char ? whole >= 0.0 && whole <= 255.0
-                                       : whole >= -2147483648.0 && whole <= 2147483647.0;
-  if (!fits) [[unlikely]] {
-    return failed(alarm, fmt::format("{} is not {}", shown(Type::Real, a), name_of(type)));
+  if (!fits(type, whole)) [[unlikely]] {
+    return failed(not_of_type(type, a, alarm));
   }
   number(op.result) = whole;
   return true;
@@ -237,9 +229,7 @@ bool Runner::index(const Op& op) {
   const double place = rounded(number(op.a));
   const int size = shape.size[op.detail];
   if (!(place >= 0.0 && place < size)) {
-    constexpr AlarmId kAlarms[] = {AlarmId::IndexOne, AlarmId::IndexTwo, AlarmId::IndexThree};
-    return failed(kAlarms[op.detail],
-                  fmt::format("{}[{}] of {}", known.name, shown(Type::Real, place), size));
+    return failed(no_such_index(known, op.detail, place, size));
   }
   double& result = number(op.result);
   result = result * size + place;

@@ -24,8 +24,8 @@ MaybeFailure Runner::set_result(const Argument& target, double value) {
     return failure(AlarmId::BadConversion,
                    fmt::format("{}: no {}", into.name, name_of(found.type)));
   }
-  if (MaybeFailure wrong = beyond_limits(into, *kept)) {
-    return wrong;
+  if (auto wrong = beyond_limits(into, *kept)) {
+    return failure(wrong->id, std::move(wrong->detail));
   }
   if (found.numbers != nullptr &&
       !store(found, static_cast<std::size_t>(number(target.element)), *kept)) {

@@ -83,9 +83,8 @@ bool Runner::store_text(const Op& op) {
   const Reference target = variable(op.b.place);
   std::string value = text(op.result);
   value.resize(std::min(value.find('\0'), value.size()));  // the character 0 ends a text
-  if (value.size() > static_cast<std::size_t>(target.longest)) {
-    return failed(AlarmId::StringTooLong,
-                  fmt::format("\"{}\" in STRING[{}]", value, target.longest));
+  if (auto wrong = too_long(value, target.longest)) {
+    return failed(*std::move(wrong));
   }
   target.texts[static_cast<std::size_t>(number(op.a))] = std::move(value);
   return true;
@@ -141,9 +140,8 @@ bool Runner::set_element(const Reference& target, std::int32_t element, const Ar
   const bool omitted = value.form == Argument::Form::Omitted;
   if (target.type == Type::String) {
     const std::string given = omitted ? std::string() : text(value.value);
-    if (given.size() > static_cast<std::size_t>(target.longest)) {
-      return failed(AlarmId::StringTooLong,
-                    fmt::format("\"{}\" in STRING[{}]", given, target.longest));
+    if (auto wrong = too_long(given, target.longest)) {
+      return failed(*std::move(wrong));
     }
     target.texts[at] = given;
   } else if (target.type == Type::Frame) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/code/callable_programs.h"
+#include "interpreter/dialects/sinumerik/code/value_limits.h"
 #include "interpreter/dialects/sinumerik/state/channel.h"
 #include "interpreter/dialects/sinumerik/state/level.h"
 #include "interpreter/dialects/sinumerik/text/text_format.h"
@@ -153,9 +154,9 @@ class Runner {
   [[nodiscard]] bool is_less(double a, double b) const;
   bool take_whole(const Op& op, Type type, AlarmId alarm);
   bool is_within_limits(const Op& op);
-  [[nodiscard]] static MaybeFailure beyond_limits(const Variable& into, double value);
   bool array_step(const Op& op);
   bool failed(AlarmId id, std::string detail = {});
+  bool failed(WrongValue wrong);
   bool index(const Op& op);
   Reference variable(std::int32_t which);
   [[nodiscard]] double loaded(const Reference& from, std::size_t element) const;

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/sinumerik/code/value_limits.h"
 #include "interpreter/dialects/sinumerik/code/wrong_argument.h"
 #include "interpreter/dialects/sinumerik/text/text_format.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
@@ -27,9 +28,8 @@ MaybeFailure take_value(Level& into, const Variable& variable, const BoundValue&
   if (variable.type == Type::String) {
     const std::string given =
         value.type == Type::String ? value.text : shown(value.type, value.number);
-    if (given.size() > static_cast<std::size_t>(variable.longest)) {
-      return failure(AlarmId::StringTooLong, fmt::format("{}: \"{}\" in STRING[{}]", variable.name,
-                                                         given, variable.longest));
+    if (const auto wrong = too_long(given, variable.longest)) {
+      return failure(wrong->id, fmt::format("{}: {}", variable.name, wrong->detail));
     }
     into.texts[place] = given;
   } else if (variable.type == Type::Frame) {

@@ -1,0 +1,38 @@
+#include "interpreter/dialects/sinumerik/code/value_limits.h"
+
+#include <array>
+#include <cstddef>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/text/text_format.h"
+
+namespace g31::sinumerik {
+
+WrongValue not_of_type(Type type, double value, AlarmId alarm) {
+  return {alarm, fmt::format("{} is not {}", shown(Type::Real, value), name_of(type))};
+}
+
+std::optional<WrongValue> beyond_limits(const Variable& into, double value) {
+  const bool below = into.limits.low && value < *into.limits.low;
+  const bool above = into.limits.high && value > *into.limits.high;
+  return below || above ? std::optional(WrongValue{
+                              below ? AlarmId::BelowLimit : AlarmId::AboveLimit,
+                              fmt::format("{} = {}", into.name, shown(Type::Real, value))})
+                        : std::nullopt;
+}
+
+std::optional<WrongValue> too_long(std::string_view text, std::int32_t longest) {
+  return text.size() > static_cast<std::size_t>(longest)
+             ? std::optional(WrongValue{AlarmId::StringTooLong,
+                                        fmt::format("\"{}\" in STRING[{}]", text, longest)})
+             : std::nullopt;
+}
+
+WrongValue no_such_index(const Variable& array, int dimension, double place, int size) {
+  constexpr std::array kAlarms = {AlarmId::IndexOne, AlarmId::IndexTwo, AlarmId::IndexThree};
+  return {kAlarms.at(static_cast<std::size_t>(dimension)),
+          fmt::format("{}[{}] of {}", array.name, shown(Type::Real, place), size)};
+}
+
+}  // namespace g31::sinumerik
