@@ -593,3 +593,56 @@ M30
 %
 (EXPECT ALARM 10 AT 5)
 (EXPECT MOVES 1)
+
+(CASE #4101 to #4126 are the last words by the numbers of macro arguments)
+%
+O1
+#9=7.
+G0 X1.3 Y-2.
+G1 Z0.5 F250. I4. D#9
+#100=#4124
+#101=#4125
+#102=#4126
+#103=#4104
+#104=#4107
+#105=#4109
+#106=#4101
+G0 X2.
+#107=#4124
+#108=#4126
+M30
+%
+(EXPECT #100 = 1.3)
+(EXPECT #101 = -2)
+(EXPECT #102 = 0.5)
+(EXPECT #103 = 4)
+(EXPECT #104 = 7)
+(EXPECT #105 = 250)
+(EXPECT #106 = 0)
+(EXPECT #107 = 2)
+(EXPECT #108 = 0.5)
+
+(CASE a macro called by a code finds the words of its call there)
+(SHEET [macro_calls])
+(SHEET M165 = 9014)
+%
+O1
+M165 D20. X-3. K1.5
+M30
+O9014
+#100=#4107
+#101=#4124
+#102=#4106
+M99
+%
+(EXPECT #100 = 20)
+(EXPECT #101 = -3)
+(EXPECT #102 = 1.5)
+
+(CASE letters that are no arguments have no number)
+%
+O1
+#100=#4127
+M30
+%
+(EXPECT ALARM 115 AT 3)

@@ -154,6 +154,7 @@ class Runner {
   const CompiledProgram* program_of(int number);
   Result<const CompiledProgram*, Failure> called_program(const EvaluatedWord& p);
   Result<int, Failure> repeats() const;
+  void keep_words();
   [[nodiscard]] double argument_value(const EvaluatedWord& word) const;
   [[nodiscard]] bool may_call(CalledBy by) const;
 

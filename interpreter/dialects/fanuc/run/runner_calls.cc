@@ -412,6 +412,19 @@ Result<Variables::Locals, Failure> Runner::with_arguments(
   return locals;
 }
 
+/// A macro that an M code calls finds them in #4101 to #4126.
+void Runner::keep_words() {
+  for (const EvaluatedWord& word : words_.all()) {
+    const std::size_t variable =
+        word.letter >= 'A' && word.letter <= 'Z'
+            ? kArgumentVariable[static_cast<std::size_t>(word.letter - 'A')]
+            : 0;
+    if (variable != 0) {
+      control_.modal.arguments.at(variable) = argument_value(word);
+    }
+  }
+}
+
 /// What a word passes to a macro: without a point it counts least increments (MB-196).
 double Runner::argument_value(const EvaluatedWord& word) const {
   return word.form == ValueForm::Integer && counts_increments(word.letter)

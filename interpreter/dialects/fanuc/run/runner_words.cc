@@ -84,6 +84,9 @@ MaybeFailure Runner::nc_block(const Step& step) {
     control_.modal.word('N') = block.sequence;
     words_.set_sequence(block.sequence);
   }
+  if (control_.profile.keeps_all_words) {
+    keep_words();
+  }
   const auto called = call_in_block();
   if (!called) {
     return called.error();

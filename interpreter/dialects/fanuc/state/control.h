@@ -53,6 +53,9 @@ struct Modal {
   /// The last word of each letter, as #4102 to #4120 show it.
   std::array<double, 26> words{};  ///< by letter - A
   [[nodiscard]] double& word(char letter) { return words[static_cast<std::size_t>(letter - 'A')]; }
+  /// The last value of each argument of specification I, by its local variable: #4101 to #4126 of a
+  /// Haas.
+  std::array<double, 27> arguments{};
   int length_offset = 0;      ///< H in force
   int additional_system = 0;  ///< P of G54.1, 0 in G54..G59
 

@@ -85,6 +85,7 @@ WriteResult write_nothing(Control& control, const Place& place, Cell value);
 // modal.cc
 ReadResult read_modal_group(Control& control, const Place& place);
 ReadResult read_modal_word(Control& control, const Place& place);
+ReadResult read_last_argument(Control& control, const Place& place);
 
 // positions.cc
 ReadResult read_block_end(Control& control, const Place& place);

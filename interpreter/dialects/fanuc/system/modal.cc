@@ -39,4 +39,8 @@ ReadResult read_modal_word(Control& control, const Place& place) {
   return Cell(word != std::end(kShownWords) ? control.modal.word(word->letter) : 0.0);
 }
 
+ReadResult read_last_argument(Control& control, const Place& place) {
+  return Cell(control.modal.arguments.at(static_cast<std::size_t>(place.index() + 1)));
+}
+
 }  // namespace g31::fanuc::system

@@ -106,7 +106,8 @@ constexpr Profile meldas() {
   // The same manual, G00: straight or not by a parameter; G28, G29: the other way; G53: as modal
   profile.rapids = {machine::RapidPath::Straight, true};
   profile.modal_layout = meldas_modal_layout();
-  profile.variables = {Basic, OffsetsMeldas, ExternalOffset, ExecutingModal, MeldasCommons};
+  profile.variables = {Basic,          WordsByNumber,  OffsetsMeldas,
+                       ExternalOffset, ExecutingModal, MeldasCommons};
   profile.skip_selection = SkipSelection::Mask;
   profile.skip_feed = SkipFeed::OneBlock;
   profile.skip_feed_parameter = ParameterId::SkipFeed;
@@ -145,6 +146,8 @@ constexpr Profile haas() {
   profile.conditions_are_numbers = true;
   profile.conditions_rule_blocks = true;
   profile.has_local_calls = true;
+  // Mill operator's manual 96-8000, last block (modal) address data: D is #4107, I #4104
+  profile.keeps_all_words = true;
   profile.calls = {9, 9, 9};  // alarm 307: nine levels; published suites call macros five deep
   profile.checks_skip_signal = true;
   profile.marks_latched_point = true;

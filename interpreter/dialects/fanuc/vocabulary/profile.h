@@ -141,6 +141,7 @@ struct Profile {
   // Calls
   CallLevels calls;
   bool lone_cancel_is_alarm = false;  ///< G67 without G66 (MB-206)
+  bool keeps_all_words = false;       ///< #4101 to #4126 show the last word of every letter
   bool has_local_calls = false;  ///< M97 P: a subprogram in the same text; M96 P Q: a jump by input
   char start_letter = 'Q';       ///< of M98 P..: the sequence number to begin at (MB-216, MB-336)
 
@@ -150,9 +151,9 @@ struct Profile {
   // #3000 and the system variables
   MacroAlarmRule macro_alarm;
   ModalLayout modal_layout = fanuc_modal_layout();
-  VariableGroups variables = {VariableGroup::Basic, VariableGroup::LegacyOffsets,
-                              VariableGroup::LongOffsets, VariableGroup::OffsetsC,
-                              VariableGroup::ExternalOffset};
+  VariableGroups variables = {VariableGroup::Basic,         VariableGroup::WordsByNumber,
+                              VariableGroup::LegacyOffsets, VariableGroup::LongOffsets,
+                              VariableGroup::OffsetsC,      VariableGroup::ExternalOffset};
 
   bool last_corner_word_counts = false;  ///< of several ,C and ,R in a block; else an alarm
 

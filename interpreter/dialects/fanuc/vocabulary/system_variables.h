@@ -50,6 +50,7 @@ enum class VariableGroup : std::uint8_t {
   OffsetsHaas,
   ExternalOffset,  ///< #5201 is the external work offset
   ShiftAt5201,     ///< #5201 is the shift of G52
+  WordsByNumber,   ///< #4102 to #4130: the words that Fanuc shows
   HaasTables,      ///< #10000 and on, settings, parameters, inputs, outputs (MB-360)
   MeldasCommons,   ///< #400 and on, #100100 and on, #900000 and on
 };
