@@ -1,5 +1,6 @@
 #include "interpreter/analysis/sinumerik_accesses.h"
 
+#include <algorithm>
 #include <string>
 
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
@@ -178,20 +179,38 @@ void SinumerikAccesses::system(const Step& step) const {
   }
 }
 
+void SinumerikAccesses::add_step(const Step& step) const {
+  const sinumerik::Op& op = step.op;
+  const Operands operands = operands_of(op.code);
+  operand(step, operands.a, op.a, Access::Kind::Read);
+  operand(step, operands.b, op.b, Access::Kind::Read);
+  arguments(step);
+  elements(step);
+  system(step);
+  // The mode of measuring stands where other steps have their result.
+  const bool reads = op.code == sinumerik::OpCode::AxisMeasuring;
+  operand(step, operands.result, op.result, reads ? Access::Kind::Read : Access::Kind::Write);
+}
+
+/// Whenever the action is judged, be it in other blocks, its own block has asked for it.
+void SinumerikAccesses::add_action(std::int32_t which, FlowBuilder& builder) const {
+  const auto found =
+      std::ranges::lower_bound(program_.actions, which, {}, &sinumerik::ActionSteps::step);
+  if (found == program_.actions.end() || found->step != which) {
+    return;
+  }
+  for (std::size_t i = 0; i < found->ops.size(); ++i) {
+    add_step({found->ops[i], found->spans[i], builder});
+  }
+}
+
 void SinumerikAccesses::add(std::int32_t first, std::int32_t end, FlowBuilder& builder) const {
   for (std::int32_t i = first; i < end; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const sinumerik::Op& op = program_.ops[at];
-    const Step step{op, program_.spans[at], builder};
-    const Operands operands = operands_of(op.code);
-    operand(step, operands.a, op.a, Access::Kind::Read);
-    operand(step, operands.b, op.b, Access::Kind::Read);
-    arguments(step);
-    elements(step);
-    system(step);
-    // The mode of measuring stands where other steps have their result.
-    const bool reads = op.code == sinumerik::OpCode::AxisMeasuring;
-    operand(step, operands.result, op.result, reads ? Access::Kind::Read : Access::Kind::Write);
+    add_step({program_.ops[at], program_.spans[at], builder});
+    if (program_.ops[at].code == sinumerik::OpCode::SynchronisedAction) {
+      add_action(i, builder);
+    }
   }
 }
 

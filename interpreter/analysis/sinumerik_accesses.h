@@ -16,7 +16,8 @@ class SinumerikAccesses {
   /// @param program  outlives the accesses
   explicit SinumerikAccesses(const sinumerik::CompiledProgram& program);
 
-  /// Adds those of the steps [first, end) to the present block, in the order of the steps.
+  /// Adds those of the steps [first, end) to the present block, in the order of the steps; those of
+  /// a synchronised action, its condition first, stand at its own block.
   void add(std::int32_t first, std::int32_t end, FlowBuilder& builder) const;
 
  private:
@@ -42,6 +43,8 @@ class SinumerikAccesses {
 
   static Operands operands_of(sinumerik::OpCode code);
   static List list_of(sinumerik::Type type);
+  void add_step(const Step& step) const;
+  void add_action(std::int32_t which, FlowBuilder& builder) const;
   void elements(const Step& step) const;
   void arguments(const Step& step) const;
   void argument(const Step& step, const sinumerik::Argument& argument, bool hands_over) const;

@@ -220,6 +220,17 @@ TEST(SinumerikFlow, VariablesAreReadAndWritten) {
   EXPECT_EQ(flow.variables[1], (analysis::Variable{Scope::Local, "ROW"}));
 }
 
+TEST(SinumerikFlow, SynchronisedActionsReadAndWriteAtTheirOwnBlock) {
+  const PicturedText text(
+      "DEF REAL LIMIT=2\nID=1 WHENEVER ($A_IN[1]==1) AND (R3<LIMIT) DO $AC_MARKER[1]=R4 R5=LIMIT\n"
+      "WHEN R6==1 DO R7=NOBODYS\nDO R8=R9\nM30\n");
+  // The third block is wrong: what was tried of it is no action.
+  EXPECT_EQ(testing::drawn_accesses(text.flow),
+            "0: wLIMIT\n"
+            "1: r$A_IN rR[3] rLIMIT rR[4] w$AC_MARKER[1] rLIMIT wR[5]\n"
+            "3: rR[9] wR[8]\n");
+}
+
 TEST(SinumerikFlow, WordsOfABlockCommandItsMove) {
   EXPECT_EQ(testing::drawn_moves(PicturedText("G0 X1 Y-2\nX=R1 Z=IC(2)\nMEAS=1 G1 Z-10\nTRANS X5\n"
                                               "G74 Z0\nG2 X1 I2\nG4 F1\nPOS[A]=3\nG1 AP=5 RP=R2\n"

@@ -165,6 +165,14 @@ struct BlockNumber {
   std::int32_t step = 0;
 };
 
+/// Condition and actions of a synchronised action as steps, for those who look at programs: a run
+/// compiles their texts when it takes the action.
+struct ActionSteps {
+  std::int32_t step = 0;  ///< SynchronisedAction
+  std::vector<Op> ops;
+  std::vector<ShortSpan> spans;  ///< one per op
+};
+
 /// One program, ready to run.
 struct CompiledProgram {
   std::string name;    ///< "PART1"
@@ -177,6 +185,7 @@ struct CompiledProgram {
   std::vector<Variable> variables;
   std::vector<Argument> arguments;
   std::vector<CallSite> calls;
+  std::vector<ActionSteps> actions;  ///< in the order of their steps
   std::vector<RepeatSite> repeats;
   std::vector<NcBlock> nc_blocks;
   std::vector<std::uint16_t> codes;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "interpreter/dialects/sinumerik/code/compiler.h"
 
@@ -40,6 +41,18 @@ constexpr std::string_view kWhatCan =
 /// What makes a difference to the block itself, so that it matters when within it.
 bool acts_on_motion(const Token& action) {
   return action.is_name("DELDTG") || action.is_name("POS") || action.is_name("$AC_OVR");
+}
+
+/// Keeps the steps from `first` on as those of the action that will stand there.
+void keep_steps(CompiledProgram& program, std::size_t first) {
+  const auto begin = static_cast<std::ptrdiff_t>(first);
+  const auto step = static_cast<std::int32_t>(first);
+  while (!program.actions.empty() && program.actions.back().step >= step) {
+    program.actions.pop_back();  // of a block that was given up
+  }
+  program.actions.push_back({step,
+                             {program.ops.begin() + begin, program.ops.end()},
+                             {program.spans.begin() + begin, program.spans.end()}});
 }
 
 }  // namespace
@@ -182,6 +195,7 @@ void Compiler::synchronised_action(std::string_view word, ActionScope scope, con
     return;
   }
   // The steps were only tried: what they do is done when the action is.
+  keep_steps(*program_, first);
   code_.cut(first);
   program_->codes.resize(nc_.first_code);
   program_->words.resize(nc_.first_word);
