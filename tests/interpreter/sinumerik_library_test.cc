@@ -535,6 +535,16 @@ TEST(SinumerikStops, AgainAndAgainWaitForTheOperator) {
   EXPECT_NE(end.message.find("CLOSE THE DOOR"), std::string::npos) << end.message;
 }
 
+TEST(SinumerikStops, OfReadInDisableThatNothingEndsAreTold) {
+  ProgramRun run({{"main.mpf", std::string("WHENEVER $A_IN[1]==0 DO RDISABLE\nG4 F1\nM30\n")}});
+  EXPECT_EQ(run.outcome().status, runtime::Status::Budget);
+  ASSERT_EQ(run.outcome().diagnostics.size(), 1U);
+  const source::Diagnostic& end = run.outcome().diagnostics.front();
+  EXPECT_EQ(end.code, "PRB604");
+  EXPECT_EQ(run.line_of(end.where), "main.mpf:2");
+  EXPECT_NE(end.message.find("RDISABLE"), std::string::npos) << end.message;
+}
+
 TEST(SinumerikStops, MayBeManyWhileSomethingMoves) {
   ProgramRun run({{"main.mpf", std::string("FOR R1=1 TO 3000\nG0 X=R1\nM0\nENDFOR\n"
                                            "FOR R1=1 TO 900\nM0\nENDFOR\nM30\n")}});

@@ -32,11 +32,11 @@ bool changes_within_blocks(std::string_view name) {
 
 /// What may be done beside assignments to variables, before or behind a block.
 constexpr auto kActions = std::to_array<std::string_view>(
-    {"SETAL", "LOCK", "UNLOCK", "POS", "FA", "$AC_TIMER", "$AC_OVR"});
+    {"SETAL", "LOCK", "UNLOCK", "RDISABLE", "POS", "FA", "$AC_TIMER", "$AC_OVR"});
 
 constexpr std::string_view kWhatCan =
     "checked before and after each block: assignments, $AC_TIMER, $AC_OVR, M, H, S, SETAL, LOCK, "
-    "UNLOCK, POS, FA and DELDTG";
+    "UNLOCK, RDISABLE, POS, FA and DELDTG";
 
 /// What makes a difference to the block itself, so that it matters when within it.
 bool acts_on_motion(const Token& action) {

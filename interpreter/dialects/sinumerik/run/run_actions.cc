@@ -62,6 +62,15 @@ MaybeFailure Runner::unlock_actions(Arguments list) {
   return set_locked(list, false);
 }
 
+/// RDISABLE
+MaybeFailure Runner::disable_reading(Arguments /*none*/) {
+  if (!is_acting_) {
+    return failure(AlarmId::SyntaxInText, "RDISABLE stands in synchronised actions");
+  }
+  disables_reading_ = true;
+  return std::nullopt;
+}
+
 MaybeFailure Runner::set_locked(Arguments list, bool locked) {
   if (!is_acting_) {
     return failure(AlarmId::SyntaxInText, "LOCK and UNLOCK stand in synchronised actions");
@@ -81,6 +90,10 @@ MaybeFailure Runner::act() {
     return std::nullopt;
   }
   is_acting_ = true;
+  disables_reading_ = false;
+  // Inputs that the sheet scripts go on with the time, without a look of the program's.
+  constexpr int kNoCode = -1;
+  channel_.inputs.hear(kNoCode, channel_.now());
   BlockWords words = std::exchange(words_, {});
   MaybeFailure wrong;
   for (auto at = modal_actions_.begin(); at != modal_actions_.end() && !wrong;) {
@@ -138,6 +151,26 @@ MaybeFailure Runner::act_on(SynchronisedAction& action) {
   return wrong;
 }
 
+/// RDISABLE: the axes have come to rest, and the next block waits until no action holds it any
+/// more.
+MaybeFailure Runner::wait_to_read() {
+  constexpr double kCycleS = 0.001;
+  constexpr double kLongestWaitS = 900.0;
+  MaybeFailure wrong = finish_motion(channel_);
+  for (double waited_s = 0.0; !wrong && disables_reading_; waited_s += kCycleS) {
+    if (const auto halt = channel_.watch.before_work()) {
+      return halt_failure(*halt);
+    }
+    if (waited_s > kLongestWaitS) {
+      return message_failure(runtime::Status::Budget, source::DiagnosticId::WaitsForOperator,
+                             ", RDISABLE for a quarter of an hour");
+    }
+    channel_.port.dwell(kCycleS);
+    wrong = act();
+  }
+  return wrong;
+}
+
 /// An NC block with what synchronised actions do before and behind it.
 MaybeFailure Runner::execute_with_actions(const Block& block) {
   if (is_acting_ || (modal_actions_.empty() && next_actions_.empty())) {
@@ -150,6 +183,7 @@ MaybeFailure Runner::execute_with_actions(const Block& block) {
   channel_.action_override_percent = 100.0;
   channel_.deletes_distance = false;
   wrong = wrong ? wrong : act();
+  wrong = wrong || !disables_reading_ ? wrong : wait_to_read();
   channel_.deletes_distance = false;
   channel_.action_override_percent = 100.0;
   next_actions_.clear();

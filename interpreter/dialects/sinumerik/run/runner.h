@@ -306,8 +306,10 @@ class Runner {
   MaybeFailure cancel_actions(Arguments list);
   MaybeFailure lock_actions(Arguments list);
   MaybeFailure unlock_actions(Arguments list);
+  MaybeFailure disable_reading(Arguments list);
   MaybeFailure set_locked(Arguments list, bool locked);
   MaybeFailure act();
+  MaybeFailure wait_to_read();
   MaybeFailure act_on(SynchronisedAction& action);
   [[nodiscard]] Result<std::size_t, Failure> level_of(const SynchronisedAction& action) const;
   MaybeFailure execute_with_actions(const Block& block);
@@ -374,6 +376,7 @@ class Runner {
   /// What they compiled, by program, condition and actions.
   std::map<std::tuple<const CompiledProgram*, std::string, std::string>, ActionCode> action_texts_;
   bool is_acting_ = false;
+  bool disables_reading_ = false;  ///< RDISABLE has acted when the actions were judged last
   /// What calls by name have found: programs stay, so it counts until CALLPATH.
   std::unordered_map<const CallSite*, const CompiledProgram*> found_calls_;
   std::set<const CallSite*> told_cycles_;  ///< that are not simulated
