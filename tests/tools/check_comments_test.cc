@@ -124,5 +124,16 @@ TEST(MessageComments, SayCodesReasonAndLines) {
   EXPECT_TRUE(quoted.empty());
 }
 
+TEST(MessageComments, OfALineTheFirstTwentyCount) {
+  std::string line = "O1\nX1.";
+  for (int i = 0; i < 100; ++i) {
+    line += "(g31: allow PRB301)";
+  }
+  const auto all = session::message_comments(line, session::CommentForm::Parentheses);
+  ASSERT_EQ(all.size(), 20U);
+  EXPECT_EQ(all[19].column, 4 + 19 * 19);
+  EXPECT_EQ(all[19].text, "");  // longer than 1,000 bytes
+}
+
 }  // namespace
 }  // namespace g31::check_comments_test

@@ -1,7 +1,9 @@
 #include "tools/check/disabled_findings.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -24,20 +26,35 @@ std::string_view code_of(const Finding& finding) {
   return analysis::info(finding.rule).code;
 }
 
+/// Comments by the rule that they disable and the line they are for; line 0: the file.
+using ByPlace = std::map<std::pair<std::string_view, int>, Comments>;
+
+ByPlace by_place(const Comments& comments) {
+  ByPlace places;
+  for (const MessageComment* const comment : comments) {
+    const bool is_of_line = comment->first_line == comment->last_line;
+    places[{comment->code, is_of_line ? comment->first_line : 0}].push_back(comment);
+  }
+  return places;
+}
+
 /// Takes out what comments disable, and remembers who did.
 void take_disabled(std::vector<Finding>& found, const Comments& comments,
                    const source::SourceMap& sources, std::set<const MessageComment*>& used) {
   if (comments.empty()) {
     return;
   }
+  const ByPlace places = by_place(comments);
+  std::set<std::pair<std::string_view, int>> used_places;
   std::erase_if(found, [&](const Finding& finding) {
-    const int line = sources.show(finding.where).line;
     bool is_disabled = false;
-    for (const MessageComment* const comment : comments) {
-      if (comment->code == code_of(finding) && comment->first_line <= line &&
-          line <= comment->last_line) {
-        used.insert(comment);
+    for (const int line : {0, sources.show(finding.where).line}) {
+      const auto here = places.find({code_of(finding), line});
+      if (here != places.end()) {
         is_disabled = true;
+        if (used_places.insert(here->first).second) {
+          used.insert(here->second.begin(), here->second.end());
+        }
       }
     }
     return is_disabled;
@@ -105,13 +122,18 @@ std::vector<Finding> without_disabled(std::vector<Finding> found, const source::
   }
   std::set<const MessageComment*> used;
   take_disabled(found, of_findings, sources, used);
+  // One that names several rules is several, side by side.
+  const auto is_alone = [&](const MessageComment* comment) {
+    const auto at = static_cast<std::size_t>(comment - comments.data());
+    const bool is_first = at == 0 || comments[at - 1].begin != comment->begin;
+    const bool is_last = at + 1 == comments.size() || comments[at + 1].begin != comment->begin;
+    return is_first && is_last;
+  };
   const auto tell_useless = [&](const Comments& all) {
     std::vector<Finding> told;
     for (const MessageComment* const comment : all) {
-      const bool stands_alone =
-          std::ranges::count(comments, comment->begin, &MessageComment::begin) == 1;
       if (!used.contains(comment)) {
-        told.push_back(useless(*comment, file, stands_alone));
+        told.push_back(useless(*comment, file, is_alone(comment)));
       }
     }
     return told;

@@ -13,6 +13,8 @@ namespace g31::session {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
+constexpr std::size_t kMostOfALine = 20;
+constexpr std::size_t kLongestShown = 1000;
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -149,6 +151,9 @@ std::vector<MessageComment> asking(const Line& line) {
       continue;
     }
     for (MessageComment& one : with_codes(*verb, rest)) {
+      if (found.size() == kMostOfALine) {
+        return found;
+      }
       one.column = static_cast<int>(comment.column) + 1;
       one.begin = comment.column;
       one.length = comment.length;
@@ -180,7 +185,7 @@ std::vector<MessageComment> message_comments(std::string_view program, CommentFo
     const bool is_block = has_block(line, form);
     for (MessageComment& comment : asking(line)) {
       comment.line = number;
-      comment.text = text;
+      comment.text = text.size() <= kLongestShown ? text : std::string_view();
       comment.begin += begin;
       comment.first_line = is_before_first && !is_block ? 1 : number;
       comment.last_line = is_before_first && !is_block ? kLast : number;

@@ -29,7 +29,7 @@ struct MessageComment {
   std::string reason;  ///< what stands behind the codes; may be empty
   int line = 0;        ///< where the comment stands, from 1
   int column = 0;
-  std::string text;  ///< of that line
+  std::string text;  ///< of that line; empty where it has more than 1,000 bytes
   /// The whole comment, in bytes of the program.
   std::size_t begin = 0;
   std::size_t length = 0;
@@ -40,7 +40,7 @@ struct MessageComment {
 };
 
 /// The comments of a program, in their order; one with several codes is several.  Letters count the
-/// same small and in capitals.
+/// same small and in capitals.  Of a line the first 20 count.
 std::vector<MessageComment> message_comments(std::string_view program, CommentForm form);
 
 }  // namespace g31::session
