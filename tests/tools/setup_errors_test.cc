@@ -19,7 +19,7 @@ const ErrorCase kNameTheKeyThatWasProbablyMeant[] = {
       | ^
 )"},
     {"an unknown section far from all", "zebra = 2\n",
-     R"(sheet1.toml:1:1: error: unknown key zebra in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, sensor, tool, tool_probe, input, skip_signal, expect [SET103]
+     R"(sheet1.toml:1:1: error: unknown key zebra in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, sensor, tool, tool_probe, input, skip_signal, characteristic, expect [SET103]
     1 | zebra = 2
       | ^
 )"},
@@ -473,12 +473,12 @@ const ErrorCase kStandAtTheirPlace[] = {
       |                      ^
 )"},
     {"a line break in a name", "\"a\\nb\" = 1\n",
-     R"(sheet1.toml:1:1: error: unknown key "a?b" in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, sensor, tool, tool_probe, input, skip_signal, expect [SET103]
+     R"(sheet1.toml:1:1: error: unknown key "a?b" in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, sensor, tool, tool_probe, input, skip_signal, characteristic, expect [SET103]
     1 | "a\nb" = 1
       | ^
 )"},
     {"a carriage return at the end of the line", "zebr = 1\r\n",
-     R"(sheet1.toml:1:1: error: unknown key zebr in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, sensor, tool, tool_probe, input, skip_signal, expect [SET103]
+     R"(sheet1.toml:1:1: error: unknown key zebr in the sheet, which takes control, parameters, macro_calls, variables, machine_data, gud, start, work_offsets, tools, machine, believed, probe, part, sensor, tool, tool_probe, input, skip_signal, characteristic, expect [SET103]
     1 | zebr = 1
       | ^
 )"},

@@ -130,7 +130,7 @@ std::string verdict_text(const Report& report, const Characteristic& row) {
   const auto shown = [&](std::string_view colour, std::string_view sign, Word name) {
     return fmt::format(R"(<span class="verd {}">{}{}</span>)", colour, sign, word(report, name));
   };
-  if (!row.measured && (row.tolerance || row.nominal)) {
+  if (!row.measured && (row.unit || row.tolerance)) {
     return shown("mut", "", Word::NotReached);
   }
   if (!row.tolerance) {
