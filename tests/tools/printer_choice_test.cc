@@ -62,7 +62,7 @@ TEST_F(PrinterChoice, LeavesStandardOutputToTheDocument) {
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(refused.errors,
             "g31: error: --printer -: --json - writes to standard output, too: give one of them a "
-            "file\n");
+            "file\ng31: usage: nothing has run\n");
   both.printer = "";
   const testing::CommandOutput quiet = run(both);
   EXPECT_EQ(nlohmann::json::parse(quiet.out).at("output"), text_);

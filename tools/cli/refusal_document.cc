@@ -110,8 +110,8 @@ session::Refusal not_a_document(const std::string& json) {
 
 ExitCode refuse(const session::Refusal& wrong, const std::string& json, std::string_view schema) {
   const ExitCode code = refuse(wrong);
-  if (json.empty()) {
-    return code;
+  if (json.empty() || wrong.ending == session::Ending::Interrupted) {
+    return code;  // who interrupts the work wants no file of it
   }
   const auto unwritten = may_be_replaced(json) ? write_out(json, document_of(wrong, schema))
                                                : std::optional(not_a_document(json));

@@ -24,7 +24,7 @@ bool may_be_replaced(const std::string& path);
 session::Refusal not_a_document(const std::string& json);
 
 /// Says why on standard error and, where --json wants a document, in one of `schema`, `status`,
-/// `exit_code` and `diagnostics`.
+/// `exit_code` and `diagnostics`.  Work that was interrupted leaves none.
 /// @param json  of the option: "" for none
 ExitCode refuse(const session::Refusal& wrong, const std::string& json, std::string_view schema);
 
