@@ -42,6 +42,9 @@ class LedPath {
   /// kLedPieceDeg, and arcs have kLeastArcPieces.
   [[nodiscard]] int piece_count() const;
 
+  /// Whether a cubic tells it.
+  [[nodiscard]] bool is_short() const { return cubic_.has_value(); }
+
   /// Whether the linear axes lead everywhere on the way, as far as the ends of its pieces tell.
   [[nodiscard]] bool leads() const;
 

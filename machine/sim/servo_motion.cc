@@ -97,6 +97,7 @@ std::array<AxisPositions, 4> command_between(const IndependentPath& path,
 /// A piece of a phase on a led way as a cubic of the time since its beginning.
 struct LedPiece {
   std::array<AxisPositions, 4> command;
+  AxisPositions end;
   bool is_close = false;  ///< within kLedErrorMm of the way
 };
 
@@ -107,7 +108,8 @@ LedPiece led_piece(const LedPath& path, const MotionPhase& phase, double from_s,
     const double distance = phase.distance_after(from_s + part * duration_s);
     return path.at(std::clamp(distance / path.length(), 0.0, 1.0));
   };
-  LedPiece piece{cubic_through({place(0.0), place(1.0 / 3.0), place(2.0 / 3.0), place(1.0)}), true};
+  const AxisPositions end = place(1.0);
+  LedPiece piece{cubic_through({place(0.0), place(1.0 / 3.0), place(2.0 / 3.0), end}), end, true};
   double scale = 1.0;
   for (AxisPositions& power : piece.command) {
     power *= scale;
@@ -245,6 +247,7 @@ void ServoMotion::add_phase(const LedPath& path, const MotionPhase& phase) {
   constexpr double kShortestPart = 1.0 / kMostPiecesOfPhase;
   double from_s = 0.0;
   double step_s = phase.duration_s;
+  AxisPositions way_before = AxisPositions::Zero();
   while (from_s < phase.duration_s) {
     look();
     // What is left is not cut so that next to nothing remains.
@@ -253,7 +256,11 @@ void ServoMotion::add_phase(const LedPath& path, const MotionPhase& phase) {
     const double to_s = is_last ? phase.duration_s : from_s + step_s;
     const LedPiece piece = led_piece(path, phase, from_s, to_s);
     if (piece.is_close || to_s - from_s <= kShortestPart * phase.duration_s) {
+      const AxisPositions way = piece.end - piece.command[0];
       add_piece(piece.command, to_s - from_s);
+      pieces_.back().turns_back =
+          !path.is_short() || from_s == 0.0 || (way.array() * way_before.array() < 0.0).any();
+      way_before = way;
       from_s = to_s;
       step_s *= 1.5;
     } else {
@@ -353,7 +360,9 @@ double ServoMotion::in_position_s(double width) const {
 std::vector<double> ServoMotion::steps_until(double time_s) const {
   std::vector<double> steps = {0.0};
   for (const Piece& piece : pieces_) {
-    steps.push_back(std::min(time_s, piece.begin_s));
+    if (piece.turns_back) {
+      steps.push_back(std::min(time_s, piece.begin_s));
+    }
   }
   const double transient_s = std::min(time_s, transient_s_);
   for (int i = 1; i * transient_step_s_ < transient_s; ++i) {

@@ -92,8 +92,9 @@ class ServoMotion {
     double begin_s = 0.0;
     double duration_s = 0.0;
     Cubic command;
-    Cubic response;       // of the encoder, apart from what dies away
-    AxisPositions dying;  // at the beginning
+    Cubic response;          // of the encoder, apart from what dies away
+    AxisPositions dying;     // at the beginning
+    bool turns_back = true;  // there an axis may; false: all go on as in the piece before
   };
 
   void add_phase(const StraightPath& path, const MotionPhase& phase);
