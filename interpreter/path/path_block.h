@@ -72,6 +72,9 @@ struct PathBlock {
   machine::RapidPath rapid_path = machine::RapidPath::Straight;  ///< for g = 0
   machine::ContourControl contour_control = machine::ContourControl::Off;
   bool of_axes = false;  ///< its end is a position of the axes, whatever leads them (G53)
+  /// Of a line whose end is a position of the axes: leads them there.  It outlives the block; null:
+  /// see of_axes.
+  const machine::AxisTransformPtr* leads = nullptr;
 };
 
 struct Pause {

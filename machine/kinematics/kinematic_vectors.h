@@ -51,6 +51,8 @@ struct VectorChain {
   AxisChainSetup chain;
   Point tool_shift = Point::Zero();  ///< added to the tool's length whatever the head does, mm
   Point part_shift = Point::Zero();  ///< added to places of the part, mm
+  /// Of rotary axes: the positions at which their angles are 0.
+  AxisPositions q_M_basic = AxisPositions::Zero();
 };
 
 /// The chain that has these vectors.

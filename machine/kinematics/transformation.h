@@ -29,7 +29,8 @@ class Transformation {
         chain_(believed.chain, p_T_tip),
         p_T_tip_(p_T_tip),
         tool_shift_(believed.tool_shift),
-        part_shift_(believed.part_shift) {}
+        part_shift_(believed.part_shift),
+        q_M_basic_(believed.q_M_basic) {}
 
   /// nullopt: as the rotary axes stand, the linear ones do not lead everywhere.
   /// @param p_tip       mm, frame of the machine, with FiveAxis of the part (work offset included)
@@ -40,16 +41,13 @@ class Transformation {
   /// The inverse: the place of the tip, mm, as axes_for takes it.
   [[nodiscard]] Point tip_for(const AxisPositions& q_M) const;
 
-  /// mm: how far what the rotary axes turn is from their lines at most, in all; see
-  /// AxisChain::reach.
-  [[nodiscard]] double reach(const Point& p_tip) const { return chain_.reach(p_tip + part_shift_); }
-
  private:
   TransformationKind kind_;
   AxisChain chain_;
   Point p_T_tip_;
   Point tool_shift_ = Point::Zero();
   Point part_shift_ = Point::Zero();
+  AxisPositions q_M_basic_ = AxisPositions::Zero();
 };
 
 }  // namespace g31::machine

@@ -141,7 +141,8 @@ Special special_of(GAction action) {
 
 /// Whether a word says where to go.
 bool has_place(const Block& block) {
-  return block.words.has_axes() || is_polar(block) || block.words.has(Address::Angle);
+  return block.words.has_axes() || is_polar(block) || block.words.has(Address::Angle) ||
+         has_direction(block);
 }
 
 /// The code that takes the block's axis words for something else than a motion of the path.
@@ -283,6 +284,9 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
   channel.clocks.block_began = channel.port.time_s();
   take_codes(channel, block);
   if (MaybeFailure wrong = finish_passing_by(channel, block)) {
+    return wrong;
+  }
+  if (MaybeFailure wrong = take_tool_carrier(channel, block)) {
     return wrong;
   }
   if (const GCode* const code = block.code_of(Group::ToolRotation)) {

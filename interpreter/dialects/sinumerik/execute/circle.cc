@@ -209,7 +209,7 @@ MaybeFailure move_along_circle(Channel& channel, const Block& block) {
   if (!plane.is_even) {
     return failure(AlarmId::NotImplemented, "a circle in an unequally scaled plane");
   }
-  if (plane.is_parallel) {
+  if (plane.is_parallel && !turns_under_tip(channel, channel.to_machine(job.q_W_end))) {
     return move_in_arcs(channel, job, circle.value(), turns.value());
   }
   const double sweep = sweep_of(circle.value()) + turns.value() * kFullRad;

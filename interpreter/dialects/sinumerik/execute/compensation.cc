@@ -98,8 +98,13 @@ PlaneInMachine plane_in_machine(const Channel& channel) {
   q[1][plane.first] = 1.0;
   q[2][plane.second] = 1.0;
   const Frame frame = channel.active_frame();
-  const AxisPositions first = frame.apply(q[1]) - frame.apply(q[0]);
-  const AxisPositions second = frame.apply(q[2]) - frame.apply(q[0]);
+  AxisPositions first = frame.apply(q[1]) - frame.apply(q[0]);
+  AxisPositions second = frame.apply(q[2]) - frame.apply(q[0]);
+  if (channel.transformation() != nullptr) {
+    const Eigen::Matrix3d turn = channel.turn_of_part(channel.machine_position());
+    first.head<3>() = turn * first.head<3>();
+    second.head<3>() = turn * second.head<3>();
+  }
   const double out = std::abs(first[plane.normal]) + std::abs(second[plane.normal]);
   const double stretch = std::abs(first.head<3>().norm() - second.head<3>().norm());
   const double cross =

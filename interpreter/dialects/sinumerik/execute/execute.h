@@ -38,6 +38,20 @@ MaybeFailure select_tool(Channel& channel, const Block& block);
 MaybeFailure take_tool_technology(Channel& channel, const Block& block);
 /// TOFRAME, TOROT and their forms, TOROTOF.
 void turn_to_tool(Channel& channel, const GCode& code);
+/// TCARR, TCOABS and TCOFR, PAROT.
+MaybeFailure take_tool_carrier(Channel& channel, const Block& block);
+/// $P_PARTFRAME is that of the table as the carrier in force has turned it.
+void follow_table(Channel& channel);
+/// TRAORI by the data of a tool carrier, and TRAFOOF.
+MaybeFailure switch_transformation_on(Channel& channel, int number);
+MaybeFailure switch_transformation_off(Channel& channel);
+/// ORIRESET: at rapid to positions of the transformation's axes; nullopt: the basic ones.
+MaybeFailure turn_back(Channel& channel, const std::array<std::optional<double>, 2>& deg,
+                       source::Location where);
+/// Whether the block says a direction of the tool: A2 B2 C2, A3 B3 C3.
+bool has_direction(const Block& block);
+/// Takes it into the rotary axes.
+MaybeFailure take_direction(const Channel& channel, const Block& block, AxisPositions& q_W_end);
 /// TRANS, ROT, SCALE, MIRROR and their additive forms.
 MaybeFailure program_frame(Channel& channel, const Block& block, const GCode& code);
 /// G58 and G59

@@ -41,7 +41,7 @@ MaybeFailure out_of_reach(const Channel& channel, const AxisPositions& q_M_end) 
   if (!channel.working_area.is_set || channel.group[Group::WorkingArea] != kAreaOn) {
     return std::nullopt;
   }
-  const AxisPositions q_tip = q_M_end - channel.tool_offset();
+  const AxisPositions q_tip = channel.to_basic(q_M_end);
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     const double low = channel.working_area.q_low[axis] - kSlack;
     const double high = channel.working_area.q_high[axis] + kSlack;

@@ -95,6 +95,9 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Bloc
   if (channel.group[Group::Motion] != number_in_group("G1")) {
     return failure(AlarmId::NotImplemented, "MEAS on a circle");
   }
+  if (turns_under_tip(channel, move.q_M_end)) {
+    return failure(AlarmId::NotImplemented, "MEAS while TRAORI leads the tip and rotary axes turn");
+  }
   const double length = feed_length(channel.port.position(), move.q_M_end);
   const auto feed = feed_in_force(channel, block, feed_way(channel, block, q_W_end, length));
   if (!feed) {

@@ -121,6 +121,11 @@ Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& blo
       return *wrong;
     }
   }
+  if (has_direction(block)) {
+    if (MaybeFailure wrong = take_direction(channel, block, q_W_end)) {
+      return *wrong;
+    }
+  }
   return q_W_end;
 }
 
@@ -156,13 +161,20 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
       channel.group[Group::Motion] == kRapid && block.code_of(Group::OneBlock) == nullptr ? 0 : 1;
   path.rapid_path = channel.rapid_path();
   if (path.g == 1) {
-    const AxisPositions q_M_start = channel.machine_position();
+    AxisPositions q_start = channel.machine_position();
+    AxisPositions q_end = path.q_M_end;
+    if (turns_under_tip(channel, q_end)) {
+      // The feed counts the way of the tip.
+      q_start = channel.to_basic(q_start);
+      q_end = channel.to_basic(q_end);
+    }
     const bool has_lead = is_thread(channel.group[Group::Motion]) &&
                           block.code_of(Group::OneBlock) == nullptr;  // G63 has F
-    const auto feed = has_lead ? thread_feed(channel, block, path.q_M_end - q_M_start)
-                               : feed_in_force(channel, block,
-                                               feed_way(channel, block, q_W_end.value(),
-                                                        feed_length(q_M_start, path.q_M_end)));
+    const auto feed =
+        has_lead
+            ? thread_feed(channel, block, q_end - q_start)
+            : feed_in_force(channel, block,
+                            feed_way(channel, block, q_W_end.value(), feed_length(q_start, q_end)));
     if (!feed) {
       return feed.error();
     }
@@ -170,7 +182,8 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
   }
   path.ends = block_end(channel);
   path.contour_control = contour_control(channel);
-  return travel_to(channel, path, q_W_end.value());
+  return has_direction(block) ? travel_with_direction(channel, path, q_W_end.value())
+                              : travel_to(channel, path, q_W_end.value());
 }
 
 MaybeFailure dwell(Channel& channel, const Block& block) {

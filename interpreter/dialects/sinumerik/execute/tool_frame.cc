@@ -1,5 +1,5 @@
-// Frames in the direction of the tool.  Without a tool carrier that turns it, the tool stands along
-// the machine axis perpendicular to the plane.
+// Frames in the direction of the tool: that of the tool carrier or of TRAORI, else along the
+// machine axis perpendicular to the plane.
 
 #include <Eigen/Geometry>
 
@@ -48,7 +48,7 @@ void turn_to_tool(Channel& channel, const GCode& code) {
     return;
   }
   const Eigen::Matrix3d below = channel.frames_below().turn();
-  const Eigen::Vector3d tool = Eigen::Vector3d::Unit(channel.plane().normal);
+  const Eigen::Vector3d tool = channel.tool_direction(channel.machine_position());
   const Eigen::Matrix3d turned = turned_to(below * frame.turn(), axis_along_tool(code.name), tool);
   if (code.name.starts_with("TOFRAME")) {
     frame = Frame();

@@ -27,7 +27,9 @@ MaybeFailure to_machine(Channel& channel, const PathBlock& path) {
     return failure(AlarmId::CircleRadius, "the centre is too far away");
   }
   const Plane plane = channel.plane();
-  const auto fault = channel.outlet.move(path, {plane.first, plane.second});
+  PathBlock led = path;
+  led.leads = channel.leads();
+  const auto fault = channel.outlet.move(led, {plane.first, plane.second});
   return fault ? std::optional(from_fault(*fault)) : std::nullopt;
 }
 
@@ -243,7 +245,19 @@ MaybeFailure travel_circle_coupled(Channel& channel, const PathBlock& path) {
 
 }  // namespace
 
+bool turns_under_tip(const Channel& channel, const AxisPositions& q_M_end) {
+  return channel.transformation() != nullptr &&
+         rotary_axes(q_M_end) != rotary_axes(channel.machine_position());
+}
+
 MaybeFailure travel_to(Channel& channel, const PathBlock& path, const AxisPositions& q_W_end) {
+  const bool is_cornered = channel.cutter.compensation.engaged() ||
+                           channel.corners.contour.holds() ||
+                           channel.corners.wish.kind != path::CornerWish::Kind::Sharp;
+  if (is_cornered && turns_under_tip(channel, path.q_M_end)) {
+    return failure(AlarmId::NotImplemented,
+                   "rotary axes with G41, G42, RND or CHF while TRAORI leads the tip");
+  }
   if (!channel.couplings.empty()) {
     return path.arc ? travel_circle_coupled(channel, path) : travel_line_coupled(channel, path);
   }

@@ -16,6 +16,10 @@ MaybeFailure travel(Channel& channel, const path::PathBlock& path);
 /// @param q_W_end  where the path ends for the program
 MaybeFailure travel_to(Channel& channel, const path::PathBlock& path, const AxisPositions& q_W_end);
 
+/// The same with a programmed direction of the tool, which goes along a great circle with ORIVECT.
+MaybeFailure travel_with_direction(Channel& channel, const path::PathBlock& path,
+                                   const AxisPositions& q_W_end);
+
 // Source of coupled axes: SINUMERIK job planning, coupled motion: the following axis adds the way
 // of the leading one, by the factor, to its own.
 
@@ -24,6 +28,9 @@ AxisPositions coupled_end(const Channel& channel, const AxisPositions& q_M_from,
                           const AxisPositions& q_M_end);
 /// U, V and W go along.
 void move_followers(Channel& channel, const AxisPositions& q_M_way);
+
+/// Whether rotary axes turn on the way while TRAORI leads the tip: the linear axes go on a curve.
+bool turns_under_tip(const Channel& channel, const AxisPositions& q_M_end);
 
 /// Lets time pass and tells the observer.
 MaybeFailure pause(Channel& channel, const path::Pause& wait);

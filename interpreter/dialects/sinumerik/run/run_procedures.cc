@@ -144,6 +144,30 @@ MaybeFailure Runner::couple_axis(Arguments list) {
   return wrong;
 }
 
+/// TRAORI(n): the first transformation without n.
+MaybeFailure Runner::transformation_on(Arguments list) {
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    if (number(list[i].value) != 0.0) {
+      return failure(AlarmId::NotImplemented, "TRAORI: tool direction and axis offsets");
+    }
+  }
+  return switch_transformation_on(channel_,
+                                  list.empty() ? 1 : static_cast<int>(number(list[0].value)));
+}
+
+MaybeFailure Runner::transformation_off(Arguments /*list*/) {
+  return switch_transformation_off(channel_);
+}
+
+/// ORIRESET(a, b)
+MaybeFailure Runner::reset_orientation(Arguments list) {
+  std::array<std::optional<double>, 2> deg;
+  for (std::size_t i = 0; i < std::min(list.size(), deg.size()); ++i) {
+    deg.at(i) = number(list[i].value);
+  }
+  return turn_back(channel_, deg, here());
+}
+
 /// TRAILOF(axis, leading axis), TRAILOF(axis)
 MaybeFailure Runner::release_axis(Arguments list) {
   const int follows = static_cast<int>(number(list[0].value));

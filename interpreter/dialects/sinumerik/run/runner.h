@@ -269,6 +269,9 @@ class Runner {
   MaybeFailure stop_reading_ahead(Arguments list);
   MaybeFailure set_feed_axes(Arguments list);
   MaybeFailure couple_axis(Arguments list);
+  MaybeFailure transformation_on(Arguments list);
+  MaybeFailure transformation_off(Arguments list);
+  MaybeFailure reset_orientation(Arguments list);
   MaybeFailure release_axis(Arguments list);
 
   // run_files.cc

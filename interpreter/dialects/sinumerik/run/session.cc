@@ -52,6 +52,22 @@ EdgeData edge_from(const runtime::ToolEntry& entry) {
   return edge;
 }
 
+/// The first tool carrier is what the control believes of the machine's rotary axes.
+void configure_carrier(Channel& channel, const runtime::ControlSetup& setup) {
+  const auto vectors = machine::vectors_of(setup.kinematics);
+  if (!vectors) {
+    return;
+  }
+  std::array<machine::RotaryTravel, 2> travel;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const int axis = vectors->axes.at(i);
+    if (const auto goes = axis >= 0 ? channel.port.travel(axis) : std::nullopt) {
+      travel.at(i) = {goes->min, goes->max};
+    }
+  }
+  channel.carriers[1] = carrier_of(*vectors, travel);
+}
+
 /// Soft limits and data of the sheet.
 void configure_data(Runner& runner, const runtime::ControlSetup& setup,
                     std::vector<runtime::RefusedSetting>& refused) {
@@ -203,6 +219,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   for (const auto& [code, program] : setup.macro_calls) {
     refused.push_back({"macro_calls." + code, "[macro_calls] are for other controls"});
   }
+  configure_carrier(channel, setup);
   configure_data(*runner_, setup, refused);
   channel.preset_rapids();
   channel.preset_codes();

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <fmt/format.h>
+
+#include "interpreter/path/chain_transform.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -113,7 +116,9 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       spindles_of_axes_(
           static_cast<std::size_t>(globals.find("$MA_SPIND_ASSIGN_TO_MACHAX")->place)),
       tool_change_mode_(static_cast<std::size_t>(globals.find("$MC_TOOL_CHANGE_MODE")->place)),
-      diameter_axis_(static_cast<std::size_t>(globals.find("$MC_DIAMETER_AX_DEF")->place)) {
+      diameter_axis_(static_cast<std::size_t>(globals.find("$MC_DIAMETER_AX_DEF")->place)),
+      carrier_fine_(static_cast<std::size_t>(globals.find("$SC_TOCARR_FINE_CORRECTION")->place)),
+      most_carriers_(static_cast<std::size_t>(globals.find("$MN_MM_NUM_TOOL_CARRIER")->place)) {
   for (int i = 0; i < kGroupCount; ++i) {
     group.at(static_cast<std::size_t>(i)) = preset_number(static_cast<Group>(i));
   }
@@ -377,7 +382,7 @@ ToolLengths Channel::tool_lengths() const {
   return lengths;
 }
 
-AxisPositions Channel::tool_offset() const {
+AxisPositions Channel::edge_offset() const {
   AxisPositions offset = AxisPositions::Zero();
   const EdgeData* const data = active_edge();
   if (data == nullptr) {
@@ -396,18 +401,90 @@ AxisPositions Channel::tool_offset() const {
   return offset;
 }
 
+AxisPositions Channel::tool_offset() const {
+  AxisPositions offset = edge_offset();
+  if (orientation.carrier != 0 && !orientation.chain) {
+    offset.head<kLinearAxisCount>() =
+        orientation.vectors.tool_length(linear_axes(offset), orientation.deg);
+  }
+  return offset;
+}
+
+const machine::Transformation* Channel::transformation() const {
+  if (!orientation.chain) {
+    return nullptr;
+  }
+  if (!transformation_) {
+    transformation_.emplace(*orientation.chain, -linear_axes(edge_offset()));
+  }
+  return &*transformation_;
+}
+
+const machine::AxisTransformPtr* Channel::leads() const {
+  const machine::Transformation* const by = transformation();
+  if (by == nullptr) {
+    return nullptr;
+  }
+  if (!leads_) {
+    leads_ = std::make_shared<path::ChainTransform>(*by);
+  }
+  return &leads_;
+}
+
+std::array<double, 2> Channel::angles_of(const AxisPositions& q_M) const {
+  std::array<double, 2> deg = {};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const int axis = orientation.traori_vectors.axes.at(i);
+    deg.at(i) = axis >= 0 ? q_M[axis] - orientation.traori_basic_deg.at(i) : 0.0;
+  }
+  return deg;
+}
+
+Eigen::Matrix3d Channel::turn_of_part(const AxisPositions& q_M) const {
+  return orientation.chain
+             ? Eigen::Matrix3d(orientation.traori_vectors.part_motion(angles_of(q_M)).linear())
+             : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+}
+
+Eigen::Vector3d Channel::tool_direction(const AxisPositions& q_M) const {
+  const Eigen::Vector3d upright = Eigen::Vector3d::Unit(plane().normal);
+  if (orientation.chain) {
+    return turn_of_part(q_M).transpose() *
+           (orientation.traori_vectors.tool_turn(angles_of(q_M)) * upright);
+  }
+  return orientation.carrier != 0
+             ? Eigen::Vector3d(orientation.vectors.tool_turn(orientation.deg) * upright)
+             : upright;
+}
+
 AxisPositions Channel::to_machine(const AxisPositions& q_W) const {
+  const machine::Transformation* const by = transformation();
+  const auto placed = [&](const Placement& placement) -> AxisPositions {
+    const AxisPositions q = placement.frame.apply(q_W);
+    return by == nullptr ? AxisPositions(q + placement.offset)
+                         : by->axes_for(linear_axes(q), q).value();
+  };
   if (suppression != 0) {
-    return active_frame().apply(q_W) + tool_offset();
+    return placed({active_frame(), tool_offset()});
   }
   if (!placement_) {
     placement_ = {active_frame(), tool_offset()};
   }
-  return placement_->frame.apply(q_W) + placement_->offset;
+  return placed(*placement_);
+}
+
+AxisPositions Channel::to_basic(const AxisPositions& q_M) const {
+  const machine::Transformation* const by = transformation();
+  if (by == nullptr) {
+    return q_M - tool_offset();
+  }
+  AxisPositions q = q_M;
+  q.head<kLinearAxisCount>() = by->tip_for(q_M);
+  return q;
 }
 
 AxisPositions Channel::to_work(const AxisPositions& q_M) const {
-  return active_frame().undo(q_M - tool_offset());
+  return active_frame().undo(to_basic(q_M));
 }
 
 AxisPositions Channel::present() {

@@ -15,6 +15,7 @@
 #include "interpreter/dialects/sinumerik/state/frame.h"
 #include "interpreter/dialects/sinumerik/state/frame_set.h"
 #include "interpreter/dialects/sinumerik/state/motion_state.h"
+#include "interpreter/dialects/sinumerik/state/tool_carrier.h"
 #include "interpreter/dialects/sinumerik/state/tool_lengths.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
@@ -27,6 +28,7 @@
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/touch_reports.h"
 #include "interpreter/runtime/warnings.h"
+#include "machine/kinematics/transformation.h"
 #include "machine/port/machine_port.h"
 #include "machine/units/length_unit.h"
 
@@ -214,11 +216,15 @@ class Channel {
   /// All frames in force, outermost first.
   [[nodiscard]] Frame active_frame() const;
   /// Another point of the tool is led from now on; the program stands where it stood.
-  void offset_changed() { placement_.reset(); }
+  void offset_changed() {
+    placement_.reset();
+    transformation_.reset();
+    leads_.reset();
+  }
   /// Something changed that positions depend on: work coordinates are to be asked for again.
   void frames_changed() {
     is_stale_ = true;
-    placement_.reset();
+    offset_changed();
   }
 
   // Tools
@@ -236,9 +242,28 @@ class Channel {
   [[nodiscard]] LengthRules length_rules() const;
   /// mm, wear and adapter included, radii across the spindle; 0 without an edge
   [[nodiscard]] ToolLengths tool_lengths() const;
-  /// mm: what the active edge adds to the machine coordinates.  G41 and G42 lead the centre of a
-  /// turning tool's nose, other motions its theoretical tip.
+  /// mm: from the tip to the adapter, as the data of the active edge have it.  G41 and G42 lead the
+  /// centre of a turning tool's nose, other motions its theoretical tip.
+  [[nodiscard]] AxisPositions edge_offset() const;
+  /// mm: what it adds to the machine coordinates without TRAORI: turned by a tool carrier.
   [[nodiscard]] AxisPositions tool_offset() const;
+
+  // Rotary axes
+  std::map<int, ToolCarrier> carriers;  ///< $TC_CARR
+  Orientation orientation;
+  /// SD42974: fine offsets of carriers act.
+  [[nodiscard]] bool carriers_have_fine_offsets() const { return numbers[carrier_fine_] != 0.0; }
+  /// MD18088: how many there may be.
+  [[nodiscard]] double most_carriers() const { return numbers[most_carriers_]; }
+  /// TRAORI with the tool in force; nullptr: it is off.  It stays where it is as long as the
+  /// channel.
+  [[nodiscard]] const machine::Transformation* transformation() const;
+  /// The same as what leads the axes; nullptr: it is off.
+  [[nodiscard]] const machine::AxisTransformPtr* leads() const;
+  /// How the basic coordinates are turned in the machine: with TRAORI as the table turns the part.
+  [[nodiscard]] Eigen::Matrix3d turn_of_part(const AxisPositions& q_M) const;
+  /// The direction from the tip to the holder in the basic coordinates, the axes at q_M.
+  [[nodiscard]] Eigen::Vector3d tool_direction(const AxisPositions& q_M) const;
   std::array<double, 4> additive_now = {};  ///< mm, what DL added to parameters 3 to 6 of the edge
   /// nullptr: no such tool, or no such edge
   Tool* find_tool(int number);
@@ -248,6 +273,8 @@ class Channel {
   // Positions, mm and degrees
   [[nodiscard]] AxisPositions to_machine(const AxisPositions& q_W) const;
   [[nodiscard]] AxisPositions to_work(const AxisPositions& q_M) const;
+  /// Between the tip within all frames and the axes.
+  [[nodiscard]] AxisPositions to_basic(const AxisPositions& q_M) const;
   /// Where the axes stand, in work coordinates: what an axis that is not programmed keeps.
   AxisPositions present();
   /// The end that the program wrote last: what incremental words count from.
@@ -374,6 +401,8 @@ class Channel {
     Frame inner;
   };
   [[nodiscard]] const Chains& chains() const;
+  /// The angles of both axes of TRAORI.
+  [[nodiscard]] std::array<double, 2> angles_of(const AxisPositions& q_M) const;
 
   std::size_t frame_save_mask_;        ///< place of MD10617
   std::size_t program_function_mask_;  ///< place of MD10280
@@ -394,9 +423,13 @@ class Channel {
   std::size_t spindles_of_axes_;       ///< place of MD35000
   std::size_t tool_change_mode_;       ///< place of MD22550
   std::size_t diameter_axis_;          ///< place of MD20100, among the texts
+  std::size_t carrier_fine_;           ///< place of SD42974
+  std::size_t most_carriers_;          ///< place of MD18088
   bool is_stale_ = false;
   mutable std::optional<Chains> chains_;        ///< kept until one of them is written
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed
+  mutable std::optional<machine::Transformation> transformation_;  ///< kept while the tool is
+  mutable machine::AxisTransformPtr leads_;                        ///< made of it
   AxisPositions q_W_programmed_ = AxisPositions::Zero();
   AxisPositions q_M_programmed_ = AxisPositions::Zero();
 };

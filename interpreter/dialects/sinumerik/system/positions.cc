@@ -44,7 +44,7 @@ void measured_read(Channel& channel) {
 
 /// The present position within some of the frames.
 AxisPositions within(const Channel& channel, const Frame& frame) {
-  return frame.undo(channel.port.position() - channel.tool_offset());
+  return frame.undo(channel.to_basic(channel.port.position()));
 }
 
 /// A point of the machine's builder; its first index is below `count`, its second one an axis.

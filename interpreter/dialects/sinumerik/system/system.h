@@ -126,6 +126,25 @@ MaybeFailure set_tool_state(Channel& channel, const SystemAccess& access, double
 Text tool_name(Channel& channel, const SystemAccess& access);
 MaybeFailure set_tool_name(Channel& channel, const SystemAccess& access, const std::string& name);
 
+// carriers.cc: tool carriers and TRAORI
+Number carrier_datum(Channel& channel, const SystemAccess& access);
+MaybeFailure set_carrier_datum(Channel& channel, const SystemAccess& access, double value);
+Number carrier_axis(Channel& channel, const SystemAccess& access);
+MaybeFailure set_carrier_axis(Channel& channel, const SystemAccess& access, double value);
+Text carrier_kind(Channel& channel, const SystemAccess& access);
+MaybeFailure set_carrier_kind(Channel& channel, const SystemAccess& access,
+                              const std::string& text);
+Text carrier_name(Channel& channel, const SystemAccess& access);
+MaybeFailure set_carrier_name(Channel& channel, const SystemAccess& access,
+                              const std::string& text);
+Number active_carrier(Channel& channel, const SystemAccess& access);
+Number active_transformation(Channel& channel, const SystemAccess& access);
+Number carrier_angle(Channel& channel, const SystemAccess& access);
+Number carrier_solutions(Channel& channel, const SystemAccess& access);
+Number carrier_status(Channel& channel, const SystemAccess& access);
+Number tool_direction(Channel& channel, const SystemAccess& access);
+Number basic_now(Channel& channel, const SystemAccess& access);
+
 // kept_data.cc: what is only kept
 Number kept_datum(Channel& channel, const SystemAccess& access);
 Text kept_text(Channel& channel, const SystemAccess& access);

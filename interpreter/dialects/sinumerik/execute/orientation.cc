@@ -1,0 +1,240 @@
+// TRAORI: places are those of the part, and the tool's direction may be programmed.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/execute/travel.h"
+#include "machine/kinematics/plane_rotation.h"
+
+namespace g31::sinumerik {
+namespace {
+
+using Vector3 = Eigen::Vector3d;
+
+constexpr Address kVector[] = {Address::DirectionX, Address::DirectionY, Address::DirectionZ};
+constexpr Address kAngles[] = {Address::OrientationA, Address::OrientationB, Address::OrientationC};
+constexpr int kMachine = number_in_group("ORIMKS");
+constexpr int kRollPitchYaw = number_in_group("ORIRPY");
+constexpr int kByAxes = number_in_group("ORIAXES");
+
+/// Between two pieces of a great circle the axes go straight.
+constexpr double kPieceDeg = 1.0;
+
+Vector3 words_of(const Block& block, std::span<const Address> addresses) {
+  Vector3 values = Vector3::Zero();
+  for (std::size_t i = 0; i < addresses.size(); ++i) {
+    values[static_cast<int>(i)] = block.words[addresses[i]].value;
+  }
+  return values;
+}
+
+bool has_any(const Block& block, std::span<const Address> addresses) {
+  return std::ranges::any_of(addresses, [&](Address a) { return block.words.has(a); });
+}
+
+/// Source: SINUMERIK job planning, orientation: Euler angles turn about Z, then the new X; roll,
+/// pitch and yaw about X, Y and Z.
+Vector3 by_angles(const Vector3& degrees, int definition) {
+  using machine::AxisTurn;
+  const Eigen::Matrix3d turn =
+      definition == kRollPitchYaw
+          ? machine::about_fixed_axes(
+                {AxisTurn{0, degrees[0]}, AxisTurn{1, degrees[1]}, AxisTurn{2, degrees[2]}})
+          : machine::about_turned_axes(
+                {AxisTurn{2, degrees[0]}, AxisTurn{0, degrees[1]}, AxisTurn{2, degrees[2]}});
+  return turn.col(2);
+}
+
+/// Positions of the rotary axes for a direction in the basic coordinates; nullopt: out of reach.
+/// @param q_M_near  from where they go
+std::optional<AxisPositions> axes_for(const Channel& channel, const Vector3& direction,
+                                      const AxisPositions& q_M_near) {
+  const Orientation& orientation = channel.orientation;
+  std::array<double, 2> from = {};
+  std::array<machine::RotaryTravel, 2> travel;
+  for (std::size_t i = 0; i < orientation.axes->count(); ++i) {
+    const int axis = orientation.traori_vectors.axes.at(i);
+    const double basic = orientation.traori_basic_deg.at(i);
+    from.at(i) = q_M_near[axis] - basic;
+    if (const auto goes = channel.port.travel(axis)) {
+      travel.at(i) = {goes->min - basic, goes->max - basic};
+    }
+  }
+  const Vector3 upright = Vector3::Unit(channel.plane().normal);
+  const auto pair =
+      machine::least_motion(orientation.axes->pairs_for(direction, upright), from, travel, 0);
+  if (!pair) {
+    return std::nullopt;
+  }
+  AxisPositions q_M = q_M_near;
+  for (std::size_t i = 0; i < orientation.axes->count(); ++i) {
+    q_M[orientation.traori_vectors.axes.at(i)] =
+        pair->deg.at(i) + orientation.traori_basic_deg.at(i);
+  }
+  return q_M;
+}
+
+bool moves_rotary_axes(const Block& block) {
+  for (int axis = kLinearAxisCount; axis < static_cast<int>(kAxisCount); ++axis) {
+    if (block.words.axis(axis).present) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The rotary axes of one position, in work coordinates, with the linear ones of another.
+AxisPositions with_turn(const Channel& channel, AxisPositions q_W, const AxisPositions& q_M) {
+  q_W.tail<kRotaryAxisCount>() = rotary_axes(channel.active_frame().undo(q_M));
+  return q_W;
+}
+
+/// By how much of a great circle from one direction to another, both of length 1.
+Vector3 between(const Vector3& from, const Vector3& to, double fraction) {
+  const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+  return (std::sin((1.0 - fraction) * angle) * from + std::sin(fraction * angle) * to) /
+         std::sin(angle);
+}
+
+}  // namespace
+
+bool has_direction(const Block& block) {
+  return has_any(block, kVector) || has_any(block, kAngles);
+}
+
+MaybeFailure take_direction(const Channel& channel, const Block& block, AxisPositions& q_W_end) {
+  if (!channel.orientation.chain || !channel.orientation.axes) {
+    return failure(AlarmId::NoTransformation, "A2, B2, C2, A3, B3 and C3 need TRAORI");
+  }
+  const bool by_vector = has_any(block, kVector);
+  if ((by_vector && has_any(block, kAngles)) || moves_rotary_axes(block)) {
+    return failure(AlarmId::OrientationMixed);
+  }
+  Vector3 direction =
+      by_vector ? words_of(block, kVector)
+                : by_angles(words_of(block, kAngles), channel.group[Group::OrientationAngles]);
+  if (!(direction.norm() > 0.0)) {
+    return failure(AlarmId::OrientationMixed, "A3, B3 and C3 are all 0");
+  }
+  if (channel.group[Group::Orientation] != kMachine) {
+    direction = channel.active_frame().turn() * direction;
+  }
+  const auto q_M = axes_for(channel, direction, channel.machine_position());
+  if (!q_M) {
+    return failure(AlarmId::CarrierNotReached, "the programmed orientation");
+  }
+  q_W_end = with_turn(channel, q_W_end, *q_M);
+  return std::nullopt;
+}
+
+MaybeFailure travel_with_direction(Channel& channel, const path::PathBlock& path,
+                                   const AxisPositions& q_W_end) {
+  const AxisPositions q_M_from = channel.machine_position();
+  const Vector3 from = channel.tool_direction(q_M_from);
+  const Vector3 to = channel.tool_direction(path.q_M_end);
+  const double angle = std::atan2(from.cross(to).norm(), from.dot(to)) * 180.0 / std::numbers::pi;
+  const int pieces = channel.group[Group::OrientationPath] == kByAxes || angle > 179.999
+                         ? 1
+                         : std::max(1, static_cast<int>(std::ceil(angle / kPieceDeg)));
+  const AxisPositions q_W_from = channel.present();
+  AxisPositions q_M = q_M_from;
+  for (int i = 1; i < pieces; ++i) {
+    const double fraction = static_cast<double>(i) / pieces;
+    const auto turned = axes_for(channel, between(from, to, fraction), q_M);
+    if (!turned) {
+      return failure(AlarmId::CarrierNotReached, "on the way of the orientation");
+    }
+    const AxisPositions q_W =
+        with_turn(channel, q_W_from + fraction * (q_W_end - q_W_from), *turned);
+    path::PathBlock piece = path;
+    piece.q_M_end = q_M = channel.to_machine(q_W);
+    piece.ends = machine::BlockEnd::PassOn;
+    if (MaybeFailure wrong = travel_to(channel, piece, q_W)) {
+      return wrong;
+    }
+  }
+  return travel_to(channel, path, q_W_end);
+}
+
+MaybeFailure turn_back(Channel& channel, const std::array<std::optional<double>, 2>& deg,
+                       source::Location where) {
+  const Orientation& orientation = channel.orientation;
+  if (!orientation.chain) {
+    return failure(AlarmId::NoTransformation, "ORIRESET");
+  }
+  AxisPositions q_M = channel.machine_position();
+  for (std::size_t i = 0; i < orientation.axes->count(); ++i) {
+    q_M[orientation.traori_vectors.axes.at(i)] =
+        deg.at(i).value_or(orientation.traori_basic_deg.at(i));
+  }
+  const AxisPositions q_W_end = with_turn(channel, channel.present(), q_M);
+  path::PathBlock path;
+  path.g = 0;
+  path.q_M_end = channel.to_machine(q_W_end);
+  path.where = where;
+  return travel_to(channel, path, q_W_end);
+}
+
+MaybeFailure switch_transformation_on(Channel& channel, int number) {
+  const auto carrier = channel.carriers.find(number);
+  if (carrier == channel.carriers.end()) {
+    return failure(AlarmId::TransformationMissing, fmt::format("TRAORI({})", number));
+  }
+  for (int axis = 0; axis < kLinearAxisCount; ++axis) {
+    if (!channel.port.travel(axis)) {
+      return failure(AlarmId::TransformationMissing,
+                     fmt::format("TRAORI: there is no axis {}", kAxisLetters[axis]));
+    }
+  }
+  const bool with_fine = channel.carriers_have_fine_offsets();
+  const auto vectors = carrier->second.vectors(with_fine);
+  if (!vectors) {
+    return vectors.error();
+  }
+  const std::array<int, 2>& axes = vectors.value().axes;
+  const bool has_second = !vectors.value().v2.isZero(0.0);
+  if (!is_rotary_axis(axes[0]) || (has_second && !is_rotary_axis(axes[1])) || axes[0] == axes[1] ||
+      !orientation_of(vectors.value())) {
+    return failure(AlarmId::BadFiveAxisData, fmt::format("TRAORI({})", number));
+  }
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return wrong;
+  }
+  Orientation& orientation = channel.orientation;
+  orientation.transformation = number;
+  orientation.traori_vectors = vectors.value();
+  orientation.traori_basic_deg = {carrier->second.basic_position(0, with_fine),
+                                  carrier->second.basic_position(1, with_fine)};
+  orientation.axes = orientation_of(vectors.value());
+  machine::AxisChainSetup linear;
+  orientation.chain = machine::chain_of(vectors.value(), linear);
+  // Places of the part count from where it is with the axes at 0, as with a tool carrier.
+  orientation.chain->tool_shift -= orientation.chain->part_shift;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (vectors.value().axes.at(i) >= 0) {
+      orientation.chain->q_M_basic[vectors.value().axes.at(i)] = orientation.traori_basic_deg.at(i);
+    }
+  }
+  follow_table(channel);
+  return std::nullopt;
+}
+
+MaybeFailure switch_transformation_off(Channel& channel) {
+  if (!channel.orientation.chain) {
+    return std::nullopt;
+  }
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return wrong;
+  }
+  channel.orientation.transformation = 0;
+  channel.orientation.chain.reset();
+  channel.orientation.axes.reset();
+  follow_table(channel);
+  return std::nullopt;
+}
+
+}  // namespace g31::sinumerik
