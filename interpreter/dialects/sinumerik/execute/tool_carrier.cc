@@ -1,8 +1,8 @@
 // Tool carriers: TCARR takes the data of one, TCOABS or TCOFR say at which angles it stands, and
 // the frame of the part follows a table that turns.
 
-#include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -123,7 +123,12 @@ MaybeFailure turn_carrier(Channel& channel) {
   if (channel.group[Group::ToolCarrier] != kByAxes) {
     return stand_by_frame(channel);
   }
-  stand_by_axes(channel, channel.carriers.at(channel.orientation.carrier));
+  const auto found = channel.carriers.find(channel.orientation.carrier);
+  if (found == channel.carriers.end()) {
+    return failure(AlarmId::BadCarrierNumber,
+                   fmt::format("TCARR={}: its data are cleared", channel.orientation.carrier));
+  }
+  stand_by_axes(channel, found->second);
   return turns_about_nothing(channel.orientation);
 }
 
