@@ -7,8 +7,8 @@
 
 namespace g31::path {
 
-/// Leads the axes by a transformation whose places are the tip's within the part (TRAORI): these are
-/// its base coordinates.
+/// Leads the axes by a transformation whose places are the tip's within the part (TRAORI): these
+/// are its base coordinates.
 class ChainTransform final : public machine::AxisTransform {
  public:
   explicit ChainTransform(const machine::Transformation& by) : by_(by) {}

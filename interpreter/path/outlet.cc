@@ -81,8 +81,8 @@ std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
   const machine::AxisTransformPtr& transform = block.leads != nullptr ? *block.leads
                                                : block.of_axes        ? kUnled
                                                                       : *transform_;
-  const auto q_M_end = transform && !ends_at_axes ? transform->axes_at(block.q_M_end)
-                                                  : std::optional(block.q_M_end);
+  const auto q_M_end =
+      transform && !ends_at_axes ? transform->axes_at(block.q_M_end) : std::optional(block.q_M_end);
   if (!q_M_end) {
     return told(unreachable(port_.position()));
   }
