@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "machine/base/random.h"
 #include "tests/support/run_evaluate.h"
@@ -119,7 +120,9 @@ TEST(DataFiles, AreRefusedWithTheLine) {
     SCOPED_TRACE(c.name);
     const EvaluateOutput output = evaluate_text(c.text, of_circle());
     EXPECT_EQ(output.exit_code, 2);
-    EXPECT_EQ(output.out, "");
+    const auto document = nlohmann::json::parse(output.out);
+    EXPECT_EQ(document.at("status"), "usage");
+    EXPECT_FALSE(document.contains("results"));
     EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
   }
 }

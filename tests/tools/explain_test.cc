@@ -30,14 +30,15 @@ TEST(ExplainCommand, PrintsTheEntry) {
   const Output output = explain({.topics = {"#5063"}, .control = "haas"});
   EXPECT_EQ(output.code, ExitCode::Completed);
   EXPECT_EQ(output.errors, "");
-  EXPECT_EQ(
-      output.text,
-      "#5063 (system variable)\n"
-      "  position latched by the last skip move, work coordinates, tool offset included, axis n\n"
-      "    here: Z\n"
-      "    numbers: #5061 to #5080\n"
-      "    unit: mm or inch, whichever is in force; degrees of A, B and C\n"
-      "    access: read only\n");
+  EXPECT_EQ(output.text,
+            "#5063 (system variable)\n"
+            "  position latched by the last skip move, work coordinates, tool offset included, "
+            "axis n; in a "
+            "tilted plane its coordinates, less #5081 and on the tip\n"
+            "    here: Z\n"
+            "    numbers: #5061 to #5080\n"
+            "    unit: mm or inch, whichever is in force; degrees of A, B and C\n"
+            "    access: read only\n");
 }
 
 TEST(ExplainCommand, KnowsTheFamilyOfANumberedName) {

@@ -181,7 +181,8 @@ TEST(RunErrors, ADefectBeforeARunBeginsHasItsDocument) {
   });
   EXPECT_EQ(static_cast<int>(code), 70);
   EXPECT_EQ(::testing::internal::GetCapturedStderr(),
-            "g31: defect: world.cc:1: contract violated: a machine has axes\n");
+            "g31: defect: world.cc:1: contract violated: a machine has axes\n"
+            "g31: defect: nothing has run\n");
   const auto document = nlohmann::json::parse(testing::text_of(options.json));
   EXPECT_EQ(document["status"], "defect");
   EXPECT_EQ(document["program"], "case.nc");

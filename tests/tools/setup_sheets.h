@@ -268,6 +268,13 @@ machine_time_s = [0.0, 90.0]
 "#160" = [19.998, 1e-4]
 [expect.work_offsets.G54]
 X = [0.0, 0.001]
+[[characteristic]]
+name = "bore"
+variable = "#164"
+nominal = 50.0
+tolerance = [-0.01, 0.01]
+unit = "mm"
+true = "ring.bore"
 )";
 
 /// A folder of set-up sheets that goes away with the test.

@@ -367,6 +367,12 @@ TEST_F(SetupReader, EveryExampleOfTheTableIsASheet) {
       sheet = "[work_offsets.G54]\n" + sheet;
     }
     sheet = sheet_of_tool(row, sheet);
+    if (row.section == SectionId::Characteristic) {
+      sheet = "[[part]]\nname = \"ring\"\nshape = \"ring\"\nbore = 40.0\n" + sheet;
+      sheet += row.id == KeyId::CharacteristicName ? "" : "name = \"Bore, X\"\n";
+      sheet += row.id == KeyId::CharacteristicVariable ? "" : "variable = \"#164\"\n";
+      sheet += row.id == KeyId::CharacteristicTolerance ? "nominal = 40.0\n" : "";
+    }
     if (row.section == SectionId::Input && row.id != KeyId::InputWhich) {
       sheet += "number = 1003\n";
     }
