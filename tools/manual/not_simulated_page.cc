@@ -25,8 +25,9 @@ finds both before (NC007).
 * Nobody is there: what waits for an operator goes on (stops are listed) or ends the run (PRB604).  Inputs come from
   `[[input]]`.
 * There is one channel: programs of several channels wait for nobody.
-* Transformations of SINUMERIK (TRAORI, CYCLE800) do not run; rotary axes do, and touches with the table or the head
-  turned.
+* SINUMERIK, five axes: TRAORI, tool carriers and CYCLE800 run by the data `$TC_CARR`; measuring, G41, G42, RND and CHF
+  while rotary axes turn under TRAORI are refused, and the cycles that measure kinematics (CYCLE995, 996, 997, 9960) are not
+  there.
 * Fanuc, five axes: tilted planes and tool centre point control run; the tool's reference direction is Z (parameters 19697
   to 19699), no axis is hypothetical, the radius is not compensated in space, and an axis that would be too fast slows
   the move instead of alarm 5422.
