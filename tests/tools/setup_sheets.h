@@ -184,6 +184,7 @@ bore = 50.0
 file = "ring.stl"
 [[part]]
 shape = "bed"
+width = 50.0
 profile = [[0.0, 0.001], [500.0, -0.002]]
 [[sensor]]
 name = "A"
@@ -274,7 +275,7 @@ variable = "#164"
 nominal = 50.0
 tolerance = [-0.01, 0.01]
 unit = "mm"
-true = "ring.bore"
+true = "bed.width"
 )";
 
 /// A folder of set-up sheets that goes away with the test.
