@@ -114,7 +114,13 @@ Number tool_length(Channel& channel, const SystemAccess& access) {
   if (which < 1 || which > 3) {
     return failure(AlarmId::IndexOne, fmt::format("$P_TOOLL[{}]", which));
   }
-  return channel.tool_lengths().mm.at(static_cast<std::size_t>(which) - 1) / channel.mm_per_datum();
+  const auto index = static_cast<std::size_t>(which) - 1;
+  const ToolLengths lengths = channel.tool_lengths();
+  // As they act: a tool carrier turns them.
+  const bool is_carried = channel.orientation.carrier != 0 && channel.active_edge() != nullptr;
+  const double mm =
+      is_carried ? channel.tool_offset()[lengths.axes.at(index)] : lengths.mm.at(index);
+  return mm / channel.mm_per_datum();
 }
 
 Number active_edge_datum(Channel& channel, const SystemAccess& access) {
