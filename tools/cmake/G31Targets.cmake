@@ -126,6 +126,8 @@ function(g31_test)
   # Libraries of tests (tests/support) stay checked.
   if(CMAKE_CXX_FLAGS MATCHES "sanitize")
     target_compile_options(${arg_NAME} PRIVATE -fno-sanitize=all)
+    # Under the address sanitizer Eigen aligns by itself: both sides have to, or one frees what the other took.
+    target_compile_definitions(${arg_NAME} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=0)
   endif()
   g31_take_prelude(${arg_NAME} g31_test_prelude quick)
   # The names of a test file are in a namespace of its own, so that a batch of them compiles as one.
