@@ -28,7 +28,8 @@ MaybeFailure to_machine(Channel& channel, const PathBlock& path) {
   }
   const Plane plane = channel.plane();
   PathBlock led = path;
-  led.leads = channel.leads();
+  // The centre of a circle is one of the axes, not of the tip: nothing leads it.
+  led.leads = path.arc ? nullptr : channel.leads();
   const auto fault = channel.outlet.move(led, {plane.first, plane.second});
   return fault ? std::optional(from_fault(*fault)) : std::nullopt;
 }
