@@ -36,9 +36,12 @@ std::optional<session::Refusal> write_compensation(const EvaluateOptions& option
   if (path.empty()) {
     return std::nullopt;
   }
-  const std::string error = file_given(options, evaluate::OptionId::Error);
-  const auto motion = std::ranges::find(evaluation.curves, "motion", &evaluate::Curve::name);
-  return write_out(path, evaluate::compensation_sheet(error.empty() ? "EYX" : error, *motion));
+  const auto format =
+      *evaluate::compensation_format(file_given(options, evaluate::OptionId::CompensationFormat));
+  if (const auto wrong = evaluate::why_no_compensation(format, *evaluation.machine_error)) {
+    return session::bad_input("--compensation: " + *wrong);
+  }
+  return write_out(path, evaluate::compensation_text(format, *evaluation.machine_error));
 }
 
 std::optional<session::Refusal> report_evaluation(const EvaluateOptions& options,

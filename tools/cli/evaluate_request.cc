@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "machine/base/nearest_name.h"
+#include "tools/evaluate/compensation.h"
 #include "tools/setup/duration.h"
 
 namespace g31::cli {
@@ -120,7 +121,11 @@ Wrong take(OptionId id, const std::string& text, Request& request) {
       request.axis = text;
       return std::nullopt;
     case OptionId::Error:
+      request.error = text;
       return check_error_name(text);
+    case OptionId::CompensationFormat:
+      return evaluate::compensation_format(text) ? std::nullopt
+                                                 : Wrong(evaluate::compensation_formats_in_words());
     case OptionId::Compensation:
     case OptionId::Diameters:
       return std::nullopt;  // files: the command opens them

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -7,9 +9,24 @@
 
 namespace g31::evaluate {
 
-/// A set-up sheet with the correction of an error: a pair of place and correction, the deviation
-/// with its sign reversed, for every point of the curve.
-/// @param error  "EYX" and so on
-std::string compensation_sheet(std::string_view error, const Curve& deviations);
+/// Rows of compensation_formats.def.
+enum class CompensationFormat : std::uint8_t {
+#define COMPENSATION_FORMAT(name, word, text) name,
+#include "tools/evaluate/compensation_formats.def"
+#undef COMPENSATION_FORMAT
+};
+
+/// The format of a word, the first one of ""; nullopt: it is none.
+std::optional<CompensationFormat> compensation_format(std::string_view word);
+/// What there is instead: "a format is sheet, ...".
+std::string compensation_formats_in_words();
+
+/// Why an error cannot be compensated so; nullopt: it can.
+std::optional<std::string> why_no_compensation(CompensationFormat format,
+                                               const MachineError& error);
+
+/// What takes an error away, as it is entered.
+/// @pre why_no_compensation says nothing
+std::string compensation_text(CompensationFormat format, const MachineError& error);
 
 }  // namespace g31::evaluate

@@ -36,6 +36,7 @@ struct Request {
   std::optional<double> from = {};
   std::optional<DataFile> diameters = {};
   std::optional<std::string> axis = {};
+  std::string error = "EYX";  ///< what a straightness is, by ISO 230-1
   bool wants_curves = false;  ///< of paths: every sample's deviation
   bool wants_drawing = false;
   double magnify = 0.0;  ///< how many times a drawing enlarges errors; 0: so that they are seen

@@ -59,6 +59,18 @@ std::vector<Curve> curves_of(const PositioningEvaluation& p) {
   return curves;
 }
 
+/// The mean of both directions at each target, as ISO 230-2 has it; of one where only that was
+/// driven.
+Curve mean_deviations(const PositioningEvaluation& p) {
+  Curve mean{"mean", {}};
+  for (const metrology::TargetStatistics& target : p.targets) {
+    const auto& one = target.up ? target.up : target.down;
+    const auto& other = target.down ? target.down : target.up;
+    mean.points.push_back({target.target, 0.5 * (one->mean + other->mean)});
+  }
+  return mean;
+}
+
 }  // namespace
 
 Result<Evaluation, DataError> evaluate_positioning(const DataFile& file, const Request& request) {
@@ -97,6 +109,8 @@ Result<Evaluation, DataError> evaluate_positioning(const DataFile& file, const R
   evaluation.samples = table.value().size();
   evaluation.results = results_of(positioning.value());
   evaluation.curves = curves_of(positioning.value());
+  evaluation.machine_error = {"E" + axis.value() + axis.value(),
+                              mean_deviations(positioning.value())};
   if (request.wants_drawing) {
     evaluation.svg = positioning_chart(evaluation, axis.value());
   }

@@ -70,6 +70,7 @@ Result<Evaluation, DataError> evaluate_straightness(const DataFile& file, const 
   evaluation.results.push_back({"parallelism", um(shapes.work.back()), "um"});
   evaluation.curves = {curve_of("motion", places, shapes.motion),
                        curve_of("work", places, shapes.work)};
+  evaluation.machine_error = {request.error, evaluation.curves.front()};
   const std::size_t n = rows.a.size() - 1;
   evaluation.notes.push_back(fmt::format(
       "readings of standard uncertainty u make one of {:.3g} u of the motion in the "

@@ -88,6 +88,12 @@ struct Curve {
   std::vector<std::array<double, 2>> points;
 };
 
+/// An error of the machine along an axis.
+struct MachineError {
+  std::string name;  ///< ISO 230-1: EYX is along Y while X moves, EXX that of X itself
+  Curve deviations;  ///< by rising places of the moving axis
+};
+
 /// What a record says.
 struct Evaluation {
   Kind kind = Kind::Circle;
@@ -95,8 +101,9 @@ struct Evaluation {
   std::vector<Quantity> results;
   std::optional<std::vector<Dip>> dips = {};
   std::vector<Curve> curves = {};
-  std::string svg = {};                 ///< the drawing, where one was asked for
-  std::vector<std::string> notes = {};  ///< what has to be known to read the results
+  std::optional<MachineError> machine_error = {};  ///< what a compensation can take away
+  std::string svg = {};                            ///< the drawing, where one was asked for
+  std::vector<std::string> notes = {};             ///< what has to be known to read the results
 };
 
 /// The document g31.evaluation/1.

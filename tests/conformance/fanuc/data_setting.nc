@@ -136,6 +136,18 @@ M30
 %
 (EXPECT OUTPUT "- 123.4560\n-123.4560\n")
 
+(CASE MB-260 newer controls write L52)
+%
+O1
+G10 L52
+N6001 R00000010
+N10002 R-3
+G11
+#100=1
+M30
+%
+(EXPECT #100 = 1)
+
 (CASE MB-260 tool life groups are passed over with a warning)
 %
 O1

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -11,7 +13,8 @@ namespace {
 constexpr double kInchLimit = 2.54;
 
 constexpr int kToolLife = 3;
-constexpr int kParameterInput = 50;
+/// L52 where programs of newer controls write it.
+constexpr int kParameterInput[] = {50, 52};
 
 /// What `G10 L..` sets in the tool offset table, and the first memory, from A on, that has it
 /// (MB-257, MB-258).
@@ -115,7 +118,7 @@ MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
   if (!l) {
     return l.error();
   }
-  if (l.value() == kParameterInput) {
+  if (std::ranges::find(kParameterInput, l.value()) != std::end(kParameterInput)) {
     control.data_input = DataInput::Parameters;
     return std::nullopt;
   }

@@ -1,0 +1,216 @@
+#include "tools/evaluate/fanuc_compensation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "tools/evaluate/even_table.h"
+
+namespace g31::evaluate {
+namespace {
+
+constexpr double kUnitsPerMm = 1000.0;
+constexpr double kMostNumber = 1023.0;  // of compensation points
+constexpr std::int64_t kMostPitchError = 7;
+constexpr std::int64_t kMostMagnification = 100;
+
+/// Numbers of the points of a moving axis: how far apart they are, and which is before coordinate
+/// 0.
+struct PitchPoints {
+  double interval = 0.0;  ///< mm
+  std::int64_t reference = 0;
+  std::int64_t lowest = 0;
+  std::int64_t highest = 0;
+};
+
+/// The smallest distance of two places, in whole detection units.
+double interval_of(const Curve& curve) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t n = 1; n < curve.points.size(); ++n) {
+    smallest = std::min(smallest, curve.points[n][0] - curve.points[n - 1][0]);
+  }
+  return std::max(1.0, std::round(smallest * kUnitsPerMm)) / kUnitsPerMm;
+}
+
+constexpr double kSameSection = 1e-6;  // of an interval
+
+/// Which section begins at or before a place, 0 being the one behind coordinate 0.
+std::int64_t section_from(double place, double interval) {
+  return std::llround(std::floor(place / interval + kSameSection));
+}
+
+/// Which section ends at or behind a place.
+std::int64_t section_to(double place, double interval) {
+  return std::llround(std::ceil(place / interval - kSameSection)) - 1;
+}
+
+PitchPoints points_of(const Curve& curve) {
+  PitchPoints points{interval_of(curve)};
+  const std::int64_t first = section_from(curve.points.front()[0], points.interval);
+  const std::int64_t last = section_to(curve.points.back()[0], points.interval);
+  points.reference = std::max<std::int64_t>(1, 1 - first);
+  points.lowest = points.reference + std::min<std::int64_t>(0, first + 1);
+  points.highest = points.reference + std::max<std::int64_t>(0, last + 1);
+  return points;
+}
+
+/// The point of the section that begins at a place; of the last place, of the one that ends there.
+std::int64_t point_at(const PitchPoints& points, double place) {
+  return std::clamp(points.reference + section_from(place, points.interval) + 1, points.lowest,
+                    points.highest);
+}
+
+std::string parameter(int number, int axis, std::int64_t value) {
+  return fmt::format("N{} P{} R{}\n", number, axis, value);
+}
+
+int axis_number(char axis) {
+  return axis - 'X' + 1;
+}
+
+std::string points_text(const PitchPoints& points, int axis) {
+  return parameter(3620, axis, points.reference) + parameter(3621, axis, points.lowest) +
+         parameter(3622, axis, points.highest);
+}
+
+/// What the correction gains in every section, in detection units; their sum never leaves the
+/// correction by more than half of one.
+std::vector<std::int64_t> gains_of(const EvenTable& table, std::int64_t magnification) {
+  const double units = kUnitsPerMm / static_cast<double>(magnification);
+  std::vector<std::int64_t> gains;
+  for (std::size_t n = 1; n < table.values.size(); ++n) {
+    gains.push_back(std::llround(-table.values[n] * units) -
+                    std::llround(-table.values[n - 1] * units));
+  }
+  return gains;
+}
+
+std::int64_t largest(const std::vector<std::int64_t>& gains) {
+  std::int64_t most = 0;
+  for (const std::int64_t gain : gains) {
+    most = std::max(most, std::abs(gain));
+  }
+  return most;
+}
+
+std::string pitch_errors(const MachineError& error, int axis) {
+  const PitchPoints points = points_of(error.deviations);
+  const EvenTable table = table_on_multiples(error.deviations, points.interval);
+  std::int64_t magnification = 1;
+  while (largest(gains_of(table, magnification)) > kMostPitchError) {
+    ++magnification;
+  }
+  const std::vector<std::int64_t> gains = gains_of(table, magnification);
+  std::string text =
+      fmt::format("(PITCH ERRORS OF {}, UNITS OF {} UM)\n", error.name[2], magnification) +
+      points_text(points, axis) + parameter(3623, axis, magnification) +
+      parameter(3624, axis, std::llround(points.interval * kUnitsPerMm));
+  const std::int64_t first = points.reference + 1 + section_from(table.first, points.interval);
+  for (std::size_t n = 0; n < gains.size(); ++n) {
+    text += fmt::format("N{} R{}\n", 10000 + first + static_cast<std::int64_t>(n), gains[n]);
+  }
+  return text;
+}
+
+/// Of four points, first and last among them, those whose lines leave least of the curve.
+struct FourPoints {
+  std::array<std::size_t, 4> at = {};
+  double left = std::numeric_limits<double>::infinity();  ///< mm
+};
+
+double left_by(const Curve& curve, const std::array<std::size_t, 4>& at) {
+  Curve lines;
+  for (const std::size_t n : at) {
+    if (lines.points.empty() || curve.points[n][0] > lines.points.back()[0]) {
+      lines.points.push_back(curve.points[n]);
+    }
+  }
+  double most = 0.0;
+  for (const auto& [place, deviation] : curve.points) {
+    most = std::max(most, std::abs(deviation - deviation_at(lines, place)));
+  }
+  return most;
+}
+
+FourPoints best_four(const Curve& curve) {
+  constexpr std::size_t kTried = 60;  // inner places: more would take seconds
+  const std::size_t last = curve.points.size() - 1;
+  const std::size_t stride = std::max<std::size_t>(1, last / kTried);
+  FourPoints best;
+  // Fewer than four points serve twice.
+  const std::size_t apart = last >= 3 ? 1 : 0;
+  for (std::size_t b = apart; b + 2 * apart <= last; b += stride) {
+    for (std::size_t c = b + apart; c + apart <= last; c += stride) {
+      const std::array<std::size_t, 4> at = {0, b, c, last};
+      const double left = left_by(curve, at);
+      if (left < best.left) {
+        best = {at, left};
+      }
+    }
+  }
+  return best;
+}
+
+std::string straightness(const MachineError& error, int moving, int compensated) {
+  const PitchPoints points = points_of(error.deviations);
+  const FourPoints four = best_four(error.deviations);
+  const char moving_axis = error.name[2];
+  std::string text =
+      fmt::format("(STRAIGHTNESS OF {} BY THE PLACE OF {}, UNITS OF 1 UM)\n", error.name[1],
+                  moving_axis) +
+      fmt::format("(FOUR PLACES LEAVE {:.1f} UM OF THE CURVE)\n", kUmPerMm * four.left) +
+      fmt::format("(POINTS ARE THOSE OF THE PITCH ERRORS OF {}: WHERE IT HAS SOME, ADAPT THEM)\n",
+                  moving_axis) +
+      points_text(points, moving) +
+      parameter(3624, moving, std::llround(points.interval * kUnitsPerMm)) +
+      fmt::format("N5711 R{}\nN5721 R{}\n", moving, compensated);
+  for (std::size_t n = 0; n < four.at.size(); ++n) {
+    const double place = error.deviations.points[four.at[n]][0];
+    text += fmt::format("N{} R{}\n", 5731 + n, point_at(points, place));
+  }
+  for (std::size_t n = 0; n < four.at.size(); ++n) {
+    const double deviation = error.deviations.points[four.at[n]][1];
+    text += fmt::format("N{} R{}\n", 5761 + n, std::llround(-deviation * kUnitsPerMm));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::string> why_no_fanuc_compensation(const MachineError& error) {
+  const Curve& curve = error.deviations;
+  const double interval = interval_of(curve);
+  const double sections = (curve.points.back()[0] - curve.points.front()[0]) / interval;
+  const double reach =
+      std::max(std::abs(curve.points.front()[0]), std::abs(curve.points.back()[0]));
+  if (sections + reach / interval > kMostNumber) {
+    return fmt::format(
+        "a Fanuc has points 0 to 1023, and places {} mm apart would need more: leave out rows",
+        interval);
+  }
+  double most = 0.0;
+  for (const auto& [place, deviation] : curve.points) {
+    most = std::max(most, std::abs(deviation));
+  }
+  const auto units = kMostPitchError * kMostMagnification;
+  if (2.0 * most * kUnitsPerMm > static_cast<double>(units)) {
+    return fmt::format("a Fanuc corrects up to {} um from one point to the next", units);
+  }
+  return std::nullopt;
+}
+
+std::string fanuc_compensation(const MachineError& error) {
+  const int compensated = axis_number(error.name[1]);
+  const int moving = axis_number(error.name[2]);
+  const std::string body = moving == compensated ? pitch_errors(error, moving)
+                                                 : straightness(error, moving, compensated);
+  return "%\nO0001 (COMPENSATION)\n(AXES X Y Z ARE 1 2 3.  L50 IN PLACE OF L52 ON 16I, 18I, 0I-D)\n"
+         "G10 L52\n" +
+         body + "G11\nM30\n%\n";
+}
+
+}  // namespace g31::evaluate
