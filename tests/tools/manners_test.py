@@ -5,11 +5,13 @@ Usage: manners_test.py G31
 """
 import json
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
 import unittest
 
+PRODUCT = pathlib.Path(__file__).resolve().parents[2] / "parts/library/inspection/product.step"
 RUNS = "%\nO1\n#500=3\nM30\n%\n"
 WRONG = "%\nO1\nIF[#1>=0]GOTO10\n#2=[1+\nIF[#1<>0]GOTO10\nN10 M30\n%\n"
 
@@ -81,6 +83,19 @@ class Manners(unittest.TestCase):
             run = subprocess.run([G31, "explain", "ring"], stdout=full, stderr=subprocess.PIPE, text=True)
         self.assertEqual(run.returncode, 2)
         self.assertIn("cannot write", run.stderr)
+
+    def test_a_plan_that_is_ended_leaves_nothing_behind(self):
+        for ending in (signal.SIGINT, signal.SIGTERM):
+            words = [G31, "plan", str(PRODUCT), "--stock", "box", "-o", "out"]
+            plan = subprocess.Popen(words, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            while plan.poll() is None and not any(self.folder.glob("out.g31-*")):
+                pass
+            plan.send_signal(ending)
+            errors = plan.communicate()[1]
+            self.assertEqual(list(self.folder.iterdir()), [], errors)
+            if "without Open CASCADE" in errors:
+                self.skipTest(errors)
+            self.assertEqual(plan.returncode, 130, errors)
 
     def test_help_of_no_command_is_a_mistake(self):
         run = self.g31("help", "rnu")

@@ -11,14 +11,22 @@ void ask_for_it(int) {
   is_asked_for = true;
 }
 
-}  // namespace
-
-const runtime::Interruption& catch_interruption() {
+void catch_once(int signal) {
   struct sigaction action = {};
   action.sa_handler = ask_for_it;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+const runtime::Interruption& catch_interruption() {
+  catch_once(SIGINT);
   return is_asked_for;
+}
+
+void catch_termination() {
+  catch_once(SIGTERM);
 }
 
 }  // namespace g31::cli

@@ -8,4 +8,7 @@ namespace g31::cli {
 /// process at once.
 const runtime::Interruption& catch_interruption();
 
+/// The same for SIGTERM, for a command that must not leave behind what it has begun.
+void catch_termination();
+
 }  // namespace g31::cli

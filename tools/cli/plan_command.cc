@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/cli/interruption.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/run_command.h"
@@ -151,6 +152,7 @@ ExitCode plan_command(const PlanOptions& options) {
       return refuse(*wrong);
     }
   }
+  catch_termination();
   const auto made = FolderBeside::make(options.folder);
   if (!made) {
     return refuse(made.error());
