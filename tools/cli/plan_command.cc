@@ -95,6 +95,7 @@ std::string page_of(const PlanOptions& options, const plan::PlannedPart& planned
   run.programs = {folder.path(planned.program_file)};
   run.setups = {folder.path(std::string(plan::kSheetFile))};
   run.control = options.control;
+  run.parts = &planned.built;
   run.talk = Talk::Quiet;
   run.printer = "/dev/null";
   run.watch = &watch;

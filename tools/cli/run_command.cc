@@ -269,7 +269,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
     return tables.error();
   }
   runtime::TimeBudget time(options.budget.wall_seconds, options.budget.interruption);
-  const auto world = session::build_world(job, options.seed, &time);
+  const auto world = session::build_world(job, options.seed, &time, options.parts);
   if (!world) {
     return world.error();
   }

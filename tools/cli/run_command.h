@@ -10,6 +10,7 @@
 #include "tools/cli/exit_code.h"
 #include "tools/page/language.h"
 #include "tools/session/prepare.h"
+#include "tools/session/world.h"
 
 namespace g31::page {
 struct Report;
@@ -61,6 +62,8 @@ struct RunOptions : session::Request {
   bool blocks = false;               ///< calls, counts of blocks and values of variables are kept
   std::vector<std::string> allowed;  ///< codes of warnings and notes that nobody wants to hear
   source::Severity fail_on = source::Severity::Warning;  ///< least severe that counts as a finding
+  /// The parts of the sheets where they are made already; outlive the run.
+  const session::BuiltParts* parts = nullptr;
   runtime::Budget budget;
   std::uint64_t max_output = runtime::OutputBudget::kUsualBytes;
 };

@@ -1,5 +1,3 @@
-#include "tools/plan/plan_part.h"
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,6 +8,7 @@
 #include "parts/features/recognise.h"
 #include "parts/solids/removal.h"
 #include "tools/disk/disk.h"
+#include "tools/plan/plan_part.h"
 #include "tools/plan/plan_sheet.h"
 #include "tools/plan/plan_touches.h"
 #include "tools/plan/program_options.h"
@@ -124,8 +123,8 @@ class PartPlanner {
     if (!built) {
       return built.error();
     }
-    parts_ = built.value();
-    const auto touches = plan_touches(job, parts_, planned_, request_.tolerance_mm);
+    planned_.built = built.value();
+    const auto touches = plan_touches(job, planned_.built, planned_, request_.tolerance_mm);
     if (!touches) {
       return touches.error();
     }
@@ -155,7 +154,7 @@ class PartPlanner {
 
   Wrong run_on_product() {
     ProofRequest request = proof_request();
-    request.parts = &parts_;
+    request.parts = &planned_.built;
     const auto proof = prove(request);
     if (!proof) {
       return proof.error();
@@ -212,7 +211,6 @@ class PartPlanner {
   const PlanRequest& request_;
   disk::Disk disk_;
   std::optional<Control> control_;
-  session::BuiltParts parts_;  // of the sheet
   PlannedPart planned_;
 };
 

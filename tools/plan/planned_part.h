@@ -10,6 +10,7 @@
 #include "probe/planning/inspection_plan.h"
 #include "tools/plan/inspection_program.h"
 #include "tools/plan/judgement.h"
+#include "tools/session/world.h"
 
 namespace g31::plan {
 
@@ -18,6 +19,7 @@ struct PlannedPart {
   std::string product;       ///< its file, without its folder
   std::string control;       ///< the profile's name
   std::string program_file;  ///< "inspect.nc", "INSPECT.MPF"
+  session::BuiltParts built;  ///< of the sheet: the product and its fixtures
   parts::Box product_P;
   parts::RecognisedPart part;
   probe::InspectionPlan plan;

@@ -244,8 +244,8 @@ std::optional<source::Diagnostic> start_inside(const setup::Job& job,
 }
 
 Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed,
-                                   runtime::TimeBudget* time) {
-  const auto parts = build_parts(job, time);
+                                   runtime::TimeBudget* time, const BuiltParts* made) {
+  const auto parts = made != nullptr ? *made : build_parts(job, time);
   if (!parts) {
     return parts.error();
   }

@@ -65,7 +65,9 @@ std::optional<source::Diagnostic> start_inside(const setup::Job& job,
 /// Builds machine, probe and parts of a set-up.  @returns why a part cannot be made or read, with
 /// the place in the sheet
 /// @param time  as there; the machine looks at it in its work, too; outlives the world
+/// @param made  the parts of the set-up where they are made already; null: they are not
 Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed,
-                                   runtime::TimeBudget* time = nullptr);
+                                   runtime::TimeBudget* time = nullptr,
+                                   const BuiltParts* made = nullptr);
 
 }  // namespace g31::session
