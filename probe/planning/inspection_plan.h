@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -50,12 +51,25 @@ struct LeftOut {
   std::string why;
 };
 
+/// A hole or a boss whose round wall is touched from four sides, as a cycle for circles does.
+struct PlannedRound {
+  std::size_t feature = 0;                   ///< index
+  Point centre_P = Point::Zero();            ///< of the circle, at the height of the touches
+  double diameter_mm = 0.0;                  ///< > 0
+  bool is_standing = false;                  ///< a boss
+  double approach_mm = 3.0;                  ///< from the ball to the wall before a touch, at least
+  std::array<std::size_t, 4> points = {};    ///< indices: towards the walls at -X, +X, -Y, +Y
+  std::array<std::size_t, 4> measures = {};  ///< indices: X, its place, Y, its place
+  std::string by_points;                     ///< why no cycle measures it; empty: one does
+};
+
 /// What is touched and what comes of it.
 struct InspectionPlan {
   std::vector<std::string> features;  ///< for comments: "F1 closed pocket"
   std::vector<PlannedPoint> points;
   std::vector<PlannedMeasure> measures;
   std::vector<LeftOut> left_out;
+  std::vector<PlannedRound> rounds = {};  ///< by their features
 };
 
 }  // namespace g31::probe

@@ -31,9 +31,11 @@ class Reach {
   /// @returns why it does not get there, or touches something else than the point
   std::optional<std::string> problem(const PlannedPoint& point, double surface_error_mm);
 
- private:
+  /// @returns what is in the way of the ball's centre between two places, product frame
   std::optional<std::string> obstacle(const Point& p_P_from, const Point& p_P_to,
                                       machine::Travel travel);
+
+ private:
   [[nodiscard]] AxisPositions axes_at(const Point& p_P_ball) const;
 
   machine::Surroundings& world_;

@@ -189,6 +189,145 @@ TEST(InspectionProgram, MeasuresAPocketTurnedByAnyAngle) {
   }
 }
 
+/// What both control families know of a probe without errors.
+std::string calibration(std::string_view profile) {
+  return is_sinumerik(profile) ? "type = 710.0\n[machine_data]\n"
+                                 "\"$SNS_MEA_WP_BALL_DIAM[0]\" = 6.0\n"
+                                 "\"$SNS_MEA_WP_TRIG_MINUS_DIR_AX1[0]\" = -3.0\n"
+                                 "\"$SNS_MEA_WP_TRIG_PLUS_DIR_AX1[0]\" = 3.0\n"
+                                 "\"$SNS_MEA_WP_TRIG_MINUS_DIR_AX2[0]\" = -3.0\n"
+                                 "\"$SNS_MEA_WP_TRIG_PLUS_DIR_AX2[0]\" = 3.0\n"
+                               : "[variables]\n\"#515\" = 6.0\n";
+}
+
+std::string calibrated_sheet(std::string_view profile, const std::string& part) {
+  std::string text = sheet(part);
+  const std::string before = "[probe]";
+  return text.insert(text.find(before), calibration(profile));
+}
+
+/// A hole or a boss of 40 mm about the origin, whose wall is touched at z = -7.
+InspectionPlan round_plan(bool is_boss, const std::string& by_points = "") {
+  const double side = is_boss ? -1.0 : 1.0;
+  const Point x = Point::UnitX();
+  const Point y = Point::UnitY();
+  PlanMaker maker;
+  maker.plan.features = {is_boss ? "F1 boss" : "F1 through hole"};
+  const auto west = maker.point({-20.0, 0.0, -7.0}, side * x);
+  const auto east = maker.point({20.0, 0.0, -7.0}, -side * x);
+  const auto south = maker.point({0.0, -20.0, -7.0}, side * y);
+  const auto north = maker.point({0.0, 20.0, -7.0}, -side * y);
+  maker.measure("F1.X", Characteristic::Size, 40.0, x, {west, east});
+  maker.measure("F1.X.place", Characteristic::Place, 50.0, x, {west, east}, -50.0);
+  maker.measure("F1.Y", Characteristic::Size, 40.0, y, {south, north});
+  maker.measure("F1.Y.place", Characteristic::Place, 0.0, y, {south, north});
+  for (auto& measure : maker.plan.measures) {
+    measure.tolerance = probe::Tolerance{-1.0, 1.0};
+  }
+  maker.plan.rounds = {{.feature = 0,
+                        .centre_P = {0.0, 0.0, -7.0},
+                        .diameter_mm = 40.0,
+                        .is_standing = is_boss,
+                        .approach_mm = 3.0,
+                        .points = {west, east, south, north},
+                        .measures = {0, 1, 2, 3},
+                        .by_points = by_points}};
+  return maker.plan;
+}
+
+/// A facet is at most this far from the true circle.
+constexpr double kSagitta = 1e-6;
+
+/// 0.4 beside its place, 0.3 in front of it and 0.02 too large; `expect_values` wants a millionth,
+/// which facets do not have where they are not touched at their corners.
+void expect_circle(const InspectionPlan& plan, std::string_view profile, const std::string& part,
+                   const std::vector<double>& expected) {
+  SCOPED_TRACE(profile);
+  const InspectionProgram program = inspection_program(plan, options_for(profile));
+  const Inspected output = inspected(program, profile, calibrated_sheet(profile, part));
+  ASSERT_EQ(output.exit_code, 0) << output.errors << program.text;
+  for (std::size_t m = 0; m < expected.size(); ++m) {
+    EXPECT_NEAR(output.document["variables"].value(program.measures[m].variable, -1.0), expected[m],
+                4.0 * kSagitta + 1e-6)
+        << plan.measures[m].id;
+  }
+}
+
+std::string round_part(bool is_boss) {
+  return fmt::format("{}\nsagitta = {:.7f}\nat = [0.4, -0.3, 0.0]\n",
+                     is_boss ? "shape = \"cylinder\"\ndiameter = 40.02"
+                             : "shape = \"ring\"\nbore = 40.02\nouter_diameter = 60.0",
+                     kSagitta);
+}
+
+/// A cycle finds the diameter although the circle is not where it should be, single touches a
+/// chord.
+TEST(InspectionProgram, MeasuresRoundWallsByTheCyclesOfTheControl) {
+  for (const bool is_boss : {false, true}) {
+    SCOPED_TRACE(is_boss);
+    const double ball_way = 20.01 + (is_boss ? kRadius : -kRadius);
+    const auto chord = [&](double beside) {
+      return 2.0 * (std::sqrt(ball_way * ball_way - beside * beside) + 20.01 - ball_way);
+    };
+    for (const std::string_view profile : kProfiles) {
+      expect_circle(round_plan(is_boss, "for the test"), profile, round_part(is_boss),
+                    {chord(0.3), 50.4, chord(0.4), -0.3});
+      if (profile != "brother") {
+        expect_circle(round_plan(is_boss), profile, round_part(is_boss),
+                      {40.02, 50.4, 40.02, -0.3});
+      }
+    }
+  }
+}
+
+TEST(InspectionProgram, CallsTheCycleOfTheControl) {
+  const auto text = [](std::string_view profile, const InspectionPlan& plan) {
+    return inspection_program(plan, options_for(profile)).text;
+  };
+  const std::string fanuc = text("fanuc-30i", round_plan(false));
+  for (const char* const block :
+       {"(P1 P2 P3 P4 BY O9010, THE MACRO OF G100)", "G65 P9010 U-20. R-10. Z-10. A9.\n#114=#168\n",
+        "G65 P9010 V20. R-10. Z-10. A9.\n#117=#183\n"}) {
+    EXPECT_NE(fanuc.find(block), std::string::npos) << block << fanuc;
+  }
+  const std::string sinumerik = text("sinumerik-828d", round_plan(true));
+  // From the clear height, at which the tip is at 27, down by 37 mm.
+  for (const char* const block :
+       {"CYCLE977(2,,,1,40.,,,3.,,90.,-37.)\n; F1.X: nominal 40.\nR10=_OVR[4]\n",
+        "CYCLE977(2,,,1,40.,,,3.,,,-37.)\n; F1.X.place: nominal 50.\n"
+        "R11=_OVR[5]+50.\n"}) {
+    EXPECT_NE(sinumerik.find(block), std::string::npos) << block << sinumerik;
+  }
+  const std::string by_points = text("fanuc-30i", round_plan(false, "a (clamp)"));
+  EXPECT_EQ(by_points.find("P9010"), std::string::npos);
+  EXPECT_NE(by_points.find("(POINT BY POINT: A -CLAMP-)"), std::string::npos) << by_points;
+}
+
+/// Of the touches that come in a run, O9010 counts its second one, CYCLE977 its second pair.
+TEST(InspectionProgram, KnowsWhichTouchesItsContactsAreOf) {
+  const InspectionPlan plan = round_plan(false);
+  const auto fanuc = inspection_program(plan, options_for("fanuc-30i"));
+  EXPECT_EQ(fanuc.touches, 8U);
+  EXPECT_EQ(fanuc.touches_of_points, (std::vector<std::size_t>{1, 3, 5, 7}));
+  const auto sinumerik = inspection_program(plan, options_for("sinumerik-828d"));
+  EXPECT_EQ(sinumerik.touches, 8U);
+  EXPECT_EQ(sinumerik.touches_of_points, (std::vector<std::size_t>{2, 3, 7, 6}));
+}
+
+/// A hole of 47 mm: its wall is 3.5 mm behind where the touches end.
+TEST(InspectionProgram, NamesARoundWallThatIsNotThere) {
+  const std::string wide = "shape = \"ring\"\nbore = 47.0\nouter_diameter = 80.0\n";
+  for (const std::string_view profile : {"fanuc-30i", "sinumerik-828d"}) {
+    SCOPED_TRACE(profile);
+    const InspectionProgram program = inspection_program(round_plan(false), options_for(profile));
+    const Inspected output = inspected(program, profile, calibrated_sheet(profile, wide));
+    EXPECT_EQ(output.exit_code, 3) << output.errors;
+    const std::string alarm = output.document["alarm"].dump();
+    EXPECT_NE(alarm.find(is_sinumerik(profile) ? "61301" : "P1 IS NOT TOUCHED"), std::string::npos)
+        << output.errors;
+  }
+}
+
 /// The floor is 4 mm lower than the plan has it, 1 mm behind the end of its touch.
 TEST(InspectionProgram, NamesAFloorThatIsNotThere) {
   for (const std::string_view profile : kProfiles) {

@@ -12,10 +12,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "parts/import/step_file.h"
-#include "tests/support/captured.h"
 #include "tests/support/played_printer.h"
-#include "tests/support/run_program.h"
+#include "tests/tools/planned_case.h"
 #include "tools/cli/judge_command.h"
 #include "tools/session/control.h"
 
@@ -24,56 +22,14 @@ namespace {
 
 using nlohmann::json;
 using testing::CommandOutput;
-using testing::TemporaryFolder;
+using testing::ProgramRun;
+using testing::row_of;
+using testing::run_plan;
 using testing::text_of;
 
-const std::string kProduct = "parts/library/inspection/product.step";
+const std::string kProduct = testing::kInspected;
 
-class Plan : public ::testing::Test {
- protected:
-  void SetUp() override {
-    if (!parts::can_read_step()) {
-      GTEST_SKIP() << "g31 was built without Open CASCADE: no STEP file is read";
-    }
-  }
-
-  [[nodiscard]] CommandOutput plan(std::vector<std::string> words) const {
-    words.insert(words.begin(), "plan");
-    words.insert(words.end(), {"-o", folder_.path("out")});
-    return testing::g31(words);
-  }
-
-  [[nodiscard]] std::string out(const std::string& name) const {
-    return folder_.path("out") + "/" + name;
-  }
-
-  [[nodiscard]] json document() const { return json::parse(text_of(out("plan.json"))); }
-
-  /// The product with other coordinates, as its STEP text has them.
-  [[nodiscard]] std::string changed_product(
-      const std::vector<std::pair<std::string, std::string>>& changes) const {
-    std::string text = text_of(kProduct);
-    for (const auto& [from, to] : changes) {
-      EXPECT_NE(text.find(from), std::string::npos) << from;
-      for (std::size_t at = text.find(from); at != std::string::npos;
-           at = text.find(from, at + to.size())) {
-        text.replace(at, from.size(), to);
-      }
-    }
-    return folder_.write("machined.step", text);
-  }
-
-  TemporaryFolder folder_;
-};
-
-json find(const json& rows, const std::string& id) {
-  for (const json& row : rows) {
-    if (row.at("id") == id) {
-      return row;
-    }
-  }
-  return json::object();
-}
+class Plan : public testing::PlannedCase {};
 
 TEST_F(Plan, FindsTheSevenFeaturesOfFiveKindsOfTheCaseStudy) {
   const CommandOutput output = plan({kProduct, "--stock", "160,110,40"});
@@ -111,7 +67,7 @@ TEST_F(Plan, TouchesWhereThePaperDoes) {
   ASSERT_EQ(plan({kProduct, "--stock", "box"}).exit_code, 0);
   const json plan = document();
   const auto point = [&plan](const std::string& measure, std::size_t which) {
-    return find(plan.at("points"), find(plan.at("measures"), measure).at("points").at(which));
+    return row_of(plan.at("points"), row_of(plan.at("measures"), measure).at("points").at(which));
   };
   using V = std::vector<double>;
   EXPECT_EQ(point("F7.X", 0).at("at"), V({120, 92.5, -5}));
@@ -126,36 +82,6 @@ TEST_F(Plan, TouchesWhereThePaperDoes) {
   for (const json& each : plan.at("points")) {
     EXPECT_FALSE(each.contains("moved")) << each;
   }
-}
-
-/// The variables that the program leaves, and what it prints.
-struct ProgramRun {
-  std::map<std::string, double> variables;
-  std::string printed;
-};
-
-ProgramRun run_plan(const std::string& program, const std::string& sheet, const json& measures) {
-  cli::RunOptions options;
-  options.programs = {program};
-  options.setups = {sheet};
-  for (const json& measure : measures) {
-    options.prints.push_back(measure.at("variable"));
-  }
-  const auto ran = testing::run_program(options);
-  EXPECT_EQ(ran.exit_code, 0) << ran.errors;
-  ProgramRun run;
-  if (ran.exit_code != 0) {
-    return run;
-  }
-  for (const json& measure : measures) {
-    const std::string name = measure.at("variable");
-    run.variables[name] = ran.document.at("variables").at(name);
-  }
-  run.printed = ran.document.at("output");
-  for (const json& text : ran.document.at("files")) {
-    run.printed += text;
-  }
-  return run;
 }
 
 TEST_F(Plan, ItsProgramRunsOnEveryControlAndItsValuesAreThoseOfTheModel) {
@@ -248,8 +174,8 @@ TEST_F(Plan, TheSheetOfAShopKeepsItsFixturesAndTheirPlace) {
   ASSERT_EQ(output.exit_code, 0) << output.errors;
   const json plan = document();
   EXPECT_EQ(plan.at("control"), "fanuc-30i");
-  const json y = find(plan.at("measures"), "F1.Y");
-  const json point = find(plan.at("points"), y.at("points").at(0));
+  const json y = row_of(plan.at("measures"), "F1.Y");
+  const json point = row_of(plan.at("points"), y.at("points").at(0));
   EXPECT_NE(point.value("moved", "").find("clamp"), std::string::npos) << point;
   const ProgramRun run = run_plan(out("inspect.nc"), out("setup.toml"), json::array({y}));
   EXPECT_NEAR(run.variables.at(y.at("variable")), 12.0, 1e-6);

@@ -73,6 +73,9 @@ std::string command_of(const PlanOptions& options) {
     command.add("--tolerance", fmt::format("{}", *options.tolerance_mm));
   }
   command.add("--as-machined", options.as_machined);
+  if (options.by_points) {
+    command.add("--point-by-point");
+  }
   return command.line();
 }
 
@@ -165,6 +168,7 @@ ExitCode plan_command(const PlanOptions& options) {
   request.sheet = options.setup;
   request.tolerance_mm = options.tolerance_mm;
   request.as_machined = options.as_machined;
+  request.by_points = options.by_points;
   request.folder = made.value()->path();
   request.interruption = options.interruption;
   const auto planned = plan::plan_part(request);

@@ -17,6 +17,7 @@ struct PlanOptions {
   std::string setup;
   std::optional<double> tolerance_mm;
   std::string as_machined;
+  bool by_points = false;
   std::string version;  ///< of g31
   const runtime::Interruption* interruption = nullptr;
 };

@@ -44,11 +44,17 @@ CLI::App* add_plan_command(CLI::App& app, PlanOptions& options) {
                    "another file of the part, on which the program is run as well; plan.json has "
                    "the judgement")
       ->type_name("FILE");
+  command->add_flag("--point-by-point", options.by_points,
+                    "holes and bosses, too: not by the control's own cycles, O9010 (G100) and "
+                    "CYCLE977");
   return command;
 }
 
 std::string plan_examples() {
-  return "The exit code is 1 where anything is not measured; plan.json says why.\n\n"
+  return "Holes and bosses are measured by the control's own cycles where these fit: O9010, the "
+         "macro of G100 (load it into the control), or CYCLE977, with the calibration of the "
+         "sheet.\n"
+         "The exit code is 1 where anything is not measured; plan.json says why.\n\n"
          "Examples:\n"
          "  g31 plan product.step --stock box -o inspection\n"
          "  g31 plan product.step --stock stock.step -o inspection --control 828D --tolerance "

@@ -64,8 +64,8 @@ Table left_out_table(const plan::PlannedPart& planned, Language language) {
   return table;
 }
 
-/// The numbers of the touches of points: ways down are touches that do not come.
-std::vector<std::size_t> numbers_of_points(const Report& report) {
+/// The numbers of the touches that came: ways down are touches that do not.
+std::vector<std::size_t> numbers_of_touches(const Report& report) {
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < report.touches.size(); ++i) {
     if (report.touches[i].is_triggered) {
@@ -76,7 +76,7 @@ std::vector<std::size_t> numbers_of_points(const Report& report) {
 }
 
 /// What was printed on the part as machined; without one the run on the product.
-/// @param touches  of the points, in the program's order
+/// @param touches  the numbers of those that came
 std::vector<Characteristic> characteristics(const plan::PlannedPart& planned,
                                             const std::vector<std::size_t>& touches) {
   std::vector<Characteristic> rows;
@@ -92,8 +92,9 @@ std::vector<Characteristic> characteristics(const plan::PlannedPart& planned,
     }
     row.measured =
         planned.as_machined ? planned.as_machined->measures[i].actual : planned.proven_values[i];
-    if (std::max(measure.first, measure.second) < touches.size()) {
-      row.touches = {touches[measure.first], touches[measure.second]};
+    const auto& of_points = planned.program.touches_of_points;
+    if (touches.size() == planned.program.touches) {
+      row.touches = {touches[of_points[measure.first]], touches[of_points[measure.second]]};
     }
     rows.push_back(std::move(row));
   }
@@ -119,7 +120,7 @@ void add_plan(const plan::PlannedPart& planned, const std::string& command, Repo
         " " + said(language, Word::SaysAsMachined, fmt::arg("good", good), fmt::arg("all", all));
   }
   report.command = command;
-  report.results = characteristics(planned, numbers_of_points(report));
+  report.results = characteristics(planned, numbers_of_touches(report));
   report.drawings.push_back({planned.product, plan::plan_drawing(planned), ""});
   report.tables.push_back(features_table(planned, language));
   report.tables.push_back(points_table(planned, language));

@@ -14,6 +14,7 @@ constexpr ProgramWords kWords = {
     .radius = "#100",
     .point = "#103",
     .dwell = "G04 X",
+    .cycle = "O9010, the macro of G100",
     .skip = {"#5061", "#5062", "#5063-#5083"},
 };
 constexpr double kNearlyThereMm = 0.01;
@@ -41,10 +42,7 @@ class FanucWriter final : public ProgramWriter {
     comment("inspection of " + options().product);
     comment("made by g31 plan, and run on the model before");
     comment("origin of G54: that of the model");
-    if (!steps().variables.empty() && steps().variables.front() >= 0) {
-      comment(fmt::format("results: {} to {}", variable(steps().variables.front()).substr(1),
-                          variable(steps().variables.back()).substr(1)));
-    }
+    write_places();
     if (options().tool) {
       line("T{} M06", *options().tool);
     }
@@ -58,6 +56,29 @@ class FanucWriter final : public ProgramWriter {
     line("POPEN");
     line("G00 G43 H{} Z{}", options().length_offset, height(options().clear_z_P));
   }
+
+  /// Which variables get the results, and where the macro of round walls reads.
+  void write_places() {
+    const std::vector<int>& results = steps().variables;
+    std::string ranges;
+    for (std::size_t i = 0; i < results.size() && results[i] >= 0; ++i) {
+      const bool begins = i == 0 || number_of(results[i]) != number_of(results[i - 1]) + 1;
+      const bool ends =
+          i + 1 == results.size() || number_of(results[i]) + 1 != number_of(results[i + 1]);
+      ranges +=
+          begins ? fmt::format("{}{}", ranges.empty() ? "" : ", ", number_of(results[i])) : "";
+      ranges += ends && !begins ? fmt::format(" to {}", number_of(results[i])) : "";
+    }
+    if (!ranges.empty()) {
+      comment("results: " + ranges);
+    }
+    if (const std::string features = features_by_cycle(); !features.empty()) {
+      comment(features + " by O9010, the macro of G100; its calibration:");
+      comment("515 ball, 517 518 overtravel in X and Y, 530 531 eccentricity");
+    }
+  }
+
+  [[nodiscard]] int number_of(int result) const { return std::stoi(variable(result).substr(1)); }
 
   void write_way_down(const std::string& z, std::size_t point) override {
     constexpr std::size_t kZ = 2;
@@ -75,6 +96,55 @@ class FanucWriter final : public ProgramWriter {
     line("N{}", 10 * skip.point);
   }
 
+  /// The macro stays at the height of the call, since both its heights are that one.  It does not
+  /// say whether it has touched.
+  void write_cycle(const ProgramStep& step) override {
+    const probe::PlannedRound& round = *step.round;
+    for (std::size_t i = 0; i < round.points.size(); ++i) {
+      const std::size_t number = round.points[i] + 1;
+      const probe::PlannedPoint& point = plan().points[round.points[i]];
+      const Point& start = round.is_standing ? point.start_P : round.centre_P;
+      const auto axis = static_cast<int>(i / 2);
+      const std::string contact = variable(step.contacts[i]);
+      const std::string z = height(start.z());
+      line("{}={}", kWords.point, number);
+      go_to(start, number);
+      line("G65 P9010 {}{} R{} Z{} A9.", "UV"[axis],
+           coordinate(end_of_touch(point)[axis] - start[axis]), z, z);
+      line("{}={}", contact, axis == 0 ? "#168" : "#183");
+      line("IF [ABS[{}{}] LT {}] GOTO {}", contact, less(coordinate(point.at_P[axis])),
+           coordinate(options().overtravel_mm), 10 * number);
+      line("#3000= 101 (P{} IS NOT TOUCHED)", number);
+      line("N{}", 10 * number);
+      constexpr std::size_t kFastAndSlow = 2;
+      count_touches(kFastAndSlow, round.points[i]);
+    }
+    for (const StepResult& result : step.results) {
+      write_round_value(step, result);
+    }
+  }
+
+  /// Of a size: touches beside the middle are on a chord, whose distance from it the others show.
+  void write_round_value(const ProgramStep& step, const StepResult& result) {
+    const probe::PlannedMeasure& measure = plan().measures[result.measure];
+    const std::string first = variable(result.first);
+    const std::string second = variable(result.second);
+    if (measure.what == probe::Characteristic::Place) {
+      write_value(result, fmt::format("[{}+{}]/2{}", first, second, less_exact(measure.origin_mm)));
+      return;
+    }
+    const bool is_x = result.first == step.contacts[0];
+    const std::size_t beside = is_x ? 2 : 0;
+    const double centre = is_x ? step.round->centre_P.y() : step.round->centre_P.x();
+    const auto [to_centre, back] =
+        step.round->is_standing ? std::pair('+', '-') : std::pair('-', '+');
+    line("#104=[{}+{}]/2{}", variable(step.contacts[beside]), variable(step.contacts[beside + 1]),
+         less(coordinate(centre)));
+    line("IF [ABS[#104] LT .00000001] THEN #104=0");
+    line("#105=[{}-{}]/2{}#100", second, first, to_centre);
+    write_value(result, fmt::format("2*[SQRT[#105*#105+#104*#104]{}#100]", back));
+  }
+
   void write_print(const std::string& name, const std::string& variable, int decimals) override {
     line("DPRNT[{}*{}[{}{}]]", name, variable, kPrintedDigits - decimals, decimals);
   }
@@ -84,9 +154,9 @@ class FanucWriter final : public ProgramWriter {
 
 }  // namespace
 
-std::string fanuc_program(const probe::InspectionPlan& plan, const ProgramSteps& steps,
-                          const ProgramOptions& options) {
-  return FanucWriter(plan, steps, options).text();
+WrittenProgram fanuc_program(const probe::InspectionPlan& plan, const ProgramSteps& steps,
+                             const ProgramOptions& options) {
+  return FanucWriter(plan, steps, options).program();
 }
 
 }  // namespace g31::plan

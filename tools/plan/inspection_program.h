@@ -42,15 +42,21 @@ struct PrintedMeasure {
 struct InspectionProgram {
   std::string text;
   std::vector<PrintedMeasure> measures;  ///< as the plan has them
+  std::size_t touches = 0;               ///< that come in a run
+  /// Which of those touches the contact of each point is of, from 0.
+  std::vector<std::size_t> touches_of_points;
 };
 
 /// Touches the points in their order: over each at the clear height, straight down to its start,
 /// against the normal until the ball touches, back, and up.  A measure is computed and printed as
 /// soon as both of its points are touched; a touch that does not come is an alarm that names the
-/// point.
+/// point.  The four points of a round wall are touched by a cycle, where the plan has nothing
+/// against it: on Fanuc O9010 (G100) for each of them, which touches twice; on SINUMERIK CYCLE977
+/// twice, since its diameter is that of its second pair of touches.
 ///
 /// Accuracy: values are those of the skip positions within 1e-6 mm (directions of turned features
-/// are given in 1e-7 deg).
+/// are given in 1e-7 deg).  What a cycle measures is a diameter also where the circle is not where
+/// it should be; of single touches it is a chord then.
 InspectionProgram inspection_program(const probe::InspectionPlan& plan,
                                      const ProgramOptions& options);
 

@@ -1,5 +1,7 @@
 #include "tools/plan/plan_document.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +18,8 @@ PlanDocument list_of(const Point& p) {
   return PlanDocument::array({rounded_length(p.x()), rounded_length(p.y()), rounded_length(p.z())});
 }
 
-PlanDocument feature_row(const parts::Feature& feature, std::size_t index) {
+PlanDocument feature_row(const PlannedPart& planned, std::size_t index) {
+  const parts::Feature& feature = planned.part.features[index];
   PlanDocument open = PlanDocument::array();
   for (std::size_t side = 0; side < parts::kSides; ++side) {
     if (feature.open[side]) {
@@ -35,6 +38,10 @@ PlanDocument feature_row(const parts::Feature& feature, std::size_t index) {
                      {"Z", rounded_length(size.z())}}}};
   if (feature.axes.angle_deg != 0.0) {
     row["angle_deg"] = feature.axes.angle_deg;
+  }
+  if (const probe::PlannedRound* const round = round_of(planned, index)) {
+    row[round->by_points.empty() ? "cycle" : "by_points"] =
+        round->by_points.empty() ? std::string(planned.cycle) : round->by_points;
   }
   return row;
 }
@@ -94,6 +101,12 @@ PlanDocument not_measured(const PlannedPart& planned) {
 
 }  // namespace
 
+const probe::PlannedRound* round_of(const PlannedPart& planned, std::size_t feature) {
+  const auto& rounds = planned.plan.rounds;
+  const auto found = std::ranges::find(rounds, feature, &probe::PlannedRound::feature);
+  return found == rounds.end() ? nullptr : &*found;
+}
+
 std::string feature_id(std::size_t index) {
   return fmt::format("F{}", index + 1);
 }
@@ -120,7 +133,7 @@ std::string plan_document(const PlannedPart& planned) {
                          {{"touches", planned.touches},
                           {"largest_deviation", rounded_length(planned.largest_deviation_mm)}}}};
   for (std::size_t i = 0; i < planned.part.features.size(); ++i) {
-    document["features"].push_back(feature_row(planned.part.features[i], i));
+    document["features"].push_back(feature_row(planned, i));
   }
   for (std::size_t i = 0; i < planned.plan.measures.size(); ++i) {
     document["measures"].push_back(measure_row(planned, i));

@@ -1,3 +1,5 @@
+#include "tools/plan/plan_part.h"
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -8,11 +10,11 @@
 #include "parts/features/recognise.h"
 #include "parts/solids/removal.h"
 #include "tools/disk/disk.h"
-#include "tools/plan/plan_part.h"
 #include "tools/plan/plan_sheet.h"
 #include "tools/plan/plan_touches.h"
 #include "tools/plan/program_options.h"
 #include "tools/plan/prove.h"
+#include "tools/plan/round_cycles.h"
 #include "tools/plan/stock_choice.h"
 #include "tools/plan/touch_order.h"
 #include "tools/session/prepare.h"
@@ -104,7 +106,9 @@ class PartPlanner {
 
   Wrong write_sheet() {
     const SheetContents contents{
-        planned_.control, planned_.program_file, seen_from(request_.folder, request_.product),
+        planned_.control, planned_.program_file,
+        std::holds_alternative<session::SinumerikControl>(*control_),
+        seen_from(request_.folder, request_.product),
         std::max(planned_.product_P.max.z(), planned_.part.stock_P.max.z())};
     if (request_.sheet.empty()) {
       return write(std::string(kSheetFile), usual_sheet(contents));
@@ -129,15 +133,24 @@ class PartPlanner {
       return touches.error();
     }
     planned_.plan = touches.value().plan;
-    put_in_order(planned_.plan);
     planned_.ball_radius_mm = touches.value().ball_radius_mm;
     const auto options = program_options(job, *control_, touches.value());
     if (!options) {
       return options.error();
     }
-    ProgramOptions named = options.value();
-    named.product = planned_.product;
-    planned_.program = inspection_program(planned_.plan, named);
+    options_ = options.value();
+    options_.product = planned_.product;
+    planned_.cycle = cycle_of(options_.language);
+    if (request_.by_points) {
+      planned_.plan.rounds.clear();
+    }
+    choose_cycles(job, options_, planned_.plan);
+    put_in_order(planned_.plan);
+    return write_program();
+  }
+
+  Wrong write_program() {
+    planned_.program = inspection_program(planned_.plan, options_);
     return write(planned_.program_file, planned_.program.text);
   }
 
@@ -153,11 +166,22 @@ class PartPlanner {
   }
 
   Wrong run_on_product() {
-    ProofRequest request = proof_request();
-    request.parts = &planned_.built;
-    const auto proof = prove(request);
+    auto proof = proof_on_product();
     if (!proof) {
       return proof.error();
+    }
+    // Not every control, and not every sheet, has what the cycles take for granted.
+    if (proof.value().ending != session::Ending::Completed &&
+        give_up_cycles(fmt::format("{} does not run here: {}", planned_.cycle,
+                                   first_message(proof.value().messages)),
+                       planned_.plan)) {
+      if (auto wrong = write_program()) {
+        return wrong;
+      }
+      proof = proof_on_product();
+      if (!proof) {
+        return proof.error();
+      }
     }
     const Proof& run = proof.value();
     if (run.ending != session::Ending::Completed) {
@@ -170,6 +194,20 @@ class PartPlanner {
     planned_.touches = run.touches;
     planned_.machine_time_s = run.machine_time_s;
     return take_values(run);
+  }
+
+  [[nodiscard]] Result<Proof, Refusal> proof_on_product() const {
+    ProofRequest request = proof_request();
+    request.parts = &planned_.built;
+    return prove(request);
+  }
+
+  /// Without the place, which may be in a folder that is gone soon.
+  static std::string first_message(const std::string& messages) {
+    const std::string line = messages.substr(0, messages.find('\n'));
+    constexpr std::string_view kBeforeText = "error: ";
+    const std::size_t before = line.find(kBeforeText);
+    return before == std::string::npos ? line : line.substr(before + kBeforeText.size());
   }
 
   /// Of the measures: from their variables, and from the printout where they do not stay there.
@@ -211,6 +249,7 @@ class PartPlanner {
   const PlanRequest& request_;
   disk::Disk disk_;
   std::optional<Control> control_;
+  ProgramOptions options_;
   PlannedPart planned_;
 };
 

@@ -18,6 +18,7 @@ struct PlanRequest {
   std::string control;                 ///< a name; empty: that of the sheet, else the default
   std::string sheet;                   ///< of the user's; empty: a usual one
   std::optional<double> tolerance_mm;  ///< > 0, of every measure
+  bool by_points = false;              ///< round walls are not measured by the control's cycles
   std::string as_machined;             ///< a part to run the program on as well; empty: none
   std::string folder;                  ///< in which sheet and program are written, to be run there
   const runtime::Interruption* interruption = nullptr;

@@ -38,6 +38,29 @@ std::string part_text(const SheetContents& contents) {
                      as_toml(contents.product_file), kProductOffset);
 }
 
+/// As calibrating leaves it for a probe without errors.
+std::string calibration_text(bool is_sinumerik) {
+  if (is_sinumerik) {
+    return fmt::format(
+        "# What CYCLE977 knows of the probe: record 1, as CYCLE976 calibrates it.\n"
+        "[machine_data]\n\"$SNS_MEA_WP_BALL_DIAM[0]\" = {0:.1f}\n"
+        "\"$SNS_MEA_WP_TRIG_MINUS_DIR_AX1[0]\" = -{1:.1f}\n"
+        "\"$SNS_MEA_WP_TRIG_PLUS_DIR_AX1[0]\" = {1:.1f}\n"
+        "\"$SNS_MEA_WP_TRIG_MINUS_DIR_AX2[0]\" = -{1:.1f}\n"
+        "\"$SNS_MEA_WP_TRIG_PLUS_DIR_AX2[0]\" = {1:.1f}\n\n",
+        kUsualBallMm, kUsualBallMm / 2);
+  }
+  return fmt::format(
+      "# What O9010, the macro of G100, knows of the probe.\n"
+      "[variables]\n\"#515\" = {:.1f}      # diameter of the ball\n"
+      "\"#516\" = {:.1f}    # length to the ball's centre\n"
+      "\"#517\" = 0.0      # overtravel in X, Y and Z, as O6001 and O6002 calibrate it\n"
+      "\"#518\" = 0.0\n\"#519\" = 0.0\n"
+      "\"#530\" = 0.0      # eccentricity of the ball in X and Y, as O6003 does\n"
+      "\"#531\" = 0.0\n\n",
+      kUsualBallMm, kUsualLengthMm);
+}
+
 const Member* find(const Table& table, std::string_view key) {
   const auto found = std::ranges::find(table, key, &Member::key);
   return found == table.end() ? nullptr : &*found;
@@ -235,7 +258,7 @@ std::string usual_sheet(const SheetContents& contents) {
              "[probe]\nball_diameter = {6:.1f}\nlength = {4:.1f}    # to the ball's centre\n\n",
              kProductOffset, contents.program, contents.control, origin_z, kUsualLengthMm,
              kUsualBallMm / 2, kUsualBallMm) +
-         part_text(contents);
+         calibration_text(contents.is_sinumerik) + part_text(contents);
 }
 
 Result<std::string, session::Refusal> sheet_with_product(const std::string& path,

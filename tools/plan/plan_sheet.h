@@ -16,8 +16,9 @@ inline constexpr std::string_view kSheetFile = "setup.toml";
 
 /// What a set-up sheet of a plan is made from.
 struct SheetContents {
-  std::string control;       ///< the profile's name
-  std::string program;       ///< the file that runs under it, for the comment
+  std::string control;  ///< the profile's name
+  std::string program;  ///< the file that runs under it, for the comment
+  bool is_sinumerik = false;
   std::string product_file;  ///< as the sheet is to name it
   double top_z_P = 0.0;      ///< the highest point of product and stock, product frame
 };

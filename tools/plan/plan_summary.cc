@@ -30,12 +30,22 @@ std::string sizes_of(const PlannedPart& planned, std::size_t feature) {
   return text;
 }
 
+std::string cycle_of(const PlannedPart& planned, std::size_t feature) {
+  const probe::PlannedRound* const round = round_of(planned, feature);
+  return round != nullptr && round->by_points.empty() ? fmt::format(" by {}", planned.cycle) : "";
+}
+
 std::string features_text(const PlannedPart& planned) {
   std::string text;
   for (std::size_t i = 0; i < planned.part.features.size(); ++i) {
     const parts::Feature& feature = planned.part.features[i];
-    text += fmt::format("{:<4} {:<14}{}  sizes{}\n", feature_id(i), words_of(feature.kind),
-                        box_text(feature.box_P), sizes_of(planned, i));
+    text += fmt::format("{:<4} {:<14}{}  sizes{}{}\n", feature_id(i), words_of(feature.kind),
+                        box_text(feature.box_P), sizes_of(planned, i), cycle_of(planned, i));
+  }
+  for (const probe::PlannedRound& round : planned.plan.rounds) {
+    if (!round.by_points.empty()) {
+      text += fmt::format("{:<4} point by point: {}\n", feature_id(round.feature), round.by_points);
+    }
   }
   for (const probe::PlannedPoint& point : planned.plan.points) {
     if (!point.moved.empty()) {

@@ -5,6 +5,7 @@
 #include "parts/import/step_file.h"
 #include "probe/planning/plan_inspection.h"
 #include "probe/planning/reach.h"
+#include "probe/planning/round_features.h"
 #include "probe/sensor/touch_probe.h"
 
 namespace g31::plan {
@@ -64,8 +65,14 @@ Result<PlannedTouches, session::Refusal> plan_touches(const setup::Job& job,
   const auto unreachable = [&reach](const probe::PlannedPoint& point, double error) {
     return reach.problem(point, error);
   };
-  return PlannedTouches{probe::plan_inspection(part.part, part.product_P, options, unreachable),
-                        options.ball_radius_mm, way.clear_z_P};
+  PlannedTouches touches{probe::plan_inspection(part.part, part.product_P, options, unreachable),
+                         options.ball_radius_mm, way.clear_z_P};
+  touches.plan.rounds =
+      probe::round_features(part.part, touches.plan, options.ball_radius_mm, way.clear_z_P,
+                            [&reach](const Point& from, const Point& to) {
+                              return reach.obstacle(from, to, machine::Travel::Feed);
+                            });
+  return touches;
 }
 
 }  // namespace g31::plan

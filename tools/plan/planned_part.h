@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "parts/features/feature.h"
@@ -16,13 +17,14 @@ namespace g31::plan {
 
 /// A part with what is to be measured on it, the program that does it, and what it was proven by.
 struct PlannedPart {
-  std::string product;       ///< its file, without its folder
-  std::string control;       ///< the profile's name
-  std::string program_file;  ///< "inspect.nc", "INSPECT.MPF"
+  std::string product;        ///< its file, without its folder
+  std::string control;        ///< the profile's name
+  std::string program_file;   ///< "inspect.nc", "INSPECT.MPF"
   session::BuiltParts built;  ///< of the sheet: the product and its fixtures
   parts::Box product_P;
   parts::RecognisedPart part;
   probe::InspectionPlan plan;
+  std::string_view cycle;  ///< that measures round walls: "CYCLE977"
   InspectionProgram program;
   double ball_radius_mm = 0.0;
   std::size_t touches = 0;                           ///< of the run that proved it
@@ -36,6 +38,9 @@ struct PlannedPart {
     return !part.unknown.empty() || !plan.left_out.empty();
   }
 };
+
+/// Of a feature with a round wall that is measured across; null: it has none.
+const probe::PlannedRound* round_of(const PlannedPart& planned, std::size_t feature);
 
 /// "F7": the ids of features, and behind them of the volumes of no kind.
 std::string feature_id(std::size_t index);

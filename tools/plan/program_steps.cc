@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,7 +48,12 @@ class StepMaker {
   ProgramSteps made() {
     ProgramSteps made;
     for (std::size_t point = 0; point < plan_.points.size(); ++point) {
-      made.steps.push_back(step_of(point));
+      const probe::PlannedRound* const round = round_of(point);
+      if (round == nullptr) {
+        made.steps.push_back(step_of(point));
+      } else if (point == std::ranges::min(round->points)) {
+        made.steps.push_back(step_of(*round, point));
+      }
     }
     for (std::size_t i = 1; i < made.steps.size(); ++i) {
       made.steps[i].begins_feature = made.steps[i].feature != made.steps[i - 1].feature;
@@ -62,6 +68,34 @@ class StepMaker {
   }
 
  private:
+  /// That a cycle measures; null: the point is touched by itself.
+  [[nodiscard]] const probe::PlannedRound* round_of(std::size_t point) const {
+    const auto found = std::ranges::find_if(plan_.rounds, [point](const auto& round) {
+      return round.by_points.empty() && std::ranges::count(round.points, point) > 0;
+    });
+    return found == plan_.rounds.end() ? nullptr : &*found;
+  }
+
+  ProgramStep step_of(const probe::PlannedRound& round, std::size_t first) {
+    ProgramStep step;
+    step.point = first;
+    step.feature = round.feature;
+    step.round = &round;
+    for (std::size_t i = 0; i < round.points.size(); ++i) {
+      step.contacts[i] = pool_.take();
+    }
+    for (std::size_t i = 0; i < round.measures.size(); ++i) {
+      const std::size_t measure = round.measures[i];
+      const std::size_t minus = i / 2 * 2;
+      step.results.push_back({measure, keeps_ ? static_cast<int>(measure) : 0, step.contacts[minus],
+                              step.contacts[minus + 1]});
+    }
+    for (const int contact : step.contacts) {
+      pool_.give_back(contact);
+    }
+    return step;
+  }
+
   ProgramStep step_of(std::size_t point) {
     ProgramStep step;
     step.point = point;
@@ -197,8 +231,15 @@ char axis_letter(int axis) {
 std::string variable_name(ProgramLanguage language, int variable) {
   constexpr int kFirstCommon = 110;
   constexpr int kFirstR = 10;
-  return language == ProgramLanguage::Fanuc ? fmt::format("#{}", kFirstCommon + variable)
-                                            : fmt::format("R{}", kFirstR + variable);
+  constexpr int kRowA9[] = {168, 183, 198};
+  if (language == ProgramLanguage::Sinumerik) {
+    return fmt::format("R{}", kFirstR + variable);
+  }
+  int number = kFirstCommon + variable;
+  for (const int taken : kRowA9) {
+    number += number >= taken ? 1 : 0;
+  }
+  return fmt::format("#{}", number);
 }
 
 InspectionProgram inspection_program(const probe::InspectionPlan& plan,
@@ -206,8 +247,11 @@ InspectionProgram inspection_program(const probe::InspectionPlan& plan,
   InspectionProgram program;
   const ProgramSteps steps = program_steps(plan);
   const bool is_fanuc = options.language == ProgramLanguage::Fanuc;
-  program.text =
+  WrittenProgram written =
       is_fanuc ? fanuc_program(plan, steps, options) : sinumerik_program(plan, steps, options);
+  program.text = std::move(written.text);
+  program.touches = written.touches;
+  program.touches_of_points = std::move(written.of_points);
   const auto names = printed_names(plan);
   for (std::size_t i = 0; i < plan.measures.size(); ++i) {
     const int variable = steps.variables[i];

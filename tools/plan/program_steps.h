@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ struct StepResult {
   int second = 0;
 };
 
-/// One touch of a program, and what comes of it.
+/// One touch of a program, or the four of a round wall by a cycle, and what comes of it.
 struct ProgramStep {
   std::size_t point = 0;
   std::size_t feature = 0;
@@ -25,10 +26,13 @@ struct ProgramStep {
   int contact = 0;                    ///< the variable that gets the coordinate of the contact
   Point direction_P = Point::Zero();  ///< that it is counted along
   std::vector<StepResult> results;
+  const probe::PlannedRound* round = nullptr;  ///< of the plan: a cycle touches its points
+  /// Then the variables of the contacts at -X, +X, -Y and +Y.
+  std::array<int, 4> contacts = {};
 };
 
-/// So many variables a program has for contacts and results.
-inline constexpr int kProgramVariables = 90;
+/// So many variables a program has for contacts and results, in either language.
+inline constexpr int kProgramVariables = 87;
 
 struct ProgramSteps {
   std::vector<ProgramStep> steps;
@@ -38,9 +42,10 @@ struct ProgramSteps {
 
 /// The touches with their variables.  As long as there are enough of them, each
 /// measure keeps its own.
+/// @param plan  outlives the steps
 ProgramSteps program_steps(const probe::InspectionPlan& plan);
 
-/// "#110" or "R10" for the first.
+/// "#110" or "R10" for the first.  Those in which O9010 leaves the row A9 are passed over.
 std::string variable_name(ProgramLanguage language, int variable);
 
 /// Names before printed values: those of the measures, as controls can print them, no two alike.
@@ -76,9 +81,16 @@ std::string angle_text(const Point& direction);
 /// 'X' for 0.
 char axis_letter(int axis);
 
-std::string fanuc_program(const probe::InspectionPlan& plan, const ProgramSteps& steps,
-                          const ProgramOptions& options);
-std::string sinumerik_program(const probe::InspectionPlan& plan, const ProgramSteps& steps,
-                              const ProgramOptions& options);
+/// A program, and which of its touches count.
+struct WrittenProgram {
+  std::string text;
+  std::size_t touches = 0;             ///< that come in a run
+  std::vector<std::size_t> of_points;  ///< which of them each point's contact is of, from 0
+};
+
+WrittenProgram fanuc_program(const probe::InspectionPlan& plan, const ProgramSteps& steps,
+                             const ProgramOptions& options);
+WrittenProgram sinumerik_program(const probe::InspectionPlan& plan, const ProgramSteps& steps,
+                                 const ProgramOptions& options);
 
 }  // namespace g31::plan

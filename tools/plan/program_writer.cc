@@ -1,14 +1,10 @@
 #include "tools/plan/program_writer.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace g31::plan {
 namespace {
-
-/// Where the ball's centre is at the end of a touch that does not come.
-Point end_of_touch(const probe::PlannedPoint& point, const ProgramOptions& options) {
-  return point.at_P + (options.ball_radius_mm - options.overtravel_mm) * point.normal_P;
-}
 
 /// "P3 on a face that looks to +X": what a comment says of a touch.
 std::string words_of(const probe::PlannedPoint& point) {
@@ -22,9 +18,16 @@ std::string words_of(const probe::PlannedPoint& point) {
 
 }  // namespace
 
-std::string ProgramWriter::text() {
+WrittenProgram ProgramWriter::program() {
   write_head();
   for (const ProgramStep& step : steps_.steps) {
+    if (step.begins_feature) {
+      write_feature(step.feature);
+    }
+    if (step.round != nullptr) {
+      write_round(step);
+      continue;
+    }
     write_touch(step);
     for (const StepResult& result : step.results) {
       write_result(result);
@@ -35,7 +38,44 @@ std::string ProgramWriter::text() {
     line("{}", options_.switch_off);
   }
   write_end();
-  return std::move(text_);
+  return {std::move(text_), touches_, std::move(of_points_)};
+}
+
+void ProgramWriter::write_feature(std::size_t feature) {
+  comment(plan_.features[feature]);
+  const auto round = std::ranges::find(plan_.rounds, feature, &probe::PlannedRound::feature);
+  if (round != plan_.rounds.end() && !round->by_points.empty()) {
+    comment("point by point: " + round->by_points);
+  }
+}
+
+std::string ProgramWriter::features_by_cycle() const {
+  std::string features;
+  for (const probe::PlannedRound& round : plan_.rounds) {
+    if (round.by_points.empty()) {
+      features += fmt::format("{}F{}", features.empty() ? "" : " ", round.feature + 1);
+    }
+  }
+  return features;
+}
+
+void ProgramWriter::write_round(const ProgramStep& step) {
+  std::string points;
+  for (const std::size_t point : step.round->points) {
+    points += plan_.points[point].id + " ";
+  }
+  comment(fmt::format("{}by {}", points, words_.cycle));
+  for (const std::size_t point : step.round->points) {
+    if (!plan_.points[point].moved.empty()) {
+      comment(plan_.points[point].moved);
+    }
+  }
+  write_cycle(step);
+}
+
+void ProgramWriter::count_touches(std::size_t touches, std::size_t point) {
+  touches_ += touches;
+  of_points_[point] = touches_ - 1;
 }
 
 void ProgramWriter::write_switch_on() {
@@ -51,41 +91,48 @@ void ProgramWriter::write_switch_on() {
 void ProgramWriter::write_touch(const ProgramStep& step) {
   const probe::PlannedPoint& point = plan_.points[step.point];
   const std::size_t number = step.point + 1;
-  if (step.begins_feature) {
-    comment(plan_.features[step.feature]);
-  }
   comment(words_of(point));
   if (!point.moved.empty()) {
     comment(point.moved);
   }
   line("{}={}", words_.point, number);
-  go_to_start(point, number);
+  go_to(point.start_P, number);
   write_skip(skip_of(point, number));
+  count_touches(1, step.point);
   line("{}={}", variable(step.contact), contact(point, step));
   line("{} {} Z{} {}", words_.feed, above_, z_, words_.ways_feed);
 }
 
-void ProgramWriter::go_to_start(const probe::PlannedPoint& point, std::size_t number) {
-  const std::string above =
-      fmt::format("X{} Y{}", coordinate(point.start_P.x()), coordinate(point.start_P.y()));
-  const std::string z = height(point.start_P.z());
+void ProgramWriter::go_above(const Point& p_P) {
+  const std::string above = fmt::format("X{} Y{}", coordinate(p_P.x()), coordinate(p_P.y()));
   if (above != above_) {
-    if (!above_.empty()) {
-      line("{} Z{}", words_.rapid, height(options_.clear_z_P));
-    }
+    leave();
     line("{} {}", words_.rapid, above);
+    above_ = above;
   }
-  if (above != above_ || z != z_) {
-    write_way_down(z, number);
+}
+
+void ProgramWriter::go_to(const Point& p_P, std::size_t point) {
+  go_above(p_P);
+  const std::string z = height(p_P.z());
+  if (z != z_) {
+    write_way_down(z, point);
+    z_ = z;
   }
-  above_ = above;
-  z_ = z;
+}
+
+void ProgramWriter::leave() {
+  if (!above_.empty()) {
+    line("{} Z{}", words_.rapid, height(options_.clear_z_P));
+  }
+  above_.clear();
+  z_.clear();
 }
 
 ProgramWriter::Skip ProgramWriter::skip_of(const probe::PlannedPoint& point,
                                            std::size_t number) const {
   constexpr int kZ = 2;
-  const Point end = end_of_touch(point, options_);
+  const Point end = end_of_touch(point);
   Skip skip;
   skip.point = number;
   point.normal_P.cwiseAbs().maxCoeff(&skip.axis);
@@ -127,13 +174,16 @@ void ProgramWriter::write_result(const StepResult& result) {
   const bool is_against = axis >= 0 && measure.direction_P[axis] < 0.0;
   const std::string from = variable(is_against ? result.second : result.first);
   const std::string to = variable(is_against ? result.first : result.second);
+  write_value(result, measure.what == probe::Characteristic::Size
+                          ? fmt::format("{}-{}", to, from)
+                          : fmt::format("{}{}{}+{}{}/2{}", is_against ? "-" : "", words_.open, from,
+                                        to, words_.close, less_exact(measure.origin_mm)));
+}
+
+void ProgramWriter::write_value(const StepResult& result, const std::string& value) {
+  const probe::PlannedMeasure& measure = plan_.measures[result.measure];
   comment(fmt::format("{}: nominal {}", measure.id, nominal_text(measure.nominal)));
-  if (measure.what == probe::Characteristic::Size) {
-    line("{}={}-{}", variable(result.variable), to, from);
-  } else {
-    line("{}={}{}{}+{}{}/2{}", variable(result.variable), is_against ? "-" : "", words_.open, from,
-         to, words_.close, less_exact(measure.origin_mm));
-  }
+  line("{}={}", variable(result.variable), value);
   write_print(names_[result.measure], variable(result.variable), decimals_of(measure));
 }
 

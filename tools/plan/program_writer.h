@@ -24,6 +24,7 @@ struct ProgramWords {
   std::string_view radius;               ///< of the ball: "#100"
   std::string_view point;                ///< the variable that has the number of the point
   std::string_view dwell;                ///< before seconds: "G04 X"
+  std::string_view cycle;                ///< what measures round walls, for comments
   std::array<std::string_view, 3> skip;  ///< where a touch was, as coordinates are programmed
 };
 
@@ -34,13 +35,18 @@ class ProgramWriter {
   ProgramWriter& operator=(const ProgramWriter&) = delete;
   virtual ~ProgramWriter() = default;
 
-  std::string text();
+  WrittenProgram program();
 
  protected:
   /// @param words  outlives the writer, as all else does
   ProgramWriter(const probe::InspectionPlan& plan, const ProgramSteps& steps,
                 const ProgramOptions& options, const ProgramWords& words)
-      : plan_(plan), steps_(steps), options_(options), words_(words), names_(printed_names(plan)) {}
+      : plan_(plan),
+        steps_(steps),
+        options_(options),
+        words_(words),
+        names_(printed_names(plan)),
+        of_points_(plan.points.size()) {}
 
   template <typename... Parts>
   void line(fmt::format_string<Parts...> form, Parts&&... parts) {
@@ -48,6 +54,7 @@ class ProgramWriter {
     text_ += '\n';
   }
 
+  [[nodiscard]] const probe::InspectionPlan& plan() const { return plan_; }
   [[nodiscard]] const ProgramSteps& steps() const { return steps_; }
   [[nodiscard]] const ProgramOptions& options() const { return options_; }
   [[nodiscard]] const ProgramWords& words() const { return words_; }
@@ -70,19 +77,38 @@ class ProgramWriter {
 
   /// Switches the probe on and waits until it is ready.
   void write_switch_on();
+  /// Where the ball's centre is at the end of a touch that does not come.
+  [[nodiscard]] Point end_of_touch(const probe::PlannedPoint& point) const {
+    return point.at_P + (options_.ball_radius_mm - options_.overtravel_mm) * point.normal_P;
+  }
+  /// Over a place at the clear height.
+  void go_above(const Point& p_P);
+  /// And down to it.
+  /// @param point  the number that an alarm names
+  void go_to(const Point& p_P, std::size_t point);
+  /// Up to the clear height; where the ball is over the part is not known from here on.
+  void leave();
+  /// So many touches come; the last of them is that of a point.
+  void count_touches(std::size_t touches, std::size_t point);
+  void write_value(const StepResult& result, const std::string& value);
+  /// "F3 F5": whose walls a cycle measures.
+  [[nodiscard]] std::string features_by_cycle() const;
 
   virtual void comment(std::string_view text) = 0;
   virtual void write_head() = 0;
   /// Along Z, as a touch too: nothing breaks on what should not be there.
   virtual void write_way_down(const std::string& z, std::size_t point) = 0;
   virtual void write_skip(const Skip& skip) = 0;
+  /// The four touches of a round wall by a cycle, and its values.
+  virtual void write_cycle(const ProgramStep& step) = 0;
   virtual void write_print(const std::string& name, const std::string& variable, int decimals) = 0;
   /// Behind the last way up, the probe switched off.
   virtual void write_end() = 0;
 
  private:
+  void write_feature(std::size_t feature);
+  void write_round(const ProgramStep& step);
   void write_touch(const ProgramStep& step);
-  void go_to_start(const probe::PlannedPoint& point, std::size_t number);
   [[nodiscard]] Skip skip_of(const probe::PlannedPoint& point, std::size_t number) const;
   [[nodiscard]] std::string contact(const probe::PlannedPoint& point,
                                     const ProgramStep& step) const;
@@ -94,6 +120,8 @@ class ProgramWriter {
   const ProgramWords& words_;
   std::vector<std::string> names_;
   std::string text_;
+  std::size_t touches_ = 0;
+  std::vector<std::size_t> of_points_;
   // Where the probe is: in X and Y, in Z.
   std::string above_;
   std::string z_;

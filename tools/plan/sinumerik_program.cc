@@ -13,6 +13,7 @@ constexpr ProgramWords kWords = {
     .radius = "R1",
     .point = "R2",
     .dwell = "G4 F",
+    .cycle = "CYCLE977",
     .skip = {"$AA_MW[X]", "$AA_MW[Y]", "$AA_MW[Z]"},
 };
 
@@ -39,6 +40,9 @@ class SinumerikWriter final : public ProgramWriter {
     if (!steps().variables.empty() && steps().variables.front() >= 0) {
       comment(fmt::format("and stay in {} to {}", variable(steps().variables.front()),
                           variable(steps().variables.back())));
+    }
+    if (const std::string features = features_by_cycle(); !features.empty()) {
+      comment(features + " by CYCLE977, with record 1 of the calibrated probe");
     }
     line("DEF INT FAULT");
     line("G90 G17 G40 G71 G94");
@@ -68,6 +72,47 @@ class SinumerikWriter final : public ProgramWriter {
     write_check("$AC_MEA[1]==0", 65000, fmt::format("P{} is not touched", skip.point));
   }
 
+  /// Each call begins in the middle; bosses are passed over at the clear height.  The diameter is
+  /// that of the second pair of touches, which goes through the middle that the first has found:
+  /// along X when the first goes along Y.
+  void write_cycle(const ProgramStep& step) override {
+    const probe::PlannedRound& round = *step.round;
+    const auto& [minus_x, plus_x, minus_y, plus_y] = round.points;
+    line("{}={}", kWords.point, step.point + 1);
+    if (round.is_standing) {
+      go_above(round.centre_P);
+    } else {
+      go_to(round.centre_P, step.point + 1);
+    }
+    const auto origin = [&](std::size_t i) {
+      return less_exact(plan().measures[step.results[i].measure].origin_mm);
+    };
+    write_call(round, "90.");
+    count_touches(3, minus_x);
+    count_touches(1, plus_x);
+    write_value(step.results[0], "_OVR[4]");
+    write_call(round, "");
+    count_touches(3, plus_y);
+    count_touches(1, minus_y);
+    write_value(step.results[1], "_OVR[5]" + origin(1));
+    write_value(step.results[2], "_OVR[4]");
+    write_value(step.results[3], "_OVR[6]" + origin(3));
+    leave();
+  }
+
+  void write_call(const probe::PlannedRound& round, std::string_view angle) {
+    const double way = round.is_standing ? round.approach_mm : options().overtravel_mm;
+    std::string call = fmt::format("CYCLE977({},,,1,{},,,{}", round.is_standing ? 2 : 1,
+                                   exact(round.diameter_mm), coordinate(way));
+    if (round.is_standing || !angle.empty()) {
+      call += fmt::format(",,{}", angle);
+    }
+    if (round.is_standing) {
+      call += "," + coordinate(round.centre_P.z() - options().clear_z_P);
+    }
+    line("{})", call);
+  }
+
   /// The alarm of a move that did not come to what it should.
   void write_check(std::string_view wrong, int alarm, const std::string& text) {
     line("STOPRE");
@@ -86,9 +131,9 @@ class SinumerikWriter final : public ProgramWriter {
 
 }  // namespace
 
-std::string sinumerik_program(const probe::InspectionPlan& plan, const ProgramSteps& steps,
-                              const ProgramOptions& options) {
-  return SinumerikWriter(plan, steps, options).text();
+WrittenProgram sinumerik_program(const probe::InspectionPlan& plan, const ProgramSteps& steps,
+                                 const ProgramOptions& options) {
+  return SinumerikWriter(plan, steps, options).program();
 }
 
 }  // namespace g31::plan

@@ -45,7 +45,8 @@ class WayFinder {
       const bool is_last = i + 1 == features_.size();
       const Place next = is_last ? middle_of(features_[i]) : middle_of(features_[i + 1]);
       const Place from = all.empty() ? start_of_way() : place_of(all.back());
-      for (const std::size_t point : shortest(points_of_[features_[i]], from, next)) {
+      for (const std::size_t point :
+           gathered(shortest(points_of_[features_[i]], from, next), features_[i])) {
         all.push_back(point);
       }
     }
@@ -108,6 +109,21 @@ class WayFinder {
     }
   }
 
+  /// Those of a round wall, which a cycle touches one after the other, behind the first of them.
+  [[nodiscard]] Order gathered(Order points, std::size_t feature) const {
+    const auto round = std::ranges::find(plan_.rounds, feature, &probe::PlannedRound::feature);
+    if (round == plan_.rounds.end() || !round->by_points.empty()) {
+      return points;
+    }
+    const auto is_of_wall = [&round](std::size_t point) {
+      return std::ranges::find(round->points, point) != round->points.end();
+    };
+    const auto first = std::ranges::find_if(points, is_of_wall);
+    std::stable_partition(first, points.end(), is_of_wall);
+    std::ranges::copy(round->points, first);
+    return points;
+  }
+
   [[nodiscard]] Order shortest(Order points, const Place& from, const Place& next) const {
     std::ranges::sort(points);
     if (points.size() > kMostPermuted) {
@@ -152,6 +168,11 @@ void put_in_order(probe::InspectionPlan& plan) {
   for (probe::PlannedMeasure& measure : plan.measures) {
     measure.first = new_place[measure.first];
     measure.second = new_place[measure.second];
+  }
+  for (probe::PlannedRound& round : plan.rounds) {
+    for (std::size_t& point : round.points) {
+      point = new_place[point];
+    }
   }
 }
 
