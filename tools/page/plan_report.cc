@@ -31,7 +31,10 @@ Table features_table(const plan::PlannedPart& planned, Language language) {
             fmt::format("{}{}", open.empty() ? "" : " ", name_of(static_cast<parts::Side>(side)));
       }
     }
-    table.rows.push_back({plan::feature_id(i), std::string(words_of(feature.kind)),
+    const probe::PlannedRound* const round = plan::round_of(planned, i);
+    const bool is_by_cycle = round != nullptr && round->by_points.empty();
+    const std::string cycle = is_by_cycle ? fmt::format(" ({})", planned.cycle) : "";
+    table.rows.push_back({plan::feature_id(i), std::string(words_of(feature.kind)) + cycle,
                           range_of(feature.box_P, 0), range_of(feature.box_P, 1),
                           range_of(feature.box_P, 2), open});
   }

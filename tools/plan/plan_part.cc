@@ -172,6 +172,7 @@ class PartPlanner {
     }
     // Not every control, and not every sheet, has what the cycles take for granted.
     if (proof.value().ending != session::Ending::Completed &&
+        !runtime::is_interrupted(request_.interruption) &&
         give_up_cycles(fmt::format("{} does not run here: {}", planned_.cycle,
                                    first_message(proof.value().messages)),
                        planned_.plan)) {

@@ -50,13 +50,15 @@ void ProgramWriter::write_feature(std::size_t feature) {
 }
 
 std::string ProgramWriter::features_by_cycle() const {
+  constexpr int kNamed = 8;  // no block gets longer than controls take it
   std::string features;
+  int count = 0;
   for (const probe::PlannedRound& round : plan_.rounds) {
-    if (round.by_points.empty()) {
+    if (round.by_points.empty() && ++count <= kNamed) {
       features += fmt::format("{}F{}", features.empty() ? "" : " ", round.feature + 1);
     }
   }
-  return features;
+  return count > kNamed ? fmt::format("{} and {} more", features, count - kNamed) : features;
 }
 
 void ProgramWriter::write_round(const ProgramStep& step) {

@@ -91,7 +91,7 @@ class ProgramWriter {
   /// So many touches come; the last of them is that of a point.
   void count_touches(std::size_t touches, std::size_t point);
   void write_value(const StepResult& result, const std::string& value);
-  /// "F3 F5": whose walls a cycle measures.
+  /// "F3 F5": whose walls a cycle measures; "": of none.
   [[nodiscard]] std::string features_by_cycle() const;
 
   virtual void comment(std::string_view text) = 0;
