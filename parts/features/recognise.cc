@@ -266,6 +266,10 @@ struct Found {
 
 Found found_in(const RemovedVolume& volume) {
   Found found;
+  if (volume.is_beside) {
+    found.problem = "the stock is wider than the part there: the part's sides are not measured";
+    return found;
+  }
   const FacesAround faces = faces_around(volume);
   Recogniser outline(volume, SeenFrom::Inside);
   found.problem = outline.find_shape(faces.outer);

@@ -30,6 +30,9 @@ struct RemovedVolume {
   Box box_P;  ///< exact to 1e-6 mm
   double volume_mm3 = 0.0;
   std::vector<RemovedFace> faces;  ///< all round it
+  /// Whether it is beside the product's box, seen from above, not divided any further: the stock is
+  /// wider there.
+  bool is_beside = false;
 };
 
 }  // namespace g31::parts

@@ -32,7 +32,8 @@ inline constexpr int kMostFaces = 20'000;
 inline constexpr double kLongestPartMm = 1e4;
 
 /// Cuts a product out of its stock, by Open CASCADE, in a process of its own (work_apart.h), and
-/// divides what is removed into connected pieces, each piece at its highest floor, and so on.
+/// divides what is removed into connected pieces, each piece at its highest floor, and so on.  Of a
+/// stock that is wider than the product what is beside the product's box comes first, by itself.
 /// Round walls of a mesh are found (faceted_walls.h).
 /// @param product  a STEP file of one or more bodies, else a mesh file of one closed surface
 ///

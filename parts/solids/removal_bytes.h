@@ -24,6 +24,7 @@ void pass(Stream& stream, RemovedVolume& volume) {
   pass(stream, volume.box_P);
   pass(stream, volume.volume_mm3);
   pass(stream, volume.faces);
+  pass(stream, volume.is_beside);
 }
 
 template <typename Stream>

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Splitter.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
@@ -77,8 +78,12 @@ std::string outside(const Box& product_P, const Box& stock_P) {
 
 class Remover {
  public:
-  Remover(const TopoDS_Shape& product, const TopoDS_Shape& stock)
-      : product_(product), stock_(stock), describer_(product) {}
+  Remover(const TopoDS_Shape& product, const TopoDS_Shape& stock, const Removal& boxes)
+      : product_(product),
+        stock_(stock),
+        product_P_(boxes.product_P),
+        stock_P_(boxes.stock_P),
+        describer_(product) {}
 
   /// @returns why it cannot be done
   std::string remove(std::vector<RemovedVolume>& volumes) {
@@ -91,13 +96,46 @@ class Remover {
     if (cut.HasErrors() || !cut.IsDone()) {
       return "Open CASCADE cannot cut the product out of the stock; is one of them no clean solid?";
     }
-    for (TopExp_Explorer each(cut.Shape(), TopAbs_SOLID); each.More(); each.Next()) {
-      add_layers(each.Current(), volumes);
+    for (const TopoDS_Shape& solid : solids_in(within_sides(cut.Shape(), volumes))) {
+      add_layers(solid, volumes);
     }
     return {};
   }
 
  private:
+  /// What of the removed solids is within the product's box, seen from above.
+  /// @param volumes  gets what is beside it
+  TopoDS_Shape within_sides(const TopoDS_Shape& removed, std::vector<RemovedVolume>& volumes) {
+    const Point over = (stock_P_.max - product_P_.max).cwiseMax(product_P_.min - stock_P_.min);
+    if (std::max(over.x(), over.y()) < kSameHeightMm) {
+      return removed;
+    }
+    const Point& a = product_P_.min;
+    const Point& b = product_P_.max;
+    const TopoDS_Shape sides = BRepPrimAPI_MakeBox(gp_Pnt(a.x(), a.y(), stock_P_.min.z() - 1.0),
+                                                   gp_Pnt(b.x(), b.y(), stock_P_.max.z() + 1.0))
+                                   .Shape();
+    const TopoDS_Shape within = BRepAlgoAPI_Common(removed, sides).Shape();
+    const TopoDS_Shape beside = BRepAlgoAPI_Cut(removed, sides).Shape();
+    constexpr double kShareOfVolume = 1e-6;
+    const double whole = volume_of(removed);
+    if (std::abs(volume_of(within) + volume_of(beside) - whole) > kShareOfVolume * whole) {
+      return removed;  // they are not what they should be
+    }
+    for (const TopoDS_Shape& solid : solids_in(beside)) {
+      RemovedVolume volume = described(solid);
+      volume.is_beside = true;
+      volumes.push_back(std::move(volume));
+    }
+    return within;
+  }
+
+  static double volume_of(const TopoDS_Shape& shape) {
+    GProp_GProps properties;
+    BRepGProp::VolumeProperties(shape, properties);
+    return properties.Mass();
+  }
+
   /// Divides a solid at its highest floor, and what is above and below that in the same way: one
   /// pocket's floor does not divide another one.
   void add_layers(const TopoDS_Shape& solid, std::vector<RemovedVolume>& volumes) {
@@ -139,9 +177,7 @@ class Remover {
 
   RemovedVolume described(const TopoDS_Shape& solid) {
     RemovedVolume volume;
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(solid, properties);
-    volume.volume_mm3 = properties.Mass();
+    volume.volume_mm3 = volume_of(solid);
     volume.box_P = box_around(solid);
     for (TopExp_Explorer each(solid, TopAbs_FACE); each.More(); each.Next()) {
       volume.faces.push_back(describer_.described(TopoDS::Face(each.Current())));
@@ -165,6 +201,8 @@ class Remover {
 
   TopoDS_Shape product_;
   TopoDS_Shape stock_;
+  Box product_P_;
+  Box stock_P_;
   FaceDescriber describer_;
 };
 
@@ -205,7 +243,7 @@ std::string remove(const RemovalRequest& request, Removal& removal) {
     return why;
   }
   removal.dimensions = drawn(product.value());
-  return Remover(product.value().shape, stock.value()).remove(removal.volumes);
+  return Remover(product.value().shape, stock.value(), removal).remove(removal.volumes);
 }
 
 }  // namespace

@@ -243,14 +243,44 @@ TEST(RecognisedSolids, AHigherStockIsDividedAtTheFaceOfThePart) {
   ASSERT_EQ(part.unknown.size(), 1U);
   EXPECT_EQ(part.unknown[0].box_P.min, Point(0, 0, 0));
   EXPECT_NE(part.unknown[0].why.find("the stock is higher"), std::string::npos);
+}
 
-  // A wider one: the part stands in it like an island, but on no floor.
-  const auto wider = parts::removal_of(path, {"", kStock.max - kStock.min + Point(20, 20, 0)});
-  ASSERT_TRUE(wider.ok()) << wider.error();
-  const auto in_it = parts::recognise(wider.value().stock_P, wider.value().volumes);
-  EXPECT_EQ(in_it.features.size(), 2U);
-  ASSERT_EQ(in_it.unknown.size(), 1U);
-  EXPECT_NE(in_it.unknown[0].why.find("no floor is around it"), std::string::npos);
+// A stock that is wider, higher too: what is beside the part is one volume, and the features that
+// reach the part's sides are those of a stock that ends there.
+TEST(RecognisedSolids, AWiderStockIsDividedAtTheSidesOfThePart) {
+  const Box step{{140, 0, -15}, {160, 110, 0}};
+  const Box open{{0, 0, -12}, {40, 35, 0}};
+  const Box slot{{60, 80, -8}, {80, 110, 0}};
+  const Box closed{{60, 20, -25}, {100, 50, 0}};
+  const testing::TemporaryFolder folder;
+  const std::string path = folder.path("product.step");
+  testing::write_step(
+      cut(block(kStock), {pocket(step), pocket(open), pocket(slot), pocket(closed)}), "product",
+      path);
+  for (const Point& wider : {Point(20, 20, 0), Point(20, 0, 0), Point(0, 6, 0), Point(8, 8, 10)}) {
+    SCOPED_TRACE(wider.transpose());
+    const auto removal = parts::removal_of(path, {"", kStock.max - kStock.min + wider});
+    ASSERT_TRUE(removal.ok()) << removal.error();
+    const auto part = parts::recognise(removal.value().stock_P, removal.value().volumes);
+    ASSERT_EQ(kinds_of({part.stock_P, part.features, {}}),
+              (std::vector<std::string>{"open_pocket", "closed_pocket", "closed_slot", "step"}));
+    expect_box(part.features[0], open);
+    expect_box(part.features[1], closed);
+    expect_box(part.features[2], slot);
+    expect_box(part.features[3], step);
+    EXPECT_EQ(open_of(part.features[0]), (std::set<std::string>{"-X", "-Y", "+Z"}));
+    EXPECT_EQ(open_of(part.features[2]), (std::set<std::string>{"+Y", "+Z"}));
+    EXPECT_EQ(open_of(part.features[3]), (std::set<std::string>{"+X", "+Y", "-Y", "+Z"}));
+    std::size_t beside = 0;
+    for (const parts::UnknownVolume& unknown : part.unknown) {
+      const bool is_beside = unknown.why.find("the stock is wider") != std::string::npos;
+      beside += is_beside ? 1 : 0;
+      EXPECT_TRUE(is_beside || unknown.why.find("the stock is higher") != std::string::npos)
+          << unknown.why;
+    }
+    // A frame round the part, or one piece at either side.
+    EXPECT_EQ(beside, wider.x() > 0.0 && wider.y() > 0.0 ? 1U : 2U);
+  }
 }
 
 /// Rounds the edges of a shape that are chosen.
