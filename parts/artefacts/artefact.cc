@@ -131,6 +131,13 @@ std::optional<double> size_of(const PartSetup& part, const std::string& name) {
   return found != sizes.end() ? std::optional(found->second) : std::nullopt;
 }
 
+std::optional<Sphere> exact_sphere(const PartSetup& part) {
+  if (part.shape != "sphere") {
+    return std::nullopt;
+  }
+  return Sphere{Point::Zero(), 0.5 * with_defaults(part).at("diameter")};
+}
+
 Result<Mesh, std::string> make_artefact(const PartSetup& part) {
   const std::string who = "part '" + part.name + "': ";
   const auto row = std::ranges::find(kShapes, std::string_view(part.shape), &Shape::name);

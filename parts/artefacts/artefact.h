@@ -8,6 +8,7 @@
 #include "machine/base/result.h"
 #include "parts/artefacts/part_setup.h"
 #include "parts/geometry/mesh.h"
+#include "parts/geometry/sphere.h"
 
 namespace g31::parts {
 
@@ -39,6 +40,10 @@ std::optional<double> size_of(const PartSetup& part, const std::string& name);
 /// nearest known name), a size that is not a positive number or beyond kLargestSizeMm, sizes that
 /// do not fit each other.
 Result<Mesh, std::string> make_artefact(const PartSetup& part);
+
+/// The sphere that a shape is, in the part frame P; nullopt: its surface is that of its mesh.  The
+/// facets of the mesh are tangent to it.  @pre make_artefact makes the part
+std::optional<Sphere> exact_sphere(const PartSetup& part);
 
 /// A kilometre: beyond it single precision has nothing left for the shape.
 inline constexpr double kLargestSizeMm = 1e6;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace g31::parts {
 namespace {
@@ -30,6 +31,18 @@ CosSin cos_sin_deg(double angle_deg) {
   }
 }
 
+void place(std::span<Point> points, const Placement& placement) {
+  const bool turned = (placement.rotate_deg.array() != 0.0).any();
+  const Eigen::Matrix3d R_MP = rotation_to_machine(placement);
+  for (Point& p : points) {
+    if (placement.growth != 0.0) {
+      p += placement.growth * p;
+    }
+    const Point turned_p = turned ? Point(R_MP * p) : p;
+    p = turned_p + placement.p_M_at;
+  }
+}
+
 }  // namespace
 
 Eigen::Matrix3d rotation_to_machine(const Placement& placement) {
@@ -47,16 +60,15 @@ Eigen::Matrix3d rotation_to_machine(const Placement& placement) {
 
 Mesh placed_mesh(const Mesh& mesh_P, const Placement& placement) {
   Mesh mesh_M = mesh_P;
-  const bool turned = (placement.rotate_deg.array() != 0.0).any();
-  const Eigen::Matrix3d R_MP = rotation_to_machine(placement);
-  for (Point& vertex : mesh_M.vertices) {
-    if (placement.growth != 0.0) {
-      vertex += placement.growth * vertex;
-    }
-    const Point turned_vertex = turned ? Point(R_MP * vertex) : vertex;
-    vertex = turned_vertex + placement.p_M_at;
-  }
+  place(mesh_M.vertices, placement);
   return mesh_M;
+}
+
+Sphere placed_sphere(const Sphere& sphere_P, const Placement& placement) {
+  Sphere sphere_M = sphere_P;
+  place(std::span(&sphere_M.centre, 1), placement);
+  sphere_M.radius += placement.growth * sphere_M.radius;
+  return sphere_M;
 }
 
 }  // namespace g31::parts

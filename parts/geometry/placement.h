@@ -4,6 +4,7 @@
 
 #include "machine/units/point.h"
 #include "parts/geometry/mesh.h"
+#include "parts/geometry/sphere.h"
 
 namespace g31::parts {
 
@@ -22,5 +23,8 @@ Eigen::Matrix3d rotation_to_machine(const Placement& placement);
 /// arithmetic: only p_M_at is added (one rounding a coordinate), and at the origin nothing changes
 /// at all.
 Mesh placed_mesh(const Mesh& mesh_P, const Placement& placement);
+
+/// A sphere in the machine frame, by the same arithmetic.
+Sphere placed_sphere(const Sphere& sphere_P, const Placement& placement);
 
 }  // namespace g31::parts

@@ -2,8 +2,8 @@
 
 namespace g31::probe {
 
-ContactMesh::ContactMesh(const parts::Mesh& mesh)
-    : tree_(parts::triangle_boxes(mesh)), mesh_{mesh.vertices, {}} {
+ContactMesh::ContactMesh(const parts::Mesh& mesh, std::optional<parts::Sphere> sphere)
+    : tree_(parts::triangle_boxes(mesh)), mesh_{mesh.vertices, {}}, sphere_(sphere) {
   mesh_.triangles.reserve(mesh.triangles.size());
   triangles_.reserve(mesh.triangles.size());
   for (const std::uint32_t index : tree_.order()) {

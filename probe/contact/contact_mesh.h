@@ -8,6 +8,7 @@
 #include "machine/units/point.h"
 #include "parts/geometry/bvh.h"
 #include "parts/geometry/mesh.h"
+#include "parts/geometry/sphere.h"
 #include "probe/contact/contact_triangle.h"
 #include "probe/contact/sweep_triangle.h"
 
@@ -33,7 +34,11 @@ struct Meeting {
 /// their slots in a tree.  Immutable: balls and bodies share one.
 class ContactMesh {
  public:
-  explicit ContactMesh(const parts::Mesh& mesh);
+  explicit ContactMesh(const parts::Mesh& mesh, std::optional<parts::Sphere> sphere = {});
+
+  /// The true sphere that the triangles stand for: MeshSweeper and first_surface take it instead of
+  /// them, everything else takes them.
+  [[nodiscard]] const std::optional<parts::Sphere>& sphere() const { return sphere_; }
 
   [[nodiscard]] const std::vector<ContactTriangle>& triangles() const { return triangles_; }
   [[nodiscard]] const parts::Bvh& tree() const { return tree_; }
@@ -66,6 +71,7 @@ class ContactMesh {
   parts::Bvh tree_;
   parts::Mesh mesh_;
   std::vector<ContactTriangle> triangles_;
+  std::optional<parts::Sphere> sphere_;
 };
 
 /// Trees are asked for this much beyond what counts: far more than roundoff, hardly any work.

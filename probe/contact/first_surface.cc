@@ -32,9 +32,26 @@ std::optional<double> met_at(const ContactTriangle& triangle, const parts::Path&
   return side_c.dot(turned) / volume;
 }
 
+/// The places on a ray's line where it goes into the sphere and out of it are `half` before and
+/// behind the one nearest to the centre.
+std::optional<double> first_of_sphere(const parts::Sphere& sphere, const parts::Path& ray) {
+  const Point to_centre = sphere.centre - ray.from;
+  const double nearest = to_centre.dot(ray.direction);
+  const double offset = (to_centre - nearest * ray.direction).norm();
+  if (offset > sphere.radius) {
+    return std::nullopt;
+  }
+  const double half = std::sqrt((sphere.radius - offset) * (sphere.radius + offset));
+  const double first = nearest >= half ? nearest - half : nearest + half;
+  return first >= 0.0 && first <= ray.length ? std::optional(first) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<double> first_surface(const ContactMesh& mesh, const parts::Path& ray) {
+  if (mesh.sphere()) {
+    return first_of_sphere(*mesh.sphere(), ray);
+  }
   std::optional<double> first;
   mesh.tree().visit_along(ray, kBoxMarginMm, [&](std::uint32_t slot) {
     const double end = first.value_or(ray.length);

@@ -21,13 +21,21 @@ parts::Path path_between(const Point& from, const Point& to) {
   return {from, travel / length, length};
 }
 
+/// A point as a triangle whose corners are one.
+std::shared_ptr<const ContactMesh> mesh_of_point(const Point& p) {
+  return std::make_shared<const ContactMesh>(parts::Mesh{{p}, {{0, 0, 0}}});
+}
+
 }  // namespace
 
 MeshSweeper::MeshSweeper(const parts::Mesh& mesh_M, double ball_radius)
     : MeshSweeper(std::make_shared<const ContactMesh>(mesh_M), ball_radius) {}
 
 MeshSweeper::MeshSweeper(std::shared_ptr<const ContactMesh> mesh, double ball_radius)
-    : radius_(ball_radius), mesh_(std::move(mesh)), offsets_(std::make_unique<OffsetsOnce>()) {
+    : skin_(mesh->sphere() ? mesh->sphere()->radius : 0.0),
+      radius_(ball_radius + skin_),
+      mesh_(mesh->sphere() ? mesh_of_point(mesh->sphere()->centre) : std::move(mesh)),
+      offsets_(std::make_unique<OffsetsOnce>()) {
   G31_EXPECTS(std::isfinite(ball_radius) && ball_radius > 0.0);
 }
 
@@ -94,7 +102,7 @@ double MeshSweeper::free_share(const Point& p_M_from, const Point& p_M_to, doubl
 
 std::optional<double> MeshSweeper::distance_if_touching(const Point& p_M_centre) const {
   const std::optional<Touch> touch = mesh_->nearest_within(p_M_centre, radius_ + kTouchBandMm);
-  return touch ? std::optional(touch->distance) : std::nullopt;
+  return touch ? std::optional(touch->distance - skin_) : std::nullopt;
 }
 
 StraightLeaving MeshSweeper::leave(const Point& p_M_from, const Point& p_M_to,
@@ -103,7 +111,7 @@ StraightLeaving MeshSweeper::leave(const Point& p_M_from, const Point& p_M_to,
   if (path.length == 0.0) {
     return {{}, 1.0};
   }
-  const Leaving leaving = leave_contact(*mesh_, path, radius_, start_distance, rule);
+  const Leaving leaving = leave_contact(*mesh_, path, radius_, start_distance + skin_, rule);
   if (leaving.stop) {
     return {hit_at(SweepStatus::Contact, path, *leaving.stop), leaving.stop->s / path.length};
   }
@@ -154,6 +162,10 @@ SweepHit MeshSweeper::hit_at(SweepStatus status, const parts::Path& path,
   hit.p_M_point = nearest.point;
   hit.n_M = nearest.normal;
   hit.triangle = mesh_->index_of(meeting.slot);
+  if (skin_ > 0.0) {
+    hit.p_M_point += skin_ * nearest.normal;
+    hit.triangle = kNoTriangle;
+  }
   hit.cos_incidence = -path.direction.dot(nearest.normal);
   return hit;
 }

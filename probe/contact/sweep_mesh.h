@@ -20,6 +20,8 @@ enum class SweepStatus {
   StartInContact,  ///< the ball is in the part before it moves
 };
 
+inline constexpr std::uint32_t kNoTriangle = ~std::uint32_t{0};
+
 /// Where a ball on its straight way meets a mesh.  Of a miss only the status counts.
 struct SweepHit {
   SweepStatus status = SweepStatus::Miss;
@@ -27,7 +29,7 @@ struct SweepHit {
   Point p_M_centre = Point::Zero();  ///< the ball centre at the contact
   Point p_M_point = Point::Zero();   ///< the point of touch on the mesh
   Point n_M = Point::Zero();         ///< unit vector from the point of touch to the ball centre
-  std::uint32_t triangle = 0;        ///< of the mesh, as given
+  std::uint32_t triangle = 0;        ///< of the mesh, as given; kNoTriangle on a true sphere
   double cos_incidence = 0.0;        ///< 1 head-on, 0 grazing; negative if the start moves away
 };
 
@@ -47,6 +49,10 @@ struct StraightLeaving {
 /// touching ball has its centre (offset_tree.h): how many triangles lie within the radius does not
 /// matter.  From a start in contact those have to be looked at.  The patches are made when the
 /// first way comes near the mesh.
+///
+/// A mesh that stands for a true sphere is met as that sphere: a ball touches it where a ball as
+/// much larger as the sphere touches its centre, so all of the above is asked about that one point.
+/// It is solid: a ball whose centre is in it is as deep as its way out is long.
 ///
 /// Accuracy: |distance - radius| <= kContactErrorMm at the contact, for coordinates and ways of up
 /// to 1000 mm; s is as good as that divided by cos_incidence.  A ball that goes in by more than
@@ -81,7 +87,8 @@ class MeshSweeper {
   /// along with it at `slack` mm at most.  The start must be free.
   [[nodiscard]] double free_share(const Point& p_M_from, const Point& p_M_to, double slack) const;
 
-  /// The distance of the ball centre from the mesh if the ball touches or overlaps it.
+  /// The distance of the ball centre from the mesh if the ball touches or overlaps it; negative in
+  /// a true sphere.
   [[nodiscard]] std::optional<double> distance_if_touching(const Point& p_M_centre) const;
 
   /// The way until the ball is free.  @param start_distance  where the whole move began
@@ -108,8 +115,9 @@ class MeshSweeper {
   [[nodiscard]] SweepHit hit_at(SweepStatus status, const parts::Path& path,
                                 const Meeting& meeting) const;
 
-  double radius_;
-  std::shared_ptr<const ContactMesh> mesh_;
+  double skin_ = 0.0;                        ///< mm: the radius of the true sphere
+  double radius_;                            ///< of the ball, and the skin
+  std::shared_ptr<const ContactMesh> mesh_;  ///< of a true sphere its centre
   std::unique_ptr<OffsetsOnce> offsets_;
 };
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "machine/port/surroundings.h"
 #include "parts/geometry/mesh.h"
+#include "parts/geometry/sphere.h"
 #include "probe/collision/probe_section.h"
 #include "probe/sensor/probe_setup.h"
 
@@ -64,6 +66,8 @@ struct ProbedPart {
   Role role = Role::Part;
   Mount mount = Mount::Table;
   bool is_solid = true;  ///< its mesh is the surface of a solid: there is an inside
+  /// What balls and sensors meet instead of the mesh, which stands for it (contact_mesh.h).
+  std::optional<parts::Sphere> sphere_M = std::nullopt;
 };
 
 /// A touch probe as what it is made of: its balls, the main one first, what holds them, and what is

@@ -275,7 +275,8 @@ TouchProbe::PartHit TouchProbe::first_hit(const machine::Sweep& sweep, Question 
 }
 
 double TouchProbe::depth_of(const PartHit& touch) {
-  return touch.ball->radius - (touch.way.p_M_from - touch.hit.p_M_point).norm();
+  const Point from_surface = touch.way.p_M_from - touch.hit.p_M_point;
+  return touch.ball->radius - std::copysign(from_surface.norm(), from_surface.dot(touch.hit.n_M));
 }
 
 std::optional<double> TouchProbe::way_to_signal(const PartHit& touch, double depth,

@@ -25,7 +25,7 @@ TouchableParts::TouchableParts(const ProbeSetup& setup, const std::vector<Probed
                                  part.is_solid,
                                  encounter_of(Role::SensingTip, part.role, machine::Travel::Feed),
                                  encounter_of(Role::SensingTip, part.role, machine::Travel::Skip),
-                                 std::make_shared<const ContactMesh>(part.mesh_M),
+                                 std::make_shared<const ContactMesh>(part.mesh_M, part.sphere_M),
                                  {}});
     built.sweepers.reserve(radii_.size());
     for (const double radius : radii_) {

@@ -33,7 +33,16 @@ TEST(PlacedMesh, TurnsAboutFixedXThenYThenZThenShifts) {
     mesh.vertices = {c.p_P};
     const Mesh placed = placed_mesh(mesh, {c.at, c.rotate_deg});
     EXPECT_EQ(placed.vertices[0], c.p_M);  // exact, not nearly
+    const Sphere sphere = placed_sphere({c.p_P, 12.5}, {c.at, c.rotate_deg});
+    EXPECT_EQ(sphere.centre, c.p_M);
+    EXPECT_EQ(sphere.radius, 12.5);
   }
+}
+
+TEST(PlacedSphere, GrowsFromThePartsOrigin) {
+  const Sphere sphere = placed_sphere({{100, 0, 0}, 20.0}, {{1, 2, 3}, {0, 0, 90}, 0.01});
+  EXPECT_NEAR((sphere.centre - Point(1, 103, 3)).norm(), 0.0, 1e-13);
+  EXPECT_NEAR(sphere.radius, 20.2, 1e-14);
 }
 
 TEST(RotationToMachine, AgreesWithQuaternions) {

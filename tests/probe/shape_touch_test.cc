@@ -2,6 +2,7 @@
 // way.
 
 #include <map>
+#include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -29,7 +30,9 @@ void expect_touch(const Touching& t) {
   setup.name = "gauge";
   setup.shape = t.shape;
   setup.sizes = t.sizes;
-  const MeshSweeper sweeper(parts::make_artefact(setup).value(), kBallRadius);
+  const MeshSweeper sweeper(std::make_shared<const ContactMesh>(parts::make_artefact(setup).value(),
+                                                                parts::exact_sphere(setup)),
+                            kBallRadius);
   const SweepHit hit = sweeper.sweep(t.from, t.to);
   ASSERT_EQ(hit.status, SweepStatus::Contact);
   EXPECT_NEAR(hit.s, t.way, kContactErrorMm);
@@ -55,6 +58,7 @@ TEST(ShapeTouch, ReadsTheSizeOfEveryShapeAlongTheAxes) {
       {"sphere, from -Y", "sphere", ball, {0, -40, 0}, {0, 0, 0}, 40 - 12.499 - 3},
       {"sphere, from above", "sphere", ball, {0, 0, 40}, {0, 0, 0}, 40 - 12.499 - 3},
       {"sphere, from below", "sphere", ball, {0, 0, -40}, {0, 0, 0}, 40 - 12.499 - 3},
+      {"sphere, aslant", "sphere", ball, {20, -40, 40}, {0, 0, 0}, 60 - 12.499 - 3},
       {"cylinder, from -Y", "cylinder", {}, {0, -40, -5}, {0, 0, -5}, 40 - 15 - 3},
       {"cylinder, top", "cylinder", {}, {0, 0, 40}, {0, 0, -5}, 40 - 3},
       {"hexagon, from +X", "prism", {}, {40, 0, -5}, {0, 0, -5}, 40 - 15 - 3},

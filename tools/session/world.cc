@@ -83,7 +83,7 @@ probe::SeenParts seen_with(const setup::Job& job, const std::vector<probe::Probe
 probe::SeenParts seen_alone(const std::vector<probe::ProbedPart>& parts) {
   probe::SeenParts seen;
   for (const probe::ProbedPart& part : parts) {
-    seen.push_back(std::make_shared<const probe::ContactMesh>(part.mesh_M));
+    seen.push_back(std::make_shared<const probe::ContactMesh>(part.mesh_M, part.sphere_M));
   }
   return seen;
 }
@@ -158,6 +158,9 @@ Result<BuiltParts, Refusal> build_parts(const setup::Job& job, const runtime::Ti
     const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
     built.parts.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
     built.parts.back().is_solid = part.is_closed;
+    if (const auto sphere_P = parts::exact_sphere(part)) {
+      built.parts.back().sphere_M = parts::placed_sphere(*sphere_P, place);
+    }
     built.parts.back().role = part.is_fixture ? probe::Role::Rigid : probe::Role::Part;
     if (const auto late = too_late(time, part.name)) {
       return *late;
