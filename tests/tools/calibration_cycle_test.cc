@@ -80,6 +80,8 @@ TEST(CalibrationCycle, RingBallAndEdgesGiveTheSameProbe) {
        joined(both_axes(), {{"$TC_DP3[1,1]", 120.0}, {kMinus3, kDelay}})},
       {"ball, pole not known", ball(), "CYCLE976(3,1,25,,,,10,5)", both_axes()},
       {"ball, along a circle", ball(), "CYCLE976(100003,1,25,,,,10,5)", both_axes()},
+      {"ball, the tool's length to the middle of the probe's ball", ball(),
+       "$MNS_MEA_FUNCTION_MASK=1\n$TC_DP3[1,1]=117\nD1\nCYCLE976(3,1,25,,,,10,5)", both_axes()},
       {"two edges, first axis", groove(), "Z-5\nCYCLE976(5,1,30,,1,,5,5,,,,-15)",
        joined(first_axis(), {{kDiameter, 2.0 * kEffective}})},
       {"two edges, second axis", groove(90.0), "Z-5\nCYCLE976(5,1,-30,,2,,5,5,,,,15)",
