@@ -183,6 +183,16 @@ TEST(FeatureCycle, ProtectionZones) {
   expect_measured(protected_features());
 }
 
+/// The probe stands upright, the part and its coordinates lean by 3 degrees: the ball's middle is
+/// not above the tip in them, nor the tip the ball's lowest point.
+TEST(FeatureCycle, CoordinatesThatLeanAgainstTheProbe) {
+  expect_measured(
+      "ROT Y3\nX-42 Z20\nZ-8\nCYCLE978(0,,,1,-30,5,5,1,1)\nR1=_OVR[4]\nZ20\nX0\nZ5\n"
+      "CYCLE978(0,,,1,0,5,5,3,2)\nR2=_OVR[4]\nROT",
+      {part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 3.0, 0.0]"), kCalibrated},
+      {{"R1", -30.0}, {"R2", 0.0}}, 1e-9);
+}
+
 TEST(FeatureCycle, SetPointOfTheCentreAndRepetition) {
   expect_measured(other_arguments());
 }
