@@ -16,6 +16,8 @@ namespace {
 const std::string kRing = part("ring", 100.2, 49.7, -300.0, "bore = 40.0");
 const std::string kBlock = part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 0.0, 1.0]");
 
+const std::string kBall = part("sphere", 100.2, 49.7, -300.0, "diameter = 25.0");
+
 /// A call with places for the calibration record and the safe area.
 struct MeasuringCall {
   const char* name;
@@ -35,6 +37,7 @@ const MeasuringCall kCalls[] = {
      2.0, 0.1},
     {"corner", kBlock, "X-42 Y-32\nZ-5", "CYCLE961(106,1,{},20,45,15,,,,,,-30,-20,0,,,12,{})", 2.0,
      0.1},
+    {"ball", kBall, "Z20", "CYCLE997(1101119,1,{},25,2,{},0,90,0,0,0)", 2.0, 0.1},
     {"arc", kRing, "Z-5", "CYCLE979(101,1,,{},40,2,{},0,0,0,100)", 2.0, 0.1},
 };
 
@@ -112,7 +115,7 @@ TEST(MeasuringFaults, ThePartLiesOutsideTheSafeArea) {
 
 TEST(MeasuringFaults, TheProbeIsDeflectedAtTheCall) {
   // The stop of a measuring block leaves the ball on the surface.
-  const std::string block_from_left = "X-40 Y0\nZ-5\nMEAS=1 G1 X-20 F300\n";
+  const std::string block_from_left = "X-40 Y0\nZ-5\nMEAS=1 G1 X-10 F300\n";
   const std::string ring_from_inside = "Z-5\nMEAS=1 G1 X25 F300\n";
   for (const MeasuringCall& row : kCalls) {
     SCOPED_TRACE(row.name);

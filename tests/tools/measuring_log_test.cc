@@ -103,6 +103,35 @@ Angle            2.0000           3.0000           1.0000 deg
 )");
 }
 
+TEST(MeasuringLog, Balls) {
+  const MeasuringRun run =
+      measured("CYCLE150(10,1001,\"LOG.TXT\")\nCYCLE997(1000109,1,1,25,2,5,,,0.1,0,0)",
+               part("sphere", 100.2, 49.7, -299.9, "diameter = 25.01"));
+  EXPECT_EQ(file_of(run, "LOG.TXT"), std::string(kHead) + R"(
+-----------------------------------------------------
+1                      : 997 / 1000109          Time:hh:mm:ss
+Results measure:1 Sphere / CYCLE997
+
+-----------------------------------------------------
+Correction into:Work offset, fine
+
+                G54
+                Fine [mm]        Rotation [deg]
+                ---------------------------------
+X                0.1000           0.0000
+Y               -0.3000           0.0000
+Z                0.1000           0.0000
+                ---------------------------------
+
+Results:        Setpoint         Measured         Difference
+X                0.1000           0.2000           0.1000 mm
+Y                0.0000          -0.3000          -0.3000 mm
+Z                0.0000           0.1000           0.1000 mm
+Diameter        25.0000          25.0100           0.0100 mm
+                ---------------------------------
+)");
+}
+
 TEST(MeasuringLog, AsATable) {
   const MeasuringRun run = measured(
       "CYCLE150(0,101,\"//NC:/WKS.DIR/LOG.CSV\")\nZ-5\nCYCLE977(101,10001,,1,40.01,,,2,5)\n"

@@ -1,7 +1,9 @@
 // Each measuring cycle under G70, G71, G700 and G710: the same touches on the machine, lengths in
 // the program's unit, angles and data of the control as they are.
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -101,8 +103,49 @@ std::vector<Call> calls() {
   };
 }
 
+/// Set places (0, 0, 0), (100, 0, 0) and (0, 80, 0), shifted and turned by 0.2 degrees.
+std::string three_balls() {
+  std::string balls;
+  const double kPlaces[][2] = {{0.1, -0.2}, {100.0993908, 0.1490651}, {-0.1792521, 79.7995126}};
+  for (const auto& place : kPlaces) {
+    balls += part("sphere", 100.0 + place[0], 50.0 + place[1], -299.9, "diameter = 20.0");
+  }
+  for (int i = 1; i <= 3; ++i) {  // names of their own
+    const std::size_t at = balls.find("name = \"sphere\"");
+    balls.replace(at, 15, fmt::format("name = \"ball {}\"", i));
+  }
+  return balls;
+}
+
+std::vector<Call> ball_calls() {
+  return {
+      {"ball",
+       part("sphere", 99.8, 50.3, -299.85, "diameter = 25.012"),
+       "",
+       "CYCLE997(1102119,1,1,{25},{2},{5},20,90,{0.1},{0},{-0.1})",
+       {"_OVR[0]", "_OVR[1]", "_OVR[4]", "_OVR[5]", "_OVR[7]", "_OVR[8]", "_OVR[11]", "_OVR[28]"},
+       {"_OVI[9]", "$P_UIFR[1,X,FI]", "$P_UIFR[1,Y,FI]", "$P_UIFR[1,Z,FI]"}},
+      {"three balls",
+       three_balls(),
+       "",
+       "CYCLE997(1010119,1,1,{20},{3},{5},,,{0},{0},{0},{100},{0},{0},{0},{80},{0},{0.5})",
+       {"_OVR[4]", "_OVR[14]", "_OVR[18]", "_OVR[22]", "_OVR[26]"},
+       {"_OVI[9]", "$P_UIFR[1,X,FI]", "$P_UIFR[1,Z,FI]", "$P_UIFR[1,Z,RT]"}},
+      {"spindle",
+       part("sphere", 99.8, 50.3, -299.85, "diameter = 25.0") +
+           "[probe]\nstem_diameter = 1.0\nstem_length = 60.0\n"
+           "[[probe.ball]]\nat = [0.05, -0.02, 40.0]\ndiameter = 6.0\n",
+       "Z15",
+       "CYCLE995(102015,0,1,{25},{3},{5},0,,{40},,,,0.01,,,,,1)",
+       {"_OVR[4]", "_OVR[7]", "_OVR[8]", "_OVR[14]", "_OVR[15]", "_OVR[25]", "_OVR[28]"},
+       {"_OVR[2]", "_OVR[3]", "_OVR[5]", "_OVR[6]", "_OVR[9]"}},
+  };
+}
+
 TEST(MeasuringUnits, EachCycleMeasuresTheSameInAllFour) {
-  for (const Call& call : calls()) {
+  std::vector<Call> all = calls();
+  std::ranges::copy(ball_calls(), std::back_inserter(all));
+  for (const Call& call : all) {
     SCOPED_TRACE(call.name);
     const MeasuringRun metric = run_in(call, "G71", 1.0);
     ASSERT_EQ(metric.output.exit_code, 0) << metric.output.errors;
