@@ -129,12 +129,6 @@ TEST(ThreeBalls, ReadAsTheWorkedExampleSays) {
   EXPECT_EQ(run.alarm(), 0);
 }
 
-/// How a program has to begin so that the plane is in force, and the order of its axes.
-struct Plane {
-  const char* code;
-  std::array<int, 3> axes;
-};
-
 /// The fixture is where G54 believes it within a little; after the cycle G54 has it.
 TEST(ThreeBalls, BringAFixtureThatIsShiftedAndTurnedBack) {
   std::mt19937 random(997);
@@ -197,6 +191,31 @@ TEST(ThreeBalls, TurnBasicFramesAndTheReferenceToo) {
     // Outside of G54: what the whole chain makes of the fixture's places.
     const Isometry3d chain = frame_left_by(run, names) * Eigen::Translation3d(kG54);
     EXPECT_LT(apart(chain, Eigen::Translation3d(kG54) * fixture), 1e-6);
+  }
+}
+
+/// What CYCLE997 does with what it found, in each plane: coordinates come in the order of its axes.
+TEST(ThreeBalls, FitTheirTriangleInEveryPlane) {
+  const Isometry3d fixture = frame({0.3, -0.2, 0.1}, {0.1, -0.15, 0.5});
+  const Triangle set = {Vector3d(2, -3, 1), Vector3d(100, 4, -6), Vector3d(-5, 80, 7)};
+  const struct {
+    const char* code;
+    std::array<Eigen::Index, 3> axes;
+  } kPlanes[] = {{"G17", {0, 1, 2}}, {"G18", {2, 0, 1}}, {"G19", {1, 2, 0}}};
+  for (const auto& plane : kPlanes) {
+    SCOPED_TRACE(plane.code);
+    std::string program = fmt::format(
+        "DEF REAL WANTED[3,3], THERE[3,3]\nT1 M6\nG54 D1\n{}\n_MV_MM=1 _MV_TARGET=1\n", plane.code);
+    for (std::size_t ball = 0; ball < 3; ++ball) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        program += fmt::format("WANTED[{0},{1}]={2:.15f} THERE[{0},{1}]={3:.15f}\n", ball, i,
+                               set[ball][plane.axes[i]], (fixture * set[ball])[plane.axes[i]]);
+      }
+    }
+    const MeasuringRun run = run_on_sheets(program + "_MC_FIT(1,WANTED,THERE,0.001)",
+                                           {kMeasuringSheet, kCalibrated}, kFrameOf54);
+    ASSERT_EQ(run.output.exit_code, 0) << run.output.errors;
+    EXPECT_LT(apart(frame_left_by(run, kFrameOf54), Eigen::Translation3d(kG54) * fixture), 1e-9);
   }
 }
 
