@@ -113,6 +113,20 @@ TEST(SpindleAngle, IsHeldAgainstItsTolerance) {
              {{"_OVR[3]", 0.02}, {"_OVR[5]", 0.0}, {"_OVI[9]", 0.0}}, 1e-5);
 }
 
+TEST(SpindleAngle, IsLogged) {
+  const MeasuringRun run = run_measuring(
+      at_pole("A=0.02 B=-0.05", "CYCLE150(10,1001,\"LOG.TXT\")\nCYCLE995(5,0,1,25,3,5,0,,100)"),
+      {ball(), kCalibrated, kTiltedSpindle}, {});
+  ASSERT_EQ(run.output.exit_code, 0) << run.output.errors;
+  const std::string log = run.output.document.at("files").at("LOG.TXT");
+  EXPECT_NE(log.find("Results measure:Angular deviation of the spindle / CYCLE995\n"), log.npos)
+      << log;
+  EXPECT_NE(log.find("Angle XZ         0.0000           0.0500           0.0500 deg\n"
+                     "Angle YZ         0.0000           0.0200           0.0200 deg\n"),
+            log.npos)
+      << log;
+}
+
 TEST(SpindleAngle, EachMistakeIsAnAlarm) {
   const struct {
     const char* name;

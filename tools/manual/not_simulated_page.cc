@@ -18,7 +18,8 @@ finds both before (NC007).
 * Parts, clamps, machine and tools are rigid; of bending there is the stem's (`probe.stem_stiffness`) and the
   deflection of the probe until its signal.
 * A part has one temperature (`temperature`, `expansion`), the scale of each axis one of its own; heat does not flow.
-* Surfaces are the mesh: no roughness, no dirt and no oil; `sagitta` and `step_sagitta` say how fine.
+* Surfaces are the mesh, but for a sphere by its shape: no roughness, no dirt and no oil; `sagitta` and `step_sagitta`
+  say how fine.
 * Positioning errors, squareness, backlash, friction and lag are those of the sheet; nothing vibrates, nothing wears.
 * A probe fails as `probe.state` says; radio or optical transmission and its range are not there.
 * Doors, pallets, tool changers, coolant, chips and bar feeders are not there: M codes that g31 does not know do nothing.
