@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "probe/sensor/bodies.h"
+#include "probe/tooling/tool_shape.h"
 
 namespace g31::picture {
 namespace {
@@ -57,28 +58,23 @@ parts::Mesh moved(parts::Mesh mesh, const Eigen::Quaterniond& turn, const Point&
 
 const probe::ToolSetup* tool_of(const setup::Job& job, int tool) {
   const auto found = std::ranges::find(job.tools, tool, &probe::ToolSetup::number);
-  return tool == 0 || found == job.tools.end() ? nullptr : &*found;
+  const bool is_tool = tool != 0 && found != job.tools.end();
+  return is_tool && found->kind != probe::ToolKind::Probe ? &*found : nullptr;
 }
 
-/// Its outline up to the gauge line, or to the shank where the sheet has one.
-parts::Mesh tool_mesh(const probe::ToolSetup& tool) {
-  const double radius = 0.5 * tool.diameter_mm;
-  double top = tool.length_mm;
+/// What it takes up while it turns, told from its tip; of an insert the ball of its tip radius.
+void add_tool(const probe::ToolSetup& tool, std::vector<StylusPiece>& pieces) {
+  const probe::ToolShape shape = probe::shape_of(tool);
+  for (const probe::ProbeSection& section :
+       probe::round_sections_of(shape.envelope, shape.p_T_tip)) {
+    if (std::max({section.radius_bottom, section.radius_top, section.rounding}) > 0.0) {
+      pieces.push_back({fmt::format("tool {}", tool.number), false,
+                        moved(mesh_of(section), section.turn_S, section.p_S)});
+    }
+  }
   for (const probe::ProbeSection& body : tool.bodies) {
-    top = std::min(top, body.z_bottom);
+    pieces.push_back({body.name, false, moved(mesh_of(body), body.turn_S, body.p_S)});
   }
-  std::vector<Eigen::Vector2d> profile = {{0.0, 0.0}};
-  if (tool.kind == probe::ToolKind::BallMill) {
-    add_arc(profile, {0.0, radius}, radius, -kQuarter, 0.0);
-  } else if (tool.kind == probe::ToolKind::Drill) {
-    profile.emplace_back(radius,
-                         radius / std::tan(tool.tip_angle_deg / 2.0 * std::numbers::pi / 180.0));
-  } else {
-    profile.emplace_back(radius, 0.0);
-  }
-  profile.emplace_back(radius, std::max(top, profile.back().y()));
-  profile.emplace_back(0.0, profile.back().y());
-  return turned_body(profile);
 }
 
 }  // namespace
@@ -114,7 +110,8 @@ parts::Mesh standing_at(const parts::Mesh& mesh_S, const StylusPlace& place) {
 
 double tip_radius(const setup::Job& job, int tool) {
   if (const probe::ToolSetup* const setup = tool_of(job, tool)) {
-    return 0.5 * setup->diameter_mm;
+    return setup->kind == probe::ToolKind::Turning ? setup->insert.tip_radius_mm
+                                                   : 0.5 * setup->diameter_mm;
   }
   return tool == 0 && job.probe ? 0.5 * job.probe->ball_diameter_mm : 0.0;
 }
@@ -131,10 +128,7 @@ std::optional<double> latched_depth_mm(const Mark& mark, double ball_radius_mm) 
 std::vector<StylusPiece> stylus_shape(const setup::Job& job, int tool) {
   std::vector<StylusPiece> pieces;
   if (const probe::ToolSetup* const setup = tool_of(job, tool)) {
-    pieces.push_back({fmt::format("tool {}", tool), false, tool_mesh(*setup)});
-    for (const probe::ProbeSection& body : setup->bodies) {
-      pieces.push_back({body.name, false, moved(mesh_of(body), body.turn_S, body.p_S)});
-    }
+    add_tool(*setup, pieces);
     return pieces;
   }
   if (!job.probe) {

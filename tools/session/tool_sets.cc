@@ -29,6 +29,22 @@ parts::PartSetup plate_shape(const probe::ToolProbeSetup& setup) {
   return plate;
 }
 
+/// Along X, its middle in the origin.
+parts::Mesh beam_mesh(const probe::ToolProbeSetup& setup) {
+  const Point extent = extent_mm(setup);
+  parts::PartSetup cylinder;
+  cylinder.name = setup.name;
+  cylinder.shape = "cylinder";
+  cylinder.sizes = {{"diameter", extent.y()}, {"height", extent.x()}};
+  const auto upright = parts::make_artefact(cylinder);
+  G31_EXPECTS(upright.ok());
+  parts::Mesh beam = upright.value();
+  for (Point& p : beam.vertices) {
+    p = Point(p.z() + 0.5 * extent.x(), p.y(), -p.x());
+  }
+  return beam;
+}
+
 /// What moves the part past a probe that stands on the bed.
 std::optional<machine::AxisChain> chain_under(const setup::Job& job,
                                               const probe::ToolProbeSetup& setup) {
@@ -63,6 +79,18 @@ std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup
         setup.side == probe::ToolProbeSide::Bed ? probe::Mount::Bed : probe::Mount::Table;
   }
   return plates;
+}
+
+std::vector<probe::ProbedPart> beams_of(const std::vector<probe::ToolProbeSetup>& tool_probes) {
+  std::vector<probe::ProbedPart> beams;
+  for (const probe::ToolProbeSetup& setup : tool_probes) {
+    if (setup.shape == probe::ToolProbeShape::Laser) {
+      const parts::Placement place{setup.p_M_at, setup.rotate_deg};
+      beams.push_back({setup.name, parts::placed_mesh(beam_mesh(setup), place)});
+      beams.back().role = probe::Role::SensingTarget;
+    }
+  }
+  return beams;
 }
 
 bool do_parts_matter(const setup::Job& job, const std::vector<probe::ProbedPart>& parts) {

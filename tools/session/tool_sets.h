@@ -16,6 +16,9 @@ namespace g31::session {
 /// The plates of tool probes as what the touch probe must not meet; a beam of light is none.
 std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup>& tool_probes);
 
+/// The beams of lasers, for pictures: nothing meets them.
+std::vector<probe::ProbedPart> beams_of(const std::vector<probe::ToolProbeSetup>& tool_probes);
+
 /// The axes of the machine, whatever tool it holds.
 machine::AxisChain chain_of(const setup::Job& job);
 

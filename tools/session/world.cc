@@ -254,6 +254,7 @@ Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed,
   }
   World world;
   world.parts = parts.value().parts;
+  world.beams = beams_of(job.tool_probes);
   world.findings = parts.value().findings;
   world.surroundings = surroundings_of(job, sensed_parts(job, world.parts), seed);
   world.machine = std::make_unique<machine::MachiningCentre>(job.machine, world.surroundings.get());

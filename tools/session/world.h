@@ -23,6 +23,7 @@ namespace g31::session {
 struct World {
   std::vector<source::Diagnostic> findings;  ///< what is wrong before the start: PRB511 to PRB519
   std::vector<probe::ProbedPart> parts;      ///< none where nothing senses them
+  std::vector<probe::ProbedPart> beams;      ///< of lasers that measure tools: drawn, not met
   std::unique_ptr<machine::Surroundings> surroundings;  ///< null: nothing can be touched
   std::unique_ptr<machine::MachiningCentre> machine;
 };
