@@ -184,13 +184,22 @@ TEST(FeatureCycle, ProtectionZones) {
 }
 
 /// The probe stands upright, the part and its coordinates lean by 3 degrees: the ball's middle is
-/// not above the tip in them, nor the tip the ball's lowest point.
+/// not above the tip in them, nor the tip the ball's lowest point; a ball off the axis is higher on
+/// one side.
 TEST(FeatureCycle, CoordinatesThatLeanAgainstTheProbe) {
-  expect_measured(
-      "ROT Y3\nX-42 Z20\nZ-8\nCYCLE978(0,,,1,-30,5,5,1,1)\nR1=_OVR[4]\nZ20\nX0\nZ5\n"
-      "CYCLE978(0,,,1,0,5,5,3,2)\nR2=_OVR[4]\nROT",
-      {part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 3.0, 0.0]"), kCalibrated},
-      {{"R1", -30.0}, {"R2", 0.0}}, 1e-9);
+  const std::string block = part("block", 100.0, 50.0, -300.0, "rotate_deg = [0.0, 3.0, 0.0]");
+  const std::string program =
+      "ROT Y3\nX-42 Z20\nZ-8\nCYCLE978({},,,1,-30,5,5,1,1)\nR1=_OVR[4]\nZ20\nX0\nZ5\n"
+      "CYCLE978(0,,,1,0,5,5,3,2)\nR2=_OVR[4]\nROT";
+  const std::vector<ExpectedValue> expected = {{"R1", -30.0}, {"R2", 0.0}};
+  expect_measured(fmt::format(fmt::runtime(program), 0), {block, kCalibrated}, expected, 1e-9);
+  const char* const off_axis =
+      "[probe]\neccentricity = [0.2, -0.3]\n[variables]\n"
+      "\"$SNS_MEA_WP_POS_DEV_AX1[0]\" = 0.2\n\"$SNS_MEA_WP_POS_DEV_AX2[0]\" = -0.3\n";
+  for (const int turned_along : {0, 20000}) {
+    expect_measured(fmt::format(fmt::runtime(program), turned_along),
+                    {block, kCalibrated, off_axis}, expected, 1e-9);
+  }
 }
 
 TEST(FeatureCycle, SetPointOfTheCentreAndRepetition) {
