@@ -73,8 +73,8 @@ std::optional<std::string> TouchNotes::oblique(const Touch& touch) {
     return std::nullopt;
   }
   return fmt::format(
-      ": {:.1f} degrees off the surface normal, the correction by the ball radius is wrong by "
-      "{:.3f} mm",
+      ": {:.1f} degrees off the surface normal, a correction by the ball radius along the move is "
+      "wrong by {:.3f} mm",
       angle, touch.state.ball_radius_mm * (1.0 / touch.cosine() - 1.0));
 }
 
