@@ -9,6 +9,7 @@
 
 #include "probe/sensor/bodies.h"
 #include "probe/tooling/tool_shape.h"
+#include "tools/picture/tip.h"
 
 namespace g31::picture {
 namespace {
@@ -62,11 +63,11 @@ const probe::ToolSetup* tool_of(const setup::Job& job, int tool) {
   return is_tool && found->kind != probe::ToolKind::Probe ? &*found : nullptr;
 }
 
-/// What it takes up while it turns, told from its tip; of an insert the ball of its tip radius.
+/// What it takes up while it turns; of an insert the ball of its tip radius.
 void add_tool(const probe::ToolSetup& tool, std::vector<StylusPiece>& pieces) {
   const probe::ToolShape shape = probe::shape_of(tool);
   for (const probe::ProbeSection& section :
-       probe::round_sections_of(shape.envelope, shape.p_T_tip)) {
+       probe::round_sections_of(shape.envelope, tip_of(tool))) {
     if (std::max({section.radius_bottom, section.radius_top, section.rounding}) > 0.0) {
       pieces.push_back({fmt::format("tool {}", tool.number), false,
                         moved(mesh_of(section), section.turn_S, section.p_S)});

@@ -9,4 +9,9 @@ namespace g31::picture {
 /// stylus ball; without a probe the gauge point itself.
 Point tip_of(const setup::Job& job);
 
+/// mm, from there to the point that pictures of another tool are told from: the lowest one on its
+/// axis, of an insert the middle of its tip radius.
+/// @pre a tool that is no probe
+Point tip_of(const probe::ToolSetup& tool);
+
 }  // namespace g31::picture

@@ -120,11 +120,9 @@ void WayRecorder::change_tool(const machine::ToolChange& change) {
     return;
   }
   const auto tool = std::ranges::find(job_->tools, change.tool.number, &probe::ToolSetup::number);
-  const bool has_lowest_point = tool != job_->tools.end() &&
-                                tool->kind != probe::ToolKind::Turning &&
-                                tool->kind != probe::ToolKind::Probe;
-  tool_ = has_lowest_point ? tool->number : 0;
-  p_S_tip_ = has_lowest_point ? Point(0.0, 0.0, -tool->length_mm) : p_S_probe_;
+  const bool is_drawn = tool != job_->tools.end() && tool->kind != probe::ToolKind::Probe;
+  tool_ = is_drawn ? tool->number : 0;
+  p_S_tip_ = is_drawn ? tip_of(*tool) : p_S_probe_;
   chain_.take_tool(p_S_tip_);
 }
 
