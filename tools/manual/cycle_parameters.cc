@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace g31::manual {
 namespace {
@@ -11,6 +12,17 @@ constexpr auto kCycleParameters = std::to_array<CycleParameter>({
 #include "tools/manual/cycle_parameters.def"
 #undef CYCLE_PARAMETER
 });
+
+/// Whether a list of numbers with blanks between them has a number; 9960 is not 996.
+bool has_number(std::string_view list, std::string_view number) {
+  for (auto at = list.find(number); at != std::string_view::npos; at = list.find(number, at + 1)) {
+    const std::size_t behind = at + number.size();
+    if ((at == 0 || list[at - 1] == ' ') && (behind == list.size() || list[behind] == ' ')) {
+      return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -24,10 +36,8 @@ std::string_view text_of_parameter(std::string_view cycle, std::string_view name
     return {};
   }
   cycle.remove_prefix(kWord.size());
-  // All numbers of measuring cycles have three digits, so none is part of another.
   const auto* const row = std::ranges::find_if(kCycleParameters, [&](const CycleParameter& each) {
-    return each.name == name &&
-           (each.cycles.empty() || each.cycles.find(cycle) != std::string_view::npos);
+    return each.name == name && (each.cycles.empty() || has_number(each.cycles, cycle));
   });
   return row != kCycleParameters.end() ? row->text : std::string_view();
 }

@@ -27,8 +27,9 @@ finds both before (NC007).
   `[[input]]`.
 * There is one channel: programs of several channels wait for nobody.
 * SINUMERIK, five axes: TRAORI, tool carriers and CYCLE800 run by the data `$TC_CARR`; measuring, G41, G42, RND and CHF
-  while rotary axes turn under TRAORI are refused, and the cycles that measure kinematics (CYCLE996, CYCLE9960) are not
-  there.  The shaft of a probe senses nothing: CYCLE995 needs a further ball in its place.
+  while rotary axes turn under TRAORI are refused.  CYCLE996 and CYCLE9960 correct tool carriers: kinematic chains
+  (`$NK_`, `$NT_`) are not there, nor what compile cycles do with files of interpolation points.  The shaft of a probe
+  senses nothing: CYCLE995 needs a further ball in its place.
 * Fanuc, five axes: tilted planes and tool centre point control run; the tool's reference direction is Z (parameters 19697
   to 19699), no axis is hypothetical, the radius is not compensated in space, and an axis that would be too fast slows
   the move instead of alarm 5422.
