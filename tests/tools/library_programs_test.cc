@@ -38,5 +38,20 @@ TEST(TurnedShaftProgram, CalibratesAndCorrectsTheWearOfTheTool) {
   EXPECT_NEAR(value("$TC_DP12[2,1]"), -0.01, 1e-6);
 }
 
+TEST(KinematicsBallProgram, FindsTheTableWhereItIs) {
+  cli::RunOptions options;
+  options.programs = {"parts/library/kinematics_ball/measure_kinematics.mpf"};
+  options.setups = {"parts/library/kinematics_ball/kinematics_ball.toml"};
+  options.prints = {"$TC_CARR6[1],$TC_CARR15[1],_OVR[155]"};
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  const auto value = [&](const char* name) {
+    return output.document["variables"][name].get<double>();
+  };
+  EXPECT_NEAR(value("$TC_CARR6[1]"), -450.0, 1e-6);
+  EXPECT_NEAR(value("$TC_CARR15[1]"), -0.03, 1e-6);
+  EXPECT_NEAR(value("_OVR[155]"), 0.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace g31::testing::library_programs_test
