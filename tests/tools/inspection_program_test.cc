@@ -293,8 +293,8 @@ TEST(InspectionProgram, CallsTheCycleOfTheControl) {
   const std::string sinumerik = text("sinumerik-828d", round_plan(true));
   // From the clear height, at which the tip is at 27, down by 37 mm.
   for (const char* const block :
-       {"CYCLE977(2,,,1,40.,,,3.,,90.,-37.)\n; F1.X: nominal 40.\nR10=_OVR[4]\n",
-        "CYCLE977(2,,,1,40.,,,3.,,,-37.)\n; F1.X.place: nominal 50.\n"
+       {"CYCLE977(2,,,1,40.,,,3.,3.,90.,-37.)\n; F1.X: nominal 40.\nR10=_OVR[4]\n",
+        "CYCLE977(2,,,1,40.,,,3.,3.,,-37.)\n; F1.X.place: nominal 50.\n"
         "R11=_OVR[5]+50.\n"}) {
     EXPECT_NE(sinumerik.find(block), std::string::npos) << block << sinumerik;
   }

@@ -102,10 +102,11 @@ class SinumerikWriter final : public ProgramWriter {
 
   void write_call(const probe::PlannedRound& round, std::string_view angle) {
     const double way = round.is_standing ? round.approach_mm : options().overtravel_mm;
-    std::string call = fmt::format("CYCLE977({},,,1,{},,,{}", round.is_standing ? 2 : 1,
-                                   exact(round.diameter_mm), coordinate(way));
+    // No wall is touched farther off than that, and so no circle is believed to be.
+    std::string call = fmt::format("CYCLE977({},,,1,{},,,{},{}", round.is_standing ? 2 : 1,
+                                   exact(round.diameter_mm), coordinate(way), coordinate(way));
     if (round.is_standing || !angle.empty()) {
-      call += fmt::format(",,{}", angle);
+      call += fmt::format(",{}", angle);
     }
     if (round.is_standing) {
       call += "," + coordinate(round.centre_P.z() - options().clear_z_P);
