@@ -107,6 +107,17 @@ TEST_F(PlanCycles, MeasuresHolesByACycleOnlyWhereTheProbeIsCalibrated) {
   EXPECT_NEAR(run.variables.at(measured.at("variable")), 16.0, 1e-6);
 }
 
+// In a hole of 6.04 mm facets are touched obliquely: a note, which names the program where it will
+// be.
+TEST_F(PlanCycles, NotesOfItsRunNameTheProgramInItsFolder) {
+  const std::string narrow = changed_product({{"(83.,", "(78.02,"}, {",8.)", ",3.02)"}});
+  const CommandOutput output = plan({narrow, "--stock", "box"});
+  ASSERT_EQ(output.exit_code, 1) << output.errors;  // the ball does not get to its floor
+  EXPECT_NE(output.errors.find(out("inspect.nc") + ":"), std::string::npos) << output.errors;
+  EXPECT_NE(output.errors.find("[PRB316]"), std::string::npos) << output.errors;
+  EXPECT_EQ(output.errors.find(".g31-"), std::string::npos) << output.errors;
+}
+
 // The hole F5 0.04 too wide and shifted by 0.3; F3 0.03 too deep: each in its measure alone.
 TEST_F(PlanCycles, FindsTheErrorsOfHolesByTheCycles) {
   const std::string machined = changed_product({{"(83.,", "(83.32,"},

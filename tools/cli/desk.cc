@@ -147,8 +147,10 @@ void Desk::print(const source::Diagnostic& message) const {
 }
 
 void Desk::tell(const report::RunResult& result, const report::RunRecorder& recorder) const {
-  for (const source::Diagnostic& message : result.outcome.diagnostics) {
-    print(message);
+  if (options_.tells_findings) {
+    for (const source::Diagnostic& message : result.outcome.diagnostics) {
+      print(message);
+    }
   }
   if (options_.talk == Talk::Quiet) {
     return;

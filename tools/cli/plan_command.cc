@@ -100,6 +100,7 @@ std::string page_of(const PlanOptions& options, const plan::PlannedPart& planned
   run.control = options.control;
   run.parts = &planned.built;
   run.talk = Talk::Quiet;
+  run.tells_findings = false;
   run.printer = "/dev/null";
   run.watch = &watch;
   run.budget.interruption = options.interruption;
@@ -183,6 +184,9 @@ ExitCode plan_command(const PlanOptions& options) {
     }
     return refuse(wrong);
   }
+  std::string notes = planned.value().notes;
+  replace_all(notes, made.value()->path(), fs::path(options.folder).string());
+  fmt::print(stderr, "{}", notes);
   const std::string document = plan::plan_document(planned.value());
   const std::string html = page_of(options, planned.value(), *made.value());
   if (const auto wrong = hand_over(options, planned.value(), document, html, *made.value())) {

@@ -44,9 +44,10 @@ CLI::App* add_plan_command(CLI::App& app, PlanOptions& options) {
                    "another file of the part, on which the program is run as well; plan.json has "
                    "the judgement")
       ->type_name("FILE");
-  command->add_flag("--point-by-point", options.by_points,
-                    "holes and bosses, too: not by the control's own cycles, O9010 (G100) and "
-                    "CYCLE977");
+  command->add_flag(
+      "--point-by-point", options.by_points,
+      "single touches of holes and bosses, too, in place of the control's own cycles, "
+      "O9010 (G100) and CYCLE977");
   return command;
 }
 

@@ -53,6 +53,7 @@ struct RunOptions : session::Request {
   std::string compare;  ///< document of another run for the report, "" for none
   std::string jsonl;    ///< file of events, "-" for standard output, "" for none
   Talk talk = Talk::Usual;
+  bool tells_findings = true;  ///< on standard error; else whoever asked for the run does
   bool no_colour = false;
   bool changes = false;        ///< what the run has changed is told
   bool optional_stop = false;  ///< M01 stops

@@ -194,6 +194,7 @@ class PartPlanner {
     }
     planned_.touches = run.touches;
     planned_.machine_time_s = run.machine_time_s;
+    planned_.notes = run.messages;
     return take_values(run);
   }
 

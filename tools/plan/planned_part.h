@@ -27,9 +27,10 @@ struct PlannedPart {
   std::string_view cycle;  ///< that measures round walls: "CYCLE977"
   InspectionProgram program;
   double ball_radius_mm = 0.0;
-  std::size_t touches = 0;                           ///< of the run that proved it
-  double machine_time_s = 0.0;                       ///< of that run
-  double largest_deviation_mm = 0.0;                 ///< of a measure in that run
+  std::size_t touches = 0;            ///< of the run that proved it
+  double machine_time_s = 0.0;        ///< of that run
+  std::string notes;                  ///< of that run, as people read them; mostly ""
+  double largest_deviation_mm = 0.0;  ///< of a measure in that run
   std::vector<std::optional<double>> proven_values;  ///< of the measures in that run
   std::optional<Judgement> as_machined;
 
