@@ -6,64 +6,43 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/execute/execute.h"
-#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/run/synchronised_actions.h"
 
 namespace g31::sinumerik {
 
-/// ID=n WHEN condition DO ...: compiled among the variables of its program.
-MaybeFailure Runner::take_synchronised_action(const Op& op) {
+MaybeFailure SynchronisedActions::take(const Op& op) {
   constexpr double kMostNumber = 255.0;
   constexpr std::size_t kMostTexts = 10000;
-  const Arguments list = arguments_of(op);
-  SynchronisedAction action;
+  const Arguments list = operands_.arguments_of(op);
+  Action action;
   action.kind = static_cast<ActionKind>(op.detail / kActionScopes);
   action.scope = static_cast<ActionScope>(op.detail % kActionScopes);
   action.deletes_distance = op.result.place != 0;
-  action.home = level().program;
-  action.depth = depth_;
-  action.where = here();
-  if (action_texts_.size() >= kMostTexts) {
+  action.home = stack_.level().program;
+  action.depth = stack_.depth();
+  action.where = stack_.here();
+  if (codes_.size() >= kMostTexts) {
     return failure(AlarmId::TooComplex, "too many different synchronised actions");
   }
-  ActionCode& code = action_texts_[{action.home, text(list[0].value), text(list[1].value)}];
+  Code& code = codes_[{action.home, operands_.text(list[0].value), operands_.text(list[1].value)}];
   if (code.condition == nullptr) {
-    code.condition = programs_.expression(text(list[0].value), *action.home);
-    code.actions = programs_.snippet(text(list[1].value), *action.home);
+    code.condition = programs_.expression(operands_.text(list[0].value), *action.home);
+    code.actions = programs_.snippet(operands_.text(list[1].value), *action.home);
   }
   action.code = code;
   if (action.scope == ActionScope::NextBlock) {
-    next_actions_.push_back(std::move(action));
+    next_.push_back(std::move(action));
     return std::nullopt;
   }
-  const double number = this->number(op.a);
+  const double number = operands_.number(op.a);
   if (number < 1.0 || number > kMostNumber) {
     return failure(AlarmId::ValueOutOfLimits, fmt::format("ID={:g}: 1 to 255", number));
   }
-  modal_actions_[static_cast<int>(number)] = std::move(action);
+  modal_[static_cast<int>(number)] = std::move(action);
   return std::nullopt;
 }
 
-/// CANCEL(n,...)
-MaybeFailure Runner::cancel_actions(Arguments list) {
-  for (const Argument& argument : list) {
-    modal_actions_.erase(static_cast<int>(number(argument.value)));
-  }
-  return std::nullopt;
-}
-
-/// LOCK(n,...)
-MaybeFailure Runner::lock_actions(Arguments list) {
-  return set_locked(list, true);
-}
-
-/// UNLOCK(n,...)
-MaybeFailure Runner::unlock_actions(Arguments list) {
-  return set_locked(list, false);
-}
-
-/// RDISABLE
-MaybeFailure Runner::disable_reading(Arguments /*none*/) {
+MaybeFailure SynchronisedActions::disable_reading() {
   if (!is_acting_) {
     return failure(AlarmId::SyntaxInText, "RDISABLE stands in synchronised actions");
   }
@@ -71,21 +50,20 @@ MaybeFailure Runner::disable_reading(Arguments /*none*/) {
   return std::nullopt;
 }
 
-MaybeFailure Runner::set_locked(Arguments list, bool locked) {
-  if (!is_acting_) {
-    return failure(AlarmId::SyntaxInText, "LOCK and UNLOCK stand in synchronised actions");
+void SynchronisedActions::set_locked(int number, bool locked) {
+  const auto found = modal_.find(number);
+  if (found != modal_.end()) {
+    found->second.is_locked = locked;
   }
-  for (const Argument& argument : list) {
-    const auto found = modal_actions_.find(static_cast<int>(number(argument.value)));
-    if (found != modal_actions_.end()) {
-      found->second.is_locked = locked;
-    }
-  }
-  return std::nullopt;
+}
+
+void SynchronisedActions::clear() {
+  next_.clear();
+  modal_.clear();
 }
 
 /// Judges all actions; those that are through go away.
-MaybeFailure Runner::act() {
+MaybeFailure SynchronisedActions::act() {
   if (is_acting_) {
     return std::nullopt;
   }
@@ -96,11 +74,11 @@ MaybeFailure Runner::act() {
   channel_.inputs.hear(kNoCode, channel_.now());
   BlockWords words = std::exchange(words_, {});
   MaybeFailure wrong;
-  for (auto at = modal_actions_.begin(); at != modal_actions_.end() && !wrong;) {
+  for (auto at = modal_.begin(); at != modal_.end() && !wrong;) {
     wrong = act_on(at->second);
-    at = at->second.is_through ? modal_actions_.erase(at) : std::next(at);
+    at = at->second.is_through ? modal_.erase(at) : std::next(at);
   }
-  for (SynchronisedAction& action : next_actions_) {
+  for (Action& action : next_) {
     wrong = wrong ? wrong : act_on(action);
   }
   words_ = std::move(words);
@@ -109,8 +87,9 @@ MaybeFailure Runner::act() {
 }
 
 /// The level whose variables an action names; alarm 12140 when it has gone.
-Result<std::size_t, Failure> Runner::level_of(const SynchronisedAction& action) const {
-  const bool is_there = action.depth <= depth_ && levels_[action.depth]->program == action.home;
+Result<std::size_t, Failure> SynchronisedActions::level_of(const Action& action) const {
+  const bool is_there =
+      action.depth <= stack_.depth() && stack_.level(action.depth).program == action.home;
   const bool has_variables = !action.home->locals.empty();
   if (!is_there && has_variables) {
     Failure gone =
@@ -122,7 +101,7 @@ Result<std::size_t, Failure> Runner::level_of(const SynchronisedAction& action) 
   return is_there ? action.depth : std::size_t{0};
 }
 
-MaybeFailure Runner::act_on(SynchronisedAction& action) {
+MaybeFailure SynchronisedActions::act_on(Action& action) {
   if (action.is_through || action.is_locked) {
     return std::nullopt;
   }
@@ -130,11 +109,11 @@ MaybeFailure Runner::act_on(SynchronisedAction& action) {
   if (!depth) {
     return depth.error();
   }
-  const auto value = result_of(*action.code.condition, depth.value());
+  const auto value = among_.holds(*action.code.condition, depth.value());
   if (!value) {
     return failure(AlarmId::BadArguments, "condition: " + value.error());
   }
-  const bool holds = value.value().number != 0.0;
+  const bool holds = value.value();
   const bool held =
       std::exchange(action.held, holds || (action.kind == ActionKind::From && action.held));
   const bool acts = action.kind == ActionKind::Edge   ? holds && !held
@@ -145,15 +124,12 @@ MaybeFailure Runner::act_on(SynchronisedAction& action) {
   }
   action.is_through = action.kind == ActionKind::Once;
   channel_.deletes_distance = channel_.deletes_distance || action.deletes_distance;
-  MaybeFailure wrong =
-      run_among(*action.code.actions, depth.value(), channel_.watch.write_listener());
-  use_level();
-  return wrong;
+  return among_.act(*action.code.actions, depth.value());
 }
 
 /// RDISABLE: the axes have come to rest, and the next block waits until no action holds it any
 /// more.
-MaybeFailure Runner::wait_to_read() {
+MaybeFailure SynchronisedActions::wait_to_read() {
   constexpr double kCycleS = 0.001;
   constexpr double kLongestWaitS = 900.0;
   MaybeFailure wrong = finish_motion(channel_);
@@ -171,9 +147,8 @@ MaybeFailure Runner::wait_to_read() {
   return wrong;
 }
 
-/// An NC block with what synchronised actions do before and behind it.
-MaybeFailure Runner::execute_with_actions(const Block& block) {
-  if (is_acting_ || (modal_actions_.empty() && next_actions_.empty())) {
+MaybeFailure SynchronisedActions::execute(const Block& block) {
+  if (is_acting_ || (modal_.empty() && next_.empty())) {
     return execute_block(channel_, block);
   }
   channel_.action_override_percent = 100.0;
@@ -186,7 +161,7 @@ MaybeFailure Runner::execute_with_actions(const Block& block) {
   wrong = wrong || !disables_reading_ ? wrong : wait_to_read();
   channel_.deletes_distance = false;
   channel_.action_override_percent = 100.0;
-  next_actions_.clear();
+  next_.clear();
   return wrong;
 }
 

@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/run/file_name.h"
+#include "interpreter/dialects/sinumerik/run/procedures.h"
+#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "interpreter/runtime/budget_spent.h"
 #include "interpreter/runtime/output_budget.h"
 #include "interpreter/runtime/stop_report.h"
@@ -55,6 +57,49 @@ std::uint64_t size_of_file(std::string_view name, std::string_view content) {
   return kDiskBlock + runtime::size_in_document(name) + runtime::size_in_document(content);
 }
 
+bool may_write(Channel& channel, std::uint64_t bytes) {
+  runtime::OutputBudget* const budget = channel.watch.output();
+  return budget == nullptr || budget->charge(runtime::Output::Files, bytes);
+}
+
+void make_file(Channel& channel, const std::string& name) {
+  if (!channel.files.contains(name) && may_write(channel, size_of_file(name, {}))) {
+    channel.files[name];
+  }
+}
+
+/// A file counts with what it is now, not with what has gone through it.
+void append_line(Channel& channel, const std::string& name, const std::string& line) {
+  make_file(channel, name);
+  if (may_write(channel, runtime::size_in_document(line) + kLineEnd)) {
+    std::string& content = channel.files[name];
+    content += line;
+    content += '\n';
+  }
+}
+
+bool remove_file(Channel& channel, const std::string& name) {
+  const auto file = channel.files.find(name);
+  if (file == channel.files.end()) {
+    return false;
+  }
+  if (runtime::OutputBudget* const budget = channel.watch.output()) {
+    budget->give_back(runtime::Output::Files, size_of_file(name, file->second));
+  }
+  channel.files.erase(file);
+  return true;
+}
+
+/// A loop may read far into a large file at each pass: such blocks are looked at one by one.
+void spend_on_reading(Channel& channel, std::ptrdiff_t bytes) {
+  constexpr std::ptrdiff_t kBytesOfAPiece = 1 << 18;  // some tenths of a millisecond
+  for (std::ptrdiff_t piece = 0; piece < bytes / kBytesOfAPiece; ++piece) {
+    if (const auto halt = channel.watch.before_work()) {
+      throw runtime::BudgetSpent(runtime::message_of(*halt), {});
+    }
+  }
+}
+
 }  // namespace
 
 std::string file_name(std::string_view path) {
@@ -66,84 +111,43 @@ std::string file_name(std::string_view path) {
   return name == "." || name.find('\0') != std::string::npos ? std::string() : name;
 }
 
+namespace procedure {
+
 /// WRITE(error, file, line)
-double Runner::write_file(Arguments list) {
-  const std::string name = file_name(text(list[1].value));
-  const std::string& line = text(list[2].value);
+double write_file(Channel& channel, Operands& at, Arguments list) {
+  const std::string name = file_name(at.text(list[1].value));
+  const std::string& line = at.text(list[2].value);
   if (name.empty() || line.size() > kLongestLine) {
     return file_error::kBadPath;
   }
-  append_line(name, line);
+  append_line(channel, name, line);
   return file_error::kNone;
 }
 
-/// A file counts with what it is now, not with what has gone through it.
-void Runner::append_line(const std::string& name, const std::string& line) {
-  make_file(name);
-  if (may_write(runtime::size_in_document(line) + kLineEnd)) {
-    std::string& content = channel_.files[name];
-    content += line;
-    content += '\n';
-  }
-}
-
-void Runner::make_file(const std::string& name) {
-  if (!channel_.files.contains(name) && may_write(size_of_file(name, {}))) {
-    channel_.files[name];
-  }
-}
-
-bool Runner::may_write(std::uint64_t bytes) {
-  runtime::OutputBudget* const budget = channel_.watch.output();
-  return budget == nullptr || budget->charge(runtime::Output::Files, bytes);
-}
-
-bool Runner::remove_file(const std::string& name) {
-  const auto file = channel_.files.find(name);
-  if (file == channel_.files.end()) {
-    return false;
-  }
-  if (runtime::OutputBudget* const budget = channel_.watch.output()) {
-    budget->give_back(runtime::Output::Files, size_of_file(name, file->second));
-  }
-  channel_.files.erase(file);
-  return true;
-}
-
-double Runner::delete_file(Arguments list) {
-  const std::string name = file_name(text(list[1].value));
+double delete_file(Channel& channel, Operands& at, Arguments list) {
+  const std::string name = file_name(at.text(list[1].value));
   if (name.empty()) {
     return file_error::kBadPath;
   }
-  return remove_file(name) ? file_error::kNone : file_error::kNoFile;
-}
-
-/// A loop may read far into a large file at each pass: such blocks are looked at one by one.
-void Runner::spend_on_reading(std::ptrdiff_t bytes) {
-  constexpr std::ptrdiff_t kBytesOfAPiece = 1 << 18;  // some tenths of a millisecond
-  for (std::ptrdiff_t piece = 0; piece < bytes / kBytesOfAPiece; ++piece) {
-    if (const auto halt = channel_.watch.before_work()) {
-      throw runtime::BudgetSpent(runtime::message_of(*halt), {});
-    }
-  }
+  return remove_file(channel, name) ? file_error::kNone : file_error::kNoFile;
 }
 
 /// READ(error, file, line, count, texts)
-double Runner::read_file(Arguments list) {
-  const std::string name = file_name(text(list[1].value));
+double read_file(Channel& channel, Operands& at, Arguments list) {
+  const std::string name = file_name(at.text(list[1].value));
   if (name.empty()) {
     return file_error::kBadPath;
   }
-  const auto file = channel_.files.find(name);
-  if (file == channel_.files.end()) {
+  const auto file = channel.files.find(name);
+  if (file == channel.files.end()) {
     return file_error::kNoFile;
   }
-  const double count = rounded(number(list[3].value));
-  const double line = rounded(number(list[2].value));
+  const double count = rounded(at.number(list[3].value));
+  const double line = rounded(at.number(list[2].value));
   const double most = line == 0.0 ? std::numeric_limits<double>::infinity() : line + count - 1.0;
   const std::vector<std::string_view> lines = lines_of(file->second, std::max(line, most));
   const auto line_count = static_cast<double>(lines.size());
-  spend_on_reading(lines.empty() ? 0 : lines.back().data() - file->second.data());
+  spend_on_reading(channel, lines.empty() ? 0 : lines.back().data() - file->second.data());
   const double first = line == 0.0 ? line_count - count + 1.0 : line;  // 0: the last ones
   if (first < 1.0 || first > line_count) {
     return file_error::kNoLine;
@@ -151,53 +155,54 @@ double Runner::read_file(Arguments list) {
   if (count < 1.0 || first + count - 1.0 > line_count) {
     return file_error::kTooManyLines;
   }
-  const Reference target = variable(list[4].variable);
-  const auto at = static_cast<std::size_t>(
-      list[4].form == Argument::Form::Whole ? 0.0 : number(list[4].element));
+  const Reference target = at.variable(list[4].variable);
+  const auto begin = static_cast<std::size_t>(
+      list[4].form == Argument::Form::Whole ? 0.0 : at.number(list[4].element));
   const auto wanted = static_cast<std::size_t>(count);
-  if (at + wanted > static_cast<std::size_t>(target.shape.count())) {
+  if (begin + wanted > static_cast<std::size_t>(target.shape.count())) {
     return file_error::kArrayTooSmall;
   }
   for (std::size_t i = 0; i < wanted; ++i) {
     const auto longest = std::min(kLongestLineRead, static_cast<std::size_t>(target.longest));
-    target.texts[at + i] = lines[static_cast<std::size_t>(first) - 1 + i].substr(0, longest);
+    target.texts[begin + i] = lines[static_cast<std::size_t>(first) - 1 + i].substr(0, longest);
   }
   return file_error::kNone;
 }
 
 /// EXTOPEN(error, file, mode, use, "APP" or "OVR")
-double Runner::open_external(Arguments list) {
-  const std::string name = file_name(text(list[1].value));
+double open_external(Channel& channel, Operands& at, Arguments list) {
+  const std::string name = file_name(at.text(list[1].value));
   if (name.empty()) {
     return external_error::kBadPath;
   }
-  if (!channel_.open_files.insert(name).second) {
+  if (!channel.open_files.insert(name).second) {
     return external_error::kOpenAlready;
   }
-  const bool appends = list.size() < 5 || upper(text(list[4].value)) != "OVR";
+  const bool appends = list.size() < 5 || upper(at.text(list[4].value)) != "OVR";
   if (!appends) {
-    remove_file(name);
+    remove_file(channel, name);
   }
-  make_file(name);
+  make_file(channel, name);
   return file_error::kNone;
 }
 
-double Runner::write_external(Arguments list) {
-  const std::string name = file_name(text(list[1].value));
-  if (!channel_.open_files.contains(name)) {
+double write_external(Channel& channel, Operands& at, Arguments list) {
+  const std::string name = file_name(at.text(list[1].value));
+  if (!channel.open_files.contains(name)) {
     return external_error::kNotOpen;
   }
-  const std::string& line = text(list[2].value);
+  const std::string& line = at.text(list[2].value);
   if (line.size() > kLongestLine) {
     return external_error::kTooLong;
   }
-  append_line(name, line);
+  append_line(channel, name, line);
   return file_error::kNone;
 }
 
-double Runner::close_external(Arguments list) {
-  const bool was_open = channel_.open_files.erase(file_name(text(list[1].value))) > 0;
+double close_external(Channel& channel, Operands& at, Arguments list) {
+  const bool was_open = channel.open_files.erase(file_name(at.text(list[1].value))) > 0;
   return was_open ? file_error::kNone : external_error::kNotOpen;
 }
 
+}  // namespace procedure
 }  // namespace g31::sinumerik

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/run/functions.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -26,18 +26,21 @@ MaybeFailure turn_by_two(Frame& result, const Eigen::Vector3d& degrees,
   return std::nullopt;
 }
 
-}  // namespace
+struct AxisValue {
+  int axis = 0;
+  double value = 0.0;
+};
 
 /// Axes and their values in turn.
-Result<std::vector<Runner::AxisValue>, Failure> Runner::axis_values(const Op& op, Arguments list) {
+Result<std::vector<AxisValue>, Failure> axis_values(Operands& at, const Op& op, Arguments list) {
   if (list.size() % 2 != 0) {
-    return failure(AlarmId::ArgumentCount, function_name(op));
+    return failure(AlarmId::ArgumentCount, function::name_of(op));
   }
   std::vector<AxisValue> all;
   for (std::size_t i = 0; i < list.size(); i += 2) {
-    const double axis = list[i].type == Type::Axis ? number(list[i].value) : kNoAxis;
+    const double axis = list[i].type == Type::Axis ? at.number(list[i].value) : kNoAxis;
     if (axis < 0.0 || !is_number(list[i + 1].type)) {
-      return failure(AlarmId::NotAnAxis, function_name(op));
+      return failure(AlarmId::NotAnAxis, function::name_of(op));
     }
     if (axis == kSpindleAxis) {
       continue;
@@ -45,57 +48,62 @@ Result<std::vector<Runner::AxisValue>, Failure> Runner::axis_values(const Op& op
     if (!has_frame(static_cast<int>(axis))) {
       return failure(AlarmId::BadAxisIndex);
     }
-    all.push_back({static_cast<int>(axis), number(list[i + 1].value)});
+    all.push_back({static_cast<int>(axis), at.number(list[i + 1].value)});
   }
   return all;
 }
 
-MaybeFailure Runner::frame_of_components(const Op& op, Arguments list, Component component) {
-  const auto values = axis_values(op, list);
+MaybeFailure frame_of_components(Channel& channel, Operands& at, const Op& op, Arguments list,
+                                 Component component) {
+  const auto values = axis_values(at, op, list);
   if (!values) {
     return values.error();
   }
   Frame result;
   for (const auto& [axis, value] : values.value()) {
-    if (MaybeFailure wrong = channel_.set_component(axis, component, value, result)) {
+    if (MaybeFailure wrong = channel.set_component(axis, component, value, result)) {
       return wrong;
     }
   }
-  frame(op.result) = result;
+  at.frame(op.result) = result;
   return std::nullopt;
 }
 
-MaybeFailure Runner::shift_frame(const Op& op, Arguments list) {
-  return frame_of_components(op, list, Component::Coarse);
+}  // namespace
+
+namespace function {
+
+MaybeFailure shift_frame(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  return frame_of_components(channel, at, op, list, Component::Coarse);
 }
 
-MaybeFailure Runner::fine_shift_frame(const Op& op, Arguments list) {
-  return frame_of_components(op, list, Component::Fine);
+MaybeFailure fine_shift_frame(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  return frame_of_components(channel, at, op, list, Component::Fine);
 }
 
-MaybeFailure Runner::scale_frame(const Op& op, Arguments list) {
-  return frame_of_components(op, list, Component::Scale);
+MaybeFailure scale_frame(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  return frame_of_components(channel, at, op, list, Component::Scale);
 }
 
 /// CMIRROR(axis,...)
-MaybeFailure Runner::mirror_frame(const Op& op, Arguments list) {
+MaybeFailure mirror_frame(Operands& at, const Op& op, Arguments list) {
   Frame result;
   for (const Argument& argument : list) {
-    const double axis = argument.type == Type::Axis ? number(argument.value) : kNoAxis;
+    const double axis = argument.type == Type::Axis ? at.number(argument.value) : kNoAxis;
     if (axis < 0.0) {
-      return failure(AlarmId::NotAnAxis, function_name(op));
+      return failure(AlarmId::NotAnAxis, function::name_of(op));
     }
     if (has_frame(static_cast<int>(axis))) {
       result.set_component(static_cast<int>(axis), Component::Mirror, 1.0);
     }
   }
-  frame(op.result) = result;
+  at.frame(op.result) = result;
   return std::nullopt;
 }
 
 /// CROT(axis,angle,...): rotary axes turn nothing.
-MaybeFailure Runner::turn_frame(const Op& op, Arguments list) {
-  const auto values = axis_values(op, list);
+MaybeFailure turn_frame(Operands& at, const Op& op, Arguments list) {
+  const auto values = axis_values(at, op, list);
   if (!values) {
     return values.error();
   }
@@ -107,12 +115,12 @@ MaybeFailure Runner::turn_frame(const Op& op, Arguments list) {
   }
   Frame result;
   result.set_angles(degrees);
-  frame(op.result) = result;
+  at.frame(op.result) = result;
   return std::nullopt;
 }
 
-MaybeFailure Runner::solid_turn_frame(const Op& op, Arguments list) {
-  const auto values = axis_values(op, list);
+MaybeFailure solid_turn_frame(Operands& at, const Op& op, Arguments list) {
+  const auto values = axis_values(at, op, list);
   if (!values) {
     return values.error();
   }
@@ -128,30 +136,31 @@ MaybeFailure Runner::solid_turn_frame(const Op& op, Arguments list) {
   if (MaybeFailure wrong = turn_by_two(result, degrees, given)) {
     return wrong;
   }
-  frame(op.result) = result;
+  at.frame(op.result) = result;
   return std::nullopt;
 }
 
 /// CRPL(plane, angle)
-MaybeFailure Runner::plane_turn_frame(const Op& op, Arguments list) {
-  const double which = rounded(number(list[0].value));
+MaybeFailure plane_turn_frame(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  const double which = rounded(at.number(list[0].value));
   if (!(which >= 0.0 && which <= 3.0)) {
     return failure(AlarmId::BadArguments, "CRPL: the plane is 0 to 3");
   }
   constexpr int kNormals[] = {0, 2, 1, 0};
   const auto row = static_cast<std::size_t>(which);
-  const int normal = row == 0 ? channel_.plane().normal : kNormals[row];
+  const int normal = row == 0 ? channel.plane().normal : kNormals[row];
   Frame result;
-  result.set_component(normal, Component::Rotation, number(list[1].value));
-  frame(op.result) = result;
+  result.set_component(normal, Component::Rotation, at.number(list[1].value));
+  at.frame(op.result) = result;
   return std::nullopt;
 }
 
-MaybeFailure Runner::inverse_frame(const Op& op, Arguments list) {
-  frame(op.result) = frame(list[0].value).inverse();
-  return frame(op.result).is_within_limits()
+MaybeFailure inverse_frame(Operands& at, const Op& op, Arguments list) {
+  at.frame(op.result) = at.frame(list[0].value).inverse();
+  return at.frame(op.result).is_within_limits()
              ? std::nullopt
              : std::optional(failure(AlarmId::ValueOutOfLimits, "the inverse of a frame"));
 }
 
+}  // namespace function
 }  // namespace g31::sinumerik

@@ -4,7 +4,7 @@
 
 #include "interpreter/dialects/sinumerik/execute/circle_through.h"
 #include "interpreter/dialects/sinumerik/execute/point_fit.h"
-#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/run/functions.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -22,11 +22,13 @@ Eigen::Matrix3d columns(const Reference& points) {
 
 }  // namespace
 
+namespace function {
+
 /// CALCDAT(points, n, result)
-MaybeFailure Runner::circle_of_points(const Op& op, Arguments list) {
-  const Reference points = variable(list[0].variable);
-  const Reference result = variable(list[2].variable);
-  const double count = rounded(number(list[1].value));
+MaybeFailure circle_of_points(Operands& at, const Op& op, Arguments list) {
+  const Reference points = at.variable(list[0].variable);
+  const Reference result = at.variable(list[2].variable);
+  const double count = rounded(at.number(list[1].value));
   if (count != 3.0 && count != 4.0) {
     return failure(AlarmId::BadArguments, fmt::format("CALCDAT: {:g} points, not 3 or 4", count));
   }
@@ -47,30 +49,31 @@ MaybeFailure Runner::circle_of_points(const Op& op, Arguments list) {
     result.numbers[1] = circle->centre.y();
     result.numbers[2] = circle->radius;
   }
-  number(op.result) = circle ? 1.0 : 0.0;
+  at.number(op.result) = circle ? 1.0 : 0.0;
   return std::nullopt;
 }
 
 /// MEAFRAME(ideal, measured, quality)
-MaybeFailure Runner::measured_frame(const Op& op, Arguments list) {
-  const Reference ideal = variable(list[0].variable);
-  const Reference measured = variable(list[1].variable);
+MaybeFailure measured_frame(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  const Reference ideal = at.variable(list[0].variable);
+  const Reference measured = at.variable(list[1].variable);
   if (!is_triangle(ideal) || !is_triangle(measured)) {
     return failure(AlarmId::WrongDimension, "MEAFRAME: three points each, [3,3]");
   }
   const auto fit = fitted(columns(ideal), columns(measured));
-  if (MaybeFailure wrong = set_result(list[2], fit ? fit->left_over : kNoFit)) {
+  if (MaybeFailure wrong = at.assign(list[2], fit ? fit->left_over : kNoFit)) {
     return wrong;
   }
   Frame result;
   if (fit) {
     result.set_turn(fit->turn);
     for (int axis = 0; axis < kLinearAxisCount; ++axis) {
-      result.set_component(axis, Component::Coarse, channel_.stored_datum(axis, fit->shift[axis]));
+      result.set_component(axis, Component::Coarse, channel.stored_datum(axis, fit->shift[axis]));
     }
   }
-  frame(op.result) = result;
+  at.frame(op.result) = result;
   return std::nullopt;
 }
 
+}  // namespace function
 }  // namespace g31::sinumerik

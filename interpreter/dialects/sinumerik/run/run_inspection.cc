@@ -5,6 +5,7 @@
 
 #include "interpreter/dialects/sinumerik/code/element_name.h"
 #include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/text/text_format.h"
 #include "interpreter/source/latin_1.h"
 
 namespace g31::sinumerik {
@@ -27,40 +28,56 @@ runtime::ShownValue shown_value(const ShownValue& value) {
   return runtime::Cell(value.number);
 }
 
+/// How synchronised actions are judged and done.
+SynchronisedActions::Among Runner::among() {
+  SynchronisedActions::Among among;
+  among.holds = [this](const CompiledProgram& condition,
+                       std::size_t depth) -> Result<bool, std::string> {
+    const auto value = result_of(condition, depth);
+    return value ? Result<bool, std::string>(value.value().number != 0.0) : value.error();
+  };
+  among.act = [this](const CompiledProgram& actions, std::size_t depth) {
+    MaybeFailure wrong = run_among(actions, depth, channel_.watch.write_listener());
+    operands_.use_level();
+    return wrong;
+  };
+  return among;
+}
+
 /// Runs blocks among the variables of a level, which goes on afterwards as if there had been none.
 /// @param listener  hears what they assign to; nullptr: nobody
 MaybeFailure Runner::run_among(const CompiledProgram& program, std::size_t depth,
                                runtime::BlockListener* listener) {
-  const std::size_t depth_before = std::exchange(depth_, depth);
+  const std::size_t depth_before = stack_.look_at(depth);
   if (level().program == nullptr) {
     start(program);
   }
   const CompiledProgram* const program_before = std::exchange(level().program, &program);
   const std::int32_t step_before = std::exchange(level().step, 0);
-  const std::int32_t current_before = current_;
-  const bool ended_before = std::exchange(ended_, false);
+  const std::int32_t current_before = stack_.current();
+  const bool ended_before = stack_.set_ended(false);
   const bool paused_before = std::exchange(is_paused_, false);
   auto parts = std::exchange(level().parts, {});
   auto waiting = std::exchange(level().waiting, {});
   const auto watch = std::exchange(channel_.watch, runtime::BlockWatch(runtime::Budget{}));
-  words_.clear();
-  use_level();
+  words_.words().clear();
+  operands_.use_level();
   MaybeFailure reason = listener != nullptr ? heard_loop(*listener) : loop();
   channel_.watch = watch;
   level().waiting = std::move(waiting);
   level().parts = std::move(parts);
   is_paused_ = paused_before;
-  ended_ = ended_before;
-  current_ = current_before;
+  stack_.set_ended(ended_before);
+  stack_.set_current(current_before);
   level().step = step_before;
   level().program = program_before;
-  depth_ = depth_before;
+  stack_.look_at(depth_before);
   return reason;
 }
 
 const CompiledProgram& Runner::home(std::size_t depth) const {
   static const CompiledProgram kNowhere;
-  return levels_[depth]->program != nullptr ? *levels_[depth]->program : kNowhere;
+  return stack_.level(depth).program != nullptr ? *stack_.level(depth).program : kNowhere;
 }
 
 std::optional<std::string> Runner::run_text(const std::string& source) {
@@ -118,20 +135,20 @@ Result<ShownValue, std::string> Runner::result_of(const CompiledProgram& program
                                                   std::size_t depth) {
   const runtime::LookFromOutside look(channel_.touches);
   const MaybeFailure reason = run_among(program, depth);
-  const std::size_t depth_before = std::exchange(depth_, depth);
+  const std::size_t depth_before = stack_.look_at(depth);
   const CompiledProgram* const program_before = std::exchange(level().program, &program);
-  use_level();
+  operands_.use_level();
   ShownValue shown;
   shown.type = program.result.type;
   if (!reason && shown.type == Type::String) {
-    shown.text = text(program.result.value);
+    shown.text = operands_.text(program.result.value);
   } else if (!reason && is_held_as_number(shown.type)) {
-    shown.number = without_sign_of_zero(number(program.result.value));
+    shown.number = without_sign_of_zero(operands_.number(program.result.value));
   }
   level().program = program_before;
-  depth_ = depth_before;
+  stack_.look_at(depth_before);
   if (level().program != nullptr) {
-    use_level();
+    operands_.use_level();
   }
   if (reason) {
     return why(*reason);
@@ -142,32 +159,19 @@ Result<ShownValue, std::string> Runner::result_of(const CompiledProgram& program
 }
 
 std::size_t Runner::depth_of(std::size_t level) const {
-  return depth_ - std::min(level, depth_);
-}
-
-std::vector<runtime::CallLevel> Runner::call_levels() const {
-  std::vector<runtime::CallLevel> levels;
-  if (levels_[depth_]->program == nullptr) {
-    return levels;
-  }
-  const std::size_t shown = shown_level();
-  for (std::size_t i = depth_ + 1; i-- > 0;) {
-    levels.push_back(
-        {levels_[i]->program->name, i == depth_ ? here() : place_of_call(i), i <= shown});
-  }
-  return levels;
+  return stack_.depth() - std::min(level, stack_.depth());
 }
 
 std::vector<std::pair<std::string, ShownValue>> Runner::local_values(std::size_t level) {
   std::vector<std::pair<std::string, ShownValue>> values;
-  const std::size_t depth_before = std::exchange(depth_, depth_of(level));
-  const CompiledProgram& program = home(depth_);
+  const std::size_t depth_before = stack_.look_at(depth_of(level));
+  const CompiledProgram& program = home(stack_.depth());
   for (std::size_t i = 0; i < program.variables.size(); ++i) {
     const Variable& known = program.variables[i];
     if (known.storage == Storage::Global || known.type == Type::Frame) {
       continue;
     }
-    const Reference found = variable(static_cast<std::int32_t>(i));
+    const Reference found = operands_.variable(static_cast<std::int32_t>(i));
     Variable shaped = known;
     shaped.shape = found.shape;
     for (std::int32_t element = 0; element < found.shape.count(); ++element) {
@@ -176,12 +180,13 @@ std::vector<std::pair<std::string, ShownValue>> Runner::local_values(std::size_t
       if (found.texts != nullptr) {
         value.text = found.texts[element];
       } else if (found.numbers != nullptr) {
-        value.number = without_sign_of_zero(loaded(found, static_cast<std::size_t>(element)));
+        value.number =
+            without_sign_of_zero(operands_.loaded(found, static_cast<std::size_t>(element)));
       }
       values.emplace_back(element_name(shaped, element), std::move(value));
     }
   }
-  depth_ = depth_before;
+  stack_.look_at(depth_before);
   return values;
 }
 

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/run/step_machine.h"
+#include "interpreter/dialects/sinumerik/text/text_format.h"
+#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "machine/base/contract.h"
 
 namespace g31::sinumerik {
@@ -21,38 +23,28 @@ std::int32_t bits(double number) {
 
 }  // namespace
 
-/// Keeps the reason; @returns false, for the way out.
-bool Runner::failed(AlarmId id, std::string detail) {
-  fault_ = failure(id, std::move(detail));
-  return false;
-}
-
-bool Runner::failed(WrongValue wrong) {
-  return failed(wrong.id, std::move(wrong.detail));
-}
-
 /// result = value, which must be a number.
-bool Runner::take(const Op& op, double value) {
+bool StepMachine::take(const Op& op, double value) {
   if (!std::isfinite(value)) [[unlikely]] {
-    return failed(AlarmId::ArithmeticError, number(op.b) == 0.0 ? "division by zero" : "too large");
+    return fault_.keep(AlarmId::ArithmeticError,
+                       number(op.b) == 0.0 ? "division by zero" : "too large");
   }
   number(op.result) = value;
   return true;
 }
 
-bool Runner::take_truth(const Op& op, bool holds) {
+bool StepMachine::take_truth(const Op& op, bool holds) {
   number(op.result) = holds ? 1.0 : 0.0;
   return true;
 }
 
-bool Runner::is_less(double a, double b) const {
+bool StepMachine::is_less(double a, double b) const {
   return a < b && (!are_equal(a, b) || channel_.orders_exactly());
 }
 
-/// Does steps on numbers, jumps and the beginnings of blocks up to a step of another kind, which it
-/// returns, or up to one that failed.  The hot loop: the level's step is looked up and left once.
-const Op& Runner::number_steps() {
-  Level& now = level();
+/// The hot loop: the level's step is looked up and left once.
+const Op& StepMachine::number_steps() {
+  Level& now = stack_.level();
   const Op* const ops = now.program->ops.data();
   const Op* op = ops + now.step;
   const bool in_part = !now.parts.empty();
@@ -69,14 +61,21 @@ const Op& Runner::number_steps() {
       done = false;
     }
     if (!done) {
-      current_ = static_cast<std::int32_t>(op - ops);
-      now.step = current_ + 1;
+      const auto current = static_cast<std::int32_t>(op - ops);
+      stack_.set_current(current);
+      now.step = current + 1;
       return *op;
     }
   }
 }
 
-bool Runner::number_step(const Op& op) {
+const Op& StepMachine::take_step() {
+  Level& running = stack_.level();
+  stack_.set_current(running.step++);
+  return running.program->ops[static_cast<std::size_t>(stack_.current())];
+}
+
+bool StepMachine::number_step(const Op& op) {
   switch (static_cast<NumberStep>(op.code)) {
     case NumberStep::Move:
       number(op.result) = number(op.a);
@@ -114,7 +113,7 @@ bool Runner::number_step(const Op& op) {
   contract_violated("is_number_step() lets only these through", __FILE__, __LINE__);
 }
 
-bool Runner::rare_number_step(const Op& op) {
+bool StepMachine::rare_number_step(const Op& op) {
   const double a = number(op.a);
   switch (static_cast<RareNumberStep>(op.code)) {
     case RareNumberStep::DivideWhole:
@@ -149,99 +148,62 @@ bool Runner::rare_number_step(const Op& op) {
   contract_violated("number_step() lets only these through", __FILE__, __LINE__);
 }
 
-bool Runner::is_within_limits(const Op& op) {
-  const Variable& into = level().program->variables[static_cast<std::size_t>(op.b.place)];
+bool StepMachine::is_within_limits(const Op& op) {
+  const Variable& into = stack_.level().program->variables[static_cast<std::size_t>(op.b.place)];
   const auto wrong = beyond_limits(into, number(op.a));
-  return !wrong || failed(*wrong);
+  return !wrong || fault_.keep(*wrong);
 }
 
 /// result = a as INT or CHAR, the types of whole numbers; or an alarm.
-bool Runner::take_whole(const Op& op, Type type, AlarmId alarm) {
+bool StepMachine::take_whole(const Op& op, Type type, AlarmId alarm) {
   const double a = number(op.a);
   const double whole = rounded(a);
   if (!fits(type, whole)) [[unlikely]] {
-    return failed(not_of_type(type, a, alarm));
+    return fault_.keep(not_of_type(type, a, alarm));
   }
   number(op.result) = whole;
   return true;
 }
 
-bool Runner::mathematical_step(const Op& op) {
+bool StepMachine::mathematical_step(const Op& op) {
   const auto id = static_cast<FunctionId>(op.detail);
   const double a = number(op.a);
   const auto value = mathematics(id, a, number(op.b));
   if (!value) {
-    return failed(AlarmId::ArithmeticError,
-                  fmt::format("{} of {}", info(id).name, shown(Type::Real, a)));
+    return fault_.keep(AlarmId::ArithmeticError,
+                       fmt::format("{} of {}", info(id).name, shown(Type::Real, a)));
   }
   number(op.result) = *value;
   return true;
 }
 
-Reference Runner::variable(std::int32_t which) {
-  const Variable& known = level().program->variables[static_cast<std::size_t>(which)];
-  if (known.storage == Storage::Reference) {
-    return level().references[static_cast<std::size_t>(known.place)];
-  }
-  const bool is_global = known.storage == Storage::Global;
-  Reference found;
-  found.type = known.type;
-  found.shape = known.shape;
-  found.longest = known.longest;
-  found.unit = known.unit;
-  found.is_by_axis = known.is_by_axis;
-  if (known.type == Type::String) {
-    found.texts = (is_global ? channel_.texts : level().texts).data() + known.place;
-  } else if (known.type == Type::Frame) {
-    found.frames = (is_global ? channel_.frames : level().frames).data() + known.place;
-  } else {
-    found.numbers = (is_global ? channel_.numbers : level().numbers).data() + known.place;
-  }
-  return found;
-}
-
-/// A number of an array as the program counts it.
-double Runner::loaded(const Reference& from, std::size_t element) const {
-  const double kept = from.numbers[element];
-  return from.unit == DatumUnit::Plain
-             ? kept
-             : kept / channel_.kept_per_datum(from.unit, from.axis(element));
-}
-
-/// And the other way; false: it is no number that may be kept.
-bool Runner::store(const Reference& into, std::size_t element, double value) {
-  double kept = value;
-  if (into.unit != DatumUnit::Plain) {
-    kept *= channel_.kept_per_datum(into.unit, into.axis(element));
-  }
-  if (!std::isfinite(kept)) {
-    return failed(AlarmId::ArithmeticError, "too large");
-  }
-  into.numbers[element] = kept;
-  return true;
+bool StepMachine::store(const Reference& into, std::size_t element, double value) {
+  auto wrong = operands_.store(into, element, value);
+  return !wrong || fault_.keep(*std::move(wrong));
 }
 
 /// result = result * size + a, when a is an index of that dimension.
-bool Runner::index(const Op& op) {
-  const Variable& known = level().program->variables[static_cast<std::size_t>(op.b.place)];
+bool StepMachine::index(const Op& op) {
+  const Variable& known = stack_.level().program->variables[static_cast<std::size_t>(op.b.place)];
   const Shape shape =
       known.storage == Storage::Reference ? variable(op.b.place).shape : known.shape;
   const double place = rounded(number(op.a));
   const int size = shape.size[op.detail];
   if (!(place >= 0.0 && place < size)) {
-    return failed(no_such_index(known, op.detail, place, size));
+    return fault_.keep(no_such_index(known, op.detail, place, size));
   }
   double& result = number(op.result);
   result = result * size + place;
   return true;
 }
 
-bool Runner::array_step(const Op& op) {
+bool StepMachine::array_step(const Op& op) {
   switch (static_cast<ArrayStep>(op.code)) {
     case ArrayStep::Index:
       return index(op);
     case ArrayStep::Load:
-      number(op.result) = loaded(variable(op.b.place), static_cast<std::size_t>(number(op.a)));
+      number(op.result) =
+          operands_.loaded(variable(op.b.place), static_cast<std::size_t>(number(op.a)));
       return true;
     case ArrayStep::Store:
       return store(variable(op.b.place), static_cast<std::size_t>(number(op.a)), number(op.result));

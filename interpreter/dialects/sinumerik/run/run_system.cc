@@ -1,6 +1,6 @@
 #include <type_traits>
 
-#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/run/system_steps.h"
 #include "interpreter/dialects/sinumerik/system/system.h"
 #include "machine/base/contract.h"
 
@@ -46,14 +46,52 @@ MaybeFailure split(SystemAccess& access) {
   return has_frame(access.axis) ? std::nullopt : std::optional(failure(AlarmId::BadAxisIndex));
 }
 
+/// What the column `work` of system_variables.def calls OfLevel: the channel knows no levels.
+namespace of_level {
+
+Result<double, Failure> argument_given(const CallStack& stack, const SystemAccess& access) {
+  const auto which = static_cast<std::size_t>(access.indices[0]);
+  const auto& given = stack.level().given;
+  return which >= 1 && which <= given.size() && given[which - 1] ? 1.0 : 0.0;
+}
+
+Result<double, Failure> call_depth(const CallStack& stack, const SystemAccess& /*access*/) {
+  return static_cast<double>(stack.depth());
+}
+
+Result<std::string, Failure> level_name(const CallStack& stack, const SystemAccess& access) {
+  const auto which = static_cast<std::size_t>(access.indices[0]);
+  return which <= stack.depth() ? stack.level(which).program->name : std::string();
+}
+
+Result<double, Failure> modal_call_active(const CallStack& stack, const SystemAccess& /*access*/) {
+  return stack.modal_call ? 1.0 : 0.0;
+}
+
+/// "/_N_WKS_DIR/_N_PART_WPD/" for "PART_WPD"; empty where the archive does not say.
+Result<std::string, Failure> level_path(const CallStack& stack, const SystemAccess& access) {
+  const auto which = static_cast<std::size_t>(access.indices[0]);
+  const std::string folder =
+      which <= stack.depth() ? stack.level(which).program->folder : std::string();
+  if (folder.empty()) {
+    return folder;
+  }
+  return (folder.ends_with("_WPD") ? "/_N_WKS_DIR/_N_" : "/_N_") + folder + "/";
+}
+
+Result<std::string, Failure> level_folder(const CallStack& stack, const SystemAccess& /*access*/) {
+  return stack.level().program->folder;
+}
+
+}  // namespace of_level
 }  // namespace
 
-Result<SystemAccess, Failure> Runner::system_access(const Op& op, Arguments indices) {
+Result<SystemAccess, Failure> SystemSteps::access_of(const Op& op, Arguments indices) {
   SystemAccess access;
   access.id = static_cast<SystemId>(op.a.place);
   access.parameter = op.detail;
   for (const Argument& index : indices) {
-    access.indices.push_back(static_cast<int>(number(index.value)));
+    access.indices.push_back(static_cast<int>(operands_.number(index.value)));
   }
   if (MaybeFailure wrong = split(access)) {
     return *wrong;
@@ -61,8 +99,8 @@ Result<SystemAccess, Failure> Runner::system_access(const Op& op, Arguments indi
   return access;
 }
 
-MaybeFailure Runner::read_system(const Op& op) {
-  const auto found = system_access(op, arguments_of(op));
+MaybeFailure SystemSteps::read(const Op& op) {
+  const auto found = access_of(op, operands_.arguments_of(op));
   if (!found) {
     return found.error();
   }
@@ -71,7 +109,7 @@ MaybeFailure Runner::read_system(const Op& op) {
 #define Read(f) return show(op, access, system::f(channel_, access))
 #define Write(f, g) return show(op, access, system::f(channel_, access))
 #define Stored(f) return show(op, access, system::f(channel_, access))
-#define OfLevel(f) return show(op, access, f(access))
+#define OfLevel(f) return show(op, access, of_level::f(stack_, access))
 #define SYSTEM_VARIABLE(id, name, type, indices, work, text) \
   case SystemId::id:                                         \
     work;
@@ -85,9 +123,9 @@ MaybeFailure Runner::read_system(const Op& op) {
   contract_violated("every system variable has a row", __FILE__, __LINE__);
 }
 
-MaybeFailure Runner::write_system(const Op& op) {
-  const Arguments list = arguments_of(op);
-  const auto found = system_access(op, list.first(list.size() - 1));
+MaybeFailure SystemSteps::write(const Op& op) {
+  const Arguments list = operands_.arguments_of(op);
+  const auto found = access_of(op, list.first(list.size() - 1));
   if (!found) {
     // Spindles have components in the frames of an INI file.
     const bool is_of_spindle = channel_.loads_data && found.error().id == AlarmId::BadAxisIndex;
@@ -112,113 +150,80 @@ MaybeFailure Runner::write_system(const Op& op) {
   contract_violated("what is only read is compiled to an alarm", __FILE__, __LINE__);
 }
 
-MaybeFailure Runner::show(const Op& op, const SystemAccess& /*access*/,
-                          const Result<double, Failure>& value) {
+MaybeFailure SystemSteps::show(const Op& op, const SystemAccess& /*access*/,
+                               const Result<double, Failure>& value) {
   if (!value) {
     return value.error();
   }
   if (!std::isfinite(value.value())) {
     return failure(AlarmId::ArithmeticError, "too large");
   }
-  number(op.result) = value.value();
-  follow_read(op);
+  operands_.number(op.result) = value.value();
+  missed_.follow_read(op);
   return std::nullopt;
 }
 
-MaybeFailure Runner::show(const Op& op, const SystemAccess& /*access*/,
-                          const Result<std::string, Failure>& value) {
+MaybeFailure SystemSteps::show(const Op& op, const SystemAccess& /*access*/,
+                               const Result<std::string, Failure>& value) {
   if (!value) {
     return value.error();
   }
-  text(op.result) = value.value();
+  operands_.text(op.result) = value.value();
   return std::nullopt;
 }
 
-MaybeFailure Runner::show(const Op& op, const SystemAccess& access,
-                          const Result<Frame, Failure>& value) {
+MaybeFailure SystemSteps::show(const Op& op, const SystemAccess& access,
+                               const Result<Frame, Failure>& value) {
   if (!value) {
     return value.error();
   }
   if (access.component) {
-    number(op.result) = channel_.shown_component(access.axis, *access.component, value.value());
-    follow_read(op);
+    operands_.number(op.result) =
+        channel_.shown_component(access.axis, *access.component, value.value());
+    missed_.follow_read(op);
   } else {
-    frame(op.result) = value.value();
+    operands_.frame(op.result) = value.value();
   }
   return std::nullopt;
 }
 
-MaybeFailure Runner::show(const Op& op, const SystemAccess& access,
-                          const Result<Frame*, Failure>& place) {
+MaybeFailure SystemSteps::show(const Op& op, const SystemAccess& access,
+                               const Result<Frame*, Failure>& place) {
   return place ? show(op, access, Result<Frame, Failure>(*place.value())) : place.error();
 }
 
-MaybeFailure Runner::set(const SystemAccess& access, const Argument& value,
-                         MaybeFailure (*set_number)(Channel&, const SystemAccess&, double)) {
-  return set_number(channel_, access, number(value.value));
+MaybeFailure SystemSteps::set(const SystemAccess& access, const Argument& value,
+                              MaybeFailure (*set_number)(Channel&, const SystemAccess&, double)) {
+  return set_number(channel_, access, operands_.number(value.value));
 }
 
-MaybeFailure Runner::set(const SystemAccess& access, const Argument& value,
-                         MaybeFailure (*set_text)(Channel&, const SystemAccess&,
-                                                  const std::string&)) {
-  return set_text(channel_, access, text(value.value));
+MaybeFailure SystemSteps::set(const SystemAccess& access, const Argument& value,
+                              MaybeFailure (*set_text)(Channel&, const SystemAccess&,
+                                                       const std::string&)) {
+  return set_text(channel_, access, operands_.text(value.value));
 }
 
-MaybeFailure Runner::set(const SystemAccess& access, const Argument& value,
-                         Result<Frame*, Failure> (*find_frame)(Channel&, const SystemAccess&)) {
+MaybeFailure SystemSteps::set(const SystemAccess& access, const Argument& value,
+                              Result<Frame*, Failure> (*find_frame)(Channel&,
+                                                                    const SystemAccess&)) {
   const auto place = find_frame(channel_, access);
   if (!place) {
     return place.error();
   }
   Frame& stored = *place.value();
   if (access.component) {
-    if (MaybeFailure wrong =
-            channel_.set_component(access.axis, *access.component, number(value.value), stored)) {
+    if (MaybeFailure wrong = channel_.set_component(access.axis, *access.component,
+                                                    operands_.number(value.value), stored)) {
       return wrong;
     }
   } else {
-    stored = frame(value.value);
+    stored = operands_.frame(value.value);
   }
   if (access.id == SystemId::SettableFrames) {
     channel_.left_out.erase(access.indices.front());
   }
   channel_.frame_written();
   return std::nullopt;
-}
-
-// These know the levels; the channel does not.
-
-Result<double, Failure> Runner::argument_given(const SystemAccess& access) {
-  const auto which = static_cast<std::size_t>(access.indices[0]);
-  const auto& given = level().given;
-  return which >= 1 && which <= given.size() && given[which - 1] ? 1.0 : 0.0;
-}
-
-Result<double, Failure> Runner::call_depth(const SystemAccess& /*access*/) {
-  return static_cast<double>(depth_);
-}
-
-Result<std::string, Failure> Runner::level_name(const SystemAccess& access) {
-  const auto which = static_cast<std::size_t>(access.indices[0]);
-  return which <= depth_ ? levels_[which]->program->name : std::string();
-}
-
-Result<double, Failure> Runner::modal_call_active(const SystemAccess& /*access*/) {
-  return modal_call_ ? 1.0 : 0.0;
-}
-
-/// "/_N_WKS_DIR/_N_PART_WPD/" for "PART_WPD"; empty where the archive does not say.
-Result<std::string, Failure> Runner::level_path(const SystemAccess& access) {
-  const auto which = static_cast<std::size_t>(access.indices[0]);
-  const std::string folder = which <= depth_ ? levels_[which]->program->folder : std::string();
-  if (folder.empty()) {
-    return folder;
-  }
-  return (folder.ends_with("_WPD") ? "/_N_WKS_DIR/_N_" : "/_N_") + folder + "/";
-}
-
-Result<std::string, Failure> Runner::level_folder(const SystemAccess& /*access*/) {
-  return level().program->folder;
 }
 
 }  // namespace g31::sinumerik

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/run/step_machine.h"
+#include "interpreter/dialects/sinumerik/text/text_format.h"
 #include "machine/base/contract.h"
 
 namespace g31::sinumerik {
@@ -10,35 +11,7 @@ constexpr std::size_t kLongestText = 400;  // that << makes
 
 }  // namespace
 
-std::string& Runner::text(Operand place) {
-  const auto at = static_cast<std::size_t>(place.place);
-  switch (place.bank) {
-    case Bank::Constants:
-      // Never written: no step has a constant as its result.
-      return const_cast<std::string&>(level().program->text_constants[at]);
-    case Bank::Locals:
-      return level().texts[at];
-    case Bank::Globals:
-      return channel_.texts[at];
-    case Bank::Temporaries:
-      break;
-  }
-  return text_temporaries_[at];
-}
-
-Frame& Runner::frame(Operand place) {
-  const auto at = static_cast<std::size_t>(place.place);
-  return place.bank == Bank::Locals    ? level().frames[at]
-         : place.bank == Bank::Globals ? channel_.frames[at]
-                                       : frame_temporaries_[at];
-}
-
-Runner::Arguments Runner::arguments_of(const Op& op) {
-  return Arguments(level().program->arguments)
-      .subspan(static_cast<std::size_t>(op.b.place), op.count);
-}
-
-bool Runner::text_step(const Op& op) {
+bool StepMachine::text_step(const Op& op) {
   switch (static_cast<TextStep>(op.code)) {
     case TextStep::MoveText:
       text(op.result) = text(op.a);
@@ -46,7 +19,7 @@ bool Runner::text_step(const Op& op) {
     case TextStep::Concatenate: {
       std::string joined = text(op.a) + text(op.b);
       if (joined.size() > kLongestText) {
-        return failed(AlarmId::ConcatenationTooLong);
+        return fault_.keep(AlarmId::ConcatenationTooLong);
       }
       text(op.result) = std::move(joined);
       return true;
@@ -58,7 +31,7 @@ bool Runner::text_step(const Op& op) {
       const std::string& from = text(op.a);
       const bool is_char = static_cast<Type>(op.detail) == Type::Char;
       if (is_char && from.size() != 1) {
-        return failed(AlarmId::BadConversion, fmt::format("\"{}\" is not a CHAR", from));
+        return fault_.keep(AlarmId::BadConversion, fmt::format("\"{}\" is not a CHAR", from));
       }
       number(op.result) =
           is_char ? static_cast<unsigned char>(from.front()) : (from.empty() ? 0.0 : 1.0);
@@ -79,23 +52,23 @@ bool Runner::text_step(const Op& op) {
   contract_violated("other_step() lets only these through", __FILE__, __LINE__);
 }
 
-bool Runner::store_text(const Op& op) {
+bool StepMachine::store_text(const Op& op) {
   const Reference target = variable(op.b.place);
   std::string value = text(op.result);
   value.resize(std::min(value.find('\0'), value.size()));  // the character 0 ends a text
   if (auto wrong = too_long(value, target.longest)) {
-    return failed(*std::move(wrong));
+    return fault_.keep(*std::move(wrong));
   }
   target.texts[static_cast<std::size_t>(number(op.a))] = std::move(value);
   return true;
 }
 
-bool Runner::frame_step(const Op& op) {
+bool StepMachine::frame_step(const Op& op) {
   const auto component_of = [&](const Argument& axis, const Argument& component) {
     return std::pair(static_cast<int>(number(axis.value)),
                      static_cast<Component>(static_cast<int>(number(component.value))));
   };
-  const auto* const list = level().program->arguments.data() + op.b.place;
+  const auto* const list = stack_.level().program->arguments.data() + op.b.place;
   switch (static_cast<FrameStep>(op.code)) {
     case FrameStep::MoveFrame:
       frame(op.result) = frame(op.a);
@@ -109,7 +82,7 @@ bool Runner::frame_step(const Op& op) {
     case FrameStep::Chain:
       frame(op.result) = frame(op.a).chained(frame(op.b));
       return frame(op.result).is_within_limits() ||
-             failed(AlarmId::ValueOutOfLimits, "a frame chained of frames");
+             fault_.keep(AlarmId::ValueOutOfLimits, "a frame chained of frames");
     case FrameStep::EqualFrame:
       number(op.result) = frame(op.a) == frame(op.b) ? 1.0 : 0.0;
       return true;
@@ -119,29 +92,31 @@ bool Runner::frame_step(const Op& op) {
       const auto [axis, component] =
           loads ? component_of(list[0], list[1]) : component_of(list[1], list[2]);
       if (!has_frame(axis)) {
-        return failed(AlarmId::BadAxisIndex);
+        return fault_.keep(AlarmId::BadAxisIndex);
       }
       if (loads) {
         number(op.result) = channel_.shown_component(axis, component, frame(op.a));
         return true;
       }
-      fault_ = channel_.set_component(axis, component, number(list[0].value), frame(op.result));
-      return !fault_;
+      MaybeFailure wrong =
+          channel_.set_component(axis, component, number(list[0].value), frame(op.result));
+      return !wrong || fault_.keep(*std::move(wrong));
     }
   }
   contract_violated("other_step() lets only these through", __FILE__, __LINE__);
 }
 
-bool Runner::set_element(const Reference& target, std::int32_t element, const Argument& value) {
+bool StepMachine::set_element(const Reference& target, std::int32_t element,
+                              const Argument& value) {
   if (element >= target.shape.count()) {
-    return failed(AlarmId::TooManyInitialValues);
+    return fault_.keep(AlarmId::TooManyInitialValues);
   }
   const auto at = static_cast<std::size_t>(element);
   const bool omitted = value.form == Argument::Form::Omitted;
   if (target.type == Type::String) {
     const std::string given = omitted ? std::string() : text(value.value);
     if (auto wrong = too_long(given, target.longest)) {
-      return failed(*std::move(wrong));
+      return fault_.keep(*std::move(wrong));
     }
     target.texts[at] = given;
   } else if (target.type == Type::Frame) {
@@ -153,10 +128,10 @@ bool Runner::set_element(const Reference& target, std::int32_t element, const Ar
 }
 
 /// A list: the elements in turn; an omitted value leaves its element alone.
-bool Runner::fill(const Op& op) {
+bool StepMachine::fill(const Op& op) {
   const Reference target = variable(op.a.place);
   auto element = static_cast<std::int32_t>(number(op.result));
-  for (const Argument& value : arguments_of(op)) {
+  for (const Argument& value : operands_.arguments_of(op)) {
     const bool omitted = value.form == Argument::Form::Omitted;
     if (!omitted && !set_element(target, element, value)) {
       return false;
@@ -167,14 +142,14 @@ bool Runner::fill(const Op& op) {
 }
 
 /// REP(value, count): without a count to the end of the array.
-bool Runner::repeat_value(const Op& op) {
+bool StepMachine::repeat_value(const Op& op) {
   const Reference target = variable(op.a.place);
-  const Arguments list = arguments_of(op);
+  const Arguments list = operands_.arguments_of(op);
   const auto first = static_cast<std::int32_t>(number(op.result));
   const std::int32_t rest = target.shape.count() - first;
   const double wanted = list.size() > 1 ? number(list[1].value) : rest;
   if (wanted < 0.0 || wanted > rest) {
-    return failed(AlarmId::TooManyInitialValues);
+    return fault_.keep(AlarmId::TooManyInitialValues);
   }
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(wanted); ++i) {
     if (!set_element(target, first + i, list[0])) {

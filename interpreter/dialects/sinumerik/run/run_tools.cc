@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/run/functions.h"
+#include "interpreter/dialects/sinumerik/run/procedures.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -67,94 +68,101 @@ double tool_in_use(const Channel& channel, const std::string& name) {
   return result;
 }
 
+/// The tool of a name and, if it is there, a duplo number; 0 or less: there is none.
+double tool_named(const Channel& channel, Operands& at, Arguments list) {
+  const std::string& name = at.text(list[0].value);
+  return list.size() > 1 ? number_of_tool(channel.tools, name, rounded(at.number(list[1].value)))
+                         : first_of_name(channel.tools, name);
+}
+
 }  // namespace
 
+namespace function {
+
 /// GETDNO(tool, edge)
-MaybeFailure Runner::number_of_edge(const Op& op, Arguments list) {
-  const double given = rounded(number(list[0].value));
+MaybeFailure number_of_edge(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  const double given = rounded(at.number(list[0].value));
   const int tool = numbered(given);
-  if (channel_.find_tool(tool) == nullptr) {
+  if (channel.find_tool(tool) == nullptr) {
     return failure(AlarmId::BadTNumber, fmt::format("T{:.0f}", given));
   }
-  const int edge = numbered(rounded(number(list[1].value)));
-  number(op.result) = channel_.find_edge(tool, edge) != nullptr ? edge : 0.0;
+  const int edge = numbered(rounded(at.number(list[1].value)));
+  at.number(op.result) = channel.find_edge(tool, edge) != nullptr ? edge : 0.0;
   return std::nullopt;
 }
 
 /// GETACTT(variable, name)
-MaybeFailure Runner::named_tool_in_use(const Op& op, Arguments list) {
-  const double found = tool_in_use(channel_, text(list[1].value));
-  number(op.result) = std::min(found, 0.0);
-  return found > 0.0 ? set_result(list[0], found) : std::nullopt;
+MaybeFailure named_tool_in_use(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  const double found = tool_in_use(channel, at.text(list[1].value));
+  at.number(op.result) = std::min(found, 0.0);
+  return found > 0.0 ? at.assign(list[0], found) : std::nullopt;
 }
 
 /// GETT(name, duplo)
-MaybeFailure Runner::named_tool(const Op& op, Arguments list) {
-  const double duplo = list.size() > 1 ? rounded(number(list[1].value)) : 1.0;
-  number(op.result) = number_of_tool(channel_.tools, text(list[0].value), duplo);
+MaybeFailure named_tool(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  const double duplo = list.size() > 1 ? rounded(at.number(list[1].value)) : 1.0;
+  at.number(op.result) = number_of_tool(channel.tools, at.text(list[0].value), duplo);
   return std::nullopt;
 }
 
 /// NEWT(name, duplo)
-MaybeFailure Runner::new_tool(const Op& op, Arguments list) {
-  const std::string name = text(list[0].value);
+MaybeFailure new_tool(Channel& channel, Operands& at, const Op& op, Arguments list) {
+  const std::string name = at.text(list[0].value);
   const double duplo =
-      list.size() > 1 ? rounded(number(list[1].value)) : last_duplo(channel_.tools, name) + 1.0;
+      list.size() > 1 ? rounded(at.number(list[1].value)) : last_duplo(channel.tools, name) + 1.0;
   const bool is_valid = !name.empty() && duplo >= 1.0 && duplo <= kMostDuplo;
-  if (!is_valid || number_of_tool(channel_.tools, name, duplo) != kNoTool) {
+  if (!is_valid || number_of_tool(channel.tools, name, duplo) != kNoTool) {
     return failure(AlarmId::ToolExists, fmt::format("\"{}\", {:g}", name, duplo));
   }
   int free = 1;
-  while (channel_.tools.contains(free)) {
+  while (channel.tools.contains(free)) {
     ++free;
   }
-  Tool& tool = channel_.tools[free];
+  Tool& tool = channel.tools[free];
   tool.name = name;
   tool.duplo = duplo;
   tool.edges[1] = EdgeData();
-  number(op.result) = free;
+  at.number(op.result) = free;
   return std::nullopt;
 }
 
-/// The tool of a name and, if it is there, a duplo number; 0 or less: there is none.
-double Runner::tool_named(Arguments list) {
-  const std::string& name = text(list[0].value);
-  return list.size() > 1 ? number_of_tool(channel_.tools, name, rounded(number(list[1].value)))
-                         : first_of_name(channel_.tools, name);
-}
+}  // namespace function
+
+namespace procedure {
 
 /// GETSELT(variable, spindle)
-double Runner::selected_tool(Arguments /*list*/) {
-  return channel_.selected_tool.value_or(0);
+double selected_tool(Channel& channel, Operands& /*at*/, Arguments /*list*/) {
+  return channel.selected_tool.value_or(0);
 }
 
 /// GETEXET(variable, spindle)
-double Runner::tool_in_spindle(Arguments /*list*/) {
-  return channel_.tool;
+double tool_in_spindle(Channel& channel, Operands& /*at*/, Arguments /*list*/) {
+  return channel.tool;
 }
 
 /// TCA(name, duplo, holder)
-MaybeFailure Runner::select_named_tool(Arguments list) {
-  const double found = tool_named(list);
+MaybeFailure select_named_tool(Channel& channel, Operands& at, Arguments list) {
+  const double found = tool_named(channel, at, list);
   if (found <= 0.0) {
-    return missing_tool(text(list[0].value));
+    return missing_tool(at.text(list[0].value));
   }
-  channel_.selected_tool = static_cast<int>(found);
+  channel.selected_tool = static_cast<int>(found);
   return std::nullopt;
 }
 
 /// DELT(name, duplo)
-MaybeFailure Runner::delete_tool(Arguments list) {
-  const double found = tool_named(list);
+MaybeFailure delete_tool(Channel& channel, Operands& at, Arguments list) {
+  const double found = tool_named(channel, at, list);
   if (found <= 0.0) {
-    return failure(AlarmId::BadToolName, text(list[0].value));
+    return failure(AlarmId::BadToolName, at.text(list[0].value));
   }
   const auto which = static_cast<int>(found);
-  if (which == channel_.tool || which == channel_.selected_tool) {
+  if (which == channel.tool || which == channel.selected_tool) {
     return failure(AlarmId::ToolInUse, fmt::format("T{}", which));
   }
-  channel_.tools.erase(which);
+  channel.tools.erase(which);
   return std::nullopt;
 }
 
+}  // namespace procedure
 }  // namespace g31::sinumerik

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/sinumerik/execute/execute.h"
-#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/run/word_steps.h"
 #include "machine/base/contract.h"
 
 namespace g31::sinumerik {
@@ -29,17 +28,17 @@ void keep_of_spindle(Spindle& spindle, Address address, double value) {
 
 }  // namespace
 
-bool Runner::out_of_range(std::string_view name, double value, const ValueRange& range) {
-  return failed(AlarmId::ValueOutOfLimits,
-                fmt::format("{}={:g}: {:g} to {:g}", name, value, range.least, range.most));
+bool WordSteps::out_of_range(std::string_view name, double value, const ValueRange& range) {
+  return fault_.keep(AlarmId::ValueOutOfLimits,
+                     fmt::format("{}={:g}: {:g} to {:g}", name, value, range.least, range.most));
 }
 
-bool Runner::set_word(std::size_t address, double value, Modification modification) {
+bool WordSteps::set_word(std::size_t address, double value, Modification modification) {
   const auto which = static_cast<Address>(address);
   const int most = most_in_block(which);
   if (words_.words[address].times == most) {
-    return failed(most > 1 ? AlarmId::AddressTooOften : AlarmId::AddressRepeated,
-                  std::string(name_of(which)));
+    return fault_.keep(most > 1 ? AlarmId::AddressTooOften : AlarmId::AddressRepeated,
+                       std::string(name_of(which)));
   }
   if (const ValueRange range = range_of(which); !range.holds(value)) [[unlikely]] {
     return out_of_range(name_of(which), value, range);
@@ -51,24 +50,24 @@ bool Runner::set_word(std::size_t address, double value, Modification modificati
   return true;
 }
 
-MaybeFailure Runner::take_word(const Op& op) {
-  set_word(op.detail, number(op.a), static_cast<Modification>(op.count));
-  return from_step();
+MaybeFailure WordSteps::take_word(const Op& op) {
+  set_word(op.detail, operands_.number(op.a), static_cast<Modification>(op.count));
+  return fault_.taken();
 }
 
-MaybeFailure Runner::take_text_word(const Op& op) {
-  words_.tool_name = text(op.a);
+MaybeFailure WordSteps::take_text_word(const Op& op) {
+  words_.tool_name = operands_.text(op.a);
   set_word(op.detail, 0.0);
-  return from_step();
+  return fault_.taken();
 }
 
-MaybeFailure Runner::take_axis_word(const Op& op) {
-  const double axis = number(op.a);
+MaybeFailure WordSteps::take_axis_word(const Op& op) {
+  const double axis = operands_.number(op.a);
   if (axis < 0.0) {
     return failure(AlarmId::BadAxisIndex);
   }
   const AxisWordInfo& row = info(static_cast<AxisWordId>(op.detail));
-  const BlockWords::Word word{number(op.b), static_cast<Modification>(op.count), true};
+  const BlockWords::Word word{operands_.number(op.b), static_cast<Modification>(op.count), true};
   const auto index = static_cast<std::size_t>(axis);
   switch (row.role) {
     case AxisRole::Setting:
@@ -79,7 +78,7 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
         return take_centre_of(static_cast<int>(axis), word);
       }
       set_word(index_of(address_of_axis(static_cast<int>(axis))), word.value, word.modification);
-      return from_step();
+      return fault_.taken();
     case AxisRole::Positioning:
       if (words_.positioning[index].present) {
         return failure(AlarmId::AddressRepeated,
@@ -87,7 +86,7 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
       }
       if (!ValueRange().holds(word.value)) {
         out_of_range(row.name, word.value, ValueRange());
-        return from_step();
+        return fault_.taken();
       }
       words_.position_axis(index, word);
       return std::nullopt;
@@ -99,16 +98,16 @@ MaybeFailure Runner::take_axis_word(const Op& op) {
 }
 
 /// IP[axis]
-MaybeFailure Runner::take_centre_of(int axis, const BlockWords::Word& word) {
+MaybeFailure WordSteps::take_centre_of(int axis, const BlockWords::Word& word) {
   if (!is_linear_axis(axis)) {
     return failure(AlarmId::BadAxisIndex, fmt::format("IP[{}]", letter_of_axis(axis)));
   }
   set_word(index_of(Address::CentreX) + static_cast<std::size_t>(axis), word.value,
            word.modification);
-  return from_step();
+  return fault_.taken();
 }
 
-MaybeFailure Runner::take_axis_setting(const BlockWords::AxisSetting& setting) {
+MaybeFailure WordSteps::take_axis_setting(const BlockWords::AxisSetting& setting) {
   const AxisWordInfo& row = info(setting.word);
   const std::string name = fmt::format("{}[{}]", row.name, letter_of_axis(setting.axis));
   const std::string shown = fmt::format("{}={:g}", name, setting.value);
@@ -122,14 +121,14 @@ MaybeFailure Runner::take_axis_setting(const BlockWords::AxisSetting& setting) {
   }
   if (const ValueRange range{row.least, row.most}; !range.holds(setting.value)) {
     out_of_range(name, setting.value, range);
-    return from_step();
+    return fault_.taken();
   }
   words_.axis_settings.push_back(setting);
   return std::nullopt;
 }
 
-MaybeFailure Runner::take_axis_measuring(const Op& op) {
-  const double axis = number(op.a);
+MaybeFailure WordSteps::take_axis_measuring(const Op& op) {
+  const double axis = operands_.number(op.a);
   if (axis < 0.0) {
     return failure(AlarmId::BadAxisIndex);
   }
@@ -138,29 +137,31 @@ MaybeFailure Runner::take_axis_measuring(const Op& op) {
                    fmt::format("{} carries no probe", letter_of_axis(static_cast<int>(axis))));
   }
   words_.measure_axis(static_cast<std::size_t>(axis),
-                      {number(op.result), number(op.b), op.detail != 0});
+                      {operands_.number(op.result), operands_.number(op.b), op.detail != 0});
   return std::nullopt;
 }
 
 /// Spindle 1, or 0 for the master spindle, turns the tool; of others it is kept what programs say.
-MaybeFailure Runner::take_spindle_word(const Op& op) {
-  const double which = number(op.a);
+MaybeFailure WordSteps::take_spindle_word(const Op& op) {
+  const double which = operands_.number(op.a);
   const auto address = static_cast<Address>(op.detail);
   if (which == 0.0 || which == 1.0) {
-    set_word(op.detail, number(op.b), static_cast<Modification>(op.count));
-    return from_step();
+    set_word(op.detail, operands_.number(op.b), static_cast<Modification>(op.count));
+    return fault_.taken();
   }
   if (which < 0.0 || which > kMostSpindles) {
     return failure(AlarmId::NoSuchAddress, fmt::format("spindle {:g}", which));
   }
-  keep_of_spindle(channel_.other_spindles[static_cast<int>(which)], address, number(op.b));
+  keep_of_spindle(channel_.other_spindles[static_cast<int>(which)], address,
+                  operands_.number(op.b));
   return std::nullopt;
 }
 
-MaybeFailure Runner::take_group_code(const Op& op) {
-  const auto code = find_g_code(number(op.a), number(op.b));
+MaybeFailure WordSteps::take_group_code(const Op& op) {
+  const auto code = find_g_code(operands_.number(op.a), operands_.number(op.b));
   if (!code) {
-    return failure(AlarmId::UnknownGCode, fmt::format("G[{:g}]={:g}", number(op.a), number(op.b)));
+    return failure(AlarmId::UnknownGCode,
+                   fmt::format("G[{:g}]={:g}", operands_.number(op.a), operands_.number(op.b)));
   }
   const GCode& row = g_codes()[code->row];
   if (row.action == GAction::Refused) {
@@ -171,48 +172,31 @@ MaybeFailure Runner::take_group_code(const Op& op) {
 }
 
 /// Spindle 1, or 0 for the master spindle, which it is.
-MaybeFailure Runner::check_spindle(const Op& op) {
-  const double which = number(op.a);
+MaybeFailure WordSteps::check_spindle(const Op& op) {
+  const double which = operands_.number(op.a);
   return which == 0.0 || which == 1.0
              ? std::nullopt
              : std::optional(failure(AlarmId::NoSuchAddress, fmt::format("spindle {:g}", which)));
 }
 
-MaybeFailure Runner::take_skip_action(const Op& op) {
-  const double probe = number(op.a);
+MaybeFailure WordSteps::take_skip_action(const Op& op) {
+  const double probe = operands_.number(op.a);
   if (probe < 1.0 || probe > Channel::kMostProbes) {
     return failure(AlarmId::IndexOne, fmt::format("$A_PROBE[{:.0f}]", probe));
   }
-  channel_.skip_action = {static_cast<int>(probe), number(op.b) != 0.0
+  channel_.skip_action = {static_cast<int>(probe), operands_.number(op.b) != 0.0
                                                        ? machine::SignalEdge::Rising
                                                        : machine::SignalEdge::Falling};
   return std::nullopt;
 }
 
-MaybeFailure Runner::execute(const Op& op) {
-  const CompiledProgram& program = *level().program;
-  const NcBlock& block = program.nc_blocks[static_cast<std::size_t>(op.b.place)];
-  for (const ConstantWord& word : block.words_of(program)) {
+MaybeFailure WordSteps::take_constants(std::span<const ConstantWord> words) {
+  for (const ConstantWord& word : words) {
     if (!set_word(index_of(word.address), word.value)) {
-      return from_step();
+      return fault_.taken();
     }
   }
-  std::vector<std::uint16_t> with_computed;
-  std::span<const std::uint16_t> codes = block.codes_of(program);
-  if (!words_.computed_codes.empty()) {
-    with_computed.assign(codes.begin(), codes.end());
-    with_computed.insert(with_computed.end(), words_.computed_codes.begin(),
-                         words_.computed_codes.end());
-    codes = with_computed;
-  }
-  const Block commands{words_, codes, here()};
-  const bool moves = modal_call_ && commands_motion(commands);
-  MaybeFailure wrong = execute_with_actions(commands);
-  words_.clear();
-  if (!wrong && moves && !channel_.held_line) {
-    return modal_call();
-  }
-  return wrong;
+  return std::nullopt;
 }
 
 }  // namespace g31::sinumerik

@@ -1,5 +1,4 @@
-// The loop of a run whose variables somebody watches: what a step may write is looked at before it
-// and behind it.  A run that nobody watches does not come here.
+// A run whose variables nobody watches does not come here.
 
 #include <algorithm>
 #include <iterator>
@@ -8,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/code/element_name.h"
-#include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/run/shown_value.h"
+#include "interpreter/dialects/sinumerik/run/written_values.h"
+#include "interpreter/dialects/sinumerik/text/text_format.h"
 #include "interpreter/dialects/sinumerik/vocabulary/frame_components.h"
 #include "machine/units/axis_positions.h"
 
@@ -24,77 +25,36 @@ bool are_same(const runtime::ShownValue& a, const runtime::ShownValue& b) {
 
 }  // namespace
 
-/// A value that a step may write.
-struct Runner::WrittenValue {
-  std::string name;
-  Reference in;              ///< the variable; of type None: a system variable
-  std::size_t element = 0;   ///< of the variable
-  bool is_assigned = false;  ///< false: only a change shows that the step has written it
-  runtime::ShownValue before = {};
-};
-
-MaybeFailure Runner::heard_loop(runtime::BlockListener& listener) {
-  while (!ended_ && !is_paused_) {
-    const Op& op = take_step();
-    const source::Location where = here();
-    std::vector<WrittenValue> written = written_by(op);
-    for (WrittenValue& value : written) {
-      value.before = value_now(value, op);
-    }
-    if (op.code == OpCode::JumpIfNot) {
-      listener.on_condition(where, number(op.a) != 0.0);
-    }
-    if (MaybeFailure reason = any_step(op)) {
-      return reason;
-    }
-    for (const WrittenValue& value : written) {
-      const runtime::ShownValue now = value_now(value, op);
-      if (value.is_assigned || !are_same(now, value.before)) {
-        listener.on_write({value.name, value.before, now, where});
-      }
-    }
+std::vector<WrittenValue> WrittenValues::before(const Op& op) {
+  std::vector<WrittenValue> written = written_by(op);
+  for (WrittenValue& value : written) {
+    value.before = value_now(value, op);
   }
-  return std::nullopt;
+  return written;
 }
 
-/// The step that comes next: now it is the present one.
-const Op& Runner::take_step() {
-  Level& running = level();
-  current_ = running.step++;
-  return running.program->ops[static_cast<std::size_t>(current_)];
+void WrittenValues::tell(const std::vector<WrittenValue>& written, const Op& op,
+                         source::Location where, runtime::BlockListener& listener) {
+  for (const WrittenValue& value : written) {
+    const runtime::ShownValue now = value_now(value, op);
+    if (value.is_assigned || !are_same(now, value.before)) {
+      listener.on_write({value.name, value.before, now, where});
+    }
+  }
 }
 
-/// number_steps() by one step, or another one.
-MaybeFailure Runner::any_step(const Op& op) {
-  if (channel_.touches.missed.any() && !channel_.is_inspected()) {
-    follow(op);
-  }
-  if (is_number_step(op.code)) {
-    return number_step(op) ? std::nullopt : from_step();
-  }
-  if (op.code == OpCode::Jump) {
-    level().step = op.a.place;
-    return std::nullopt;
-  }
-  if (op.code == OpCode::JumpIfNot) {
-    level().step = number(op.a) == 0.0 ? op.b.place : level().step;
-    return std::nullopt;
-  }
-  return other_step(op);
-}
-
-std::vector<Runner::WrittenValue> Runner::written_by(const Op& op) {
+std::vector<WrittenValue> WrittenValues::written_by(const Op& op) {
   if (is_number_step(op.code)) {
     return written_by_number_step(op);
   }
   if (op.code == OpCode::Store || op.code == OpCode::StoreText) {
-    auto one = elements(op.b.place, static_cast<std::int32_t>(number(op.a)), 1);
+    auto one = elements(op.b.place, static_cast<std::int32_t>(operands_.number(op.a)), 1);
     one.front().is_assigned = true;
     return one;
   }
   if (op.code == OpCode::Fill || op.code == OpCode::Repeat) {
-    return elements(op.a.place, static_cast<std::int32_t>(number(op.result)),
-                    variable(op.a.place).shape.count());
+    return elements(op.a.place, static_cast<std::int32_t>(operands_.number(op.result)),
+                    operands_.variable(op.a.place).shape.count());
   }
   if (op.code == OpCode::Procedure || op.code == OpCode::Function) {
     return written_to_arguments(op);
@@ -108,12 +68,12 @@ std::vector<Runner::WrittenValue> Runner::written_by(const Op& op) {
 }
 
 /// The variable that has its value straight from a step; constants of the compiler have no name.
-std::vector<Runner::WrittenValue> Runner::written_by_number_step(const Op& op) {
+std::vector<WrittenValue> WrittenValues::written_by_number_step(const Op& op) {
   const bool is_global = op.result.bank == Bank::Globals;
   if (!is_global && op.result.bank != Bank::Locals) {
     return {};
   }
-  const std::vector<Variable>& known = level().program->variables;
+  const std::vector<Variable>& known = operands_.level().program->variables;
   const auto holds = [&](const Variable& one) {
     return is_held_as_number(one.type) &&
            one.storage == (is_global ? Storage::Global : Storage::Local) &&
@@ -130,14 +90,15 @@ std::vector<Runner::WrittenValue> Runner::written_by_number_step(const Op& op) {
 }
 
 /// What a procedure or function gets: variables of the program for its results are among them.
-std::vector<Runner::WrittenValue> Runner::written_to_arguments(const Op& op) {
+std::vector<WrittenValue> WrittenValues::written_to_arguments(const Op& op) {
   std::vector<WrittenValue> all;
-  for (const Argument& argument : arguments_of(op)) {
+  for (const Argument& argument : operands_.arguments_of(op)) {
     std::vector<WrittenValue> given;
     if (argument.form == Argument::Form::Whole) {
-      given = elements(argument.variable, 0, variable(argument.variable).shape.count());
+      given = elements(argument.variable, 0, operands_.variable(argument.variable).shape.count());
     } else if (argument.form == Argument::Form::Element) {
-      given = elements(argument.variable, static_cast<std::int32_t>(number(argument.element)), 1);
+      given = elements(argument.variable,
+                       static_cast<std::int32_t>(operands_.number(argument.element)), 1);
     }
     std::ranges::move(given, std::back_inserter(all));
   }
@@ -145,10 +106,10 @@ std::vector<Runner::WrittenValue> Runner::written_to_arguments(const Op& op) {
 }
 
 /// Some elements of a variable, as far as there are so many; frames have no single value.
-std::vector<Runner::WrittenValue> Runner::elements(std::int32_t which, std::int32_t first,
-                                                   std::int32_t count) {
-  Variable shaped = level().program->variables[static_cast<std::size_t>(which)];
-  const Reference in = variable(which);
+std::vector<WrittenValue> WrittenValues::elements(std::int32_t which, std::int32_t first,
+                                                  std::int32_t count) {
+  Variable shaped = operands_.level().program->variables[static_cast<std::size_t>(which)];
+  const Reference in = operands_.variable(which);
   shaped.shape = in.shape;
   std::vector<WrittenValue> all;
   const bool is_shown = in.type != Type::Frame && in.type != Type::None;
@@ -160,9 +121,9 @@ std::vector<Runner::WrittenValue> Runner::elements(std::int32_t which, std::int3
 }
 
 /// "$TC_DP6[1,1]"; "" of a whole frame.
-std::string Runner::system_name(const Op& op) {
+std::string WrittenValues::system_name(const Op& op) {
   const SystemVariable& row = system_variables()[static_cast<std::size_t>(op.a.place)];
-  const Arguments indices = arguments_of(op).first(op.count - 1U);
+  const Arguments indices = operands_.arguments_of(op).first(op.count - 1U);
   const bool is_component = row.type == Type::Frame && indices.size() >= 2;
   if (row.type == Type::Frame && !is_component) {
     return {};
@@ -170,10 +131,11 @@ std::string Runner::system_name(const Op& op) {
   std::vector<std::string> shown_indices;
   for (const Argument& index : indices) {
     const bool is_last = &index == &indices.back();
-    const auto given = static_cast<std::size_t>(std::max(number(index.value), 0.0));
-    shown_indices.push_back(is_component && is_last    ? std::string(kComponentNames.at(given))
-                            : index.type == Type::Axis ? shown(Type::Axis, number(index.value))
-                                                       : fmt::format("{}", number(index.value)));
+    const auto given = static_cast<std::size_t>(std::max(operands_.number(index.value), 0.0));
+    shown_indices.push_back(is_component && is_last ? std::string(kComponentNames.at(given))
+                            : index.type == Type::Axis
+                                ? shown(Type::Axis, operands_.number(index.value))
+                                : fmt::format("{}", operands_.number(index.value)));
   }
   return fmt::format(
       "{}{}{}", row.name, op.detail > 0 ? std::to_string(op.detail) : "",
@@ -181,25 +143,25 @@ std::string Runner::system_name(const Op& op) {
 }
 
 /// What the system variable shows that a step writes.
-runtime::ShownValue Runner::system_value(const Op& op) {
+runtime::ShownValue WrittenValues::system_value(const Op& op) {
   const SystemVariable& row = system_variables()[static_cast<std::size_t>(op.a.place)];
   Op reads = op;
   reads.code = OpCode::ReadSystem;
   reads.count = static_cast<std::uint16_t>(op.count - 1);
   reads.result = {Bank::Temporaries, kTemporaryCount - 1};
   const runtime::LookFromOutside look(channel_.touches);
-  const MaybeFailure wrong = read_system(reads);
+  const MaybeFailure wrong = system_.read(reads);
   if (wrong) {
     return runtime::Cell();
   }
   if (row.type == Type::String) {
-    return shown_value({row.type, 0.0, text(reads.result)});
+    return shown_value({row.type, 0.0, operands_.text(reads.result)});
   }
   const Type type = row.type == Type::Frame ? Type::Real : row.type;
-  return shown_value({type, number(reads.result), {}});
+  return shown_value({type, operands_.number(reads.result), {}});
 }
 
-runtime::ShownValue Runner::value_now(const WrittenValue& written, const Op& op) {
+runtime::ShownValue WrittenValues::value_now(const WrittenValue& written, const Op& op) {
   if (written.in.type == Type::None) {
     return system_value(op);
   }
@@ -207,7 +169,7 @@ runtime::ShownValue Runner::value_now(const WrittenValue& written, const Op& op)
     return shown_value({Type::String, 0.0, written.in.texts[written.element]});
   }
   return shown_value(
-      {written.in.type, without_sign_of_zero(loaded(written.in, written.element)), {}});
+      {written.in.type, without_sign_of_zero(operands_.loaded(written.in, written.element)), {}});
 }
 
 }  // namespace g31::sinumerik

@@ -55,7 +55,7 @@ void Runner::begin(const runtime::Budget& budget, runtime::BlockListener* listen
   has_run_ = true;
   channel_.arrived_at_machine();
   channel_.watch = runtime::BlockWatch(budget, listener);
-  if (const MaybeFailure wrong = take_no_arguments()) {
+  if (const MaybeFailure wrong = calls_.take_no_arguments()) {
     end(wrong);
     return;
   }
@@ -101,10 +101,10 @@ void Runner::end(const MaybeFailure& reason) {
     outcome_ = outcome_of(*failure);
     drop_motion(channel_);
   } else {
-    end_missed();
+    missed_.end(stack_);
   }
-  if (!levels_.front()->has_references()) {
-    *levels_.front() = Level();  // its variables are nowhere
+  if (!stack_.level(0).has_references()) {
+    stack_.level(0) = Level();  // its variables are nowhere
   }
   channel_.warnings.tell_repeats(channel_.diagnostics);
   outcome_.diagnostics = channel_.diagnostics;
@@ -134,7 +134,7 @@ void Runner::run_before(const CompiledProgram& program) {
     channel_.diagnostics.push_back(unknown_data_note(program));
   }
   channel_.watch = runtime::BlockWatch(runtime::Budget{});
-  *levels_.front() = Level();
+  stack_.level(0) = Level();
 }
 
 }  // namespace g31::sinumerik

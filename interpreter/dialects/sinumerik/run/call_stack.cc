@@ -1,0 +1,72 @@
+#include "interpreter/dialects/sinumerik/run/call_stack.h"
+
+#include <algorithm>
+
+namespace g31::sinumerik {
+
+CallStack::CallStack() {
+  levels_.push_back(std::make_unique<Level>());
+}
+
+bool CallStack::is_full() const {
+  constexpr std::size_t kDeepestLevel = 16;  // main program included
+  return depth_ + 1 >= kDeepestLevel;
+}
+
+Level& CallStack::next() {
+  if (levels_.size() <= depth_ + 1) {
+    levels_.push_back(std::make_unique<Level>());
+  }
+  return *levels_[depth_ + 1];
+}
+
+void CallStack::reset() {
+  depth_ = 0;
+  current_ = 0;
+  has_ended_ = false;
+  modal_call.reset();
+  *levels_.front() = Level();
+}
+
+source::Location CallStack::here() const {
+  const CompiledProgram& program = *level().program;
+  return location_in(program, program.spans[static_cast<std::size_t>(current_)]);
+}
+
+source::Location CallStack::place_of_call(std::size_t which) const {
+  const Level& waiting = level(which);
+  const auto step = static_cast<std::size_t>(std::max(waiting.step - 1, 0));
+  return location_in(*waiting.program, waiting.program->spans[step]);
+}
+
+std::size_t CallStack::shown_level() const {
+  std::size_t which = depth_;
+  for (; which > 0 && level(which).program->hides_blocks; --which) {
+    if (level(which).program->shows_actual_block) {
+      return depth_;
+    }
+  }
+  return which;
+}
+
+std::vector<runtime::CallSite> CallStack::calls_of(std::size_t which) const {
+  std::vector<runtime::CallSite> calls;
+  for (std::size_t i = which; i > 0; --i) {
+    calls.push_back({level(i - 1).program->name, place_of_call(i - 1)});
+  }
+  return calls;
+}
+
+std::vector<runtime::CallLevel> CallStack::call_levels() const {
+  std::vector<runtime::CallLevel> levels;
+  if (level().program == nullptr) {
+    return levels;
+  }
+  const std::size_t shown = shown_level();
+  for (std::size_t i = depth_ + 1; i-- > 0;) {
+    levels.push_back({level(i).program->name, i == depth_ ? here() : place_of_call(i), i <= shown});
+  }
+  return levels;
+}
+
+}  // namespace g31::sinumerik

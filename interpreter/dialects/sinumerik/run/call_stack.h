@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/state/level.h"
+#include "interpreter/runtime/inspection.h"
+#include "interpreter/runtime/outcome.h"
+#include "interpreter/source/location.h"
+
+namespace g31::sinumerik {
+
+/// MCALL: the program that is called behind each block that moves.
+struct ModalCall {
+  const CompiledProgram* program = nullptr;
+  std::vector<BoundValue> values;
+  std::size_t depth = 0;  ///< of the level that said MCALL
+};
+
+/// The program levels of a run, and where in them it stands.
+class CallStack {
+ public:
+  CallStack();
+
+  /// The running one.
+  [[nodiscard]] Level& level() const { return *levels_[depth_]; }
+  /// @param which  0: the main program
+  [[nodiscard]] Level& level(std::size_t which) const { return *levels_[which]; }
+  [[nodiscard]] std::size_t depth() const { return depth_; }
+  /// Levels that there are or have been.
+  [[nodiscard]] std::size_t count() const { return levels_.size(); }
+  /// Whether no further level may begin.
+  [[nodiscard]] bool is_full() const;
+  /// The level that enter() begins.
+  Level& next();
+  void enter() { ++depth_; }
+  void leave() { --depth_; }
+  /// Stands on another level for a look.  @returns the one before
+  std::size_t look_at(std::size_t depth) { return std::exchange(depth_, depth); }
+  /// Only the main level is left, as new.
+  void reset();
+
+  /// The step being done, of the running level.
+  [[nodiscard]] std::int32_t current() const { return current_; }
+  void set_current(std::int32_t step) { current_ = step; }
+
+  /// Whether the program is through.
+  [[nodiscard]] bool has_ended() const { return has_ended_; }
+  void end() { has_ended_ = true; }
+  /// @returns what it was before
+  bool set_ended(bool ended) { return std::exchange(has_ended_, ended); }
+
+  std::optional<ModalCall> modal_call;
+
+  // What reports show of it
+
+  [[nodiscard]] source::Location here() const;
+  /// Where a level waits for the program that it called.
+  [[nodiscard]] source::Location place_of_call(std::size_t which) const;
+  /// The level whose block an alarm shows.  DISPLOF hides the blocks of its program behind the
+  /// call; ACTBLOCNO shows the block itself, of programs with DISPLOF that it calls, too.
+  [[nodiscard]] std::size_t shown_level() const;
+  /// The calls that have led to a level, the innermost first.
+  [[nodiscard]] std::vector<runtime::CallSite> calls_of(std::size_t which) const;
+  /// All levels, the innermost first; none before a run.
+  [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const;
+
+ private:
+  std::vector<std::unique_ptr<Level>> levels_;
+  std::size_t depth_ = 0;
+  std::int32_t current_ = 0;
+  bool has_ended_ = false;
+};
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/run/call_stack.h"
+#include "interpreter/dialects/sinumerik/run/called_programs.h"
+#include "interpreter/dialects/sinumerik/run/missed_results.h"
+#include "interpreter/dialects/sinumerik/run/operands.h"
+
+namespace g31::sinumerik {
+
+/// Calls of programs and returns from them.
+class Calls {
+ public:
+  /// All must outlive the calls.
+  Calls(CallStack& stack, Operands& operands, Channel& channel, CalledPrograms& programs,
+        MissedResults& missed)
+      : stack_(stack),
+        operands_(operands),
+        channel_(channel),
+        programs_(programs),
+        missed_(missed) {}
+
+  MaybeFailure call(const Op& op);
+  /// RET and the like: behind the call, or once more; RET(target) goes on at a label there.
+  MaybeFailure return_from(const Op& op);
+  /// The end of what EXECSTRING or the command line brought.
+  MaybeFailure end_text();
+  /// What follows in a long program.  Windows have no local variables that could be lost.
+  MaybeFailure begin_window();
+  /// What nobody calls has its preset values, and nothing to refer to.
+  MaybeFailure take_no_arguments();
+  /// MCALL: behind a block that moves.
+  MaybeFailure modal_call();
+  /// EXECSTRING: the text sees the variables of the level; behind it the program goes on.
+  MaybeFailure execute_text(const std::string& source);
+  void set_call_path(std::string path) { programs_.set_call_path(std::move(path)); }
+
+ private:
+  struct ReturnTarget {
+    std::string label;  ///< or N and a number; empty: behind the call
+    bool behind = false;
+    std::size_t levels = 1;
+  };
+  std::vector<BoundValue> bound(const CallSite& site);
+  bool passes_over(const CallSite& site);
+  MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
+  Result<ReturnTarget, Failure> return_target(const Op& op);
+  MaybeFailure go_on_at(const ReturnTarget& target);
+  void leave_level();
+  void save_codes(Level& into);
+  void restore_codes(const Level& from);
+  void tell_level();
+  Level& level() { return stack_.level(); }
+
+  CallStack& stack_;
+  Operands& operands_;
+  Channel& channel_;
+  CalledPrograms& programs_;
+  MissedResults& missed_;
+  std::set<const CallSite*> told_cycles_;  ///< that are not simulated
+};
+
+}  // namespace g31::sinumerik

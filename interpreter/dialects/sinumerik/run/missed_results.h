@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/run/operands.h"
+#include "interpreter/runtime/missed_touches.h"
+
+namespace g31::sinumerik {
+
+/// What becomes of the result of a measuring move without a signal.  A run that owes nothing has
+/// only any() asked.
+class MissedResults {
+ public:
+  /// Both must outlive it.
+  MissedResults(Operands& operands, Channel& channel)
+      : operands_(operands), channel_(channel), missed_(channel.touches.missed) {}
+
+  /// Whether a move without a signal is still unsettled.
+  [[nodiscard]] bool any() const { return missed_.any(); }
+
+  /// Says what a step reads and what becomes of it, before it is done.
+  void follow(const Op& op);
+  /// What a system variable shows is known once it has been read.
+  void follow_read(const Op& op);
+
+  /// The variables that a call gives values of, by argument; 0: none that is followed.
+  std::vector<runtime::MissedTouches::Holder> holders_given(const CallSite& site,
+                                                            const std::vector<BoundValue>& values);
+  /// The parameters of the level that has begun hold what the arguments were made of; those that
+  /// are taken by reference are the caller's own variables.
+  void follow_arguments(const std::vector<runtime::MissedTouches::Holder>& given);
+
+  /// The variables of a level, or the results within a block, are gone.
+  void forget(std::span<const double> cells);
+  /// The end of the program: variables of called ones are nowhere.
+  void end(const CallStack& stack);
+
+ private:
+  void follow_function(const Op& op);
+  const double& element(const Op& op);
+  void use_measured();
+
+  Operands& operands_;
+  Channel& channel_;
+  runtime::MissedTouches& missed_;
+};
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/code/code.h"
+#include "interpreter/dialects/sinumerik/code/value_limits.h"
+#include "interpreter/dialects/sinumerik/run/call_stack.h"
+#include "interpreter/dialects/sinumerik/state/channel.h"
+#include "interpreter/dialects/sinumerik/state/failure.h"
+#include "interpreter/dialects/sinumerik/state/frame.h"
+
+namespace g31::sinumerik {
+
+using Arguments = std::span<const Argument>;
+
+/// What the operands of steps stand for: constants and locals of the running level, globals of the
+/// channel, and results within a block.
+class Operands {
+ public:
+  /// Both must outlive the operands.
+  Operands(CallStack& stack, Channel& channel);
+
+  /// Another level, or another program of it, runs from now on.
+  void use_level();
+
+  double& number(Operand place) {
+    return banks_[static_cast<std::size_t>(place.bank)][place.place];
+  }
+  std::string& text(Operand place);
+  Frame& frame(Operand place);
+  /// What a step with a list gives.
+  [[nodiscard]] Arguments arguments_of(const Op& op) const;
+
+  /// A variable of the running program, by its number there.
+  Reference variable(std::int32_t which);
+  /// A number of an array as the program counts it.
+  [[nodiscard]] double loaded(const Reference& from, std::size_t element) const;
+  /// And the other way.  @returns why it is no number that may be kept
+  std::optional<WrongValue> store(const Reference& into, std::size_t element, double value);
+  /// A result goes to the variable that an argument names, as an assignment would.
+  MaybeFailure assign(const Argument& target, double value);
+
+  [[nodiscard]] Level& level() const { return stack_.level(); }
+  [[nodiscard]] const CompiledProgram& program() const { return *stack_.level().program; }
+  [[nodiscard]] std::span<const double> temporaries() const { return number_temporaries_; }
+
+ private:
+  double* banks_[4] = {};
+  std::vector<double> number_temporaries_;
+  std::vector<std::string> text_temporaries_;
+  std::vector<Frame> frame_temporaries_;
+  CallStack& stack_;
+  Channel& channel_;
+};
+
+}  // namespace g31::sinumerik
