@@ -197,9 +197,7 @@ void Compiler::synchronised_action(std::string_view word, ActionScope scope, con
   // The steps were only tried: what they do is done when the action is.
   keep_steps(*program_, first);
   code_.cut(first);
-  program_->codes.resize(nc_.first_code);
-  program_->words.resize(nc_.first_word);
-  has_words_ = false;
+  nc_.take_back_words();
   const auto text_argument = [&](std::string text) {
     Argument argument;
     argument.form = Argument::Form::Value;

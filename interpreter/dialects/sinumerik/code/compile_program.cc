@@ -26,7 +26,9 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
       scanner_(text_),
       whole_(source.text),
       program_(std::make_unique<CompiledProgram>()),
-      code_(*program_) {
+      code_(*program_),
+      nc_(*program_, code_),
+      structures_(*program_) {
   program_->name = source.name;
   program_->folder = source.folder;
   program_->file = source.file;
@@ -79,8 +81,8 @@ std::unique_ptr<CompiledProgram> Compiler::run() {
 
 void Compiler::end_of_text() {
   block_ = {whole_.end, whole_.end};
-  end_structures();
-  resolve_jumps();
+  structures_.end(code_);
+  jumps_.resolve(*program_, code_);
   code_.emit(end_, {}, {}, {}, block_);
 }
 
@@ -89,7 +91,7 @@ void Compiler::end_of_text() {
 bool Compiler::lone_block(ShortSpan line) {
   const std::size_t first_step = program_->ops.size();
   block(line);
-  const bool is_lone = structures_.empty() && program_->labels.empty() &&
+  const bool is_lone = structures_.are_closed() && program_->labels.empty() &&
                        definitions_in_block_ == 0 &&
                        std::all_of(program_->ops.begin() + static_cast<std::ptrdiff_t>(first_step),
                                    program_->ops.end(), stands_alone);

@@ -8,7 +8,6 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr std::size_t kDeepestStructure = 16;
 constexpr std::string_view kEndOfPart = "ENDLABEL";
 
 struct Jump {
@@ -23,35 +22,26 @@ constexpr std::string_view kToStart = "GOTOS";
 
 }  // namespace
 
-void Compiler::open(StructureKind kind, std::int32_t head, std::int32_t exit) {
-  if (structures_.size() == kDeepestStructure) {
+/// @param head, exit  as of a Structure
+void Compiler::open(StructureKind kind, std::int32_t head, std::int32_t exit, const Expr& counter) {
+  if (structures_.are_too_deep()) {
     fail(AlarmId::NestingTooDeep, block_);
   }
-  Structure structure;
-  structure.kind = kind;
-  structure.where = block_;
-  structure.head = failed() ? -1 : head;
-  structure.exit = failed() ? -1 : exit;
-  structures_.push_back(structure);
-  program_->bodies.open(static_cast<std::int32_t>(code_.first_step()));
+  structures_.open({kind, block_, failed() ? -1 : head, failed() ? -1 : exit, counter},
+                   code_.first_step());
 }
 
 /// The innermost structure, if it is of the kind that ends here.
-std::optional<Compiler::Structure> Compiler::close(StructureKind kind) {
-  if (structures_.empty() || structures_.back().kind != kind) {
+std::optional<Structure> Compiler::close(StructureKind kind) {
+  auto structure = structures_.close(kind, code_.first_step());
+  if (!structure) {
     fail(AlarmId::BadNesting, block_, text_of(block_));
-    return std::nullopt;
   }
-  Structure structure = structures_.back();
-  structures_.pop_back();
-  // Who jumps to the end of a loop is in it; the end of a branch is where all ways meet.
-  const bool is_branch = kind == StructureKind::If || kind == StructureKind::Else;
-  program_->bodies.close(static_cast<std::int32_t>(code_.first_step()) + (is_branch ? 0 : 1));
   return structure;
 }
 
 /// The innermost loop.  The end of one whose beginning is wrong can be reached by a jump into it.
-std::optional<Compiler::Structure> Compiler::close_loop(StructureKind kind) {
+std::optional<Structure> Compiler::close_loop(StructureKind kind) {
   auto loop = close(kind);
   if (loop && loop->head < 0) {
     fail(AlarmId::BadNesting, block_, text_of(block_));
@@ -102,26 +92,18 @@ void Compiler::else_statement() {
     set_target(structure->exit, code_.here());
     structure->kind = StructureKind::Else;
     structure->exit = failed() ? -1 : done;
-    structures_.push_back(*structure);
-    program_->bodies.open(static_cast<std::int32_t>(code_.first_step()));
+    structures_.open(*std::move(structure), code_.first_step());
   }
-}
-
-/// Whether an IF is open, whatever stands in it.
-bool Compiler::is_in_branch() const {
-  return std::ranges::any_of(structures_, [](const Structure& structure) {
-    return structure.kind == StructureKind::If || structure.kind == StructureKind::Else;
-  });
 }
 
 /// An ENDIF more than there are IF changes nothing; shipped cycles have such ones.
 void Compiler::endif_statement() {
   expect_end();
-  if (!is_in_branch()) {
+  if (!structures_.are_in_branch()) {
     code_.emit(OpCode::SurplusEnd, {}, {}, {}, block_);
     return;
   }
-  const bool in_else = !structures_.empty() && structures_.back().kind == StructureKind::Else;
+  const bool in_else = structures_.are_in(StructureKind::Else);
   if (const auto structure = close(in_else ? StructureKind::Else : StructureKind::If)) {
     set_target(structure->exit, code_.here());
   }
@@ -187,8 +169,7 @@ void Compiler::for_statement() {
   const Operand inside = temporary(Type::Bool);
   code_.emit(OpCode::LessEqual, inside, now.value, end.value, block_);
   const std::int32_t exit = code_.emit(OpCode::JumpIfNot, {}, inside, {}, block_);
-  open(StructureKind::For, head, exit);
-  structures_.back().counter = counter;
+  open(StructureKind::For, head, exit, counter);
 }
 
 void Compiler::endfor_statement() {
@@ -275,7 +256,7 @@ void Compiler::repeat_part(bool one_block) {
     fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
     return;
   }
-  PartToRepeat part;
+  LabelJumps::Part part;
   part.first = *first;
   part.one_block = one_block;
   part.end = kEndOfPart;
@@ -292,20 +273,20 @@ void Compiler::repeat_part(bool one_block) {
   emit_part(std::move(part), passes.value);
 }
 
-void Compiler::emit_part(PartToRepeat part, Operand passes) {
+void Compiler::emit_part(LabelJumps::Part part, Operand passes) {
   part.site = program_->repeats.size();
   program_->repeats.emplace_back();
   part.step = code_.emit(OpCode::RepeatPart, {},
                          {Bank::Constants, static_cast<std::int32_t>(part.site)}, passes, block_);
   if (!failed()) {
-    parts_.push_back(std::move(part));
+    jumps_.add(std::move(part));
   }
 }
 
 /// BLOCK first TO last behind CALL: the part of this program once, as REPEAT first last runs it.
 void Compiler::call_block() {
   cursor_.next();
-  PartToRepeat part;
+  LabelJumps::Part part;
   part.first = label_name().value_or("");
   const bool goes_to = cursor_.accept_name("TO");
   part.end = label_name().value_or("");
@@ -373,7 +354,7 @@ void Compiler::jump_to(Direction direction) {
     return;
   }
   const std::int32_t step = code_.emit(OpCode::Jump, {}, {}, {}, where);
-  jumps_.push_back({step, *label, direction});
+  jumps_.add(LabelJumps::Jump{step, *label, direction});
 }
 
 void Compiler::jump(Direction direction) {

@@ -116,7 +116,7 @@ void Compiler::code_of_group(ShortSpan where) {
     return;
   }
   code_.emit(OpCode::GroupCode, {}, group.value, number.value, where);
-  has_words_ = true;
+  nc_.add_computed();
 }
 
 void Compiler::g_code(std::optional<FoundCode> code, ShortSpan where) {
@@ -129,14 +129,9 @@ void Compiler::g_code(std::optional<FoundCode> code, ShortSpan where) {
     fail(AlarmId::NotImplemented, where, std::string(row.name) + ", " + std::string(row.text));
     return;
   }
-  for (std::size_t i = nc_.first_code; i < program_->codes.size(); ++i) {
-    if (g_codes()[unpacked(program_->codes[i]).row].group == row.group) {
-      fail(AlarmId::SameGroup, where, text_of(where));
-      return;
-    }
+  if (!nc_.add(*code)) {
+    fail(AlarmId::SameGroup, where, text_of(where));
   }
-  program_->codes.push_back(packed(*code));
-  has_words_ = true;
 }
 
 /// M2, M17 and M30 end the program behind everything else in their block.
@@ -164,7 +159,7 @@ void Compiler::m_word(ShortSpan where) {
 
 void Compiler::m_number(double number, ShortSpan where) {
   if (number == 2.0 || number == 17.0 || number == 30.0) {
-    ends_with_ = number == 17.0 ? OpCode::Return : OpCode::EndProgram;
+    nc_.end_with(number == 17.0 ? OpCode::Return : OpCode::EndProgram);
   } else {
     constant_word(Address::Machine, number, where);
   }
@@ -184,16 +179,10 @@ std::optional<double> Compiler::number_at_once() {
 
 /// A word that needs no step of its own: the block knows it.
 void Compiler::constant_word(Address address, double value, ShortSpan where) {
-  std::vector<ConstantWord>& words = program_->words;
-  const auto times =
-      std::count_if(words.begin() + nc_.first_word, words.end(),
-                    [address](const ConstantWord& word) { return word.address == address; });
-  const int most = most_in_block(address);
-  if (times == most) {
-    fail(most > 1 ? AlarmId::AddressTooOften : AlarmId::AddressRepeated, where, name_of(address));
+  if (!nc_.add(address, value)) {
+    fail(most_in_block(address) > 1 ? AlarmId::AddressTooOften : AlarmId::AddressRepeated, where,
+         name_of(address));
   }
-  words.push_back({value, address});
-  has_words_ = true;
 }
 
 /// What stands behind an address: a number at once, or = and an expression.
@@ -260,7 +249,7 @@ void Compiler::emit_word(Address address, Modification modification, const Expr&
              value.where);
   code_.last().detail = detail_of(address);
   code_.last().count = static_cast<std::uint16_t>(modification);
-  has_words_ = true;
+  nc_.add_computed();
 }
 
 /// X, AX1, a variable of type AXIS; where a setting is of the spindle, too, S, S1 or SPI(1).
@@ -316,7 +305,7 @@ void Compiler::axis_word(const AxisWordInfo& row) {
   code_.emit(OpCode::AxisWord, {}, axis.value, value.value, where);
   code_.last().detail = detail_of(row.id);
   code_.last().count = static_cast<std::uint16_t>(modification);
-  has_words_ = true;
+  nc_.add_computed();
 }
 
 /// MEASA[axis]=(mode, trigger), MEAWA[axis]=(mode, trigger)
@@ -332,7 +321,7 @@ void Compiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSp
   expect(Symbol::RightParen);
   code_.emit(OpCode::AxisMeasuring, mode.value, axis.value, trigger.value, where);
   code_.last().detail = row.id == AxisWordId::MeasureAxesOn ? 1 : 0;
-  has_words_ = true;
+  nc_.add_computed();
 }
 
 /// [n] behind M, S, T, SPOS, SPOSA or LIMS; = follows.
@@ -360,7 +349,7 @@ void Compiler::spindle_word(Address address, const Expr& spindle, ShortSpan wher
   code_.emit(OpCode::SpindleWord, {}, spindle.value, value.value, where);
   code_.last().detail = detail_of(address);
   code_.last().count = static_cast<std::uint16_t>(modification);
-  has_words_ = true;
+  nc_.add_computed();
 }
 
 /// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.

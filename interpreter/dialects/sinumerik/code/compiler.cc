@@ -6,14 +6,6 @@
 #include "interpreter/source/printable.h"
 
 namespace g31::sinumerik {
-namespace {
-
-std::int32_t size_of(const auto& list) {
-  return static_cast<std::int32_t>(list.size());
-}
-
-}  // namespace
-
 void Compiler::block(ShortSpan span) {
   std::vector<Token>& tokens = cursor_.tokens();
   scanner_.scan(span, tokens);
@@ -51,13 +43,8 @@ void Compiler::end_block() {
 /// What the block has left so far is worth nothing.
 void Compiler::take_back(std::size_t first_step) {
   code_.cut(first_step);
-  std::erase_if(jumps_, [&](const JumpToLabel& jump) {
-    return static_cast<std::size_t>(jump.step) >= first_step;
-  });
-  program_->codes.resize(nc_.first_code);
-  program_->words.resize(nc_.first_word);
-  has_words_ = false;
-  ends_with_ = OpCode::Move;
+  jumps_.take_back(first_step);
+  nc_.take_back();
 }
 
 /// The alarm takes the place of the block's steps.
@@ -153,33 +140,14 @@ void Compiler::item() {
 }
 
 void Compiler::finish_words() {
-  if (has_words_) {
-    emit_nc_block();
-  }
-  if (ends_with_ != OpCode::Move) {
-    code_.emit(ends_with_, {}, {}, {}, block_);
-    ends_with_ = OpCode::Move;
-  }
-}
-
-void Compiler::emit_nc_block() {
-  if (purpose_ == Purpose::Definitions) {
+  if (nc_.has_words() && purpose_ == Purpose::Definitions) {
     fail(AlarmId::BadDefinition, block_, "a definition file may hold definitions only");
     return;
   }
-  const Operand block = {Bank::Constants, size_of(program_->nc_blocks)};
-  nc_.code_count = static_cast<std::uint16_t>(program_->codes.size() - nc_.first_code);
-  nc_.word_count = static_cast<std::uint16_t>(program_->words.size() - nc_.first_word);
-  program_->nc_blocks.push_back(nc_);
-  nc_.first_code = static_cast<std::uint32_t>(program_->codes.size());
-  nc_.first_word = static_cast<std::uint32_t>(program_->words.size());
-  has_words_ = false;
-  if (program_->ops.size() == code_.first_step() + 1) {
-    code_.last().code = OpCode::NcBlock;
-    code_.last().b = block;
-  } else {
-    code_.emit(OpCode::Execute, {}, {}, block, block_);
+  if (nc_.has_words()) {
+    nc_.execute(block_);
   }
+  nc_.end(block_);
 }
 
 void Compiler::expect(Symbol symbol) {

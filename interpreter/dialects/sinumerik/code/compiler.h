@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +7,10 @@
 
 #include "interpreter/dialects/sinumerik/code/code_writer.h"
 #include "interpreter/dialects/sinumerik/code/compile.h"
+#include "interpreter/dialects/sinumerik/code/expr.h"
+#include "interpreter/dialects/sinumerik/code/label_jumps.h"
+#include "interpreter/dialects/sinumerik/code/nc_block_writer.h"
+#include "interpreter/dialects/sinumerik/code/structures.h"
 #include "interpreter/dialects/sinumerik/code/token_cursor.h"
 #include "interpreter/dialects/sinumerik/text/plain_words.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
@@ -16,22 +19,6 @@
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
 
 namespace g31::sinumerik {
-
-/// What an expression or a part of one turned out to be.
-struct Expr {
-  Type type = Type::None;
-  Operand value;
-  ShortSpan where;
-  std::int32_t variable = -1;  ///< it is this variable or an element of it
-  Operand element;             ///< number of that element
-  bool is_whole_array = false;
-  bool is_constant = false;
-};
-
-/// From the beginning of one to the end of the other.
-inline ShortSpan joined(ShortSpan first, ShortSpan last) {
-  return {std::min(first.begin, last.begin), std::max(first.end, last.end)};
-}
 
 /// Translates one program block by block, in one go.  A block that is wrong is taken back and a
 /// Raise stands in its place.
@@ -53,27 +40,6 @@ class Compiler {
   std::unique_ptr<CompiledProgram> run_expression();
 
  private:
-  enum class StructureKind { If, Else, Loop, For, While, Repeat };
-  struct Structure {
-    StructureKind kind = StructureKind::If;
-    ShortSpan where;
-    std::int32_t head = -1;  ///< step that a missing end turns into an alarm, and loops go back to
-    std::int32_t exit = -1;  ///< jump out of it, to be given its target
-    std::int32_t done = -1;  ///< Else: the jump at the end of the first branch
-    Expr counter;            ///< For
-  };
-  struct JumpToLabel {
-    std::int32_t step = 0;
-    std::string label;
-    Direction direction = Direction::Forward;
-  };
-  struct PartToRepeat {
-    std::size_t site = 0;
-    std::int32_t step = 0;
-    std::string first;
-    std::string end;
-    bool one_block = false;
-  };
   /// What an index list in brackets says.
   struct Element {
     Operand number;
@@ -92,7 +58,6 @@ class Compiler {
   void statement();
   void item();
   void finish_words();
-  void emit_nc_block();
   void take_back(std::size_t first_step);
   void raise_from(std::size_t first_step);
   void expect(Symbol symbol);
@@ -113,10 +78,6 @@ class Compiler {
   [[nodiscard]] ShortSpan line_from(std::uint32_t begin) const;
   void reserve(std::size_t lines);
   void end_of_text();
-
-  // compile_jumps.cc
-  void resolve_jumps();
-  void end_structures();
 
   // compile_plain.cc
   bool plain_block(ShortSpan line);
@@ -203,14 +164,13 @@ class Compiler {
   void repeatb_statement();
   void jump(Direction direction);
   [[nodiscard]] bool jumps_behind() const;
-  [[nodiscard]] bool is_in_branch() const;
   void jump_to(Direction direction);
   bool jump_statement();
   void repeat_part(bool one_block);
-  void emit_part(PartToRepeat part, Operand passes);
+  void emit_part(LabelJumps::Part part, Operand passes);
   void call_block();
   std::optional<std::string> label_name();
-  void open(StructureKind kind, std::int32_t head, std::int32_t exit);
+  void open(StructureKind kind, std::int32_t head, std::int32_t exit, const Expr& counter = {});
   std::optional<Structure> close(StructureKind kind);
   std::optional<Structure> close_loop(StructureKind kind);
   void back_to(const Structure& loop);
@@ -302,6 +262,9 @@ class Compiler {
   ShortSpan whole_;
   std::unique_ptr<CompiledProgram> program_;
   CodeWriter code_;  ///< of program_
+  NcBlockWriter nc_;
+  Structures structures_;
+  LabelJumps jumps_;
   TokenCursor cursor_;
   NameMap<std::int32_t> imported_;
   Macros macros_;
@@ -309,17 +272,11 @@ class Compiler {
   ShortSpan block_;
   ShortSpan error_where_;
   std::optional<BlockError> error_;
-  NcBlock nc_;  ///< where codes and words of the block begin
-  bool has_words_ = false;
   OpCode end_ = OpCode::EndProgram;  ///< of the text
-  OpCode ends_with_ = OpCode::Move;  ///< Return or EndProgram behind the words of the block
   bool is_first_block_ = true;
   int definitions_in_block_ = 0;   ///< so far
   bool in_program_part_ = false;   ///< a statement that is no definition stood before
   bool has_letter_names_ = false;  ///< a variable is called I, say
-  std::vector<Structure> structures_;
-  std::vector<JumpToLabel> jumps_;
-  std::vector<PartToRepeat> parts_;
 };
 
 /// Whether an argument is the variable that its parameter wants; see functions.def and

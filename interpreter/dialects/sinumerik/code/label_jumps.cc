@@ -1,33 +1,22 @@
+#include "interpreter/dialects/sinumerik/code/label_jumps.h"
+
 #include <algorithm>
 #include <charconv>
 
-#include "interpreter/dialects/sinumerik/code/compiler.h"
-
 namespace g31::sinumerik {
 
-void Compiler::end_structures() {
-  program_->bodies.finish();
-  for (const Structure& open : structures_) {
-    if (open.head >= 0) {
-      Op& head = program_->ops[static_cast<std::size_t>(open.head)];
-      head = {OpCode::Raise,
-              0,
-              0,
-              {},
-              code_.error_constant({AlarmId::BadNesting, "its end is missing"}),
-              {}};
-      program_->spans[static_cast<std::size_t>(open.head)] = open.where;
-    }
-  }
+void LabelJumps::take_back(std::size_t first_step) {
+  std::erase_if(
+      jumps_, [&](const Jump& jump) { return static_cast<std::size_t>(jump.step) >= first_step; });
 }
 
-void Compiler::resolve_jumps() {
-  for (const JumpToLabel& jump : jumps_) {
-    Op& op = program_->ops[static_cast<std::size_t>(jump.step)];
-    const auto target = find_label(*program_, jump.label, jump.step, jump.direction);
+void LabelJumps::resolve(CompiledProgram& program, CodeWriter& code) const {
+  for (const Jump& jump : jumps_) {
+    Op& op = program.ops[static_cast<std::size_t>(jump.step)];
+    const auto target = find_label(program, jump.label, jump.step, jump.direction);
     if (target) {
       op.a.place = *target;
-      op.code = program_->bodies.enters(jump.step, *target) ? OpCode::JumpInto : op.code;
+      op.code = program.bodies.enters(jump.step, *target) ? OpCode::JumpInto : op.code;
     } else if (jump.direction == Direction::BothQuiet) {
       op.a.place = jump.step + 1;
     } else {
@@ -35,22 +24,21 @@ void Compiler::resolve_jumps() {
             0,
             0,
             {},
-            code_.error_constant({AlarmId::JumpTargetMissing, jump.label}),
+            code.error_constant({AlarmId::JumpTargetMissing, jump.label}),
             {}};
     }
   }
-  for (const PartToRepeat& part : parts_) {
-    RepeatSite& site = program_->repeats[part.site];
-    const auto first = find_label(*program_, part.first, part.step, Direction::Both);
+  for (const Part& part : parts_) {
+    RepeatSite& site = program.repeats[part.site];
+    const auto first = find_label(program, part.first, part.step, Direction::Both);
     site.first = first.value_or(-1);
     if (part.one_block && first) {
-      site.end = program_->ops[static_cast<std::size_t>(*first)].a.place;
+      site.end = program.ops[static_cast<std::size_t>(*first)].a.place;
     } else if (first) {
-      const auto end = part.end.empty()
-                           ? std::nullopt
-                           : find_label(*program_, part.end, *first, Direction::Forward);
+      const auto end = part.end.empty() ? std::nullopt
+                                        : find_label(program, part.end, *first, Direction::Forward);
       const std::size_t last = static_cast<std::size_t>(end.value_or(part.step));
-      site.end = end ? program_->ops[last].a.place : part.end == "ENDLABEL" ? part.step : -1;
+      site.end = end ? program.ops[last].a.place : part.end == "ENDLABEL" ? part.step : -1;
       site.first = site.end < 0 ? -1 : site.first;
     }
   }
