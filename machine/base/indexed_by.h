@@ -16,6 +16,7 @@ class IndexedBy {
   /// By number, as programs count the places.  @pre number < Count
   constexpr Value& at(std::size_t number) { return values_.at(number); }
   [[nodiscard]] constexpr const Value& at(std::size_t number) const { return values_.at(number); }
+  constexpr bool operator==(const IndexedBy&) const = default;
 
  private:
   std::array<Value, Count> values_ = {};

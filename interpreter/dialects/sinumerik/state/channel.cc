@@ -86,11 +86,7 @@ Failure no_frame_of(int axis) {
 }
 
 Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals)
-    : numbers(globals.initial_numbers()),
-      texts(static_cast<std::size_t>(globals.text_count())),
-      frames(static_cast<std::size_t>(globals.frame_count())),
-      settable(kSettableFrames),
-      port(machine),
+    : port(machine),
       observer(listener),
       outlet(machine, listener),
       frame_save_mask_(static_cast<std::size_t>(globals.find("$MN_FRAME_SAVE_MASK")->place)),
@@ -119,6 +115,10 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       diameter_axis_(static_cast<std::size_t>(globals.find("$MC_DIAMETER_AX_DEF")->place)),
       carrier_fine_(static_cast<std::size_t>(globals.find("$SC_TOCARR_FINE_CORRECTION")->place)),
       most_carriers_(static_cast<std::size_t>(globals.find("$MN_MM_NUM_TOOL_CARRIER")->place)) {
+  numbers = globals.initial_numbers();
+  texts.resize(static_cast<std::size_t>(globals.text_count()));
+  frames.resize(static_cast<std::size_t>(globals.frame_count()));
+  settable.resize(kSettableFrames);
   for (int i = 0; i < kGroupCount; ++i) {
     group.at(static_cast<std::size_t>(i)) = preset_number(static_cast<Group>(i));
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/code/globals.h"
+#include "interpreter/dialects/sinumerik/state/channel_state.h"
 #include "interpreter/dialects/sinumerik/state/failure.h"
 #include "interpreter/dialects/sinumerik/state/frame.h"
 #include "interpreter/dialects/sinumerik/state/frame_set.h"
@@ -33,42 +34,6 @@
 #include "machine/units/length_unit.h"
 
 namespace g31::sinumerik {
-
-/// Numbers of $TC_DP.
-struct EdgeDatum {
-  static constexpr std::size_t kType = 1;
-  static constexpr std::size_t kPosition = 2;  ///< of the cutting edge
-  static constexpr std::size_t kLength1 = 3;   ///< to 5
-  static constexpr std::size_t kRadius = 6;
-  static constexpr std::size_t kWear1 = 12;  ///< of lengths, to 14
-  static constexpr std::size_t kRadiusWear = 15;
-  static constexpr std::size_t kAdapter1 = 21;  ///< lengths, to 23
-};
-
-/// $TC_DP1.. of one cutting edge, by EdgeDatum.
-using EdgeData = std::array<double, 26>;
-
-struct Tool {
-  std::string name;
-  double duplo = 1.0;
-  double state = 2.0;  ///< bit 1: released
-  std::map<int, EdgeData> edges;
-  std::map<int, double> teeth;  ///< $TC_DPNT
-
-  /// A datum that is only kept, or that few tools have: $TC_SCPn, $TC_MOPn, $TC_TPn.
-  struct Datum {
-    SystemId id = SystemId::ToolDatum;
-    int edge = 0;  ///< 0: of the tool
-    int number = 0;
-    friend auto operator<=>(const Datum&, const Datum&) = default;
-  };
-  std::map<Datum, double> more;
-  /// 0: never written
-  [[nodiscard]] double datum(const Datum& which) const {
-    const auto found = more.find(which);
-    return found != more.end() ? found->second : 0.0;
-  }
-};
 
 /// The words of one NC block.
 struct BlockWords {
@@ -125,22 +90,11 @@ struct Plane {
 
 /// The state of one channel of the control: everything a program can read or change, except its
 /// local variables.
-class Channel {
+class Channel : public ChannelState {
  public:
   Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals);
 
-  // Global variables, by their places.
-  std::vector<double> numbers;
-  std::vector<std::string> texts;
-  std::vector<Frame> frames;
-
   // Modal state
-  GroupNumbers group;
-  double feed = 0.0;  ///< as programmed
-  Spindle spindle;
-  std::map<int, Spindle> other_spindles;  ///< by number, 2 and on: not simulated
-  AxisSettings axis_settings;
-  double master_spindle = 1.0;
   [[nodiscard]] Plane plane() const;
   /// Of the lengths in a block's words: inches with G70 and G700.
   [[nodiscard]] double mm_per_length() const;
@@ -173,18 +127,6 @@ class Channel {
 
   // Frames
   static constexpr int kSettableFrames = 100;  ///< 0 is G500
-  /// What the control keeps: $P_UIFR, $P_CHBFR, $P_SETFR and so on.
-  std::vector<Frame> settable;
-  /// Those that a sheet with settable frames leaves out, until the program writes them: G55 there
-  /// is a mistake of the sheet or the program.
-  std::set<int> left_out;
-  FrameSet stored_frames;
-  /// What G500 to G599 took of them when programmed last: $P_IFRAME, $P_CHBFRAME, $P_SETFRAME.
-  Frame settable_now;
-  FrameSet frames_now;
-  Frame program_frame;
-  Eigen::Matrix3d tool_turn = Eigen::Matrix3d::Identity();  ///< what TOROT or TOFRAME made of it
-  int suppression = 0;  ///< number in group 9 of the running block
   [[nodiscard]] int settable_number() const { return group[Group::SettableFrame] - 1; }
   /// G500 to G599, programmed or restored: the stored frames come into force.
   void take_stored_frames() {
@@ -228,14 +170,8 @@ class Channel {
   }
 
   // Tools
-  std::map<int, Tool> tools;
-  bool knows_tools = false;          ///< the set-up sheet or an INI file has some
-  bool loads_data = false;           ///< of an INI file: data of a new tool make it
-  std::optional<int> selected_tool;  ///< the last T; none before the first
-  int tool = 0;
-  int edge = 0;
-  int additive = 0;                  ///< DL
-  std::optional<EdgeData> edge_now;  ///< its data when D or M6 took them
+  bool knows_tools = false;  ///< the set-up sheet or an INI file has some
+  bool loads_data = false;   ///< of an INI file: data of a new tool make it
   [[nodiscard]] const EdgeData* active_edge() const { return edge_now ? &*edge_now : nullptr; }
   /// mm, wear included; 0 without an edge
   [[nodiscard]] double tool_radius() const;
@@ -249,7 +185,6 @@ class Channel {
   [[nodiscard]] AxisPositions tool_offset() const;
 
   // Rotary axes
-  std::map<int, ToolCarrier> carriers;  ///< $TC_CARR
   Orientation orientation;
   /// SD42974: fine offsets of carriers act.
   [[nodiscard]] bool carriers_have_fine_offsets() const { return numbers[carrier_fine_] != 0.0; }
@@ -264,7 +199,6 @@ class Channel {
   [[nodiscard]] Eigen::Matrix3d turn_of_part(const AxisPositions& q_M) const;
   /// The direction from the tip to the holder in the basic coordinates, the axes at q_M.
   [[nodiscard]] Eigen::Vector3d tool_direction(const AxisPositions& q_M) const;
-  std::array<double, 4> additive_now = {};  ///< mm, what DL added to parameters 3 to 6 of the edge
   /// nullptr: no such tool, or no such edge
   Tool* find_tool(int number);
   Tool* tool_to_write(int number);
@@ -308,17 +242,11 @@ class Channel {
   /// The way of G0: RTLIOF acts in exact stop alone, and neither compensated nor compressed.
   /// Source: SINUMERIK ONE programming, 6FC5398-2EP40, RTLION and RTLIOF.
   [[nodiscard]] machine::RapidPath rapid_path() const;
-  Pole pole;
-  WorkingArea working_area;
-  MachinePoints points;
-  std::map<int, FurtherAxis> further_axes;  ///< those of U, V and W that the machine has
   /// nullptr: the machine has it not
   [[nodiscard]] const FurtherAxis* further(int axis) const {
     const auto found = further_axes.find(axis);
     return found != further_axes.end() ? &found->second : nullptr;
   }
-  /// TRAILON: following and leading axis to the factor.
-  std::map<std::pair<int, int>, double> couplings;
   CornerStage corners;
   CutterStage cutter;
   std::optional<HeldLine> held_line;
@@ -326,11 +254,7 @@ class Channel {
   Eigen::Vector3d along_M_end = Eigen::Vector3d::Zero();
 
   // Measuring
-  static constexpr int kMostProbes = 8;
-  AxisPositions q_M_measured = AxisPositions::Zero();
-  AxisPositions q_W_measured = AxisPositions::Zero();
-  std::array<bool, kMostProbes + 1> measured = {};  ///< by probe, from 1
-  runtime::TouchReports touches;                    ///< of MEAS, MEAW, MEASA and MEAWA
+  runtime::TouchReports touches;  ///< of MEAS, MEAW, MEASA and MEAWA
   /// WHEN $A_PROBE[n]==level DO DELDTG, for the next move.
   struct SkipAction {
     int probe = 1;
@@ -352,28 +276,11 @@ class Channel {
     int stops = 0;
   };
   Waiting waiting;
-  std::string message;  ///< the last MSG
-
-  /// Data that are only kept: of which variable and row of its family, with which indices.
-  struct KeptDatum {
-    SystemId id = SystemId::ExternalShift;
-    int parameter = 0;
-    std::vector<int> indices;
-    friend auto operator<=>(const KeptDatum&, const KeptDatum&) = default;
-  };
-  std::map<KeptDatum, double> kept_data;
-  std::map<KeptDatum, std::string> kept_texts;
 
   // Outside world
-  std::map<std::string, std::string> files;  ///< what WRITE, READ and EXTWRITE work on
-  std::set<std::string> open_files;          ///< EXTOPEN
-  std::string call_path;
   std::set<int> block_skip;  ///< switches that are on
   runtime::FeedSwitches feed_switches;
-  std::array<double, 9> analog_inputs = {};   ///< $A_INA, where nothing is wired to it
-  std::array<bool, 65> digital_inputs = {};   ///< $A_IN, where nothing is wired to it
-  std::array<bool, 65> digital_outputs = {};  ///< $A_OUT
-  runtime::InputScripts inputs;               ///< of those that the set-up sheet scripts
+  runtime::InputScripts inputs;  ///< of those that the set-up sheet scripts
   runtime::BusyWait busy_wait;
   /// How far the program is, for what happens after a while.
   [[nodiscard]] runtime::InputScripts::Now now() const { return {port.time_s(), watch.blocks()}; }

@@ -25,6 +25,7 @@ struct FrameSet {
   /// All outside of the settable frame, and all between it and the programmable one.
   [[nodiscard]] Frame outer() const;
   [[nodiscard]] Frame inner() const;
+  bool operator==(const FrameSet&) const = default;
 };
 
 /// Goes on with a frame; one that does nothing leaves the others as they are.

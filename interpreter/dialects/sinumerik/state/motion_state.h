@@ -32,6 +32,8 @@ struct Spindle {
   std::optional<double> angle = 0.0;                       ///< degrees; nullopt: it turns
   double override_percent = 100.0;                         ///< OVRA[S1]
   int direction = kNothingYet;  ///< of $P_SDIR: 3, 4, 5 of M3, M4, M5, or one of these two
+
+  bool operator==(const Spindle&) const = default;
 };
 
 /// What programs set of the axes one by one, and the overrides that they write.
@@ -42,6 +44,8 @@ struct AxisSettings {
   AxisPositions mm_per_degree = AxisPositions::Constant(1.0);       ///< FGREF, of rotary axes
   bool counts_as_usual = true;           ///< neither FGROUP nor FGREF was written
   double path_override_percent = 100.0;  ///< OVR
+
+  bool operator==(const AxisSettings&) const = default;
 };
 
 /// U, V or W: it carries neither tool nor part, so it has a place and takes its time, no more.
@@ -51,6 +55,8 @@ struct FurtherAxis {
   double rapid_per_min = 0.0;  ///< mm/min
   double travel_min = 0.0;     ///< mm
   double travel_max = 0.0;     ///< mm
+
+  bool operator==(const FurtherAxis&) const = default;
 };
 
 /// The pole of polar coordinates, and the last ones.
@@ -58,6 +64,8 @@ struct Pole {
   AxisPositions q_W = AxisPositions::Zero();
   std::optional<double> angle;   ///< degrees, since the pole was set
   std::optional<double> radius;  ///< mm
+
+  bool operator==(const Pole&) const = default;
 };
 
 /// G25 and G26, machine coordinates of the tool tip.
@@ -66,6 +74,8 @@ struct WorkingArea {
   AxisPositions q_low = AxisPositions::Constant(-kFar);
   AxisPositions q_high = AxisPositions::Constant(kFar);
   bool is_set = false;
+
+  bool operator==(const WorkingArea&) const = default;
 };
 
 /// Points that the machine's builder has set, machine coordinates.
@@ -74,6 +84,8 @@ struct MachinePoints {
   AxisPositions q_M_reference = AxisPositions::Zero();
   std::array<AxisPositions, kFixedPoints> q_M_fixed = {
       AxisPositions::Zero(), AxisPositions::Zero(), AxisPositions::Zero(), AxisPositions::Zero()};
+
+  bool operator==(const MachinePoints&) const = default;
 };
 
 /// Roundings and chamfers, and what the present block says to them.

@@ -36,6 +36,7 @@ struct ToolCarrier {
   [[nodiscard]] Result<machine::KinematicVectors, Failure> vectors(bool with_fine) const;
   /// The position of axis 1 or 2 at which its angle is 0.  @param i  0 or 1
   [[nodiscard]] double basic_position(std::size_t i, bool with_fine) const;
+  bool operator==(const ToolCarrier&) const = default;
 };
 
 /// The data of a machine; its travel goes into the limits.  @param travel  of axes 1 and 2

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "interpreter/dialects/sinumerik/state/frame.h"
+#include "interpreter/dialects/sinumerik/state/frame_set.h"
+#include "interpreter/dialects/sinumerik/state/motion_state.h"
+#include "interpreter/dialects/sinumerik/state/tool_carrier.h"
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+#include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
+#include "interpreter/dialects/sinumerik/vocabulary/words.h"
+
+namespace g31::sinumerik {
+
+/// Numbers of $TC_DP.
+struct EdgeDatum {
+  static constexpr std::size_t kType = 1;
+  static constexpr std::size_t kPosition = 2;  ///< of the cutting edge
+  static constexpr std::size_t kLength1 = 3;   ///< to 5
+  static constexpr std::size_t kRadius = 6;
+  static constexpr std::size_t kWear1 = 12;  ///< of lengths, to 14
+  static constexpr std::size_t kRadiusWear = 15;
+  static constexpr std::size_t kAdapter1 = 21;  ///< lengths, to 23
+};
+
+/// $TC_DP1.. of one cutting edge, by EdgeDatum.
+using EdgeData = std::array<double, 26>;
+
+struct Tool {
+  std::string name;
+  double duplo = 1.0;
+  double state = 2.0;  ///< bit 1: released
+  std::map<int, EdgeData> edges;
+  std::map<int, double> teeth;  ///< $TC_DPNT
+
+  /// A datum that is only kept, or that few tools have: $TC_SCPn, $TC_MOPn, $TC_TPn.
+  struct Datum {
+    SystemId id = SystemId::ToolDatum;
+    int edge = 0;  ///< 0: of the tool
+    int number = 0;
+    friend auto operator<=>(const Datum&, const Datum&) = default;
+  };
+  std::map<Datum, double> more;
+  bool operator==(const Tool&) const = default;
+  /// 0: never written
+  [[nodiscard]] double datum(const Datum& which) const {
+    const auto found = more.find(which);
+    return found != more.end() ? found->second : 0.0;
+  }
+};
+
+/// What programs read and change of a channel, as a plain value: copies are keyframes, and two runs
+/// that are alike have equal ones.  Paths on their way to the machine, clocks and what TCARR and
+/// TRAORI have made of the rotary axes are in the channel beside it.
+struct ChannelState {
+  // Global variables, by their places.
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  std::vector<Frame> frames;
+
+  // Modal state
+  GroupNumbers group;
+  double feed = 0.0;  ///< as programmed
+  Spindle spindle;
+  std::map<int, Spindle> other_spindles;  ///< by number, 2 and on: not simulated
+  AxisSettings axis_settings;
+  double master_spindle = 1.0;
+
+  // Frames
+  /// What the control keeps: $P_UIFR, $P_CHBFR, $P_SETFR and so on.
+  std::vector<Frame> settable;
+  /// Those that a sheet with settable frames leaves out, until the program writes them: G55 there
+  /// is a mistake of the sheet or the program.
+  std::set<int> left_out;
+  FrameSet stored_frames;
+  /// What G500 to G599 took of them when programmed last: $P_IFRAME, $P_CHBFRAME, $P_SETFRAME.
+  Frame settable_now;
+  FrameSet frames_now;
+  Frame program_frame;
+  Eigen::Matrix3d tool_turn = Eigen::Matrix3d::Identity();  ///< what TOROT or TOFRAME made of it
+  int suppression = 0;  ///< number in group 9 of the running block
+
+  // Tools
+  std::map<int, Tool> tools;
+  std::optional<int> selected_tool;  ///< the last T; none before the first
+  int tool = 0;
+  int edge = 0;
+  int additive = 0;                         ///< DL
+  std::optional<EdgeData> edge_now;         ///< its data when D or M6 took them
+  std::array<double, 4> additive_now = {};  ///< mm, what DL added to parameters 3 to 6 of the edge
+  std::map<int, ToolCarrier> carriers;      ///< $TC_CARR
+
+  // Motion
+  Pole pole;
+  WorkingArea working_area;
+  MachinePoints points;
+  std::map<int, FurtherAxis> further_axes;  ///< those of U, V and W that the machine has
+  /// TRAILON: following and leading axis to the factor.
+  std::map<std::pair<int, int>, double> couplings;
+
+  // Measuring
+  static constexpr int kMostProbes = 8;
+  AxisPositions q_M_measured = AxisPositions::Zero();
+  AxisPositions q_W_measured = AxisPositions::Zero();
+  std::array<bool, kMostProbes + 1> measured = {};  ///< by probe, from 1
+
+  // Outside world
+  std::map<std::string, std::string> files;  ///< what WRITE, READ and EXTWRITE work on
+  std::set<std::string> open_files;          ///< EXTOPEN
+  std::string call_path;
+  std::string message;                        ///< the last MSG
+  std::array<double, 9> analog_inputs = {};   ///< $A_INA, where nothing is wired to it
+  std::array<bool, 65> digital_inputs = {};   ///< $A_IN, where nothing is wired to it
+  std::array<bool, 65> digital_outputs = {};  ///< $A_OUT
+
+  /// Data that are only kept: of which variable and row of its family, with which indices.
+  struct KeptDatum {
+    SystemId id = SystemId::ExternalShift;
+    int parameter = 0;
+    std::vector<int> indices;
+    friend auto operator<=>(const KeptDatum&, const KeptDatum&) = default;
+  };
+  std::map<KeptDatum, double> kept_data;
+  std::map<KeptDatum, std::string> kept_texts;
+
+  bool operator==(const ChannelState&) const = default;
+};
+
+}  // namespace g31::sinumerik
