@@ -15,7 +15,8 @@ struct PicturedPart {
   bool is_fixture = false;  ///< a vice, a clamp, the plate of a tool probe: not what is measured
 };
 
-/// The parts of a world, in its order, and the beams of its tool probes.  @param world  outlives them
+/// The parts of a world, in its order, and the beams of its tool probes.  @param world  outlives
+/// them
 std::vector<PicturedPart> parts_of(const session::World& world);
 
 }  // namespace g31::picture
