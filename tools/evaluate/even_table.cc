@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "machine/base/contract.h"
 
@@ -24,28 +25,22 @@ bool is_even(const Curve& curve, double step) {
 }
 
 EvenTable table_of(const Curve& curve, double first, double step, std::size_t count) {
+  const errors::ErrorTable deviations = error_table(curve);
   EvenTable table{first, step, {}};
   for (std::size_t n = 0; n < count; ++n) {
-    table.values.push_back(deviation_at(curve, table.place(n)));
+    table.values.push_back(deviations.at(table.place(n)));
   }
   return table;
 }
 
 }  // namespace
 
-double deviation_at(const Curve& curve, double place) {
-  const auto& points = curve.points;
-  const auto above = std::ranges::find_if(
-      points, [place](const auto& point) { return point[0] > place - kSamePlace; });
-  if (above == points.end()) {
-    return points.back()[1];
+errors::ErrorTable error_table(const Curve& curve) {
+  std::vector<errors::ErrorTable::Row> rows;
+  for (const auto& [place, deviation] : curve.points) {
+    rows.push_back({place, deviation});
   }
-  if (above == points.begin() || std::abs((*above)[0] - place) <= kSamePlace) {
-    return (*above)[1];
-  }
-  const auto& below = *std::prev(above);
-  const double share = (place - below[0]) / ((*above)[0] - below[0]);
-  return below[1] + share * ((*above)[1] - below[1]);
+  return errors::ErrorTable(std::move(rows));
 }
 
 EvenTable even_table(const Curve& curve) {

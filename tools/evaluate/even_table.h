@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "machine/errors/error_table.h"
 #include "tools/evaluate/evaluation.h"
 
 namespace g31::evaluate {
@@ -16,9 +17,9 @@ struct EvenTable {
   [[nodiscard]] double place(std::size_t n) const { return first + static_cast<double>(n) * step; }
 };
 
-/// The deviation at a place: straight between the points, that of the nearest point beyond them.
-/// @pre the curve has a point, and its places rise
-double deviation_at(const Curve& curve, double place);
+/// Straight between the points, constant beyond them.
+/// @pre places rise
+errors::ErrorTable error_table(const Curve& curve);
 
 /// The curve's own points where they have one distance, within a nanometre; else four steps in the
 /// place of each, 200 points at most, on the lines between its points.

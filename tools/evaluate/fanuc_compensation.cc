@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 
 #include <fmt/format.h>
@@ -43,15 +44,11 @@ std::int64_t section_from(double place, double interval) {
   return std::llround(std::floor(place / interval + kSameSection));
 }
 
-/// Which section ends at or behind a place.
-std::int64_t section_to(double place, double interval) {
-  return std::llround(std::ceil(place / interval - kSameSection)) - 1;
-}
-
-PitchPoints points_of(const Curve& curve) {
-  PitchPoints points{interval_of(curve)};
-  const std::int64_t first = section_from(curve.points.front()[0], points.interval);
-  const std::int64_t last = section_to(curve.points.back()[0], points.interval);
+/// @param table  on multiples of the interval
+PitchPoints points_of(const EvenTable& table) {
+  PitchPoints points{table.step};
+  const std::int64_t first = section_from(table.first, table.step);
+  const std::int64_t last = first + std::ssize(table.values) - 2;
   points.reference = std::max<std::int64_t>(1, 1 - first);
   points.lowest = points.reference + std::min<std::int64_t>(0, first + 1);
   points.highest = points.reference + std::max<std::int64_t>(0, last + 1);
@@ -98,8 +95,8 @@ std::int64_t largest(const std::vector<std::int64_t>& gains) {
 }
 
 std::string pitch_errors(const MachineError& error, int axis) {
-  const PitchPoints points = points_of(error.deviations);
-  const EvenTable table = table_on_multiples(error.deviations, points.interval);
+  const EvenTable table = table_on_multiples(error.deviations, interval_of(error.deviations));
+  const PitchPoints points = points_of(table);
   std::int64_t magnification = 1;
   while (largest(gains_of(table, magnification)) > kMostPitchError) {
     ++magnification;
@@ -129,9 +126,10 @@ double left_by(const Curve& curve, const std::array<std::size_t, 4>& at) {
       lines.points.push_back(curve.points[n]);
     }
   }
+  const errors::ErrorTable straight = error_table(lines);
   double most = 0.0;
   for (const auto& [place, deviation] : curve.points) {
-    most = std::max(most, std::abs(deviation - deviation_at(lines, place)));
+    most = std::max(most, std::abs(deviation - straight.at(place)));
   }
   return most;
 }
@@ -156,7 +154,8 @@ FourPoints best_four(const Curve& curve) {
 }
 
 std::string straightness(const MachineError& error, int moving, int compensated) {
-  const PitchPoints points = points_of(error.deviations);
+  const PitchPoints points =
+      points_of(table_on_multiples(error.deviations, interval_of(error.deviations)));
   const FourPoints four = best_four(error.deviations);
   const char moving_axis = error.name[2];
   std::string text =
