@@ -10,13 +10,13 @@ namespace g31::parts {
 /// Facets that go through each other.
 struct CrossingFacets {
   std::vector<std::uint32_t> facets;  ///< those that go through a later one, rising
-  std::uint64_t looked_at = 0;        ///< facets, from the first on; not all: the work was spent
+  std::uint64_t looked_at = 0;        ///< facets; not all: the work was spent
 };
 
-/// Facets more than this are not looked at: a fifth of a second or so.
-inline constexpr std::uint64_t kMostFacetsForCrossings = 100'000;
-/// Pairs of facets whose boxes meet; there are about ten for each facet of a careful mesh.
-inline constexpr std::uint64_t kMostCrossingPairs = 20'000'000;
+/// Facets more than this are not looked at: a third of a second or so.
+inline constexpr std::uint64_t kMostFacetsForCrossings = 500'000;
+/// Pairs of boxes that are compared; about 160 for each facet of a careful mesh.
+inline constexpr std::uint64_t kMostComparedBoxes = 1'000'000'000;
 
 /// Looks for facets that have a piece of a line inside both of them, and for those that lie over
 /// each other in one plane and face the same way.  Those that touch in a corner, an edge or back to
@@ -25,7 +25,8 @@ inline constexpr std::uint64_t kMostCrossingPairs = 20'000'000;
 /// without area and facets with a common edge are left out.
 ///
 /// Of a mesh of more than kMostFacetsForCrossings facets none is looked at.
-/// @param most_pairs  of facets whose boxes meet; the search ends with the facet that has more
-CrossingFacets crossing_facets(const Mesh& mesh, std::uint64_t most_pairs = kMostCrossingPairs);
+/// @param most_compared  pairs of boxes, the tests of two facets counted as sixteen of them; the
+///     search ends behind the group of neighbours that has more
+CrossingFacets crossing_facets(const Mesh& mesh, std::uint64_t most_compared = kMostComparedBoxes);
 
 }  // namespace g31::parts

@@ -210,23 +210,25 @@ TEST(CrossingFacets, AreThoseThatLieOverEachOtherInOnePlane) {
   EXPECT_TRUE(with(moved_by(leaf, {1, 1, 0.1})).empty()) << "above it";
 }
 
+/// Whether a side of a facet goes through another one.
+bool goes_through(const Mesh& mesh, std::uint32_t t, std::uint32_t other) {
+  const auto& w = mesh.triangles[other];
+  const Point& o = mesh.vertices[w[0]];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point& from = mesh.vertices[mesh.triangles[t].at(i)];
+    const Point& to = mesh.vertices[mesh.triangles[t].at((i + 1) % 3)];
+    Eigen::Matrix3d system;
+    system << from - to, mesh.vertices[w[1]] - o, mesh.vertices[w[2]] - o;
+    const Point s = system.fullPivLu().solve(from - o);  // share of the way, place in the facet
+    if (s.minCoeff() > 1e-9 && s.x() < 1.0 - 1e-9 && s.y() + s.z() < 1.0 - 1e-9) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Brute force: every side of a facet against every other facet.
 TEST(CrossingFacets, AreThoseThatASideGoesThrough) {
-  const auto goes_through = [](const Mesh& mesh, std::uint32_t t, std::uint32_t other) {
-    const auto& w = mesh.triangles[other];
-    const Point& o = mesh.vertices[w[0]];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point& from = mesh.vertices[mesh.triangles[t].at(i)];
-      const Point& to = mesh.vertices[mesh.triangles[t].at((i + 1) % 3)];
-      Eigen::Matrix3d system;
-      system << from - to, mesh.vertices[w[1]] - o, mesh.vertices[w[2]] - o;
-      const Point s = system.fullPivLu().solve(from - o);  // share of the way, place in the facet
-      if (s.minCoeff() > 1e-9 && s.x() < 1.0 - 1e-9 && s.y() + s.z() < 1.0 - 1e-9) {
-        return true;
-      }
-    }
-    return false;
-  };
   std::mt19937_64 random(17);
   for (int round = 0; round < 20; ++round) {
     const Mesh mesh =
@@ -245,9 +247,31 @@ TEST(CrossingFacets, AreThoseThatASideGoesThrough) {
   }
 }
 
+// A box of twelve facets through a wall of a hundred and sixty thousand.
+TEST(CrossingFacets, AreFoundInALargeMesh) {
+  const Mesh sphere = testing::sphere_mesh(10.0, 200);
+  ASSERT_GT(sphere.triangles.size(), 150'000U);
+  const Mesh mesh = together(sphere, moved_by(box_mesh({3, 2, 1}), {8.5, -0.7, 0.3}));
+  std::vector<std::uint32_t> expected;
+  const auto all = static_cast<std::uint32_t>(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < all - 12; ++t) {
+    if (mesh.vertices[mesh.triangles[t][0]].x() < 9.5) {
+      continue;  // far from the box, whose piece of the sphere begins at 9.8
+    }
+    for (std::uint32_t of_box = all - 12; of_box < all; ++of_box) {
+      if (goes_through(mesh, t, of_box) || goes_through(mesh, of_box, t)) {
+        expected.push_back(t);
+        break;
+      }
+    }
+  }
+  ASSERT_FALSE(expected.empty());
+  EXPECT_EQ(crossing_facets(mesh).facets, expected);
+}
+
 TEST(CrossingFacets, AreNotLookedForBeyondTheirBudget) {
   const Mesh sphere = testing::sphere_mesh(10.0, 10);
-  const CrossingFacets some = crossing_facets(sphere, 100);
+  const CrossingFacets some = crossing_facets(sphere, 5000);
   EXPECT_GT(some.looked_at, 5U);
   EXPECT_LT(some.looked_at, sphere.triangles.size());
   Mesh large;

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -14,7 +13,6 @@ namespace {
 using Vector3 = Eigen::Vector3d;
 using machine::Turn;
 
-constexpr double kFullRad = 2.0 * std::numbers::pi;
 constexpr double kMostTurns = 999.0;
 /// How far chords may stand off a circle that no plane of the machine's axes holds, mm.
 constexpr double kChordErrorMm = 5e-4;

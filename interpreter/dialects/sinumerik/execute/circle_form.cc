@@ -212,7 +212,6 @@ Result<Circle, Failure> programmed_circle(Channel& channel, const Block& block,
 }
 
 double sweep_of(const Circle& circle) {
-  constexpr double kFullRad = 2.0 * std::numbers::pi;
   const Vector a = circle.start - circle.centre;
   const Vector b = circle.end - circle.centre;
   const double left = std::atan2(cross(a, b), a.dot(b));

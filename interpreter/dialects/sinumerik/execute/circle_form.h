@@ -1,8 +1,12 @@
 #pragma once
 
+#include <numbers>
+
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 
 namespace g31::sinumerik {
+
+inline constexpr double kFullRad = 2.0 * std::numbers::pi;
 
 /// A point or a direction in the plane: mm along its first and second axis, work coordinates.
 using PlaneVector = Eigen::Vector2d;
