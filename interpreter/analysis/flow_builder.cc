@@ -34,8 +34,8 @@ void FlowBuilder::end_block() {
   }
   Block& block = flow_.blocks.back();
   std::ranges::stable_sort(edges_, {}, &Edge::to);
-  const auto same = std::ranges::unique(edges_, {}, &Edge::to);
-  edges_.erase(same.begin(), same.end());
+  const auto to_same = [](const Edge& a, const Edge& b) { return a.to == b.to; };
+  edges_.erase(std::unique(edges_.begin(), edges_.end(), to_same), edges_.end());
   flow_.edges.insert(flow_.edges.end(), edges_.begin(), edges_.end());
   edges_.clear();
   close_range(block.edges, flow_.edges);

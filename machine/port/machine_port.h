@@ -175,6 +175,9 @@ class MachinePort {
   /// Puts a tool into a spindle.  Takes no time.
   virtual void change_tool(const ToolChange& change) = 0;
 
+  /// The part in whose material a sensing tip is, the axes standing where they are; "": none.
+  [[nodiscard]] virtual std::string stands_inside() const { return {}; }
+
   /// Starts a spindle, stops it, or stops it at an angle.  Takes no time.
   virtual void turn_spindle(const SpindleTurn& turn) = 0;
 

@@ -72,8 +72,7 @@ class MachiningCentre final : public MachinePort {
   [[nodiscard]] std::optional<AxisTravel> travel(int axis) const override {
     return limits_.of(axis);
   }
-  /// The part in which the tool stands (Surroundings::stands_inside); "": in none.
-  [[nodiscard]] std::string stands_inside() const;
+  [[nodiscard]] std::string stands_inside() const override;
   [[nodiscard]] AxisPositions position() const override { return q_M_; }
   /// As if the axes came to rest at the end of the last move.
   [[nodiscard]] double time_s() const override;

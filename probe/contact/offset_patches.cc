@@ -116,8 +116,7 @@ class PatchMaker {
 
   static void sort_and_take_once(std::vector<std::uint32_t>& numbers) {
     std::ranges::sort(numbers);
-    const auto rest = std::ranges::unique(numbers);
-    numbers.erase(rest.begin(), rest.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   }
 
   /// A triangle has a patch on the side of its normal and one on the other, without features where

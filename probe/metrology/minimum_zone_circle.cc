@@ -47,7 +47,7 @@ class Outermost {
                            [](std::size_t i) { return i != kNone; });
     }
     std::ranges::sort(chosen);
-    chosen.erase(std::ranges::unique(chosen).begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   }
 
  private:

@@ -170,6 +170,40 @@ TEST(StartInside, IsToldWhateverTheStemDoes) {
   }
 }
 
+/// A mill cuts its way into a block, and the probe takes its place there.
+RunOutput changed_in_a_block(const std::string& name, const std::string& program,
+                             const std::string& start) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write(name, program)};
+  options.setups = {folder.write(
+      "sheet.toml",
+      start + "[probe]\nlength = 100.0\ntool = 1\nstem_diameter = 0.0\n[tools.1]\nlength = 100.0\n"
+              "[tools.2]\nlength = 100.0\nradius = 5.0\n[[tool]]\nnumber = 2\nkind = \"mill\"\n"
+              "length = 100.0\ndiameter = 10.0\n[[part]]\nname = \"block\"\nshape = \"block\"\n"
+              "length = 40.0\nwidth = 40.0\nheight = 40.0\n[start]\nX = 3.0\nZ = 110.0\n")};
+  return run_program(options);
+}
+
+TEST(StartInside, IsToldWhereTheProbeComesIntoTheSpindle) {
+  constexpr const char* kTold =
+      "the stylus ball stands inside a part as it comes into the spindle: in 'block' [PRB517]";
+  const auto fanuc = [](int depth) {
+    return changed_in_a_block("case.nc",
+                              fmt::format("O1\nT2 M6\nG91 G1 Z-{}. F100\nT1 M6\nM30\n", depth), "");
+  };
+  const RunOutput inside = fanuc(30);
+  EXPECT_EQ(inside.exit_code, 1);
+  EXPECT_NE(inside.errors.find(kTold), std::string::npos) << inside.errors;
+  EXPECT_NE(inside.errors.find("case.nc:4:1"), std::string::npos) << inside.errors;
+  EXPECT_EQ(fanuc(5).errors.find("PRB517"), std::string::npos);
+  const RunOutput sinumerik =
+      changed_in_a_block("case.mpf", "T2 M6 D0\nG91 G1 Z-30 F100\nT1 M6 D0\nM30\n",
+                         "[control]\nprofile = \"sinumerik-828d\"\n");
+  EXPECT_EQ(sinumerik.exit_code, 1);
+  EXPECT_NE(sinumerik.errors.find(kTold), std::string::npos) << sinumerik.errors;
+}
+
 TEST(StartInside, IsTheNoteOfEachRunOfAStudy) {
   const TemporaryFolder folder;
   static_cast<void>(folder.write("case.nc", "O1\n#101=1\nM30\n"));

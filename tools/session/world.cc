@@ -237,7 +237,7 @@ std::optional<source::Diagnostic> start_inside(const setup::Job& job,
     return std::nullopt;
   }
   source::Diagnostic finding = source::make_diagnostic(source::DiagnosticId::StartInside, {},
-                                                       fmt::format(": in '{}'", name));
+                                                       fmt::format(" at the start: in '{}'", name));
   const auto part = std::ranges::find(job.parts, name, &parts::PartSetup::name);
   if (part != job.parts.end()) {
     finding.in_sheet =

@@ -1,3 +1,7 @@
+#include <string>
+
+#include <fmt/format.h>
+
 #include "interpreter/dialects/fanuc/execute/execute.h"
 
 namespace g31::fanuc {
@@ -36,6 +40,10 @@ void change_tool(Control& control) {
   const runtime::ToolEntry entry = control.offsets.get(number);
   control.port.change_tool(
       {{number, entry.length_mm + entry.length_wear_mm, entry.radius_mm + entry.radius_wear_mm}});
+  if (const std::string part = control.port.stands_inside(); !part.empty()) {
+    control.warn_once(source::DiagnosticId::StartInside, control.block,
+                      fmt::format(" as it comes into the spindle: in '{}'", part));
+  }
 }
 
 void command(Control& control, const BlockWords& words, int code) {

@@ -203,6 +203,10 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
                            block.where);
     } else {
       channel.port.change_tool({believed});
+      if (const std::string part = channel.port.stands_inside(); !part.empty()) {
+        channel.warnings.add(channel.diagnostics, source::DiagnosticId::StartInside, block.where,
+                             fmt::format(" as it comes into the spindle: in '{}'", part));
+      }
     }
   }
   MaybeFailure wrong =

@@ -9,7 +9,7 @@
 namespace g31::sinumerik {
 namespace {
 
-constexpr std::size_t kMostTexts = 50'000;    // of EXECSTRING: what was compiled is kept
+constexpr std::size_t kMostExecTexts = 50'000;  // of EXECSTRING: what was compiled is kept
 constexpr std::size_t kMostWritten = 10'000;  // programs that a run writes and calls: all are kept
 constexpr std::size_t kMostWrittenBytes = 16 << 20;  // of their texts: the code is larger
 
@@ -75,7 +75,7 @@ Result<const CompiledProgram*, Failure> CalledPrograms::written_program(std::str
 
 Result<const CompiledProgram*, Failure> CalledPrograms::text_of(const CompiledProgram& home,
                                                                 const std::string& source) {
-  if (texts_run_.size() >= kMostTexts) {
+  if (texts_run_.size() >= kMostExecTexts) {
     return failure(AlarmId::TooComplex, "EXECSTRING: too many different texts");
   }
   const CompiledProgram*& made = texts_run_[{&home, source}];
