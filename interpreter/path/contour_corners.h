@@ -21,6 +21,8 @@ struct CornerWish {
   /// Of PassBy: how far the axes of the plane may leave the corner, mm.
   PlanePoint tolerance_mm = PlanePoint::Constant(std::numeric_limits<double>::infinity());
   double feed_mm_min = 0.0;  ///< of the rounding or chamfer; 0: that of the block in front of it
+
+  bool operator==(const CornerWish&) const = default;
 };
 
 /// What a control says about corners that do not fit, or are none.
@@ -29,6 +31,8 @@ struct CornerRules {
   enum class ChamferAtArc { Refused, ByDistance } chamfer_at_arc = ChamferAtArc::Refused;
   /// A turn up to this is no corner, radians.
   double straight_on_rad = 1e-9;
+
+  bool operator==(const CornerRules&) const = default;
 };
 
 enum class CornerError {
@@ -80,6 +84,8 @@ class ContourCorners {
   /// The block that waits, without a corner.
   PathItems flush();
 
+  bool operator==(const ContourCorners&) const = default;
+
  private:
   struct Held {
     PathBlock block;
@@ -87,6 +93,8 @@ class ContourCorners {
     OffsetPlane plane;
     CornerWish wish;
     double length_mm = 0.0;  ///< of its way in the plane, as programmed
+
+    bool operator==(const Held&) const = default;
   };
 
   CornerRules rules_;

@@ -20,6 +20,8 @@ struct CompensationRules {
   OutsideCorner outside = OutsideCorner::Lines;
   /// What the feed of a programmed arc counts along.
   enum class ArcFeed { AtTool, AtContour, AtContourInside } arc_feed = ArcFeed::AtTool;
+
+  bool operator==(const CompensationRules&) const = default;
 };
 
 /// What a block commands: G40, or G41 or G42 and D, in the plane in force.
@@ -30,6 +32,8 @@ struct CompensationCommand {
   /// Whether G41 or G42 is written in this very block.
   enum class Written { Before, Here } written = Written::Before;
   source::Location where;
+
+  bool operator==(const CompensationCommand&) const = default;
 };
 
 enum class CompensationError {
@@ -85,6 +89,8 @@ class CutterCompensation {
   /// Where the tool stands, were nothing more to be read.
   [[nodiscard]] AxisPositions position() const;
 
+  bool operator==(const CutterCompensation&) const = default;
+
  private:
   enum class Mode {
     Off,
@@ -102,6 +108,8 @@ class CutterCompensation {
     double offset = 0.0;
     CornerPoints start;  ///< points of the corner in front of it that are still to be passed
     std::optional<ArcShape> start_arc;  ///< the way to the first of them, if it is no line
+
+    bool operator==(const Held&) const = default;
   };
   struct Join {
     CornerPoints points;

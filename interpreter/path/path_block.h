@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct OffsetPlane {
 struct ArcShape {
   PlanePoint centre = PlanePoint::Zero();
   machine::Turn turn = machine::Turn::Clockwise;
+
+  bool operator==(const ArcShape&) const = default;
 };
 
 /// A way in the plane: straight, or an arc.  Start and end of an arc that coincide make a full
@@ -47,6 +50,8 @@ struct PlaneWay {
   PlanePoint from;
   PlanePoint to;
   std::optional<ArcShape> arc;
+
+  bool operator==(const PlaneWay&) const = default;
 };
 
 /// Start and end of an arc closer than this are one point, as machine::ArcPath sees it too; mm.
@@ -75,11 +80,24 @@ struct PathBlock {
   /// Of a line whose end is a position of the axes: leads them there.  It outlives the block; null:
   /// see of_axes.
   const machine::AxisTransformPtr* leads = nullptr;
+
+  /// The same block, in another run of the same program, too: what leads the axes there is another
+  /// object, and counts as whether something does.
+  friend bool operator==(const PathBlock& a, const PathBlock& b) {
+    const auto told = [](const PathBlock& block) {
+      return std::tie(block.arc, block.g, block.feed_mm_min, block.where, block.ends,
+                      block.mm_per_degree, block.rapid_path, block.contour_control, block.of_axes);
+    };
+    return a.q_M_end == b.q_M_end && told(a) == told(b) &&
+           (a.leads == nullptr) == (b.leads == nullptr);
+  }
 };
 
 struct Pause {
   double seconds = 0.0;
   source::Location where = {};
+
+  bool operator==(const Pause&) const = default;
 };
 
 /// What the machine is to do, in order.

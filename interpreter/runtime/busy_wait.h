@@ -25,6 +25,8 @@ class BusyWait {
     return since_s_;
   }
 
+  bool operator==(const BusyWait&) const = default;
+
  private:
   double since_s_ = -1.0;  ///< machine time of the first look
   int looks_ = 0;

@@ -25,6 +25,8 @@ class Cell {
   [[nodiscard]] friend constexpr bool equal(Cell a, Cell b) {
     return a.is_vacant() || b.is_vacant() ? a.is_vacant() && b.is_vacant() : a.number_ == b.number_;
   }
+  /// As values that are kept: the same.
+  friend constexpr bool operator==(Cell a, Cell b) { return equal(a, b); }
 
  private:
   double number_ = std::numeric_limits<double>::quiet_NaN();

@@ -24,6 +24,8 @@ struct ToolEntry {
   double radius_wear_mm = 0.0;
   std::string name = {};  ///< for controls that call tools by name
   double type = 0.0;      ///< of SINUMERIK: 120 end mill, 710 3D probe, ...
+
+  bool operator==(const ToolEntry&) const = default;
 };
 
 /// How much a control keeps for one tool offset number: one value for all (A), geometry and wear
@@ -34,6 +36,8 @@ enum class OffsetMemory { A, B, C };
 struct FeedSwitches {
   double override_percent = 100.0;
   double dry_run_mm_min = 0.0;  ///< takes the place of every feed; 0: no dry run
+
+  bool operator==(const FeedSwitches&) const = default;
 };
 
 /// What a work offset does beside shifting, X, Y and Z; of controls whose offsets are frames.

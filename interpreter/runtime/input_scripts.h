@@ -20,6 +20,8 @@ struct InputStep {
   bool value = true;
   From from = From::Start;
   double at = 0.0;
+
+  bool operator==(const InputStep&) const = default;
 };
 
 /// Digital inputs that answer as a set-up sheet says: what waits for a handshake meets it.
@@ -45,14 +47,20 @@ class InputScripts {
   /// The program commands an M code.
   void hear(int code, const Now& now);
 
+  bool operator==(const InputScripts&) const = default;
+
  private:
   struct Step {
     InputStep what;
     bool is_taken = false;
+
+    bool operator==(const Step&) const = default;
   };
   struct Input {
     bool value = false;
     std::uint64_t looks = 0;
+
+    bool operator==(const Input&) const = default;
   };
 
   void take_due(const Now& now);

@@ -74,6 +74,8 @@ class MissedTouches {
   /// one when nothing was made of it
   std::vector<source::Location> ends();
 
+  bool operator==(const MissedTouches&) const = default;
+
  private:
   /// Where moves stand, each with how many were before it: what is told is told in their order.
   class Moves {
@@ -85,12 +87,14 @@ class MissedTouches {
     [[nodiscard]] bool empty() const { return places_.empty(); }
     [[nodiscard]] bool contains(source::Location where) const;
     [[nodiscard]] std::vector<source::Location> in_order() const;
+    bool operator==(const Moves&) const = default;
 
    private:
     using Place = std::pair<source::FileId, std::uint64_t>;
     struct Move {
       source::Location where;
       std::uint64_t number = 0;
+      bool operator==(const Move&) const = default;
     };
     static Place place_of(source::Location where) { return {where.file, where.begin}; }
     std::map<Place, Move> places_;
@@ -101,6 +105,8 @@ class MissedTouches {
     Moves looks;          ///< whose end it shows
     bool is_way = false;  ///< it has served as a position
     std::vector<Holder> made_of;
+
+    bool operator==(const Held&) const = default;
   };
 
   void serves_as_way(Holder holder, const Moves& moves);

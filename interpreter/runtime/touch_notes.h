@@ -31,6 +31,8 @@ class TouchNotes {
   /// The program reads what the last touch latched.
   void read(std::vector<source::Diagnostic>& diagnostics);
 
+  bool operator==(const TouchNotes&) const = default;
+
  private:
   struct Touch {
     source::Location where;
@@ -41,6 +43,8 @@ class TouchNotes {
     Point smooth;  ///< the same of the surface that facets stand for
     double feed_mm_min = 0.0;
     machine::SensorState state;
+
+    bool operator==(const Touch&) const = default;
 
     /// Of the angle between the move and the normal.
     [[nodiscard]] double cosine() const { return -along.dot(normal); }

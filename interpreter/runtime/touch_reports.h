@@ -50,6 +50,8 @@ class TouchReports {
   /// A move without a sensor latches its end.
   void latched() { has_latched_ = true; }
 
+  bool operator==(const TouchReports&) const = default;
+
  private:
   friend class LookFromOutside;
   TouchNotes notes_;

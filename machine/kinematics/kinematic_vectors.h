@@ -53,6 +53,8 @@ struct VectorChain {
   Point part_shift = Point::Zero();  ///< added to places of the part, mm
   /// Of rotary axes: the positions at which their angles are 0.
   AxisPositions q_M_basic = AxisPositions::Zero();
+
+  bool operator==(const VectorChain&) const = default;
 };
 
 /// The chain that has these vectors.

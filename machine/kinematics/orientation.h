@@ -62,6 +62,8 @@ class OrientationAxes {
   /// @param d_T  the same with all axes at 0
   [[nodiscard]] RotaryPairs pairs_for(const Point& d_P, const Point& d_T = Point::UnitZ()) const;
 
+  bool operator==(const OrientationAxes&) const = default;
+
  private:
   [[nodiscard]] RotaryPairs single(std::size_t axis, const Point& d_P, const Point& d_T) const;
 

@@ -1,12 +1,13 @@
 // Every program of tests/conformance block by block: the run pauses before each block, all
 // variables are read, expressions are evaluated, and it is what a run without a listener is; steps
-// back are runs again up to an earlier block.
+// back are runs again up to an earlier block, where the control holds what it held there.
 
 #include "tests/support/stepper.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,13 +44,22 @@ const Dialect kSinumerik = {
     ".mpf",
     {"R1+2*R2", "R1==R2", "$AA_IW[X]", "$AA_MW[X]", "$P_EP[Y]", "$P_TOOLNO", "NO_SUCH_NAME"}};
 
-/// What each pause of a run shows; the run stands at its end behind.
-std::vector<std::string> states_of(SteppedRun& run, const std::vector<std::string>& expressions) {
-  std::vector<std::string> states;
+/// A pause of a run: what can be seen, and all that the control holds.
+struct Pause {
+  std::string shown;
+  std::unique_ptr<runtime::Keyframe> kept;
+};
+
+/// The pauses of a run; it stands at its end behind.  Being looked at changes nothing.
+std::vector<Pause> pauses_of(SteppedRun& run, const std::vector<std::string>& expressions) {
+  std::vector<Pause> pauses;
   while (run.session().advance() == Advance::Paused) {
-    states.push_back(run.state(expressions));
+    auto kept = run.session().keyframe();
+    std::string shown = run.state(expressions);
+    EXPECT_TRUE(*kept == *run.session().keyframe()) << shown;
+    pauses.push_back({std::move(shown), std::move(kept)});
   }
-  return states;
+  return pauses;
 }
 
 /// Some blocks to step back to: the last but one, the middle, the first.
@@ -73,13 +83,16 @@ void expect_steps(const session::Request& request, const Dialect& dialect,
 
   Pauses each = Pauses::at_each(kMostPauses);
   SteppedRun stepped(request, &each, kBudget);
-  const std::vector<std::string> states = states_of(stepped, dialect.expressions);
+  const std::vector<Pause> pauses = pauses_of(stepped, dialect.expressions);
   EXPECT_EQ(stepped.result(), result);
 
-  for (const std::size_t index : steps_back(states.size())) {
+  for (const std::size_t index : steps_back(pauses.size())) {
     Pauses there = Pauses::at({index + 1});
     SteppedRun again(request, &there, kBudget);
-    EXPECT_EQ(states_of(again, dialect.expressions), std::vector{states[index]});
+    const std::vector<Pause> back = pauses_of(again, dialect.expressions);
+    ASSERT_EQ(back.size(), 1U);
+    EXPECT_EQ(back.front().shown, pauses[index].shown);
+    EXPECT_TRUE(*back.front().kept == *pauses[index].kept) << pauses[index].shown;
     EXPECT_EQ(again.result(), result);
   }
 }

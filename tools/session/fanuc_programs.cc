@@ -69,6 +69,9 @@ class FanucSession final : public Session {
   }
   runtime::Advance advance() override { return session_->advance(); }
   runtime::Outcome finish() override { return session_->finish(); }
+  [[nodiscard]] std::unique_ptr<runtime::Keyframe> keyframe() const override {
+    return session_->keyframe();
+  }
   [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const override {
     return session_->call_levels();
   }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "interpreter/runtime/block_listener.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/inspection.h"
+#include "interpreter/runtime/keyframe.h"
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/printer_port.h"
 #include "interpreter/runtime/shown_value.h"
@@ -43,6 +45,9 @@ class Session {
     advance();
     return finish();
   }
+
+  /// What the control holds now, call levels apart.
+  [[nodiscard]] virtual std::unique_ptr<runtime::Keyframe> keyframe() const = 0;
 
   // At a pause.  Level 0 is the innermost; nothing of the run changes for being looked at.
 

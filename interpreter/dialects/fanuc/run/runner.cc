@@ -308,7 +308,7 @@ MaybeFailure Runner::assign(const Step& step) {
   }
   const bool is_heard = control_.watch.write_listener() != nullptr;
   const Cell before = is_heard ? looked_at(number).value_or(Cell()) : Cell();
-  if (const auto refused = control_.variables.write(number, value)) {
+  if (const auto refused = control_.all_variables.write(number, value)) {
     Failure failure;
     failure.id = *refused;
     failure.where = program.tree->blocks[step.block].span;
@@ -327,7 +327,7 @@ MaybeFailure Runner::assign(const Step& step) {
 /// What a variable shows when nobody asks for it.
 std::optional<Cell> Runner::looked_at(std::int32_t number) {
   const runtime::LookFromOutside look(control_.touches);
-  const auto value = control_.variables.read(number);
+  const auto value = control_.all_variables.read(number);
   return value ? std::optional(value.value()) : std::nullopt;
 }
 

@@ -180,7 +180,7 @@ MaybeFailure Runner::jump_by_input(const EvaluatedWord& m) {
   if (!sequence || !input) {
     return sequence ? input.error() : sequence.error();
   }
-  const auto value = control_.variables.read(kFirstInput + input.value());
+  const auto value = control_.all_variables.read(kFirstInput + input.value());
   control_.touches.missed.compares();
   if (!value) {
     return at_word(value.error(), *q, fmt::format("there is no input {}", input.value()));

@@ -123,7 +123,7 @@ MaybeFailure Runner::output(const Step& step) {
       printout.add(item.text, characters);
       continue;
     }
-    const auto value = control_.variables.read(item.variable);
+    const auto value = control_.all_variables.read(item.variable);
     control_.touches.missed.reads(holder_of(control_.variables.depth(), item.variable));
     const auto bytes =
         !value      ? std::nullopt

@@ -186,7 +186,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
       refused.push_back(
           {"variables." + name,
            fmt::format("variable {}: a local variable, which no control keeps", name)});
-    } else if (!number || control.variables.preset(*number, cell).has_value()) {
+    } else if (!number || control.all_variables.preset(*number, cell).has_value()) {
       refused.push_back(
           {"variables." + name, fmt::format("variable {}: cannot be set on this control", name)});
     }
@@ -217,6 +217,10 @@ runtime::Outcome Session::finish() {
   return runner_->finish();
 }
 
+std::unique_ptr<runtime::Keyframe> Session::keyframe() const {
+  return std::make_unique<runtime::KeptState<ControlState>>(runner_->control());
+}
+
 std::vector<runtime::CallLevel> Session::call_levels() const {
   return runner_->call_levels();
 }
@@ -235,7 +239,7 @@ Result<Cell, std::string> Session::variable(const std::string& name) {
     return fmt::format("{} is not a variable of this control: write # and a number", name);
   }
   const runtime::LookFromOutside look(runner_->control().touches);
-  const auto value = runner_->control().variables.read(*number);
+  const auto value = runner_->control().all_variables.read(*number);
   if (!value) {
     return fmt::format("{} cannot be read on this control", name);
   }

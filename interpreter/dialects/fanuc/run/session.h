@@ -12,6 +12,7 @@
 #include "interpreter/runtime/block_listener.h"
 #include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/inspection.h"
+#include "interpreter/runtime/keyframe.h"
 #include "interpreter/runtime/observer.h"
 #include "interpreter/runtime/outcome.h"
 #include "interpreter/runtime/printer_port.h"
@@ -48,6 +49,9 @@ class Session {
   void begin(const runtime::Budget& budget, runtime::BlockListener* listener);
   runtime::Advance advance();
   runtime::Outcome finish();
+
+  /// The control as it is now.
+  [[nodiscard]] std::unique_ptr<runtime::Keyframe> keyframe() const;
 
   // At a pause and behind the end.  Level 0 is the innermost; nothing of the run changes.
   [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const;

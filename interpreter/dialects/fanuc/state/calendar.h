@@ -16,6 +16,8 @@ class Calendar {
   [[nodiscard]] double date(double seconds) const;
   [[nodiscard]] double time_of_day(double seconds) const;
 
+  bool operator==(const Calendar&) const = default;
+
  private:
   [[nodiscard]] std::chrono::sys_seconds now(double seconds) const;
 

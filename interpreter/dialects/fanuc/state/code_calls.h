@@ -13,6 +13,8 @@ namespace g31::fanuc {
 struct AddressCall {
   int program = 0;  ///< 0: none
   int variable = 0;
+
+  bool operator==(const AddressCall&) const = default;
 };
 
 /// Which codes and addresses call a program, as parameters or the set-up sheet say.
@@ -25,6 +27,8 @@ struct CodeCalls {
   /// Parameters changed: calls of the old ones go, those of the new ones come; what the sheet named
   /// by code stays.
   void turn_over(const Parameters& before, const Parameters& now, const Profile& profile);
+
+  bool operator==(const CodeCalls&) const = default;
 
  private:
   void choose_addresses(const Parameters& parameters, const Profile& profile);

@@ -82,9 +82,9 @@ Control::Control(const Profile& chosen, machine::MachinePort& machine, runtime::
       port(machine),
       observer(listener),
       outlet(machine, listener),
-      variables(system),
       system_variables(chosen.variables),
-      evaluator(variables, touches.missed, rules_of(chosen, parameters)) {
+      all_variables(variables, system),
+      evaluator(variables, all_variables, touches.missed, rules_of(chosen, parameters)) {
   scale.excess_decimals = profile.excess_decimals;
   rapids.positioning = profile.rapids.positioning;
   outlet.lead_by(coordinates.leader());

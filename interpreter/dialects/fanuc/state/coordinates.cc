@@ -1,5 +1,7 @@
 #include "interpreter/dialects/fanuc/state/coordinates.h"
 
+#include <tuple>
+
 #include "machine/base/contract.h"
 
 namespace g31::fanuc {
@@ -241,6 +243,20 @@ AxisPositions Coordinates::led_work_of(const AxisPositions& q_B) const {
           ? Point(table_.part_from_machine(turned(q_W)).inverse() * linear_axes(q_B))
           : Point(linear_axes(q_B) + linear_axes(shift_));
   return q_W - shift_;
+}
+
+bool operator==(const Coordinates& a, const Coordinates& b) {
+  const auto told = [](const Coordinates& one) {
+    return std::tie(one.systems_, one.additional_, one.selected_, one.local_shift_,
+                    one.declared_shift_, one.table_shift_, one.tool_offset_, one.shift_,
+                    one.transform_, one.q_L_programmed_, one.believed_, one.part_errors_,
+                    one.error_.matrix(), one.turns_tool_, one.is_plain_, one.tip_system_);
+  };
+  const auto is_same_plane = [&] {
+    return !a.work_from_plane_ || a.work_from_plane_->matrix() == b.work_from_plane_->matrix();
+  };
+  return told(a) == told(b) && a.work_from_plane_.has_value() == b.work_from_plane_.has_value() &&
+         is_same_plane();
 }
 
 }  // namespace g31::fanuc

@@ -142,6 +142,9 @@ class Coordinates {
   /// The axes stand at a machine position that no block programmed (skip, reference point).
   void arrived_at_machine(const AxisPositions& q_M) { q_L_programmed_ = to_program(q_M); }
 
+  /// What leads the axes, and the parts of the chain, are made of the rest and not compared.
+  friend bool operator==(const Coordinates& a, const Coordinates& b);
+
  private:
   void refresh();
   void take_shift();

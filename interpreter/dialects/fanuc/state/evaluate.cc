@@ -120,7 +120,7 @@ Cell Evaluator::read(std::int32_t number) {
   if (missed_.any()) {
     missed_.reads(holder_of(variables_.depth(), number));
   }
-  const auto value = variables_.read(number);
+  const auto value = all_variables_.read(number);
   if (!value) {
     return fail(value.error(), fmt::format("#{} cannot be read", number));
   }

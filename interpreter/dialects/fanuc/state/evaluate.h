@@ -40,8 +40,9 @@ runtime::MissedTouches::Holder holder_of(std::size_t depth, std::int32_t number)
 class Evaluator {
  public:
   /// @param missed  hears what expressions read while a skip move is unsettled
-  Evaluator(Variables& variables, runtime::MissedTouches& missed, const EvaluationRules& rules)
-      : variables_(variables), missed_(missed), rules_(rules) {}
+  Evaluator(const Variables& own, AllVariables& all, runtime::MissedTouches& missed,
+            const EvaluationRules& rules)
+      : variables_(own), all_variables_(all), missed_(missed), rules_(rules) {}
 
   /// The value of the expression whose code begins at `code`; vacant after a fault, which is then
   /// in fault().
@@ -78,7 +79,8 @@ class Evaluator {
   Cell at(const CompiledProgram& program, const Op& op);
   Cell fail(AlarmId id, std::string detail);
 
-  Variables& variables_;
+  const Variables& variables_;
+  AllVariables& all_variables_;
   runtime::MissedTouches& missed_;
   EvaluationRules rules_;
   std::array<Cell, kTemporaryCount> temporaries_;

@@ -30,6 +30,8 @@ class OffsetTable {
   }
   [[nodiscard]] bool has(int number) const { return entries_.contains(number); }
 
+  bool operator==(const OffsetTable&) const = default;
+
  private:
   std::map<int, runtime::ToolEntry> entries_;
   OffsetMemory memory_ = OffsetMemory::C;

@@ -16,6 +16,8 @@ struct SettingError {
   Point shift = Point::Zero();               ///< mm, along the axes of the machine
   Point turn_deg = Point::Zero();            ///< about X, then Y, then Z of the work system
   std::array<double, 2> table_deg = {0, 0};  ///< positions of the table's axes it was found at
+
+  bool operator==(const SettingError&) const = default;
 };
 
 /// Where the part truly is on the table, by what was entered of it (G54.2, G54.4).
@@ -46,6 +48,8 @@ class PartErrors {
   /// From where a point of the work system should be to where it is: on the table as it lies with
   /// its axes at 0, the work origin at (0, 0, 0).
   [[nodiscard]] Eigen::Isometry3d on_table(const machine::AxisChainSetup& believed) const;
+
+  bool operator==(const PartErrors&) const = default;
 
  private:
   std::array<AxisPositions, kTableOffsets + 1> table_offsets_{};

@@ -17,6 +17,8 @@ struct PlanePoints {
   Point origin = Point::Zero();  ///< of P3, mm
   double turned_deg = 0.0;       ///< of P2: R
 
+  bool operator==(const PlanePoints&) const = default;
+
   [[nodiscard]] bool has_begun() const { return form != 0; }
   /// P2 needs Q1 to Q3, P3 Q1 and Q2.
   [[nodiscard]] bool is_whole() const { return at_q[1] && at_q[2] && (form == 3 || at_q[3]); }

@@ -26,6 +26,8 @@ class PolarCoordinates {
   /// The point that pole, radius and angle make.
   [[nodiscard]] Eigen::Vector2d point() const;
 
+  bool operator==(const PolarCoordinates&) const = default;
+
  private:
   Eigen::Vector2d p_L_pole_ = Eigen::Vector2d::Zero();
   double radius_ = 0.0;

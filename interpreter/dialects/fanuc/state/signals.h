@@ -13,6 +13,8 @@ struct PmcSignals {
   std::array<std::int32_t, kWords> input_words{};
   std::uint16_t output_bits = 0;
   std::array<std::int32_t, kWords> output_words{};
+
+  bool operator==(const PmcSignals&) const = default;
 };
 
 }  // namespace g31::fanuc

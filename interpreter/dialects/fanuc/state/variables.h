@@ -16,31 +16,10 @@ namespace g31::fanuc {
 
 using runtime::Cell;
 
-/// The system variables of a running control, by number.
-class SystemVariables {
- public:
-  SystemVariables() = default;
-  SystemVariables(const SystemVariables&) = delete;
-  SystemVariables& operator=(const SystemVariables&) = delete;
-  virtual ~SystemVariables() = default;
-  virtual Result<Cell, AlarmId> read(std::int32_t number) = 0;
-  /// @returns why it cannot be written, or nullopt when it was
-  virtual std::optional<AlarmId> write(std::int32_t number, Cell value) = 0;
-  /// As the set-up sheet sets it before the start: inputs, too.
-  virtual std::optional<AlarmId> preset(std::int32_t number, Cell value) = 0;
-};
-
-/// All variables that a program sees: locals by call level, commons, and system variables behind
-/// SystemVariables.
+/// The variables that a program makes: locals by call level and commons, as a plain value.
 class Variables {
  public:
-  explicit Variables(SystemVariables& system) : system_(system) { locals_.emplace_back(); }
-
-  /// Any number; a fault for numbers the control does not have or does not let read.
-  Result<Cell, AlarmId> read(std::int32_t number);
-  std::optional<AlarmId> write(std::int32_t number, Cell value);
-  /// As the set-up sheet sets it before the start: inputs and protected variables, too.
-  std::optional<AlarmId> preset(std::int32_t number, Cell value);
+  Variables() { locals_.emplace_back(); }
 
   /// Programs may not write #first to #last (parameters 6031 and 6032, MB-107).
   void protect(std::int32_t first, std::int32_t last) {
@@ -87,12 +66,44 @@ class Variables {
   /// The locals of an outer level change places with those of the present one; 0: the first.
   void swap_with_present(std::size_t level) { std::swap(locals_[level], locals_.back()); }
 
+  bool operator==(const Variables&) const = default;
+
  private:
-  SystemVariables& system_;
   std::vector<Locals> locals_;
   std::array<Cell, kCommonEnd> commons_;
   std::int32_t first_protected_ = 1;
   std::int32_t last_protected_ = 0;
+};
+
+/// The system variables of a running control, by number.
+class SystemVariables {
+ public:
+  SystemVariables() = default;
+  SystemVariables(const SystemVariables&) = delete;
+  SystemVariables& operator=(const SystemVariables&) = delete;
+  virtual ~SystemVariables() = default;
+  virtual Result<Cell, AlarmId> read(std::int32_t number) = 0;
+  /// @returns why it cannot be written, or nullopt when it was
+  virtual std::optional<AlarmId> write(std::int32_t number, Cell value) = 0;
+  /// As the set-up sheet sets it before the start: inputs, too.
+  virtual std::optional<AlarmId> preset(std::int32_t number, Cell value) = 0;
+};
+
+/// All variables that a program sees, by any number.
+class AllVariables {
+ public:
+  /// Both outlive it.
+  AllVariables(Variables& own, SystemVariables& system) : own_(own), system_(system) {}
+
+  /// A fault for numbers the control does not have or does not let read.
+  Result<Cell, AlarmId> read(std::int32_t number);
+  std::optional<AlarmId> write(std::int32_t number, Cell value);
+  /// As the set-up sheet sets it before the start: inputs and protected variables, too.
+  std::optional<AlarmId> preset(std::int32_t number, Cell value);
+
+ private:
+  Variables& own_;
+  SystemVariables& system_;
 };
 
 }  // namespace g31::fanuc

@@ -47,6 +47,8 @@ class WorkTransform {
   [[nodiscard]] bool reverses_turns(const Plane& plane) const;
   [[nodiscard]] bool is_identity() const { return is_identity_; }
 
+  bool operator==(const WorkTransform&) const = default;
+
  private:
   void judge_identity();
 
@@ -62,6 +64,8 @@ class WorkTransform {
 struct Scaling {
   Point p_L_centre = Point::Zero();
   Point factors = Point::Ones();
+
+  bool operator==(const Scaling&) const = default;
 };
 
 /// G68 in force.
@@ -69,6 +73,8 @@ struct Rotation {
   Plane plane;
   Eigen::Vector2d centre;  ///< mm, behind mirror and scaling
   double angle_deg;        ///< behind mirror and scaling
+
+  bool operator==(const Rotation&) const = default;
 };
 
 /// The three maps a program can have in force, in the order in which the control applies them:
@@ -81,6 +87,8 @@ struct TransformStages {
   /// Mirror and scaling: what the centre of a rotation goes through as well.
   [[nodiscard]] WorkTransform before_rotation() const;
   [[nodiscard]] WorkTransform all() const;
+
+  bool operator==(const TransformStages&) const = default;
 };
 
 }  // namespace g31::fanuc

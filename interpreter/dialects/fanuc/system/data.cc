@@ -80,7 +80,8 @@ ReadResult read_tool_datum(Control& control, const Place& place) {
   if (tool < 1) {
     return Cell(0.0);
   }
-  return control.variables.read(kDataOfTools.at(static_cast<std::size_t>(place.index())) + tool);
+  return control.all_variables.read(kDataOfTools.at(static_cast<std::size_t>(place.index())) +
+                                    tool);
 }
 
 }  // namespace g31::fanuc::system

@@ -156,7 +156,7 @@ ReadResult read_alias(Control& control, const Place& place) {
 
 WriteResult write_alias(Control& control, const Place& place, Cell value) {
   const std::int32_t common = place.number % kAliasesOfThousand;
-  return is_common(common) ? control.variables.write(common, value)
+  return is_common(common) ? control.all_variables.write(common, value)
                            : write_further_common(control, place, value);
 }
 

@@ -96,6 +96,8 @@ struct WordScale {
   /// Seconds of X or U in G04.
   [[nodiscard]] double seconds(const EvaluatedWord& word) const { return scaled(word, 1000.0); }
 
+  bool operator==(const WordScale&) const = default;
+
  private:
   [[nodiscard]] double scaled(const EvaluatedWord& word, double counts) const;
 };

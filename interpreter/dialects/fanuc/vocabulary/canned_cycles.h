@@ -29,6 +29,8 @@ struct CycleData {
   double bottom = 0.0;
   double q = 0.0;        ///< mm, >= 0: depth of a peck, or the shift
   double dwell_s = 0.0;  ///< P
+
+  bool operator==(const CycleData&) const = default;
 };
 
 }  // namespace g31::fanuc

@@ -74,6 +74,8 @@ class Parameters {
   [[nodiscard]] bool enter(int number, double value);
   void set_bit(int number, int bit, bool on) { bits_[{number, bit}] = on; }
 
+  bool operator==(const Parameters&) const = default;
+
  private:
   std::map<int, double> values_;
   std::map<std::pair<int, int>, bool> bits_;

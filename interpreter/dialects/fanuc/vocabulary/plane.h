@@ -13,6 +13,8 @@ struct Plane {
   char first_centre;
   char second_centre;
   char across_centre;
+
+  bool operator==(const Plane&) const = default;
 };
 
 /// @param code  G17, G18 or G19

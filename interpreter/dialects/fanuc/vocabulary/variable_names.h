@@ -45,6 +45,8 @@ class VariableNames {
   [[nodiscard]] Result<std::int32_t, AlarmId> number(const std::string& name,
                                                      runtime::Cell index) const;
 
+  bool operator==(const VariableNames&) const = default;
+
  private:
   std::map<std::string, std::int32_t> given_;
 };

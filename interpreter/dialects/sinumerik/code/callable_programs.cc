@@ -105,4 +105,12 @@ const CompiledProgram* CallablePrograms::expression(const std::string& text,
   return made_.back().get();
 }
 
+const CompiledProgram* CallablePrograms::looked_at(const std::string& text,
+                                                   const CompiledProgram& home) {
+  texts_.push_back(std::make_shared<const source::SourceFile>("", text));
+  const ProgramSource source{"", texts_.back().get(), {0, static_cast<std::uint32_t>(text.size())}};
+  made_.push_back(compile_expression(source, globals(), home));
+  return made_.back().get();
+}
+
 }  // namespace g31::sinumerik

@@ -49,6 +49,9 @@ class CallablePrograms {
   const CompiledProgram* snippet(const std::string& text, const CompiledProgram& home);
   /// The same of one expression.
   const CompiledProgram* expression(const std::string& text, const CompiledProgram& home);
+  /// That of who looks from outside: nothing shows places in it, and nothing of the run depends on
+  /// its having been read.
+  const CompiledProgram* looked_at(const std::string& text, const CompiledProgram& home);
 
   [[nodiscard]] const Globals& globals() const { return library_.globals(); }
 

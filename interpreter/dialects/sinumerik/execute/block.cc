@@ -64,11 +64,11 @@ MaybeFailure refuse_left_out(const Channel& channel, const Block& block) {
 
 /// Whether a program has stopped at one place as often as no operator would start it again.
 bool waits_for_ever(Channel& channel, const Block& block) {
-  Channel::Waiting& waiting = channel.waiting;
+  ProgramStops& before = channel.stops;
   const AxisPositions q_M = channel.machine_position();
-  const bool is_same = waiting.place == block.where && waiting.q_M == q_M;
-  waiting = {block.where, q_M, is_same ? waiting.stops + 1 : 1};
-  return waiting.stops > Channel::Waiting::kMost;
+  const bool is_same = before.place == block.where && before.q_M == q_M;
+  before = {block.where, q_M, is_same ? before.count + 1 : 1};
+  return before.count > ProgramStops::kMost;
 }
 
 MaybeFailure stop(Channel& channel, const Block& block) {

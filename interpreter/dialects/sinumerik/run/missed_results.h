@@ -12,9 +12,9 @@ namespace g31::sinumerik {
 /// only any() asked.
 class MissedResults {
  public:
-  /// Both must outlive it.
-  MissedResults(Operands& operands, Channel& channel)
-      : operands_(operands), channel_(channel), missed_(channel.touches.missed) {}
+  /// All must outlive it.
+  MissedResults(const CallStack& stack, Operands& operands, Channel& channel)
+      : stack_(stack), operands_(operands), channel_(channel), missed_(channel.touches.missed) {}
 
   /// Whether a move without a signal is still unsettled.
   [[nodiscard]] bool any() const { return missed_.any(); }
@@ -34,13 +34,16 @@ class MissedResults {
   /// The variables of a level, or the results within a block, are gone.
   void forget(std::span<const double> cells);
   /// The end of the program: variables of called ones are nowhere.
-  void end(const CallStack& stack);
+  void end();
 
  private:
+  /// Where a number is, the same in every run; 0: a constant.
+  [[nodiscard]] runtime::MissedTouches::Holder holder_of(const double& cell) const;
   void follow_function(const Op& op);
   const double& element(const Op& op);
   void use_measured();
 
+  const CallStack& stack_;
   Operands& operands_;
   Channel& channel_;
   runtime::MissedTouches& missed_;

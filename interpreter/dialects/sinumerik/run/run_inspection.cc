@@ -90,7 +90,7 @@ std::optional<std::string> Runner::run_text(const std::string& source) {
 std::optional<std::string> Runner::wrong_expression(const std::string& expression) {
   const CompiledProgram* const main = has_run_ ? nullptr : programs_.main_program();
   const CompiledProgram* const program =
-      programs_.expression(expression, main != nullptr ? *main : home(0));
+      programs_.looked_at(expression, main != nullptr ? *main : home(0));
   if (program->errors.empty()) {
     return std::nullopt;
   }
@@ -99,7 +99,7 @@ std::optional<std::string> Runner::wrong_expression(const std::string& expressio
 }
 
 std::optional<std::string> Runner::why_no_variable(const std::string& name) {
-  const CompiledProgram* const program = programs_.expression(name, home(0));
+  const CompiledProgram* const program = programs_.looked_at(name, home(0));
   if (!program->errors.empty()) {
     const BlockError& error = program->errors.front();
     return why(failure(error.id, error.detail));
@@ -114,7 +114,7 @@ std::optional<std::string> Runner::why_no_variable(const std::string& name) {
 Result<ShownValue, std::string> Runner::value_of(const std::string& expression) {
   const CompiledProgram* const main = has_run_ ? nullptr : programs_.main_program();
   const CompiledProgram* const program =
-      programs_.expression(expression, main != nullptr ? *main : home(0));
+      programs_.looked_at(expression, main != nullptr ? *main : home(0));
   if (main != nullptr) {
     start(*program);
   }
@@ -125,7 +125,7 @@ Result<ShownValue, std::string> Runner::evaluate(std::size_t level, const std::s
   const std::size_t depth = depth_of(level);
   const CompiledProgram*& made = expressions_[{&home(depth), expression}];
   if (made == nullptr) {
-    made = programs_.expression(expression, home(depth));
+    made = programs_.looked_at(expression, home(depth));
   }
   return result_of(*made, depth);
 }

@@ -2,6 +2,10 @@
 // come here.
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,8 +15,10 @@
 namespace g31::sinumerik {
 namespace {
 
-runtime::MissedTouches::Holder holder_of(const double& cell) {
-  return reinterpret_cast<runtime::MissedTouches::Holder>(&cell);
+/// Of a number that is the results within a block (bank 1), a global (2) or in a level (3 and on).
+runtime::MissedTouches::Holder holder_in(std::uint64_t bank, std::size_t place) {
+  constexpr int kBankShift = 32;
+  return bank << kBankShift | place;
 }
 
 bool is_comparison(OpCode code) {
@@ -21,6 +27,26 @@ bool is_comparison(OpCode code) {
 }
 
 }  // namespace
+
+runtime::MissedTouches::Holder MissedResults::holder_of(const double& cell) const {
+  std::uint64_t bank = 1;
+  const auto in_bank =
+      [&](std::span<const double> numbers) -> std::optional<runtime::MissedTouches::Holder> {
+    const double* const first = numbers.data();
+    const double* const last = first + numbers.size();
+    const bool is_here = !std::less<>()(&cell, first) && std::less<>()(&cell, last);
+    return is_here ? std::optional(holder_in(bank, static_cast<std::size_t>(&cell - first)))
+                   : std::nullopt;
+  };
+  auto found = in_bank(operands_.temporaries());
+  ++bank;
+  found = found ? found : in_bank(channel_.numbers);
+  for (std::size_t i = 0; !found && i < stack_.count(); ++i) {
+    ++bank;
+    found = in_bank(stack_.level(i).numbers);
+  }
+  return found.value_or(0);
+}
 
 void MissedResults::follow(const Op& op) {
   const auto reads = [&](Operand place) { missed_.reads(holder_of(operands_.number(place))); };
@@ -128,10 +154,10 @@ void MissedResults::forget(std::span<const double> cells) {
   }
 }
 
-void MissedResults::end(const CallStack& stack) {
+void MissedResults::end() {
   forget(operands_.temporaries());
-  for (std::size_t i = 1; i < stack.count(); ++i) {
-    forget(stack.level(i).numbers);
+  for (std::size_t i = 1; i < stack_.count(); ++i) {
+    forget(stack_.level(i).numbers);
   }
   channel_.warnings.add_missed(channel_.diagnostics, missed_.ends());
 }

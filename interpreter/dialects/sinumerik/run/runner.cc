@@ -16,7 +16,7 @@ Runner::Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::
       channel_(port, observer, programs.globals()),
       machine_(stack_, channel_),
       operands_(machine_.operands()),
-      missed_(operands_, channel_),
+      missed_(stack_, operands_, channel_),
       called_(programs, stack_, channel_),
       calls_(stack_, operands_, channel_, called_, missed_),
       words_(operands_, channel_),

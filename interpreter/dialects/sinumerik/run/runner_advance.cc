@@ -101,7 +101,7 @@ void Runner::end(const MaybeFailure& reason) {
     outcome_ = outcome_of(*failure);
     drop_motion(channel_);
   } else {
-    missed_.end(stack_);
+    missed_.end();
   }
   if (!stack_.level(0).has_references()) {
     stack_.level(0) = Level();  // its variables are nowhere

@@ -257,6 +257,10 @@ runtime::Outcome Session::finish() {
   return runner_->finish();
 }
 
+std::unique_ptr<runtime::Keyframe> Session::keyframe() const {
+  return std::make_unique<runtime::KeptState<ChannelState>>(runner_->channel());
+}
+
 std::vector<runtime::CallLevel> Session::call_levels() const {
   return runner_->call_levels();
 }

@@ -25,51 +25,6 @@ constexpr int kDiameterAbsolute = number_in_group("DIAM90");
 
 }  // namespace
 
-void BlockWords::set(std::size_t address, double value, Modification modification) {
-  if (!words[address].present) {
-    set_[set_count_++] = static_cast<std::uint8_t>(address);
-  }
-  // Part by part: a Word that is copied as a whole costs the wait for its parts.
-  words[address].value = value;
-  words[address].modification = modification;
-  words[address].present = true;
-  ++words[address].times;
-}
-
-void BlockWords::measure_axis(std::size_t axis, const AxisMeasuring& measuring) {
-  axis_measuring[axis] = measuring;
-  has_axis_measuring = true;
-}
-
-void BlockWords::position_axis(std::size_t axis, const Word& word) {
-  positioning[axis] = word;
-  has_positioning = true;
-}
-
-void BlockWords::clear() {
-  for (std::size_t i = 0; i < set_count_; ++i) {
-    words[set_[i]] = {};
-  }
-  set_count_ = 0;
-  machine_code_count = 0;
-  tool_name.reset();
-  if (has_axis_measuring) {
-    axis_measuring = {};
-    has_axis_measuring = false;
-  }
-  if (has_positioning) {
-    positioning = {};
-    has_positioning = false;
-  }
-  axis_settings.clear();
-  computed_codes.clear();
-}
-
-bool BlockWords::has_axes() const {
-  return std::any_of(words.begin(), words.begin() + kAxisCount,
-                     [](const Word& word) { return word.present; });
-}
-
 Failure no_such_axis(int axis) {
   return failure(
       AlarmId::NoSuchAddress,
@@ -488,24 +443,21 @@ AxisPositions Channel::to_work(const AxisPositions& q_M) const {
 }
 
 AxisPositions Channel::present() {
-  return is_stale_ ? to_work(machine_position()) : q_W_programmed_;
+  return programmed_place.is_stale ? to_work(machine_position()) : programmed_place.q_W;
 }
 
 AxisPositions Channel::machine_position() const {
-  return cutter.compensation.engaged() || corners.contour.holds() ? q_M_programmed_
+  return cutter.compensation.engaged() || corners.contour.holds() ? programmed_place.q_M
                                                                   : port.position();
 }
 
 void Channel::arrived_at_programmed(const AxisPositions& q_W, const AxisPositions& q_M) {
-  q_W_programmed_ = q_W;
-  q_M_programmed_ = q_M;
-  is_stale_ = suppression != 0;
+  programmed_place = {q_W, q_M, suppression != 0};
 }
 
 void Channel::arrived_at_machine() {
-  q_M_programmed_ = port.position();
-  q_W_programmed_ = to_work(q_M_programmed_);
-  is_stale_ = suppression != 0;
+  const AxisPositions q_M = port.position();
+  arrived_at_programmed(to_work(q_M), q_M);
 }
 
 }  // namespace g31::sinumerik

@@ -11,75 +11,24 @@
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/code/globals.h"
+#include "interpreter/dialects/sinumerik/state/block_words.h"
 #include "interpreter/dialects/sinumerik/state/channel_state.h"
 #include "interpreter/dialects/sinumerik/state/failure.h"
 #include "interpreter/dialects/sinumerik/state/frame.h"
-#include "interpreter/dialects/sinumerik/state/frame_set.h"
-#include "interpreter/dialects/sinumerik/state/motion_state.h"
-#include "interpreter/dialects/sinumerik/state/tool_carrier.h"
 #include "interpreter/dialects/sinumerik/state/tool_lengths.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "interpreter/path/outlet.h"
 #include "interpreter/runtime/block_watch.h"
-#include "interpreter/runtime/busy_wait.h"
-#include "interpreter/runtime/control_setup.h"
 #include "interpreter/runtime/input_scripts.h"
 #include "interpreter/runtime/observer.h"
-#include "interpreter/runtime/touch_reports.h"
 #include "interpreter/runtime/warnings.h"
 #include "machine/kinematics/transformation.h"
 #include "machine/port/machine_port.h"
 #include "machine/units/length_unit.h"
 
 namespace g31::sinumerik {
-
-/// The words of one NC block.
-struct BlockWords {
-  struct Word {
-    double value = 0.0;
-    Modification modification = Modification::None;
-    bool present = false;
-    std::uint8_t times = 0;  ///< it stands in the block
-  };
-  /// MEASA[axis] and MEAWA[axis]
-  struct AxisMeasuring {
-    double mode = 0.0;
-    double trigger = 0.0;  ///< probe 1 or 2, minus: falling edge
-    bool goes_on = false;  ///< MEAWA
-  };
-  /// FA[axis], ACC[axis] and the like
-  struct AxisSetting {
-    AxisWordId word = AxisWordId::AxisFeed;
-    int axis = 0;  ///< or kSpindleAxis
-    double value = 0.0;
-  };
-  std::array<Word, index_of(Address::Count)> words;
-  std::array<double, kMostMachineCodes> machine_codes = {};
-  std::size_t machine_code_count = 0;
-  std::optional<std::string> tool_name;
-  std::array<std::optional<AxisMeasuring>, kAxisCount> axis_measuring;
-  bool has_axis_measuring = false;
-  std::array<Word, kAxisNumbers> positioning;  ///< POS[axis] and POSA[axis]
-  bool has_positioning = false;
-  std::vector<AxisSetting> axis_settings;
-  std::vector<std::uint16_t> computed_codes;  ///< G[group]=number, packed
-
-  void set(std::size_t address, double value, Modification modification);
-  void measure_axis(std::size_t axis, const AxisMeasuring& measuring);
-  void position_axis(std::size_t axis, const Word& word);
-  /// As new.  Only what was set is touched: most blocks have few words.
-  void clear();
-  [[nodiscard]] const Word& operator[](Address address) const { return words[index_of(address)]; }
-  [[nodiscard]] bool has(Address address) const { return words[index_of(address)].present; }
-  [[nodiscard]] const Word& axis(int index) const { return words[static_cast<std::size_t>(index)]; }
-  [[nodiscard]] bool has_axes() const;
-
- private:
-  std::array<std::uint8_t, index_of(Address::Count)> set_ = {};  ///< addresses of `words`
-  std::size_t set_count_ = 0;
-};
 
 /// Plane by storage indices; `normal` is the infeed axis.
 struct Plane {
@@ -88,8 +37,8 @@ struct Plane {
   int normal = 2;
 };
 
-/// The state of one channel of the control: everything a program can read or change, except its
-/// local variables.
+/// One channel of the control: its state, what machine data and frames in force make of it, and
+/// what it works with.
 class Channel : public ChannelState {
  public:
   Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals);
@@ -165,13 +114,11 @@ class Channel : public ChannelState {
   }
   /// Something changed that positions depend on: work coordinates are to be asked for again.
   void frames_changed() {
-    is_stale_ = true;
+    programmed_place.is_stale = true;
     offset_changed();
   }
 
   // Tools
-  bool knows_tools = false;  ///< the set-up sheet or an INI file has some
-  bool loads_data = false;   ///< of an INI file: data of a new tool make it
   [[nodiscard]] const EdgeData* active_edge() const { return edge_now ? &*edge_now : nullptr; }
   /// mm, wear included; 0 without an edge
   [[nodiscard]] double tool_radius() const;
@@ -185,7 +132,6 @@ class Channel : public ChannelState {
   [[nodiscard]] AxisPositions tool_offset() const;
 
   // Rotary axes
-  Orientation orientation;
   /// SD42974: fine offsets of carriers act.
   [[nodiscard]] bool carriers_have_fine_offsets() const { return numbers[carrier_fine_] != 0.0; }
   /// MD18088: how many there may be.
@@ -212,7 +158,7 @@ class Channel : public ChannelState {
   /// Where the axes stand, in work coordinates: what an axis that is not programmed keeps.
   AxisPositions present();
   /// The end that the program wrote last: what incremental words count from.
-  [[nodiscard]] const AxisPositions& programmed() const { return q_W_programmed_; }
+  [[nodiscard]] const AxisPositions& programmed() const { return programmed_place.q_W; }
   /// The same place in work and in machine coordinates.
   void arrived_at_programmed(const AxisPositions& q_W, const AxisPositions& q_M);
   void arrived_at_machine();
@@ -247,41 +193,8 @@ class Channel : public ChannelState {
     const auto found = further_axes.find(axis);
     return found != further_axes.end() ? &found->second : nullptr;
   }
-  CornerStage corners;
-  CutterStage cutter;
-  std::optional<HeldLine> held_line;
-  /// Of any length along the end of the last path, machine coordinates; 0: there was none.
-  Eigen::Vector3d along_M_end = Eigen::Vector3d::Zero();
-
-  // Measuring
-  runtime::TouchReports touches;  ///< of MEAS, MEAW, MEASA and MEAWA
-  /// WHEN $A_PROBE[n]==level DO DELDTG, for the next move.
-  struct SkipAction {
-    int probe = 1;
-    machine::SignalEdge edge = machine::SignalEdge::Rising;
-  };
-  std::optional<SkipAction> skip_action;
-
-  // What synchronised actions make of the running block.
-  bool deletes_distance = false;           ///< DELDTG: its path is not travelled
-  double action_override_percent = 100.0;  ///< $AC_OVR
-
-  Clocks clocks;
-
-  /// M0 and M1 at one place while no axis moves.
-  struct Waiting {
-    static constexpr int kMost = 1000;
-    source::Location place;
-    AxisPositions q_M = AxisPositions::Zero();
-    int stops = 0;
-  };
-  Waiting waiting;
 
   // Outside world
-  std::set<int> block_skip;  ///< switches that are on
-  runtime::FeedSwitches feed_switches;
-  runtime::InputScripts inputs;  ///< of those that the set-up sheet scripts
-  runtime::BusyWait busy_wait;
   /// How far the program is, for what happens after a while.
   [[nodiscard]] runtime::InputScripts::Now now() const { return {port.time_s(), watch.blocks()}; }
   /// Where the program is, for reports from inside an expression.
@@ -311,34 +224,31 @@ class Channel : public ChannelState {
   /// The angles of both axes of TRAORI.
   [[nodiscard]] std::array<double, 2> angles_of(const AxisPositions& q_M) const;
 
-  std::size_t frame_save_mask_;        ///< place of MD10617
-  std::size_t program_function_mask_;  ///< place of MD10280
-  std::size_t upper_soft_limits_;      ///< place of MD36110
-  std::size_t lower_soft_limits_;      ///< place of MD36100
-  std::size_t rounding_tolerances_;    ///< place of MD33100
-  std::size_t base_frames_;            ///< place of MD28081
-  std::size_t global_base_frames_;     ///< place of MD18602
-  std::size_t rotary_is_modulo_;       ///< place of MD30310
-  std::size_t axis_function_masks_;    ///< place of MD30455
-  std::size_t rapids_are_straight_;    ///< place of MD20730
-  std::size_t codes_at_start_;         ///< place of MD20150
-  std::size_t technology_;             ///< place of MD52200
-  std::size_t tool_parameter_mask_;    ///< place of MD20360
-  std::size_t length_plane_;           ///< place of SD42940
-  std::size_t turning_length_plane_;   ///< place of SD42942
-  std::size_t length_kind_;            ///< place of SD42950
-  std::size_t spindles_of_axes_;       ///< place of MD35000
-  std::size_t tool_change_mode_;       ///< place of MD22550
-  std::size_t diameter_axis_;          ///< place of MD20100, among the texts
-  std::size_t carrier_fine_;           ///< place of SD42974
-  std::size_t most_carriers_;          ///< place of MD18088
-  bool is_stale_ = false;
+  std::size_t frame_save_mask_;                 ///< place of MD10617
+  std::size_t program_function_mask_;           ///< place of MD10280
+  std::size_t upper_soft_limits_;               ///< place of MD36110
+  std::size_t lower_soft_limits_;               ///< place of MD36100
+  std::size_t rounding_tolerances_;             ///< place of MD33100
+  std::size_t base_frames_;                     ///< place of MD28081
+  std::size_t global_base_frames_;              ///< place of MD18602
+  std::size_t rotary_is_modulo_;                ///< place of MD30310
+  std::size_t axis_function_masks_;             ///< place of MD30455
+  std::size_t rapids_are_straight_;             ///< place of MD20730
+  std::size_t codes_at_start_;                  ///< place of MD20150
+  std::size_t technology_;                      ///< place of MD52200
+  std::size_t tool_parameter_mask_;             ///< place of MD20360
+  std::size_t length_plane_;                    ///< place of SD42940
+  std::size_t turning_length_plane_;            ///< place of SD42942
+  std::size_t length_kind_;                     ///< place of SD42950
+  std::size_t spindles_of_axes_;                ///< place of MD35000
+  std::size_t tool_change_mode_;                ///< place of MD22550
+  std::size_t diameter_axis_;                   ///< place of MD20100, among the texts
+  std::size_t carrier_fine_;                    ///< place of SD42974
+  std::size_t most_carriers_;                   ///< place of MD18088
   mutable std::optional<Chains> chains_;        ///< kept until one of them is written
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed
   mutable std::optional<machine::Transformation> transformation_;  ///< kept while the tool is
   mutable machine::AxisTransformPtr leads_;                        ///< made of it
-  AxisPositions q_W_programmed_ = AxisPositions::Zero();
-  AxisPositions q_M_programmed_ = AxisPositions::Zero();
 };
 
 }  // namespace g31::sinumerik

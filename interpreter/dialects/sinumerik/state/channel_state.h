@@ -16,6 +16,10 @@
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
+#include "interpreter/runtime/busy_wait.h"
+#include "interpreter/runtime/control_setup.h"
+#include "interpreter/runtime/input_scripts.h"
+#include "interpreter/runtime/touch_reports.h"
 
 namespace g31::sinumerik {
 
@@ -57,8 +61,7 @@ struct Tool {
 };
 
 /// What programs read and change of a channel, as a plain value: copies are keyframes, and two runs
-/// that are alike have equal ones.  Paths on their way to the machine, clocks and what TCARR and
-/// TRAORI have made of the rotary axes are in the channel beside it.
+/// that are alike have equal ones.  Where the axes are and what time it is says the machine.
 struct ChannelState {
   // Global variables, by their places.
   std::vector<double> numbers;
@@ -96,6 +99,9 @@ struct ChannelState {
   std::optional<EdgeData> edge_now;         ///< its data when D or M6 took them
   std::array<double, 4> additive_now = {};  ///< mm, what DL added to parameters 3 to 6 of the edge
   std::map<int, ToolCarrier> carriers;      ///< $TC_CARR
+  bool knows_tools = false;                 ///< the set-up sheet or an INI file has some
+  bool loads_data = false;                  ///< of an INI file: data of a new tool make it
+  Orientation orientation;
 
   // Motion
   Pole pole;
@@ -104,18 +110,38 @@ struct ChannelState {
   std::map<int, FurtherAxis> further_axes;  ///< those of U, V and W that the machine has
   /// TRAILON: following and leading axis to the factor.
   std::map<std::pair<int, int>, double> couplings;
+  ProgrammedPlace programmed_place;
+  CornerStage corners;
+  CutterStage cutter;
+  std::optional<HeldLine> held_line;
+  /// Of any length along the end of the last path, machine coordinates; 0: there was none.
+  Eigen::Vector3d along_M_end = Eigen::Vector3d::Zero();
 
   // Measuring
   static constexpr int kMostProbes = 8;
   AxisPositions q_M_measured = AxisPositions::Zero();
   AxisPositions q_W_measured = AxisPositions::Zero();
   std::array<bool, kMostProbes + 1> measured = {};  ///< by probe, from 1
+  runtime::TouchReports touches;                    ///< of MEAS, MEAW, MEASA and MEAWA
+  std::optional<SkipAction> skip_action;            ///< of the next move
+
+  // What synchronised actions make of the running block.
+  bool deletes_distance = false;           ///< DELDTG: its path is not travelled
+  double action_override_percent = 100.0;  ///< $AC_OVR
+
+  // Time
+  Clocks clocks;
+  ProgramStops stops;
+  runtime::BusyWait busy_wait;
 
   // Outside world
   std::map<std::string, std::string> files;  ///< what WRITE, READ and EXTWRITE work on
   std::set<std::string> open_files;          ///< EXTOPEN
   std::string call_path;
-  std::string message;                        ///< the last MSG
+  std::string message;       ///< the last MSG
+  std::set<int> block_skip;  ///< switches that are on
+  runtime::FeedSwitches feed_switches;
+  runtime::InputScripts inputs;               ///< of those that the set-up sheet scripts
   std::array<double, 9> analog_inputs = {};   ///< $A_INA, where nothing is wired to it
   std::array<bool, 65> digital_inputs = {};   ///< $A_IN, where nothing is wired to it
   std::array<bool, 65> digital_outputs = {};  ///< $A_OUT

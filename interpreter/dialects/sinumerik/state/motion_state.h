@@ -9,6 +9,8 @@
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "interpreter/path/contour_corners.h"
 #include "interpreter/path/cutter_compensation.h"
+#include "interpreter/source/location.h"
+#include "machine/port/skip_signal.h"
 #include "machine/units/axis_positions.h"
 
 namespace g31::sinumerik {
@@ -88,6 +90,33 @@ struct MachinePoints {
   bool operator==(const MachinePoints&) const = default;
 };
 
+/// The end that the program wrote last, or where it was left otherwise.
+struct ProgrammedPlace {
+  AxisPositions q_W = AxisPositions::Zero();
+  AxisPositions q_M = AxisPositions::Zero();  ///< the same place
+  bool is_stale = false;  ///< work coordinates are others since: q_M alone counts
+
+  bool operator==(const ProgrammedPlace&) const = default;
+};
+
+/// WHEN $A_PROBE[n]==level DO DELDTG.
+struct SkipAction {
+  int probe = 1;
+  machine::SignalEdge edge = machine::SignalEdge::Rising;
+
+  bool operator==(const SkipAction&) const = default;
+};
+
+/// M0 and M1 at one place while no axis moves.
+struct ProgramStops {
+  static constexpr int kMost = 1000;
+  source::Location place;
+  AxisPositions q_M = AxisPositions::Zero();
+  int count = 0;
+
+  bool operator==(const ProgramStops&) const = default;
+};
+
 /// Roundings and chamfers, and what the present block says to them.
 struct CornerStage {
   path::ContourCorners contour;
@@ -96,6 +125,8 @@ struct CornerStage {
   double modal_feed = 0.0;         ///< FRCM, as programmed
   double passing_mm = 0.0;         ///< ADIS: where G641 begins to round, at most
   double axis_tolerance_mm = 0.0;  ///< ATOL; 0: that of the machine data
+
+  bool operator==(const CornerStage&) const = default;
 };
 
 /// A straight line of which a block says only the angle (ANG): its end comes of the next block.
@@ -109,6 +140,8 @@ struct HeldLine {
   path::CornerWish wish;
   path::CompensationCommand command;
   source::Location where;
+
+  bool operator==(const HeldLine&) const = default;
 };
 
 /// The times that programs read, s; the machine's clock is the measure of all of them.
@@ -118,6 +151,7 @@ struct Clocks {
     double value = 0.0;
     std::optional<double> since;  ///< nullopt: it stands
     [[nodiscard]] double at(double now) const { return value + (since ? now - *since : 0.0); }
+    bool operator==(const Timer&) const = default;
   };
   std::array<Timer, kTimers> timers;  ///< $AC_TIMER
   double block_began = 0.0;
@@ -127,6 +161,8 @@ struct Clocks {
   double cutting_offset = 0.0;
   double setup_offset = 0.0;
   double power_on_offset = 0.0;
+
+  bool operator==(const Clocks&) const = default;
 };
 
 /// Tool radius compensation and what the present block says to it.
@@ -135,6 +171,8 @@ struct CutterStage {
   path::CompensationCommand command;
   path::CompensationCommand held_command;  ///< of the block that waits for its corner
   bool fed = false;  ///< a motion or pause of the present block has come through
+
+  bool operator==(const CutterStage&) const = default;
 };
 
 }  // namespace g31::sinumerik

@@ -60,6 +60,8 @@ struct Orientation {
   std::optional<machine::VectorChain> chain;     ///< of TRAORI
   std::optional<machine::OrientationAxes> axes;  ///< of TRAORI
   std::array<double, 2> traori_basic_deg = {};
+
+  bool operator==(const Orientation&) const = default;
 };
 
 /// The rotary axes of vectors as what brings the tool to a direction; nullopt: parallel, or one has
