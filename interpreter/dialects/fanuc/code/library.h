@@ -69,6 +69,7 @@ class ProgramLibrary {
 
   /// What has been found twice since the last call: in one file, or in one folder.
   std::vector<source::Diagnostic> take_reports() { return std::exchange(reports_, {}); }
+  [[nodiscard]] bool has_reports() const { return !reports_.empty(); }
 
  private:
   struct File {

@@ -63,7 +63,7 @@ runtime::NamedValues Inspector::values(std::size_t level, runtime::Scope scope) 
     return common_values(control, 0);
   }
   runtime::NamedValues values;
-  const Look look(control, runner_.locals_of(level));
+  const Look look(control, runner_.stack().locals_of(level));
   for (std::int32_t number = 1; number <= kLocalCount; ++number) {
     add(values, number, control.variables.local(number));
   }
@@ -73,7 +73,7 @@ Result<Cell, std::string> Inspector::evaluate(std::size_t level, const std::stri
   if (std::ranges::any_of(text, [](unsigned char c) { return c < ' ' || c == '(' || c == ';'; })) {
     return std::string("is not an expression: it holds a comment or the end of a block");
   }
-  const Look look(runner_.control(), runner_.locals_of(level));
+  const Look look(runner_.control(), runner_.stack().locals_of(level));
   Expression& condition = expression(fmt::format("IF[{}]GOTO1\n", text));
   if (condition.program.steps.front().kind == BlockKind::IfGoto) {
     return value_of(condition);

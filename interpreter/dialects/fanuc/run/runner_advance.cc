@@ -1,7 +1,4 @@
-#include <algorithm>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/code/lathe.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
@@ -65,11 +62,10 @@ bool Runner::refuse_broken(const CompiledProgram& main) {
 }
 
 void Runner::start(const CompiledProgram& main) {
-  frames_.assign(1, Frame());
-  frame().program = &main;
+  stack_.start(main);
   control_.modal.word('O') = main.number;
   if (main.number != 0 && main.extent == Extent::Whole) {
-    program_of(main.number);  // a second one of its number is told
+    programs_.find(main.number);  // a second one of its number is told
   }
   control_.coordinates.arrived_at_machine(control_.port.position());
 }
@@ -110,7 +106,7 @@ void Runner::end(const MaybeFailure& reason) {
     control_.report_missed_touches();
   }
   library_.look_behind_main();
-  take_reports();
+  programs_.take_reports();
   control_.tell_repeats();
   outcome_.diagnostics = control_.diagnostics;
   outcome_.blocks = control_.watch.blocks();
@@ -125,26 +121,34 @@ runtime::Outcome Runner::finish() {
 
 std::vector<runtime::CallLevel> Runner::call_levels() const {
   std::vector<runtime::CallLevel> levels;
-  if (frames_.empty()) {
+  if (!stack_.has_begun()) {
     return levels;
   }
-  const Frame& innermost = frames_.back();
   levels.push_back(
-      {name_of(*innermost.program), is_over_ ? location_of(innermost) : next_place().where});
-  for (std::size_t i = frames_.size() - 1; i > 0; --i) {
-    levels.push_back({name_of(*frames_[i - 1].program), location_of(frames_[i - 1])});
+      {name_of(*stack_.frame().program), is_over_ ? stack_.here() : next_place().where});
+  for (runtime::CallSite& call : stack_.calls()) {
+    levels.push_back({std::move(call.program), call.where});
   }
   return levels;
 }
 
-std::size_t Runner::locals_of(std::size_t level) const {
-  if (frames_.empty()) {
-    return 0;
-  }
-  const std::size_t calls = frames_.size() - std::min(level, frames_.size() - 1);
-  const auto own_locals = [](const Frame& called) { return called.kind == CallKind::Macro; };
-  return static_cast<std::size_t>(
-      std::ranges::count_if(std::span(frames_).first(calls), own_locals));
+runtime::Outcome Runner::outcome_of(const Failure& failure) {
+  const bool has_place = failure.where.end > failure.where.begin;
+  const source::Location present = has_place ? stack_.location(failure.where) : stack_.here();
+  const AlarmInfo& row = info(failure.id);
+  runtime::StopReason reason;
+  reason.status = failure.status;
+  reason.number = failure.alarm_number != 0 ? failure.alarm_number
+                                            : number_of(failure.id, control_.profile.alarm_numbers);
+  reason.text = failure.alarm_text.empty() ? std::string(row.text) : failure.alarm_text;
+  reason.detail = failure.detail;
+  reason.remedy = row.remedy;
+  reason.where = failure.block.is_known() ? failure.block : present;
+  reason.calls = stack_.calls();
+  runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
+  control_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
+  outcome.diagnostics.clear();
+  return outcome;
 }
 
 }  // namespace g31::fanuc

@@ -1,9 +1,12 @@
+#include "interpreter/dialects/fanuc/run/subprograms.h"
+
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/execute/execute.h"
-#include "interpreter/dialects/fanuc/run/runner.h"
+#include "interpreter/dialects/fanuc/execute/codes.h"
 
 namespace g31::fanuc {
 namespace {
@@ -17,57 +20,16 @@ constexpr int kExternalCall = 198;
 
 }  // namespace
 
-int Runner::levels(CallKind kind) const {
-  int count = 0;
-  for (const Frame& level : frames_) {
-    count += level.kind == kind ? 1 : 0;
-  }
-  return count;
-}
-
-MaybeFailure Runner::enter(const Entry& entry) {
-  const bool is_macro = entry.kind == CallKind::Macro;
-  const CallLevels& most = control_.profile.calls;
-  const int limit = is_macro ? most.macros : most.subprograms;
-  const bool in_kind = levels(entry.kind) < limit;
-  const bool together = in_kind && static_cast<int>(frames_.size()) > most.together;
-  if (!in_kind || together) {
-    Failure failure;
-    failure.id = is_macro && !together ? AlarmId::MacroNesting : AlarmId::NestedTooDeep;
-    failure.detail = together ? fmt::format("calls nest at most {} deep", most.together)
-                              : fmt::format("{} nest at most {} deep",
-                                            is_macro ? "macros" : "subprograms", limit);
-    return failure;
-  }
-  if (is_macro) {
-    control_.variables.push_level();
-  }
-  Frame level;
-  level.program = entry.program;
-  level.step = entry.first_step;
-  level.first_step = entry.first_step;
-  level.kind = entry.kind;
-  level.by = entry.by;
-  level.storage = entry.storage;
-  level.repeats_left = entry.repeats - 1;
-  level.modal_calls = frame().modal_calls;
-  frames_.push_back(std::move(level));
-  control_.modal.word('O') = entry.program->number;
-  control_.watch.level_changed(frames_.size() - 1, [&] { return name_of(*frame().program); });
-  return std::nullopt;
-}
-
-/// M198, or the M code of parameter 6030 (MB-222).
-bool Runner::calls_external(int m) const {
+bool Subprograms::calls_external(int m) const {
   const int renamed = nearest_integer(control_.parameters.get(ParameterId::ExternalCall));
   return m == (renamed > 0 ? renamed : kExternalCall);
 }
 
 /// What M98 or M198 calls, how often and from which block on (MB-214 to MB-216).
-Result<Entry, Failure> Runner::subprogram_entry(const EvaluatedWord& m) {
+Result<Entry, Failure> Subprograms::entry_of(const EvaluatedWord& m) {
   const EvaluatedWord* const p = words_.find('P');
   const EvaluatedWord* const q = words_.find(control_.profile.start_letter);
-  const auto times = repeats();
+  const auto times = repeats_of(words_);
   if (!times) {
     return times.error();
   }
@@ -75,7 +37,7 @@ Result<Entry, Failure> Runner::subprogram_entry(const EvaluatedWord& m) {
     return at_word(AlarmId::CallWithoutProgram, m, fmt::format("M{} without P", m.number));
   }
   if (p == nullptr) {
-    if (auto failure = keep_whole(frame())) {
+    if (auto failure = jumps_.keep_whole()) {
       return *std::move(failure);
     }
   }
@@ -88,11 +50,11 @@ Result<Entry, Failure> Runner::subprogram_entry(const EvaluatedWord& m) {
     EvaluatedWord program_word = *p;
     program_word.form = ValueForm::Integer;
     program_word.number = number.value();
-    if (number.value() >= kCountFactor && library_.find(number.value()) == nullptr) {
+    if (number.value() >= kCountFactor && !programs_.has(number.value())) {
       program_word.number = number.value() % kCountFactor;
       entry.repeats = number.value() / kCountFactor;
     }
-    const auto program = called_program(program_word);
+    const auto program = programs_.called(program_word);
     if (!program) {
       return program.error();
     }
@@ -110,45 +72,44 @@ Result<Entry, Failure> Runner::subprogram_entry(const EvaluatedWord& m) {
 
 /// What a block does beside its call.
 /// @param arguments  letters of words that belong to the call
-MaybeFailure Runner::execute_beside(const EvaluatedWord& call,
-                                    std::initializer_list<char> arguments) {
+MaybeFailure Subprograms::execute_beside(const EvaluatedWord& call,
+                                         std::initializer_list<char> arguments) {
   BlockWords others;
   for (const EvaluatedWord& word : words_.all()) {
     if (&word != &call && std::ranges::find(arguments, word.letter) == arguments.end()) {
       others.add(word);
     }
   }
-  return execute(others, location_of(frame()));
+  return execute_words(control_, others, levels_.stack().here());
 }
 
-/// M98 P L Q, M198 P: motion of the block first, then the call (MB-213 to MB-217, MB-222).
-MaybeFailure Runner::subprogram_call(const EvaluatedWord& m) {
-  const auto found = subprogram_entry(m);
+MaybeFailure Subprograms::call(const EvaluatedWord& m) {
+  const auto found = entry_of(m);
   if (!found) {
     return found.error();
   }
   Entry entry = found.value();
   if (calls_external(nearest_integer(m.number))) {
     entry.storage = Storage::External;
-    if (std::ranges::find(frames_, Storage::External, &Frame::storage) != frames_.end()) {
+    const std::vector<Frame>& frames = levels_.stack().frames();
+    if (std::ranges::find(frames, Storage::External, &Frame::storage) != frames.end()) {
       return at_word(AlarmId::ExternalTwice, m, "M198 in a program that M198 called");
     }
   }
   if (auto failure = execute_beside(m, {'P', 'L', control_.profile.start_letter})) {
     return failure;
   }
-  return entry.repeats == 0 ? std::nullopt : enter(entry);
+  return entry.repeats == 0 ? std::nullopt : levels_.enter(entry);
 }
 
-/// M97 P L: the blocks from N of P on, to M99, as a subprogram of the same text.
-MaybeFailure Runner::local_call(const EvaluatedWord& m) {
+MaybeFailure Subprograms::call_local(const EvaluatedWord& m) {
   const EvaluatedWord* const p = words_.find('P');
-  const auto times = repeats();
+  const auto times = repeats_of(words_);
   if (p == nullptr || !times) {
     return p == nullptr ? MaybeFailure(at_word(AlarmId::CallWithoutProgram, m, "M97 without P"))
                         : MaybeFailure(times.error());
   }
-  if (auto failure = keep_whole(frame())) {
+  if (auto failure = jumps_.keep_whole()) {
     return failure;
   }
   const auto sequence = integer_of(*p);
@@ -164,11 +125,10 @@ MaybeFailure Runner::local_call(const EvaluatedWord& m) {
   }
   Entry entry{frame().program, CallKind::Subprogram, CalledBy::Program, times.value()};
   entry.first_step = *step;
-  return entry.repeats == 0 ? std::nullopt : enter(entry);
+  return entry.repeats == 0 ? std::nullopt : levels_.enter(entry);
 }
 
-/// M96 P Q: on at block N of P while input Q is 0.
-MaybeFailure Runner::jump_by_input(const EvaluatedWord& m) {
+MaybeFailure Subprograms::jump_by_input(const EvaluatedWord& m) {
   constexpr int kFirstInput = 11000;
   const EvaluatedWord* const p = words_.find('P');
   const EvaluatedWord* const q = words_.find('Q');
@@ -188,17 +148,15 @@ MaybeFailure Runner::jump_by_input(const EvaluatedWord& m) {
   if (value.value().or_zero() != 0.0) {
     return std::nullopt;
   }
-  return go_to(frame(), sequence.value(),
-               at_word(AlarmId::SequenceNotFound, *p, fmt::format("no N{}", sequence.value())));
+  return jumps_.go_to(sequence.value(), at_word(AlarmId::SequenceNotFound, *p,
+                                                fmt::format("no N{}", sequence.value())));
 }
 
-/// M99: back to the caller, to block P of it, or to the top of the main program; L replaces the
-/// repeats that are left (MB-218 to MB-221).
-MaybeFailure Runner::return_from_call() {
+MaybeFailure Subprograms::return_from() {
   const EvaluatedWord* const p = words_.find('P');
   Frame& now = frame();
   if (words_.has('L')) {
-    const auto left = repeats();
+    const auto left = repeats_of(words_);
     if (!left) {
       return left.error();
     }
@@ -210,22 +168,12 @@ MaybeFailure Runner::return_from_call() {
     return std::nullopt;
   }
   if (now.kind == CallKind::Main) {
-    if (auto failure = keep_whole(now)) {
+    if (auto failure = jumps_.keep_whole()) {
       return failure;
     }
     now.step = 0;
   } else {
-    if (now.of_modal_call) {
-      now.of_modal_call->locals = control_.variables.level();
-    }
-    if (now.kind == CallKind::Macro) {
-      const std::size_t depth = control_.variables.depth();
-      control_.touches.missed.forget(holder_of(depth, kFirstLocal), holder_of(depth, kLocalCount));
-      control_.variables.pop_level();
-    }
-    frames_.pop_back();
-    control_.modal.word('O') = frame().program->number;
-    control_.watch.level_changed(frames_.size() - 1, [&] { return name_of(*frame().program); });
+    levels_.leave();
   }
   if (p == nullptr) {
     return std::nullopt;
@@ -234,8 +182,19 @@ MaybeFailure Runner::return_from_call() {
   if (!sequence) {
     return sequence.error();
   }
-  return go_to(frame(), sequence.value(),
-               at_word(AlarmId::SequenceNotFound, *p, fmt::format("no N{}", sequence.value())));
+  return jumps_.go_to(sequence.value(), at_word(AlarmId::SequenceNotFound, *p,
+                                                fmt::format("no N{}", sequence.value())));
+}
+
+MaybeFailure Subprograms::call_by_code(const EvaluatedWord& code, int program_number) {
+  const auto program = programs_.called_by(code, program_number);
+  if (!program) {
+    return program.error();
+  }
+  if (auto failure = execute_beside(code, {})) {
+    return failure;
+  }
+  return levels_.enter({program.value(), CallKind::Subprogram, CalledBy::Address, 1});
 }
 
 }  // namespace g31::fanuc

@@ -1,10 +1,11 @@
+#include "interpreter/dialects/fanuc/run/printouts.h"
+
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/run/runner.h"
 #include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/runtime/printer_port.h"
 #include "machine/base/contract.h"
@@ -62,51 +63,51 @@ class Printout {
   std::vector<Piece> pieces_;
 };
 
-}  // namespace
-
-MaybeFailure Runner::open_or_close(OutputStatement statement) {
+MaybeFailure open_or_close(Control& control, OutputStatement statement) {
   const bool opens = statement == OutputStatement::POPEN;
-  if (control_.printer != nullptr) {
-    auto problem = opens ? control_.printer->select() : control_.printer->release();
+  if (control.printer != nullptr) {
+    auto problem = opens ? control.printer->select() : control.printer->release();
     if (problem) {
       return Printout::not_ready(std::move(*problem));
     }
   }
-  control_.printer_open = opens;
+  control.printer_open = opens;
   return std::nullopt;
 }
 
 /// DPRNT and BPRNT without POPEN: an alarm or a note, as the control has it (MB-249, MB-374).
-MaybeFailure Runner::refused_output(OutputStatement statement, syntax::ShortSpan block) {
-  if (control_.printer_open) {
+MaybeFailure refused_output(Control& control, OutputStatement statement, source::Location block) {
+  if (control.printer_open) {
     return std::nullopt;
   }
-  if (control_.profile.output.needs_popen) {
+  if (control.profile.output.needs_popen) {
     Failure failure;
     failure.id = AlarmId::PrinterClosed;
     failure.detail = fmt::format("{} without POPEN", info(statement).name);
     return failure;
   }
-  control_.warn_once(source::DiagnosticId::PrinterNotOpen, location(block), info(statement).name);
+  control.warn_once(source::DiagnosticId::PrinterNotOpen, block, info(statement).name);
   return std::nullopt;
 }
 
-/// POPEN, PCLOS, DPRNT, BPRNT (MB-235 to MB-253); runs when it is read, like every macro statement.
-MaybeFailure Runner::output(const Step& step) {
+}  // namespace
+
+MaybeFailure print(Control& control, const CallStack& stack, const Step& step) {
   const auto statement = static_cast<OutputStatement>(step.number);
   if (info(statement).has_format == HasFormat::No) {
-    return open_or_close(statement);
+    return open_or_close(control, statement);
   }
-  const CompiledProgram& program = *frame().program;
+  const CompiledProgram& program = *stack.frame().program;
   const syntax::ShortSpan format = program.tree->blocks[step.block].text;
-  if (auto refused = refused_output(statement, program.tree->blocks[step.block].span)) {
+  if (auto refused = refused_output(control, statement,
+                                    stack.location(program.tree->blocks[step.block].span))) {
     return refused;
   }
   const auto items =
       parse_output_format(program.file->text().substr(format.begin, format.end - format.begin));
   G31_EXPECTS(items.ok());  // the parser refused every other format
   if (statement == OutputStatement::DPRNT) {
-    if (const auto refused = refused_by(control_.profile.output, items.value())) {
+    if (const auto refused = refused_by(control.profile.output, items.value())) {
       Failure failure;
       failure.id = AlarmId::OutputFormat;
       failure.where = format;
@@ -116,20 +117,20 @@ MaybeFailure Runner::output(const Step& step) {
   }
   const bool is_binary = statement == OutputStatement::BPRNT;
   const PrintCode characters =
-      control_.parameters.is_on(ParameterId::IsoCode) ? PrintCode::Iso : PrintCode::Ascii;
+      control.parameters.is_on(ParameterId::IsoCode) ? PrintCode::Iso : PrintCode::Ascii;
   Printout printout;
   for (const OutputItem& item : items.value()) {
     if (item.variable < 0) {
       printout.add(item.text, characters);
       continue;
     }
-    const auto value = control_.all_variables.read(item.variable);
-    control_.touches.missed.reads(holder_of(control_.variables.depth(), item.variable));
+    const auto value = control.all_variables.read(item.variable);
+    control.touches.missed.reads(holder_of(control.variables.depth(), item.variable));
     const auto bytes =
         !value      ? std::nullopt
         : is_binary ? binary_text(value.value().or_zero(), item.decimals)
                     : std::optional(decimal_text(value.value().or_zero(), item.integer_places,
-                                                 item.decimals, style_of(control_)));
+                                                 item.decimals, style_of(control)));
     if (!bytes) {
       Failure failure;
       failure.id = value ? AlarmId::IntegerOverflow : value.error();
@@ -137,16 +138,16 @@ MaybeFailure Runner::output(const Step& step) {
       failure.detail = fmt::format("#{} cannot be printed here", item.variable);
       return failure;
     }
-    if (!is_binary && cuts_digits(value.value().or_zero(), item, style_of(control_))) {
-      control_.warn_once(source::DiagnosticId::DigitsCut, location(format),
-                         fmt::format("#{} is {:.{}f}, printed as {}", item.variable,
-                                     value.value().or_zero(), item.decimals, *bytes));
+    if (!is_binary && cuts_digits(value.value().or_zero(), item, style_of(control))) {
+      control.warn_once(source::DiagnosticId::DigitsCut, stack.location(format),
+                        fmt::format("#{} is {:.{}f}, printed as {}", item.variable,
+                                    value.value().or_zero(), item.decimals, *bytes));
     }
     printout.add(*bytes, is_binary ? PrintCode::Binary : characters);
   }
-  control_.use_measured();
-  printout.add(control_.parameters.is_on(ParameterId::PrintReturns) ? "\n\r" : "\n", characters);
-  return printout.deliver(control_);
+  control.use_measured();
+  printout.add(control.parameters.is_on(ParameterId::PrintReturns) ? "\n\r" : "\n", characters);
+  return printout.deliver(control);
 }
 
 }  // namespace g31::fanuc

@@ -1,0 +1,62 @@
+#include "interpreter/dialects/fanuc/run/called_programs.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/codes.h"
+
+namespace g31::fanuc {
+
+const CompiledProgram* CalledPrograms::find(int number) {
+  const CompiledProgram* const found = library_.find(number);
+  take_reports();
+  return found;
+}
+
+Result<const CompiledProgram*, Failure> CalledPrograms::called(const EvaluatedWord& p) {
+  const auto number = integer_of(p);
+  if (!number) {
+    return number.error();
+  }
+  const CompiledProgram* const program = find(number.value());
+  if (program == nullptr) {
+    return at_word(AlarmId::CalledNotFound, p,
+                   fmt::format("O{:04} is in none of the files and folders", number.value()));
+  }
+  return program;
+}
+
+void CalledPrograms::take_reports() {
+  if (!library_.has_reports()) {
+    return;
+  }
+  for (source::Diagnostic& report : library_.take_reports()) {
+    control_.diagnostics.push_back(std::move(report));
+  }
+}
+
+Result<const CompiledProgram*, Failure> CalledPrograms::called_by(const EvaluatedWord& code,
+                                                                  int number) {
+  if (const CompiledProgram* const program = find(number)) {
+    return program;
+  }
+  return at_word(AlarmId::CalledNotFound, code,
+                 fmt::format("O{:04}, which {}{} calls, is in none of the files and folders",
+                             number, code.letter, code.number));
+}
+
+Result<int, Failure> repeats_of(const BlockWords& words) {
+  const EvaluatedWord* const l = words.find('L');
+  if (l == nullptr) {
+    return 1;
+  }
+  const auto times = integer_of(*l);
+  constexpr int kLargestRepeat = 9999;
+  if (times && (times.value() < 0 || times.value() > kLargestRepeat)) {
+    return at_word(AlarmId::IllegalAddress, *l, "L repeats 0 to 9999 times");
+  }
+  return times;
+}
+
+}  // namespace g31::fanuc

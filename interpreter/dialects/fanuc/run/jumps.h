@@ -1,0 +1,35 @@
+#pragma once
+
+#include "interpreter/dialects/fanuc/code/library.h"
+#include "interpreter/dialects/fanuc/run/call_stack.h"
+#include "interpreter/dialects/fanuc/state/control.h"
+
+namespace g31::fanuc {
+
+/// Where a program goes on that does not go on at its next step.
+class Jumps {
+ public:
+  /// All must outlive it.
+  Jumps(CallStack& stack, ProgramLibrary& library, Control& control)
+      : stack_(stack), library_(library), control_(control) {}
+
+  /// GOTO.
+  MaybeFailure jump(const Step& step);
+  /// The running program goes on at N `sequence`; `missing` is what it means when there is no such
+  /// block.
+  MaybeFailure go_to(int sequence, Failure missing);
+  /// A jump is ahead: the whole program must be known.
+  MaybeFailure keep_whole();
+  /// Goes on in the next window of a long program, or says that the program has no end.
+  MaybeFailure behind_last_step();
+
+ private:
+  MaybeFailure arrive_at(syntax::Index step);
+  Frame& frame() { return stack_.frame(); }
+
+  CallStack& stack_;
+  ProgramLibrary& library_;
+  Control& control_;
+};
+
+}  // namespace g31::fanuc

@@ -1,0 +1,95 @@
+#include "interpreter/dialects/fanuc/run/macro_arguments.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/codes.h"
+
+namespace g31::fanuc {
+namespace {
+
+using syntax::ValueForm;
+
+/// Argument specification I (MB-191): the local variable of an address, 0 for none.
+constexpr std::array<std::uint8_t, syntax::kLetterCount> kArgumentVariable = {
+    // A B C  D  E  F  G  H   I  J  K  L  M   N  O  P  Q   R   S   T   U   V   W   X   Y   Z
+    1, 2, 3, 7, 8, 9, 0, 11, 4, 5, 6, 0, 13, 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 0, 0};
+
+/// Letters whose plain integer argument means least increments (MB-196).
+bool counts_increments(char letter) {
+  return std::string_view("ABCIJKQRUVWXYZ").find(letter) != std::string_view::npos;
+}
+
+}  // namespace
+
+bool is_argument(char letter) {
+  return kArgumentVariable[static_cast<std::size_t>(letter - 'A')] != 0;
+}
+
+double argument_value(const EvaluatedWord& word, const WordScale& scale) {
+  return word.form == ValueForm::Integer && counts_increments(word.letter) ? scale.length(word)
+                                                                           : word.number;
+}
+
+Result<Variables::Locals, Failure> MacroArguments::put_among(
+    Variables::Locals locals, std::span<const EvaluatedWord> arguments) {
+  const bool triples = !control_.parameters.is_on(ParameterId::OneTriple);
+  int triple = 0;
+  char last_of_triple = 'A';
+  std::string in_triple;
+  made_of_.clear();
+  for (const EvaluatedWord& word : arguments) {
+    int variable = kArgumentVariable[static_cast<std::size_t>(word.letter - 'A')];
+    if (variable == 0) {
+      return at_word(AlarmId::IllegalArgumentLetter, word,
+                     fmt::format("{} as argument", syntax::letter_text(word.letter)));
+    }
+    if (triples && word.letter >= 'I' && word.letter <= 'K') {
+      const bool begins = word.letter <= last_of_triple;
+      if (begins && in_triple.find(word.letter) == in_triple.npos) {
+        control_.warn_once(source::DiagnosticId::TripleOutOfOrder, stack_.location(word.span),
+                           fmt::format("{} behind {}", word.letter, last_of_triple));
+      }
+      in_triple = begins ? std::string(1, word.letter) : in_triple + word.letter;
+      triple += begins ? 1 : 0;
+      last_of_triple = word.letter;
+      variable += 3 * triple;
+    }
+    if (variable > kLocalCount) {
+      return at_word(AlarmId::IllegalArgumentLetter, word, "more than ten I J K");
+    }
+    locals[static_cast<std::size_t>(variable)] = Cell(argument_value(word, control_.scale));
+    for (const auto& [begin, reading] : running_.readings()) {
+      if (begin == word.span.begin) {
+        made_of_.emplace_back(variable, reading);
+      }
+    }
+  }
+  return locals;
+}
+
+void MacroArguments::follow() {
+  runtime::MissedTouches& missed = control_.touches.missed;
+  missed.passes_on();
+  for (const auto& [variable, reading] : made_of_) {
+    missed.reads(reading);
+    missed.assigns(holder_of(control_.variables.depth(), variable));
+  }
+}
+
+void MacroArguments::keep_words() {
+  for (const EvaluatedWord& word : running_.words().all()) {
+    const std::size_t variable =
+        word.letter >= 'A' && word.letter <= 'Z'
+            ? kArgumentVariable[static_cast<std::size_t>(word.letter - 'A')]
+            : 0;
+    if (variable != 0) {
+      control_.modal.arguments.at(variable) = argument_value(word, control_.scale);
+    }
+  }
+}
+
+}  // namespace g31::fanuc

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/run/running_words.h"
+
+namespace g31::fanuc {
+
+/// Of P, where it is an argument.
+inline constexpr std::size_t kVariableOfP = 16;
+
+/// Whether a word of this letter can be an argument (MB-191).
+bool is_argument(char letter);
+
+/// What a word passes to a macro: without a point it counts least increments (MB-196).
+double argument_value(const EvaluatedWord& word, const WordScale& scale);
+
+/// What words of a call pass to a macro.
+class MacroArguments {
+ public:
+  /// All must outlive it.
+  MacroArguments(const CallStack& stack, const RunningWords& running, Control& control)
+      : stack_(stack), running_(running), control_(control) {}
+
+  /// Puts arguments among locals.  I J K may come again: then they belong to the next triple
+  /// (specification II, MB-192, MB-194), unless parameter 6008.7 says specification I only.
+  Result<Variables::Locals, Failure> put_among(Variables::Locals locals,
+                                               std::span<const EvaluatedWord> arguments);
+  /// The locals of the level that begins hold what the arguments were made of.
+  void follow();
+  /// A macro that an M code calls finds them in #4101 to #4126.
+  void keep_words();
+
+ private:
+  const CallStack& stack_;
+  const RunningWords& running_;
+  Control& control_;
+  /// What the arguments are made of of skip moves without a signal, by variable.
+  std::vector<std::pair<std::int32_t, runtime::MissedTouches::Reading>> made_of_;
+};
+
+}  // namespace g31::fanuc

@@ -1,0 +1,189 @@
+#include "interpreter/dialects/fanuc/run/macro_calls.h"
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/codes.h"
+#include "interpreter/dialects/fanuc/execute/execute.h"
+
+namespace g31::fanuc {
+namespace {
+
+/// What G66.1 does with the letters that are no arguments elsewhere (MB-205).
+constexpr std::size_t kEveryBlockG = 10;
+constexpr std::size_t kEveryBlockL = 12;
+constexpr std::size_t kEveryBlockN = 14;
+
+/// Whether a word is part of the call itself: the code, P and L.
+bool is_call_word(const EvaluatedWord& word, const EvaluatedWord& code) {
+  return &word == &code || word.letter == 'P' || word.letter == 'L';
+}
+
+}  // namespace
+
+MaybeFailure MacroCalls::call(const EvaluatedWord& code) {
+  std::vector<EvaluatedWord> arguments;
+  for (const EvaluatedWord& word : words_.all()) {
+    if (!is_call_word(word, code)) {
+      arguments.push_back(word);
+      if (!is_argument(word.letter)) {
+        return at_word(AlarmId::IllegalArgumentLetter, word,
+                       fmt::format("{} as argument", syntax::letter_text(word.letter)));
+      }
+    }
+  }
+  const EvaluatedWord* const p = words_.find('P');
+  if (p == nullptr) {
+    return at_word(AlarmId::CallWithoutProgram, code, "G65 without P");
+  }
+  const auto program = programs_.called(*p);
+  if (!program) {
+    return program.error();
+  }
+  const auto times = repeats_of(words_);
+  if (!times) {
+    return times.error();
+  }
+  return enter({program.value(), CallKind::Macro, CalledBy::Program, times.value()}, arguments);
+}
+
+MaybeFailure MacroCalls::call_by_code(const EvaluatedWord& code, int program_number, CalledBy by) {
+  const auto program = programs_.called_by(code, program_number);
+  if (!program) {
+    return program.error();
+  }
+  const auto times = repeats_of(words_);
+  if (!times) {
+    return times.error();
+  }
+  std::vector<EvaluatedWord> arguments;
+  for (const EvaluatedWord& word : words_.all()) {
+    if (&word != &code && word.letter != 'L' && word.letter != 'N' && word.letter != 'P') {
+      arguments.push_back(word);
+    }
+  }
+  Variables::Locals locals;
+  if (const EvaluatedWord* const p = words_.find('P')) {
+    locals[kVariableOfP] = Cell(argument_value(*p, control_.scale));
+  }
+  return enter({program.value(), CallKind::Macro, by, times.value()}, arguments, locals);
+}
+
+MaybeFailure MacroCalls::set_modal(const EvaluatedWord& code) {
+  auto call = std::make_shared<ModalCall>();
+  const EvaluatedWord* const p = words_.find('P');
+  if (p == nullptr) {
+    return at_word(AlarmId::CallWithoutProgram, code, "G66 without P");
+  }
+  const auto program = programs_.called(*p);
+  const auto times = repeats_of(words_);
+  if (!program || !times) {
+    return program ? times.error() : program.error();
+  }
+  call->program = program.value();
+  call->repeats = times.value();
+  call->every_block = code.number != 66.0;
+  std::vector<EvaluatedWord> arguments;
+  for (const EvaluatedWord& word : words_.all()) {
+    if (!is_call_word(word, code)) {
+      arguments.push_back(word);
+    }
+  }
+  const auto locals = arguments_.put_among({}, arguments);
+  if (!locals) {
+    return locals.error();
+  }
+  call->locals = locals.value();
+  if (static_cast<int>(frame().modal_calls.size()) >= control_.profile.calls.macros) {
+    return at_word(AlarmId::ModalCallNesting, code,
+                   fmt::format("modal calls nest at most {} deep", control_.profile.calls.macros));
+  }
+  frame().modal_calls.push_back(std::move(call));
+  control_.modal.group[Group::ModalCall] = {66,
+                                            static_cast<std::int8_t>(code.number != 66.0 ? 1 : 0)};
+  return std::nullopt;
+}
+
+MaybeFailure MacroCalls::cancel_modal(const EvaluatedWord& code) {
+  auto& calls = frame().modal_calls;
+  if (calls.empty() && control_.profile.lone_cancel_is_alarm) {
+    return at_word(AlarmId::NoModalCall, code, "G67 without G66");
+  }
+  if (!calls.empty()) {
+    calls.pop_back();
+  }
+  control_.modal.group[Group::ModalCall] = calls.empty() ? GNumber{67, 0} : GNumber{66, 0};
+  return std::nullopt;
+}
+
+MaybeFailure MacroCalls::modal_call() {
+  if (!commands_motion(words_) || levels_.stack().has_ended()) {
+    return std::nullopt;
+  }
+  const std::shared_ptr<ModalCall> call = frame().modal_calls.back();
+  if (call->repeats == 0) {
+    return std::nullopt;
+  }
+  if (auto failure =
+          levels_.enter({call->program, CallKind::Macro, CalledBy::Program, call->repeats})) {
+    return failure;
+  }
+  frame().modal_calls.pop_back();
+  frame().of_modal_call = call;
+  control_.variables.set_level(call->locals);
+  return std::nullopt;
+}
+
+MaybeFailure MacroCalls::every_block_call() {
+  const std::shared_ptr<ModalCall> call = frame().modal_calls.back();
+  std::vector<EvaluatedWord> arguments;
+  Variables::Locals locals = call->locals;
+  if (words_.sequence() > 0) {
+    locals[kEveryBlockN] = Cell(words_.sequence());
+  }
+  for (const EvaluatedWord& word : words_.all()) {
+    const std::size_t variable = word.letter == 'G'   ? kEveryBlockG
+                                 : word.letter == 'L' ? kEveryBlockL
+                                 : word.letter == 'P' ? kVariableOfP
+                                                      : 0;
+    if (variable == 0) {
+      arguments.push_back(word);
+    } else {
+      locals[variable] = Cell(word.number);
+    }
+  }
+  const auto passed = arguments_.put_among(locals, arguments);
+  if (!passed) {
+    return passed.error();
+  }
+  if (auto failure =
+          levels_.enter({call->program, CallKind::Macro, CalledBy::Program, call->repeats})) {
+    return failure;
+  }
+  frame().modal_calls.pop_back();
+  control_.variables.set_level(passed.value());
+  return std::nullopt;
+}
+
+/// Enters a macro as often as L says; never for L0.
+MaybeFailure MacroCalls::enter(const Entry& entry, std::span<const EvaluatedWord> arguments,
+                               const Variables::Locals& given) {
+  const auto locals = arguments_.put_among(given, arguments);
+  if (!locals) {
+    return locals.error();
+  }
+  if (entry.repeats == 0) {
+    return std::nullopt;
+  }
+  if (auto failure = levels_.enter(entry)) {
+    return failure;
+  }
+  control_.variables.set_level(locals.value());
+  arguments_.follow();
+  return std::nullopt;
+}
+
+}  // namespace g31::fanuc

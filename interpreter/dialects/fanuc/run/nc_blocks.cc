@@ -1,0 +1,88 @@
+#include "interpreter/dialects/fanuc/run/nc_blocks.h"
+
+#include <optional>
+
+#include "interpreter/dialects/fanuc/execute/execute.h"
+
+namespace g31::fanuc {
+
+NcBlocks::NcBlocks(CallStack& stack, Control& control, CalledPrograms& programs, Jumps& jumps)
+    : stack_(stack),
+      control_(control),
+      running_(stack, control),
+      arguments_(stack, running_, control),
+      levels_(stack, control),
+      subprograms_(control, running_, programs, jumps, levels_),
+      macros_(control, running_, programs, arguments_, levels_),
+      calls_(stack, control, running_, macros_, subprograms_) {}
+
+MaybeFailure NcBlocks::run(const Step& step) {
+  if (const auto halt = control_.watch.before_work()) {
+    return halt_failure(*halt);
+  }
+  if (auto failure = running_.read(step)) {
+    return failure;
+  }
+  if (control_.profile.keeps_all_words) {
+    arguments_.keep_words();
+  }
+  const auto called = calls_.call_in_block();
+  if (!called) {
+    return called.error();
+  }
+  if (called.value()) {
+    control_.touches.missed.passes_on();
+    return std::nullopt;
+  }
+  return plain_block(stack_.here());
+}
+
+/// A block that calls nothing; its motion may set off a modal call.
+MaybeFailure NcBlocks::plain_block(source::Location where) {
+  const EvaluatedWord* const m = running_.words().find('M');
+  if (auto failure = execute_words(control_, running_.words(), where)) {
+    return failure;
+  }
+  control_.touches.missed.moves();
+  if (auto failure = skip_check(where)) {
+    return failure;
+  }
+  stop_program(m != nullptr ? nearest_integer(m->number) : -1, where);
+  return stack_.frame().modal_calls.empty() ? std::nullopt : macros_.modal_call();
+}
+
+/// M78 and M79 of a Haas: what the skip move of their block must come to.
+MaybeFailure NcBlocks::skip_check(source::Location where) {
+  constexpr double kMustBeMissing = 78.0;
+  constexpr double kMustCome = 79.0;
+  const auto is_here = [&](const std::optional<source::Location>& skip) {
+    return skip && skip->file == where.file && skip->begin == where.begin;
+  };
+  if (!control_.profile.checks_skip_signal) {
+    return std::nullopt;
+  }
+  for (const EvaluatedWord& word : running_.words().all()) {
+    if (word.letter == 'M' && word.number == kMustBeMissing) {
+      if (is_here(control_.stopped_skip)) {
+        return at_word(AlarmId::SkipSignalFound, word, "M78");
+      }
+      control_.touches.missed.asks();
+    }
+    if (word.letter == 'M' && word.number == kMustCome && is_here(control_.touches.missed.last())) {
+      return at_word(AlarmId::SkipSignalMissing, word, "M79");
+    }
+  }
+  return std::nullopt;
+}
+
+/// M00, M01, M02, M30: recorded stops and the end.
+void NcBlocks::stop_program(int m, source::Location where) {
+  if (m == 0 || m == 1) {
+    control_.observer.on_stop({m == 0 ? "M00" : "M01", "", where});
+  }
+  if (m == 2 || m == 30) {
+    stack_.end();
+  }
+}
+
+}  // namespace g31::fanuc

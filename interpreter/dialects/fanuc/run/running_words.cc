@@ -1,0 +1,98 @@
+#include "interpreter/dialects/fanuc/run/running_words.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/execute/compensation.h"
+#include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/dialects/fanuc/run/evaluation_failure.h"
+#include "interpreter/dialects/fanuc/text/scanner.h"
+
+namespace g31::fanuc {
+namespace {
+
+using syntax::ValueForm;
+
+/// No address of any control takes more (MB-032); it keeps positions and times finite, too.
+constexpr double kLargestWord = 999'999'999.0;
+
+bool is_dwell(const BlockWords& words) {
+  const EvaluatedWord* const g = words.find('G');
+  return g != nullptr && g->number == 4.0;
+}
+
+}  // namespace
+
+MaybeFailure RunningWords::read(const Step& step) {
+  const CompiledProgram& program = *frame().program;
+  const syntax::Block& block = program.tree->blocks[step.block];
+  words_.clear();
+  readings_.clear();
+  runtime::MissedTouches& missed = control_.touches.missed;
+  for (syntax::Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
+    const syntax::Word& word = program.tree->words[i];
+    if (word.letter == '/') {
+      if (skips_rest(word)) {
+        break;
+      }
+      continue;
+    }
+    double number = word.number;
+    const bool is_computed = word.form == ValueForm::Computed;
+    if (is_computed) {
+      const double increment = 1.0 / control_.scale.length_counts();
+      const Cell value =
+          control_.evaluator.value(program, program.word_code[i - program.first_word], increment);
+      if (control_.evaluator.failed()) {
+        return evaluation_failure(control_.evaluator);
+      }
+      if (value.is_vacant()) {
+        continue;
+      }
+      number = value.raw();
+      if (auto reading = missed.any() ? missed.set_aside() : nullptr) {
+        readings_.emplace_back(word.span.begin, std::move(reading));
+      }
+    }
+    if (!is_computed && word.digits > control_.profile.word_digit_limit) {
+      return at_place(AlarmId::TooManyDigits, word.span, digit_count(word.digits));
+    }
+    if (std::abs(number) > kLargestWord) {
+      return at_place(AlarmId::TooManyDigits, word.span,
+                      fmt::format("{} is {:g}, beyond every address", word.letter, number));
+    }
+    words_.add(word, number);
+  }
+  for (const auto& [begin, reading] : readings_) {
+    missed.reads(reading);
+  }
+  if (block.sequence >= 0) {
+    control_.modal.word('N') = block.sequence;
+    words_.set_sequence(block.sequence);
+  }
+  return std::nullopt;
+}
+
+/// A `/` in the middle of a block: some controls skip from there, others refuse it (MB-006).
+bool RunningWords::skips_rest(const syntax::Word& word) {
+  control_.warn_once(source::DiagnosticId::SkipInsideBlock, stack_.location(word.span));
+  return control_.block_skip.contains(static_cast<int>(word.number));
+}
+
+MaybeFailure execute_words(Control& control, const BlockWords& words, source::Location where) {
+  if (auto failure = execute_block(control, words, where)) {
+    return failure;
+  }
+  const bool compensates = control.cutter.compensation.engaged();
+  if (!compensates && !control.lookahead.is_judged()) {
+    return std::nullopt;
+  }
+  const BlockEffect effect = effect_of(words, control.profile, control.parameters);
+  control.lookahead.executed(effect);
+  // Cutter compensation reads past a dwell, though statements behind it see the axes stand.
+  const bool breaks = effect == BlockEffect::Finishes && !is_dwell(words);
+  return compensates && breaks ? end_read_ahead(control) : std::nullopt;
+}
+
+}  // namespace g31::fanuc

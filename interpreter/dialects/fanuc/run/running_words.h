@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "interpreter/dialects/fanuc/run/call_stack.h"
+#include "interpreter/dialects/fanuc/state/control.h"
+#include "interpreter/dialects/fanuc/text/word_values.h"
+#include "interpreter/runtime/missed_touches.h"
+
+namespace g31::fanuc {
+
+/// The words of the running NC block, worked out.
+class RunningWords {
+ public:
+  /// Both must outlive it.
+  RunningWords(const CallStack& stack, Control& control) : stack_(stack), control_(control) {}
+
+  MaybeFailure read(const Step& step);
+  [[nodiscard]] const BlockWords& words() const { return words_; }
+
+  /// What they read of skip moves without a signal, by where they stand.
+  using Readings = std::vector<std::pair<std::uint32_t, runtime::MissedTouches::Reading>>;
+  [[nodiscard]] const Readings& readings() const { return readings_; }
+
+ private:
+  bool skips_rest(const syntax::Word& word);
+  [[nodiscard]] const Frame& frame() const { return stack_.frame(); }
+
+  const CallStack& stack_;
+  Control& control_;
+  BlockWords words_;
+  Readings readings_;
+};
+
+/// What the words of a block do, calls apart.
+MaybeFailure execute_words(Control& control, const BlockWords& words, source::Location where);
+
+}  // namespace g31::fanuc

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "interpreter/dialects/fanuc/run/macro_calls.h"
+#include "interpreter/dialects/fanuc/run/subprograms.h"
+
+namespace g31::fanuc {
+
+/// Which word of a block calls what.
+class WordCalls {
+ public:
+  /// All must outlive it.
+  WordCalls(const CallStack& stack, Control& control, const RunningWords& running,
+            MacroCalls& macros, Subprograms& subprograms)
+      : stack_(stack),
+        control_(control),
+        words_(running.words()),
+        macros_(macros),
+        subprograms_(subprograms) {}
+
+  /// Calls what a word of the block calls.  @returns whether there was such a word
+  Result<bool, Failure> call_in_block();
+
+ private:
+  Result<bool, Failure> call_by_g(const EvaluatedWord& word, bool every_block);
+  Result<bool, Failure> call_by_m(const EvaluatedWord& word);
+  Result<bool, Failure> call_by_address(const EvaluatedWord& word);
+  [[nodiscard]] bool may_call(CalledBy by) const;
+  [[nodiscard]] const Frame& frame() const { return stack_.frame(); }
+
+  const CallStack& stack_;
+  Control& control_;
+  const BlockWords& words_;
+  MacroCalls& macros_;
+  Subprograms& subprograms_;
+};
+
+}  // namespace g31::fanuc
