@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/analysis/fanuc_accesses.h"
+#include "interpreter/analysis/fanuc_constants.h"
 #include "interpreter/analysis/fanuc_moves.h"
 #include "interpreter/analysis/flow_builder.h"
 #include "interpreter/dialects/fanuc/code/exits.h"
@@ -98,6 +99,9 @@ void FanucTranslation::step(Index index) {
     add_moves(program_, block, builder_);
   } else if (step.kind == BlockKind::Assign) {
     stops_ = step.target_kind == fanuc::TargetKind::Numbered && step.number == kMacroAlarm;
+  }
+  if (const auto found = stops_ ? std::nullopt : wrong_constant(program_, step, profile_)) {
+    stop(fault_of(found->wrong.id, found->where, found->wrong.detail));
   }
   add_accesses(program_, step, builder_);
   follow(index);
@@ -232,16 +236,22 @@ void FanucTranslation::nc_words(const syntax::Block& block) {
 void FanucTranslation::call(const syntax::Block& block, const Word& code) {
   const Word* const p = last_word(block, 'P');
   const bool is_subprogram = code.letter == 'M';
+  const bool may_be_skipped = last_word(block, '/') != nullptr;
   if (p == nullptr) {
     // M98 Q100 calls the program itself.
     if (!is_subprogram || last_word(block, profile_.start_letter) == nullptr) {
-      const bool may_be_skipped = last_word(block, '/') != nullptr;
       builder_.fault(fault_of(AlarmId::CallWithoutProgram, code.span,
                               fmt::format("{}{} without P", code.letter, code.number)));
       stops_ = !may_be_skipped;
     } else {
       builder_.call({Call::Kind::Subprogram, name_of(program_), false, code.span});
     }
+    return;
+  }
+  const Word* const l = last_word(block, 'L');
+  if (const auto found = l != nullptr ? wrong_repeats(*l) : std::nullopt) {
+    builder_.fault(fault_of(found->wrong.id, found->where, found->wrong.detail));
+    stops_ = !may_be_skipped;
     return;
   }
   Call made;

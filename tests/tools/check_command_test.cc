@@ -181,6 +181,56 @@ TEST(Check, ConstantsThatDoNotFitAreTold) {
       }));
 }
 
+TEST(Check, ConstantsThatDoNotFitOnAFanucAreTold) {
+  TemporaryFolder folder;
+  const std::string main = folder.write("part.nc",
+                                        "O1\n"
+                                        "#1=#2/0\n"
+                                        "#1=SQRT[-4]+1\n"
+                                        "#1=ASIN[1.5]\n"
+                                        "#1=#2 MOD [1-1]\n"
+                                        "#1=30000000*200 AND #2\n"
+                                        "#1=#34\n"
+                                        "#[30+4]=1\n"
+                                        "#5041=1\n"
+                                        "IF[LN[0] GT 1]GOTO 9\n"
+                                        "G1 X[#1/0] F100\n"
+                                        "G1 X1234567890 F100\n"
+                                        "G65 P2 L10000\n"
+                                        "/ #1=1/0\n"
+                                        "#1=123456789\n"
+                                        "G1 / X[1/0] F100\n"
+                                        "IF[1 EQ 2]THEN #1=1/0\n"
+                                        "N9 #1=SQRT[4]/2 MOD 3\n"
+                                        "#[#1]=#[#2]/#3\n"
+                                        "#500=#5041+#4001\n"
+                                        "G65 P2 L9999\n"
+                                        "M30\n"
+                                        "O2\n"
+                                        "M99\n");
+  const CheckOutput output = checked_files({main});
+  EXPECT_EQ(
+      places(output.text, folder),
+      (std::vector<std::string>{
+          "part.nc:2:4: error: alarm 112, DIVIDED BY ZERO: the divisor is 0 [NC002]",
+          "part.nc:3:4: error: alarm 119, ILLEGAL ARGUMENT: SQRT of -4 [NC002]",
+          "part.nc:4:4: error: alarm 111, ILLEGAL ARGUMENT: the argument is 1.5 [NC002]",
+          "part.nc:5:4: error: alarm 112, DIVIDED BY ZERO: the divisor of MOD is 0 [NC002]",
+          "part.nc:6:4: error: alarm 110, DATA OVERFLOW: an operand does not fit 32 bits [NC002]",
+          "part.nc:7:4: error: alarm 115, ILLEGAL VARIABLE NUMBER: #34 cannot be read [NC002]",
+          "part.nc:8:1: error: alarm 115, ILLEGAL VARIABLE NUMBER: #34 cannot be written [NC002]",
+          "part.nc:9:1: error: alarm 116, WRITE PROTECTED VARIABLE: #5041 cannot be written "
+          "[NC002]",
+          "part.nc:10:4: error: alarm 119, ILLEGAL ARGUMENT: LN of 0 [NC002]",
+          "part.nc:11:5: error: alarm 112, DIVIDED BY ZERO: the divisor is 0 [NC002]",
+          "part.nc:12:4: error: alarm 3, TOO MANY DIGITS: 10 digits [NC002]",
+          "part.nc:13:8: error: alarm 9, ILLEGAL ADDRESS INPUT: L repeats 0 to 9999 times [NC002]",
+          "part.nc:14:6: error: alarm 112, DIVIDED BY ZERO: the divisor is 0 [NC002]",
+          "part.nc:15:4: error: alarm 3, TOO MANY DIGITS: 9 digits [NC002]",
+          "part.nc:17:19: warning: alarm 112, DIVIDED BY ZERO: the divisor is 0 [NC003]",
+      }));
+}
+
 TEST(Check, ShippedProgramsPassWithoutAWord) {
   const auto macros = disk::shipped_folder("macros");
   ASSERT_TRUE(macros);

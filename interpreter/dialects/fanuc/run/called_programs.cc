@@ -52,11 +52,8 @@ Result<int, Failure> repeats_of(const BlockWords& words) {
     return 1;
   }
   const auto times = integer_of(*l);
-  constexpr int kLargestRepeat = 9999;
-  if (times && (times.value() < 0 || times.value() > kLargestRepeat)) {
-    return at_word(AlarmId::IllegalAddress, *l, "L repeats 0 to 9999 times");
-  }
-  return times;
+  auto wrong = times ? wrong_repeats(times.value()) : std::nullopt;
+  return wrong ? at_word(wrong->id, *l, std::move(wrong->detail)) : times;
 }
 
 }  // namespace g31::fanuc

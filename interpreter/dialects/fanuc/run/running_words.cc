@@ -7,15 +7,11 @@
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/execute/execute.h"
 #include "interpreter/dialects/fanuc/run/evaluation_failure.h"
-#include "interpreter/dialects/fanuc/text/scanner.h"
 
 namespace g31::fanuc {
 namespace {
 
 using syntax::ValueForm;
-
-/// No address of any control takes more (MB-032); it keeps positions and times finite, too.
-constexpr double kLargestWord = 999'999'999.0;
 
 bool is_dwell(const BlockWords& words) {
   const EvaluatedWord* const g = words.find('G');
@@ -55,12 +51,11 @@ MaybeFailure RunningWords::read(const Step& step) {
         readings_.emplace_back(word.span.begin, std::move(reading));
       }
     }
-    if (!is_computed && word.digits > control_.profile.word_digit_limit) {
-      return at_place(AlarmId::TooManyDigits, word.span, digit_count(word.digits));
-    }
-    if (std::abs(number) > kLargestWord) {
-      return at_place(AlarmId::TooManyDigits, word.span,
-                      fmt::format("{} is {:g}, beyond every address", word.letter, number));
+    const std::uint8_t digits = is_computed ? std::uint8_t{0} : word.digits;
+    const int most = control_.profile.word_digit_limit;
+    if (!fits_address(number, digits, most)) [[unlikely]] {
+      WrongValue wrong = wrong_word(word.letter, number, digits, most);
+      return at_place(wrong.id, word.span, std::move(wrong.detail));
     }
     words_.add(word, number);
   }

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "interpreter/dialects/fanuc/text/scanner.h"
 #include "interpreter/runtime/angles.h"
 #include "machine/base/contract.h"
 
@@ -97,14 +96,6 @@ runtime::MissedTouches::Holder holder_of(std::size_t depth, std::int32_t number)
   return level << kLevelShift | static_cast<std::uint32_t>(number);
 }
 
-std::int32_t variable_number(double index) {
-  constexpr double kParts = 1000.0;
-  const bool has_part =
-      may_have_part(index) && std::fmod(std::round(index * kParts), kParts) != 0.0;
-  const double rounded = std::round(has_part ? index * kParts : index);
-  return std::abs(rounded) < 1e9 ? static_cast<std::int32_t>(rounded) : -1;
-}
-
 std::optional<EvaluationFault> Evaluator::take_fault() {
   std::optional<EvaluationFault> taken;
   taken.swap(fault_);
@@ -114,6 +105,10 @@ std::optional<EvaluationFault> Evaluator::take_fault() {
 Cell Evaluator::fail(AlarmId id, std::string detail) {
   fault_ = EvaluationFault{id, {}, std::move(detail)};
   return {};
+}
+
+Cell Evaluator::fail(WrongValue wrong) {
+  return fail(wrong.id, std::move(wrong.detail));
 }
 
 Cell Evaluator::read(std::int32_t number) {
@@ -216,8 +211,7 @@ Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cel
   switch (op.code) {
     case OpCode::Divide:
       if (b.or_zero() == 0.0) {
-        return fail(AlarmId::DivisionByZero,
-                    b.is_vacant() ? "the divisor is vacant" : "the divisor is 0");
+        return fail(no_divisor(b));
       }
       return in_range(a.or_zero() / b.or_zero());
     case OpCode::Negate:
@@ -238,9 +232,7 @@ Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cel
                  : fail(AlarmId::ExpressionFormat,
                         "AND, OR and XOR between comparisons need parameter 6006.0 = 1");
     case OpCode::DigitLimit:
-      return op.function <= rules_.digit_limit
-                 ? Cell()
-                 : fail(AlarmId::TooManyDigits, digit_count(op.function));
+      return op.function <= rules_.digit_limit ? Cell() : fail(too_many_digits(op.function));
     case OpCode::Modulo:
     case OpCode::And:
     case OpCode::Or:
@@ -302,17 +294,13 @@ Cell Evaluator::axis_parameter(double number, double axis) {
 
 /// MOD AND OR XOR: both operands made 32-bit integers (MB-067 to MB-069, MB-363).
 Cell Evaluator::integer_operation(OpCode op, double a, double b) {
-  const bool truncates = rules_.logic_operands == LogicOperands::Truncate && op != OpCode::Modulo;
-  const double x = truncates ? std::trunc(a) : std::round(a);
-  const double y = truncates ? std::trunc(b) : std::round(b);
-  constexpr double kLimit = 2147483648.0;
-  const bool fits = x >= -kLimit && x < 2.0 * kLimit && y >= -kLimit && y < 2.0 * kLimit;
-  if (!fits) {
-    return fail(AlarmId::IntegerOverflow, "an operand does not fit 32 bits");
+  const double x = whole_operand(op, a, rules_.logic_operands);
+  const double y = whole_operand(op, b, rules_.logic_operands);
+  if (auto wrong = wrong_operands(op, x, y)) {
+    return fail(std::move(*wrong));
   }
   if (op == OpCode::Modulo) {
-    return y == 0.0 ? fail(AlarmId::DivisionByZero, "the divisor of MOD is 0")
-                    : Cell(std::fmod(x, y) + 0.0);
+    return Cell(std::fmod(x, y) + 0.0);
   }
   const auto left = static_cast<std::int32_t>(static_cast<std::int64_t>(x));
   const auto right = static_cast<std::int32_t>(static_cast<std::int64_t>(y));
@@ -353,6 +341,9 @@ Cell Evaluator::function(const Op& op, double argument, double round_to) {
   if (!rules_.has_series_30i_functions && info(id).in_16i == InSeries16i::No) {
     return fail(AlarmId::ImproperCommand, fmt::format("this control has no {}", info(id).name));
   }
+  if (!is_defined_at(id, argument)) {
+    return fail(undefined_at(id, argument));
+  }
   switch (id) {
     case FunctionId::SIN:
     case FunctionId::COS:
@@ -360,9 +351,6 @@ Cell Evaluator::function(const Op& op, double argument, double round_to) {
       return trigonometric(id, argument);
     case FunctionId::ASIN:
     case FunctionId::ACOS: {
-      if (std::abs(argument) > 1.0) {
-        return fail(AlarmId::ArcusArgument, fmt::format("the argument is {}", argument));
-      }
       const double angle =
           (id == FunctionId::ASIN ? std::asin(argument) : std::acos(argument)) * kDegrees;
       return Cell(angle < 0.0 && !rules_.signed_angles ? angle + 360.0 : angle);
@@ -370,8 +358,7 @@ Cell Evaluator::function(const Op& op, double argument, double round_to) {
     case FunctionId::ATAN:
       return Cell(std::atan(argument) * kDegrees);
     case FunctionId::SQRT:
-      return argument < 0.0 ? fail(AlarmId::IllegalArgument, fmt::format("SQRT of {}", argument))
-                            : Cell(std::sqrt(argument));
+      return Cell(std::sqrt(argument));
     case FunctionId::ABS:
       return Cell(std::abs(argument));
     case FunctionId::ROUND:
@@ -379,8 +366,7 @@ Cell Evaluator::function(const Op& op, double argument, double round_to) {
     case FunctionId::FUP:
       return rounding_function(id, argument, round_to);
     case FunctionId::LN:
-      return argument <= 0.0 ? fail(AlarmId::IllegalArgument, fmt::format("LN of {}", argument))
-                             : Cell(std::log(argument));
+      return Cell(std::log(argument));
     case FunctionId::EXP:
       return in_range(std::exp(argument));
     case FunctionId::BIN:

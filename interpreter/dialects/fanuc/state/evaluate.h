@@ -5,6 +5,7 @@
 #include <string>
 
 #include "interpreter/dialects/fanuc/code/compile.h"
+#include "interpreter/dialects/fanuc/code/value_limits.h"
 #include "interpreter/dialects/fanuc/state/variables.h"
 #include "interpreter/dialects/fanuc/vocabulary/functions.h"
 #include "interpreter/dialects/fanuc/vocabulary/parameters.h"
@@ -78,6 +79,7 @@ class Evaluator {
   Cell axis_parameter(double number, double axis);
   Cell at(const CompiledProgram& program, const Op& op);
   Cell fail(AlarmId id, std::string detail);
+  Cell fail(WrongValue wrong);
 
   const Variables& variables_;
   AllVariables& all_variables_;
@@ -86,8 +88,5 @@ class Evaluator {
   std::array<Cell, kTemporaryCount> temporaries_;
   std::optional<EvaluationFault> fault_;
 };
-
-/// The variable number that a computed index means: rounded to the nearest integer (MB-099).
-std::int32_t variable_number(double index);
 
 }  // namespace g31::fanuc

@@ -60,11 +60,8 @@ const Accessor& accessor_of(const SystemVariable& row) {
 
 Result<Cell, AlarmId> ControlVariables::read(std::int32_t number) {
   const SystemVariable* const row = control_->system_variables.find(number);
-  if (row == nullptr) {
-    return AlarmId::IllegalVariable;
-  }
-  if (row->access == Access::Write) {
-    return AlarmId::ReadProtected;
+  if (const auto why = why_unreadable(row)) {
+    return *why;
   }
   if (control_->lookahead.is_ahead()) {
     control_->report_read_ahead(*row, number);
@@ -77,11 +74,8 @@ Result<Cell, AlarmId> ControlVariables::read(std::int32_t number) {
 
 std::optional<AlarmId> ControlVariables::write(std::int32_t number, Cell value) {
   const SystemVariable* const row = control_->system_variables.find(number);
-  if (row == nullptr) {
-    return AlarmId::IllegalVariable;
-  }
-  if (row->access == Access::Read || row->access == Access::Input) {
-    return AlarmId::WriteProtected;
+  if (const auto why = why_unwritable(row)) {
+    return why;
   }
   return store(*row, number, value);
 }

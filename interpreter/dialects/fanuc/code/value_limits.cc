@@ -1,0 +1,66 @@
+#include "interpreter/dialects/fanuc/code/value_limits.h"
+
+#include <fmt/format.h>
+
+#include "interpreter/dialects/fanuc/text/scanner.h"
+#include "interpreter/dialects/fanuc/vocabulary/variable_ranges.h"
+
+namespace g31::fanuc {
+namespace {
+
+constexpr int kLargestRepeat = 9999;
+
+}  // namespace
+
+std::int32_t variable_number(double index) {
+  constexpr double kParts = 1000.0;
+  const bool has_part =
+      may_have_part(index) && std::fmod(std::round(index * kParts), kParts) != 0.0;
+  const double rounded = std::round(has_part ? index * kParts : index);
+  return std::abs(rounded) < 1e9 ? static_cast<std::int32_t>(rounded) : -1;
+}
+
+WrongValue no_divisor(Cell divisor) {
+  return {AlarmId::DivisionByZero,
+          divisor.is_vacant() ? "the divisor is vacant" : "the divisor is 0"};
+}
+
+double whole_operand(OpCode op, double operand, LogicOperands rule) {
+  const bool truncates = rule == LogicOperands::Truncate && op != OpCode::Modulo;
+  return truncates ? std::trunc(operand) : std::round(operand);
+}
+
+std::optional<WrongValue> wrong_operands(OpCode op, double x, double y) {
+  if (!fits_32_bits(x) || !fits_32_bits(y)) {
+    return WrongValue{AlarmId::IntegerOverflow, "an operand does not fit 32 bits"};
+  }
+  return op == OpCode::Modulo && y == 0.0
+             ? std::optional(WrongValue{AlarmId::DivisionByZero, "the divisor of MOD is 0"})
+             : std::nullopt;
+}
+
+WrongValue undefined_at(FunctionId id, double argument) {
+  return id == FunctionId::ASIN || id == FunctionId::ACOS
+             ? WrongValue{AlarmId::ArcusArgument, fmt::format("the argument is {}", argument)}
+             : WrongValue{AlarmId::IllegalArgument,
+                          fmt::format("{} of {}", info(id).name, argument)};
+}
+
+WrongValue too_many_digits(std::uint8_t digits) {
+  return {AlarmId::TooManyDigits, digit_count(digits)};
+}
+
+WrongValue wrong_word(char letter, double number, std::uint8_t digits, int most) {
+  return digits > most
+             ? too_many_digits(digits)
+             : WrongValue{AlarmId::TooManyDigits,
+                          fmt::format("{} is {:g}, beyond every address", letter, number)};
+}
+
+std::optional<WrongValue> wrong_repeats(int times) {
+  return times < 0 || times > kLargestRepeat
+             ? std::optional(WrongValue{AlarmId::IllegalAddress, "L repeats 0 to 9999 times"})
+             : std::nullopt;
+}
+
+}  // namespace g31::fanuc
