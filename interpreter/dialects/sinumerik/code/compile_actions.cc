@@ -81,7 +81,7 @@ bool Compiler::may_act(const Token& action) {
   }
   return std::ranges::find(kActions, action.text) != kActions.end() ||
          (action.kind == TokenKind::Name && !changes_within_blocks(action.text) &&
-          (find_variable(action.text) >= 0 || action.text.starts_with('$')));
+          (variables_.find(action.text) >= 0 || action.text.starts_with('$')));
 }
 
 /// G70, G71, G700 and G710 say what lengths count in: what may stand here has none but POS and FA.
@@ -151,10 +151,10 @@ void Compiler::judge_action(std::size_t from, ActionKind kind, bool is_timed) {
 void Compiler::numbered_action() {
   const bool is_static = cursor_.previous().text == "IDS";
   expect(Symbol::Assign);
-  const Expr number = convert(expression(), Type::Int);
+  const Expr number = operations_.convert(expressions_.expression(), Type::Int);
   const Token word = cursor_.peek();
   if (!failed() && !number.is_constant) {
-    fail(AlarmId::NotImplemented, block_, "ID= and IDS= with a computed number");
+    fail(AlarmId::NotImplemented, block(), "ID= and IDS= with a computed number");
   }
   if (!failed()) {
     cursor_.next();
@@ -173,14 +173,14 @@ void Compiler::synchronised_action(std::string_view word, ActionScope scope, con
     fail(AlarmId::SyntaxInText, word);
     return;
   }
-  const std::size_t first = program_->ops.size();
+  const std::size_t first = program_.ops.size();
   const bool has_condition = row->kind != ActionKind::Always;
   std::string condition = "TRUE";
   bool is_timed = false;
   if (has_condition) {
     (void)accept_unit();
     const std::size_t from = cursor_.place();
-    (void)boolean(expression());
+    (void)operations_.boolean(expressions_.expression());
     if (failed()) {
       return;
     }
@@ -195,7 +195,7 @@ void Compiler::synchronised_action(std::string_view word, ActionScope scope, con
     return;
   }
   // The steps were only tried: what they do is done when the action is.
-  keep_steps(*program_, first);
+  keep_steps(program_, first);
   code_.cut(first);
   nc_.take_back_words();
   const auto text_argument = [&](std::string text) {
@@ -208,7 +208,7 @@ void Compiler::synchronised_action(std::string_view word, ActionScope scope, con
   const std::uint32_t list =
       keep_arguments({text_argument(std::move(condition)), text_argument(actions.text)});
   code_.emit(OpCode::SynchronisedAction, {Bank::Constants, actions.deletes_distance ? 1 : 0},
-             number.value, {Bank::Constants, static_cast<std::int32_t>(list)}, block_);
+             number.value, {Bank::Constants, static_cast<std::int32_t>(list)}, block());
   code_.last().detail = static_cast<std::uint8_t>(static_cast<int>(row->kind) * kActionScopes +
                                                   static_cast<int>(scope));
   code_.last().count = 2;

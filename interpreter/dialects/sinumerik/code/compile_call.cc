@@ -6,15 +6,6 @@
 
 namespace g31::sinumerik {
 
-bool is_taken_by(char kind, const Argument& argument) {
-  const bool is_element = argument.form == Argument::Form::Element;
-  const bool is_whole = argument.form == Argument::Form::Whole;
-  return kind == 'V'   ? is_element && is_number(argument.type)
-         : kind == 'M' ? is_whole && argument.type == Type::Real
-         : kind == 'W' ? (is_element || is_whole) && argument.type == Type::String
-                       : true;
-}
-
 /// NAME, NAME(arguments), NAME P3
 void Compiler::call_by_name(std::string name, ShortSpan where) {
   CallSite site;
@@ -32,7 +23,7 @@ std::vector<Argument> Compiler::argument_list() {
     if (omitted) {
       list.emplace_back();
     } else {
-      list.push_back(argument_of(expression()));
+      list.push_back(argument_of(expressions_.expression()));
     }
     if (!cursor_.accept(Symbol::Comma)) {
       break;
@@ -52,7 +43,7 @@ void Compiler::call(CallSite site, ShortSpan where) {
   if (cursor_.peek().is_letter('P')) {
     cursor_.next();
     cursor_.accept(Symbol::Assign);
-    site.passes = convert(expression(), Type::Int).value;
+    site.passes = operations_.convert(expressions_.expression(), Type::Int).value;
   }
   if (failed()) {
     return;
@@ -61,9 +52,9 @@ void Compiler::call(CallSite site, ShortSpan where) {
   finish_words();
   site.first_argument = keep_arguments(list);
   site.argument_count = static_cast<std::uint32_t>(list.size());
-  program_->calls.push_back(std::move(site));
+  program_.calls.push_back(std::move(site));
   code_.emit(OpCode::Call, {},
-             {Bank::Constants, static_cast<std::int32_t>(program_->calls.size()) - 1}, {}, where);
+             {Bank::Constants, static_cast<std::int32_t>(program_.calls.size()) - 1}, {}, where);
 }
 
 /// CALL text
@@ -73,9 +64,9 @@ void Compiler::call_statement() {
     return;
   }
   CallSite site;
-  const Expr name = as_text(expression());
+  const Expr name = operations_.as_text(expressions_.expression());
   if (cursor_.peek().is_name("BLOCK")) {
-    fail(AlarmId::NotImplemented, block_,
+    fail(AlarmId::NotImplemented, block(),
          "CALL BLOCK of another program: make that part a program of its own");
     return;
   }
@@ -86,7 +77,7 @@ void Compiler::call_statement() {
 void Compiler::extcall_statement() {
   const bool bracket = cursor_.accept(Symbol::LeftParen);
   CallSite site;
-  const Expr name = as_text(expression());
+  const Expr name = operations_.as_text(expressions_.expression());
   if (bracket) {
     expect(Symbol::RightParen);
   }
@@ -112,7 +103,7 @@ void Compiler::mcall_statement() {
   site.is_modal = true;
   const Token name = cursor_.peek();
   if (name.kind == TokenKind::End) {
-    call(site, block_);
+    call(site, block());
     return;
   }
   cursor_.next();
@@ -142,7 +133,7 @@ void Compiler::ret_statement() {
     return;
   }
   const std::uint32_t first = keep_arguments(list);
-  code_.emit(OpCode::Return, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, block_);
+  code_.emit(OpCode::Return, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, block());
   code_.last().count = static_cast<std::uint16_t>(list.size());
 }
 
@@ -167,7 +158,7 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
         (cursor_.peek().is(Symbol::Comma) || cursor_.peek().is(Symbol::RightParen))) {
       list.emplace_back();
     } else {
-      function_argument(kind == 'o' ? '*' : kind, list);
+      expressions_.function_argument(kind == 'o' ? '*' : kind, list);
     }
     i -= kind == '*' || kind == 'o' ? 1 : 0;  // any more of them
     if (!failed() && !is_taken_by(kind, list.back())) {
@@ -182,15 +173,6 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
   code_.emit(OpCode::Procedure, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, where);
   code_.last().detail = detail_of(id);
   code_.last().count = static_cast<std::uint16_t>(list.size());
-}
-
-/// What g31 knows the name of, and no more: the row of the word before says why.
-void Compiler::refused_statement() {
-  const std::string_view name = cursor_.previous().text;
-  const auto row = std::ranges::find(keywords(), name, &KeywordInfo::name);
-  const bool is_known = row != keywords().end();
-  fail(AlarmId::NotImplemented, block_,
-       is_known ? std::string(name) + ": " + std::string(row->text) : text_of(block_));
 }
 
 /// What makes no difference at a desk, to the end of its block.
@@ -208,18 +190,18 @@ void Compiler::when_statement() {
   }
   const bool bracket = cursor_.accept(Symbol::LeftParen);
   const bool of_probe = cursor_.accept_name("$A_PROBE") && cursor_.accept(Symbol::LeftBracket);
-  const Expr probe = of_probe ? convert(expression(), Type::Int) : Expr();
+  const Expr probe = of_probe ? operations_.convert(expressions_.expression(), Type::Int) : Expr();
   const bool compared =
       of_probe && cursor_.accept(Symbol::RightBracket) && cursor_.accept(Symbol::Equal);
-  const Expr level = compared ? boolean(expression()) : Expr();
+  const Expr level = compared ? operations_.boolean(expressions_.expression()) : Expr();
   const bool closed = compared && (!bracket || cursor_.accept(Symbol::RightParen));
   const bool deletes = closed && cursor_.accept_name("DO") && cursor_.accept_name("DELDTG") &&
                        cursor_.peek().kind == TokenKind::End;
   if (!deletes && !failed()) {
-    refused_statement();
+    refuse(reader_);
   }
   if (!failed()) {
-    code_.emit(OpCode::SkipAction, {}, probe.value, level.value, block_);
+    code_.emit(OpCode::SkipAction, {}, probe.value, level.value, block());
   }
 }
 

@@ -1,11 +1,10 @@
 // NAME[2] of a STRING, NAME[1,2] of an array of them: one character, counted from 0.
 
-#include "interpreter/dialects/sinumerik/code/compiler.h"
+#include "interpreter/dialects/sinumerik/code/expressions.h"
 
 namespace g31::sinumerik {
 
-/// SUBSTR(string, first, length)
-Expr Compiler::part_of(const Expr& string, const Expr& first, const Expr* length) {
+Expr Accesses::part_of(const Expr& string, const Expr& first, const Expr* length) {
   std::vector<Argument> list = {argument_of(string), argument_of(first)};
   if (length != nullptr) {
     list.push_back(argument_of(*length));
@@ -23,31 +22,14 @@ Expr Compiler::part_of(const Expr& string, const Expr& first, const Expr* length
 }
 
 /// n] behind a string and a bracket.
-Expr Compiler::character_access(const Expr& string) {
-  const Expr index = convert(expression(), Type::Int, AlarmId::IndexType);
+Expr Accesses::character_access(const Expr& string) {
+  const Expr index = operations_.convert(expressions_.expression(), Type::Int, AlarmId::IndexType);
   expect(Symbol::RightBracket);
   if (failed()) {
     return {};
   }
-  const Expr one = constant(Type::Int, 1.0, string.where);
-  return convert(part_of(string, index, &one), Type::Char);
-}
-
-/// The text in front of the character, the new one, the text behind it.
-void Compiler::assign_character(const Expr& target) {
-  const Expr string = loaded(target);
-  const Expr index = convert(expression(), Type::Int, AlarmId::IndexType);
-  expect(Symbol::RightBracket);
-  expect(Symbol::Assign);
-  const Expr value = as_text(convert(expression(), Type::Char));
-  if (failed()) {
-    return;
-  }
-  const Expr begin = constant(Type::Int, 0.0, string.where);
-  const Expr one = constant(Type::Int, 1.0, string.where);
-  const Expr before = part_of(string, begin, &index);
-  const Expr behind = part_of(string, arithmetic(OpCode::Add, index, one, string.where), nullptr);
-  store(target, concatenate(concatenate(before, value, string.where), behind, string.where));
+  const Expr one = operations_.constant(Type::Int, 1.0, string.where);
+  return operations_.convert(part_of(string, index, &one), Type::Char);
 }
 
 }  // namespace g31::sinumerik

@@ -1,4 +1,7 @@
-#include "interpreter/dialects/sinumerik/code/compiler.h"
+#include <string>
+#include <utility>
+
+#include "interpreter/dialects/sinumerik/code/definitions.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 
 namespace g31::sinumerik {
@@ -30,8 +33,8 @@ bool contains(auto& list, std::string_view name) {
 }  // namespace
 
 /// A whole number that is known when compiling.
-std::optional<std::int32_t> Compiler::whole_constant() {
-  const Expr value = expression();
+std::optional<std::int32_t> Definitions::whole_constant() {
+  const Expr value = expressions_.expression();
   const double number = value.is_constant && is_number(value.type) ? number_of(value) : -1.0;
   if (!failed() && (number < 0.0 || number > kLargestArray || number != rounded(number))) {
     fail(AlarmId::BadArguments, value.where, text_of(value.where));
@@ -40,20 +43,20 @@ std::optional<std::int32_t> Compiler::whole_constant() {
 }
 
 /// [n] behind STRING.
-std::optional<std::int32_t> Compiler::string_length() {
+std::optional<std::int32_t> Definitions::string_length() {
   if (!cursor_.accept(Symbol::LeftBracket)) {
     return 1;
   }
   const auto length = whole_constant();
   expect(Symbol::RightBracket);
   if (length && *length > kLongestString) {
-    fail(AlarmId::StringTooLong, block_, std::to_string(*length));
+    fail(AlarmId::StringTooLong, block(), std::to_string(*length));
   }
   return length;
 }
 
 /// [a,b,c] behind a name; sizes may be left out where a parameter takes any array.
-Shape Compiler::dimensions() {
+Shape Definitions::dimensions() {
   Shape shape;
   if (!cursor_.accept(Symbol::LeftBracket)) {
     return shape;
@@ -71,14 +74,14 @@ Shape Compiler::dimensions() {
   expect(Symbol::RightBracket);
   const double elements = 1.0 * shape.size[0] * shape.size[1] * shape.size[2];
   if (elements > kLargestArray || elements < 1.0) {
-    fail(AlarmId::ValueOutOfLimits, block_, "size of the array");
+    fail(AlarmId::ValueOutOfLimits, block(), "size of the array");
     shape = {};
   }
   return shape;
 }
 
 /// A type and, behind STRING, its length.
-std::optional<Compiler::DeclaredType> Compiler::declared_type() {
+std::optional<Definitions::DeclaredType> Definitions::declared_type() {
   const Token word = cursor_.next();
   const auto type = word.kind == TokenKind::Name ? type_named(word.text) : std::nullopt;
   if (!type) {
@@ -88,7 +91,7 @@ std::optional<Compiler::DeclaredType> Compiler::declared_type() {
   return DeclaredType{*type, *type == Type::String ? string_length().value_or(1) : 0};
 }
 
-std::optional<Variable> Compiler::declared_variable(const DeclaredType& declared) {
+std::optional<Variable> Definitions::declared_variable(const DeclaredType& declared) {
   const Token name = cursor_.next();
   const bool is_letter = name.kind == TokenKind::Letter && !name.is_letter('R') &&
                          cursor_.peek().kind != TokenKind::Integer;
@@ -100,8 +103,7 @@ std::optional<Variable> Compiler::declared_variable(const DeclaredType& declared
     fail(AlarmId::SyntaxInText, name.where, text_of(name.where));
   } else if (name.text.size() > kLongestName) {
     fail(AlarmId::NameTooLong, name.where, name.text);
-  } else if (find_keyword(name.text) != nullptr || find_function(name.text) ||
-             find_g_code(name.text)) {
+  } else if (is_keyword(name.text) || find_function(name.text) || find_g_code(name.text)) {
     fail(AlarmId::DefinedTwice, name.where, name.text);
   }
   Variable variable;
@@ -112,57 +114,34 @@ std::optional<Variable> Compiler::declared_variable(const DeclaredType& declared
   return failed() ? std::nullopt : std::optional(variable);
 }
 
-std::int32_t Compiler::define_local(Variable variable) {
-  const auto index = static_cast<std::int32_t>(program_->variables.size());
-  if (!program_->locals.emplace(variable.name, index).second) {
-    fail(AlarmId::DefinedTwice, block_, variable.name);
-    return -1;
-  }
-  const int count = variable.shape.count();
-  if (variable.type == Type::String) {
-    variable.place = program_->text_count;
-    program_->text_count += count;
-  } else if (variable.type == Type::Frame) {
-    variable.place = program_->frame_count;
-    program_->frame_count += count;
-  } else {
-    variable.place = static_cast<std::int32_t>(program_->initial_numbers.size());
-    program_->initial_numbers.resize(
-        program_->initial_numbers.size() + static_cast<std::size_t>(count),
-        initial_number(variable.type));
-  }
-  program_->variables.push_back(variable);
-  return index;
-}
-
 /// What another definition file has defined in the same way: one's own archive holds what is
 /// shipped with the cycles, too.  -1: nothing of the kind.
-std::int32_t Compiler::defined_alike(const Variable& variable) {
+std::int32_t Definitions::defined_alike(const Variable& variable) {
   const Variable* const known = globals_.find(variable.name);
-  const bool is_alike = known != nullptr && !imported_.contains(variable.name) &&
+  const bool is_alike = known != nullptr && !variables_.is_imported(variable.name) &&
                         known->type == variable.type && known->shape == variable.shape &&
                         known->longest == variable.longest && !cursor_.peek().is(Symbol::Assign);
-  return is_alike ? import(*known) : -1;
+  return is_alike ? variables_.import(*known) : -1;
 }
 
-std::int32_t Compiler::define(const Variable& variable) {
+std::int32_t Definitions::define(const Variable& variable) {
   if (purpose_ != Purpose::Definitions) {
-    return define_local(variable);
+    return variables_.define_local(variable);
   }
   if (const std::int32_t known = defined_alike(variable); known >= 0) {
     return known;
   }
-  const Variable* const global = definitions_->define(variable);
+  const Variable* const global = defined_->define(variable);
   if (global == nullptr) {
-    fail(AlarmId::DefinedTwice, block_, variable.name);
+    fail(AlarmId::DefinedTwice, block(), variable.name);
     return -1;
   }
-  return import(*global);
+  return variables_.import(*global);
 }
 
 /// A number, perhaps with a sign, that is known when compiling.
-std::optional<double> Compiler::signed_constant() {
-  const Expr value = unary();
+std::optional<double> Definitions::signed_constant() {
+  const Expr value = expressions_.unary();
   if (!failed() && (!value.is_constant || !is_number(value.type))) {
     fail(AlarmId::BadArguments, value.where, text_of(value.where));
   }
@@ -170,7 +149,7 @@ std::optional<double> Compiler::signed_constant() {
 }
 
 /// What stands about the type.  Rights, classes and units change nothing at a desk.
-Limits Compiler::definition_attributes() {
+Limits Definitions::definition_attributes() {
   Limits limits;
   while (!failed() && cursor_.peek().kind == TokenKind::Name) {
     if (contains(kReadingAhead, cursor_.peek().text) ||
@@ -192,22 +171,21 @@ Limits Compiler::definition_attributes() {
 }
 
 /// Definitions stand before the first block that does something.  @returns whether this one does
-bool Compiler::begins_definition(std::string_view what) {
-  ++definitions_in_block_;
+bool Definitions::begins_definition(std::string_view what) {
+  ++in_block_;
   if (in_program_part_ && purpose_ != Purpose::Definitions) {
-    fail(AlarmId::BadDefinition, block_, what);
+    fail(AlarmId::BadDefinition, block(), what);
   }
   return !failed();
 }
 
-/// DEF [NCK|CHAN] type name[sizes] = values, ...
-void Compiler::def_statement() {
+void Definitions::def_statement() {
   if (!begins_definition("DEF")) {
     return;
   }
   const bool scoped = cursor_.accept_name("NCK") || cursor_.accept_name("CHAN");
   if (scoped != (purpose_ == Purpose::Definitions)) {
-    fail(AlarmId::BadDefinition, block_, "NCK and CHAN are for definition files only");
+    fail(AlarmId::BadDefinition, block(), "NCK and CHAN are for definition files only");
   }
   definition_attributes();
   const auto declared = declared_type();
@@ -222,30 +200,28 @@ void Compiler::def_statement() {
     }
     const std::int32_t index = variable ? define(*variable) : -1;
     if (index >= 0 && cursor_.accept(Symbol::Assign)) {
-      const Variable& known = program_->variables[static_cast<std::size_t>(index)];
-      Expr target = target_of(index, block_);
+      const Variable& known = program_.variables[static_cast<std::size_t>(index)];
+      Expr target = assignments_.target_of(index, block());
       target.element = code_.number_constant(0.0);
       target.is_constant = true;
       const bool is_list = known.shape.dimensions > 0 && cursor_.peek().is(Symbol::LeftParen);
-      is_list ? assign_list(target) : assign_element(target);
+      is_list ? assignments_.assign_list(target) : assignments_.assign_element(target);
     }
   } while (!failed() && cursor_.accept(Symbol::Comma));
   expect_end();
 }
 
-/// APR 7 APW 11 on a line of their own: rights of what follows in a definition file.
-void Compiler::rights_statement() {
-  ++definitions_in_block_;
+void Definitions::rights_statement() {
+  ++in_block_;
   if (purpose_ != Purpose::Definitions) {
-    fail(AlarmId::BadDefinition, block_, "access levels are for definition files only");
+    fail(AlarmId::BadDefinition, block(), "access levels are for definition files only");
     return;
   }
   whole_constant();
 }
 
-/// DEFINE name AS text
-void Compiler::define_statement() {
-  ++definitions_in_block_;
+void Definitions::define_statement() {
+  ++in_block_;
   const Token& first = cursor_.next();
   const bool is_name = first.kind == TokenKind::Name || first.kind == TokenKind::Letter;
   std::string name(first.text);
@@ -262,26 +238,25 @@ void Compiler::define_statement() {
     token.text = macro.spellings.emplace_back(token.text);
     macro.tokens.push_back(token);
   }
-  Macros& macros = purpose_ == Purpose::Definitions ? definitions_->macros : macros_;
+  Macros& macros = purpose_ == Purpose::Definitions ? defined_->macros : macros_;
   if (!macros.define(name, std::move(macro))) {
-    fail(AlarmId::MacroTwice, block_, name);
+    fail(AlarmId::MacroTwice, block(), name);
   }
 }
 
-/// PROC name(parameters) attributes
-void Compiler::proc_statement() {
-  ++definitions_in_block_;
-  if (!is_first_block_ || program_->has_proc || purpose_ == Purpose::Definitions) {
-    fail(AlarmId::BadDefinition, block_, "PROC");
+void Definitions::proc_statement() {
+  ++in_block_;
+  if (!is_first_block_ || program_.has_proc || purpose_ == Purpose::Definitions) {
+    fail(AlarmId::BadDefinition, block(), "PROC");
     return;
   }
-  program_->has_proc = true;
+  program_.has_proc = true;
   const Token name = cursor_.next();
   const bool is_l_number = name.is_letter('L') && cursor_.peek().kind == TokenKind::Integer;
   if (is_l_number) {
     cursor_.next();
   } else if (name.kind != TokenKind::Name) {
-    fail(AlarmId::SyntaxInText, block_, "PROC and a name");
+    fail(AlarmId::SyntaxInText, block(), "PROC and a name");
     return;
   }
   if (cursor_.accept(Symbol::LeftParen) && !cursor_.accept(Symbol::RightParen)) {
@@ -293,7 +268,7 @@ void Compiler::proc_statement() {
   proc_attributes();
 }
 
-void Compiler::proc_parameter() {
+void Definitions::proc_parameter() {
   Parameter parameter;
   parameter.by_reference = cursor_.accept_name("VAR");
   const auto declared = declared_type();
@@ -308,43 +283,44 @@ void Compiler::proc_parameter() {
   const bool refers = parameter.by_reference || variable->shape.dimensions > 0;
   if (refers) {
     std::int32_t references = 0;
-    for (const Parameter& known : program_->parameters) {
-      references += program_->variables[static_cast<std::size_t>(known.variable)].storage ==
-                            Storage::Reference
-                        ? 1
-                        : 0;
+    for (const Parameter& known : program_.parameters) {
+      references +=
+          program_.variables[static_cast<std::size_t>(known.variable)].storage == Storage::Reference
+              ? 1
+              : 0;
     }
     variable->storage = Storage::Reference;
     variable->place = references;
     parameter.by_reference = true;
-    parameter.variable = static_cast<std::int32_t>(program_->variables.size());
-    if (!program_->locals.emplace(variable->name, parameter.variable).second) {
-      fail(AlarmId::DefinedTwice, block_, variable->name);
+    parameter.variable = static_cast<std::int32_t>(program_.variables.size());
+    if (!program_.locals.emplace(variable->name, parameter.variable).second) {
+      fail(AlarmId::DefinedTwice, block(), variable->name);
     }
-    program_->variables.push_back(*variable);
+    program_.variables.push_back(*variable);
   } else {
-    parameter.variable = define_local(*variable);
+    parameter.variable = variables_.define_local(*variable);
     if (cursor_.accept(Symbol::Assign)) {
       preset(parameter);
     }
   }
   if (!failed()) {
-    program_->parameters.push_back(std::move(parameter));
+    program_.parameters.push_back(std::move(parameter));
   }
 }
 
 /// The value of a parameter that a call leaves out.
-void Compiler::preset(Parameter& parameter) {
+void Definitions::preset(Parameter& parameter) {
   if (failed()) {
     return;
   }
-  const Variable& variable = program_->variables[static_cast<std::size_t>(parameter.variable)];
-  Expr value = unary();
+  const Variable& variable = program_.variables[static_cast<std::size_t>(parameter.variable)];
+  Expr value = expressions_.unary();
   const bool is_text = value.is_constant && value.type == Type::String;
   if (is_text && variable.type == Type::Char) {
-    const std::string& text = program_->text_constants[static_cast<std::size_t>(value.value.place)];
+    const std::string& text = program_.text_constants[static_cast<std::size_t>(value.value.place)];
     value = text.size() == 1
-                ? constant(Type::Char, static_cast<unsigned char>(text.front()), value.where)
+                ? expressions_.operations().constant(
+                      Type::Char, static_cast<unsigned char>(text.front()), value.where)
                 : value;
   }
   const bool same_kind = (value.type == Type::String) == (variable.type == Type::String);
@@ -356,26 +332,25 @@ void Compiler::preset(Parameter& parameter) {
   }
   parameter.has_preset = true;
   if (value.type == Type::String) {
-    parameter.text = program_->text_constants[static_cast<std::size_t>(value.value.place)];
+    parameter.text = program_.text_constants[static_cast<std::size_t>(value.value.place)];
   } else {
     parameter.number = number_of(value);
   }
 }
 
-void Compiler::proc_attributes() {
+void Definitions::proc_attributes() {
   while (!failed() && cursor_.peek().kind != TokenKind::End) {
     const Token attribute = cursor_.next();
     if (attribute.kind != TokenKind::Name || !contains(kAttributes, attribute.text)) {
       fail(AlarmId::AttributeNotAllowed, attribute.where, text_of(attribute.where));
     }
-    program_->saves_codes = program_->saves_codes || attribute.text == "SAVE";
-    program_->hides_blocks = program_->hides_blocks || attribute.text == "DISPLOF";
-    program_->shows_actual_block = program_->shows_actual_block || attribute.text == "ACTBLOCNO";
+    program_.saves_codes = program_.saves_codes || attribute.text == "SAVE";
+    program_.hides_blocks = program_.hides_blocks || attribute.text == "DISPLOF";
+    program_.shows_actual_block = program_.shows_actual_block || attribute.text == "ACTBLOCNO";
   }
 }
 
-/// REDEF changes who may see and write data: here everybody may.
-void Compiler::redef_statement() {
+void Definitions::redef_statement() {
   while (!failed() && cursor_.peek().kind != TokenKind::End) {
     if (cursor_.peek().is_name("LLI") || cursor_.peek().is_name("ULI") ||
         cursor_.peek().is(Symbol::Assign)) {
@@ -385,8 +360,7 @@ void Compiler::redef_statement() {
   }
 }
 
-/// EXTERN says what the PROC of the called program says again; the PROC counts.
-void Compiler::extern_statement() {
+void Definitions::extern_statement() {
   if (!begins_definition("EXTERN")) {
     return;
   }

@@ -1,20 +1,30 @@
+#include <string>
 #include <utility>
 
-#include "interpreter/dialects/sinumerik/code/compiler.h"
+#include "interpreter/dialects/sinumerik/code/expressions.h"
 
 namespace g31::sinumerik {
 
-Expr Compiler::plain_mathematics(FunctionId id, ShortSpan where) {
+bool is_taken_by(char kind, const Argument& argument) {
+  const bool is_element = argument.form == Argument::Form::Element;
+  const bool is_whole = argument.form == Argument::Form::Whole;
+  return kind == 'V'   ? is_element && is_number(argument.type)
+         : kind == 'M' ? is_whole && argument.type == Type::Real
+         : kind == 'W' ? (is_element || is_whole) && argument.type == Type::String
+                       : true;
+}
+
+Expr Expressions::plain_mathematics(FunctionId id, ShortSpan where) {
   const std::size_t count = info(id).parameters.size();
   expect(Symbol::LeftParen);
-  Expr a = convert(expression(), Type::Real, AlarmId::BadArguments);
+  Expr a = operations_.convert(expression(), Type::Real, AlarmId::BadArguments);
   Expr b = a;
   if (count == 2) {
     if (cursor_.peek().is(Symbol::RightParen)) {
       fail(AlarmId::ArgumentCount, cursor_.peek().where, std::string(info(id).name));
     }
     expect(Symbol::Comma);
-    b = convert(expression(), Type::Real, AlarmId::BadArguments);
+    b = operations_.convert(expression(), Type::Real, AlarmId::BadArguments);
   }
   Expr result;
   result.type = info(id).result;
@@ -29,7 +39,7 @@ Expr Compiler::plain_mathematics(FunctionId id, ShortSpan where) {
   return result;
 }
 
-Expr Compiler::call_function(FunctionId id, ShortSpan where) {
+Expr Expressions::call_function(FunctionId id, ShortSpan where) {
   if (is_plain_mathematics(id)) {
     return plain_mathematics(id, where);
   }
@@ -69,7 +79,7 @@ Expr Compiler::call_function(FunctionId id, ShortSpan where) {
   return result;
 }
 
-void Compiler::function_argument(char kind, std::vector<Argument>& list) {
+void Expressions::function_argument(char kind, std::vector<Argument>& list) {
   Expr value = expression();
   if (failed()) {
     return;
@@ -77,18 +87,18 @@ void Compiler::function_argument(char kind, std::vector<Argument>& list) {
   switch (kind) {
     case 'N':
     case 'n':
-      value = convert(std::move(value), Type::Real, AlarmId::BadArguments);
+      value = operations_.convert(std::move(value), Type::Real, AlarmId::BadArguments);
       break;
     case 'S':
     case 's':
     case 'C':
-      value = convert(std::move(value), Type::String, AlarmId::BadArguments);
+      value = operations_.convert(std::move(value), Type::String, AlarmId::BadArguments);
       break;
     case 'A':
-      value = convert(std::move(value), Type::Axis, AlarmId::NotAnAxis);
+      value = operations_.convert(std::move(value), Type::Axis, AlarmId::NotAnAxis);
       break;
     case 'F':
-      value = convert(std::move(value), Type::Frame, AlarmId::BadArguments);
+      value = operations_.convert(std::move(value), Type::Frame, AlarmId::BadArguments);
       break;
     default:  // V keeps its variable, * any type
       break;

@@ -2,11 +2,11 @@
 
 namespace g31::sinumerik {
 
-/// Compiles a block that is made of plain words, as block() would.
+/// Compiles a block that is made of plain words, as read_block() would.
 ///
 /// @returns false: it is another one, or something is wrong with it; nothing of it is left
 bool Compiler::plain_block(ShortSpan line) {
-  if (has_letter_names_) {
+  if (definitions_.have_letter_names()) {
     return false;
   }
   PlainWords words(text_, line);
@@ -15,9 +15,9 @@ bool Compiler::plain_block(ShortSpan line) {
     return read == PlainWords::Read::End;
   }
   begin_block(words.where());
-  const std::size_t numbers_before = program_->block_numbers.size();
+  const std::size_t numbers_before = program_.block_numbers.size();
   if (words.word().letter == 'N' && words.word().is_code) {
-    program_->block_numbers.push_back(
+    program_.block_numbers.push_back(
         {static_cast<std::int32_t>(words.word().value), code_.here() - 1});
     read = words.next();
   }
@@ -25,25 +25,28 @@ bool Compiler::plain_block(ShortSpan line) {
   while (read == PlainWords::Read::Word && plain_word(words.word())) {
     read = words.next();
   }
-  block_ = words.where();
-  program_->spans.back() = block_;
+  reader_.set_block(words.where());
+  program_.spans.back() = block();
   const bool is_plain = read == PlainWords::Read::End;
   if (is_plain && !failed()) {
     finish_words();
   }
   if (!is_plain || failed()) {
-    program_->block_numbers.resize(numbers_before);
+    program_.block_numbers.resize(numbers_before);
     take_back(code_.first_step());
     return false;
   }
-  in_program_part_ = in_program_part_ || has_statement;
+  if (has_statement) {
+    definitions_.begin_program_part();
+  }
   end_block();
   return true;
 }
 
 /// @returns whether it can stand in a plain block
 bool Compiler::plain_word(const PlainWord& word) {
-  if (macros_.have_initial(word.letter) || globals_.macros.have_initial(word.letter)) {
+  if (definitions_.macros().have_initial(word.letter) ||
+      globals_.macros.have_initial(word.letter)) {
     return false;
   }
   switch (word.letter) {
@@ -53,12 +56,12 @@ bool Compiler::plain_word(const PlainWord& word) {
       return false;
     case 'G':
       if (word.is_code) {
-        g_code(find_g_code(word.value), block_);
+        words_.g_code(find_g_code(word.value), block());
       }
       return word.is_code;
     case 'M':
       if (word.is_code) {
-        m_number(word.value, block_);
+        words_.m_number(word.value, block());
       }
       return word.is_code;
     default:
@@ -68,7 +71,7 @@ bool Compiler::plain_word(const PlainWord& word) {
   const auto address =
       axis >= 0 ? static_cast<Address>(axis) : find_address(std::string_view(&word.letter, 1));
   if (address) {
-    constant_word(*address, word.value, block_);
+    words_.constant_word(*address, word.value, block());
   }
   return address.has_value();
 }

@@ -20,43 +20,49 @@ bool stands_alone(const Op& op) {
 }  // namespace
 
 Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose purpose)
-    : globals_(globals),
+    : CompilerMemory(source),
+      BlockPart({reader, *program, code}),
+      globals_(globals),
       purpose_(purpose),
       text_(source.file->text()),
       scanner_(text_),
       whole_(source.text),
-      program_(std::make_unique<CompiledProgram>()),
-      code_(*program_),
-      nc_(*program_, code_),
-      structures_(*program_) {
-  program_->name = source.name;
-  program_->folder = source.folder;
-  program_->file = source.file;
+      nc_(program_, code_),
+      structures_(program_),
+      variables_(work(), globals),
+      expressions_(work(), variables_, globals, purpose),
+      operations_(expressions_.operations()),
+      assignments_(work(), variables_, expressions_),
+      words_(work(), globals, expressions_, nc_),
+      definitions_(work(), globals, purpose, variables_, assignments_) {
+  program_.name = source.name;
+  program_.folder = source.folder;
+  program_.file = source.file;
 }
 
 void Compiler::know_locals_of(const CompiledProgram& home) {
-  program_->name = home.name;
-  program_->folder = home.folder;
-  program_->saves_codes = home.saves_codes;
-  program_->hides_blocks = home.hides_blocks;
-  program_->shows_actual_block = home.shows_actual_block;
-  program_->variables = home.variables;
-  program_->locals = home.locals;
-  program_->initial_numbers = home.initial_numbers;
-  program_->text_count = home.text_count;
-  program_->frame_count = home.frame_count;
+  program_.name = home.name;
+  program_.folder = home.folder;
+  program_.saves_codes = home.saves_codes;
+  program_.hides_blocks = home.hides_blocks;
+  program_.shows_actual_block = home.shows_actual_block;
+  program_.variables = home.variables;
+  program_.locals = home.locals;
+  program_.initial_numbers = home.initial_numbers;
+  program_.text_count = home.text_count;
+  program_.frame_count = home.frame_count;
   end_ = OpCode::EndText;
-  has_letter_names_ = true;
-  in_program_part_ = true;
+  definitions_.expect_letter_names();
+  definitions_.begin_program_part();
 }
 
 /// Room for that many NC blocks of constant words: a long program has little else.
 void Compiler::reserve(std::size_t lines) {
-  program_->ops.reserve(lines);
-  program_->spans.reserve(lines);
-  program_->nc_blocks.reserve(lines);
-  program_->words.reserve(4 * lines);
-  program_->block_numbers.reserve(lines);
+  program_.ops.reserve(lines);
+  program_.spans.reserve(lines);
+  program_.nc_blocks.reserve(lines);
+  program_.words.reserve(4 * lines);
+  program_.block_numbers.reserve(lines);
 }
 
 /// Without its line end.
@@ -71,30 +77,30 @@ std::unique_ptr<CompiledProgram> Compiler::run() {
   for (std::uint32_t begin = whole_.begin; begin < whole_.end;) {
     const ShortSpan line = line_from(begin);
     if (!plain_block(line)) {
-      block(line);
+      read_block(line);
     }
     begin = line.end + 1;
   }
   end_of_text();
-  return std::move(program_);
+  return std::move(program);
 }
 
 void Compiler::end_of_text() {
-  block_ = {whole_.end, whole_.end};
+  reader_.set_block({whole_.end, whole_.end});
   structures_.end(code_);
-  jumps_.resolve(*program_, code_);
-  code_.emit(end_, {}, {}, {}, block_);
+  jumps_.resolve(program_, code_);
+  code_.emit(end_, {}, {}, {}, block());
 }
 
 /// Compiles a block that says nothing of other blocks: no jump, label, call or definition.
 /// @returns false: it is not such a one; its steps are taken back
 bool Compiler::lone_block(ShortSpan line) {
-  const std::size_t first_step = program_->ops.size();
-  block(line);
-  const bool is_lone = structures_.are_closed() && program_->labels.empty() &&
-                       definitions_in_block_ == 0 &&
-                       std::all_of(program_->ops.begin() + static_cast<std::ptrdiff_t>(first_step),
-                                   program_->ops.end(), stands_alone);
+  const std::size_t first_step = program_.ops.size();
+  read_block(line);
+  const bool is_lone = structures_.are_closed() && program_.labels.empty() &&
+                       definitions_.count_in_block() == 0 &&
+                       std::all_of(program_.ops.begin() + static_cast<std::ptrdiff_t>(first_step),
+                                   program_.ops.end(), stands_alone);
   if (!is_lone) {
     take_back(first_step);
   }
@@ -117,40 +123,40 @@ CompiledWindow Compiler::run_window(std::uint32_t begin) {
   } else {
     end_of_text();
   }
-  return {std::move(program_), at};
+  return {std::move(program), at};
 }
 
 std::unique_ptr<CompiledProgram> Compiler::run_expression() {
   scanner_.scan(whole_, cursor_.tokens());
-  find_letter_names(cursor_.tokens(), program_->locals);
-  block_ = whole_;
-  const Expr value = expression();
-  expect_value(value);
+  find_letter_names(cursor_.tokens(), program_.locals);
+  reader_.set_block(whole_);
+  const Expr value = expressions_.expression();
+  operations_.expect_value(value);
   expect_end();
   if (failed()) {
     raise_from(0);
   }
-  program_->result = argument_of(value);
-  code_.emit(OpCode::EndText, {}, {}, {}, block_);
-  return std::move(program_);
+  program_.result = argument_of(value);
+  code_.emit(OpCode::EndText, {}, {}, {}, block());
+  return std::move(program);
 }
 
 std::unique_ptr<CompiledProgram> compile(const ProgramSource& source, const Globals& globals) {
-  return Compiler(source, globals, Compiler::Purpose::Program).run();
+  return Compiler(source, globals, Purpose::Program).run();
 }
 
 CompiledWindow compile_window(const ProgramSource& source, const Globals& globals,
                               std::uint32_t begin) {
-  return Compiler(source, globals, Compiler::Purpose::Program).run_window(begin);
+  return Compiler(source, globals, Purpose::Program).run_window(begin);
 }
 
 std::unique_ptr<CompiledProgram> compile_data(const ProgramSource& source, const Globals& globals) {
-  return Compiler(source, globals, Compiler::Purpose::Data).run();
+  return Compiler(source, globals, Purpose::Data).run();
 }
 
 std::unique_ptr<CompiledProgram> compile_among(const ProgramSource& source, const Globals& globals,
                                                const CompiledProgram& home) {
-  Compiler compiler(source, globals, Compiler::Purpose::Program);
+  Compiler compiler(source, globals, Purpose::Program);
   compiler.know_locals_of(home);
   return compiler.run();
 }
@@ -158,14 +164,14 @@ std::unique_ptr<CompiledProgram> compile_among(const ProgramSource& source, cons
 std::unique_ptr<CompiledProgram> compile_expression(const ProgramSource& source,
                                                     const Globals& globals,
                                                     const CompiledProgram& home) {
-  Compiler compiler(source, globals, Compiler::Purpose::Program);
+  Compiler compiler(source, globals, Purpose::Program);
   compiler.know_locals_of(home);
   return compiler.run_expression();
 }
 
 std::unique_ptr<CompiledProgram> compile_definitions(const ProgramSource& source,
                                                      Globals& globals) {
-  Compiler compiler(source, globals, Compiler::Purpose::Definitions);
+  Compiler compiler(source, globals, Purpose::Definitions);
   compiler.define_in(globals);
   return compiler.run();
 }

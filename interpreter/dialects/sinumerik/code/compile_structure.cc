@@ -25,9 +25,9 @@ constexpr std::string_view kToStart = "GOTOS";
 /// @param head, exit  as of a Structure
 void Compiler::open(StructureKind kind, std::int32_t head, std::int32_t exit, const Expr& counter) {
   if (structures_.are_too_deep()) {
-    fail(AlarmId::NestingTooDeep, block_);
+    fail(AlarmId::NestingTooDeep, block());
   }
-  structures_.open({kind, block_, failed() ? -1 : head, failed() ? -1 : exit, counter},
+  structures_.open({kind, block(), failed() ? -1 : head, failed() ? -1 : exit, counter},
                    code_.first_step());
 }
 
@@ -35,7 +35,7 @@ void Compiler::open(StructureKind kind, std::int32_t head, std::int32_t exit, co
 std::optional<Structure> Compiler::close(StructureKind kind) {
   auto structure = structures_.close(kind, code_.first_step());
   if (!structure) {
-    fail(AlarmId::BadNesting, block_, text_of(block_));
+    fail(AlarmId::BadNesting, block(), text_of(block()));
   }
   return structure;
 }
@@ -44,14 +44,14 @@ std::optional<Structure> Compiler::close(StructureKind kind) {
 std::optional<Structure> Compiler::close_loop(StructureKind kind) {
   auto loop = close(kind);
   if (loop && loop->head < 0) {
-    fail(AlarmId::BadNesting, block_, text_of(block_));
+    fail(AlarmId::BadNesting, block(), text_of(block()));
     return std::nullopt;
   }
   return loop;
 }
 
 void Compiler::back_to(const Structure& loop) {
-  code_.emit(OpCode::Jump, {}, {Bank::Constants, loop.head + 1}, {}, block_);
+  code_.emit(OpCode::Jump, {}, {Bank::Constants, loop.head + 1}, {}, block());
   set_target(loop.exit, code_.here());
 }
 
@@ -72,8 +72,8 @@ bool Compiler::jumps_behind() const {
 /// IF condition [jump]: with a jump it needs no ENDIF, even where the condition is wrong.
 void Compiler::if_statement() {
   const bool is_jump = jumps_behind();
-  const Expr condition = boolean(expression());
-  const std::int32_t step = code_.emit(OpCode::JumpIfNot, {}, condition.value, {}, block_);
+  const Expr condition = operations_.boolean(expressions_.expression());
+  const std::int32_t step = code_.emit(OpCode::JumpIfNot, {}, condition.value, {}, block());
   if (!failed() && jump_statement()) {
     set_target(step, code_.here());
     return;
@@ -88,7 +88,7 @@ void Compiler::if_statement() {
 void Compiler::else_statement() {
   expect_end();
   if (auto structure = close(StructureKind::If)) {
-    const std::int32_t done = code_.emit(OpCode::Jump, {}, {}, {}, block_);
+    const std::int32_t done = code_.emit(OpCode::Jump, {}, {}, {}, block());
     set_target(structure->exit, code_.here());
     structure->kind = StructureKind::Else;
     structure->exit = failed() ? -1 : done;
@@ -100,7 +100,7 @@ void Compiler::else_statement() {
 void Compiler::endif_statement() {
   expect_end();
   if (!structures_.are_in_branch()) {
-    code_.emit(OpCode::SurplusEnd, {}, {}, {}, block_);
+    code_.emit(OpCode::SurplusEnd, {}, {}, {}, block());
     return;
   }
   const bool in_else = structures_.are_in(StructureKind::Else);
@@ -112,7 +112,7 @@ void Compiler::endif_statement() {
 void Compiler::loop_statement() {
   expect_end();
   const std::int32_t head =
-      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block_);
+      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block());
   open(StructureKind::Loop, head, -1);
 }
 
@@ -128,9 +128,9 @@ void Compiler::keep_element(Expr& counter) {
   Variable element;
   element.name = fmt::format("element of FOR {}", code_.here());  // no name of a program
   element.type = Type::Int;
-  const std::int32_t index = define_local(element);
+  const std::int32_t index = variables_.define_local(element);
   if (index >= 0) {
-    const Variable& kept = program_->variables[static_cast<std::size_t>(index)];
+    const Variable& kept = program_.variables[static_cast<std::size_t>(index)];
     const Operand place = {Bank::Locals, kept.place};
     code_.emit(OpCode::Move, place, counter.element, {}, counter.where);
     counter.element = place;
@@ -139,7 +139,7 @@ void Compiler::keep_element(Expr& counter) {
 
 /// FOR variable = first TO last: the end value is asked for at each pass.
 void Compiler::for_statement() {
-  Expr counter = primary();
+  Expr counter = expressions_.primary();
   const bool counts = !failed() && counter.variable >= 0 &&
                       (counter.type == Type::Int || counter.type == Type::Real);
   if (!failed() && !counts) {
@@ -151,24 +151,24 @@ void Compiler::for_statement() {
   }
   counter.is_constant = counter.value.bank != Bank::Temporaries;
   if (!failed()) {
-    store(counter, expression());
+    assignments_.store(counter, expressions_.expression());
   }
   if (!failed() && !cursor_.accept_name("TO")) {
     fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
   }
   // The counter of a later pass is behind the condition's own steps: read it there again.
   const std::int32_t head =
-      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block_);
-  const Expr end = convert(expression(), Type::Real);
+      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block());
+  const Expr end = operations_.convert(expressions_.expression(), Type::Real);
   expect_end();
   Expr now = counter;
   if (!failed() && !counter.is_constant) {
     code_.emit(OpCode::Load, now.value, counter.element, {Bank::Constants, counter.variable},
-               block_);
+               block());
   }
   const Operand inside = temporary(Type::Bool);
-  code_.emit(OpCode::LessEqual, inside, now.value, end.value, block_);
-  const std::int32_t exit = code_.emit(OpCode::JumpIfNot, {}, inside, {}, block_);
+  code_.emit(OpCode::LessEqual, inside, now.value, end.value, block());
+  const std::int32_t exit = code_.emit(OpCode::JumpIfNot, {}, inside, {}, block());
   open(StructureKind::For, head, exit, counter);
 }
 
@@ -181,24 +181,24 @@ void Compiler::endfor_statement() {
   const Expr& counter = loop->counter;
   if (!counter.is_constant) {
     code_.emit(OpCode::Load, counter.value, counter.element, {Bank::Constants, counter.variable},
-               block_);
+               block());
   }
   Expr more;
   more.type = Type::Real;
-  more.where = block_;
+  more.where = block();
   more.value = temporary(Type::Real);
-  code_.emit(OpCode::Add, more.value, counter.value, code_.number_constant(1.0), block_);
+  code_.emit(OpCode::Add, more.value, counter.value, code_.number_constant(1.0), block());
   more.type = counter.type;
-  store(counter, more);
+  assignments_.store(counter, more);
   back_to(*loop);
 }
 
 void Compiler::while_statement() {
   const std::int32_t head =
-      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block_);
-  const Expr condition = boolean(expression());
+      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block());
+  const Expr condition = operations_.boolean(expressions_.expression());
   expect_end();
-  const std::int32_t exit = code_.emit(OpCode::JumpIfNot, {}, condition.value, {}, block_);
+  const std::int32_t exit = code_.emit(OpCode::JumpIfNot, {}, condition.value, {}, block());
   open(StructureKind::While, head, exit);
 }
 
@@ -216,7 +216,7 @@ void Compiler::repeat_statement() {
     return;
   }
   const std::int32_t head =
-      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block_);
+      code_.emit(OpCode::Jump, {}, {Bank::Constants, code_.here() + 1}, {}, block());
   open(StructureKind::Repeat, head, -1);
 }
 
@@ -225,10 +225,10 @@ void Compiler::repeatb_statement() {
 }
 
 void Compiler::until_statement() {
-  const Expr condition = boolean(expression());
+  const Expr condition = operations_.boolean(expressions_.expression());
   expect_end();
   if (const auto loop = close_loop(StructureKind::Repeat)) {
-    code_.emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head + 1}, block_);
+    code_.emit(OpCode::JumpIfNot, {}, condition.value, {Bank::Constants, loop->head + 1}, block());
   }
 }
 
@@ -263,21 +263,21 @@ void Compiler::repeat_part(bool one_block) {
   if (!one_block && (cursor_.peek().kind == TokenKind::Name || cursor_.peek().is_letter('N'))) {
     part.end = label_name().value_or("");
   }
-  Expr passes = constant(Type::Int, 1.0, block_);
+  Expr passes = operations_.constant(Type::Int, 1.0, block());
   if (cursor_.peek().is_letter('P')) {
     cursor_.next();
     cursor_.accept(Symbol::Assign);
-    passes = convert(expression(), Type::Int);
+    passes = operations_.convert(expressions_.expression(), Type::Int);
   }
   expect_end();
   emit_part(std::move(part), passes.value);
 }
 
 void Compiler::emit_part(LabelJumps::Part part, Operand passes) {
-  part.site = program_->repeats.size();
-  program_->repeats.emplace_back();
+  part.site = program_.repeats.size();
+  program_.repeats.emplace_back();
   part.step = code_.emit(OpCode::RepeatPart, {},
-                         {Bank::Constants, static_cast<std::int32_t>(part.site)}, passes, block_);
+                         {Bank::Constants, static_cast<std::int32_t>(part.site)}, passes, block());
   if (!failed()) {
     jumps_.add(std::move(part));
   }
@@ -291,7 +291,7 @@ void Compiler::call_block() {
   const bool goes_to = cursor_.accept_name("TO");
   part.end = label_name().value_or("");
   if (part.first.empty() || !goes_to || part.end.empty()) {
-    fail(AlarmId::SyntaxInText, block_, "CALL BLOCK first TO last");
+    fail(AlarmId::SyntaxInText, block(), "CALL BLOCK first TO last");
   }
   expect_end();
   emit_part(std::move(part), code_.number_constant(1.0));
@@ -300,17 +300,17 @@ void Compiler::call_block() {
 /// CASE (expression) OF value jump value jump DEFAULT jump.  A block ends with its line: the values
 /// stand on it.
 void Compiler::case_statement() {
-  const Expr value = expression();
+  const Expr value = expressions_.expression();
   if (!failed() && !cursor_.accept_name("OF")) {
     fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
   }
   while (!failed() && cursor_.peek().kind != TokenKind::End && !cursor_.accept_name("DEFAULT")) {
-    Expr wanted = unary();
+    Expr wanted = expressions_.unary();
     if (failed()) {
       return;
     }
-    const Expr equal = compare(OpCode::Equal, value, wanted, wanted.where);
-    const std::int32_t past = code_.emit(OpCode::JumpIfNot, {}, equal.value, {}, block_);
+    const Expr equal = operations_.compare(OpCode::Equal, value, wanted, wanted.where);
+    const std::int32_t past = code_.emit(OpCode::JumpIfNot, {}, equal.value, {}, block());
     if (!failed() && !jump_statement()) {
       fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
     }
@@ -330,7 +330,7 @@ bool Compiler::jump_statement() {
     }
   }
   if (cursor_.accept_name(kToStart)) {
-    code_.emit(OpCode::Jump, {}, {Bank::Constants, 0}, {}, block_);
+    code_.emit(OpCode::Jump, {}, {Bank::Constants, 0}, {}, block());
     return true;
   }
   return false;
@@ -340,10 +340,10 @@ bool Compiler::jump_statement() {
 void Compiler::jump_to(Direction direction) {
   const bool is_text =
       cursor_.peek().kind == TokenKind::Text ||
-      (cursor_.peek().kind == TokenKind::Name && find_variable(cursor_.peek().text) >= 0);
+      (cursor_.peek().kind == TokenKind::Name && variables_.find(cursor_.peek().text) >= 0);
   const ShortSpan where = cursor_.peek().where;
   if (is_text) {
-    const Expr name = as_text(expression());
+    const Expr name = operations_.as_text(expressions_.expression());
     code_.emit(OpCode::JumpText, {}, name.value, {}, name.where);
     code_.last().detail = detail_of(direction);
     return;
@@ -365,18 +365,22 @@ void Compiler::jump(Direction direction) {
 void Compiler::goto_statement() {
   jump(Direction::Both);
 }
+
 void Compiler::gotof_statement() {
   jump(Direction::Forward);
 }
+
 void Compiler::gotob_statement() {
   jump(Direction::Backward);
 }
+
 void Compiler::gotoc_statement() {
   jump(Direction::BothQuiet);
 }
+
 void Compiler::gotos_statement() {
   expect_end();
-  code_.emit(OpCode::Jump, {}, {Bank::Constants, 0}, {}, block_);
+  code_.emit(OpCode::Jump, {}, {Bank::Constants, 0}, {}, block());
 }
 
 }  // namespace g31::sinumerik

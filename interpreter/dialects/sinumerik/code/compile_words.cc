@@ -1,7 +1,8 @@
 #include <algorithm>
+#include <string>
+#include <utility>
 
-#include "interpreter/dialects/sinumerik/code/compiler.h"
-#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+#include "interpreter/dialects/sinumerik/code/word_compiler.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -11,32 +12,16 @@ constexpr double kSpindle = 1.0;
 
 }  // namespace
 
-bool Compiler::is_assigned(std::size_t ahead) const {
+bool WordCompiler::is_assigned(std::size_t ahead) const {
   return cursor_.peek(ahead).is(Symbol::Assign);
-}
-
-/// A single letter: R and its number, L a program, else a word.
-void Compiler::letter_item() {
-  const Token& letter = cursor_.peek();
-  const bool numbered = cursor_.peek(1).kind == TokenKind::Integer;
-  if (letter.is_letter('R') && (numbered || cursor_.peek(1).is(Symbol::LeftBracket))) {
-    cursor_.next();
-    assign_variable(find_variable("R"), letter.where);
-    return;
-  }
-  cursor_.next();
-  if (letter.is_letter('L') && numbered) {
-    call_by_name("L" + std::string(cursor_.next().text), letter.where);
-    return;
-  }
-  letter_word(letter);
 }
 
 /// S2=, M[n]=, T[1]=: what follows a letter that may name its spindle.
 /// @returns false: it is the one with the tool, as without a number
-bool Compiler::word_of_another_spindle(const Token& letter, double extension) {
-  const Expr spindle =
-      extension != kSpindle ? constant(Type::Int, extension, letter.where) : bracketed_spindle();
+bool WordCompiler::word_of_another_spindle(const Token& letter, double extension) {
+  const Expr spindle = extension != kSpindle
+                           ? operations_.constant(Type::Int, extension, letter.where)
+                           : bracketed_spindle();
   if (is_tool_spindle(spindle)) {
     return false;
   }
@@ -51,7 +36,7 @@ bool Compiler::word_of_another_spindle(const Token& letter, double extension) {
   return false;
 }
 
-void Compiler::letter_word(const Token& letter) {
+void WordCompiler::letter_word(const Token& letter) {
   const bool numbered =
       cursor_.peek().kind == TokenKind::Integer || cursor_.peek().kind == TokenKind::Real;
   if (letter.is_letter('G')) {
@@ -103,11 +88,12 @@ void Compiler::letter_word(const Token& letter) {
 }
 
 /// G[group]=number: as $P_GG shows it.
-void Compiler::code_of_group(ShortSpan where) {
-  const Expr group = convert(expression(), Type::Int, AlarmId::IndexType);
+void WordCompiler::code_of_group(ShortSpan where) {
+  const Expr group = operations_.convert(expressions_.expression(), Type::Int, AlarmId::IndexType);
   expect(Symbol::RightBracket);
   expect(Symbol::Assign);
-  const Expr number = convert(expression(), Type::Int, AlarmId::BadArguments);
+  const Expr number =
+      operations_.convert(expressions_.expression(), Type::Int, AlarmId::BadArguments);
   if (failed()) {
     return;
   }
@@ -119,7 +105,7 @@ void Compiler::code_of_group(ShortSpan where) {
   nc_.add_computed();
 }
 
-void Compiler::g_code(std::optional<FoundCode> code, ShortSpan where) {
+void WordCompiler::g_code(std::optional<FoundCode> code, ShortSpan where) {
   if (!code) {
     fail(AlarmId::UnknownGCode, where, text_of(where));
     return;
@@ -135,13 +121,14 @@ void Compiler::g_code(std::optional<FoundCode> code, ShortSpan where) {
 }
 
 /// M2, M17 and M30 end the program behind everything else in their block.
-void Compiler::m_word(ShortSpan where) {
+void WordCompiler::m_word(ShortSpan where) {
   if (cursor_.peek().kind == TokenKind::Integer) {
     m_number(cursor_.next().number, where);
     return;
   }
   Modification modification = Modification::None;
-  const Expr value = convert(word_value(modification), Type::Int, AlarmId::BadArguments);
+  const Expr value =
+      operations_.convert(word_value(modification), Type::Int, AlarmId::BadArguments);
   if (modification != Modification::None && modification != Modification::Quick) {
     fail(AlarmId::BadModification, where, text_of(where));
   }
@@ -157,7 +144,7 @@ void Compiler::m_word(ShortSpan where) {
   emit_word(Address::Machine, Modification::None, number);
 }
 
-void Compiler::m_number(double number, ShortSpan where) {
+void WordCompiler::m_number(double number, ShortSpan where) {
   if (number == 2.0 || number == 17.0 || number == 30.0) {
     nc_.end_with(number == 17.0 ? OpCode::Return : OpCode::EndProgram);
   } else {
@@ -166,7 +153,7 @@ void Compiler::m_number(double number, ShortSpan where) {
 }
 
 /// A number at once behind an address, perhaps with a sign.
-std::optional<double> Compiler::number_at_once() {
+std::optional<double> WordCompiler::number_at_once() {
   const bool negative = cursor_.peek().is(Symbol::Minus);
   const bool is_signed = negative || cursor_.peek().is(Symbol::Plus);
   const Token& number = cursor_.peek(is_signed ? 1 : 0);
@@ -177,8 +164,7 @@ std::optional<double> Compiler::number_at_once() {
   return negative ? -number.number : number.number;
 }
 
-/// A word that needs no step of its own: the block knows it.
-void Compiler::constant_word(Address address, double value, ShortSpan where) {
+void WordCompiler::constant_word(Address address, double value, ShortSpan where) {
   if (!nc_.add(address, value)) {
     fail(most_in_block(address) > 1 ? AlarmId::AddressTooOften : AlarmId::AddressRepeated, where,
          name_of(address));
@@ -186,7 +172,7 @@ void Compiler::constant_word(Address address, double value, ShortSpan where) {
 }
 
 /// What stands behind an address: a number at once, or = and an expression.
-Expr Compiler::word_value(Modification& modification) {
+Expr WordCompiler::word_value(Modification& modification) {
   const bool assigned = cursor_.accept(Symbol::Assign);
   if (!assigned) {
     const bool signed_number = cursor_.peek().is(Symbol::Minus) || cursor_.peek().is(Symbol::Plus);
@@ -195,24 +181,24 @@ Expr Compiler::word_value(Modification& modification) {
       fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
       return {};
     }
-    return unary();
+    return expressions_.unary();
   }
   const Token name = cursor_.peek();
   const auto found = name.kind == TokenKind::Name && cursor_.peek(1).is(Symbol::LeftParen)
                          ? find_modification(name.text)
                          : std::nullopt;
   if (!found) {
-    return expression();
+    return expressions_.expression();
   }
   cursor_.next();
   modification = *found;
   expect(Symbol::LeftParen);
-  Expr value = expression();
+  Expr value = expressions_.expression();
   expect(Symbol::RightParen);
   return value;
 }
 
-void Compiler::word(Address address, ShortSpan where) {
+void WordCompiler::word(Address address, ShortSpan where) {
   if (const auto number = number_at_once()) {
     constant_word(address, *number, where);
     return;
@@ -238,13 +224,13 @@ void Compiler::word(Address address, ShortSpan where) {
     return;
   }
   if (!may_be_text) {
-    value = convert(std::move(value), Type::Real, AlarmId::BadArguments);
+    value = operations_.convert(std::move(value), Type::Real, AlarmId::BadArguments);
   }
   value.where = where;
   emit_word(address, modification, value);
 }
 
-void Compiler::emit_word(Address address, Modification modification, const Expr& value) {
+void WordCompiler::emit_word(Address address, Modification modification, const Expr& value) {
   code_.emit(value.type == Type::String ? OpCode::TextWord : OpCode::Word, {}, value.value, {},
              value.where);
   code_.last().detail = detail_of(address);
@@ -253,7 +239,7 @@ void Compiler::emit_word(Address address, Modification modification, const Expr&
 }
 
 /// X, AX1, a variable of type AXIS; where a setting is of the spindle, too, S, S1 or SPI(1).
-Expr Compiler::bracketed_axis(const AxisWordInfo& row) {
+Expr WordCompiler::bracketed_axis(const AxisWordInfo& row) {
   expect(Symbol::LeftBracket);
   const Token name = cursor_.peek();
   const bool by_function = name.is_name("SPI");
@@ -272,16 +258,16 @@ Expr Compiler::bracketed_axis(const AxisWordInfo& row) {
     if (by_function) {
       expect(Symbol::RightParen);
     }
-    axis = constant(Type::Axis, kSpindleAxis, name.where);
+    axis = operations_.constant(Type::Axis, kSpindleAxis, name.where);
   } else {
-    axis = axis_operand();
+    axis = accesses_.axis_operand();
   }
   expect(Symbol::RightBracket);
   return axis;
 }
 
 /// AX[axis]=value, POS[axis]=value, FA[axis]=value
-void Compiler::axis_word(const AxisWordInfo& row) {
+void WordCompiler::axis_word(const AxisWordInfo& row) {
   const ShortSpan where = cursor_.next().where;
   if (row.role == AxisRole::Refused) {
     fail(AlarmId::NotImplemented, where, std::string(row.name) + ": " + std::string(row.text));
@@ -297,7 +283,8 @@ void Compiler::axis_word(const AxisWordInfo& row) {
     return;
   }
   Modification modification = Modification::None;
-  const Expr value = convert(word_value(modification), Type::Real, AlarmId::BadArguments);
+  const Expr value =
+      operations_.convert(word_value(modification), Type::Real, AlarmId::BadArguments);
   const bool is_place = row.role == AxisRole::Path || row.role == AxisRole::Positioning;
   if (modification == Modification::Quick || (modification != Modification::None && !is_place)) {
     fail(AlarmId::BadModification, where, row.name);
@@ -309,12 +296,14 @@ void Compiler::axis_word(const AxisWordInfo& row) {
 }
 
 /// MEASA[axis]=(mode, trigger), MEAWA[axis]=(mode, trigger)
-void Compiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where) {
+void WordCompiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where) {
   expect(Symbol::Assign);
   expect(Symbol::LeftParen);
-  const Expr mode = convert(expression(), Type::Int, AlarmId::BadArguments);
+  const Expr mode =
+      operations_.convert(expressions_.expression(), Type::Int, AlarmId::BadArguments);
   expect(Symbol::Comma);
-  const Expr trigger = convert(expression(), Type::Int, AlarmId::BadArguments);
+  const Expr trigger =
+      operations_.convert(expressions_.expression(), Type::Int, AlarmId::BadArguments);
   if (cursor_.peek().is(Symbol::Comma)) {
     fail(AlarmId::NotImplemented, where, std::string(row.name) + " with more than one trigger");
   }
@@ -325,9 +314,9 @@ void Compiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSp
 }
 
 /// [n] behind M, S, T, SPOS, SPOSA or LIMS; = follows.
-Expr Compiler::bracketed_spindle() {
+Expr WordCompiler::bracketed_spindle() {
   expect(Symbol::LeftBracket);
-  Expr number = convert(expression(), Type::Int, AlarmId::IndexType);
+  Expr number = operations_.convert(expressions_.expression(), Type::Int, AlarmId::IndexType);
   expect(Symbol::RightBracket);
   if (!failed() && !is_assigned(0)) {
     fail(AlarmId::SyntaxInText, cursor_.peek().where, text_of(cursor_.peek().where));
@@ -337,23 +326,23 @@ Expr Compiler::bracketed_spindle() {
 
 /// Whether a number is known to be that of the spindle with the tool: 1, or 0 for the master
 /// spindle.
-bool Compiler::is_tool_spindle(const Expr& spindle) const {
+bool WordCompiler::is_tool_spindle(const Expr& spindle) const {
   const double number = spindle.is_constant ? number_of(spindle) : -1.0;
   return number == 0.0 || number == kSpindle;
 }
 
 /// S2=500, M[n]=3, SPOS[2]=90
-void Compiler::spindle_word(Address address, const Expr& spindle, ShortSpan where) {
+void WordCompiler::spindle_word(Address address, const Expr& spindle, ShortSpan where) {
   Modification modification = Modification::None;
-  const Expr value = convert(word_value(modification), Type::Real, AlarmId::BadArguments);
+  const Expr value =
+      operations_.convert(word_value(modification), Type::Real, AlarmId::BadArguments);
   code_.emit(OpCode::SpindleWord, {}, spindle.value, value.value, where);
   code_.last().detail = detail_of(address);
   code_.last().count = static_cast<std::uint16_t>(modification);
   nc_.add_computed();
 }
 
-/// Words whose address is a name: G codes like SUPA, CR=, SPOS=, AX[..]=.
-bool Compiler::named_word() {
+bool WordCompiler::named_word() {
   const Token name = cursor_.peek();
   const AxisWordInfo* const of_axis =
       cursor_.peek(1).is(Symbol::LeftBracket) ? find_axis_word(name.text) : nullptr;
@@ -380,7 +369,8 @@ bool Compiler::named_word() {
     return false;
   }
   cursor_.next();
-  const Expr spindle = indexed ? bracketed_spindle() : constant(Type::Int, kSpindle, name.where);
+  const Expr spindle =
+      indexed ? bracketed_spindle() : operations_.constant(Type::Int, kSpindle, name.where);
   if (is_tool_spindle(spindle)) {
     word(*address, name.where);
   } else {

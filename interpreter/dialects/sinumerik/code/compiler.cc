@@ -6,38 +6,38 @@
 #include "interpreter/source/printable.h"
 
 namespace g31::sinumerik {
-void Compiler::block(ShortSpan span) {
+
+void Compiler::read_block(ShortSpan span) {
   std::vector<Token>& tokens = cursor_.tokens();
   scanner_.scan(span, tokens);
-  expand_macros(tokens, macros_, globals_.macros);
+  expand_macros(tokens, definitions_.macros(), globals_.macros);
   if (tokens.size() == 1) {
     return;  // nothing, or macros that stand for nothing
   }
-  if (has_letter_names_) {
-    find_letter_names(tokens, program_->locals);
+  if (definitions_.have_letter_names()) {
+    find_letter_names(tokens, program_.locals);
   }
   begin_block({tokens.front().where.begin, tokens[tokens.size() - 2].where.end});
   block_head();
   statement();
   if (failed()) {
-    program_->has_wrong_proc = program_->has_wrong_proc || (is_first_block_ && program_->has_proc);
-    program_->ops[code_.first_step()].code = OpCode::Block;  // whatever words it had
+    program_.has_wrong_proc =
+        program_.has_wrong_proc || (definitions_.is_first_block() && program_.has_proc);
+    program_.ops[code_.first_step()].code = OpCode::Block;  // whatever words it had
     raise_from(code_.first_step() + 1);
   }
   end_block();
 }
 
 void Compiler::begin_block(ShortSpan block) {
-  cursor_.rewind();
-  definitions_in_block_ = 0;
-  error_.reset();
-  block_ = block;
+  reader_.begin(block);
+  definitions_.begin_block();
   code_.begin_block(block);
 }
 
 void Compiler::end_block() {
-  program_->ops[code_.first_step()].a.place = code_.here();
-  is_first_block_ = false;
+  program_.ops[code_.first_step()].a.place = code_.here();
+  definitions_.end_block();
 }
 
 /// What the block has left so far is worth nothing.
@@ -50,7 +50,7 @@ void Compiler::take_back(std::size_t first_step) {
 /// The alarm takes the place of the block's steps.
 void Compiler::raise_from(std::size_t first_step) {
   take_back(first_step);
-  code_.emit(OpCode::Raise, {}, code_.error_constant(*error_), {}, error_where_);
+  code_.emit(OpCode::Raise, {}, code_.error_constant(reader_.error()), {}, reader_.error_place());
 }
 
 void Compiler::block_head() {
@@ -60,7 +60,7 @@ void Compiler::block_head() {
       level = cursor_.next().number;
     }
     if (!(level >= 0.0 && level <= 9.0)) {
-      fail(AlarmId::BadSkipLevel, block_);
+      fail(AlarmId::BadSkipLevel, block());
       return;
     }
     code_.last().detail = static_cast<std::uint8_t>(1.0 + level);
@@ -73,7 +73,7 @@ void Compiler::label_or_number() {
   const bool main = cursor_.peek().is(Symbol::Colon) && cursor_.peek(1).kind == TokenKind::Integer;
   if (numbered || main) {
     cursor_.next();
-    program_->block_numbers.push_back(
+    program_.block_numbers.push_back(
         {static_cast<std::int32_t>(cursor_.next().number), code_.here() - 1});
   }
   const bool is_label =
@@ -81,17 +81,36 @@ void Compiler::label_or_number() {
       (cursor_.peek().kind == TokenKind::Letter && cursor_.peek(2).is(Symbol::Colon));
   if (is_label) {
     if (const auto name = label_name()) {
-      program_->labels[*name].push_back(code_.here() - 1);
+      program_.labels[*name].push_back(code_.here() - 1);
     }
     expect(Symbol::Colon);
   }
 }
 
+/// A single letter: R and its number, L a program, else a word.
+void Compiler::letter_item() {
+  const Token& letter = cursor_.peek();
+  const bool numbered = cursor_.peek(1).kind == TokenKind::Integer;
+  if (letter.is_letter('R') && (numbered || cursor_.peek(1).is(Symbol::LeftBracket))) {
+    cursor_.next();
+    assignments_.assign_variable(variables_.find("R"), letter.where);
+    return;
+  }
+  cursor_.next();
+  if (letter.is_letter('L') && numbered) {
+    call_by_name("L" + std::string(cursor_.next().text), letter.where);
+    return;
+  }
+  words_.letter_word(letter);
+}
+
 void Compiler::statement() {
   while (!failed() && cursor_.peek().kind != TokenKind::End) {
-    const int before = definitions_in_block_;
+    const int before = definitions_.count_in_block();
     item();
-    in_program_part_ = in_program_part_ || definitions_in_block_ == before;
+    if (definitions_.count_in_block() == before) {
+      definitions_.begin_program_part();
+    }
   }
   if (!failed()) {
     finish_words();
@@ -122,16 +141,16 @@ void Compiler::item() {
     procedure(*id, cursor_.next().where);
     return;
   }
-  if (!program_->locals.contains(token.text) && named_word()) {
+  if (!program_.locals.contains(token.text) && words_.named_word()) {
     return;
   }
   const Token name = cursor_.next();
-  if (const std::int32_t variable = find_variable(name.text); variable >= 0) {
-    assign_variable(variable, name.where);
+  if (const std::int32_t variable = variables_.find(name.text); variable >= 0) {
+    assignments_.assign_variable(variable, name.where);
   } else if (const auto system = find_system_variable(name.text)) {
-    assign_system(*system, name.where);
+    assignments_.assign_system(*system, name.where);
   } else if (purpose_ == Purpose::Data && name.text.starts_with('$')) {
-    pass_over(name);
+    assignments_.pass_over(name);
   } else if (cursor_.peek().is(Symbol::Assign) || cursor_.peek().is(Symbol::LeftBracket)) {
     fail(AlarmId::NotDefined, name.where, name.text);
   } else {
@@ -141,47 +160,13 @@ void Compiler::item() {
 
 void Compiler::finish_words() {
   if (nc_.has_words() && purpose_ == Purpose::Definitions) {
-    fail(AlarmId::BadDefinition, block_, "a definition file may hold definitions only");
+    fail(AlarmId::BadDefinition, block(), "a definition file may hold definitions only");
     return;
   }
   if (nc_.has_words()) {
-    nc_.execute(block_);
+    nc_.execute(block());
   }
-  nc_.end(block_);
-}
-
-void Compiler::expect(Symbol symbol) {
-  if (!cursor_.accept(symbol)) {
-    fail(AlarmId::SyntaxInText, text_of(cursor_.peek().where));
-  }
-}
-
-void Compiler::expect_end() {
-  if (cursor_.peek().kind != TokenKind::End) {
-    fail(AlarmId::SyntaxInText, text_of(cursor_.peek().where));
-  }
-}
-
-/// The first thing wrong in a block is the one that counts.
-void Compiler::fail(AlarmId id, ShortSpan where, std::string_view detail) {
-  if (!error_) {
-    error_ = BlockError{id, std::string(detail)};
-    error_where_ = where.end > where.begin ? where : block_;
-  }
-}
-
-std::string Compiler::text_of(ShortSpan where) const {
-  return where.end > where.begin
-             ? source::printable(text_.substr(where.begin, where.end - where.begin))
-             : std::string("the end of the block");
-}
-
-Operand Compiler::temporary(Type type) {
-  const auto place = code_.temporary(type);
-  if (!place) {
-    fail(AlarmId::TooComplex, block_);
-  }
-  return place.value_or(Operand{Bank::Temporaries, 0});
+  nc_.end(block());
 }
 
 void Compiler::set_target(std::int32_t jump, std::int32_t target) {

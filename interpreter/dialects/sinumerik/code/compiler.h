@@ -5,33 +5,35 @@
 #include <string>
 #include <vector>
 
-#include "interpreter/dialects/sinumerik/code/code_writer.h"
 #include "interpreter/dialects/sinumerik/code/compile.h"
-#include "interpreter/dialects/sinumerik/code/expr.h"
+#include "interpreter/dialects/sinumerik/code/definitions.h"
 #include "interpreter/dialects/sinumerik/code/label_jumps.h"
-#include "interpreter/dialects/sinumerik/code/nc_block_writer.h"
 #include "interpreter/dialects/sinumerik/code/structures.h"
-#include "interpreter/dialects/sinumerik/code/token_cursor.h"
+#include "interpreter/dialects/sinumerik/code/word_compiler.h"
 #include "interpreter/dialects/sinumerik/text/plain_words.h"
-#include "interpreter/dialects/sinumerik/vocabulary/functions.h"
-#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
-#include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
-#include "interpreter/dialects/sinumerik/vocabulary/words.h"
 
 namespace g31::sinumerik {
 
+/// What a compiler owns and its parts work with.
+struct CompilerMemory {
+  explicit CompilerMemory(const ProgramSource& source)
+      : program(std::make_unique<CompiledProgram>()), reader(source.file->text()), code(*program) {}
+
+  std::unique_ptr<CompiledProgram> program;
+  BlockReader reader;
+  CodeWriter code;
+};
+
 /// Translates one program block by block, in one go.  A block that is wrong is taken back and a
 /// Raise stands in its place.
-class Compiler {
+class Compiler : private CompilerMemory, private BlockPart {
  public:
-  enum class Purpose { Program, Definitions, Data };
-
   Compiler(const ProgramSource& source, const Globals& globals, Purpose purpose);
 
   /// The local variables of another program are there from the start.
   void know_locals_of(const CompiledProgram& home);
   /// Where DEF and DEFINE of a definition file go.
-  void define_in(Globals& globals) { definitions_ = &globals; }
+  void define_in(Globals& globals) { definitions_.define_in(globals); }
 
   std::unique_ptr<CompiledProgram> run();
   /// Blocks from `begin` on that say nothing of others.
@@ -40,37 +42,20 @@ class Compiler {
   std::unique_ptr<CompiledProgram> run_expression();
 
  private:
-  /// What an index list in brackets says.
-  struct Element {
-    Operand number;
-    bool is_fixed = false;  ///< `number` is a constant, `offset` its value
-    std::int32_t offset = 0;
-    bool is_open = false;  ///< the brackets go on: a character or component of it follows
-  };
   using Handler = void (Compiler::*)();
 
   // compiler.cc: blocks and what is wrong with them
-  void block(ShortSpan span);
+  void read_block(ShortSpan span);
   void begin_block(ShortSpan block);
   void end_block();
   void block_head();
   void label_or_number();
   void statement();
   void item();
+  void letter_item();
   void finish_words();
   void take_back(std::size_t first_step);
   void raise_from(std::size_t first_step);
-  void expect(Symbol symbol);
-  void expect_end();
-  void fail(AlarmId id, ShortSpan where, std::string_view detail = {});
-  void fail(AlarmId id, std::string_view detail = {}) { fail(id, cursor_.peek().where, detail); }
-  [[nodiscard]] bool failed() const { return error_.has_value(); }
-  [[nodiscard]] std::string text_of(ShortSpan where) const;
-  /// @pre a number that is constant
-  [[nodiscard]] double number_of(const Expr& constant) const {
-    return program_->constants[static_cast<std::size_t>(constant.value.place)];
-  }
-  Operand temporary(Type type);
   void set_target(std::int32_t jump, std::int32_t target);
 
   // compile_program.cc
@@ -82,66 +67,6 @@ class Compiler {
   // compile_plain.cc
   bool plain_block(ShortSpan line);
   bool plain_word(const PlainWord& word);
-
-  // compile_expression.cc
-  Expr expression(int level = 0);
-  Expr unary();
-  Expr inverted(const Token& token, Expr operand);
-  Expr text_literal(const Token& token);
-  Expr primary();
-  Expr name_in_expression();
-  Expr letter_in_expression();
-  Expr combine(int row, Expr left, Expr right);
-  Expr compare(OpCode code, Expr left, Expr right, ShortSpan where);
-  Expr concatenate(Expr left, Expr right, ShortSpan where);
-  Expr arithmetic(OpCode code, Expr left, Expr right, ShortSpan where);
-  /// A whole array is an argument and nothing else: its alarm where a value is wanted.
-  void expect_value(const Expr& expr);
-  Expr convert(Expr from, Type to, AlarmId mismatch = AlarmId::WrongType);
-  void narrow(Expr& value, Type from);
-  Expr as_text(Expr from);
-  Expr boolean(Expr from) { return convert(std::move(from), Type::Bool); }
-  Expr constant(Type type, double value, ShortSpan where);
-
-  // compile_function.cc
-  Expr call_function(FunctionId id, ShortSpan where);
-  Expr plain_mathematics(FunctionId id, ShortSpan where);
-  void function_argument(char kind, std::vector<Argument>& list);
-
-  // compile_variable.cc
-  std::int32_t find_variable(std::string_view name);
-  std::int32_t import(const Variable& variable);
-  Expr variable_access(std::int32_t variable, ShortSpan where);
-  Element element_or_part(std::int32_t variable);
-  Expr loaded(const Expr& target);
-  void place(Expr& target, const Element& element) const;
-  void add_index(Element& element, std::int32_t variable, const Expr& index, int dimension);
-  Element element_of(std::int32_t variable);
-  Expr component_access(Expr frame);
-  Expr system_access(const SystemName& name, ShortSpan where);
-  std::vector<Argument> system_indices(const SystemName& name);
-  Expr axis_operand();
-  Expr component_operand();
-  void store(const Expr& target, Expr value);
-  void check_limits(const Expr& target, Operand value);
-  [[nodiscard]] Expr target_of(std::int32_t variable, ShortSpan where) const;
-  void assign_variable(std::int32_t variable, ShortSpan where);
-  void assign_element(const Expr& target);
-  void assign_component(const Expr& frame);
-  void assign_system(const SystemName& name, ShortSpan where);
-  void assign_list(const Expr& target);
-  void note_unknown(const Token& name);
-  Expr axis_of_data(const Token& name);
-  void pass_over(const Token& datum);
-  bool looks_like_list() const;
-  void repeat_value(const Expr& target);
-  std::uint32_t keep_arguments(const std::vector<Argument>& list);
-  Argument argument_of(const Expr& expr);
-
-  // compile_character.cc
-  Expr character_access(const Expr& string);
-  void assign_character(const Expr& target);
-  Expr part_of(const Expr& string, const Expr& first, const Expr* length);
 
   // compile_structure.cc
   void if_statement();
@@ -176,31 +101,14 @@ class Compiler {
   void back_to(const Structure& loop);
   void keep_element(Expr& counter);
 
-  // compile_definition.cc
-  bool begins_definition(std::string_view what);
-  void def_statement();
-  void rights_statement();
-  void define_statement();
-  void proc_statement();
-  void extern_statement();
-  void redef_statement();
-  void proc_parameter();
-  void proc_attributes();
-  struct DeclaredType {
-    Type type;
-    std::int32_t longest = 0;  ///< characters of a STRING
-  };
-  std::optional<DeclaredType> declared_type();
-  std::optional<Variable> declared_variable(const DeclaredType& declared);
-  std::int32_t define_local(Variable variable);
-  std::optional<std::int32_t> string_length();
-  std::optional<std::int32_t> whole_constant();
-  Shape dimensions();
-  void preset(Parameter& parameter);
-  std::int32_t defined_alike(const Variable& variable);
-  std::int32_t define(const Variable& variable);
-  std::optional<double> signed_constant();
-  Limits definition_attributes();
+  // Handlers that a part has.
+  void def_statement() { definitions_.def_statement(); }
+  void rights_statement() { definitions_.rights_statement(); }
+  void define_statement() { definitions_.define_statement(); }
+  void proc_statement() { definitions_.proc_statement(); }
+  void extern_statement() { definitions_.extern_statement(); }
+  void redef_statement() { definitions_.redef_statement(); }
+  void refused_statement() { refuse(reader_); }
 
   // compile_call.cc
   void call_by_name(std::string name, ShortSpan where);
@@ -212,7 +120,6 @@ class Compiler {
   void procedure(ProcedureId id, ShortSpan where);
   std::vector<Argument> argument_list();
   void call(CallSite site, ShortSpan where);
-  void refused_statement();
   void idle_statement();
   void when_statement();
 
@@ -230,57 +137,25 @@ class Compiler {
   ActionText action_list(ActionKind kind, bool is_timed);
   void judge_action(std::size_t from, ActionKind kind, bool is_timed);
 
-  // compile_words.cc
-  void letter_item();
-  void letter_word(const Token& letter);
-  void code_of_group(ShortSpan where);
-  void g_code(std::optional<FoundCode> code, ShortSpan where);
-  void m_word(ShortSpan where);
-  void m_number(double number, ShortSpan where);
-  std::optional<double> number_at_once();
-  void constant_word(Address address, double value, ShortSpan where);
-  Expr bracketed_axis(const AxisWordInfo& row);
-  void axis_word(const AxisWordInfo& row);
-  void axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where);
-  bool named_word();
-  bool word_of_another_spindle(const Token& letter, double extension);
-  Expr bracketed_spindle();
-  [[nodiscard]] bool is_tool_spindle(const Expr& spindle) const;
-  void spindle_word(Address address, const Expr& spindle, ShortSpan where);
-  void word(Address address, ShortSpan where);
-  void emit_word(Address address, Modification modification, const Expr& value);
-  Expr word_value(Modification& modification);
-  [[nodiscard]] bool is_assigned(std::size_t ahead) const;
-
   static Handler find_keyword(std::string_view name);
 
+  [[nodiscard]] BlockWork work() { return {reader_, program_, code_}; }
+
   const Globals& globals_;
-  Globals* definitions_ = nullptr;
   Purpose purpose_;
   std::string_view text_;
   Scanner scanner_;
   ShortSpan whole_;
-  std::unique_ptr<CompiledProgram> program_;
-  CodeWriter code_;  ///< of program_
   NcBlockWriter nc_;
   Structures structures_;
   LabelJumps jumps_;
-  TokenCursor cursor_;
-  NameMap<std::int32_t> imported_;
-  Macros macros_;
-  int depth_ = 0;
-  ShortSpan block_;
-  ShortSpan error_where_;
-  std::optional<BlockError> error_;
+  KnownVariables variables_;
+  Expressions expressions_;
+  Operations& operations_;
+  Assignments assignments_;
+  WordCompiler words_;
+  Definitions definitions_;
   OpCode end_ = OpCode::EndProgram;  ///< of the text
-  bool is_first_block_ = true;
-  int definitions_in_block_ = 0;   ///< so far
-  bool in_program_part_ = false;   ///< a statement that is no definition stood before
-  bool has_letter_names_ = false;  ///< a variable is called I, say
 };
-
-/// Whether an argument is the variable that its parameter wants; see functions.def and
-/// procedures.def.
-bool is_taken_by(char kind, const Argument& argument);
 
 }  // namespace g31::sinumerik
