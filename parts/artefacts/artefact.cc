@@ -9,6 +9,7 @@
 
 #include "machine/base/nearest_name.h"
 #include "parts/artefacts/makers.h"
+#include "parts/artefacts/worked_out.h"
 
 namespace g31::parts {
 namespace {
@@ -93,6 +94,11 @@ Sizes with_defaults(const PartSetup& part) {
       sizes.try_emplace(std::string(size.name), *size.default_mm);
     }
   }
+  for (const WorkedOut& stand_in : stand_ins()) {
+    if (stand_in.shape == part.shape && !sizes.contains(std::string(stand_in.name))) {
+      sizes.emplace(stand_in.name, stand_in.from(sizes));
+    }
+  }
   return sizes;
 }
 
@@ -108,11 +114,6 @@ Result<Mesh, std::string> make_with(const AnyMaker& maker, const PartSetup& part
 
 }  // namespace
 
-double size_or(const Sizes& sizes, const std::string& name, double otherwise) {
-  const auto given = sizes.find(name);
-  return given != sizes.end() ? given->second : otherwise;
-}
-
 std::span<const Shape> shapes() {
   return kShapes;
 }
@@ -122,13 +123,15 @@ std::span<const ShapeSize> shape_sizes() {
 }
 
 std::optional<double> size_of(const PartSetup& part, const std::string& name) {
-  const std::vector<std::string_view> known = size_names(part.shape);
-  if (std::ranges::find(known, name) == known.end()) {
-    return std::nullopt;
-  }
   const Sizes sizes = with_defaults(part);
-  const auto found = sizes.find(name);
-  return found != sizes.end() ? std::optional(found->second) : std::nullopt;
+  const std::vector<std::string_view> known = size_names(part.shape);
+  if (std::ranges::find(known, name) != known.end()) {
+    return sizes.at(name);
+  }
+  const auto row = std::ranges::find_if(worked_out(), [&](const WorkedOut& result) {
+    return result.shape == part.shape && result.name == name;
+  });
+  return row != worked_out().end() ? std::optional(row->from(sizes)) : std::nullopt;
 }
 
 std::optional<Sphere> exact_sphere(const PartSetup& part) {

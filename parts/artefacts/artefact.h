@@ -16,7 +16,7 @@ namespace g31::parts {
 struct ShapeSize {
   std::string_view shape;
   std::string_view name;
-  std::optional<double> default_mm;  ///< none: worked out from the other sizes, see text
+  std::optional<double> default_mm;  ///< none: what stands in for it (worked_out.h), see text
   std::string_view text;
 };
 
@@ -30,8 +30,8 @@ struct Shape {
 std::span<const Shape> shapes();
 std::span<const ShapeSize> shape_sizes();
 
-/// A size of the part's shape, mm: as it is given, or as the shape has it; nullopt: the shape has
-/// no such size, or works it out from the others.
+/// What the part's shape measures, mm: a size as it is given or as the shape has it, or what the
+/// shape works out from its sizes (worked_out.h); nullopt: the shape has nothing of that name.
 std::optional<double> size_of(const PartSetup& part, const std::string& name);
 
 /// Makes the mesh of the part's `shape` with its `sizes`, in the part frame P.

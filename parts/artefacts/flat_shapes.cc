@@ -126,10 +126,7 @@ Result<Mesh, std::string> make_block(const Sizes& sizes) {
 }
 
 Result<Mesh, std::string> make_gauge_block(const Sizes& sizes) {
-  // The cross-sections of ISO 3650: 9 mm by 30 mm up to a length of 10 mm, 9 mm by 35 mm above.
-  const double length = sizes.at("length");
-  const double width = size_or(sizes, "width", length <= 10.0 ? 30.0 : 35.0);
-  return box({0.0, length}, width, sizes.at("height"));
+  return box({0.0, sizes.at("length")}, sizes.at("width"), sizes.at("height"));
 }
 
 Result<Mesh, std::string> make_pocket(const Sizes& sizes) {
@@ -137,17 +134,17 @@ Result<Mesh, std::string> make_pocket(const Sizes& sizes) {
   const double wall = sizes.at("wall");
   const double depth = sizes.at("depth");
   Rounding rounding;
-  if (const auto given = sizes.find("corner_radius"); given != sizes.end()) {
-    if (2.0 * given->second > opening.minCoeff()) {
+  if (const double radius = sizes.at("corner_radius"); radius > 0.0) {
+    if (2.0 * radius > opening.minCoeff()) {
       return std::string(
           "the corner_radius of a pocket must be at most half of its length and its width");
     }
-    const auto facets = sides_within(given->second, sizes.at("sagitta"), 4 * kMostCornerSides);
+    const auto facets = sides_within(radius, sizes.at("sagitta"), 4 * kMostCornerSides);
     if (!facets) {
       return std::string(
           "the sagitta of the pocket is too small: it would take more than 100000 facets");
     }
-    rounding = {given->second, *facets / 4};
+    rounding = {radius, *facets / 4};
   }
   PocketMesh mesh(opening + Point2(2.0 * wall, 2.0 * wall), {-(depth + sizes.at("floor")), 0.0},
                   rectangle(opening, rounding.radius, rounding.sides));

@@ -9,7 +9,8 @@
 
 namespace g31::parts {
 
-/// The sizes of one shape by name, defaults filled in; each a finite number > 0.
+/// The sizes of one shape by name, all of them; each a finite number > 0, or 0 for a rounding that
+/// is none.
 using Sizes = std::map<std::string, double>;
 
 /// What makes the mesh of a shape in the part frame, or says which sizes do not fit each other.
@@ -37,8 +38,5 @@ Result<Mesh, std::string> make_step(const Sizes& sizes);
 // Long pieces with a known shape error, for what measures machines.
 Result<Mesh, std::string> make_bed(const Sizes& sizes, const ShapeProfile& profile);
 Result<Mesh, std::string> make_shaft(const Sizes& sizes, const ShapeProfile& profile);
-
-/// The size of that name, or what stands for it where the sheet does not give it.
-double size_or(const Sizes& sizes, const std::string& name, double otherwise);
 
 }  // namespace g31::parts

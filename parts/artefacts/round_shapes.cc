@@ -23,10 +23,9 @@ std::string too_fine(const std::string& shape, const std::string& limit) {
 }  // namespace
 
 Result<Mesh, std::string> make_ring(const Sizes& sizes) {
-  constexpr double kDefaultWallsMm = 40.0;
   RingGauge ring;
   ring.bore_mm = sizes.at("bore");
-  ring.outer_diameter_mm = size_or(sizes, "outer_diameter", ring.bore_mm + kDefaultWallsMm);
+  ring.outer_diameter_mm = sizes.at("outer_diameter");
   ring.height_mm = sizes.at("height");
   ring.sagitta_mm = sizes.at("sagitta");
   return ring_gauge_mesh(ring);
@@ -45,9 +44,8 @@ Result<Mesh, std::string> make_cylinder(const Sizes& sizes) {
 }
 
 Result<Mesh, std::string> make_plug(const Sizes& sizes) {
-  constexpr double kDefaultRimMm = 10.0;
   const double radius = 0.5 * sizes.at("diameter");
-  const double foot = 0.5 * size_or(sizes, "foot_diameter", 2.0 * (radius + kDefaultRimMm));
+  const double foot = 0.5 * sizes.at("foot_diameter");
   const double shoulder = -sizes.at("height");
   const double bottom = shoulder - sizes.at("foot_height");
   if (foot <= radius) {

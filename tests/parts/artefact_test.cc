@@ -1,6 +1,7 @@
 #include "parts/artefacts/artefact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "parts/artefacts/ring_gauge.h"
+#include "parts/artefacts/worked_out.h"
 #include "tests/probe/test_meshes.h"
 
 namespace g31::parts::artefact_test {
@@ -115,6 +117,96 @@ TEST(MakeArtefact, SaysWhatIsWrongAndWhatWouldBeRight) {
     const auto made = make_artefact(c.setup);
     ASSERT_FALSE(made.ok());
     EXPECT_EQ(made.error(), c.error);
+  }
+}
+
+// Reckoned by hand from the rows of shapes.def.
+TEST(Shapes, WorkOutWhatTheirSizesSay) {
+  const struct {
+    PartSetup setup;
+    const char* name;
+    double value;
+  } kCases[] = {
+      {part("ring", {}), "outer_diameter", 79.996},
+      {part("ring", {{"bore", 30.0}}), "radius", 15.0},
+      {part("ring", {{"bore", 30.0}}), "wall", 20.0},
+      {part("ring", {{"bore", 30.0}, {"outer_diameter", 55.0}}), "wall", 12.5},
+      {part("plug", {{"diameter", 12.5}}), "foot_diameter", 32.5},
+      {part("plug", {{"diameter", 12.5}}), "shoulder", 10.0},
+      {part("plug", {{"diameter", 12.5}, {"foot_diameter", 40.0}}), "shoulder", 13.75},
+      {part("plug", {{"height", 7.0}}), "total_height", 17.0},
+      {part("plug", {}), "radius", 15.0},
+      {part("sphere", {{"diameter", 25.002}}), "radius", 12.501},
+      {part("cylinder", {}), "radius", 15.0},
+      {part("prism", {{"sides", 4.0}}), "side", 30.0},
+      {part("prism", {{"sides", 4.0}}), "corner_circle", 42.426406871192853},
+      {part("prism", {}), "side", 17.320508075688775},
+      {part("gauge_block", {{"length", 10.0}}), "width", 30.0},
+      {part("gauge_block", {{"length", 10.001}}), "width", 35.0},
+      {part("pocket", {}), "corner_radius", 0.0},
+      {part("pocket", {{"corner_radius", 4.0}}), "corner_radius", 4.0},
+      {part("pocket", {}), "outer_length", 80.0},
+      {part("pocket", {{"wall", 7.0}}), "outer_width", 54.0},
+      {part("pocket", {}), "total_height", 25.0},
+      {part("groove", {}), "outer_width", 60.0},
+      {part("groove", {{"floor", 3.0}}), "total_height", 18.0},
+      {part("rib", {{"shoulder", 8.0}}), "outer_width", 36.0},
+      {part("rib", {}), "total_height", 25.0},
+      {part("step", {{"upper", 11.0}}), "length", 41.0},
+      {part("step", {{"base", 4.0}}), "total_height", 19.0},
+  };
+  for (const auto& c : kCases) {
+    SCOPED_TRACE(c.setup.shape + "." + c.name);
+    const auto value = size_of(c.setup, c.name);
+    ASSERT_TRUE(value.has_value());
+    EXPECT_NEAR(*value, c.value, 1e-12);
+  }
+  EXPECT_EQ(size_of(part("ring", {}), "depth"), std::nullopt);
+  EXPECT_EQ(size_of(part("cube", {}), "length"), std::nullopt);
+}
+
+// What is worked out of a size is also what its mesh measures.
+TEST(Shapes, WorkOutWhatTheirMeshesMeasure) {
+  const struct {
+    PartSetup setup;
+    std::array<const char*, 3> across;  // along X, Y, Z; nullptr: not asked
+  } kCases[] = {
+      {part("ring", {{"bore", 30.0}}), {"outer_diameter", "outer_diameter", "height"}},
+      {part("plug", {{"foot_diameter", 51.0}}), {"foot_diameter", "foot_diameter", "total_height"}},
+      {part("gauge_block", {}), {"length", "width", "height"}},
+      {part("pocket", {{"wall", 6.0}, {"corner_radius", 3.0}}),
+       {"outer_length", "outer_width", "total_height"}},
+      {part("pocket", {{"floor", 6.0}}), {"outer_length", "outer_width", "total_height"}},
+      {part("groove", {{"wall", 6.0}}), {"outer_width", "length", "total_height"}},
+      {part("rib", {{"shoulder", 6.0}}), {"outer_width", "length", "total_height"}},
+      {part("step", {{"rise", 6.0}}), {"length", "width", "total_height"}},
+      {part("prism", {{"sides", 4.0}, {"across_flats", 12.0}}), {"side", "side", "height"}},
+  };
+  for (const auto& c : kCases) {
+    const Mesh mesh = make_artefact(c.setup).value();
+    for (int axis = 0; axis < 3; ++axis) {
+      const char* const name = c.across.at(static_cast<std::size_t>(axis));
+      SCOPED_TRACE(c.setup.shape + "." + name);
+      const auto [low, high] =
+          std::ranges::minmax(mesh.vertices, {}, [&](const Point& vertex) { return vertex[axis]; });
+      EXPECT_NEAR(high[axis] - low[axis], size_of(c.setup, name).value(), 2.0 * 50e-6);
+    }
+  }
+}
+
+TEST(Shapes, EverySizeThatIsWorkedOutHasItsRow) {
+  for (const ShapeSize& size : shape_sizes()) {
+    const bool has_row = std::ranges::any_of(stand_ins(), [&](const WorkedOut& row) {
+      return row.shape == size.shape && row.name == size.name;
+    });
+    EXPECT_EQ(has_row, !size.default_mm.has_value()) << size.shape << "." << size.name;
+  }
+  for (const WorkedOut& row : worked_out()) {
+    EXPECT_FALSE(row.text.empty()) << row.name;
+    EXPECT_FALSE(std::ranges::any_of(
+        shape_sizes(),
+        [&](const ShapeSize& size) { return row.shape == size.shape && row.name == size.name; }))
+        << row.name << " is a size already";
   }
 }
 

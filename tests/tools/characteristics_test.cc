@@ -78,6 +78,29 @@ RunOutput run_with(const std::string& rows, const std::string& program = kProgra
   return run_program(options);
 }
 
+// Worked out by the shape: 40.004 + 40 outside, walls of 20; and where the sheet puts the part.
+TEST(Characteristics, AreOfWhatAShapeWorksOutAndWhereAPartIs) {
+  const RunOutput output = run_with(
+      "at = [101.5, -7.25, 3.0]\nrotate_deg = [0.0, 0.0, 1.5]\n"
+      "[[part]]\nname = \"ring.2\"\nshape = \"plug\"\non = \"G55\"\nat = [1.0, 2.0, 3.0]\n"
+      "[work_offsets.G55]\nX = 300.0\nY = 20.0\nZ = -5.0\n"
+      "[[characteristic]]\nname = \"a\"\nvariable = \"#500\"\ntrue = \"ring.outer_diameter\"\n"
+      "[[characteristic]]\nname = \"b\"\nvariable = \"#500\"\ntrue = \"ring.wall\"\n"
+      "[[characteristic]]\nname = \"c\"\nvariable = \"#500\"\ntrue = \"ring.radius\"\n"
+      "unit = \"um\"\n"
+      "[[characteristic]]\nname = \"d\"\nvariable = \"#500\"\ntrue = \"ring.at.Y\"\n"
+      "[[characteristic]]\nname = \"e\"\nvariable = \"#500\"\ntrue = \"ring.2.at.X\"\n"
+      "[[characteristic]]\nname = \"f\"\nvariable = \"#500\"\ntrue = \"ring.2.foot_diameter\"\n");
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  const json& rows = output.document.at("characteristics");
+  const double truths[] = {80.004, 20.0, 20002.0, -7.25, 301.0, 50.0};
+  ASSERT_EQ(rows.size(), std::size(truths));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_NEAR(rows[i].at("true").get<double>(), truths[i], 1e-9) << rows[i].at("name");
+  }
+  EXPECT_NEAR(rows[3].at("measuring_error").get<double>(), 39.989 + 7.25, 1e-12);
+}
+
 TEST(Characteristics, OutOfToleranceAreAFindingAtTheirPlace) {
   const RunOutput output = run_with(
       "[[characteristic]]\nname = \"Bore\"\nvariable = \"#0500\"\nnominal = 40.0\n"
@@ -138,11 +161,16 @@ TEST(Characteristics, ThatCannotBeAreRefused) {
       {whole + "nominal = 1.0\ntolerance = [0.1, 0.2, 0.3]\n", "[lower, upper]", 2},
       {whole + "nominal = 1e10\n", "it should be 1000000000 that of unit at most", 2},
       {whole + "unit = \"ell\"\n", "it should be \"mm\", \"um\", \"inch\", \"deg\" or \"none\"", 2},
-      {whole + "true = \"ring\"\n", "it should be \"ring.bore\" or \"ring.outer_diameter\"", 2},
+      {whole + "true = \"ring\"\n",
+       "it should be \"ring.bore\", \"ring.outer_diameter\", \"ring.height\", \"ring.sagitta\", "
+       "\"ring.radius\", \"ring.wall\", \"ring.at.X\"",
+       2},
       {whole + "true = \"rung.bore\"\n", "is \"rung.bore\", it should be \"ring.bore\"", 2},
       {whole + "true = \"ring.bor\"\n", "is \"ring.bor\", it should be \"ring.bore\"", 2},
-      {whole + "true = \"ring.outer_diameter\"\n",
-       "characteristic.true needs outer_diameter of part ring [SET121]", 2},
+      {whole + "true = \"ring.wal\"\n", "is \"ring.wal\", it should be \"ring.wall\"", 2},
+      {whole + "true = \"ring.at\"\n", "or \"ring.at.Z\"", 2},
+      {whole + "true = \"ring.\"\n", "is \"ring.\", it should be \"ring.bore\", ", 2},
+      {whole + "true = \"\"\n", "", 2},
       {whole + "unit = \"deg\"\ntrue = \"ring.bore\"\n",
        "a unit of length where true says the size of a part [SET105]", 2},
       {"[[characteristic]]\nname = \"B\"\nvariable = \"5x\"\n",
@@ -266,6 +294,39 @@ TEST_F(CharacteristicPage, SplitsAWhiskerOfABossTheOtherWay) {
     EXPECT_NEAR(touch.at("limits").at(0), -0.01, 1e-12);
     EXPECT_NEAR(touch.at("limits").at(1), 0.0, 1e-12);
   }
+}
+
+// From outside at X40 and from inside at X15: the wall of 40 - 15 is 25 less the wall's true 24.98.
+TEST_F(CharacteristicPage, SplitsAWhiskerOfAWallThatAShapeWorksOut) {
+  const std::string sheet =
+      "[start]\nZ = 150.0\n[probe]\nball_diameter = 6.0\nlength = 100.0\nstem_diameter = 2.0\n"
+      "[[part]]\nname = \"p\"\nshape = \"ring\"\nbore = 30.04\nouter_diameter = 80.0\n"
+      "at = [0.0, 0.0, 20.0]\n"
+      "[[characteristic]]\nname = \"wall\"\nvariable = \"#160\"\nnominal = 25.0\n"
+      "tolerance = 0.05\ntrue = \"p.wall\"\n"
+      "[[characteristic]]\nname = \"place\"\nvariable = \"#161\"\nnominal = 0.0\n"
+      "true = \"p.at.X\"\n";
+  const std::string program =
+      "O7\nG90 G0 X0. Y0.\nG1 Z115. F2000.\nG31 X60. F300.\n#101=#5061+3.\nG0 X0.\nG31 X-60. "
+      "F300.\n"
+      "#102=#5061-3.\nG0 X0.\nG0 Z140.\nG0 X60.\n"
+      "G1 Z115. F2000.\nG31 X0. F300.\n#160=#5061-3.-#101\n#161=[#101+#102]/2.\nG0 X60.\nG0 "
+      "Z140.\nM30\n";
+  output_ = g31({"run", folder_.write("a.nc", program), "-s", folder_.write("a.toml", sheet),
+                 "--report", folder_.path("a.html"), "--json", folder_.path("a.json")});
+  EXPECT_EQ(output_.exit_code, 0) << output_.errors;
+  const json document = json::parse(text_in(folder_.path("a.json")));
+  const json& rows = document.at("characteristics");
+  EXPECT_NEAR(rows[0].at("true").get<double>(), 24.98, 1e-12);
+  EXPECT_NEAR(rows[0].at("measuring_error").get<double>(), 0.0, 1e-6);
+  EXPECT_NEAR(rows[1].at("measuring_error").get<double>(), 0.0, 1e-6);
+  const json figures = figures_in(text_in(folder_.path("a.html")));
+  const json& touches = figures.at("touch");
+  ASSERT_EQ(touches.size(), 3U);
+  // A wall 0.02 too thin lies 0.01 deeper on either side of it.
+  EXPECT_NEAR(touches[0].at("part_deviation"), 0.01, 1e-9);
+  EXPECT_NEAR(touches[2].at("part_deviation"), 0.01, 1e-9);
+  EXPECT_FALSE(touches[1].contains("part_deviation")) << "the bore itself is no wall, nor a place";
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "parts/artefacts/artefact.h"
+#include "parts/artefacts/worked_out.h"
 #include "tests/support/captured.h"
 #include "tests/support/run_program.h"
 #include "tools/cli/explain_command.h"
@@ -21,6 +22,7 @@
 #include "tools/manual/reference_pages.h"
 #include "tools/session/manual.h"
 #include "tools/session/shipped_macros.h"
+#include "tools/setup/true_sizes.h"
 
 namespace g31::manual::manual_pages_test {
 namespace {
@@ -60,6 +62,12 @@ TEST(Pages, HaveARowForEveryRow) {
   }
   for (const parts::ShapeSize& size : parts::shape_sizes()) {
     EXPECT_TRUE(has_cell(size.name)) << size.name;
+  }
+  for (const parts::WorkedOut& result : parts::worked_out()) {
+    EXPECT_TRUE(has_cell(result.name)) << result.name;
+  }
+  for (const setup::TruePlace& place : setup::true_places()) {
+    EXPECT_TRUE(has_cell(place.key)) << place.key;
   }
   const auto lines = static_cast<std::size_t>(std::ranges::count(sheet, '\n'));
   EXPECT_GE(lines, setup::key_rows().size() + parts::shape_sizes().size());

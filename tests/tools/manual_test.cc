@@ -12,11 +12,13 @@
 #include "interpreter/dialects/fanuc/vocabulary/profile.h"
 #include "interpreter/source/diagnostic.h"
 #include "parts/artefacts/artefact.h"
+#include "parts/artefacts/worked_out.h"
 #include "tests/support/captured.h"
 #include "tools/cli/explain_command.h"
 #include "tools/evaluate/data_error.h"
 #include "tools/manual/entries.h"
 #include "tools/review/setup_rules.h"
+#include "tools/setup/true_sizes.h"
 #include "tools/setup/value_words.h"
 #include "tools/study/study_keys.h"
 
@@ -52,6 +54,8 @@ TEST(Manual, HasEveryRowOfEveryTable) {
   EXPECT_EQ(count_of(all, "key of a set-up sheet"), setup::key_rows().size());
   EXPECT_EQ(count_of(all, "shape of a part"), parts::shapes().size());
   EXPECT_EQ(count_of(all, "size of a shape"), parts::shape_sizes().size());
+  EXPECT_EQ(count_of(all, "what a shape works out"), parts::worked_out().size());
+  EXPECT_EQ(count_of(all, "place of a part"), setup::true_places().size());
   EXPECT_EQ(count_of(all, "section of a study file"), study::study_sections().size());
   EXPECT_EQ(count_of(all, "key of a study file"), study::study_keys().size());
   EXPECT_EQ(count_of(all, "message of g31"), source::diagnostics().size());
@@ -127,6 +131,8 @@ TEST(Manual, SaysSizesAndOriginOfAShape) {
             0U);
   EXPECT_NE(text.find("    bore: diameter of the bore; 39.996 if not given\n"), std::string::npos);
   EXPECT_NE(explained("ring.bore").find("bore of shape ring"), std::string::npos);
+  EXPECT_NE(explained("ring.wall").find("thickness between bore and outside"), std::string::npos);
+  EXPECT_NE(explained("at.X").find("machine coordinate X of the part's origin"), std::string::npos);
 }
 
 TEST(Manual, KnowsCodesOnEveryControl) {

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include "parts/artefacts/artefact.h"
+#include "parts/artefacts/worked_out.h"
 #include "tools/manual/entries.h"
 #include "tools/manual/markdown.h"
 #include "tools/manual/pages.h"
 #include "tools/setup/setup_error.h"
+#include "tools/setup/true_sizes.h"
 #include "tools/setup/value_words.h"
 
 namespace g31::manual {
@@ -56,6 +58,28 @@ void add_section(std::string& page, const setup::SectionRow& section) {
   }
 }
 
+/// What `true` may name of a shape beside its sizes.
+void add_worked_out(std::string& page, std::string_view shape) {
+  std::string rows;
+  for (const parts::WorkedOut& result : parts::worked_out()) {
+    if (result.shape == shape) {
+      rows += table_row({code(result.name), result.text});
+    }
+  }
+  if (!rows.empty()) {
+    page += "\nWorked out from them, for `true` of a `[[characteristic]]`:\n\n" +
+            table_head({"size", "meaning"}) + rows;
+  }
+}
+
+void add_true_places(std::string& page) {
+  page += "\n### Places\n\nWhat `true` of a `[[characteristic]]` may name of any part:\n\n";
+  page += table_head({"key", "meaning"});
+  for (const setup::TruePlace& place : setup::true_places()) {
+    page += table_row({code(place.key), place.text});
+  }
+}
+
 void add_shapes(std::string& page) {
   page +=
       "\n## Shapes\n\n`shape = \"ring\"` in `[[part]]`; the sizes are further keys of the part, in "
@@ -72,6 +96,7 @@ void add_shapes(std::string& page) {
                            size.text});
       }
     }
+    add_worked_out(page, shape.name);
   }
 }
 
@@ -102,6 +127,7 @@ std::string sheet_page() {
     add_section(page, section);
   }
   add_shapes(page);
+  add_true_places(page);
   add_units(page);
   add_errors(page);
   return page;

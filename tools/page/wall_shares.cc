@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parts/artefacts/artefact.h"
 #include "tools/page/run_parts.h"
 
 namespace g31::page {
@@ -62,6 +63,12 @@ class Walls {
   const expect::TrueSize& size_;
 };
 
+/// A place of a part is no size of it.
+bool is_size(const RunPage& run, const expect::TrueSize& size) {
+  const auto part = std::ranges::find(run.job.parts, size.part, &parts::PartSetup::name);
+  return parts::size_of(*part, size.key).has_value();
+}
+
 /// A larger size is deeper in the material of a bore, and less deep in that of a plug.
 WallShare share_of(const expect::Characteristic& what, Side side) {
   const double half_mm = what.unit.mm / 2.0;
@@ -81,7 +88,7 @@ WallShare share_of(const expect::Characteristic& what, Side side) {
 Shares wall_shares(const RunPage& run, const Meetings& meetings, const Writers& writers) {
   Shares shares(meetings.size());
   for (const expect::MeasuredCharacteristic& row : run.result.characteristics) {
-    if (!row.what.true_value() || !row.what.nominal) {
+    if (!row.what.true_value() || !row.what.nominal || !is_size(run, *row.what.true_size)) {
       continue;
     }
     const std::vector<std::size_t> touches = writers.touches_of(row.what.variable);

@@ -8,11 +8,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "machine/base/contract.h"
-#include "parts/artefacts/artefact.h"
 #include "tools/setup/table_keys.h"
+#include "tools/setup/true_sizes.h"
 #include "tools/setup/variable_name.h"
 
 namespace g31::setup {
@@ -31,67 +30,6 @@ expect::Limits limits_from(const Entry& tolerance) {
   return list.size() == 1 ? expect::Limits{-list.at(0), list.at(0)}
                           : expect::Limits{list.at(0), list.at(1)};
 }
-
-/// What PART.KEY may be, in words.
-std::string known_sizes(std::span<const parts::PartSetup> parts, const std::string& name) {
-  std::vector<std::string> known;
-  for (const parts::PartSetup& part : parts) {
-    for (const parts::ShapeSize& size : parts::shape_sizes()) {
-      if (part.shape == size.shape && (name.empty() || part.name == name)) {
-        known.push_back(fmt::format("\"{}.{}\"", part.name, size.name));
-      }
-    }
-  }
-  return known.empty() ? "PART.KEY with a part of the sheet that has a shape"
-                       : fmt::format("{}", fmt::join(known, " or "));
-}
-
-/// Finds the size that PART.KEY names.
-class TrueSizes {
- public:
-  TrueSizes(std::span<const parts::PartSetup> parts, ErrorList& errors)
-      : parts_(parts), errors_(errors) {}
-
-  /// nullopt: what is wrong with it is told.
-  [[nodiscard]] std::optional<expect::TrueSize> find(const Entry& entry) const {
-    const auto& given = std::get<std::string>(entry.value);
-    const std::size_t dot = given.rfind('.');
-    const std::string name = dot == std::string::npos ? std::string() : given.substr(0, dot);
-    const auto is_it = [&](const parts::PartSetup& part) { return part.name == name; };
-    const auto part = std::ranges::find_if(parts_, is_it);
-    if (dot == std::string::npos || part == parts_.end()) {
-      return refuse(entry, given, known_sizes(parts_, ""));
-    }
-    if (std::ranges::count_if(parts_, is_it) > 1) {
-      return refuse(entry, given, "PART.KEY with a name that no other part has");
-    }
-    const std::string key = given.substr(dot + 1);
-    if (const auto size_mm = parts::size_of(*part, key)) {
-      return expect::TrueSize{name, key, *size_mm};
-    }
-    const auto sizes = parts::shape_sizes();
-    if (std::ranges::none_of(sizes, [&](const parts::ShapeSize& size) {
-          return size.shape == part->shape && size.name == key;
-        })) {
-      return refuse(entry, given, known_sizes(parts_, name));
-    }
-    errors_.add(SetupErrorId::KeyMissing, entry.where,
-                {"characteristic.true", fmt::format("{} of part {}", key, name)},
-                "the shape works it out from its other sizes: give it in [[part]]");
-    return std::nullopt;
-  }
-
- private:
-  std::optional<expect::TrueSize> refuse(const Entry& entry, const std::string& given,
-                                         const std::string& should_be) const {
-    errors_.add(SetupErrorId::OutOfRange, entry.where,
-                {"characteristic.true", fmt::format("\"{}\"", given), should_be});
-    return std::nullopt;
-  }
-
-  std::span<const parts::PartSetup> parts_;
-  ErrorList& errors_;
-};
 
 /// Tells what a table lacks.  @returns whether it has all that it needs
 bool is_complete(const SheetTable& table, ErrorList& errors) {
