@@ -185,6 +185,21 @@ TEST(Still, ADeviationIsAWhiskerOfItsTrueLength) {
   EXPECT_EQ(whisker[2], whisker[4]);
 }
 
+/// A ball of 3 mm that is latched 0.01 too deep; one of 2 mm on the shaft, 100 above it, that is
+/// latched right, and by a bend of the shaft nearly as far from its wall as the main ball is.
+TEST(LatchedDepth, IsOfTheMainBallAlone) {
+  Mark mark;
+  mark.n_M = -Point::UnitX();
+  mark.p_M = Point(2.99, 0.0, 0.0);
+  const auto main = latched_depth_mm(mark, 3.0);
+  ASSERT_TRUE(main.has_value());
+  EXPECT_NEAR(*main, 0.01, 1e-12);
+  for (const double across : {2.0, 2.05}) {
+    mark.p_M = Point(across, 0.0, 100.0);
+    EXPECT_FALSE(latched_depth_mm(mark, 3.0).has_value()) << across;
+  }
+}
+
 TEST(Raster, ABallCoversTheAreaOfItsCircle) {
   std::vector<Eigen::Vector2d> profile;
   for (int i = 0; i <= 90; ++i) {

@@ -121,9 +121,11 @@ std::optional<double> latched_depth_mm(const Mark& mark, double ball_radius_mm) 
   if (ball_radius_mm <= 0.0 || mark.stylus.tool != 0) {
     return std::nullopt;
   }
-  const double depth = ball_radius_mm - mark.n_M.dot(mark.stylus.p_M - mark.p_M);
+  const Point to_centre = mark.stylus.p_M - mark.p_M;
   constexpr double kMostMm = 1.0;  // further off it was another ball
-  return std::fabs(depth) < kMostMm ? std::optional(depth) : std::nullopt;
+  return std::fabs(ball_radius_mm - to_centre.norm()) < kMostMm
+             ? std::optional(ball_radius_mm - mark.n_M.dot(to_centre))
+             : std::nullopt;
 }
 
 std::vector<StylusPiece> stylus_shape(const setup::Job& job, int tool) {
