@@ -69,5 +69,27 @@ TEST(KinematicsBallProgram, FindsTheTableWhereItIs) {
                   {{"$TC_CARR6[1]", -450.0}, {"$TC_CARR15[1]", -0.03}, {"_OVR[155]", 0.0}});
 }
 
+TEST(KinematicsBallProgram, FindsTheTableInSingleSteps) {
+  expect_readings("kinematics_ball/by_steps.mpf", {"kinematics_ball/kinematics_ball.toml"},
+                  {{"$TC_CARR6[1]", -450.0}, {"$TC_CARR15[1]", -0.03}, {"_OVR[155]", 0.0}});
+}
+
+TEST(CyclesPrograms, FindByHowMuchTheSpindleLeans) {
+  expect_readings("cycles/spindle.mpf", {"cycles/machine.toml", "cycles/spindle.toml"},
+                  {{"_OVR[2]", 0.05}, {"_OVR[3]", 0.02}});
+}
+
+TEST(ToolSetterProgram, FindsLengthAndRadiusOfATurningCutter) {
+  expect_readings("tool_setter/turning_cutter.nc", {"tool_setter/setter_fanuc.toml"},
+                  {{"#11005", 100.0}, {"#13005", 8.0}, {"#550", 0.0}});
+}
+
+TEST(ToolSetterProgram, FindsLengthAndRadiusInALaser) {
+  // The beam of 0.5 mm lies at Y50.3 Z-399.6: tools break it from 0.25 above.
+  expect_readings("tool_setter/laser.nc",
+                  {"tool_setter/setter_fanuc.toml", "tool_setter/laser.toml"},
+                  {{"#11005", 100.0}, {"#13005", 8.0}, {"#552", 50.3}, {"#553", -399.35}});
+}
+
 }  // namespace
 }  // namespace g31::testing::library_programs_test
