@@ -72,6 +72,38 @@ TEST(RunChronicle, CountsTheBlocksOfAFanucProgram) {
   EXPECT_EQ(counts_of(document, "O0002.nc")["lines"], json({{"2", 1}, {"3", 1}}));
 }
 
+/// Each pass of a call that repeats is a call, made by the block that says how often.
+TEST(RunChronicle, TellsEachPassOfACallThatRepeats) {
+  const struct {
+    const char* name;
+    const char* program;
+    const char* control;
+    std::pair<std::string, std::string> other;
+  } kRows[] = {
+      {"main.nc", "O1\nM98 P2 L3\nM98 P2\nM30\n", "fanuc-16i", {"O0002.nc", "O2\nG4 X1.\nM99\n"}},
+      {"main.nc",
+       "O1\nG65 P2 L3 A1.\nG65 P2\nM30\n",
+       "fanuc-16i",
+       {"O0002.nc", "O2\nG4 X1.\nM99\n"}},
+      {"MAIN.MPF",
+       "R1=1\nPAUSES P3\nPAUSES\nM30\n",
+       "sinumerik-828d",
+       {"PAUSES.SPF", "G4 F1\nM17\n"}},
+  };
+  for (const auto& row : kRows) {
+    SCOPED_TRACE(row.program);
+    const json document = document_of(row.name, row.program, row.control, {row.other});
+    const json& calls = document["calls"];
+    ASSERT_EQ(calls.size(), 5U) << calls.dump();
+    for (std::size_t i = 1; i < calls.size(); ++i) {
+      EXPECT_EQ(calls[i]["level"], 1);
+      EXPECT_EQ(calls[i]["line"], i < 4 ? 2 : 3) << calls[i].dump();
+      const auto end_s = static_cast<double>(i);
+      EXPECT_EQ(calls[i]["time_s"], json({end_s - 1.0, end_s})) << calls[i].dump();
+    }
+  }
+}
+
 TEST(RunChronicle, TellsCallsWithTheirTimes) {
   const json document =
       document_of("main.nc", kLoop, "fanuc-16i", {{"O0002.nc", "O2\nG4 X1.\nM99\n"}});

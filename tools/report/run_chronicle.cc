@@ -1,5 +1,6 @@
 #include "tools/report/run_chronicle.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace g31::report {
@@ -88,8 +89,15 @@ void RunChronicle::finish() {
 void RunChronicle::open(std::uint16_t level, const std::string& program) {
   if (budget_.charge(runtime::Output::Calls, kCallBytes)) {
     const double now_s = clock_.time_s();
+    // With no block between, it is the next pass of a call that repeats: called from where that
+    // was.
+    const auto before = std::find_if(calls_.rbegin(), calls_.rend(),
+                                     [&](const CallSpan& call) { return call.level <= level; });
+    const bool is_next_pass =
+        before->level == level && before->program == program && before->last_block == number_;
+    const source::Location from = is_next_pass ? before->call : block_;
     open_.push_back(calls_.size());
-    calls_.push_back({program, level, block_, now_s, now_s, number_, number_});
+    calls_.push_back({program, level, from, now_s, now_s, number_, number_});
   }
 }
 

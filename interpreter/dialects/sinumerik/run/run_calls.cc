@@ -207,6 +207,9 @@ MaybeFailure Calls::return_from(const Op& op) {
     const std::vector<BoundValue> values = done.arguments;
     MaybeFailure wrong = take_arguments(done, values);
     operands_.use_level();
+    // A call of its own, as it were: up and down again.
+    channel_.watch.level_changed(stack_.depth() - 1, [] { return std::string(); });
+    tell_level();
     return wrong;
   }
   for (std::size_t i = 0; i < target.value().levels; ++i) {
