@@ -57,6 +57,14 @@ std::string comment_of(std::string_view line) {
              : source::readable_text(text.substr(first, last - first + 1));
 }
 
+Writers::Writers(const RunPage& run) : run_(run) {
+  for (const report::CallSpan& call : run.result.chronicle->calls()) {
+    if (call.level == 1) {
+      calls_.push_back(&call);
+    }
+  }
+}
+
 std::string Writers::meaning_of(const std::string& variable) const {
   const report::VariableHistory* const history = find(variable);
   return history == nullptr ? "" : comment_of(run_.sources.show(history->last_write).text);
@@ -88,19 +96,20 @@ void Writers::add_touches(const report::VariableHistory& history, Found& found) 
 }
 
 bool Writers::add_touches_of_call(const report::VariableHistory& history, Found& found) const {
-  bool is_in_call = false;
-  for (const report::CallSpan& call : run_.result.chronicle->calls()) {
-    const bool is_it = call.level == 1 && call.first_block < history.last_block &&
-                       history.last_block <= call.last_block;
-    is_in_call = is_in_call || is_it;
-    const auto& touches = run_.recorder.touches();
-    for (std::size_t i = 0; is_it && i < touches.size(); ++i) {
-      if (touches[i].triggered && is_within(touches[i].time_s, call)) {
-        found.touches.insert(i + 1);
-      }
+  const report::CallSpan* const call = call_of_block(history.last_block);
+  if (call == nullptr) {
+    return false;
+  }
+  const auto& touches = run_.recorder.touches();
+  const auto behind = [&](double time_s) {
+    return std::ranges::upper_bound(touches, time_s, {}, &runtime::TouchEvent::time_s);
+  };
+  for (auto touch = behind(call->time_from_s); touch != behind(call->time_to_s); ++touch) {
+    if (touch->triggered) {
+      found.touches.insert(static_cast<std::size_t>(touch - touches.begin()) + 1);
     }
   }
-  return is_in_call;
+  return true;
 }
 
 void Writers::add_last_touch(double time_s, Found& found) const {
@@ -112,13 +121,16 @@ void Writers::add_last_touch(double time_s, Found& found) const {
 }
 
 std::string Writers::caller_at(double time_s) const {
-  std::string name;
-  for (const report::CallSpan& call : run_.result.chronicle->calls()) {
-    if (call.level == 1 && is_within(time_s, call)) {
-      name = call.program;
-    }
-  }
-  return name;
+  const auto behind = std::ranges::lower_bound(calls_, time_s, {}, &report::CallSpan::time_from_s);
+  return behind != calls_.begin() && is_within(time_s, **std::prev(behind))
+             ? (*std::prev(behind))->program
+             : std::string();
+}
+
+const report::CallSpan* Writers::call_of_block(std::uint64_t number) const {
+  const auto behind = std::ranges::lower_bound(calls_, number, {}, &report::CallSpan::first_block);
+  return behind != calls_.begin() && number <= (*std::prev(behind))->last_block ? *std::prev(behind)
+                                                                                : nullptr;
 }
 
 const report::VariableHistory* Writers::find(const std::string& variable) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
@@ -18,7 +19,7 @@ std::string comment_of(std::string_view line);
 class Writers {
  public:
   /// @param run  outlives it
-  explicit Writers(const RunPage& run) : run_(run) {}
+  explicit Writers(const RunPage& run);
 
   [[nodiscard]] std::string meaning_of(const std::string& variable) const;
   /// Numbers of the touches that the last value of the variable rests on, rising: those in the call
@@ -35,6 +36,9 @@ class Writers {
     std::set<const report::VariableHistory*> variables;
   };
 
+  /// The call of the main program that a number of a block is in; nullptr: it is the main
+  /// program's.
+  [[nodiscard]] const report::CallSpan* call_of_block(std::uint64_t number) const;
   [[nodiscard]] const report::VariableHistory* find(const std::string& variable) const;
   void add_touches(const report::VariableHistory& history, Found& found) const;
   /// @returns whether the variable was written in a call
@@ -42,6 +46,7 @@ class Writers {
   void add_last_touch(double time_s, Found& found) const;
 
   const RunPage& run_;
+  std::vector<const report::CallSpan*> calls_;  ///< of the main program, one after the other
 };
 
 }  // namespace g31::page
