@@ -72,6 +72,27 @@ TEST(SetupCommand, SaysWhichVariablesNoProgramReads) {
   EXPECT_FALSE(has(computed, "SUP109")) << computed.out << "any of them may be read";
 }
 
+// X goes from 0 to 500, Y from -200 to 200, Z from 0 to 400.
+TEST(SetupCommand, FindsAStartOutsideTheTravel) {
+  std::string sheet = std::string(kSheet) + kBlock;
+  sheet.replace(sheet.find("Z = 300.0"), 9, "Z = 400.001\nX = 500.0");
+  const CommandOutput given = reviewed(sheet);
+  EXPECT_EQ(given.exit_code, 1);
+  EXPECT_TRUE(has(given,
+                  "sheet.toml:2:5: warning: the machine starts outside its travel: Z at "
+                  "400.001, it goes from 0 to 400 [SUP110]"))
+      << given.out;
+  EXPECT_FALSE(has(given, ": X at")) << given.out << "a limit itself may be stood on";
+  // Not named: at 0.
+  sheet = std::string(kSheet) + kBlock;
+  sheet.replace(sheet.find("[0.0, 500.0]"), 12, "[0.5, 500.0]");
+  const CommandOutput left_out = reviewed(sheet);
+  EXPECT_TRUE(has(left_out,
+                  "sheet.toml:8:10: warning: the machine starts outside its travel: X at "
+                  "0, it goes from 0.5 to 500 [SUP110]"))
+      << left_out.out;
+}
+
 TEST(SetupCommand, RefusesNamesThatTheControlHasNot) {
   for (const char* const expected :
        {"[expect.variables]\n\"#99999\" = 3.0\n", "[expect.work_offsets.G505]\nX = 1.0\n",

@@ -113,6 +113,28 @@ void judge_lengths(const setup::Job& job, std::vector<source::Diagnostic>& findi
   }
 }
 
+/// An axis that starts beyond a soft limit: by [start], or because it is not named there.
+void judge_start(const setup::Job& job, std::vector<source::Diagnostic>& findings) {
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const machine::AxisSetup& axis = job.machine.axes.at(i);
+    const double start = job.machine.q_M_start[static_cast<Eigen::Index>(i)];
+    if (!axis.present || (start >= axis.travel_min && start <= axis.travel_max)) {
+      continue;
+    }
+    const char letter = "XYZABC"[i];
+    findings.push_back(finding_of(SetupRuleId::StartOutside,
+                                  fmt::format("{} at {}, it goes from {} to {}", letter, start,
+                                              axis.travel_min, axis.travel_max)));
+    for (const std::string& key :
+         {fmt::format("start.{}", letter), fmt::format("machine.axes.{}.travel", letter)}) {
+      if (const auto place = job.places.find(key); place != job.places.end()) {
+        findings.back().in_sheet = session::shown_place(place->second);
+        break;
+      }
+    }
+  }
+}
+
 /// What the control says of the set-up, with a program or without.
 Result<Listing, session::Refusal> followed(const session::Request& request,
                                            const session::Prepared& prepared) {
@@ -145,6 +167,7 @@ Result<Review, session::Refusal> review(const session::Request& request) {
                 built.value().findings};
   std::ranges::move(session::lost_variables(job), std::back_inserter(review.findings));
   judge_places(job, review.parts, review.reach, review.findings);
+  judge_start(job, review.findings);
   judge_lengths(job, review.findings);
   std::ranges::copy_if(listing.value().outcome.diagnostics, std::back_inserter(review.findings),
                        is_about_setup);

@@ -271,15 +271,22 @@ parts::PartSetup part_from(const SheetTable& table, const runtime::ControlSetup&
   return part;
 }
 
-/// Where the settings stand that only the control can judge.
+/// Where the settings stand that only the control can judge, or that more than one table decides.
 void keep_places(Job& job, SectionId section, const std::string& name, const SheetTable& table) {
   if (section == SectionId::WorkOffsets || section == SectionId::Tools) {
     job.places.emplace(fmt::format("{}.{}", row_of(section).path, name), place_of(table.where));
     return;
   }
+  if (section == SectionId::MachineAxes) {
+    if (const Entry* const travel = TableKeys(table).find(KeyId::AxisTravel)) {
+      job.places.emplace(fmt::format("{}.{}.travel", row_of(section).path, name),
+                         place_of(travel->where));
+    }
+    return;
+  }
   const bool is_data = section == SectionId::MachineData || section == SectionId::UserData;
   if (is_data || section == SectionId::Variables || section == SectionId::Parameters ||
-      section == SectionId::MacroCalls) {
+      section == SectionId::MacroCalls || section == SectionId::Start) {
     const std::string_view above = is_data ? "data" : row_of(section).path;
     for (const auto& [key, entry] : table.entries) {
       job.places.emplace(fmt::format("{}.{}", above, key), place_of(entry.where));
