@@ -62,6 +62,11 @@ COMMANDS = (
      str(ROOT / "parts/library/inspection/product.step")),
     ("--version", "--json"),
     ("run", "p.nc", "-s", "c.toml", "--json", "-"),
+    ("scene", "p.nc", "-s", "s.toml", "-o", "scene.svg", "--json", "-"),
+    ("scene", "crash.nc", "-s", "s.toml", "-o", "scene.svg", "--json", "-"),
+    ("scene", "wrong.nc", "-o", "scene.svg", "--json", "-"),
+    ("scene", "p.nc", "-s", "wrong.toml", "-o", "scene.svg", "--json", "-"),
+    ("scene", "p.nc", "-o", "scene.step", "--json", "-"),
     # Refused, each by itself.
     ("setup", "wrong.toml", "--json", "-"),
     ("setup", "none.toml", "--json", "-"),

@@ -59,15 +59,7 @@ std::string_view code_of(runtime::Status status) {
 std::string document_of(const session::Refusal& wrong, std::string_view schema) {
   disk::Disk disk;
   const source::SourceMap no_sources(disk);
-  const runtime::Outcome outcome = outcome_of(wrong);
-  report::Json document = {{"schema", schema},
-                           {"status", session::status_name(outcome)},
-                           {"exit_code", static_cast<int>(exit_code_of(wrong.ending))}};
-  document["diagnostics"] = report::Json::array();
-  for (const source::Diagnostic& message : outcome.diagnostics) {
-    document["diagnostics"].push_back(report::diagnostic_json(message, no_sources));
-  }
-  return document.dump(1, ' ', false, report::Json::error_handler_t::replace) + "\n";
+  return document_of(outcome_of(wrong), exit_code_of(wrong.ending), schema, no_sources);
 }
 
 }  // namespace
@@ -76,6 +68,18 @@ source::Diagnostic message_of(const session::Refusal& wrong) {
   source::Diagnostic diagnostic;
   diagnostic.message = wrong.message;
   return diagnostic;
+}
+
+std::string document_of(const runtime::Outcome& outcome, ExitCode code, std::string_view schema,
+                        const source::SourceMap& sources) {
+  report::Json document = {{"schema", schema},
+                           {"status", session::status_name(outcome)},
+                           {"exit_code", static_cast<int>(code)}};
+  document["diagnostics"] = report::Json::array();
+  for (const source::Diagnostic& message : outcome.diagnostics) {
+    document["diagnostics"].push_back(report::diagnostic_json(message, sources));
+  }
+  return document.dump(1, ' ', false, report::Json::error_handler_t::replace) + "\n";
 }
 
 runtime::Outcome outcome_of(const session::Refusal& wrong) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "interpreter/runtime/outcome.h"
+#include "interpreter/source/source_map.h"
 #include "tools/cli/exit_code.h"
 #include "tools/session/refusal.h"
 
@@ -15,6 +16,12 @@ source::Diagnostic message_of(const session::Refusal& wrong);
 /// What the document of a command that did not begin tells: a status, and a message for each thing
 /// that is wrong.
 runtime::Outcome outcome_of(const session::Refusal& wrong);
+
+/// A document of `schema`, `status`, `exit_code` and `diagnostics`, for commands whose result is
+/// something else.
+/// @param sources  that places of messages are in
+std::string document_of(const runtime::Outcome& outcome, ExitCode code, std::string_view schema,
+                        const source::SourceMap& sources);
 
 /// Whether a document may take the place of what is there: nothing, an earlier document, or what is
 /// called one.  The value of --json may be a word that was meant otherwise: `run --json part.nc`.

@@ -9,6 +9,8 @@
 
 #include "interpreter/runtime/observer.h"
 #include "tools/cli/messages.h"
+#include "tools/cli/output_places.h"
+#include "tools/cli/refusal_document.h"
 #include "tools/cli/svg_to_png.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
@@ -23,6 +25,8 @@
 
 namespace g31::cli {
 namespace {
+
+constexpr std::string_view kSchema = "g31.scene/1";
 
 /// What the end of the file's name says; empty: nothing that g31 writes.
 std::string_view form_of(std::string_view path) {
@@ -45,7 +49,8 @@ std::optional<session::Refusal> refused(const SceneOptions& options) {
                     "needs nothing more",
                     options.output, kSvgDrawer));
   }
-  return std::nullopt;
+  return wrong_place({{"-o", options.output}, {"--json", options.run.json}},
+                     {options.run.programs, options.run.setups});
 }
 
 picture::StillScene still_of(const setup::Job& job, const picture::WayRecorder& recorder) {
@@ -97,34 +102,45 @@ Result<std::string, session::Refusal> document_of(const SceneOptions& options,
   return png.value().bytes;
 }
 
-}  // namespace
+/// Says how the run ended: on standard error, and in the document where one is asked for.
+/// @returns why that could not be written
+std::optional<session::Refusal> tell(const SceneOptions& options, const runtime::Outcome& outcome,
+                                     ExitCode code, const source::SourceMap& sources) {
+  print_diagnostics(outcome, sources);
+  const std::string& json = options.run.json;
+  if (json.empty()) {
+    return std::nullopt;
+  }
+  return may_be_replaced(json) ? write_out(json, document_of(outcome, code, kSchema, sources))
+                               : std::optional(not_a_document(json));
+}
 
-ExitCode scene_command(const SceneOptions& options) {
+Result<ExitCode, session::Refusal> do_scene(const SceneOptions& options) {
   if (const auto wrong = refused(options)) {
-    return refuse(*wrong);
+    return *wrong;
   }
   disk::Disk disk;
   const auto prepared = session::prepare(options.run, disk);
   if (!prepared) {
-    return refuse(prepared.error());
+    return prepared.error();
   }
   const setup::Job& job = prepared.value().job;
   const session::Control& control = prepared.value().control;
   runtime::TimeBudget time(options.run.budget.wall_seconds, options.run.budget.interruption);
   const auto world = session::build_world(job, options.run.seed, &time);
   if (!world) {
-    return refuse(world.error());
+    return world.error();
   }
   runtime::OutputBudget output(options.run.max_output);
   picture::WayRecorder recorder(*world.value().machine, job, output);
   runtime::Observer nobody;
   const auto programs = session::open_programs(control, options.run, disk, job.control);
   if (!programs) {
-    return refuse(programs.error());
+    return programs.error();
   }
   const auto run = session::Run::open(job, *programs.value(), recorder, nobody);
   if (!run) {
-    return refuse(run.error());
+    return run.error();
   }
   runtime::Budget budget = options.run.budget;
   budget.output = &output;
@@ -135,18 +151,27 @@ ExitCode scene_command(const SceneOptions& options) {
           session::with_findings(world.value().findings, run.value()->session().run(budget)),
           comments, options.run.programs.front(), {}, programs.value()->sources())
           .outcome;
-  print_diagnostics(outcome, programs.value()->sources());
-  if (outcome.status == runtime::Status::SyntaxError) {
-    return ExitCode::BadUsage;
+  const bool is_unreadable = outcome.status == runtime::Status::SyntaxError;
+  const ExitCode code =
+      is_unreadable ? ExitCode::BadUsage : exit_code_of(session::ending_of(outcome));
+  if (!is_unreadable) {
+    const auto document = document_of(options, job, world.value(), recorder);
+    if (!document) {
+      return document.error();
+    }
+    if (const auto wrong = write_out(options.output, document.value())) {
+      return *wrong;
+    }
   }
-  const auto document = document_of(options, job, world.value(), recorder);
-  if (!document) {
-    return refuse(document.error());
-  }
-  if (const auto wrong = write_out(options.output, document.value())) {
-    return refuse(*wrong);
-  }
-  return exit_code_of(session::ending_of(outcome));
+  const auto wrong = tell(options, outcome, code, programs.value()->sources());
+  return wrong ? Result<ExitCode, session::Refusal>(*wrong) : code;
+}
+
+}  // namespace
+
+ExitCode scene_command(const SceneOptions& options) {
+  const auto done = do_scene(options);
+  return done ? done.value() : refuse(done.error(), options.run.json, kSchema);
 }
 
 }  // namespace g31::cli

@@ -11,7 +11,7 @@ namespace g31::cli {
 
 /// What the command line of `g31 scene` says.
 struct SceneOptions {
-  RunOptions run;
+  RunOptions run;               ///< with `json`: where the document g31.scene/1 goes
   std::string output;           ///< ends in one of kSceneForms
   int width = 1200;             ///< pixels, of a still
   std::string theme = "light";  ///< of a still: light or dark
@@ -24,7 +24,8 @@ inline constexpr std::array<std::string_view, 4> kSceneForms = {".glb", ".gltf",
 /// contacts, collisions.
 ///
 /// Also of a run that ends in an alarm or a collision, up to there; the exit code is that of the
-/// run.  Nothing else is written: no document, no variables file.
+/// run.  Nothing else is written but the document that --json asks for: how the run ended and what
+/// was said of it, whatever happened.
 ExitCode scene_command(const SceneOptions& options);
 
 }  // namespace g31::cli

@@ -21,6 +21,10 @@ CLI::App* add_scene_command(CLI::App& app, SceneOptions& options) {
                    "picture for documents (.png needs rsvg-convert, Debian: librsvg2-bin)")
       ->type_name("FILE")
       ->required();
+  scene
+      ->add_option("--json", options.run.json,
+                   "how the run ended, as a document g31.scene/1; - is standard output")
+      ->type_name("FILE");
   scene->add_option("--width", options.width, "of a picture, pixels")
       ->type_name("PX")
       ->check(CLI::Range(picture::kLeastStillPixels, picture::kMostStillPixels))
@@ -37,6 +41,7 @@ std::string scene_examples() {
          "  g31 scene measure_ring.nc --setup ring.toml -o ring.glb\n"
          "  g31 scene part.nc -s machine.toml -s fixture.toml -o part.gltf\n"
          "  g31 scene part.nc -s machine.toml -o part.svg --width 1600 --theme dark\n"
+         "  g31 scene part.nc -s machine.toml -o part.svg --json part.json\n"
          "  g31 scene part.mpf --control sinumerik-828d -s machine.toml -o part.glb\n\n";
 }
 
