@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/kept_documents.h"
 #include "tools/cli/command_line.h"
 
 namespace g31::testing {
@@ -13,6 +14,7 @@ CommandOutput captured(const std::function<cli::ExitCode()>& command) {
   output.exit_code = static_cast<int>(command());
   output.errors = ::testing::internal::GetCapturedStderr();
   output.out = ::testing::internal::GetCapturedStdout();
+  keep_document(output.out);
   return output;
 }
 

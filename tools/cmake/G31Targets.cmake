@@ -143,6 +143,7 @@ function(g31_test)
   # They are listed when ctest starts, not while the build keeps every core busy.
   gtest_discover_tests(${arg_NAME} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     TEST_PREFIX "${arg_PREFIX}"
+    PROPERTIES FIXTURES_REQUIRED documents_of_tests
     DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 120)
 endfunction()
 
@@ -158,6 +159,7 @@ function(g31_run_in_shares name prefix)
     add_test(NAME ${test} COMMAND ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
     set_tests_properties(${test} PROPERTIES
       COST ${files}
+      FIXTURES_REQUIRED documents_of_tests
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${shares};GTEST_SHARD_INDEX=${index};GTEST_OUTPUT=xml:${PROJECT_BINARY_DIR}/results/${test}.xml")
   endforeach()
 endfunction()
