@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import tempfile
 import unittest
 
@@ -79,6 +80,29 @@ class InstalledTree(unittest.TestCase):
         self.assertEqual(len(run.stdout.splitlines()), 2)
         for line in run.stdout.splitlines():
             self.assertIn(f"\n{line}\n", readme)
+
+    def test_the_report_s_script_and_style_come_along(self):
+        if not (pathlib.Path(BUILD) / "share/g31/page/page.js").exists():
+            self.skipTest("built without node and npm")
+        ring = "share/g31/parts/library/ring_gauge"
+        run = self.g31("run", f"{ring}/measure_ring.nc", "-s", f"{ring}/ring.toml", "--report", "ring.html")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        html = (self.root / "ring.html").read_text(encoding="utf-8")
+        for name in ("page.js", "page.css"):
+            text = (self.root / "share/g31/page" / name).read_text(encoding="utf-8")
+            self.assertGreater(len(text), 5_000)
+            self.assertIn(text, html)
+
+    def test_the_archive_carries_all_of_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run(["cpack", "-G", "TGZ", "--config", f"{BUILD}/CPackConfig.cmake", "-B", folder], check=True,
+                           capture_output=True)
+            archive, = pathlib.Path(folder).glob("*.tar.gz")
+            with tarfile.open(archive) as files:
+                held = {name.split("/", maxsplit=1)[-1] for name in files.getnames()}
+        installed = {str(file.relative_to(self.root)) for file in self.root.rglob("*") if file.is_file()}
+        of_runs = {name for name in installed if "/" not in name}  # what tests have left
+        self.assertEqual(sorted(installed - of_runs - held), [])
 
     def test_the_cycles_are_found(self):
         self.assertIn("CYCLE977", self.g31("explain", "CYCLE977", "--control", "sinumerik-828d").stdout)
