@@ -52,6 +52,7 @@ TEST(Interruption, EndsALoopALongBlockAndManyMoves) {
     EXPECT_NE(run.errors.find("[PRB603]"), std::string::npos) << run.errors;
     ASSERT_TRUE(run.document.is_object()) << row.file;
     EXPECT_EQ(run.document.value("status", ""), "interrupted");
+    EXPECT_FALSE(std::filesystem::exists(folder.path("trace.csv"))) << "half of one is none";
   }
 }
 

@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PRODUCT = pathlib.Path(__file__).resolve().parents[2] / "parts/library/inspection/product.step"
@@ -36,6 +37,28 @@ class Manners(unittest.TestCase):
         check = self.g31("check", "-", text=WRONG)
         self.assertEqual(check.returncode, 1, check.stderr)
         self.assertIn("-:3:6: error:", check.stdout)
+
+    def test_ctrl_c_ends_the_waiting_for_it(self):
+        for words in (("run", "-", "--json", "a.json"), ("evaluate", "circle", "-", "--radius", "5"), ("scene", "-", "-o", "a.svg")):
+            waits = subprocess.Popen([G31, *words], cwd=self.folder, stdin=subprocess.PIPE, stderr=subprocess.PIPE)
+            waits.stdin.write(b"O1\n")
+            waits.stdin.flush()
+            self.wait_until_it_catches(waits, signal.SIGINT)
+            waits.send_signal(signal.SIGINT)
+            self.assertEqual(waits.wait(timeout=60), 130, words)
+            for pipe in (waits.stdin, waits.stderr):
+                pipe.close()
+        self.assertEqual(json.loads((self.folder / "a.json").read_text())["status"], "interrupted")
+
+    def wait_until_it_catches(self, process, caught):
+        """Before, the signal ends it as any program."""
+        for _ in range(600):
+            status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="ascii")
+            mask = next(int(line.split()[1], 16) for line in status.splitlines() if line.startswith("SigCgt"))
+            if mask >> (caught - 1) & 1:
+                return
+            time.sleep(0.1)
+        self.fail("it does not catch the signal")
 
     def test_but_not_both(self):
         run = self.g31("run", "-", "-s", "-", text=RUNS)

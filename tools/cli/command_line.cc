@@ -194,7 +194,11 @@ ExitCode run_command_line(int argc, const char* const* argv, const std::string& 
   if (asked->lasts) {
     take_interruptions(options);
   }
-  return asked->run();
+  const ExitCode code = asked->run();
+  // Input that was waited for until somebody ended the waiting is no bad input.
+  const bool is_broken_off = asked->lasts && code == ExitCode::BadUsage &&
+                             runtime::is_interrupted(options.run.budget.interruption);
+  return is_broken_off ? ExitCode::Interrupted : code;
 }
 
 }  // namespace g31::cli

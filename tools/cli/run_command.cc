@@ -116,11 +116,14 @@ struct Outputs {
   report::EventLog* events;  ///< nullptr: nobody wants them
 };
 
-/// What could not be written or kept.
+/// What could not be written or kept.  Tables of a run that was broken off are half of what was
+/// asked for: they are not left.
 std::vector<Refusal> unwritten_files(const OpenedRun& opened, const Outputs& outputs,
                                      const runtime::Outcome& outcome) {
   std::vector<Refusal> problems;
-  for (const auto& wrong : {outputs.tables.finish(), outputs.printouts.finish()}) {
+  const bool is_broken_off = outcome.status == runtime::Status::Interrupted;
+  for (const auto& wrong :
+       {is_broken_off ? std::nullopt : outputs.tables.finish(), outputs.printouts.finish()}) {
     if (wrong) {
       problems.push_back(*wrong);
     }

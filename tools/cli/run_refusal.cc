@@ -154,7 +154,13 @@ ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
   remove_old_results(options);
   try {
     const auto done = work();
-    return done ? done.value() : tell(options, done.error());
+    if (done) {
+      return done.value();
+    }
+    // What could not be read was waited for until somebody ended the waiting.
+    const bool is_broken_off = done.error().ending == session::Ending::BadInput &&
+                               runtime::is_interrupted(options.budget.interruption);
+    return tell(options, is_broken_off ? session::interrupted() : done.error());
   } catch (const std::exception& defect) {
     return tell(options, {session::Ending::Defect, defect.what(), {}});
   }

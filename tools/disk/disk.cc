@@ -1,12 +1,16 @@
 #include "tools/disk/disk.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <istream>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include "tools/disk/part_file.h"
 #include "tools/disk/shipped.h"
@@ -32,6 +36,34 @@ std::vector<std::string> names_in(const std::string& folder, Wanted is_wanted) {
   return names;
 }
 
+/// Whether standard input has more, or its end, before a signal comes that this program handles.
+bool comes_before_a_signal() {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  return ::poll(&input, 1, -1) >= 0 || errno != EINTR;
+}
+
+/// nullopt where it fails, brings more than a pipe may, or is waited for in vain: a handled signal
+/// asks for the end of the work.
+std::optional<std::string> read_standard_input() {
+  constexpr std::size_t kPiece = 1 << 20;
+  std::string text;
+  std::vector<char> piece(kPiece);
+  while (text.size() <= Disk::kMostOfAPipe) {
+    if (!comes_before_a_signal()) {
+      return std::nullopt;
+    }
+    const ssize_t count = ::read(STDIN_FILENO, piece.data(), kPiece);
+    if (count == 0) {
+      return text;
+    }
+    if (count < 0) {
+      return std::nullopt;
+    }
+    text.append(piece.data(), static_cast<std::size_t>(count));
+  }
+  return std::nullopt;
+}
+
 /// Reads a stream to its end; nullopt where it fails or brings more than a pipe may.
 std::optional<std::string> read_to_end(std::istream& in) {
   // Nobody knows how much will come, and there may be no end of it.
@@ -49,7 +81,7 @@ std::optional<std::string> read_to_end(std::istream& in) {
 
 /// Standard input brings its text once; whoever reads "-" again reads the same.
 const std::optional<std::string>& standard_input() {
-  static const std::optional<std::string> kText = read_to_end(std::cin);
+  static const std::optional<std::string> kText = read_standard_input();
   return kText;
 }
 
