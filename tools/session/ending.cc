@@ -40,23 +40,13 @@ Ending ending_of(const runtime::Outcome& outcome, source::Severity fail_on) {
 }
 
 const char* status_name(const runtime::Outcome& outcome) {
-  switch (outcome.status) {
-    case runtime::Status::Completed:
-      return "completed";
-    case runtime::Status::Alarm:
-      return "alarm";
-    case runtime::Status::SyntaxError:
-      return outcome.alarm ? "alarm" : "usage";
-    case runtime::Status::Collision:
-      return "collision";
-    case runtime::Status::Setup:
-      return "setup";
-    case runtime::Status::Budget:
-      return "budget";
-    case runtime::Status::Interrupted:
-      return "interrupted";
-    case runtime::Status::Defect:
-      return "defect";
+  const bool is_alarm = outcome.status == runtime::Status::SyntaxError && outcome.alarm;
+  switch (is_alarm ? runtime::Status::Alarm : outcome.status) {
+#define RUN_STATUS(status, name, may_be_expected) \
+  case runtime::Status::status:                   \
+    return name;
+#include "tools/expect/run_statuses.def"
+#undef RUN_STATUS
   }
   contract_violated("every status has a name", __FILE__, __LINE__);
 }

@@ -45,8 +45,16 @@ std::optional<std::string> out_of_bounds(double number, Limit limit, std::string
              : std::nullopt;
 }
 
-constexpr std::string_view kRunStatuses[] = {"completed", "alarm",  "collision",
-                                             "setup",     "budget", "usage"};
+/// Whether `status` of [expect] may be that.
+bool is_run_status(std::string_view text) {
+  constexpr std::pair<std::string_view, bool> kRows[] = {
+#define RUN_STATUS(status, name, may_be_expected) {name, may_be_expected},
+#include "tools/expect/run_statuses.def"
+#undef RUN_STATUS
+  };
+  return std::ranges::any_of(kRows,
+                             [&](const auto& row) { return row.second && row.first == text; });
+}
 
 bool is_column_name(std::string_view text) {
   const auto serves = [](char c) {
@@ -111,7 +119,7 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::ToolProbeSide:
       return is_choice(limit, text);
     case Limit::RunStatus:
-      return std::ranges::find(kRunStatuses, text) != std::end(kRunStatuses);
+      return is_run_status(text);
     case Limit::ProbeState:
       return has_name(probe::kProbeStateNames, text);
     case Limit::ToolKind:
