@@ -28,12 +28,34 @@ export function pageOf(name, run) {
   return file;
 }
 
+const writesPages = () => spawnSync(G31_PROGRAM, ['run', '--help'], { encoding: 'utf8' }).stdout.includes('--report');
+
 /** A page that g31 itself writes; null where this g31 writes none. */
-export function reportOf(name, words) {
-  if (!spawnSync(G31_PROGRAM, ['run', '--help'], { encoding: 'utf8' }).stdout.includes('--report')) return null;
+export const reportOf = (name, words) => reportBy(name, ['run', ...words]);
+
+/** The same by any command that writes reports. */
+export function reportBy(name, words) {
+  if (!writesPages()) return null;
   const file = path.join(folder, `${name}.html`);
-  const done = spawnSync(G31_PROGRAM, ['run', ...words, '--report', file], { cwd: ROOT, encoding: 'utf8' });
+  const done = spawnSync(G31_PROGRAM, [...words, '--report', file], { cwd: ROOT, encoding: 'utf8' });
   if (!fs.existsSync(file)) throw new Error(`no page from g31: ${done.stderr}`);
+  return file;
+}
+
+/** The page of an inspection plan; null where this g31 makes none. */
+export function planOf(name, words) {
+  const plan = path.join(folder, name);
+  const done = spawnSync(G31_PROGRAM, ['plan', ...words, '-o', plan], { cwd: ROOT, encoding: 'utf8' });
+  const file = path.join(plan, 'plan.html');
+  if (fs.existsSync(file)) return file;
+  if (writesPages() && !done.stderr.includes('libocct')) throw new Error(`no plan from g31: ${done.stderr}`);
+  return null;
+}
+
+/** A file beside the pages; its place. */
+export function fileOf(name, text) {
+  const file = path.join(folder, name);
+  fs.writeFileSync(file, text);
   return file;
 }
 
@@ -48,7 +70,9 @@ export async function open(browser, file, { width = 1400, theme = 'light', befor
   page.on('pageerror', (error) => notes.push(`error ${error.stack}`));
   if (before) await page.addInitScript(before);
   await page.goto(pathToFileURL(file).href);
-  await page.waitForFunction(() => window.g31Timing?.scene != null, null, { timeout: 60000 });
+  // Pages without motion have no scene.
+  await page.waitForFunction(() => window.g31Timing?.scene != null || document.getElementById('scenebox') == null,
+    null, { timeout: 60000 });
   return { page, notes, close: () => context.close() };
 }
 

@@ -194,7 +194,7 @@ TEST_F(Report, ShowsTextsAsTheyWereMeant) {
       "#102=3(径)\n"
       "M30\n");
   EXPECT_TRUE(has(page, "O8(測定)"));
-  EXPECT_TRUE(has(page, R"(<td class="wrapcell">径</td>)"));
+  EXPECT_TRUE(has(page, R"(<td class="wrapcell" lang="">径</td>)"));
   EXPECT_TRUE(has(page, "#101=2(Bohrung Ø 20)"));
   EXPECT_TRUE(has(page, "#102=3(径)"));
 }

@@ -76,6 +76,7 @@ std::string command_of(const PlanOptions& options) {
   if (options.by_points) {
     command.add("--point-by-point");
   }
+  command.add("--lang", language_given(options.language));
   return command.line();
 }
 
@@ -98,6 +99,7 @@ std::string page_of(const PlanOptions& options, const plan::PlannedPart& planned
   run.programs = {folder.path(planned.program_file)};
   run.setups = {folder.path(std::string(plan::kSheetFile))};
   run.control = options.control;
+  run.language = options.language;
   run.parts = &planned.built;
   run.talk = Talk::Quiet;
   run.tells_findings = false;

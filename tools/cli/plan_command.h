@@ -5,6 +5,7 @@
 
 #include "interpreter/runtime/outcome.h"
 #include "tools/cli/exit_code.h"
+#include "tools/page/language.h"
 
 namespace g31::cli {
 
@@ -18,7 +19,8 @@ struct PlanOptions {
   std::optional<double> tolerance_mm;
   std::string as_machined;
   bool by_points = false;
-  std::string version;  ///< of g31
+  page::Language language = page::Language::English;  ///< of the page
+  std::string version;                                ///< of g31
   const runtime::Interruption* interruption = nullptr;
 };
 

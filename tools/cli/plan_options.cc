@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/cli/report_options.h"
+
 namespace g31::cli {
 
 CLI::App* add_plan_command(CLI::App& app, PlanOptions& options) {
@@ -48,6 +50,7 @@ CLI::App* add_plan_command(CLI::App& app, PlanOptions& options) {
       "--point-by-point", options.by_points,
       "single touches of holes and bosses, too, in place of the control's own cycles, "
       "O9010 (G100) and CYCLE977");
+  add_language_option(*command, options.language);
   return command;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "tools/page/html.h"
+#include "tools/page/said.h"
 
 namespace g31::page {
 namespace {
@@ -58,14 +59,16 @@ std::string opened_svg(std::string_view label) {
       kWidth, kHeight, escaped(label));
 }
 
-std::string labelled(const Readings& readings, std::string_view what, const Span& span) {
+/// @param what  with a place for their count
+std::string labelled(const Readings& readings, Word what, const Span& span, Language language) {
   const int decimals = decimals_for(span);
-  std::string label = fmt::format("{} of {} readings", what, readings.values.size());
+  std::string label = said(language, what, fmt::arg("count", readings.values.size()));
   if (readings.mean) {
-    label += fmt::format(", mean {} {}", number(readings.mean, decimals), readings.unit);
+    label += said(language, Word::LabelMean, fmt::arg("value", number(readings.mean, decimals)),
+                  fmt::arg("unit", readings.unit));
   }
   if (readings.known) {
-    label += fmt::format(", known value {}", number(readings.known, decimals));
+    label += said(language, Word::LabelKnown, fmt::arg("value", number(readings.known, decimals)));
   }
   return label;
 }
@@ -92,7 +95,7 @@ std::vector<std::size_t> counted(const Readings& readings, const Span& span) {
 
 }  // namespace
 
-std::string histogram(const Readings& readings) {
+std::string histogram(const Readings& readings, Language language) {
   if (readings.values.empty()) {
     return {};
   }
@@ -104,7 +107,7 @@ std::string histogram(const Readings& readings) {
   const double most = static_cast<double>(std::ranges::max(counts));
   const double floor = kHeight - kBottom;
   const double step = (kWidth - kLeft - kRight) / static_cast<double>(counts.size());
-  std::string svg = opened_svg(labelled(readings, "histogram", span));
+  std::string svg = opened_svg(labelled(readings, Word::LabelHistogram, span, language));
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double height = static_cast<double>(counts[i]) / most * (floor - kTop);
     svg += fmt::format(
@@ -131,7 +134,7 @@ std::string histogram(const Readings& readings) {
   return svg + "</svg>";
 }
 
-std::string run_chart(const Readings& readings) {
+std::string run_chart(const Readings& readings, Language language) {
   if (readings.values.empty()) {
     return {};
   }
@@ -143,7 +146,7 @@ std::string run_chart(const Readings& readings) {
   const auto x = [&](std::size_t i) {
     return kLeft + (static_cast<double>(i) + 0.5) / count * (kWidth - kLeft - kRight);
   };
-  std::string svg = opened_svg(labelled(readings, "run chart", span));
+  std::string svg = opened_svg(labelled(readings, Word::LabelRunChart, span, language));
   if (readings.mean && readings.deviation) {
     const double top = y(*readings.mean + 2.0 * *readings.deviation);
     const double bottom = y(*readings.mean - 2.0 * *readings.deviation);
@@ -158,11 +161,14 @@ std::string run_chart(const Readings& readings) {
   for (const double value : readings.published) {
     svg += mark(kLeft, y(value), kWidth - kRight, y(value), "--warn", "5 3");
   }
-  constexpr std::size_t kMostPoints = 2000;
-  const std::size_t stride = (readings.values.size() + kMostPoints - 1) / kMostPoints;
+  constexpr std::size_t kMostPlaces = 2000;
+  const std::size_t stride = (readings.values.size() + kMostPlaces - 1) / kMostPlaces;
   std::string dots;
   for (std::size_t i = 0; i < readings.values.size(); i += stride) {
-    dots += fmt::format("M{:.1f} {:.1f}h0", x(i), y(readings.values[i]));
+    const auto here =
+        std::span(readings.values).subspan(i).first(std::min(stride, readings.values.size() - i));
+    const auto [least, most] = std::ranges::minmax(here);
+    dots += fmt::format("M{:.1f} {:.1f}V{:.1f}", x(i), y(least), y(most));
   }
   svg += fmt::format(
       R"html(<path d="{}" stroke="var(--feed)" stroke-width="4" stroke-linecap="round"/>)html",

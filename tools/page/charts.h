@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/page/language.h"
+
 namespace g31::page {
 
 /// Readings of one quantity, in the order of the runs, and what is known of it.
@@ -20,8 +22,9 @@ struct Readings {
 // Drawings in the colours of the page; values stand in their labels too.
 
 /// How often readings lie where: as many classes as the square root of their number, 5 to 40.
-std::string histogram(const Readings& readings);
-/// Each reading after the other, with mean and two standard deviations on both sides.
-std::string run_chart(const Readings& readings);
+std::string histogram(const Readings& readings, Language language);
+/// Each reading after the other, with mean and two standard deviations on both sides.  Of more
+/// readings than there are places for dots, a place shows all between its least and its largest.
+std::string run_chart(const Readings& readings, Language language);
 
 }  // namespace g31::page

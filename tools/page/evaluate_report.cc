@@ -10,17 +10,51 @@ namespace {
 /// Digits that a result is read to: a tenth of a micrometre, and as much of all else.
 constexpr int kDecimals = 4;
 
+/// "um/m" as people write it: "µm/m".
+std::string unit_sign(std::string_view unit) {
+  return unit.starts_with("um") ? "µ" + std::string(unit.substr(1)) : std::string(unit);
+}
+
+/// The drawing has English words, whichever language the page has.
+std::string drawing_of(const evaluate::Evaluation& evaluation, Language language) {
+  return language == Language::English ? evaluation.svg
+                                       : fmt::format(R"(<div lang="en">{}</div>)", evaluation.svg);
+}
+
 Table results_table(const evaluate::Evaluation& evaluation, Language language) {
   Table table{std::string(text_of(Word::Results, language)),
               {std::string(text_of(Word::Characteristic, language)),
                std::string(text_of(Word::Measured, language)), "u",
                std::string(text_of(Word::Unit, language))},
+              {},
               {}};
   for (const evaluate::Quantity& quantity : evaluation.results) {
     table.rows.push_back({quantity.name, number(quantity.value, kDecimals),
-                          number(quantity.u, kDecimals), std::string(quantity.unit)});
+                          number(quantity.u, kDecimals), unit_sign(quantity.unit)});
   }
   return table;
+}
+
+Word word_of(evaluate::Kind kind) {
+  switch (kind) {
+    case evaluate::Kind::Circle:
+      return Word::OfCircle;
+    case evaluate::Kind::Square:
+      return Word::OfSquare;
+    case evaluate::Kind::Speed:
+      return Word::OfSpeed;
+    case evaluate::Kind::Diagonal:
+      return Word::OfDiagonal;
+    case evaluate::Kind::Straightness:
+      return Word::OfStraightness;
+    case evaluate::Kind::Flatness:
+      return Word::OfFlatness;
+    case evaluate::Kind::Cylindricity:
+      return Word::OfCylindricity;
+    case evaluate::Kind::Positioning:
+      break;
+  }
+  return Word::OfPositioning;
 }
 
 }  // namespace
@@ -31,14 +65,15 @@ Report report_of(const evaluate::Evaluation& evaluation, const std::string& file
   Report report;
   report.language = making.language;
   report.title = file;
-  report.what = std::string(kind.text);
-  report.verdict.state = std::string(kind.word);
-  report.verdict.headline = std::string(kind.text);
+  const std::string word(text_of(word_of(evaluation.kind), making.language));
+  report.what = making.language == Language::English ? std::string(kind.text) : word;
+  report.verdict.state = word;
+  report.verdict.headline = report.what;
   if (!evaluation.results.empty()) {
     const evaluate::Quantity& first = evaluation.results.front();
-    report.verdict.headline =
-        said(making.language, Word::SaysValue, fmt::arg("name", first.name),
-             fmt::arg("value", number(first.value, kDecimals)), fmt::arg("unit", first.unit));
+    report.verdict.headline = said(making.language, Word::SaysValue, fmt::arg("name", first.name),
+                                   fmt::arg("value", number(first.value, kDecimals)),
+                                   fmt::arg("unit", unit_sign(first.unit)));
   }
   report.verdict.sentence =
       said(making.language, Word::SaysRowsEvaluated, fmt::arg("rows", evaluation.samples));
@@ -49,7 +84,7 @@ Report report_of(const evaluate::Evaluation& evaluation, const std::string& file
                   {std::string(text_of(Word::Version, making.language)), making.version}};
   report.command = making.command;
   if (!evaluation.svg.empty()) {
-    report.drawings.push_back({std::string(kind.word), evaluation.svg, ""});
+    report.drawings.push_back({word, drawing_of(evaluation, making.language), ""});
   }
   report.tables.push_back(results_table(evaluation, making.language));
   report.inputs = making.inputs;

@@ -7,6 +7,7 @@
 
 #include "tools/page/html.h"
 #include "tools/page/parts.h"
+#include "tools/page/said.h"
 
 namespace g31::page {
 namespace {
@@ -41,12 +42,13 @@ std::string_view class_of_line(const Listing& listing, int line) {
   return is_partly ? "p" : "x";
 }
 
-std::string condition_title(const Listing& listing, int line) {
+std::string condition_title(const Report& report, const Listing& listing, int line) {
   const auto condition = listing.conditions.find(line);
   return condition == listing.conditions.end()
              ? ""
-             : fmt::format(R"( title="condition met {}, not met {}")", condition->second[1],
-                           condition->second[0]);
+             : fmt::format(R"( title="{}")", said(report.language, Word::SaysCondition,
+                                                  fmt::arg("met", condition->second[1]),
+                                                  fmt::arg("unmet", condition->second[0])));
 }
 
 /// The touches that a line made, as buttons.
@@ -73,8 +75,16 @@ BadgesByLine badges_of(const Report& report, const Listing& listing) {
   return badges;
 }
 
-std::string line_of(const Listing& listing, int line, std::string_view text,
-                    const BadgesByLine& badges, bool is_end) {
+/// One line of a listing, and how it is shown.
+struct ShownLine {
+  int number;
+  std::string_view text;
+  bool is_end;  ///< the run ended here
+};
+
+std::string line_of(const Report& report, const Listing& listing, const ShownLine& shown,
+                    const BadgesByLine& badges) {
+  const auto& [line, text, is_end] = shown;
   const auto count = listing.counts.find(line);
   std::string kind(class_of_line(listing, line));
   kind += is_end ? " err" : "";
@@ -82,7 +92,7 @@ std::string line_of(const Listing& listing, int line, std::string_view text,
       R"(<li id="L-{}-{}" data-l="{}"{}><span class="ct"{}>{}</span><span class="no">{}</span><span class="tx">{}</span><span class="tb">)",
       escaped(listing.file), line, line,
       kind.empty() ? std::string() : fmt::format(R"( class="{}")", kind),
-      condition_title(listing, line),
+      condition_title(report, listing, line),
       count == listing.counts.end() ? std::string() : std::to_string(count->second), line,
       text.empty() ? " " : escaped(text));
   if (const auto here = badges.find(line); here != badges.end()) {
@@ -105,7 +115,8 @@ std::string file_of(const Report& report, const Listing& listing, bool is_shown)
   std::string html = start + ">";
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const int line = static_cast<int>(i) + 1;
-    html += line_of(listing, line, lines[i], badges, end.file == listing.file && end.line == line);
+    html += line_of(report, listing, {line, lines[i], end.file == listing.file && end.line == line},
+                    badges);
   }
   return html + "</ol>";
 }

@@ -17,10 +17,10 @@ std::string drawing(const Drawing& drawing) {
           : fmt::format(R"(<div class="cap">{}</div>)", escaped(drawing.caption)));
 }
 
-std::string table(const Table& table) {
+std::string table(const Report& report, const Table& table) {
   std::string html = fmt::format(
-      R"(<section class="card"><header><h2>{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{0}, table"><table><thead><tr>)",
-      escaped(table.title));
+      R"(<section class="card"><header><h2>{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{1}"><table><thead><tr>)",
+      escaped(table.title), escaped(table_label(report, table.title)));
   for (std::size_t i = 0; i < table.head.size(); ++i) {
     html += fmt::format(R"(<th scope="col"{}>{}</th>)", i > 0 ? R"( class="n")" : "",
                         escaped(table.head[i]));
@@ -29,7 +29,8 @@ std::string table(const Table& table) {
   for (const auto& row : table.rows) {
     html += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
-      html += fmt::format("<td{}>{}</td>", i > 0 ? R"( class="n")" : "", escaped(row[i]));
+      html += fmt::format("<td{}>{}</td>", i > 0 ? R"( class="n")" : "",
+                          i == table.english_column ? english(report, row[i]) : escaped(row[i]));
     }
     html += "</tr>";
   }
@@ -37,6 +38,16 @@ std::string table(const Table& table) {
 }
 
 }  // namespace
+
+std::string english(const Report& report, std::string_view text) {
+  return report.language == Language::English
+             ? escaped(text)
+             : fmt::format(R"(<span lang="en">{}</span>)", escaped(text));
+}
+
+std::string table_label(const Report& report, std::string_view name) {
+  return said(report.language, Word::TableOf, fmt::arg("name", name));
+}
 
 std::string link_to(const Place& place) {
   if (place.file.empty()) {
@@ -60,7 +71,7 @@ std::string drawings_part(const Report& report) {
     html += drawing(one);
   }
   for (const Table& one : report.tables) {
-    html += table(one);
+    html += table(report, one);
   }
   return html;
 }
@@ -89,8 +100,9 @@ std::string motion_part(const Report& report) {
 std::string inputs_part(const Report& report) {
   const auto say = [&](Word name) { return word(report, name); };
   std::string html = fmt::format(
-      R"(<section class="card" id="inputs" aria-labelledby="hin"><header><h2 id="hin">{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{0}, table"><table><thead><tr><th scope="col">{1}</th><th scope="col">{2}</th><th scope="col">SHA-256</th></tr></thead><tbody>)",
-      say(Word::InputsLimits), say(Word::File), say(Word::What));
+      R"(<section class="card" id="inputs" aria-labelledby="hin"><header><h2 id="hin">{0}</h2></header><div class="tw" tabindex="0" role="region" aria-label="{3}"><table><thead><tr><th scope="col">{1}</th><th scope="col">{2}</th><th scope="col">SHA-256</th></tr></thead><tbody>)",
+      say(Word::InputsLimits), say(Word::File), say(Word::What),
+      table_label(report, say(Word::InputsLimits)));
   for (const Input& input : report.inputs) {
     html += fmt::format(R"(<tr><td><code>{}</code></td><td>{}</td><td class="hash">{}</td></tr>)",
                         escaped(input.file), escaped(input.what), input.sha256);

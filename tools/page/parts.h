@@ -25,6 +25,11 @@ inline constexpr std::size_t kMostRows = 2000;
 
 // What several parts need.
 
+/// Text of messages and tables that is English on pages of every language, for HTML: marked as
+/// such.
+std::string english(const Report& report, std::string_view text);
+/// The label of a table: its name and that it is one.
+std::string table_label(const Report& report, std::string_view name);
 inline std::string_view word(const Report& report, Word word) {
   return text_of(word, report.language);
 }

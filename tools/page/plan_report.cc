@@ -12,15 +12,57 @@ namespace {
 
 constexpr int kPlanDecimals = 3;
 
-std::string range_of(const parts::Box& box, int axis) {
-  return fmt::format("{} to {}", number(box.min[axis], kPlanDecimals),
-                     number(box.max[axis], kPlanDecimals));
+std::string range_of(const parts::Box& box, int axis, Language language) {
+  return said(language, Word::FromTo, fmt::arg("from", number(box.min[axis], kPlanDecimals)),
+              fmt::arg("to", number(box.max[axis], kPlanDecimals)));
+}
+
+Word word_of(parts::FeatureKind kind) {
+  switch (kind) {
+    case parts::FeatureKind::ClosedPocket:
+      return Word::ClosedPocket;
+    case parts::FeatureKind::OpenPocket:
+      return Word::OpenPocket;
+    case parts::FeatureKind::ClosedSlot:
+      return Word::ClosedSlot;
+    case parts::FeatureKind::OpenSlot:
+      return Word::OpenSlot;
+    case parts::FeatureKind::Step:
+      return Word::StepFeature;
+    case parts::FeatureKind::ThroughPocket:
+      return Word::ThroughPocket;
+    case parts::FeatureKind::BlindHole:
+      return Word::BlindHole;
+    case parts::FeatureKind::ThroughHole:
+      return Word::ThroughHole;
+    case parts::FeatureKind::Boss:
+      return Word::Boss;
+    case parts::FeatureKind::Rib:
+      break;
+  }
+  return Word::Rib;
+}
+
+std::string drawing_of(const plan::PlannedPart& planned, Language language) {
+  return plan::plan_drawing(
+      planned,
+      {said(language, Word::FromAbove, fmt::arg("product", planned.product)),
+       [language](parts::FeatureKind kind) {
+         return std::string(text_of(word_of(kind), language));
+       },
+       std::string(text_of(Word::WayBetween, language)),
+       {said(language, Word::CountsOfPlan, fmt::arg("features", planned.part.features.size()),
+             fmt::arg("points", planned.plan.points.size()),
+             fmt::arg("measures", planned.plan.measures.size())),
+        said(language, Word::BallOf,
+             fmt::arg("size", fmt::format("{:g}", 2.0 * planned.ball_radius_mm)))}});
 }
 
 Table features_table(const plan::PlannedPart& planned, Language language) {
   const auto word = [language](Word which) { return std::string(text_of(which, language)); };
   Table table{word(Word::Features),
               {word(Word::Feature), word(Word::Kind), "X", "Y", "Z", word(Word::OpenSides)},
+              {},
               {}};
   for (std::size_t i = 0; i < planned.part.features.size(); ++i) {
     const parts::Feature& feature = planned.part.features[i];
@@ -34,15 +76,16 @@ Table features_table(const plan::PlannedPart& planned, Language language) {
     const probe::PlannedRound* const round = plan::round_of(planned, i);
     const bool is_by_cycle = round != nullptr && round->by_points.empty();
     const std::string cycle = is_by_cycle ? fmt::format(" ({})", planned.cycle) : "";
-    table.rows.push_back({plan::feature_id(i), std::string(words_of(feature.kind)) + cycle,
-                          range_of(feature.box_P, 0), range_of(feature.box_P, 1),
-                          range_of(feature.box_P, 2), open});
+    table.rows.push_back({plan::feature_id(i), word(word_of(feature.kind)) + cycle,
+                          range_of(feature.box_P, 0, language),
+                          range_of(feature.box_P, 1, language),
+                          range_of(feature.box_P, 2, language), open});
   }
   return table;
 }
 
 Table points_table(const plan::PlannedPart& planned, Language language) {
-  Table table{std::string(text_of(Word::Points, language)), {"", "X", "Y", "Z", ""}, {}};
+  Table table{std::string(text_of(Word::Points, language)), {"", "X", "Y", "Z", ""}, {}, 4};
   for (const probe::PlannedPoint& point : planned.plan.points) {
     table.rows.push_back({point.id, number(point.at_P.x(), kPlanDecimals),
                           number(point.at_P.y(), kPlanDecimals),
@@ -55,7 +98,8 @@ Table left_out_table(const plan::PlannedPart& planned, Language language) {
   Table table{
       std::string(text_of(Word::NotMeasured, language)),
       {std::string(text_of(Word::Feature, language)), std::string(text_of(Word::Why, language))},
-      {}};
+      {},
+      1};
   for (std::size_t i = 0; i < planned.part.unknown.size(); ++i) {
     table.rows.push_back(
         {plan::feature_id(planned.part.features.size() + i), planned.part.unknown[i].why});
@@ -124,7 +168,7 @@ void add_plan(const plan::PlannedPart& planned, const std::string& command, Repo
   }
   report.command = command;
   report.results = characteristics(planned, numbers_of_touches(report));
-  report.drawings.push_back({planned.product, plan::plan_drawing(planned), ""});
+  report.drawings.push_back({planned.product, drawing_of(planned, language), ""});
   report.tables.push_back(features_table(planned, language));
   report.tables.push_back(points_table(planned, language));
   if (planned.leaves_something_out()) {

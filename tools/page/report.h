@@ -145,6 +145,8 @@ struct Table {
   std::string title;
   std::vector<std::string> head;
   std::vector<std::vector<std::string>> rows;
+  std::optional<std::size_t>
+      english_column;  ///< whose cells are messages, the same in all languages
 };
 
 /// Everything that a page shows.  Empty parts are left out of it.

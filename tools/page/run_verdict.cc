@@ -142,7 +142,10 @@ Verdict stopped(const Case& of) {
 Verdict collided(const Case& of) {
   const auto& fault = of.run.recorder.fault();
   return {Sign::Broken, of.word(Word::StateCollision),
-          fault ? fmt::format("{}.", fault->what) : of.word(Word::SaysCollision),
+          fault && fault->contact
+              ? said(of.language, Word::SaysCollided, fmt::arg("what", fault->what),
+                     fmt::arg("part", fault->contact->part))
+              : of.word(Word::SaysCollision),
           of.word(Word::SaysNotKnown) + " " + touched(of)};
 }
 

@@ -36,10 +36,12 @@ std::string point_name(const study::Description& study, std::size_t point) {
 Table summary_table(const study::Record& record, Language language) {
   const study::Description& study = record.description;
   const auto say = [language](Word name) { return std::string(text_of(name, language)); };
-  Table table{say(Word::Results),
-              {say(Word::Characteristic), "n", say(Word::Mean), "s", "min", "max", say(Word::Bias),
-               "U (k = 2)", say(Word::Known), say(Word::Published), say(Word::Unit)},
-              {}};
+  Table table{
+      say(Word::Results),
+      {say(Word::Characteristic), "n", say(Word::Mean), "s", say(Word::Least), say(Word::Most),
+       say(Word::Bias), "U (k = 2)", say(Word::Known), say(Word::Published), say(Word::Unit)},
+      {},
+      {}};
   const std::size_t points = std::max<std::size_t>(study.points.size(), 1);
   for (std::size_t point = 0; point < points; ++point) {
     const std::string where = point_name(study, point);
@@ -81,10 +83,10 @@ void add_charts(const study::Record& record, Report& report) {
       }
       const std::string where = point_name(study, point);
       const std::string name = where.empty() ? form.name : fmt::format("{}, {}", form.name, where);
-      report.drawings.push_back(
-          {name, histogram(readings), std::string(text_of(Word::SaysHistogram, report.language))});
-      report.drawings.push_back(
-          {name, run_chart(readings), std::string(text_of(Word::SaysRunChart, report.language))});
+      report.drawings.push_back({name, histogram(readings, report.language),
+                                 std::string(text_of(Word::SaysHistogram, report.language))});
+      report.drawings.push_back({name, run_chart(readings, report.language),
+                                 std::string(text_of(Word::SaysRunChart, report.language))});
     }
   }
 }

@@ -7,13 +7,26 @@
 namespace g31::page {
 namespace {
 
-std::string finding(const Finding& one) {
-  const std::string_view severity = source::name_of(one.severity);
+Word word_of(source::Severity severity) {
+  switch (severity) {
+    case source::Severity::Error:
+      return Word::SeverityError;
+    case source::Severity::Warning:
+      return Word::SeverityWarning;
+    case source::Severity::Note:
+      break;
+  }
+  return Word::SeverityNote;
+}
+
+/// Messages are English on every page.
+std::string finding(const Report& report, const Finding& one) {
   std::string html =
-      fmt::format(R"(<div class="find {0}">{1}<div><span class="vh">{0}: </span>{2}</div>)",
-                  severity, svg_of(one.severity), escaped(one.text));
+      fmt::format(R"(<div class="find {}">{}<div><span class="vh">{}: </span>{}</div>)",
+                  source::name_of(one.severity), svg_of(one.severity),
+                  word(report, word_of(one.severity)), english(report, one.text));
   if (!one.excerpt.empty()) {
-    html += fmt::format(R"(<pre class="excerpt">{}</pre>)", escaped(one.excerpt));
+    html += fmt::format(R"(<pre class="excerpt">{}</pre>)", english(report, one.excerpt));
   }
   html += R"(<div class="loc">)";
   if (!one.code.empty()) {
@@ -46,7 +59,7 @@ std::string summary_part(const Report& report) {
           ? std::string(word(report, Word::NoFindings))
           : fmt::format("{}: {}", word(report, Word::Findings), report.findings.size()));
   for (const Finding& one : report.findings) {
-    html += finding(one);
+    html += finding(report, one);
   }
   html += R"(</div></div><dl class="facts">)";
   for (const auto& [name, value] : report.facts) {
@@ -66,7 +79,8 @@ std::string ending_part(const Report& report) {
   const Ending& ending = *report.ending;
   std::string html = fmt::format(
       R"(<section id="alarm" class="card" aria-labelledby="hal"><header><h2 id="hal">{}</h2><span class="sub">{}</span></header><div class="frames"><div><h3>{}</h3>)",
-      word(report, Word::WhereItEnded), escaped(ending.title), word(report, Word::CallStack));
+      word(report, Word::WhereItEnded), english(report, ending.title),
+      word(report, Word::CallStack));
   for (std::size_t i = 0; i < ending.stack.size(); ++i) {
     const Frame& frame = ending.stack[i];
     html += fmt::format(

@@ -78,8 +78,8 @@ std::string touches_part(const Report& report) {
         say(Word::AlsoWithout), without);
   }
   html += fmt::format(
-      R"(</header><div class="tw" tabindex="0" role="region" aria-label="{}, table"><table id="touches">)",
-      say(Word::Touches));
+      R"(</header><div class="tw" tabindex="0" role="region" aria-label="{}"><table id="touches">)",
+      table_label(report, say(Word::Touches)));
   html += head_of(report);
   if (report.touches.size() > kMostRows) {
     html += "<tbody data-virtual>";

@@ -5,6 +5,7 @@
 
 #include "tools/page/html.h"
 #include "tools/page/parts.h"
+#include "tools/page/said.h"
 
 namespace g31::page {
 namespace {
@@ -32,7 +33,7 @@ class Spark {
     }
   }
 
-  [[nodiscard]] std::string svg() const {
+  [[nodiscard]] std::string svg(Language language) const {
     if (points_.empty()) {
       return {};
     }
@@ -46,10 +47,13 @@ class Spark {
               ? ""
               : fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="1.9"/>)", x(time_s), y(value));
     }
+    const std::string label = fmt::format(
+        "{}: {}, {}", text_of(Word::Writes, language), points_.size(),
+        said(language, Word::FromTo, fmt::arg("from", number(points_.front().second, 3)),
+             fmt::arg("to", number(points_.back().second, 3))));
     return fmt::format(
-        R"html(<svg class="spark" width="{0}" height="{1}" viewBox="0 0 {0} {1}" role="img" aria-label="{2} values from {3} to {4}"><path d="M2 {5:.1f}H{6}" stroke="var(--line2)" stroke-dasharray="2 3"/><path d="{7}H{6}" fill="none" stroke="var(--ink)" stroke-width="1.4"/><g fill="var(--accent)">{8}</g></svg>)html",
-        kWidth, kHeight, points_.size(), number(points_.front().second, 3),
-        number(points_.back().second, 3), y(0.0), kWidth - 2, steps, dots);
+        R"html(<svg class="spark" width="{0}" height="{1}" viewBox="0 0 {0} {1}" role="img" aria-label="{2}"><path d="M2 {3:.1f}H{4}" stroke="var(--line2)" stroke-dasharray="2 3"/><path d="{5}H{4}" fill="none" stroke="var(--ink)" stroke-width="1.4"/><g fill="var(--accent)">{6}</g></svg>)html",
+        kWidth, kHeight, label, y(0.0), kWidth - 2, steps, dots);
   }
 
  private:
@@ -99,15 +103,16 @@ std::string variables_part(const Report& report) {
   std::string html;
   if (!report.variables.empty()) {
     html += fmt::format(
-        R"(<section class="card flow" id="variables" aria-labelledby="hva"><header><h2 id="hva">{0}</h2><span class="sub">{1}</span></header><div class="tw tall" tabindex="0" role="region" aria-label="{0}, table"><table><thead><tr><th scope="col">{2}</th><th scope="col">{3}</th><th scope="col">{4}, 0 – {5} s</th><th scope="col" class="n">{6}</th><th scope="col" class="n">{7}</th></tr></thead><tbody>)",
+        R"(<section class="card flow" id="variables" aria-labelledby="hva"><header><h2 id="hva">{0}</h2><span class="sub">{1}</span></header><div class="tw tall" tabindex="0" role="region" aria-label="{8}"><table><thead><tr><th scope="col">{2}</th><th scope="col">{3}</th><th scope="col">{4}, 0 – {5} s</th><th scope="col" class="n">{6}</th><th scope="col" class="n">{7}</th></tr></thead><tbody>)",
         say(Word::Variables), say(Word::WrittenByRun), say(Word::Variable), say(Word::Meaning),
         say(Word::OverTheRun), number(report.duration_s, 1), say(Word::Writes),
-        say(Word::LastValue));
+        say(Word::LastValue), table_label(report, say(Word::Variables)));
+    // What a program says of them is in a language that nobody knows: lang="".
     for (const VariableRow& row : report.variables) {
       html += fmt::format(
-          R"(<tr><th scope="row" class="vn"><code>{}</code></th><td class="wrapcell">{}</td><td>{}</td><td class="n">{}</td><td class="n last">{}</td></tr>)",
-          breakable(row.name), escaped(row.meaning), Spark(row, report.duration_s).svg(),
-          row.writes, escaped(row.last));
+          R"(<tr><th scope="row" class="vn"><code>{}</code></th><td class="wrapcell" lang="">{}</td><td>{}</td><td class="n">{}</td><td class="n last">{}</td></tr>)",
+          breakable(row.name), escaped(row.meaning),
+          Spark(row, report.duration_s).svg(report.language), row.writes, escaped(row.last));
     }
     html += "</tbody></table></div></section>\n";
   }

@@ -31,15 +31,16 @@ std::size_t colour_of(const Feature& feature) {
 
 class Drawing {
  public:
-  explicit Drawing(const PlannedPart& planned)
+  Drawing(const PlannedPart& planned, const DrawingWords& words)
       : planned_(planned),
-        svg_(kWidth, kHeight, planned.product + " from above"),
+        words_(words),
+        svg_(kWidth, kHeight, words.title),
         view_(view_of(planned)),
         unit_(std::min((kBeside - 2 * kEdge) / (view_.max.x() - view_.min.x()),
                        (kHeight - kTop - kEdge) / (view_.max.y() - view_.min.y()))) {}
 
   std::string text() {
-    svg_.text({kEdge, 32.0}, planned_.product + " from above, mm", plot::Anchor::Start, "title");
+    svg_.text({kEdge, 32.0}, words_.title, plot::Anchor::Start, "title");
     draw_stock();
     draw_way();
     for (std::size_t i = 0; i < planned_.part.features.size(); ++i) {
@@ -146,19 +147,16 @@ class Drawing {
     for (const Feature& feature : planned_.part.features) {
       if (std::ranges::find(kinds, feature.kind) == kinds.end()) {
         kinds.push_back(feature.kind);
-        legend.line(fmt::format("way line{}", colour_of(feature)), words_of(feature.kind));
+        legend.line(fmt::format("way line{}", colour_of(feature)), words_.kind(feature.kind));
       }
     }
-    legend.line("nominal", "way between the touches");
+    legend.line("nominal", words_.way);
     legend.skip(12.0);
-    const std::vector<std::string> facts = {
-        fmt::format("{} features, {} points, {} measures", planned_.part.features.size(),
-                    planned_.plan.points.size(), planned_.plan.measures.size()),
-        fmt::format("ball {:g} mm", 2.0 * planned_.ball_radius_mm)};
-    legend.facts(facts);
+    legend.facts(words_.facts);
   }
 
   const PlannedPart& planned_;
+  const DrawingWords& words_;
   plot::Svg svg_;
   parts::Box view_;
   double unit_;  // pixels a millimetre
@@ -166,8 +164,8 @@ class Drawing {
 
 }  // namespace
 
-std::string plan_drawing(const PlannedPart& planned) {
-  return Drawing(planned).text();
+std::string plan_drawing(const PlannedPart& planned, const DrawingWords& words) {
+  return Drawing(planned, words).text();
 }
 
 }  // namespace g31::plan

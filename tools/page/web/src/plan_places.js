@@ -68,7 +68,9 @@ export function drawCrash(view, page) {
     const to = flat(ball, view.plane);
     if (Math.hypot(to[0] - from[0], to[1] - from[1]) * page.scale > 4) drawn += page.arrow(from, to, 'var(--bad)', 2.2);
   }
-  const text = view.crash?.what ?? '';
+  // What met what is said in English; the document has it on every page.
+  const isEnglish = document.documentElement.lang === 'en';
+  const text = isEnglish ? view.crash?.what ?? '' : word('collision');
   const left = x > page.width / 2;
   drawn += `<path d="M${x - 7} ${y - 7}l14 14m0 -14l-14 14" stroke="var(--bad)" stroke-width="3"/>`
     + `<text x="${(left ? x - 13 : x + 13).toFixed(1)}" y="${(y - 11).toFixed(1)}" class="halo" font-size="12" font-weight="600" fill="var(--bad)" `
