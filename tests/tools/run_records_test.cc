@@ -91,11 +91,14 @@ TEST(RunRecord, NamesItsInputsWithTheirHashes) {
             "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(disk::sha256_of(folder.path("missing")), std::nullopt);
   cli::RunOptions options;
-  options.programs = {folder.write("a.nc", "O1\nM98 P2\n#500=1\nM30\n")};
+  options.programs = {folder.write("a.nc", "O1\nM98 P2\nM98 P3\n#500=1\nM30\n")};
   options.setups = {folder.write("s.toml",
                                  "[control]\nvariables_file = \"kept.vars\"\n"
                                  "[machine]\nfile = \"m.toml\"\n")};
   const std::string called = folder.write("O0002.nc", "O2\nM99\n");
+  const std::string holds = folder.write("shop.nc", "O30\nM99\nO 0003(IT)\n#501=1\nM99\n");
+  // Only looked into.
+  const std::string holds_not = folder.write("other.nc", "O4\n#501=2(O 33)\nM99\n");
   folder.write("m.toml", "[machine]\nname = \"M\"\n");
   const std::string kept = folder.write("kept.vars", "#500=7\n");
   const std::string kept_before = *disk::sha256_of(kept);
@@ -105,7 +108,9 @@ TEST(RunRecord, NamesItsInputsWithTheirHashes) {
   for (const json& input : output.document.at("inputs")) {
     hashes[input.at("file")] = input.at("sha256");
   }
-  EXPECT_EQ(hashes.size(), 5U) << output.document.at("inputs");
+  EXPECT_EQ(hashes.size(), 6U) << output.document.at("inputs");
+  EXPECT_TRUE(hashes.contains(holds));
+  EXPECT_FALSE(hashes.contains(holds_not));
   EXPECT_EQ(hashes[options.programs[0]], *disk::sha256_of(options.programs[0]));
   EXPECT_EQ(hashes[called], *disk::sha256_of(called));
   EXPECT_EQ(hashes[kept], kept_before) << "as it was read";

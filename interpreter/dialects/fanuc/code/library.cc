@@ -30,6 +30,29 @@ std::optional<int> number_in_name(std::string_view name) {
   return whole && number > 0 ? std::optional(number) : std::nullopt;
 }
 
+/// Whether a text has this number behind an O or a colon anywhere.  Where it has not, no program of
+/// it has the number.
+bool writes_number(std::string_view text, int number) {
+  constexpr std::string_view kBegins = "Oo:";
+  constexpr std::string_view kNothing(" \t\r\0", 4);
+  constexpr int kMost = 99'999'999;
+  for (std::size_t at = text.find_first_of(kBegins); at != std::string_view::npos;
+       at = text.find_first_of(kBegins, at + 1)) {
+    int here = 0;
+    for (std::size_t i = at + 1; i < text.size() && here <= kMost; ++i) {
+      const bool is_digit = text[i] >= '0' && text[i] <= '9';
+      if (!is_digit && kNothing.find(text[i]) == std::string_view::npos) {
+        break;
+      }
+      here = is_digit ? 10 * here + (text[i] - '0') : here;
+    }
+    if (here == number) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// `./` is how people and programs write "this folder"; messages are better off without it.
 std::string joined(const std::string& folder, const std::string& name) {
   return folder.empty() || folder == "." ? name : folder + "/" + name;
@@ -251,6 +274,12 @@ const CompiledProgram* ProgramLibrary::find_in_unnamed(const Folder& folder, int
   for (const std::string& name : folder.unnamed) {
     const std::string path = joined(folder.path, name);
     if (found != nullptr && files_.size(path).value_or(0) > kLongestSubprogram) {
+      continue;
+    }
+    // Looked into first: a file that does not have it is not read as a program.
+    const auto bytes = files_.size(path);
+    const auto look = bytes ? files_.read_part(path, 0, *bytes) : std::nullopt;
+    if (look && !writes_number(from_tape_code(*look), number)) {
       continue;
     }
     File* const file = load(path);
