@@ -57,12 +57,12 @@ std::optional<session::Refusal> report_evaluation(const EvaluateOptions& options
   command.add("--magnify", options.magnify);
   command.add("--report", options.report);
   command.add("--lang", language_given(options.language));
-  const page::Making making{options.version, command.line(), page_inputs({options.file}),
-                            options.language, 0};
+  const page::PageOrigin origin{options.version, command.line(), page_inputs({options.file}),
+                                options.language, 0};
   const std::string name = std::filesystem::path(options.file).filename().string();
   return write_page(
       options.report,
-      page::report_of(evaluation, name, evaluate::evaluation_document(evaluation, true), making));
+      page::report_of(evaluation, name, evaluate::evaluation_document(evaluation, true), origin));
 }
 
 }  // namespace

@@ -146,9 +146,9 @@ std::optional<Refusal> report_study(const StudyOptions& options, const study::Re
   if (!options.study.empty()) {
     inputs.push_back(options.study);
   }
-  const page::Making making{options.version, command.line(), page_inputs(inputs), options.language,
-                            static_cast<int>(worst_of(record))};
-  return write_page(options.report, page::report_of(record, study::record_json(record), making));
+  const page::PageOrigin origin{options.version, command.line(), page_inputs(inputs),
+                                options.language, static_cast<int>(worst_of(record))};
+  return write_page(options.report, page::report_of(record, study::record_json(record), origin));
 }
 
 std::optional<Refusal> deliver(const StudyOptions& options, const study::Record& record) {

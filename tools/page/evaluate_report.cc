@@ -60,34 +60,34 @@ Word word_of(evaluate::Kind kind) {
 }  // namespace
 
 Report report_of(const evaluate::Evaluation& evaluation, const std::string& file,
-                 const std::string& document, const Making& making) {
+                 const std::string& document, const PageOrigin& origin) {
   const evaluate::KindRow& kind = evaluate::info(evaluation.kind);
   Report report;
-  report.language = making.language;
+  report.language = origin.language;
   report.title = file;
-  const std::string word(text_of(word_of(evaluation.kind), making.language));
-  report.what = making.language == Language::English ? std::string(kind.text) : word;
+  const std::string word(text_of(word_of(evaluation.kind), origin.language));
+  report.what = origin.language == Language::English ? std::string(kind.text) : word;
   report.verdict.state = word;
   report.verdict.headline = report.what;
   if (!evaluation.results.empty()) {
     const evaluate::Quantity& first = evaluation.results.front();
-    report.verdict.headline = said(making.language, Word::SaysValue, fmt::arg("name", first.name),
+    report.verdict.headline = said(origin.language, Word::SaysValue, fmt::arg("name", first.name),
                                    fmt::arg("value", number(first.value, kDecimals)),
                                    fmt::arg("unit", unit_sign(first.unit)));
   }
   report.verdict.sentence =
-      said(making.language, Word::SaysRowsEvaluated, fmt::arg("rows", evaluation.samples));
+      said(origin.language, Word::SaysRowsEvaluated, fmt::arg("rows", evaluation.samples));
   for (const std::string& note : evaluation.notes) {
     report.findings.push_back({source::Severity::Note, "", note, {}});
   }
-  report.facts = {{std::string(text_of(Word::File, making.language)), file},
-                  {std::string(text_of(Word::Version, making.language)), making.version}};
-  report.command = making.command;
+  report.facts = {{std::string(text_of(Word::File, origin.language)), file},
+                  {std::string(text_of(Word::Version, origin.language)), origin.version}};
+  report.command = origin.command;
   if (!evaluation.svg.empty()) {
-    report.drawings.push_back({word, drawing_of(evaluation, making.language), ""});
+    report.drawings.push_back({word, drawing_of(evaluation, origin.language), ""});
   }
-  report.tables.push_back(results_table(evaluation, making.language));
-  report.inputs = making.inputs;
+  report.tables.push_back(results_table(evaluation, origin.language));
+  report.inputs = origin.inputs;
   report.document = document;
   return report;
 }

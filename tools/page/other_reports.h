@@ -10,8 +10,8 @@
 
 namespace g31::page {
 
-/// What pages of all commands say of how they were made.
-struct Making {
+/// Where a page comes from: what made it, of which inputs.
+struct PageOrigin {
   std::string version;  ///< of g31
   std::string command;  ///< that repeats it
   std::vector<Input> inputs;
@@ -22,12 +22,13 @@ struct Making {
 /// @param file      that was evaluated, without its folder
 /// @param document  of the evaluation
 Report report_of(const evaluate::Evaluation& evaluation, const std::string& file,
-                 const std::string& document, const Making& making);
+                 const std::string& document, const PageOrigin& origin);
 
 /// Of each result at each point a histogram, a run chart and its statistics, beside them what is
 /// known and what was published.  The first kMostCharts of them are drawn; the table has all.
 /// @param document  of the study
-Report report_of(const study::Record& record, const std::string& document, const Making& making);
+Report report_of(const study::Record& record, const std::string& document,
+                 const PageOrigin& origin);
 
 /// Makes the page of a plan from that of the run that proved it.
 /// @param command  that makes the plan

@@ -129,11 +129,11 @@ Json touches_json(const Pictured& pictured, const Report& report) {
     return value ? Json(*value) : Json();
   };
   Json list = Json::array();
-  for (std::size_t i = 0; i < pictured.meetings.size(); ++i) {
-    const Meeting& meeting = pictured.meetings[i];
-    list.push_back({{"ball", meeting.p_M_ball ? array_of(*meeting.p_M_ball) : Json()},
-                    {"deviation", or_null(meeting.deviation_mm)},
-                    {"angle", or_null(meeting.angle_deg)},
+  for (std::size_t i = 0; i < pictured.geometries.size(); ++i) {
+    const TouchGeometry& geometry = pictured.geometries[i];
+    list.push_back({{"ball", geometry.p_M_ball ? array_of(*geometry.p_M_ball) : Json()},
+                    {"deviation", or_null(geometry.deviation_mm)},
+                    {"angle", or_null(geometry.angle_deg)},
                     {"role", report.touches[i].caller}});
     if (const auto& share = pictured.shares[i]) {
       list.back()["part_deviation"] = share->nominal_to_true_mm;
@@ -174,15 +174,15 @@ Json names_json(const RunPage& run, const FileNames& names) {
 
 /// The work coordinates of the touches where all of them have the same, not turned; else those of
 /// the machine.
-Json frame_json(const RunPage& run, const Meetings& meetings, const Report& report) {
+Json frame_json(const RunPage& run, const TouchGeometries& geometries, const Report& report) {
   constexpr double kSame = 1e-6;  // mm
   const Json of_machine = {{"name", text_of(Word::MachineCoordinates, report.language)},
                            {"origin", {0.0, 0.0, 0.0}}};
   std::optional<Point> origin;
-  for (std::size_t i = 0; i < meetings.size(); ++i) {
-    if (meetings[i].p_M_ball) {
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
+    if (geometries[i].p_M_ball) {
       const Point from_here =
-          *meetings[i].p_M_ball - linear_axes(run.recorder.touches()[i].view.q_L);
+          *geometries[i].p_M_ball - linear_axes(run.recorder.touches()[i].view.q_L);
       if (origin && (*origin - from_here).norm() > kSame) {
         return of_machine;
       }
@@ -211,9 +211,9 @@ PictureMeshes meshes_for_picture(const RunPage& run) {
   return meshes;
 }
 
-Meetings meetings_of(const RunPage& run) {
+TouchGeometries geometries_of(const RunPage& run) {
   const auto& touches = run.recorder.touches();
-  Meetings meetings(touches.size());
+  TouchGeometries geometries(touches.size());
   std::vector<Point> along(touches.size(), Point::Zero());
   std::size_t next = 0;
   for (std::size_t i = 0; i < touches.size(); ++i) {
@@ -225,7 +225,7 @@ Meetings meetings_of(const RunPage& run) {
         run.ways[next].kind == picture::PathKind::Skip) {
       const std::vector<Point>& points = run.ways[next].points;
       along[i] = points.back() - points.front();
-      meetings[i].p_M_ball = points.back();
+      geometries[i].p_M_ball = points.back();
     }
   }
   // Each touch with a contact has left a mark, unless the budget was spent with it.
@@ -234,19 +234,19 @@ Meetings meetings_of(const RunPage& run) {
     if (!touches[i].contact) {
       continue;
     }
-    Meeting& meeting = meetings[i];
-    meeting.p_M_ball = mark->stylus.p_M;
-    meeting.p_M_contact = mark->p_M;
-    meeting.n_M = mark->n_M;
+    TouchGeometry& geometry = geometries[i];
+    geometry.p_M_ball = mark->stylus.p_M;
+    geometry.p_M_contact = mark->p_M;
+    geometry.n_M = mark->n_M;
     if (!along[i].isZero(0.0)) {
       const double cosine = std::clamp(-mark->n_M.dot(along[i].normalized()), -1.0, 1.0);
-      meeting.angle_deg = std::acos(cosine) * kDegreesPerRadian;
-      meeting.deviation_mm =
+      geometry.angle_deg = std::acos(cosine) * kDegreesPerRadian;
+      geometry.deviation_mm =
           picture::latched_depth_mm(*mark, picture::tip_radius(run.job, mark->stylus.tool));
     }
     ++mark;
   }
-  return meetings;
+  return geometries;
 }
 
 std::string figures_of(const RunPage& run, const Pictured& pictured, const Report& report) {
@@ -262,7 +262,7 @@ std::string figures_of(const RunPage& run, const Pictured& pictured, const Repor
   figures["ways"] = ways_json(run);
   figures["touch"] = touches_json(pictured, report);
   figures["names"] = names_json(run, pictured.names);
-  figures["frame"] = frame_json(run, pictured.meetings, report);
+  figures["frame"] = frame_json(run, pictured.geometries, report);
   figures["words"] = words_json(report.language);
   figures["language"] = name_of(report.language);
   figures["listing"] = Json::array();

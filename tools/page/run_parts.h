@@ -37,12 +37,13 @@ struct WallShare {
 ///
 /// A touch belongs to a size where the wall opposite that another touch of the same result met is
 /// just as far, or where the middle of the part is half as far.
-std::vector<std::optional<WallShare>> wall_shares(const RunPage& run, const Meetings& meetings,
+std::vector<std::optional<WallShare>> wall_shares(const RunPage& run,
+                                                  const TouchGeometries& geometries,
                                                   const Writers& writers);
 
 /// What pictures show of a run beside the report.
 struct Pictured {
-  const Meetings& meetings;
+  const TouchGeometries& geometries;
   std::vector<std::optional<WallShare>> shares;  ///< one for each touch
   const PictureMeshes& meshes;
   const FileNames& names;

@@ -43,10 +43,10 @@ std::optional<std::array<double, 3>> in_part(const RunPage& run, const std::stri
   return std::array<double, 3>{p.x(), p.y(), p.z()};
 }
 
-std::vector<TouchRow> touches_of(const RunPage& run, const Meetings& meetings,
+std::vector<TouchRow> touches_of(const RunPage& run, const TouchGeometries& geometries,
                                  const Writers& writers, const FileNames& names) {
   std::vector<TouchRow> rows;
-  for (std::size_t i = 0; i < meetings.size(); ++i) {
+  for (std::size_t i = 0; i < geometries.size(); ++i) {
     const runtime::TouchEvent& touch = run.recorder.touches()[i];
     TouchRow row;
     row.block = std::string(touch.block);
@@ -58,11 +58,11 @@ std::vector<TouchRow> touches_of(const RunPage& run, const Meetings& meetings,
     row.latched = linear(touch.view.q_L);
     if (touch.contact) {
       row.part = touch.contact->part;
-      row.contact =
-          meetings[i].p_M_contact ? in_part(run, row.part, *meetings[i].p_M_contact) : std::nullopt;
+      row.contact = geometries[i].p_M_contact ? in_part(run, row.part, *geometries[i].p_M_contact)
+                                              : std::nullopt;
     }
-    row.deviation_mm = meetings[i].deviation_mm;
-    row.angle_deg = meetings[i].angle_deg;
+    row.deviation_mm = geometries[i].deviation_mm;
+    row.angle_deg = geometries[i].angle_deg;
     row.caller = writers.caller_at(touch.time_s);
     rows.push_back(std::move(row));
   }
@@ -144,7 +144,7 @@ Report report_of(const RunPage& run, Language language) {
   const report::RunResult& result = run.result;
   const Writers writers(run);
   const FileNames names = names_of(files_that_ran(run));
-  const Meetings meetings = meetings_of(run);
+  const TouchGeometries geometries = geometries_of(run);
   const PictureMeshes meshes = meshes_for_picture(run);
   Report report;
   report.language = language;
@@ -175,7 +175,7 @@ Report report_of(const RunPage& run, Language language) {
   report.has_motion = !run.recorder.moves().empty() || !run.parts.empty();
   report.duration_s = result.machine_time_s;
   report.frame = text_of(Word::WorkCoordinates, language);
-  report.touches = touches_of(run, meetings, writers, names);
+  report.touches = touches_of(run, geometries, writers, names);
   report.listings = listings_of(run, names);
   report.variables = variables_of(run);
   report.has_printouts = true;
@@ -185,7 +185,7 @@ Report report_of(const RunPage& run, Language language) {
   report::write_run_document(result, run.recorder, run.sources,
                              [&](std::string_view piece) { report.document += piece; });
   report.figures =
-      figures_of(run, {meetings, wall_shares(run, meetings, writers), meshes, names}, report);
+      figures_of(run, {geometries, wall_shares(run, geometries, writers), meshes, names}, report);
   return report;
 }
 

@@ -55,15 +55,15 @@ using PictureMeshes = std::vector<std::optional<parts::Mesh>>;
 PictureMeshes meshes_for_picture(const RunPage& run);
 
 /// Where a touch met its part; all places in the frame of the part as the sheet lays it, mm.
-struct Meeting {
+struct TouchGeometry {
   std::optional<Point> p_M_ball;  ///< centre of the ball at the latched position
   std::optional<Point> p_M_contact;
   Point n_M = Point::Zero();           ///< outwards, where there is a contact
   std::optional<double> deviation_mm;  ///< how much deeper than the wall the ball was latched
   std::optional<double> angle_deg;     ///< between the move and the inward normal
 };
-using Meetings = std::vector<Meeting>;
+using TouchGeometries = std::vector<TouchGeometry>;
 /// One for each touch, in their order.
-Meetings meetings_of(const RunPage& run);
+TouchGeometries geometries_of(const RunPage& run);
 
 }  // namespace g31::page

@@ -93,27 +93,28 @@ void add_charts(const study::Record& record, Report& report) {
 
 }  // namespace
 
-Report report_of(const study::Record& record, const std::string& document, const Making& making) {
+Report report_of(const study::Record& record, const std::string& document,
+                 const PageOrigin& origin) {
   const study::Description& study = record.description;
   const auto statuses = study::count_by_status(record);
   const auto completed = statuses.find("completed");
   const std::size_t whole = completed == statuses.end() ? 0 : completed->second;
   Report report;
-  report.language = making.language;
+  report.language = origin.language;
   report.title = study.name;
   report.what = fmt::format("{}, {}", study.program, study.control);
   const bool is_whole = whole == record.rows.size();
   report.verdict = {
       is_whole ? Sign::Good : Sign::Bad,
-      std::string(text_of(is_whole ? Word::StateAllRuns : Word::StateRunsLeftOut, making.language)),
-      said(making.language, Word::SaysRuns, fmt::arg("whole", whole),
+      std::string(text_of(is_whole ? Word::StateAllRuns : Word::StateRunsLeftOut, origin.language)),
+      said(origin.language, Word::SaysRuns, fmt::arg("whole", whole),
            fmt::arg("all", record.rows.size())),
       ""};
   if (!study.results.empty()) {
     const study::Summary summary = study::summary_of(record, 0, 0);
     const study::ResultForm& form = study.results.front();
     report.verdict.sentence =
-        said(making.language, Word::SaysMean, fmt::arg("name", form.name),
+        said(origin.language, Word::SaysMean, fmt::arg("name", form.name),
              fmt::arg("mean", number(summary.mean, kStudyDecimals)), fmt::arg("unit", form.unit),
              fmt::arg("deviation", number(summary.standard_deviation, kStudyDecimals)),
              fmt::arg("readings", summary.n));
@@ -122,24 +123,24 @@ Report report_of(const study::Record& record, const std::string& document, const
     if (status != "completed") {
       report.findings.push_back({source::Severity::Warning,
                                  "",
-                                 said(making.language, Word::SaysRunsEnded,
+                                 said(origin.language, Word::SaysRunsEnded,
                                       fmt::arg("count", count), fmt::arg("status", status)),
                                  {}});
     }
   }
   const auto fact = [&](Word name, std::string value) {
-    report.facts.emplace_back(text_of(name, making.language), std::move(value));
+    report.facts.emplace_back(text_of(name, origin.language), std::move(value));
   };
   fact(Word::Program, study.program);
   fact(Word::Control, study.control);
   fact(Word::Runs, fmt::format("{}", record.rows.size()));
   fact(Word::Seed, fmt::format("{}", study.seed));
-  fact(Word::ExitCode, fmt::format("{}", making.exit_code));
-  fact(Word::Version, making.version);
-  report.command = making.command;
-  report.tables.push_back(summary_table(record, making.language));
+  fact(Word::ExitCode, fmt::format("{}", origin.exit_code));
+  fact(Word::Version, origin.version);
+  report.command = origin.command;
+  report.tables.push_back(summary_table(record, origin.language));
   add_charts(record, report);
-  report.inputs = making.inputs;
+  report.inputs = origin.inputs;
   report.limits = study.assumes;
   report.document = document;
   return report;

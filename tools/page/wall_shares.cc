@@ -15,19 +15,19 @@ enum class Side : unsigned char { Inside, Outside };
 /// The touches that a characteristic rests on.
 class Walls {
  public:
-  Walls(const RunPage& run, const Meetings& meetings, std::vector<std::size_t> touches,
+  Walls(const RunPage& run, const TouchGeometries& geometries, std::vector<std::size_t> touches,
         const expect::TrueSize& size)
-      : run_(run), meetings_(meetings), touches_(std::move(touches)), size_(size) {}
+      : run_(run), geometries_(geometries), touches_(std::move(touches)), size_(size) {}
 
   /// Where a touch met a wall of the size: a plug is of material inside, a bore outside; nullopt:
   /// it is another wall.
   [[nodiscard]] std::optional<Side> side_of(std::size_t touch) const {
-    const Meeting* const here = on_part(touch);
+    const TouchGeometry* const here = on_part(touch);
     if (here == nullptr) {
       return std::nullopt;
     }
     for (const std::size_t other : touches_) {
-      const Meeting* const there = on_part(other);
+      const TouchGeometry* const there = on_part(other);
       constexpr double kOpposite = -0.9;  // cosine
       if (there != nullptr && here->n_M.dot(there->n_M) < kOpposite) {
         if (const auto side = side_for(here->n_M.dot(*here->p_M_contact - *there->p_M_contact))) {
@@ -41,10 +41,10 @@ class Walls {
 
  private:
   /// nullptr: the touch met no wall of the part.
-  [[nodiscard]] const Meeting* on_part(std::size_t touch) const {
+  [[nodiscard]] const TouchGeometry* on_part(std::size_t touch) const {
     const auto& contact = run_.recorder.touches()[touch - 1].contact;
-    const Meeting& meeting = meetings_[touch - 1];
-    return contact && contact->part == size_.part && meeting.p_M_contact ? &meeting : nullptr;
+    const TouchGeometry& geometry = geometries_[touch - 1];
+    return contact && contact->part == size_.part && geometry.p_M_contact ? &geometry : nullptr;
   }
 
   /// @param across_mm  from the wall to the one opposite, along the normal of the first
@@ -58,7 +58,7 @@ class Walls {
   }
 
   const RunPage& run_;
-  const Meetings& meetings_;
+  const TouchGeometries& geometries_;
   std::vector<std::size_t> touches_;
   const expect::TrueSize& size_;
 };
@@ -85,14 +85,14 @@ WallShare share_of(const expect::Characteristic& what, Side side) {
 
 }  // namespace
 
-Shares wall_shares(const RunPage& run, const Meetings& meetings, const Writers& writers) {
-  Shares shares(meetings.size());
+Shares wall_shares(const RunPage& run, const TouchGeometries& geometries, const Writers& writers) {
+  Shares shares(geometries.size());
   for (const expect::MeasuredCharacteristic& row : run.result.characteristics) {
     if (!row.what.true_value() || !row.what.nominal || !is_size(run, *row.what.true_size)) {
       continue;
     }
     const std::vector<std::size_t> touches = writers.touches_of(row.what.variable);
-    const Walls walls(run, meetings, touches, *row.what.true_size);
+    const Walls walls(run, geometries, touches, *row.what.true_size);
     for (const std::size_t touch : touches) {
       if (const auto side = walls.side_of(touch)) {
         shares[touch - 1] = share_of(row.what, *side);
