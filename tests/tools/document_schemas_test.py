@@ -1,6 +1,7 @@
 """The documents of all commands against docs/schema.  Usage: document_schemas_test.py G31"""
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -145,6 +146,21 @@ def refuses(jsonschema):
     return wrong
 
 
+def other_statuses():
+    """Schemas whose statuses are not those of the table."""
+    table = (ROOT / "tools/expect/run_statuses.def").read_text(encoding="utf-8")
+    rows = re.findall(r'^RUN_STATUS\(\w+, +"(\w+)", +(true|false)\)', table, re.MULTILINE)
+    wrong = [] if len(rows) > 5 else ["tools/expect/run_statuses.def: no rows"]
+    for name in ("g31.run", "g31.scene"):
+        schema = json.loads((ROOT / f"docs/schema/{name}.schema.json").read_text(encoding="utf-8"))
+        if set(schema["properties"]["status"]["enum"]) != {status for status, _ in rows}:
+            wrong.append(f"{name}: other statuses than tools/expect/run_statuses.def")
+    keys = (ROOT / "tools/setup/keys.def").read_text(encoding="utf-8")
+    text = next(line for line in keys.splitlines() if line.startswith("SETUP_KEY(ExpectStatus"))
+    wrong += [f"keys.def: ExpectStatus does not name {status}" for status, may_be in rows if may_be == "true" and status not in text]
+    return wrong
+
+
 def left_out():
     """Fields of a run that the page of documents does not tell."""
     page = (ROOT / "docs/result-document.md").read_text(encoding="utf-8")
@@ -159,7 +175,7 @@ def main():
         print("python3-jsonschema is not installed: schemas are not tried")
         return 77
     g31 = str(pathlib.Path(sys.argv[1]).resolve())
-    wrong = refuses(jsonschema) + left_out()
+    wrong = refuses(jsonschema) + left_out() + other_statuses()
     with tempfile.TemporaryDirectory() as folder:
         for name, content in FILES.items():
             (pathlib.Path(folder) / name).write_text(content, encoding="utf-8")
