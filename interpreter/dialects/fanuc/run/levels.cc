@@ -50,6 +50,14 @@ void Levels::leave() {
   arrive();
 }
 
+void Levels::repeat() {
+  Frame& now = frame();
+  now.step = now.first_step;
+  for (const std::size_t depth : {stack_.depth() - 1, stack_.depth()}) {
+    control_.watch.level_changed(depth, [&] { return name_of(*now.program); });
+  }
+}
+
 /// Another program runs from now on.
 void Levels::arrive() {
   control_.modal.word('O') = frame().program->number;

@@ -15,6 +15,8 @@ class Levels {
   Levels(CallStack& stack, Control& control) : stack_(stack), control_(control) {}
 
   MaybeFailure enter(const Entry& entry);
+  /// The program of this level once more from its beginning: a call of its own, up and down again.
+  void repeat();
   /// Back to the caller.
   void leave();
 

@@ -164,11 +164,7 @@ MaybeFailure Subprograms::return_from() {
   }
   if (now.kind != CallKind::Main && p == nullptr && now.repeats_left > 0) {
     --now.repeats_left;
-    now.step = now.first_step;
-    // A call of its own, as it were: up and down again.
-    for (const std::size_t depth : {frames_.size() - 2, frames_.size() - 1}) {
-      control_.watch.level_changed(depth, [&] { return name_of(*now.program); });
-    }
+    levels_.repeat();
     return std::nullopt;
   }
   if (now.kind == CallKind::Main) {
