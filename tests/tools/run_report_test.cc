@@ -13,6 +13,7 @@
 #include "tests/support/captured.h"
 #include "tests/support/temporary_folder.h"
 #include "tools/cli/command_line.h"
+#include "tools/page/charts.h"
 #include "tools/page/html.h"
 #include "tools/page/parts.h"
 #include "tools/page/write_page.h"
@@ -327,6 +328,18 @@ TEST(ReportNumbers, HaveARealMinusAndNoNegativeZero) {
   EXPECT_EQ(page::number(NAN, 3), "–");
   EXPECT_EQ(page::micrometres(0.0046), "+4.6");
   EXPECT_EQ(page::json_for_script("a</script>"), "a\\u003c/script>");
+}
+
+/// 220 high, 176 of it for the values and 6 % of their span above and below: 1 is at 23.4, 0 at
+/// 180.6.
+TEST(RunChart, LosesNoReadingOfManyThatIsFarOff) {
+  page::Readings readings;
+  readings.values.assign(10001, 0.0);
+  readings.values[7] = 1.0;
+  const std::string chart = page::run_chart(readings, page::Language::English);
+  EXPECT_NE(chart.find(" 180.6V23.4"), std::string::npos);
+  EXPECT_LT(chart.size(), 60000U) << "2,000 places are enough";
+  EXPECT_NE(chart.find("run chart of 10001 readings"), std::string::npos);
 }
 
 }  // namespace
