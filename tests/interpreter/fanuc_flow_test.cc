@@ -122,7 +122,7 @@ TEST(FanucFlow, NothingBehindTheLastBlockIsAFault) {
 }
 
 TEST(FanucFlow, CallsNameTheirPrograms) {
-  EXPECT_EQ(drawn(Pictured("O1\nG65P9010A1.\nG66P9011\nM98P#1\nM198P52000\nG65P#9010\nM98Q20\n"
+  EXPECT_EQ(drawn(Pictured("O1\nG65P9010A1.\nG66P9011\nM98P#1\nM198P52000\nG65P#901\nM98Q20\n"
                            "N20M99\n")
                       .flow),
             "0 O1 > 1\n"
@@ -134,8 +134,8 @@ TEST(FanucFlow, CallsNameTheirPrograms) {
             "  call ? 'P#1'\n"
             "4 M198P52000 > 5\n"
             "  call O52000 'P52000'\n"
-            "5 G65P#9010 > 6\n"
-            "  macro ? 'P#9010'\n"
+            "5 G65P#901 > 6\n"
+            "  macro ? 'P#901'\n"
             "6 M98Q20 > 7\n"
             "  call O0001 'M98'\n"
             "7 N20M99 return\n"
