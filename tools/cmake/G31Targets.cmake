@@ -22,9 +22,9 @@ if(CMAKE_CXX_FLAGS MATCHES "sanitize")
   target_compile_definitions(g31_warnings INTERFACE G31_UNDER_SANITIZERS)
 endif()
 
-# Release libraries of the rooms where a run spends its time carry code for both ways of linking: g31 and
-# the benchmarks are optimised across files (plain blocks run a tenth faster), the tests are linked file by
-# file, in no time.  What runs once a run (G31_RUNS_ONCE in a folder's CMakeLists.txt: reading sheets,
+# Release libraries that blocks go through one after the other (ACROSS_FILES: what is made of a block when it runs, and
+# the machine) carry code for both ways of linking: g31 and the benchmarks are optimised across these files (plain
+# blocks run a tenth faster), the tests are linked file by file, in no time.  What runs once a run (G31_RUNS_ONCE in a folder's CMakeLists.txt: reading sheets,
 # writing documents) is compiled quickly instead.
 set(g31_has_both_codes FALSE)
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -63,7 +63,7 @@ set(g31_test_prelude <gtest/gtest.h> ${g31_prelude})
 option(G31_BATCHES "Compile libraries several files at a time" ON)
 
 function(g31_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "ACROSS_FILES" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   if(arg_SOURCES)
     add_library(${name} STATIC ${arg_SOURCES})
     target_link_libraries(${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS} g31_warnings)
@@ -73,7 +73,7 @@ function(g31_library name)
       g31_compile_quickly(${name})
       g31_take_prelude(${name} g31_prelude quick)
     else()
-      if(g31_has_both_codes)
+      if(g31_has_both_codes AND arg_ACROSS_FILES)
         target_compile_options(${name} PRIVATE -flto=auto -ffat-lto-objects)
       endif()
       g31_take_prelude(${name} g31_prelude fast)
