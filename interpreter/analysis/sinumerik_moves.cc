@@ -78,6 +78,11 @@ class SinumerikMove {
     using sinumerik::Address;
     measures_ = measures_ || address == Address::Measure || address == Address::MeasureOn;
     is_polar_ = is_polar_ || address == Address::PolarAngle || address == Address::PolarRadius;
+    if (address == Address::ToolWay) {
+      for (const char axis : {'X', 'Y', 'Z'}) {
+        targets_.push_back({axis, true, 0.0, where});
+      }
+    }
     const bool is_further =
         address == Address::AxisU || address == Address::AxisV || address == Address::AxisW;
     if (index_of(address) < kAxisCount || is_further) {

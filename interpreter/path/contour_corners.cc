@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "interpreter/path/corner.h"
 
@@ -163,16 +164,29 @@ bool is_corner(const PlaneWay& before, const PlaneWay& behind, double straight_o
   return std::abs(cross(in, out)) > std::sin(straight_on_rad);
 }
 
-bool is_flat(const AxisPositions& q_from, const AxisPositions& q_to, OffsetPlane plane) {
-  return (plane.moved(q_from, plane.of(q_to)) - q_to).norm() < kOnePointMm;
+/// @param rotary_go_along  those do not count
+bool is_flat(const AxisPositions& q_from, const AxisPositions& q_to, OffsetPlane plane,
+             bool rotary_go_along) {
+  const AxisPositions out = plane.moved(q_from, plane.of(q_to)) - q_to;
+  return (rotary_go_along ? linear_axes(out).norm() : out.norm()) < kOnePointMm;
 }
 
-/// What a block becomes at its corner: shortened, and the corner itself.
-PathItems cut_blocks(const PathBlock& block, const PlanePoint& from, OffsetPlane plane,
-                     const Cut& cut, double feed_mm_min) {
+/// The position at a point of a way, other axes being there in proportion.
+AxisPositions place_on(const PlaneWay& way, const std::pair<AxisPositions, AxisPositions>& ends,
+                       OffsetPlane plane, const PlanePoint& p) {
+  const double share = (p - way.from).norm() < kOnePointMm ? 0.0
+                       : way.arc ? sweep_rad({way.from, p, way.arc}) / sweep_rad(way)
+                                 : (p - way.from).norm() / (way.to - way.from).norm();
+  return plane.moved(ends.first + share * (ends.second - ends.first), p);
+}
+
+/// What a block becomes at its corner: shortened to one place, and the corner itself to another.
+PathItems cut_blocks(const PathBlock& block, const PlanePoint& from,
+                     const std::pair<AxisPositions, AxisPositions>& q_M_cut, const Cut& cut,
+                     double feed_mm_min) {
   PathItems items;
   PathBlock corner = block;
-  corner.q_M_end = plane.moved(block.q_M_end, cut.end);
+  corner.q_M_end = q_M_cut.second;
   corner.arc.reset();
   corner.g = 1;
   if (cut.is_round) {
@@ -182,7 +196,7 @@ PathItems cut_blocks(const PathBlock& block, const PlanePoint& from, OffsetPlane
   corner.feed_mm_min = feed_mm_min > 0.0 ? feed_mm_min : block.feed_mm_min;
   if ((cut.begin - from).norm() > kOnePointMm) {
     PathBlock shortened = block;
-    shortened.q_M_end = plane.moved(block.q_M_end, cut.begin);
+    shortened.q_M_end = q_M_cut.first;
     items.emplace_back(shortened);
   }
   items.emplace_back(corner);
@@ -236,8 +250,9 @@ Result<ContourCorners::Given, CornerFault> ContourCorners::take(const PathBlock&
   AxisPositions q_M_begin = q_M_from;
   if (held_ && moves && plane == held_->plane) {
     const PlaneWay before = way_of(held_->block, held_->q_M_from, plane);
-    const bool flat = is_flat(held_->q_M_from, held_->block.q_M_end, plane) &&
-                      is_flat(q_M_from, block.q_M_end, plane);
+    const bool flat =
+        is_flat(held_->q_M_from, held_->block.q_M_end, plane, rules_.rotary_go_along) &&
+        is_flat(q_M_from, block.q_M_end, plane, rules_.rotary_go_along);
     const PlaneWay behind = way_of(block, q_M_from, plane);
     const double longest_leg = 0.5 * std::min(held_->length_mm, (behind.to - behind.from).norm());
     const auto cut =
@@ -248,9 +263,11 @@ Result<ContourCorners::Given, CornerFault> ContourCorners::take(const PathBlock&
       return CornerFault{cut.error(), held_->block.where};
     }
     if (cut.value()) {
-      given.before =
-          cut_blocks(held_->block, before.from, plane, *cut.value(), held_->wish.feed_mm_min);
-      q_M_begin = plane.moved(q_M_from, cut.value()->end);
+      const AxisPositions q_M_cut =
+          place_on(before, {held_->q_M_from, held_->block.q_M_end}, plane, cut.value()->begin);
+      q_M_begin = place_on(behind, {q_M_from, block.q_M_end}, plane, cut.value()->end);
+      given.before = cut_blocks(held_->block, before.from, {q_M_cut, q_M_begin}, *cut.value(),
+                                held_->wish.feed_mm_min);
       held_.reset();
     }
   }

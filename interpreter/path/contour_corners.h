@@ -31,6 +31,8 @@ struct CornerRules {
   enum class ChamferAtArc { Refused, ByDistance } chamfer_at_arc = ChamferAtArc::Refused;
   /// A turn up to this is no corner, radians.
   double straight_on_rad = 1e-9;
+  /// Rotary axes may turn along with the plane: over the corner they go on in proportion.
+  bool rotary_go_along = false;
 
   bool operator==(const CornerRules&) const = default;
 };

@@ -92,7 +92,7 @@ CompensationResult CutterCompensation::pass(std::optional<Pause> pause,
   if (plane_changed(command)) {
     return CompensationFault{CompensationError::PlaneChanged, command.where};
   }
-  return given(idle(pause ? std::optional<PathItem>(*pause) : std::nullopt, command));
+  return given(pause ? idle(PathItem(*pause), command) : idle(std::nullopt, command));
 }
 
 CompensationResult CutterCompensation::flush() {

@@ -77,12 +77,10 @@ std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const P
 std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
                                                   const OffsetPlane& plane) {
   const auto tag = std::bit_cast<machine::MoveTag>(Tag{moves_, block.where});
-  const bool ends_at_axes = block.of_axes || block.leads != nullptr;
-  const machine::AxisTransformPtr& transform = block.leads != nullptr ? *block.leads
-                                               : block.of_axes        ? kUnled
-                                                                      : *transform_;
-  const auto q_M_end =
-      transform && !ends_at_axes ? transform->axes_at(block.q_M_end) : std::optional(block.q_M_end);
+  const machine::AxisTransformPtr& transform = block.of_axes ? kUnled
+                                               : block.leads ? block.leads
+                                                             : *transform_;
+  const auto q_M_end = transform ? transform->axes_at(block.q_M_end) : std::optional(block.q_M_end);
   if (!q_M_end) {
     return told(unreachable(port_.position()));
   }

@@ -77,9 +77,9 @@ struct PathBlock {
   machine::RapidPath rapid_path = machine::RapidPath::Straight;  ///< for g = 0
   machine::ContourControl contour_control = machine::ContourControl::Off;
   bool of_axes = false;  ///< its end is a position of the axes, whatever leads them (G53)
-  /// Of a line whose end is a position of the axes: leads them there.  It outlives the block; null:
-  /// see of_axes.
-  const machine::AxisTransformPtr* leads = nullptr;
+  /// Leads the axes in the place of what the outlet is led by: the block's places are in its base
+  /// coordinates.  Null: see Outlet::lead_by.
+  machine::AxisTransformPtr leads = {};
 
   /// The same block, in another run of the same program, too: what leads the axes there is another
   /// object, and counts as whether something does.

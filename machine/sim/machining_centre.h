@@ -45,7 +45,8 @@ class MachiningCentre final : public MachinePort {
   /// the whole arc.  The surroundings are asked about it as a curve.
   Result<AxisPositions, MachineFault> move(const ArcMove& arc) override;
 
-  /// Moves until the skip signal.  From the contact the axes go on for the trigger's delay along
+  /// Moves until the skip signal, along the curve where a transformation leads the axes and rotary
+  /// ones turn.  From the contact the axes go on for the trigger's delay along
   /// the commanded motion, then the position is latched and the axes stop as MachineSetup says;
   /// neither point lies beyond the programmed end.  The overtravel past the contact meets no
   /// obstacle: the stylus gives way.  A move that listens to an input without a probe goes to its
@@ -91,7 +92,8 @@ class MachiningCentre final : public MachinePort {
   void tell(const MachineEvent& event);
   void tell_time() const;
   /// What the way that a skip move took, of axes and tool tip, has broken.
-  std::optional<MachineFault> damage(const AxisPositions& q_M_from, const Waypoint& tip_from);
+  std::optional<MachineFault> damage(const RealAxes::Encoders& went, const Waypoint& tip_from);
+  Result<SkipOutcome, MachineFault> skip_led(const LedPath& path, const SkipMove& move);
   [[nodiscard]] MachineFault soft_limit_fault(const AxisPositions& q_M_end) const;
   Result<AxisPositions, MachineFault> move_led(const LedPath& path, const LinearMove& move);
   [[nodiscard]] std::optional<MachineFault> fault_on(const LedPath& path) const;
@@ -130,12 +132,12 @@ class MachiningCentre final : public MachinePort {
   // Until the signal; nullopt: there is none.
   std::optional<SkipOutcome> skip(const StraightPath& path, const MotionProfile& profile,
                                   const SkipMove& move);
-  std::optional<SkipOutcome> skip_really(const StraightPath& path, const MotionProfile& profile,
+  std::optional<SkipOutcome> skip_really(const CommandedPath& path, const MotionProfile& profile,
                                          const SkipMove& move);
   SkipOutcome stop_for(SkipTrigger trigger, const StraightPath& path, const MotionProfile& profile,
                        AfterSignal after);
-  SkipOutcome stop_really(Timed<SkipTrigger> trigger, const StraightPath& path,
-                          const MotionProfile& profile, AfterSignal after);
+  SkipOutcome stop_really(Timed<SkipTrigger> trigger, const CommandedPath& path,
+                          const MotionProfile& profile, const SkipMove& move);
 
   // An ideal motion for the trace.
   void show(const CommandedPath& path, const MotionPhases& phases, double duration_s);

@@ -38,6 +38,9 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMov
     return *take_late_fault();
   }
   tell_time();
+  if (const auto led = led_path(q_M_, move.way)) {
+    return skip_led(*led, move);
+  }
   const StraightPath path(q_M_, move.way.q_M_end, move.way.mm_per_degree);
   SkipOutcome outcome = NoTouch{};
   if (path.moves()) {
@@ -48,25 +51,54 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMov
     } else {
       q_M_ = move.way.q_M_end;
     }
-    if (auto fault = damage(path.from(), tip)) {
+    const auto went = [&from = path.from(), &to = q_M_](double fraction) {
+      return fraction == 1.0 ? to : AxisPositions(from + fraction * (to - from));
+    };
+    if (auto fault = damage(went, tip)) {
       return *std::move(fault);
     }
   }
   return outcome;
 }
 
-std::optional<MachineFault> MachiningCentre::damage(const AxisPositions& q_M_from,
+Result<SkipOutcome, MachineFault> MachiningCentre::skip_led(const LedPath& path,
+                                                            const SkipMove& move) {
+  if (auto fault = fault_on(path)) {
+    return *std::move(fault);
+  }
+  const Waypoint tip = real_.tip(q_M_);
+  const PathLimits limits = dynamics_.limits(path, move.way);
+  const MotionProfile profile(path.length(), limits.speed, limits.acceleration, limits.jerk);
+  auto signalled = skip_really(path, profile, move);
+  if (!signalled) {
+    q_M_ = move.way.q_M_end;
+  }
+  // Rotary axes turn in proportion to the way.
+  Eigen::Index turned = 0;
+  const double whole = rotary_axes(path.to() - path.from()).cwiseAbs().maxCoeff(&turned);
+  const double gone =
+      std::abs(rotary_axes(q_M_)[turned] - rotary_axes(path.from())[turned]) / whole;
+  const auto went = [&path, gone, &to = q_M_](double fraction) {
+    return fraction == 1.0 ? to : path.at(std::min(1.0, fraction * gone));
+  };
+  if (auto fault = damage(went, tip)) {
+    return *std::move(fault);
+  }
+  return signalled ? *std::move(signalled) : SkipOutcome(NoTouch{});
+}
+
+std::optional<MachineFault> MachiningCentre::damage(const RealAxes::Encoders& went,
                                                     const Waypoint& tip_from) {
   if (surroundings_ == nullptr) {
     return std::nullopt;
   }
-  const std::vector<Waypoint> taken = real_.way_taken(tip_from, q_M_from, q_M_);
+  const std::vector<Waypoint> taken = real_.way_taken(tip_from, went);
   auto obstacle = surroundings_->first_obstacle(Way(taken), Travel::Skip);
   if (!obstacle) {
     return std::nullopt;
   }
   G31_EXPECTS(is_fraction(obstacle->fraction));
-  const AxisPositions q_M_stop = q_M_from + obstacle->fraction * (q_M_ - q_M_from);
+  const AxisPositions q_M_stop = went(obstacle->fraction);
   real_.stop_at(q_M_stop);
   obstacle->contact = real_.in_machine(q_M_stop, obstacle->contact);
   return stop_at(*std::move(obstacle), q_M_stop, 0.0);
@@ -126,34 +158,35 @@ SkipOutcome MachiningCentre::stop_for(SkipTrigger trigger, const StraightPath& p
   return Touched{q_M_latched, q_M_, std::move(trigger.contact), trigger.signals};
 }
 
-std::optional<SkipOutcome> MachiningCentre::skip_really(const StraightPath& path,
+std::optional<SkipOutcome> MachiningCentre::skip_really(const CommandedPath& path,
                                                         const MotionProfile& profile,
                                                         const SkipMove& move) {
   const ServoMotion motion = real_.motion(path, profile.phases());
   if (surroundings_ != nullptr) {
     auto trigger = real_.first_signal(motion, listening_of(move), *surroundings_);
     if (trigger) {
-      return stop_really(*std::move(trigger), path, profile, move.after);
+      return stop_really(*std::move(trigger), path, profile, move);
     }
   }
   follow(motion, real_.done_s(motion, BlockEnd::ExactStop));
   return std::nullopt;
 }
 
-SkipOutcome MachiningCentre::stop_really(Timed<SkipTrigger> trigger, const StraightPath& path,
-                                         const MotionProfile& profile, AfterSignal after) {
+SkipOutcome MachiningCentre::stop_really(Timed<SkipTrigger> trigger, const CommandedPath& path,
+                                         const MotionProfile& profile, const SkipMove& move) {
+  const AxisPositions& q_M_end = move.way.q_M_end;
   if (trigger.event.on_at_start) {
     return NoEdge{std::move(trigger.event.contact)};
   }
   G31_EXPECTS(trigger.event.delay_s >= 0.0);
   const double latch_s = trigger.time_s + trigger.event.delay_s;
   const ServoMotion motion = real_.motion(
-      path, after == AfterSignal::Stop ? profile.phases_braking_at(latch_s + stop_delay_s_)
-                                       : profile.phases());
+      path, move.after == AfterSignal::Stop ? profile.phases_braking_at(latch_s + stop_delay_s_)
+                                            : profile.phases());
   const AxisPositions q_M_latched = motion.encoder_at(latch_s);
-  if (after == AfterSignal::GoOn) {
+  if (move.after == AfterSignal::GoOn) {
     follow(motion, real_.done_s(motion, BlockEnd::ExactStop));
-    q_M_ = path.to();
+    q_M_ = q_M_end;
     return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact),
                    trigger.event.signals};
   }
@@ -164,7 +197,7 @@ SkipOutcome MachiningCentre::stop_really(Timed<SkipTrigger> trigger, const Strai
     follow(motion, std::max(latch_s, real_.done_s(motion, BlockEnd::ExactStop)));
     q_M_ = motion.end();
   }
-  q_M_ = q_M_ == path.to() ? q_M_ : in_steps(q_M_, resolution_);
+  q_M_ = q_M_ == q_M_end ? q_M_ : in_steps(q_M_, resolution_);
   // What is left of the lag is gone: else the way back would begin by going on into the part.
   real_.stop_at(q_M_);
   return Touched{in_steps(q_M_latched, resolution_), q_M_, std::move(trigger.event.contact),

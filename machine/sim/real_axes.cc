@@ -102,16 +102,15 @@ Waypoint RealAxes::place_of(const Point& p_T, const AxisPositions& q_M) const {
   return with_tip_there.tip(q_M);
 }
 
-std::vector<Waypoint> RealAxes::way_taken(const Waypoint& tip_from, const AxisPositions& q_M_from,
-                                          const AxisPositions& q_M_to) const {
-  const double turned_deg = rotary_axes(q_M_to - q_M_from).cwiseAbs().maxCoeff();
+std::vector<Waypoint> RealAxes::way_taken(const Waypoint& tip_from, const Encoders& went) const {
+  const double turned_deg = rotary_axes(went(1.0) - went(0.0)).cwiseAbs().maxCoeff();
   const int pieces = chain_.has_rotary_axes()
                          ? std::max(1, static_cast<int>(std::ceil(turned_deg / kSkipTurnDeg)))
                          : 1;
   std::vector<Waypoint> way = {tip_from};
   for (int i = 1; i <= pieces; ++i) {
     const double fraction = static_cast<double>(i) / pieces;
-    way.push_back(tip(i == pieces ? q_M_to : q_M_from + fraction * (q_M_to - q_M_from)));
+    way.push_back(tip(went(fraction)));
     way.back().fraction = fraction;
   }
   return way;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -66,12 +67,13 @@ class RealAxes {
   [[nodiscard]] Waypoint tip(const AxisPositions& q_M) const;
   /// The same for another point of the tool's side.  @param p_T  mm, from the gauge point
   [[nodiscard]] Waypoint place_of(const Point& p_T, const AxisPositions& q_M) const;
-  /// The way that a skip move has taken from there: straight for the encoders, so in one piece
-  /// unless a rotary axis moved, then in pieces of kSkipTurnDeg.
-  /// @param tip_from  what tip(q_M_from) was before the move
+  /// Positions of the encoders at a fraction 0..1 of a way.
+  using Encoders = std::function<AxisPositions(double)>;
+  /// The way that a skip move has taken: in one piece unless a rotary axis moved, then in pieces of
+  /// kSkipTurnDeg.
+  /// @param tip_from  what tip() of its beginning was before the move
   [[nodiscard]] std::vector<Waypoint> way_taken(const Waypoint& tip_from,
-                                                const AxisPositions& q_M_from,
-                                                const AxisPositions& q_M_to) const;
+                                                const Encoders& went) const;
   /// What was met in the frame of the part, in that of the machine.
   [[nodiscard]] Contact in_machine(const AxisPositions& q_M, const Contact& of_part) const;
 

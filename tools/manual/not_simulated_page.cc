@@ -26,8 +26,8 @@ finds both before (NC007).
 * Nobody is there: what waits for an operator goes on (stops are listed) or ends the run (PRB604).  Inputs come from
   `[[input]]`.
 * There is one channel: programs of several channels wait for nobody.
-* SINUMERIK, five axes: TRAORI, tool carriers and CYCLE800 run by the data `$TC_CARR`; measuring, G41, G42, RND and CHF
-  while rotary axes turn under TRAORI are refused.  CYCLE996 and CYCLE9960 correct tool carriers: kinematic chains
+* SINUMERIK, five axes: TRAORI, tool carriers and CYCLE800 run by the data `$TC_CARR`; the radius is compensated in the
+  plane (CUT2D), and measuring along a great circle (A3 with ORIVECT) is refused.  CYCLE996 and CYCLE9960 correct tool carriers: kinematic chains
   (`$NK_`, `$NT_`) are not there, nor what compile cycles do with files of interpolation points.  The shaft of a probe
   senses nothing: CYCLE995 needs a further ball in its place.
 * Fanuc, five axes: tilted planes and tool centre point control run; the tool's reference direction is Z (parameters 19697

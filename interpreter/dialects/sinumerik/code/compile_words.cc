@@ -218,7 +218,8 @@ void WordCompiler::word(Address address, ShortSpan where) {
                           address == Address::CentreZ || address == Address::Spindle ||
                           address == Address::SpindleAsync || address == Address::MiddleX ||
                           address == Address::MiddleY || address == Address::MiddleZ ||
-                          address == Address::PolarAngle || address == Address::PolarRadius;
+                          address == Address::PolarAngle || address == Address::PolarRadius ||
+                          address == Address::ToolWay;
   if (modification == Modification::Quick || (modification != Modification::None && !modifiable)) {
     fail(AlarmId::BadModification, where, text_of(where));
     return;

@@ -14,14 +14,15 @@ MaybeFailure approach(Channel& channel, const Block& block, const AxisPositions&
     return wrong;
   }
   path::PathBlock move;
-  move.q_M_end = channel.port.position();
+  AxisPositions q_M_end = channel.port.position();
   move.g = 0;
   move.where = block.where;
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     if (block.words.axis(axis).present) {
-      move.q_M_end[axis] = q_M_point[axis];
+      q_M_end[axis] = q_M_point[axis];
     }
   }
+  move.q_M_end = channel.machine_to_path(q_M_end);
   MaybeFailure wrong = travel(channel, move);
   channel.arrived_at_machine();
   return wrong;

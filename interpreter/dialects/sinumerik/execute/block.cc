@@ -142,7 +142,7 @@ Special special_of(GAction action) {
 /// Whether a word says where to go.
 bool has_place(const Block& block) {
   return block.words.has_axes() || is_polar(block) || block.words.has(Address::Angle) ||
-         has_direction(block);
+         has_direction(block) || block.words.has(Address::ToolWay);
 }
 
 /// The code that takes the block's axis words for something else than a motion of the path.

@@ -122,7 +122,7 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
                     fraction * rise * normal;
     q_W = i == chords ? job.q_W_end : q_W;
     path::PathBlock chord;
-    chord.q_M_end = channel.to_machine(q_W);
+    chord.q_M_end = channel.to_path(q_W);
     chord.feed_mm_min = feed.value();
     chord.where = job.block.where;
     chord.contour_control = contour_control(channel);
@@ -151,10 +151,10 @@ MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle
   AxisPositions q_W_centre = job.q_W_start;
   q_W_centre[plane.first] = circle.centre.x();
   q_W_centre[plane.second] = circle.centre.y();
-  const AxisPositions q_M_centre = channel.to_machine(q_W_centre);
-  const bool clockwise = (circle.turn == Turn::Clockwise) != plane_in_machine(channel).is_mirrored;
+  const AxisPositions q_P_centre = channel.to_path(q_W_centre);
+  const bool clockwise = (circle.turn == Turn::Clockwise) != plane_of_path(channel).is_mirrored;
   path::PathBlock path;
-  path.arc = path::ArcShape{{q_M_centre[plane.first], q_M_centre[plane.second]},
+  path.arc = path::ArcShape{{q_P_centre[plane.first], q_P_centre[plane.second]},
                             clockwise ? Turn::Clockwise : Turn::Counterclockwise};
   path.g = clockwise ? 2 : 3;
   path.feed_mm_min = feed.value();
@@ -164,13 +164,13 @@ MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle
     AxisPositions q_W = along(job, turn * kFullRad / total);
     q_W[plane.first] = job.q_W_start[plane.first];
     q_W[plane.second] = job.q_W_start[plane.second];
-    path.q_M_end = channel.to_machine(q_W);
+    path.q_M_end = channel.to_path(q_W);
     path.ends = machine::BlockEnd::PassOn;
     if (MaybeFailure wrong = travel_to(channel, path, q_W)) {
       return wrong;
     }
   }
-  path.q_M_end = channel.to_machine(job.q_W_end);
+  path.q_M_end = channel.to_path(job.q_W_end);
   path.ends = block_end(channel);
   return travel_to(channel, path, job.q_W_end);
 }
@@ -203,11 +203,11 @@ MaybeFailure move_along_circle(Channel& channel, const Block& block) {
   if (circle.value().is_straight) {
     return move_straight(channel, block);
   }
-  const PlaneInMachine plane = plane_in_machine(channel);
+  const PlaneOfPath plane = plane_of_path(channel);
   if (!plane.is_even) {
     return failure(AlarmId::NotImplemented, "a circle in an unequally scaled plane");
   }
-  if (plane.is_parallel && !turns_under_tip(channel, channel.to_machine(job.q_W_end))) {
+  if (plane.is_parallel) {
     return move_in_arcs(channel, job, circle.value(), turns.value());
   }
   const double sweep = sweep_of(circle.value()) + turns.value() * kFullRad;

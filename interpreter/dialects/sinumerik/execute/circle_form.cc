@@ -103,10 +103,10 @@ MaybeFailure through_middle(const Vector& middle, Circle& circle) {
 
 /// CT: goes on in the direction in which the move before it ended.
 MaybeFailure tangential(const Channel& channel, Circle& circle) {
-  AxisPositions q_M_ahead = channel.machine_position();
-  const AxisPositions q_W = channel.to_work(q_M_ahead);
-  q_M_ahead.head<3>() += channel.along_M_end.normalized();
-  Vector along = in_plane(channel.to_work(q_M_ahead) - q_W, circle.plane);
+  AxisPositions q_P_ahead = channel.path_position();
+  const AxisPositions q_W = channel.path_to_work(q_P_ahead);
+  q_P_ahead.head<3>() += channel.along_P_end.normalized();
+  Vector along = in_plane(channel.path_to_work(q_P_ahead) - q_W, circle.plane);
   const Vector chord = circle.end - circle.start;
   if (along.norm() < kNothing || chord.norm() < kNothing) {
     return failure(AlarmId::CircleEnd,

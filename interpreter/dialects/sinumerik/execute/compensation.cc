@@ -69,7 +69,7 @@ Result<CompensationCommand, Failure> command_of(const Channel& channel, const Bl
       channel.group[Group::OutsideCorner] == kIntersection) {
     return failure(AlarmId::NotImplemented, "KONT with G451");
   }
-  const PlaneInMachine plane = plane_in_machine(channel);
+  const PlaneOfPath plane = plane_of_path(channel);
   if (on && !plane.is_parallel) {
     return failure(AlarmId::NotImplemented, "G41 and G42 in a tilted or unequally scaled plane");
   }
@@ -92,7 +92,7 @@ bool is_compensation_on(const Channel& channel) {
   return channel.group[Group::RadiusCompensation] != kOff && channel.edge != 0;
 }
 
-PlaneInMachine plane_in_machine(const Channel& channel) {
+PlaneOfPath plane_of_path(const Channel& channel) {
   const Plane plane = channel.plane();
   AxisPositions q[3] = {AxisPositions::Zero(), AxisPositions::Zero(), AxisPositions::Zero()};
   q[1][plane.first] = 1.0;
@@ -100,10 +100,10 @@ PlaneInMachine plane_in_machine(const Channel& channel) {
   const Frame frame = channel.active_frame();
   AxisPositions first = frame.apply(q[1]) - frame.apply(q[0]);
   AxisPositions second = frame.apply(q[2]) - frame.apply(q[0]);
-  if (channel.transformation() != nullptr) {
-    const Eigen::Matrix3d turn = channel.turn_of_part(channel.machine_position());
-    first.head<3>() = turn * first.head<3>();
-    second.head<3>() = turn * second.head<3>();
+  if (channel.orientation.chain) {
+    const Eigen::Matrix3d turn = channel.path_turn().transpose();
+    first.head<3>() = (turn * first.head<3>()).eval();
+    second.head<3>() = (turn * second.head<3>()).eval();
   }
   const double out = std::abs(first[plane.normal]) + std::abs(second[plane.normal]);
   const double stretch = std::abs(first.head<3>().norm() - second.head<3>().norm());
@@ -133,7 +133,7 @@ MaybeFailure read_compensation(Channel& channel, const Block& block) {
   cutter.fed = false;
   cutter.compensation.set_rules(rules_of(channel));
   if (cutter.command.state == State::On && !cutter.compensation.engaged()) {
-    cutter.compensation.engage(channel.port.position(), cutter.command.plane);
+    cutter.compensation.engage(channel.path_position(), cutter.command.plane);
   }
   return std::nullopt;
 }

@@ -52,7 +52,7 @@ Result<PlaneVector, Failure> meeting_point(const Channel& channel, const Block& 
 MaybeFailure travel_held(Channel& channel, const HeldLine& line, const Block& block,
                          const AxisPositions& q_W_end) {
   path::PathBlock path;
-  path.q_M_end = channel.to_machine(q_W_end);
+  path.q_M_end = channel.to_path(q_W_end);
   path.where = line.where;
   path.g = line.g;
   path.ends = line.ends;
@@ -60,7 +60,7 @@ MaybeFailure travel_held(Channel& channel, const HeldLine& line, const Block& bl
   path.rapid_path = line.rapid_path;
   if (path.g == 1) {
     FeedWay way =
-        feed_way(channel, block, q_W_end, feed_length(channel.machine_position(), path.q_M_end));
+        feed_way(channel, block, q_W_end, feed_length(channel.path_position(), path.q_M_end));
     way.feed = line.feed;
     const auto feed = feed_in_force(channel, block, way);
     if (!feed) {

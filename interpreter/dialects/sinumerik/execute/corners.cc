@@ -72,7 +72,7 @@ void wish_to_pass_by(Channel& channel, path::CornerWish& wish) {
       !channel.couplings.empty() || block_end(channel) != machine::BlockEnd::PassOn) {
     return;
   }
-  const PlaneInMachine plane = plane_in_machine(channel);
+  const PlaneOfPath plane = plane_of_path(channel);
   if (!plane.is_parallel) {
     return;
   }
@@ -117,7 +117,7 @@ MaybeFailure read_corner(Channel& channel, const Block& block) {
     wish_to_pass_by(channel, corners.wish);
     return std::nullopt;
   }
-  const PlaneInMachine plane = plane_in_machine(channel);
+  const PlaneOfPath plane = plane_of_path(channel);
   if (!plane.is_parallel) {
     return failure(AlarmId::NotImplemented, "RND and CHF in a tilted or unequally scaled plane");
   }

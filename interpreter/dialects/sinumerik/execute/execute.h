@@ -36,14 +36,21 @@ MaybeFailure take_technology(Channel& channel, const Block& block);
 MaybeFailure select_tool(Channel& channel, const Block& block);
 /// FZ and SVC, by the tool in force.
 MaybeFailure take_tool_technology(Channel& channel, const Block& block);
+/// MOVT: along the tool as it stands.
+MaybeFailure take_tool_way(const Channel& channel, const Block& block, AxisPositions& q_W_end);
 /// TOFRAME, TOROT and their forms, TOROTOF.
 void turn_to_tool(Channel& channel, const GCode& code);
 /// TCARR, TCOABS and TCOFR, PAROT.
 MaybeFailure take_tool_carrier(Channel& channel, const Block& block);
 /// $P_PARTFRAME is that of the table as the carrier in force has turned it.
 void follow_table(Channel& channel);
+/// What TRAORI may say besides its number.
+struct BasicPosition {
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< of the tool; 0: square to the plane
+  std::array<double, 2> offsets_deg = {};               ///< added to the axes' basic positions
+};
 /// TRAORI by the data of a tool carrier, and TRAFOOF.
-MaybeFailure switch_transformation_on(Channel& channel, int number);
+MaybeFailure switch_transformation_on(Channel& channel, int number, const BasicPosition& basic);
 MaybeFailure switch_transformation_off(Channel& channel);
 /// ORIRESET: at rapid to positions of the transformation's axes; nullopt: the basic ones.
 MaybeFailure turn_back(Channel& channel, const std::array<std::optional<double>, 2>& deg,

@@ -34,14 +34,14 @@ MaybeFailure limit(Channel& channel, const Block& block, const GCode& code) {
   return std::nullopt;
 }
 
-MaybeFailure out_of_reach(const Channel& channel, const AxisPositions& q_M_end) {
-  if (!is_place(q_M_end)) {
+MaybeFailure out_of_reach(const Channel& channel, const AxisPositions& q_P_end) {
+  if (!is_place(q_P_end)) {
     return failure(AlarmId::ValueOutOfLimits, "the axes do not go so far");
   }
   if (!channel.working_area.is_set || channel.group[Group::WorkingArea] != kAreaOn) {
     return std::nullopt;
   }
-  const AxisPositions q_tip = channel.to_basic(q_M_end);
+  const AxisPositions q_tip = channel.path_to_basic(q_P_end);
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     const double low = channel.working_area.q_low[axis] - kSlack;
     const double high = channel.working_area.q_high[axis] + kSlack;

@@ -89,16 +89,18 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Bloc
                                                     const AxisPositions& q_W_end) {
   machine::LinearMove move;
   move.q_M_end = coupled_end(channel, channel.port.position(), channel.to_machine(q_W_end));
+  if (has_direction(block) && channel.group[Group::OrientationPath] != number_in_group("ORIAXES") &&
+      rotary_axes(move.q_M_end) != rotary_axes(channel.port.position())) {
+    return failure(AlarmId::NotImplemented, "MEAS along a great circle: ORIAXES goes");
+  }
+  move.transform = channel.leads();
   if (channel.group[Group::Motion] == number_in_group("G0")) {
     return move;
   }
   if (channel.group[Group::Motion] != number_in_group("G1")) {
     return failure(AlarmId::NotImplemented, "MEAS on a circle");
   }
-  if (turns_under_tip(channel, move.q_M_end)) {
-    return failure(AlarmId::NotImplemented, "MEAS while TRAORI leads the tip and rotary axes turn");
-  }
-  const double length = feed_length(channel.port.position(), move.q_M_end);
+  const double length = feed_length(channel.path_position(), channel.machine_to_path(move.q_M_end));
   const auto feed = feed_in_force(channel, block, feed_way(channel, block, q_W_end, length));
   if (!feed) {
     return feed.error();
@@ -120,7 +122,7 @@ void settle(Channel& channel, const runtime::TouchEvent& event, const Measuring&
   if (stops || !channel.couplings.empty()) {
     channel.arrived_at_machine();
   } else {
-    channel.arrived_at_programmed(q_W_end, event.q_M_commanded);
+    channel.arrived_at_programmed(q_W_end, channel.machine_to_path(event.q_M_commanded));
   }
 }
 
@@ -133,7 +135,8 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   if (!straight) {
     return straight.error();
   }
-  if (MaybeFailure outside = out_of_reach(channel, straight.value().q_M_end)) {
+  if (MaybeFailure outside =
+          out_of_reach(channel, channel.machine_to_path(straight.value().q_M_end))) {
     return outside;
   }
   machine::SkipMove move(straight.value());

@@ -126,6 +126,11 @@ Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& blo
       return *wrong;
     }
   }
+  if (block.words.has(Address::ToolWay)) {
+    if (MaybeFailure wrong = take_tool_way(channel, block, q_W_end)) {
+      return *wrong;
+    }
+  }
   return q_W_end;
 }
 
@@ -155,19 +160,14 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
     }
   }
   path::PathBlock path;
-  path.q_M_end = channel.to_machine(q_W_end.value());
+  path.q_M_end = channel.to_path(q_W_end.value());
   path.where = block.where;
   path.g =
       channel.group[Group::Motion] == kRapid && block.code_of(Group::OneBlock) == nullptr ? 0 : 1;
   path.rapid_path = channel.rapid_path();
   if (path.g == 1) {
-    AxisPositions q_start = channel.machine_position();
-    AxisPositions q_end = path.q_M_end;
-    if (turns_under_tip(channel, q_end)) {
-      // The feed counts the way of the tip.
-      q_start = channel.to_basic(q_start);
-      q_end = channel.to_basic(q_end);
-    }
+    const AxisPositions q_start = channel.path_position();
+    const AxisPositions& q_end = path.q_M_end;
     const bool has_lead = is_thread(channel.group[Group::Motion]) &&
                           block.code_of(Group::OneBlock) == nullptr;  // G63 has F
     const auto feed =

@@ -64,7 +64,7 @@ std::optional<AxisPositions> axes_for(const Channel& channel, const Vector3& dir
       travel.at(i) = {goes->min - basic, goes->max - basic};
     }
   }
-  const Vector3 upright = Vector3::Unit(channel.plane().normal);
+  const Vector3 upright = orientation.upright(channel.plane().normal);
   const auto pair =
       machine::least_motion(orientation.axes->pairs_for(direction, upright), from, travel, 0);
   if (!pair) {
@@ -151,7 +151,8 @@ MaybeFailure travel_with_direction(Channel& channel, const path::PathBlock& path
     const AxisPositions q_W =
         with_turn(channel, q_W_from + fraction * (q_W_end - q_W_from), *turned);
     path::PathBlock piece = path;
-    piece.q_M_end = q_M = channel.to_machine(q_W);
+    piece.q_M_end = channel.to_path(q_W);
+    q_M.tail<kRotaryAxisCount>() = rotary_axes(*turned);
     piece.ends = machine::BlockEnd::PassOn;
     if (MaybeFailure wrong = travel_to(channel, piece, q_W)) {
       return wrong;
@@ -174,12 +175,26 @@ MaybeFailure turn_back(Channel& channel, const std::array<std::optional<double>,
   const AxisPositions q_W_end = with_turn(channel, channel.present(), q_M);
   path::PathBlock path;
   path.g = 0;
-  path.q_M_end = channel.to_machine(q_W_end);
+  path.q_M_end = channel.to_path(q_W_end);
   path.where = where;
   return travel_to(channel, path, q_W_end);
 }
 
-MaybeFailure switch_transformation_on(Channel& channel, int number) {
+namespace {
+
+/// Paths have other coordinates behind it.
+MaybeFailure finish_for_transformation(Channel& channel) {
+  if (is_compensation_on(channel)) {
+    return failure(AlarmId::CompensationAtTransformation);
+  }
+  MaybeFailure wrong = finish_motion(channel);
+  channel.cutter.compensation.disengage();
+  return wrong;
+}
+
+}  // namespace
+
+MaybeFailure switch_transformation_on(Channel& channel, int number, const BasicPosition& basic) {
   const auto carrier = channel.carriers.find(number);
   if (carrier == channel.carriers.end()) {
     return failure(AlarmId::TransformationMissing, fmt::format("TRAORI({})", number));
@@ -201,14 +216,19 @@ MaybeFailure switch_transformation_on(Channel& channel, int number) {
       !orientation_of(vectors.value())) {
     return failure(AlarmId::BadFiveAxisData, fmt::format("TRAORI({})", number));
   }
-  if (MaybeFailure wrong = finish_motion(channel)) {
+  if (MaybeFailure wrong = finish_for_transformation(channel)) {
     return wrong;
   }
   Orientation& orientation = channel.orientation;
   orientation.transformation = number;
   orientation.traori_vectors = vectors.value();
-  orientation.traori_basic_deg = {carrier->second.basic_position(0, with_fine),
-                                  carrier->second.basic_position(1, with_fine)};
+  for (std::size_t i = 0; i < 2; ++i) {
+    orientation.traori_basic_deg.at(i) =
+        carrier->second.basic_position(i, with_fine) + basic.offsets_deg.at(i);
+  }
+  orientation.basic_direction = basic.direction.isZero(0.0)
+                                    ? std::nullopt
+                                    : std::optional<Vector3>(basic.direction.normalized());
   orientation.axes = orientation_of(vectors.value());
   machine::AxisChainSetup linear;
   orientation.chain = machine::chain_of(vectors.value(), linear);
@@ -227,7 +247,7 @@ MaybeFailure switch_transformation_off(Channel& channel) {
   if (!channel.orientation.chain) {
     return std::nullopt;
   }
-  if (MaybeFailure wrong = finish_motion(channel)) {
+  if (MaybeFailure wrong = finish_for_transformation(channel)) {
     return wrong;
   }
   channel.orientation.transformation = 0;

@@ -111,7 +111,7 @@ MaybeFailure move_one(Channel& channel, const Block& block, int axis, double pla
   AxisPositions q_W_end = channel.present();
   q_W_end[axis] = place_W;
   path::PathBlock path;
-  path.q_M_end = channel.to_machine(q_W_end);
+  path.q_M_end = channel.to_path(q_W_end);
   const AxisSettings& settings = channel.axis_settings;
   path.feed_mm_min = settings.feed[static_cast<std::size_t>(axis)] *
                      settings.override_percent[axis] / 100.0 *
@@ -164,11 +164,11 @@ MaybeFailure move_positioning_axes(Channel& channel, const Block& block) {
     return wrong;
   }
   // The corner of the block and the direction for CT are of its path.
-  const Eigen::Vector3d along_M_end = channel.along_M_end;
+  const Eigen::Vector3d along_P_end = channel.along_P_end;
   const path::CornerWish wish = std::exchange(channel.corners.wish, {});
   MaybeFailure wrong = move_each(channel, block);
   channel.corners.wish = wish;
-  channel.along_M_end = along_M_end;
+  channel.along_P_end = along_P_end;
   return wrong;
 }
 

@@ -38,11 +38,12 @@ MaybeFailure turn_axis(Channel& channel, int axis, double degrees, const source:
     return wrong;
   }
   path::PathBlock path;
-  path.q_M_end = channel.machine_position();
-  path.q_M_end[axis] += std::remainder(degrees - path.q_M_end[axis], kFullTurn);
+  AxisPositions q_M_end = channel.machine_position();
+  q_M_end[axis] += std::remainder(degrees - q_M_end[axis], kFullTurn);
+  path.q_M_end = channel.machine_to_path(q_M_end);
   path.g = 0;
   path.where = where;
-  return travel_to(channel, path, channel.to_work(path.q_M_end));
+  return travel_to(channel, path, channel.to_work(q_M_end));
 }
 
 MaybeFailure orient(Channel& channel, double degrees, const source::Location& where) {

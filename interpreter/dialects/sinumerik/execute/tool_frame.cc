@@ -38,6 +38,22 @@ Eigen::Matrix3d turned_to(const Eigen::Matrix3d& old, int along, const Eigen::Ve
 
 }  // namespace
 
+MaybeFailure take_tool_way(const Channel& channel, const Block& block, AxisPositions& q_W_end) {
+  if (block.words.has_axes() || is_polar(block) || has_direction(block)) {
+    return failure(AlarmId::UnexpectedParameter, "MOVT with an axis or a direction");
+  }
+  AxisPositions q_ahead = channel.path_to_basic(channel.path_position());
+  const AxisPositions q_W = channel.active_frame().undo(q_ahead);
+  q_ahead.head<3>() += channel.tool_direction(channel.machine_position());
+  const Eigen::Vector3d along_W =
+      (channel.active_frame().undo(q_ahead) - q_W).head<3>().normalized();
+  const BlockWords::Word& word = block.words[Address::ToolWay];
+  const double value = word.value * channel.mm_per_length();
+  const bool is_place = word.modification == Modification::Absolute;
+  q_W_end.head<3>() += (is_place ? value - along_W.dot(q_W_end.head<3>()) : value) * along_W;
+  return std::nullopt;
+}
+
 void turn_to_tool(Channel& channel, const GCode& code) {
   Frame& frame = channel.program_frame;
   if (code.name == "TOROTOF") {

@@ -27,10 +27,7 @@ MaybeFailure to_machine(Channel& channel, const PathBlock& path) {
     return failure(AlarmId::CircleRadius, "the centre is too far away");
   }
   const Plane plane = channel.plane();
-  PathBlock led = path;
-  // The centre of a circle is one of the axes, not of the tip: nothing leads it.
-  led.leads = path.arc ? nullptr : channel.leads();
-  const auto fault = channel.outlet.move(led, {plane.first, plane.second});
+  const auto fault = channel.outlet.move(path, {plane.first, plane.second});
   return fault ? std::optional(from_fault(*fault)) : std::nullopt;
 }
 
@@ -119,11 +116,11 @@ Failure cannot_cut(const path::CornerFault& fault) {
 }
 
 /// Of any length along the end of a path; as it was when the path has no length.
-Eigen::Vector3d end_of(const Channel& channel, const AxisPositions& q_M_from,
+Eigen::Vector3d end_of(const Channel& channel, const AxisPositions& q_P_from,
                        const PathBlock& path) {
   if (!path.arc) {
-    const Eigen::Vector3d way = path.q_M_end.head<3>() - q_M_from.head<3>();
-    return way.isZero(0.0) ? channel.along_M_end : way;
+    const Eigen::Vector3d way = path.q_M_end.head<3>() - q_P_from.head<3>();
+    return way.isZero(0.0) ? channel.along_P_end : way;
   }
   const Plane plane = channel.plane();
   const double side = path.arc->turn == machine::Turn::Counterclockwise ? 1.0 : -1.0;
@@ -164,13 +161,15 @@ void move_followers(Channel& channel, const AxisPositions& q_M_way) {
   }
 }
 
-MaybeFailure travel(Channel& channel, const PathBlock& path) {
-  const AxisPositions q_M_from = channel.machine_position();
-  channel.along_M_end = end_of(channel, q_M_from, path);
+MaybeFailure travel(Channel& channel, const PathBlock& unled) {
+  const AxisPositions q_P_from = channel.path_position();
+  PathBlock path = unled;
+  path.leads = channel.leads();
+  channel.along_P_end = end_of(channel, q_P_from, path);
   CornerStage& corners = channel.corners;
   CutterStage& cutter = channel.cutter;
   cutter.fed = true;
-  if (!path.arc && path.q_M_end == q_M_from && cutter.compensation.engaged()) {
+  if (!path.arc && path.q_M_end == q_P_from && cutter.compensation.engaged()) {
     MaybeFailure wrong = carry_out(channel, cutter.compensation.pass(std::nullopt, cutter.command));
     return wrong ? wrong : too_idle(channel);
   }
@@ -179,7 +178,7 @@ MaybeFailure travel(Channel& channel, const PathBlock& path) {
   }
   const Plane plane = channel.plane();
   const auto given =
-      corners.contour.take(path, q_M_from, {plane.first, plane.second}, corners.wish);
+      corners.contour.take(path, q_P_from, {plane.first, plane.second}, corners.wish);
   if (!given) {
     return cannot_cut(given.error());
   }
@@ -196,14 +195,15 @@ namespace {
 /// A straight line on which axes go along with others.
 MaybeFailure travel_line_coupled(Channel& channel, const PathBlock& path) {
   const AxisPositions q_M_from = channel.machine_position();
+  const AxisPositions q_M_end = channel.path_to_machine(path.q_M_end);
   PathBlock coupled = path;
-  coupled.q_M_end = coupled_end(channel, q_M_from, path.q_M_end);
-  move_followers(channel, path.q_M_end - q_M_from);
+  coupled.q_M_end = channel.machine_to_path(coupled_end(channel, q_M_from, q_M_end));
+  move_followers(channel, q_M_end - q_M_from);
   MaybeFailure wrong = travel(channel, coupled);
   if (wrong) {
     channel.arrived_at_machine();
   } else {
-    channel.arrived_at_programmed(channel.to_work(coupled.q_M_end), coupled.q_M_end);
+    channel.arrived_at_programmed(channel.path_to_work(coupled.q_M_end), coupled.q_M_end);
   }
   return wrong;
 }
@@ -218,47 +218,35 @@ MaybeFailure travel_circle_coupled(Channel& channel, const PathBlock& path) {
   }
   const Plane axes = channel.plane();
   const path::OffsetPlane plane{axes.first, axes.second};
-  const AxisPositions q_M_from = channel.machine_position();
-  const path::PlanePoint from = plane.of(q_M_from) - path.arc->centre;
+  const AxisPositions q_P_from = channel.path_position();
+  const path::PlanePoint from = plane.of(q_P_from) - path.arc->centre;
   const double turn = path.arc->turn == machine::Turn::Counterclockwise ? 1.0 : -1.0;
   const double sweep =
-      turn * path::sweep_rad({plane.of(q_M_from), plane.of(path.q_M_end), path.arc});
+      turn * path::sweep_rad({plane.of(q_P_from), plane.of(path.q_M_end), path.arc});
   const double step = 2.0 * std::acos(1.0 - std::min(1.0, kCoupledChordErrorMm / from.norm()));
   const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / step)));
-  AxisPositions q_M_before = q_M_from;
+  AxisPositions q_P_before = q_P_from;
   for (int i = 1; i <= chords; ++i) {
     const double fraction = static_cast<double>(i) / chords;
-    AxisPositions q_M = q_M_from + fraction * (path.q_M_end - q_M_from);
-    q_M = plane.moved(q_M, path.arc->centre + Eigen::Rotation2Dd(fraction * sweep) * from);
-    q_M = i == chords ? path.q_M_end : q_M;
+    AxisPositions q_P = q_P_from + fraction * (path.q_M_end - q_P_from);
+    q_P = plane.moved(q_P, path.arc->centre + Eigen::Rotation2Dd(fraction * sweep) * from);
+    q_P = i == chords ? path.q_M_end : q_P;
     PathBlock chord = path;
     chord.arc.reset();
     chord.g = 1;
-    chord.q_M_end = channel.machine_position() + (q_M - q_M_before);
+    chord.q_M_end = channel.path_position() + (q_P - q_P_before);
     chord.ends = i == chords ? path.ends : machine::BlockEnd::PassOn;
     if (MaybeFailure wrong = travel_line_coupled(channel, chord)) {
       return wrong;
     }
-    q_M_before = q_M;
+    q_P_before = q_P;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-bool turns_under_tip(const Channel& channel, const AxisPositions& q_M_end) {
-  return channel.transformation() != nullptr &&
-         rotary_axes(q_M_end) != rotary_axes(channel.machine_position());
-}
-
 MaybeFailure travel_to(Channel& channel, const PathBlock& path, const AxisPositions& q_W_end) {
-  const bool is_cornered = channel.cutter.compensation.engaged() ||
-                           channel.corners.contour.holds() ||
-                           channel.corners.wish.kind != path::CornerWish::Kind::Sharp;
-  if (is_cornered && turns_under_tip(channel, path.q_M_end)) {
-    return failure(AlarmId::NotImplemented,
-                   "rotary axes with G41, G42, RND or CHF while TRAORI leads the tip");
-  }
   if (!channel.couplings.empty()) {
     return path.arc ? travel_circle_coupled(channel, path) : travel_line_coupled(channel, path);
   }
@@ -317,7 +305,7 @@ MaybeFailure finish_motion(Channel& channel) {
 }
 
 void drop_motion(Channel& channel) {
-  channel.corners.contour = {};
+  channel.corners.contour = CornerStage().contour;
   channel.cutter.compensation.disengage();
   channel.held_line.reset();
   channel.arrived_at_machine();

@@ -6,8 +6,8 @@
 namespace g31::sinumerik {
 
 // Every motion and pause of a program goes through here: roundings and chamfers, then the
-// compensation stand between the programmed path in machine coordinates and the machine.  Programs
-// run one block ahead of the machine in each.
+// compensation stand between the programmed path and the machine.  Programs run one block ahead of
+// the machine in each.  Places are in the coordinates of paths (Channel::to_path).
 
 /// Moves along a path and tells the observer.
 MaybeFailure travel(Channel& channel, const path::PathBlock& path);
@@ -29,9 +29,6 @@ AxisPositions coupled_end(const Channel& channel, const AxisPositions& q_M_from,
 /// U, V and W go along.
 void move_followers(Channel& channel, const AxisPositions& q_M_way);
 
-/// Whether rotary axes turn on the way while TRAORI leads the tip: the linear axes go on a curve.
-bool turns_under_tip(const Channel& channel, const AxisPositions& q_M_end);
-
 /// Lets time pass and tells the observer.
 MaybeFailure pause(Channel& channel, const path::Pause& wait);
 
@@ -50,14 +47,14 @@ MaybeFailure end_compensated_block(Channel& channel);
 /// that waits for its corner gets none.
 MaybeFailure leave_compensation(Channel& channel);
 
-/// How the plane lies in the machine, as the frames in force have it.
-struct PlaneInMachine {
-  bool is_parallel = false;  ///< to a plane of the machine's axes, and evenly scaled
+/// How the plane lies in the coordinates of paths, as the frames in force have it.
+struct PlaneOfPath {
+  bool is_parallel = false;  ///< to a plane of their axes, and evenly scaled
   bool is_even = false;      ///< both of its axes have the same scale
   bool is_mirrored = false;  ///< turns the other way round there
-  double scale = 1.0;        ///< mm of the machine to one of the program
+  double scale = 1.0;        ///< mm of a path to one of the program
 };
-PlaneInMachine plane_in_machine(const Channel& channel);
+PlaneOfPath plane_of_path(const Channel& channel);
 
 /// Gives the compensation the block that waits for its corner; it gets none.
 MaybeFailure finish_corners(Channel& channel);
@@ -67,7 +64,7 @@ bool is_place(const Eigen::Ref<const Eigen::VectorXd>& place);
 
 /// Alarm 10730 for an end outside of G25 and G26, 12560 for one that no words could give: frames
 /// may make such places.
-MaybeFailure out_of_reach(const Channel& channel, const AxisPositions& q_M_end);
+MaybeFailure out_of_reach(const Channel& channel, const AxisPositions& q_P_end);
 
 /// What a fault of the machine means here.
 Failure from_fault(const machine::MachineFault& fault);

@@ -124,15 +124,16 @@ MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list) {
   return wrong;
 }
 
-/// TRAORI(n): the first transformation without n.
+/// TRAORI(n, x, y, z, a, b): the first transformation without n.
 MaybeFailure transformation_on(Channel& channel, Operands& at, Arguments list) {
-  for (std::size_t i = 1; i < list.size(); ++i) {
-    if (at.number(list[i].value) != 0.0) {
-      return failure(AlarmId::NotImplemented, "TRAORI: tool direction and axis offsets");
-    }
-  }
-  return switch_transformation_on(channel,
-                                  list.empty() ? 1 : static_cast<int>(at.number(list[0].value)));
+  const auto value = [&](std::size_t i) {
+    return i < list.size() ? at.number(list[i].value) : 0.0;
+  };
+  const double number = value(0);
+  BasicPosition basic;
+  basic.direction = {value(1), value(2), value(3)};
+  basic.offsets_deg = {value(4), value(5)};
+  return switch_transformation_on(channel, number == 0.0 ? 1 : static_cast<int>(number), basic);
 }
 
 MaybeFailure transformation_off(Channel& channel, Operands& /*at*/, Arguments /*list*/) {

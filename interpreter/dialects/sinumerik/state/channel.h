@@ -111,6 +111,8 @@ class Channel : public ChannelState {
     placement_.reset();
     transformation_.reset();
     leads_.reset();
+    path_turn_is_old_ = true;
+    q_M_of_path_.reset();
   }
   /// Something changed that positions depend on: work coordinates are to be asked for again.
   void frames_changed() {
@@ -139,8 +141,9 @@ class Channel : public ChannelState {
   /// TRAORI with the tool in force; nullptr: it is off.  It stays where it is as long as the
   /// channel.
   [[nodiscard]] const machine::Transformation* transformation() const;
-  /// The same as what leads the axes; nullptr: it is off.
-  [[nodiscard]] const machine::AxisTransformPtr* leads() const;
+  /// The same as what leads the axes along a path, whose coordinates are its base coordinates;
+  /// null: it is off.
+  [[nodiscard]] const machine::AxisTransformPtr& leads() const;
   /// How the basic coordinates are turned in the machine: with TRAORI as the table turns the part.
   [[nodiscard]] Eigen::Matrix3d turn_of_part(const AxisPositions& q_M) const;
   /// The direction from the tip to the holder in the basic coordinates, the axes at q_M.
@@ -155,13 +158,25 @@ class Channel : public ChannelState {
   [[nodiscard]] AxisPositions to_work(const AxisPositions& q_M) const;
   /// Between the tip within all frames and the axes.
   [[nodiscard]] AxisPositions to_basic(const AxisPositions& q_M) const;
+  // Paths are planned in coordinates of their own (P): those of the machine; with TRAORI the place
+  // of the tip in the part, turned as the frames were where the path began, so that the plane of
+  // the program is a plane of two of them.
+  [[nodiscard]] AxisPositions to_path(const AxisPositions& q_W) const;
+  [[nodiscard]] AxisPositions path_to_work(const AxisPositions& q_P) const;
+  [[nodiscard]] AxisPositions path_to_basic(const AxisPositions& q_P) const;
+  [[nodiscard]] AxisPositions machine_to_path(const AxisPositions& q_M) const;
+  [[nodiscard]] AxisPositions path_to_machine(const AxisPositions& q_P) const;
+  /// How they are turned in the basic coordinates.
+  [[nodiscard]] const Eigen::Matrix3d& path_turn() const;
   /// Where the axes stand, in work coordinates: what an axis that is not programmed keeps.
   AxisPositions present();
   /// The end that the program wrote last: what incremental words count from.
   [[nodiscard]] const AxisPositions& programmed() const { return programmed_place.q_W; }
-  /// The same place in work and in machine coordinates.
-  void arrived_at_programmed(const AxisPositions& q_W, const AxisPositions& q_M);
+  /// The same place in work coordinates and in those of paths.
+  void arrived_at_programmed(const AxisPositions& q_W, const AxisPositions& q_P);
   void arrived_at_machine();
+  /// The same as machine_position() in the coordinates of paths.
+  [[nodiscard]] AxisPositions path_position() const;
   /// Where the program has the axes: with a block that waits for the next one as if it were done.
   [[nodiscard]] AxisPositions machine_position() const;
 
@@ -215,6 +230,8 @@ class Channel : public ChannelState {
     AxisPositions offset;
   };
 
+  [[nodiscard]] const Placement& placement() const;
+
   /// What basic and system frames make together.
   struct Chains {
     Frame outer;
@@ -249,6 +266,14 @@ class Channel : public ChannelState {
   mutable std::optional<Placement> placement_;  ///< kept while nothing is suppressed
   mutable std::optional<machine::Transformation> transformation_;  ///< kept while the tool is
   mutable machine::AxisTransformPtr leads_;                        ///< made of it
+  mutable Eigen::Matrix3d path_turn_ = Eigen::Matrix3d::Identity();
+  mutable bool path_turn_is_old_ = true;  ///< the frames are others than when it was made
+  mutable AxisPositions q_P_here_ = AxisPositions::Zero();  ///< with TRAORI: where the axes stand
+  mutable std::optional<AxisPositions> q_M_of_path_;        ///< the same; nullopt: not known
+  /// A block waits for the next one: the axes are not where the program is.
+  [[nodiscard]] bool holds_path() const {
+    return cutter.compensation.engaged() || corners.contour.holds();
+  }
 };
 
 }  // namespace g31::sinumerik

@@ -114,8 +114,8 @@ struct ChannelState {
   CornerStage corners;
   CutterStage cutter;
   std::optional<HeldLine> held_line;
-  /// Of any length along the end of the last path, machine coordinates; 0: there was none.
-  Eigen::Vector3d along_M_end = Eigen::Vector3d::Zero();
+  /// Of any length along the end of the last path, coordinates of paths; 0: there was none.
+  Eigen::Vector3d along_P_end = Eigen::Vector3d::Zero();
 
   // Measuring
   static constexpr int kMostProbes = 8;

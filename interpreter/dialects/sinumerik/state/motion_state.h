@@ -93,8 +93,8 @@ struct MachinePoints {
 /// The end that the program wrote last, or where it was left otherwise.
 struct ProgrammedPlace {
   AxisPositions q_W = AxisPositions::Zero();
-  AxisPositions q_M = AxisPositions::Zero();  ///< the same place
-  bool is_stale = false;  ///< work coordinates are others since: q_M alone counts
+  AxisPositions q_P = AxisPositions::Zero();  ///< the same place, coordinates of paths
+  bool is_stale = false;  ///< work coordinates are others since: q_P alone counts
 
   bool operator==(const ProgrammedPlace&) const = default;
 };
@@ -117,9 +117,13 @@ struct ProgramStops {
   bool operator==(const ProgramStops&) const = default;
 };
 
+/// How RND, CHF and CHR are judged.
+inline constexpr path::CornerRules kCornerRules = {
+    path::CornerRules::TooLarge::Shrinks, path::CornerRules::ChamferAtArc::Refused, 1e-9, true};
+
 /// Roundings and chamfers, and what the present block says to them.
 struct CornerStage {
-  path::ContourCorners contour;
+  path::ContourCorners contour{kCornerRules};
   path::CornerWish wish;
   double modal_radius_mm = 0.0;    ///< RNDM
   double modal_feed = 0.0;         ///< FRCM, as programmed

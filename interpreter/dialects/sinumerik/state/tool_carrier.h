@@ -60,6 +60,15 @@ struct Orientation {
   std::optional<machine::VectorChain> chain;     ///< of TRAORI
   std::optional<machine::OrientationAxes> axes;  ///< of TRAORI
   std::array<double, 2> traori_basic_deg = {};
+  /// Of TRAORI: how the tool lies where all angles are 0, of length 1; nullopt: square to the
+  /// plane.
+  std::optional<Eigen::Vector3d> basic_direction;
+
+  /// The same, whether TRAORI or a carrier turns the tool.  @param normal  of the plane
+  [[nodiscard]] Eigen::Vector3d upright(int normal) const {
+    return chain && basic_direction ? *basic_direction
+                                    : Eigen::Vector3d(Eigen::Vector3d::Unit(normal));
+  }
 
   bool operator==(const Orientation&) const = default;
 };
