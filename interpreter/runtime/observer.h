@@ -65,6 +65,19 @@ struct StopEvent {
   source::Location where;
 };
 
+/// What a program tells the builder's part of the machine or the management of tools; no axis moves
+/// for it.
+struct RecordedEvent {
+  struct Value {
+    std::string_view name;  ///< as the document has it
+    double number = 0.0;
+  };
+  std::string_view kind;  ///< "m_code", "tool_life", "tool_life_deleted"
+  std::vector<Value> values;
+  source::Location where;  ///< its block
+  double time_s = 0.0;     ///< machine time
+};
+
 /// Text that leaves the program.
 struct OutputEvent {
   std::string_view text;
@@ -87,6 +100,7 @@ class Observer {
   /// The last thing that a run does: no move ends behind it.
   virtual void on_fault(const FaultEvent&) {}
   virtual void on_stop(const StopEvent&) {}
+  virtual void on_event(const RecordedEvent&) {}
   /// The axes have come to rest where the program has them, and it waits for that (STOPRE).
   virtual void on_standstill(source::Location /*where*/) {}
   /// Bytes for the printer port (DPRNT).

@@ -75,6 +75,8 @@ void CuttingTool::take(const machine::MachineEvent& event) {
   if (held_ != nullptr) {
     const ToolShape& shape = held_->shape;
     cutter_ = round_sections_of(shape.envelope, shape.p_T_tip);
+    const Sections edges = round_sections_of(shape.edges, shape.p_T_tip);
+    cutter_.insert(cutter_.end(), edges.begin(), edges.end());
     for (ProbeSection& section : cutter_) {
       section.name = fmt::format("tool T{}", held_->setup.number);
     }

@@ -36,6 +36,15 @@ ConvexShape plate_of(const ToolProbeSetup& setup) {
   return round;
 }
 
+/// What part of the way a shape needs at least to come behind the plane that bounds the target in
+/// the direction n.
+double earliest_touch(const PlacedShape& target, const PlacedShape& moving, const Point& way,
+                      const Point& n) {
+  const double closing = -n.dot(way);
+  const double gap = n.dot(moving.furthest(-n) - target.furthest(n));
+  return closing > 0.0 ? gap / closing : 0.0;
+}
+
 }  // namespace
 
 ToolProbe::ToolProbe(const ToolProbeSetup& setup, std::shared_ptr<const ToolRack> rack,
@@ -124,17 +133,34 @@ PlacedShape ToolProbe::placed(const ConvexShape& piece, const machine::Waypoint&
 std::optional<ToolProbe::Touch> ToolProbe::first_touch(const Pieces& pieces,
                                                        const machine::Waypoint& from,
                                                        const machine::Waypoint& to) const {
-  std::optional<Touch> first;
+  if (pieces.empty()) {
+    return std::nullopt;
+  }
+  PlacedShape there = placed(pieces.front(), from);
+  const Point way = placed(pieces.front(), to).p - there.p;
+  if (way.isZero(0.0)) {
+    return std::nullopt;
+  }
   const PlacedShape plate = target();
-  for (const ConvexShape& piece : pieces) {
-    const PlacedShape there = placed(piece, from);
-    const Point way = placed(piece, to).p - there.p;
-    if (way.isZero(0.0)) {
-      continue;
+  std::optional<Touch> first;
+  const auto take = [&](const ConvexShape& piece) {
+    there.shape = &piece;
+    if (first && earliest_touch(plate, there, way, first->n_M) >= first->fraction) {
+      return;
     }
     const CastHit hit = convex_cast(plate, there, way);
     if (hit.status == CastStatus::Contact && (!first || hit.fraction < first->fraction)) {
       first = Touch{hit.fraction, hit.n, hit.p_point};
+    }
+  };
+  // The one that goes ahead, for most of the others then cannot be first.
+  const Point ahead = there.turn.transpose() * way;
+  const auto& leading = *std::ranges::max_element(
+      pieces, {}, [&](const ConvexShape& piece) { return furthest_of(piece, ahead).dot(ahead); });
+  take(leading);
+  for (const ConvexShape& piece : pieces) {
+    if (&piece != &leading) {
+      take(piece);
     }
   }
   return first;

@@ -96,7 +96,7 @@ class ToolProbe final : public machine::Surroundings {
                                                 const machine::Waypoint& to) const;
   [[nodiscard]] Depth depth_of(const Pieces& pieces, const machine::Waypoint& at) const;
   [[nodiscard]] Depth depth_at(const machine::Waypoint& at) const;
-  [[nodiscard]] Depth depth_by_sides(const PlacedShape& tool) const;
+  [[nodiscard]] Depth depth_by_sides(const PlacedShape& tool, double known_mm) const;
   [[nodiscard]] double depth_along(const Depth& side, const PlacedShape& tool) const;
   [[nodiscard]] std::optional<Touch> touch_at(const machine::Waypoint& at) const;
   [[nodiscard]] bool is_on(const machine::Waypoint& at) const;

@@ -38,9 +38,16 @@ double least_angle(const Function& of_angle) {
 
 ToolProbe::Depth ToolProbe::depth_of(const Pieces& pieces, const machine::Waypoint& at) const {
   Depth deepest{-std::numeric_limits<double>::infinity(), Point::Zero()};
+  if (pieces.empty()) {
+    return deepest;
+  }
+  PlacedShape there = placed(pieces.front(), at);
   for (const ConvexShape& piece : pieces) {
-    const PlacedShape there = placed(piece, at);
-    Depth depth = depth_by_sides(there);
+    there.shape = &piece;
+    Depth depth = depth_by_sides(there, deepest.mm);
+    if (depth.mm <= deepest.mm) {
+      continue;
+    }
     if (depth.mm >= -kCastErrorMm) {
       depth.mm = depth_along(depth, there);
     }
@@ -50,8 +57,8 @@ ToolProbe::Depth ToolProbe::depth_of(const Pieces& pieces, const machine::Waypoi
 }
 
 /// Along the side out of which the way is shortest.  None of them tells a corner from what passes
-/// it by.
-ToolProbe::Depth ToolProbe::depth_by_sides(const PlacedShape& tool) const {
+/// it by.  What is not deeper than `known_mm` may come out as any depth that is not.
+ToolProbe::Depth ToolProbe::depth_by_sides(const PlacedShape& tool, double known_mm) const {
   const PlacedShape plate = target();
   const auto along = [&](const Point& n) { return n.dot(plate.furthest(n) - tool.furthest(-n)); };
   Depth least{std::numeric_limits<double>::infinity(), Point::Zero()};
@@ -62,6 +69,9 @@ ToolProbe::Depth ToolProbe::depth_by_sides(const PlacedShape& tool) const {
   };
   for (const Point& n : normals_M_) {
     consider(n);
+    if (least.mm <= known_mm) {
+      return least;
+    }
   }
   if (is_round_ && least.mm >= -kCastErrorMm) {
     const bool is_beam = setup_.shape == ToolProbeShape::Laser;

@@ -36,6 +36,19 @@ Point furthest(const ProbeSection& section, const Point& direction) {
   return p;
 }
 
+Point furthest(const InsertPlate& plate, const Point& direction) {
+  Point best = plate.p_tip_centre;
+  if (const double length = direction.norm(); length > 0.0) {
+    best += plate.tip_radius / length * direction;
+  }
+  for (const Point& end : plate.edge_ends) {
+    if (end.dot(direction) > best.dot(direction)) {
+      best = end;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 Point furthest_of(const ConvexShape& shape, const Point& direction) {

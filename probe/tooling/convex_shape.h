@@ -28,9 +28,17 @@ struct Box {
   Point half = Point::Zero();
 };
 
+/// The plate of a turning tool in the plane of X and Z: a ball at its tip and the ends of its two
+/// edges, with all between them.
+struct InsertPlate {
+  Point p_tip_centre = Point::Zero();
+  double tip_radius = 0.0;  ///< >= 0
+  std::array<Point, 2> edge_ends = {Point::Zero(), Point::Zero()};
+};
+
 /// The shapes whose first contact convex_cast finds.  A section counts with its rounding and at its
 /// place.
-using ConvexShape = std::variant<Blade, Box, ProbeSection>;
+using ConvexShape = std::variant<Blade, Box, ProbeSection, InsertPlate>;
 
 /// The point of the shape, in its own frame, that lies furthest in a direction.
 /// @param direction  of any length but 0

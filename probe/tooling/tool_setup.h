@@ -50,6 +50,11 @@ struct Insert {
   std::array<double, 3> lengths_mm = {};
   double tip_radius_mm = 0.0;  ///< >= 0
   int edge_position = 3;       ///< 1 to 9 as SINUMERIK counts: 3 cuts towards -X and -Z
+  double angle_deg = 0.0;      ///< 0..180, between its two edges; 0: there is the tip alone
+  /// From the tip along the middle between the edges, from +Z towards +X; nullopt: as the edge
+  /// position has it, through the middle of the tip radius.
+  std::optional<double> orientation_deg = {};
+  double edge_length_mm = 10.0;  ///< > 0, of each edge, from the tip radius on
 };
 
 /// A tool as it truly is: one `[[tool]]` of a set-up sheet.  Lengths in mm.
@@ -59,6 +64,7 @@ struct ToolSetup {
   double length_mm = 0.0;            ///< gauge line to the lowest point, along -Z of the machine
   double diameter_mm = 0.0;          ///< > 0, but for turning tools and the probe
   double corner_radius_mm = 0.0;     ///< >= 0, of a bull mill and its teeth
+  double cutting_length_mm = 0.0;    ///< of its edges, from the lowest point; 0: to the gauge line
   double tip_angle_deg = 118.0;      ///< 0..180, of a drill, the whole cone
   std::vector<Tooth> teeth;          ///< none: a body of revolution
   Insert insert;                     ///< of a turning tool

@@ -17,11 +17,16 @@ double corner_radius_of(const ToolSetup& tool, double radius) {
   return std::min(wanted, radius);
 }
 
-/// A cylinder down to z = -length, its lower edge rounded.
-ProbeSection rounded_cylinder(double radius, double length, double rounding) {
+/// Where the edges end above: the gauge line, or the rear side of a side mill.
+double top_of_edges(const ToolSetup& tool) {
+  return tool.cutting_length_mm > 0.0 ? tool.cutting_length_mm - tool.length_mm : 0.0;
+}
+
+/// A cylinder from z = top down to z = -length, its edges rounded.
+ProbeSection rounded_cylinder(double radius, double top, double length, double rounding) {
   ProbeSection section;
   section.z_bottom = -length + rounding;
-  section.z_top = std::max(section.z_bottom, -rounding);
+  section.z_top = std::max(section.z_bottom, top - rounding);
   section.radius_bottom = section.radius_top = radius - rounding;
   section.rounding = rounding;
   return section;
@@ -32,7 +37,8 @@ std::vector<ConvexShape> round_pieces(const ToolSetup& tool) {
   const double radius = 0.5 * tool.diameter_mm;
   const double cone = cone_height(tool, radius);
   const double rounding = corner_radius_of(tool, radius);
-  std::vector<ConvexShape> pieces = {rounded_cylinder(radius, tool.length_mm - cone, rounding)};
+  std::vector<ConvexShape> pieces = {
+      rounded_cylinder(radius, top_of_edges(tool), tool.length_mm - cone, rounding)};
   if (cone > 0.0) {
     ProbeSection tip;
     tip.z_bottom = -tool.length_mm;
@@ -47,6 +53,9 @@ std::vector<ConvexShape> round_pieces(const ToolSetup& tool) {
 std::vector<ConvexShape> envelope_of(const Tooth& tooth, const ToolSetup& tool) {
   ToolSetup round = tool;
   round.diameter_mm = 2.0 * tooth.radius_mm;
+  if (tool.cutting_length_mm > 0.0) {
+    round.cutting_length_mm += tooth.length_mm - tool.length_mm;
+  }
   round.length_mm = tooth.length_mm;
   return round_pieces(round);
 }
@@ -67,12 +76,49 @@ Point tip_of(const ToolSetup& tool) {
   return {-l1, -l3, -l2};
 }
 
-ConvexShape nose_of(const Insert& insert, const Point& p_T_tip) {
+ProbeSection nose_of(const Insert& insert, const Point& p_T_tip) {
   const auto [x, z] = centre_from_tip(insert.edge_position);
   ProbeSection nose;
   nose.rounding = insert.tip_radius_mm;
   nose.p_S = p_T_tip + insert.tip_radius_mm * Point(x, 0.0, z);
   return nose;
+}
+
+/// The direction of its middle from the tip: Z, X.
+double orientation_of(const Insert& insert) {
+  const auto [x, z] = centre_from_tip(insert.edge_position);
+  return insert.orientation_deg ? kRadPerDeg * *insert.orientation_deg : std::atan2(x, z);
+}
+
+/// Its edges touch the tip radius.
+InsertPlate plate_of(const Insert& insert, const Point& p_T_tip_centre) {
+  InsertPlate plate;
+  plate.p_tip_centre = p_T_tip_centre;
+  plate.tip_radius = insert.tip_radius_mm;
+  for (const double side : {-1.0, 1.0}) {
+    const double angle = orientation_of(insert) + side * 0.5 * kRadPerDeg * insert.angle_deg;
+    const Point along(std::sin(angle), 0.0, std::cos(angle));
+    const Point outwards(side * std::cos(angle), 0.0, -side * std::sin(angle));
+    plate.edge_ends.at(side > 0.0 ? 1 : 0) =
+        p_T_tip_centre + insert.tip_radius_mm * outwards + insert.edge_length_mm * along;
+  }
+  return plate;
+}
+
+/// Along its edges, as thin as meshes can be asked about.
+std::vector<ConvexShape> edges_of(const InsertPlate& plate) {
+  constexpr double kThin = 0.005;  // mm
+  std::vector<ConvexShape> edges;
+  for (const Point& end : plate.edge_ends) {
+    const Point way = end - plate.p_tip_centre;
+    ProbeSection edge;
+    edge.z_top = way.norm();
+    edge.rounding = kThin;
+    edge.turn_S = Eigen::Quaterniond::FromTwoVectors(Point::UnitZ(), way);
+    edge.p_S = plate.p_tip_centre;
+    edges.emplace_back(edge);
+  }
+  return edges;
 }
 
 double reach_of(const ConvexShape& shape, const Point& p_T_tip) {
@@ -95,16 +141,23 @@ double cone_height(const ToolSetup& tool, double radius) {
 
 Blade blade_of(const Tooth& tooth, const ToolSetup& tool) {
   const double angle = kRadPerDeg * tooth.angle_deg;
+  Blade blade = profile_of(tooth, tool);
+  blade.direction = {std::cos(angle), std::sin(angle)};
+  return blade;
+}
+
+Blade profile_of(const Tooth& tooth, const ToolSetup& tool) {
+  static const double kDish = std::tan(kRadPerDeg * kDishDeg);
   const double bottom = -tooth.length_mm;
   const double cone = cone_height(tool, tooth.radius_mm);
   Blade blade;
-  blade.direction = {std::cos(angle), std::sin(angle)};
   blade.rounded_radius = corner_radius_of(tool, tooth.radius_mm);
   const double flat = tooth.radius_mm - blade.rounded_radius;
-  const double dish = tool.kind == ToolKind::Drill ? 0.0 : flat * std::tan(kRadPerDeg * kDishDeg);
+  const double dish = tool.kind == ToolKind::Drill ? 0.0 : flat * kDish;
   blade.rounded_centre = {flat, bottom + cone + blade.rounded_radius};
-  blade.corners = {Blade::Radial(0.0, bottom + dish), Blade::Radial(0.0, 0.0),
-                   Blade::Radial(tooth.radius_mm, 0.0), blade.rounded_centre};
+  const double top = std::max(top_of_edges(tool), blade.rounded_centre.y());
+  blade.corners = {Blade::Radial(0.0, bottom + dish), Blade::Radial(0.0, top),
+                   Blade::Radial(tooth.radius_mm, top), blade.rounded_centre};
   return blade;
 }
 
@@ -135,7 +188,13 @@ ToolShape shape_of(const ToolSetup& tool) {
   ToolShape shape;
   shape.p_T_tip = tip_of(tool);
   if (tool.kind == ToolKind::Turning) {
-    shape.still = {nose_of(tool.insert, shape.p_T_tip)};
+    const ProbeSection nose = nose_of(tool.insert, shape.p_T_tip);
+    shape.still = {nose};
+    if (tool.insert.angle_deg > 0.0) {
+      const InsertPlate plate = plate_of(tool.insert, nose.p_S);
+      shape.still.emplace_back(plate);
+      shape.edges = edges_of(plate);
+    }
     shape.envelope = shape.still;
   } else if (tool.teeth.empty()) {
     shape.still = round_pieces(tool);

@@ -13,12 +13,14 @@ struct ToolShape {
   std::vector<ConvexShape> still;     ///< as it stands at spindle angle 0: blades, or what is round
   std::vector<ConvexShape> envelope;  ///< what it takes up while it turns
   std::vector<ConvexShape> bodies;    ///< chuck and shank
+  std::vector<ConvexShape> edges;     ///< of an insert, as thin rods, for what asks about meshes
   Point p_T_tip = Point::Zero();  ///< lowest point on the axis, of an insert its theoretical tip
   double reach_mm = 0.0;          ///< no point of it is farther from the tip
 };
 
 /// The pieces of a tool.  Cutting edges are idealised: a tooth is a flat blade from the axis out,
-/// its lower edge rises towards the axis by kDishDeg; an insert is the ball of its tip radius.
+/// its lower edge rises towards the axis by kDishDeg; an insert is the ball of its tip radius and,
+/// where its angle is given, the thin plate between its two edges.
 /// @pre a tool that is no probe
 ToolShape shape_of(const ToolSetup& tool);
 
@@ -31,6 +33,9 @@ double cone_height(const ToolSetup& tool, double radius);
 
 /// A tooth at its angle.
 Blade blade_of(const Tooth& tooth, const ToolSetup& tool);
+
+/// The same, its plane that of X.
+Blade profile_of(const Tooth& tooth, const ToolSetup& tool);
 
 /// The widest and longest of the teeth together.  @pre it has teeth
 Tooth outline_of(const ToolSetup& tool);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "machine/base/contract.h"
 #include "probe/tooling/spindle.h"
@@ -11,17 +12,32 @@
 namespace g31::probe {
 namespace {
 
+/// What the touch of all teeth has in common.
+struct Facing {
+  Facing(const OutlineTouch& touch, const Turning& turning)
+      : across(touch.n_T.head<2>().norm()),
+        inwards_mm_s(-turning.speed_mm_s * touch.n_T.dot(touch.way_T)) {
+    if (across > 0.0) {
+      direction = -touch.n_T.head<2>() / across;
+      direction_deg = std::atan2(direction.y(), direction.x()) / kRadPerDeg;
+    }
+  }
+
+  /// Of the normal, across the tool's axis: on an edge of the target anything between 0 and 1.
+  double across;
+  double inwards_mm_s;
+  Blade::Radial direction = Blade::Radial::UnitX();  ///< in which a tooth faces the target
+  double direction_deg = 0.0;
+};
+
 /// One tooth against the tangent plane.
 class PassingTooth {
  public:
   PassingTooth(const Tooth& tooth, const Blade& blade, const OutlineTouch& touch,
-               const Turning& turning)
-      : tooth_(tooth), blade_(blade), touch_(touch), turning_(turning) {
-    if (const double across = touch.n_T.head<2>().norm(); across > 0.0) {
-      blade_.direction = -touch.n_T.head<2>() / across;
-    }
+               const Turning& turning, const Facing& facing)
+      : tooth_(tooth), blade_(blade), touch_(touch), turning_(turning), facing_(facing) {
+    blade_.direction = facing.direction;
     p_T_furthest_ = furthest_of(blade_, -touch.n_T);
-    inwards_mm_s_ = -turning.speed_mm_s * touch.n_T.dot(touch.way_T);
   }
 
   /// How far it reaches towards the target where it faces it.
@@ -30,15 +46,17 @@ class PassingTooth {
   /// Seconds after it is deep enough to touch, where the spindle has brought it.
   /// @param from_s  when it is so, after the touch of the outline
   [[nodiscard]] std::optional<double> wait_s(double from_s) const {
-    // Of the normal, across the tool's axis: on an edge of the target anything between.
-    const double across = touch_.n_T.head<2>().norm();
-    constexpr double kFromAbove = 0.01;
     constexpr double kFromTheSide = 0.99;
-    if (across <= kFromAbove) {
+    if (is_from_above()) {
       return wait_above_s(from_s);
     }
-    const bool passes_above = across > kFromTheSide && -tooth_.length_mm >= touch_.z_T_top;
-    return passes_above ? std::nullopt : std::optional(wait_at_side_s(from_s, across));
+    const bool passes_above = facing_.across > kFromTheSide && -tooth_.length_mm >= touch_.z_T_top;
+    return passes_above ? std::nullopt : std::optional(wait_at_side_s(from_s));
+  }
+
+  /// It cannot touch sooner than so many seconds after it is deep enough.
+  [[nodiscard]] double soonest_s(double from_s) const {
+    return is_from_above() ? 0.0 : sight_s(from_s).first;
   }
 
  private:
@@ -53,26 +71,39 @@ class PassingTooth {
     return ahead - kFullTurnDeg * std::floor(ahead / kFullTurnDeg);
   }
 
-  /// Just before it points to the face: as the feed deepens its circle, it meets the face earlier.
-  [[nodiscard]] double wait_at_side_s(double from_s, double across) const {
-    const double facing_deg = std::atan2(-touch_.n_T.y(), -touch_.n_T.x()) / kRadPerDeg;
+  [[nodiscard]] bool is_from_above() const {
+    constexpr double kFromAbove = 0.01;
+    return facing_.across <= kFromAbove;
+  }
+
+  /// From when to when it may touch a side: until it points to the face, for as the feed deepens
+  /// its circle it meets the face earlier.
+  [[nodiscard]] std::pair<double, double> sight_s(double from_s) const {
     const double rate = std::abs(turning_.rate_deg_s);
-    const double passes_s = degrees_to(facing_deg, from_s) / rate;
+    const double passes_s = degrees_to(facing_.direction_deg, from_s) / rate;
     // How long before it faces the plate a shallow cut begins; a deep one may take half the turn.
     const double turn = kRadPerDeg * rate;
-    const double radius = p_T_furthest_.head<2>().norm();
-    const double shallow_s = std::sqrt(2.0 * inwards_mm_s_ * passes_s / (radius * across)) / turn;
+    const double shallow_s =
+        std::sqrt(2.0 * facing_.inwards_mm_s * passes_s / (radius() * facing_.across)) / turn;
     constexpr double kMargin = 1.5;
     constexpr double kShallow = 2.0;  // rad: 1 - cos is a third of the square at least
     const bool is_shallow = kMargin * shallow_s * turn < kShallow;
     const double before_s = is_shallow ? kMargin * shallow_s : 0.5 * kFullTurnDeg / rate;
-    double early = std::max(0.0, passes_s - before_s);
-    double late = passes_s;
-    const int halvings = is_shallow ? 30 : 50;
-    for (int i = 0; i < halvings; ++i) {
+    return {std::max(0.0, passes_s - before_s), passes_s};
+  }
+
+  [[nodiscard]] double radius() const { return p_T_furthest_.head<2>().norm(); }
+
+  [[nodiscard]] double wait_at_side_s(double from_s) const {
+    auto [early, late] = sight_s(from_s);
+    const double passes_s = late;
+    const double turn = kRadPerDeg * std::abs(turning_.rate_deg_s);
+    const double reach = radius() * facing_.across;
+    constexpr double kExact_s = 1e-13;
+    while (late - early > kExact_s + 1e-15 * late) {
       const double middle = 0.5 * (early + late);
-      const double missing = radius * across * (1.0 - std::cos(turn * (passes_s - middle)));
-      (inwards_mm_s_ * middle < missing ? early : late) = middle;
+      const double missing = reach * (1.0 - std::cos(turn * (passes_s - middle)));
+      (facing_.inwards_mm_s * middle < missing ? early : late) = middle;
     }
     return late;
   }
@@ -85,7 +116,7 @@ class PassingTooth {
     for (int i = 0; i < kSteps && (!first || i * turn_s < *first * kSteps); ++i) {
       const double comes_s = i * turn_s / kSteps;
       if (const auto rise = rise_above_face(angle_deg(from_s + comes_s))) {
-        const double late_s = std::max(0.0, *rise / inwards_mm_s_ - comes_s);
+        const double late_s = std::max(0.0, *rise / facing_.inwards_mm_s - comes_s);
         const double wait_s = comes_s + turn_s * std::ceil(late_s / turn_s);
         first = first ? std::min(*first, wait_s) : wait_s;
       }
@@ -100,6 +131,9 @@ class PassingTooth {
     const auto [near, far] = across_face(along);
     if (near > far) {
       return std::nullopt;
+    }
+    if (touch_.n_T.z() < 0.0) {
+      return 0.0;  // from below: rear edges are flat
     }
     const double rounding = blade_.rounded_radius;
     const double cone = blade_.rounded_centre.y() - rounding + tooth_.length_mm;
@@ -151,8 +185,15 @@ class PassingTooth {
   Blade blade_;  // as it faces the target
   const OutlineTouch& touch_;
   const Turning& turning_;
+  const Facing& facing_;
   Point p_T_furthest_ = Point::Zero();
-  double inwards_mm_s_ = 0.0;
+};
+
+/// A tooth that may touch, and after what way of the tool at the soonest.
+struct Candidate {
+  PassingTooth tooth;
+  double from_s;
+  double soonest_mm;
 };
 
 }  // namespace
@@ -161,19 +202,34 @@ std::optional<double> way_to_first_tooth(const ToolSetup& tool, const OutlineTou
                                          const Turning& turning) {
   G31_EXPECTS(turning.rate_deg_s != 0.0 && turning.speed_mm_s > 0.0);
   const double inwards = -touch.n_T.dot(touch.way_T);
+  const Facing facing(touch, turning);
   const Tooth widest = outline_of(tool);
-  const double outline = PassingTooth(widest, blade_of(widest, tool), touch, turning).furthest();
-  std::optional<double> first;
+  const double outline =
+      PassingTooth(widest, profile_of(widest, tool), touch, turning, facing).furthest();
+  std::vector<Candidate> candidates;
+  candidates.reserve(tool.teeth.size());
   for (const Tooth& tooth : tool.teeth) {
-    const PassingTooth passing(tooth, blade_of(tooth, tool), touch, turning);
-    const double deep_enough = (outline - passing.furthest()) / inwards;
-    if (first && deep_enough >= *first) {
-      continue;
+    const PassingTooth passing(tooth, profile_of(tooth, tool), touch, turning, facing);
+    const double from_s = (outline - passing.furthest()) / inwards / turning.speed_mm_s;
+    candidates.push_back(
+        {passing, from_s, turning.speed_mm_s * (from_s + passing.soonest_s(from_s))});
+  }
+  std::optional<double> first;
+  const auto take = [&](const Candidate& candidate) {
+    if (first && candidate.soonest_mm >= *first) {
+      return;
     }
-    const double from_s = deep_enough / turning.speed_mm_s;
-    if (const auto wait = passing.wait_s(from_s)) {
-      const double way = turning.speed_mm_s * (from_s + *wait);
+    if (const auto wait = candidate.tooth.wait_s(candidate.from_s)) {
+      const double way = turning.speed_mm_s * (candidate.from_s + *wait);
       first = first ? std::min(*first, way) : way;
+    }
+  };
+  // The likely one goes first: most of the others then cannot be.
+  const auto likely = std::ranges::min_element(candidates, {}, &Candidate::soonest_mm);
+  take(*likely);
+  for (const Candidate& candidate : candidates) {
+    if (&candidate != &*likely) {
+      take(candidate);
     }
   }
   return first;

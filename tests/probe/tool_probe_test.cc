@@ -176,7 +176,7 @@ TEST(ToolProbe, ATurningToolTouchesWhenAToothComes) {
       return uniform({3, what}, static_cast<std::uint64_t>(i));
     };
     ToolSetup mill = tool(ToolKind::Mill, 100, 20);
-    const int count = 1 + static_cast<int>(draw(1) * 6);
+    const int count = i % 4 == 3 ? 60 : 1 + static_cast<int>(draw(1) * 6);
     for (int k = 0; k < count; ++k) {
       mill.teeth.push_back(
           {k * 360.0 / count, 10.0 - 0.02 * draw(10 + static_cast<std::uint32_t>(k)), 100.0});
@@ -425,6 +425,45 @@ TEST(ToolProbe, AnInsertTouchesWithItsRadiusAsItsEdgePositionSays) {
   const auto along_x = bench.touch({250, 0, 70}, 100);
   ASSERT_TRUE(along_x);
   EXPECT_NEAR(along_x->x(), 212.5 + 50.0, 1e-9);
+}
+
+/// The tip is 5 mm below the top when an edge that leans over by 30 degrees meets the corner there.
+TEST(ToolProbe, AnInsertTouchesWithItsEdges) {
+  const double r = 0.4;
+  ToolSetup insert = tool(ToolKind::Turning, 0, 0);
+  insert.insert = {{50.0, 80.0, 0.0}, r, 3};
+  insert.insert.angle_deg = 60.0;
+  const auto touched_at_x = [&]() {
+    Bench bench(insert, cube());
+    EXPECT_TRUE(bench.go(300, 0, 100) && bench.go(300, 0, 75));
+    const auto there = bench.touch({250, 0, 75}, 100);
+    return there ? there->x() : 0.0;
+  };
+  const double tip = 212.5 + 50.0;
+  EXPECT_NEAR(touched_at_x(), tip, 1e-9) << "the edges lie behind the tip";
+  insert.insert.orientation_deg = 0.0;
+  const double lean = std::numbers::pi / 6;
+  const double over = r * std::cos(lean) + std::tan(lean) * (5.0 - r + r * std::sin(lean)) - r;
+  EXPECT_NEAR(touched_at_x(), tip + over, 1e-8);
+  insert.insert.edge_length_mm = 3.0;  // ends below the corner: its end meets the side
+  EXPECT_NEAR(touched_at_x(), tip + r * std::cos(lean) + 3.0 * std::sin(lean) - r, 1e-8);
+}
+
+TEST(ToolProbe, ASideMillTouchesWithItsRearSide) {
+  ToolSetup side = tool(ToolKind::Mill, 100, 40);
+  side.cutting_length_mm = 6.0;
+  for (const bool has_teeth : {false, true}) {
+    SCOPED_TRACE(has_teeth);
+    if (has_teeth) {
+      side.teeth = {{0.0, 20.0, 100.0}, {180.0, 20.0, 100.0}};
+    }
+    Bench bench(side, cube());
+    // Its axis 15 mm beside the plate, its edges 5 mm below it.
+    ASSERT_TRUE(bench.go(260, 0, 54) && bench.go(227.5, 0, 54));
+    const auto below = bench.touch({227.5, 0, 80}, 100);
+    ASSERT_TRUE(below);
+    EXPECT_NEAR(below->z(), -25.0 + 94.0, 1e-9);
+  }
 }
 
 }  // namespace

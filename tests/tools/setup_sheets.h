@@ -206,6 +206,7 @@ kind = "bull_mill"
 length = 100.0
 diameter = 16.0
 corner_radius = 1.5
+cutting_length = 30.0
 [[tool.teeth]]
 angle_deg = 90.0
 [[tool.teeth]]
@@ -232,6 +233,9 @@ kind = "turning"
 lengths = [50.0, 80.0, -0.5]
 tip_radius = 0.4
 edge_position = 2
+insert_angle_deg = 80.0
+orientation_deg = 135.0
+edge_length = 12.0
 [[tool_probe]]
 name = "setter"
 shape = "disc"

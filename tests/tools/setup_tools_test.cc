@@ -30,6 +30,7 @@ TEST_F(SetupTools, ToolsArriveWithTeethAndBodies) {
   EXPECT_EQ(mill.length_mm, 100.0);
   EXPECT_EQ(mill.diameter_mm, 16.0);
   EXPECT_EQ(mill.corner_radius_mm, 1.5);
+  EXPECT_EQ(mill.cutting_length_mm, 30.0);
   ASSERT_EQ(mill.teeth.size(), 2U);
   EXPECT_EQ(mill.teeth[0].angle_deg, 90.0);
   EXPECT_EQ(mill.teeth[0].radius_mm, 8.0);
@@ -52,6 +53,9 @@ TEST_F(SetupTools, ToolsArriveWithTeethAndBodies) {
   EXPECT_EQ(tools[3].insert.lengths_mm, (std::array<double, 3>{50.0, 80.0, -0.5}));
   EXPECT_EQ(tools[3].insert.tip_radius_mm, 0.4);
   EXPECT_EQ(tools[3].insert.edge_position, 2);
+  EXPECT_EQ(tools[3].insert.angle_deg, 80.0);
+  EXPECT_EQ(tools[3].insert.orientation_deg, 135.0);
+  EXPECT_EQ(tools[3].insert.edge_length_mm, 12.0);
 }
 
 TEST_F(SetupTools, ToolProbesArrive) {
@@ -218,6 +222,12 @@ const ErrorCase kOfTools[] = {
     4 | diameter = 8.0
       |            ^
       = give the tool what its teeth reach, or correct the tooth
+)"},
+    {"edges as high as the tool",
+     "[[tool]]\nnumber = 5\nlength = 50.0\ndiameter = 8.0\ncutting_length = 50.0\n",
+     R"(sheet1.toml:5:18: error: tool.cutting_length is 50, it should be less than the length of the tool, 50 mm [SET105]
+    5 | cutting_length = 50.0
+      |                  ^
 )"},
     {"a tip without an angle",
      "[[tool]]\nnumber = 5\nkind = \"drill\"\nlength = 9\ndiameter = 2\ntip_angle_deg = 0\n",

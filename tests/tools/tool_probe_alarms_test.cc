@@ -111,6 +111,23 @@ TEST(ToolMeasuringAlarms, OfTheTouch) {
   }
 }
 
+/// What the magazine or the plate holds is not what the data say.
+TEST(ToolMeasuringAlarms, AnotherToolOrAChipOnThePlateIsToldAndNothingWritten) {
+  const auto another = [](double length) {
+    return fmt::format("[[tool]]\nnumber = 5\nlength = {}\ndiameter = 16.0\n", length);
+  };
+  const std::string chip =
+      "[[part]]\nname = \"chip\"\nshape = \"block\"\nlength = 4.0\nwidth = 4.0\nheight = 2.0\n"
+      "at = [200.0, 0.0, -298.0]\n";
+  const char* const measure = "CYCLE971(1,0,1,3,2,0,5,1)";
+  expect_alarm({"12 mm too short", 5, "", measure, 61301}, {kCube, kKnown, another(88.0)});
+  expect_alarm({"12 mm too long", 5, "", measure, 61302}, {kCube, kKnown, another(112.0)});
+  expect_alarm({"3 mm too short", 5, "", measure, 61303}, {kCube, kKnown, another(97.0)});
+  expect_alarm({"a chip of 2 mm", 5, "", measure, 61303}, {kCube, kKnown, chip});
+  expect_alarm({"a chip, calibration", 9, "", "CYCLE971(100000,0,1,0,0,0,5,1)", 61303},
+               {kCube, kKnown, chip});
+}
+
 TEST(ToolMeasuringAlarms, WithoutAToolProbeNothingIsTouched) {
   expect_alarm({"length", 5, "", "CYCLE971(1,0,1,3,2,0,5,2)", 61301}, {kKnown});
   expect_alarm({"all sides", 9, "", "CYCLE971(100000,0,1,0,0,0,5,2)", 61301}, {kKnown});

@@ -97,6 +97,15 @@ void EchoingRecorder::on_stop(const runtime::StopEvent& event) {
   read_sensors();
 }
 
+void EchoingRecorder::on_event(const runtime::RecordedEvent& event) {
+  if (keeps_) {
+    RunRecorder::on_event(event);
+  }
+  if (events_ != nullptr) {
+    events_->add(event);
+  }
+}
+
 /// What is kept is charged as it will be in the document, else as it is printed.
 void EchoingRecorder::print(const runtime::OutputEvent& event, std::string_view shown) {
   if (keeps_output_) {

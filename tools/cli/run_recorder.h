@@ -34,6 +34,7 @@ class EchoingRecorder final : public report::RunRecorder {
   void on_output(const runtime::OutputEvent& event) override;
   void on_message(const runtime::OutputEvent& event) override;
   void on_stop(const runtime::StopEvent& event) override;
+  void on_event(const runtime::RecordedEvent& event) override;
 
  private:
   void print(const runtime::OutputEvent& event, std::string_view shown);

@@ -1,5 +1,7 @@
 #include "tools/report/event_json.h"
 
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <utility>
 
@@ -103,6 +105,19 @@ Json collision_json(const runtime::FaultEvent& fault, const source::SourceMap& s
 Json stop_json(const runtime::StopEvent& stop, const source::SourceMap& sources) {
   Json object = {{"kind", stop.kind}, {"text", stop.text}};
   add_place(object, stop.where, sources);
+  return object;
+}
+
+Json recorded_json(const runtime::RecordedEvent& event, const source::SourceMap& sources) {
+  Json object = {{"kind", event.kind}};
+  for (const runtime::RecordedEvent::Value& value : event.values) {
+    const double whole = std::nearbyint(value.number);
+    const bool is_whole = whole == value.number && std::abs(whole) < 1e9;
+    object[std::string(value.name)] =
+        is_whole ? Json(static_cast<std::int64_t>(whole)) : Json(value.number);
+  }
+  object["time_s"] = event.time_s;
+  add_place(object, event.where, sources);
   return object;
 }
 

@@ -25,6 +25,7 @@ Json touch_json(const runtime::TouchEvent& touch, const source::SourceMap& sourc
 /// Where and how a move was broken off.
 Json collision_json(const runtime::FaultEvent& fault, const source::SourceMap& sources);
 Json stop_json(const runtime::StopEvent& stop, const source::SourceMap& sources);
+Json recorded_json(const runtime::RecordedEvent& event, const source::SourceMap& sources);
 Json diagnostic_json(const source::Diagnostic& diagnostic, const source::SourceMap& sources);
 
 }  // namespace g31::report

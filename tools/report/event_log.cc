@@ -78,6 +78,10 @@ void EventLog::add(const runtime::StopEvent& event) {
   put(Output::Stops, event_line(named("stop", stop_json(event, sources_))));
 }
 
+void EventLog::add(const runtime::RecordedEvent& event) {
+  put(Output::Events, event_line(named("recorded", recorded_json(event, sources_))));
+}
+
 void EventLog::add(const runtime::FaultEvent& event) {
   put(Output::Moves, event_line(named("collision", collision_json(event, sources_))));
 }

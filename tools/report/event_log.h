@@ -19,7 +19,7 @@ struct RunResult;
 /// What happens in a run, one JSON object a line (NDJSON), each as it happens: `event` says what,
 /// the other members are those of the document of a run.
 ///
-///   start  move  moves_undone  touch  stop  output  message  collision  diagnostic  end
+///   start  move  moves_undone  touch  stop  recorded  output  message  collision  diagnostic  end
 class EventLog {
  public:
   /// Both outlive the log.
@@ -36,6 +36,7 @@ class EventLog {
   void add_undone(std::uint64_t count);
   void add(const runtime::TouchEvent& event);
   void add(const runtime::StopEvent& event);
+  void add(const runtime::RecordedEvent& event);
   void add(const runtime::FaultEvent& event);
   /// @param name  "output" or "message"
   /// @param text  as UTF-8

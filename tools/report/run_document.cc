@@ -172,6 +172,19 @@ void add_stops(const RunResult& result, const RunRecorder& recorder,
   }
 }
 
+void add_events(const RunRecorder& recorder, const source::SourceMap& sources,
+                ObjectWriter& document) {
+  if (recorder.events().empty()) {
+    return;
+  }
+  document.add_list("events", recorder.events(), [&](const runtime::RecordedEvent& event) {
+    return recorded_json(event, sources);
+  });
+  if (recorder.events_left_out() > 0) {
+    document.add("events_left_out", recorder.events_left_out());
+  }
+}
+
 void add_chronicle(const RunResult& result, const source::SourceMap& sources,
                    ObjectWriter& document) {
   document.add_list("calls", result.chronicle->calls(),
@@ -207,6 +220,7 @@ void write_run_document(const RunResult& result, const RunRecorder& recorder,
   document.add_latin_1("output", recorder.output());
   document.add_latin_1("files", result.files);
   add_stops(result, recorder, sources, document);
+  add_events(recorder, sources, document);
   if (recorder.what().moves == RecordWhat::Keep::Yes) {
     add_moves(result, recorder, sources, document);
   }

@@ -12,6 +12,7 @@ using runtime::Output;
 constexpr std::uint64_t kMoveBytes = 128;
 constexpr std::uint64_t kTouchBytes = 512;
 constexpr std::uint64_t kStopBytes = 128;  // without its text
+constexpr std::uint64_t kEventBytes = 192;
 
 }  // namespace
 
@@ -51,6 +52,14 @@ void RunRecorder::on_stop(const runtime::StopEvent& event) {
     ++stops_left_out_;
   } else if (budget_.charge(Output::Stops, kStopBytes + runtime::size_in_document(event.text))) {
     stops_.push_back(event);
+  }
+}
+
+void RunRecorder::on_event(const runtime::RecordedEvent& event) {
+  if (events_.size() == kMostEvents) {
+    ++events_left_out_;
+  } else if (budget_.charge(Output::Events, kEventBytes)) {
+    events_.push_back(event);
   }
 }
 

@@ -25,6 +25,7 @@ class RunRecorder : public runtime::Observer {
  public:
   /// Of the stops the first ones are kept: a loop that stops at each pass may run for hours.
   static constexpr std::size_t kMostStops = 10000;
+  static constexpr std::size_t kMostEvents = 10000;  ///< the same
 
   /// @param budget  is charged for what is kept; outlives the recorder
   /// @param clock   knows when a move has ended; outlives the recorder; nullptr: nobody does
@@ -37,6 +38,7 @@ class RunRecorder : public runtime::Observer {
   void on_touch(const runtime::TouchEvent& event) override;
   void on_fault(const runtime::FaultEvent& event) override;
   void on_stop(const runtime::StopEvent& event) override;
+  void on_event(const runtime::RecordedEvent& event) override;
   void on_output(const runtime::OutputEvent& event) override;
 
   [[nodiscard]] const RecordWhat& what() const { return what_; }
@@ -46,6 +48,8 @@ class RunRecorder : public runtime::Observer {
   [[nodiscard]] const std::vector<double>& move_times() const { return move_times_; }
   [[nodiscard]] const std::vector<runtime::TouchEvent>& touches() const { return touches_; }
   [[nodiscard]] const std::vector<runtime::StopEvent>& stops() const { return stops_; }
+  [[nodiscard]] const std::vector<runtime::RecordedEvent>& events() const { return events_; }
+  [[nodiscard]] std::size_t events_left_out() const { return events_left_out_; }
   /// The move that did not end.
   [[nodiscard]] const std::optional<runtime::FaultEvent>& fault() const { return fault_; }
   /// Measuring moves that had their signal.
@@ -67,6 +71,8 @@ class RunRecorder : public runtime::Observer {
   std::vector<runtime::TouchEvent> touches_;
   std::vector<runtime::StopEvent> stops_;
   std::size_t stops_left_out_ = 0;
+  std::vector<runtime::RecordedEvent> events_;
+  std::size_t events_left_out_ = 0;
   std::size_t touch_count_ = 0;
   std::optional<runtime::FaultEvent> fault_;
   std::string output_;

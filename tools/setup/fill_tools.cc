@@ -28,17 +28,21 @@ struct KindKey {
   std::vector<ToolKind> taken_by;  ///< beside those
 };
 
-const std::array<KindKey, 7>& kind_keys() {
+const std::array<KindKey, 11>& kind_keys() {
   using enum ToolKind;
   static const std::vector<ToolKind> turning_round = {Mill, BallMill, BullMill, Drill, Calibration};
-  static const std::array<KindKey, 7> rows = {{
+  static const std::array<KindKey, 11> rows = {{
       {KeyId::ToolTrueLength, turning_round, {}},
       {KeyId::ToolDiameter, turning_round, {}},
       {KeyId::ToolCornerRadius, {BullMill}, turning_round},
+      {KeyId::ToolCuttingLength, {}, {Mill, BullMill, Calibration}},
       {KeyId::ToolTipAngle, {}, turning_round},
       {KeyId::ToolLengths, {Turning}, {}},
       {KeyId::ToolTipRadius, {}, {Turning}},
       {KeyId::ToolEdgePosition, {}, {Turning}},
+      {KeyId::ToolInsertAngle, {}, {Turning}},
+      {KeyId::ToolOrientation, {}, {Turning}},
+      {KeyId::ToolEdgeLength, {}, {Turning}},
   }};
   return rows;
 }
@@ -194,12 +198,18 @@ void check_teeth(const probe::ToolSetup& tool, const SheetTable& table,
   }
 }
 
-void check_corner(const probe::ToolSetup& tool, const TableKeys& keys, ErrorList& errors) {
+void check_edges(const probe::ToolSetup& tool, const TableKeys& keys, ErrorList& errors) {
   if (const Entry* const corner = keys.find(KeyId::ToolCornerRadius);
       corner != nullptr && tool.corner_radius_mm > 0.5 * tool.diameter_mm) {
     errors.add(SetupErrorId::OutOfRange, corner->where,
                {"tool.corner_radius", fmt::format("{}", tool.corner_radius_mm),
                 fmt::format("half the diameter at most, {} mm", 0.5 * tool.diameter_mm)});
+  }
+  if (const Entry* const edges = keys.find(KeyId::ToolCuttingLength);
+      edges != nullptr && !(tool.cutting_length_mm < tool.length_mm)) {
+    errors.add(SetupErrorId::OutOfRange, edges->where,
+               {"tool.cutting_length", fmt::format("{}", tool.cutting_length_mm),
+                fmt::format("less than the length of the tool, {} mm", tool.length_mm)});
   }
 }
 
@@ -230,12 +240,18 @@ probe::ToolSetup tool_with_shape_from(const TableKeys& keys) {
   if (tool.kind == ToolKind::Mill && tool.corner_radius_mm > 0.0) {
     tool.kind = ToolKind::BullMill;
   }
+  tool.cutting_length_mm = keys.get(KeyId::ToolCuttingLength, tool.cutting_length_mm);
   tool.tip_angle_deg = keys.get(KeyId::ToolTipAngle, tool.tip_angle_deg);
   const Point lengths = point_from(keys, KeyId::ToolLengths);
   tool.insert.lengths_mm = {lengths.x(), lengths.y(), lengths.z()};
   tool.insert.tip_radius_mm = keys.get(KeyId::ToolTipRadius, tool.insert.tip_radius_mm);
   tool.insert.edge_position = static_cast<int>(
       keys.get(KeyId::ToolEdgePosition, static_cast<double>(tool.insert.edge_position)));
+  tool.insert.angle_deg = keys.get(KeyId::ToolInsertAngle, tool.insert.angle_deg);
+  if (keys.find(KeyId::ToolOrientation) != nullptr) {
+    tool.insert.orientation_deg = keys.get(KeyId::ToolOrientation, 0.0);
+  }
+  tool.insert.edge_length_mm = keys.get(KeyId::ToolEdgeLength, tool.insert.edge_length_mm);
   return tool;
 }
 
@@ -271,7 +287,7 @@ void fill_tool(Job& job, const Sheet& sheet, std::size_t order, ErrorList& error
   check_keys_of_kind(table, kind_row_from(keys), errors);
   probe::ToolSetup tool = tool_with_shape_from(keys);
   tool.number = static_cast<int>(number_of(*number));
-  check_corner(tool, keys, errors);
+  check_edges(tool, keys, errors);
   fill_lists(tool, sheet, order, errors);
   check_teeth(tool, table, within(sheet, SectionId::ToolTooth, order), errors);
   const Entry* const tip = keys.find(KeyId::ToolTipAngle);

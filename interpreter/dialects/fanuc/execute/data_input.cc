@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -52,6 +53,47 @@ MaybeFailure set_parameter(Control& control, const BlockWords& words) {
   return std::nullopt;
 }
 
+/// Of words without a point, as T and P are written.
+double number_of(const BlockWords& words, char letter) {
+  const EvaluatedWord* const word = words.find(letter);
+  return word != nullptr ? word->number : 0.0;
+}
+
+/// P.. L.. begins a group, T.. H.. D.. is a tool of it; behind G10 L3 P2 the groups P go.
+MaybeFailure record_tool_life(Control& control, const BlockWords& words) {
+  ToolLifeGroup& group = control.life_group;
+  if (const EvaluatedWord* const p = words.find('P')) {
+    const auto number = integer_of(*p);
+    if (!number || number.value() < 1) {
+      return at_word(AlarmId::DataInputFormat, *p, "P is the number of a group, from 1");
+    }
+    group = {number.value(), number_of(words, 'L'), group.deletes};
+    if (group.deletes) {
+      control.observer.on_event(
+          {"tool_life_deleted", {{"group", p->number}}, control.block, control.port.time_s()});
+    }
+  }
+  const EvaluatedWord* const tool = words.find('T');
+  if (tool == nullptr || group.deletes) {
+    return std::nullopt;
+  }
+  if (group.number == 0) {
+    return at_word(AlarmId::DataInputFormat, *tool, "P is missing: the number of its group");
+  }
+  runtime::RecordedEvent event{
+      "tool_life",
+      {{"group", static_cast<double>(group.number)}, {"life", group.life}, {"tool", tool->number}},
+      control.block,
+      control.port.time_s()};
+  for (const auto& [letter, name] : {std::pair('H', "h"), std::pair('D', "d")}) {
+    if (words.has(letter)) {
+      event.values.push_back({name, number_of(words, letter)});
+    }
+  }
+  control.observer.on_event(event);
+  return std::nullopt;
+}
+
 }  // namespace
 
 MaybeFailure execute_data_block(Control& control, const BlockWords& words) {
@@ -59,7 +101,8 @@ MaybeFailure execute_data_block(Control& control, const BlockWords& words) {
     control.data_input = DataInput::None;
     return std::nullopt;
   }
-  return control.data_input == DataInput::Parameters ? set_parameter(control, words) : std::nullopt;
+  return control.data_input == DataInput::Parameters ? set_parameter(control, words)
+                                                     : record_tool_life(control, words);
 }
 
 }  // namespace g31::fanuc

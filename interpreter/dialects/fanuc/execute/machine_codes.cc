@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <string>
 
 #include <fmt/format.h>
@@ -13,6 +15,28 @@ constexpr int kStop = 5;
 constexpr int kToolChange = 6;
 constexpr int kOrientation = 19;
 constexpr std::int32_t kToolInSpindle = 3026;  // the variable that shows it on a Haas
+
+/// The codes of the control; all others are the builder's.
+constexpr auto kCodesOfControl = std::to_array<int>({
+#define LANGUAGE_WORD(name, form, text)
+#define PROGRAM_M_CODE(number, form, text) number,
+#include "interpreter/dialects/fanuc/vocabulary/words.def"
+#undef PROGRAM_M_CODE
+#undef LANGUAGE_WORD
+});
+
+/// What a code of the builder's sets off is recorded: a probe, air, an arm.
+void record_code(const Control& control, int code) {
+  if (std::ranges::find(kCodesOfControl, code) != kCodesOfControl.end()) {
+    return;
+  }
+  runtime::RecordedEvent event{
+      "m_code", {{"m", static_cast<double>(code)}}, control.block, control.port.time_s()};
+  if (control.tool) {
+    event.values.push_back({"tool", static_cast<double>(*control.tool)});
+  }
+  control.observer.on_event(event);
+}
 
 void turn(Control& control, machine::Rotation rotation) {
   control.rotation = rotation;
@@ -66,6 +90,7 @@ void command(Control& control, const BlockWords& words, int code) {
     default:
       break;
   }
+  record_code(control, code);
   control.port.auxiliary_code({code});
   control.inputs.hear(code, control.now());
 }

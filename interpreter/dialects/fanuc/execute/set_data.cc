@@ -123,7 +123,10 @@ MaybeFailure execute_set_data(Control& control, const NcBlock& block) {
     return std::nullopt;
   }
   if (l.value() == kToolLife) {
+    const EvaluatedWord* const p = block.words.find('P');
+    constexpr double kDeletes = 2.0;
     control.data_input = DataInput::ToolLife;
+    control.life_group = {0, 0.0, p != nullptr && p->number == kDeletes};
     control.warn_once(source::DiagnosticId::NotSimulated, block.where, "tool life management");
     return std::nullopt;
   }

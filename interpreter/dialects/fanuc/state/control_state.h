@@ -57,7 +57,16 @@ struct Modal {
 enum class DataInput {
   None,
   Parameters,  ///< G10 L50: N and R, or N P and R
-  ToolLife     ///< G10 L3: not simulated
+  ToolLife     ///< G10 L3: groups of tools, which are recorded; lives are not counted
+};
+
+/// The group of tools that the blocks behind G10 L3 tell of.
+struct ToolLifeGroup {
+  int number = 0;        ///< P
+  double life = 0.0;     ///< L: uses, or minutes
+  bool deletes = false;  ///< G10 L3 P2
+
+  bool operator==(const ToolLifeGroup&) const = default;
 };
 
 /// What a skip move found.
@@ -141,6 +150,7 @@ struct ControlState {
   /// Where the last G28 or G30 of each axis went through (L); none before the first.
   std::array<std::optional<double>, kAxisCount> q_L_intermediate;
   DataInput data_input = DataInput::None;
+  ToolLifeGroup life_group;
   /// The last skip move, if its signal ended it and the program has neither moved nor read a
   /// position since.
   std::optional<source::Location> stopped_skip;
