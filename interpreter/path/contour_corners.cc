@@ -246,7 +246,12 @@ Result<ContourCorners::Given, CornerFault> ContourCorners::take(const PathBlock&
                                                                 OffsetPlane plane,
                                                                 const CornerWish& wish) {
   Given given;
-  const bool moves = block.g != 0 && (plane.of(block.q_M_end) - plane.of(q_M_from)).norm() > 0.0;
+  const bool passes_by = held_ && held_->wish.kind == CornerWish::Kind::PassBy;
+  const bool has_way = (plane.of(block.q_M_end) - plane.of(q_M_from)).norm() > 0.0;
+  const bool moves = has_way && (block.g != 0 || passes_by);
+  if (passes_by && (held_->block.g == 0) != (block.g == 0)) {
+    held_->wish.size_mm = held_->wish.mixed_size_mm;
+  }
   AxisPositions q_M_begin = q_M_from;
   if (held_ && moves && plane == held_->plane) {
     const PlaneWay before = way_of(held_->block, held_->q_M_from, plane);
@@ -276,7 +281,9 @@ Result<ContourCorners::Given, CornerFault> ContourCorners::take(const PathBlock&
   }
   const bool is_cut_away =
       q_M_begin != q_M_from && (q_M_begin - block.q_M_end).norm() < kOnePointMm;
-  if (wish.kind != CornerWish::Kind::Sharp && moves && !is_cut_away) {
+  const bool waits = wish.kind == CornerWish::Kind::PassBy ||
+                     (wish.kind != CornerWish::Kind::Sharp && block.g != 0);
+  if (waits && has_way && !is_cut_away) {
     const double length_mm = (plane.of(block.q_M_end) - plane.of(q_M_from)).norm();
     held_ = Held{block, q_M_begin, plane, wish, length_mm};
   } else if (!is_cut_away) {

@@ -18,6 +18,8 @@ struct CornerWish {
     PassBy,  ///< the control's own: rounded where that can be, sharp where it cannot
   } kind = Kind::Sharp;
   double size_mm = 0.0;  ///< radius; length of the chamfer; what it takes off each way
+  /// Of PassBy: the same where one of both blocks is at rapid and the other one is not.
+  double mixed_size_mm = 0.0;
   /// Of PassBy: how far the axes of the plane may leave the corner, mm.
   PlanePoint tolerance_mm = PlanePoint::Constant(std::numeric_limits<double>::infinity());
   double feed_mm_min = 0.0;  ///< of the rounding or chamfer; 0: that of the block in front of it
@@ -53,10 +55,11 @@ struct CornerFault {
 ///
 /// Fed with programmed blocks in machine coordinates.  A corner too large for its ways becomes as
 /// large as they allow, or is an error.  None is made where the next block does not move in the
-/// plane, moves at rapid, or goes on in the same direction.
+/// plane, moves at rapid (but for PassBy), or goes on in the same direction.
 ///
 /// PassBy is an arc between two straight ways that begins and ends `size_mm` from the corner at
-/// most, no farther than half of either way, and leaves it by `tolerance_mm` at most.
+/// most, no farther than half of either way, and leaves it by `tolerance_mm` at most.  It is made
+/// of rapids, too.
 ///
 /// Pure geometry: it knows neither the machine nor the program.
 class ContourCorners {

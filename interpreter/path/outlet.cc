@@ -14,6 +14,9 @@ struct Tag {
 
 const machine::AxisTransformPtr kUnled;
 
+/// mm/min; the machine clamps it.
+constexpr double kAsFastAsAxesGo = 1e9;
+
 machine::MachineFault unreachable(const AxisPositions& q_M) {
   return {machine::FaultKind::SoftLimit,
           "the linear axes do not lead to the place as the rotary axes stand", q_M, std::nullopt};
@@ -63,7 +66,7 @@ std::optional<machine::MachineFault> Outlet::stand_still() {
 
 template <typename Move>
 std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const PathBlock& block) {
-  block.g == 0 ? stop_cutting() : cut();
+  block.feed_mm_min == 0.0 || block.g == 0 ? stop_cutting() : cut();
   const auto reached = port_.move(move);
   const runtime::MoveEvent event{block.g, move.q_M_end, block.feed_mm_min, 0.0, block.where};
   if (!reached) {
@@ -86,10 +89,10 @@ std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
   }
   if (!block.arc) {
     const auto traverse = block.g == 0 ? machine::Traverse::Rapid : machine::Traverse::Feed;
-    return carry_out(
-        machine::LinearMove{*q_M_end, traverse, block.feed_mm_min, block.ends, block.mm_per_degree,
-                            block.rapid_path, block.contour_control, tag, transform},
-        block);
+    return carry_out(machine::LinearMove{*q_M_end, traverse, block.feed_mm_min, block.ends,
+                                         block.mm_per_degree, block.rapid_path,
+                                         block.contour_control, tag, transform, block.smoothness},
+                     block);
   }
   machine::ArcMove move;
   move.q_M_end = *q_M_end;
@@ -98,11 +101,12 @@ std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
   move.centre_first = block.arc->centre.x();
   move.centre_second = block.arc->centre.y();
   move.turn = block.arc->turn;
-  move.feed_mm_min = block.feed_mm_min;
+  move.feed_mm_min = block.feed_mm_min > 0.0 ? block.feed_mm_min : kAsFastAsAxesGo;
   move.ends = block.ends;
   move.contour_control = block.contour_control;
   move.tag = tag;
   move.transform = transform;
+  move.smoothness = block.smoothness;
   return carry_out(move, block);
 }
 
@@ -118,6 +122,9 @@ std::optional<machine::MachineFault> Outlet::pause(const Pause& pause) {
     return late;
   }
   port_.dwell(pause.seconds);
+  if (auto met = told(port_.take_late_fault())) {
+    return met;
+  }
   observer_.on_move({4, port_.position(), 0.0, pause.seconds, pause.where});
   return std::nullopt;
 }

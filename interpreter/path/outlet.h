@@ -32,7 +32,8 @@ class Outlet {
   /// @returns the machine's fault; then the observer hears of no move
   std::optional<machine::MachineFault> move(const PathBlock& block, const OffsetPlane& plane);
 
-  /// @returns the fault of a move before it that passed on; then there is no pause
+  /// @returns the fault of a move before it that passed on: then there is no pause; or what axes
+  ///          that lag have met meanwhile
   std::optional<machine::MachineFault> pause(const Pause& pause);
 
   /// Waits until the axes stand.  @returns the fault of a move that passed on

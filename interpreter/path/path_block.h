@@ -70,12 +70,13 @@ struct PathBlock {
   AxisPositions q_M_end = AxisPositions::Zero();  ///< mm and deg, machine coordinates
   std::optional<ArcShape> arc;                    ///< machine coordinates in the plane
   int g = 1;                                      ///< 0 rapid, 1 line, 2 and 3 arcs
-  double feed_mm_min = 0.0;                       ///< > 0 but for g = 0
+  double feed_mm_min = 0.0;                       ///< > 0; 0: at rapid, g = 0 or an arc
   source::Location where = {};
   machine::BlockEnd ends = machine::BlockEnd::ExactStop;
   double mm_per_degree = 0.0;  ///< of a line: see machine::LinearMove
   machine::RapidPath rapid_path = machine::RapidPath::Straight;  ///< for g = 0
   machine::ContourControl contour_control = machine::ContourControl::Off;
+  machine::Smoothness smoothness = {};
   bool of_axes = false;  ///< its end is a position of the axes, whatever leads them (G53)
   /// Leads the axes in the place of what the outlet is led by: the block's places are in its base
   /// coordinates.  Null: see Outlet::lead_by.
@@ -86,7 +87,8 @@ struct PathBlock {
   friend bool operator==(const PathBlock& a, const PathBlock& b) {
     const auto told = [](const PathBlock& block) {
       return std::tie(block.arc, block.g, block.feed_mm_min, block.where, block.ends,
-                      block.mm_per_degree, block.rapid_path, block.contour_control, block.of_axes);
+                      block.mm_per_degree, block.rapid_path, block.contour_control, block.of_axes,
+                      block.smoothness);
     };
     return a.q_M_end == b.q_M_end && told(a) == told(b) &&
            (a.leads == nullptr) == (b.leads == nullptr);

@@ -5,8 +5,10 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "machine/base/result.h"
+#include "machine/port/axis_data.h"
 #include "machine/port/axis_transform.h"
 #include "machine/port/contact.h"
 #include "machine/port/machine_events.h"
@@ -25,8 +27,20 @@ enum class RapidPath {
 
 /// When a control goes on to the next block.
 enum class BlockEnd {
-  ExactStop,  ///< once the axes have followed to the end (G61, G09, rapids of most controls)
-  PassOn      ///< without a stop, as fast as corners allow; lagging axes round them (G64)
+  ExactStop,    ///< once the axes have followed to the end (G61, G09, rapids of most controls)
+  CoarseStop,   ///< the same within the wider window (G602)
+  CommandStop,  ///< once the command stands; what lags behind it passes the corner (G603)
+  PassOn        ///< without a stop, as fast as corners allow; lagging axes round them (G64)
+};
+
+/// How a control smooths the speed of a move.
+struct Smoothness {
+  bool limits_jerk = true;  ///< false: the acceleration steps, whatever jerk axes have (BRISK)
+  /// mm: so far a curve may leave the corner to the move before; the speed there is that of such a
+  /// curve (compressors).  The way stays that of the moves.
+  double corner_tolerance = 0.0;
+
+  bool operator==(const Smoothness&) const = default;
 };
 
 /// How a control plans the speed of moves at feed that pass on.  Axes that follow at once show no
@@ -56,6 +70,7 @@ struct LinearMove {
   /// Leads the axes: the way is straight in its base coordinates, rapids too, and the feed that of
   /// the way there.
   AxisTransformPtr transform = {};
+  Smoothness smoothness = {};
 };
 
 /// How far an axis may go; mm and deg, machine coordinates.
@@ -83,6 +98,7 @@ struct ArcMove {
   ContourControl contour_control = ContourControl::Off;
   MoveTag tag = {};
   AxisTransformPtr transform = {};  ///< leads the axes
+  Smoothness smoothness = {};
 };
 
 /// The skip signal came during the move; the axes have stopped past the touch by the overtravel, or
@@ -193,6 +209,15 @@ class MachinePort {
   /// The fault of a move that passed on, found where the machine could not return it; once.  Until
   /// somebody has taken it, from here or from the next move, the machine does nothing.
   virtual std::optional<MachineFault> take_late_fault() { return std::nullopt; }
+
+  /// What holds of the axes until a control says otherwise.
+  [[nodiscard]] virtual AxisData axis_data() const { return {}; }
+
+  /// Holds from the next move on.
+  virtual void set_axis_data(const AxisData& /*data*/) {}
+
+  /// The control corrects places by these tables from now on, and by no other ones.
+  virtual void compensate(const std::vector<CompensationTable>& /*tables*/) {}
 
   /// Lets simulated time pass.  @param seconds >= 0
   virtual void dwell(double seconds) = 0;

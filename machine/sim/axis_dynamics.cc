@@ -44,6 +44,18 @@ AxisDynamics::AxisDynamics(const MachineSetup& setup) {
   }
 }
 
+void AxisDynamics::set_jerks(const AxisPositions& per_s3) {
+  G31_EXPECTS((per_s3.array() >= 0.0).all() && per_s3.allFinite());
+  for (Eigen::Index i = 0; i < per_s3.size(); ++i) {
+    jerk_per_s3_[i] = per_s3[i] > 0.0 ? per_s3[i] : std::numeric_limits<double>::infinity();
+  }
+  limits_jerk_ = !per_s3.isZero(0.0);
+}
+
+AxisPositions AxisDynamics::jerks() const {
+  return jerk_per_s3_.array().isFinite().select(jerk_per_s3_, 0.0);
+}
+
 double AxisDynamics::jerk_along(double length, const AxisPositions& way) const {
   const double slowest = way.cwiseQuotient(jerk_per_s3_).maxCoeff();
   return slowest > 0.0 ? length / slowest : 0.0;
@@ -59,7 +71,8 @@ PathLimits AxisDynamics::limits(const StraightPath& path, const LinearMove& move
   const double speed = move.traverse == Traverse::Rapid
                            ? fastest
                            : std::min(fastest, move.feed_mm_min / kSecondsPerMinute);
-  return {speed, acceleration, limits_jerk_ ? jerk_along(path.length(), way) : 0.0};
+  const bool limits_jerk = limits_jerk_ && move.smoothness.limits_jerk;
+  return {speed, acceleration, limits_jerk ? jerk_along(path.length(), way) : 0.0};
 }
 
 MotionProfile AxisDynamics::profile(const StraightPath& path, const LinearMove& move) const {
@@ -80,14 +93,24 @@ std::optional<IndependentPath> AxisDynamics::independent_path(const StraightPath
     if (way > 0.0) {
       const double jerk = jerk_per_s3_[axis];
       profiles[i].emplace(way, rapid_per_s_[axis], acceleration_per_s2_[axis],
-                          std::isfinite(jerk) ? jerk : 0.0);
+                          move.smoothness.limits_jerk && std::isfinite(jerk) ? jerk : 0.0);
     }
   }
   return IndependentPath(straight.from(), straight.to(), profiles);
 }
 
+double AxisDynamics::jerk_on(const ArcPath& path, const AxisPositions& helix) const {
+  const double in_plane =
+      std::min(jerk_per_s3_[path.first_axis()], jerk_per_s3_[path.second_axis()]) /
+      std::numbers::sqrt2;
+  const double along_helix = jerk_along(path.length(), helix);
+  const double jerk = along_helix > 0.0 ? std::min(in_plane, along_helix) : in_plane;
+  return std::isfinite(jerk) ? jerk : 0.0;
+}
+
 PathLimits AxisDynamics::limits(const ArcPath& path, double feed_mm_min,
-                                ContourControl contour_control) const {
+                                ContourControl contour_control,
+                                const Smoothness& smoothness) const {
   G31_EXPECTS(path.length() > 0.0);
   const int first = path.first_axis();
   const int second = path.second_axis();
@@ -106,15 +129,8 @@ PathLimits AxisDynamics::limits(const ArcPath& path, double feed_mm_min,
   const double speed =
       std::min({feed_mm_min / kSecondsPerMinute, rapid_per_s_[first], rapid_per_s_[second],
                 std::sqrt(in_plane * path.radius()), helix_speed});
-  double jerk = 0.0;
-  if (limits_jerk_) {
-    const double in_plane_jerk =
-        std::min(jerk_per_s3_[first], jerk_per_s3_[second]) / std::numbers::sqrt2;
-    const double helix_jerk = jerk_along(path.length(), helix);
-    jerk = helix_jerk > 0.0 ? std::min(in_plane_jerk, helix_jerk) : in_plane_jerk;
-    jerk = std::isfinite(jerk) ? jerk : 0.0;
-  }
-  return {speed, std::min(in_plane, helix_acceleration), jerk};
+  return {speed, std::min(in_plane, helix_acceleration),
+          limits_jerk_ && smoothness.limits_jerk ? jerk_on(path, helix) : 0.0};
 }
 
 MotionProfile AxisDynamics::profile(const ArcPath& path, double feed_mm_min) const {
@@ -148,7 +164,8 @@ PathLimits AxisDynamics::limits(const LedPath& path, const LinearMove& move) con
                                                          : move.feed_mm_min / kSecondsPerMinute;
   const double speed = std::min({fastest, wanted, 1.0 / std::sqrt(bent)});
   const double acceleration = 0.5 / steepest.cwiseQuotient(most).maxCoeff();
-  return {speed, acceleration, limits_jerk_ ? jerk_along(1.0, steepest) : 0.0};
+  const bool limits_jerk = limits_jerk_ && move.smoothness.limits_jerk;
+  return {speed, acceleration, limits_jerk ? jerk_along(1.0, steepest) : 0.0};
 }
 
 double AxisDynamics::corner_speed(const AxisPositions& along_before,
@@ -161,6 +178,23 @@ double AxisDynamics::corner_speed(const AxisPositions& along_before,
     }
   }
   return slowest > 0.0 ? 1.0 / slowest : std::numeric_limits<double>::infinity();
+}
+
+double AxisDynamics::curve_speed(const AxisPositions& along_before,
+                                 const AxisPositions& along_behind, const CornerCurve& most) {
+  // The chord of the two unit directions is 2 sin(turn / 2), their sum 2 cos(turn / 2).
+  const double opposite = (along_behind.normalized() - along_before.normalized()).norm();
+  const double adjacent = (along_behind.normalized() + along_before.normalized()).norm();
+  if (opposite < kSameDirection) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double tangent = opposite / adjacent;
+  const double cosine = adjacent / 2.0;
+  // 1 - cos(t) = sin(t)^2 / (1 + cos(t)) keeps its digits where the turn is small.
+  const double sine = opposite / 2.0;
+  const double by_tolerance = most.tolerance * cosine * (1.0 + cosine) / (sine * sine);
+  const double radius = std::min(by_tolerance, most.half_length / tangent);
+  return std::sqrt(most.acceleration / std::numbers::sqrt2 * radius);
 }
 
 }  // namespace g31::machine

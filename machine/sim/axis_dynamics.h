@@ -19,12 +19,16 @@ class AxisDynamics {
   /// Rates and accelerations of the axes that are present must be > 0.
   explicit AxisDynamics(const MachineSetup& setup);
 
+  /// @param per_s3  for each axis from now on; 0: not limited
+  void set_jerks(const AxisPositions& per_s3);
+  [[nodiscard]] AxisPositions jerks() const;
+
   /// The motion of a move along a path: all axes start and end together.
   ///
   /// A rapid goes as fast as the slowest axis allows; a feed goes with move.feed_mm_min along
   /// path.length(), but no faster than that: a control, too, clamps a feed that an axis cannot
   /// follow.  Acceleration and jerk are the greatest at which no axis exceeds its own, with
-  /// look-ahead the one for contours.
+  /// look-ahead the one for contours; the jerk where the move limits it.
   /// @param path  path.moves(); only axes that are present move
   [[nodiscard]] PathLimits limits(const StraightPath& path, const LinearMove& move) const;
   [[nodiscard]] MotionProfile profile(const StraightPath& path, const LinearMove& move) const;
@@ -42,7 +46,8 @@ class AxisDynamics {
   /// @param path  path.length() > 0; only axes that are present move
   /// @param feed_mm_min  > 0, along path.length()
   [[nodiscard]] PathLimits limits(const ArcPath& path, double feed_mm_min,
-                                  ContourControl contour_control = ContourControl::Off) const;
+                                  ContourControl contour_control = ContourControl::Off,
+                                  const Smoothness& smoothness = {}) const;
   [[nodiscard]] MotionProfile profile(const ArcPath& path, double feed_mm_min) const;
 
   /// The motion along a led way: the feed, or for a rapid the fastest there is, so slow that in no
@@ -59,6 +64,20 @@ class AxisDynamics {
   [[nodiscard]] double corner_speed(const AxisPositions& along_before,
                                     const AxisPositions& along_behind) const;
 
+  /// The speed of a curve in the place of such a corner: an arc that leaves the corner by at most a
+  /// tolerance and begins and ends no farther than half of either way from it, gone round with half
+  /// of the acceleration, in squares.
+  /// @param along_before, along_behind  what each axis goes in a unit of the path
+  /// @param most  tolerance and half length, path units, and acceleration, all > 0
+  struct CornerCurve {
+    double tolerance = 0.0;
+    double half_length = 0.0;
+    double acceleration = 0.0;
+  };
+  [[nodiscard]] static double curve_speed(const AxisPositions& along_before,
+                                          const AxisPositions& along_behind,
+                                          const CornerCurve& most);
+
  private:
   [[nodiscard]] const AxisPositions& accelerations(ContourControl contour_control) const {
     return contour_control == ContourControl::Off ? acceleration_per_s2_
@@ -66,6 +85,7 @@ class AxisDynamics {
   }
   /// The greatest jerk along a path at which no axis exceeds its own; 0: none limits it.
   [[nodiscard]] double jerk_along(double length, const AxisPositions& way) const;
+  [[nodiscard]] double jerk_on(const ArcPath& path, const AxisPositions& helix) const;
 
   AxisPositions rapid_per_s_;
   AxisPositions acceleration_per_s2_;

@@ -8,9 +8,8 @@
 namespace g31::machine {
 
 void ContinuousPath::add(const Move& move) {
-  last_length_ = move.length;
-  planner_.add(last_length_, move.limits, move.corner_speed);
-  along_end_ = move.along_end;
+  last_ = move;
+  planner_.add(move.length, move.limits, move.corner_speed);
 }
 
 ContinuousPath::Passed ContinuousPath::release() {
@@ -47,11 +46,11 @@ ContinuousPath::Passed ContinuousPath::finish() {
 }
 
 ContinuousPath::Passed ContinuousPath::finish_at(double distance) {
-  G31_EXPECTS(!is_empty() && distance >= 0.0 && distance <= last_length_);
+  G31_EXPECTS(!is_empty() && distance >= 0.0 && distance <= last_.length);
   const std::span<const SpanMotion> spans = planner_.finish();
   Passed passed = all_of(spans.first(spans.size() - 1));
   const SpanMotion& last = spans.back();
-  const double before = std::max(0.0, last.length() - last_length_);
+  const double before = std::max(0.0, last.length() - last_.length);
   pass(last, last.time_at(std::min(last.length(), before + distance)), passed);
   ways_.clear();
   return passed;

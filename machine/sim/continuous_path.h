@@ -16,6 +16,7 @@ struct Passing {
   BlockEnd ends = BlockEnd::ExactStop;
   ContourControl contour_control = ContourControl::Off;
   MoveTag tag = {};
+  double corner_tolerance = 0.0;  ///< mm: see Smoothness
 };
 
 /// A piece of a path as it is travelled, from somewhere in its speed to somewhere.
@@ -41,21 +42,21 @@ class ContinuousPath {
 
   [[nodiscard]] bool is_empty() const { return planner_.is_empty(); }
 
-  /// What each axis goes in a unit of the path at its end.  @pre not empty
-  [[nodiscard]] const AxisPositions& along_end() const { return along_end_; }
-
   struct Move {
     double length = 0.0;  ///< > 0, path units
     PathLimits limits;
     double corner_speed = 0.0;  ///< at its beginning
-    AxisPositions along_end;
+    AxisPositions along_end;    ///< what each axis goes in a unit of the path at its end
+    double corner_tolerance = 0.0;
   };
+  /// The last one.  @pre not empty
+  [[nodiscard]] const Move& last() const { return last_; }
   void add(const Move& move);
 
   /// Whether ways are kept: then keep() follows each add().
   [[nodiscard]] bool keeps_ways() const { return keeps_ways_; }
   void keep(CommandedPath path, const Passing& passing) {
-    ways_.push_back({std::move(path), last_length_, passing});
+    ways_.push_back({std::move(path), last_.length, passing});
   }
 
   /// s, until standstill.
@@ -89,8 +90,7 @@ class ContinuousPath {
   bool keeps_few_ = false;
   std::size_t next_look_ = kManyWays;
   PathPlanner planner_;
-  AxisPositions along_end_ = AxisPositions::Zero();
-  double last_length_ = 0.0;
+  Move last_;
   std::deque<Way> ways_;
 
   static constexpr std::size_t kManyWays = 256;

@@ -19,6 +19,9 @@ namespace g31::machine {
 /// A servo gain of 1 (m/min)/mm is a time constant of 60 ms.
 inline constexpr double kSecondsAtGainOne = 0.06;
 
+/// The coarse window of an exact stop, as controls are delivered, as a multiple of the fine one.
+inline constexpr double kCoarsePerFine = 4.0;
+
 /// One axis of the simulated machine; mm, s for linear axes, deg, s for rotary ones.
 struct AxisSetup {
   bool present = false;

@@ -52,6 +52,9 @@ MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surrou
       resolution_(resolutions(setup)),
       real_(setup) {
   G31_EXPECTS(q_M_.allFinite());
+  axis_data_.stop_fine = AxisPositions::Constant(setup.in_position);
+  axis_data_.stop_coarse = kCoarsePerFine * axis_data_.stop_fine;
+  axis_data_.jerk_per_s3 = dynamics_.jerks();
   if (!real_.follow_at_once()) {
     continuous_.keep_few_ways();
   }
@@ -67,7 +70,8 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move
   }
   const StraightPath path(q_M_, move.q_M_end, move.mm_per_degree);
   if (path.moves()) {
-    const Passing passing{move.ends, move.contour_control, move.tag};
+    const Passing passing{move.ends, move.contour_control, move.tag,
+                          move.smoothness.corner_tolerance};
     if (auto fault = move.traverse == Traverse::Feed || passes_on(move)
                          ? feed(path, dynamics_.limits(path, move), passing)
                          : carry_out(path, move)) {
@@ -126,6 +130,7 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
   straight.contour_control = arc.contour_control;
   straight.tag = arc.tag;
   straight.transform = arc.transform;
+  straight.smoothness = arc.smoothness;
   if (const auto led = led_path(q_M_, arc)) {
     return led->length() < kFullCircleGapMm ? move(straight) : move_led(*led, straight);
   }
@@ -142,8 +147,11 @@ Result<AxisPositions, MachineFault> MachiningCentre::move(const ArcMove& arc) {
       }
     }
   }
-  if (auto fault = feed(path, dynamics_.limits(path, arc.feed_mm_min, arc.contour_control),
-                        {arc.ends, arc.contour_control, arc.tag})) {
+  const PathLimits limits =
+      dynamics_.limits(path, arc.feed_mm_min, arc.contour_control, arc.smoothness);
+  if (auto fault =
+          feed(path, limits,
+               {arc.ends, arc.contour_control, arc.tag, arc.smoothness.corner_tolerance})) {
     return *std::move(fault);
   }
   q_M_ = arc.q_M_end;
@@ -232,13 +240,26 @@ void MachiningCentre::dwell(double seconds) {
     return;
   }
   if (!real_.are_ideal()) {
-    follow(real_.motion(StraightPath(q_M_, q_M_), {}), seconds);
+    late_ = wait_really(seconds);
     return;
   }
   if (sampler_) {
     show(StraightPath(q_M_, q_M_), {}, seconds);
   }
   clock_.advance(seconds);
+}
+
+void MachiningCentre::set_axis_data(const AxisData& data) {
+  axis_data_ = data;
+  dynamics_.set_jerks(data.jerk_per_s3);
+  real_.set_windows(data);
+}
+
+void MachiningCentre::compensate(const std::vector<CompensationTable>& tables) {
+  stand_still();
+  if (!late_) {
+    real_.correct_by(AxisCorrections(tables));
+  }
 }
 
 void MachiningCentre::trace(double period_s, TraceSink& sink) {
@@ -339,13 +360,30 @@ std::optional<MachineFault> MachiningCentre::carry_out_really(const ServoMotion&
   if (surroundings_ != nullptr) {
     auto obstacle = real_.first_obstacle(motion, how, *surroundings_);
     if (obstacle) {
-      const AxisPositions q_M_stop = motion.encoder_at(obstacle->time_s);
-      follow(motion, obstacle->time_s);
-      real_.stop_at(q_M_stop);
-      return stop_at(std::move(obstacle->event), q_M_stop, 0.0);
+      return break_off(motion, *std::move(obstacle));
     }
   }
   follow(motion, real_.done_s(motion, how.ends));
+  return std::nullopt;
+}
+
+std::optional<MachineFault> MachiningCentre::break_off(const ServoMotion& motion,
+                                                       Timed<Obstacle> obstacle) {
+  const AxisPositions q_M_stop = motion.encoder_at(obstacle.time_s);
+  follow(motion, obstacle.time_s);
+  real_.stop_at(q_M_stop);
+  return stop_at(std::move(obstacle.event), q_M_stop, 0.0);
+}
+
+std::optional<MachineFault> MachiningCentre::wait_really(double seconds) {
+  const ServoMotion motion = real_.motion(StraightPath(q_M_, q_M_), {});
+  const double moves_s = std::min(seconds, RealAxes::rests_s(motion));
+  if (surroundings_ != nullptr && moves_s > 0.0) {
+    if (auto obstacle = real_.first_obstacle(motion, Travel::Feed, moves_s, *surroundings_)) {
+      return break_off(motion, *std::move(obstacle));
+    }
+  }
+  follow(motion, seconds);
   return std::nullopt;
 }
 

@@ -69,6 +69,9 @@ class MachiningCentre final : public MachinePort {
   void digital_output(const DigitalOutput& output) override;
   void dwell(double seconds) override;
   void stand_still() override;
+  [[nodiscard]] AxisData axis_data() const override { return axis_data_; }
+  void set_axis_data(const AxisData& data) override;
+  void compensate(const std::vector<CompensationTable>& tables) override;
   std::optional<MachineFault> take_late_fault() override;
   [[nodiscard]] std::optional<AxisTravel> travel(int axis) const override {
     return limits_.of(axis);
@@ -111,6 +114,9 @@ class MachiningCentre final : public MachinePort {
   std::optional<MachineFault> carry_out_ideally(const Path& path, const Profile& profile,
                                                 const Carriage& how);
   std::optional<MachineFault> carry_out_really(const ServoMotion& motion, const Carriage& how);
+  std::optional<MachineFault> break_off(const ServoMotion& motion, Timed<Obstacle> obstacle);
+  // What lags comes to its place while the program waits.
+  std::optional<MachineFault> wait_really(double seconds);
 
   template <typename Path>
   std::optional<MachineFault> feed(const Path& path, const PathLimits& limits,
@@ -127,7 +133,9 @@ class MachiningCentre final : public MachinePort {
   std::optional<Obstacle> obstacle_in_passing(const Path& path, const PathLimits& limits);
   void pass(const ContinuousPath::Passed& passed);
   void travel_late(const Travelled& way);
-  void settle(const AxisPositions& q_M_end);
+  [[nodiscard]] double speed_at_corner(const ContinuousPath::Move& behind,
+                                       const AxisPositions& along_start) const;
+  void settle(const AxisPositions& q_M_end, BlockEnd ends);
 
   // Until the signal; nullopt: there is none.
   std::optional<SkipOutcome> skip(const StraightPath& path, const MotionProfile& profile,
@@ -158,6 +166,7 @@ class MachiningCentre final : public MachinePort {
   AxisPositions q_M_;
   AxisPositions resolution_;  // of the encoders; 0: no steps
   RealAxes real_;
+  AxisData axis_data_;
   std::optional<MotionSampler> sampler_;
 };
 

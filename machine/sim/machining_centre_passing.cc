@@ -68,15 +68,30 @@ std::optional<MachineFault> MachiningCentre::keep_feed(const CommandedPath& path
   return carry_out_really(real_.motion(path, phases), {Travel::Feed, ends});
 }
 
+double MachiningCentre::speed_at_corner(const ContinuousPath::Move& behind,
+                                        const AxisPositions& along_start) const {
+  const ContinuousPath::Move& before = continuous_.last();
+  const double speed = dynamics_.corner_speed(before.along_end, along_start);
+  const double tolerance = std::min(before.corner_tolerance, behind.corner_tolerance);
+  if (tolerance <= 0.0) {
+    return speed;
+  }
+  return std::max(speed, AxisDynamics::curve_speed(
+                             before.along_end, along_start,
+                             {tolerance, 0.5 * std::min(before.length, behind.length),
+                              std::min(before.limits.acceleration, behind.limits.acceleration)}));
+}
+
 template <typename Path>
 std::optional<MachineFault> MachiningCentre::pass_on(const Path& path, const PathLimits& limits,
                                                      const Passing& passing) {
   const double length = path.length();
-  double corner_speed = 0.0;
+  ContinuousPath::Move move{length, limits, 0.0, path.slope_at(1.0) / length,
+                            passing.corner_tolerance};
   if (!continuous_.is_empty()) {
-    corner_speed = dynamics_.corner_speed(continuous_.along_end(), path.slope_at(0.0) / length);
+    move.corner_speed = speed_at_corner(move, path.slope_at(0.0) / length);
   }
-  continuous_.add({length, limits, corner_speed, path.slope_at(1.0) / length});
+  continuous_.add(move);
   if (continuous_.keeps_ways()) {
     continuous_.keep(path, passing);
   }
@@ -92,7 +107,7 @@ std::optional<MachineFault> MachiningCentre::pass_on(const Path& path, const Pat
     pass(continuous_.release());
   } else {
     stand_still();
-    settle(path.to());
+    settle(path.to(), passing.ends);
   }
   return take_late_fault();
 }
@@ -148,13 +163,13 @@ void MachiningCentre::travel_late(const Travelled& way) {
 }
 
 /// An exact stop at the end of moves that passed on: the axes follow to their place.
-void MachiningCentre::settle(const AxisPositions& q_M_end) {
+void MachiningCentre::settle(const AxisPositions& q_M_end, BlockEnd ends) {
   if (late_ || real_.follow_at_once()) {
     return;
   }
   const ServoMotion motion = real_.motion(StraightPath(q_M_end, q_M_end), {});
-  if (real_.done_s(motion, BlockEnd::ExactStop) > 0.0) {
-    late_ = carry_out_really(motion, {Travel::Feed, BlockEnd::ExactStop});
+  if (real_.done_s(motion, ends) > 0.0) {
+    late_ = carry_out_really(motion, {Travel::Feed, ends});
   }
 }
 

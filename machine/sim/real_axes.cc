@@ -38,11 +38,23 @@ RealAxes::RealAxes(const MachineSetup& setup)
       chain_(setup.chain, setup.p_T_tip),
       loops_(without_feed_forward(loops_of(setup))),
       loops_ahead_(loops_of(setup)),
-      in_position_(setup.in_position),
+      stop_fine_(AxisPositions::Constant(setup.in_position)),
+      stop_coarse_(kCoarsePerFine * stop_fine_),
       lags_(!loops_.time_constants_s.isZero(0.0)),
       is_ideal_(truth_.is_ideal() && !chain_.has_rotary_axes() && !lags_),
       follows_at_once_(!lags_ && !truth_.has_play()) {
-  G31_EXPECTS(in_position_ > 0.0);
+  G31_EXPECTS(setup.in_position > 0.0);
+}
+
+void RealAxes::set_windows(const AxisData& data) {
+  G31_EXPECTS((data.stop_fine.array() > 0.0).all() && (data.stop_coarse.array() > 0.0).all());
+  stop_fine_ = data.stop_fine;
+  stop_coarse_ = data.stop_coarse;
+}
+
+void RealAxes::correct_by(AxisCorrections corrections) {
+  truth_.correct_by(std::move(corrections));
+  is_ideal_ = truth_.is_ideal() && !chain_.has_rotary_axes() && !lags_;
 }
 
 ServoMotion RealAxes::motion(const CommandedPath& path, const MotionPhases& phases,
@@ -52,7 +64,16 @@ ServoMotion RealAxes::motion(const CommandedPath& path, const MotionPhases& phas
 }
 
 double RealAxes::done_s(const ServoMotion& motion, BlockEnd end) const {
-  return end == BlockEnd::ExactStop ? motion.in_position_s(in_position_) : motion.duration_s();
+  switch (end) {
+    case BlockEnd::ExactStop:
+      return motion.in_position_s(stop_fine_);
+    case BlockEnd::CoarseStop:
+      return motion.in_position_s(stop_coarse_);
+    case BlockEnd::CommandStop:
+    case BlockEnd::PassOn:
+      break;
+  }
+  return motion.duration_s();
 }
 
 std::optional<Timed<SkipTrigger>> RealAxes::first_signal(const ServoMotion& motion,
@@ -73,12 +94,11 @@ std::optional<Timed<SkipTrigger>> RealAxes::first_signal(const ServoMotion& moti
   return timed;
 }
 
-std::optional<Timed<Obstacle>> RealAxes::first_obstacle(const ServoMotion& motion,
-                                                        const Carriage& how,
-                                                        Surroundings& world) const {
-  const TrueWay way(truth_, chain_, motion, done_s(motion, how.ends),
+std::optional<Timed<Obstacle>> RealAxes::first_obstacle(const ServoMotion& motion, Travel travel,
+                                                        double until_s, Surroundings& world) const {
+  const TrueWay way(truth_, chain_, motion, until_s,
                     {kMoveWayErrorMm, world.tool_extent().body_mm});
-  auto obstacle = world.first_obstacle(Way(way.points()), how.travel);
+  auto obstacle = world.first_obstacle(Way(way.points()), travel);
   if (!obstacle) {
     return std::nullopt;
   }

@@ -26,6 +26,9 @@ struct Carriage {
   ContourControl contour_control = ContourControl::Off;
 };
 
+/// mm or deg: nearer its place an axis stands.
+inline constexpr double kRestsWithin = 1e-6;
+
 /// The axes of a machine as they are: behind their commands, beside their encoders, on tables that
 /// turn.  Keeps their state from motion to motion.
 class RealAxes {
@@ -46,7 +49,7 @@ class RealAxes {
                                    ContourControl contour_control = ContourControl::Off) const;
 
   /// When the control takes a motion as done: at the end of the command, or once the axes have
-  /// followed within in_position.
+  /// followed within a window.
   [[nodiscard]] double done_s(const ServoMotion& motion, BlockEnd end) const;
 
   /// What the world says to a motion; contacts in the machine's frame.
@@ -55,7 +58,17 @@ class RealAxes {
                                                                Surroundings& world) const;
   [[nodiscard]] std::optional<Timed<Obstacle>> first_obstacle(const ServoMotion& motion,
                                                               const Carriage& how,
+                                                              Surroundings& world) const {
+    return first_obstacle(motion, how.travel, done_s(motion, how.ends), world);
+  }
+  [[nodiscard]] std::optional<Timed<Obstacle>> first_obstacle(const ServoMotion& motion,
+                                                              Travel travel, double until_s,
                                                               Surroundings& world) const;
+
+  /// When, from the end of its command on, nothing of a motion is left that could be seen.
+  [[nodiscard]] static double rests_s(const ServoMotion& motion) {
+    return motion.in_position_s(AxisPositions::Constant(kRestsWithin));
+  }
 
   /// Carries out a motion until some time.
   void follow(const ServoMotion& motion, double until_s);
@@ -80,6 +93,12 @@ class RealAxes {
   /// Is looked at in long work on all motions from now on; outlives this.
   void watch(WorkWatch& watch) { loops_.watch = loops_ahead_.watch = &watch; }
 
+  /// How near its place an axis has arrived.  @param data  its windows
+  void set_windows(const AxisData& data);
+
+  /// The control adds these to the places of the axes from now on.
+  void correct_by(AxisCorrections corrections);
+
   /// Another tool is in the spindle.  @param p_T_tip  mm, its tip from the gauge point
   void take_tool(const Point& p_T_tip);
 
@@ -90,7 +109,8 @@ class RealAxes {
   AxisChain chain_;
   ServoLoops loops_;
   ServoLoops loops_ahead_;  // with feed-forward
-  double in_position_;
+  AxisPositions stop_fine_;
+  AxisPositions stop_coarse_;
   ServoState state_;
   bool lags_;
   bool is_ideal_;

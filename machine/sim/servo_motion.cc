@@ -343,11 +343,12 @@ ServoState ServoMotion::state_at(double time_s) const {
   return state;
 }
 
-double ServoMotion::in_position_s(double width) const {
-  G31_EXPECTS(width > 0.0);
+double ServoMotion::in_position_s(const AxisPositions& widths) const {
+  G31_EXPECTS((widths.array() > 0.0).all());
   double wait_s = 0.0;
   for (Eigen::Index i = 0; i < lag_.size(); ++i) {
     const double lag = std::abs(lag_[i]);
+    const double width = widths[i];
     if (const auto& loop = velocity_loops_[static_cast<std::size_t>(i)]) {
       wait_s = std::max(wait_s, loop->within_s(width) - duration_s_);
     } else if (lag > width) {

@@ -80,8 +80,8 @@ class ServoMotion {
   /// What is left of the move at a time.
   [[nodiscard]] ServoState state_at(double time_s) const;
 
-  /// When, from duration_s() on, no axis lags by more than a width.  @param width  > 0
-  [[nodiscard]] double in_position_s(double width) const;
+  /// When, from duration_s() on, no axis lags by more than its width.  @param widths  > 0
+  [[nodiscard]] double in_position_s(const AxisPositions& widths) const;
 
   /// Times from 0 to a time, so close that between two of them no axis turns back far.
   [[nodiscard]] std::vector<double> steps_until(double time_s) const;

@@ -1,6 +1,7 @@
 #include "machine/sim/true_position.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace g31::machine {
 TruePosition::TruePosition(const MachineSetup& setup)
@@ -19,18 +20,21 @@ TruePosition::TruePosition(const MachineSetup& setup)
     }
   }
   has_play_ = !std::ranges::all_of(play_, &errors::AxisPlay::is_zero);
-  is_ideal_ = geometry_.are_zero() && compensation_.are_zero() && growth_.isZero(0.0) && !has_play_;
+  is_exact_ = geometry_.are_zero() && compensation_.are_zero() && growth_.isZero(0.0) && !has_play_;
 }
 
 AxisPositions TruePosition::without_play(const AxisPositions& q_M) const {
   AxisPositions q_M_true = q_M + growth_.cwiseProduct(q_M - q_M_fixed_);
   q_M_true.head<kLinearAxisCount>() += geometry_.at(linear_axes(q_M), p_T_tip_);
   q_M_true.head<kLinearAxisCount>() += compensation_.at(linear_axes(q_M), p_T_tip_);
+  if (!corrections_.are_none()) {
+    q_M_true += corrections_.at(q_M);
+  }
   return q_M_true;
 }
 
 AxisPositions TruePosition::after(const AxisPositions& q_M) const {
-  if (is_ideal_) {
+  if (is_ideal()) {
     return q_M;
   }
   AxisPositions q_M_true = without_play(q_M);
@@ -42,6 +46,10 @@ AxisPositions TruePosition::after(const AxisPositions& q_M) const {
     q_M_true[row] += play_[i].after(q_M[row]).offset();
   }
   return q_M_true;
+}
+
+void TruePosition::correct_by(AxisCorrections corrections) {
+  corrections_ = std::move(corrections);
 }
 
 AxisPositions TruePosition::go_to(const AxisPositions& q_M) {

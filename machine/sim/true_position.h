@@ -4,21 +4,22 @@
 
 #include "machine/errors/axis_play.h"
 #include "machine/errors/geometric_errors.h"
+#include "machine/sim/axis_corrections.h"
 #include "machine/sim/machine_setup.h"
 
 namespace g31::machine {
 
 /// Where the tool tip truly is, relative to the part, when the encoders say q_M.
 ///
-/// Added up: geometric errors, what the control compensates, growth of the scales, backlash and
-/// stick motion.  True positions are axis positions of an ideal machine that would have its tip
-/// there.
+/// Added up: geometric errors, what the control compensates (by the sheet and by its own tables),
+/// growth of the scales, backlash and stick motion.  True positions are axis positions of an ideal
+/// machine that would have its tip there.
 class TruePosition {
  public:
   explicit TruePosition(const MachineSetup& setup);
 
   /// Whether every true position is the encoder position, bit for bit.
-  [[nodiscard]] bool is_ideal() const { return is_ideal_; }
+  [[nodiscard]] bool is_ideal() const { return is_exact_ && corrections_.are_none(); }
 
   /// The true position after a straight way from the last one to q_M.
   [[nodiscard]] AxisPositions after(const AxisPositions& q_M) const;
@@ -29,6 +30,9 @@ class TruePosition {
   /// @param p_T_tip  mm, the tip of the tool from now on, from the gauge point
   void take_tool(const Point& p_T_tip) { p_T_tip_ = p_T_tip; }
 
+  /// The control adds these from now on.
+  void correct_by(AxisCorrections corrections);
+
   [[nodiscard]] bool has_play() const { return has_play_; }
 
  private:
@@ -36,12 +40,13 @@ class TruePosition {
 
   errors::GeometricErrors geometry_;
   errors::GeometricErrors compensation_;
+  AxisCorrections corrections_;  // of the control's own tables
   std::vector<errors::AxisPlay> play_;
   AxisPositions growth_;     // of a scale, per unit of length
   AxisPositions q_M_fixed_;  // where growing scales stay
   Point p_T_tip_;
   bool has_play_ = false;
-  bool is_ideal_ = true;
+  bool is_exact_ = true;  // but for what the control adds
 };
 
 }  // namespace g31::machine

@@ -40,6 +40,21 @@ TEST(ExactStop, IsModalOrOfOneBlockAndNeverForBitTwoOf3004) {
   }
 }
 
+TEST(ExactStop, WithNciNobodyWaitsForTheAxes) {
+  for (const bool nci : {false, true}) {
+    runtime::ControlSetup setup;
+    setup.parameters = {{"1601.5", nci ? 1.0 : 0.0}};
+    testing::ControlRun run("fanuc-30i", "G0X1.\nG61G1X2.F100\nG64X3.\nG28X4.", setup);
+    EXPECT_EQ(run.alarm(), 0);
+    const auto stop = nci ? machine::BlockEnd::CommandStop : machine::BlockEnd::ExactStop;
+    ASSERT_EQ(run.machine().ends().size(), 5U);
+    for (const std::size_t i : {0U, 1U, 3U, 4U}) {
+      EXPECT_EQ(run.machine().ends()[i], stop) << i;
+    }
+    EXPECT_EQ(run.machine().ends()[2], machine::BlockEnd::PassOn);
+  }
+}
+
 /// A letter a move: O contour control off, L look-ahead, F with feed-forward.
 std::string controls_of(const testing::RecordingMachine& machine) {
   std::string letters;

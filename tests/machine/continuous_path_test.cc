@@ -379,6 +379,33 @@ int commanded_block(const std::vector<TraceSample>& samples, double place) {
   return 0;
 }
 
+// The command stands at 100 mm, the axis is v T behind and comes while the program waits.
+TEST(ContinuousPath, WhatLagsBehindMayMeetSomethingDuringADwell) {
+  const double t_lag = 1.0 / 30.0;
+  const double lag = 50.0 * t_lag * (1.0 - std::exp(-2.0 / t_lag));
+  struct Case {
+    double wall, dwell_s;
+    bool meets;
+  };
+  for (const Case& c :
+       {Case{99.5, 1.0, true}, {99.9, 1.0, true}, {99.5, 0.01, false}, {100.001, 1.0, false}}) {
+    Wall wall(c.wall);
+    MachiningCentre centre(lagging(t_lag), &wall);
+    ASSERT_TRUE(centre.move(contour(axes(100, 0, 0), ContourControl::Off)).ok());
+    centre.dwell(c.dwell_s);
+    const auto fault = centre.take_late_fault();
+    ASSERT_EQ(fault.has_value(), c.meets) << c.wall;
+    if (c.meets) {
+      const double met_s = 2.0 + t_lag * std::log(lag / (100.0 - c.wall));
+      EXPECT_NEAR(centre.time_s(), met_s, 4e-4);
+      EXPECT_NEAR(fault->q_M_at[0], c.wall, 1e-3);
+      EXPECT_EQ(fault->tag, std::nullopt) << "of what the program waits for, not of the move";
+    } else {
+      EXPECT_EQ(centre.time_s(), 2.0 + c.dwell_s);
+    }
+  }
+}
+
 // Somewhere in each of 200 blocks the axis meets a wall: the fault says which one was commanded
 // then, wherever it is found.
 TEST(ContinuousPath, AFaultThatIsFoundLateSaysWhoseItIs) {

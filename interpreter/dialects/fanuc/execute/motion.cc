@@ -97,6 +97,7 @@ MaybeFailure rapid_to(Control& control, const AxisPositions& q_B_end, machine::R
   block.q_M_end = q_B_end;
   block.g = 0;
   block.where = control.block;
+  block.ends = control.rapid_end();
   block.rapid_path = way;
   return travel(control, block);
 }
@@ -145,6 +146,7 @@ MaybeFailure move_axes_to(Control& control, const AxisPositions& q_M_end, machin
   block.q_M_end = q_M_end;
   block.g = 0;
   block.where = control.block;
+  block.ends = control.rapid_end();
   block.rapid_path = way;
   if (control.modal.group[Group::Motion].whole == 1) {
     const auto fed = feed_block(control, q_M_end, 1);

@@ -160,6 +160,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   fill_kinematics(parameters, setup.kinematics);
   control.take_kinematics(setup.kinematics);
   control.apply(parameters);
+  control.tell_machine();
   if (!setup.increment.empty()) {
     control.scale.set_increment_system(setup.increment);
   }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/state/believed_chain.h"
+#include "interpreter/dialects/fanuc/state/pitch_errors.h"
 
 namespace g31::fanuc {
 namespace {
@@ -145,8 +146,12 @@ void Control::warn_once(source::DiagnosticId id, source::Location where, std::st
 machine::BlockEnd Control::feed_end() const {
   constexpr int kNoExactStop = 4;
   const bool exact = stops_exactly || modal.group[Group::CuttingMode].whole == 61;
-  return exact && (override_control & kNoExactStop) == 0 ? machine::BlockEnd::ExactStop
-                                                         : machine::BlockEnd::PassOn;
+  return exact && (override_control & kNoExactStop) == 0 ? rapid_end() : machine::BlockEnd::PassOn;
+}
+
+machine::BlockEnd Control::rapid_end() const {
+  return parameters.is_on(ParameterId::NoInPositionCheck) ? machine::BlockEnd::CommandStop
+                                                          : machine::BlockEnd::ExactStop;
 }
 
 machine::ContourControl Control::contour_control() const {
@@ -175,6 +180,23 @@ void Control::apply(const Parameters& given) {
   const machine::AxisChainSetup believed = believed_chain(parameters, sheet_kinematics_);
   if (believed != coordinates.kinematics()) {
     coordinates.set_kinematics(believed);
+  }
+}
+
+void Control::tell_machine() {
+  constexpr double kMmPerUnit = 0.001;
+  machine::AxisData told = of_machine_;
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    const double width = parameters.get_for_axis(ParameterId::InPositionWidth, 0, axis);
+    if (width > 0.0) {
+      told.stop_fine[axis] = kMmPerUnit * width;
+    }
+  }
+  port.set_axis_data(told);
+  const auto tables = pitch_error_tables(parameters);
+  if (!tables.empty() || compensates_) {
+    compensates_ = !tables.empty();
+    port.compensate(tables);
   }
 }
 

@@ -84,6 +84,7 @@ struct Control : ControlState {
 
   /// How a move at feed ends: G09 and G61 stop exactly, unless #3004 bit 2 forbids it.
   [[nodiscard]] machine::BlockEnd feed_end() const;
+  [[nodiscard]] machine::BlockEnd rapid_end() const;
 
   /// What look-ahead contour control does with moves at feed; with Q1 or P1 it drives the axes by
   /// the speed of their command, too.
@@ -101,6 +102,8 @@ struct Control : ControlState {
   void take_kinematics(const machine::AxisChainSetup& sheet) { sheet_kinematics_ = sheet; }
   /// Takes over parameters and what they change.
   void apply(const Parameters& given);
+  /// The machine compensates, and axes have arrived, as the parameters say now.
+  void tell_machine();
   /// Tool offset memory A, B or C, and with it the numbers of the offset variables.
   void set_offset_memory(OffsetMemory memory);
   /// G20, G21
@@ -135,6 +138,8 @@ struct Control : ControlState {
   void choose_system_variables();
 
   machine::AxisChainSetup sheet_kinematics_;
+  bool compensates_ = false;  // the machine has tables
+  machine::AxisData of_machine_ = port.axis_data();
 
   runtime::Warnings warnings_;
   std::set<std::pair<source::DiagnosticId, std::string>> warned_;

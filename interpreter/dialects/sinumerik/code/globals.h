@@ -22,6 +22,10 @@ class Globals {
   Globals();
 
   [[nodiscard]] const Variable* find(std::string_view name) const;
+  /// Of a name that is there: its place among the numbers.
+  [[nodiscard]] std::size_t place(std::string_view name) const {
+    return static_cast<std::size_t>(find(name)->place);
+  }
 
   /// @returns nullptr when there is one of that name already
   const Variable* define(const Variable& variable);

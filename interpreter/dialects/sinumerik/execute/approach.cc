@@ -23,6 +23,9 @@ MaybeFailure approach(Channel& channel, const Block& block, const AxisPositions&
     }
   }
   move.q_M_end = channel.machine_to_path(q_M_end);
+  if (MaybeFailure wrong = compensate_axes(channel)) {
+    return wrong;
+  }
   MaybeFailure wrong = travel(channel, move);
   channel.arrived_at_machine();
   return wrong;

@@ -125,8 +125,8 @@ MaybeFailure move_in_chords(Channel& channel, const Job& job, const SpatialArc& 
     chord.q_M_end = channel.to_path(q_W);
     chord.feed_mm_min = feed.value();
     chord.where = job.block.where;
-    chord.contour_control = contour_control(channel);
-    chord.ends = i == chords ? block_end(channel) : machine::BlockEnd::PassOn;
+    take_modes(channel, chord);
+    chord.ends = i == chords ? chord.ends : machine::BlockEnd::PassOn;
     if (MaybeFailure wrong = travel_to(channel, chord, q_W)) {
       return wrong;
     }
@@ -159,7 +159,8 @@ MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle
   path.g = clockwise ? 2 : 3;
   path.feed_mm_min = feed.value();
   path.where = job.block.where;
-  path.contour_control = contour_control(channel);
+  take_modes(channel, path);
+  const machine::BlockEnd ends = path.ends;
   for (double turn = 1.0; turn <= turns; turn += 1.0) {
     AxisPositions q_W = along(job, turn * kFullRad / total);
     q_W[plane.first] = job.q_W_start[plane.first];
@@ -171,7 +172,7 @@ MaybeFailure move_in_arcs(Channel& channel, const Job& job, const Circle& circle
     }
   }
   path.q_M_end = channel.to_path(job.q_W_end);
-  path.ends = block_end(channel);
+  path.ends = ends;
   return travel_to(channel, path, job.q_W_end);
 }
 

@@ -55,8 +55,8 @@ MaybeFailure travel_held(Channel& channel, const HeldLine& line, const Block& bl
   path.q_M_end = channel.to_path(q_W_end);
   path.where = line.where;
   path.g = line.g;
+  take_modes(channel, path);
   path.ends = line.ends;
-  path.contour_control = contour_control(channel);
   path.rapid_path = line.rapid_path;
   if (path.g == 1) {
     FeedWay way =

@@ -28,6 +28,7 @@ MaybeFailure take_wish(Channel& channel, const BlockWords& words) {
   wish.size_mm = channel.corners.modal_radius_mm;
   wish.feed_mm_min = 0.0;
   wish.tolerance_mm = path::CornerWish().tolerance_mm;
+  wish.mixed_size_mm = 0.0;
   int given = 0;
   for (const CornerWord& row : kWords) {
     const BlockWords::Word& word = words[row.address];
@@ -46,11 +47,15 @@ MaybeFailure take_wish(Channel& channel, const BlockWords& words) {
   return std::nullopt;
 }
 
-/// ADIS and ATOL stay in force.
+/// ADIS, ADISPOS and ATOL stay in force.
 void take_rounding(Channel& channel, const BlockWords& words) {
   if (words.has(Address::Smoothing)) {
     channel.corners.passing_mm =
         std::max(0.0, words[Address::Smoothing].value * channel.mm_per_length());
+  }
+  if (words.has(Address::SmoothingRapid)) {
+    channel.corners.passing_rapid_mm =
+        std::max(0.0, words[Address::SmoothingRapid].value * channel.mm_per_length());
   }
   if (words.has(Address::AxisTolerance)) {
     channel.corners.axis_tolerance_mm =
@@ -58,7 +63,8 @@ void take_rounding(Channel& channel, const BlockWords& words) {
   }
 }
 
-/// What G641, G642, G643 and G645 make of the corner behind a line at feed.
+/// What G641, G642, G643 and G645 make of the corner behind a line at feed, and G641 with ADISPOS
+/// of that behind a rapid.
 ///
 /// The control's curve is not documented; an arc leaves a corner of 90 degrees by 0.414 of ADIS.
 /// Source: 840D programming 10.2004 p. 5-8; 828D Basic Functions 09/2011, B1, rounding.
@@ -68,7 +74,9 @@ void wish_to_pass_by(Channel& channel, path::CornerWish& wish) {
   const bool by_tolerance = how == number_in_group("G642") || how == number_in_group("G643") ||
                             how == number_in_group("G645");
   const bool is_line = channel.group[Group::Motion] == number_in_group("G1");
-  if (!(by_distance || by_tolerance) || !is_line || is_compensation_on(channel) ||
+  const bool is_rapid = channel.group[Group::Motion] == number_in_group("G0") && by_distance &&
+                        channel.corners.passing_rapid_mm > 0.0;
+  if (!(by_distance || by_tolerance) || !(is_line || is_rapid) || is_compensation_on(channel) ||
       !channel.couplings.empty() || block_end(channel) != machine::BlockEnd::PassOn) {
     return;
   }
@@ -79,7 +87,9 @@ void wish_to_pass_by(Channel& channel, path::CornerWish& wish) {
   wish.kind = Kind::PassBy;
   wish.size_mm = std::numeric_limits<double>::infinity();
   if (by_distance) {
-    wish.size_mm = channel.corners.passing_mm * plane.scale;
+    const CornerStage& corners = channel.corners;
+    wish.size_mm = (is_rapid ? corners.passing_rapid_mm : corners.passing_mm) * plane.scale;
+    wish.mixed_size_mm = std::min(corners.passing_rapid_mm, corners.passing_mm) * plane.scale;
     return;
   }
   const double tolerance = channel.corners.axis_tolerance_mm;
@@ -95,7 +105,8 @@ void wish_to_pass_by(Channel& channel, path::CornerWish& wish) {
 MaybeFailure finish_passing_by(Channel& channel, const Block& block) {
   const bool goes_on = commands_motion(block) && block.words.machine_code_count == 0 &&
                        !is_compensation_on(channel) &&
-                       channel.group[Group::Motion] == number_in_group("G1");
+                       (channel.group[Group::Motion] == number_in_group("G1") ||
+                        channel.group[Group::Motion] == number_in_group("G0"));
   return !goes_on && channel.corners.contour.holds_to_pass_by() ? finish_corners(channel)
                                                                 : std::nullopt;
 }

@@ -126,9 +126,15 @@ MaybeFailure line_without_end(Channel& channel);
 /// Takes AP and RP into the axes of the plane.
 MaybeFailure take_polar(Channel& channel, const Block& block, AxisPositions& q_W_end);
 
-/// Whether G9, G60 or a rapid stops the axes at the end of the block.
+/// Whether G9 or G60 stops the axes at the end of the block, and how near.
 machine::BlockEnd block_end(const Channel& channel);
 /// The control plans ahead in any case; FFWON drives the axes by the speed of their command, too.
 machine::ContourControl contour_control(const Channel& channel);
+/// Compensation tables that are in force now and were not before go to the machine.
+MaybeFailure compensate_axes(Channel& channel);
+/// SOFT; machine data that say of the axes what they did not say before go to the machine.
+bool limits_jerk(Channel& channel);
+/// All three for a motion, and what the compressor makes of it.
+void take_modes(Channel& channel, path::PathBlock& path);
 
 }  // namespace g31::sinumerik

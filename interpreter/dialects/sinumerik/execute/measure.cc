@@ -88,6 +88,7 @@ Result<std::optional<Measuring>, Failure> measuring_of(const Channel& channel,
 Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Block& block,
                                                     const AxisPositions& q_W_end) {
   machine::LinearMove move;
+  move.smoothness.limits_jerk = limits_jerk(channel);
   move.q_M_end = coupled_end(channel, channel.port.position(), channel.to_machine(q_W_end));
   if (has_direction(block) && channel.group[Group::OrientationPath] != number_in_group("ORIAXES") &&
       rotary_axes(move.q_M_end) != rotary_axes(channel.port.position())) {
@@ -134,6 +135,9 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   const auto straight = measuring_move(channel, block, q_W_end.value());
   if (!straight) {
     return straight.error();
+  }
+  if (MaybeFailure wrong = compensate_axes(channel)) {
+    return wrong;
   }
   if (MaybeFailure outside =
           out_of_reach(channel, channel.machine_to_path(straight.value().q_M_end))) {

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -137,13 +139,77 @@ Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& blo
 machine::BlockEnd block_end(const Channel& channel) {
   const bool stops = channel.group[Group::ExactStop] == number_in_group("G9") ||
                      channel.group[Group::BlockTransition] == number_in_group("G60");
-  return stops ? machine::BlockEnd::ExactStop : machine::BlockEnd::PassOn;
+  if (!stops) {
+    return machine::BlockEnd::PassOn;
+  }
+  const bool is_rapid = channel.group[Group::Motion] == kRapid;
+  if (const auto stop = channel.motion_data.stop(channel.numbers, is_rapid)) {
+    return *stop;
+  }
+  const int window = channel.group[Group::ExactStopWindow];
+  return window == number_in_group("G602")   ? machine::BlockEnd::CoarseStop
+         : window == number_in_group("G603") ? machine::BlockEnd::CommandStop
+                                             : machine::BlockEnd::ExactStop;
 }
 
 machine::ContourControl contour_control(const Channel& channel) {
   return channel.group[Group::Feedforward] == number_in_group("FFWON")
              ? machine::ContourControl::FeedForward
              : machine::ContourControl::LookAhead;
+}
+
+namespace {
+
+/// Of a block with a compressor: how far a curve may leave its corners; 0: it is not compressed.
+///
+/// What curve a control makes is not documented.  Here the lines stay, and only the speed at their
+/// corners is that of an arc within the tolerance, which the way therefore keeps as well.
+/// Source: 840D sl Basic Functions B1, compressors: lines of G1, up to MD20170, within MD33100.
+double compressor_tolerance(const Channel& channel, const path::PathBlock& path) {
+  const bool is_line = channel.group[Group::Motion] == number_in_group("G1") && !path.arc;
+  if (channel.group[Group::Compressor] == number_in_group("COMPOF") || !is_line ||
+      is_compensation_on(channel)) {
+    return 0.0;
+  }
+  const AxisPositions way = path.q_M_end - channel.machine_position();
+  if (linear_axes(way).norm() > channel.motion_data.longest_compressed(channel.numbers)) {
+    return 0.0;
+  }
+  double tolerance = std::numeric_limits<double>::infinity();
+  const double given = channel.corners.axis_tolerance_mm;
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    if (way[axis] != 0.0) {
+      tolerance = std::min(tolerance, given > 0.0 ? given : channel.rounding_tolerance(axis));
+    }
+  }
+  return std::isfinite(tolerance) ? std::max(0.0, tolerance) : 0.0;
+}
+
+}  // namespace
+
+MaybeFailure compensate_axes(Channel& channel) {
+  auto tables = channel.compensation_data.changed(channel);
+  if (!tables) {
+    return tables.error();
+  }
+  if (tables.value()) {
+    channel.port.compensate(*tables.value());
+  }
+  return std::nullopt;
+}
+
+bool limits_jerk(Channel& channel) {
+  if (const auto data = channel.motion_data.changed(channel.numbers)) {
+    channel.port.set_axis_data(*data);
+  }
+  return channel.group[Group::Acceleration] == number_in_group("SOFT");
+}
+
+void take_modes(Channel& channel, path::PathBlock& path) {
+  path.ends = block_end(channel);
+  path.contour_control = contour_control(channel);
+  path.smoothness.limits_jerk = limits_jerk(channel);
+  path.smoothness.corner_tolerance = compressor_tolerance(channel, path);
 }
 
 MaybeFailure move_straight(Channel& channel, const Block& block) {
@@ -180,8 +246,7 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
     }
     path.feed_mm_min = feed.value();
   }
-  path.ends = block_end(channel);
-  path.contour_control = contour_control(channel);
+  take_modes(channel, path);
   return has_direction(block) ? travel_with_direction(channel, path, q_W_end.value())
                               : travel_to(channel, path, q_W_end.value());
 }

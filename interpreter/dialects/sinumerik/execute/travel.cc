@@ -247,6 +247,9 @@ MaybeFailure travel_circle_coupled(Channel& channel, const PathBlock& path) {
 }  // namespace
 
 MaybeFailure travel_to(Channel& channel, const PathBlock& path, const AxisPositions& q_W_end) {
+  if (MaybeFailure wrong = compensate_axes(channel)) {
+    return wrong;
+  }
   if (!channel.couplings.empty()) {
     return path.arc ? travel_circle_coupled(channel, path) : travel_line_coupled(channel, path);
   }

@@ -44,7 +44,9 @@ Failure no_frame_of(int axis) {
 }
 
 Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals)
-    : port(machine),
+    : motion_data(globals),
+      compensation_data(globals),
+      port(machine),
       observer(listener),
       outlet(machine, listener),
       frame_save_mask_(static_cast<std::size_t>(globals.find("$MN_FRAME_SAVE_MASK")->place)),
@@ -74,6 +76,7 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
       carrier_fine_(static_cast<std::size_t>(globals.find("$SC_TOCARR_FINE_CORRECTION")->place)),
       most_carriers_(static_cast<std::size_t>(globals.find("$MN_MM_NUM_TOOL_CARRIER")->place)) {
   numbers = globals.initial_numbers();
+  motion_data.take(port.axis_data(), numbers);
   texts.resize(static_cast<std::size_t>(globals.text_count()));
   frames.resize(static_cast<std::size_t>(globals.frame_count()));
   settable.resize(kSettableFrames);
@@ -92,7 +95,7 @@ bool Channel::is_lathe() const {
 }
 
 void Channel::preset_codes() {
-  for (const Group one : {Group::Plane, Group::Diameter}) {
+  for (const Group one : {Group::Plane, Group::Acceleration, Group::Diameter}) {
     const double number = numbers[codes_at_start_ + static_cast<std::size_t>(one) - 1];
     const auto is_row = [&](const GCode& code) {
       return code.group == one && static_cast<double>(code.number) == number;

@@ -13,8 +13,10 @@
 #include "interpreter/dialects/sinumerik/code/globals.h"
 #include "interpreter/dialects/sinumerik/state/block_words.h"
 #include "interpreter/dialects/sinumerik/state/channel_state.h"
+#include "interpreter/dialects/sinumerik/state/compensation_data.h"
 #include "interpreter/dialects/sinumerik/state/failure.h"
 #include "interpreter/dialects/sinumerik/state/frame.h"
+#include "interpreter/dialects/sinumerik/state/motion_data.h"
 #include "interpreter/dialects/sinumerik/state/tool_lengths.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
@@ -190,11 +192,14 @@ class Channel : public ChannelState {
   [[nodiscard]] static double within_turn(double degrees);
 
   // Motion
+  MotionData motion_data;
+  CompensationData compensation_data;
   /// MD22550: T brings the tool, as on a turret, else M6 does.
   [[nodiscard]] bool changes_with_t() const { return numbers[tool_change_mode_] == 0.0; }
   /// As machine data want it at the start of a program.
   void preset_rapids();
-  /// The same of plane and diameters: MD20150 [5] and [28]; on a lathe G18 in the place of G17.
+  /// The same of plane, acceleration and diameters: MD20150 [5], [20] and [28]; on a lathe G18 in
+  /// the place of G17.
   void preset_codes();
   /// A machine with X and without Y, or one whose MD52200 is 1.
   [[nodiscard]] bool is_lathe() const;

@@ -128,6 +128,7 @@ struct CornerStage {
   double modal_radius_mm = 0.0;    ///< RNDM
   double modal_feed = 0.0;         ///< FRCM, as programmed
   double passing_mm = 0.0;         ///< ADIS: where G641 begins to round, at most
+  double passing_rapid_mm = 0.0;   ///< ADISPOS: the same of rapids
   double axis_tolerance_mm = 0.0;  ///< ATOL; 0: that of the machine data
 
   bool operator==(const CornerStage&) const = default;

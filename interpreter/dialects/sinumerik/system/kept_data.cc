@@ -49,6 +49,29 @@ MaybeFailure set_kept_datum(Channel& channel, const SystemAccess& access, double
   return std::nullopt;
 }
 
+MaybeFailure set_table_datum(Channel& channel, const SystemAccess& access, double value) {
+  if (MaybeFailure wrong = negative_index(access)) {
+    return wrong;
+  }
+  CompensationData& tables = channel.compensation_data;
+  const bool is_sag = !CompensationData::is_of_encoder(access.id);
+  if (is_sag && access.indices.front() >= CompensationData::kSagTables) {
+    return failure(AlarmId::IndexOne, fmt::format("table {}", access.indices.front()));
+  }
+  const int most =
+      is_sag ? tables.most_points(channel, access.indices.front()) : CompensationData::kMostPoints;
+  const bool is_value = access.id == SystemId::SagTable || access.id == SystemId::EncoderTable;
+  if (is_value && access.indices[1] >= most) {
+    return failure(AlarmId::IndexTwo, fmt::format("point {}", access.indices[1]));
+  }
+  if (tables.is_protected(channel, access.id, access.indices)) {
+    return failure(AlarmId::WriteProtected, is_sag ? "$MA_CEC_ENABLE of its output axis is on"
+                                                   : "$MA_ENC_COMP_ENABLE of its axis is on");
+  }
+  tables.written();
+  return set_kept_datum(channel, access, value);
+}
+
 Text kept_text(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = negative_index(access)) {
     return *wrong;

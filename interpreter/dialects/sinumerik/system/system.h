@@ -150,6 +150,8 @@ Number kept_datum(Channel& channel, const SystemAccess& access);
 Text kept_text(Channel& channel, const SystemAccess& access);
 MaybeFailure set_kept_text(Channel& channel, const SystemAccess& access, const std::string& text);
 MaybeFailure set_kept_datum(Channel& channel, const SystemAccess& access, double value);
+/// Of a compensation table.
+MaybeFailure set_table_datum(Channel& channel, const SystemAccess& access, double value);
 
 // frames.cc
 FramePlace settable_frames(Channel& channel, const SystemAccess& access);

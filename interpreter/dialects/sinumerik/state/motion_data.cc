@@ -1,0 +1,91 @@
+#include "interpreter/dialects/sinumerik/state/motion_data.h"
+
+#include <cmath>
+
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
+
+namespace g31::sinumerik {
+namespace {
+
+constexpr double kMmPerMetre = 1000.0;
+
+double positive_or(double value, double otherwise) {
+  return value > 0.0 ? value : otherwise;
+}
+
+}  // namespace
+
+MotionData::MotionData(const Globals& globals)
+    : stop_fine_(globals.place("$MA_STOP_LIMIT_FINE")),
+      stop_coarse_(globals.place("$MA_STOP_LIMIT_COARSE")),
+      stop_factor_(globals.place("$MA_STOP_LIMIT_FACTOR")),
+      jerk_(globals.place("$MA_MAX_AX_JERK")),
+      stop_mode_(globals.place("$MC_EXACT_POS_MODE")),
+      longest_compressed_(globals.place("$MC_COMPRESS_BLOCK_PATH_LIMIT")),
+      codes_at_start_(globals.place("$MC_GCODE_RESET_VALUES")) {}
+
+void MotionData::take(const machine::AxisData& of_machine, std::vector<double>& numbers) {
+  of_machine_ = of_machine;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    numbers[stop_fine_ + i] = of_machine.stop_fine[axis];
+    numbers[stop_coarse_ + i] = of_machine.stop_coarse[axis];
+    if (is_linear_axis(static_cast<int>(i)) && of_machine.jerk_per_s3[axis] > 0.0) {
+      numbers[jerk_ + i] = of_machine.jerk_per_s3[axis] / kMmPerMetre;
+    }
+  }
+  if (!of_machine.jerk_per_s3.isZero(0.0)) {
+    numbers[codes_at_start_ + static_cast<std::size_t>(Group::Acceleration) - 1] =
+        number_in_group("SOFT");
+  }
+  const auto jerk = numbers.begin() + static_cast<std::ptrdiff_t>(jerk_);
+  jerk_at_start_.assign(jerk, jerk + kLinearAxisCount);
+  changed(numbers);
+}
+
+machine::AxisData MotionData::data_of(const std::vector<double>& numbers) const {
+  machine::AxisData data = of_machine_;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    const double factor = positive_or(numbers[stop_factor_ + i], 1.0);
+    data.stop_fine[axis] = positive_or(factor * numbers[stop_fine_ + i], data.stop_fine[axis]);
+    data.stop_coarse[axis] =
+        positive_or(factor * numbers[stop_coarse_ + i], data.stop_coarse[axis]);
+    if (is_linear_axis(static_cast<int>(i)) && numbers[jerk_ + i] != jerk_at_start_[i] &&
+        numbers[jerk_ + i] >= 0.0) {
+      data.jerk_per_s3[axis] = kMmPerMetre * numbers[jerk_ + i];
+    }
+  }
+  return data;
+}
+
+std::optional<machine::AxisData> MotionData::changed(const std::vector<double>& numbers) {
+  constexpr std::size_t kKinds = 4;
+  taken_.resize(kKinds * kAxisCount);
+  bool is_other = false;
+  auto taken = taken_.begin();
+  for (const std::size_t place : {stop_fine_, stop_coarse_, stop_factor_, jerk_}) {
+    for (std::size_t i = 0; i < kAxisCount; ++i, ++taken) {
+      is_other = is_other || *taken != numbers[place + i];
+      *taken = numbers[place + i];
+    }
+  }
+  return is_other ? std::optional(data_of(numbers)) : std::nullopt;
+}
+
+std::optional<machine::BlockEnd> MotionData::stop(const std::vector<double>& numbers,
+                                                  bool is_rapid) const {
+  const long mode = std::lround(numbers[stop_mode_]);
+  switch (is_rapid ? mode % 10 : mode / 10 % 10) {
+    case 1:
+      return machine::BlockEnd::ExactStop;
+    case 2:
+      return machine::BlockEnd::CoarseStop;
+    case 3:
+      return machine::BlockEnd::CommandStop;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace g31::sinumerik

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "machine/units/axis_positions.h"
+
+namespace g31::machine {
+
+/// What the data of a control say of the axes; mm or deg, s.
+struct AxisData {
+  // So near its end an axis has arrived, > 0.
+  AxisPositions stop_fine = AxisPositions::Constant(0.01);
+  AxisPositions stop_coarse = AxisPositions::Constant(0.04);
+  AxisPositions jerk_per_s3 = AxisPositions::Zero();  ///< >= 0; 0: not limited
+};
+
+/// A table of a control that moves an axis by the place of one: what is added to its true place.
+struct CompensationTable {
+  /// One axis' share; straight between the points, outside them as at the nearest.
+  struct Factor {
+    int axis = 0;  ///< storage index: its place, machine coordinate, counts
+    /// Place, mm or deg, rising, and value there; not empty.
+    std::vector<std::pair<double, double>> points;
+    double period = 0.0;  ///< > 0: the points go round, and begin with the first one's place
+  };
+  int compensated = 0;          ///< storage index of the axis that is moved
+  std::vector<Factor> factors;  ///< multiplied with each other: mm or deg; not empty
+};
+
+}  // namespace g31::machine
