@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "machine/errors/axis_play.h"
+#include "machine/errors/cyclic_error.h"
 #include "machine/errors/geometric_errors.h"
 #include "machine/kinematics/axis_chain.h"
 #include "machine/port/machine_port.h"
@@ -36,10 +37,11 @@ struct AxisSetup {
   std::optional<double> corner_jump_per_min;  ///< >= 0; none: acceleration_per_s2 times 1 ms
   VelocityLoopSetup velocity_loop;            ///< behind the position loop
   double home = 0.0;                          ///< reference point, machine coordinate
-  double scale_resolution = 0.0;  ///< mm or deg, >= 0: one step of the encoder; 0: no steps
-  errors::PlaySetup play;         ///< what a reversal does
-  ThermalGrowth scale_growth;     ///< of the scale, linear axes only
-  double scale_fixed_at = 0.0;    ///< machine coordinate where a growing scale stays
+  double scale_resolution = 0.0;          ///< mm or deg, >= 0: one step of the encoder; 0: no steps
+  errors::PlaySetup play;                 ///< what a reversal does
+  errors::CyclicErrorSetup cyclic_error;  ///< of screw or scale
+  ThermalGrowth scale_growth;             ///< of the scale, linear axes only
+  double scale_fixed_at = 0.0;            ///< machine coordinate where a growing scale stays
 };
 
 /// How the axes come to rest when the control latches the skip signal.

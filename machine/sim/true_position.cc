@@ -14,19 +14,29 @@ TruePosition::TruePosition(const MachineSetup& setup)
     const auto row = static_cast<Eigen::Index>(i);
     const AxisSetup& axis = setup.axes[i];
     play_.emplace_back(axis.play, setup.q_M_start[row]);
+    cyclic_.push_back(axis.cyclic_error);
+    if (axis.cyclic_error.amplitude != 0.0) {
+      smooth_way_ = std::min(smooth_way_, 0.25 * axis.cyclic_error.pitch);
+    }
     if (is_linear_axis(static_cast<int>(i))) {
       growth_[row] = axis.scale_growth.per_unit();
       q_M_fixed_[row] = axis.scale_fixed_at;
     }
   }
   has_play_ = !std::ranges::all_of(play_, &errors::AxisPlay::is_zero);
-  is_exact_ = geometry_.are_zero() && compensation_.are_zero() && growth_.isZero(0.0) && !has_play_;
+  const bool has_cyclic = smooth_way_ < std::numeric_limits<double>::infinity();
+  is_exact_ = geometry_.are_zero() && compensation_.are_zero() && growth_.isZero(0.0) &&
+              !has_play_ && !has_cyclic;
 }
 
 AxisPositions TruePosition::without_play(const AxisPositions& q_M) const {
   AxisPositions q_M_true = q_M + growth_.cwiseProduct(q_M - q_M_fixed_);
   q_M_true.head<kLinearAxisCount>() += geometry_.at(linear_axes(q_M), p_T_tip_);
   q_M_true.head<kLinearAxisCount>() += compensation_.at(linear_axes(q_M), p_T_tip_);
+  for (std::size_t i = 0; i < cyclic_.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    q_M_true[row] += cyclic_[i].at(q_M[row]);
+  }
   if (!corrections_.are_none()) {
     q_M_true += corrections_.at(q_M);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "machine/errors/axis_play.h"
@@ -12,8 +13,8 @@ namespace g31::machine {
 /// Where the tool tip truly is, relative to the part, when the encoders say q_M.
 ///
 /// Added up: geometric errors, what the control compensates (by the sheet and by its own tables),
-/// growth of the scales, backlash and stick motion.  True positions are axis positions of an ideal
-/// machine that would have its tip there.
+/// growth of the scales, cyclic errors, backlash and stick motion.  True positions are axis
+/// positions of an ideal machine that would have its tip there.
 class TruePosition {
  public:
   explicit TruePosition(const MachineSetup& setup);
@@ -35,6 +36,10 @@ class TruePosition {
 
   [[nodiscard]] bool has_play() const { return has_play_; }
 
+  /// So far along any axis its errors hardly bend, mm or deg: a quarter of the shortest pitch of a
+  /// cyclic error; infinite where there is none.
+  [[nodiscard]] double smooth_way() const { return smooth_way_; }
+
  private:
   [[nodiscard]] AxisPositions without_play(const AxisPositions& q_M) const;
 
@@ -42,9 +47,11 @@ class TruePosition {
   errors::GeometricErrors compensation_;
   AxisCorrections corrections_;  // of the control's own tables
   std::vector<errors::AxisPlay> play_;
+  std::vector<errors::CyclicErrorSetup> cyclic_;
   AxisPositions growth_;     // of a scale, per unit of length
   AxisPositions q_M_fixed_;  // where growing scales stay
   Point p_T_tip_;
+  double smooth_way_ = std::numeric_limits<double>::infinity();
   bool has_play_ = false;
   bool is_exact_ = true;  // but for what the control adds
 };

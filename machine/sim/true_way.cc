@@ -8,7 +8,8 @@
 namespace g31::machine {
 namespace {
 
-/// Between the places of an error table nothing is finer than this without showing at a quarter.
+/// Between the places of an error table nothing is finer than this without showing at a quarter;
+/// cyclic errors say their own.
 constexpr double kFirstPieceMm = 5.0;
 /// After a reversal an axis sticks and comes free again within hundredths of a millimetre.
 constexpr double kFinestPieceMm = 0.01;
@@ -53,9 +54,10 @@ ToolPlace TrueWay::tip_at(const TruePosition& truth, double time_s) const {
 
 std::vector<double> TrueWay::marks() const {
   std::vector<double> marks = motion_.steps_until(until_s_);
+  const double piece_mm = std::clamp(start_.smooth_way(), kFinestPieceMm, kFirstPieceMm);
   for (const MotionPhases& drive : motion_.drives()) {
     for (double distance = kFinestPieceMm; distance < drive.length();
-         distance += std::min(distance, kFirstPieceMm)) {
+         distance += std::min(distance, piece_mm)) {
       motion_.look();
       marks.push_back(std::min(until_s_, drive.time_at(distance)));
     }

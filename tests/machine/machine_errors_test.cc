@@ -109,6 +109,30 @@ double single(int axis, int way, double place) {
   return first + (last - first) * place / 100.0;
 }
 
+/// A touch of a wall ends where x + A sin(2 pi x / p + phase) is the wall, by Newton's method;
+/// pitches that divide the pieces of a way are no exception.
+TEST(MachineErrors, CyclicErrorsComeBackWithTheScrew) {
+  for (const double pitch : {10.0, 5.0, 2.5, 1.25, 0.7}) {
+    for (const double wall : {0.31, 4.1, 17.3, 33.33}) {
+      MachineSetup setup = stops_at_once();
+      setup.axes[0].cyclic_error = {0.003, pitch, 40.0};
+      const double turns = 2.0 * 3.14159265358979323846 / pitch;
+      const double phase = 40.0 / 180.0 * 3.14159265358979323846;
+      double expected = wall;
+      for (int i = 0; i < 20; ++i) {
+        expected -= (expected + 0.003 * std::sin(turns * expected + phase) - wall) /
+                    (1.0 + 0.003 * turns * std::cos(turns * expected + phase));
+      }
+      Wall world(0, wall);
+      MachiningCentre machine(setup, &world);
+      EXPECT_NEAR(latched(machine, axes(40.0, 0.0, 0.0))[0], expected, 2e-6) << pitch;
+    }
+  }
+  MachineSetup still;
+  still.axes[0].cyclic_error.pitch = 4.0;
+  EXPECT_TRUE(TruePosition(still).is_ideal());
+}
+
 TEST(MachineErrors, CompensationIsAddedWhereTheAxesStand) {
   MachineSetup setup;
   setup.compensation.along[0][1] = ErrorTable({{0.0, 0.001}, {100.0, 0.003}});   // EYX

@@ -38,6 +38,10 @@ void fill_axis(machine::AxisSetup& axis, const TableKeys& keys) {
   axis.play.backlash = keys.get(KeyId::AxisBacklash, axis.play.backlash);
   axis.play.spike = keys.get(KeyId::AxisSpike, axis.play.spike);
   axis.play.spike_way = keys.get(KeyId::AxisSpikeWay, axis.play.spike_way);
+  errors::CyclicErrorSetup& cyclic = axis.cyclic_error;
+  cyclic.amplitude = keys.get(KeyId::AxisCyclicError, cyclic.amplitude);
+  cyclic.pitch = keys.get(KeyId::AxisCyclicPitch, cyclic.pitch);
+  cyclic.phase_deg = keys.get(KeyId::AxisCyclicPhase, cyclic.phase_deg);
   axis.scale_growth.expansion = keys.get(KeyId::AxisExpansion, axis.scale_growth.expansion);
   axis.scale_growth.temperature = keys.get(KeyId::AxisTemperature, axis.scale_growth.temperature);
   axis.scale_fixed_at = keys.get(KeyId::AxisFixedAt, axis.scale_fixed_at);
