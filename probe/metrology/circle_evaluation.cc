@@ -8,6 +8,7 @@
 
 #include "probe/metrology/circle_ranges.h"
 #include "probe/metrology/circle_search.h"
+#include "probe/metrology/circle_uncertainty.h"
 #include "probe/metrology/minimum_zone_circle.h"
 
 namespace g31::metrology {
@@ -73,43 +74,6 @@ double angle_of(const std::vector<CircleTurn>& turns) {
   return angle;
 }
 
-/// Adds to each uncertainty what its error changes by between two fits, as far as noise does not
-/// account for it: the second one, of part of the samples, is off the first by the difference of
-/// their variances.
-void add_change(CircleFit& fit, const CircleFit& other) {
-  const auto join = [](double& u, double change, double u_other) {
-    const double by_noise = std::max(0.0, u_other * u_other - u * u);
-    u = std::sqrt(u * u + std::max(0.0, change * change - by_noise));
-  };
-  CircleErrors& u = fit.u;
-  const CircleErrors& was = fit.errors;
-  const CircleErrors& is = other.errors;
-  for (const Eigen::Index i : {0, 1}) {
-    join(u.centre[i], was.centre[i] - is.centre[i], other.u.centre[i]);
-  }
-  for (const std::size_t i : {0U, 1U}) {
-    join(u.scale.at(i), was.scale.at(i) - is.scale.at(i), other.u.scale.at(i));
-    join(u.backlash.at(i), was.backlash.at(i) - is.backlash.at(i), other.u.backlash.at(i));
-  }
-  join(u.radius, was.radius - is.radius, other.u.radius);
-  join(u.squareness, was.squareness - is.squareness, other.u.squareness);
-  join(u.mismatch, was.mismatch - is.mismatch, other.u.mismatch);
-}
-
-/// The same with more of the way behind the reversals left out, as far as enough of it remains.
-void add_change_of_windows(const PlaneSamples& samples, const ReversalWindows& windows,
-                           const CircleTask& task, CircleEvaluation& evaluation) {
-  constexpr double kFurther = 10.0 * kDegree;
-  ReversalWindows wider = windows;
-  for (double& window : wider) {
-    window += kFurther;
-  }
-  const auto ranges = described_ranges(samples, evaluation.turns, task.start.centre, wider);
-  if (const auto fit = fit_circle(samples, evaluation.turns, ranges, task)) {
-    add_change(evaluation.fit, *fit);
-  }
-}
-
 void add_minimum_zones(const PlaneSamples& samples, CircleEvaluation& evaluation) {
   const auto zone_of = [&](int direction) -> std::optional<double> {
     std::vector<CircleTurn> turns;
@@ -142,6 +106,7 @@ Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& sample
                   {found->centre, found->radius},
                   request.resolution,
                   samples.size() / kEnough + 1};
+  task.start.pitches = request.pitches;
   ReversalWindows windows = first_windows(found->radius);
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
@@ -152,13 +117,16 @@ Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& sample
     }
     evaluation.fit = *fit;
     task.start = fit->errors;
+    if (round + 1 < kRounds) {
+      refine_speeds(samples, ranges, fit->errors, evaluation.turns);
+    }
     if (round + 2 < kRounds) {
       windows = reversal_windows(samples, evaluation.turns, *fit);
     } else {
       task.stride = 1;
     }
   }
-  add_change_of_windows(samples, windows, task, evaluation);
+  add_systematic({samples, evaluation.turns, windows, task}, evaluation.fit);
   evaluation.spike = reversal_spikes(samples, evaluation.turns, evaluation.fit, windows);
   evaluation.reference.centre = request.centre.value_or(evaluation.fit.errors.centre);
   evaluation.reference.radius = request.radius.value_or(evaluation.fit.errors.radius);

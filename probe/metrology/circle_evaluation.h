@@ -18,6 +18,7 @@ struct CircleRequest {
   std::optional<double> radius;           ///< the commanded one, mm, > 0
   std::optional<Eigen::Vector2d> centre;  ///< of the radial errors, mm
   double resolution = 0.0;                ///< one step of the numbers of the record, mm
+  CyclicPitches pitches = {};             ///< of the axes whose cyclic error is sought
 };
 
 /// The least and the greatest of many numbers.
@@ -52,10 +53,9 @@ struct CircleEvaluation {
 /// (`circle_turns`).  Fitted are the samples that the model describes: not those within
 /// 0.3 s of the start of a turn and 0.1 s of its end (servo loops settle; 10 to 60 degrees), nor
 /// those from 2 degrees before a reversal of an axis to 10 degrees behind it and further while the
-/// residuals are significant there (play is taken up, friction turns round), at most 40.  What the
-/// errors change by when another 10 degrees are left out there is part of their uncertainties: what
-/// friction leaves behind dies away slowly.  The spike of an axis is the largest residual outwards
-/// in those ranges.
+/// residuals are significant there (play is taken up, friction turns round), at most 40.  What form
+/// and friction make uncertain: `add_systematic`.  The spike of an axis is the largest residual
+/// outwards in those ranges.
 ///
 /// Error: what is wrong with the record as a circle, one line.
 Result<CircleEvaluation, std::string> evaluate_circle(const PlaneSamples& samples,

@@ -36,6 +36,7 @@ void along(const PlaneSamples& samples, const CircleTurn& turn, const Eigen::Vec
   double way = 0.0;
   double before = turn.from;
   for (std::size_t i = turn.begin; i < turn.end; ++i) {
+    samples.look();
     const Eigen::Vector2d q = samples.at(i) - centre;
     const double angle = std::atan2(q.y(), q.x());
     way += shorter_way(turn.direction * (angle - before));

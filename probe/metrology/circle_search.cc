@@ -29,6 +29,7 @@ Points evenly_spread(const PlaneSamples& samples, double extent) {
   const double step = extent / 1000.0;
   Points points;
   for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples.look();
     const Eigen::Vector2d p = samples.at(i);
     if (points.empty() || (p - points.back()).squaredNorm() >= step * step) {
       points.push_back(p);

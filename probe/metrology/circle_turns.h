@@ -27,6 +27,11 @@ inline double shorter_way(double step) {
   return std::abs(step) <= std::numbers::pi ? step : step - kTurn * std::round(step / kTurn);
 }
 
+/// -1 or 1.
+inline double sign_of(double value) {
+  return value < 0.0 ? -1.0 : 1.0;
+}
+
 /// The pieces of a record that run along a circle for 10 degrees or more, in the order of the
 /// record.  A sample further than 2 percent of the radius from the circle belongs to none; nor
 /// does standstill at the ends of a piece.

@@ -23,6 +23,7 @@ class Outermost {
     std::vector<double> most(kPieces, -std::numeric_limits<double>::infinity());
     for (const CircleTurn& turn : turns) {
       for (std::size_t i = turn.begin; i < turn.end; ++i) {
+        samples.look();
         const Eigen::Vector2d q = samples.at(i) - centre;
         const double distance = q.norm();
         const std::size_t piece = piece_of(q);

@@ -33,6 +33,7 @@ SpeedRecord speed_over(const PlaneSamples& samples, std::size_t interval) {
   record.t.reserve(samples.size() - interval);
   record.speed.reserve(samples.size() - interval);
   for (std::size_t i = interval; i < samples.size(); ++i) {
+    samples.look();
     const double time = samples.t[i] - samples.t[i - interval];
     record.t.push_back(0.5 * (samples.t[i] + samples.t[i - interval]));
     record.speed.push_back((samples.at(i) - samples.at(i - interval)).norm() / time);

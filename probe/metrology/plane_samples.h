@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "machine/port/work_watch.h"
+
 namespace g31::metrology {
 
 /// A path in a plane as it was recorded: sample i at t[i] s and (x[i], y[i]) mm.
@@ -15,7 +17,14 @@ struct PlaneSamples {
   std::span<const double> t;
   std::span<const double> x;
   std::span<const double> y;
+  machine::WorkWatch* watch = nullptr;  ///< may end long work on them, by an exception
 
+  /// In each step of long work.
+  void look() const {
+    if (watch != nullptr) {
+      watch->look();
+    }
+  }
   [[nodiscard]] std::size_t size() const { return x.size(); }
   [[nodiscard]] Eigen::Vector2d at(std::size_t i) const { return {x[i], y[i]}; }
 };

@@ -28,6 +28,7 @@ double median_of(std::vector<double> values) {
 std::vector<Eigen::Vector2d> spread_points(const PlaneSamples& samples, double step) {
   std::vector<Eigen::Vector2d> points;
   for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples.look();
     const Eigen::Vector2d p = samples.at(i);
     if (points.empty() || (p - points.back()).squaredNorm() >= step * step) {
       points.push_back(p);

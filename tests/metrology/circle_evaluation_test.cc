@@ -138,6 +138,66 @@ TEST(CircleEvaluation, UncertaintiesAreThoseThatRepeatsShow) {
   }
 }
 
+/// Screws of 4 to 16 mm whose lead wavers by up to 3 um: sine and cosine of both axes come back,
+/// and so do all the other errors.
+TEST(CircleEvaluation, FindsTheCyclicErrorsOfScrewsWithinItsUncertainties) {
+  constexpr int kMachines = testing::of_many(120);
+  int inside = 0;
+  int all = 0;
+  const auto take = [&](double off, double u) {
+    inside += std::abs(off) <= 3.0 * u ? 1 : 0;
+    ++all;
+  };
+  for (std::uint64_t seed = 1; seed <= kMachines; ++seed) {
+    CircleMachine machine = any_machine(seed);
+    machine.bow = {};
+    const auto between = [&](double low, double high, std::uint64_t which) {
+      return low + (high - low) * uniform(Stream{seed, 4}, which);
+    };
+    machine.errors.pitches = {between(4.0, 16.0, 0), between(4.0, 16.0, 1)};
+    machine.amplitude = {between(0.0, 0.003, 2), between(0.0, 0.003, 3)};
+    machine.phase = {between(-3.1, 3.1, 4), between(-3.1, 3.1, 5)};
+    const CircleEvaluation circle = evaluated(
+        recorded_circle(machine), {machine.errors.radius, {}, 0.0, machine.errors.pitches});
+    const CircleErrors& found = circle.fit.errors;
+    const CircleErrors& u = circle.fit.u;
+    for (const std::size_t axis : {0U, 1U}) {
+      const double a = machine.amplitude.at(axis);
+      take(found.cyclic.at(axis).sine - a * std::cos(machine.phase.at(axis)),
+           u.cyclic.at(axis).sine);
+      take(found.cyclic.at(axis).cosine - a * std::sin(machine.phase.at(axis)),
+           u.cyclic.at(axis).cosine);
+      take(found.backlash.at(axis) - machine.errors.backlash.at(axis), u.backlash.at(axis));
+      take(found.scale.at(axis) - machine.errors.scale.at(axis), u.scale.at(axis));
+    }
+    take(found.squareness - machine.errors.squareness, u.squareness);
+    take(found.mismatch - machine.errors.mismatch, u.mismatch);
+  }
+  EXPECT_GE(inside, 0.99 * all) << inside << " of " << all;
+}
+
+/// Without noise and play nothing of it is left.
+TEST(CircleEvaluation, TakesCyclicErrorsBackExactly) {
+  CircleMachine machine;
+  machine.errors.radius = 50.0;
+  machine.errors.centre = {100.0, -40.0};
+  machine.errors.pitches = {10.0, 12.0};
+  machine.amplitude = {0.002, 0.001};
+  machine.phase = {0.5, -2.0};
+  const CircleEvaluation circle =
+      evaluated(recorded_circle(machine, 20000), {50.0, {}, 0.0, machine.errors.pitches});
+  EXPECT_NEAR(circle.fit.errors.cyclic[0].sine, 0.002 * std::cos(0.5), 1e-6);
+  EXPECT_NEAR(circle.fit.errors.cyclic[0].cosine, 0.002 * std::sin(0.5), 1e-6);
+  EXPECT_NEAR(circle.fit.errors.cyclic[1].sine, 0.001 * std::cos(-2.0), 1e-6);
+  EXPECT_NEAR(circle.fit.errors.cyclic[1].cosine, 0.001 * std::sin(-2.0), 1e-6);
+  EXPECT_LT(circle.fit.noise, 1e-6);
+  // Without the pitch the wavering is noise: of both axes sqrt((2 um)^2 + (1 um)^2) / 2, less what
+  // passes for other errors.
+  const CircleEvaluation plain = evaluated(recorded_circle(machine, 20000), {50.0, {}, 0.0});
+  EXPECT_GT(plain.fit.noise, 0.7 * 0.5e-3 * std::sqrt(5.0));
+  EXPECT_LT(plain.fit.noise, 0.5e-3 * std::sqrt(5.0));
+}
+
 TEST(CircleEvaluation, OfACircleWithoutErrorsIsZero) {
   CircleMachine machine;
   machine.errors.radius = 50.0;

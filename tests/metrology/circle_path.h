@@ -15,6 +15,8 @@ namespace g31::testing {
 /// A machine whose circle is computed, with the errors that the evaluation is to find.
 struct CircleMachine {
   metrology::CircleErrors errors;
+  std::array<double, 2> amplitude = {};  ///< of cyclic errors, of the pitches in errors, mm
+  std::array<double, 2> phase = {};      ///< of them where the axis stands at 0, rad
   std::array<double, 2> bow = {};  ///< straightness: how far the axis' way bows aside at +-R, mm
   double noise = 0.0;              ///< standard deviation of a reading, mm
   double feed_mm_s = 2000.0 / 60.0;
@@ -53,6 +55,14 @@ class TestPlay {
   bool is_known_ = false;
 };
 
+/// The cyclic error of an axis that stands there.
+inline double cyclic_of(const CircleMachine& machine, std::size_t axis, double at) {
+  const auto& pitch = machine.errors.pitches.at(axis);
+  return pitch ? machine.amplitude.at(axis) *
+                     std::sin(2.0 * std::numbers::pi * at / *pitch + machine.phase.at(axis))
+               : 0.0;
+}
+
 inline CircleRecord recorded_circle(const CircleMachine& machine, std::size_t per_turn = 2000) {
   CircleRecord record;
   const metrology::CircleErrors& e = machine.errors;
@@ -72,8 +82,10 @@ inline CircleRecord recorded_circle(const CircleMachine& machine, std::size_t pe
       const double qy = play_y.follow(e.radius * std::sin(angle_y));
       const double across = qx / e.radius;
       const double along = qy / e.radius;
-      const double x = qx * (1.0 + e.scale[0]) + e.squareness * qy + machine.bow[1] * along * along;
-      const double y = qy * (1.0 + e.scale[1]) + machine.bow[0] * across * across;
+      const double y = qy * (1.0 + e.scale[1]) + machine.bow[0] * across * across +
+                       cyclic_of(machine, 1, e.centre.y() + qy);
+      const double x = qx * (1.0 + e.scale[0]) + e.squareness * qy * (1.0 + e.scale[1]) +
+                       machine.bow[1] * along * along + cyclic_of(machine, 0, e.centre.x() + qx);
       record.t.push_back(time + (direction > 0 ? 0.0 : turn_s + 0.5));
       record.x.push_back(e.centre.x() + x + machine.noise * standard_normal(stream, draw++));
       record.y.push_back(e.centre.y() + y + machine.noise * standard_normal(stream, draw++));

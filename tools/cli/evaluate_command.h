@@ -29,6 +29,9 @@ struct EvaluateOptions {
   std::vector<std::string> columns;                 ///< "X=x_act"
   std::string unit;                                 ///< "" for mm
   std::map<evaluate::OptionId, std::string> given;  ///< options that only some kinds know
+  double max_time_s = 600.0;                        ///< wall seconds
+  std::uint64_t max_output = 256'000'000;           ///< bytes of all that is written, together
+  bool is_quiet = false;                            ///< no progress
   const runtime::Interruption* interruption = nullptr;
 };
 

@@ -3,9 +3,22 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "tools/cli/limit_options.h"
 #include "tools/cli/report_options.h"
 
 namespace g31::cli {
+
+namespace {
+
+void add_limits(CLI::App& command, EvaluateOptions& options) {
+  command.add_option("--max-time", options.max_time_s, "wall seconds (default 600)")
+      ->type_name("S")
+      ->check(why_no_time);
+  add_max_output(command, options.max_output, "all files that are written, together");
+  command.add_flag("-q,--quiet", options.is_quiet, "no progress on a terminal");
+}
+
+}  // namespace
 
 CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
   CLI::App* const command = app.add_subcommand(
@@ -36,6 +49,7 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
       ->add_option("--unit", options.unit,
                    "unit unit of the file's lengths: mm (default), um, nm, m, inch")
       ->type_name("UNIT");
+  add_limits(*command, options);
   for (const evaluate::OptionRow& row : evaluate::options()) {
     command
         ->add_option_function<std::string>(

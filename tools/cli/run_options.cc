@@ -1,8 +1,6 @@
 #include "tools/cli/run_options.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -10,8 +8,8 @@
 
 #include "interpreter/source/diagnostic.h"
 #include "tools/cli/control_and_level_options.h"
+#include "tools/cli/limit_options.h"
 #include "tools/cli/report_options.h"
-#include "tools/setup/byte_count.h"
 
 namespace g31::cli {
 namespace {
@@ -20,14 +18,6 @@ namespace {
 std::string why_no_count(const std::string& text) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   return digits ? "" : fmt::format("{} is not a whole number of 0 or more", text);
-}
-
-std::string why_no_time(const std::string& text) {
-  double seconds = 0.0;
-  const char* const last = text.data() + text.size();
-  const auto end = std::from_chars(text.data(), last, seconds);
-  const bool fits = end.ec == std::errc() && end.ptr == last && std::isfinite(seconds);
-  return fits && seconds > 0.0 ? "" : fmt::format("{} is not a number of seconds above 0", text);
 }
 
 /// Empty: a warning or note of g31 has this code.
@@ -107,19 +97,8 @@ void add_program_options(CLI::App& command, RunOptions& options) {
   command.add_option("--max-time", options.budget.wall_seconds, "wall seconds (default 600)")
       ->type_name("S")
       ->check(why_no_time);
-  command
-      .add_option_function<std::string>(
-          "--max-output",
-          [&options](const std::string& text) {
-            const auto bytes = setup::parse_byte_count(text);
-            if (!bytes) {
-              throw CLI::ValidationError("--max-output", bytes.error());
-            }
-            options.max_output = bytes.value();
-          },
-          "bytes of all printouts, files, lists of the document and rows of tables together, or "
-          "500K, 64M, 2G (default 256M)")
-      ->type_name("SIZE");
+  add_max_output(command, options.max_output,
+                 "all printouts, files, lists of the document and rows of tables together");
 }
 
 void add_expect_option(CLI::App& command, RunOptions& options) {

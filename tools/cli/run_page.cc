@@ -170,10 +170,17 @@ std::vector<page::Input> page_inputs(const std::vector<std::string>& paths) {
   return inputs;
 }
 
-std::optional<session::Refusal> write_page(const std::string& path, const page::Report& report) {
+Result<std::string, session::Refusal> page_text(const page::Report& report) {
   const auto assets = page::read_assets();
-  return assets ? write_out(path, page::page_of(report, assets.value()))
-                : std::optional(session::bad_input(fmt::format("--report: {}", assets.error())));
+  if (!assets) {
+    return session::bad_input(fmt::format("--report: {}", assets.error()));
+  }
+  return page::page_of(report, assets.value());
+}
+
+std::optional<session::Refusal> write_page(const std::string& path, const page::Report& report) {
+  const auto text = page_text(report);
+  return text ? write_out(path, text.value()) : std::optional(text.error());
 }
 
 std::optional<session::Refusal> deliver_page(const OpenedRun& opened,

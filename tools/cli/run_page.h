@@ -39,6 +39,9 @@ std::optional<session::Refusal> deliver_refusal_page(const RunOptions& options,
 /// Files that a page tells its reader of, with their hashes.
 std::vector<page::Input> page_inputs(const std::vector<std::string>& paths);
 
+/// The text of a page; error: what it is made of is not there.
+Result<std::string, session::Refusal> page_text(const page::Report& report);
+
 /// Writes a page.  @returns why it could not be written
 std::optional<session::Refusal> write_page(const std::string& path, const page::Report& report);
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "machine/port/work_watch.h"
 #include "tools/setup/setup_error.h"
 
 namespace g31::evaluate {
@@ -29,8 +30,9 @@ using DataError = setup::SetupError;
 
 /// A file that is evaluated.
 struct DataFile {
-  std::string name;       ///< as the command line has it
-  std::string_view text;  ///< all of it
+  std::string name;                     ///< as the command line has it
+  std::string_view text;                ///< all of it
+  machine::WorkWatch* watch = nullptr;  ///< looked at for each row; may end the work
 };
 
 /// A place in a text.

@@ -112,6 +112,9 @@ class TableReader {
   std::optional<DataError> read() {
     auto wrong = read_header();
     while (!wrong && next_line()) {
+      if (file_.watch != nullptr) {
+        file_.watch->look();
+      }
       wrong = read_row();
     }
     if (!wrong && table_.lines_.empty()) {

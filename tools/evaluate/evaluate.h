@@ -27,12 +27,14 @@ struct Request {
   std::array<std::string, 2> plane = {"X", "Y"};
   std::optional<double> radius = {};
   std::optional<Pair> centre = {};
+  std::array<std::optional<double>, 2> pitches = {};  ///< of cyclic errors, by axis of the plane
   std::optional<double> side = {};
   std::optional<std::array<double, 3>> detail = {};  ///< of a drawing: its middle and its width
   std::optional<Pair> target = {};
   std::optional<double> on = {};
   std::optional<double> step = {};
   Sense sense = Sense::Travel;
+  std::optional<double> uncertainty = {};  ///< of a reading, standard
   std::optional<double> from = {};
   std::optional<DataFile> diameters = {};
   std::optional<std::string> axis = {};

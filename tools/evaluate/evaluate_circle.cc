@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -42,6 +43,30 @@ void add_estimates(const metrology::CircleFit& fit, const Axes& axes,
   }
 }
 
+/// a sin(2 pi x / p) + b cos(2 pi x / p) is an amplitude and a phase.
+void add_cyclic(const metrology::CircleFit& fit, const Axes& axes, std::vector<Quantity>& results) {
+  for (const std::size_t i : {0U, 1U}) {
+    if (!fit.errors.pitches.at(i)) {
+      continue;
+    }
+    const auto [sine, cosine] = fit.errors.cyclic.at(i);
+    const auto [u_sine, u_cosine] = fit.u.cyclic.at(i);
+    const double amplitude = std::hypot(sine, cosine);
+    const bool has_phase = amplitude > 0.0;
+    // Of nothing either part is as uncertain as the other.
+    const double along = has_phase ? std::hypot(sine * u_sine, cosine * u_cosine) / amplitude
+                                   : std::max(u_sine, u_cosine);
+    results.push_back({"cyclic_" + axes.at(i), kUmPerMm * amplitude, "um", kUmPerMm * along});
+    Quantity phase{"cyclic_phase_" + axes.at(i), std::nullopt, "deg"};
+    if (has_phase) {
+      const double across = std::hypot(cosine * u_sine, sine * u_cosine) / amplitude;
+      phase.value = std::atan2(cosine, sine) / metrology::kDegree;
+      phase.u = across / amplitude / metrology::kDegree;
+    }
+    results.push_back(std::move(phase));
+  }
+}
+
 std::vector<Quantity> results_of(const metrology::CircleEvaluation& circle, const Axes& axes) {
   const metrology::CircleErrors& errors = circle.fit.errors;
   const metrology::CircleErrors& u = circle.fit.u;
@@ -69,6 +94,7 @@ std::vector<Quantity> results_of(const metrology::CircleEvaluation& circle, cons
       {"spike_" + axes[0], um(circle.spike[0]), "um"},
       {"spike_" + axes[1], um(circle.spike[1]), "um"}};
   add_estimates(circle.fit, axes, results);
+  add_cyclic(circle.fit, axes, results);
   return results;
 }
 
@@ -143,16 +169,12 @@ std::string drawing_of(const metrology::CircleEvaluation& circle,
 
 }  // namespace
 
-Result<Evaluation, DataError> evaluate_circle(const DataFile& file, const Request& request) {
-  const auto path = read_path(file, request);
-  if (!path) {
-    return path.error();
-  }
-  const metrology::PlaneSamples samples = path.value().samples();
+PathEvaluation evaluate_circle(const RecordedPath& path, const Request& request) {
+  const metrology::PlaneSamples samples = path.samples();
   const auto circle = metrology::evaluate_circle(
-      samples, {request.radius, point_of(request.centre), path.value().resolution});
+      samples, {request.radius, point_of(request.centre), path.resolution, request.pitches});
   if (!circle) {
-    return data_error(DataErrorId::CannotEvaluate, file, {}, {circle.error()});
+    return circle.error();
   }
   Evaluation evaluation;
   evaluation.kind = Kind::Circle;

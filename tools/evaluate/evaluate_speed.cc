@@ -22,19 +22,15 @@ Curve speed_over_time(const metrology::SpeedRecord& record) {
 
 }  // namespace
 
-Result<Evaluation, DataError> evaluate_speed(const DataFile& file, const Request& request) {
-  const auto path = read_path(file, request);
-  if (!path) {
-    return path.error();
-  }
-  const metrology::PlaneSamples samples = path.value().samples();
+PathEvaluation evaluate_speed(const RecordedPath& path, const Request& request) {
+  const metrology::PlaneSamples samples = path.samples();
   if (samples.size() < 3) {
-    return data_error(DataErrorId::CannotEvaluate, file, {}, {"speed needs at least three rows"});
+    return std::string("speed needs at least three rows");
   }
   const metrology::SpeedRecord record = metrology::speed_of(samples);
   const auto speed = metrology::evaluate_speed(record);
   if (!speed) {
-    return data_error(DataErrorId::CannotEvaluate, file, {}, {"the path does not move"});
+    return std::string("the path does not move");
   }
   Evaluation evaluation;
   evaluation.kind = Kind::Speed;

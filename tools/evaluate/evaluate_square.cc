@@ -76,15 +76,11 @@ std::string drawing_of(const metrology::Square& square, const metrology::PlaneSa
 
 }  // namespace
 
-Result<Evaluation, DataError> evaluate_square(const DataFile& file, const Request& request) {
-  const auto path = read_path(file, request);
-  if (!path) {
-    return path.error();
-  }
-  const metrology::PlaneSamples samples = path.value().samples();
+PathEvaluation evaluate_square(const RecordedPath& path, const Request& request) {
+  const metrology::PlaneSamples samples = path.samples();
   const auto square = metrology::evaluate_square(samples, {request.side, point_of(request.centre)});
   if (!square) {
-    return data_error(DataErrorId::CannotEvaluate, file, {}, {square.error()});
+    return square.error();
   }
   Evaluation evaluation;
   evaluation.kind = Kind::Square;

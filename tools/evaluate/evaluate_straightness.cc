@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "probe/metrology/form_zones.h"
@@ -36,17 +38,26 @@ Curve curve_of(const std::string& name, const std::vector<double>& places,
   return curve;
 }
 
-void add_offsets(const SensorRows& rows, const SeparatedShapes& shapes, Evaluation& evaluation) {
+/// What sums of readings are uncertain by, where that of one is known.
+std::optional<double> um_of(const Request& request, double readings) {
+  return request.uncertainty ? um(*request.uncertainty * readings) : std::nullopt;
+}
+
+void add_offsets(const SensorRows& rows, const SeparatedShapes& shapes, const Request& request,
+                 Evaluation& evaluation) {
+  // Each of n steps has two readings of its own.
+  const auto n = static_cast<double>(rows.a.size() - 1);
+  const std::optional<double> u = um_of(request, std::sqrt(2.0 / n));
   if (rows.c.size() < 3) {
-    evaluation.results.push_back({"delta", um(shapes.delta), "um"});
+    evaluation.results.push_back({"delta", um(shapes.delta), "um", u});
     return;
   }
   const double delta_1 = shapes.delta;
   const double delta_2 = metrology::separate_two_points(rows.b, rows.c).delta;
   const double delta = metrology::tip_offset_over_two(rows.a, rows.c, shapes.motion);
   evaluation.results.push_back({"delta", um(delta), "um"});
-  evaluation.results.push_back({"delta_1", um(delta_1), "um"});
-  evaluation.results.push_back({"delta_2", um(delta_2), "um"});
+  evaluation.results.push_back({"delta_1", um(delta_1), "um", u});
+  evaluation.results.push_back({"delta_2", um(delta_2), "um", u});
   evaluation.results.push_back({"delta_closure", um(delta - delta_1 - delta_2), "um"});
 }
 
@@ -64,14 +75,15 @@ Result<Evaluation, DataError> evaluate_straightness(const DataFile& file, const 
   Evaluation evaluation;
   evaluation.kind = Kind::Straightness;
   evaluation.samples = rows.a.size();
-  add_offsets(rows, shapes, evaluation);
+  add_offsets(rows, shapes, request, evaluation);
   add_zones("motion_straightness", places, shapes.motion, evaluation.results);
   add_zones("work_straightness", places, shapes.work, evaluation.results);
-  evaluation.results.push_back({"parallelism", um(shapes.work.back()), "um"});
+  const std::size_t n = rows.a.size() - 1;
+  evaluation.results.push_back({"parallelism", um(shapes.work.back()), "um",
+                                um_of(request, metrology::work_uncertainty(n, n))});
   evaluation.curves = {curve_of("motion", places, shapes.motion),
                        curve_of("work", places, shapes.work)};
   evaluation.machine_error = {request.error, evaluation.curves.front()};
-  const std::size_t n = rows.a.size() - 1;
   evaluation.notes.push_back(fmt::format(
       "readings of standard uncertainty u make one of {:.3g} u of the motion in the "
       "middle of {} steps, and {:.3g} u of the work",

@@ -26,7 +26,7 @@ constexpr OptionRow kOptionRows[] = {
 };
 
 constexpr ResultRow kResultRows[] = {
-#define EVALUATION_RESULT(kinds, name, text) {kinds, name, text},
+#define EVALUATION_RESULT(kinds, name, unit, text) {kinds, name, unit, text},
 #include "tools/evaluate/evaluation_results.def"
 #undef EVALUATION_RESULT
 };
@@ -38,7 +38,7 @@ bool holds(std::string_view words, Kind kind) {
 
 bool has_row(const Quantity& quantity, Kind kind) {
   return std::ranges::any_of(kResultRows, [&](const ResultRow& row) {
-    return belongs_to(row, kind) && names(row, quantity.name);
+    return belongs_to(row, kind) && names(row, quantity.name) && row.unit == quantity.unit;
   });
 }
 

@@ -46,6 +46,7 @@ bool belongs_to(const OptionRow& option, Kind kind);
 struct ResultRow {
   std::string_view kinds;  ///< words, blanks between them
   std::string_view name;   ///< of results, * for any letter or digit
+  std::string_view unit;
   std::string_view text;
 };
 

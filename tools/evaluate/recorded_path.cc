@@ -7,12 +7,16 @@
 namespace g31::evaluate {
 namespace {
 
+bool needs_time(const Request& request) {
+  return !request.interval_s && request.kind != Kind::Diagonal;
+}
+
 std::vector<WantedColumn> wanted_columns(const Request& request) {
   std::vector<WantedColumn> wanted;
   for (const std::string& axis : request.plane) {
     wanted.push_back({axis, ColumnKind::Length, axis + "_true"});
   }
-  if (!request.interval_s) {
+  if (needs_time(request)) {
     wanted.push_back({"t", ColumnKind::Number, "time_s"});
   }
   return wanted;
@@ -32,11 +36,15 @@ Result<RecordedPath, DataError> read_path(const DataFile& file, const Request& r
   const auto& x = table.value().numbers(request.plane[0]);
   const auto& y = table.value().numbers(request.plane[1]);
   RecordedPath path;
+  path.watch = file.watch;
   path.resolution = std::max(table.value().resolution(request.plane[0]),
                              table.value().resolution(request.plane[1]));
-  if (request.interval_s) {
+  if (!needs_time(request)) {
     path.x = x;
     path.y = y;
+    if (!request.interval_s) {
+      return path;
+    }
     path.t.reserve(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {
       path.t.push_back(static_cast<double>(i) * *request.interval_s);

@@ -1,0 +1,36 @@
+#include "tools/cli/limit_options.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "tools/setup/byte_count.h"
+
+namespace g31::cli {
+
+std::string why_no_time(const std::string& text) {
+  double seconds = 0.0;
+  const char* const last = text.data() + text.size();
+  const auto end = std::from_chars(text.data(), last, seconds);
+  const bool fits = end.ec == std::errc() && end.ptr == last && std::isfinite(seconds);
+  return fits && seconds > 0.0 ? "" : fmt::format("{} is not a number of seconds above 0", text);
+}
+
+void add_max_output(CLI::App& command, std::uint64_t& bytes, const std::string& what) {
+  command
+      .add_option_function<std::string>(
+          "--max-output",
+          [&bytes](const std::string& text) {
+            const auto count = setup::parse_byte_count(text);
+            if (!count) {
+              throw CLI::ValidationError("--max-output", count.error());
+            }
+            bytes = count.value();
+          },
+          "bytes of " + what + ", or 500K, 64M, 2G (default 256M)")
+      ->type_name("SIZE");
+}
+
+}  // namespace g31::cli
