@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 
@@ -43,20 +44,70 @@ std::optional<study::Shard> shard_from(std::string_view text) {
 }
 
 using session::Refusal;
-using Made = Result<study::Record, Refusal>;
+
+/// A study that has run, and the drawings of its runs.
+struct MadeStudy {
+  study::Record record;
+  std::vector<std::string> drawings = {};
+};
+using Made = Result<MadeStudy, Refusal>;
+
+/// Of one drawing the file as given, of several one with its number before the ending.
+std::string place_of_drawing(const std::string& file, std::size_t number, std::size_t of) {
+  if (of == 1) {
+    return file;
+  }
+  const std::filesystem::path path(file);
+  const std::string name =
+      fmt::format("{}-{}{}", path.stem().string(), number + 1, path.extension().string());
+  return (path.parent_path() / name).string();
+}
+
+/// More files than these are no drawings to look at.
+constexpr std::size_t kMostDrawings = 1000;
+
+/// What --svg wants of a study.
+std::optional<Refusal> take_drawings(const StudyOptions& options, study::Study& study) {
+  if (options.svg.empty()) {
+    return std::nullopt;
+  }
+  if (!study.evaluation) {
+    return session::bad_input("--svg draws what [evaluation] finds, which this study has not");
+  }
+  if (study::run_count(study) > kMostDrawings) {
+    return session::bad_input(fmt::format("--svg makes a file for each of {} runs: at most {}",
+                                          study::run_count(study), kMostDrawings));
+  }
+  if (options.svg == "-" && study::run_count(study) > 1) {
+    return session::bad_input("--svg - is for a study of one run");
+  }
+  study.evaluation->request.wants_drawing = true;
+  return std::nullopt;
+}
+
+/// What --shard says; nothing: the whole study.
+Result<std::optional<study::Shard>, Refusal> asked_shard(const StudyOptions& options) {
+  std::optional<study::Shard> shard;
+  if (options.shard.empty()) {
+    return shard;
+  }
+  shard = shard_from(options.shard);
+  if (!shard) {
+    return session::bad_input(
+        fmt::format("--shard {}: write i/n, part i of n, for example 1/4", options.shard));
+  }
+  if (options.json.empty()) {
+    return session::bad_input("--shard needs --json FILE, which --merge takes");
+  }
+  return shard;
+}
 
 Made run_study(const StudyOptions& options) {
-  std::optional<study::Shard> shard;
-  if (!options.shard.empty()) {
-    shard = shard_from(options.shard);
-    if (!shard) {
-      return session::bad_input(
-          fmt::format("--shard {}: write i/n, part i of n, for example 1/4", options.shard));
-    }
-    if (options.json.empty()) {
-      return session::bad_input("--shard needs --json FILE, which --merge takes");
-    }
+  const auto asked = asked_shard(options);
+  if (!asked) {
+    return asked.error();
   }
+  const std::optional<study::Shard>& shard = asked.value();
   const auto read = study::read_study(options.study);
   if (!read) {
     return session::refusal_of(read.error());
@@ -69,6 +120,9 @@ Made run_study(const StudyOptions& options) {
     return session::bad_input(
         fmt::format("{} runs are too many: at most {}", study::run_count(study), study::kMostRuns));
   }
+  if (const auto wrong = take_drawings(options, study)) {
+    return *wrong;
+  }
   const auto created = study::StudyRuns::create(study);
   if (!created) {
     return created.error();
@@ -80,9 +134,12 @@ Made run_study(const StudyOptions& options) {
     span = {study::first_run_of(*shard, span.end),
             study::first_run_of({shard->index + 1, shard->of}, span.end)};
   }
-  study::Record record{runs.description(), shard, {}};
+  MadeStudy made{{runs.description(), shard, {}}};
+  if (!options.svg.empty()) {
+    made.drawings.resize(span.end - span.begin);
+  }
   Progress progress(span.end - span.begin, "runs", shows_progress(false));
-  record.rows = study::run_all(
+  made.record.rows = study::run_all(
       span, options.threads,
       [&](std::size_t number) {
         if (runtime::is_interrupted(options.interruption)) {
@@ -90,19 +147,23 @@ Made run_study(const StudyOptions& options) {
         }
         study::StudyRun run = runs.run(number);
         run.row.exit_code = static_cast<int>(exit_code_of(run.ending));
+        if (run.evaluation && !made.drawings.empty()) {
+          made.drawings[number - span.begin] = std::move(run.evaluation->svg);
+        }
         return std::move(run.row);
       },
       [&] { progress.one_done(); });
   if (runtime::is_interrupted(options.interruption)) {
     return session::interrupted();
   }
-  return record;
+  return made;
 }
 
 Made merge_shards(const StudyOptions& options) {
-  if (!options.study.empty() || !options.shard.empty() || options.repeats || options.seed) {
+  if (!options.study.empty() || !options.shard.empty() || options.repeats || options.seed ||
+      !options.svg.empty()) {
     return session::bad_input(
-        "--merge takes shards only, no study file, --shard, --repeats or --seed");
+        "--merge takes shards only, no study file, --shard, --repeats, --seed or --svg");
   }
   disk::Disk disk;
   std::vector<study::Record> parts;
@@ -119,7 +180,7 @@ Made merge_shards(const StudyOptions& options) {
     parts.push_back(part.value());
   }
   const auto merged = study::merge(parts);
-  return merged ? Made(merged.value())
+  return merged ? Made(MadeStudy{merged.value()})
                 : Made(session::bad_input(fmt::format("--merge: {}", merged.error())));
 }
 
@@ -140,6 +201,7 @@ std::optional<Refusal> report_study(const StudyOptions& options, const study::Re
   command.add("--repeats", options.repeats ? fmt::format("{}", *options.repeats) : "");
   command.add("--seed", options.seed ? fmt::format("{}", *options.seed) : "");
   command.add("--shard", options.shard);
+  command.add("--svg", options.svg);
   command.add("--report", options.report);
   command.add("--lang", language_given(options.language));
   std::vector<std::string> inputs = options.merge;
@@ -151,9 +213,23 @@ std::optional<Refusal> report_study(const StudyOptions& options, const study::Re
   return write_page(options.report, page::report_of(record, study::record_json(record), origin));
 }
 
-std::optional<Refusal> deliver(const StudyOptions& options, const study::Record& record) {
+std::optional<Refusal> write_drawings(const StudyOptions& options, const MadeStudy& made) {
   std::optional<Refusal> wrong;
-  if (!options.json.empty()) {
+  for (std::size_t i = 0; i < made.drawings.size() && !wrong; ++i) {
+    if (!made.drawings[i].empty()) {
+      wrong = write_out(
+          place_of_drawing(options.svg, made.record.rows[i].run,
+                           made.record.description.repeats * made.record.description.points.size()),
+          made.drawings[i]);
+    }
+  }
+  return wrong;
+}
+
+std::optional<Refusal> deliver(const StudyOptions& options, const MadeStudy& made) {
+  const study::Record& record = made.record;
+  std::optional<Refusal> wrong = write_drawings(options, made);
+  if (!wrong && !options.json.empty()) {
     wrong = write_out(options.json, study::record_json(record));
   }
   if (!wrong && !options.csv.empty()) {
@@ -162,7 +238,7 @@ std::optional<Refusal> deliver(const StudyOptions& options, const study::Record&
   if (!wrong && !options.report.empty()) {
     wrong = report_study(options, record);
   }
-  if (!wrong && options.json != "-" && options.csv != "-" && !record.shard) {
+  if (!wrong && options.json != "-" && options.csv != "-" && options.svg != "-" && !record.shard) {
     wrong = write_out("-", study::record_table(record));
   }
   return wrong;
@@ -176,12 +252,14 @@ ExitCode study_command(const StudyOptions& options) {
     return refuse(session::bad_input("a study file is missing: g31 study FILE.toml"), options.json,
                   kSchema);
   }
-  if (options.json == "-" && options.csv == "-") {
-    return refuse(session::bad_input("--json and --csv cannot both be standard output"));
+  if ((options.json == "-") + (options.csv == "-") + (options.svg == "-") > 1) {
+    return refuse(session::bad_input("only one of --json, --csv and --svg can be standard output"));
   }
-  if (const auto wrong = wrong_place(
-          {{"--json", options.json}, {"--csv", options.csv}, {"--report", options.report}},
-          {options.merge, {options.study}})) {
+  if (const auto wrong = wrong_place({{"--json", options.json},
+                                      {"--csv", options.csv},
+                                      {"--svg", options.svg},
+                                      {"--report", options.report}},
+                                     {options.merge, {options.study}})) {
     return refuse(*wrong);
   }
   if (const auto wrong = wrong_report(options.report)) {
@@ -191,8 +269,8 @@ ExitCode study_command(const StudyOptions& options) {
   if (!made) {
     return refuse(made.error(), options.json, kSchema);
   }
-  const study::Record& record = made.value();
-  if (const auto wrong = deliver(options, record)) {
+  const study::Record& record = made.value().record;
+  if (const auto wrong = deliver(options, made.value())) {
     return refuse(*wrong);
   }
   const std::string warnings = study::record_warnings(record);

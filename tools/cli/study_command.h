@@ -17,6 +17,7 @@ struct StudyOptions {
   std::string study;   ///< the study file; "" with --merge
   std::string json;    ///< file, "-" for standard output, "" for none
   std::string csv;     ///< the same
+  std::string svg;     ///< file of the drawing of [evaluation], "" for none
   std::string report;  ///< HTML file, "" for none
   page::Language language = page::Language::English;  ///< of the report
   std::string version;                                ///< of g31

@@ -16,6 +16,10 @@ CLI::App* add_study_command(CLI::App& app, StudyOptions& options) {
       ->type_name("FILE");
   study->add_option("--csv", options.csv, "one line for each run; - is standard output")
       ->type_name("FILE");
+  study
+      ->add_option("--svg", options.svg,
+                   "the drawing of [evaluation]; of several runs FILE-1.svg, FILE-2.svg and so on")
+      ->type_name("FILE");
   add_report_options(*study, options.report, options.language);
   study
       ->add_option("--threads", options.threads,
@@ -39,6 +43,7 @@ std::string study_examples() {
   std::string text =
       "Examples:\n"
       "  g31 study parts/library/ring_gauge/table_3.toml\n"
+      "  g31 study parts/library/path_accuracy/figure_10.toml --svg figure_10.svg\n"
       "  g31 study ring.toml --json ring.json --csv runs.csv --threads 2\n"
       "  g31 study ring.toml --shard 3/8 --json part-3.json\n"
       "  g31 study --merge part-*.json --json ring.json\n"

@@ -160,8 +160,10 @@ class StudyCheck {
     switch (row.form) {
       case StudySectionForm::One:
         if (const auto* table = table_or_error(member.node, row.path, row.example)) {
-          checked_.study.where = {&document_, member.line, member.column};
-          check_table(*table, row.id, row.example, checked_.study);
+          StudyTable& into =
+              row.id == StudySection::Study ? checked_.study : checked_.evaluation.emplace();
+          into.where = {&document_, member.line, member.column};
+          check_table(*table, row.id, row.example, into);
         }
         return;
       case StudySectionForm::Named:

@@ -48,6 +48,7 @@ struct StudyTable {
 /// A study file whose keys are known, of the right type and complete.
 struct CheckedStudy {
   StudyTable study;
+  std::optional<StudyTable> evaluation;
   std::vector<StudyTable> results;
   std::vector<StudyTable> variations;
 };

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "tools/setup/byte_count.h"
+#include "tools/study/fill_evaluation.h"
 
 namespace g31::study {
 namespace {
@@ -23,6 +24,10 @@ class StudyFill {
 
   Study fill(const CheckedStudy& checked) {
     fill_head(checked.study);
+    if (checked.evaluation) {
+      study_.evaluation = fill_evaluation(*checked.evaluation, errors_);
+      has_evaluation_ = true;
+    }
     for (const StudyTable& table : checked.results) {
       add_result(table);
     }
@@ -99,7 +104,23 @@ class StudyFill {
     result.form.nominal = table.get(StudyKey::Nominal, std::string());
     result.form.tolerance = table.get(StudyKey::Tolerance, std::string());
     result.form.published = numbers_of(table, StudyKey::Published);
-    const StudyEntry& value = *table.find(StudyKey::Value);
+    const StudyEntry* const given = table.find(StudyKey::Value);
+    const StudyEntry* const evaluated = table.find(StudyKey::Evaluated);
+    if ((given == nullptr) == (evaluated == nullptr)) {
+      errors_.add(
+          SetupErrorId::KeyMissing, given == nullptr ? table.where : evaluated->where,
+          {"a result", given == nullptr ? "value or evaluated" : "one of value and evaluated"},
+          "for example: value = \"#164\"");
+      return;
+    }
+    if (evaluated != nullptr) {
+      if (study_.evaluation || !has_evaluation_) {
+        fill_evaluated(table, study_.evaluation, result, errors_);
+      }
+      study_.results.push_back(std::move(result));
+      return;
+    }
+    const StudyEntry& value = *given;
     const auto& text = std::get<std::string>(value.value);
     const auto expression = Expression::parse(text);
     if (!expression) {
@@ -294,6 +315,7 @@ class StudyFill {
   fs::path folder_;
   setup::ErrorList& errors_;
   Study study_;
+  bool has_evaluation_ = false;  // right or wrong
 };
 
 }  // namespace

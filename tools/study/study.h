@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interpreter/runtime/interruption.h"
+#include "tools/evaluate/evaluate.h"
 #include "tools/setup/document.h"
 #include "tools/setup/sheet_stack.h"
 #include "tools/study/expression.h"
@@ -38,6 +39,13 @@ struct ResultForm {
 struct StudyResult {
   ResultForm form;
   Expression expression;
+  std::string evaluated;  ///< a result of the evaluation, in the place of the expression
+};
+
+/// `[evaluation]`: what the path of each run is asked.
+struct StudyEvaluation {
+  evaluate::Request request;
+  double trace_period_s = 1e-3;
 };
 
 /// A value of a list, or a sheet of a list of sheets.
@@ -83,7 +91,8 @@ struct Study {
   double max_time_s = 600.0;
   const runtime::Interruption* interruption = nullptr;  ///< not of the file: who may end it
   std::uint64_t max_output = 256'000'000;               ///< bytes
-  std::vector<StudyResult> results;                     ///< as they stand in the file
+  std::optional<StudyEvaluation> evaluation;
+  std::vector<StudyResult> results;  ///< as they stand in the file
   std::vector<ListedAxis> listed;
   std::vector<DrawnAxis> drawn;
   std::shared_ptr<const setup::Document> document;  ///< what locations point to

@@ -40,6 +40,7 @@ struct StudyRuns::Ended {
   std::string note;
   std::vector<std::optional<double>> variables;  ///< of the study's results
   std::map<std::string, double> permanent;
+  std::optional<evaluate::Evaluation> evaluation = {};  ///< of the study's program
 };
 
 namespace {
@@ -92,6 +93,15 @@ double rounded(double reading, const std::optional<double>& resolution) {
   return std::fabs(steps * *resolution - 1.0) < 1e-9
              ? std::round(reading * steps) / steps
              : std::round(reading / *resolution) * *resolution;
+}
+
+std::optional<double> evaluated_value(const std::optional<evaluate::Evaluation>& evaluation,
+                                      const std::string& name) {
+  if (!evaluation) {
+    return std::nullopt;
+  }
+  const auto found = std::ranges::find(evaluation->results, name, &evaluate::Quantity::name);
+  return found != evaluation->results.end() ? found->value : std::nullopt;
 }
 
 /// nullopt: vacant, a text, or no variable of this control
@@ -361,7 +371,7 @@ StudyRun StudyRuns::run(std::size_t run) {
   row.note = ended.note;
   row.results = results_of(ended);
   let_go(number);
-  return {std::move(row), ended.ending};
+  return {std::move(row), ended.ending, std::move(ended.evaluation)};
 }
 
 StudyRuns::Ended StudyRuns::run_drawn(std::size_t number, const Row& row) {
@@ -466,6 +476,11 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
   }
   runtime::OutputBudget output(study_.max_output);
   const auto inside = session::start_inside(job, machine);
+  const bool is_main = program + 1 == paths_.size();
+  std::optional<PathRecorder> path;
+  if (is_main && study_.evaluation) {
+    machine.trace(study_.evaluation->trace_period_s, path.emplace(*study_.evaluation, output));
+  }
   runtime::Outcome outcome =
       control->run({study_.max_blocks, study_.max_time_s, &output, study_.interruption});
   Ended ended;
@@ -486,7 +501,9 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
     ended.note = note_of(outcome, sources);
     return ended;
   }
-  const bool is_main = program + 1 == paths_.size();
+  if (path) {
+    take_evaluation(*path, ended);
+  }
   for (std::size_t i = 0; is_main && i < variables_.size(); ++i) {
     ended.variables.push_back(number_of(*control, variables_[i]));
   }
@@ -496,6 +513,16 @@ StudyRuns::Ended StudyRuns::carry_out(const setup::Job& job, const Parts& parts,
   return ended;
 }
 
+void StudyRuns::take_evaluation(const PathRecorder& path, Ended& ended) {
+  const auto evaluated = path.evaluated();
+  if (evaluated) {
+    ended.evaluation = evaluated.value();
+    return;
+  }
+  ended.note = "evaluation: " + evaluated.error();
+  ended.ending = session::Ending::Findings;
+}
+
 std::vector<std::optional<double>> StudyRuns::results_of(const Ended& ended) const {
   std::vector<std::optional<double>> results(study_.results.size());
   if (ended.variables.size() != variables_.size()) {
@@ -503,6 +530,11 @@ std::vector<std::optional<double>> StudyRuns::results_of(const Ended& ended) con
   }
   for (std::size_t i = 0; i < results.size(); ++i) {
     const StudyResult& result = study_.results[i];
+    if (!result.evaluated.empty()) {
+      const auto value = evaluated_value(ended.evaluation, result.evaluated);
+      results[i] = value ? std::optional(rounded(*value, result.form.resolution)) : std::nullopt;
+      continue;
+    }
     std::vector<std::optional<double>> values;
     for (const std::string& name : result.expression.variables()) {
       const auto known = std::ranges::find(variables_, name);

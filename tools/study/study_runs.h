@@ -18,6 +18,7 @@
 #include "tools/session/world.h"
 #include "tools/setup/sheet_stack.h"
 #include "tools/study/grid.h"
+#include "tools/study/path_recorder.h"
 #include "tools/study/record.h"
 #include "tools/study/study.h"
 
@@ -27,6 +28,7 @@ namespace g31::study {
 struct StudyRun {
   Row row;  ///< without its exit code
   session::Ending ending = session::Ending::Completed;
+  std::optional<evaluate::Evaluation> evaluation = {};  ///< of its path, where one is wanted
 };
 
 /// The parts of a set-up, and what is wrong with their meshes.
@@ -88,6 +90,7 @@ class StudyRuns {
                     std::uint64_t seed);
   Ended carry_out(const setup::Job& job, const Parts& parts, std::size_t program,
                   std::uint64_t seed);
+  static void take_evaluation(const PathRecorder& path, Ended& ended);
   [[nodiscard]] std::vector<std::optional<double>> results_of(const Ended& ended) const;
 
   const Study& study_;
