@@ -107,10 +107,10 @@ class StudyFill {
     const StudyEntry* const given = table.find(StudyKey::Value);
     const StudyEntry* const evaluated = table.find(StudyKey::Evaluated);
     if ((given == nullptr) == (evaluated == nullptr)) {
-      errors_.add(
-          SetupErrorId::KeyMissing, given == nullptr ? table.where : evaluated->where,
-          {"a result", given == nullptr ? "value or evaluated" : "one of value and evaluated"},
-          "for example: value = \"#164\"");
+      errors_.add(SetupErrorId::KeyMissing, given == nullptr ? table.where : evaluated->where,
+                  {fmt::format("[results.{}]", table.name),
+                   given == nullptr ? "value or evaluated" : "one of value and evaluated"},
+                  "for example: value = \"#164\"");
       return;
     }
     if (evaluated != nullptr) {
