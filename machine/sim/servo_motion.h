@@ -125,6 +125,6 @@ class ServoMotion {
 };
 
 /// How far a command on an arc may be beside the arc, mm.
-inline constexpr double kArcCommandErrorMm = 1e-8;
+inline constexpr double kArcCommandErrorMm = 1e-10;
 
 }  // namespace g31::machine

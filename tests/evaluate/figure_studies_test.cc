@@ -103,14 +103,7 @@ TEST(FigureStudies, AgreeWithARunAndAnEvaluationOfItsTrace) {
   }
 }
 
-/// Whether a result is the largest error of any one sample.
-bool is_of_samples(const std::string& name) {
-  return name.starts_with("radial") || name.starts_with("spike") || name == "circular_error" ||
-         name == "minimum_zone" || name == "hysteresis";
-}
-
-/// On an ideal machine all errors are below 1e-9.  The simulated arc itself is true within 1e-8 mm
-/// at each sample, which is what remains of radial errors.
+/// On an ideal machine all errors are below 1e-9.
 TEST(FigureStudies, OfTheIdealMachineFindNothing) {
   const TemporaryFolder folder;
   folder.write("circle.nc",
@@ -136,7 +129,7 @@ TEST(FigureStudies, OfTheIdealMachineFindNothing) {
     const double unit = name.starts_with("centre")                          ? 1.0
                         : name == "squareness" || name.starts_with("scale") ? 1e-6
                                                                             : 1e-3;
-    EXPECT_LT(std::abs(results.at(name)) * unit, is_of_samples(name) ? 2.5e-8 : 1e-9) << name;
+    EXPECT_LT(std::abs(results.at(name)) * unit, 1e-9) << name;
   }
 }
 
