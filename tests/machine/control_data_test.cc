@@ -82,14 +82,20 @@ TEST(StopWindows, AreThoseOfTheSheetUntilTheControlSaysOtherwise) {
   EXPECT_EQ(centre.axis_data().stop_coarse, AxisPositions::Constant(0.02));
 }
 
-/// How near the corner between a move along X that has braked and one along Y the axes come.
+/// Where an axis is that lags behind a command with this acceleration, from rest.
+double behind(double acceleration, double t) {
+  const double fades = 1.0 - std::exp(-t / kLagS);
+  return t <= 0.0 ? 0.0 : acceleration * (t * t / 2.0 - kLagS * t + kLagS * kLagS * fades);
+}
+
+/// How near the corner between a move along X that has braked and one along Y, which goes on at the
+/// speed when it has reached it, the axes come.
 double missed_by(double speed, double acceleration) {
   double least = 1e9;
   const double left = left_by(speed, acceleration);
-  for (double t = 0.0; t < 0.5; t += 1e-5) {
-    const double fades = std::exp(-t / kLagS);
-    const double y = acceleration * (t * t / 2.0 - kLagS * t + kLagS * kLagS * (1.0 - fades));
-    least = std::min(least, std::hypot(left * fades, y));
+  for (double t = 0.0; t < 0.2; t += 1e-5) {
+    const double y = behind(acceleration, t) - behind(acceleration, t - speed / acceleration);
+    least = std::min(least, std::hypot(left * std::exp(-t / kLagS), y));
   }
   return least;
 }

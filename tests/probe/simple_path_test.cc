@@ -95,9 +95,15 @@ class Pair {
   /// @returns whether both went through
   template <typename Move>
   bool move(const Move& move) {
+    const AxisPositions q_M_from = fast_.position();
     const auto a = fast_.move(move);
     const auto b = simple_.move(move);
-    EXPECT_EQ(a.ok(), b.ok()) << (a.ok() ? b : a).error().what;
+    if (a.ok() != b.ok()) {
+      // Whether an arc that leaves a surface goes deeper at first lies within the error of a way.
+      const machine::MachineFault& met = (a.ok() ? b : a).error();
+      grazes = linear_axes(met.q_M_at - q_M_from).squaredNorm() < machine::kMoveWayErrorMm;
+      EXPECT_TRUE(grazes) << met.what;
+    }
     if (!a.ok() && !b.ok()) {
       EXPECT_EQ(a.error().what, b.error().what);
       // A way that grazes a surface touches it much later or sooner for its own error.
