@@ -54,6 +54,9 @@ std::vector<Touch> touches_of(const RunOutput& output, const machine::AxisChainS
   std::vector<Touch> touches;
   const machine::AxisChain true_chain(chain, kTool);
   for (const nlohmann::json& row : output.document.at("touches")) {
+    if (!row.at("triggered").get<bool>()) {
+      continue;  // a move that looks whether the way is free
+    }
     Touch touch;
     touch.p_work = point_of(row.at("work"));
     touch.p_commanded = point_of(row.at("work_commanded"));

@@ -48,7 +48,7 @@ MISTAKES = (
     ("a part of an unknown format", {"s.toml": CAD.format("xyz"), "part.xyz": "1 2 3\n"}, run(), 5, "export STEP or STL"),
     ("a part on an offset that is not given", {"s.toml": "[[part]]\nshape = \"block\"\non = \"G55\"\n"}, run(), 2, "[work_offsets.G55]"),
     ("a part that is not where the program measures", {}, run(), 1, "the nearest part, 'wall', was 7.000 mm from the ball"),
-    ("a ball that begins inside of a part", {"s.toml": SHEET.replace("80.0, 0.0", "0.0, 0.0")}, run(), None, "correct [start] or where the part is"),
+    ("a ball that begins inside of a part", {"s.toml": SHEET.replace("80.0, 0.0", "0.0, 0.0")}, run(), None, "correct [start], where the part is"),
     ("a subprogram that is missing", {"p.nc": "O1\nG65 P9999\nM30\n"}, run(), 3, "9999"),
     ("a variable of another control", {"s.toml": "[variables]\nR1 = 2\n"}, run(), None, "R1"),
     ("a text of a SINUMERIK in a .nc file", {"p.nc": SINUMERIK}, run("--json", "-"), None, '"control": "sinumerik-828d"'),

@@ -113,7 +113,7 @@ TEST(PartFindings, WhatIsNotJudgedIsANote) {
   }
   const RunOutput output = run_on(stl, "");
   EXPECT_EQ(output.exit_code, 0) << output.errors;
-  EXPECT_NE(output.errors.find("note: not all of the mesh of a part is judged: of 'box' 100004 "
+  EXPECT_NE(output.errors.find("note: not all of the mesh of a part is judged: of 'box' 500004 "
                                "facets were not searched for others that they go through"),
             std::string::npos)
       << output.errors;

@@ -339,7 +339,8 @@ std::string sheet_of_tool(const KeyRow& row, const std::string& sheet) {
     return sheet;
   }
   const bool is_of_insert = row.id == KeyId::ToolLengths || row.id == KeyId::ToolTipRadius ||
-                            row.id == KeyId::ToolEdgePosition;
+                            row.id == KeyId::ToolEdgePosition || row.id == KeyId::ToolInsertAngle ||
+                            row.id == KeyId::ToolOrientation || row.id == KeyId::ToolEdgeLength;
   const std::string kind = is_of_insert                    ? "kind = \"turning\"\n"
                            : row.id == KeyId::ToolTipAngle ? "kind = \"drill\"\n"
                                                            : "";

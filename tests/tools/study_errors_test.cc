@@ -209,7 +209,7 @@ TEST_F(StudyErrors, OfTheCommandLine) {
       {"nothing to do", none, "a study file is missing"},
       {"a shard that goes nowhere", shard, "--shard needs --json FILE"},
       {"part 3 of 2", third_of_two, "--shard 3/2: write i/n"},
-      {"two documents on standard output", both, "--json and --csv cannot both"},
+      {"two documents on standard output", both, "only one of --json, --csv and --svg"},
       {"merging while running", merge_and_study, "--merge takes shards only"},
       {"a folder that is not there", nowhere, "cannot write"},
   };

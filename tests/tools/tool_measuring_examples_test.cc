@@ -203,7 +203,8 @@ TEST(ToolMeasuringExamples, Cycle982InWorkCoordinates) {
                   {{"$TC_DP3[5,1]", 50.3}, {"$TC_DP12[5,1]", -0.3}, {"$TC_DP4[5,1]", 79.6}});
 }
 
-/// Hundred thousands 1 begins where the tool stands; thousands of _AMODE 1 bring it back there.
+/// Hundred thousands 1 begins where the tool stands; thousands of _AMODE 1 bring the tip back
+/// there, by its data as they are now.
 TEST(ToolMeasuringExamples, Cycle982IncrementallyAndBackToTheStart) {
   expect_on_lathe(
       std::string(kTurningTool) +
@@ -214,7 +215,7 @@ TEST(ToolMeasuringExamples, Cycle982IncrementallyAndBackToTheStart) {
                       "CYCLE982(100000,0,1,1,2,0,6,2)",
                   {{"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]", -200.0}});
   expect_on_lathe(std::string(kTurningTool) + "CYCLE982(1,0,1,1,2,0,5,2,,,,,,,,,,1000)",
-                  {{"$AA_IM[X]", 300.0 + 50.3}, {"$AA_IM[Z]", -150.0 + 79.6}, {"_OVR[11]", 0.4}});
+                  {{"$AA_IM[X]", 300.0 + 50.3}, {"$AA_IM[Z]", -150.0 + 80.0}, {"_OVR[11]", 0.4}});
 }
 
 /// Milling first, turning second: the outside diameter of what was turned by the spigot of CYCLE977

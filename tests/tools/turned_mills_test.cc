@@ -132,8 +132,9 @@ TEST(TurnedMills, ASideMillIsMeasuredByItsRearEdge) {
                   {"_OVR[9]", -0.1},
                   {"_OVR[11]", 0.2},
                   {"_OVR[13]", -0.2},
-                  {"$AA_IM[X]", 300.0 + 0.1},
-                  {"$AA_IM[Z]", -150.0 + 83.8}});
+                  // The tip is back where the call found it, by its data as they are now.
+                  {"$AA_IM[X]", 300.0},
+                  {"$AA_IM[Z]", -150.0 + 84.0}});
   }
 }
 

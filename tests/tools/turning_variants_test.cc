@@ -117,31 +117,6 @@ TEST(TurningVariants, AProbeOfMillingMeasuresWhatIsTurned) {
                  {"R3", 0.0}});
 }
 
-/// The same with a probe along X: its record has Y, Z and X in this order.
-TEST(TurningVariants, AProbeOfMillingThatG19CalibratesMeasuresWhatIsTurned) {
-  const std::string milling =
-      kWithY +
-      "\"$SC_TOOL_LENGTH_CONST\" = 18\n\"$SC_TOOL_LENGTH_TYPE\" = 2\n"
-      "\"$MNS_MEA_FUNCTION_MASK\" = 27\n[tools.1]\ntype = 710.0\nlength = 100.0\n[variables]\n"
-      "\"$TC_DP4[1,1]\" = 30.0\n[probe]\nat = [-97.0, 0.0, -30.0]\ntrigger_delay_s = 0.001\n";
-  const std::string gauge =
-      part("ring", 100.0, 0.0, 100.0,
-           "bore = 60.02\nouter_diameter = 100.0\nheight = 30.0\nrotate_deg = [0.0, 90.0, 0.0]");
-  const std::string calibrate =
-      "G54 G19 DIAMOF G0 X200 Y0\nZ-100\nX90\nCYCLE976(1,1,60.02,,,,3,5)\nG0 X120\nZ-60\nX106\n"
-      "CYCLE976(0,1,100,,3,1,3,5)\nG0 X200\nG18 DIAMON\n";
-  expect_turned(calibrate +
-                    "Z-10\nX100\nCYCLE974(2,,,1,50,2,3,5)\nR1=_OVR[4]\nG0 X400\nZ20\nX20\n"
-                    "CYCLE974(0,,,1,0.1,1,3,5)\nR2=_OVR[4]",
-                {milling, gauge, part("shaft", 0.0, 0.0, 200.0, "diameter = 50.04\nheight = 60.0")},
-                {{"$SNS_MEA_WP_TRIG_PLUS_DIR_AX1[0]", 2.995},
-                 {"$SNS_MEA_WP_TRIG_PLUS_DIR_AX2[0]", 2.995},
-                 {"$SNS_MEA_WP_TRIG_MINUS_DIR_AX3[0]", 0.005},
-                 {"$SNS_MEA_WP_STATUS_GEN[0]", 3},
-                 {"R1", 50.04},
-                 {"R2", 0.0}});
-}
-
 TEST(TurningVariants, TheLogTellsWhatWasMeasured) {
   const MeasuringRun run = run_turning(
       "CYCLE150(0,1001,\"SHAFT.TXT\")\n" + kAtShaft +

@@ -196,7 +196,8 @@ std::optional<std::string> why_no_fanuc_compensation(const MachineError& error) 
     most = std::max(most, std::abs(deviation));
   }
   const auto units = kMostPitchError * kMostMagnification;
-  if (2.0 * most * kUnitsPerMm >= static_cast<double>(units)) {
+  constexpr double kRounding = 1e-6;  // of decimals in a record, um
+  if (2.0 * most * kUnitsPerMm >= static_cast<double>(units) - kRounding) {
     return fmt::format("a Fanuc corrects less than {} um from one point to the next", units);
   }
   return std::nullopt;
