@@ -191,10 +191,10 @@ TEST(CompensationLoop, AFanucRefusesWhatItsLargestMagnificationDoesNotReach) {
     options.given[OptionId::Compensation] = folder.path("table.nc");
     options.given[OptionId::CompensationFormat] = "fanuc";
     std::string record = "axis,target,direction,cycle,position\n";
-    for (const int sign : {-1, 1}) {
-      for (int cycle = 1; cycle <= 2; ++cycle) {
-        record += fmt::format("X,{},1,{},{:.3f}\n", 100 * sign, cycle, sign * (100 + deviation));
-      }
+    for (int cycle = 1; cycle <= 2; ++cycle) {
+      // Neighbouring points: from one to the next the correction gains twice the deviation.
+      record += fmt::format("X,0,1,{0},{1:.3f}\nX,100,1,{0},{2:.3f}\n", cycle, -deviation,
+                            100.0 + deviation);
     }
     const auto output = testing::evaluate_text(record, options);
     EXPECT_EQ(output.exit_code, exit_code) << output.errors;
