@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <string>
-
-#include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
+#include "interpreter/runtime/probe_inside.h"
 
 namespace g31::fanuc {
 namespace {
@@ -64,9 +62,8 @@ void change_tool(Control& control) {
   const runtime::ToolEntry entry = control.offsets.get(number);
   control.port.change_tool(
       {{number, entry.length_mm + entry.length_wear_mm, entry.radius_mm + entry.radius_wear_mm}});
-  if (const std::string part = control.port.stands_inside(); !part.empty()) {
-    control.warn_once(source::DiagnosticId::StartInside, control.block,
-                      fmt::format(" as it comes into the spindle: in '{}'", part));
+  if (const auto inside = runtime::comes_inside(control.port)) {
+    control.warn_once(source::DiagnosticId::StartInside, control.block, *inside);
   }
 }
 

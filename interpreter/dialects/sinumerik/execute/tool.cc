@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/runtime/probe_inside.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -203,9 +204,9 @@ MaybeFailure select_tool(Channel& channel, const Block& block) {
                            block.where);
     } else {
       channel.port.change_tool({believed});
-      if (const std::string part = channel.port.stands_inside(); !part.empty()) {
+      if (const auto inside = runtime::comes_inside(channel.port)) {
         channel.warnings.add(channel.diagnostics, source::DiagnosticId::StartInside, block.where,
-                             fmt::format(" as it comes into the spindle: in '{}'", part));
+                             *inside);
       }
     }
   }
