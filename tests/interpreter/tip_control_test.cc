@@ -11,26 +11,16 @@
 
 #include <gtest/gtest.h>
 
-#include "machine/sim/machining_centre.h"
+#include "tests/interpreter/traced_machine.h"
 #include "tests/support/control_run.h"
 #include "tests/support/worked_machines.h"
 
 namespace g31::fanuc::tip_control_test {
 namespace {
 
-using machine::AxisChain;
 using machine::AxisChainSetup;
-using machine::MachineSetup;
 using machine::TraceSample;
 using testing::FilesInMemory;
-
-constexpr double kLengthMm = 120.0;
-
-class Samples final : public machine::TraceSink {
- public:
-  void on_sample(const TraceSample& sample) override { all.push_back(sample); }
-  std::vector<TraceSample> all;
-};
 
 /// What is true and what the control believes.
 struct Machine {
@@ -43,54 +33,25 @@ struct Machine {
 class TracedRun final : public runtime::Observer {
  public:
   TracedRun(const Machine& machine, const std::string& program, double period_s = 0.01)
-      : machine_(machine),
-        files_({{"case.nc", "O0001\n" + program + "\nM30\n"}}),
+      : files_({{"case.nc", "O0001\n" + program + "\nM30\n"}}),
         sources_(files_),
         library_(sources_),
-        centre_(setup_of(machine), nullptr) {
+        traced_(machine.truth, machine.p_M_origin, period_s) {
     library_.add_file("case.nc");
-    centre_.trace(period_s, samples_);
-    Session session(*find_profile("fanuc-30i"), library_, centre_, *this);
-    runtime::ControlSetup control;
-    control.kinematics = machine.believed;
-    AxisPositions q_offset = AxisPositions::Zero();
-    q_offset.head<3>() = machine.p_M_origin;
-    control.work_offsets["G54"] = q_offset;
-    control.tools[1].length_mm = kLengthMm;
-    EXPECT_TRUE(session.configure(control).empty());
-    outcome_ = session.run({});
-    EXPECT_EQ(outcome_.status, runtime::Status::Completed)
-        << (outcome_.alarm ? outcome_.alarm->text : "");
+    Session session(*find_profile("fanuc-30i"), library_, traced_.centre(), *this);
+    testing::TracedMachine::run(session, traced_.told(machine.believed));
   }
 
-  [[nodiscard]] const std::vector<TraceSample>& samples() const { return samples_.all; }
-
-  /// The tip in the work coordinate system on the table; mm.
-  [[nodiscard]] Point tip_at(const AxisPositions& q_M) const {
-    const Point p_T(0.0, 0.0, -kLengthMm);
-    const AxisChain chain(machine_.truth, p_T);
-    return linear_axes(chain.for_part(q_M).q) + p_T - machine_.p_M_origin;
-  }
-  [[nodiscard]] Point tip_at_end() const { return tip_at(centre_.position()); }
-  [[nodiscard]] AxisPositions end() const { return centre_.position(); }
+  [[nodiscard]] const std::vector<TraceSample>& samples() const { return traced_.samples(); }
+  [[nodiscard]] Point tip_at(const AxisPositions& q_M) const { return traced_.tip_at(q_M); }
+  [[nodiscard]] Point tip_at_end() const { return tip_at(end()); }
+  [[nodiscard]] AxisPositions end() const { return traced_.end(); }
 
  private:
-  static MachineSetup setup_of(const Machine& machine) {
-    MachineSetup setup;
-    setup.chain = machine.truth;
-    for (machine::AxisSetup& axis : setup.axes) {
-      axis.present = true;
-    }
-    return setup;
-  }
-
-  Machine machine_;
   FilesInMemory files_;
   source::SourceMap sources_;
   ProgramLibrary library_;
-  machine::MachiningCentre centre_;
-  Samples samples_;
-  runtime::Outcome outcome_;
+  testing::TracedMachine traced_;
 };
 
 struct Range {

@@ -15,28 +15,20 @@
 #include <gtest/gtest.h>
 
 #include "interpreter/dialects/sinumerik/run/session.h"
-#include "machine/sim/machining_centre.h"
+#include "tests/interpreter/traced_machine.h"
 #include "tests/support/control_run.h"
 #include "tests/support/worked_machines.h"
 
 namespace g31::sinumerik::traori_path_test {
 namespace {
 
-using machine::AxisChain;
 using machine::AxisChainSetup;
 using machine::TraceSample;
 using testing::FilesInMemory;
 
-constexpr double kLengthMm = 120.0;
 constexpr double kRadiusMm = 4.0;
 constexpr double kHalfLengthMm = 20.0;
 constexpr double kHalfWidthMm = 15.0;
-
-class Samples final : public machine::TraceSink {
- public:
-  void on_sample(const TraceSample& sample) override { all.push_back(sample); }
-  std::vector<TraceSample> all;
-};
 
 struct Machine {
   const char* name;
@@ -57,68 +49,42 @@ std::vector<Machine> machines() {
 class TracedRun final : public runtime::Observer {
  public:
   TracedRun(const Machine& machine, const std::string& program)
-      : machine_(machine),
+      : turning_(axis_index(machine.first.front())),
         files_({{"case.mpf", program + "\nM30\n"}}),
         sources_(files_),
         library_(sources_),
-        centre_(setup_of(machine), nullptr) {
+        traced_(machine.chain, machine.p_M_origin, 0.01) {
     library_.add_file("case.mpf");
-    centre_.trace(0.01, samples_);
-    Session session(library_, centre_, *this);
-    runtime::ControlSetup control;
-    control.kinematics = machine.chain;
-    AxisPositions q_offset = AxisPositions::Zero();
-    q_offset.head<3>() = machine.p_M_origin;
-    control.work_offsets["G54"] = q_offset;
-    control.tools[1].length_mm = kLengthMm;
+    Session session(library_, traced_.centre(), *this);
+    runtime::ControlSetup control = traced_.told(machine.chain);
     control.tools[1].radius_mm = kRadiusMm;
-    EXPECT_TRUE(session.configure(control).empty());
-    outcome_ = session.run({});
-    EXPECT_EQ(outcome_.status, runtime::Status::Completed)
-        << (outcome_.alarm ? outcome_.alarm->text : "");
+    testing::TracedMachine::run(session, control);
   }
 
   void on_move(const runtime::MoveEvent& move) override { moves.push_back(move); }
 
   /// What turns as far as this on the way counts.
   [[nodiscard]] std::vector<AxisPositions> between(double low_deg, double high_deg) const {
-    const int axis = axis_index(machine_.first.front());
     std::vector<AxisPositions> found;
-    for (const TraceSample& sample : samples_.all) {
+    for (const TraceSample& sample : traced_.samples()) {
       const AxisPositions& q_M = sample.q_M_commanded;
-      if (q_M[axis] > low_deg && q_M[axis] < high_deg) {
+      if (q_M[turning_] > low_deg && q_M[turning_] < high_deg) {
         found.push_back(q_M);
       }
     }
     return found;
   }
 
-  /// The tip in the work coordinate system on the part; mm.
-  [[nodiscard]] Point tip_at(const AxisPositions& q_M) const {
-    const Point p_T(0.0, 0.0, -kLengthMm);
-    const AxisChain chain(machine_.chain, p_T);
-    return linear_axes(chain.for_part(q_M).q) + p_T - machine_.p_M_origin;
-  }
+  [[nodiscard]] Point tip_at(const AxisPositions& q_M) const { return traced_.tip_at(q_M); }
 
   std::vector<runtime::MoveEvent> moves;
 
  private:
-  static machine::MachineSetup setup_of(const Machine& machine) {
-    machine::MachineSetup setup;
-    setup.chain = machine.chain;
-    for (machine::AxisSetup& axis : setup.axes) {
-      axis.present = true;
-    }
-    return setup;
-  }
-
-  Machine machine_;
+  int turning_;
   FilesInMemory files_;
   source::SourceMap sources_;
   ProgramLibrary library_;
-  machine::MachiningCentre centre_;
-  Samples samples_;
-  runtime::Outcome outcome_;
+  testing::TracedMachine traced_;
 };
 
 /// How far a point is from a rectangle about the origin, its corners rounded; inside less than 0.

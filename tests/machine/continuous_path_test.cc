@@ -14,10 +14,13 @@
 
 #include "machine/sim/machining_centre.h"
 #include "tests/support/scripted_surroundings.h"
+#include "tests/support/trace_samples.h"
 #include "tests/support/world_of_pieces.h"
 
 namespace g31::machine::continuous_path_test {
 namespace {
+
+using testing::TraceSamples;
 
 AxisPositions axes(double x, double y, double z) {
   return (AxisPositions() << x, y, z, 0, 0, 0).finished();
@@ -29,12 +32,6 @@ LinearMove feed(const AxisPositions& q_M_end, BlockEnd ends = BlockEnd::PassOn) 
 LinearMove rapid(const AxisPositions& q_M_end) {
   return {q_M_end, Traverse::Rapid, 0.0};
 }
-
-class Samples final : public TraceSink {
- public:
-  void on_sample(const TraceSample& sample) override { list.push_back(sample); }
-  std::vector<TraceSample> list;
-};
 
 MachineSetup lively(double acceleration, double jerk) {
   MachineSetup setup;
@@ -144,7 +141,7 @@ TEST(ContinuousPath, OneMoveAloneIsWhatItWasBitForBit) {
 
 // The second way: the speed between samples of the path, and the same clock with and without them.
 TEST(ContinuousPath, ATraceShowsTheWayAtItsSpeedAndChangesNothing) {
-  Samples samples;
+  TraceSamples samples;
   MachiningCentre traced(MachineSetup(), nullptr);
   MachiningCentre plain(MachineSetup(), nullptr);
   const double period_s = 0.001;
@@ -182,7 +179,7 @@ TEST(ContinuousPath, ACollisionComesAtItsMoveOnlyItsTimeIsThatOfThePath) {
   for (const bool is_traced : {false, true}) {
     testing::ScriptedSurroundings world({}, script);
     MachiningCentre centre(MachineSetup(), &world);
-    Samples samples;
+    TraceSamples samples;
     if (is_traced) {
       centre.trace(0.01, samples);
     }
@@ -274,7 +271,7 @@ struct CornerSeen {
 
 /// A way along X to (100, 0) and on along Y.
 CornerSeen corner_of(const MachineSetup& setup, ContourControl control) {
-  Samples samples;
+  TraceSamples samples;
   MachiningCentre centre(setup, nullptr);
   const double period_s = 5e-5;
   centre.trace(period_s, samples);
@@ -349,7 +346,7 @@ TEST(ContinuousPath, FeedForwardKeepsTheRadius) {
       setup.axes[i].feed_forward = feed_forward;
     }
     setup.q_M_start = axes(50, 0, 0);
-    Samples samples;
+    TraceSamples samples;
     MachiningCentre centre(setup, nullptr);
     centre.trace(0.01, samples);
     ArcMove circle;
@@ -410,7 +407,7 @@ TEST(ContinuousPath, WhatLagsBehindMayMeetSomethingDuringADwell) {
 // then, wherever it is found.
 TEST(ContinuousPath, AFaultThatIsFoundLateSaysWhoseItIs) {
   constexpr int kBlocks = 200;
-  Samples samples;
+  TraceSamples samples;
   MachiningCentre free(lagging(1.0 / 30.0), nullptr);
   free.trace(1e-4, samples);
   int late = 0;
@@ -445,7 +442,7 @@ TEST(ContinuousPath, AFaultThatIsFoundLateSaysWhoseItIs) {
 
 // What is behind is given out of a long straight way: nothing of its motion changes.
 TEST(ContinuousPath, ALongWayIsGivenOutAsItIsTravelled) {
-  Samples samples;
+  TraceSamples samples;
   MachiningCentre traced(lagging(1.0 / 30.0), nullptr);
   MachiningCentre plain(lagging(1.0 / 30.0), nullptr);
   traced.trace(0.001, samples);

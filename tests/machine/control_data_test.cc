@@ -10,9 +10,12 @@
 
 #include "machine/sim/axis_dynamics.h"
 #include "machine/sim/machining_centre.h"
+#include "tests/support/trace_samples.h"
 
 namespace g31::machine::control_data_test {
 namespace {
+
+using testing::TraceSamples;
 
 AxisPositions axes(double x, double y, double z) {
   return (AxisPositions() << x, y, z, 0, 0, 0).finished();
@@ -30,12 +33,6 @@ MachineSetup lagging(double acceleration) {
   }
   return setup;
 }
-
-class Samples final : public TraceSink {
- public:
-  void on_sample(const TraceSample& sample) override { list.push_back(sample); }
-  std::vector<TraceSample> list;
-};
 
 constexpr double kLagS = 0.06;  // of a gain of 1
 
@@ -108,7 +105,7 @@ TEST(StopWindows, AtTheEndOfTheCommandTheLagPassesTheCorner) {
   const Case kCases[] = {{BlockEnd::CommandStop, missed_by(50.0, 2000.0), 1e-6},
                          {BlockEnd::ExactStop, 0.0, 0.01}};
   for (const Case& c : kCases) {
-    Samples samples;
+    TraceSamples samples;
     MachiningCentre centre(lagging(2000.0), nullptr);
     centre.trace(25e-6, samples);
     ASSERT_TRUE(centre.move(feed(axes(50, 0, 0), 3000.0, c.ends)).ok());
@@ -265,7 +262,7 @@ TEST(Compensation, MovesTheTrueAxisByItsTables) {
   const CompensationTable product{
       2, {{0, {{0.0, 0.0}, {100.0, 0.1}}, 0.0}, {1, {{0.0, 1.0}, {10.0, 3.0}}, 0.0}}};
   centre.compensate({along, across, product});
-  Samples samples;
+  TraceSamples samples;
   centre.trace(0.01, samples);
   ASSERT_TRUE(centre.move(feed(axes(100, 20, 0), 20000.0, BlockEnd::ExactStop)).ok());
   ASSERT_GT(samples.list.size(), 50U);

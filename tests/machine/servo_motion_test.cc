@@ -9,11 +9,13 @@
 
 #include "machine/sim/machining_centre.h"
 #include "tests/support/scripted_surroundings.h"
+#include "tests/support/trace_samples.h"
 
 namespace g31::machine::servo_motion_test {
 namespace {
 
 using testing::ScriptedSurroundings;
+using testing::TraceSamples;
 
 AxisPositions axes(double x, double y, double z) {
   return (AxisPositions() << x, y, z, 0, 0, 0).finished();
@@ -33,12 +35,6 @@ MachineSetup lagging(double servo_gain, double acceleration) {
   }
   return setup;
 }
-
-class Samples final : public TraceSink {
- public:
-  void on_sample(const TraceSample& sample) override { list.push_back(sample); }
-  std::vector<TraceSample> list;
-};
 
 // The worked example of a controller manual: v = 6 m/min, a = 1 m/s^2, t = 16 ms, Kv = 1.
 TEST(BrakingDistance, IsLagBrakingAndDelayOneAfterTheOther) {
@@ -77,7 +73,7 @@ TEST(BrakingDistance, IsLongerWithLimitedJerk) {
 }
 
 TEST(ServoMotion, ASteadyAxisIsSpeedOverGainBehindItsCommand) {
-  Samples samples;
+  TraceSamples samples;
   MachiningCentre centre(lagging(1.5, 2000.0), nullptr);
   centre.trace(0.25, samples);
   ASSERT_TRUE(centre.move(feed(axes(200, 0, 0), 3000.0)).ok());  // 4 s
@@ -125,7 +121,7 @@ TEST(ServoMotion, WithoutExactStopTheCornerIsRoundedByLag) {
     for (const double acceleration : {2000.0}) {
       SCOPED_TRACE(gain * 1e4 + acceleration);
       for (const BlockEnd ends : {BlockEnd::PassOn, BlockEnd::ExactStop}) {
-        Samples samples;
+        TraceSamples samples;
         MachineSetup setup = lagging(gain, acceleration);
         setup.in_position = 0.002;
         setup.axes[0].corner_jump_per_min = 0.0;
@@ -161,7 +157,7 @@ TEST(ServoMotion, AnExactStopWaitsUntilTheAxesHaveFollowed) {
 
 // A circle at a steady speed comes out smaller: r / sqrt(1 + (w T)^2).
 TEST(ServoMotion, ACircleShrinks) {
-  Samples samples;
+  TraceSamples samples;
   MachineSetup setup = lagging(1.0, 4000.0);
   setup.q_M_start = axes(20, 0, 0);
   MachiningCentre centre(setup, nullptr);
@@ -224,7 +220,7 @@ TEST(ServoMotion, FollowsAnSCurveAsAStepByStepSolutionDoes) {
 }
 
 TEST(MotionSampler, TakesWholeMultiplesOfThePeriodThroughAllMotions) {
-  Samples samples;
+  TraceSamples samples;
   MachiningCentre centre(MachineSetup(), nullptr);
   const double period_s = 182.32e-6;
   centre.trace(period_s, samples);
@@ -247,7 +243,7 @@ TEST(MotionSampler, TakesWholeMultiplesOfThePeriodThroughAllMotions) {
 }
 
 TEST(MotionSampler, ATracedIdealMachineGivesTheSameNumbersBitForBit) {
-  Samples samples;
+  TraceSamples samples;
   ScriptedSurroundings world({{'X', 1.0 / 3.0, 0.013, false, {}}});
   ScriptedSurroundings plain_world({{'X', 1.0 / 3.0, 0.013, false, {}}});
   MachiningCentre traced(MachineSetup(), &world);
