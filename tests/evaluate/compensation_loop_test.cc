@@ -1,54 +1,24 @@
 // The loop with the files that a shop enters: a machine is measured, the table of its control is
 // written, loaded and in force, and what is left is what lines between the points leave.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "tests/evaluate/bent_slide.h"
 #include "tests/support/run_evaluate.h"
 
 namespace g31::compensation_loop_test {
 namespace {
 
+using namespace evaluate::bent_slide;  // NOLINT(google-build-using-namespace)
 using evaluate::OptionId;
 using testing::TemporaryFolder;
 
-constexpr int kStep = 100;
-constexpr int kLength = 1000;
-
-/// mm, when X stands at x; 0 at both ends.
-double error_at(double x) {
-  return 0.02 * std::sin(std::numbers::pi * x / kLength) +
-         0.003 * std::sin(7.0 * std::numbers::pi * x / kLength);
-}
-
-/// What is left of it by lines between the points.
-double left_at(double x) {
-  const double low = std::floor(x / kStep) * kStep;
-  const double share = (x - low) / kStep;
-  return error_at(x) - (1.0 - share) * error_at(low) - share * error_at(low + kStep);
-}
-
-/// The sheet's table is straight over 10 mm: an eighth of 10^2 times the largest curvature.
-constexpr double kTable = 2.1e-5;
 constexpr double kWritten = 1e-6;  // of a SINUMERIK's table: six decimals
-
-std::string sheet(const char* error) {
-  std::string text = fmt::format("[machine.errors]\n{} = [", error);
-  for (int x = 0; x <= kLength; x += 10) {
-    text += fmt::format("[{}.0, {:.12f}], ", x, error_at(x));
-  }
-  return text + "]\n";
-}
 
 /// Positions of a laser, each target twice.
 std::string positions() {
@@ -84,35 +54,10 @@ std::string table(const TemporaryFolder& folder, const std::string& kind, const 
   return testing::text_of(folder.path("table.ini"));
 }
 
-/// How far the tip is beside the encoders in X and Y, by the encoder of X.
-struct Beside {
-  double x = 0.0;
-  double dx = 0.0;
-  double dy = 0.0;
-};
-
-std::vector<Beside> driven(const TemporaryFolder& folder, const std::vector<std::string>& programs,
-                           const std::string& sheet_text) {
-  cli::RunOptions run;
-  run.programs = programs;
-  run.setups = {folder.write("machine.toml", sheet_text)};
-  run.trace = folder.path("trace.csv");
-  const auto output = testing::run_program(run);
-  EXPECT_EQ(output.exit_code, 0) << output.errors;
-  std::ifstream in(run.trace);
-  std::string line;
-  std::getline(in, line);
-  std::vector<Beside> way;
-  while (std::getline(in, line)) {
-    std::vector<double> values;
-    std::istringstream fields(line);
-    for (std::string field; std::getline(fields, field, ',');) {
-      values.push_back(std::stod(field));
-    }
-    way.push_back({values.at(4), values.at(7) - values.at(4), values.at(8) - values.at(5)});
-  }
-  EXPECT_GT(way.size(), 100U);
-  return way;
+std::vector<Beside> driven_on(const TemporaryFolder& folder,
+                              const std::vector<std::string>& programs,
+                              const std::string& sheet_text) {
+  return driven(folder, programs, {folder.write("machine.toml", sheet_text)});
 }
 
 std::vector<std::string> sinumerik(const TemporaryFolder& folder, const std::string& enabling) {
@@ -124,11 +69,11 @@ TEST(CompensationLoop, SinumerikAlongTheAxis) {
   const TemporaryFolder folder;
   table(folder, "positioning", "sinumerik");
   for (const Beside& at :
-       driven(folder, sinumerik(folder, "$MA_ENC_COMP_ENABLE[0,X]=TRUE\n"), sheet("EXX"))) {
+       driven_on(folder, sinumerik(folder, "$MA_ENC_COMP_ENABLE[0,X]=TRUE\n"), sheet("EXX"))) {
     EXPECT_NEAR(at.dx, left_at(at.x), kTable + kWritten) << at.x;
     EXPECT_EQ(at.dy, 0.0);
   }
-  for (const Beside& at : driven(folder, sinumerik(folder, ""), sheet("EXX"))) {
+  for (const Beside& at : driven_on(folder, sinumerik(folder, ""), sheet("EXX"))) {
     EXPECT_NEAR(at.dx, error_at(at.x), kTable) << "a table without MD32700 does nothing";
   }
 }
@@ -145,16 +90,17 @@ TEST(CompensationLoop, SinumerikAcrossTheAxis) {
                          {"$SN_CEC_TABLE_ENABLE[0]=TRUE\n", false},
                          {"$MA_CEC_ENABLE[X]=TRUE $SN_CEC_TABLE_ENABLE[0]=TRUE\n", false}};
   for (const Case& c : kCases) {
-    for (const Beside& at : driven(folder, sinumerik(folder, c.enabling), sheet("EYX"))) {
+    for (const Beside& at : driven_on(folder, sinumerik(folder, c.enabling), sheet("EYX"))) {
       EXPECT_NEAR(at.dy, c.counts ? left_at(at.x) : error_at(at.x), kTable + kWritten) << at.x;
       EXPECT_EQ(at.dx, 0.0);
     }
   }
-  for (const Beside& at : driven(folder,
-                                 sinumerik(folder,
-                                           "$SN_CEC_TABLE_WEIGHT[0]=0.5\n"
-                                           "$MA_CEC_ENABLE[Y]=TRUE $SN_CEC_TABLE_ENABLE[0]=TRUE\n"),
-                                 sheet("EYX"))) {
+  for (const Beside& at :
+       driven_on(folder,
+                 sinumerik(folder,
+                           "$SN_CEC_TABLE_WEIGHT[0]=0.5\n"
+                           "$MA_CEC_ENABLE[Y]=TRUE $SN_CEC_TABLE_ENABLE[0]=TRUE\n"),
+                 sheet("EYX"))) {
     EXPECT_NEAR(at.dy, 0.5 * (left_at(at.x) + error_at(at.x)), kTable + kWritten) << at.x;
   }
 }
@@ -173,10 +119,10 @@ TEST(CompensationLoop, FanucPitchErrors) {
     return std::vector<std::string>{
         folder.write("way.nc", "%\nO1\n" + before + "G90 G21 G94\nG1 X1000. F60000.\nM30\n%\n")};
   };
-  for (const Beside& at : driven(folder, program(entered), sheet("EXX"))) {
+  for (const Beside& at : driven_on(folder, program(entered), sheet("EXX"))) {
     EXPECT_NEAR(at.dx, left_at(at.x), kTable + 0.0005 * units + 1e-9) << at.x;
   }
-  for (const Beside& at : driven(folder, program(""), sheet("EXX"))) {
+  for (const Beside& at : driven_on(folder, program(""), sheet("EXX"))) {
     EXPECT_NEAR(at.dx, error_at(at.x), kTable) << at.x;
   }
 }

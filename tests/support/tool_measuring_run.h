@@ -5,7 +5,7 @@
 
 #include "tests/support/measuring_run.h"
 
-// Runs programs with CYCLE971 on a tool probe.
+// Runs programs with CYCLE971 on a tool probe, and the probe of CYCLE982.
 
 namespace g31::testing {
 
@@ -75,6 +75,23 @@ inline constexpr const char* kKnown = R"([machine_data]
 "$SNS_MEA_TP_TRIG_MINUS_DIR_AX2[0]" = 12.5
 "$SNS_MEA_TP_TRIG_PLUS_DIR_AX2[0]" = -12.5
 "$SNS_MEA_TP_TRIG_MINUS_DIR_AX3[0]" = -300.0
+"$SNS_MEA_TP_FEED[0]" = 300.0
+)";
+
+/// Of a lathe: a cube of 20 mm about X100 Z-210, its upper face across, with triggers as a
+/// calibration finds them.
+inline constexpr const char* kLatheProbe = R"([control]
+profile = "sinumerik-828d"
+[[tool_probe]]
+size = 20.0
+at = [100.0, 10.0, -210.0]
+rotate_deg = [-90.0, 0.0, 0.0]
+[machine_data]
+"$SC_TOOL_LENGTH_TYPE" = 2
+"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]" = -200.0
+"$SNS_MEA_TP_TRIG_PLUS_DIR_AX1[0]" = -220.0
+"$SNS_MEA_TP_TRIG_MINUS_DIR_AX2[0]" = 110.0
+"$SNS_MEA_TP_TRIG_PLUS_DIR_AX2[0]" = 90.0
 "$SNS_MEA_TP_FEED[0]" = 300.0
 )";
 

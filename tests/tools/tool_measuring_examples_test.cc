@@ -66,10 +66,8 @@ TEST(ToolMeasuringExamples, SpeedAndFeedFollowFromRadiusAndAccuracy) {
   }
 }
 
-/// A calibrated cube of 20 mm about X100 Z-210 of a lathe.
-constexpr const char* kLathe = R"([control]
-profile = "sinumerik-828d"
-[machine]
+/// Tools in front of kLatheProbe.
+constexpr const char* kLathe = R"([machine]
 tool_side = "ZX"
 [tools.5]
 length = 50.0
@@ -89,17 +87,6 @@ number = 5
 kind = "turning"
 lengths = [50.0, 80.0, 0.0]
 tip_radius = 0.4
-[[tool_probe]]
-size = 20.0
-at = [100.0, 10.0, -210.0]
-rotate_deg = [-90.0, 0.0, 0.0]
-[machine_data]
-"$SC_TOOL_LENGTH_TYPE" = 2
-"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]" = -200.0
-"$SNS_MEA_TP_TRIG_PLUS_DIR_AX1[0]" = -220.0
-"$SNS_MEA_TP_TRIG_MINUS_DIR_AX2[0]" = 110.0
-"$SNS_MEA_TP_TRIG_PLUS_DIR_AX2[0]" = 90.0
-"$SNS_MEA_TP_FEED[0]" = 300.0
 )";
 
 /// The data say 50.3 and 79.6, the tool has 50 and 80.
@@ -130,7 +117,7 @@ TEST(ToolMeasuringExamples, EdgePositionsSayWhichLengthsAreMeasured) {
         fmt::format("$TC_DP3[5,1]=50.3 $TC_DP4[5,1]=79.6 $TC_DP2[5,1]={}\nT5 M6\nG18 D1 DIAMOF\n"
                     "G0 SUPA X{} Z{}\nCYCLE982(2,0,1,0,0,0,5,2,,,,0.0001,1)",
                     row.position, row.x, row.z),
-        {kLathe, tool}, names_of(expected));
+        {kLatheProbe, kLathe, tool}, names_of(expected));
     expect_values(run, expected, kExactly);
     const auto signals = signals_of(run);
     ASSERT_EQ(signals.size(), row.position <= 4 ? 2U : 1U);
@@ -148,7 +135,7 @@ TEST(ToolMeasuringExamples, TheSecondSpindlePositionTakesTheOffsetAngle) {
   const MeasuringRun run = run_on_sheets(
       "$TC_DP3[6,1]=0 $TC_DP4[6,1]=90\nT6 M6\nG18 D1 DIAMOF\nG0 SUPA X300 Z-150\n"
       "CYCLE982(1101,0,1,2,2,0,5,2,,10,-3,0.0001,1)",
-      {kLathe}, names_of(expected));
+      {kLatheProbe, kLathe}, names_of(expected));
   expect_values(run, expected, kExactly);
 }
 
@@ -173,9 +160,10 @@ std::string insert(int number, double l1, double l2, double radius) {
 }
 
 void expect_on_lathe(const std::string& program, const std::vector<ExpectedValue>& expected) {
-  const MeasuringRun run = run_on_sheets(
-      program, {kLathe, kMachineAndWork, insert(5, 50.0, 80.0, 0.4) + insert(9, 60.0, 70.0, 1.0)},
-      names_of(expected));
+  const MeasuringRun run = run_on_sheets(program,
+                                         {kLatheProbe, kLathe, kMachineAndWork,
+                                          insert(5, 50.0, 80.0, 0.4) + insert(9, 60.0, 70.0, 1.0)},
+                                         names_of(expected));
   expect_values(run, expected, kExactly);
 }
 

@@ -14,22 +14,6 @@ namespace {
 
 constexpr double kExactly = 1e-6;  // mm
 
-/// A calibrated cube of 20 mm about X100 Z-210.
-constexpr const char* kCube = R"([control]
-profile = "sinumerik-828d"
-[[tool_probe]]
-size = 20.0
-at = [100.0, 10.0, -210.0]
-rotate_deg = [-90.0, 0.0, 0.0]
-[machine_data]
-"$SC_TOOL_LENGTH_TYPE" = 2
-"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]" = -200.0
-"$SNS_MEA_TP_TRIG_PLUS_DIR_AX1[0]" = -220.0
-"$SNS_MEA_TP_TRIG_MINUS_DIR_AX2[0]" = 110.0
-"$SNS_MEA_TP_TRIG_PLUS_DIR_AX2[0]" = 90.0
-"$SNS_MEA_TP_FEED[0]" = 300.0
-)";
-
 constexpr const char* kLathe = R"([machine]
 tool_side = "ZX"
 )";
@@ -92,7 +76,7 @@ std::string with_tool(int tool, double l1, double l2, const std::string& data = 
 
 MeasuringRun run_mills(const std::string& body, const char* machine,
                        const std::vector<std::string>& names) {
-  return run_on_sheets(body, {kCube, machine, kTools}, names);
+  return run_on_sheets(body, {kLatheProbe, machine, kTools}, names);
 }
 
 void expect_mills(const std::string& body, const char* machine,

@@ -14,11 +14,8 @@ namespace {
 
 constexpr double kExactly = 1e-6;  // mm
 
-/// A cube of 20 mm about X100 Z-210, its upper face across; tools 5 and 9 turn, 6 and 7 mill and
-/// drill.  The triggers are up to 0.5 mm off.
-constexpr const char* kLathe = R"([control]
-profile = "sinumerik-828d"
-[machine]
+/// Tools 5 and 9 turn, 6 and 7 mill and drill.
+constexpr const char* kLathe = R"([machine]
 tool_side = "ZX"
 [tools.5]
 length = 50.0
@@ -57,24 +54,14 @@ kind = "turning"
 lengths = [60.0, 70.0, 0.0]
 tip_radius = 1.0
 edge_position = 3
-[[tool_probe]]
-size = 20.0
-at = [100.0, 10.0, -210.0]
-rotate_deg = [-90.0, 0.0, 0.0]
-[machine_data]
-"$SC_TOOL_LENGTH_TYPE" = 2
+)";
+
+/// The triggers up to 0.5 mm off.
+constexpr const char* kOff = R"([machine_data]
 "$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]" = -199.5
 "$SNS_MEA_TP_TRIG_PLUS_DIR_AX1[0]" = -220.3
 "$SNS_MEA_TP_TRIG_MINUS_DIR_AX2[0]" = 110.4
 "$SNS_MEA_TP_TRIG_PLUS_DIR_AX2[0]" = 89.5
-"$SNS_MEA_TP_FEED[0]" = 300.0
-)";
-
-constexpr const char* kTrue = R"([machine_data]
-"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]" = -200.0
-"$SNS_MEA_TP_TRIG_PLUS_DIR_AX1[0]" = -220.0
-"$SNS_MEA_TP_TRIG_MINUS_DIR_AX2[0]" = 110.0
-"$SNS_MEA_TP_TRIG_PLUS_DIR_AX2[0]" = 90.0
 )";
 
 /// The tool with its edge data, away from the probe in X and Z.
@@ -87,17 +74,9 @@ std::string with_edge(int tool, double l1, double l2, int position, const char* 
 
 void expect_turned(const std::string& body, const std::vector<std::string>& sheets,
                    const std::vector<ExpectedValue>& expected) {
-  std::vector<std::string> all = {kLathe};
+  std::vector<std::string> all = {kLatheProbe, kLathe};
   all.insert(all.end(), sheets.begin(), sheets.end());
-  std::vector<std::string> names;
-  for (const ExpectedValue& row : expected) {
-    names.push_back(row.name);
-  }
-  const MeasuringRun run = run_on_sheets(body, all, names);
-  EXPECT_EQ(run.output.exit_code, 0) << run.output.errors;
-  for (const ExpectedValue& row : expected) {
-    EXPECT_NEAR(run.at(row.name), row.value, kExactly) << row.name;
-  }
+  expect_values(run_on_sheets(body, all, names_of(expected, {})), expected, kExactly);
 }
 
 TEST(TurnedToolProbe, IsCalibratedFromFourSides) {
@@ -106,7 +85,7 @@ TEST(TurnedToolProbe, IsCalibratedFromFourSides) {
                     "CYCLE982(0,0,1,2,2,0,5,2)\nR3=_OVR[12] R4=_OVR[13]\n"
                     "G0 SUPA Z-260\nG0 SUPA X100\nCYCLE982(0,0,1,1,1,0,5,2)\n"
                     "G0 SUPA X60\nCYCLE982(0,0,1,2,1,0,5,2)",
-                {},
+                {kOff},
                 {{"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]", -200.0},
                  {"$SNS_MEA_TP_TRIG_PLUS_DIR_AX1[0]", -220.0},
                  {"$SNS_MEA_TP_TRIG_MINUS_DIR_AX2[0]", 110.0},
@@ -128,7 +107,7 @@ TEST(TurnedToolProbe, MeasuresBothLengthsOfATurningToolInRadiusAndInDiameter) {
                       "CYCLE982(2,0,1,0,0,0,5,2,,,,0.0001,1)\n"
                       "R1=_OVR[8] R2=_OVR[9] R3=_OVR[10] R4=_OVR[11]\n"
                       "CYCLE982(2,0,1,0,0,0,5,2)",
-                  {kTrue},
+                  {},
                   {{"R1", 50.0},
                    {"R2", -0.3},
                    {"R3", 80.0},
@@ -146,7 +125,7 @@ TEST(TurnedToolProbe, FindsABelievedTurningToolAsItsDataSay) {
       "[[tool]]\nnumber = 9\nkind = \"turning\"\nlengths = [60.0, 70.0, 0.0]\ntip_radius = 1.0\n";
   expect_turned(with_edge(5, 50.3, 79.6, 3) + "R1=$P_TOOLL[1] R2=$P_TOOLL[2] R3=$P_TOOLL[3]\n" +
                     "CYCLE982(2,0,1,0,0,0,5,2,,,,0.0001,1)",
-                {kTrue, kCalibrationToolAlone},
+                {kCalibrationToolAlone},
                 {{"R1", 50.3},
                  {"R2", 79.6},
                  {"R3", 0.0},
@@ -163,7 +142,7 @@ TEST(TurnedToolProbe, MeasuresTheSameInEachUnit) {
     const std::string limits = fmt::format("{:.12f},{:.12f}", 5.0 / unit, 2.0 / unit);
     expect_turned(with_edge(9, 60.0, 70.0, 3) + code + "\nCYCLE982(0,0,1,1,2,0," + limits +
                       ")\nR1=_OVR[8] R2=$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]\nG710",
-                  {},
+                  {kOff},
                   {{"R1", -200.0 / unit},
                    {"R2", -200.0 / (std::string(code) == "G700" ? unit : 1.0)},
                    {"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]", -200.0}});
@@ -171,7 +150,7 @@ TEST(TurnedToolProbe, MeasuresTheSameInEachUnit) {
         with_edge(5, 50.3, 79.6, 3, "DIAMON") + code + "\nCYCLE982(2,0,1,0,0,0," + limits +
             fmt::format(",,,,{:.12f},{:.12f}", 0.0001 / unit, 1.0 / unit) +
             ")\nR1=_OVR[8] R2=_OVR[10]\nG710",
-        {kTrue},
+        {},
         {{"R1", 50.0 / unit}, {"R2", 80.0 / unit}, {"$TC_DP3[5,1]", 50.0}, {"$TC_DP4[5,1]", 80.0}});
   }
 }
@@ -180,7 +159,7 @@ TEST(TurnedToolProbe, MeasuresOneLengthIntoTheWear) {
   expect_turned(with_edge(5, 50.3, 79.6, 3) +
                     "CYCLE982(1,1,1,1,2,0,5,2,,,,0.0001,1)\n"
                     "CYCLE982(1,1,1,2,0,0,5,2,,,,0.0001,1)",
-                {kTrue},
+                {},
                 {{"$TC_DP3[5,1]", 50.3},
                  {"$TC_DP12[5,1]", -0.3},
                  {"$TC_DP4[5,1]", 79.6},
@@ -190,7 +169,7 @@ TEST(TurnedToolProbe, MeasuresOneLengthIntoTheWear) {
 TEST(TurnedToolProbe, MeasuresMillsAndDrills) {
   expect_turned("$TC_DP6[6,1]=5.1\n" + with_edge(6, 0.3, 89.8, 0) +
                     "CYCLE982(2002,0,1,0,0,0,5,2,,,,0.0001,1)",
-                {kTrue},
+                {},
                 {{"$TC_DP3[6,1]", 0.0},
                  {"$TC_DP4[6,1]", 90.0},
                  {"$TC_DP6[6,1]", 5.0},
@@ -200,11 +179,11 @@ TEST(TurnedToolProbe, MeasuresMillsAndDrills) {
                  {"_OVR[13]", -0.1}});
   expect_turned("$TC_DP6[6,1]=4.8\n" + with_edge(6, 0.0, 90.0, 0) +
                     "CYCLE982(1001,0,1,2,2,0,5,2,,,,0.0001,1)",
-                {kTrue}, {{"$TC_DP6[6,1]", 5.0}, {"$TC_DP3[6,1]", 0.0}});
+                {}, {{"$TC_DP6[6,1]", 5.0}, {"$TC_DP3[6,1]", 0.0}});
   expect_turned("$TC_DP6[6,1]=5.2\n" + with_edge(6, 0.3, 90.0, 0) +
                     "CYCLE982(2101,0,1,2,0,0,5,2,,15,0,0.0001,1)",
-                {kTrue}, {{"$TC_DP6[6,1]", 5.0}, {"$TC_DP3[6,1]", 0.0}});
-  expect_turned(with_edge(7, 0.0, 110.4, 0) + "CYCLE982(1,0,1,1,2,0,5,2,,,,0.0001,1)", {kTrue},
+                {}, {{"$TC_DP6[6,1]", 5.0}, {"$TC_DP3[6,1]", 0.0}});
+  expect_turned(with_edge(7, 0.0, 110.4, 0) + "CYCLE982(1,0,1,1,2,0,5,2,,,,0.0001,1)", {},
                 {{"$TC_DP4[7,1]", 110.0}, {"_OVR[11]", -0.4}});
 }
 
@@ -246,7 +225,7 @@ TEST(TurnedToolProbe, EachAlarmWritesNothing) {
     const std::vector<std::string> written = {"$TC_DP3[5,1]", "$TC_DP4[5,1]", "$TC_DP12[5,1]",
                                               "$TC_DP13[5,1]", "$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]"};
     const MeasuringRun run = run_on_sheets(
-        with_edge(5, 50.3, 79.6, 3) + row.before + "\n" + row.call, {kLathe, kTrue}, written);
+        with_edge(5, 50.3, 79.6, 3) + row.before + "\n" + row.call, {kLatheProbe, kLathe}, written);
     EXPECT_EQ(run.alarm(), row.alarm) << run.output.errors;
     EXPECT_EQ(run.at(written[0]), 50.3);
     EXPECT_EQ(run.at(written[1]), 79.6);
@@ -259,7 +238,7 @@ TEST(TurnedToolProbe, EachAlarmWritesNothing) {
 TEST(TurnedToolProbe, OneDifferenceBeyondThePermissibleOneCorrectsNothing) {
   const MeasuringRun run =
       run_on_sheets(with_edge(5, 50.3, 79.6, 3) + "CYCLE982(2,0,1,0,0,0,5,2,,,,0.0001,0.35)",
-                    {kLathe, kTrue}, {"$TC_DP3[5,1]", "$TC_DP4[5,1]", "_OVI[9]"});
+                    {kLatheProbe, kLathe}, {"$TC_DP3[5,1]", "$TC_DP4[5,1]", "_OVI[9]"});
   EXPECT_EQ(run.alarm(), 0) << run.output.errors;
   EXPECT_EQ(run.at("_OVI[9]"), 61306.0);
   EXPECT_EQ(run.at("$TC_DP3[5,1]"), 50.3);
