@@ -41,8 +41,8 @@ BROKEN = [
     }),
     ("sinumerik/run/run_numbers.cc", "sinumerik/vocabulary/op_codes.def", {"NUMBER_STEP(Halve)": "Halve"}),
     ("sinumerik/run/runner.cc", "sinumerik/vocabulary/op_codes.def", {"RUNNER_STEP(Restart, restart)": "restart"}),
-    ("sinumerik/code/compile_call.cc", "sinumerik/vocabulary/keywords.def", {
-        'KEYWORD(RESTART, restart_statement, "RESTART", "compiled by nothing")': "restart_statement",
+    ("sinumerik/code/compiler.cc", "sinumerik/vocabulary/keywords.def", {
+        'KEYWORD(RESTART, calls, restart_statement, "RESTART", "compiled by nothing")': "restart_statement",
     }),
     ("fanuc/state/evaluate.cc", "fanuc/vocabulary/functions.def", {
         'FUNCTION(HALF, One, Yes, "computed by nothing")': "HALF",

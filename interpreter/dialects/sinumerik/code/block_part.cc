@@ -16,6 +16,15 @@ std::uint32_t BlockPart::keep_arguments(const std::vector<Argument>& list) {
   return first;
 }
 
+void BlockPart::set_target(std::int32_t jump, std::int32_t target) {
+  if (jump >= 0) {
+    Op& op = code_.step(jump);
+    // Of a block that is wrong its alarm stays, behind its first step.
+    const std::int32_t alarm = static_cast<std::int32_t>(code_.first_step()) + 1;
+    (op.code == OpCode::Jump ? op.a : op.b).place = failed() ? alarm : target;
+  }
+}
+
 Argument argument_of(const Expr& expr) {
   Argument argument;
   argument.form = expr.is_whole_array  ? Argument::Form::Whole

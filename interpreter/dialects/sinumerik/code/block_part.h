@@ -50,6 +50,8 @@ class BlockPart {
     return program_.constants[static_cast<std::size_t>(constant.value.place)];
   }
   std::uint32_t keep_arguments(const std::vector<Argument>& list);
+  /// @param jump  step of a jump; below 0: there is none
+  void set_target(std::int32_t jump, std::int32_t target);
 
   BlockReader& reader_;
   TokenCursor& cursor_;

@@ -14,8 +14,8 @@ namespace {
 const NameMap<bool>& keyword_kinds() {
   static const NameMap<bool> kRefused = [] {
     NameMap<bool> map;
-    constexpr std::string_view kRefusing = "refused_statement";
-#define KEYWORD(name, handler, form, text) map.emplace(#name, #handler == kRefusing);
+    constexpr std::string_view kRefusing = "refuse";
+#define KEYWORD(name, part, statement, form, text) map.emplace(#name, #statement == kRefusing);
 #include "interpreter/dialects/sinumerik/vocabulary/keywords.def"
 #undef KEYWORD
     return map;
@@ -51,18 +51,22 @@ void BlockReader::fail(AlarmId id, ShortSpan where, std::string_view detail) {
 }
 
 std::string BlockReader::text_of(ShortSpan where) const {
-  return where.end > where.begin
-             ? source::printable(text_.substr(where.begin, where.end - where.begin))
-             : std::string("the end of the block");
+  return where.end > where.begin ? source::printable(source(where))
+                                 : std::string("the end of the block");
 }
 
-void refuse(BlockReader& reader) {
-  const std::string_view name = reader.cursor.previous().text;
+void BlockReader::pass_over() {
+  while (cursor.peek().kind != TokenKind::End) {
+    cursor.next();
+  }
+}
+
+void BlockReader::refuse() {
+  const std::string_view name = cursor.previous().text;
   const auto row = std::ranges::find(keywords(), name, &KeywordInfo::name);
   const bool is_known = row != keywords().end();
-  reader.fail(AlarmId::NotImplemented, reader.block(),
-              is_known ? std::string(name) + ": " + std::string(row->text)
-                       : reader.text_of(reader.block()));
+  fail(AlarmId::NotImplemented, block_,
+       is_known ? std::string(name) + ": " + std::string(row->text) : text_of(block_));
 }
 
 bool is_keyword(std::string_view name) {

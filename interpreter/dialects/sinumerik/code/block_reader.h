@@ -32,6 +32,14 @@ class BlockReader {
 
   void expect(Symbol symbol);
   void expect_end();
+  /// What makes no difference at a desk: the rest of the block.
+  void pass_over();
+  /// What g31 knows the name of, and no more: fails with the row of the word that was read last.
+  void refuse();
+  /// As it stands in the text.
+  [[nodiscard]] std::string_view source(ShortSpan where) const {
+    return text_.substr(where.begin, where.end - where.begin);
+  }
   /// As messages show it.
   [[nodiscard]] std::string text_of(ShortSpan where) const;
 
@@ -42,9 +50,7 @@ class BlockReader {
   std::optional<BlockError> error_;
 };
 
-/// What g31 knows the name of, and no more: fails with the row of the word that was read last.
-void refuse(BlockReader& reader);
-/// Whether a word of keywords.def is one of those.
+/// Whether a word of keywords.def is one that BlockReader::refuse() refuses.
 bool is_refused(std::string_view name);
 /// Whether keywords.def has a word.
 bool is_keyword(std::string_view name);

@@ -211,7 +211,7 @@ Expr Expressions::name_in_expression() {
     return axis_of_data(name);
   }
   if (is_refused(name.text)) {
-    refuse(reader_);
+    reader_.refuse();
   } else {
     fail(AlarmId::NotDefined, name.where, name.text);
   }

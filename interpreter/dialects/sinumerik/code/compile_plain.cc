@@ -29,7 +29,7 @@ bool Compiler::plain_block(ShortSpan line) {
   program_.spans.back() = block();
   const bool is_plain = read == PlainWords::Read::End;
   if (is_plain && !failed()) {
-    finish_words();
+    words_.finish_block();
   }
   if (!is_plain || failed()) {
     program_.block_numbers.resize(numbers_before);

@@ -28,13 +28,15 @@ Compiler::Compiler(const ProgramSource& source, const Globals& globals, Purpose 
       scanner_(text_),
       whole_(source.text),
       nc_(program_, code_),
-      structures_(program_),
       variables_(work(), globals),
       expressions_(work(), variables_, globals, purpose),
-      operations_(expressions_.operations()),
       assignments_(work(), variables_, expressions_),
-      words_(work(), globals, expressions_, nc_),
-      definitions_(work(), globals, purpose, variables_, assignments_) {
+      words_(work(), globals, purpose, expressions_, nc_),
+      definitions_(work(), globals, purpose, variables_, assignments_),
+      jumps_(work(), variables_, expressions_),
+      structures_(work(), variables_, assignments_, jumps_),
+      calls_(work(), expressions_, words_, jumps_),
+      actions_(work(), variables_, expressions_, nc_, *this) {
   program_.name = source.name;
   program_.folder = source.folder;
   program_.file = source.file;
@@ -87,8 +89,8 @@ std::unique_ptr<CompiledProgram> Compiler::run() {
 
 void Compiler::end_of_text() {
   reader_.set_block({whole_.end, whole_.end});
-  structures_.end(code_);
-  jumps_.resolve(program_, code_);
+  structures_.end();
+  jumps_.resolve();
   code_.emit(end_, {}, {}, {}, block());
 }
 
@@ -131,7 +133,7 @@ std::unique_ptr<CompiledProgram> Compiler::run_expression() {
   find_letter_names(cursor_.tokens(), program_.locals);
   reader_.set_block(whole_);
   const Expr value = expressions_.expression();
-  operations_.expect_value(value);
+  expressions_.operations().expect_value(value);
   expect_end();
   if (failed()) {
     raise_from(0);

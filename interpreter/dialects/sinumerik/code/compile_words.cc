@@ -380,4 +380,15 @@ bool WordCompiler::named_word() {
   return true;
 }
 
+void WordCompiler::finish_block() {
+  if (nc_.has_words() && purpose_ == Purpose::Definitions) {
+    fail(AlarmId::BadDefinition, block(), "a definition file may hold definitions only");
+    return;
+  }
+  if (nc_.has_words()) {
+    nc_.execute(block());
+  }
+  nc_.end(block());
+}
+
 }  // namespace g31::sinumerik

@@ -7,6 +7,19 @@
 
 namespace g31::sinumerik {
 
+Compiler::Handler Compiler::find_handler(std::string_view name) {
+  static const NameMap<Handler> kHandlers = [] {
+    NameMap<Handler> map;
+#define KEYWORD(name, part, statement, form, text) \
+  map.emplace(#name, [](Compiler& compiler) { compiler.part##_.statement(); });
+#include "interpreter/dialects/sinumerik/vocabulary/keywords.def"
+#undef KEYWORD
+    return map;
+  }();
+  const auto found = kHandlers.find(name);
+  return found != kHandlers.end() ? found->second : nullptr;
+}
+
 void Compiler::read_block(ShortSpan span) {
   std::vector<Token>& tokens = cursor_.tokens();
   scanner_.scan(span, tokens);
@@ -80,7 +93,7 @@ void Compiler::label_or_number() {
       cursor_.peek(1).is(Symbol::Colon) ||
       (cursor_.peek().kind == TokenKind::Letter && cursor_.peek(2).is(Symbol::Colon));
   if (is_label) {
-    if (const auto name = label_name()) {
+    if (const auto name = jumps_.label_name()) {
       program_.labels[*name].push_back(code_.here() - 1);
     }
     expect(Symbol::Colon);
@@ -98,7 +111,7 @@ void Compiler::letter_item() {
   }
   cursor_.next();
   if (letter.is_letter('L') && numbered) {
-    call_by_name("L" + std::string(cursor_.next().text), letter.where);
+    calls_.call_by_name("L" + std::string(cursor_.next().text), letter.where);
     return;
   }
   words_.letter_word(letter);
@@ -113,7 +126,7 @@ void Compiler::statement() {
     }
   }
   if (!failed()) {
-    finish_words();
+    words_.finish_block();
   }
 }
 
@@ -132,13 +145,13 @@ void Compiler::item() {
     cursor_.next();  // the lengths of the file, as those of the basic system
     return;
   }
-  if (const Handler handler = find_keyword(token.text)) {
+  if (const Handler handler = find_handler(token.text)) {
     cursor_.next();
-    (this->*handler)();
+    handler(*this);
     return;
   }
   if (const auto id = find_procedure(token.text)) {
-    procedure(*id, cursor_.next().where);
+    calls_.procedure(*id, cursor_.next().where);
     return;
   }
   if (!program_.locals.contains(token.text) && words_.named_word()) {
@@ -154,27 +167,7 @@ void Compiler::item() {
   } else if (cursor_.peek().is(Symbol::Assign) || cursor_.peek().is(Symbol::LeftBracket)) {
     fail(AlarmId::NotDefined, name.where, name.text);
   } else {
-    call_by_name(std::string(name.text), name.where);
-  }
-}
-
-void Compiler::finish_words() {
-  if (nc_.has_words() && purpose_ == Purpose::Definitions) {
-    fail(AlarmId::BadDefinition, block(), "a definition file may hold definitions only");
-    return;
-  }
-  if (nc_.has_words()) {
-    nc_.execute(block());
-  }
-  nc_.end(block());
-}
-
-void Compiler::set_target(std::int32_t jump, std::int32_t target) {
-  if (jump >= 0) {
-    Op& op = code_.step(jump);
-    // Of a block that is wrong its alarm stays, behind its first step.
-    const std::int32_t alarm = static_cast<std::int32_t>(code_.first_step()) + 1;
-    (op.code == OpCode::Jump ? op.a : op.b).place = failed() ? alarm : target;
+    calls_.call_by_name(std::string(name.text), name.where);
   }
 }
 

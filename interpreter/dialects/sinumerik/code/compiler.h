@@ -1,15 +1,13 @@
 #pragma once
 
 #include <memory>
-#include <optional>
-#include <string>
-#include <vector>
+#include <string_view>
 
+#include "interpreter/dialects/sinumerik/code/action_statements.h"
+#include "interpreter/dialects/sinumerik/code/call_statements.h"
 #include "interpreter/dialects/sinumerik/code/compile.h"
 #include "interpreter/dialects/sinumerik/code/definitions.h"
-#include "interpreter/dialects/sinumerik/code/label_jumps.h"
-#include "interpreter/dialects/sinumerik/code/structures.h"
-#include "interpreter/dialects/sinumerik/code/word_compiler.h"
+#include "interpreter/dialects/sinumerik/code/structure_statements.h"
 #include "interpreter/dialects/sinumerik/text/plain_words.h"
 
 namespace g31::sinumerik {
@@ -26,7 +24,7 @@ struct CompilerMemory {
 
 /// Translates one program block by block, in one go.  A block that is wrong is taken back and a
 /// Raise stands in its place.
-class Compiler : private CompilerMemory, private BlockPart {
+class Compiler final : private CompilerMemory, private BlockPart, private BlockItems {
  public:
   Compiler(const ProgramSource& source, const Globals& globals, Purpose purpose);
 
@@ -42,7 +40,7 @@ class Compiler : private CompilerMemory, private BlockPart {
   std::unique_ptr<CompiledProgram> run_expression();
 
  private:
-  using Handler = void (Compiler::*)();
+  using Handler = void (*)(Compiler&);
 
   // compiler.cc: blocks and what is wrong with them
   void read_block(ShortSpan span);
@@ -51,12 +49,10 @@ class Compiler : private CompilerMemory, private BlockPart {
   void block_head();
   void label_or_number();
   void statement();
-  void item();
+  void item() override;
   void letter_item();
-  void finish_words();
   void take_back(std::size_t first_step);
   void raise_from(std::size_t first_step);
-  void set_target(std::int32_t jump, std::int32_t target);
 
   // compile_program.cc
   bool lone_block(ShortSpan line);
@@ -68,76 +64,7 @@ class Compiler : private CompilerMemory, private BlockPart {
   bool plain_block(ShortSpan line);
   bool plain_word(const PlainWord& word);
 
-  // compile_structure.cc
-  void if_statement();
-  void else_statement();
-  void endif_statement();
-  void loop_statement();
-  void endloop_statement();
-  void for_statement();
-  void endfor_statement();
-  void while_statement();
-  void endwhile_statement();
-  void repeat_statement();
-  void until_statement();
-  void case_statement();
-  void goto_statement();
-  void gotof_statement();
-  void gotob_statement();
-  void gotoc_statement();
-  void gotos_statement();
-  void repeatb_statement();
-  void jump(Direction direction);
-  [[nodiscard]] bool jumps_behind() const;
-  void jump_to(Direction direction);
-  bool jump_statement();
-  void repeat_part(bool one_block);
-  void emit_part(LabelJumps::Part part, Operand passes);
-  void call_block();
-  std::optional<std::string> label_name();
-  void open(StructureKind kind, std::int32_t head, std::int32_t exit, const Expr& counter = {});
-  std::optional<Structure> close(StructureKind kind);
-  std::optional<Structure> close_loop(StructureKind kind);
-  void back_to(const Structure& loop);
-  void keep_element(Expr& counter);
-
-  // Handlers that a part has.
-  void def_statement() { definitions_.def_statement(); }
-  void rights_statement() { definitions_.rights_statement(); }
-  void define_statement() { definitions_.define_statement(); }
-  void proc_statement() { definitions_.proc_statement(); }
-  void extern_statement() { definitions_.extern_statement(); }
-  void redef_statement() { definitions_.redef_statement(); }
-  void refused_statement() { refuse(reader_); }
-
-  // compile_call.cc
-  void call_by_name(std::string name, ShortSpan where);
-  void call_statement();
-  void pcall_statement();
-  void mcall_statement();
-  void extcall_statement();
-  void ret_statement();
-  void procedure(ProcedureId id, ShortSpan where);
-  std::vector<Argument> argument_list();
-  void call(CallSite site, ShortSpan where);
-  void idle_statement();
-  void when_statement();
-
-  // compile_actions.cc
-  struct ActionText {
-    std::string text;  ///< a block
-    bool deletes_distance = false;
-  };
-  void numbered_action();
-  void action_statement();
-  void synchronised_action(std::string_view word, ActionScope scope, const Expr& number);
-  bool judge_condition(std::size_t from);
-  bool may_act(const Token& action);
-  bool accept_unit();
-  ActionText action_list(ActionKind kind, bool is_timed);
-  void judge_action(std::size_t from, ActionKind kind, bool is_timed);
-
-  static Handler find_keyword(std::string_view name);
+  static Handler find_handler(std::string_view name);
 
   [[nodiscard]] BlockWork work() { return {reader_, program_, code_}; }
 
@@ -147,14 +74,18 @@ class Compiler : private CompilerMemory, private BlockPart {
   Scanner scanner_;
   ShortSpan whole_;
   NcBlockWriter nc_;
-  Structures structures_;
-  LabelJumps jumps_;
   KnownVariables variables_;
   Expressions expressions_;
-  Operations& operations_;
   Assignments assignments_;
   WordCompiler words_;
+
+  // The parts that keywords.def names
   Definitions definitions_;
+  JumpStatements jumps_;
+  StructureStatements structures_;
+  CallStatements calls_;
+  ActionStatements actions_;
+
   OpCode end_ = OpCode::EndProgram;  ///< of the text
 };
 

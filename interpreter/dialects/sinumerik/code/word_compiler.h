@@ -15,10 +15,11 @@ namespace g31::sinumerik {
 class WordCompiler : private BlockPart {
  public:
   /// All outlive it.
-  WordCompiler(const BlockWork& work, const Globals& globals, Expressions& expressions,
-               NcBlockWriter& nc)
+  WordCompiler(const BlockWork& work, const Globals& globals, Purpose purpose,
+               Expressions& expressions, NcBlockWriter& nc)
       : BlockPart(work),
         globals_(globals),
+        purpose_(purpose),
         expressions_(expressions),
         operations_(expressions.operations()),
         accesses_(expressions.accesses()),
@@ -37,6 +38,9 @@ class WordCompiler : private BlockPart {
   /// A word that needs no step of its own: the block knows it.
   void constant_word(Address address, double value, ShortSpan where);
 
+  /// The words of the block are all there: the step that executes them.
+  void finish_block();
+
  private:
   [[nodiscard]] bool is_assigned(std::size_t ahead) const;
   bool word_of_another_spindle(const Token& letter, double extension);
@@ -54,6 +58,7 @@ class WordCompiler : private BlockPart {
   void spindle_word(Address address, const Expr& spindle, ShortSpan where);
 
   const Globals& globals_;
+  Purpose purpose_;
   Expressions& expressions_;
   Operations& operations_;
   Accesses& accesses_;

@@ -22,7 +22,7 @@ constexpr auto kProcedures = std::to_array<ProcedureInfo>({
 });
 
 constexpr auto kKeywords = std::to_array<KeywordInfo>({
-#define KEYWORD(name, handler, form, text) {#name, form, text},
+#define KEYWORD(name, part, statement, form, text) {#name, form, text},
 #include "interpreter/dialects/sinumerik/vocabulary/keywords.def"
 #undef KEYWORD
 });

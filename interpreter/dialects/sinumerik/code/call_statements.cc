@@ -1,19 +1,17 @@
-#include <algorithm>
-#include <array>
-#include <string_view>
+#include "interpreter/dialects/sinumerik/code/call_statements.h"
 
-#include "interpreter/dialects/sinumerik/code/compiler.h"
+#include <utility>
 
 namespace g31::sinumerik {
 
 /// NAME, NAME(arguments), NAME P3
-void Compiler::call_by_name(std::string name, ShortSpan where) {
+void CallStatements::call_by_name(std::string name, ShortSpan where) {
   CallSite site;
   site.name = std::move(name);
   call(site, where);
 }
 
-std::vector<Argument> Compiler::argument_list() {
+std::vector<Argument> CallStatements::argument_list() {
   std::vector<Argument> list;
   if (cursor_.accept(Symbol::RightParen)) {
     return list;
@@ -33,7 +31,7 @@ std::vector<Argument> Compiler::argument_list() {
   return list;
 }
 
-void Compiler::call(CallSite site, ShortSpan where) {
+void CallStatements::call(CallSite site, ShortSpan where) {
   std::vector<Argument> list;
   if (cursor_.accept(Symbol::LeftParen)) {
     site.has_arguments = true;
@@ -49,7 +47,7 @@ void Compiler::call(CallSite site, ShortSpan where) {
     return;
   }
   // The words before the call belong to the same block and come first.
-  finish_words();
+  words_.finish_block();
   site.first_argument = keep_arguments(list);
   site.argument_count = static_cast<std::uint32_t>(list.size());
   program_.calls.push_back(std::move(site));
@@ -58,9 +56,9 @@ void Compiler::call(CallSite site, ShortSpan where) {
 }
 
 /// CALL text
-void Compiler::call_statement() {
+void CallStatements::call_statement() {
   if (cursor_.peek().is_name("BLOCK")) {
-    call_block();
+    jumps_.call_block();
     return;
   }
   CallSite site;
@@ -74,7 +72,7 @@ void Compiler::call_statement() {
   call(site, name.where);
 }
 
-void Compiler::extcall_statement() {
+void CallStatements::extcall_statement() {
   const bool bracket = cursor_.accept(Symbol::LeftParen);
   CallSite site;
   const Expr name = operations_.as_text(expressions_.expression());
@@ -86,19 +84,19 @@ void Compiler::extcall_statement() {
 }
 
 /// PCALL path/name(arguments): the path goes up to the bracket.
-void Compiler::pcall_statement() {
+void CallStatements::pcall_statement() {
   const ShortSpan first = cursor_.peek().where;
   ShortSpan whole = first;
   while (cursor_.peek().kind != TokenKind::End && !cursor_.peek().is(Symbol::LeftParen)) {
     whole.end = cursor_.next().where.end;
   }
   CallSite site;
-  site.text = code_.text_constant(std::string(text_.substr(whole.begin, whole.end - whole.begin)));
+  site.text = code_.text_constant(std::string(reader_.source(whole)));
   call(site, whole);
 }
 
 /// MCALL name(arguments): each block that moves calls it; MCALL alone ends that.
-void Compiler::mcall_statement() {
+void CallStatements::mcall_statement() {
   CallSite site;
   site.is_modal = true;
   const Token name = cursor_.peek();
@@ -118,7 +116,7 @@ void Compiler::mcall_statement() {
 
 /// RET, RET(target, behind, levels): back to the caller or one further out, there to a label or
 /// block number, or behind it.
-void Compiler::ret_statement() {
+void CallStatements::ret_statement() {
   std::vector<Argument> list;
   if (cursor_.accept(Symbol::LeftParen)) {
     list = argument_list();
@@ -137,7 +135,7 @@ void Compiler::ret_statement() {
   code_.last().count = static_cast<std::uint16_t>(list.size());
 }
 
-void Compiler::procedure(ProcedureId id, ShortSpan where) {
+void CallStatements::procedure(ProcedureId id, ShortSpan where) {
   const ProcedureInfo& row = procedures()[static_cast<std::size_t>(id)];
   std::vector<Argument> list;
   const bool bracket = cursor_.accept(Symbol::LeftParen);
@@ -173,48 +171,6 @@ void Compiler::procedure(ProcedureId id, ShortSpan where) {
   code_.emit(OpCode::Procedure, {}, {}, {Bank::Constants, static_cast<std::int32_t>(first)}, where);
   code_.last().detail = detail_of(id);
   code_.last().count = static_cast<std::uint16_t>(list.size());
-}
-
-/// What makes no difference at a desk, to the end of its block.
-void Compiler::idle_statement() {
-  while (cursor_.peek().kind != TokenKind::End) {
-    cursor_.next();
-  }
-}
-
-/// WHEN $A_PROBE[n]==level DO DELDTG, the condition in brackets or not; another synchronised action
-void Compiler::when_statement() {
-  if (!cursor_.peek().is_name("$A_PROBE") && !cursor_.peek(1).is_name("$A_PROBE")) {
-    action_statement();
-    return;
-  }
-  const bool bracket = cursor_.accept(Symbol::LeftParen);
-  const bool of_probe = cursor_.accept_name("$A_PROBE") && cursor_.accept(Symbol::LeftBracket);
-  const Expr probe = of_probe ? operations_.convert(expressions_.expression(), Type::Int) : Expr();
-  const bool compared =
-      of_probe && cursor_.accept(Symbol::RightBracket) && cursor_.accept(Symbol::Equal);
-  const Expr level = compared ? operations_.boolean(expressions_.expression()) : Expr();
-  const bool closed = compared && (!bracket || cursor_.accept(Symbol::RightParen));
-  const bool deletes = closed && cursor_.accept_name("DO") && cursor_.accept_name("DELDTG") &&
-                       cursor_.peek().kind == TokenKind::End;
-  if (!deletes && !failed()) {
-    refuse(reader_);
-  }
-  if (!failed()) {
-    code_.emit(OpCode::SkipAction, {}, probe.value, level.value, block());
-  }
-}
-
-Compiler::Handler Compiler::find_keyword(std::string_view name) {
-  static const NameMap<Handler> kHandlers = [] {
-    NameMap<Handler> map;
-#define KEYWORD(name, handler, form, text) map.emplace(#name, &Compiler::handler);
-#include "interpreter/dialects/sinumerik/vocabulary/keywords.def"
-#undef KEYWORD
-    return map;
-  }();
-  const auto found = kHandlers.find(name);
-  return found != kHandlers.end() ? found->second : nullptr;
 }
 
 }  // namespace g31::sinumerik

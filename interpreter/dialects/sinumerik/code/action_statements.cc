@@ -1,11 +1,8 @@
-// Synchronised actions: ID=n WHEN condition DO actions.  What they say is kept as text and compiled
-// when the block is done; here it is judged.
+#include "interpreter/dialects/sinumerik/code/action_statements.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-
-#include "interpreter/dialects/sinumerik/code/compiler.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -59,7 +56,7 @@ void keep_steps(CompiledProgram& program, std::size_t first) {
 
 /// Whether the condition of tokens `from` to the present one can be judged before and behind a
 /// block.  @returns whether it waits for a time
-bool Compiler::judge_condition(std::size_t from) {
+bool ActionStatements::judge_condition(std::size_t from) {
   bool is_timed = false;
   for (std::size_t i = from; i < cursor_.place(); ++i) {
     const Token& token = cursor_.at(i);
@@ -74,7 +71,7 @@ bool Compiler::judge_condition(std::size_t from) {
   return is_timed;
 }
 
-bool Compiler::may_act(const Token& action) {
+bool ActionStatements::may_act(const Token& action) {
   if (action.kind == TokenKind::Letter) {
     constexpr std::string_view kLetters = "RMHS";
     return kLetters.find(action.text.front()) != std::string_view::npos;
@@ -85,7 +82,7 @@ bool Compiler::may_act(const Token& action) {
 }
 
 /// G70, G71, G700 and G710 say what lengths count in: what may stand here has none but POS and FA.
-bool Compiler::accept_unit() {
+bool ActionStatements::accept_unit() {
   constexpr double kUnits[] = {70.0, 71.0, 700.0, 710.0};
   const bool is_unit = cursor_.peek().is_letter('G') &&
                        cursor_.peek(1).kind == TokenKind::Integer &&
@@ -95,7 +92,7 @@ bool Compiler::accept_unit() {
 }
 
 /// What stands behind DO, to the end of the block.
-Compiler::ActionText Compiler::action_list(ActionKind kind, bool is_timed) {
+ActionStatements::ActionText ActionStatements::action_list(ActionKind kind, bool is_timed) {
   ActionText list;
   bool has_unit = false;
   while (!failed() && cursor_.peek().kind != TokenKind::End) {
@@ -118,7 +115,7 @@ Compiler::ActionText Compiler::action_list(ActionKind kind, bool is_timed) {
       fail(AlarmId::NotImplemented, action.where,
            text_of(action.where) + " in a synchronised action, which is " + std::string(kWhatCan));
     } else {
-      item();
+      items_.item();
     }
     if (failed()) {
       break;
@@ -130,7 +127,7 @@ Compiler::ActionText Compiler::action_list(ActionKind kind, bool is_timed) {
 }
 
 /// Each interpolation cycle is another time, which blocks do not see.
-void Compiler::judge_action(std::size_t from, ActionKind kind, bool is_timed) {
+void ActionStatements::judge_action(std::size_t from, ActionKind kind, bool is_timed) {
   const bool is_repeated = kind != ActionKind::Once && kind != ActionKind::Edge;
   for (std::size_t i = from + 1; i < cursor_.place(); ++i) {
     const Token& token = cursor_.at(i);
@@ -148,7 +145,7 @@ void Compiler::judge_action(std::size_t from, ActionKind kind, bool is_timed) {
 }
 
 /// ID=n and IDS=n: the action holds beyond the next block.
-void Compiler::numbered_action() {
+void ActionStatements::numbered_action() {
   const bool is_static = cursor_.previous().text == "IDS";
   expect(Symbol::Assign);
   const Expr number = operations_.convert(expressions_.expression(), Type::Int);
@@ -163,11 +160,35 @@ void Compiler::numbered_action() {
 }
 
 /// WHENEVER, FROM, EVERY and DO, in force for the next block.
-void Compiler::action_statement() {
+void ActionStatements::action_statement() {
   synchronised_action(cursor_.previous().text, ActionScope::NextBlock, Expr());
 }
 
-void Compiler::synchronised_action(std::string_view word, ActionScope scope, const Expr& number) {
+/// WHEN $A_PROBE[n]==level DO DELDTG, the condition in brackets or not; another synchronised action
+void ActionStatements::when_statement() {
+  if (!cursor_.peek().is_name("$A_PROBE") && !cursor_.peek(1).is_name("$A_PROBE")) {
+    action_statement();
+    return;
+  }
+  const bool bracket = cursor_.accept(Symbol::LeftParen);
+  const bool of_probe = cursor_.accept_name("$A_PROBE") && cursor_.accept(Symbol::LeftBracket);
+  const Expr probe = of_probe ? operations_.convert(expressions_.expression(), Type::Int) : Expr();
+  const bool compared =
+      of_probe && cursor_.accept(Symbol::RightBracket) && cursor_.accept(Symbol::Equal);
+  const Expr level = compared ? operations_.boolean(expressions_.expression()) : Expr();
+  const bool closed = compared && (!bracket || cursor_.accept(Symbol::RightParen));
+  const bool deletes = closed && cursor_.accept_name("DO") && cursor_.accept_name("DELDTG") &&
+                       cursor_.peek().kind == TokenKind::End;
+  if (!deletes && !failed()) {
+    reader_.refuse();
+  }
+  if (!failed()) {
+    code_.emit(OpCode::SkipAction, {}, probe.value, level.value, block());
+  }
+}
+
+void ActionStatements::synchronised_action(std::string_view word, ActionScope scope,
+                                           const Expr& number) {
   const auto row = std::ranges::find(kActionWords, word, &ActionWord::name);
   if (row == std::end(kActionWords)) {
     fail(AlarmId::SyntaxInText, word);

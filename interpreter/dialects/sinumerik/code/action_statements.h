@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "interpreter/dialects/sinumerik/code/expressions.h"
+#include "interpreter/dialects/sinumerik/code/nc_block_writer.h"
+
+namespace g31::sinumerik {
+
+/// Reads what blocks are made of, one after the other.
+class BlockItems {
+ public:
+  /// One statement, assignment, word or call.
+  virtual void item() = 0;
+
+ protected:
+  ~BlockItems() = default;
+};
+
+/// Synchronised actions: ID=n WHEN condition DO actions.  What they say is kept as text and
+/// compiled when the block is done; here it is judged.
+class ActionStatements : private BlockPart {
+ public:
+  /// All outlive them.
+  ActionStatements(const BlockWork& work, KnownVariables& variables, Expressions& expressions,
+                   NcBlockWriter& nc, BlockItems& items)
+      : BlockPart(work),
+        variables_(variables),
+        expressions_(expressions),
+        operations_(expressions.operations()),
+        nc_(nc),
+        items_(items) {}
+
+  void numbered_action();
+  void action_statement();
+  void when_statement();
+
+ private:
+  struct ActionText {
+    std::string text;  ///< a block
+    bool deletes_distance = false;
+  };
+  void synchronised_action(std::string_view word, ActionScope scope, const Expr& number);
+  bool judge_condition(std::size_t from);
+  bool may_act(const Token& action);
+  bool accept_unit();
+  ActionText action_list(ActionKind kind, bool is_timed);
+  void judge_action(std::size_t from, ActionKind kind, bool is_timed);
+
+  KnownVariables& variables_;
+  Expressions& expressions_;
+  Operations& operations_;
+  NcBlockWriter& nc_;
+  BlockItems& items_;
+};
+
+}  // namespace g31::sinumerik
