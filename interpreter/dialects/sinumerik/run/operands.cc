@@ -51,36 +51,44 @@ Arguments Operands::arguments_of(const Op& op) const {
   return Arguments(program().arguments).subspan(static_cast<std::size_t>(op.b.place), op.count);
 }
 
-Reference Operands::variable(std::int32_t which) {
-  const Variable& known = program().variables[static_cast<std::size_t>(which)];
+Reference Operands::reference(const Variable& known) const {
   if (known.storage == Storage::Reference) {
     return level().references[static_cast<std::size_t>(known.place)];
   }
-  const bool is_global = known.storage == Storage::Global;
   Reference found;
   found.type = known.type;
+  found.is_global = known.storage == Storage::Global;
+  found.level = stack_.depth();
+  found.place = known.place;
   found.shape = known.shape;
   found.longest = known.longest;
   found.unit = known.unit;
   found.is_by_axis = known.is_by_axis;
-  if (known.type == Type::String) {
-    found.texts = (is_global ? channel_.texts : level().texts).data() + known.place;
-  } else if (known.type == Type::Frame) {
-    found.frames = (is_global ? channel_.frames : level().frames).data() + known.place;
-  } else {
-    found.numbers = (is_global ? channel_.numbers : level().numbers).data() + known.place;
+  return found;
+}
+
+VariableView Operands::variable(std::int32_t which) {
+  VariableView found = {reference(program().variables[static_cast<std::size_t>(which)])};
+  const auto at = static_cast<std::size_t>(found.place) + found.first;
+  Level& local = stack_.level(found.level);
+  if (found.type == Type::String) {
+    found.texts = (found.is_global ? channel_.texts : local.texts).data() + at;
+  } else if (found.type == Type::Frame) {
+    found.frames = (found.is_global ? channel_.frames : local.frames).data() + at;
+  } else if (found.type != Type::None) {
+    found.numbers = (found.is_global ? channel_.numbers : local.numbers).data() + at;
   }
   return found;
 }
 
-double Operands::loaded(const Reference& from, std::size_t element) const {
+double Operands::loaded(const VariableView& from, std::size_t element) const {
   const double kept = from.numbers[element];
   return from.unit == DatumUnit::Plain
              ? kept
              : kept / channel_.kept_per_datum(from.unit, from.axis(element));
 }
 
-std::optional<WrongValue> Operands::store(const Reference& into, std::size_t element,
+std::optional<WrongValue> Operands::store(const VariableView& into, std::size_t element,
                                           double value) {
   double kept = value;
   if (into.unit != DatumUnit::Plain) {
@@ -95,7 +103,7 @@ std::optional<WrongValue> Operands::store(const Reference& into, std::size_t ele
 
 MaybeFailure Operands::assign(const Argument& target, double value) {
   const Variable& into = program().variables[static_cast<std::size_t>(target.variable)];
-  const Reference found = variable(target.variable);
+  const VariableView found = variable(target.variable);
   const auto kept = kept_as(found.type, value);
   if (!kept) {
     return failure(AlarmId::BadConversion,

@@ -18,6 +18,14 @@ namespace g31::sinumerik {
 
 using Arguments = std::span<const Argument>;
 
+/// A variable with its memory, from its first element on, which stays while its level runs.
+struct VariableView : Reference {
+  // One of them, by its type
+  double* numbers = nullptr;
+  std::string* texts = nullptr;
+  Frame* frames = nullptr;
+};
+
 /// What the operands of steps stand for: constants and locals of the running level, globals of the
 /// channel, and results within a block.
 class Operands {
@@ -36,12 +44,13 @@ class Operands {
   /// What a step with a list gives.
   [[nodiscard]] Arguments arguments_of(const Op& op) const;
 
-  /// A variable of the running program, by its number there.
-  Reference variable(std::int32_t which);
+  /// A variable of the running program, by its number there; one of a caller, if it is a VAR
+  /// parameter.
+  VariableView variable(std::int32_t which);
   /// A number of an array as the program counts it.
-  [[nodiscard]] double loaded(const Reference& from, std::size_t element) const;
+  [[nodiscard]] double loaded(const VariableView& from, std::size_t element) const;
   /// And the other way.  @returns why it is no number that may be kept
-  std::optional<WrongValue> store(const Reference& into, std::size_t element, double value);
+  std::optional<WrongValue> store(const VariableView& into, std::size_t element, double value);
   /// A result goes to the variable that an argument names, as an assignment would.
   MaybeFailure assign(const Argument& target, double value);
 
@@ -50,6 +59,8 @@ class Operands {
   [[nodiscard]] std::span<const double> temporaries() const { return number_temporaries_; }
 
  private:
+  [[nodiscard]] Reference reference(const Variable& known) const;
+
   double* banks_[4] = {};
   std::vector<double> number_temporaries_;
   std::vector<std::string> text_temporaries_;

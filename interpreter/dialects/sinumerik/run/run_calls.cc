@@ -34,12 +34,8 @@ std::vector<BoundValue> Calls::bound(const CallSite& site) {
     }
     if (argument.form == Form::Element) {
       const auto element = static_cast<std::size_t>(operands_.number(argument.element));
-      Reference& reference = value.reference;
-      reference.numbers = reference.numbers != nullptr ? reference.numbers + element : nullptr;
-      reference.texts = reference.texts != nullptr ? reference.texts + element : nullptr;
-      reference.frames = reference.frames != nullptr ? reference.frames + element : nullptr;
-      reference.first += element;
-      reference.shape = {};
+      value.reference.first += element;
+      value.reference.shape = {};
     }
     if (argument.form == Form::Omitted || argument.form == Form::Whole) {
       continue;

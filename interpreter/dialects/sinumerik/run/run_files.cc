@@ -155,7 +155,7 @@ double read_file(Channel& channel, Operands& at, Arguments list) {
   if (count < 1.0 || first + count - 1.0 > line_count) {
     return file_error::kTooManyLines;
   }
-  const Reference target = at.variable(list[4].variable);
+  const VariableView target = at.variable(list[4].variable);
   const auto begin = static_cast<std::size_t>(
       list[4].form == Argument::Form::Whole ? 0.0 : at.number(list[4].element));
   const auto wanted = static_cast<std::size_t>(count);

@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kNoFit = -1.0;
 
-bool is_triangle(const Reference& points) {
+bool is_triangle(const VariableView& points) {
   return points.shape.dimensions == 2 && points.shape.size[0] == 3 && points.shape.size[1] == 3;
 }
 
 /// The points of an array [3,3], as columns.
-Eigen::Matrix3d columns(const Reference& points) {
+Eigen::Matrix3d columns(const VariableView& points) {
   return Eigen::Map<const Eigen::Matrix3d>(points.numbers);
 }
 
@@ -26,8 +26,8 @@ namespace function {
 
 /// CALCDAT(points, n, result)
 MaybeFailure circle_of_points(Operands& at, const Op& op, Arguments list) {
-  const Reference points = at.variable(list[0].variable);
-  const Reference result = at.variable(list[2].variable);
+  const VariableView points = at.variable(list[0].variable);
+  const VariableView result = at.variable(list[2].variable);
   const double count = rounded(at.number(list[1].value));
   if (count != 3.0 && count != 4.0) {
     return failure(AlarmId::BadArguments, fmt::format("CALCDAT: {:g} points, not 3 or 4", count));
@@ -55,8 +55,8 @@ MaybeFailure circle_of_points(Operands& at, const Op& op, Arguments list) {
 
 /// MEAFRAME(ideal, measured, quality)
 MaybeFailure measured_frame(Channel& channel, Operands& at, const Op& op, Arguments list) {
-  const Reference ideal = at.variable(list[0].variable);
-  const Reference measured = at.variable(list[1].variable);
+  const VariableView ideal = at.variable(list[0].variable);
+  const VariableView measured = at.variable(list[1].variable);
   if (!is_triangle(ideal) || !is_triangle(measured)) {
     return failure(AlarmId::WrongDimension, "MEAFRAME: three points each, [3,3]");
   }

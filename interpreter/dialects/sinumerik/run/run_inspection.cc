@@ -171,7 +171,7 @@ std::vector<std::pair<std::string, ShownValue>> Runner::local_values(std::size_t
     if (known.storage == Storage::Global || known.type == Type::Frame) {
       continue;
     }
-    const Reference found = operands_.variable(static_cast<std::int32_t>(i));
+    const VariableView found = operands_.variable(static_cast<std::int32_t>(i));
     Variable shaped = known;
     shaped.shape = found.shape;
     for (std::int32_t element = 0; element < found.shape.count(); ++element) {

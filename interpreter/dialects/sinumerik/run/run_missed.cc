@@ -116,8 +116,10 @@ std::vector<runtime::MissedTouches::Holder> MissedResults::holders_given(
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Argument& argument = operands_.level().program->arguments[site.first_argument + i];
     const BoundValue& value = values[i];
-    if (value.form == Argument::Form::Element && value.reference.numbers != nullptr) {
-      given[i] = holder_of(*value.reference.numbers);
+    if (value.form == Argument::Form::Element && is_held_as_number(value.type)) {
+      const VariableView whole = operands_.variable(argument.variable);
+      given[i] =
+          holder_of(whole.numbers[static_cast<std::size_t>(operands_.number(argument.element))]);
     } else if (value.form == Argument::Form::Value && is_held_as_number(value.type)) {
       given[i] = holder_of(operands_.number(argument.value));
     }

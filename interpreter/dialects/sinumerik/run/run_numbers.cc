@@ -177,7 +177,7 @@ bool StepMachine::mathematical_step(const Op& op) {
   return true;
 }
 
-bool StepMachine::store(const Reference& into, std::size_t element, double value) {
+bool StepMachine::store(const VariableView& into, std::size_t element, double value) {
   auto wrong = operands_.store(into, element, value);
   return !wrong || fault_.keep(*std::move(wrong));
 }

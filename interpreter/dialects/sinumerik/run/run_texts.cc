@@ -53,7 +53,7 @@ bool StepMachine::text_step(const Op& op) {
 }
 
 bool StepMachine::store_text(const Op& op) {
-  const Reference target = variable(op.b.place);
+  const VariableView target = variable(op.b.place);
   std::string value = text(op.result);
   value.resize(std::min(value.find('\0'), value.size()));  // the character 0 ends a text
   if (auto wrong = too_long(value, target.longest)) {
@@ -106,7 +106,7 @@ bool StepMachine::frame_step(const Op& op) {
   contract_violated("other_step() lets only these through", __FILE__, __LINE__);
 }
 
-bool StepMachine::set_element(const Reference& target, std::int32_t element,
+bool StepMachine::set_element(const VariableView& target, std::int32_t element,
                               const Argument& value) {
   if (element >= target.shape.count()) {
     return fault_.keep(AlarmId::TooManyInitialValues);
@@ -129,7 +129,7 @@ bool StepMachine::set_element(const Reference& target, std::int32_t element,
 
 /// A list: the elements in turn; an omitted value leaves its element alone.
 bool StepMachine::fill(const Op& op) {
-  const Reference target = variable(op.a.place);
+  const VariableView target = variable(op.a.place);
   auto element = static_cast<std::int32_t>(number(op.result));
   for (const Argument& value : operands_.arguments_of(op)) {
     const bool omitted = value.form == Argument::Form::Omitted;
@@ -143,7 +143,7 @@ bool StepMachine::fill(const Op& op) {
 
 /// REP(value, count): without a count to the end of the array.
 bool StepMachine::repeat_value(const Op& op) {
-  const Reference target = variable(op.a.place);
+  const VariableView target = variable(op.a.place);
   const Arguments list = operands_.arguments_of(op);
   const auto first = static_cast<std::int32_t>(number(op.result));
   const std::int32_t rest = target.shape.count() - first;

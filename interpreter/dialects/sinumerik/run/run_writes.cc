@@ -109,7 +109,7 @@ std::vector<WrittenValue> WrittenValues::written_to_arguments(const Op& op) {
 std::vector<WrittenValue> WrittenValues::elements(std::int32_t which, std::int32_t first,
                                                   std::int32_t count) {
   Variable shaped = operands_.level().program->variables[static_cast<std::size_t>(which)];
-  const Reference in = operands_.variable(which);
+  const VariableView in = operands_.variable(which);
   shaped.shape = in.shape;
   std::vector<WrittenValue> all;
   const bool is_shown = in.type != Type::Frame && in.type != Type::None;

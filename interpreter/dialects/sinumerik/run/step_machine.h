@@ -43,18 +43,18 @@ class StepMachine {
   bool take_whole(const Op& op, Type type, AlarmId alarm);
   bool is_within_limits(const Op& op);
   bool index(const Op& op);
-  bool store(const Reference& into, std::size_t element, double value);
+  bool store(const VariableView& into, std::size_t element, double value);
 
   // run_texts.cc
   bool store_text(const Op& op);
   bool fill(const Op& op);
   bool repeat_value(const Op& op);
-  bool set_element(const Reference& target, std::int32_t element, const Argument& value);
+  bool set_element(const VariableView& target, std::int32_t element, const Argument& value);
 
   double& number(Operand place) { return operands_.number(place); }
   std::string& text(Operand place) { return operands_.text(place); }
   Frame& frame(Operand place) { return operands_.frame(place); }
-  Reference variable(std::int32_t which) { return operands_.variable(which); }
+  VariableView variable(std::int32_t which) { return operands_.variable(which); }
 
   Operands operands_;
   StepFault fault_;

@@ -15,7 +15,7 @@ namespace g31::sinumerik {
 /// A value that a step may write.
 struct WrittenValue {
   std::string name;
-  Reference in;              ///< the variable; of type None: a system variable
+  VariableView in;           ///< the variable; of type None: a system variable
   std::size_t element = 0;   ///< of the variable
   bool is_assigned = false;  ///< false: only a change shows that the step has written it
   runtime::ShownValue before = {};

@@ -16,23 +16,25 @@
 
 namespace g31::sinumerik {
 
-/// A variable of the caller behind a VAR parameter.  Its memory does not move while it is called.
+/// A variable of a caller behind a VAR parameter: where it is, not its memory.
 struct Reference {
   Type type = Type::None;
-  double* numbers = nullptr;
-  std::string* texts = nullptr;
-  Frame* frames = nullptr;
+  bool is_global = false;
+  std::size_t level = 0;   ///< whose local variable it is, unless it is global; 0: the main program
+  std::int32_t place = 0;  ///< among the numbers, texts or frames, by its type
   Shape shape;
   std::int32_t longest = 0;
   DatumUnit unit = DatumUnit::Plain;
   bool is_by_axis = false;
-  std::size_t first = 0;  ///< which element of the variable `numbers` begins with
+  std::size_t first = 0;  ///< which element of the variable it begins with
 
   /// The axis of an element; nullopt: it is of none.
   [[nodiscard]] std::optional<int> axis(std::size_t element) const {
     return is_by_axis ? std::optional(static_cast<int>((first + element) % kAxisCount))
                       : std::nullopt;
   }
+
+  friend bool operator==(const Reference&, const Reference&) = default;
 };
 
 /// What a call gives for one parameter.
