@@ -1,0 +1,315 @@
+#include "interpreter/dialects/fanuc/text/parser.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "interpreter/source/printable.h"
+#include "machine/base/contract.h"
+
+namespace g31::fanuc {
+namespace {
+
+using syntax::Block;
+using syntax::BlockKind;
+using syntax::Index;
+using syntax::kNone;
+using syntax::ShortSpan;
+using syntax::ValueForm;
+using syntax::Word;
+
+constexpr std::int64_t kLargestInteger = 99'999'999;
+
+}  // namespace
+
+void Parser::open_program(std::int32_t number, ShortSpan name) {
+  close_program();
+  syntax::Program program;
+  program.number = number;
+  program.first_block = static_cast<Index>(tree_.blocks.size());
+  program.name = name;
+  tree_.programs.push_back(program);
+}
+
+void Parser::close_program() {
+  if (!tree_.programs.empty()) {
+    syntax::Program& last = tree_.programs.back();
+    last.block_count = static_cast<Index>(tree_.blocks.size()) - last.first_block;
+  }
+}
+
+void Parser::block() {
+  if (scanner_.peek() == '\n' && tree_.programs.empty()) {
+    return;
+  }
+  const std::uint32_t begin = scanner_.position();
+  Block block;
+  block.span = {begin, begin};
+  if (!program_number(block) && tree_.programs.empty()) {
+    open_program(0, {begin, begin});
+  }
+  block.first_word = static_cast<Index>(tree_.words.size());
+  head(block);
+  if (block.kind != BlockKind::Bad) {
+    body(block);
+  }
+  settle(block, begin);
+}
+
+/// Gives the block its span and its error, and appends it (an IF THEN goes before its statement).
+void Parser::settle(Block& block, std::uint32_t begin) {
+  const std::uint32_t end = scanner_.position();
+  if (failed()) {
+    block.kind = BlockKind::Bad;
+    block.number = static_cast<std::int32_t>(tree_.errors.size());
+    block.word_count = 0;
+    tree_.words.resize(block.first_word);
+    tree_.errors.push_back(*expressions_.error());
+  }
+  expressions_.forget_error();
+  then_depth_ = 0;
+  block.span = {begin, end};
+  tree_.blocks.push_back(block);
+}
+
+bool Parser::program_number(Block& block) {
+  const char next = scanner_.peek();
+  if (next == '<') {
+    return program_name(block);
+  }
+  if (next != 'O' && next != ':') {
+    return false;
+  }
+  const std::uint32_t begin = scanner_.position();
+  scanner_.step();
+  const auto number = integer("a program number is O and 1 to 8 digits");
+  if (!number) {
+    block.kind = BlockKind::Bad;
+    if (tree_.programs.empty()) {
+      open_program(0, {begin, begin});
+    }
+    return true;
+  }
+  open_program(*number, {begin, scanner_.position()});
+  return true;
+}
+
+/// `<PROBE-BORE>` in place of O and a number (MB-002).
+bool Parser::program_name(Block& block) {
+  const std::uint32_t begin = scanner_.position();
+  const std::size_t end = scanner_.text().find_first_of(">\n", begin);
+  open_program(0, {begin, begin});
+  if (end == std::string_view::npos || scanner_.text()[end] == '\n') {
+    fail(AlarmId::IllegalAddress, "the name of a program stands between < and >");
+    block.kind = BlockKind::Bad;
+    return true;
+  }
+  scanner_.rewind(static_cast<std::uint32_t>(end + 1));
+  tree_.programs.back().name = {begin, scanner_.position()};
+  return true;
+}
+
+std::optional<std::int32_t> Parser::integer(const char* what) {
+  const auto found = scanner_.number();
+  if (!found || found->has_point) {
+    fail(found ? AlarmId::IllegalPoint : AlarmId::NoDataAfterAddress, what);
+    return std::nullopt;
+  }
+  if (found->value > static_cast<double>(kLargestInteger)) {
+    fail(AlarmId::TooManyDigits, what);
+    return std::nullopt;
+  }
+  return static_cast<std::int32_t>(found->value);
+}
+
+/// n of `/n`; `/` alone is switch 1 (MB-005).
+std::uint8_t Parser::switch_number() {
+  const char digit = scanner_.peek();
+  if (digit < '1' || digit > '9') {
+    return 1;
+  }
+  scanner_.step();
+  return static_cast<std::uint8_t>(digit - '0');
+}
+
+/// `/n` and `N..` in either order.
+void Parser::head(Block& block) {
+  for (;;) {
+    if (scanner_.accept('/')) {
+      block.skip_switch = switch_number();
+    } else if (scanner_.peek() == 'N' && block.sequence < 0) {
+      scanner_.step();
+      const auto number = integer("a sequence number is N and digits, without variables");
+      if (!number) {
+        block.kind = BlockKind::Bad;
+        return;
+      }
+      block.sequence = *number;
+    } else {
+      return;
+    }
+  }
+}
+
+void Parser::body(Block& block) {
+  if (failed()) {
+    return;
+  }
+  const char next = scanner_.peek();
+  if (next == '\n') {
+    return;
+  }
+  if (next == '#' || (next == '[' && expressions_.at_name())) {
+    assignment(block);
+    return;
+  }
+  if (next == '[') {
+    condition_alone(block);
+    return;
+  }
+  if (next < 'A' || next > 'Z') {
+    fail(AlarmId::AddressNotFound, why_no_word(scanner_.text(), next));
+    return;
+  }
+  const std::uint32_t begin = scanner_.position();
+  scanner_.step();
+  const char second = scanner_.peek();
+  scanner_.rewind(begin);
+  if (second >= 'A' && second <= 'Z') {
+    keyword(block);
+  } else {
+    words(block);
+  }
+}
+
+/// `[condition] M99 P10`
+void Parser::condition_alone(Block& block) {
+  block.condition = expressions_.bracketed();
+  if (!failed()) {
+    block.is_bare = true;
+    block.kind = BlockKind::IfThen;
+    then_statement(block);
+  }
+}
+
+void Parser::assignment(Block& block) {
+  block.kind = BlockKind::Assign;
+  block.target = scanner_.peek() == '#' ? expressions_.variable() : expressions_.named_variable();
+  if (failed()) {
+    return;
+  }
+  if (!scanner_.accept('=')) {
+    fail(AlarmId::ExpressionFormat, "= is expected after the variable");
+    return;
+  }
+  scanner_.forget_comment();
+  block.value = expressions_.expression();
+  if (!failed()) {
+    scanner_.peek();
+    block.text = scanner_.last_comment();
+    expect_end(block);
+  }
+}
+
+void Parser::expect_end(Block& block) {
+  const char next = scanner_.peek();
+  if (next == '\n') {
+    return;
+  }
+  const bool starts_word = next >= 'A' && next <= 'Z';
+  fail(starts_word || next == '#' ? AlarmId::MixedStatement : AlarmId::ExpressionFormat,
+       fmt::format("the statement ends before {}", source::quoted(next)));
+  block.kind = BlockKind::Bad;
+}
+
+void Parser::words(Block& block) {
+  block.kind = BlockKind::Nc;
+  while (!failed() && word()) {
+  }
+  block.word_count = static_cast<Index>(tree_.words.size()) - block.first_word;
+}
+
+bool Parser::word() {
+  const char next = scanner_.peek();
+  if (next == '\n') {
+    return false;
+  }
+  const std::uint32_t begin = scanner_.position();
+  if (next == '#') {
+    fail(AlarmId::MixedStatement, "a macro statement needs a block of its own");
+    return false;
+  }
+  const char letter = scanner_.address(next);
+  if (letter == 0) {
+    fail(AlarmId::IllegalAddress, fmt::format("{} is not an address letter", source::quoted(next)));
+    return false;
+  }
+  Word& word = tree_.words.emplace_back();
+  word.letter = letter;
+  if (letter == '/') {
+    word.form = ValueForm::Integer;
+    word.number = switch_number();
+  } else {
+    word_value(word);
+  }
+  if (failed()) {
+    tree_.words.pop_back();
+    return false;
+  }
+  word.span = {begin, scanner_.position()};
+  return true;
+}
+
+/// `#n`, `#[expression]`, `[#NAME]` or `[expression]`, which begins here.
+Index Parser::computed_value() {
+  if (scanner_.peek() == '#') {
+    return expressions_.variable();
+  }
+  return expressions_.at_name() ? expressions_.named_variable() : expressions_.bracketed();
+}
+
+void Parser::word_value(Word& word) {
+  char next = scanner_.peek();
+  const bool negative = next == '-';
+  if (next == '-' || next == '+') {
+    scanner_.step();
+    next = scanner_.peek();
+  }
+  if (next == '#' || next == '[') {
+    word.form = ValueForm::Computed;
+    word.expr = computed_value();
+    if (negative && word.expr != kNone) {
+      syntax::Expr negate;
+      negate.kind = syntax::ExprKind::Negate;
+      negate.a = word.expr;
+      negate.span = tree_.exprs[word.expr].span;
+      word.expr = expressions_.add(negate);
+    }
+    if (word.expr != kNone &&
+        std::string_view("+-*").find(scanner_.peek()) != std::string_view::npos) {
+      word.is_bare = true;
+      word.expr = expressions_.continued(word.expr);
+    }
+    return;
+  }
+  const auto number = scanner_.number();
+  if (!number) {
+    const bool is_mixed = next >= 'A' && next <= 'Z';
+    fail(is_mixed ? AlarmId::MixedStatement : AlarmId::NoDataAfterAddress,
+         fmt::format("{} needs a number, a #variable or [an expression]",
+                     syntax::letter_text(word.letter)));
+    return;
+  }
+  word.form = number->has_point ? ValueForm::Decimal : ValueForm::Integer;
+  word.digits = number->digits;
+  word.decimals = number->decimals;
+  word.number = negative ? -number->value : number->value;
+}
+
+syntax::Tree parse(std::string_view text, TextBegins begins) {
+  G31_EXPECTS(text.size() < std::numeric_limits<std::uint32_t>::max());
+  return Parser(text).run(begins);
+}
+
+}  // namespace g31::fanuc

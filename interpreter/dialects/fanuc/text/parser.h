@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "interpreter/dialects/fanuc/text/parse.h"
+#include "interpreter/dialects/fanuc/text/parse_expression.h"
+
+namespace g31::fanuc {
+
+/// Reads the blocks of a tape one by one.
+class Parser {
+ public:
+  explicit Parser(std::string_view text) : scanner_(text), expressions_(scanner_, tree_) {}
+
+  syntax::Tree run(TextBegins begins) {
+    reserve();
+    if (begins == TextBegins::AtFile) {
+      scanner_.skip_leader();
+    } else {
+      open_program(0, {});
+    }
+    while (!scanner_.at_end_of_text() && !scanner_.at_tape_end()) {
+      block();
+      scanner_.skip_block();
+    }
+    close_program();
+    tree_.end = scanner_.position();
+    return std::move(tree_);
+  }
+
+ private:
+  /// Room for what a text of this size holds as a rule.
+  void reserve() {
+    tree_.blocks.reserve(scanner_.text().size() / 32);
+    tree_.words.reserve(scanner_.text().size() / 6);
+  }
+  void block();
+  bool program_number(syntax::Block& block);
+  bool program_name(syntax::Block& block);
+  void head(syntax::Block& block);
+  std::uint8_t switch_number();
+  void body(syntax::Block& block);
+  void condition_alone(syntax::Block& block);
+  void assignment(syntax::Block& block);
+  void words(syntax::Block& block);
+  bool word();
+  void word_value(syntax::Word& word);
+  syntax::Index computed_value();
+  void keyword(syntax::Block& block);
+  void if_statement(syntax::Block& block);
+  bool jump_follows();
+  void while_statement(syntax::Block& block);
+  void then_statement(syntax::Block& block);
+  void jump(syntax::Block& block);
+  void set_names(syntax::Block& block);
+  void output_statement(syntax::Block& block, OutputStatement statement);
+  int loop_number();
+  syntax::Index condition();
+  std::optional<std::int32_t> integer(const char* what);
+  void expect_end(syntax::Block& block);
+  void open_program(std::int32_t number, syntax::ShortSpan name);
+  void close_program();
+  void settle(syntax::Block& block, std::uint32_t begin);
+
+  bool failed() const { return expressions_.error().has_value(); }
+  void fail(AlarmId id, std::string message) { expressions_.fail(id, std::move(message)); }
+
+  syntax::Tree tree_;
+  Scanner scanner_;
+  ExpressionParser expressions_;
+  int then_depth_ = 0;
+};
+
+}  // namespace g31::fanuc
