@@ -96,6 +96,48 @@ TEST(ProgramWindows, SubprogramsBehindTheLongProgramAreFound) {
   EXPECT_EQ(run.document["variables"]["#100"], 42);
 }
 
+TEST(ProgramWindows, AlarmsOfSubprogramsBehindTheLongProgramKeepTheirPlace) {
+  const auto run =
+      run_text("O7001\n" + many_lines(kLines) + "M98 P7003\nM30\nO7002\n#100=42\nM99\n" +
+               "O7003\nM98 P7002\nG1 X[#100/0]\nM99\n");
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_EQ(run.document["alarm"]["number"], 112);
+  EXPECT_EQ(run.document["alarm"]["line"], kLines + 9);
+  EXPECT_EQ(run.document["alarm"]["column"], 5);
+  EXPECT_EQ(run.document["variables"]["#100"], 42);
+  EXPECT_NE(run.errors.find("X[#100/0]"), std::string::npos) << run.errors;
+}
+
+int number_of_alarm(const testing::RunOutput& run) {
+  const auto& alarm = run.document["alarm"];
+  return alarm.is_null() ? 0 : alarm["number"].get<int>();
+}
+
+/// What must be the same of a long program and of one whose lines are few.
+void expect_as_whole(const std::string& head, const std::string& tail) {
+  const auto whole = run_text(head + many_lines(10) + tail);
+  const auto long_one = run_text(head + many_lines(kLines) + tail);
+  EXPECT_EQ(long_one.exit_code, whole.exit_code) << long_one.errors;
+  EXPECT_EQ(long_one.document["variables"]["#100"], whole.document["variables"]["#100"]);
+  EXPECT_EQ(number_of_alarm(long_one), number_of_alarm(whole));
+  EXPECT_EQ(long_one.document["diagnostics"].size(), whole.document["diagnostics"].size());
+}
+
+TEST(ProgramWindows, AProgramEndsWhereTheNextOneBegins) {
+  expect_as_whole("O7001\n", "#100=1\nO7002\n#100=2\nM30\n");
+  expect_as_whole("O7001\n#100=0\n", "#100=1\nGOTO 7\n O7002\n#100=2\nN7 M30\n");
+}
+
+TEST(ProgramWindows, SubprogramsAreThoseOfTheWholeFile) {
+  const std::string calls = "M98 P7002\nM30\n";
+  expect_as_whole("O7001\n", calls + "O7002\n#100=1\nM99\nO7002\n#100=2\nM99\n");
+  expect_as_whole("O7001\n", calls + "%\nO7002\n#100=1\nM99\n");
+  expect_as_whole("%\nO7001\n", calls + "O7002(100%)\n#100=1\nM99\nO7003\n#100=3\n%\n");
+  expect_as_whole("O7001\n", "M98 P7003\nM30\nO7002(100%)\n#100=1\nM99\nO7003\n#100=3\nM99\n");
+  expect_as_whole("O7001\n", calls + "O7003; O7002\n#100=1\nM99\n");
+  expect_as_whole("O7001\n", calls + ":7002\n#100=1\nM98 P7003\nM99\nO7003\n#100=#100+3\n");
+}
+
 TEST(ProgramWindows, ALineLongerThanAWindowIsOneBlock) {
   const std::string blanks(3 * fanuc::kWindowBytes, ' ');
   const auto run = run_text("O7001\n" + many_lines(kLines) + "#100=1" + blanks + "+2\nM30\n");

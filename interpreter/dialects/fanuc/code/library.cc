@@ -203,7 +203,7 @@ void ProgramLibrary::look_behind_main() {
   if (!may_be_there || main_number_ == 0 || known_.contains(main_number_)) {
     return;
   }
-  const auto all = program_beginnings(files_, main_path_, main_bytes_);
+  const auto& all = main_beginnings();
   const auto second = all.empty() ? all.end()
                                   : std::ranges::find(std::next(all.begin()), all.end(),
                                                       main_number_, &ProgramBeginning::number);
@@ -300,13 +300,51 @@ const CompiledProgram* ProgramLibrary::find_in_unnamed(const Folder& folder, int
   return found;
 }
 
+const std::vector<ProgramBeginning>& ProgramLibrary::main_beginnings() {
+  if (!main_beginnings_) {
+    main_beginnings_ = program_beginnings(files_, main_path_, main_bytes_);
+  }
+  return *main_beginnings_;
+}
+
+/// A further program of a long main file, by itself, so that the file need not be in memory for it.
+/// @returns nullptr: only the whole file tells
+const CompiledProgram* ProgramLibrary::find_alone(int number) {
+  const auto& all = main_beginnings();
+  const auto here = std::ranges::find(all, number, &ProgramBeginning::number);
+  if (here == all.end() || here == all.begin() || here->is_behind_percent_sign ||
+      std::find_if(here + 1, all.end(), [number](const ProgramBeginning& other) {
+        return other.number == number;
+      }) != all.end()) {
+    return nullptr;
+  }
+  const std::uint64_t end = here + 1 == all.end() ? main_bytes_ : (here + 1)->offset;
+  const std::uint64_t length = end - here->offset;
+  auto text = length < std::numeric_limits<std::uint32_t>::max()
+                  ? files_.read_part(main_path_, here->offset, length)
+                  : std::nullopt;
+  if (!text) {
+    return nullptr;
+  }
+  auto alone = std::make_unique<Alone>(
+      Alone{sources_.window(main_path_, here->offset, here->line, *std::move(text)), {}});
+  alone->file.source = &alone->text;
+  alone->file.tree = parse(alone->text.text());
+  const auto& programs = alone->file.tree.programs;
+  if (programs.size() != 1 || programs.front().number != number) {
+    return nullptr;
+  }
+  alone_.push_back(std::move(alone));
+  return compiled(alone_.back()->file, 0);
+}
+
 const CompiledProgram* ProgramLibrary::find_in_main(int number) {
   const bool is_long = windows_ != nullptr;
-  if (is_long && !main_has_further_) {
-    main_has_further_ = program_beginnings(files_, main_path_, main_bytes_).size() > 1;
-  }
-  if (is_long && !*main_has_further_ && main_number_ != number) {
+  if (is_long && main_beginnings().size() < 2 && main_number_ != number) {
     return nullptr;
+  }
+  if (const CompiledProgram* const alone = is_long ? find_alone(number) : nullptr) {
+    return alone;
   }
   File* const file = main_path_.empty() ? nullptr : load(main_path_);
   return file != nullptr ? find_in(*file, number) : nullptr;

@@ -78,6 +78,11 @@ class ProgramLibrary {
     syntax::Tree tree;
     std::map<std::size_t, std::unique_ptr<CompiledProgram>> compiled;
   };
+  /// One program of a long main file.
+  struct Alone {
+    source::SourceFile text;
+    File file;
+  };
   struct Folder {
     std::string path;
     std::multimap<int, std::string> by_name;
@@ -91,6 +96,8 @@ class ProgramLibrary {
   File* load(const std::string& path);
   const CompiledProgram* whole_main();
   const CompiledProgram* find_in_main(int number);
+  const CompiledProgram* find_alone(int number);
+  const std::vector<ProgramBeginning>& main_beginnings();
   const CompiledProgram* load_from(Folder& folder, const std::string& name, int number);
   void report_twice(const CompiledProgram& taken, syntax::ShortSpan name, const std::string& other);
 
@@ -105,7 +112,9 @@ class ProgramLibrary {
   std::int32_t main_number_ = 0;             ///< of a long main program
   source::Location main_name_;               ///< where it says its number
   std::unique_ptr<ProgramWindows> windows_;  ///< of the main file, if it is a long one
-  std::optional<bool> main_has_further_;     ///< programs, behind its first; asked for long ones
+  /// Of a long main file, once they are asked for.
+  std::optional<std::vector<ProgramBeginning>> main_beginnings_;
+  std::vector<std::unique_ptr<Alone>> alone_;
   std::map<int, const CompiledProgram*> known_;
   std::vector<source::Diagnostic> reports_;
 };

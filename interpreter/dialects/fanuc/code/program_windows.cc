@@ -4,12 +4,19 @@
 #include <string_view>
 #include <utility>
 
-#include "interpreter/dialects/fanuc/text/parse.h"
-
 namespace g31::fanuc {
 namespace {
 
 using syntax::BlockKind;
+
+/// Where the line of a place begins, if only blanks stand before it there.
+std::optional<std::size_t> line_of(std::string_view text, std::size_t place) {
+  const std::size_t end = text.find_last_of('\n', place);
+  const std::size_t begin = end == std::string_view::npos ? 0 : end + 1;
+  const std::string_view before = text.substr(begin, place - begin);
+  const bool is_first = before.find_first_not_of(" \t\r") == std::string_view::npos;
+  return is_first ? std::optional(begin) : std::nullopt;
+}
 
 bool is_loop(const syntax::Block& block) {
   return block.kind == BlockKind::While || block.kind == BlockKind::Do ||
@@ -44,21 +51,34 @@ bool ProgramWindows::can_be_split(const Window& window) const {
   return window.tree.programs.size() == 1 && std::ranges::none_of(window.tree.blocks, is_loop);
 }
 
+std::unique_ptr<ProgramWindows::Window> ProgramWindows::window_of(std::string text,
+                                                                  TextBegins begins) const {
+  auto window = std::make_unique<Window>(
+      Window{sources_.window(path_, offset_, next_line_, std::move(text)), {}, {}});
+  window->tree = parse(window->source.text(), begins);
+  return window;
+}
+
 const CompiledProgram* ProgramWindows::next(const Profile& profile) {
   const bool is_first = window_ == nullptr;
-  if (!is_first && window_->tree.end < window_->source.text().size()) {
-    return nullptr;  // a % ended the program
+  if (has_ended_ || (!is_first && window_->tree.end < window_->source.text().size())) {
+    return nullptr;  // there, or at a %
   }
   auto text = next_text();
   if (!text) {
     return nullptr;
   }
-  auto window = std::make_unique<Window>(
-      Window{sources_.window(path_, offset_, next_line_, *std::move(text)), {}, {}});
+  auto window = window_of(*std::move(text), is_first ? TextBegins::AtFile : TextBegins::InProgram);
+  if (!is_first && window->tree.programs.size() > 1) {
+    const std::string_view lines = window->source.text();
+    if (const auto cut = line_of(lines, window->tree.programs[1].name.begin)) {
+      window = window_of(std::string(lines.substr(0, *cut)), TextBegins::InProgram);
+      has_ended_ = true;
+    }
+  }
   const std::string_view lines = window->source.text();
   offset_ += lines.size();
   next_line_ += static_cast<int>(std::ranges::count(lines, '\n'));
-  window->tree = parse(lines, is_first ? TextBegins::AtFile : TextBegins::InProgram);
   if (window->tree.programs.size() == 1) {
     window->program = compile(window->source, window->tree, 0, profile, Extent::Window);
   }
@@ -80,18 +100,21 @@ std::vector<ProgramBeginning> program_beginnings(source::FileSystem& files, cons
   std::vector<ProgramBeginning> programs;
   char before = '\n';
   bool in_number = false;
+  bool has_percent_sign = false;
   int line = 1;
+  std::uint64_t line_begin = 0;
   for (std::uint64_t offset = 0; offset < bytes;) {
     const auto text = files.read_part(path, offset, kWindowBytes);
     if (!text || text->empty()) {
       break;
     }
-    offset += text->size();
     for (const char c : *text) {
+      ++offset;
       const bool begins_program = before == '\n' && (c == 'O' || c == 'o' || c == ':');
       if (begins_program) {
-        programs.push_back({0, line});
+        programs.push_back({0, line, line_begin, has_percent_sign});
       }
+      has_percent_sign = has_percent_sign || (c == '%' && !programs.empty());
       const bool counts_for_nothing = c == ' ' || c == '\t' || c == '\r' || c == '\0';
       const bool is_digit = c >= '0' && c <= '9';
       if (in_number && is_digit && programs.back().number <= kLargestBeforeDigit) {
@@ -99,6 +122,7 @@ std::vector<ProgramBeginning> program_beginnings(source::FileSystem& files, cons
       }
       in_number = begins_program || (in_number && (is_digit || counts_for_nothing));
       line += c == '\n' ? 1 : 0;
+      line_begin = c == '\n' ? offset : line_begin;
       before = counts_for_nothing ? before : c;
     }
   }

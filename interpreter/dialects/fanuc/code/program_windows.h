@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "interpreter/dialects/fanuc/code/compile.h"
+#include "interpreter/dialects/fanuc/text/parse.h"
 #include "interpreter/source/source_map.h"
 
 namespace g31::fanuc {
@@ -28,7 +29,8 @@ class ProgramWindows {
   /// there is none, or when the text cannot be split (see must_be_whole).
   const CompiledProgram* next(const Profile& profile);
 
-  /// A loop or a further program was found: windows do not show where they end.
+  /// A loop was found, or a further program where windows cannot end: they do not show where it
+  /// ends.
   [[nodiscard]] bool must_be_whole() const { return must_be_whole_; }
 
   /// Whether text is left behind the last window.
@@ -45,6 +47,7 @@ class ProgramWindows {
   };
 
   std::optional<std::string> next_text();
+  [[nodiscard]] std::unique_ptr<Window> window_of(std::string text, TextBegins begins) const;
   bool can_be_split(const Window& window) const;
 
   source::SourceMap& sources_;
@@ -54,13 +57,17 @@ class ProgramWindows {
   int next_line_ = 1;
   syntax::Index steps_before_ = 0;
   bool must_be_whole_ = false;
+  bool has_ended_ = false;  ///< where the next program of the file begins
   std::unique_ptr<Window> window_;
 };
 
-/// Where a program begins: its number, and its line, from 1.
+/// Where a program begins.
 struct ProgramBeginning {
   std::int32_t number = 0;
-  int line = 0;
+  int line = 0;              ///< from 1
+  std::uint64_t offset = 0;  ///< of that line, bytes
+  /// Behind one that stands in a program: there the tape ends, unless it is in a comment.
+  bool is_behind_percent_sign = false;
 };
 
 /// The programs that begin at lines of a file, in their order.  Reads the file once, piece by
