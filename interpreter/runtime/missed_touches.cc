@@ -114,7 +114,7 @@ void MissedTouches::assigns(Holder holder) {
   }
 }
 
-void MissedTouches::moves() {
+void MissedTouches::serves_as_way() {
   for (const Holder holder : read_.made_of) {
     serves_as_way(holder, read_.results);
   }

@@ -58,9 +58,17 @@ class MissedTouches {
   /// It is in a variable now; what was there is gone.
   void assigns(Holder holder);
   /// The axes go there: the result serves as a position.
-  void moves();
+  void moves() {
+    if (!read_.is_empty()) {
+      serves_as_way();
+    }
+  }
   /// Nothing comes of it that is followed.
-  void passes_on() { end_statement(); }
+  void passes_on() {
+    if (!read_.is_empty()) {
+      end_statement();
+    }
+  }
   /// It counts as measured.  @returns the moves that gave none; each is told once
   std::vector<source::Location> uses();
 
@@ -106,9 +114,13 @@ class MissedTouches {
     bool is_way = false;  ///< it has served as a position
     std::vector<Holder> made_of;
 
+    [[nodiscard]] bool is_empty() const {
+      return results.empty() && looks.empty() && made_of.empty();
+    }
     bool operator==(const Held&) const = default;
   };
 
+  void serves_as_way();
   void serves_as_way(Holder holder, const Moves& moves);
   void settle(const Moves& moves);
   std::vector<source::Location> told(const Moves& moves);

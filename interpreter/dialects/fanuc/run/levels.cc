@@ -43,7 +43,9 @@ void Levels::leave() {
   }
   if (done.kind == CallKind::Macro) {
     const std::size_t depth = control_.variables.depth();
-    control_.touches.missed.forget(holder_of(depth, kFirstLocal), holder_of(depth, kLocalCount));
+    if (control_.touches.missed.any()) {
+      control_.touches.missed.forget(holder_of(depth, kFirstLocal), holder_of(depth, kLocalCount));
+    }
     control_.variables.pop_level();
   }
   stack_.pop();

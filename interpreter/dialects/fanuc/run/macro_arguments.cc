@@ -34,8 +34,8 @@ double argument_value(const EvaluatedWord& word, const WordScale& scale) {
                                                                            : word.number;
 }
 
-Result<Variables::Locals, Failure> MacroArguments::put_among(
-    Variables::Locals locals, std::span<const EvaluatedWord> arguments) {
+MaybeFailure MacroArguments::put_among(Variables::Locals& locals,
+                                       std::span<const EvaluatedWord> arguments) {
   const bool triples = !control_.parameters.is_on(ParameterId::OneTriple);
   int triple = 0;
   char last_of_triple = 'A';
@@ -68,7 +68,7 @@ Result<Variables::Locals, Failure> MacroArguments::put_among(
       }
     }
   }
-  return locals;
+  return std::nullopt;
 }
 
 void MacroArguments::follow() {

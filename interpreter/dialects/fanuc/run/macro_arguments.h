@@ -27,8 +27,7 @@ class MacroArguments {
 
   /// Puts arguments among locals.  I J K may come again: then they belong to the next triple
   /// (specification II, MB-192, MB-194), unless parameter 6008.7 says specification I only.
-  Result<Variables::Locals, Failure> put_among(Variables::Locals locals,
-                                               std::span<const EvaluatedWord> arguments);
+  MaybeFailure put_among(Variables::Locals& locals, std::span<const EvaluatedWord> arguments);
   /// The locals of the level that begins hold what the arguments were made of.
   void follow();
   /// A macro that an M code calls finds them in #4101 to #4126.

@@ -25,7 +25,8 @@ bool is_call_word(const EvaluatedWord& word, const EvaluatedWord& code) {
 }  // namespace
 
 MaybeFailure MacroCalls::call(const EvaluatedWord& code) {
-  std::vector<EvaluatedWord> arguments;
+  std::vector<EvaluatedWord>& arguments = arguments_of_call_;
+  arguments.clear();
   for (const EvaluatedWord& word : words_.all()) {
     if (!is_call_word(word, code)) {
       arguments.push_back(word);
@@ -92,11 +93,9 @@ MaybeFailure MacroCalls::set_modal(const EvaluatedWord& code) {
       arguments.push_back(word);
     }
   }
-  const auto locals = arguments_.put_among({}, arguments);
-  if (!locals) {
-    return locals.error();
+  if (auto failure = arguments_.put_among(call->locals, arguments)) {
+    return failure;
   }
-  call->locals = locals.value();
   if (static_cast<int>(frame().modal_calls.size()) >= control_.profile.calls.macros) {
     return at_word(AlarmId::ModalCallNesting, code,
                    fmt::format("modal calls nest at most {} deep", control_.profile.calls.macros));
@@ -155,25 +154,23 @@ MaybeFailure MacroCalls::every_block_call() {
       locals[variable] = Cell(word.number);
     }
   }
-  const auto passed = arguments_.put_among(locals, arguments);
-  if (!passed) {
-    return passed.error();
+  if (auto failure = arguments_.put_among(locals, arguments)) {
+    return failure;
   }
   if (auto failure =
           levels_.enter({call->program, CallKind::Macro, CalledBy::Program, call->repeats})) {
     return failure;
   }
   frame().modal_calls.pop_back();
-  control_.variables.set_level(passed.value());
+  control_.variables.set_level(locals);
   return std::nullopt;
 }
 
 /// Enters a macro as often as L says; never for L0.
 MaybeFailure MacroCalls::enter(const Entry& entry, std::span<const EvaluatedWord> arguments,
-                               const Variables::Locals& given) {
-  const auto locals = arguments_.put_among(given, arguments);
-  if (!locals) {
-    return locals.error();
+                               Variables::Locals locals) {
+  if (auto failure = arguments_.put_among(locals, arguments)) {
+    return failure;
   }
   if (entry.repeats == 0) {
     return std::nullopt;
@@ -181,7 +178,7 @@ MaybeFailure MacroCalls::enter(const Entry& entry, std::span<const EvaluatedWord
   if (auto failure = levels_.enter(entry)) {
     return failure;
   }
-  control_.variables.set_level(locals.value());
+  control_.variables.set_level(locals);
   arguments_.follow();
   return std::nullopt;
 }

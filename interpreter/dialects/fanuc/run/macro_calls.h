@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "interpreter/dialects/fanuc/run/called_programs.h"
 #include "interpreter/dialects/fanuc/run/levels.h"
@@ -34,7 +35,7 @@ class MacroCalls {
 
  private:
   MaybeFailure enter(const Entry& entry, std::span<const EvaluatedWord> arguments,
-                     const Variables::Locals& given = {});
+                     Variables::Locals locals = {});
   Frame& frame() { return levels_.stack().frame(); }
 
   Control& control_;
@@ -42,6 +43,7 @@ class MacroCalls {
   CalledPrograms& programs_;
   MacroArguments& arguments_;
   Levels& levels_;
+  std::vector<EvaluatedWord> arguments_of_call_;  ///< kept for its memory
 };
 
 }  // namespace g31::fanuc

@@ -19,8 +19,11 @@ Result<bool, Failure> WordCalls::call_in_block() {
   const auto& modal = frame().modal_calls;
   const bool every_block = !modal.empty() && modal.back()->every_block;
   for (const EvaluatedWord& word : words_.all()) {
+    const bool is_code = word.letter == 'G' || (word.letter == 'M' && !every_block);
+    if (!is_code && (every_block || address_call(word.letter).program == 0)) {
+      continue;
+    }
     auto called = word.letter == 'G'   ? call_by_g(word, every_block)
-                  : every_block        ? Result<bool, Failure>(false)
                   : word.letter == 'M' ? call_by_m(word)
                                        : call_by_address(word);
     if (!called || called.value()) {
@@ -87,9 +90,8 @@ Result<bool, Failure> WordCalls::call_by_m(const EvaluatedWord& word) {
 
 /// T, S, B and the addresses of parameters 6090 and 6091 (MB-211, MB-212).
 Result<bool, Failure> WordCalls::call_by_address(const EvaluatedWord& word) {
-  const AddressCall& call =
-      control_.code_calls.by_address.at(static_cast<std::size_t>(word.letter - 'A'));
-  if (call.program == 0 || !may_call(CalledBy::Address)) {
+  const AddressCall& call = address_call(word.letter);
+  if (!may_call(CalledBy::Address)) {
     return false;
   }
   control_.variables.set_common(call.variable, Cell(argument_value(word, control_.scale)));

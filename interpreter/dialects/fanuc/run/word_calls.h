@@ -24,6 +24,10 @@ class WordCalls {
   Result<bool, Failure> call_by_g(const EvaluatedWord& word, bool every_block);
   Result<bool, Failure> call_by_m(const EvaluatedWord& word);
   Result<bool, Failure> call_by_address(const EvaluatedWord& word);
+  /// What a letter calls; program 0: nothing.
+  [[nodiscard]] const AddressCall& address_call(char letter) const {
+    return control_.code_calls.by_address[static_cast<std::size_t>(letter - 'A')];
+  }
   [[nodiscard]] bool may_call(CalledBy by) const;
   [[nodiscard]] const Frame& frame() const { return stack_.frame(); }
 
