@@ -225,8 +225,8 @@ std::string draw_shown(const PathPlot& plot, const Enlargement& enlargement) {
   frame.draw_into(svg, plot);
   for (const double shift : {-step, step}) {
     if (plot.has_rings && !is_exact) {
-      draw_within(svg, detail,
-                  [&] { svg.way(frame.at(ring(plot, magnification * shift)), "grid"); });
+      const Points way = ring(plot, magnification * shift);
+      draw_within(svg, detail, [&] { svg.way(frame.at(way), "grid"); });
     }
   }
   draw_within(svg, detail, [&] { svg.way(frame.at(ring(plot, 0.0)), "nominal"); });
