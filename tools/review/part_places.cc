@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "tools/review/setup_rules.h"
-#include "tools/session/sheet_places.h"
 
 namespace g31::review {
 namespace {
@@ -47,7 +46,7 @@ std::string apart(const Box& reach, const Box& part, double gap) {
 void add_at_part(const setup::Job& job, std::size_t part, SetupRuleId rule,
                  const std::string& detail, std::vector<source::Diagnostic>& findings) {
   findings.push_back(finding_of(rule, detail));
-  findings.back().in_sheet = session::shown_place(job.part_places.at(part));
+  findings.back().in_sheet = job.part_places.at(part);
 }
 
 bool is_same_body(const parts::PartSetup& a, const parts::PartSetup& b) {

@@ -15,7 +15,6 @@
 #include "tools/review/part_places.h"
 #include "tools/review/setup_rules.h"
 #include "tools/review/unread_variables.h"
-#include "tools/session/sheet_places.h"
 #include "tools/session/world.h"
 
 namespace g31::review {
@@ -93,7 +92,7 @@ void judge_skips(const setup::Job& job, const Listing& listing, const session::B
       review.findings.push_back(
           finding_of(SetupRuleId::FarFromSkips,
                      fmt::format("'{}', {:.3f} mm at the nearest", job.parts[i].name, distance)));
-      review.findings.back().in_sheet = session::shown_place(job.part_places.at(i));
+      review.findings.back().in_sheet = job.part_places.at(i);
     }
   }
 }
@@ -128,7 +127,7 @@ void judge_start(const setup::Job& job, std::vector<source::Diagnostic>& finding
     for (const std::string& key :
          {fmt::format("start.{}", letter), fmt::format("machine.axes.{}.travel", letter)}) {
       if (const auto place = job.places.find(key); place != job.places.end()) {
-        findings.back().in_sheet = session::shown_place(place->second);
+        findings.back().in_sheet = place->second;
         break;
       }
     }

@@ -14,7 +14,6 @@
 #include "tools/disk/shipped.h"
 #include "tools/review/setup_rules.h"
 #include "tools/session/analysed_programs.h"
-#include "tools/session/sheet_places.h"
 #include "tools/setup/variable_name.h"
 
 namespace g31::review {
@@ -179,7 +178,7 @@ void judge_variables(const session::Request& request, const session::Prepared& p
                              std::ranges::find(job.sheets, place->second.file) != job.sheets.end();
     if (is_of_sheet && !read.has(name) && !wanted.contains(name)) {
       findings.push_back(finding_of(SetupRuleId::Unread, name));
-      findings.back().in_sheet = session::shown_place(place->second);
+      findings.back().in_sheet = place->second;
     }
   }
 }

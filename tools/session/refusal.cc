@@ -35,8 +35,8 @@ Refusal refused_settings(const setup::Job& job,
   Refusal refusal{Ending::Setup, {}, {}};
   for (const runtime::RefusedSetting& setting : refused) {
     const auto place = job.places.find(setting.key);
-    const setup::SheetPlace where =
-        place != job.places.end() ? place->second : setup::SheetPlace{"g31", 0, 0, {}};
+    const source::ShownPlace where =
+        place != job.places.end() ? place->second : source::ShownPlace{"g31", 0, 0, {}};
     refusal.sheet_errors.push_back(
         error_at(where, setup::SetupErrorId::SettingRefused, {setting.message}));
   }

@@ -2,15 +2,11 @@
 
 namespace g31::session {
 
-source::ShownPlace shown_place(const setup::SheetPlace& place) {
-  return {place.file, place.line, place.column, place.source_line};
-}
-
 void place_settings(const setup::Job& job, std::vector<source::Diagnostic>& diagnostics) {
   for (source::Diagnostic& diagnostic : diagnostics) {
     const auto place = job.places.find(diagnostic.setting);
     if (place != job.places.end()) {
-      diagnostic.in_sheet = shown_place(place->second);
+      diagnostic.in_sheet = place->second;
     }
   }
 }

@@ -5,9 +5,6 @@
 
 namespace g31::session {
 
-/// A place in a sheet as messages of a run show it.
-source::ShownPlace shown_place(const setup::SheetPlace& place);
-
 /// Looks up where the settings stand that messages are about (Diagnostic::setting).
 void place_settings(const setup::Job& job, std::vector<source::Diagnostic>& diagnostics);
 

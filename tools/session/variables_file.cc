@@ -32,7 +32,7 @@ Result<std::vector<KeptVariable>, setup::SetupErrors> parse_variables_text(const
       continue;
     }
     auto assignment = setup::parse_assignment(line);
-    setup::SheetPlace place{path, line_number, 1, std::move(line)};
+    source::ShownPlace place{path, line_number, 1, std::move(line)};
     if (assignment) {
       variables.push_back({assignment.value(), std::move(place)});
     } else {

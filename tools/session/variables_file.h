@@ -18,7 +18,7 @@ std::string variables_text(const std::map<std::string, double>& variables);
 /// A line of such a text.
 struct KeptVariable {
   setup::Assignment assignment;
-  setup::SheetPlace place;
+  source::ShownPlace place;
 };
 
 /// Reads such a text; blank lines and lines that begin with `;` do not count.

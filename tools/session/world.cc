@@ -18,7 +18,6 @@
 #include "probe/sensor/scripted_signals.h"
 #include "probe/sensor/touch_probe.h"
 #include "probe/sensor/world.h"
-#include "tools/session/sheet_places.h"
 #include "tools/session/tool_sets.h"
 
 namespace g31::session {
@@ -27,7 +26,7 @@ namespace {
 /// Of a comment, in bytes.
 constexpr std::size_t kShownComment = 60;
 
-Refusal unusable(const setup::SheetPlace& place, const std::string& why) {
+Refusal unusable(const source::ShownPlace& place, const std::string& why) {
   return {Ending::Setup, {}, {error_at(place, setup::SetupErrorId::PartUnusable, {why})}};
 }
 
@@ -109,7 +108,7 @@ std::string left_out(const parts::MeshDefects& defects) {
 
 /// What is wrong with a mesh, in the words of a run.
 void add_findings(const parts::Mesh& mesh_P, const std::string& part,
-                  const setup::SheetPlace& place, std::vector<source::Diagnostic>& findings) {
+                  const source::ShownPlace& place, std::vector<source::Diagnostic>& findings) {
   const parts::MeshDefects defects = parts::defects_of(mesh_P);
   const auto add = [&](source::DiagnosticId id, const parts::Defect& defect) {
     if (defect.count > 0) {
@@ -120,7 +119,7 @@ void add_findings(const parts::Mesh& mesh_P, const std::string& part,
           id, {},
           fmt::format(": {} of '{}', first at X{} Y{} Z{} in its file", defect.count, part,
                       rounded(p.x()), rounded(p.y()), rounded(p.z()))));
-      findings.back().in_sheet = shown_place(place);
+      findings.back().in_sheet = place;
     }
   };
   add(source::DiagnosticId::MeshOpen, defects.open_edges);
@@ -132,7 +131,7 @@ void add_findings(const parts::Mesh& mesh_P, const std::string& part,
   if (const std::string left = left_out(defects); !left.empty()) {
     findings.push_back(source::make_diagnostic(source::DiagnosticId::MeshNotJudged, {},
                                                fmt::format(": of '{}' {}", part, left)));
-    findings.back().in_sheet = shown_place(place);
+    findings.back().in_sheet = place;
   }
 }
 
@@ -220,12 +219,12 @@ std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
 
 std::vector<source::Diagnostic> lost_variables(const setup::Job& job) {
   std::vector<source::Diagnostic> findings;
-  for (const setup::SheetPlace& place : job.lost_variables) {
-    const std::string& line = place.source_line;
+  for (const source::ShownPlace& place : job.lost_variables) {
+    const std::string& line = place.text;
     findings.push_back(source::make_diagnostic(
         source::DiagnosticId::SettingInComment, {},
         source::printable(line.substr(std::min(line.find('#'), line.size()), kShownComment))));
-    findings.back().in_sheet = shown_place(place);
+    findings.back().in_sheet = place;
   }
   return findings;
 }
@@ -240,8 +239,7 @@ std::optional<source::Diagnostic> start_inside(const setup::Job& job,
                                                        fmt::format(" at the start: in '{}'", name));
   const auto part = std::ranges::find(job.parts, name, &parts::PartSetup::name);
   if (part != job.parts.end()) {
-    finding.in_sheet =
-        shown_place(job.part_places[static_cast<std::size_t>(part - job.parts.begin())]);
+    finding.in_sheet = job.part_places[static_cast<std::size_t>(part - job.parts.begin())];
   }
   return finding;
 }

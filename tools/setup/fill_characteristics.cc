@@ -60,11 +60,10 @@ expect::Characteristic characteristic_from(const SheetTable& table, const TrueSi
                                            ErrorList& errors) {
   const TableKeys keys(table);
   const Entry& variable = *keys.find(KeyId::CharacteristicVariable);
-  const SheetPlace place = place_of(variable.where);
   expect::Characteristic row;
   row.name = std::get<std::string>(keys.find(KeyId::CharacteristicName)->value);
   row.variable = normal_variable_name(std::get<std::string>(variable.value)).value_or("");
-  row.place = {place.file, place.line, place.column, place.source_line};
+  row.place = place_of(variable.where);
   row.unit = unit_from(keys);
   if (const Entry* const nominal = keys.find(KeyId::CharacteristicNominal)) {
     row.nominal = number_of(*nominal);

@@ -15,9 +15,7 @@ namespace {
 class ExpectationList {
  public:
   void add(const Entry& entry, expect::What what) {
-    const SheetPlace place = place_of(entry.where);
-    rows_.push_back({entry.where,
-                     {std::move(what), {place.file, place.line, place.column, place.source_line}}});
+    rows_.push_back({entry.where, {std::move(what), place_of(entry.where)}});
   }
 
   /// Sheets in the order of reading, inside each by line and column.

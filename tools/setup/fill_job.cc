@@ -295,7 +295,7 @@ void keep_places(Job& job, SectionId section, const std::string& name, const She
 }
 
 /// Where the sheet names what the part is made of.
-SheetPlace place_of_body(const SheetTable& table) {
+source::ShownPlace place_of_body(const SheetTable& table) {
   const TableKeys keys(table);
   const Entry* const file = keys.find(KeyId::PartFile);
   const Entry* const body = file != nullptr ? file : keys.find(KeyId::PartShape);

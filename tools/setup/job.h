@@ -27,12 +27,12 @@ struct Job {
   std::vector<probe::ToolProbeSetup> tool_probes;  ///< names differ
   std::vector<parts::PartSetup> parts;
   /// Of what only the control can judge, by table and name: "variables.#500"; see RefusedSetting.
-  std::map<std::string, SheetPlace> places;
-  expect::Expectations expectations;    ///< what [expect] says
-  std::vector<std::string> sheets;      ///< what it was read from, machine file included
-  std::vector<SheetPlace> part_places;  ///< one per part: its file or shape
+  std::map<std::string, source::ShownPlace> places;
+  expect::Expectations expectations;            ///< what [expect] says
+  std::vector<std::string> sheets;              ///< what it was read from, machine file included
+  std::vector<source::ShownPlace> part_places;  ///< one per part: its file or shape
   /// Comments that look like variables, `#500 = 3.0`: probably meant as one.
-  std::vector<SheetPlace> lost_variables;
+  std::vector<source::ShownPlace> lost_variables;
   /// Signals of the skip moves in order; given (even empty) means: instead of a probe.
   std::optional<std::vector<probe::SkipSignal>> skip_signals;
 };

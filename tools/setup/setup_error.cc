@@ -121,19 +121,19 @@ std::string render(const SetupError& error) {
   return text;
 }
 
-SheetPlace place_of(const Location& where) {
+source::ShownPlace place_of(const Location& where) {
   return {where.document->path, where.line, where.column,
           std::string(where.document->line(where.line))};
 }
 
-SetupError error_at(SheetPlace place, SetupErrorId id,
+SetupError error_at(source::ShownPlace place, SetupErrorId id,
                     std::initializer_list<std::string_view> details, std::string remedy) {
   return {std::move(place.file),
           place.line,
           place.column,
           message_of(id, details),
           std::string(code_of(id)),
-          std::move(place.source_line),
+          std::move(place.text),
           std::move(remedy)};
 }
 

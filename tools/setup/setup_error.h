@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "interpreter/source/source_map.h"
 #include "tools/setup/document.h"
 
 namespace g31::setup {
@@ -27,14 +28,7 @@ struct SetupErrorRow {
 std::span<const SetupErrorRow> setup_error_rows();
 
 /// A place in a set-up sheet, for messages about what is found out only later.
-struct SheetPlace {
-  std::string file;
-  int line = 0;    ///< from 1; 0 when it is about the whole file
-  int column = 0;  ///< from 1
-  std::string source_line;
-};
-
-SheetPlace place_of(const Location& where);
+source::ShownPlace place_of(const Location& where);
 
 /// One thing that is wrong with a set-up sheet: data, ready to be shown.
 struct SetupError {
@@ -81,7 +75,7 @@ class ErrorList {
 std::string message_of(SetupErrorId id, std::initializer_list<std::string_view> details);
 
 /// An error of row `id` at a place.
-SetupError error_at(SheetPlace place, SetupErrorId id,
+SetupError error_at(source::ShownPlace place, SetupErrorId id,
                     std::initializer_list<std::string_view> details, std::string remedy = {});
 
 /// "SET101" and so on.
