@@ -53,13 +53,12 @@ void take_codes(Channel& channel, const Block& block) {
 
 /// G54 to G599 that neither sheet nor program has given.
 MaybeFailure refuse_left_out(const Channel& channel, const Block& block) {
-  const int number = channel.settable_number();
-  if (block.code_of(Group::SettableFrame) == nullptr || !channel.left_out.contains(number)) {
+  const GCode* const code = block.code_of(Group::SettableFrame);
+  if (code == nullptr || !channel.left_out.contains(channel.settable_number())) {
     return std::nullopt;
   }
-  constexpr int kFirstLong = 5;  // G505
   return message_failure(runtime::Status::Setup, source::DiagnosticId::SetupMissingOffset,
-                         fmt::format("G{}", number < kFirstLong ? 53 + number : 500 + number));
+                         std::string(code->name));
 }
 
 /// Whether a program has stopped at one place as often as no operator would start it again.
