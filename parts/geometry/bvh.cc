@@ -222,7 +222,7 @@ std::vector<BoxItem> Bvh::items_of(Boxes boxes) {
   return items;
 }
 
-Bvh::Bvh(std::vector<Box> boxes) {
+Bvh::Bvh(std::vector<Box> boxes, const GoesOn& goes_on) {
   if (boxes.empty()) {
     return;
   }
@@ -231,7 +231,9 @@ Bvh::Bvh(std::vector<Box> boxes) {
   // What is not used is never touched, and no node ever moves.
   nodes_ = std::make_unique_for_overwrite<Node[]>(most_nodes(items.size()));
   Builder builder(nodes_.get(), 0);
+  Steps steps(goes_on);
   builder.build(group_of(items, 0), [&](const BoxGroup& part) -> std::uint32_t {
+    steps.step();
     if (part.items.size() > 1) {
       return 0;
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "parts/geometry/box.h"
+#include "parts/geometry/goes_on.h"
 
 namespace g31::parts {
 
@@ -48,7 +49,8 @@ class Bvh {
 
   Bvh();
   /// @param boxes  none empty; fewer than 2^30; given up before the tree takes memory of its own
-  explicit Bvh(std::vector<Box> boxes);
+  /// @throws BrokenOff  as `goes_on` has it
+  explicit Bvh(std::vector<Box> boxes, const GoesOn& goes_on = {});
   /// A tree that grows where queries come, by a thousand twigs.
   explicit Bvh(std::vector<Twig> twigs);
   /// A tree that grows where queries come, as its owner says.

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "parts/geometry/goes_on.h"
 #include "parts/geometry/mesh.h"
 
 namespace g31::parts {
@@ -13,10 +14,10 @@ struct CrossingFacets {
   std::uint64_t looked_at = 0;        ///< facets; not all: the work was spent
 };
 
-/// Facets more than this are not looked at: a third of a second or so.
-inline constexpr std::uint64_t kMostFacetsForCrossings = 500'000;
-/// Pairs of boxes that are compared; about 160 for each facet of a careful mesh.
-inline constexpr std::uint64_t kMostComparedBoxes = 1'000'000'000;
+/// Boxes that are compared for each facet, and at least for all: a careful mesh of any size takes a
+/// third of it, a ball of wool is given up after some seconds.
+inline constexpr std::uint64_t kMostComparedForEach = 600;
+inline constexpr std::uint64_t kMostComparedAtLeast = 1'000'000'000;
 
 /// Looks for facets that have a piece of a line inside both of them, and for those that lie over
 /// each other in one plane and face the same way.  Those that touch in a corner, an edge or back to
@@ -24,9 +25,12 @@ inline constexpr std::uint64_t kMostComparedBoxes = 1'000'000'000;
 /// float32 numbers cannot say: 2^-22 of the largest coordinate, in a plane 16 times that.  Facets
 /// without area and facets with a common edge are left out.
 ///
-/// Of a mesh of more than kMostFacetsForCrossings facets none is looked at.
-/// @param most_compared  pairs of boxes, the tests of two facets counted as sixteen of them; the
-///     search ends behind the group of neighbours that has more
-CrossingFacets crossing_facets(const Mesh& mesh, std::uint64_t most_compared = kMostComparedBoxes);
+/// @param most_compared  boxes, each facet held against another one counted as eight of them; the
+///     search ends in the group of neighbours that has more
+/// @throws BrokenOff  as `goes_on` has it
+CrossingFacets crossing_facets(const Mesh& mesh, std::uint64_t most_compared,
+                               const GoesOn& goes_on = {});
+/// The same within the usual budget.
+CrossingFacets crossing_facets(const Mesh& mesh, const GoesOn& goes_on = {});
 
 }  // namespace g31::parts

@@ -25,7 +25,8 @@ void note(Defect& defect, const Point& p) {
 
 class DefectSearch {
  public:
-  explicit DefectSearch(const Mesh& mesh) : mesh_(mesh) {}
+  DefectSearch(const Mesh& mesh, const GoesOn& goes_on)
+      : mesh_(mesh), goes_on_(goes_on), steps_(goes_on) {}
 
   MeshDefects find() {
     const MeshShells found = look_at_edges();
@@ -48,6 +49,7 @@ class DefectSearch {
     FacetUnion hanging(facets);
     std::vector<bool> at_bad_edge(facets, false);
     visit_edges(mesh_, [&](std::uint32_t low, std::span<const EdgeUse> uses) {
+      steps_.step();
       if (uses.size() == 2) {
         const bool turned = uses[0].is_downwards() == uses[1].is_downwards();
         static_cast<void>(hanging.join(uses[0].number(), uses[1].number(), turned));
@@ -94,7 +96,7 @@ class DefectSearch {
   }
 
   bool look_for_crossings() {
-    const CrossingFacets crossing = crossing_facets(mesh_);
+    const CrossingFacets crossing = crossing_facets(mesh_, goes_on_);
     for (const std::uint32_t t : crossing.facets) {
       note(defects_.self_contacts, middle_of(t));
     }
@@ -107,7 +109,7 @@ class DefectSearch {
     const bool is_one = found.shells.size() == 1;
     const std::vector<ShellPlace> places =
         is_one ? std::vector<ShellPlace>{{ShellPlace::Judged::Yes, 0, false}}
-               : shell_places(mesh_, found, facets, kMostShellWork);
+               : shell_places(mesh_, found, facets, {kMostShellWork, goes_on_});
     for (std::size_t i = 0; i < places.size(); ++i) {
       const Shell& shell = found.shells[i];
       const Point p = middle_of(shell.first_facet);
@@ -141,14 +143,16 @@ class DefectSearch {
   }
 
   const Mesh& mesh_;
+  const GoesOn& goes_on_;
+  Steps steps_;
   MeshDefects defects_;
   std::vector<bool> flipped_;
 };
 
 }  // namespace
 
-MeshDefects defects_of(const Mesh& mesh) {
-  return mesh.triangles.empty() ? MeshDefects{} : DefectSearch(mesh).find();
+MeshDefects defects_of(const Mesh& mesh, const GoesOn& goes_on) {
+  return mesh.triangles.empty() ? MeshDefects{} : DefectSearch(mesh, goes_on).find();
 }
 
 }  // namespace g31::parts

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "parts/geometry/goes_on.h"
 #include "parts/geometry/mesh.h"
 
 namespace g31::parts {
@@ -42,7 +43,8 @@ struct MeshDefects {
 ///
 /// Takes time with the number of facets; where shells may lie in each other, with that of the
 /// facets around them, up to kMostShellWork: what is beyond is not judged, and counted.
-MeshDefects defects_of(const Mesh& mesh);
+/// @throws BrokenOff  as `goes_on` has it
+MeshDefects defects_of(const Mesh& mesh, const GoesOn& goes_on = {});
 
 /// Facets that are looked at to say which shells lie in which: a second or so.
 inline constexpr std::uint64_t kMostShellWork = 20'000'000;

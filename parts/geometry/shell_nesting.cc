@@ -26,10 +26,12 @@ class ShellNesting {
   ShellNesting(const Mesh& mesh, const MeshShells& found, const FacetsByShell& facets)
       : mesh_(mesh), found_(found), facets_(facets) {}
 
-  std::vector<ShellPlace> places(std::uint64_t most_work) {
+  std::vector<ShellPlace> places(const NestingWork& work) {
+    Steps steps(work.goes_on);
     std::vector<ShellPlace> places(found_.shells.size());
     for (std::uint32_t shell = 0; shell < places.size(); ++shell) {
-      if (auto place = place_of(shell); work_ <= most_work) {
+      steps.ask();
+      if (auto place = place_of(shell); work_ <= work.most) {
         place.judged = ShellPlace::Judged::Yes;
         places[shell] = place;
       } else {
@@ -127,8 +129,8 @@ double distance_to_facet(const Point& p, const std::array<Point, 3>& v) {
 }  // namespace
 
 std::vector<ShellPlace> shell_places(const Mesh& mesh, const MeshShells& found,
-                                     const FacetsByShell& facets, std::uint64_t most_work) {
-  return ShellNesting(mesh, found, facets).places(most_work);
+                                     const FacetsByShell& facets, const NestingWork& work) {
+  return ShellNesting(mesh, found, facets).places(work);
 }
 
 std::vector<std::uint32_t> stray_shells(const Mesh& mesh, const MeshShells& found,

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "parts/geometry/goes_on.h"
 #include "parts/geometry/mesh_shells.h"
 
 namespace g31::parts {
@@ -15,11 +16,16 @@ struct ShellPlace {
   bool crosses = false;     ///< it is partly inside another one
 };
 
+/// How much may be done to place shells.
+struct NestingWork {
+  std::uint64_t most = 0;  ///< facets and shells looked at; shells that come later are not judged
+  GoesOn goes_on = {};
+};
+
 /// By shells.
-/// @param most_work  facets and shells to be looked at; shells whose turn comes later are not
-/// judged
+/// @throws BrokenOff  as `work` has it
 std::vector<ShellPlace> shell_places(const Mesh& mesh, const MeshShells& found,
-                                     const FacetsByShell& facets, std::uint64_t most_work);
+                                     const FacetsByShell& facets, const NestingWork& work);
 
 /// The shells that the stray ones of mesh_defects.h are, rising.
 std::vector<std::uint32_t> stray_shells(const Mesh& mesh, const MeshShells& found,

@@ -22,7 +22,7 @@ namespace {
 /// Puts the meshes of a scene together; vertices at the same place become one.
 class SceneReader {
  public:
-  explicit SceneReader(const aiScene& scene) : scene_(scene) {}
+  SceneReader(const aiScene& scene, const GoesOn& goes_on) : scene_(scene), steps_(goes_on) {}
 
   /// nullopt, or what is wrong with the scene.
   std::optional<std::string> read() { return read_node(*scene_.mRootNode, aiMatrix4x4(), 0); }
@@ -63,6 +63,7 @@ class SceneReader {
       joined[i] = weld_.vertex_at(p);
     }
     for (unsigned int i = 0; i < part.mNumFaces; ++i) {
+      steps_.step();
       const aiFace& face = part.mFaces[i];
       if (face.mNumIndices > kMostCorners) {
         return fmt::format("face {} has {} corners; {} are the most", i + 1, face.mNumIndices,
@@ -93,18 +94,21 @@ class SceneReader {
   }
 
   const aiScene& scene_;
+  Steps steps_;
   Mesh mesh_;
   VertexWeld weld_{mesh_};
 };
 
 }  // namespace
 
-Result<Mesh, std::string> read_through_assimp(const std::string& path, std::string bytes) {
+Result<Mesh, std::string> read_through_assimp(const std::string& path, std::string bytes,
+                                              const GoesOn& goes_on) {
   Assimp::Importer importer;
   // The importer deletes the file system when it goes.
-  importer.SetIOHandler(new MemoryFileSystem(path, std::move(bytes)));
+  importer.SetIOHandler(new MemoryFileSystem(path, std::move(bytes), goes_on));
   // No other step is asked for: assimp's triangulation aborts the process on some damaged polygons.
   const aiScene* scene = importer.ReadFile(path, aiProcess_ValidateDataStructure);
+  Steps(goes_on).ask();
   if (scene == nullptr) {
     // What it says itself names its own loaders.
     return std::string(
@@ -114,7 +118,7 @@ Result<Mesh, std::string> read_through_assimp(const std::string& path, std::stri
   if (scene->mRootNode == nullptr) {
     return std::string("it holds no mesh; expected at least one triangle");
   }
-  SceneReader reader(*scene);
+  SceneReader reader(*scene, goes_on);
   if (auto wrong = reader.read()) {
     return *std::move(wrong);
   }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "machine/base/result.h"
+#include "parts/geometry/goes_on.h"
 #include "parts/geometry/mesh.h"
 
 namespace g31::parts {
@@ -14,6 +15,7 @@ namespace g31::parts {
 /// @param path   says the kind; nothing is read from there
 /// @param bytes  of the file
 /// Error: without the path.
-Result<Mesh, std::string> read_through_assimp(const std::string& path, std::string bytes);
+Result<Mesh, std::string> read_through_assimp(const std::string& path, std::string bytes,
+                                              const GoesOn& goes_on = {});
 
 }  // namespace g31::parts

@@ -121,7 +121,8 @@ bool is_packed(std::string_view beginning) {
 /// What stands between a file and its mesh.
 class FileReader {
  public:
-  explicit FileReader(const std::string& path) : path_(path), file_(path, std::ios::binary) {
+  FileReader(const std::string& path, const GoesOn& goes_on)
+      : path_(path), goes_on_(goes_on), file_(path, std::ios::binary) {
     std::error_code error;
     size_ = std::filesystem::file_size(path, error);
     is_open_ = file_.good() && !error;
@@ -149,7 +150,7 @@ class FileReader {
       return std::string("it is packed; unpack it first");
     }
     if (kind == MeshKind::Stl && is_binary_stl(beginning, size_)) {
-      return read_binary_stl(file_, size_);
+      return read_binary_stl(file_, size_, goes_on_);
     }
     return read_whole(kind);
   }
@@ -168,12 +169,13 @@ class FileReader {
       return std::string("it cannot be read to its end");
     }
     if (kind == MeshKind::Stl) {
-      return read_text_stl(bytes);
+      return read_text_stl(bytes, goes_on_);
     }
     if (auto wrong = why_not_whole(kind, bytes)) {
       return *std::move(wrong);
     }
-    return read_through_assimp(path_, std::move(bytes));
+    Steps(goes_on_).ask();
+    return read_through_assimp(path_, std::move(bytes), goes_on_);
   }
 
   std::optional<std::string> why_not_whole(MeshKind kind, std::string_view bytes) {
@@ -204,6 +206,7 @@ class FileReader {
   }
 
   const std::string& path_;
+  const GoesOn& goes_on_;
   std::ifstream file_;
   std::uint64_t size_ = 0;
   bool is_open_ = false;
@@ -218,8 +221,8 @@ double mm_of(std::string_view unit) {
 
 Read read_in_mm(const std::string& path, const MeshFileReading& how) {
   const bool is_step = is_step_file(path);
-  FileReader reader(path);
-  Read read = is_step ? read_step_file(path, how.step_sagitta_mm) : reader.read();
+  FileReader reader(path, how.goes_on);
+  Read read = is_step ? read_step_file(path, how.step_sagitta_mm, how.goes_on) : reader.read();
   if (!read) {
     return read;
   }
@@ -279,6 +282,8 @@ Result<Mesh, std::string> read_mesh_file(const std::string& path, const MeshFile
     return complaint(path, fmt::format("not understood as a mesh ({}); expected a whole STL, OBJ, "
                                        "PLY, OFF or 3MF file",
                                        error.what()));
+  } catch (const BrokenOff&) {
+    throw;
   } catch (...) {
     return complaint(path,
                      "not understood as a mesh; expected a whole STL, OBJ, PLY, OFF or 3MF file");

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "machine/base/result.h"
+#include "parts/geometry/goes_on.h"
 #include "parts/geometry/mesh.h"
 
 namespace g31::parts {
@@ -15,6 +16,7 @@ struct MeshFileReading {
   double step_sagitta_mm = kStepSagittaMm;  ///< > 0, for STEP only
   std::string unit;                         ///< a name of mesh_units.def; empty: the file's, or mm
   double scale = 1.0;                       ///< > 0: factor of all lengths
+  GoesOn goes_on = {};                      ///< may break the reading off
 };
 
 /// Reads a triangle mesh from a file: STL, OBJ, PLY, OFF, 3MF and what else assimp knows; STEP
@@ -34,6 +36,9 @@ struct MeshFileReading {
 /// Error: one line that says what is wrong with the file (missing, empty, cut off, too large, not
 /// finite, an index without a vertex, no triangles, a unit for a file that has one, not
 /// understood) and what would be right.
+///
+/// @throws BrokenOff  as `how` has it: of STL within 4096 facets, of STEP within a tenth of a
+///     second, of the others when assimp next reads a piece, and behind it
 Result<Mesh, std::string> read_mesh_file(const std::string& path, const MeshFileReading& how = {});
 
 }  // namespace g31::parts

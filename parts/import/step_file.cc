@@ -37,18 +37,21 @@ bool can_read_step() {
   return step_reader().address != nullptr;
 }
 
-Result<Mesh, std::string> read_step_file(const std::string& path, double sagitta_mm) {
+Result<Mesh, std::string> read_step_file(const std::string& path, double sagitta_mm,
+                                         const GoesOn& goes_on) {
   if (!can_read_step()) {
     return step_reader().why_not + ", or save the part as STL, OBJ, PLY or 3MF";
   }
   const auto read = reinterpret_cast<decltype(&g31_read_step)>(step_reader().address);
-  const WorkApart done = done_apart([&] {
-    ReadFaces faces;
-    read(path.c_str(), sagitta_mm, &faces.mesh, &faces.walls, &faces.error);
-    ByteWriter writer;
-    pass(writer, faces);
-    return std::move(writer).take();
-  });
+  const WorkApart done = done_apart(
+      [&] {
+        ReadFaces faces;
+        read(path.c_str(), sagitta_mm, &faces.mesh, &faces.walls, &faces.error);
+        ByteWriter writer;
+        pass(writer, faces);
+        return std::move(writer).take();
+      },
+      goes_on);
   if (!done.why_not.empty()) {
     return "not understood as STEP: Open CASCADE does not get through it (" + done.why_not + ")";
   }

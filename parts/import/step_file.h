@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "machine/base/result.h"
+#include "parts/geometry/goes_on.h"
 #include "parts/geometry/mesh.h"
 
 namespace g31::parts {
@@ -23,6 +24,7 @@ bool can_read_step();
 ///
 /// Error: what is wrong, without the path: no module (and what to install), not understood, no
 /// faces.
-Result<Mesh, std::string> read_step_file(const std::string& path, double sagitta_mm);
+Result<Mesh, std::string> read_step_file(const std::string& path, double sagitta_mm,
+                                         const GoesOn& goes_on = {});
 
 }  // namespace g31::parts

@@ -79,7 +79,8 @@ void add_facets(std::string_view bytes, VertexWeld& weld, Mesh& mesh) {
 /// The grammar of the text form, word by word.
 class TextStl {
  public:
-  explicit TextStl(std::string_view text) : text_(text), rest_(text) {}
+  TextStl(std::string_view text, const GoesOn& goes_on)
+      : text_(text), rest_(text), steps_(goes_on) {}
 
   Result<Mesh, std::string> read() {
     while (wrong_.empty() && !next_word().empty()) {
@@ -102,6 +103,7 @@ class TextStl {
   }
 
   void read_facet() {
+    steps_.step();
     expect({"facet", "normal"});
     for (int i = 0; i < 3; ++i) {
       take_word(rest_);  // what a normal says does not count, and of a facet without area it is nan
@@ -167,6 +169,7 @@ class TextStl {
 
   std::string_view text_;
   std::string_view rest_;
+  Steps steps_;
   Mesh mesh_;
   VertexWeld weld_{mesh_};
   std::string wrong_;
@@ -182,7 +185,8 @@ bool is_binary_stl(std::string_view beginning, std::uint64_t size) {
   return !equals_in_any_case(first_word(beginning), "solid");
 }
 
-Result<Mesh, std::string> read_binary_stl(std::istream& file, std::uint64_t size) {
+Result<Mesh, std::string> read_binary_stl(std::istream& file, std::uint64_t size,
+                                          const GoesOn& goes_on) {
   std::array<char, kStlHead> head{};
   if (size < kStlHead || !file.read(head.data(), head.size())) {
     return fmt::format(
@@ -205,7 +209,9 @@ Result<Mesh, std::string> read_binary_stl(std::istream& file, std::uint64_t size
   Mesh mesh;
   mesh.triangles.reserve(static_cast<std::size_t>(count));
   VertexWeld weld(mesh, static_cast<std::size_t>(count) / 2 + 2);  // as many as a sphere has
+  const Steps steps(goes_on);
   for (std::uint64_t done = 0; done < count;) {
+    steps.ask();
     const auto now = static_cast<std::size_t>(std::min<std::uint64_t>(count - done, kAtATime));
     if (!file.read(facets.data(), static_cast<std::streamsize>(now * kStlFacet))) {
       return std::string("it cannot be read to its end");
@@ -216,8 +222,8 @@ Result<Mesh, std::string> read_binary_stl(std::istream& file, std::uint64_t size
   return mesh;
 }
 
-Result<Mesh, std::string> read_text_stl(std::string_view text) {
-  return TextStl(text).read();
+Result<Mesh, std::string> read_text_stl(std::string_view text, const GoesOn& goes_on) {
+  return TextStl(text, goes_on).read();
 }
 
 }  // namespace g31::parts

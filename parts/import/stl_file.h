@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "machine/base/result.h"
+#include "parts/geometry/goes_on.h"
 #include "parts/geometry/mesh.h"
 
 namespace g31::parts {
@@ -19,12 +20,13 @@ bool is_binary_stl(std::string_view beginning, std::uint64_t size);
 /// coordinate is looked at: they may be infinite, or no numbers (then never joined).
 ///
 /// Error: without the path; the size is not what the number of facets needs, no facets, too many.
-Result<Mesh, std::string> read_binary_stl(std::istream& file, std::uint64_t size);
+Result<Mesh, std::string> read_binary_stl(std::istream& file, std::uint64_t size,
+                                          const GoesOn& goes_on = {});
 
 /// Reads the text form: solid, facets, endsolid, and again.  Numbers become double as they stand.
 ///
 /// Error: without the path, with the line: cut off, a word that does not belong there, a number
 /// that is none.
-Result<Mesh, std::string> read_text_stl(std::string_view text);
+Result<Mesh, std::string> read_text_stl(std::string_view text, const GoesOn& goes_on = {});
 
 }  // namespace g31::parts

@@ -10,6 +10,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/types.h>
@@ -83,11 +84,17 @@ bool write_all(int to, std::string_view bytes) {
 }
 
 /// Until the other end is closed.
-std::string read_all(int from) {
+std::string read_all(int from, const Steps& steps) {
+  constexpr int kAskEveryMs = 100;
   constexpr std::size_t kPiece = 1U << 16U;
   std::array<char, kPiece> piece{};
   std::string bytes;
   for (;;) {
+    steps.ask();
+    pollfd waiting{from, POLLIN, 0};
+    if (::poll(&waiting, 1, kAskEveryMs) == 0) {
+      continue;
+    }
     const ssize_t count = ::read(from, piece.data(), piece.size());
     if (count > 0) {
       bytes.append(piece.data(), static_cast<std::size_t>(count));
@@ -124,7 +131,7 @@ std::string end_of(pid_t child) {
 
 }  // namespace
 
-WorkApart done_apart(const std::function<std::string()>& work) {
+WorkApart done_apart(const std::function<std::string()>& work, const GoesOn& goes_on) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
     return {"", fmt::format("no process can be made for it: {}", std::strerror(errno))};
@@ -140,9 +147,15 @@ WorkApart done_apart(const std::function<std::string()>& work) {
     work_in_child(work, to.number());
   }
   to.close();
-  WorkApart done{read_all(from.number()), ""};
-  done.why_not = end_of(child);
-  return done;
+  try {
+    WorkApart done{read_all(from.number(), Steps(goes_on)), ""};
+    done.why_not = end_of(child);
+    return done;
+  } catch (const BrokenOff&) {
+    ::kill(child, SIGKILL);
+    static_cast<void>(end_of(child));
+    throw;
+  }
 }
 
 }  // namespace g31::parts

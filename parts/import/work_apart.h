@@ -3,6 +3,8 @@
 #include <functional>
 #include <string>
 
+#include "parts/geometry/goes_on.h"
+
 namespace g31::parts {
 
 /// What came of work in another process.
@@ -17,6 +19,8 @@ inline constexpr int kMostSecondsApart = 300;
 
 /// Does work in a copy of this process, so that a library that breaks off at a file takes nothing
 /// else with it.  What it prints is thrown away.
-WorkApart done_apart(const std::function<std::string()>& work);
+/// @param goes_on  asked ten times a second
+/// @throws BrokenOff  when the process that does the work is killed
+WorkApart done_apart(const std::function<std::string()>& work, const GoesOn& goes_on = {});
 
 }  // namespace g31::parts

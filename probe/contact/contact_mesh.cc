@@ -2,11 +2,14 @@
 
 namespace g31::probe {
 
-ContactMesh::ContactMesh(const parts::Mesh& mesh, std::optional<parts::Sphere> sphere)
-    : tree_(parts::triangle_boxes(mesh)), mesh_{mesh.vertices, {}}, sphere_(sphere) {
+ContactMesh::ContactMesh(const parts::Mesh& mesh, std::optional<parts::Sphere> sphere,
+                         const parts::GoesOn& goes_on)
+    : tree_(parts::triangle_boxes(mesh), goes_on), mesh_{mesh.vertices, {}}, sphere_(sphere) {
   mesh_.triangles.reserve(mesh.triangles.size());
   triangles_.reserve(mesh.triangles.size());
+  parts::Steps steps(goes_on);
   for (const std::uint32_t index : tree_.order()) {
+    steps.step();
     const auto& corners = mesh.triangles[index];
     mesh_.triangles.push_back(corners);
     triangles_.emplace_back(mesh.vertices[corners[0]], mesh.vertices[corners[1]],

@@ -34,7 +34,9 @@ struct Meeting {
 /// their slots in a tree.  Immutable: balls and bodies share one.
 class ContactMesh {
  public:
-  explicit ContactMesh(const parts::Mesh& mesh, std::optional<parts::Sphere> sphere = {});
+  /// @throws parts::BrokenOff  as `goes_on` has it
+  explicit ContactMesh(const parts::Mesh& mesh, std::optional<parts::Sphere> sphere = {},
+                       const parts::GoesOn& goes_on = {});
 
   /// The true sphere that the triangles stand for: MeshSweeper and first_surface take it instead of
   /// them, everything else takes them.

@@ -7,7 +7,8 @@
 
 namespace g31::probe {
 
-TouchableParts::TouchableParts(const ProbeSetup& setup, const std::vector<ProbedPart>& parts) {
+TouchableParts::TouchableParts(const ProbeSetup& setup, const std::vector<ProbedPart>& parts,
+                               const parts::GoesOn& goes_on) {
   bool has_sections = false;
   for (const ToolBody& body : bodies_of(setup)) {
     if (const auto* const ball = std::get_if<Ball>(&body.shape)) {
@@ -20,13 +21,13 @@ TouchableParts::TouchableParts(const ProbeSetup& setup, const std::vector<Probed
   parts_.reserve(parts.size());
   for (const ProbedPart& part : parts) {
     G31_EXPECTS(!is_on_tool_side(part.mount));
-    Part& built =
-        parts_.emplace_back(Part{part.name,
-                                 part.is_solid,
-                                 encounter_of(Role::SensingTip, part.role, machine::Travel::Feed),
-                                 encounter_of(Role::SensingTip, part.role, machine::Travel::Skip),
-                                 std::make_shared<const ContactMesh>(part.mesh_M, part.sphere_M),
-                                 {}});
+    Part& built = parts_.emplace_back(
+        Part{part.name,
+             part.is_solid,
+             encounter_of(Role::SensingTip, part.role, machine::Travel::Feed),
+             encounter_of(Role::SensingTip, part.role, machine::Travel::Skip),
+             std::make_shared<const ContactMesh>(part.mesh_M, part.sphere_M, goes_on),
+             {}});
     built.sweepers.reserve(radii_.size());
     for (const double radius : radii_) {
       built.sweepers.emplace_back(built.mesh, radius);

@@ -28,7 +28,9 @@ class TouchableParts {
 
   /// @param setup  of its bodies only the sizes of balls count, and whether there are others
   /// @param parts  on the work's side
-  TouchableParts(const ProbeSetup& setup, const std::vector<ProbedPart>& parts);
+  /// @throws parts::BrokenOff  as `goes_on` has it
+  TouchableParts(const ProbeSetup& setup, const std::vector<ProbedPart>& parts,
+                 const parts::GoesOn& goes_on = {});
 
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
 

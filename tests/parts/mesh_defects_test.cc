@@ -247,10 +247,10 @@ TEST(CrossingFacets, AreThoseThatASideGoesThrough) {
   }
 }
 
-// A box of twelve facets through a wall of a hundred and sixty thousand.
+// A box of twelve facets through a wall of more than half a million.
 TEST(CrossingFacets, AreFoundInALargeMesh) {
-  const Mesh sphere = testing::sphere_mesh(10.0, 200);
-  ASSERT_GT(sphere.triangles.size(), 150'000U);
+  const Mesh sphere = testing::sphere_mesh(10.0, 400);
+  ASSERT_GT(sphere.triangles.size(), 600'000U);
   const Mesh mesh = together(sphere, moved_by(box_mesh({3, 2, 1}), {8.5, -0.7, 0.3}));
   std::vector<std::uint32_t> expected;
   const auto all = static_cast<std::uint32_t>(mesh.triangles.size());
@@ -274,10 +274,31 @@ TEST(CrossingFacets, AreNotLookedForBeyondTheirBudget) {
   const CrossingFacets some = crossing_facets(sphere, 5000);
   EXPECT_GT(some.looked_at, 5U);
   EXPECT_LT(some.looked_at, sphere.triangles.size());
-  Mesh large;
-  large.vertices = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)};
-  large.triangles.assign(kMostFacetsForCrossings + 1, {0, 1, 2});
-  EXPECT_EQ(crossing_facets(large).looked_at, 0U);
+}
+
+// What is asked of a mesh of any size: a third of the budget is plenty for a careful one, also
+// where all of it lies in one plane.
+TEST(CrossingFacets, OfACarefulMeshAreAllLookedForWithinAThirdOfTheBudget) {
+  Mesh plane;
+  constexpr std::uint32_t kSquares = 100;
+  for (std::uint32_t i = 0; i <= kSquares; ++i) {
+    for (std::uint32_t j = 0; j <= kSquares; ++j) {
+      plane.vertices.emplace_back(0.3 * i, 0.2 * j, 7.0);
+    }
+  }
+  for (std::uint32_t i = 0; i < kSquares; ++i) {
+    for (std::uint32_t j = 0; j < kSquares; ++j) {
+      const std::uint32_t a = i * (kSquares + 1) + j;
+      plane.triangles.push_back({a, a + kSquares + 1, a + kSquares + 2});
+      plane.triangles.push_back({a, a + kSquares + 2, a + 1});
+    }
+  }
+  for (const Mesh& mesh : {testing::sphere_mesh(10.0, 60), plane, turned_over(plane)}) {
+    const CrossingFacets found =
+        crossing_facets(mesh, kMostComparedForEach / 3 * mesh.triangles.size());
+    EXPECT_EQ(found.looked_at, mesh.triangles.size());
+    EXPECT_TRUE(found.facets.empty());
+  }
 }
 
 TEST(MeshDefects, TheFirstHasAPlace) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "interpreter/runtime/time_budget.h"
 #include "parts/features/recognise.h"
 #include "parts/solids/removal.h"
 #include "tools/disk/disk.h"
@@ -123,7 +125,9 @@ class PartPlanner {
       return prepared.error();
     }
     const setup::Job& job = prepared.value().job;
-    const auto built = session::build_parts(job);
+    constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+    const runtime::TimeBudget time(kNoEnd, request_.interruption);
+    const auto built = session::build_parts(job, &time);
     if (!built) {
       return built.error();
     }

@@ -60,8 +60,11 @@ Result<Proof, Refusal> prove(const ProofRequest& request) {
     return made.error();
   }
   const session::BuiltParts& built = request.parts == nullptr ? made.value() : *request.parts;
-  const auto surroundings =
-      session::surroundings_of(job, session::sensed_parts(job, built.parts), request.run.seed);
+  const auto sensed = session::sensed_parts(job, built.parts, &time);
+  if (!sensed) {
+    return sensed.error();
+  }
+  const auto surroundings = session::surroundings_of(job, sensed.value(), request.run.seed);
   machine::MachiningCentre machine(job.machine, surroundings.get());
   machine.watch(time);
   const auto programs = session::open_programs(prepared.control, request.run, disk, job.control);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 
 #include "interpreter/source/printable.h"
 #include "parts/artefacts/artefact.h"
+#include "parts/geometry/goes_on.h"
 #include "parts/geometry/mesh_defects.h"
 #include "parts/geometry/placement.h"
 #include "parts/import/mesh_file.h"
@@ -30,22 +32,20 @@ Refusal unusable(const source::ShownPlace& place, const std::string& why) {
   return {Ending::Setup, {}, {error_at(place, setup::SetupErrorId::PartUnusable, {why})}};
 }
 
-/// Why no further part is read.
-std::optional<Refusal> too_late(const runtime::TimeBudget* time, const std::string& part) {
-  if (time == nullptr) {
-    return std::nullopt;
-  }
-  if (time->is_interrupted()) {
-    return interrupted();
-  }
-  if (time->is_up()) {
-    return Refusal{
-        Ending::Budget,
-        fmt::format("the limit of computing time is reached with the reading of part {}: "
-                    "--max-time raises it",
-                    part)};
-  }
-  return std::nullopt;
+/// What work on meshes asks; with no end where there is no time.
+parts::GoesOn goes_on_within(const runtime::TimeBudget* time) {
+  return time == nullptr ? parts::GoesOn()
+                         : [time] { return !time->is_interrupted() && !time->is_up(); };
+}
+
+/// Why work on meshes was broken off.
+Refusal too_late(const runtime::TimeBudget& time, std::string_view with) {
+  return time.is_interrupted()
+             ? interrupted()
+             : Refusal{Ending::Budget,
+                       fmt::format("the limit of computing time is reached with {}: --max-time "
+                                   "raises it",
+                                   with)};
 }
 
 /// Parts that stand on the bed go another way past the probe where tables turn.
@@ -55,14 +55,14 @@ bool goes_alone(const setup::Job& job, const probe::ProbedPart& part) {
 
 std::shared_ptr<const probe::TouchableParts> touchable(const setup::Job& job,
                                                        const std::vector<probe::ProbedPart>& parts,
-                                                       bool alone) {
+                                                       bool alone, const parts::GoesOn& goes_on) {
   std::vector<probe::ProbedPart> chosen;
   std::ranges::copy_if(parts, std::back_inserter(chosen), [&](const probe::ProbedPart& part) {
     return goes_alone(job, part) == alone;
   });
   return alone && chosen.empty()
              ? nullptr
-             : std::make_shared<const probe::TouchableParts>(*job.probe, chosen);
+             : std::make_shared<const probe::TouchableParts>(*job.probe, chosen, goes_on);
 }
 
 /// The meshes of all parts in their order, as the probe has them already.
@@ -79,10 +79,11 @@ probe::SeenParts seen_with(const setup::Job& job, const std::vector<probe::Probe
   return seen;
 }
 
-probe::SeenParts seen_alone(const std::vector<probe::ProbedPart>& parts) {
+probe::SeenParts seen_alone(const std::vector<probe::ProbedPart>& parts,
+                            const parts::GoesOn& goes_on) {
   probe::SeenParts seen;
   for (const probe::ProbedPart& part : parts) {
-    seen.push_back(std::make_shared<const probe::ContactMesh>(part.mesh_M, part.sphere_M));
+    seen.push_back(std::make_shared<const probe::ContactMesh>(part.mesh_M, part.sphere_M, goes_on));
   }
   return seen;
 }
@@ -108,8 +109,9 @@ std::string left_out(const parts::MeshDefects& defects) {
 
 /// What is wrong with a mesh, in the words of a run.
 void add_findings(const parts::Mesh& mesh_P, const std::string& part,
-                  const source::ShownPlace& place, std::vector<source::Diagnostic>& findings) {
-  const parts::MeshDefects defects = parts::defects_of(mesh_P);
+                  const source::ShownPlace& place, const parts::GoesOn& goes_on,
+                  std::vector<source::Diagnostic>& findings) {
+  const parts::MeshDefects defects = parts::defects_of(mesh_P, goes_on);
   const auto add = [&](source::DiagnosticId id, const parts::Defect& defect) {
     if (defect.count > 0) {
       const Point& p = defect.p_P_first;
@@ -135,51 +137,43 @@ void add_findings(const parts::Mesh& mesh_P, const std::string& part,
   }
 }
 
-}  // namespace
-
-Result<BuiltParts, Refusal> build_parts(const setup::Job& job, const runtime::TimeBudget* time) {
-  BuiltParts built;
-  if (job.skip_signals && job.sensors.empty()) {
-    return built;
+/// Adds a part of the sheet to those that are made.  @returns why it cannot be made or read
+/// @throws parts::BrokenOff
+std::optional<Refusal> add_part(const parts::PartSetup& part, const source::ShownPlace& in_sheet,
+                                const parts::GoesOn& goes_on, BuiltParts& built) {
+  const auto mesh_P =
+      part.shape.empty()
+          ? parts::read_mesh_file(part.file, {part.step_sagitta_mm, part.unit, part.scale, goes_on})
+          : parts::make_artefact(part);
+  if (!mesh_P) {
+    return unusable(in_sheet, mesh_P.error());
   }
-  for (std::size_t i = 0; i < job.parts.size(); ++i) {
-    const parts::PartSetup& part = job.parts[i];
-    const auto mesh_P =
-        part.shape.empty()
-            ? parts::read_mesh_file(part.file, {part.step_sagitta_mm, part.unit, part.scale})
-            : parts::make_artefact(part);
-    if (!mesh_P) {
-      return unusable(job.part_places[i], mesh_P.error());
-    }
-    if (part.shape.empty() && part.is_closed) {
-      add_findings(mesh_P.value(), part.name, job.part_places[i], built.findings);
-    }
-    const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
-    built.parts.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
-    built.parts.back().is_solid = part.is_closed;
-    if (const auto sphere_P = parts::exact_sphere(part)) {
-      built.parts.back().sphere_M = parts::placed_sphere(*sphere_P, place);
-    }
-    built.parts.back().role = part.is_fixture ? probe::Role::Rigid : probe::Role::Part;
-    if (const auto late = too_late(time, part.name)) {
-      return *late;
-    }
+  if (part.shape.empty() && part.is_closed) {
+    add_findings(mesh_P.value(), part.name, in_sheet, goes_on, built.findings);
   }
-  std::ranges::move(plates_of(job.tool_probes), std::back_inserter(built.parts));
-  return built;
+  const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
+  built.parts.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
+  built.parts.back().is_solid = part.is_closed;
+  if (const auto sphere_P = parts::exact_sphere(part)) {
+    built.parts.back().sphere_M = parts::placed_sphere(*sphere_P, place);
+  }
+  built.parts.back().role = part.is_fixture ? probe::Role::Rigid : probe::Role::Part;
+  parts::Steps(goes_on).ask();
+  return std::nullopt;
 }
 
-SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedPart>& parts) {
+SensedParts sensed_within(const setup::Job& job, const std::vector<probe::ProbedPart>& parts,
+                          const parts::GoesOn& goes_on) {
   SensedParts sensed;
   if (job.probe && !job.skip_signals) {
-    sensed.by_balls = touchable(job, parts, false);
-    sensed.on_bed = touchable(job, parts, true);
+    sensed.by_balls = touchable(job, parts, false, goes_on);
+    sensed.on_bed = touchable(job, parts, true, goes_on);
   }
   const bool has_tools = !job.skip_signals && has_tools_or_tool_probes(job);
   const bool for_tools = has_tools && do_parts_matter(job, parts);
   probe::SeenParts meshes;
   if (!job.sensors.empty() || for_tools) {
-    meshes = sensed.by_balls ? seen_with(job, parts, sensed) : seen_alone(parts);
+    meshes = sensed.by_balls ? seen_with(job, parts, sensed) : seen_alone(parts, goes_on);
   }
   if (has_tools) {
     sensed.by_tools = tool_parts_of(job, parts, for_tools ? meshes : probe::SeenParts());
@@ -188,6 +182,37 @@ SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedP
     sensed.by_sensors = std::make_shared<const probe::SeenParts>(std::move(meshes));
   }
   return sensed;
+}
+
+}  // namespace
+
+Result<BuiltParts, Refusal> build_parts(const setup::Job& job, const runtime::TimeBudget* time) {
+  BuiltParts built;
+  if (job.skip_signals && job.sensors.empty()) {
+    return built;
+  }
+  const parts::GoesOn goes_on = goes_on_within(time);
+  for (std::size_t i = 0; i < job.parts.size(); ++i) {
+    try {
+      if (auto refusal = add_part(job.parts[i], job.part_places[i], goes_on, built)) {
+        return *std::move(refusal);
+      }
+    } catch (const parts::BrokenOff&) {
+      return too_late(*time, fmt::format("the reading of part {}", job.parts[i].name));
+    }
+  }
+  std::ranges::move(plates_of(job.tool_probes), std::back_inserter(built.parts));
+  return built;
+}
+
+Result<SensedParts, Refusal> sensed_parts(const setup::Job& job,
+                                          const std::vector<probe::ProbedPart>& parts,
+                                          const runtime::TimeBudget* time) {
+  try {
+    return sensed_within(job, parts, goes_on_within(time));
+  } catch (const parts::BrokenOff&) {
+    return too_late(*time, "the trees over the parts");
+  }
 }
 
 std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
@@ -254,7 +279,11 @@ Result<World, Refusal> build_world(const setup::Job& job, std::uint64_t seed,
   world.parts = parts.value().parts;
   world.beams = beams_of(job.tool_probes);
   world.findings = parts.value().findings;
-  world.surroundings = surroundings_of(job, sensed_parts(job, world.parts), seed);
+  const auto sensed = sensed_parts(job, world.parts, time);
+  if (!sensed) {
+    return sensed.error();
+  }
+  world.surroundings = surroundings_of(job, sensed.value(), seed);
   world.machine = std::make_unique<machine::MachiningCentre>(job.machine, world.surroundings.get());
   if (time != nullptr) {
     world.machine->watch(*time);

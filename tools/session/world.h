@@ -36,7 +36,7 @@ struct BuiltParts {
 
 /// The parts of a set-up; none where signals come from a script and no sensor is.
 /// @returns why a part cannot be made or read, with the place in the sheet
-/// @param time  nothing more is read once it is up; null: there is no end
+/// @param time  the work ends once it is up or interrupted; null: there is no end
 Result<BuiltParts, Refusal> build_parts(const setup::Job& job,
                                         const runtime::TimeBudget* time = nullptr);
 
@@ -48,7 +48,11 @@ struct SensedParts {
   std::shared_ptr<const probe::SeenParts> by_sensors;  ///< null without sensors
   std::shared_ptr<const ToolParts> by_tools;           ///< null where the sheet names no tools
 };
-SensedParts sensed_parts(const setup::Job& job, const std::vector<probe::ProbedPart>& parts);
+/// @returns why it took too long
+/// @param time  as there
+Result<SensedParts, Refusal> sensed_parts(const setup::Job& job,
+                                          const std::vector<probe::ProbedPart>& parts,
+                                          const runtime::TimeBudget* time = nullptr);
 
 /// What a machine of the set-up meets among parts that are made already; null: nothing.
 /// @param parts  for the probe and the sensors of the set-up

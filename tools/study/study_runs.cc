@@ -54,12 +54,18 @@ bool changes_geometry(const setup::VariedKey& key) {
          key.row->id == setup::KeyId::ProbeStemDiameter;
 }
 
-Result<StudyParts, Refusal> parts_of(const setup::Job& job) {
-  const auto built = session::build_parts(job);
+/// Within the time that a run of the study has.
+Result<StudyParts, Refusal> parts_of(const setup::Job& job, const Study& study) {
+  const runtime::TimeBudget time(study.max_time_s, study.interruption);
+  const auto built = session::build_parts(job, &time);
   if (!built) {
     return built.error();
   }
-  return StudyParts{session::sensed_parts(job, built.value().parts), built.value().findings};
+  const auto sensed = session::sensed_parts(job, built.value().parts, &time);
+  if (!sensed) {
+    return sensed.error();
+  }
+  return StudyParts{sensed.value(), built.value().findings};
 }
 
 std::string first_line(const std::string& text) {
@@ -240,7 +246,7 @@ std::optional<Refusal> StudyRuns::try_control() {
     programs_.push_back(opened.value());
   }
   Geometry& geometry = *geometries_.front();
-  std::call_once(geometry.once, [&] { geometry.parts.emplace(parts_of(job.value())); });
+  std::call_once(geometry.once, [&] { geometry.parts.emplace(parts_of(job.value(), study_)); });
   if (!geometry.parts->ok()) {
     return geometry.parts->error();
   }
@@ -391,7 +397,7 @@ StudyRuns::Ended StudyRuns::run_drawn(std::size_t number, const Row& row) {
     }
     job.control.variables = std::move(variables);
   }
-  const Parts parts = draws_geometry_ ? parts_of(job) : *point.geometry->parts;
+  const Parts parts = draws_geometry_ ? parts_of(job, study_) : *point.geometry->parts;
   return run_all_programs(std::move(job), parts, row);
 }
 
@@ -413,7 +419,7 @@ void StudyRuns::make_ready(std::size_t number) {
     }
     setup::Job job = point.job->value();
     Geometry& geometry = *point.geometry;
-    std::call_once(geometry.once, [&] { geometry.parts.emplace(parts_of(job)); });
+    std::call_once(geometry.once, [&] { geometry.parts.emplace(parts_of(job, study_)); });
     if (study_.before_when == BeforeWhen::Once) {
       if (auto failed = run_before(job, *geometry.parts, SeedUse::BeforeAll, number)) {
         point.failed_before = std::make_unique<Ended>(std::move(*failed));
