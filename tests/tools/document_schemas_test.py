@@ -2,9 +2,10 @@
 import json
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
+
+import kept_documents
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RING = "parts/library/ring_gauge/"
@@ -95,7 +96,7 @@ EVENTS = (
 
 def problems_of(g31, folder, command, jsonschema):
     """What is wrong with the document of a command."""
-    done = subprocess.run([g31, *command], cwd=folder, capture_output=True, text=True, check=False)
+    done = kept_documents.run([g31, *command], folder, capture_output=True, text=True)
     # A study and a run of a program may print before their document, and behind it.
     written = pathlib.Path(folder) / "inspection/plan.json"
     text = written.read_text(encoding="utf-8") if command[0] == "plan" and written.exists() else done.stdout
@@ -117,7 +118,7 @@ def problems_of(g31, folder, command, jsonschema):
 
 def problems_of_events(g31, folder, command, jsonschema):
     """What is wrong with the lines of --jsonl."""
-    done = subprocess.run([g31, *command], cwd=folder, capture_output=True, text=True, check=False)
+    done = kept_documents.run([g31, *command], folder, capture_output=True, text=True)
     schema = json.loads((ROOT / "docs/schema/g31.events.schema.json").read_text(encoding="utf-8"))
     jsonschema.Draft7Validator.check_schema(schema)
     said = " ".join(command)

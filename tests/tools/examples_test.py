@@ -13,6 +13,8 @@ import sys
 import tempfile
 import unittest
 
+import kept_documents
+
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "docs" / "examples"
 
 
@@ -31,8 +33,10 @@ class Examples(unittest.TestCase):
         self.environment.pop("GITHUB_ACTIONS", None)
 
     def call(self, folder, *words, **more):
-        return subprocess.run(words, cwd=self.root / folder, capture_output=True, text=True,
+        done = subprocess.run(words, cwd=self.root / folder, capture_output=True, text=True,
                               env={**self.environment, **more})
+        kept_documents.keep_folder(self.root)
+        return done
 
     def test_each_command_of_the_readme_completes(self):
         sections = (EXAMPLES / "README.md").read_text().split("\n## ")[1:]

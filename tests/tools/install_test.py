@@ -14,6 +14,8 @@ import tarfile
 import tempfile
 import unittest
 
+import kept_documents
+
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 PLACES = (
     "bin/g31", "share/g31/macros/fanuc/O6001.nc", "share/g31/machine/library/v55.toml",
@@ -57,7 +59,7 @@ class InstalledTree(unittest.TestCase):
 
     @classmethod
     def g31(cls, *words):
-        return subprocess.run([cls.root / "bin/g31", *words], cwd=cls.root, capture_output=True, text=True)
+        return kept_documents.run([cls.root / "bin/g31", *words], cls.root, capture_output=True, text=True)
 
     def options_of(self, command):
         words = self.g31(command, "--help").stdout.split("Examples")[0]

@@ -12,6 +12,8 @@ import tempfile
 import time
 import unittest
 
+import kept_documents
+
 PRODUCT = pathlib.Path(__file__).resolve().parents[2] / "parts/library/inspection/product.step"
 RUNS = "%\nO1\n#500=3\nM30\n%\n"
 WRONG = "%\nO1\nIF[#1>=0]GOTO10\n#2=[1+\nIF[#1<>0]GOTO10\nN10 M30\n%\n"
@@ -24,7 +26,7 @@ class Manners(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def g31(self, *words, text=""):
-        return subprocess.run([G31, *words], cwd=self.folder, input=text, capture_output=True, text=True)
+        return kept_documents.run([G31, *words], self.folder, input=text, capture_output=True, text=True)
 
     def test_a_program_comes_from_standard_input(self):
         run = self.g31("run", "-", "--print", "#500", text=RUNS)
@@ -49,6 +51,7 @@ class Manners(unittest.TestCase):
             for pipe in (waits.stdin, waits.stderr):
                 pipe.close()
         self.assertEqual(json.loads((self.folder / "a.json").read_text())["status"], "interrupted")
+        kept_documents.keep_folder(self.folder)
 
     def wait_until_it_catches(self, process, caught):
         """Before, the signal ends it as any program."""

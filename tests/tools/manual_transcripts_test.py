@@ -20,6 +20,8 @@ import sys
 import tempfile
 import unittest
 
+import kept_documents
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 INSTALLED = "/usr/share/g31/"
 FENCE = re.compile(r"```(.*)")
@@ -77,6 +79,7 @@ class Shell:
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               timeout=300, check=False)
         self.exit_code = done.returncode
+        kept_documents.keep(done.stdout)
         self.folder = pathlib.Path(self.where.read_text(encoding="utf-8").rstrip("\n"))
         return done.stdout.replace(f"{ROOT}/", INSTALLED).splitlines()
 
@@ -120,6 +123,7 @@ def followed(page, folder):
         elif info == "console":
             result += lines[copied:begin] + answered(shell, lines[begin:end])
             copied = end
+    kept_documents.keep_folder(shell.root)
     return "\n".join(result + lines[copied:]), shell.root
 
 

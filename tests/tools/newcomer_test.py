@@ -1,8 +1,9 @@
 """Mistakes that newcomers make, each with what g31 says to do about it.  Usage: newcomer_test.py G31"""
 import pathlib
-import subprocess
 import sys
 import tempfile
+
+import kept_documents
 
 PROGRAM = "O1\nG90 G54\nG31 X40. F100.\n#500=#5061\nM30\n"
 SHEET = """[start]
@@ -66,7 +67,7 @@ def answered(g31, mistake):
     with tempfile.TemporaryDirectory() as folder:
         for name, content in {"p.nc": PROGRAM, "s.toml": SHEET, **files}.items():
             (pathlib.Path(folder) / name).write_text(content, encoding="utf-8")
-        done = subprocess.run([g31, *words], cwd=folder, capture_output=True, text=True, check=False)
+        done = kept_documents.run([g31, *words], folder, capture_output=True, text=True)
     said = done.stdout + done.stderr
     if text not in said or (code is not None and done.returncode != code):
         return [f"{what}: exit {done.returncode}, expected {code} and {text!r} in:\n{said[:600]}"]
