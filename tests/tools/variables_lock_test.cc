@@ -140,6 +140,42 @@ TEST(VariablesLock, LeavesAWholeFileWhereverItIsKilled) {
   EXPECT_EQ(folder.names().size(), 3U);  // program, sheet, variables: nothing of killed runs
 }
 
+/// Found out before the run, whose results would be lost; the file stays what it was.
+TEST(VariablesLock, AFolderThatNobodyMayWriteInIsRefused) {
+  const TemporaryFolder folder;
+  const std::string kept = folder.path("kept");
+  fs::create_directory(kept);
+  folder.write("kept/file.vars", "#500=7\n");
+  fs::permissions(folder.path(""), fs::perms::all);
+  fs::permissions(kept, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
+                            fs::perms::others_exec);
+  const std::string program = folder.write("count.nc", "O1\n#500=#500+1\nM30\n");
+  const std::string sheet =
+      folder.write("sheet.toml", "[control]\nvariables_file = \"kept/file.vars\"\n");
+  const std::string said = folder.write("said", "");
+  fs::permissions(said, fs::perms::all);
+  cli::RunOptions options;
+  options.programs = {program};
+  options.setups = {sheet};
+  const pid_t child = in_child([&] {
+    constexpr uid_t kNobody = 65534;
+    if (::geteuid() == 0 && ::seteuid(kNobody) != 0) {
+      return 99;
+    }
+    (void)!std::freopen(said.c_str(), "wb", stderr);
+    const int code = static_cast<int>(cli::run_command(options));
+    std::fflush(stderr);
+    return code;
+  });
+  EXPECT_EQ(exit_code_of(child), 2);
+  EXPECT_NE(text_of(said).find("kept/file.vars: the run could not save its variables here "
+                               "(Permission denied): make the folder writable"),
+            std::string::npos)
+      << text_of(said);
+  EXPECT_EQ(text_of(kept + "/file.vars"), "#500=7\n");
+  fs::permissions(kept, fs::perms::owner_all);
+}
+
 TEST(VariablesLock, IsNotNeededWhereNothingIsReplaced) {
   const auto first = FileLock::take("/dev/null", kNoPatienceS);
   const auto second = FileLock::take("/dev/null", kNoPatienceS);

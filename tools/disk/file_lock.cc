@@ -85,6 +85,9 @@ Result<std::shared_ptr<FileLock>, LockRefusal> FileLock::take(const std::string&
   const auto start = LockClock::now();
   while (lock_path) {
     const int descriptor = opened(*lock_path);
+    if (descriptor < 0 && (errno == EACCES || errno == EROFS)) {
+      return LockRefusal{LockRefusal::Kind::Unwritable, std::strerror(errno)};
+    }
     if (descriptor < 0) {
       break;  // what cannot be made beside the file cannot replace it either
     }

@@ -10,8 +10,9 @@ namespace g31::disk {
 /// Why a file is not ours alone.
 struct LockRefusal {
   enum class Kind {
-    Held,        ///< by another process, all the time that was waited
-    Unsupported  ///< the file system keeps no locks
+    Held,         ///< by another process, all the time that was waited
+    Unsupported,  ///< the file system keeps no locks
+    Unwritable    ///< nothing can be made in its folder, so neither can the file be written anew
   };
   Kind kind = Kind::Held;
   std::string why;
@@ -22,8 +23,7 @@ struct LockRefusal {
 /// it is written; whoever ends, however it ends, holds it no more, and what a killed process leaves
 /// is no lock.  A link stands for the file behind it.
 ///
-/// A device, a pipe and a file in a folder in which we may not write need no lock: nothing replaces
-/// them.
+/// A device and a pipe need no lock: nothing replaces them.
 class FileLock {
  public:
   /// @param patience_s  how long to wait for another process

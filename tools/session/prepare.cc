@@ -39,7 +39,7 @@ std::optional<Refusal> take_kept_variables(source::FileSystem& files, setup::Job
     return refusal_of(kept.error());
   }
   std::map<std::string, std::optional<double>> variables;
-  std::map<std::string, setup::SheetPlace> places;
+  std::map<std::string, source::ShownPlace> places;
   for (const KeptVariable& variable : kept.value()) {
     variables[variable.assignment.name] = variable.assignment.value;
     places["variables." + variable.assignment.name] = variable.place;
@@ -90,6 +90,12 @@ std::optional<Refusal> lock_variables(Prepared& prepared) {
         fmt::format("{}: another run has kept its variables here for {} s ({}): wait for it, or "
                     "give each run a variables_file of its own",
                     path, kPatienceS, lock.error().why));
+  }
+  if (lock.error().kind == disk::LockRefusal::Kind::Unwritable) {
+    return bad_input(
+        fmt::format("{}: the run could not save its variables here ({}): make the folder writable, "
+                    "or name a variables_file in another one",
+                    path, lock.error().why));
   }
   prepared.note = fmt::format(
       "{}: cannot be locked here ({}): of two runs at a time one would lose what the other saves",
