@@ -7,8 +7,10 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include "tools/disk/pipe_stream.h"
 #include "tools/printer/line_spec.h"
 #include "tools/printer/serial_printer.h"
 
@@ -52,8 +54,12 @@ Result<std::FILE*, Refusal> open_device(const std::string& path) {
     return wrong_printer(path,
                          fmt::format("a serial line needs its settings: {},4800,e,7,2", path));
   }
-  ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
-  std::FILE* const file = ::fdopen(fd, "wb");
+  struct stat is = {};
+  const bool is_pipe = ::fstat(fd, &is) == 0 && S_ISFIFO(is.st_mode);
+  if (!is_pipe) {
+    ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
+  }
+  std::FILE* const file = is_pipe ? disk::pipe_stream(fd) : ::fdopen(fd, "wb");
   if (file == nullptr) {
     ::close(fd);
     return wrong_printer(path, std::strerror(errno));
@@ -133,7 +139,7 @@ std::optional<session::Refusal> Printouts::finish() {
   }
   return error_ == 0 ? std::nullopt
                      : std::optional(wrong_printer(
-                           path_, fmt::format("cannot write: {}", std::strerror(error_))));
+                           path_, fmt::format("cannot write: {}", disk::words_for(error_))));
 }
 
 }  // namespace g31::cli

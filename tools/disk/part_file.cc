@@ -12,6 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "tools/disk/pipe_stream.h"
+
 namespace g31::disk {
 namespace {
 
@@ -98,8 +100,7 @@ std::FILE* open_pipe(const std::string& path) {
   if (descriptor < 0) {
     return nullptr;
   }
-  (void)::fcntl(descriptor, F_SETFL, 0);  // its reader may take its time
-  return ::fdopen(descriptor, "wb");
+  return pipe_stream(descriptor);
 }
 
 /// The new file looks like the one that it will replace, as far as we may.
@@ -210,7 +211,7 @@ std::optional<std::string> PartFile::finish() {
   if (!temporary_.empty()) {
     give_name();
   }
-  return error_ == 0 ? std::nullopt : std::optional(std::string(std::strerror(error_)));
+  return error_ == 0 ? std::nullopt : std::optional(words_for(error_));
 }
 
 }  // namespace g31::disk

@@ -1,0 +1,123 @@
+#include "tools/disk/pipe_stream.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+namespace g31::disk {
+namespace {
+
+/// What the system says of a pipe that was given up; nothing else that we write to says it.
+constexpr int kGivenUp = ETIMEDOUT;
+
+class Pipe {
+ public:
+  Pipe(int descriptor, double stall_s) : descriptor_(descriptor), stall_s_(stall_s) {}
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() { ::close(descriptor_); }
+
+  /// Keeps the last line until its end is there.  @returns whether all is on its way
+  bool write(std::string_view text) {
+    waiting_ += text;
+    std::size_t sent = 0;
+    while (error_ == 0) {
+      const std::size_t piece = piece_of(std::string_view(waiting_).substr(sent));
+      if (piece == 0) {
+        break;
+      }
+      send(std::string_view(waiting_).substr(sent, piece));
+      sent += piece;
+    }
+    waiting_.erase(0, sent);
+    errno = error_;
+    return error_ == 0;
+  }
+
+  bool finish() {
+    for (std::string_view rest = waiting_; error_ == 0 && !rest.empty();) {
+      const std::string_view piece = rest.substr(0, PIPE_BUF);
+      send(piece);
+      rest.remove_prefix(piece.size());
+    }
+    errno = error_;
+    return error_ == 0;
+  }
+
+ private:
+  /// How much of it goes out together: all of it, or nothing (POSIX, of PIPE_BUF bytes at most).
+  static std::size_t piece_of(std::string_view text) {
+    const std::string_view most = text.substr(0, PIPE_BUF);
+    const std::size_t end = most.rfind('\n');
+    return end != std::string_view::npos ? end + 1 : most.size() == PIPE_BUF ? most.size() : 0;
+  }
+
+  void send(std::string_view piece) {
+    while (error_ == 0) {
+      if (::write(descriptor_, piece.data(), piece.size()) >= 0) {
+        return;
+      }
+      if (errno == EAGAIN) {
+        wait();
+      } else if (errno != EINTR) {
+        error_ = errno;
+      }
+    }
+  }
+
+  /// A pipe is ready once there is room for PIPE_BUF bytes.
+  void wait() {
+    pollfd ready{descriptor_, POLLOUT, 0};
+    const int found = ::poll(&ready, 1, static_cast<int>(std::ceil(1000.0 * stall_s_)));
+    if (found == 0) {
+      error_ = kGivenUp;
+    } else if (found < 0 && errno != EINTR) {
+      error_ = errno;
+    }
+  }
+
+  int descriptor_;
+  double stall_s_;
+  int error_ = 0;
+  std::string waiting_;
+};
+
+ssize_t write_to(void* pipe, const char* bytes, std::size_t size) {
+  return static_cast<Pipe*>(pipe)->write({bytes, size}) ? static_cast<ssize_t>(size) : 0;
+}
+
+int close_pipe(void* pipe) {
+  auto* const closing = static_cast<Pipe*>(pipe);
+  const bool is_whole = closing->finish();
+  const int error = errno;
+  delete closing;
+  errno = error;
+  return is_whole ? 0 : EOF;
+}
+
+}  // namespace
+
+std::FILE* pipe_stream(int descriptor, double stall_s) {
+  auto* const pipe = new Pipe(descriptor, stall_s);
+  std::FILE* const file = ::fopencookie(pipe, "wb", {nullptr, write_to, nullptr, close_pipe});
+  if (file == nullptr) {
+    delete pipe;
+  }
+  return file;
+}
+
+std::string words_for(int error) {
+  return error == kGivenUp
+             ? fmt::format("whoever reads this pipe has taken nothing for {} s", kPipeStallS)
+             : std::string(std::strerror(error));
+}
+
+}  // namespace g31::disk

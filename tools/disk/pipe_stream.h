@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace g31::disk {
+
+/// A pipe whose reader takes nothing for so long is given up.
+inline constexpr double kPipeStallS = 60.0;
+
+/// A stream into a named pipe: whole lines go out at once, up to 4096 bytes together, so that its
+/// reader finds no half line where it is given up.  What comes after that fails at once.  (A pager
+/// that stops reading on purpose stands behind standard output, which waits for ever.)
+///
+/// @param descriptor  not blocking (O_NONBLOCK); the stream closes it
+/// @returns nullptr: errno says why there is none
+std::FILE* pipe_stream(int descriptor, double stall_s = kPipeStallS);
+
+/// The system's words for errno; of a pipe that was given up, ours.
+std::string words_for(int error);
+
+}  // namespace g31::disk
