@@ -1,13 +1,19 @@
 // --max-time within one block that lasts for ever: exit code 6, and what was written is whole.
 
+#include "interpreter/runtime/time_budget.h"
+
 #include <chrono>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/probe/test_meshes.h"
 #include "tests/support/run_program.h"
 #include "tests/support/run_study.h"
+#include "tools/session/world.h"
+#include "tools/setup/toml_reader.h"
 
 namespace g31::time_budget_test {
 namespace {
@@ -91,6 +97,28 @@ TEST(TimeBudget, CountsTheReadingOfParts) {
             std::string::npos)
       << output.errors;
   EXPECT_EQ(output.document["status"], "budget");
+}
+
+/// What comes behind the reading: a mesh of 14,000 facets, more than are worked on unasked.
+TEST(TimeBudget, HoldsForTheTreesOverParts) {
+  TemporaryFolder folder;
+  const std::vector<std::string> sheets = {folder.write("sheet.toml", kRing)};
+  const auto job = setup::read_job(sheets);
+  ASSERT_TRUE(job.ok());
+  const std::vector<probe::ProbedPart> parts = {{"ball", testing::sphere_mesh(10.0, 60)}};
+  EXPECT_TRUE(session::sensed_parts(job.value(), parts).ok());
+  const runtime::TimeBudget spent(-1.0);
+  const auto late = session::sensed_parts(job.value(), parts, &spent);
+  ASSERT_FALSE(late.ok());
+  EXPECT_EQ(late.error().ending, session::Ending::Budget);
+  EXPECT_EQ(late.error().message,
+            "the limit of computing time is reached with the trees over the parts: --max-time "
+            "raises it");
+  const runtime::Interruption is_asked_for = true;
+  const runtime::TimeBudget interrupted(600.0, &is_asked_for);
+  const auto broken_off = session::sensed_parts(job.value(), parts, &interrupted);
+  ASSERT_FALSE(broken_off.ok());
+  EXPECT_EQ(broken_off.error().ending, session::interrupted().ending);
 }
 
 TEST(TimeBudget, HoldsForEachRunOfAStudy) {
