@@ -1,6 +1,7 @@
 // What the fuzzers do for hours, for a second and always alike: the corpus and counted changes of
 // it through the same entries.  A failure stops the process, as it stops a fuzzer; with
-// G31_FUZZ_TRACE=1 the number of the last mutation stands above it.
+// G31_FUZZ_TRACE=1 the number of the last mutation stands above it.  G31_FUZZ_EFFORT=85 tries 85
+// times as many changes, G31_FUZZ_SHARE=1/2 the first half of them, for two processes side by side.
 
 #include <algorithm>
 #include <charconv>
@@ -21,6 +22,7 @@
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
 #include "tests/fuzz/entry.h"
+#include "tests/fuzz/fuzz_effort.h"
 #include "tests/fuzz/mutation.h"
 #include "tests/support/effort.h"
 #include "tools/setup/keys.h"
@@ -103,7 +105,10 @@ void feed(Entry entry, const std::string& dialect, std::uint64_t mutations = kMu
   const std::vector<std::string> words = dictionary(dialect);
   ASSERT_FALSE(words.empty());
   const bool traced = std::getenv("G31_FUZZ_TRACE") != nullptr;
-  for (std::uint64_t number = 0; number < mutations; ++number) {
+  const auto effort = fuzz::effort();
+  ASSERT_TRUE(effort) << "G31_FUZZ_EFFORT=85, G31_FUZZ_SHARE=1/2";
+  const std::uint64_t all = effort->times * mutations;
+  for (std::uint64_t number = effort->first; number < all; number += effort->apart) {
     const std::string text = mutation(number, texts, words);
     if (traced) {
       fmt::print(stderr, "mutation {}\n{}\n", number, text);
@@ -156,6 +161,25 @@ TEST(Fuzz, AnyMeshIsRead) {
 
 TEST(Fuzz, AnyPrinterLineIsRead) {
   feed(read_printer_line, "printers");
+}
+
+TEST(FuzzEffort, IsCountedAndShared) {
+  const auto usual = effort_of(nullptr, nullptr);
+  ASSERT_TRUE(usual);
+  EXPECT_EQ(usual->times, 1U);
+  EXPECT_EQ(usual->first, 0U);
+  EXPECT_EQ(usual->apart, 1U);
+  const auto second = effort_of("85", "2/3");
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->times, 85U);
+  EXPECT_EQ(second->first, 1U);
+  EXPECT_EQ(second->apart, 3U);
+  for (const char* const wrong : {"", "0", "x", "2x", "-1", "1.5", "100001"}) {
+    EXPECT_FALSE(effort_of(wrong, nullptr)) << wrong;
+  }
+  for (const char* const wrong : {"", "1", "0/2", "3/2", "1/0", "1/2/3", "a/b"}) {
+    EXPECT_FALSE(effort_of(nullptr, wrong)) << wrong;
+  }
 }
 
 TEST(Fuzz, DictionariesOfSheetsAndStudiesKnowEveryKey) {
