@@ -6,19 +6,33 @@
 namespace g31::report {
 namespace {
 
-// What an entry of a list of the document takes, about.
+// What an entry of a list of the document takes, about: within a factor of three (a test).
 constexpr std::uint64_t kCallBytes = 160;
-constexpr std::uint64_t kValueBytes = 32;
-constexpr std::uint64_t kBlockBytes = 16;
+constexpr std::uint64_t kVariableBytes = 80;  // without its name and values
+constexpr std::uint64_t kValueBytes = 48;     // without its text
+constexpr std::uint64_t kBlockBytes = 24;
 
-/// Leaves every second value out.
-void thin(VariableHistory& history) {
+std::uint64_t size_of(const runtime::ShownValue& value) {
+  const auto* const text = std::get_if<std::string>(&value);
+  return kValueBytes + (text != nullptr ? runtime::size_in_document(*text) : 0);
+}
+
+/// Leaves every second value out.  @returns what these took
+std::uint64_t thin(VariableHistory& history) {
+  std::uint64_t left_out = 0;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < history.values.size(); i += 2) {
-    history.values[kept++] = std::move(history.values[i]);
+  for (std::size_t i = 0; i < history.values.size(); ++i) {
+    if (i % 2 != 0) {
+      left_out += size_of(history.values[i].second);
+    } else if (kept != i) {
+      history.values[kept++] = std::move(history.values[i]);
+    } else {
+      ++kept;
+    }
   }
   history.values.resize(kept);
   history.stride *= 2;
+  return left_out;
 }
 
 }  // namespace
@@ -58,7 +72,8 @@ void RunChronicle::on_write(const runtime::WriteEvent& event) {
       known == known_.end() ? nullptr : &histories_[known->second];
   // The last value is always there; the next write takes its place unless it is a stride's.
   const bool stays = before == nullptr || (before->writes - 1) % before->stride == 0;
-  if (stays && !budget_.charge(runtime::Output::History, kValueBytes)) {
+  const std::uint64_t of_variable = before == nullptr ? kVariableBytes + event.name.size() : 0;
+  if (stays && !budget_.charge(runtime::Output::History, of_variable + size_of(event.now))) {
     return;
   }
   const auto [found, is_new] = known_.try_emplace(event.name, histories_.size());
@@ -74,7 +89,7 @@ void RunChronicle::on_write(const runtime::WriteEvent& event) {
   history.last_block = number_;
   history.values.emplace_back(clock_.time_s(), event.now);
   if (history.values.size() > VariableHistory::kMostValues) {
-    thin(history);
+    budget_.give_back(runtime::Output::History, thin(history));
   }
 }
 
