@@ -207,6 +207,9 @@ TEST(CrossingFacets, AreThoseThatLieOverEachOtherInOnePlane) {
   EXPECT_EQ(with(moved_by(leaf, {1, 1, 0})), (std::vector<std::uint32_t>{0}));
   EXPECT_TRUE(with(turned_over(moved_by(leaf, {1, 1, 0}))).empty()) << "back to back";
   EXPECT_TRUE(with(moved_by(leaf, {4.5, 4.5, 0})).empty()) << "beside the long side";
+  // Over it by 0.03 um, within 16 times 2^-22 of 13.5 mm (0.05 um), and by 1.4 um.
+  EXPECT_TRUE(with(moved_by(leaf, {4.5 - 2e-5, 4.5 - 2e-5, 0})).empty());
+  EXPECT_EQ(with(moved_by(leaf, {4.5 - 1e-3, 4.5 - 1e-3, 0})), (std::vector<std::uint32_t>{0}));
   EXPECT_TRUE(with(moved_by(leaf, {1, 1, 0.1})).empty()) << "above it";
 }
 
