@@ -6,6 +6,7 @@ import { BORE, sampleRun } from './sample_run.mjs';
 import { circleOf, cutsOf, outlinesOf, roundOf } from '../../tools/page/web/src/section.js';
 import { Run } from '../../tools/page/web/src/run.js';
 import { SolidEdges, cylinder } from '../../tools/page/web/src/solid_edges.js';
+import { between, fromZ, turned, turnedBack } from '../../tools/page/web/src/turn.js';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -63,6 +64,56 @@ test('the ball is where its way has it', () => {
     assert.equal(run.moveAt((from + until) / 2).line, document.moves[index].line);
   }
   run.ballAt(1e9).forEach((value, axis) => near(value, figures.ways.at(-1).points[6 + axis], 1e-9));
+});
+
+const QUARTER = [0, 0, Math.SQRT1_2, Math.SQRT1_2]; // about Z
+
+test('a turn is that of its quaternion, there and back, and half of it on the way', () => {
+  const same = (got, wanted) => got.forEach((value, n) => near(value, wanted[n], 1e-12));
+  same(turned([1, 2, 3], QUARTER), [-2, 1, 3]);
+  same(turned([1, 2, 3], [Math.SQRT1_2, 0, 0, Math.SQRT1_2]), [1, -3, 2]);
+  same(turnedBack([-2, 1, 3], QUARTER), [1, 2, 3]);
+  same(turned([1, 0, 0], between([0, 0, 0, 1], QUARTER, 0.5)), [Math.SQRT1_2, Math.SQRT1_2, 0]);
+  same(turned([1, 0, 0], between([0, 0, 0, 1], QUARTER.map((value) => -value), 0.5)), [Math.SQRT1_2, Math.SQRT1_2, 0]);
+  for (const along of [[1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1], [0.48, -0.6, -0.64]]) same(turned([0, 0, 1], fromZ(along)), along);
+});
+
+/** The sample with a second ball 9 mm beside the main one that made the third touch, the spindle turned by a quarter. */
+function starRun() {
+  const run = sampleRun();
+  run.figures.probe.further = [{ at: [9, 0, 0], diameter: 3 }];
+  run.figures.probe.arms = [{ from: [0, 0, 0], to: [9, 0, 0], diameter: 1 }];
+  for (const way of run.figures.ways) way.turns = [QUARTER, QUARTER];
+  const { contact, normal } = run.document.touches[2];
+  Object.assign(run.figures.touch[2], { ball: contact.map((value, axis) => value + 1.5 * normal[axis]), radius: 1.5 });
+  return run;
+}
+
+test('balls of a star stylus stand where the spindle has turned them', () => {
+  const { document, figures } = starRun();
+  const [main, second] = new Run(document, figures).ballsAt(1);
+  near(main.radius, 3, 0);
+  near(second.radius, 1.5, 0);
+  [0, 9, 0].forEach((value, axis) => near(second.at[axis] - main.at[axis], value, 1e-9));
+});
+
+test('the ball that touched is drawn, in its size and place', async () => {
+  const { page, notes, close } = await open(browser, pageOf('star', starRun()));
+  await page.click('tr[data-touch="3"] td:nth-child(3)');
+  const circles = await page.evaluate(() => [...document.querySelectorAll('#plan svg circle')].map((circle) => ({
+    moves: circle.classList.contains('pball'), x: Number(circle.getAttribute('cx')), y: Number(circle.getAttribute('cy')),
+    r: Number(circle.getAttribute('r')), fill: circle.getAttribute('fill') })));
+  const [main, second] = circles.filter(({ moves }) => moves);
+  const scale = main.r / 3;
+  near(second.r, 1.5 * scale, 0.06);
+  near(main.y - second.y, 9 * scale, 0.3); // up is +Y
+  near(second.x, main.x, 0.3);
+  // The slow touch of the same wall by the main ball has that ball's place; this one is another circle.
+  const latched = circles.filter(({ fill }) => fill === 'var(--paper)');
+  assert.equal(latched.filter(({ r }) => Math.abs(r - 1.5 * scale) < 0.1).length, 1);
+  assert.ok(latched.some(({ r }) => Math.abs(r - main.r) < 0.1));
+  assert.deepEqual(notes, []);
+  await close();
 });
 
 test('slow touches count, the fast ones that they repeat do not', () => {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/support/captured.h"
 #include "tests/support/temporary_folder.h"
@@ -123,6 +124,47 @@ TEST_F(Report, TellsTouchesInTheFrameOfATurnedPart) {
   EXPECT_TRUE(has(text_in(path()),
                   R"(<td>block</td><td class="n">20.0000</td><td class="n">0.0000</td>)"
                   R"(<td class="n">−5.0000</td><td class="n dev">0.0</td><td class="n">0.0</td>)"));
+}
+
+/// Figures of a page that is small enough for plain text.
+nlohmann::json figures_in(const std::string& page) {
+  const std::string begin = R"(<script type="application/json" id="g31-figures">)";
+  const std::size_t from = page.find(begin) + begin.size();
+  return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+// A ball of 4 mm stands 30 mm beside the main one, along X where the spindle is at 0: in a bore of
+// 100 mm it touches at X18, and 4 ms at 300 mm/min are 20 um more.  Then along Y, turned by 90.
+TEST_F(Report, HasTheBallThatTouched) {
+  const std::string sheet = folder_.write(
+      "star.toml",
+      "[start]\nZ = 150.0\n[probe]\nball_diameter = 6.0\nlength = 100.0\ntrigger_delay_s = 0.004\n"
+      "[[probe.ball]]\nat = [30.0, 0.0, 0.0]\ndiameter = 4.0\n"
+      "[[part]]\nname = \"ring\"\nshape = \"ring\"\nbore = 100.0\nat = [0.0, 0.0, 20.0]\n");
+  const std::string program = folder_.write(
+      "star.mpf",
+      "G90 G0 X0 Y0\nG1 Z115 F2000\nMEAS=1 G1 X30 F300\nG0 X0\nSPOS=90\nMEAS=1 G1 Y30 F300\n"
+      "G0 Y0\nM30\n");
+  output_ = g31({"run", program, "-s", sheet, "--report", path(), "--allow", "PRB316"});
+  ASSERT_EQ(output_.exit_code, 0) << output_.errors;
+  const nlohmann::json figures = figures_in(text_in(path()));
+  const nlohmann::json& touches = figures.at("touch");
+  ASSERT_EQ(touches.size(), 2U);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const nlohmann::json& touch = touches[axis];
+    EXPECT_EQ(touch.at("radius"), 2.0);
+    EXPECT_NEAR(touch.at("ball").at(axis).get<double>(), 48.02, 1e-6);
+    EXPECT_NEAR(touch.at("ball").at(1 - axis).get<double>(), 0.0, 1e-9);
+    EXPECT_NEAR(touch.at("deviation").get<double>(), 0.02, 1e-6);
+  }
+  const nlohmann::json& probe = figures.at("probe");
+  EXPECT_EQ(probe.at("further"), nlohmann::json::parse(R"([{"at": [30, 0, 0], "diameter": 4}])"));
+  EXPECT_EQ(probe.at("arms").size(), 1U);
+  // Upright at first; behind SPOS about Z by 90 degrees.
+  EXPECT_FALSE(figures.at("ways").front().contains("turns"));
+  const auto turn = figures.at("ways").back().at("turns").at(1).get<std::vector<double>>();
+  EXPECT_NEAR(turn.at(2), std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(turn.at(3), std::sqrt(0.5), 1e-12);
 }
 
 TEST_F(Report, IsTheSameBytesTwice) {

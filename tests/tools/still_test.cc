@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <fstream>
+#include <map>
 #include <numbers>
 #include <regex>
 #include <set>
@@ -162,6 +163,7 @@ TEST(Still, ADeviationIsAWhiskerOfItsTrueLength) {
   mark.part = "cube";
   mark.touch = 1;
   mark.stylus.p_M = {20.0 + 3.0 - 0.01, 0, 0};  // latched 10 um deep
+  mark.ball = TouchingBall{mark.stylus.p_M, 3.0};
   const std::vector<Mark> contacts = {mark};
   StillScene scene;
   scene.parts = parts;
@@ -185,19 +187,106 @@ TEST(Still, ADeviationIsAWhiskerOfItsTrueLength) {
   EXPECT_EQ(whisker[2], whisker[4]);
 }
 
-/// A ball of 3 mm that is latched 0.01 too deep; one of 2 mm on the shaft, 100 above it, that is
-/// latched right, and by a bend of the shaft nearly as far from its wall as the main ball is.
-TEST(LatchedDepth, IsOfTheMainBallAlone) {
-  Mark mark;
-  mark.n_M = -Point::UnitX();
-  mark.p_M = Point(2.99, 0.0, 0.0);
-  const auto main = latched_depth_mm(mark, 3.0);
-  ASSERT_TRUE(main.has_value());
-  EXPECT_NEAR(*main, 0.01, 1e-12);
-  for (const double across : {2.0, 2.05}) {
-    mark.p_M = Point(across, 0.0, 100.0);
-    EXPECT_FALSE(latched_depth_mm(mark, 3.0).has_value()) << across;
+/// A star stylus: a main ball of 6 mm, one of 4 mm 30 mm beside it along its X, one of 2 mm on the
+/// shaft 100 above it.
+setup::Job star_stylus() {
+  setup::Job job;
+  job.probe.emplace();
+  job.probe->ball_diameter_mm = 6.0;
+  job.probe->length_mm = 150.0;
+  job.probe->further_balls = {{Point(30.0, 0.0, 0.0), 4.0}, {Point(0.0, 0.0, 100.0), 2.0}};
+  return job;
+}
+
+// Each ball latched 0.01 too deep in a wall whose outward normal is -X, and one on the shaft that a
+// bend makes nearly as far from the main ball's place as the main ball is.
+TEST(TouchingBall, IsTheOneAtTheContact) {
+  const setup::Job job = star_stylus();
+  const struct {
+    Point p_M;  // of the ball, from the main one
+    double radius;
+  } kBalls[] = {{{0.0, 0.0, 0.0}, 3.0}, {{30.0, 0.0, 0.0}, 2.0}, {{0.0, 0.0, 100.0}, 1.0}};
+  for (const auto& ball : kBalls) {
+    SCOPED_TRACE(ball.radius);
+    Mark mark;
+    mark.n_M = -Point::UnitX();
+    mark.p_M = ball.p_M + Point(ball.radius - 0.01, 0.0, 0.0);
+    mark.ball = touching_ball(job, mark);
+    ASSERT_TRUE(mark.ball.has_value());
+    EXPECT_EQ(mark.ball->p_M, ball.p_M);
+    EXPECT_EQ(mark.ball->radius_mm, ball.radius);
+    EXPECT_NEAR(*latched_depth_mm(mark), 0.01, 1e-12);
   }
+}
+
+// Turned by 90 degrees the ball along X stands along Y; deep in a wall it is still that ball.
+TEST(TouchingBall, TurnsWithTheSpindle) {
+  const setup::Job job = star_stylus();
+  Mark mark;
+  mark.stylus.p_M = Point(100.0, 200.0, -50.0);
+  mark.stylus.turn = Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi / 2, Point::UnitZ()));
+  mark.n_M = -Point::UnitY();
+  mark.p_M = Point(100.0, 230.0 + 2.0 - 1.5, -50.0);
+  mark.ball = touching_ball(job, mark);
+  ASSERT_TRUE(mark.ball.has_value());
+  EXPECT_NEAR((mark.ball->p_M - Point(100.0, 230.0, -50.0)).norm(), 0.0, 1e-12);
+  EXPECT_EQ(mark.ball->radius_mm, 2.0);
+  EXPECT_NEAR(*latched_depth_mm(mark), 1.5, 1e-12);
+}
+
+TEST(TouchingBall, OfAToolIsItsTipAndHasNoDepth) {
+  setup::Job job = star_stylus();
+  job.tools.emplace_back();
+  job.tools.back().number = 5;
+  job.tools.back().kind = probe::ToolKind::Mill;
+  job.tools.back().diameter_mm = 16.0;
+  Mark mark;
+  mark.stylus.tool = 5;
+  mark.ball = touching_ball(job, mark);
+  ASSERT_TRUE(mark.ball.has_value());
+  EXPECT_EQ(mark.ball->radius_mm, 8.0);
+  EXPECT_FALSE(latched_depth_mm(mark).has_value());
+  job.probe.reset();
+  mark.stylus.tool = 0;
+  EXPECT_FALSE(touching_ball(job, mark).has_value());
+}
+
+// In the plan: the star's three balls where they stand, and the 4 mm one where it was latched.
+TEST(Still, DrawsTheBallThatTouched) {
+  const setup::Job job = star_stylus();
+  const parts::Mesh cube = box({40, -20, -20}, {80, 20, 20});
+  const std::vector<PicturedPart> parts = {{"cube", &cube, false}};
+  const auto stylus = stylus_shape(job, 0);
+  Mark mark;
+  mark.p_M = {40, 0, 0};
+  mark.n_M = -Point::UnitX();
+  mark.part = "cube";
+  mark.touch = 1;
+  mark.stylus.p_M = {8, 0, 0};
+  mark.ball = touching_ball(job, mark);
+  const std::vector<Mark> contacts = {mark};
+  StillScene scene;
+  scene.parts = parts;
+  scene.contacts = contacts;
+  scene.stylus = stylus;
+  scene.tip_radius_mm = 3.0;
+  scene.last.p_M = {-20, 0, 0};
+  const std::string svg = still_svg(scene, {});
+  static const std::regex kCircle(
+      R"re(<circle class="(ball|latched)" cx="([0-9.-]+)" cy="([0-9.-]+)" r="([0-9.]+)")re");
+  std::map<std::string, std::vector<std::array<double, 2>>> circles;  // x and radius
+  for (std::sregex_iterator found(svg.begin(), svg.end(), kCircle), end; found != end; ++found) {
+    circles[(*found)[1]].push_back({std::stod((*found)[2]), std::stod((*found)[4])});
+  }
+  ASSERT_EQ(circles["ball"].size(), 3U);
+  ASSERT_EQ(circles["latched"].size(), 1U);
+  // Main at -20, the second one 30 beside it: so many pixels a millimetre.
+  const double scale = (circles["ball"][1][0] - circles["ball"][0][0]) / 30.0;
+  EXPECT_NEAR(circles["ball"][0][1], 3.0 * scale, 0.1);
+  EXPECT_NEAR(circles["ball"][1][1], 2.0 * scale, 0.1);
+  const auto [x, radius] = circles["latched"][0];
+  EXPECT_NEAR(radius, 2.0 * scale, 0.1) << "not the main ball";
+  EXPECT_NEAR(x - circles["ball"][0][0], (38.0 + 20.0) * scale, 0.2);
 }
 
 TEST(Raster, ABallCoversTheAreaOfItsCircle) {

@@ -2,14 +2,12 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
 #include <nlohmann/json.hpp>
 
 #include "tools/page/html.h"
 #include "tools/page/run_parts.h"
 #include "tools/picture/base64.h"
-#include "tools/picture/stylus_shape.h"
 #include "tools/picture/thinned.h"
 #include "tools/picture/tip.h"
 
@@ -17,8 +15,6 @@ namespace g31::page {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double kDegreesPerRadian = 180.0 / std::numbers::pi;
 
 // Of a part in a picture: what a screen shows, in a page that is sent by mail.
 constexpr std::size_t kMostTriangles = 40'000;
@@ -70,16 +66,40 @@ Json section_json(const probe::ProbeSection& section) {
       {"at", array_of(section.p_S)}};
 }
 
-/// One cylinder in place of several pieces above each other; null: there is none.
+/// What holds a further ball lies askew.
+bool is_upright(const probe::ProbeSection& section) {
+  return section.turn_S.isApprox(Eigen::Quaterniond::Identity(), 1e-9);
+}
+
+/// What is not upright, from end to end.
+Json arms_json(const std::vector<probe::ProbeSection>& sections) {
+  Json arms = Json::array();
+  for (const probe::ProbeSection& section : sections) {
+    if (!is_upright(section)) {
+      const auto at = [&](double z) {
+        return array_of(section.p_S + section.turn_S * Point(0.0, 0.0, z));
+      };
+      const double radius = std::max(section.radius_bottom, section.radius_top) + section.rounding;
+      arms.push_back(
+          {{"from", at(section.z_bottom)}, {"to", at(section.z_top)}, {"diameter", 2.0 * radius}});
+    }
+  }
+  return arms;
+}
+
+/// One cylinder in place of several upright pieces above each other; null: there is none.
 Json cylinder_json(const std::vector<probe::ProbeSection>& sections) {
   double length = 0.0;
   double radius = 0.0;
   for (const probe::ProbeSection& section : sections) {
+    if (!is_upright(section)) {
+      continue;
+    }
     length = std::max(length, section.z_top);
     radius = std::max(
         {radius, section.radius_bottom + section.rounding, section.radius_top + section.rounding});
   }
-  return sections.empty() ? Json() : Json{{"diameter", 2.0 * radius}, {"length", length}};
+  return length == 0.0 ? Json() : Json{{"diameter", 2.0 * radius}, {"length", length}};
 }
 
 Json probe_json(const setup::Job& job) {
@@ -93,11 +113,25 @@ Json probe_json(const setup::Job& job) {
       sections.push_back(section_json(section));
     }
   }
-  return {{"ball", probe.ball_diameter_mm},
-          {"offset", array_of(picture::tip_of(job))},
-          {"stem", cylinder_json(probe.stem)},
-          {"body", cylinder_json(probe.bodies)},
+  Json further = Json::array();
+  for (const probe::StylusBall& ball : probe.further_balls) {
+    further.push_back({{"at", array_of(ball.p_S_from_main)}, {"diameter", ball.diameter_mm}});
+  }
+  return {{"ball", probe.ball_diameter_mm},    {"further", std::move(further)},
+          {"arms", arms_json(probe.stem)},     {"offset", array_of(picture::tip_of(job))},
+          {"stem", cylinder_json(probe.stem)}, {"body", cylinder_json(probe.bodies)},
           {"sections", std::move(sections)}};
+}
+
+/// Whether what carries the ball is turned nowhere on a way.
+bool is_upright(const picture::Way& way) {
+  return std::ranges::all_of(way.turns, [](const Eigen::Quaterniond& turn) {
+    return turn.isApprox(Eigen::Quaterniond::Identity(), 1e-9);
+  });
+}
+
+Json array_of(const Eigen::Quaterniond& turn) {
+  return Json::array({turn.x(), turn.y(), turn.z(), turn.w()});
 }
 
 /// Ways belong to the moves by the times of their ends, which the same clock has told.
@@ -120,6 +154,9 @@ Json ways_json(const RunPage& run) {
                     {"kind", kKinds[static_cast<std::size_t>(way.kind)]},
                     {"time_s", {way.time_from_s, way.time_to_s}},
                     {"points", std::move(points)}});
+    if (!is_upright(way)) {
+      list.back()["turns"] = {array_of(way.turns[0]), array_of(way.turns[1])};
+    }
   }
   return list;
 }
@@ -131,10 +168,15 @@ Json touches_json(const Pictured& pictured, const Report& report) {
   Json list = Json::array();
   for (std::size_t i = 0; i < pictured.geometries.size(); ++i) {
     const TouchGeometry& geometry = pictured.geometries[i];
-    list.push_back({{"ball", geometry.p_M_ball ? array_of(*geometry.p_M_ball) : Json()},
+    const std::optional<Point> p_M_ball =
+        geometry.touching ? geometry.touching->p_M : geometry.p_M_ball;
+    list.push_back({{"ball", p_M_ball ? array_of(*p_M_ball) : Json()},
                     {"deviation", or_null(geometry.deviation_mm)},
                     {"angle", or_null(geometry.angle_deg)},
                     {"role", report.touches[i].caller}});
+    if (geometry.touching) {
+      list.back()["radius"] = geometry.touching->radius_mm;
+    }
     if (const auto& share = pictured.shares[i]) {
       list.back()["part_deviation"] = share->nominal_to_true_mm;
       if (share->limits_mm) {
@@ -209,44 +251,6 @@ PictureMeshes meshes_for_picture(const RunPage& run) {
     meshes.push_back(picture::thinned(*part.mesh_M, kMostTriangles, kMostErrorMm));
   }
   return meshes;
-}
-
-TouchGeometries geometries_of(const RunPage& run) {
-  const auto& touches = run.recorder.touches();
-  TouchGeometries geometries(touches.size());
-  std::vector<Point> along(touches.size(), Point::Zero());
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < touches.size(); ++i) {
-    while (next < run.ways.size() && run.ways[next].time_to_s < touches[i].time_s) {
-      ++next;
-    }
-    // Without a way of its own the axes did not move: the signal was there already.
-    if (next < run.ways.size() && run.ways[next].time_to_s == touches[i].time_s &&
-        run.ways[next].kind == picture::PathKind::Skip) {
-      const std::vector<Point>& points = run.ways[next].points;
-      along[i] = points.back() - points.front();
-      geometries[i].p_M_ball = points.back();
-    }
-  }
-  // Each touch with a contact has left a mark, unless the budget was spent with it.
-  auto mark = run.contacts.begin();
-  for (std::size_t i = 0; i < touches.size() && mark != run.contacts.end(); ++i) {
-    if (!touches[i].contact) {
-      continue;
-    }
-    TouchGeometry& geometry = geometries[i];
-    geometry.p_M_ball = mark->stylus.p_M;
-    geometry.p_M_contact = mark->p_M;
-    geometry.n_M = mark->n_M;
-    if (!along[i].isZero(0.0)) {
-      const double cosine = std::clamp(-mark->n_M.dot(along[i].normalized()), -1.0, 1.0);
-      geometry.angle_deg = std::acos(cosine) * kDegreesPerRadian;
-      geometry.deviation_mm =
-          picture::latched_depth_mm(*mark, picture::tip_radius(run.job, mark->stylus.tool));
-    }
-    ++mark;
-  }
-  return geometries;
 }
 
 std::string figures_of(const RunPage& run, const Pictured& pictured, const Report& report) {

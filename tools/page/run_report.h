@@ -56,7 +56,8 @@ PictureMeshes meshes_for_picture(const RunPage& run);
 
 /// Where a touch met its part; all places in the frame of the part as the sheet lays it, mm.
 struct TouchGeometry {
-  std::optional<Point> p_M_ball;  ///< centre of the ball at the latched position
+  std::optional<Point> p_M_ball;  ///< centre of the main ball at the latched position
+  std::optional<picture::TouchingBall> touching;  ///< the ball that touched, there
   std::optional<Point> p_M_contact;
   Point n_M = Point::Zero();           ///< outwards, where there is a contact
   std::optional<double> deviation_mm;  ///< how much deeper than the wall the ball was latched

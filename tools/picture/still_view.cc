@@ -84,7 +84,7 @@ StillView::StillView(const StillScene& scene, const View& view, std::optional<Cu
   draw_edges();
   draw_ways();
   if (!extras_.stylus) {
-    draw_ball();
+    draw_balls();
   }
   find_groups();
   if (extras_.whiskers) {
@@ -196,24 +196,28 @@ void StillView::draw_kind(PathKind kind) {
   }
 }
 
-/// The ball in true size: where each touch was latched, and filled where it stands.
-void StillView::draw_ball() {
-  if (scene_.tip_radius_mm <= 0.0) {
-    return;
-  }
-  const double radius = scene_.tip_radius_mm * view_.pixels_per_mm;
-  std::set<std::array<long, 2>> drawn;
-  const auto circle = [&](const Point& p_M, std::string_view style) {
-    const Seen seen = view_.seen(p_M);
-    if (drawn.insert({std::lround(seen.x), std::lround(seen.y)}).second) {
+/// The balls in true size: filled where they stand, and each that touched where it was latched.
+void StillView::draw_balls() {
+  std::set<std::array<long, 3>> drawn;
+  const auto circle = [&](const TouchingBall& ball, std::string_view style) {
+    const Seen seen = view_.seen(ball.p_M);
+    const double radius = ball.radius_mm * view_.pixels_per_mm;
+    if (drawn.insert({std::lround(seen.x), std::lround(seen.y), std::lround(radius)}).second) {
       svg_ += fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n",
                           style, seen.x, seen.y, radius);
     }
   };
-  circle(scene_.last.p_M, "ball");
+  if (scene_.tip_radius_mm > 0.0) {
+    circle({scene_.last.p_M, scene_.tip_radius_mm}, "ball");
+  }
+  for (const StylusPiece& piece : scene_.stylus) {
+    if (piece.is_ball) {
+      circle({scene_.last.p_M + scene_.last.turn * piece.p_S_centre, piece.radius_mm}, "ball");
+    }
+  }
   for (const Mark& mark : scene_.contacts) {
-    if (mark.stylus.tool == scene_.last.tool) {
-      circle(mark.stylus.p_M, "latched");
+    if (mark.ball && mark.stylus.tool == scene_.last.tool) {
+      circle(*mark.ball, "latched");
     }
   }
 }
@@ -234,9 +238,9 @@ void StillView::find_groups() {
   }
 }
 
-/// Nullopt: another ball than the main one touched, or none is known.
+/// Nullopt: a tool is shown, or no ball is known.
 std::optional<double> StillView::deviation_mm(const Mark& mark) const {
-  return scene_.last.tool != 0 ? std::nullopt : latched_depth_mm(mark, scene_.tip_radius_mm);
+  return scene_.last.tool != 0 ? std::nullopt : latched_depth_mm(mark);
 }
 
 void StillView::draw_whiskers() {

@@ -40,7 +40,7 @@ class StillView {
   void draw_edges();
   void draw_ways();
   void draw_kind(PathKind kind);
-  void draw_ball();
+  void draw_balls();
   void find_groups();
   void draw_whiskers();
   void draw_touches();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <variant>
 
@@ -117,14 +118,33 @@ double tip_radius(const setup::Job& job, int tool) {
   return tool == 0 && job.probe ? 0.5 * job.probe->ball_diameter_mm : 0.0;
 }
 
-std::optional<double> latched_depth_mm(const Mark& mark, double ball_radius_mm) {
-  if (ball_radius_mm <= 0.0 || mark.stylus.tool != 0) {
-    return std::nullopt;
+std::optional<TouchingBall> touching_ball(const setup::Job& job, const Mark& mark) {
+  if (tool_of(job, mark.stylus.tool) != nullptr || !job.probe) {
+    const double radius = tip_radius(job, mark.stylus.tool);
+    return radius > 0.0 ? std::optional(TouchingBall{mark.stylus.p_M, radius}) : std::nullopt;
   }
-  const Point to_centre = mark.stylus.p_M - mark.p_M;
-  constexpr double kMostMm = 1.0;  // further off it was another ball
-  return std::fabs(ball_radius_mm - to_centre.norm()) < kMostMm
-             ? std::optional(ball_radius_mm - mark.n_M.dot(to_centre))
+  std::optional<TouchingBall> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  std::optional<Point> p_S_main;
+  for (const probe::ToolBody& body : probe::bodies_of(*job.probe)) {
+    const auto* const ball = std::get_if<probe::Ball>(&body.shape);
+    if (ball == nullptr || ball->radius_mm <= 0.0) {
+      continue;
+    }
+    p_S_main = p_S_main.value_or(ball->p_S_centre);
+    const Point p_M = mark.stylus.p_M + mark.stylus.turn * (ball->p_S_centre - *p_S_main);
+    const double away = (p_M - ball->radius_mm * mark.n_M - mark.p_M).norm();
+    if (away < least) {
+      nearest = {p_M, ball->radius_mm};
+      least = away;
+    }
+  }
+  return nearest;
+}
+
+std::optional<double> latched_depth_mm(const Mark& mark) {
+  return mark.ball && mark.stylus.tool == 0
+             ? std::optional(mark.ball->radius_mm - mark.n_M.dot(mark.ball->p_M - mark.p_M))
              : std::nullopt;
 }
 
@@ -144,7 +164,8 @@ std::vector<StylusPiece> stylus_shape(const setup::Job& job, int tool) {
       p_S_main = pieces.empty() ? ball->p_S_centre : p_S_main;
       pieces.push_back({body.name, true,
                         moved(ball_of(ball->radius_mm), Eigen::Quaterniond::Identity(),
-                              ball->p_S_centre - p_S_main)});
+                              ball->p_S_centre - p_S_main),
+                        ball->p_S_centre - p_S_main, ball->radius_mm});
     } else {
       const auto& section = std::get<probe::ProbeSection>(body.shape);
       pieces.push_back({body.name, false, moved(mesh_of(section), section.turn_S, section.p_S)});

@@ -15,6 +15,8 @@ struct StylusPiece {
   std::string name;  ///< "stylus ball", "stem", or as the sheet calls it
   bool is_ball = false;
   parts::Mesh mesh_S;  ///< mm, from the centre of the main ball or the tip at spindle angle 0
+  Point p_S_centre = Point::Zero();  ///< of a ball: from that of the main one
+  double radius_mm = 0.0;            ///< of a ball
 };
 
 /// What the spindle holds in true size: of the probe its balls, stem and bodies as far as the sheet
@@ -25,10 +27,14 @@ std::vector<StylusPiece> stylus_shape(const setup::Job& job, int tool);
 /// mm, of the main ball or of the tool; 0: there is neither.
 double tip_radius(const setup::Job& job, int tool);
 
-/// How much deeper than the wall, along the inward normal, the main ball was latched, mm; nullopt:
-/// a tool or another ball touched, or no radius is known.
-/// @param ball_radius_mm  0: not known
-std::optional<double> latched_depth_mm(const Mark& mark, double ball_radius_mm);
+/// The ball of the stylus at `mark.stylus` that touched: of all whose surface has the normal of the
+/// mark at its place the nearest one, as it was pushed in less than others are away.  Of a tool its
+/// tip; nullopt: there is neither.
+std::optional<TouchingBall> touching_ball(const setup::Job& job, const Mark& mark);
+
+/// How much deeper than the wall, along the inward normal, the ball was latched, mm; nullopt: a
+/// tool touched, or no ball is known.
+std::optional<double> latched_depth_mm(const Mark& mark);
 
 /// A mesh that is told from the ball's centre, where that stands in the machine.
 parts::Mesh standing_at(const parts::Mesh& mesh_S, const StylusPlace& place);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,9 @@ struct Way {
   /// mm, machine frame: two or more, at equal steps of time; of a move that was broken off the last
   /// step may be shorter.
   std::vector<Point> points;
+  /// How what carries the ball is turned at the beginning and at the end.
+  std::array<Eigen::Quaterniond, 2> turns = {Eigen::Quaterniond::Identity(),
+                                             Eigen::Quaterniond::Identity()};
 };
 
 /// Where the point that ways follow stands, and how what carries it is turned there.
@@ -31,6 +36,12 @@ struct StylusPlace {
   Point p_M = Point::Zero();                                 ///< mm, machine frame
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  ///< spindle and rotary axes
   int tool = 0;  ///< the tool whose lowest point it is; 0: the probe, or the gauge point
+};
+
+/// A ball of the probe, or the round end of a tool.
+struct TouchingBall {
+  Point p_M = Point::Zero();  ///< mm, machine frame: its centre
+  double radius_mm = 0.0;     ///< > 0
 };
 
 /// Where something was touched, wanted or not.
@@ -41,6 +52,7 @@ struct Mark {
   std::string what;       ///< "stylus ball touches ring"; empty for a wanted touch
   std::size_t touch = 0;  ///< the how-manyth skip move it is of, from 1; 0: a collision
   StylusPlace stylus;     ///< as latched; of a collision where it happened
+  std::optional<TouchingBall> ball = {};  ///< of the stylus there that touched; nullopt: not known
 };
 
 }  // namespace g31::picture

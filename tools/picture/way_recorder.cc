@@ -9,6 +9,7 @@
 
 #include "parts/geometry/placement.h"
 #include "probe/tooling/spindle.h"
+#include "tools/picture/stylus_shape.h"
 #include "tools/picture/tip.h"
 
 namespace g31::picture {
@@ -191,6 +192,7 @@ void WayRecorder::keep(Way way, const std::vector<AxisPositions>& q_M) {
   for (const AxisPositions& q : q_M) {
     points.push_back(stylus_at(q).p_M);
   }
+  way.turns = {stylus_at(q_M.front()).turn, stylus_at(q_M.back()).turn};
   const auto is_at_start = [&](const Point& p) { return p == points.front(); };
   if (std::ranges::all_of(points, is_at_start) ||
       !budget_.charge(runtime::Output::Scene, kChordBytes * (points.size() - 1))) {
@@ -210,11 +212,14 @@ void WayRecorder::mark(const machine::MachineFault& fault) {
 }
 
 Mark WayRecorder::mark_of(const machine::Contact& contact, const AxisPositions& q_M) const {
-  Mark mark = {contact.p_M_point, contact.n_M, contact.part, {}, 0, stylus_at(q_M)};
+  Mark mark = {contact.p_M_point, contact.n_M, contact.part, {}, 0, stylus_at(q_M), {}};
   if (chain_.has_rotary_axes() && chain_.is_turned(q_M)) {
     const Eigen::Isometry3d part_from_machine = chain_.part_from_machine(q_M);
     mark.p_M = part_from_machine * contact.p_M_point;
     mark.n_M = part_from_machine.linear() * contact.n_M;
+  }
+  if (job_ != nullptr) {
+    mark.ball = touching_ball(*job_, mark);
   }
   return mark;
 }

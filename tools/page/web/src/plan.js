@@ -102,9 +102,8 @@ export class Plan {
   /** Contacts of the other run on this part. @param {PlanView} view @param {Sheet} page */
   ghost(view, page) {
     if (!this.other) return '';
-    const radius = (this.other.figures.probe?.ball ?? 0) / 2;
     const seen = new Set();
-    return this.other.hits.filter(({ touch }) => touch.part === view.part.name).map(({ ball }) => {
+    return this.other.hits.filter(({ touch }) => touch.part === view.part.name).map(({ ball, radius }) => {
       const [x, y] = ball ? page.at(flat(ball, view.plane)) : [NaN, NaN];
       const key = `${Math.round(x)} ${Math.round(y)}`;
       if (!Number.isFinite(x) || seen.has(key)) return '';
@@ -116,18 +115,21 @@ export class Plan {
 
   /** @param {Sheet} page */
   ball(page) {
-    const radius = ((this.choice.run.figures.probe?.ball ?? 0) / 2) * page.scale;
-    return `<circle id="pball" r="${Math.max(2.5, radius).toFixed(1)}" fill="var(--skip)" fill-opacity=".18" stroke="var(--skip)" `
-      + 'stroke-width="1.8"/>';
+    const { probe } = this.choice.run.figures;
+    const radii = [(probe?.ball ?? 0) / 2, ...(probe?.further ?? []).map(({ diameter }) => diameter / 2)];
+    return radii.map((radius, n) => `<circle ${n ? '' : 'id="pball" '}class="pball" r="${Math.max(2.5, radius * page.scale).toFixed(1)}" `
+      + 'fill="var(--skip)" fill-opacity=".18" stroke="var(--skip)" stroke-width="1.8"/>').join('');
   }
 
   moveBall() {
-    const ball = this.choice.run.ballAt(this.choice.time);
-    const circle = this.box?.querySelector('#pball');
-    if (!ball || !circle || !this.page) return;
-    const [x, y] = this.page.at(flat(ball, this.page.view.plane));
-    circle.setAttribute('cx', x.toFixed(2));
-    circle.setAttribute('cy', y.toFixed(2));
+    const { page } = this;
+    const circles = this.box?.querySelectorAll('.pball');
+    if (!circles?.length || !page) return;
+    this.choice.run.ballsAt(this.choice.time).forEach(({ at }, n) => {
+      const [x, y] = page.at(flat(at, page.view.plane));
+      circles[n].setAttribute('cx', x.toFixed(2));
+      circles[n].setAttribute('cy', y.toFixed(2));
+    });
   }
 
   /** @param {PlanView} view */
@@ -152,15 +154,15 @@ export class Plan {
 /** Where each wall was probed from. @param {PlanView} view @param {Sheet} page */
 function approachesOf(view, page) {
   const seen = new Set();
-  const reach = Math.min(view.frame.half * 0.3, 2.5 * (view.run.figures.probe?.ball ?? view.frame.half));
-  return view.contacts.map(({ touch, ball }) => {
+  return view.contacts.map(({ touch, ball, radius }) => {
     if (!touch.normal || !ball || seen.size > 24) return '';
+    const reach = Math.min(view.frame.half * 0.3, 5 * (radius || view.frame.half));
     const [nu, nv] = flat(touch.normal, view.plane);
     const [u, v] = flat(ball, view.plane);
     const key = `${Math.round(u)} ${Math.round(v)}`;
     if (seen.has(key)) return '';
     seen.add(key);
-    const away = (view.run.figures.probe?.ball ?? 0) / 2 + 0.04 * view.frame.half;
+    const away = radius + 0.04 * view.frame.half;
     return page.arrow([u + nu * (away + reach), v + nv * (away + reach)], [u + nu * away, v + nv * away], 'var(--skip)', 1.3);
   }).join('');
 }

@@ -51,12 +51,12 @@ function placed(view) {
 
 /** @param {import('./plan_view').PlanView} view @param {import('./plan').Sheet} page */
 function balls(view, page) {
-  const radius = ((view.run.figures.probe?.ball ?? 0) / 2) * page.scale;
   const seen = new Set();
-  return view.contacts.map(({ ball }) => {
+  return view.contacts.map(({ ball, radius: own }) => {
     if (!ball) return '';
+    const radius = own * page.scale;
     const [x, y] = page.at(flat(ball, view.plane));
-    const key = `${Math.round(x / 3)} ${Math.round(y / 3)}`;
+    const key = `${Math.round(x / 3)} ${Math.round(y / 3)} ${Math.round(radius)}`;
     if (seen.has(key)) return '';
     seen.add(key);
     return `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="${radius.toFixed(1)}" fill="var(--paper)" fill-opacity=".55" `
@@ -111,7 +111,7 @@ function label(whisker, view, page, chosen, taken) {
   // Within a small boss is no room: there the number stands behind the ball.
   const [fu, fv] = [whisker.at[0] - view.frame.u, whisker.at[1] - view.frame.v];
   const isBoss = du * fu + dv * fv < 0;
-  const ball = (view.run.figures.probe?.ball ?? 0) * page.scale;
+  const ball = 2 * contact.radius * page.scale;
   const foot = isBoss ? tip(whisker, 0, view, page) : tip(whisker, far, view, page);
   for (let out = 14; out < 80; out += 9) {
     const along = isBoss ? -(ball + out) : out;

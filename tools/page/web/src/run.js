@@ -1,5 +1,7 @@
 // What a run says at any time: where the ball is, which move and which line it is, which touches there are.
 
+import { UPRIGHT, between, turned } from './turn.js';
+
 /** @typedef {import('./types').Contact} Contact */
 /** @typedef {import('./types').TimedMove} TimedMove */
 /** @typedef {import('./types').WayFigure} Way */
@@ -55,6 +57,27 @@ export class Run {
     });
   }
 
+  /** How what carries the ball is turned. @param {number} time */
+  turnAt(time) {
+    const way = this.ways[Math.max(0, lastUpTo(this.ways, time, (each) => each.time_s[0]))];
+    if (!way?.turns) return UPRIGHT;
+    const [from, until] = way.time_s;
+    return between(way.turns[0], way.turns[1], until > from ? Math.min(1, Math.max(0, (time - from) / (until - from))) : 1);
+  }
+
+  /** All balls of the stylus in true size, the main one first; none before the first way. @param {number} time */
+  ballsAt(time) {
+    const main = this.ballAt(time);
+    const { probe } = this.figures;
+    if (!main) return [];
+    const turn = this.turnAt(time);
+    const further = (probe?.further ?? []).map(({ at, diameter }) => {
+      const off = turned(at, turn);
+      return { at: main.map((value, axis) => value + off[axis]), radius: diameter / 2 };
+    });
+    return [{ at: main, radius: (probe?.ball ?? 0) / 2 }, ...further];
+  }
+
   /** The move that is on its way, or that has just ended. @param {number} time */
   moveAt(time) {
     const behind = lastUpTo(this.moves, time - AT_ONCE, (move) => move.until);
@@ -103,6 +126,7 @@ function contactsOf(document, figures) {
       time: touch.time_s,
       hit: touch.triggered && touch.contact != null,
       ball: figure?.ball ?? null,
+      radius: figure?.radius ?? (figures.probe?.ball ?? 0) / 2,
       deviation: figure?.deviation ?? null,
       partDeviation: figure?.part_deviation ?? null,
       limits: figure?.limits ?? null,

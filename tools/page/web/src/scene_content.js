@@ -1,6 +1,7 @@
 // What stands in the scene, without a word on how it is drawn: solids, ways, contacts, where parts are cut open.
 import { cutsOf } from './section.js';
 import { SolidEdges, cylinder } from './solid_edges.js';
+import { fromZ, turned } from './turn.js';
 
 const STRAIGHT = 1e-3; // mm; points of a way nearer than that to a line say nothing
 const SAME = 10; // contacts within 1/SAME mm are one place
@@ -117,17 +118,28 @@ export function placesOf(run) {
   return [...places.values()];
 }
 
-/** Stem, body and holder of the probe above its ball, whose centre is the origin. @param {import('./run').Run} run
- * @returns {Stylus[]} */
+/** Stem, body and holder of the probe above its ball, whose centre is the origin, and the arms of further balls.
+ * @param {import('./run').Run} run @returns {Stylus[]} */
 export function stylusOf(run) {
   const { probe } = run.figures;
   if (!probe) return [];
   let from = 0;
-  return [probe.stem, probe.body, probe.holder].filter((piece) => piece != null).map(({ diameter, length }) => {
-    const mesh = cylinder(diameter, from, from + length);
+  const upright = [probe.stem, probe.body, probe.holder].filter((piece) => piece != null).map(({ diameter, length }) => {
     from += length;
-    return { ...mesh, edges: new SolidEdges(mesh) };
+    return cylinder(diameter, from - length, from);
   });
+  const arms = (probe.arms ?? []).map(({ from: root, to, diameter }) => {
+    const along = to.map((value, axis) => value - root[axis]);
+    const long = Math.hypot(...along);
+    const turn = fromZ(along.map((value) => value / long));
+    const mesh = cylinder(diameter, 0, long);
+    for (let n = 0; n < mesh.positions.length; n += 3) {
+      const placed = turned([...mesh.positions.subarray(n, n + 3)], turn);
+      mesh.positions.set(placed.map((value, axis) => value + root[axis]), n);
+    }
+    return mesh;
+  });
+  return [...upright, ...arms].map((mesh) => ({ ...mesh, edges: new SolidEdges(mesh) }));
 }
 
 /** What the scene fits: parts that are touched, and where the probe works. @param {Part[]} parts

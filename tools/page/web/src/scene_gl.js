@@ -5,6 +5,7 @@ import {
 import { cutOutlines, piecesOf, placesOf, stylusOf, wedgeOf } from './scene_content.js';
 import { SceneLines } from './scene_lines.js';
 import { ballMaterial, paintBall, paintSolid, solidMaterial } from './scene_material.js';
+import { UPRIGHT, turnedBack } from './turn.js';
 
 const DASHES = /** @type {[number, number]} */ ([6, 4]);
 const WAYS = { rapid: { role: 'rapid', width: 1.7, dashes: DASHES }, feed: { role: 'feed', width: 1.8 }, skip: { role: 'skip', width: 2.4 } };
@@ -36,6 +37,7 @@ export class SceneGl {
     this.stylus = this.addStylus();
     this.isOpen = true;
     this.eyeShown = '';
+    this.turn = UPRIGHT;
   }
 
   /** @param {import('three').Object3D} holder @param {import('./scene_lines').Look} look @param {number[]} [origin] */
@@ -84,9 +86,15 @@ export class SceneGl {
 
   addStylus() {
     const group = new Group();
-    const ball = ballMaterial();
-    const radius = (this.run.figures.probe?.ball ?? 0) / 2;
-    if (radius > 0) group.add(new Mesh(new SphereGeometry(radius, 48, 32), ball));
+    const { probe } = this.run.figures;
+    const main = { at: [0, 0, 0], diameter: probe?.ball ?? 0 };
+    const balls = [main, ...(probe?.further ?? [])].filter(({ diameter }) => diameter > 0).map(({ at, diameter }) => {
+      const material = ballMaterial();
+      const mesh = new Mesh(new SphereGeometry(diameter / 2, 48, 32), material);
+      mesh.position.set(at[0], at[1], at[2]);
+      group.add(mesh);
+      return { material, radius: diameter / 2 };
+    });
     const pieces = stylusOf(this.run).map((piece) => {
       const material = solidMaterial([-1e6, -1e6 + 1]);
       group.add(meshOf(piece, material));
@@ -95,7 +103,7 @@ export class SceneGl {
       return { piece, material, turns: this.line(group, { role: 'ink2', width: 1.1 }) };
     });
     this.stage.add(group);
-    return { group, ball, pieces, radius };
+    return { group, balls, pieces };
   }
 
   /** Contacts as long as the scale wants them. @param {import('./orbit').Orbit} orbit @param {number} magnification */
@@ -141,7 +149,7 @@ export class SceneGl {
   open(orbit, far) {
     const wedge = wedgeOf(orbit.azimuth);
     const uniforms = { eye: new Vector3(...orbit.eye), pixel: orbit.pixel, bias: (1.2 * orbit.pixel) / (2 * far) };
-    const eyeNow = `${orbit.azimuth} ${orbit.elevation} ${this.isOpen}`;
+    const eyeNow = `${orbit.azimuth} ${orbit.elevation} ${this.isOpen} ${this.turn.join()}`;
     for (const { solid, material, sharp, ghost, turns, cut } of this.solids) {
       const apex = this.isOpen ? solid.apex : null;
       set(material, uniforms);
@@ -157,20 +165,23 @@ export class SceneGl {
     }
     for (const { piece, material, turns } of this.stylus.pieces) {
       set(material, uniforms);
-      if (eyeNow !== this.eyeShown) turns.set(piece.edges.silhouette(orbit.eye));
+      if (eyeNow !== this.eyeShown) turns.set(piece.edges.silhouette(turnedBack(orbit.eye, this.turn)));
     }
-    set(this.stylus.ball, { eye: uniforms.eye, radius: this.stylus.radius * orbit.zoom });
+    for (const { material, radius } of this.stylus.balls) set(material, { eye: uniforms.eye, radius: radius * orbit.zoom });
     this.eyeShown = eyeNow;
   }
 
   /** @param {import('./orbit').Orbit} orbit @param {number} time s @param {(name: string) => string} ink */
   draw(orbit, time, ink) {
+    this.turn = this.run.turnAt(time);
     this.open(orbit, this.aim(orbit));
     const ball = this.run.ballAt(time);
     this.stylus.group.visible = ball != null;
     if (ball) this.stylus.group.position.set(ball[0], ball[1], ball[2]);
+    const [x, y, z, w] = this.turn;
+    this.stylus.group.quaternion.set(x, y, z, w);
     for (const { material } of [...this.solids, ...this.stylus.pieces]) paintSolid(material, ink);
-    paintBall(this.stylus.ball, ink, this.run.kindAt(time) === 'collision');
+    for (const { material } of this.stylus.balls) paintBall(material, ink, this.run.kindAt(time) === 'collision');
     for (const lines of this.lines) lines.paint(ink, orbit.pixel);
     this.renderer.render(this.stage, this.camera);
   }

@@ -27,11 +27,11 @@ export class SceneSketch {
       path([...own.sharp, ...own.silhouette(orbit.eye)], orbit, part.origin)).join('');
     const ways = Object.entries(this.pieces).map(([kind, pieces]) => `<path d="${path(pieces, orbit)}" fill="none" stroke="var(--${kind})" `
       + `stroke-width="${kind === 'skip' ? 2.4 : 1.7}"${kind === 'rapid' ? ' stroke-dasharray="6 4"' : ''}/>`).join('');
-    const ball = this.run.ballAt(time);
-    const [x, y] = ball ? orbit.project(ball) : [0, 0];
-    const radius = ((this.run.figures.probe?.ball ?? 0) / 2) * orbit.zoom;
+    const balls = this.run.ballsAt(time).map(({ at, radius }) => {
+      const [x, y] = orbit.project(at);
+      return `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="${(radius * orbit.zoom).toFixed(1)}" fill="var(--paper)" stroke="var(--skip)" stroke-width="2"/>`;
+    });
     this.svg.setAttribute('viewBox', `0 0 ${orbit.width} ${orbit.height}`);
-    this.svg.innerHTML = `<path d="${edges}" fill="none" stroke="var(--ink3)"/>${ways}`
-      + (ball ? `<circle cx="${x.toFixed(1)}" cy="${y.toFixed(1)}" r="${radius.toFixed(1)}" fill="var(--paper)" stroke="var(--skip)" stroke-width="2"/>` : '');
+    this.svg.innerHTML = `<path d="${edges}" fill="none" stroke="var(--ink3)"/>${ways}${balls.join('')}`;
   }
 }

@@ -35,13 +35,20 @@ export interface PartFigure {
 }
 
 export interface Cylinder { diameter: number; length: number }
+/** What holds a further ball, from the main ball's centre. */
+export interface Arm { from: Point; to: Point; diameter: number }
 export interface ProbeFigure {
-  ball: number; offset: Point; stem: Cylinder | null; body: Cylinder | null; holder?: Cylinder | null;
+  ball: number; offset: Point; further?: { at: Point; diameter: number }[]; arms?: Arm[]; stem: Cylinder | null; body: Cylinder | null; holder?: Cylinder | null;
 }
 
-export interface WayFigure { move: number; kind: Kind; time_s: [number, number]; points: number[] }
+export interface WayFigure { move: number; kind: Kind; time_s: [number, number]; points: number[];
+  /** Of what carries the ball, at the beginning and the end: quaternions x y z w; without it upright. */
+  turns?: [number[], number[]];
+}
 export interface TouchFigure {
-  ball: Point; deviation: number | null; part_deviation?: number | null; angle: number | null; role: string;
+  /** The ball that touched. */
+  ball: Point; radius?: number;
+  deviation: number | null; part_deviation?: number | null; angle: number | null; role: string;
   /** Half of the tolerance of the size that the wall is of, into the material. */
   limits?: [number, number];
 }
@@ -61,7 +68,7 @@ export interface Figures {
 
 /** A touch with all that figures show of it; its number counts from 1. */
 export interface Contact {
-  number: number; touch: Touch; time: number; hit: boolean; ball: Point | null;
+  number: number; touch: Touch; time: number; hit: boolean; ball: Point | null; radius: number;
   deviation: number | null; partDeviation: number | null; angle: number | null; role: string;
   limits: [number, number] | null;
   /** Whether the measurement rests on it: no second touch of the same place follows at once. */
