@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -85,8 +87,14 @@ TEST(Drawing, OfNothingToSeeIsDrawnAllTheSame) {
   EXPECT_NE(svg.find("flat &lt;&amp;&gt;"), std::string::npos);
 }
 
-TEST(Drawing, OfEachKindIsTheSameEachTime) {
-  TemporaryFolder folder;
+/// A file of each kind, and how it is asked to be evaluated.
+struct KindCase {
+  const char* kind;
+  std::string text;
+  std::map<OptionId, std::string> given;
+};
+
+std::vector<KindCase> a_case_of_each_kind(TemporaryFolder& folder) {
   std::string circle = "t,X,Y\n";
   std::string square = "t,X,Y\n";
   for (int i = 0; i <= 400; ++i) {
@@ -110,12 +118,7 @@ TEST(Drawing, OfEachKindIsTheSameEachTime) {
   const std::string shaft =
       "theta,A,B\n0,1,1\n0,1,1\n90,1,1\n90,1,1\n180,1,1\n180,1,1\n270,1.001,1\n270,1,1\n";
   const std::string ends = folder.write("ends.csv", "K,d\n0,20\n1,20\n");
-  struct Case {
-    const char* kind;
-    std::string text;
-    std::map<OptionId, std::string> given;
-  };
-  const Case kCases[] = {
+  return {
       {"circle", circle, {}},
       {"square", square, {}},
       {"speed", square, {}},
@@ -125,7 +128,13 @@ TEST(Drawing, OfEachKindIsTheSameEachTime) {
       {"cylindricity", shaft, {{OptionId::Step, "100"}, {OptionId::Diameters, ends}}},
       {"positioning", pos, {}},
   };
-  for (const Case& c : kCases) {
+}
+
+TEST(Drawing, OfEachKindIsTheSameEachTime) {
+  TemporaryFolder folder;
+  const std::vector<KindCase> cases = a_case_of_each_kind(folder);
+  ASSERT_EQ(cases.size(), evaluate::kinds().size());
+  for (const KindCase& c : cases) {
     SCOPED_TRACE(c.kind);
     cli::EvaluateOptions options;
     options.kind = c.kind;
@@ -140,6 +149,61 @@ TEST(Drawing, OfEachKindIsTheSameEachTime) {
       EXPECT_EQ(first.find(never), std::string::npos) << never;
     }
   }
+}
+
+/// The Latin words of a drawing's texts that are neither units nor names of results.
+std::vector<std::string> english_of(const std::string& svg) {
+  static const std::regex kText("<(?:text|title)[^>]*>([^<]*)<");
+  static const std::regex kWord("[A-Za-z_][A-Za-z0-9_]+");
+  const std::set<std::string> units = {"mm", "min", "deg", "ms"};
+  std::vector<std::string> words;
+  for (std::sregex_iterator text(svg.begin(), svg.end(), kText), end; text != end; ++text) {
+    const std::string said = (*text)[1];
+    for (std::sregex_iterator word(said.begin(), said.end(), kWord); word != end; ++word) {
+      const auto is_it = [&](const evaluate::ResultRow& row) {
+        return evaluate::names(row, word->str());
+      };
+      // y_0 is a line of a plate at its place.
+      if (!units.contains(word->str()) && !word->str().starts_with("y_") &&
+          std::ranges::none_of(evaluate::results(), is_it)) {
+        words.push_back(word->str());
+      }
+    }
+  }
+  return words;
+}
+
+TEST(Drawing, OfEachKindHasNoEnglishWordWhereItIsJapanese) {
+  TemporaryFolder folder;
+  for (const KindCase& c : a_case_of_each_kind(folder)) {
+    SCOPED_TRACE(c.kind);
+    cli::EvaluateOptions options;
+    options.kind = c.kind;
+    options.given = c.given;
+    options.svg = folder.path("drawing.svg");
+    ASSERT_EQ(testing::evaluate_text(c.text, options).exit_code, 0);
+    EXPECT_FALSE(english_of(testing::text_of(options.svg)).empty());
+    EXPECT_EQ(testing::text_of(options.svg).find("xml:lang"), std::string::npos);
+    options.language = plot::Language::Japanese;
+    ASSERT_EQ(testing::evaluate_text(c.text, options).exit_code, 0);
+    const std::string japanese = testing::text_of(options.svg);
+    EXPECT_EQ(english_of(japanese), std::vector<std::string>());
+    EXPECT_NE(japanese.find(R"(role="img" xml:lang="ja")"), std::string::npos);
+  }
+}
+
+TEST(Drawing, HasALanguageOfItsOwnOnlyWhereThereIsOne) {
+  TemporaryFolder folder;
+  const std::string record = folder.write("d.csv", "X,Y\n0,0\n50,50.01\n");
+  const std::string svg = folder.path("d.svg");
+  EXPECT_EQ(
+      testing::g31({"evaluate", "diagonal", record, "--target", "50,50", "--lang", "ja"}).exit_code,
+      2);
+  ASSERT_EQ(testing::g31(
+                {"evaluate", "diagonal", record, "--target", "50,50", "--svg", svg, "--lang", "ja"})
+                .exit_code,
+            0);
+  EXPECT_NE(testing::text_of(svg).find("<title>2軸の直線移動</title>"), std::string::npos);
 }
 
 // A circle about (5, 0), 0.1 mm too large: of its uppermost 1 mm 540 pixels are drawn, the top of

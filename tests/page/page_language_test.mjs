@@ -8,13 +8,13 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-const UNITS = ['mm', 'µm', 'um', 'deg', 'min', 'ms'];
+const UNITS = ['mm', 'µm', 'um', 'deg', 'min', 'ms', 'mm/min', 'µm/m'];
 // Names of things that are called so in Japanese as well, and letters that stand for quantities.
 const NAMES = ['g31', 'SHA-256', 'WebGL', 'MEAS', 'MSG', 'XY', 'XZ', 'YZ', '--expect'];
 const SHAPES = [
   /^[A-Z]{1,8}[\d_]+(\.\d+)?$/, // G31, O9010, PRB301, CYCLE977
   /^[#$_]/, // variables
-  /^[a-z]+(_\w+)+$/, // results in documents
+  /^[A-Za-z]+(_\w+)+$/, // results in documents
   /\.\w+$/, // files
   /^[a-z]+(-\d+\w*)+$/, // fanuc-16i
   /^[0-9a-f]{8,}$/, // hashes
@@ -96,14 +96,33 @@ expected = 1.4
 published = [1.45]
 `)], ['study of one', 'one']);
 
-const circle = () => {
-  const rows = Array.from({ length: 721 }, (_, i) => {
-    const angle = (i / 360) * Math.PI;
-    return `${(i * 0.01).toFixed(3)},${(50.01 * Math.cos(angle)).toFixed(6)},${(50 * Math.sin(angle)).toFixed(6)}`;
-  });
-  return fileOf('circle.csv', `t,X,Y\n${rows.join('\n')}\n`);
+/** A way round and back, as a file; its points by the share of the whole. */
+const pathFile = (name, pointAt) => {
+  const share = (i) => (i <= 720 ? i : 1440 - i) / 720;
+  const rows = Array.from({ length: 1441 }, (_, i) => `${(i * 0.01).toFixed(3)},${pointAt(share(i)).map((x) => x.toFixed(6)).join()}`);
+  return fileOf(name, `t,X,Y\n${rows.join('\n')}\n`);
 };
-japanese('an evaluation', () => ['evaluate', 'circle', circle(), '--radius', '50'], ['squareness', 'hysteresis', 'radius']);
+const circle = () => pathFile('circle.csv', (s) => [50.01 * Math.cos(2 * Math.PI * s), 50 * Math.sin(2 * Math.PI * s)]);
+const square = () => pathFile('square.csv', (s) => {
+  const [side, along] = [Math.floor(4 * s) % 4, 100 * ((4 * s) % 1) - 50];
+  return [[50, along], [-along, 50], [-50, -along], [along, -50]][side];
+});
+// Every kind of evaluation, with its drawing: words of results in documents are names.
+const EVALUATIONS = {
+  circle: () => [circle(), '--radius', '50'],
+  square: () => [square(), '--side', '100'],
+  speed: () => [square()],
+  diagonal: () => [square(), '--target', '50,-50'],
+  straightness: () => [fileOf('bed.csv', 'A,B\n0,1\n0,-1\n0,0\n'), '--step', '100'],
+  flatness: () => [fileOf('plate.csv', 'x,y,z\n0,0,0\n1,0,0.001\n0,1,0\n1,1,0\n')],
+  cylindricity: () => [fileOf('shaft.csv', 'theta,A,B\n0,1,1\n0,1,1\n90,1,1\n90,1,1\n180,1,1\n180,1,1\n270,1.001,1\n270,1,1\n'),
+    '--step', '100', '--diameters', fileOf('ends.csv', 'K,d\n0,20\n1,20\n')],
+  positioning: () => [fileOf('x.csv', 'axis,target,direction,cycle,position\nX,0,1,1,0.001\nX,0,1,2,0.002\nX,9,1,1,9\n'
+    + 'X,9,1,2,9.001\nX,0,-1,1,0.004\nX,0,-1,2,0.003\nX,9,-1,1,9\nX,9,-1,2,9.002\n')],
+};
+for (const [kind, words] of Object.entries(EVALUATIONS)) {
+  japanese(`an evaluation: ${kind}`, () => ['evaluate', kind, ...words()], ['squareness', 'hysteresis', 'radius', 'side', 'delta', 'parallelism']);
+}
 
 test('a plan', async (t) => {
   const file = planOf('ja_plan', ['parts/library/inspection/product.step', '--stock', 'box', '--lang', 'ja']);

@@ -23,7 +23,7 @@ struct EvaluateOptions {
   bool has_curves = false;
   std::string svg;                                    ///< file of the drawing, "" for none
   std::string report;                                 ///< HTML file, "" for none
-  page::Language language = page::Language::English;  ///< of the report
+  page::Language language = page::Language::English;  ///< of the report and the drawing
   std::string version;                                ///< of g31
   std::string magnify;  ///< how many times it enlarges errors; "": so that they are seen
   std::vector<std::string> columns;                 ///< "X=x_act"

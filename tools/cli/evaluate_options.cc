@@ -35,6 +35,7 @@ CLI::App* add_evaluate_command(CLI::App& app, EvaluateOptions& options) {
   command->add_flag("--curves", options.has_curves, "every curve into the document");
   command->add_option("--svg", options.svg, "a drawing")->type_name("FILE");
   add_report_options(*command, options.report, options.language);
+  give_drawing_language(*command);
   command
       ->add_option("--magnify", options.magnify,
                    "how many times a drawn circle or square enlarges its errors; 1 is true size")

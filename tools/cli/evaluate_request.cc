@@ -12,6 +12,7 @@ Result<evaluate::Request, session::Refusal> evaluate_request(const EvaluateOptio
   }
   evaluate::Request request = asked.value();
   request.wants_curves = options.has_curves;
+  request.language = options.language;
   request.wants_drawing = !options.svg.empty();
   return request;
 }

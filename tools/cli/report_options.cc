@@ -22,6 +22,17 @@ void add_report_options(CLI::App& command, std::string& report, page::Language& 
   command.get_option("--lang")->needs("--report");
 }
 
+void give_drawing_language(CLI::App& command) {
+  CLI::Option* const language = command.get_option("--lang");
+  language->remove_needs(command.get_option("--report"));
+  language->description("language of the report and of the words in --svg: en (default) or ja");
+  language->check([&command](const std::string&) {
+    return command.count("--report") + command.count("--svg") > 0
+               ? std::string()
+               : std::string("--report or --svg has to be given, it is their language");
+  });
+}
+
 void add_language_option(CLI::App& command, page::Language& language) {
   command
       .add_option_function<std::string>(

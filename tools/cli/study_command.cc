@@ -82,6 +82,7 @@ std::optional<Refusal> take_drawings(const StudyOptions& options, study::Study& 
     return session::bad_input("--svg - is for a study of one run");
   }
   study.evaluation->request.wants_drawing = true;
+  study.evaluation->request.language = options.language;
   return std::nullopt;
 }
 

@@ -19,7 +19,7 @@ struct StudyOptions {
   std::string csv;     ///< the same
   std::string svg;     ///< file of the drawing of [evaluation], "" for none
   std::string report;  ///< HTML file, "" for none
-  page::Language language = page::Language::English;  ///< of the report
+  page::Language language = page::Language::English;  ///< of the report and the drawing
   std::string version;                                ///< of g31
   std::string shard;                                  ///< "i/n", "" for all
   std::vector<std::string> merge;

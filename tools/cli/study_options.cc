@@ -21,6 +21,7 @@ CLI::App* add_study_command(CLI::App& app, StudyOptions& options) {
                    "the drawing of [evaluation]; of several runs FILE-1.svg, FILE-2.svg and so on")
       ->type_name("FILE");
   add_report_options(*study, options.report, options.language);
+  give_drawing_language(*study);
   study
       ->add_option("--threads", options.threads,
                    "threads; the same bytes with any number (default: one a core)")

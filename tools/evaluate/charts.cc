@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -26,6 +30,36 @@ plot::CurveTrace trace_of(const Curve& curve) {
   return trace;
 }
 
+/// What a legend calls a curve: others are letters and numbers, the same everywhere.
+std::string legend_name(const std::string& curve, plot::Language language) {
+  constexpr std::pair<std::string_view, plot::Word> kNames[] = {
+      {"motion", plot::Word::Motion}, {"work", plot::Word::Work}, {"across", plot::Word::Across}};
+  const auto* const known =
+      std::ranges::find(kNames, curve, &std::pair<std::string_view, plot::Word>::first);
+  return known == std::end(kNames) ? curve : std::string(text_of(known->second, language));
+}
+
+std::vector<plot::CurveTrace> deviation_traces(const std::vector<Curve>& curves,
+                                               plot::Language language) {
+  std::vector<plot::CurveTrace> traces;
+  for (const Curve& curve : curves) {
+    plot::CurveTrace trace = trace_of(curve);
+    trace.style = plot::CurveStyle::Marked;
+    trace.colour = traces.size() % kColours;
+    trace.name = traces.size() < kColours ? legend_name(curve.name, language) : std::string();
+    traces.push_back(std::move(trace));
+  }
+  return traces;
+}
+
+/// A chart in its language, with the results beside it.
+plot::CurvePlot chart_of(const Evaluation& evaluation, plot::Language language) {
+  plot::CurvePlot chart;
+  chart.language = language;
+  chart.facts = facts_of(evaluation);
+  return chart;
+}
+
 }  // namespace
 
 std::vector<std::string> facts_of(const Evaluation& evaluation) {
@@ -45,34 +79,18 @@ std::vector<std::string> facts_of(const Evaluation& evaluation) {
   return facts;
 }
 
-std::vector<plot::CurveTrace> deviation_traces(const std::vector<Curve>& curves,
-                                               plot::CurveStyle style) {
-  std::vector<plot::CurveTrace> traces;
-  for (const Curve& curve : curves) {
-    plot::CurveTrace trace = trace_of(curve);
-    trace.style = style;
-    trace.colour = traces.size() % kColours;
-    if (traces.size() >= kColours) {
-      trace.name.clear();
-    }
-    traces.push_back(std::move(trace));
-  }
-  return traces;
-}
-
-std::string deviation_chart(const Evaluation& evaluation, const std::string& title,
-                            const std::string& x_label) {
-  plot::CurvePlot chart;
-  chart.title = title;
-  chart.x_label = x_label;
-  chart.y_label = "deviation µm";
-  chart.traces = deviation_traces(evaluation.curves, plot::CurveStyle::Marked);
-  chart.facts = facts_of(evaluation);
+std::string deviation_chart(const Evaluation& evaluation, const ChartWords& words,
+                            plot::Language language) {
+  plot::CurvePlot chart = chart_of(evaluation, language);
+  chart.title = text_of(words.title, language);
+  chart.x_label = text_of(words.x_label, language);
+  chart.y_label = text_of(plot::Word::DeviationUm, language);
+  chart.traces = deviation_traces(evaluation.curves, language);
   return plot::draw(chart);
 }
 
 std::string stacked_chart(const Evaluation& evaluation, const std::vector<double>& heights,
-                          const std::string& title) {
+                          const ChartWords& words, plot::Language language) {
   double largest = 0.0;
   for (const Curve& curve : evaluation.curves) {
     for (const auto& point : curve.points) {
@@ -84,10 +102,10 @@ std::string stacked_chart(const Evaluation& evaluation, const std::vector<double
       heights.size() > 1 ? (*high - *low) / static_cast<double>(heights.size() - 1) : 1.0;
   // Neighbours may just touch.
   const double enlarged = largest > 0.0 ? plot::round_down(std::max(spacing, 1e-9) / largest) : 1.0;
-  plot::CurvePlot chart;
-  chart.title = title;
-  chart.x_label = "place along the work mm";
-  chart.y_label = "theta deg";
+  plot::CurvePlot chart = chart_of(evaluation, language);
+  chart.title = text_of(words.title, language);
+  chart.x_label = text_of(words.x_label, language);
+  chart.y_label = text_of(plot::Word::ThetaDeg, language);
   for (std::size_t i = 0; i < evaluation.curves.size(); ++i) {
     plot::CurveTrace line{"", {}, plot::CurveStyle::Line, 0};
     plot::CurveTrace base{"", {}, plot::CurveStyle::Dashed, 3};
@@ -98,26 +116,29 @@ std::string stacked_chart(const Evaluation& evaluation, const std::vector<double
     chart.traces.push_back(std::move(base));
     chart.traces.push_back(std::move(line));
   }
-  chart.facts = facts_of(evaluation);
-  chart.facts.push_back(fmt::format("10 µm of radius are drawn as {:.3g} deg", 0.010 * enlarged));
+  chart.facts.push_back(said(language, plot::Word::DrawnAs,
+                             fmt::arg("angle", fmt::format("{:.3g}", 0.010 * enlarged))));
   return plot::draw(chart);
 }
 
-std::string positioning_chart(const Evaluation& evaluation, const std::string& axis) {
-  plot::CurvePlot chart;
-  chart.title = fmt::format("Positioning of axis {}", axis);
-  chart.x_label = "target mm";
-  chart.y_label = "deviation µm";
-  constexpr const char* kNames[] = {"mean, up",   "mean + 2 s, mean - 2 s, up",   "",
-                                    "mean, down", "mean + 2 s, mean - 2 s, down", ""};
+std::string positioning_chart(const Evaluation& evaluation, const std::string& axis,
+                              plot::Language language) {
+  plot::CurvePlot chart = chart_of(evaluation, language);
+  chart.title = said(language, plot::Word::TitlePositioning, fmt::arg("axis", axis));
+  chart.x_label = text_of(plot::Word::TargetMm, language);
+  chart.y_label = text_of(plot::Word::DeviationUm, language);
+  // Of each direction the mean and the two limits about it, which share a name.
+  constexpr std::optional<plot::Word> kNames[] = {plot::Word::MeanUp,     plot::Word::SpreadUp,
+                                                  std::nullopt,           plot::Word::MeanDown,
+                                                  plot::Word::SpreadDown, std::nullopt};
   for (std::size_t i = 0; i < evaluation.curves.size(); ++i) {
     plot::CurveTrace trace = trace_of(evaluation.curves[i]);
-    trace.name = evaluation.curves[i].points.empty() ? "" : kNames[i];
+    const bool is_named = kNames[i] && !evaluation.curves[i].points.empty();
+    trace.name = is_named ? text_of(*kNames[i], language) : std::string_view();
     trace.style = i % 3 == 0 ? plot::CurveStyle::Marked : plot::CurveStyle::Dashed;
     trace.colour = i / 3;
     chart.traces.push_back(std::move(trace));
   }
-  chart.facts = facts_of(evaluation);
   return plot::draw(chart);
 }
 

@@ -11,6 +11,7 @@
 #include "tools/evaluate/data_error.h"
 #include "tools/evaluate/data_table.h"
 #include "tools/evaluate/evaluation.h"
+#include "tools/plot/language.h"
 
 namespace g31::evaluate {
 
@@ -41,6 +42,7 @@ struct Request {
   std::string error = "EYX";  ///< what a straightness is, by ISO 230-1
   bool wants_curves = false;  ///< of paths: every sample's deviation
   bool wants_drawing = false;
+  plot::Language language = plot::Language::English;  ///< of a drawing
   double magnify = 0.0;  ///< how many times a drawing enlarges errors; 0: so that they are seen
 };
 

@@ -10,6 +10,7 @@
 #include "tools/evaluate/evaluate_path.h"
 #include "tools/evaluate/recorded_path.h"
 #include "tools/plot/path_plot.h"
+#include "tools/plot/words.h"
 
 namespace g31::evaluate {
 namespace {
@@ -142,7 +143,9 @@ std::string drawing_of(const metrology::CircleEvaluation& circle,
                        const Evaluation& evaluation) {
   const metrology::Circle& reference = circle.reference;
   plot::PathPlot chart;
-  chart.title = fmt::format("Circle, radius {:.6g} mm", reference.radius);
+  chart.language = request.language;
+  chart.title = said(request.language, plot::Word::TitleCircle,
+                     fmt::arg("radius", fmt::format("{:.6g}", reference.radius)));
   chart.axes = request.plane;
   chart.centre = {reference.centre.x(), reference.centre.y()};
   chart.nominal_radius = [&](double) { return reference.radius; };
@@ -155,7 +158,9 @@ std::string drawing_of(const metrology::CircleEvaluation& circle,
     const std::size_t colour = turn.direction > 0 ? 0 : 1;
     plot::PathTrace trace;
     if (!std::exchange(is_named.at(colour), true)) {
-      trace.name = turn.direction > 0 ? "counter-clockwise" : "clockwise";
+      trace.name =
+          text_of(turn.direction > 0 ? plot::Word::CounterClockwise : plot::Word::Clockwise,
+                  request.language);
     }
     trace.colour = colour;
     for (std::size_t i = turn.begin; i < turn.end; ++i) {

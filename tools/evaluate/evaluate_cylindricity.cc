@@ -129,7 +129,9 @@ Result<Evaluation, DataError> evaluate_cylindricity(const DataFile& file, const 
     for (const SensorLine& line : lines.value()) {
       angles.push_back(line.key);
     }
-    evaluation.svg = stacked_chart(evaluation, angles, "Work unrolled: deviations of the radius");
+    evaluation.svg = stacked_chart(evaluation, angles,
+                                   {plot::Word::TitleCylindricity, plot::Word::PlaceAlongWork},
+                                   request.language);
   }
   return evaluation;
 }

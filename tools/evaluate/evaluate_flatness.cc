@@ -87,7 +87,8 @@ Result<Evaluation, DataError> evaluate_flatness(const DataFile& file, const Requ
                         {"flatness_minimum_zone", um(flat->zones.minimum_zone), "um"}};
   evaluation.curves = lines_of(points.value(), flat->deviations);
   if (request.wants_drawing) {
-    evaluation.svg = deviation_chart(evaluation, "Flatness: deviations along X", "x mm");
+    evaluation.svg = deviation_chart(evaluation, {plot::Word::TitleFlatness, plot::Word::PlaceX},
+                                     request.language);
   }
   return evaluation;
 }

@@ -54,12 +54,14 @@ PathEvaluation evaluate_speed(const RecordedPath& path, const Request& request) 
   }
   if (request.wants_drawing) {
     plot::CurvePlot chart;
-    chart.title = "Speed over time";
-    chart.x_label = "time s";
-    chart.y_label = "speed mm/min";
+    chart.language = request.language;
+    chart.title = text_of(plot::Word::TitleSpeed, request.language);
+    chart.x_label = text_of(plot::Word::TimeS, request.language);
+    chart.y_label = text_of(plot::Word::SpeedMmMin, request.language);
     chart.traces = {{"", evaluation.curves.front().points, plot::CurveStyle::Line, 0}};
     chart.facts = facts_of(evaluation);
-    chart.facts.push_back(fmt::format("dips {}", speed->dips.size()));
+    chart.facts.push_back(
+        said(request.language, plot::Word::Dips, fmt::arg("count", speed->dips.size())));
     chart.begins_at_zero = true;
     evaluation.svg = plot::draw(chart);
   }

@@ -9,6 +9,7 @@
 #include "tools/evaluate/evaluate_path.h"
 #include "tools/evaluate/recorded_path.h"
 #include "tools/plot/path_plot.h"
+#include "tools/plot/words.h"
 
 namespace g31::evaluate {
 namespace {
@@ -54,7 +55,9 @@ Curve ray_errors(const metrology::Square& square, const metrology::PlaneSamples&
 std::string drawing_of(const metrology::Square& square, const metrology::PlaneSamples& samples,
                        const Request& request, const Evaluation& evaluation) {
   plot::PathPlot chart;
-  chart.title = fmt::format("Square, side {:.6g} mm", 2.0 * square.half_side);
+  chart.language = request.language;
+  chart.title = said(request.language, plot::Word::TitleSquare,
+                     fmt::arg("side", fmt::format("{:.6g}", 2.0 * square.half_side)));
   chart.axes = request.plane;
   chart.centre = {square.centre.x(), square.centre.y()};
   chart.nominal_radius = [&](double angle) {
@@ -63,7 +66,7 @@ std::string drawing_of(const metrology::Square& square, const metrology::PlaneSa
   chart.magnification = request.magnify;
   chart.detail = request.detail;
   chart.facts = facts_of(evaluation);
-  plot::PathTrace trace{"path", {}, {}};
+  plot::PathTrace trace{std::string(text_of(plot::Word::Path, request.language)), {}, {}};
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (is_near(square, samples.at(i))) {
       trace.points.push_back(samples.at(i) - square.centre);

@@ -89,8 +89,8 @@ Result<Evaluation, DataError> evaluate_straightness(const DataFile& file, const 
       "middle of {} steps, and {:.3g} u of the work",
       metrology::motion_uncertainty(n / 2, n), n, metrology::work_uncertainty((n + 1) / 2, n)));
   if (request.wants_drawing) {
-    evaluation.svg =
-        deviation_chart(evaluation, "Straightness of motion and work", "place along the way mm");
+    evaluation.svg = deviation_chart(
+        evaluation, {plot::Word::TitleStraightness, plot::Word::PlaceAlongWay}, request.language);
   }
   return evaluation;
 }

@@ -15,12 +15,6 @@ std::string unit_sign(std::string_view unit) {
   return unit.starts_with("um") ? "µ" + std::string(unit.substr(1)) : std::string(unit);
 }
 
-/// The drawing has English words, whichever language the page has.
-std::string drawing_of(const evaluate::Evaluation& evaluation, Language language) {
-  return language == Language::English ? evaluation.svg
-                                       : fmt::format(R"(<div lang="en">{}</div>)", evaluation.svg);
-}
-
 Table results_table(const evaluate::Evaluation& evaluation, Language language) {
   Table table{std::string(text_of(Word::Results, language)),
               {std::string(text_of(Word::Characteristic, language)),
@@ -84,7 +78,7 @@ Report report_of(const evaluate::Evaluation& evaluation, const std::string& file
                   {std::string(text_of(Word::Version, origin.language)), origin.version}};
   report.command = origin.command;
   if (!evaluation.svg.empty()) {
-    report.drawings.push_back({word, drawing_of(evaluation, origin.language), ""});
+    report.drawings.push_back({word, evaluation.svg, ""});
   }
   report.tables.push_back(results_table(evaluation, origin.language));
   report.inputs = origin.inputs;

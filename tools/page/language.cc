@@ -18,17 +18,6 @@ constexpr Texts kTexts[] = {
 
 }  // namespace
 
-std::optional<Language> language_named(std::string_view name) {
-  if (name == "en") {
-    return Language::English;
-  }
-  return name == "ja" ? std::optional(Language::Japanese) : std::nullopt;
-}
-
-std::string_view name_of(Language language) {
-  return language == Language::English ? "en" : "ja";
-}
-
 std::string_view text_of(Word word, Language language) {
   const Texts& texts = kTexts[static_cast<std::size_t>(word)];
   return language == Language::English ? texts.english : texts.japanese;

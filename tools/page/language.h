@@ -1,17 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
+
+#include "tools/plot/language.h"
 
 namespace g31::page {
 
-/// Of the words that the page itself says; programs and messages stay as they are.
-enum class Language : std::uint8_t { English, Japanese };
-
-/// "en" or "ja".
-std::optional<Language> language_named(std::string_view name);
-std::string_view name_of(Language language);
+/// Pages and the drawings on them speak the same ones.
+using plot::Language;
+using plot::language_named;
 
 /// Rows of words.def.
 enum class Word : std::uint16_t {

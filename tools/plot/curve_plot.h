@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tools/plot/language.h"
+
 namespace g31::plot {
 
 enum class CurveStyle : std::uint8_t { Line, Dashed, Marked };
@@ -23,9 +25,10 @@ struct CurvePlot {
   std::string x_label;  ///< with its unit
   std::string y_label;
   std::vector<CurveTrace> traces;
-  std::vector<std::string> facts;  ///< lines beside the drawing
-  bool begins_at_zero = false;     ///< the upright axis
-  bool has_equal_scales = false;   ///< both axes show a length alike
+  std::vector<std::string> facts;         ///< lines beside the drawing
+  bool begins_at_zero = false;            ///< the upright axis
+  bool has_equal_scales = false;          ///< both axes show a length alike
+  Language language = Language::English;  ///< that its texts are in
 };
 
 /// The drawing as SVG.

@@ -11,6 +11,7 @@
 #include "tools/plot/legend.h"
 #include "tools/plot/scale.h"
 #include "tools/plot/svg.h"
+#include "tools/plot/words.h"
 
 namespace g31::plot {
 namespace {
@@ -149,13 +150,14 @@ void draw_arrows(Svg& svg, const Points& shown, std::string_view style) {
 }
 
 /// A bar as long as a deviation is drawn.
-void draw_bar(Svg& svg, double y, double pixels, double step) {
+void draw_bar(Svg& svg, double y, double pixels, double step, Language language) {
   const double right = kColumn + std::max(pixels, 1.0);
   svg.line({kColumn, y}, {right, y}, "frame");
   svg.line({kColumn, y - 5.0}, {kColumn, y + 5.0}, "frame");
   svg.line({right, y - 5.0}, {right, y + 5.0}, "frame");
   svg.text({right + 8.0, y + 4.0},
-           fmt::format("{} µm error", label_of(kMicrometres * step, kMicrometres * step)));
+           said(language, Word::BarOfError,
+                fmt::arg("amount", label_of(kMicrometres * step, kMicrometres * step))));
 }
 
 /// How errors are shown.
@@ -204,7 +206,7 @@ std::string draw(const PathPlot& plot) {
 namespace {
 
 std::string draw_shown(const PathPlot& plot, const Enlargement& enlargement) {
-  Svg svg(900.0, 660.0, plot.title);
+  Svg svg(900.0, 660.0, plot.title, plot.language);
   const auto [is_exact, magnification, step] = enlargement;
   const auto detail = detail_of(plot);
   double half = 0.0;
@@ -242,13 +244,13 @@ std::string draw_shown(const PathPlot& plot, const Enlargement& enlargement) {
       legend.line(style, plot.traces[i].name);
     }
   }
-  legend.line("nominal", "nominal");
+  legend.line("nominal", text_of(Word::Nominal, plot.language));
   legend.skip(10.0);
-  svg.text({kColumn, legend.row()}, magnification == 1.0
-                                        ? std::string("true size")
-                                        : fmt::format("errors {} times enlarged", magnification));
+  svg.text({kColumn, legend.row()},
+           said(plot.language, magnification == 1.0 ? Word::TrueSize : Word::Enlarged,
+                fmt::arg("times", magnification)));
   const double pixels = magnification * step * kSize / (2.0 * shown.half);
-  draw_bar(svg, legend.row() + 22.0, pixels, step);
+  draw_bar(svg, legend.row() + 22.0, pixels, step, plot.language);
   legend.skip(56.0);
   legend.facts(plot.facts);
   return svg.finish();

@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include "tools/plot/language.h"
+
 namespace g31::plot {
 
 /// A recorded path, as points and their deviations from the nominal one.
@@ -30,7 +32,8 @@ struct PathPlot {
   double magnification = 0.0;  ///< 0: so that the largest deviation is a fourth of the radius
   /// Only this square of the drawing: its middle, mm, and its width; nullopt: all of it.
   std::optional<std::array<double, 3>> detail;
-  std::vector<std::string> facts;  ///< lines beside the drawing
+  std::vector<std::string> facts;         ///< lines beside the drawing
+  Language language = Language::English;  ///< of what the drawing says itself
 };
 
 /// The drawing as SVG.

@@ -62,12 +62,14 @@ constexpr std::string_view kAnchors[] = {"start", "middle", "end"};
 
 }  // namespace
 
-Svg::Svg(double width, double height, std::string_view title) {
+Svg::Svg(double width, double height, std::string_view title, Language language) {
   text_ = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
-      "viewBox=\"0 0 {0} {1}\" role=\"img\">\n<title>{2}</title>\n{3}"
+      "viewBox=\"0 0 {0} {1}\" role=\"img\"{4}>\n<title>{2}</title>\n{3}"
       "<rect class=\"paper\" width=\"{0}\" height=\"{1}\"/>\n",
-      width, height, escaped(title), kStyle);
+      width, height, escaped(title), kStyle,
+      language == Language::English ? std::string()
+                                    : fmt::format(" xml:lang=\"{}\"", name_of(language)));
 }
 
 void Svg::line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::string_view style) {

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "tools/plot/language.h"
+
 namespace g31::plot {
 
 /// Where a text stands beside its point.
@@ -18,7 +20,8 @@ enum class Anchor { Start, Middle, End };
 /// calls give the same bytes.
 class Svg {
  public:
-  Svg(double width, double height, std::string_view title);
+  /// @param language  of the texts, so that readers choose and speak the letters of it
+  Svg(double width, double height, std::string_view title, Language language = Language::English);
 
   void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::string_view style);
   /// A line through points.
