@@ -31,6 +31,16 @@ Eigen::Matrix3d about(int axis, double degrees) {
   return turn;
 }
 
+/// A way as it is outside: scaled, mirrored and turned, not shifted.
+AxisPositions outside(const AxisPositions& way, const AxisPositions& factors,
+                      const Eigen::Matrix3d& turn) {
+  AxisPositions outer = factors.cwiseProduct(way);
+  if (!turn.isIdentity(0.0)) {
+    outer.head<3>() = (turn * outer.head<3>()).eval();
+  }
+  return outer;
+}
+
 }  // namespace
 
 AxisPositions Frame::factors() const {
@@ -88,11 +98,7 @@ double Frame::undo(int further_axis, double place) const {
 }
 
 AxisPositions Frame::apply(const AxisPositions& q) const {
-  AxisPositions outer = factors().cwiseProduct(q);
-  if (!turn_.isIdentity(0.0)) {
-    outer.head<3>() = (turn_ * outer.head<3>()).eval();
-  }
-  return outer + coarse_ + fine_;
+  return outside(q, factors(), turn_) + coarse_ + fine_;
 }
 
 AxisPositions Frame::undo(const AxisPositions& q) const {
@@ -105,9 +111,8 @@ AxisPositions Frame::undo(const AxisPositions& q) const {
 
 Frame Frame::chained(const Frame& inner) const {
   Frame all;
-  const AxisPositions q_origin = apply(AxisPositions::Zero());
-  all.coarse_ = coarse_ + apply(inner.coarse_) - q_origin;
-  all.fine_ = fine_ + apply(inner.fine_) - q_origin;
+  all.coarse_ = coarse_ + outside(inner.coarse_, factors(), turn_);
+  all.fine_ = fine_ + outside(inner.fine_, factors(), turn_);
   const Eigen::Vector3d mine = factors().head<3>();
   all.turn_ = turn_ * mine.asDiagonal() * inner.turn_ * mine.cwiseInverse().asDiagonal();
   all.scale_ = scale_.cwiseProduct(inner.scale_);
@@ -153,7 +158,7 @@ void Frame::set_solid_angles(int first, double about_first, double about_second)
 }
 
 void Frame::add_fine_shift(const Frame& shift) {
-  fine_ += apply(shift.apply(AxisPositions::Zero())) - apply(AxisPositions::Zero());
+  fine_ += outside(shift.apply(AxisPositions::Zero()), factors(), turn_);
   for (std::size_t i = 0; i < further_.size(); ++i) {
     further_[i].fine += further_[i].factor() * shift.further_[i].shift();
   }
