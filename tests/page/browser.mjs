@@ -35,11 +35,26 @@ export const reportOf = (name, words) => reportBy(name, ['run', ...words]);
 
 /** The same by any command that writes reports. */
 export function reportBy(name, words) {
+  return reportFrom(ROOT, words, path.join(folder, `${name}.html`));
+}
+
+/** The same by a command that is given beside the files that it names. */
+export const reportBeside = (name, words) => reportFrom(folder, words, `${name}.html`);
+
+function reportFrom(cwd, words, report) {
   if (!writesPages()) return null;
-  const file = path.join(folder, `${name}.html`);
-  const done = spawnSync(G31_PROGRAM, [...words, '--report', file], { cwd: ROOT, encoding: 'utf8' });
+  const file = path.resolve(cwd, report);
+  const done = spawnSync(path.resolve(G31_PROGRAM), [...words, '--report', report], { cwd, encoding: 'utf8' });
   if (!fs.existsSync(file)) throw new Error(`no page from g31: ${done.stderr}`);
   return file;
+}
+
+/** Keeps a document for documents_of_tests, as tests/tools/kept_documents.py does. */
+function keep(name, file) {
+  const kept = process.env.G31_KEPT_DOCUMENTS;
+  if (!kept || !fs.existsSync(file)) return;
+  fs.mkdirSync(kept, { recursive: true });
+  fs.copyFileSync(file, path.join(kept, `${name}.json`));
 }
 
 /** The page of an inspection plan; null where this g31 makes none. */
@@ -47,6 +62,7 @@ export function planOf(name, words) {
   const plan = path.join(folder, name);
   const done = spawnSync(G31_PROGRAM, ['plan', ...words, '-o', plan], { cwd: ROOT, encoding: 'utf8' });
   const file = path.join(plan, 'plan.html');
+  keep(name, path.join(plan, 'plan.json'));
   if (fs.existsSync(file)) return file;
   if (writesPages() && !done.stderr.includes('libocct')) throw new Error(`no plan from g31: ${done.stderr}`);
   return null;
