@@ -143,6 +143,34 @@ TEST(Expectations, OfSinumerik) {
   EXPECT_EQ(good.document.at("expectations").size(), 5U) << "the status, too";
 }
 
+TEST(Expectations, OfTheCommandLineMayBeTexts) {
+  const char* const kMain = "DEF STRING[40] TT=\"a+-b = c\"\nDEF STRING[9] NN=\"\"\nR1=5\nM30\n";
+  const RunOutput good = run_with(kMain, "", {R"(NN="")", R"(TT = "a+-b = c" )"}, "a.mpf");
+  EXPECT_EQ(good.exit_code, 0) << good.errors;
+  const RunOutput bad = run_with(kMain, "", {R"(NN="x")", R"(R1="5")"}, "a.mpf");
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_NE(bad.errors.find(R"(NN: expected "x", got "")"), std::string::npos) << bad.errors;
+  EXPECT_NE(bad.errors.find(R"(R1: expected "5", got 5)"), std::string::npos) << bad.errors;
+  const RunOutput bare = run_with(kMain, "", {"TT=x"}, "a.mpf");
+  EXPECT_NE(bare.errors.find("nor a text in quotes, such as \"OK\""), std::string::npos);
+}
+
+// As --print takes names: a range is each of its variables, never a difference.
+TEST(Expectations, OfTheCommandLineMayBeOfRanges) {
+  const char* const kMain = "R1=5\nR2=5\nR3=5\nM30\n";
+  EXPECT_EQ(run_with(kMain, "", {"R1-R3=5"}, "a.mpf").exit_code, 0);
+  const RunOutput bad = run_with(kMain, "", {"R1-R3=0"}, "a.mpf");
+  EXPECT_EQ(bad.exit_code, 1) << "R1 less R3 is 0";
+  EXPECT_EQ(bad.document.at("expectations").size(), 4U) << "three, and the status";
+  EXPECT_NE(bad.errors.find("R2: expected 0, got 5"), std::string::npos) << bad.errors;
+  EXPECT_EQ(run_with("O1\n#101=1\nM30\n", "", {"#100-#103,#7=vacant", "#101=1"}).exit_code, 0);
+  for (const char* const none : {"R1+1=6", "R1*2=10", "(R1)=5", "R3-R1=0"}) {
+    const RunOutput output = run_with(kMain, "", {none}, "a.mpf");
+    EXPECT_EQ(output.exit_code, 2) << none;
+    EXPECT_NE(output.errors.find("--expect"), std::string::npos) << output.errors;
+  }
+}
+
 TEST(Expectations, ThatCannotBeAreRefusedBeforeTheRun) {
   const struct {
     const char* expect;
@@ -164,8 +192,8 @@ TEST(Expectations, ThatCannotBeAreRefusedBeforeTheRun) {
     EXPECT_NE(output.errors.find(c.says), std::string::npos) << output.errors;
     EXPECT_EQ(output.errors.find("RAN"), std::string::npos) << output.errors;
   }
-  for (const char* text :
-       {"#100", "=5", "#100=", "#100=5+-", "#100=5+--1", "#100=x", "#100=5+-x"}) {
+  for (const char* text : {"#100", "=5", "#100=", "#100=5+-", "#100=5+--1", "#100=x", "#100=5+-x",
+                           "#100=\"", "TT=OK", "TT='OK'"}) {
     EXPECT_FALSE(expect::parse_expectation(text).ok()) << text;
     EXPECT_EQ(run_with("O1\nM30\n", "", {text}).exit_code, 2) << text;
   }

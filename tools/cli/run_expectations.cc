@@ -8,6 +8,7 @@
 
 #include "interpreter/source/latin_1.h"
 #include "tools/disk/disk.h"
+#include "tools/setup/name_list.h"
 #include "tools/setup/variable_name.h"
 
 namespace g31::cli {
@@ -45,11 +46,23 @@ Result<expect::Expectations, Refusal> expectations_of(
     const setup::Job& job, const std::vector<std::string>& from_command_line) {
   expect::Expectations all = job.expectations;
   for (const std::string& text : from_command_line) {
+    const auto refused = [&](const std::string& why) {
+      return session::bad_input(fmt::format("--expect {}: {}", text, why));
+    };
     const auto expectation = expect::parse_expectation(text);
     if (!expectation) {
-      return session::bad_input(fmt::format("--expect {}: {}", text, expectation.error()));
+      return refused(expectation.error());
     }
-    lay_over(all, expectation.value());
+    expect::Expectation row = expectation.value();
+    auto& variable = std::get<expect::Variable>(row.what);
+    const auto names = setup::parse_name_list(variable.name);
+    if (!names) {
+      return refused(names.error());
+    }
+    for (const std::string& name : names.value()) {
+      variable.name = name;
+      lay_over(all, row);
+    }
   }
   return all;
 }

@@ -104,8 +104,9 @@ void add_program_options(CLI::App& command, RunOptions& options) {
 void add_expect_option(CLI::App& command, RunOptions& options) {
   command
       .add_option("--expect", options.expects,
-                  "what a variable is to be at the end, #160=19.998+-0.001 or #7=vacant; else exit "
-                  "code 1; repeatable, [expect] of a sheet says more")
+                  "what a variable is to be at the end, #160=19.998+-0.001, #7=vacant or NAME=\"a "
+                  "text\"; R1-R9=0 is each of a range, as --print takes it; else exit code 1; "
+                  "repeatable, [expect] of a sheet says more")
       ->type_name("NAME=VALUE+-TOLERANCE")
       ->allow_extra_args(false);
 }

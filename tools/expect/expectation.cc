@@ -169,6 +169,23 @@ std::string_view trimmed(std::string_view text) {
   return end == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1);
 }
 
+/// What --expect writes behind the sign; nullopt: it is none of what there is.
+std::optional<ExpectedValue> expected_value(std::string_view written) {
+  if (written == kVacant) {
+    return ShownValue(Cell());
+  }
+  if (written.size() > 1 && written.starts_with('"') && written.ends_with('"')) {
+    return ShownValue(std::string(written.substr(1, written.size() - 2)));
+  }
+  const std::size_t sign = written.find("+-");
+  const auto number = number_in(trimmed(written.substr(0, sign)));
+  const auto tolerance = sign == std::string_view::npos
+                             ? std::optional(0.0)
+                             : number_in(trimmed(written.substr(sign + 2)));
+  const bool is_number = number && tolerance && *tolerance >= 0.0;
+  return is_number ? std::optional<ExpectedValue>(Within{*number, *tolerance}) : std::nullopt;
+}
+
 }  // namespace
 
 bool Expectations::names_an_ending() const {
@@ -218,25 +235,15 @@ Result<Expectation, std::string> parse_expectation(const std::string& text) {
   if (equals == std::string::npos || name.empty()) {
     return std::string("write NAME=VALUE+-TOLERANCE, for example #160=19.998+-0.001");
   }
-  const std::string_view value = trimmed(std::string_view(text).substr(equals + 1));
-  const std::size_t sign = value.find("+-");
-  Variable variable{std::string(name), Within{}};
-  if (value == kVacant) {
-    variable.value = ShownValue(Cell());
-  } else {
-    const auto number = number_in(trimmed(value.substr(0, sign)));
-    const auto tolerance = sign == std::string_view::npos
-                               ? std::optional(0.0)
-                               : number_in(trimmed(value.substr(sign + 2)));
-    if (!number || !tolerance || *tolerance < 0.0) {
-      return fmt::format(
-          "{} is not a number and a tolerance of 0 or more, such as 19.998+-0.001, "
-          "nor vacant",
-          value);
-    }
-    variable.value = Within{*number, *tolerance};
+  const std::string_view written = trimmed(std::string_view(text).substr(equals + 1));
+  const auto value = expected_value(written);
+  if (!value) {
+    return fmt::format(
+        "{} is not a number and a tolerance of 0 or more, such as 19.998+-0.001, nor a text in "
+        "quotes, such as \"OK\", nor vacant",
+        written);
   }
-  return Expectation{std::move(variable), {"--expect " + text, 0, 0, {}}};
+  return Expectation{Variable{std::string(name), *value}, {"--expect " + text, 0, 0, {}}};
 }
 
 }  // namespace g31::expect
