@@ -19,17 +19,23 @@ constexpr std::optional<double> kComputed = std::nullopt;
 constexpr auto kShapes = std::to_array<Shape>({
 #define SHAPE(name, make, text) {#name, text},
 #define SHAPE_SIZE(shape, name, default_mm, text)
+#define SHAPE_COUNT(shape, name, default_value, text)
 #include "parts/artefacts/shapes.def"
 #undef SHAPE
 #undef SHAPE_SIZE
+#undef SHAPE_COUNT
 });
 
 constexpr auto kSizes = std::to_array<ShapeSize>({
 #define SHAPE(name, make, text)
-#define SHAPE_SIZE(shape, name, default_mm, text) {#shape, #name, default_mm, text},
+#define SHAPE_SIZE(shape, name, default_mm, text) \
+  {#shape, #name, default_mm, Quantity::Length, text},
+#define SHAPE_COUNT(shape, name, default_value, text) \
+  {#shape, #name, default_value, Quantity::Count, text},
 #include "parts/artefacts/shapes.def"
 #undef SHAPE
 #undef SHAPE_SIZE
+#undef SHAPE_COUNT
 });
 
 using AnyMaker = std::variant<Maker, ProfiledMaker>;
@@ -37,9 +43,11 @@ using AnyMaker = std::variant<Maker, ProfiledMaker>;
 constexpr auto kMakers = std::to_array<AnyMaker>({
 #define SHAPE(name, make, text) (make),
 #define SHAPE_SIZE(shape, name, default_mm, text)
+#define SHAPE_COUNT(shape, name, default_value, text)
 #include "parts/artefacts/shapes.def"
 #undef SHAPE
 #undef SHAPE_SIZE
+#undef SHAPE_COUNT
 });
 
 /// "; did you mean 'ring'?" or the list of what there is.
@@ -90,8 +98,8 @@ std::optional<std::string> why_wrong(const PartSetup& part) {
 Sizes with_defaults(const PartSetup& part) {
   Sizes sizes = part.sizes;
   for (const ShapeSize& size : kSizes) {
-    if (size.shape == part.shape && size.default_mm) {
-      sizes.try_emplace(std::string(size.name), *size.default_mm);
+    if (size.shape == part.shape && size.default_value) {
+      sizes.try_emplace(std::string(size.name), *size.default_value);
     }
   }
   for (const WorkedOut& stand_in : stand_ins()) {
@@ -122,16 +130,30 @@ std::span<const ShapeSize> shape_sizes() {
   return kSizes;
 }
 
-std::optional<double> size_of(const PartSetup& part, const std::string& name) {
+std::string_view unit_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::Length:
+      return "mm";
+    case Quantity::Angle:
+      return "deg";
+    case Quantity::Count:
+      break;
+  }
+  return "none";
+}
+
+std::optional<Measure> size_of(const PartSetup& part, const std::string& name) {
   const Sizes sizes = with_defaults(part);
-  const std::vector<std::string_view> known = size_names(part.shape);
-  if (std::ranges::find(known, name) != known.end()) {
-    return sizes.at(name);
+  for (const ShapeSize& size : shape_sizes()) {
+    if (size.shape == part.shape && size.name == name) {
+      return Measure{sizes.at(name), size.quantity};
+    }
   }
   const auto row = std::ranges::find_if(worked_out(), [&](const WorkedOut& result) {
     return result.shape == part.shape && result.name == name;
   });
-  return row != worked_out().end() ? std::optional(row->from(sizes)) : std::nullopt;
+  return row != worked_out().end() ? std::optional(Measure{row->from(sizes), row->quantity})
+                                   : std::nullopt;
 }
 
 std::optional<Sphere> exact_sphere(const PartSetup& part) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,11 +13,22 @@
 
 namespace g31::parts {
 
+/// What a number about a shape is.
+enum class Quantity : std::uint8_t {
+  Length,  ///< mm
+  Angle,   ///< degrees
+  Count,
+};
+
+/// "mm", "deg" or "none".
+std::string_view unit_of(Quantity quantity);
+
 /// One size of a shape, a row of shapes.def.
 struct ShapeSize {
   std::string_view shape;
   std::string_view name;
-  std::optional<double> default_mm;  ///< none: what stands in for it (worked_out.h), see text
+  std::optional<double> default_value;  ///< none: what stands in for it (worked_out.h), see text
+  Quantity quantity = Quantity::Length;
   std::string_view text;
 };
 
@@ -30,9 +42,15 @@ struct Shape {
 std::span<const Shape> shapes();
 std::span<const ShapeSize> shape_sizes();
 
-/// What the part's shape measures, mm: a size as it is given or as the shape has it, or what the
+/// A number about a shape.
+struct Measure {
+  double value = 0.0;
+  Quantity quantity = Quantity::Length;
+};
+
+/// What the part's shape measures: a size as it is given or as the shape has it, or what the
 /// shape works out from its sizes (worked_out.h); nullopt: the shape has nothing of that name.
-std::optional<double> size_of(const PartSetup& part, const std::string& name);
+std::optional<Measure> size_of(const PartSetup& part, const std::string& name);
 
 /// Makes the mesh of the part's `shape` with its `sizes`, in the part frame P.
 ///

@@ -10,21 +10,27 @@ namespace {
 #define S(size) sizes.at(#size)
 
 constexpr auto kStandIns = std::to_array<WorkedOut>({
-#define STAND_IN(shape, name, formula) \
-  {#shape, #name, []([[maybe_unused]] const Sizes& sizes) { return formula; }, ""},
+#define STAND_IN(shape, name, formula)                                                           \
+  {#shape, #name, Quantity::Length, []([[maybe_unused]] const Sizes& sizes) { return formula; }, \
+   ""},
 #define WORKED_OUT(shape, name, formula, text)
+#define WORKED_OUT_ANGLE(shape, name, formula, text)
 #include "parts/artefacts/worked_out.def"
 #undef STAND_IN
 #undef WORKED_OUT
+#undef WORKED_OUT_ANGLE
 });
 
 constexpr auto kWorkedOut = std::to_array<WorkedOut>({
 #define STAND_IN(shape, name, formula)
 #define WORKED_OUT(shape, name, formula, text) \
-  {#shape, #name, [](const Sizes& sizes) { return formula; }, text},
+  {#shape, #name, Quantity::Length, [](const Sizes& sizes) { return formula; }, text},
+#define WORKED_OUT_ANGLE(shape, name, formula, text) \
+  {#shape, #name, Quantity::Angle, [](const Sizes& sizes) { return formula; }, text},
 #include "parts/artefacts/worked_out.def"
 #undef STAND_IN
 #undef WORKED_OUT
+#undef WORKED_OUT_ANGLE
 });
 
 #undef S

@@ -3,6 +3,7 @@
 #include <span>
 #include <string_view>
 
+#include "parts/artefacts/artefact.h"
 #include "parts/artefacts/makers.h"
 
 namespace g31::parts {
@@ -11,7 +12,8 @@ namespace g31::parts {
 struct WorkedOut {
   std::string_view shape;
   std::string_view name;
-  /// mm.  @param sizes  of the shape, with what stands in for those that are not given
+  Quantity quantity;
+  /// @param sizes  of the shape, with what stands in for those that are not given
   double (*from)(const Sizes& sizes);
   std::string_view text;
 };

@@ -126,6 +126,7 @@ TEST(Shapes, WorkOutWhatTheirSizesSay) {
     PartSetup setup;
     const char* name;
     double value;
+    Quantity quantity = Quantity::Length;
   } kCases[] = {
       {part("ring", {}), "outer_diameter", 79.996},
       {part("ring", {{"bore", 30.0}}), "radius", 15.0},
@@ -141,6 +142,9 @@ TEST(Shapes, WorkOutWhatTheirSizesSay) {
       {part("prism", {{"sides", 4.0}}), "side", 30.0},
       {part("prism", {{"sides", 4.0}}), "corner_circle", 42.426406871192853},
       {part("prism", {}), "side", 17.320508075688775},
+      {part("prism", {}), "corner_angle", 120.0, Quantity::Angle},
+      {part("prism", {{"sides", 5.0}}), "corner_angle", 108.0, Quantity::Angle},
+      {part("prism", {{"sides", 5.0}}), "sides", 5.0, Quantity::Count},
       {part("gauge_block", {{"length", 10.0}}), "width", 30.0},
       {part("gauge_block", {{"length", 10.001}}), "width", 35.0},
       {part("pocket", {}), "corner_radius", 0.0},
@@ -159,10 +163,11 @@ TEST(Shapes, WorkOutWhatTheirSizesSay) {
     SCOPED_TRACE(c.setup.shape + "." + c.name);
     const auto value = size_of(c.setup, c.name);
     ASSERT_TRUE(value.has_value());
-    EXPECT_NEAR(*value, c.value, 1e-12);
+    EXPECT_NEAR(value->value, c.value, 1e-12);
+    EXPECT_EQ(value->quantity, c.quantity);
   }
-  EXPECT_EQ(size_of(part("ring", {}), "depth"), std::nullopt);
-  EXPECT_EQ(size_of(part("cube", {}), "length"), std::nullopt);
+  EXPECT_FALSE(size_of(part("ring", {}), "depth"));
+  EXPECT_FALSE(size_of(part("cube", {}), "length"));
 }
 
 // What is worked out of a size is also what its mesh measures.
@@ -189,7 +194,7 @@ TEST(Shapes, WorkOutWhatTheirMeshesMeasure) {
       SCOPED_TRACE(c.setup.shape + "." + name);
       const auto [low, high] =
           std::ranges::minmax(mesh.vertices, {}, [&](const Point& vertex) { return vertex[axis]; });
-      EXPECT_NEAR(high[axis] - low[axis], size_of(c.setup, name).value(), 2.0 * 50e-6);
+      EXPECT_NEAR(high[axis] - low[axis], size_of(c.setup, name).value().value, 2.0 * 50e-6);
     }
   }
 }
@@ -199,7 +204,7 @@ TEST(Shapes, EverySizeThatIsWorkedOutHasItsRow) {
     const bool has_row = std::ranges::any_of(stand_ins(), [&](const WorkedOut& row) {
       return row.shape == size.shape && row.name == size.name;
     });
-    EXPECT_EQ(has_row, !size.default_mm.has_value()) << size.shape << "." << size.name;
+    EXPECT_EQ(has_row, !size.default_value.has_value()) << size.shape << "." << size.name;
   }
   for (const WorkedOut& row : worked_out()) {
     EXPECT_FALSE(row.text.empty()) << row.name;

@@ -101,6 +101,53 @@ TEST(Characteristics, AreOfWhatAShapeWorksOutAndWhereAPartIs) {
   EXPECT_NEAR(rows[3].at("measuring_error").get<double>(), 39.989 + 7.25, 1e-12);
 }
 
+// The offset turns the part that lies on it by 30 degrees more.
+TEST(Characteristics, AreOfAnglesThatAnOffsetMakes) {
+  const TemporaryFolder folder;
+  cli::RunOptions options;
+  options.programs = {folder.write("a.mpf", "R1=31.25\nM30\n")};
+  options.setups = {folder.write(
+      "a.toml",
+      "[[part]]\nname = \"p\"\nshape = \"block\"\non = \"G55\"\nrotate_deg = [0.0, 0.0, 1.5]\n"
+      "[work_offsets.G55]\nX = 300.0\nrotate_deg = [0.0, 0.0, 30.0]\n"
+      "[[characteristic]]\nname = \"a\"\nvariable = \"R1\"\nunit = \"deg\"\n"
+      "true = \"p.rotate_deg.Z\"\n")};
+  const RunOutput output = run_program(options);
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  const json& row = output.document.at("characteristics").at(0);
+  EXPECT_NEAR(row.at("true").get<double>(), 31.5, 1e-9);
+  EXPECT_NEAR(row.at("measuring_error").get<double>(), -0.25, 1e-9);
+}
+
+// How a part is turned; between sides of a prism; how many of them.
+TEST(Characteristics, AreOfAnglesOfAPart) {
+  const RunOutput output = run_with(
+      "rotate_deg = [2.0, -3.0, 90.1]\n"
+      "[[part]]\nname = \"nut\"\nshape = \"prism\"\nsides = 5\non = \"G55\"\n"
+      "rotate_deg = [0.0, 0.0, 1.5]\nat = [200.0, 0.0, 0.0]\n"
+      "[work_offsets.G55]\nX = 300.0\n"
+      "[[characteristic]]\nname = \"a\"\nvariable = \"#501\"\nunit = \"deg\"\nnominal = 90.0\n"
+      "tolerance = 0.5\ntrue = \"ring.rotate_deg.Z\"\n"
+      "[[characteristic]]\nname = \"b\"\nvariable = \"#501\"\nunit = \"deg\"\n"
+      "true = \"ring.rotate_deg.Y\"\n"
+      "[[characteristic]]\nname = \"c\"\nvariable = \"#501\"\nunit = \"deg\"\n"
+      "true = \"ring.rotate_deg.X\"\n"
+      "[[characteristic]]\nname = \"d\"\nvariable = \"#501\"\nunit = \"deg\"\n"
+      "true = \"nut.rotate_deg.Z\"\n"
+      "[[characteristic]]\nname = \"e\"\nvariable = \"#501\"\nunit = \"deg\"\n"
+      "true = \"nut.corner_angle\"\n"
+      "[[characteristic]]\nname = \"f\"\nvariable = \"#501\"\nunit = \"none\"\n"
+      "true = \"nut.sides\"\n");
+  EXPECT_EQ(output.exit_code, 0) << output.errors;
+  const json& rows = output.document.at("characteristics");
+  const double truths[] = {90.1, -3.0, 2.0, 1.5, 108.0, 5.0};
+  ASSERT_EQ(rows.size(), std::size(truths));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_NEAR(rows[i].at("true").get<double>(), truths[i], 1e-9) << rows[i].at("name");
+    EXPECT_NEAR(rows[i].at("measuring_error").get<double>(), 90.25 - truths[i], 1e-9);
+  }
+}
+
 TEST(Characteristics, OutOfToleranceAreAFindingAtTheirPlace) {
   const RunOutput output = run_with(
       "[[characteristic]]\nname = \"Bore\"\nvariable = \"#0500\"\nnominal = 40.0\n"
@@ -168,11 +215,16 @@ TEST(Characteristics, ThatCannotBeAreRefused) {
       {whole + "true = \"rung.bore\"\n", "is \"rung.bore\", it should be \"ring.bore\"", 2},
       {whole + "true = \"ring.bor\"\n", "is \"ring.bor\", it should be \"ring.bore\"", 2},
       {whole + "true = \"ring.wal\"\n", "is \"ring.wal\", it should be \"ring.wall\"", 2},
-      {whole + "true = \"ring.at\"\n", "or \"ring.at.Z\"", 2},
+      {whole + "true = \"ring.at\"\n", "or \"ring.rotate_deg.Z\"", 2},
       {whole + "true = \"ring.\"\n", "is \"ring.\", it should be \"ring.bore\", ", 2},
       {whole + "true = \"\"\n", "", 2},
       {whole + "unit = \"deg\"\ntrue = \"ring.bore\"\n",
        "a unit of length where true says the size of a part [SET105]", 2},
+      {whole + "true = \"ring.rotate_deg.Z\"\n",
+       "characteristic.unit is \"mm\", it should be \"deg\" where true says an angle of a part", 2},
+      {whole + "unit = \"none\"\ntrue = \"ring.rotate_deg.X\"\n",
+       "is \"none\", it should be \"deg\" where true says an angle of a part [SET105]", 2},
+      {whole + "unit = \"deg\"\ntrue = \"ring.rotate_deg.C\"\n", "\"ring.rotate_deg.X\"", 2},
       {"[[characteristic]]\nname = \"B\"\nvariable = \"5x\"\n",
        "it should be a variable like #500, R1 or _OVR[0] [SET105]", 2},
       {"[[characteristic]]\nname = \"B\"\nvariable = \"#99999\"\n",
@@ -294,6 +346,31 @@ TEST_F(CharacteristicPage, SplitsAWhiskerOfABossTheOtherWay) {
     EXPECT_NEAR(touch.at("limits").at(0), -0.01, 1e-12);
     EXPECT_NEAR(touch.at("limits").at(1), 0.0, 1e-12);
   }
+}
+
+// Two touches of a wall 30 mm apart: the rise of the contacts over 30 is the angle of the wall.
+TEST_F(CharacteristicPage, HasTheTrueAngleOfAWallBesideTheMeasuredOne) {
+  const std::string sheet =
+      "[start]\nZ = 150.0\n[probe]\nball_diameter = 6.0\nlength = 100.0\nstem_diameter = 2.0\n"
+      "[[part]]\nname = \"p\"\nshape = \"block\"\nat = [0.0, 0.0, 20.0]\n"
+      "rotate_deg = [0.0, 0.0, 1.25]\n"
+      "[[characteristic]]\nname = \"edge\"\nvariable = \"#160\"\nnominal = 1.2\n"
+      "tolerance = 0.1\nunit = \"deg\"\ntrue = \"p.rotate_deg.Z\"\n";
+  const std::string program =
+      "O7\nG90 G0 X-15. Y-60.\nG1 Z115. F2000.\nG31 Y0. F300.\n#101=#5062\nG0 Y-60.\nG0 X15.\n"
+      "G31 Y0. F300.\n#102=#5062\nG0 Y-60.\n#160=ATAN[#102-#101]/[30.]\nM30\n";
+  output_ = g31({"run", folder_.write("a.nc", program), "-s", folder_.write("a.toml", sheet),
+                 "--report", folder_.path("a.html"), "--json", folder_.path("a.json")});
+  EXPECT_EQ(output_.exit_code, 0) << output_.errors;
+  const json document = json::parse(text_in(folder_.path("a.json")));
+  const json& row = document.at("characteristics").at(0);
+  EXPECT_EQ(row.at("true"), 1.25);
+  EXPECT_NEAR(row.at("measuring_error").get<double>(), 0.0, 1e-6);
+  const std::string page = text_in(folder_.path("a.html"));
+  EXPECT_NE(page.find(R"(data-l="True size">1.25</td>)"), std::string::npos);
+  EXPECT_NE(page.find(R"(data-l="Measuring error">0.00 deg</td>)"), std::string::npos) << page;
+  const json figures = figures_in(page);
+  EXPECT_FALSE(figures.at("touch").at(0).contains("part_deviation")) << "an angle is no size";
 }
 
 // From outside at X40 and from inside at X15: the wall of 40 - 15 is 25 less the wall's true 24.98.

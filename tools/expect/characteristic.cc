@@ -23,7 +23,10 @@ double excess_of(double deviation, const Limits& limits) {
 }
 
 std::optional<double> Characteristic::true_value() const {
-  return true_size && unit.mm > 0.0 ? std::optional(true_size->size_mm / unit.mm) : std::nullopt;
+  if (!true_size || true_size->quantity != unit.quantity) {
+    return std::nullopt;
+  }
+  return unit.quantity == Quantity::Length ? true_size->value / unit.mm : true_size->value;
 }
 
 std::string_view name_of(CharacteristicVerdict verdict) {

@@ -9,14 +9,18 @@
 
 namespace g31::expect {
 
+/// What a result is.
+enum class Quantity : std::uint8_t { Length, Angle, Number };
+
 /// A row of result_units.def.
 struct ResultUnit {
   std::string_view name;
+  Quantity quantity = Quantity::Length;
   double mm = 0.0;  ///< of one of it; 0: it is no length
 };
 
 inline constexpr ResultUnit kResultUnits[] = {
-#define RESULT_UNIT(name, mm) {name, mm},
+#define RESULT_UNIT(name, quantity, mm) {name, Quantity::quantity, mm},
 #include "tools/expect/result_units.def"
 #undef RESULT_UNIT
 };
@@ -33,11 +37,12 @@ struct Limits {
 /// By how much a deviation is beyond a limit; 0: it is within them.
 double excess_of(double deviation, const Limits& limits);
 
-/// The true size of a simulated part that a result is to come to, at 20 degrees.
+/// What a simulated part truly is at 20 degrees, and a result is to come to.
 struct TrueSize {
-  std::string part;  ///< its name
-  std::string key;   ///< of the size
-  double size_mm = 0.0;
+  std::string part;    ///< its name
+  std::string key;     ///< of the size
+  double value = 0.0;  ///< mm, of an angle degrees
+  Quantity quantity = Quantity::Length;
 };
 
 /// A size that a program measures: one [[characteristic]].  Numbers are in its unit.
@@ -47,7 +52,7 @@ struct Characteristic {
   ResultUnit unit = kResultUnits[0];
   std::optional<double> nominal;
   std::optional<Limits> tolerance;    ///< only with a nominal; none: every value is as good
-  std::optional<TrueSize> true_size;  ///< only of a length
+  std::optional<TrueSize> true_size;  ///< of the same quantity as the unit
   source::ShownPlace place;           ///< of its variable in the sheet
 
   /// In its unit; nullopt: not known.

@@ -12,8 +12,8 @@ using runtime::Entries;
 using runtime::Entry;
 
 std::string size_text(const parts::ShapeSize& size) {
-  return size.default_mm ? fmt::format("{}; {} if not given", size.text, *size.default_mm)
-                         : std::string(size.text);
+  return size.default_value ? fmt::format("{}; {} if not given", size.text, *size.default_value)
+                            : std::string(size.text);
 }
 
 Entry entry_of_shape(const parts::Shape& shape) {
@@ -37,7 +37,7 @@ Entry entry_of_size(const parts::ShapeSize& size) {
   return {"size of a shape",
           fmt::format("{} of shape {}", size.name, size.shape),
           size_text(size),
-          {{"unit", "mm, where the text says nothing else"}}};
+          {{"unit", std::string(parts::unit_of(size.quantity))}}};
 }
 
 Entry entry_of_result(const parts::WorkedOut& result) {
@@ -45,7 +45,7 @@ Entry entry_of_result(const parts::WorkedOut& result) {
       "what a shape works out",
       fmt::format("{} of shape {}", result.name, result.shape),
       std::string(result.text),
-      {{"unit", "mm"},
+      {{"unit", std::string(parts::unit_of(result.quantity))},
        {"for example", fmt::format("[[characteristic]] true = \"{}.{}\", of a part of that name",
                                    result.shape, result.name)}}};
 }

@@ -91,9 +91,9 @@ void add_shapes(std::string& page) {
     page += table_head({"size", "without it", "meaning"});
     for (const parts::ShapeSize& size : parts::shape_sizes()) {
       if (size.shape == shape.name) {
-        page += table_row({code(size.name),
-                           size.default_mm ? fmt::format("{}", *size.default_mm) : "see there",
-                           size.text});
+        page += table_row(
+            {code(size.name),
+             size.default_value ? fmt::format("{}", *size.default_value) : "see there", size.text});
       }
     }
     add_worked_out(page, shape.name);

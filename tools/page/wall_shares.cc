@@ -50,8 +50,8 @@ class Walls {
   /// @param across_mm  from the wall to the one opposite, along the normal of the first
   [[nodiscard]] std::optional<Side> side_for(double across_mm) const {
     // As much as warmth and facets may make of it.
-    const double slack_mm = std::max(0.05, 2e-3 * size_.size_mm);
-    if (std::abs(std::abs(across_mm) - size_.size_mm) > slack_mm) {
+    const double slack_mm = std::max(0.05, 2e-3 * size_.value);
+    if (std::abs(std::abs(across_mm) - size_.value) > slack_mm) {
       return std::nullopt;
     }
     return across_mm > 0.0 ? Side::Inside : Side::Outside;
@@ -63,10 +63,11 @@ class Walls {
   const expect::TrueSize& size_;
 };
 
-/// A place of a part is no size of it.
+/// Neither a place of a part is a size of it, nor an angle.
 bool is_size(const RunPage& run, const expect::TrueSize& size) {
   const auto part = std::ranges::find(run.job.parts, size.part, &parts::PartSetup::name);
-  return parts::size_of(*part, size.key).has_value();
+  const auto measure = parts::size_of(*part, size.key);
+  return measure && measure->quantity == parts::Quantity::Length;
 }
 
 /// A larger size is deeper in the material of a bore, and less deep in that of a plug.

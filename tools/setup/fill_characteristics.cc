@@ -55,6 +55,29 @@ bool is_complete(const SheetTable& table, ErrorList& errors) {
   return true;
 }
 
+/// Tells where what a characteristic truly is cannot be in its unit.
+void tell_wrong_unit(const expect::Characteristic& row, const TableKeys& keys, ErrorList& errors) {
+  if (!row.true_size || row.true_size->quantity == row.unit.quantity) {
+    return;
+  }
+  const Entry* const given = keys.find(KeyId::CharacteristicUnit);
+  const Entry& named = given != nullptr ? *given : *keys.find(KeyId::CharacteristicTrue);
+  const auto& [should_be, example] = [&]() -> std::pair<const char*, const char*> {
+    switch (row.true_size->quantity) {
+      case expect::Quantity::Length:
+        return {"a unit of length where true says the size of a part", "mm"};
+      case expect::Quantity::Angle:
+        return {"\"deg\" where true says an angle of a part", "deg"};
+      case expect::Quantity::Number:
+        break;
+    }
+    return {"\"none\" where true says how many there are of a thing", "none"};
+  }();
+  errors.add(SetupErrorId::OutOfRange, named.where,
+             {"characteristic.unit", fmt::format("\"{}\"", row.unit.name), should_be},
+             fmt::format("for example: unit = \"{}\"", example));
+}
+
 /// @pre it is complete
 expect::Characteristic characteristic_from(const SheetTable& table, const TrueSizes& sizes,
                                            ErrorList& errors) {
@@ -72,13 +95,8 @@ expect::Characteristic characteristic_from(const SheetTable& table, const TrueSi
     row.tolerance = limits_from(*tolerance);
   }
   if (const Entry* const truth = keys.find(KeyId::CharacteristicTrue)) {
-    if (row.unit.mm == 0.0) {
-      errors.add(SetupErrorId::OutOfRange, keys.find(KeyId::CharacteristicUnit)->where,
-                 {"characteristic.unit", fmt::format("\"{}\"", row.unit.name),
-                  "a unit of length where true says the size of a part"},
-                 "for example: unit = \"mm\"");
-    }
     row.true_size = sizes.find(*truth);
+    tell_wrong_unit(row, keys, errors);
   }
   return row;
 }

@@ -15,10 +15,24 @@ namespace g31::setup {
 namespace {
 
 constexpr TruePlace kTruePlaces[] = {
-#define TRUE_PLACE(key, axis, text) {key, axis, text},
+#define TRUE_PLACE(key, axis, text) {key, axis, expect::Quantity::Length, text},
+#define TRUE_ANGLE(key, axis, text) {key, axis, expect::Quantity::Angle, text},
 #include "tools/setup/true_places.def"
 #undef TRUE_PLACE
+#undef TRUE_ANGLE
 };
+
+expect::Quantity quantity_of(parts::Quantity quantity) {
+  switch (quantity) {
+    case parts::Quantity::Length:
+      return expect::Quantity::Length;
+    case parts::Quantity::Angle:
+      return expect::Quantity::Angle;
+    case parts::Quantity::Count:
+      break;
+  }
+  return expect::Quantity::Number;
+}
 
 /// What the keys of a part may be.
 std::vector<std::string_view> known_keys(const parts::PartSetup& part) {
@@ -104,12 +118,13 @@ std::optional<expect::TrueSize> TrueSizes::find(const Entry& entry) const {
     return refuse(entry, "PART.KEY with a name that no other part has");
   }
   const std::string key = given.substr(part->name.size() + 1);
-  if (const auto size_mm = parts::size_of(*part, key)) {
-    return expect::TrueSize{part->name, key, *size_mm};
+  if (const auto size = parts::size_of(*part, key)) {
+    return expect::TrueSize{part->name, key, size->value, quantity_of(size->quantity)};
   }
   for (const TruePlace& place : kTruePlaces) {
     if (place.key == key) {
-      return expect::TrueSize{part->name, key, part->p_M_at[place.axis]};
+      const Point& of = place.quantity == expect::Quantity::Angle ? part->rotate_deg : part->p_M_at;
+      return expect::TrueSize{part->name, key, of[place.axis], place.quantity};
     }
   }
   return refuse(entry, known_sizes(*part, key));

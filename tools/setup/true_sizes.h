@@ -15,7 +15,8 @@ namespace g31::setup {
 /// A row of true_places.def.
 struct TruePlace {
   std::string_view key;
-  int axis;  ///< of PartSetup::p_M_at
+  int axis;  ///< of PartSetup::p_M_at, of an angle of rotate_deg
+  expect::Quantity quantity;
   std::string_view text;
 };
 
@@ -23,7 +24,7 @@ struct TruePlace {
 std::span<const TruePlace> true_places();
 
 /// Finds what PART.KEY names: a size of the part's shape, what the shape works out from its sizes,
-/// or where the part is.
+/// or where the part is and how it is turned.
 class TrueSizes {
  public:
   /// Both must outlive this object.
