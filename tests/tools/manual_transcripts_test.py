@@ -79,7 +79,6 @@ class Shell:
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               timeout=300, check=False)
         self.exit_code = done.returncode
-        kept_documents.keep(done.stdout)
         self.folder = pathlib.Path(self.where.read_text(encoding="utf-8").rstrip("\n"))
         return done.stdout.replace(f"{ROOT}/", INSTALLED).splitlines()
 
@@ -123,6 +122,7 @@ def followed(page, folder):
         elif info == "console":
             result += lines[copied:begin] + answered(shell, lines[begin:end])
             copied = end
+    # What a page shows of standard output may be cut off.
     kept_documents.keep_folder(shell.root)
     return "\n".join(result + lines[copied:]), shell.root
 
