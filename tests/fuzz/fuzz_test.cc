@@ -24,6 +24,7 @@
 #include "tests/fuzz/entry.h"
 #include "tests/fuzz/fuzz_effort.h"
 #include "tests/fuzz/mutation.h"
+#include "tests/fuzz/sinumerik_grammar.h"
 #include "tests/support/effort.h"
 #include "tools/setup/keys.h"
 #include "tools/study/study_keys.h"
@@ -145,6 +146,21 @@ TEST(Fuzz, AnySinumerikTextIsRead) {
 
 TEST(Fuzz, AnySinumerikTextIsRun) {
   feed(run_sinumerik_text, "sinumerik");
+}
+
+TEST(Fuzz, AnyProgramOfTheSinumerikGrammarIsReadAndRun) {
+  const auto effort = fuzz::effort();
+  ASSERT_TRUE(effort);
+  const bool traced = std::getenv("G31_FUZZ_TRACE") != nullptr;
+  const std::uint64_t all = effort->times * kFileMutations;
+  for (std::uint64_t number = effort->first; number < all; number += effort->apart) {
+    const std::string text = sinumerik_program(number);
+    if (traced) {
+      fmt::print(stderr, "program {}\n{}\n", number, text);
+    }
+    read_sinumerik_text(text);
+    run_sinumerik_text(text);
+  }
 }
 
 TEST(Fuzz, AnySheetIsRead) {

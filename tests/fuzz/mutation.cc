@@ -4,29 +4,13 @@
 #include <string_view>
 
 #include "machine/base/contract.h"
-#include "machine/base/random.h"
+#include "tests/fuzz/draws.h"
 
 namespace g31::fuzz {
 namespace {
 
 /// Longest piece that a change moves.
 constexpr std::size_t kPiece = 40;
-
-/// A run of numbers that belongs to one mutation.
-class Draws {
- public:
-  explicit Draws(std::uint64_t number) : number_(number) {}
-
-  /// 0 to count - 1; count > 0.
-  std::size_t below(std::size_t count) {
-    const double drawn = uniform({0, static_cast<std::uint32_t>(number_)}, draws_++);
-    return static_cast<std::size_t>(drawn * static_cast<double>(count));
-  }
-
- private:
-  std::uint64_t number_;
-  std::uint64_t draws_ = 0;
-};
 
 void change(std::string& text, Draws& draws, std::span<const std::string> texts,
             std::span<const std::string> words) {
