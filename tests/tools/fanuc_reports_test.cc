@@ -115,6 +115,19 @@ TEST(SamePrograms, OneOverAnotherIsHowLibrariesWork) {
   EXPECT_FALSE(mentions(run, "PRB504"));
 }
 
+/// Known by the tables, and nothing here follows them.
+TEST(UnknownParameter, SoIsOneThatIsKnownWithoutEffect) {
+  for (const char* const name : {"7580", "7588", "12400", "12401", "19665"}) {
+    const auto run =
+        run_with("O1\nM30\n", "[parameters]\n\"" + std::string(name) + "\" = 1\n\"12321\" = 3\n");
+    EXPECT_NE(
+        run.errors.find("parameter " + std::string(name) + " in the set-up sheet has no effect"),
+        std::string::npos)
+        << run.errors;
+    EXPECT_EQ(run.errors.find("12321"), std::string::npos) << run.errors;
+  }
+}
+
 TEST(UnknownParameter, IsTold) {
   const auto run =
       run_with("O1\nM30\n", "[parameters]\n\"6099.1\" = 1\n\"6001.1\" = 1\n  \"6098\" = 2\n");

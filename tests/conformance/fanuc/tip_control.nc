@@ -477,6 +477,65 @@ M30
 (EXPECT ALARM 5420 AT 5)
 (EXPECT #100 = 0)
 
+(CASE alarm: a tool whose reference direction is not Z)
+(PARAMETER 19697 = 1)
+%
+O1
+#100=0
+G43.4 H1
+#100=1
+M30
+%
+(EXPECT ALARM 5420 AT 5)
+(EXPECT #100 = 0)
+
+(CASE alarm: angles of the reference direction)
+(PARAMETER 19698 = 10)
+%
+O1
+#100=0
+G43.4 H1
+#100=1
+M30
+%
+(EXPECT ALARM 5420 AT 5)
+(EXPECT #100 = 0)
+
+(CASE alarm: a hypothetical axis)
+(PARAMETER 19696.1 = 1)
+%
+O1
+#100=0
+G43.5 H1
+#100=1
+M30
+%
+(EXPECT ALARM 5420 AT 5)
+(EXPECT #100 = 0)
+
+(CASE alarm: a reference direction that is not Z, in a tilted plane)
+(PARAMETER 19697 = 2)
+%
+O1
+#100=0
+G68.2 X0 Y0 Z0 I10 J20 K0
+G53.1
+#100=1
+M30
+%
+(EXPECT ALARM 5459 AT 6)
+(EXPECT #100 = 0)
+
+(CASE a reference direction of 3 is Z)
+(PARAMETER 19697 = 3)
+%
+O1
+G43.4 H1
+#100=1
+M30
+%
+(EXPECT #100 = 1)
+
 (CASE parameters are what the machine is, where nothing sets them)
 %
 O1

@@ -129,6 +129,10 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
   if (auto failure = refuse_without_rotary_axes(control, word, *code)) {
     return failure;
   }
+  constexpr int kB = axis_index('B');
+  if (code->action == GAction::OriginOnTable && control.coordinates.shift()[kB] != 0.0) {
+    return at_word(AlarmId::ImproperGCode, word, "G254 with a work offset whose B is not 0");
+  }
   if (control.coordinates.leader()) {
     if (auto failure = refuse_when_led(control, word, *code)) {
       return failure;

@@ -93,6 +93,24 @@ Result<AxisPositions, Failure> turned_to(const Control& control, const Point& d_
   return q_M;
 }
 
+/// A tool that does not lie along Z, and rotary axes that are none: not simulated.
+MaybeFailure refuse_unsimulated_axes(const Control& control, AlarmId alarm) {
+  const Parameters& parameters = control.parameters;
+  constexpr double kAlongZ = 3.0;
+  const double reference = parameters.get(ParameterId::ToolReference, 0);
+  if ((reference != 0.0 && reference != kAlongZ) ||
+      parameters.get(ParameterId::ToolReference, 1) != 0.0 ||
+      parameters.get(ParameterId::ToolReference, 2) != 0.0) {
+    return block_failure(alarm,
+                         "parameters 19697 to 19699: a tool whose reference direction is not Z is "
+                         "not simulated");
+  }
+  if (parameters.is_on(ParameterId::FirstIsNone) || parameters.is_on(ParameterId::SecondIsNone)) {
+    return block_failure(alarm, "parameter 19696: a hypothetical rotary axis is not simulated");
+  }
+  return std::nullopt;
+}
+
 /// G53.6: the rotary axes there, the tip at its place of the part.
 MaybeFailure turn_about_tip(Control& control, const AxisPositions& q_M_turned) {
   AxisPositions q_B_end = control.path_position();
@@ -110,6 +128,9 @@ MaybeFailure execute_tool_to_plane(Control& control, const NcBlock& block) {
   if (!plane) {
     return block_failure(AlarmId::NoTiltedPlane,
                          fmt::format("{} without a tilted plane", to_text(block.code->number)));
+  }
+  if (MaybeFailure refused = refuse_unsimulated_axes(control, AlarmId::NoReachablePosition)) {
+    return refused;
   }
   const auto sign = wanted_sign(block);
   if (!sign) {
@@ -133,6 +154,11 @@ MaybeFailure select_tip_control(Control& control) {
   if (find_g_code(code)->action == GAction::TipControl) {
     system = control.parameters.is_on(ParameterId::TipInWorkSystem) ? TipSystem::Workpiece
                                                                     : TipSystem::OnTable;
+  }
+  if (system != TipSystem::None) {
+    if (MaybeFailure refused = refuse_unsimulated_axes(control, AlarmId::TipControlParameter)) {
+      return refused;
+    }
   }
   if (system != TipSystem::None && !OrientationAxes::of(coordinates.kinematics())) {
     return block_failure(AlarmId::TipControlParameter,

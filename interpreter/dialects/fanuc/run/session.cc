@@ -149,7 +149,8 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   for (const auto& [name, value] : setup.parameters) {
     int number = 0;
     std::from_chars(name.data(), name.data() + name.size(), number);
-    if (find_parameter(number) == nullptr) {
+    const ParameterInfo* const row = find_parameter(number);
+    if (row == nullptr || row->is_idle) {
       control.diagnostics.push_back(
           make_diagnostic(source::DiagnosticId::UnknownParameter, {}, name));
       control.diagnostics.back().setting = "parameters." + name;

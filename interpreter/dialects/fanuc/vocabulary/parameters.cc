@@ -13,10 +13,13 @@ namespace {
 constexpr int kParameterBits = 8;
 
 constexpr auto kParameterRows = std::to_array<ParameterInfo>({
-#define BIT_PARAMETER(name, number, bit, text) {number, number, bit, "", 0.0, text},
+#define BIT_PARAMETER(name, number, bit, text) {number, number, bit, "", 0.0, text, false},
 #define VALUE_PARAMETER(name, first, last, unit, initial, text) \
-  {first, last, std::nullopt, unit, initial, text},
+  {first, last, std::nullopt, unit, initial, text, false},
+#define IDLE_PARAMETER(name, first, last, unit, text) \
+  {first, last, std::nullopt, unit, 0.0, text, true},
 #include "interpreter/dialects/fanuc/vocabulary/parameters.def"
+#undef IDLE_PARAMETER
 #undef VALUE_PARAMETER
 #undef BIT_PARAMETER
 });

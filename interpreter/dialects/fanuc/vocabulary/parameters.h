@@ -14,7 +14,9 @@ namespace g31::fanuc {
 enum class ParameterId {
 #define BIT_PARAMETER(name, number, bit, text) name,
 #define VALUE_PARAMETER(name, first, last, unit, initial, text) name,
+#define IDLE_PARAMETER(name, first, last, unit, text) name,
 #include "interpreter/dialects/fanuc/vocabulary/parameters.def"
+#undef IDLE_PARAMETER
 #undef VALUE_PARAMETER
 #undef BIT_PARAMETER
 };
@@ -27,6 +29,7 @@ struct ParameterInfo {
   std::string_view unit;
   double initial;  ///< where nothing sets it
   std::string_view text;
+  bool is_idle = false;  ///< known, and it changes nothing here: a sheet that sets it is told so
 };
 
 /// All rows, rising.
