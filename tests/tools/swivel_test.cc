@@ -231,6 +231,18 @@ TEST(Swivel, WhatCannotBeReachedIsAnAlarm) {
       "CYCLE800(0,\"\",0,57,1,0,0,10,0,0,0,0,0,-1)", 61181);
 }
 
+/// The plane lies on the first record's axes; another one is not put on top of it.
+TEST(Swivel, AnAdditivePlaneKeepsItsDataRecord) {
+  const std::string two =
+      "$TC_CARR34[1]=\"ONE\" $TC_CARR34[2]=\"TWO\" $TC_CARR7[2]=1 $TC_CARR12[2]=1\n"
+      "$TC_CARR35[2]=\"A\" $TC_CARR36[2]=\"C\"\nCYCLE800(0,\"ONE\",0,57,0,0,0,0,0,0,0,0,0,1)";
+  expect_refused(k1_sheet(), "CYCLE800(0,\"TWO\",1,57,1,0,0,10,0,0,0,0,0,1)", 61199, two);
+  const MeasuringRun run = run_on_sheets(
+      "T1 M6\nG54 D1\n" + two + "\nCYCLE800(0,\"ONE\",1,57,0,0,0,10,0,0,0,0,0,1)\nR1=$P_TC",
+      {k1_sheet()}, {"R1"});
+  expect_values(run, {{"R1", 1.0}}, 0.0);
+}
+
 struct Held {
   std::string sheet;
   std::string axes;
