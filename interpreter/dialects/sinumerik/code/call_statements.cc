@@ -152,11 +152,11 @@ void CallStatements::procedure(ProcedureId id, ShortSpan where) {
     if (!list.empty()) {
       expect(Symbol::Comma);
     }
-    if (kind == 'o' &&
+    if ((kind == 'o' || kind == 'm') &&
         (cursor_.peek().is(Symbol::Comma) || cursor_.peek().is(Symbol::RightParen))) {
       list.emplace_back();
     } else {
-      expressions_.function_argument(kind == 'o' ? '*' : kind, list);
+      expressions_.function_argument(kind == 'o' ? '*' : kind == 'm' ? 'n' : kind, list);
     }
     i -= kind == '*' || kind == 'o' ? 1 : 0;  // any more of them
     if (!failed() && !is_taken_by(kind, list.back())) {

@@ -127,7 +127,8 @@ MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list) {
 /// TRAORI(n, x, y, z, a, b): the first transformation without n.
 MaybeFailure transformation_on(Channel& channel, Operands& at, Arguments list) {
   const auto value = [&](std::size_t i) {
-    return i < list.size() ? at.number(list[i].value) : 0.0;
+    return i < list.size() && list[i].form != Argument::Form::Omitted ? at.number(list[i].value)
+                                                                      : 0.0;
   };
   const double number = value(0);
   BasicPosition basic;

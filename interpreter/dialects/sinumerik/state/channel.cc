@@ -422,7 +422,15 @@ Eigen::Matrix3d Channel::turn_of_part(const AxisPositions& q_M) const {
 }
 
 Eigen::Vector3d Channel::tool_direction(const AxisPositions& q_M) const {
-  const Eigen::Vector3d upright = orientation.upright(plane().normal);
+  return tool_turned(q_M, orientation.upright(plane().normal));
+}
+
+Eigen::Vector3d Channel::tool_side(const AxisPositions& q_M) const {
+  return tool_turned(q_M, Eigen::Vector3d::Unit(plane().first));
+}
+
+Eigen::Vector3d Channel::tool_turned(const AxisPositions& q_M,
+                                     const Eigen::Vector3d& upright) const {
   if (orientation.chain) {
     return turn_of_part(q_M).transpose() *
            (orientation.traori_vectors.tool_turn(angles_of(q_M)) * upright);

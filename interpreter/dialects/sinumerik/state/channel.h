@@ -150,6 +150,9 @@ class Channel : public ChannelState {
   [[nodiscard]] Eigen::Matrix3d turn_of_part(const AxisPositions& q_M) const;
   /// The direction from the tip to the holder in the basic coordinates, the axes at q_M.
   [[nodiscard]] Eigen::Vector3d tool_direction(const AxisPositions& q_M) const;
+  /// Where the tool's side that looks along the plane's 1st axis, with the rotary axes at 0, looks;
+  /// basic coordinates.
+  [[nodiscard]] Eigen::Vector3d tool_side(const AxisPositions& q_M) const;
   /// nullptr: no such tool, or no such edge
   Tool* find_tool(int number);
   Tool* tool_to_write(int number);
@@ -243,6 +246,9 @@ class Channel : public ChannelState {
     Frame inner;
   };
   [[nodiscard]] const Chains& chains() const;
+  /// A direction of the tool with the rotary axes at 0, as they have turned it.
+  [[nodiscard]] Eigen::Vector3d tool_turned(const AxisPositions& q_M,
+                                            const Eigen::Vector3d& upright) const;
   /// The angles of both axes of TRAORI.
   [[nodiscard]] std::array<double, 2> angles_of(const AxisPositions& q_M) const;
 

@@ -170,6 +170,20 @@ Number tool_direction(Channel& channel, const SystemAccess& access) {
   return channel.tool_direction(channel.port.position())[which - 1];
 }
 
+Number tool_rotation(Channel& channel, const SystemAccess& access) {
+  if (access.indices.empty()) {
+    return 0.0;
+  }
+  const int which = access.indices[0];
+  if (which < 1 || which > 3) {
+    return failure(AlarmId::IndexOne, fmt::format("$P_TOOLROT[{}]", which));
+  }
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return *wrong;
+  }
+  return channel.tool_side(channel.port.position())[which - 1];
+}
+
 Number basic_now(Channel& channel, const SystemAccess& access) {
   if (channel.transformation() == nullptr) {
     return machine_now(channel, access);

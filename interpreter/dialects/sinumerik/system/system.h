@@ -143,6 +143,7 @@ Number carrier_angle(Channel& channel, const SystemAccess& access);
 Number carrier_solutions(Channel& channel, const SystemAccess& access);
 Number carrier_status(Channel& channel, const SystemAccess& access);
 Number tool_direction(Channel& channel, const SystemAccess& access);
+Number tool_rotation(Channel& channel, const SystemAccess& access);
 Number basic_now(Channel& channel, const SystemAccess& access);
 
 // kept_data.cc: what is only kept
