@@ -30,11 +30,12 @@ finds both before (NC007).
   `[[input]]`.
 * There is one channel: programs of several channels wait for nobody.
 * SINUMERIK, five axes: TRAORI, tool carriers and CYCLE800 run by the data `$TC_CARR`; the radius is compensated in the
-  plane (CUT2D), and measuring along a great circle (A3 with ORIVECT) is refused.  CYCLE996 and CYCLE9960 correct tool carriers: kinematic chains
-  (`$NK_`, `$NT_`) are not there, nor what compile cycles do with files of interpolation points.  The shaft of a probe
-  senses nothing: CYCLE995 needs a further ball in its place.
-* Fanuc, five axes: tilted planes and tool centre point control run; the tool's reference direction is Z (parameters 19697
-  to 19699), no axis is hypothetical, the radius is not compensated in space, and an axis that would be too fast slows
+  plane (CUT2D), and measuring along a great circle (A3 with ORIVECT) is refused.  Kinematic chains
+  (`$NK_`, `$NT_`) have offsets, rotary, linear and fixed turned elements: a slide on a rotary axis and SWITCH are refused.  What
+  compile cycles do with files of interpolation points and of directions is not there.  The shaft of a probe senses nothing:
+  CYCLE995 needs a further ball in its place.
+* Fanuc, five axes: tilted planes and tool centre point control run; other reference directions of the tool than Z (parameters
+  19697 to 19699) and hypothetical axes are refused, the radius is not compensated in space, and an axis that would be too fast slows
   the move instead of alarm 5422.
 )";
 

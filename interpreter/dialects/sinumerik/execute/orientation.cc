@@ -8,6 +8,7 @@
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/execute/travel.h"
+#include "interpreter/dialects/sinumerik/state/kinematic_chain.h"
 #include "machine/kinematics/plane_rotation.h"
 
 namespace g31::sinumerik {
@@ -195,8 +196,11 @@ MaybeFailure finish_for_transformation(Channel& channel) {
 }  // namespace
 
 MaybeFailure switch_transformation_on(Channel& channel, int number, const BasicPosition& basic) {
-  const auto carrier = channel.carriers.find(number);
-  if (carrier == channel.carriers.end()) {
+  const auto found = carrier_in_force(channel, number);
+  if (!found) {
+    return found.error();
+  }
+  if (!found.value()) {
     return failure(AlarmId::TransformationMissing, fmt::format("TRAORI({})", number));
   }
   for (int axis = 0; axis < kLinearAxisCount; ++axis) {
@@ -205,8 +209,9 @@ MaybeFailure switch_transformation_on(Channel& channel, int number, const BasicP
                      fmt::format("TRAORI: there is no axis {}", kAxisLetters[axis]));
     }
   }
+  const ToolCarrier& carrier = *found.value();
   const bool with_fine = channel.carriers_have_fine_offsets();
-  const auto vectors = carrier->second.vectors(with_fine);
+  const auto vectors = carrier.vectors(with_fine);
   if (!vectors) {
     return vectors.error();
   }
@@ -224,7 +229,7 @@ MaybeFailure switch_transformation_on(Channel& channel, int number, const BasicP
   orientation.traori_vectors = vectors.value();
   for (std::size_t i = 0; i < 2; ++i) {
     orientation.traori_basic_deg.at(i) =
-        carrier->second.basic_position(i, with_fine) + basic.offsets_deg.at(i);
+        carrier.basic_position(i, with_fine) + basic.offsets_deg.at(i);
   }
   orientation.basic_direction = basic.direction.isZero(0.0)
                                     ? std::nullopt

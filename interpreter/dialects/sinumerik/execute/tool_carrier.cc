@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/state/kinematic_chain.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -100,19 +101,24 @@ MaybeFailure select(Channel& channel, double number) {
     orientation.carrier = 0;
     return std::nullopt;
   }
-  const auto found = channel.carriers.find(static_cast<int>(number));
-  if (found == channel.carriers.end() || number != static_cast<double>(found->first)) {
+  const int index = static_cast<int>(number);
+  const auto found = carrier_in_force(channel, index);
+  if (!found) {
+    return found.error();
+  }
+  if (!found.value() || number != static_cast<double>(index)) {
     return failure(AlarmId::BadCarrierNumber, fmt::format("TCARR={:g}", number));
   }
+  const ToolCarrier& carrier = *found.value();
   const bool with_fine = channel.carriers_have_fine_offsets();
-  const auto vectors = found->second.vectors(with_fine);
+  const auto vectors = carrier.vectors(with_fine);
   if (!vectors) {
     return vectors.error();
   }
-  orientation.carrier = found->first;
+  orientation.carrier = index;
   orientation.vectors = vectors.value();
-  orientation.basic_deg = {found->second.basic_position(0, with_fine),
-                           found->second.basic_position(1, with_fine)};
+  orientation.basic_deg = {carrier.basic_position(0, with_fine),
+                           carrier.basic_position(1, with_fine)};
   return std::nullopt;
 }
 
@@ -123,12 +129,15 @@ MaybeFailure turn_carrier(Channel& channel) {
   if (channel.group[Group::ToolCarrier] != kByAxes) {
     return stand_by_frame(channel);
   }
-  const auto found = channel.carriers.find(channel.orientation.carrier);
-  if (found == channel.carriers.end()) {
+  const auto found = carrier_in_force(channel, channel.orientation.carrier);
+  if (!found) {
+    return found.error();
+  }
+  if (!found.value()) {
     return failure(AlarmId::BadCarrierNumber,
                    fmt::format("TCARR={}: its data are cleared", channel.orientation.carrier));
   }
-  stand_by_axes(channel, found->second);
+  stand_by_axes(channel, *found.value());
   return turns_about_nothing(channel.orientation);
 }
 

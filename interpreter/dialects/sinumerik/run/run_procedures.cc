@@ -4,6 +4,7 @@
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/dialects/sinumerik/run/procedures.h"
+#include "interpreter/dialects/sinumerik/state/kinematic_chain.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
 #include "machine/base/contract.h"
 
@@ -135,6 +136,14 @@ MaybeFailure transformation_on(Channel& channel, Operands& at, Arguments list) {
   basic.direction = {value(1), value(2), value(3)};
   basic.offsets_deg = {value(4), value(5)};
   return switch_transformation_on(channel, number == 0.0 ? 1 : static_cast<int>(number), basic);
+}
+
+/// TRAFOON(name)
+MaybeFailure transformation_on_chain(Channel& channel, Operands& at, Arguments list) {
+  const std::string name = at.text(list[0].value);
+  const std::optional<int> number = transformation_named(channel, name);
+  return number ? switch_transformation_on(channel, kFirstOnChain + *number, {})
+                : failure(AlarmId::TransformationMissing, fmt::format("TRAFOON(\"{}\")", name));
 }
 
 MaybeFailure transformation_off(Channel& channel, Operands& /*at*/, Arguments /*list*/) {

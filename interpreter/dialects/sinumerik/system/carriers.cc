@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/execute/execute.h"
+#include "interpreter/dialects/sinumerik/state/kinematic_chain.h"
 #include "interpreter/dialects/sinumerik/system/system.h"
 
 namespace g31::sinumerik::system {
@@ -23,10 +24,33 @@ MaybeFailure no_carrier(const Channel& channel, const SystemAccess& access) {
              : std::optional(failure(AlarmId::IndexOne, fmt::format("tool carrier {}", number)));
 }
 
-/// nullptr: nobody has written it.
-const ToolCarrier* carrier_at(const Channel& channel, const SystemAccess& access) {
-  const auto found = channel.carriers.find(access.indices[0]);
-  return found != channel.carriers.end() ? &found->second : nullptr;
+/// What a program reads: as nobody has written it where there is none; transformations on chains
+/// are there, too.
+Result<ToolCarrier, Failure> carrier_at(const Channel& channel, const SystemAccess& access) {
+  const int number = access.indices[0];
+  if (number <= kFirstOnChain) {
+    if (MaybeFailure wrong = no_carrier(channel, access)) {
+      return *wrong;
+    }
+  }
+  auto found = carrier_in_force(channel, number);
+  if (!found) {
+    return found.error();
+  }
+  return found.value().value_or(ToolCarrier());
+}
+
+/// A chain says what the vectors of a carrier on it are.
+MaybeFailure is_of_chain(const Channel& channel, const SystemAccess& access) {
+  return is_on_chain(channel, access.indices[0])
+             ? std::optional(failure(AlarmId::WriteProtected,
+                                     "the elements of its kinematic chain, $NK_, say what it is"))
+             : std::nullopt;
+}
+
+/// $TC_CARR1 to 12, 15 to 20 and 24, 25.
+bool is_of_vectors(int n) {
+  return n <= 12 || (n >= 15 && n <= 20) || n == 24 || n == 25;
 }
 
 /// Which of the two axes, or of the three names, a variable is of.
@@ -39,13 +63,12 @@ std::size_t place_of(const SystemAccess& access) {
 }  // namespace
 
 Number carrier_datum(Channel& channel, const SystemAccess& access) {
-  if (MaybeFailure wrong = no_carrier(channel, access)) {
-    return *wrong;
+  const auto carrier = carrier_at(channel, access);
+  if (!carrier) {
+    return carrier.error();
   }
-  const ToolCarrier* const carrier = carrier_at(channel, access);
-  return carrier != nullptr ? carrier->numbers.at(static_cast<std::size_t>(access.parameter)) /
-                                  unit_of(channel, access.parameter)
-                            : 0.0;
+  return carrier.value().numbers.at(static_cast<std::size_t>(access.parameter)) /
+         unit_of(channel, access.parameter);
 }
 
 MaybeFailure set_carrier_datum(Channel& channel, const SystemAccess& access, double value) {
@@ -55,6 +78,11 @@ MaybeFailure set_carrier_datum(Channel& channel, const SystemAccess& access, dou
   }
   if (MaybeFailure wrong = no_carrier(channel, access)) {
     return wrong;
+  }
+  if (is_of_vectors(access.parameter)) {
+    if (MaybeFailure wrong = is_of_chain(channel, access)) {
+      return wrong;
+    }
   }
   constexpr double kFar = 1e9;
   if (!(std::abs(value) <= kFar)) {
@@ -67,15 +95,15 @@ MaybeFailure set_carrier_datum(Channel& channel, const SystemAccess& access, dou
 }
 
 Number carrier_axis(Channel& channel, const SystemAccess& access) {
-  if (MaybeFailure wrong = no_carrier(channel, access)) {
-    return *wrong;
-  }
-  const ToolCarrier* const carrier = carrier_at(channel, access);
-  return carrier != nullptr ? carrier->axes.at(place_of(access)) : -1;
+  const auto carrier = carrier_at(channel, access);
+  return carrier ? Number(carrier.value().axes.at(place_of(access))) : Number(carrier.error());
 }
 
 MaybeFailure set_carrier_axis(Channel& channel, const SystemAccess& access, double value) {
   if (MaybeFailure wrong = no_carrier(channel, access)) {
+    return wrong;
+  }
+  if (MaybeFailure wrong = is_of_chain(channel, access)) {
     return wrong;
   }
   const int axis = static_cast<int>(value);
@@ -87,11 +115,8 @@ MaybeFailure set_carrier_axis(Channel& channel, const SystemAccess& access, doub
 }
 
 Text carrier_kind(Channel& channel, const SystemAccess& access) {
-  if (MaybeFailure wrong = no_carrier(channel, access)) {
-    return *wrong;
-  }
-  const ToolCarrier* const carrier = carrier_at(channel, access);
-  return carrier != nullptr ? carrier->kind : ToolCarrier().kind;
+  const auto carrier = carrier_at(channel, access);
+  return carrier ? Text(carrier.value().kind) : Text(carrier.error());
 }
 
 MaybeFailure set_carrier_kind(Channel& channel, const SystemAccess& access,
@@ -99,16 +124,16 @@ MaybeFailure set_carrier_kind(Channel& channel, const SystemAccess& access,
   if (MaybeFailure wrong = no_carrier(channel, access)) {
     return wrong;
   }
+  if (MaybeFailure wrong = is_of_chain(channel, access)) {
+    return wrong;
+  }
   channel.carriers[access.indices[0]].kind = text;
   return std::nullopt;
 }
 
 Text carrier_name(Channel& channel, const SystemAccess& access) {
-  if (MaybeFailure wrong = no_carrier(channel, access)) {
-    return *wrong;
-  }
-  const ToolCarrier* const carrier = carrier_at(channel, access);
-  return carrier != nullptr ? carrier->names.at(place_of(access)) : std::string();
+  const auto carrier = carrier_at(channel, access);
+  return carrier ? Text(carrier.value().names.at(place_of(access))) : Text(carrier.error());
 }
 
 MaybeFailure set_carrier_name(Channel& channel, const SystemAccess& access,
@@ -143,6 +168,10 @@ Number active_transformation(Channel& channel, const SystemAccess& /*access*/) {
   return kMixed;
 }
 
+Number transformation_number(Channel& channel, const SystemAccess& /*access*/) {
+  return channel.orientation.transformation;
+}
+
 Number carrier_angle(Channel& channel, const SystemAccess& access) {
   const int which = access.indices[0];
   if (which < 1 || which > 4) {
@@ -171,11 +200,11 @@ Number tool_direction(Channel& channel, const SystemAccess& access) {
 }
 
 Number tool_rotation(Channel& channel, const SystemAccess& access) {
-  if (access.indices.empty()) {
+  const int which = access.indices.empty() ? 0 : access.indices[0];
+  if (which == 0) {
     return 0.0;
   }
-  const int which = access.indices[0];
-  if (which < 1 || which > 3) {
+  if (which < 0 || which > 3) {
     return failure(AlarmId::IndexOne, fmt::format("$P_TOOLROT[{}]", which));
   }
   if (MaybeFailure wrong = finish_motion(channel)) {

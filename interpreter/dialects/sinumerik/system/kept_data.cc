@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/sinumerik/system/system.h"
@@ -19,6 +21,10 @@ MaybeFailure negative_index(const SystemAccess& access) {
 std::string first_text(const SystemAccess& access) {
   if (access.id == SystemId::NameOfChannel) {
     return "CHAN1";
+  }
+  if (access.id != SystemId::NameOfGeometryAxis && access.id != SystemId::NameOfChannelAxis &&
+      access.id != SystemId::NameOfMachineAxis) {
+    return "";
   }
   const auto index = static_cast<std::size_t>(access.indices.front());
   const std::size_t count = access.id == SystemId::NameOfGeometryAxis
@@ -69,6 +75,18 @@ MaybeFailure set_table_datum(Channel& channel, const SystemAccess& access, doubl
                                                    : "$MA_ENC_COMP_ENABLE of its axis is on");
   }
   tables.written();
+  return set_kept_datum(channel, access, value);
+}
+
+MaybeFailure set_chain_datum(Channel& channel, const SystemAccess& access, double value) {
+  constexpr int kComponents = 3;
+  if (access.id == SystemId::ChainElementVector && access.indices[1] >= kComponents) {
+    return failure(AlarmId::IndexTwo, fmt::format("component {}, 0 to 2", access.indices[1]));
+  }
+  constexpr double kFar = 1e9;
+  if (!(std::abs(value) <= kFar)) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("{:g}", value));
+  }
   return set_kept_datum(channel, access, value);
 }
 

@@ -143,6 +143,7 @@ Number carrier_angle(Channel& channel, const SystemAccess& access);
 Number carrier_solutions(Channel& channel, const SystemAccess& access);
 Number carrier_status(Channel& channel, const SystemAccess& access);
 Number tool_direction(Channel& channel, const SystemAccess& access);
+Number transformation_number(Channel& channel, const SystemAccess& access);
 Number tool_rotation(Channel& channel, const SystemAccess& access);
 Number basic_now(Channel& channel, const SystemAccess& access);
 
@@ -151,6 +152,8 @@ Number kept_datum(Channel& channel, const SystemAccess& access);
 Text kept_text(Channel& channel, const SystemAccess& access);
 MaybeFailure set_kept_text(Channel& channel, const SystemAccess& access, const std::string& text);
 MaybeFailure set_kept_datum(Channel& channel, const SystemAccess& access, double value);
+/// A number of a kinematic chain, $NK_ and $NT_.
+MaybeFailure set_chain_datum(Channel& channel, const SystemAccess& access, double value);
 /// Of a compensation table.
 MaybeFailure set_table_datum(Channel& channel, const SystemAccess& access, double value);
 
