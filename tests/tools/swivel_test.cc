@@ -229,6 +229,12 @@ TEST(Swivel, WhatCannotBeReachedIsAnAlarm) {
   expect_refused(
       std::string("[control]\nprofile = \"sinumerik-828d\"\n[tools.1]\nlength = 120.0\n"),
       "CYCLE800(0,\"\",0,57,1,0,0,10,0,0,0,0,0,-1)", 61181);
+  const std::string far = "$TC_CARR38[1]=90000 $TC_CARR39[1]=-90000 $TC_CARR40[1]=90000";
+  for (const char* const mode : {"1", "2", "6", "7", "8"}) {
+    expect_refused(k1_sheet(), "CYCLE800(" + std::string(mode) + ",\"\",0,57,1,0,0,10,0,0,0,0,0,1)",
+                   61190, far);
+  }
+  expect_refused(k1_sheet(), "CYCLE800(5,\"\",0,57,1,0,0,10,0,0,0,0,0,1,90000)", 61190);
 }
 
 /// The plane lies on the first record's axes; another one is not put on top of it.
