@@ -206,6 +206,9 @@ class MachinePort {
   /// on do so no further.  Without this they wait for the next one.
   virtual void stand_still() {}
 
+  /// The program has ended: axes that lag still arrive, which takes no time of the program.
+  virtual void come_to_rest() {}
+
   /// The fault of a move that passed on, found where the machine could not return it; once.  Until
   /// somebody has taken it, from here or from the next move, the machine does nothing.
   virtual std::optional<MachineFault> take_late_fault() { return std::nullopt; }

@@ -15,8 +15,12 @@ class AxisCorrections {
 
   [[nodiscard]] bool are_none() const { return tables_.empty(); }
 
+  /// Whether any counts in one direction only.
+  [[nodiscard]] bool depend_on_direction() const;
+
   /// mm or deg, to be added where the encoders say q_M.
-  [[nodiscard]] AxisPositions at(const AxisPositions& q_M) const;
+  /// @param direction  in which each axis goes or last went, +1 or -1; 0: it has not moved yet
+  [[nodiscard]] AxisPositions at(const AxisPositions& q_M, const AxisPositions& direction) const;
 
  private:
   struct Factor {
@@ -30,6 +34,7 @@ class AxisCorrections {
   struct Table {
     Eigen::Index compensated = 0;
     std::vector<Factor> factors;
+    double direction = 0.0;  // 0: it always counts
   };
 
   std::vector<Table> tables_;

@@ -12,6 +12,26 @@ namespace {
 
 constexpr double kSecondsPerMinute = 60.0;
 
+/// What each axis has at most of the unit vector that points to the middle of an arc, which begins
+/// in one direction and ends in another.
+/// @param before, behind  unit vectors, neither the same nor opposite
+AxisPositions steepest_between(const AxisPositions& before, const AxisPositions& behind) {
+  const double cosine = before.dot(behind);
+  const AxisPositions across = (behind - cosine * before).normalized();
+  const double sine = across.dot(behind);
+  const double turn = std::atan2(sine, cosine);
+  AxisPositions most = AxisPositions::Zero();
+  for (Eigen::Index i = 0; i < most.size(); ++i) {
+    // After a turn by t: cos(t) across - sin(t) before; its peak may lie within the turn.
+    const double peak = std::atan2(-before[i], across[i]);
+    const bool peaks = (peak > 0.0 ? peak : peak + std::numbers::pi) < turn;
+    most[i] = peaks
+                  ? std::hypot(across[i], before[i])
+                  : std::max(std::abs(across[i]), std::abs(cosine * across[i] - sine * before[i]));
+  }
+  return most;
+}
+
 }  // namespace
 
 AxisDynamics::AxisDynamics(const MachineSetup& setup) {
@@ -42,6 +62,11 @@ AxisDynamics::AxisDynamics(const MachineSetup& setup) {
       }
     }
   }
+  own_corner_jump_per_s_ = corner_jump_per_s_;
+}
+
+void AxisDynamics::set_corner_jumps(const AxisPositions& per_s) {
+  corner_jump_per_s_ = (per_s.array() >= 0.0).select(per_s, own_corner_jump_per_s_);
 }
 
 void AxisDynamics::set_jerks(const AxisPositions& per_s3) {
@@ -181,10 +206,12 @@ double AxisDynamics::corner_speed(const AxisPositions& along_before,
 }
 
 double AxisDynamics::curve_speed(const AxisPositions& along_before,
-                                 const AxisPositions& along_behind, const CornerCurve& most) {
+                                 const AxisPositions& along_behind, const CornerCurve& most) const {
   // The chord of the two unit directions is 2 sin(turn / 2), their sum 2 cos(turn / 2).
-  const double opposite = (along_behind.normalized() - along_before.normalized()).norm();
-  const double adjacent = (along_behind.normalized() + along_before.normalized()).norm();
+  const AxisPositions before = along_before.normalized();
+  const AxisPositions behind = along_behind.normalized();
+  const double opposite = (behind - before).norm();
+  const double adjacent = (behind + before).norm();
   if (opposite < kSameDirection) {
     return std::numeric_limits<double>::infinity();
   }
@@ -194,7 +221,11 @@ double AxisDynamics::curve_speed(const AxisPositions& along_before,
   const double sine = opposite / 2.0;
   const double by_tolerance = most.tolerance * cosine * (1.0 + cosine) / (sine * sine);
   const double radius = std::min(by_tolerance, most.half_length / tangent);
-  return std::sqrt(most.acceleration / std::numbers::sqrt2 * radius);
+  if (radius <= 0.0) {
+    return 0.0;
+  }
+  const AxisPositions pointing = steepest_between(before, behind);
+  return std::sqrt(radius / pointing.cwiseQuotient(contour_acceleration_per_s2_).maxCoeff());
 }
 
 }  // namespace g31::machine

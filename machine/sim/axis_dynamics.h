@@ -23,6 +23,9 @@ class AxisDynamics {
   void set_jerks(const AxisPositions& per_s3);
   [[nodiscard]] AxisPositions jerks() const;
 
+  /// @param per_s  for each axis from now on; < 0: what the machine has
+  void set_corner_jumps(const AxisPositions& per_s);
+
   /// The motion of a move along a path: all axes start and end together.
   ///
   /// A rapid goes as fast as the slowest axis allows; a feed goes with move.feed_mm_min along
@@ -64,19 +67,19 @@ class AxisDynamics {
   [[nodiscard]] double corner_speed(const AxisPositions& along_before,
                                     const AxisPositions& along_behind) const;
 
-  /// The speed of a curve in the place of such a corner: an arc that leaves the corner by at most a
-  /// tolerance and begins and ends no farther than half of either way from it, gone round with half
-  /// of the acceleration, in squares.
+  /// The speed of a curve in the place of such a corner: sqrt(a R) of an arc that leaves the corner
+  /// by at most a tolerance and begins and ends no farther than half of either way from it; a is
+  /// the greatest acceleration at which no axis exceeds its own one for contours anywhere on the
+  /// arc.
   /// @param along_before, along_behind  what each axis goes in a unit of the path
-  /// @param most  tolerance and half length, path units, and acceleration, all > 0
+  /// @param most  tolerance and half length, path units, both > 0
   struct CornerCurve {
     double tolerance = 0.0;
     double half_length = 0.0;
-    double acceleration = 0.0;
   };
-  [[nodiscard]] static double curve_speed(const AxisPositions& along_before,
-                                          const AxisPositions& along_behind,
-                                          const CornerCurve& most);
+  [[nodiscard]] double curve_speed(const AxisPositions& along_before,
+                                   const AxisPositions& along_behind,
+                                   const CornerCurve& most) const;
 
  private:
   [[nodiscard]] const AxisPositions& accelerations(ContourControl contour_control) const {
@@ -91,6 +94,7 @@ class AxisDynamics {
   AxisPositions acceleration_per_s2_;
   AxisPositions contour_acceleration_per_s2_;
   AxisPositions corner_jump_per_s_;
+  AxisPositions own_corner_jump_per_s_;
   AxisPositions jerk_per_s3_;  // infinite: not limited
   bool limits_jerk_ = false;
 };

@@ -55,9 +55,7 @@ MachiningCentre::MachiningCentre(const MachineSetup& setup, Surroundings* surrou
   axis_data_.stop_fine = AxisPositions::Constant(setup.in_position);
   axis_data_.stop_coarse = kCoarsePerFine * axis_data_.stop_fine;
   axis_data_.jerk_per_s3 = dynamics_.jerks();
-  if (!real_.follow_at_once()) {
-    continuous_.keep_few_ways();
-  }
+  keep_what_follows();
 }
 
 Result<AxisPositions, MachineFault> MachiningCentre::move(const LinearMove& move) {
@@ -249,16 +247,29 @@ void MachiningCentre::dwell(double seconds) {
   clock_.advance(seconds);
 }
 
+void MachiningCentre::keep_what_follows() {
+  if (!real_.follow_at_once()) {
+    continuous_.keep_few_ways();
+  }
+}
+
 void MachiningCentre::set_axis_data(const AxisData& data) {
-  axis_data_ = data;
   dynamics_.set_jerks(data.jerk_per_s3);
-  real_.set_windows(data);
+  dynamics_.set_corner_jumps(data.corner_jump_per_s);
+  if (data.feed_filter != axis_data_.feed_filter || data.filter_s != axis_data_.filter_s) {
+    stand_still();
+    real_.take(data);
+    keep_what_follows();
+  }
+  axis_data_ = data;
+  real_.take(data);
 }
 
 void MachiningCentre::compensate(const std::vector<CompensationTable>& tables) {
   stand_still();
   if (!late_) {
-    real_.correct_by(AxisCorrections(tables));
+    real_.correct_by(AxisCorrections(tables), q_M_);
+    keep_what_follows();
   }
 }
 

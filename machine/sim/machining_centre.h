@@ -69,6 +69,7 @@ class MachiningCentre final : public MachinePort {
   void digital_output(const DigitalOutput& output) override;
   void dwell(double seconds) override;
   void stand_still() override;
+  void come_to_rest() override;
   [[nodiscard]] AxisData axis_data() const override { return axis_data_; }
   void set_axis_data(const AxisData& data) override;
   void compensate(const std::vector<CompensationTable>& tables) override;
@@ -136,6 +137,10 @@ class MachiningCentre final : public MachinePort {
   [[nodiscard]] double speed_at_corner(const ContinuousPath::Move& behind,
                                        const AxisPositions& along_start) const;
   void settle(const AxisPositions& q_M_end, BlockEnd ends);
+  // The ways of axes that do not follow at once are carried out as they are planned.
+  void keep_what_follows();
+  // Moves that pass on do so no further; a command that is smoothed has not come to rest.
+  void end_passing();
 
   // Until the signal; nullopt: there is none.
   std::optional<SkipOutcome> skip(const StraightPath& path, const MotionProfile& profile,

@@ -11,10 +11,32 @@
 
 namespace g31::machine {
 
-void MachiningCentre::stand_still() {
+void MachiningCentre::end_passing() {
   keeps_feed_ = false;
   if (!continuous_.is_empty()) {
     pass(continuous_.finish());
+  }
+}
+
+void MachiningCentre::stand_still() {
+  end_passing();
+  if (!late_ && real_.is_smoothing()) {
+    late_ = carry_out_really(real_.smoothed_motion(StraightPath(q_M_, q_M_), {}, true),
+                             {Travel::Feed, BlockEnd::CommandStop});
+  }
+}
+
+void MachiningCentre::come_to_rest() {
+  stand_still();
+  if (late_ || surroundings_ == nullptr || real_.follow_at_once()) {
+    return;
+  }
+  const ServoMotion motion = real_.motion(StraightPath(q_M_, q_M_), {});
+  const double moves_s = RealAxes::rests_s(motion);
+  if (moves_s > 0.0) {
+    if (auto obstacle = real_.first_obstacle(motion, Travel::Feed, moves_s, *surroundings_)) {
+      late_ = break_off(motion, *std::move(obstacle));
+    }
   }
 }
 
@@ -24,7 +46,7 @@ std::optional<MachineFault> MachiningCentre::take_late_fault() {
 
 double MachiningCentre::time_s() const {
   if (continuous_.is_empty()) {
-    return clock_.now_s();
+    return clock_.now_s() + (real_.is_smoothing() ? real_.smoothes_s() : 0.0);
   }
   Clock at_rest = clock_;
   at_rest.advance(continuous_.duration_s());
@@ -37,7 +59,8 @@ std::optional<MachineFault> MachiningCentre::feed(const Path& path, const PathLi
   if (joins(passing)) {
     return pass_on(path, limits, passing);
   }
-  if (passing.ends == BlockEnd::PassOn || keeps_feed_) {
+  if (passing.ends == BlockEnd::PassOn || keeps_feed_ ||
+      (real_.has_filter() && passing.contour_control == ContourControl::Off)) {
     MotionPhases phases(MotionState{0.0, limits.speed, 0.0});
     phases.append(path.length() / limits.speed, 0.0);
     return keep_feed(path, phases, passing.ends);
@@ -60,12 +83,12 @@ bool MachiningCentre::joins(const Passing& passing) const {
 /// Acceleration after interpolation: the command steps to the feed and from it, the axes smooth it.
 std::optional<MachineFault> MachiningCentre::keep_feed(const CommandedPath& path,
                                                        const MotionPhases& phases, BlockEnd ends) {
-  stand_still();
+  end_passing();
   if (late_) {
     return take_late_fault();
   }
   keeps_feed_ = ends == BlockEnd::PassOn;
-  return carry_out_really(real_.motion(path, phases), {Travel::Feed, ends});
+  return carry_out_really(real_.smoothed_motion(path, phases, !keeps_feed_), {Travel::Feed, ends});
 }
 
 double MachiningCentre::speed_at_corner(const ContinuousPath::Move& behind,
@@ -76,10 +99,9 @@ double MachiningCentre::speed_at_corner(const ContinuousPath::Move& behind,
   if (tolerance <= 0.0) {
     return speed;
   }
-  return std::max(speed, AxisDynamics::curve_speed(
-                             before.along_end, along_start,
-                             {tolerance, 0.5 * std::min(before.length, behind.length),
-                              std::min(before.limits.acceleration, behind.limits.acceleration)}));
+  return std::max(speed,
+                  dynamics_.curve_speed(before.along_end, along_start,
+                                        {tolerance, 0.5 * std::min(before.length, behind.length)}));
 }
 
 template <typename Path>

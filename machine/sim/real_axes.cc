@@ -46,21 +46,43 @@ RealAxes::RealAxes(const MachineSetup& setup)
   G31_EXPECTS(setup.in_position > 0.0);
 }
 
-void RealAxes::set_windows(const AxisData& data) {
+void RealAxes::take(const AxisData& data) {
   G31_EXPECTS((data.stop_fine.array() > 0.0).all() && (data.stop_coarse.array() > 0.0).all());
   stop_fine_ = data.stop_fine;
   stop_coarse_ = data.stop_coarse;
+  G31_EXPECTS((data.filter_s.array() >= 0.0).all() && data.filter_s.allFinite());
+  filter_ = CommandFilter(data.feed_filter, data.filter_s);
+  look_whether_ideal();
 }
 
-void RealAxes::correct_by(AxisCorrections corrections) {
-  truth_.correct_by(std::move(corrections));
-  is_ideal_ = truth_.is_ideal() && !chain_.has_rotary_axes() && !lags_;
+void RealAxes::correct_by(AxisCorrections corrections, const AxisPositions& q_M) {
+  truth_.correct_by(std::move(corrections), q_M);
+  look_whether_ideal();
+}
+
+void RealAxes::look_whether_ideal() {
+  is_ideal_ = truth_.is_ideal() && !chain_.has_rotary_axes() && !lag();
+  follows_at_once_ = !lag() && !truth_.has_play();
 }
 
 ServoMotion RealAxes::motion(const CommandedPath& path, const MotionPhases& phases,
                              ContourControl contour_control) const {
   return ServoMotion(path, phases, state_,
                      contour_control == ContourControl::FeedForward ? loops_ahead_ : loops_);
+}
+
+ServoMotion RealAxes::smoothed_motion(const CommandedPath& path, const MotionPhases& phases,
+                                      bool comes_to_rest) const {
+  ServoState state = state_;
+  if (!state.filter.is_there()) {
+    state.filter = filter_;
+  }
+  if (!state.filter.is_there()) {
+    return motion(path, phases);
+  }
+  ServoLoops loops = loops_;
+  loops.smoothing = comes_to_rest ? Smoothing::ToRest : Smoothing::On;
+  return ServoMotion(path, phases, state, loops);
 }
 
 double RealAxes::done_s(const ServoMotion& motion, BlockEnd end) const {

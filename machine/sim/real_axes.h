@@ -41,12 +41,23 @@ class RealAxes {
   /// Whether their ways do not depend on the speed: they neither lag nor stick.
   [[nodiscard]] bool follow_at_once() const { return follows_at_once_; }
 
-  /// Whether any of them is behind its command.
-  [[nodiscard]] bool lag() const { return lags_; }
+  /// Whether any of them is behind its command, or a filter is.
+  [[nodiscard]] bool lag() const { return lags_ || filter_.is_there(); }
 
   /// The motion along a path that begins now.
   [[nodiscard]] ServoMotion motion(const CommandedPath& path, const MotionPhases& phases,
                                    ContourControl contour_control = ContourControl::Off) const;
+  /// The same of a feed whose command the filter smooths.
+  /// @param comes_to_rest  at its end the command stands; else what is left of it comes with the
+  /// next
+  [[nodiscard]] ServoMotion smoothed_motion(const CommandedPath& path, const MotionPhases& phases,
+                                            bool comes_to_rest) const;
+  /// Whether a filter smooths feeds.
+  [[nodiscard]] bool has_filter() const { return filter_.is_there(); }
+  /// Whether the command of the last motion has not come to rest yet.
+  [[nodiscard]] bool is_smoothing() const { return state_.filter.is_there(); }
+  /// For how long, s.
+  [[nodiscard]] double smoothes_s() const { return state_.filter.rest_s(); }
 
   /// When the control takes a motion as done: at the end of the command, or once the axes have
   /// followed within a window.
@@ -93,11 +104,11 @@ class RealAxes {
   /// Is looked at in long work on all motions from now on; outlives this.
   void watch(WorkWatch& watch) { loops_.watch = loops_ahead_.watch = &watch; }
 
-  /// How near its place an axis has arrived.  @param data  its windows
-  void set_windows(const AxisData& data);
+  /// How near its place an axis has arrived, and what smooths feeds.
+  void take(const AxisData& data);
 
-  /// The control adds these to the places of the axes from now on.
-  void correct_by(AxisCorrections corrections);
+  /// The control adds these to the places of the axes from now on.  @param q_M  where they stand
+  void correct_by(AxisCorrections corrections, const AxisPositions& q_M);
 
   /// Another tool is in the spindle.  @param p_T_tip  mm, its tip from the gauge point
   void take_tool(const Point& p_T_tip);
@@ -105,6 +116,8 @@ class RealAxes {
   [[nodiscard]] const TruePosition& truth() const { return truth_; }
 
  private:
+  void look_whether_ideal();
+
   TruePosition truth_;
   AxisChain chain_;
   ServoLoops loops_;
@@ -112,6 +125,7 @@ class RealAxes {
   AxisPositions stop_fine_;
   AxisPositions stop_coarse_;
   ServoState state_;
+  CommandFilter filter_;  // at rest
   bool lags_;
   bool is_ideal_;
   bool follows_at_once_;

@@ -146,6 +146,9 @@ ServoMotion::ServoMotion(const CommandedPath& path, const MotionPhases& phases,
       time_constants_s_(loops.time_constants_s),
       feed_forward_s_(loops.feed_forward.cwiseProduct(loops.time_constants_s)),
       q_M_end_(start_of(path)),
+      q_M_commanded_(q_M_end_),
+      smoothing_(loops.smoothing),
+      filter_(state.filter),
       lag_(state.lag),
       watch_(loops.watch) {
   G31_EXPECTS((time_constants_s_.array() >= 0.0).all());
@@ -167,9 +170,10 @@ ServoMotion::ServoMotion(const CommandedPath& path, const MotionPhases& phases,
     const double fraction = phases.length() / length;
     q_M_end_ = point_at(path, fraction > 1.0 - kRounding ? 1.0 : std::max(0.0, fraction));
   }
+  rest_filter();
   for (std::size_t i = 0; has_velocity_loops_ && i < kAxisCount; ++i) {
     if (velocity_loops_[i]) {
-      velocity_loops_[i]->rest_at(q_M_end_[static_cast<Eigen::Index>(i)]);
+      velocity_loops_[i]->rest_at(q_M_commanded_[static_cast<Eigen::Index>(i)]);
     }
   }
 }
@@ -269,7 +273,32 @@ void ServoMotion::add_phase(const LedPath& path, const MotionPhase& phase) {
   }
 }
 
+void ServoMotion::rest_filter() {
+  const bool comes_to_rest = smoothing_ == Smoothing::ToRest;
+  if (comes_to_rest && filter_.rest_s() > 0.0) {
+    const AxisPositions none = AxisPositions::Zero();
+    add_piece({q_M_end_, none, none, none}, filter_.rest_s());
+  }
+  if (smoothing_ != Smoothing::On) {
+    q_M_commanded_ = q_M_end_;
+    filter_ = {};
+  }
+}
+
 void ServoMotion::add_piece(const Cubic& command, double duration_s) {
+  if (smoothing_ == Smoothing::Off) {
+    follow_piece(command, duration_s);
+    return;
+  }
+  std::vector<CommandPiece> smoothed;
+  filter_.take({command, duration_s}, smoothed);
+  for (const CommandPiece& piece : smoothed) {
+    look();
+    follow_piece(piece.command, piece.duration_s);
+  }
+}
+
+void ServoMotion::follow_piece(const Cubic& command, double duration_s) {
   Piece piece;
   piece.begin_s = duration_s_;
   piece.duration_s = duration_s;
@@ -289,7 +318,8 @@ void ServoMotion::add_piece(const Cubic& command, double duration_s) {
   duration_s_ += duration_s;
   AxisPositions q_M_encoder = encoder_in(piece, duration_s);
   take_velocity_loops(q_M_encoder, duration_s_);
-  lag_ = value_of(command, duration_s) - q_M_encoder;
+  q_M_commanded_ = value_of(command, duration_s);
+  lag_ = q_M_commanded_ - q_M_encoder;
 }
 
 const ServoMotion::Piece& ServoMotion::piece_at(double time_s) const {
@@ -314,7 +344,7 @@ AxisPositions ServoMotion::encoder_in(const Piece& piece, double time_s) const {
 AxisPositions ServoMotion::commanded_at(double time_s) const {
   G31_EXPECTS(time_s >= 0.0);
   if (time_s >= duration_s_) {
-    return q_M_end_;
+    return q_M_commanded_;
   }
   const Piece& piece = piece_at(time_s);
   return value_of(piece.command, time_s - piece.begin_s);
@@ -324,7 +354,7 @@ AxisPositions ServoMotion::encoder_at(double time_s) const {
   G31_EXPECTS(time_s >= 0.0);
   AxisPositions q_M;
   if (time_s >= duration_s_) {
-    q_M = q_M_end_ - lag_.cwiseProduct(decay(time_s - duration_s_));
+    q_M = q_M_commanded_ - lag_.cwiseProduct(decay(time_s - duration_s_));
   } else {
     const Piece& piece = piece_at(time_s);
     q_M = encoder_in(piece, time_s - piece.begin_s);
@@ -334,7 +364,7 @@ AxisPositions ServoMotion::encoder_at(double time_s) const {
 }
 
 ServoState ServoMotion::state_at(double time_s) const {
-  ServoState state{lag_at(time_s), {}};
+  ServoState state{lag_at(time_s), {}, filter_};
   for (std::size_t i = 0; has_velocity_loops_ && i < kAxisCount; ++i) {
     if (velocity_loops_[i]) {
       state.velocity[i] = velocity_loops_[i]->at(time_s).state;

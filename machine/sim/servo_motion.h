@@ -8,6 +8,7 @@
 
 #include "machine/port/work_watch.h"
 #include "machine/sim/arc_path.h"
+#include "machine/sim/command_filter.h"
 #include "machine/sim/independent_path.h"
 #include "machine/sim/led_path.h"
 #include "machine/sim/motion_phases.h"
@@ -19,11 +20,19 @@ namespace g31::machine {
 /// A way of all axes that the control commands.
 using CommandedPath = std::variant<StraightPath, ArcPath, IndependentPath, LedPath>;
 
+/// What a filter behind the interpolation does to the command of a motion.
+enum class Smoothing {
+  Off,
+  On,     ///< what is left of it comes with the next motion
+  ToRest  ///< the motion lasts until its command stands
+};
+
 /// How the axes follow their commands.
 struct ServoLoops {
   AxisPositions time_constants_s = AxisPositions::Zero();  ///< T = 1 / Kv, >= 0
   AxisPositions feed_forward = AxisPositions::Zero();      ///< 0..1
   std::array<VelocityLoopSetup, kAxisCount> velocity = {};
+  Smoothing smoothing = Smoothing::Off;
   WorkWatch* watch = nullptr;  ///< of long work on a motion; outlives its motions
 };
 
@@ -31,13 +40,15 @@ struct ServoLoops {
 struct ServoState {
   AxisPositions lag = AxisPositions::Zero();  ///< command minus encoder
   std::array<VelocityLoopState, kAxisCount> velocity = {};
+  CommandFilter filter = {};  ///< with what is on its way in it; none: the command stands
 };
 
 /// One move as the servo loops carry it out.
 ///
 /// Each axis follows its command like a first-order lag: T q' + q = c + a T c', c the command,
 /// T = 1 / Kv, a the feed-forward; at a steady speed it is (1 - a) v / Kv behind.  With T = 0 it is
-/// where it is commanded.  An axis with a velocity loop follows as LoopMotion says.
+/// where it is commanded.  An axis with a velocity loop follows as LoopMotion says.  Where a filter
+/// smooths the command, c is what comes out of it.
 ///
 /// Accuracy: straight moves and rapids of each axis on its own are solved in closed form; on arcs
 /// the command is taken within kArcCommandErrorMm, on led ways within kLedErrorMm; for
@@ -60,13 +71,13 @@ class ServoMotion {
   /// its own, in its own units.
   [[nodiscard]] std::span<const MotionPhases> drives() const { return drives_; }
 
-  /// Until the command has come to rest.
+  /// Until the command has come to rest, or until the next motion takes on what the filter holds.
   [[nodiscard]] double duration_s() const { return duration_s_; }
 
   /// Where the command comes to rest.
   [[nodiscard]] const AxisPositions& end() const { return q_M_end_; }
 
-  /// @param time_s  >= 0 from the beginning of the move; from duration_s() on: end()
+  /// @param time_s  >= 0 from the beginning of the move; from duration_s() on: as then
   [[nodiscard]] AxisPositions commanded_at(double time_s) const;
 
   /// @param time_s  >= 0; after duration_s() the lag dies away
@@ -102,6 +113,8 @@ class ServoMotion {
   void add_phase(const IndependentPath& path, const MotionPhase& phase);
   void add_phase(const LedPath& path, const MotionPhase& phase);
   void add_piece(const Cubic& command, double duration_s);
+  void rest_filter();
+  void follow_piece(const Cubic& command, double duration_s);
   [[nodiscard]] const Piece& piece_at(double time_s) const;
   [[nodiscard]] AxisPositions decay(double time_s) const;
   [[nodiscard]] AxisPositions encoder_in(const Piece& piece, double time_s) const;
@@ -114,6 +127,9 @@ class ServoMotion {
   AxisPositions time_constants_s_;
   AxisPositions feed_forward_s_;  // times T
   AxisPositions q_M_end_;
+  AxisPositions q_M_commanded_;  // at the end of what is already built
+  Smoothing smoothing_;
+  CommandFilter filter_;
   AxisPositions lag_;  // at the end of what is already built
   double duration_s_ = 0.0;
   double transient_s_ = 0.0;  // how long what was left of the move before matters

@@ -1,6 +1,7 @@
 #include "machine/sim/true_position.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace g31::machine {
@@ -38,7 +39,7 @@ AxisPositions TruePosition::without_play(const AxisPositions& q_M) const {
     q_M_true[row] += cyclic_[i].at(q_M[row]);
   }
   if (!corrections_.are_none()) {
-    q_M_true += corrections_.at(q_M);
+    q_M_true += corrections_.at(q_M, direction_to(q_M));
   }
   return q_M_true;
 }
@@ -58,11 +59,28 @@ AxisPositions TruePosition::after(const AxisPositions& q_M) const {
   return q_M_true;
 }
 
-void TruePosition::correct_by(AxisCorrections corrections) {
+AxisPositions TruePosition::direction_to(const AxisPositions& q_M) const {
+  AxisPositions direction = direction_;
+  for (Eigen::Index i = 0; has_directions_ && i < q_M.size(); ++i) {
+    const double way = q_M[i] - q_M_last_[i];
+    if (std::abs(way) > errors::kLeastReversal) {
+      direction[i] = way > 0.0 ? 1.0 : -1.0;
+    }
+  }
+  return direction;
+}
+
+void TruePosition::correct_by(AxisCorrections corrections, const AxisPositions& q_M) {
   corrections_ = std::move(corrections);
+  has_directions_ = corrections_.depend_on_direction();
+  q_M_last_ = q_M;
 }
 
 AxisPositions TruePosition::go_to(const AxisPositions& q_M) {
+  if (has_directions_) {
+    direction_ = direction_to(q_M);
+    q_M_last_ = q_M;
+  }
   if (!has_play_) {
     return after(q_M);
   }

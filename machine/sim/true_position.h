@@ -31,10 +31,11 @@ class TruePosition {
   /// @param p_T_tip  mm, the tip of the tool from now on, from the gauge point
   void take_tool(const Point& p_T_tip) { p_T_tip_ = p_T_tip; }
 
-  /// The control adds these from now on.
-  void correct_by(AxisCorrections corrections);
+  /// The control adds these from now on.  @param q_M  where the encoders stand
+  void correct_by(AxisCorrections corrections, const AxisPositions& q_M);
 
-  [[nodiscard]] bool has_play() const { return has_play_; }
+  /// Whether it depends on the way that the axes have come.
+  [[nodiscard]] bool has_play() const { return has_play_ || has_directions_; }
 
   /// So far along any axis its errors hardly bend, mm or deg: a quarter of the shortest pitch of a
   /// cyclic error; infinite where there is none.
@@ -42,6 +43,8 @@ class TruePosition {
 
  private:
   [[nodiscard]] AxisPositions without_play(const AxisPositions& q_M) const;
+  /// In which direction each axis has come to q_M, for tables that ask.
+  [[nodiscard]] AxisPositions direction_to(const AxisPositions& q_M) const;
 
   errors::GeometricErrors geometry_;
   errors::GeometricErrors compensation_;
@@ -52,7 +55,10 @@ class TruePosition {
   AxisPositions q_M_fixed_;  // where growing scales stay
   Point p_T_tip_;
   double smooth_way_ = std::numeric_limits<double>::infinity();
+  AxisPositions q_M_last_ = AxisPositions::Zero();   // where the last way ended, with directions
+  AxisPositions direction_ = AxisPositions::Zero();  // of it
   bool has_play_ = false;
+  bool has_directions_ = false;
   bool is_exact_ = true;  // but for what the control adds
 };
 

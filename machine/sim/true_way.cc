@@ -13,6 +13,8 @@ namespace {
 constexpr double kFirstPieceMm = 5.0;
 /// After a reversal an axis sticks and comes free again within hundredths of a millimetre.
 constexpr double kFinestPieceMm = 0.01;
+/// Of a way; a finer pitch would take long and is no longer seen in full.
+constexpr double kMostCyclicPieces = 1e6;
 constexpr int kMostHalvings = 24;
 
 Point linear(const AxisPositions& q) {
@@ -54,9 +56,10 @@ ToolPlace TrueWay::tip_at(const TruePosition& truth, double time_s) const {
 
 std::vector<double> TrueWay::marks() const {
   std::vector<double> marks = motion_.steps_until(until_s_);
-  const double piece_mm = std::clamp(start_.smooth_way(), kFinestPieceMm, kFirstPieceMm);
   for (const MotionPhases& drive : motion_.drives()) {
-    for (double distance = kFinestPieceMm; distance < drive.length();
+    const double piece_mm =
+        std::min(kFirstPieceMm, std::max(start_.smooth_way(), drive.length() / kMostCyclicPieces));
+    for (double distance = std::min(kFinestPieceMm, piece_mm); distance < drive.length();
          distance += std::min(distance, piece_mm)) {
       motion_.look();
       marks.push_back(std::min(until_s_, drive.time_at(distance)));

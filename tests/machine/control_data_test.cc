@@ -181,29 +181,62 @@ TEST(AxisDataOfAControl, ItsJerkTakesThePlaceOfTheSheets) {
   }
 }
 
-// 90 degrees: R = d cos 45 / (1 - cos 45); v^2 / R is half of the acceleration, in squares.
+AxisDynamics dynamics_of(double x_per_s2, double y_per_s2) {
+  MachineSetup setup;
+  setup.axes[0].acceleration_per_s2 = x_per_s2;
+  setup.axes[1].acceleration_per_s2 = y_per_s2;
+  return AxisDynamics(setup);
+}
+
+// 90 degrees: R = d cos 45 / (1 - cos 45), v = sqrt(a R), a being that of an axis.
 TEST(CornerCurve, HasTheRadiusOfItsToleranceAtARightAngle) {
-  const double kWhole = 5000.0 * std::numbers::sqrt2;
+  const AxisDynamics dynamics = dynamics_of(5000.0, 5000.0);
   for (const auto& [tolerance, speed] : {std::pair(0.01, 10.99), {0.05, 24.57}, {0.2, 49.13}}) {
-    EXPECT_NEAR(AxisDynamics::curve_speed(axes(1, 0, 0), axes(0, 1, 0), {tolerance, 1e3, kWhole}),
-                speed, 0.005);
+    EXPECT_NEAR(dynamics.curve_speed(axes(1, 0, 0), axes(0, 1, 0), {tolerance, 1e3}), speed, 0.005);
   }
-  EXPECT_EQ(AxisDynamics::curve_speed(axes(1, 0, 0), axes(-1, 0, 0), {0.1, 1.0, 1.0}), 0.0);
-  EXPECT_TRUE(std::isinf(AxisDynamics::curve_speed(axes(1, 0, 0), axes(1, 0, 0), {1, 1, 1})));
+  EXPECT_EQ(dynamics.curve_speed(axes(1, 0, 0), axes(-1, 0, 0), {0.1, 1.0}), 0.0);
+  EXPECT_TRUE(std::isinf(dynamics.curve_speed(axes(1, 0, 0), axes(1, 0, 0), {1, 1})));
+}
+
+// Arcs of all directions on axes of different accelerations: looked at in 20,000 places, no axis
+// exceeds its own, and one reaches it.
+TEST(CornerCurve, NoAxisExceedsItsAcceleration) {
+  constexpr double kX = 3000.0;
+  constexpr double kY = 700.0;
+  const AxisDynamics dynamics = dynamics_of(kX, kY);
+  for (double from = 0.05; from < 6.3; from += 0.37) {
+    for (double turn = -3.0; turn < 3.1; turn += 0.43) {
+      const double speed =
+          dynamics.curve_speed(axes(std::cos(from), std::sin(from), 0),
+                               axes(std::cos(from + turn), std::sin(from + turn), 0),
+                               {1e9, std::tan(std::abs(turn) / 2.0)});
+      double most = 0.0;  // of an axis' acceleration, on the arc of radius 1
+      for (int i = 0; i <= 20'000; ++i) {
+        const double at = from + turn * i / 20'000;
+        most = std::max({most, speed * speed * std::abs(std::sin(at)) / kX,
+                         speed * speed * std::abs(std::cos(at)) / kY});
+      }
+      EXPECT_NEAR(most, 1.0, 1e-7) << from << " " << turn;
+    }
+  }
 }
 
 // The arc whose speed it is, point by point: no farther from the lines than the tolerance, nor
 // longer than half of them; and one of both it makes use of.
 TEST(CornerCurve, KeepsItsToleranceAndHalfOfTheLines) {
   constexpr double kAcceleration = 1234.0;
+  const AxisDynamics dynamics = dynamics_of(kAcceleration, 1e12);
   for (double degrees = 0.1; degrees < 175.0; degrees *= 1.7) {
     for (const double tolerance : {0.001, 0.1}) {
       for (const double half : {0.02, 5.0}) {
         const double turn = degrees * std::numbers::pi / 180.0;
-        const double speed =
-            AxisDynamics::curve_speed(axes(1, 0, 0), axes(std::cos(turn), std::sin(turn), 0),
-                                      {tolerance, half, kAcceleration});
-        const double radius = speed * speed * std::numbers::sqrt2 / kAcceleration;
+        // Symmetrical about Y: at its ends the arc has sin(turn / 2) of X, in the middle none; so X
+        // has most there, or all where it turns by more than 180 degrees.
+        const double half_turn = turn / 2.0;
+        const double speed = dynamics.curve_speed(
+            axes(std::cos(half_turn), -std::sin(half_turn), 0),
+            axes(std::cos(half_turn), std::sin(half_turn), 0), {tolerance, half});
+        const double radius = speed * speed * std::sin(half_turn) / kAcceleration;
         const double leg = radius * std::tan(turn / 2.0);
         double farthest = 0.0;
         for (int i = 0; i <= 1000; ++i) {

@@ -112,16 +112,26 @@ double single(int axis, int way, double place) {
 /// A touch of a wall ends where x + A sin(2 pi x / p + phase) is the wall, by Newton's method;
 /// pitches that divide the pieces of a way are no exception.
 TEST(MachineErrors, CyclicErrorsComeBackWithTheScrew) {
-  for (const double pitch : {10.0, 5.0, 2.5, 1.25, 0.7}) {
+  struct Screw {
+    double pitch, amplitude;
+  };
+  for (const auto& [pitch, amplitude] : {Screw{10.0, 0.003},
+                                         {5.0, 0.003},
+                                         {2.5, 0.003},
+                                         {1.25, 0.003},
+                                         {0.7, 0.003},
+                                         {0.03, 0.001},
+                                         {0.011, 0.001},
+                                         {0.004, 0.0005}}) {
     for (const double wall : {0.31, 4.1, 17.3, 33.33}) {
       MachineSetup setup = stops_at_once();
-      setup.axes[0].cyclic_error = {0.003, pitch, 40.0};
+      setup.axes[0].cyclic_error = {amplitude, pitch, 40.0};
       const double turns = 2.0 * 3.14159265358979323846 / pitch;
       const double phase = 40.0 / 180.0 * 3.14159265358979323846;
       double expected = wall;
-      for (int i = 0; i < 20; ++i) {
-        expected -= (expected + 0.003 * std::sin(turns * expected + phase) - wall) /
-                    (1.0 + 0.003 * turns * std::cos(turns * expected + phase));
+      for (int i = 0; i < 200; ++i) {
+        expected -= (expected + amplitude * std::sin(turns * expected + phase) - wall) /
+                    (1.0 + amplitude * turns * std::cos(turns * expected + phase));
       }
       Wall world(0, wall);
       MachiningCentre machine(setup, &world);
