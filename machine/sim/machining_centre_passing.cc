@@ -161,9 +161,12 @@ void MachiningCentre::pass(const ContinuousPath::Passed& passed) {
     return;
   }
   double start_s = clock_.now_s();
+  // Ways are also known where axes have not always followed at once: then nobody may want them.
   for (const Travelled& way : passed.ways) {
-    sampler_->show({start_s, way.duration_s, real_.motion(way.path, way.phases), real_.truth()},
-                   resolution_);
+    if (sampler_) {
+      sampler_->show({start_s, way.duration_s, real_.motion(way.path, way.phases), real_.truth()},
+                     resolution_);
+    }
     start_s += way.duration_s;
   }
   if (passed.seconds > 0.0) {

@@ -182,6 +182,19 @@ TEST(CommandFilter, WhatComesBehindAFeedBeginsWhenItsCommandStands) {
   EXPECT_NEAR(at_s(2.03), 100.0 - kSpeed * 0.02 * 0.02 / 0.1, 1e-9);
 }
 
+TEST(CommandFilter, CanBeTakenAway) {
+  const Smoothed how{FeedFilter::Linear, 0.2, 0.0};
+  MachiningCentre centre(setup_of(how), nullptr);
+  smooth(centre, how);
+  ASSERT_TRUE(centre.move(feed(axes(50, 0, 0))).ok());
+  smooth(centre, {FeedFilter::Linear, 0.0, 0.0});
+  EXPECT_NEAR(centre.time_s(), 1.2, 1e-12);
+  ASSERT_TRUE(centre.move(feed(axes(100, 0, 0))).ok());
+  ASSERT_TRUE(centre.move(feed(axes(150, 0, 0))).ok());
+  centre.stand_still();
+  EXPECT_NEAR(centre.time_s(), 3.2 + kSpeed / 1e5, 1e-12);
+}
+
 // What is planned ahead does not pass the filter, and bends no corner.
 TEST(CommandFilter, PlannedMovesDoNotPassIt) {
   const Smoothed how{FeedFilter::Bell, 0.1, 0.0};
