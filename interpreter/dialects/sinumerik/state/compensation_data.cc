@@ -28,21 +28,20 @@ struct Range {
   }
 };
 
+/// A positive value of a table moves its axis in the negative direction.
+constexpr double kSense = -1.0;
+
 /// @param value  of point n
 template <typename Value>
-machine::CompensationTable table_of(const Range& range, int moving, int compensated,
-                                    const Value& value) {
-  machine::CompensationTable table;
-  table.compensated = compensated;
+machine::CompensationTable::Factor factor_of(const Range& range, int moving, const Value& value) {
   machine::CompensationTable::Factor factor;
   factor.axis = moving;
   const int count = static_cast<int>(range.count());
   for (int n = 0; n < count; ++n) {
-    factor.points.emplace_back(range.first + n * range.step, -value(n));
+    factor.points.emplace_back(range.first + n * range.step, value(n));
   }
   factor.period = range.goes_round ? range.last - range.first : 0.0;
-  table.factors.push_back(std::move(factor));
-  return table;
+  return factor;
 }
 
 bool is_of_machine(double axis) {
@@ -114,42 +113,68 @@ MaybeFailure CompensationData::add_encoder_table(const ChannelState& state, int 
                     kAxisLetters[static_cast<std::size_t>(axis)], range.count(), kMostPoints));
   }
   if (range.count() >= 1.0) {
-    tables.push_back(table_of(range, axis, axis, [&](int n) {
-      return kept(state, SystemId::EncoderTable, {0, n, axis});
+    machine::CompensationTable table;
+    table.compensated = axis;
+    table.factors.push_back(factor_of(range, axis, [&](int n) {
+      return kSense * kept(state, SystemId::EncoderTable, {0, n, axis});
     }));
+    tables.push_back(std::move(table));
   }
   return std::nullopt;
 }
 
-MaybeFailure CompensationData::add_sag_table(const ChannelState& state, int table,
-                                             Tables& tables) const {
+Result<std::optional<CompensationData::Factor>, Failure> CompensationData::sag_factor(
+    const ChannelState& state, int table, double weight) const {
   const auto input = state.kept_data.find({SystemId::SagTableInput, 0, {table}});
-  const auto output = state.kept_data.find({SystemId::SagTableOutput, 0, {table}});
   const Range range{kept(state, SystemId::SagTableBegin, {table}),
                     kept(state, SystemId::SagTableEnd, {table}),
                     kept(state, SystemId::SagTableStep, {table}),
                     kept(state, SystemId::SagTableModulo, {table}) != 0.0};
-  if (input == state.kept_data.end() || output == state.kept_data.end() ||
-      !is_of_machine(input->second) || !is_of_machine(output->second) || range.count() < 1.0 ||
-      state.numbers[sag_enable_ + static_cast<std::size_t>(output->second)] == 0.0) {
-    return std::nullopt;
+  if (input == state.kept_data.end() || !is_of_machine(input->second) || range.count() < 1.0) {
+    return std::optional<Factor>();
   }
   if (range.count() > most_points(state, table)) {
     return failure(AlarmId::ValueOutOfLimits,
                    fmt::format("$AN_CEC[{}]: {:g} points, $MN_MM_CEC_MAX_POINTS says {}", table,
                                range.count(), most_points(state, table)));
   }
-  if (kept(state, SystemId::SagTableDirection, {table}) != 0.0 ||
-      kept(state, SystemId::SagTableFactor, {table}) != 0.0) {
-    return failure(
-        AlarmId::NotImplemented,
-        fmt::format("a table with $AN_CEC_DIRECTION[{0}] or $AN_CEC_MULT_BY_TABLE[{0}]", table));
+  return std::optional(factor_of(range, static_cast<int>(input->second), [&](int n) {
+    return weight * kept(state, SystemId::SagTable, {table, n});
+  }));
+}
+
+MaybeFailure CompensationData::add_sag_table(const ChannelState& state, int table,
+                                             Tables& tables) const {
+  const auto output = state.kept_data.find({SystemId::SagTableOutput, 0, {table}});
+  if (output == state.kept_data.end() || !is_of_machine(output->second) ||
+      state.numbers[sag_enable_ + static_cast<std::size_t>(output->second)] == 0.0) {
+    return std::nullopt;
   }
   const double weight = state.numbers[table_weight_ + static_cast<std::size_t>(table)];
-  tables.push_back(table_of(range, static_cast<int>(input->second),
-                            static_cast<int>(output->second), [&](int n) {
-                              return weight * kept(state, SystemId::SagTable, {table, n});
-                            }));
+  const auto own = sag_factor(state, table, kSense * weight);
+  if (!own) {
+    return own.error();
+  }
+  if (!own.value()) {
+    return std::nullopt;
+  }
+  machine::CompensationTable made;
+  made.compensated = static_cast<int>(output->second);
+  made.direction = static_cast<int>(kept(state, SystemId::SagTableDirection, {table}));
+  made.factors.push_back(*own.value());
+  if (const double number = kept(state, SystemId::SagTableFactor, {table}); number != 0.0) {
+    const auto other = sag_factor(state, static_cast<int>(number) - 1, 1.0);
+    if (!other) {
+      return other.error();
+    }
+    if (!other.value()) {
+      return failure(AlarmId::ValueOutOfLimits,
+                     fmt::format("$AN_CEC_MULT_BY_TABLE[{}]: there is no table of number {:g}",
+                                 table, number));
+    }
+    made.factors.push_back(*other.value());
+  }
+  tables.push_back(std::move(made));
   return std::nullopt;
 }
 

@@ -18,9 +18,12 @@ namespace g31::sinumerik {
 /// channel; this says what of it is in force.
 ///
 /// A positive value moves the axis in the negative direction.  Values are straight between the
-/// points and constant outside them; places are machine coordinates.  Source: Extended Functions
-/// 03/2013, 6FC5397-1BP40-3BA1, K3, 4.4; that $AN_CEC counts in the same sense as $AA_ENC_COMP is
-/// read off tables that a shop's tool writes.
+/// points and constant outside them; places are machine coordinates.  $AN_CEC_DIRECTION 1 or -1:
+/// the table counts while its input axis goes, or last went, that way.  $AN_CEC_MULT_BY_TABLE: the
+/// number (index + 1) of a table by whose value it is multiplied; the product takes the place of
+/// its own value, and the factor need not be switched on.  Source: Extended Functions 03/2013,
+/// 6FC5397-1BP40-3BA1, K3, 4.4, page 249; that $AN_CEC counts in the same sense as $AA_ENC_COMP is
+/// read off tables that a shop's tool writes, and that the product counts alone is decided here.
 class CompensationData {
  public:
   /// What an 828D has.
@@ -43,15 +46,19 @@ class CompensationData {
   [[nodiscard]] int most_points(const ChannelState& state, int table) const;
 
   /// The tables in force; nullopt: the same as the last time.
-  /// Fails for one that counts in one direction or is multiplied, and for one of too many points.
+  /// Fails for one of too many points, and for one that is multiplied by a table without points.
   Result<std::optional<std::vector<machine::CompensationTable>>, Failure> changed(
       const ChannelState& state);
 
  private:
   using Tables = std::vector<machine::CompensationTable>;
+  using Factor = machine::CompensationTable::Factor;
   [[nodiscard]] bool enabling_changed(const ChannelState& state);
   [[nodiscard]] MaybeFailure add_encoder_table(const ChannelState& state, int axis,
                                                Tables& tables) const;
+  /// What a table of $AN_CEC makes of its input axis, times a weight; nullopt: it has no points.
+  [[nodiscard]] Result<std::optional<Factor>, Failure> sag_factor(const ChannelState& state,
+                                                                  int table, double weight) const;
   [[nodiscard]] MaybeFailure add_sag_table(const ChannelState& state, int table,
                                            Tables& tables) const;
 

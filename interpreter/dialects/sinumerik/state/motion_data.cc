@@ -1,6 +1,8 @@
 #include "interpreter/dialects/sinumerik/state/motion_data.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 
@@ -20,6 +22,10 @@ MotionData::MotionData(const Globals& globals)
       stop_coarse_(globals.place("$MA_STOP_LIMIT_COARSE")),
       stop_factor_(globals.place("$MA_STOP_LIMIT_FACTOR")),
       jerk_(globals.place("$MA_MAX_AX_JERK")),
+      acceleration_(globals.place("$MA_MAX_AX_ACCEL")),
+      overload_(globals.place("$MA_MAX_ACCEL_OVL_FACTOR")),
+      clock_(globals.place("$MN_SYSCLOCK_CYCLE_TIME")),
+      clock_ratio_(globals.place("$MN_IPO_SYSCLOCK_TIME_RATIO")),
       stop_mode_(globals.place("$MC_EXACT_POS_MODE")),
       longest_compressed_(globals.place("$MC_COMPRESS_BLOCK_PATH_LIMIT")),
       codes_at_start_(globals.place("$MC_GCODE_RESET_VALUES")) {}
@@ -40,6 +46,8 @@ void MotionData::take(const machine::AxisData& of_machine, std::vector<double>& 
   }
   const auto jerk = numbers.begin() + static_cast<std::ptrdiff_t>(jerk_);
   jerk_at_start_.assign(jerk, jerk + kLinearAxisCount);
+  const auto overload = numbers.begin() + static_cast<std::ptrdiff_t>(overload_);
+  overload_at_start_.assign(overload, overload + kLinearAxisCount);
   changed(numbers);
 }
 
@@ -55,20 +63,30 @@ machine::AxisData MotionData::data_of(const std::vector<double>& numbers) const 
         numbers[jerk_ + i] >= 0.0) {
       data.jerk_per_s3[axis] = kMmPerMetre * numbers[jerk_ + i];
     }
+    if (is_linear_axis(static_cast<int>(i)) && numbers[overload_ + i] != overload_at_start_[i]) {
+      const double cycle_s = numbers[clock_] * numbers[clock_ratio_];
+      const double jump =
+          kMmPerMetre * numbers[acceleration_ + i] * (numbers[overload_ + i] - 1.0) * cycle_s;
+      data.corner_jump_per_s[axis] = std::max(0.0, jump);
+    }
   }
   return data;
 }
 
 std::optional<machine::AxisData> MotionData::changed(const std::vector<double>& numbers) {
-  constexpr std::size_t kKinds = 4;
+  constexpr std::size_t kKinds = 6;
   taken_.resize(kKinds * kAxisCount);
   bool is_other = false;
-  auto taken = taken_.begin();
-  for (const std::size_t place : {stop_fine_, stop_coarse_, stop_factor_, jerk_}) {
-    for (std::size_t i = 0; i < kAxisCount; ++i, ++taken) {
-      is_other = is_other || *taken != numbers[place + i];
-      *taken = numbers[place + i];
+  double* taken = taken_.data();
+  // Each block asks: bytes are compared faster than numbers.
+  constexpr std::size_t kBytes = kAxisCount * sizeof(double);
+  for (const std::size_t place :
+       {stop_fine_, stop_coarse_, stop_factor_, jerk_, acceleration_, overload_}) {
+    if (std::memcmp(taken, &numbers[place], kBytes) != 0) {
+      is_other = true;
+      std::memcpy(taken, &numbers[place], kBytes);
     }
+    taken += kAxisCount;
   }
   return is_other ? std::optional(data_of(numbers)) : std::nullopt;
 }

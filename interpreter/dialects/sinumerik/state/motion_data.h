@@ -10,7 +10,8 @@
 namespace g31::sinumerik {
 
 /// The machine data that say how smoothly axes move and where they have arrived: by their places
-/// among the numbers of a channel.
+/// among the numbers of a channel.  Source of MD32310: 828D function manual B1, 6FC5397-0BP40-2BA0,
+/// page 157.
 class MotionData {
  public:
   explicit MotionData(const Globals& globals);
@@ -35,16 +36,21 @@ class MotionData {
  private:
   [[nodiscard]] machine::AxisData data_of(const std::vector<double>& numbers) const;
 
-  std::size_t stop_fine_;    // place of MD36010
-  std::size_t stop_coarse_;  // of MD36000
-  std::size_t stop_factor_;  // of MD36012
-  std::size_t jerk_;         // of MD32431
-  std::size_t stop_mode_;    // of MD20550
+  std::size_t stop_fine_;     // place of MD36010
+  std::size_t stop_coarse_;   // of MD36000
+  std::size_t stop_factor_;   // of MD36012
+  std::size_t jerk_;          // of MD32431
+  std::size_t acceleration_;  // of MD32300
+  std::size_t overload_;      // of MD32310
+  std::size_t clock_;         // of MD10050
+  std::size_t clock_ratio_;   // of MD10070
+  std::size_t stop_mode_;     // of MD20550
   std::size_t longest_compressed_;
   std::size_t codes_at_start_;  // of MD20150
   machine::AxisData of_machine_;
   std::vector<double> taken_;  // of the data, when they were looked at last
   std::vector<double> jerk_at_start_;
+  std::vector<double> overload_at_start_;
 };
 
 }  // namespace g31::sinumerik
