@@ -203,6 +203,7 @@ struct CompiledProgram {
   Argument result;  ///< of a program that is one expression
   bool has_proc = false;
   bool has_wrong_proc = false;      ///< whose alarm comes before any of its arguments
+  bool reads_block_time = false;    ///< $AC_TIME
   bool saves_codes = false;         ///< SAVE
   bool hides_blocks = false;        ///< DISPLOF
   bool shows_actual_block = false;  ///< ACTBLOCNO

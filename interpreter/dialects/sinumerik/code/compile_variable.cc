@@ -184,6 +184,7 @@ std::vector<Argument> Accesses::system_indices(const SystemName& name) {
 
 Expr Accesses::system_access(const SystemName& name, ShortSpan where) {
   const std::vector<Argument> list = system_indices(name);
+  program_.reads_block_time = program_.reads_block_time || name.row->id == SystemId::BlockTime;
   Expr result;
   const bool component = name.row->type == Type::Frame && list.size() >= 2;
   result.type = component ? Type::Real : name.row->type;

@@ -280,7 +280,9 @@ MaybeFailure execute_block(Channel& channel, const Block& block) {
   if (channel.held_line && changes_held_line(block)) {
     return line_without_end(channel);
   }
-  channel.clocks.block_began = channel.port.time_s();
+  if (channel.clocks.block_began) {
+    channel.clocks.block_began = channel.port.time_s();
+  }
   take_codes(channel, block);
   if (MaybeFailure wrong = finish_passing_by(channel, block)) {
     return wrong;

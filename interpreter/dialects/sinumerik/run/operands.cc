@@ -22,6 +22,9 @@ void Operands::use_level() {
   banks_[1] = level().numbers.data();
   banks_[2] = channel_.numbers.data();
   banks_[3] = number_temporaries_.data();
+  if (program().reads_block_time && !channel_.clocks.block_began && !channel_.is_inspected()) {
+    channel_.clocks.block_began = channel_.port.time_s();
+  }
 }
 
 std::string& Operands::text(Operand place) {

@@ -159,7 +159,9 @@ struct Clocks {
     bool operator==(const Timer&) const = default;
   };
   std::array<Timer, kTimers> timers;  ///< $AC_TIMER
-  double block_began = 0.0;
+  /// When the last block of words began.  nullopt: no program that has run so far asks ($AC_TIME),
+  /// so no block looks at the clock, which costs more than the block where moves pass on.
+  std::optional<double> block_began;
   // What was written to these variables, less the time then.
   double operating_offset = 0.0;
   double cycle_offset = 0.0;

@@ -90,7 +90,10 @@ Number block_time(Channel& channel, const SystemAccess& /*access*/) {
   if (MaybeFailure wrong = finish_motion(channel)) {
     return *wrong;
   }
-  return running(channel) - channel.clocks.block_began;
+  if (!channel.clocks.block_began) {
+    return failure(AlarmId::NotImplemented, "$AC_TIME, as no program of this run reads it");
+  }
+  return running(channel) - *channel.clocks.block_began;
 }
 
 Number net_time(Channel& channel, const SystemAccess& /*access*/) {
