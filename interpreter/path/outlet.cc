@@ -47,6 +47,7 @@ std::optional<machine::MachineFault> Outlet::told(std::optional<machine::Machine
     const std::uint64_t number = std::bit_cast<Tag>(*fault->tag).number;
     observer_.on_moves_undone(moves_ - number);
     moves_ = number;
+    look_up_calls(number);
   }
   runtime::FaultEvent event;
   event.what = fault->what;
@@ -55,12 +56,40 @@ std::optional<machine::MachineFault> Outlet::told(std::optional<machine::Machine
   event.where = fault->tag ? place_of(*fault) : move ? move->where : source::Location();
   event.contact = fault->contact;
   event.view = view_of(fault->q_M_at, event.move ? event.move->q_M_to : fault->q_M_at);
+  if (fault->tag && late_calls_) {
+    event.view.calls = *late_calls_;
+  }
   observer_.on_fault(event);
   return fault;
 }
 
+void Outlet::remember_calls() {
+  // Control looks far fewer moves ahead.
+  constexpr std::size_t kMost = 4096;
+  calls_are_old_ = false;
+  calls_.push_back({moves_, view_of(port_.position(), port_.position()).calls});
+  if (calls_.size() > kMost) {
+    calls_.pop_front();
+  }
+}
+
+/// @param move  its number
+void Outlet::look_up_calls(std::uint64_t move) {
+  late_calls_.reset();
+  for (const CallsFrom& from : calls_) {
+    if (from.move <= move) {
+      late_calls_ = from.calls;
+    }
+  }
+}
+
 std::optional<machine::MachineFault> Outlet::stand_still() {
   port_.stand_still();
+  return told(port_.take_late_fault());
+}
+
+std::optional<machine::MachineFault> Outlet::come_to_rest() {
+  port_.come_to_rest();
   return told(port_.take_late_fault());
 }
 
@@ -79,6 +108,9 @@ std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const P
 
 std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
                                                   const OffsetPlane& plane) {
+  if (calls_are_old_ && block.ends == machine::BlockEnd::PassOn) {
+    remember_calls();
+  }
   const auto tag = std::bit_cast<machine::MoveTag>(Tag{moves_, block.where});
   const machine::AxisTransformPtr& transform = block.of_axes ? kUnled
                                                : block.leads ? block.leads

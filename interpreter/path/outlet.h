@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "interpreter/path/path_block.h"
 #include "interpreter/runtime/observer.h"
@@ -38,6 +40,17 @@ class Outlet {
 
   /// Waits until the axes stand.  @returns the fault of a move that passed on
   std::optional<machine::MachineFault> stand_still();
+  /// The same at the end of a program, when axes that lag still arrive.
+  std::optional<machine::MachineFault> come_to_rest();
+
+  /// A program level has begun or ended: moves from now on have other calls behind them.
+  void calls_changed() { calls_are_old_ = true; }
+
+  /// Of the last fault that was found late: the calls behind the block whose move it is, the
+  /// innermost first; nullopt: there was none, or they are not known any more.
+  [[nodiscard]] const std::optional<std::vector<runtime::CallSite>>& late_calls() const {
+    return late_calls_;
+  }
 
   /// Of a fault that was found late: the block whose move it is; not known: the present one.
   static source::Location place_of(const machine::MachineFault& fault);
@@ -69,12 +82,22 @@ class Outlet {
   [[nodiscard]] runtime::ProgramView view_of(const AxisPositions& q_M,
                                              const AxisPositions& q_M_commanded) const;
   void cut();
+  void remember_calls();
+  void look_up_calls(std::uint64_t move);
 
   // The clock is looked at where cutting begins and ends, not at each move: what passes on has no
   // time of its own.
   double cutting_s_ = 0.0;
   std::optional<double> cuts_since_s_;
   std::uint64_t moves_ = 0;  // that the observer has heard of
+  /// The calls behind moves that pass on, from one on.
+  struct CallsFrom {
+    std::uint64_t move = 0;
+    std::vector<runtime::CallSite> calls;
+  };
+  std::deque<CallsFrom> calls_;
+  std::optional<std::vector<runtime::CallSite>> late_calls_;
+  bool calls_are_old_ = true;
   machine::MachinePort& port_;
   runtime::Observer& observer_;
   View view_;

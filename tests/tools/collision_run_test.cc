@@ -176,5 +176,39 @@ TEST(Collision, OfALaggingAxisComesWithTheBlockThatWasCommandedThen) {
   EXPECT_EQ(output.document.at("moves").size(), 2U + 72U - 4U);
 }
 
+// The block to X-31 is met late, when the program has gone on in another level: the calls are those
+// behind that block.
+TEST(Collision, ThatIsFoundLateHasTheCallsOfItsBlock) {
+  const std::string to_wall = "X-33.\nX-32.\nX-31.\n";
+  const std::string further = "X-30.\nX-29.\nX-28.\nX-27.\n";
+  const std::string begin = "G00 X-100. Z-10.\nG05.1 Q1\nG01 F3000 X-34.\n";
+  struct Case {
+    std::string main, sub;
+    const char* place;
+    bool is_called;
+  };
+  const Case kCases[] = {{"M98 P2\n" + further, to_wall, "hit.nc:15:1", true},
+                         {to_wall + "M98 P2\n", further, "hit.nc:8:1", false}};
+  for (const Case& c : kCases) {
+    const RunOutput output = run_with("[machine.axes.X]\nservo_gain = 1.8\n",
+                                      begin + c.main + "M30\nO2\n" + c.sub + "M99\n");
+    EXPECT_EQ(output.exit_code, 4) << output.errors;
+    EXPECT_NE(output.errors.find(c.place), std::string::npos) << output.errors;
+    EXPECT_EQ(output.errors.find("called from O0001") != std::string::npos, c.is_called)
+        << output.errors;
+  }
+}
+
+// The command of the last block ends at when the ball, 1.667 mm behind it, is not yet at the
+// face; it gets there when the program is over.
+TEST(Collision, OfWhatStillLagsWhenTheProgramHasEnded) {
+  for (const auto& [end, exit_code] : {std::pair("X-33.1", 0), {"X-32.5", 4}}) {
+    const RunOutput output =
+        run_with("[machine.axes.X]\nservo_gain = 1.8\n",
+                 "G00 X-100. Z-10.\nG01 F3000 X-60.\n" + std::string(end) + "\n");
+    EXPECT_EQ(output.exit_code, exit_code) << output.errors;
+  }
+}
+
 }  // namespace
 }  // namespace g31::collision_run_test

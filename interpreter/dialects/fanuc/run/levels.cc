@@ -56,6 +56,7 @@ void Levels::repeat() {
   Frame& now = frame();
   now.step = now.first_step;
   for (const std::size_t depth : {stack_.depth() - 1, stack_.depth()}) {
+    control_.outlet.calls_changed();
     control_.watch.level_changed(depth, [&] { return name_of(*now.program); });
   }
 }
@@ -63,6 +64,7 @@ void Levels::repeat() {
 /// Another program runs from now on.
 void Levels::arrive() {
   control_.modal.word('O') = frame().program->number;
+  control_.outlet.calls_changed();
   control_.watch.level_changed(stack_.depth(), [&] { return name_of(*frame().program); });
 }
 

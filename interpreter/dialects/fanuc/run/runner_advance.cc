@@ -91,7 +91,7 @@ MaybeFailure Runner::come_to_rest(const MaybeFailure& reason) {
     return reason;
   }
   return guarded([&]() -> MaybeFailure {
-    const auto late = control_.outlet.stand_still();
+    const auto late = control_.outlet.come_to_rest();
     return late ? from_late_fault(control_, *late) : reason;
   });
 }
@@ -144,7 +144,8 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
   reason.where = failure.block.is_known() ? failure.block : present;
-  reason.calls = stack_.calls();
+  const auto& late_calls = control_.outlet.late_calls();
+  reason.calls = failure.block.is_known() && late_calls ? *late_calls : stack_.calls();
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
   control_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
   outcome.diagnostics.clear();

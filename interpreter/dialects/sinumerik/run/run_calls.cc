@@ -107,6 +107,7 @@ bool Calls::passes_over(const CallSite& site) {
 }
 
 void Calls::tell_level() {
+  channel_.outlet.calls_changed();
   channel_.watch.level_changed(stack_.depth(), [&] { return level().program->name; });
 }
 

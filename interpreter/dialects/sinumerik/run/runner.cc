@@ -140,6 +140,11 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
     reason.inside.push_back({stack_.level(i).program->name, place_in(i)});
   }
   reason.calls = stack_.calls_of(shown);
+  if (const auto& late_calls = channel_.outlet.late_calls(); late_calls && failure.where) {
+    reason.where = *failure.where;
+    reason.inside.clear();
+    reason.calls = *late_calls;
+  }
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
   channel_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
   outcome.diagnostics.clear();

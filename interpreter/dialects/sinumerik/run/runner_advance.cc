@@ -88,7 +88,7 @@ MaybeFailure Runner::come_to_rest(const MaybeFailure& reason) {
     return reason;
   }
   return guarded([&]() -> MaybeFailure {
-    const auto late = channel_.outlet.stand_still();
+    const auto late = channel_.outlet.come_to_rest();
     return late ? from_fault(*late) : reason;
   });
 }
