@@ -15,9 +15,32 @@ namespace g31::evaluate {
 namespace {
 
 constexpr std::size_t kColours = 4;
+/// Curves that can be told apart: the second four are dashed.
+constexpr std::size_t kNamed = 2 * kColours;
 
 std::string shown_unit(std::string_view unit) {
   return unit == "um" ? "µm" : unit == "um/m" ? "µm/m" : std::string(unit);
+}
+
+/// Its value to the second digit of its uncertainty.
+std::string value_of(const Quantity& quantity) {
+  const double value = *quantity.value + 0.0;
+  constexpr double kSmallest = 1e-9;
+  if (quantity.u && *quantity.u >= kSmallest && *quantity.u < 1.0) {
+    const int decimals = 1 - static_cast<int>(std::floor(std::log10(*quantity.u)));
+    const std::string text = fmt::format("{:.{}f}", value, decimals);
+    return text.find_first_of("123456789") == std::string::npos ? "0" : text;
+  }
+  return fmt::format("{:.{}g}", value, quantity.unit == "mm" ? 8 : 4);
+}
+
+std::string fact_of(const Quantity& quantity) {
+  std::string fact =
+      fmt::format("{} {} {}", quantity.name, value_of(quantity), shown_unit(quantity.unit));
+  if (quantity.u) {
+    fact += fmt::format(" (u {:.2g})", *quantity.u);
+  }
+  return fact;
 }
 
 plot::CurveTrace trace_of(const Curve& curve) {
@@ -44,9 +67,10 @@ std::vector<plot::CurveTrace> deviation_traces(const std::vector<Curve>& curves,
   std::vector<plot::CurveTrace> traces;
   for (const Curve& curve : curves) {
     plot::CurveTrace trace = trace_of(curve);
-    trace.style = plot::CurveStyle::Marked;
+    const bool is_second_row = traces.size() / kColours % 2 != 0;
+    trace.style = is_second_row ? plot::CurveStyle::Dashed : plot::CurveStyle::Marked;
     trace.colour = traces.size() % kColours;
-    trace.name = traces.size() < kColours ? legend_name(curve.name, language) : std::string();
+    trace.name = traces.size() < kNamed ? legend_name(curve.name, language) : std::string();
     traces.push_back(std::move(trace));
   }
   return traces;
@@ -65,16 +89,9 @@ plot::CurvePlot chart_of(const Evaluation& evaluation, plot::Language language) 
 std::vector<std::string> facts_of(const Evaluation& evaluation) {
   std::vector<std::string> facts;
   for (const Quantity& quantity : evaluation.results) {
-    if (!quantity.value) {
-      continue;
+    if (quantity.value) {
+      facts.push_back(fact_of(quantity));
     }
-    const int digits = quantity.unit == "mm" ? 8 : 4;
-    std::string fact = fmt::format("{} {:.{}g} {}", quantity.name, *quantity.value + 0.0, digits,
-                                   shown_unit(quantity.unit));
-    if (quantity.u) {
-      fact += fmt::format(" (u {:.2g})", *quantity.u);
-    }
-    facts.push_back(std::move(fact));
   }
   return facts;
 }
@@ -109,6 +126,10 @@ std::string stacked_chart(const Evaluation& evaluation, const std::vector<double
   for (std::size_t i = 0; i < evaluation.curves.size(); ++i) {
     plot::CurveTrace line{"", {}, plot::CurveStyle::Line, 0};
     plot::CurveTrace base{"", {}, plot::CurveStyle::Dashed, 3};
+    if (i == 0) {
+      line.name = text_of(plot::Word::Radius, language);
+      base.name = text_of(plot::Word::ItsAngle, language);
+    }
     for (const auto& [place, deviation] : evaluation.curves[i].points) {
       line.points.push_back({place, heights[i] + enlarged * deviation});
       base.points.push_back({place, heights[i]});
