@@ -112,13 +112,13 @@ TEST(CompensationFormats, FanucNumbersOfPointsAreThoseOfTheManual) {
 }
 
 // Of 0, 10, 16, 10, 0 um four places keep both ends, 16 and one of the 10: at the other one the
-// line from 16 to 0 has 8.
+// line from 16 to 0 has 8.  Coordinate -100 is where the section before the first one would end.
 TEST(CompensationFormats, FanucStraightnessHasFourPlaces) {
   EXPECT_THAT(table("straightness", "fanuc", kStraightness),
               HasSubstr("(FOUR PLACES LEAVE 2.0 UM OF THE CURVE)\n"));
   EXPECT_THAT(table("straightness", "fanuc", kStraightness),
-              HasSubstr("N3620 P1 R2\nN3621 P1 R2\nN3622 P1 R5\nN3624 P1 R100000\nN5711 R1\n"
-                        "N5721 R2\nN5731 R2\nN5732 R3\nN5733 R4\nN5734 R5\nN5761 R0\nN5762 R-10\n"
+              HasSubstr("N3620 P1 R2\nN3621 P1 R1\nN3622 P1 R5\nN3624 P1 R100000\nN5711 R1\n"
+                        "N5721 R2\nN5731 R1\nN5732 R2\nN5733 R3\nN5734 R5\nN5761 R0\nN5762 R-10\n"
                         "N5763 R-16\nN5764 R0\nG11\n"));
 }
 

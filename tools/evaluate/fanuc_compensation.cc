@@ -18,6 +18,7 @@ constexpr double kUnitsPerMm = 1000.0;
 constexpr double kMostNumber = 1023.0;  // of compensation points
 constexpr std::int64_t kMostPitchError = 7;
 constexpr std::int64_t kMostMagnification = 100;
+constexpr double kMostStraightness = 32767.0;  // of a value
 
 /// Numbers of the points of a moving axis: how far apart they are, and which is before coordinate
 /// 0.
@@ -55,10 +56,9 @@ PitchPoints points_of(const EvenTable& table) {
   return points;
 }
 
-/// The point of the section that begins at a place; of the last place, of the one that ends there.
+/// The point of the section that ends at a place, where its correction is whole.
 std::int64_t point_at(const PitchPoints& points, double place) {
-  return std::clamp(points.reference + section_from(place, points.interval) + 1, points.lowest,
-                    points.highest);
+  return points.reference + std::llround(place / points.interval);
 }
 
 std::string parameter(int number, int axis, std::int64_t value) {
@@ -94,13 +94,25 @@ std::int64_t largest(const std::vector<std::int64_t>& gains) {
   return most;
 }
 
-std::string pitch_errors(const MachineError& error, int axis) {
-  const EvenTable table = table_on_multiples(error.deviations, interval_of(error.deviations));
-  const PitchPoints points = points_of(table);
-  std::int64_t magnification = 1;
-  while (largest(gains_of(table, magnification)) > kMostPitchError) {
-    ++magnification;
+EvenTable pitch_table(const Curve& curve) {
+  return table_on_multiples(curve, interval_of(curve));
+}
+
+/// The smallest with which no gain is more than a point can have; nullopt: there is none.
+std::optional<std::int64_t> magnification_of(const EvenTable& table) {
+  for (std::int64_t magnification = 1; magnification <= kMostMagnification; ++magnification) {
+    if (largest(gains_of(table, magnification)) <= kMostPitchError) {
+      return magnification;
+    }
   }
+  return std::nullopt;
+}
+
+/// @pre why_no_fanuc_compensation() has nothing to say
+std::string pitch_errors(const MachineError& error, int axis) {
+  const EvenTable table = pitch_table(error.deviations);
+  const PitchPoints points = points_of(table);
+  const std::int64_t magnification = *magnification_of(table);
   const std::vector<std::int64_t> gains = gains_of(table, magnification);
   std::string text =
       fmt::format("(PITCH ERRORS OF {}, UNITS OF {} UM)\n", error.name[2], magnification) +
@@ -113,17 +125,18 @@ std::string pitch_errors(const MachineError& error, int axis) {
   return text;
 }
 
-/// Of four points, first and last among them, those whose lines leave least of the curve.
+/// Of four points of a table, first and last among them, those whose lines leave least of the
+/// curve.
 struct FourPoints {
   std::array<std::size_t, 4> at = {};
   double left = std::numeric_limits<double>::infinity();  ///< mm
 };
 
-double left_by(const Curve& curve, const std::array<std::size_t, 4>& at) {
+double left_by(const Curve& curve, const EvenTable& table, const std::array<std::size_t, 4>& at) {
   Curve lines;
   for (const std::size_t n : at) {
-    if (lines.points.empty() || curve.points[n][0] > lines.points.back()[0]) {
-      lines.points.push_back(curve.points[n]);
+    if (lines.points.empty() || table.place(n) > lines.points.back()[0]) {
+      lines.points.push_back({table.place(n), table.values[n]});
     }
   }
   const errors::ErrorTable straight = error_table(lines);
@@ -134,9 +147,9 @@ double left_by(const Curve& curve, const std::array<std::size_t, 4>& at) {
   return most;
 }
 
-FourPoints best_four(const Curve& curve) {
+FourPoints best_four(const Curve& curve, const EvenTable& table) {
   constexpr std::size_t kTried = 60;  // inner places: more would take seconds
-  const std::size_t last = curve.points.size() - 1;
+  const std::size_t last = table.values.size() - 1;
   const std::size_t stride = std::max<std::size_t>(1, last / kTried);
   FourPoints best;
   // Fewer than four points serve twice.
@@ -144,7 +157,7 @@ FourPoints best_four(const Curve& curve) {
   for (std::size_t b = apart; b + 2 * apart <= last; b += stride) {
     for (std::size_t c = b + apart; c + apart <= last; c += stride) {
       const std::array<std::size_t, 4> at = {0, b, c, last};
-      const double left = left_by(curve, at);
+      const double left = left_by(curve, table, at);
       if (left < best.left) {
         best = {at, left};
       }
@@ -154,9 +167,10 @@ FourPoints best_four(const Curve& curve) {
 }
 
 std::string straightness(const MachineError& error, int moving, int compensated) {
-  const PitchPoints points =
-      points_of(table_on_multiples(error.deviations, interval_of(error.deviations)));
-  const FourPoints four = best_four(error.deviations);
+  const EvenTable table = pitch_table(error.deviations);
+  PitchPoints points = points_of(table);
+  points.lowest = std::min(points.lowest, point_at(points, table.first));
+  const FourPoints four = best_four(error.deviations, table);
   const char moving_axis = error.name[2];
   std::string text =
       fmt::format("(STRAIGHTNESS OF {} BY THE PLACE OF {}, UNITS OF 1 UM)\n", error.name[1],
@@ -168,12 +182,11 @@ std::string straightness(const MachineError& error, int moving, int compensated)
       parameter(3624, moving, std::llround(points.interval * kUnitsPerMm)) +
       fmt::format("N5711 R{}\nN5721 R{}\n", moving, compensated);
   for (std::size_t n = 0; n < four.at.size(); ++n) {
-    const double place = error.deviations.points[four.at[n]][0];
-    text += fmt::format("N{} R{}\n", 5731 + n, point_at(points, place));
+    text += fmt::format("N{} R{}\n", 5731 + n, point_at(points, table.place(four.at[n])));
   }
   for (std::size_t n = 0; n < four.at.size(); ++n) {
-    const double deviation = error.deviations.points[four.at[n]][1];
-    text += fmt::format("N{} R{}\n", 5761 + n, std::llround(-deviation * kUnitsPerMm));
+    text +=
+        fmt::format("N{} R{}\n", 5761 + n, std::llround(-table.values[four.at[n]] * kUnitsPerMm));
   }
   return text;
 }
@@ -191,14 +204,14 @@ std::optional<std::string> why_no_fanuc_compensation(const MachineError& error) 
         "a Fanuc has points 0 to 1023, and places {} mm apart would need more: leave out rows",
         interval);
   }
-  double most = 0.0;
-  for (const auto& [place, deviation] : curve.points) {
-    most = std::max(most, std::abs(deviation));
+  if (error.name[1] == error.name[2] && !magnification_of(pitch_table(curve))) {
+    return fmt::format("a Fanuc corrects {} um from one point to the next at most",
+                       kMostPitchError * kMostMagnification);
   }
-  const auto units = kMostPitchError * kMostMagnification;
-  constexpr double kRounding = 1e-6;  // of decimals in a record, um
-  if (2.0 * most * kUnitsPerMm >= static_cast<double>(units) - kRounding) {
-    return fmt::format("a Fanuc corrects less than {} um from one point to the next", units);
+  for (const auto& [place, deviation] : curve.points) {
+    if (std::abs(deviation) * kUnitsPerMm > kMostStraightness) {
+      return fmt::format("a Fanuc corrects {} um at most", kMostStraightness);
+    }
   }
   return std::nullopt;
 }

@@ -15,6 +15,7 @@ std::optional<std::string> why_no_fanuc_compensation(const MachineError& error);
 /// to 5734, 5761 to 5764), which knows four places: those of the curve that leave least.
 /// A pitch error is what the correction gains from one multiple of the interval to the next, at the
 /// number of that section, 3620 being the one before machine coordinate 0.
+/// The correction of a straightness point is whole where its section ends towards positive places.
 /// Source: parameter manual B-63980EN/01 pages 99 and 100 (pitch errors); what straightness and G10
 /// L52 read is from general knowledge of the 30i.
 std::string fanuc_compensation(const MachineError& error);

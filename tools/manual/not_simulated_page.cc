@@ -21,9 +21,8 @@ finds both before (NC007).
 * Surfaces are the mesh, but for a sphere by its shape: no roughness, no dirt and no oil; `sagitta` and `step_sagitta`
   say how fine.
 * Positioning errors, squareness, backlash, friction and lag are those of the sheet; nothing vibrates, nothing wears.
-* Compensation tables move the axes as their values say, without a limit of their sum: $AA_ENC_COMP, $AN_CEC (those of
-  one direction, and products of two, are refused), a Fanuc's pitch errors of linear axes.  A Fanuc's straightness
-  compensation (parameters 5711 to 5784) is kept and does nothing.
+* Compensation tables move the axes as their values say, without a limit of their sum: $AA_ENC_COMP, $AN_CEC, a
+  Fanuc's pitch errors and straightness of linear axes.
 * A probe fails as `probe.state` says; radio or optical transmission and its range are not there.
 * Doors, pallets, tool changers, coolant, chips and bar feeders are not there: M codes that g31 does not know do nothing.
 * Nobody is there: what waits for an operator goes on (stops are listed) or ends the run (PRB604).  Inputs come from

@@ -92,6 +92,19 @@ MaybeFailure straight(Control& control, const AxisPositions& q_L_end, int g) {
   return std::nullopt;
 }
 
+/// 1730 to 1732: so that the acceleration to the centre is the same on every arc.
+/// Source: A-63512EN, page 9.
+double feed_on_arc(const Control& control, double feed_mm_min, double radius) {
+  const double most = control.parameters.get(ParameterId::ArcFeed);
+  const double of_radius = control.parameters.get(ParameterId::ArcFeedRadius);
+  if (control.contour_control() != machine::ContourControl::FeedForward || !(most > 0.0) ||
+      !(of_radius > 0.0)) {
+    return feed_mm_min;
+  }
+  const double least = control.parameters.get(ParameterId::LeastArcFeed);
+  return std::min(feed_mm_min, std::max(least, most * std::sqrt(radius / of_radius)));
+}
+
 /// Moves along the arc and tells the observer.
 MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d& centre) {
   const auto feed = feed_in_force(control);
@@ -106,7 +119,8 @@ MaybeFailure move_along(Control& control, const Arc& arc, const Eigen::Vector2d&
   block.q_M_end = control.coordinates.work_to_path(arc.q_W_end);
   block.arc = path::ArcShape{{q_B_centre[arc.plane.first], q_B_centre[arc.plane.second]}, arc.turn};
   block.g = arc.turn == Turn::Clockwise ? 2 : 3;
-  block.feed_mm_min = switched_feed(control, feed.value());
+  const double radius = (in_plane(arc.q_W_start, arc.plane) - centre).norm();
+  block.feed_mm_min = feed_on_arc(control, switched_feed(control, feed.value()), radius);
   block.where = control.block;
   block.ends = control.feed_end();
   block.contour_control = control.contour_control();

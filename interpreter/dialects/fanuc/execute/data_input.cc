@@ -99,8 +99,7 @@ MaybeFailure record_tool_life(Control& control, const BlockWords& words) {
 MaybeFailure execute_data_block(Control& control, const BlockWords& words) {
   if (ends_input(words)) {
     control.data_input = DataInput::None;
-    control.tell_machine();
-    return std::nullopt;
+    return control.tell_machine();
   }
   return control.data_input == DataInput::Parameters ? set_parameter(control, words)
                                                      : record_tool_life(control, words);

@@ -61,6 +61,12 @@ std::string name_of_system(int which) {
                                           : fmt::format("G54.1 P{}", which - Coordinates::kSystems);
 }
 
+void tell_machine(Control& control, std::vector<runtime::RefusedSetting>& refused) {
+  if (const MaybeFailure contradiction = control.tell_machine()) {
+    refused.push_back({"parameters", contradiction->detail});
+  }
+}
+
 std::vector<runtime::RefusedSetting> configure_offsets(Control& control,
                                                        const runtime::ControlSetup& setup) {
   std::vector<runtime::RefusedSetting> refused;
@@ -161,7 +167,6 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   fill_kinematics(parameters, setup.kinematics);
   control.take_kinematics(setup.kinematics);
   control.apply(parameters);
-  control.tell_machine();
   if (!setup.increment.empty()) {
     control.scale.set_increment_system(setup.increment);
   }
@@ -173,6 +178,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   control.sensor_words = setup.sensor_words;
   control.lookahead.set_depth(setup.lookahead_blocks);
   refused = configure_offsets(control, setup);
+  tell_machine(control, refused);
   for (const auto& [name, datum] : setup.data) {
     refused.push_back({"data." + name, "machine data and user data are of SINUMERIK"});
   }

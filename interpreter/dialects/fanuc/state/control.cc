@@ -1,11 +1,13 @@
 #include "interpreter/dialects/fanuc/state/control.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/state/believed_chain.h"
 #include "interpreter/dialects/fanuc/state/pitch_errors.h"
+#include "interpreter/dialects/fanuc/state/straightness.h"
 
 namespace g31::fanuc {
 namespace {
@@ -183,21 +185,39 @@ void Control::apply(const Parameters& given) {
   }
 }
 
-void Control::tell_machine() {
+MaybeFailure Control::tell_machine() {
   constexpr double kMmPerUnit = 0.001;
+  constexpr double kSecondsPerMinute = 60.0;
+  constexpr double kMsPerSecond = 1000.0;
   machine::AxisData told = of_machine_;
   for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
     const double width = parameters.get_for_axis(ParameterId::InPositionWidth, 0, axis);
     if (width > 0.0) {
       told.stop_fine[axis] = kMmPerUnit * width;
     }
+    const double jump = parameters.get_for_axis(ParameterId::CornerJump, 0, axis);
+    if (jump > 0.0) {
+      told.corner_jump_per_s[axis] = jump / kSecondsPerMinute;
+    }
+    const double time_ms = parameters.get_for_axis(ParameterId::FeedTimeConstant, 0, axis);
+    told.filter_s[axis] = std::max(0.0, time_ms) / kMsPerSecond;
   }
+  told.feed_filter = parameters.is_on(ParameterId::BellFilter) ? machine::FeedFilter::Bell
+                     : parameters.is_on(ParameterId::LinearFilter)
+                         ? machine::FeedFilter::Linear
+                         : machine::FeedFilter::Exponential;
   port.set_axis_data(told);
-  const auto tables = pitch_error_tables(parameters);
+  const auto straightness = straightness_tables(parameters);
+  if (!straightness) {
+    return straightness.error();
+  }
+  auto tables = pitch_error_tables(parameters);
+  tables.insert(tables.end(), straightness.value().begin(), straightness.value().end());
   if (!tables.empty() || compensates_) {
     compensates_ = !tables.empty();
     port.compensate(tables);
   }
+  return std::nullopt;
 }
 
 void Control::set_offset_memory(OffsetMemory memory) {

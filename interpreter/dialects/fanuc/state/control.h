@@ -102,8 +102,9 @@ struct Control : ControlState {
   void take_kinematics(const machine::AxisChainSetup& sheet) { sheet_kinematics_ = sheet; }
   /// Takes over parameters and what they change.
   void apply(const Parameters& given);
-  /// The machine compensates, and axes have arrived, as the parameters say now.
-  void tell_machine();
+  /// The machine compensates, and axes have arrived, as the parameters say now.  Fails where they
+  /// contradict each other; the tables that were in force stay then.
+  MaybeFailure tell_machine();
   /// Tool offset memory A, B or C, and with it the numbers of the offset variables.
   void set_offset_memory(OffsetMemory memory);
   /// G20, G21
