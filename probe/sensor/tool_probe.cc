@@ -311,7 +311,7 @@ double ToolProbe::way_of_turning(const Touch& touch, const machine::Sweep& sweep
   outline.face_half = 0.5 * Eigen::Vector2d(setup_.size_mm[0], setup_.size_mm[1]);
   const double reached_s = now_s_ + gone / speed_mm_s;
   const Turning turning{spindle_.angle_deg(reached_s), spindle_.rate_deg_s(), speed_mm_s};
-  return way_to_first_tooth(held_->setup, outline, turning)
+  return way_to_first_tooth(held_->setup.teeth, held_->shape.profiles, outline, turning)
       .value_or(std::numeric_limits<double>::infinity());
 }
 

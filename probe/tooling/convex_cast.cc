@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "machine/base/contract.h"
+#include "probe/tooling/contact_portal.h"
 #include "probe/tooling/nearest_of_simplex.h"
 
 namespace g31::probe {
@@ -47,8 +48,6 @@ class Cast {
   void refine();
   bool try_normal(const Point& n);
   void snap(const PlacedShape& shape);
-  void follow_curve();
-  [[nodiscard]] Point wandering(const Point& off) const;
   [[nodiscard]] bool is_level(const Point& along) const { return std::abs(n_.dot(along)) < kLevel; }
 
   const PlacedShape& target_;
@@ -106,13 +105,14 @@ bool Cast::search() {
 }
 
 /// What the search ends with is off by rounding where shapes are long: the last plane is made that
-/// of a flat side, or follows the curve.  No plane is entered after the contact, so later is
-/// truer.
+/// of a flat side, then the true one.
 void Cast::refine() {
   n_.normalize();
   snap(target_);
   snap(moving_);
-  follow_curve();
+  const EntryPlane entry = true_entry(target_, moving_, way_, {n_, fraction_});
+  n_ = entry.n;
+  fraction_ = entry.fraction;
 }
 
 /// Takes a normal whose plane the way enters later than that of the present one.
@@ -142,45 +142,6 @@ void Cast::snap(const PlacedShape& shape) {
       try_normal((n_ - share * along).normalized());
     }
   }
-}
-
-/// The support point of a curved side wanders with the normal, as far as its radius says; this is
-/// found on the way.
-void Cast::follow_curve() {
-  constexpr int kMostTries = 12;
-  constexpr double kFirstRadiusMm = 20.0;
-  double per_mm = 1.0 / kFirstRadiusMm;
-  Point off = wandering(fraction_ * way_ - furthest(n_).p);
-  for (int i = 0; i < kMostTries && off.norm() > kMetMm; ++i) {
-    const Point n_before = n_;
-    const Point n = (n_ + per_mm * off).normalized();
-    const bool is_better = try_normal(n);
-    const double towards = n.dot(way_);
-    if (towards >= 0.0) {
-      return;
-    }
-    const Point p = furthest(n).p;
-    const Point next = wandering(n.dot(p) / towards * way_ - p);
-    const Point turned = n - n_before;
-    const double wandered = -turned.dot(next - off);
-    per_mm = wandered > 0.0 ? turned.squaredNorm() / wandered : 0.25 * per_mm;
-    off = is_better ? next : off;
-  }
-}
-
-/// Without what lies along sides that are level with the normal: there the support point is at any
-/// of their ends.
-Point Cast::wandering(const Point& off) const {
-  Point left = off;
-  for (const PlacedShape* const shape : {&target_, &moving_}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      const Point along = shape->turn.col(axis);
-      if (is_level(along)) {
-        left -= left.dot(along) * along;
-      }
-    }
-  }
-  return left;
 }
 
 }  // namespace

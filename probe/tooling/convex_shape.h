@@ -40,6 +40,10 @@ struct InsertPlate {
 /// place.
 using ConvexShape = std::variant<Blade, Box, ProbeSection, InsertPlate>;
 
+/// The point of the blade in its plane that lies furthest in a direction of that plane.
+/// @param asked  its share along the plane, not negative where the blade faces what is asked about
+Blade::Radial furthest_of(const Blade& blade, const Blade::Radial& asked);
+
 /// The point of the shape, in its own frame, that lies furthest in a direction.
 /// @param direction  of any length but 0
 Point furthest_of(const ConvexShape& shape, const Point& direction);

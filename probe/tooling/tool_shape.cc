@@ -183,6 +183,15 @@ Tooth outline_of(const ToolSetup& tool) {
   return outline;
 }
 
+TeethProfiles profiles_of(const ToolSetup& tool) {
+  TeethProfiles profiles;
+  for (const Tooth& tooth : tool.teeth) {
+    profiles.of_teeth.push_back(profile_of(tooth, tool));
+  }
+  profiles.outline = profile_of(outline_of(tool), tool);
+  return profiles;
+}
+
 ToolShape shape_of(const ToolSetup& tool) {
   G31_EXPECTS(tool.kind != ToolKind::Probe);
   ToolShape shape;
@@ -204,6 +213,7 @@ ToolShape shape_of(const ToolSetup& tool) {
       shape.still.emplace_back(blade_of(tooth, tool));
     }
     shape.envelope = envelope_of(outline_of(tool), tool);
+    shape.profiles = profiles_of(tool);
   }
   for (ProbeSection body : tool.bodies) {
     body.p_S += shape.p_T_tip;

@@ -8,14 +8,21 @@
 
 namespace g31::probe {
 
+/// The teeth of a tool that turns, each as if its plane were that of X.
+struct TeethProfiles {
+  std::vector<Blade> of_teeth;  ///< in the order of the teeth; empty: there are none
+  Blade outline;                ///< of the widest and longest of them together
+};
+
 /// A tool as convex pieces in the frame of the gauge point: Z along its axis, the tool below, mm.
 struct ToolShape {
   std::vector<ConvexShape> still;     ///< as it stands at spindle angle 0: blades, or what is round
   std::vector<ConvexShape> envelope;  ///< what it takes up while it turns
   std::vector<ConvexShape> bodies;    ///< chuck and shank
-  std::vector<ConvexShape> edges;     ///< of an insert, as thin rods, for what asks about meshes
-  Point p_T_tip = Point::Zero();  ///< lowest point on the axis, of an insert its theoretical tip
-  double reach_mm = 0.0;          ///< no point of it is farther from the tip
+  TeethProfiles profiles;
+  std::vector<ConvexShape> edges;  ///< of an insert, as thin rods, for what asks about meshes
+  Point p_T_tip = Point::Zero();   ///< lowest point on the axis, of an insert its theoretical tip
+  double reach_mm = 0.0;           ///< no point of it is farther from the tip
 };
 
 /// The pieces of a tool.  Cutting edges are idealised: a tooth is a flat blade from the axis out,
@@ -36,6 +43,9 @@ Blade blade_of(const Tooth& tooth, const ToolSetup& tool);
 
 /// The same, its plane that of X.
 Blade profile_of(const Tooth& tooth, const ToolSetup& tool);
+
+/// @pre it has teeth
+TeethProfiles profiles_of(const ToolSetup& tool);
 
 /// The widest and longest of the teeth together.  @pre it has teeth
 Tooth outline_of(const ToolSetup& tool);

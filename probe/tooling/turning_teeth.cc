@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -30,28 +31,36 @@ struct Facing {
   double direction_deg = 0.0;
 };
 
+/// Steeper than this from the axis a touch comes from the side, less steep from above; in between
+/// is an edge of the target.
+constexpr double kFromTheSide = 0.99;
+constexpr double kFromAbove = 0.01;
+
 /// One tooth against the tangent plane.
 class PassingTooth {
  public:
-  PassingTooth(const Tooth& tooth, const Blade& blade, const OutlineTouch& touch,
+  PassingTooth(const Tooth& tooth, const Blade& profile, const OutlineTouch& touch,
                const Turning& turning, const Facing& facing)
-      : tooth_(tooth), blade_(blade), touch_(touch), turning_(turning), facing_(facing) {
-    blade_.direction = facing.direction;
-    p_T_furthest_ = furthest_of(blade_, -touch.n_T);
+      : tooth_(tooth), blade_(profile), touch_(touch), turning_(turning), facing_(facing) {
+    const Blade::Radial asked(facing.across, -touch.n_T.z());
+    const Blade::Radial furthest = furthest_of(profile, asked);
+    radius_ = furthest.x();
+    furthest_ = asked.dot(furthest);
   }
 
   /// How far it reaches towards the target where it faces it.
-  [[nodiscard]] double furthest() const { return -touch_.n_T.dot(p_T_furthest_); }
+  [[nodiscard]] double furthest() const { return furthest_; }
+
+  /// Whether the spindle brings it to the target within a turn, once it is deep enough.
+  [[nodiscard]] bool comes_within_a_turn() const { return !is_from_above() && !passes_above(); }
 
   /// Seconds after it is deep enough to touch, where the spindle has brought it.
   /// @param from_s  when it is so, after the touch of the outline
   [[nodiscard]] std::optional<double> wait_s(double from_s) const {
-    constexpr double kFromTheSide = 0.99;
     if (is_from_above()) {
       return wait_above_s(from_s);
     }
-    const bool passes_above = facing_.across > kFromTheSide && -tooth_.length_mm >= touch_.z_T_top;
-    return passes_above ? std::nullopt : std::optional(wait_at_side_s(from_s));
+    return passes_above() ? std::nullopt : std::optional(wait_at_side_s(from_s));
   }
 
   /// It cannot touch sooner than so many seconds after it is deep enough.
@@ -71,9 +80,10 @@ class PassingTooth {
     return ahead - kFullTurnDeg * std::floor(ahead / kFullTurnDeg);
   }
 
-  [[nodiscard]] bool is_from_above() const {
-    constexpr double kFromAbove = 0.01;
-    return facing_.across <= kFromAbove;
+  [[nodiscard]] bool is_from_above() const { return facing_.across <= kFromAbove; }
+
+  [[nodiscard]] bool passes_above() const {
+    return facing_.across > kFromTheSide && -tooth_.length_mm >= touch_.z_T_top;
   }
 
   /// From when to when it may touch a side: until it points to the face, for as the feed deepens
@@ -84,7 +94,7 @@ class PassingTooth {
     // How long before it faces the plate a shallow cut begins; a deep one may take half the turn.
     const double turn = kRadPerDeg * rate;
     const double shallow_s =
-        std::sqrt(2.0 * facing_.inwards_mm_s * passes_s / (radius() * facing_.across)) / turn;
+        std::sqrt(2.0 * facing_.inwards_mm_s * passes_s / (radius_ * facing_.across)) / turn;
     constexpr double kMargin = 1.5;
     constexpr double kShallow = 2.0;  // rad: 1 - cos is a third of the square at least
     const bool is_shallow = kMargin * shallow_s * turn < kShallow;
@@ -92,13 +102,11 @@ class PassingTooth {
     return {std::max(0.0, passes_s - before_s), passes_s};
   }
 
-  [[nodiscard]] double radius() const { return p_T_furthest_.head<2>().norm(); }
-
   [[nodiscard]] double wait_at_side_s(double from_s) const {
     auto [early, late] = sight_s(from_s);
     const double passes_s = late;
     const double turn = kRadPerDeg * std::abs(turning_.rate_deg_s);
-    const double reach = radius() * facing_.across;
+    const double reach = radius_ * facing_.across;
     constexpr double kExact_s = 1e-13;
     while (late - early > kExact_s + 1e-15 * late) {
       const double middle = 0.5 * (early + late);
@@ -182,57 +190,104 @@ class PassingTooth {
   }
 
   const Tooth& tooth_;
-  Blade blade_;  // as it faces the target
+  const Blade& blade_;
   const OutlineTouch& touch_;
   const Turning& turning_;
   const Facing& facing_;
-  Point p_T_furthest_ = Point::Zero();
+  double radius_ = 0.0;  // of its point that is furthest towards the target
+  double furthest_ = 0.0;
 };
 
 /// A tooth that may touch, and after what way of the tool at the soonest.
 struct Candidate {
-  PassingTooth tooth;
-  double from_s;
-  double soonest_mm;
+  std::size_t tooth = 0;
+  double from_s = 0.0;
+  double soonest_mm = 0.0;
+};
+
+/// The teeth of a tool that turns against one tangent plane.
+class TeethInTurn {
+ public:
+  TeethInTurn(const std::vector<Tooth>& teeth, const TeethProfiles& profiles,
+              const OutlineTouch& touch, const Turning& turning)
+      : teeth_(teeth),
+        profiles_(profiles),
+        touch_(touch),
+        turning_(turning),
+        facing_(touch, turning) {}
+
+  std::optional<double> way_to_first() {
+    find_candidates();
+    // The likely one goes first: most of the others then cannot be.
+    const auto likely = std::ranges::min_element(candidates_, {}, &Candidate::soonest_mm);
+    if (likely == candidates_.end()) {
+      return std::nullopt;
+    }
+    take(*likely);
+    for (const Candidate& candidate : candidates_) {
+      if (&candidate != &*likely) {
+        take(candidate);
+      }
+    }
+    return first_;
+  }
+
+ private:
+  [[nodiscard]] PassingTooth passing(std::size_t i) const {
+    return {teeth_[i], profiles_.of_teeth[i], touch_, turning_, facing_};
+  }
+
+  /// All that the first tooth may be: what is deep enough only when another one has surely come is
+  /// none of them.
+  void find_candidates() {
+    const double turn_s = kFullTurnDeg / std::abs(turning_.rate_deg_s);
+    const double inwards = -touch_.n_T.dot(touch_.way_T);
+    const Blade::Radial asked(facing_.across, -touch_.n_T.z());
+    const double outline = asked.dot(furthest_of(profiles_.outline, asked));
+    candidates_.reserve(teeth_.size());
+    double surely_s = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < teeth_.size(); ++i) {
+      const PassingTooth tooth = passing(i);
+      const double from_s = (outline - tooth.furthest()) / inwards / turning_.speed_mm_s;
+      candidates_.push_back({i, from_s, 0.0});
+      if (tooth.comes_within_a_turn()) {
+        surely_s = std::min(surely_s, from_s + turn_s);
+      }
+    }
+    std::erase_if(candidates_, [&](const Candidate& one) { return one.from_s > surely_s; });
+    for (Candidate& one : candidates_) {
+      one.soonest_mm =
+          turning_.speed_mm_s * (one.from_s + passing(one.tooth).soonest_s(one.from_s));
+    }
+  }
+
+  void take(const Candidate& candidate) {
+    if (first_ && candidate.soonest_mm >= *first_) {
+      return;
+    }
+    if (const auto wait = passing(candidate.tooth).wait_s(candidate.from_s)) {
+      const double way = turning_.speed_mm_s * (candidate.from_s + *wait);
+      first_ = first_ ? std::min(*first_, way) : way;
+    }
+  }
+
+  const std::vector<Tooth>& teeth_;
+  const TeethProfiles& profiles_;
+  const OutlineTouch& touch_;
+  const Turning& turning_;
+  Facing facing_;
+  std::vector<Candidate> candidates_;
+  std::optional<double> first_;  // mm of the tool's way
 };
 
 }  // namespace
 
-std::optional<double> way_to_first_tooth(const ToolSetup& tool, const OutlineTouch& touch,
+std::optional<double> way_to_first_tooth(const std::vector<Tooth>& teeth,
+                                         const TeethProfiles& profiles, const OutlineTouch& touch,
                                          const Turning& turning) {
   G31_EXPECTS(turning.rate_deg_s != 0.0 && turning.speed_mm_s > 0.0);
-  const double inwards = -touch.n_T.dot(touch.way_T);
-  const Facing facing(touch, turning);
-  const Tooth widest = outline_of(tool);
-  const double outline =
-      PassingTooth(widest, profile_of(widest, tool), touch, turning, facing).furthest();
-  std::vector<Candidate> candidates;
-  candidates.reserve(tool.teeth.size());
-  for (const Tooth& tooth : tool.teeth) {
-    const PassingTooth passing(tooth, profile_of(tooth, tool), touch, turning, facing);
-    const double from_s = (outline - passing.furthest()) / inwards / turning.speed_mm_s;
-    candidates.push_back(
-        {passing, from_s, turning.speed_mm_s * (from_s + passing.soonest_s(from_s))});
-  }
-  std::optional<double> first;
-  const auto take = [&](const Candidate& candidate) {
-    if (first && candidate.soonest_mm >= *first) {
-      return;
-    }
-    if (const auto wait = candidate.tooth.wait_s(candidate.from_s)) {
-      const double way = turning.speed_mm_s * (candidate.from_s + *wait);
-      first = first ? std::min(*first, way) : way;
-    }
-  };
-  // The likely one goes first: most of the others then cannot be.
-  const auto likely = std::ranges::min_element(candidates, {}, &Candidate::soonest_mm);
-  take(*likely);
-  for (const Candidate& candidate : candidates) {
-    if (&candidate != &*likely) {
-      take(candidate);
-    }
-  }
-  return first;
+  G31_EXPECTS(!teeth.empty() && teeth.size() == profiles.of_teeth.size());
+  return TeethInTurn(teeth, profiles, touch, turning).way_to_first();
 }
 
 }  // namespace g31::probe

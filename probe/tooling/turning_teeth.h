@@ -1,11 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "machine/units/point.h"
 #include "probe/tooling/tool_setup.h"
+#include "probe/tooling/tool_shape.h"
 
 namespace g31::probe {
 
@@ -36,8 +38,10 @@ struct OutlineTouch {
 /// The target is taken as its tangent plane at the contact: exact on flat sides, from above within
 /// a 360th of the feed per revolution, within (F/n)^2 / 2R on a round one of radius R for the feed
 /// per revolution F/n.
+/// @param profiles  of these teeth, of which there is one at least
 /// @return nullopt: none comes there, for all are too short
-std::optional<double> way_to_first_tooth(const ToolSetup& tool, const OutlineTouch& touch,
+std::optional<double> way_to_first_tooth(const std::vector<Tooth>& teeth,
+                                         const TeethProfiles& profiles, const OutlineTouch& touch,
                                          const Turning& turning);
 
 }  // namespace g31::probe
