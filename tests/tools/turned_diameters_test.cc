@@ -174,13 +174,29 @@ TEST(TurnedDiameters, OneAndTwoPointsInside) {
   });
 }
 
+const std::string kWithY =
+    "[machine]\ntool_side = \"ZXY\"\n[machine_data]\n\"$MCS_TECHNOLOGY\" = 1\n"
+    "\"$MCS_MEA_FUNCTION_MASK\" = 65538\n[variables]\n\"$SNS_MEA_WP_TRIG_PLUS_DIR_AX3[0]\" = 3.0\n"
+    "\"$SNS_MEA_WP_TRIG_MINUS_DIR_AX3[0]\" = -3.0\n";
+
+/// A stylus along X stands in the groove; it measures in Y and goes round the part above the
+/// shoulders.
+TEST(TurnedDiameters, TheGrooveOutsideByTwoPoints) {
+  on_both_spindles([](const Spindle& spindle, const Counting& count) {
+    const Section groove = kOutside[3];
+    const std::string in = fmt::format("G0 {}\nY60\nZ{:.1f}\nX0", count.x(60.0), groove.z);
+    const std::string out = fmt::format("G0 Y-60\n{}\nY0", count.x(60.0));
+    Readings all;
+    all.add(in, "CYCLE994(1002,,,1,36,3,50,90,3,5)", out, groove.diameter);
+    all.add(in, "CYCLE994(2002,,,1,36,3,50,80,3,5)", out, groove.diameter);
+    all.add(in, "CYCLE974(2,,,1,36,3,3,5)", "G0 Y60", groove.diameter);
+    expect_readings(fmt::format("{} {}\nG0 Z20\n{}", spindle.offset, count.code, all.program),
+                    {kProbeToMinusX, kCalibrated, shaft(spindle), kWithY}, all.values);
+  });
+}
+
 /// With Y the probe measures in it, and goes round the part in it.
 TEST(TurnedDiameters, WithY) {
-  const std::string sheet =
-      "[machine]\ntool_side = \"ZXY\"\n[machine_data]\n\"$MCS_TECHNOLOGY\" = 1\n"
-      "\"$MCS_MEA_FUNCTION_MASK\" = 65538\n[variables]\n\"$SNS_MEA_WP_TRIG_PLUS_DIR_AX3[0]\" = "
-      "3.0\n"
-      "\"$SNS_MEA_WP_TRIG_MINUS_DIR_AX3[0]\" = -3.0\n";
   Readings all;
   all.add("G0 X0 Y60\nZ-50", "CYCLE974(2,,,1,50,3,3,5)", "G0 Y60", 50.03);
   all.add("G0 X0 Y60\nZ-50", "CYCLE994(2,,,1,50,103,20,62,3,5)", "G0 Y-60\nX100\nY0", 50.03);
@@ -188,7 +204,7 @@ TEST(TurnedDiameters, WithY) {
   all.add("G0 X0 Y60\nZ-50", "CYCLE994(2,,,1,50,203,20,60,3,5)", "G0 Y-60\nX100", 50.03);
   all.add("G0 X100 Y0\nZ-50", "CYCLE994(3002,,,1,50,2,20,60,3,5)", "G0 X-100", 50.03);
   expect_readings("G54 DIAMON\n" + all.program,
-                  {kProbeToMinusZ, kCalibrated, shaft(kSpindles[0]), sheet}, all.values);
+                  {kProbeToMinusZ, kCalibrated, shaft(kSpindles[0]), kWithY}, all.values);
 }
 
 }  // namespace
