@@ -117,6 +117,37 @@ TEST(TurningVariants, AProbeOfMillingMeasuresWhatIsTurned) {
                  {"R3", 0.0}});
 }
 
+/// A 710 that points to -X: the bore, whose axis is X, finds the triggers of Y and Z, the face at
+/// X60 that of X, each 0.005 mm late.
+TEST(TurningVariants, AProbeCalibratedInG19MeasuresInG18) {
+  const std::string across =
+      kWithY +
+      "\"$SC_TOOL_LENGTH_CONST\" = 18\n\"$SC_TOOL_LENGTH_TYPE\" = 2\n"
+      "\"$MNS_MEA_FUNCTION_MASK\" = 27\n[tools.1]\ntype = 710.0\nlength = 103.0\n[variables]\n"
+      "\"$TC_DP4[1,1]\" = 30.0\n[probe]\nat = [-100.0, 0.0, -30.0]\ntrigger_delay_s = 0.001\n";
+  const std::string bushing = part("ring", 60.0, 0.0, 350.0,
+                                   "rotate_deg = [0.0, 90.0, 0.0]\nbore = 60.02\n"
+                                   "outer_diameter = 100.0\nheight = 50.0");
+  // In X from outside; in Y with the ball's centre at the height of the spindle, alone and round
+  // the shaft by way of Z.
+  expect_turned(
+      "G54 G19 DIAMOF G0 X100\nZ150 Y0\nX50\nCYCLE976(1,1,60.02,,,,3,5)\nG0 X80\nY40\nX66\n"
+      "CYCLE976(0,1,60,,3,1,3,5)\nG0 X100\nG18 DIAMON\nY0\nZ-10\n"
+      "CYCLE974(2,,,1,50,2,3,5)\nR1=_OVR[4]\nG0 X100\nY60\nX-6\n"
+      "CYCLE974(2,,,1,50,3,3,5)\nR2=_OVR[4]\nG0 Y40\n"
+      "CYCLE994(1002,,,1,50,3,20,30,3,5)\nR3=_OVR[4]",
+      {across, bushing + shaft()},
+      {{"$SNS_MEA_WP_TRIG_PLUS_DIR_AX1[0]", 2.995},
+       {"$SNS_MEA_WP_TRIG_MINUS_DIR_AX1[0]", -2.995},
+       {"$SNS_MEA_WP_TRIG_PLUS_DIR_AX2[0]", 2.995},
+       {"$SNS_MEA_WP_TRIG_MINUS_DIR_AX2[0]", -2.995},
+       {"$SNS_MEA_WP_TRIG_MINUS_DIR_AX3[0]", 0.005},
+       {"$SNS_MEA_WP_STATUS_GEN[0]", 3},
+       {"R1", 50.04},
+       {"R2", 50.04},
+       {"R3", 50.04}});
+}
+
 TEST(TurningVariants, TheLogTellsWhatWasMeasured) {
   const MeasuringRun run = run_turning(
       "CYCLE150(0,1001,\"SHAFT.TXT\")\n" + kAtShaft +
