@@ -96,6 +96,8 @@ struct ControlSetup {
   std::map<std::string, char> axis_names;
   /// U, V and W, where the machine has them: they carry neither tool nor part.
   std::map<char, FurtherAxisSetup> further_axes;
+  /// The number of the spindle that turns tools; nullopt: as the control has it on such a machine.
+  std::optional<int> tool_spindle;
   std::vector<InputStep> inputs;         ///< what [[input]] scripts
   std::vector<SensorWord> sensor_words;  ///< of [[sensor]], by controls that have such words
   /// Soft limits of axes, where the machine has any.

@@ -19,10 +19,12 @@ struct Tool {
   std::optional<Edge> edge = std::nullopt;  ///< nullopt: it is round and turns
 };
 
+inline constexpr int kToolSpindle = 1;  ///< the spindle that holds and turns tools
+
 /// A tool comes into a spindle; what was there goes.
 struct ToolChange {
   Tool tool;
-  int spindle = 1;
+  int spindle = kToolSpindle;
 };
 
 enum class Rotation {
@@ -36,7 +38,7 @@ struct SpindleTurn {
   Rotation rotation = Rotation::Stopped;
   double speed_rev_min = 0.0;       ///< >= 0; 0 as long as no speed was programmed
   std::optional<double> angle_deg;  ///< stands at this angle (M19, SPOS): with Stopped only
-  int spindle = 1;
+  int spindle = kToolSpindle;       ///< or another one, of a part
 };
 
 /// An M code for the machine's own logic, which may switch something.

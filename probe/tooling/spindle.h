@@ -7,7 +7,7 @@
 namespace g31::probe {
 
 inline constexpr double kFullTurnDeg = 360.0;
-inline constexpr int kToolSpindle = 1;  ///< the one that holds tools
+using machine::kToolSpindle;
 
 /// How the spindle that holds tools stands or turns.
 class Spindle {

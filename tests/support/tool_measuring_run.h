@@ -79,9 +79,11 @@ inline constexpr const char* kKnown = R"([machine_data]
 )";
 
 /// Of a lathe: a cube of 20 mm about X100 Z-210, its upper face across, with triggers as a
-/// calibration finds them.
+/// calibration finds them; its spindle 1 turns the tools.
 inline constexpr const char* kLatheProbe = R"([control]
 profile = "sinumerik-828d"
+[machine]
+tool_spindle = 1
 [[tool_probe]]
 size = 20.0
 at = [100.0, 10.0, -210.0]

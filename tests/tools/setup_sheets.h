@@ -76,6 +76,7 @@ stopping = "ideal"
 stop_delay_s = 0.016
 in_position = 0.02
 table_side = "BX"
+tool_spindle = 3
 tool_side = "YZ"
 [machine.axes.X]
 travel = [-10, 900.0]

@@ -344,6 +344,9 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
   fill_tool_probes(job, sheet, errors);
   job.machine = machine_from(sheet, errors);
   job.control.kinematics = believed_kinematics(sheet, job.machine, errors);
+  if (const Entry* const spindle = sheet.find(KeyId::MachineToolSpindle)) {
+    job.control.tool_spindle = static_cast<int>(number_of(*spindle));
+  }
   if (job.probe) {
     const SheetTable& probe = sheet.tables.at({SectionId::Probe, ""});
     job.machine.wires = wires_of(probe, job.probe->input);

@@ -7,29 +7,30 @@
 namespace g31::sinumerik {
 namespace {
 
-/// The one spindle there is: S1=, M1=, SPOS[1]=.
 constexpr double kSpindle = 1.0;
 
 }  // namespace
+/// What a word without a number is of: S, M3, SPOS, also S[0] and SPOS[0].
+constexpr double kMasterSpindle = 0.0;
 
 bool WordCompiler::is_assigned(std::size_t ahead) const {
   return cursor_.peek(ahead).is(Symbol::Assign);
 }
 
 /// S2=, M[n]=, T[1]=: what follows a letter that may name its spindle.
-/// @returns false: it is the one with the tool, as without a number
+/// @returns false: it is the master spindle, as without a number
 bool WordCompiler::word_of_another_spindle(const Token& letter, double extension) {
-  const Expr spindle = extension != kSpindle
+  const Expr spindle = extension != kMasterSpindle
                            ? operations_.constant(Type::Int, extension, letter.where)
                            : bracketed_spindle();
-  if (is_tool_spindle(spindle)) {
+  if (is_master_spindle(spindle) || (letter.is_letter('T') && is_number(spindle, kSpindle))) {
     return false;
   }
   if (!letter.is_letter('T')) {
     spindle_word(letter.is_letter('M') ? Address::Machine : Address::Speed, spindle, letter.where);
     return true;
   }
-  if (extension != kSpindle) {
+  if (extension != kMasterSpindle) {
     fail(AlarmId::NoSuchAddress, letter.where, text_of(letter.where));
   }
   code_.emit(OpCode::CheckSpindle, {}, spindle.value, {}, letter.where);
@@ -58,7 +59,7 @@ void WordCompiler::letter_word(const Token& letter) {
     return;
   }
   std::string name(letter.text);
-  double extension = kSpindle;
+  double extension = kMasterSpindle;
   // I1=, C3=, S1=, M2=: a number belongs to the address where = follows.
   if (numbered && is_assigned(1)) {
     const Token number = cursor_.next();
@@ -66,7 +67,7 @@ void WordCompiler::letter_word(const Token& letter) {
     extension = number.number;
   }
   const bool of_spindle = letter.is_letter('M') || letter.is_letter('S') || letter.is_letter('T');
-  if (of_spindle && (extension != kSpindle || cursor_.peek().is(Symbol::LeftBracket)) &&
+  if (of_spindle && (extension != kMasterSpindle || cursor_.peek().is(Symbol::LeftBracket)) &&
       word_of_another_spindle(letter, extension)) {
     return;
   }
@@ -325,11 +326,13 @@ Expr WordCompiler::bracketed_spindle() {
   return number;
 }
 
-/// Whether a number is known to be that of the spindle with the tool: 1, or 0 for the master
-/// spindle.
-bool WordCompiler::is_tool_spindle(const Expr& spindle) const {
-  const double number = spindle.is_constant ? number_of(spindle) : -1.0;
-  return number == 0.0 || number == kSpindle;
+/// Whether an expression is known to be a number.
+bool WordCompiler::is_number(const Expr& spindle, double number) const {
+  return spindle.is_constant && number_of(spindle) == number;
+}
+
+bool WordCompiler::is_master_spindle(const Expr& spindle) const {
+  return is_number(spindle, kMasterSpindle);
 }
 
 /// S2=500, M[n]=3, SPOS[2]=90
@@ -371,8 +374,8 @@ bool WordCompiler::named_word() {
   }
   cursor_.next();
   const Expr spindle =
-      indexed ? bracketed_spindle() : operations_.constant(Type::Int, kSpindle, name.where);
-  if (is_tool_spindle(spindle)) {
+      indexed ? bracketed_spindle() : operations_.constant(Type::Int, kMasterSpindle, name.where);
+  if (is_master_spindle(spindle)) {
     word(*address, name.where);
   } else {
     spindle_word(*address, spindle, name.where);

@@ -54,7 +54,8 @@ class WordCompiler : private BlockPart {
   void axis_word(const AxisWordInfo& row);
   void axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where);
   Expr bracketed_spindle();
-  [[nodiscard]] bool is_tool_spindle(const Expr& spindle) const;
+  [[nodiscard]] bool is_master_spindle(const Expr& spindle) const;
+  [[nodiscard]] bool is_number(const Expr& spindle, double number) const;
   void spindle_word(Address address, const Expr& spindle, ShortSpan where);
 
   const Globals& globals_;

@@ -46,28 +46,76 @@ MaybeFailure turn_axis(Channel& channel, int axis, double degrees, const source:
   return travel_to(channel, path, channel.to_work(q_M_end));
 }
 
-MaybeFailure orient(Channel& channel, double degrees, const source::Location& where) {
-  channel.spindle.direction = Spindle::kPositioned;
-  channel.spindle.angle = degrees;
-  channel.port.turn_spindle({machine::Rotation::Stopped, 0.0, degrees});
-  const auto axis = channel.axis_of_spindle(static_cast<int>(channel.master_spindle));
+/// A spindle by its number.
+struct Numbered {
+  int number = 1;
+  Spindle& spindle;
+};
+
+Numbered master_of(Channel& channel) {
+  return {static_cast<int>(channel.master_spindle), channel.spindle};
+}
+
+MaybeFailure orient(Channel& channel, const Numbered& which, double degrees,
+                    const source::Location& where) {
+  which.spindle.direction = Spindle::kPositioned;
+  which.spindle.angle = degrees;
+  channel.port.turn_spindle(
+      {machine::Rotation::Stopped, 0.0, degrees, channel.port_spindle(which.number)});
+  const auto axis = channel.axis_of_spindle(which.number);
   return axis ? turn_axis(channel, *axis, degrees, where) : std::nullopt;
 }
 
 /// As M3, M4 and M5 have it; the sign of S says nothing about the direction.
-void turn(Channel& channel) {
-  const int direction = channel.spindle.direction;
+void turn(Channel& channel, const Numbered& which) {
+  const int direction = which.spindle.direction;
   const machine::Rotation rotation =
       direction == static_cast<int>(kClockwise)          ? machine::Rotation::Clockwise
       : direction == static_cast<int>(kCounterclockwise) ? machine::Rotation::Counterclockwise
                                                          : machine::Rotation::Stopped;
   const bool stops = rotation == machine::Rotation::Stopped;
-  channel.port.turn_spindle({rotation, stops ? 0.0 : std::abs(channel.spindle.speed), {}});
+  channel.port.turn_spindle({rotation,
+                             stops ? 0.0 : std::abs(which.spindle.speed),
+                             {},
+                             channel.port_spindle(which.number)});
 }
 
-bool turns(const Channel& channel) {
-  return channel.spindle.direction == static_cast<int>(kClockwise) ||
-         channel.spindle.direction == static_cast<int>(kCounterclockwise);
+bool turns(const Spindle& spindle) {
+  return spindle.direction == static_cast<int>(kClockwise) ||
+         spindle.direction == static_cast<int>(kCounterclockwise);
+}
+
+/// M3, M4, M5 and M19; other codes are none of a spindle.
+MaybeFailure take_code(Channel& channel, const Numbered& which, double code,
+                       const source::Location& where) {
+  if (code == kOrient) {
+    return orient(channel, which, 0.0, where);
+  }
+  if (code == kClockwise || code == kCounterclockwise || code == kStop) {
+    which.spindle.direction = static_cast<int>(code);
+    if (code != kStop) {
+      which.spindle.angle.reset();
+    }
+    turn(channel, which);
+  }
+  return std::nullopt;
+}
+
+/// S2=, M3=4, SPOS[2]=: of a spindle that is not the master.
+MaybeFailure take_word(Channel& channel, const BlockWords::SpindleWord& word,
+                       const source::Location& where) {
+  const Numbered which{word.spindle, channel.other_spindles[word.spindle]};
+  if (word.address == Address::Machine) {
+    return take_code(channel, which, word.value, where);
+  }
+  if (word.address == Address::Spindle || word.address == Address::SpindleAsync) {
+    return orient(channel, which, word.value, where);
+  }
+  (word.address == Address::SpeedLimit ? which.spindle.limit : which.spindle.speed) = word.value;
+  if (word.address == Address::Speed && turns(which.spindle)) {
+    turn(channel, which);
+  }
+  return std::nullopt;
 }
 
 /// SPOS and SPOSA
@@ -83,7 +131,20 @@ MaybeFailure orient_by(Channel& channel, const BlockWords::Word& word,
   if (!std::isfinite(degrees)) {
     return failure(AlarmId::ValueOutOfLimits, fmt::format("SPOS={:g}", degrees));
   }
-  return orient(channel, degrees, where);
+  return orient(channel, master_of(channel), degrees, where);
+}
+
+/// The M codes of a block and what they do to the master spindle.
+MaybeFailure take_codes(Channel& channel, const Block& block) {
+  for (std::size_t i = 0; i < block.words.machine_code_count; ++i) {
+    const double code = block.words.machine_codes[i];
+    if (MaybeFailure wrong = take_code(channel, master_of(channel), code, block.where)) {
+      return wrong;
+    }
+    channel.port.auxiliary_code({static_cast<int>(code)});
+    channel.inputs.hear(static_cast<int>(code), channel.now());
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -94,8 +155,8 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
     channel.feed = words.has(Address::Feed) ? words[Address::Feed].value : channel.feed;
     if (words.has(Address::Speed)) {
       take_speed(channel, words[Address::Speed].value);
-      if (turns(channel)) {
-        turn(channel);
+      if (turns(channel.spindle)) {
+        turn(channel, master_of(channel));
       }
     }
   }
@@ -107,22 +168,13 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
   if (words.has(Address::SpeedLimit)) {
     channel.spindle.limit = words[Address::SpeedLimit].value;
   }
-  for (std::size_t i = 0; i < words.machine_code_count; ++i) {
-    const double code = words.machine_codes[i];
-    if (code == kClockwise || code == kCounterclockwise) {
-      channel.spindle.angle.reset();
-      channel.spindle.direction = static_cast<int>(code);
-      turn(channel);
-    } else if (code == kStop) {
-      channel.spindle.direction = static_cast<int>(code);
-      turn(channel);
-    } else if (code == kOrient) {
-      if (MaybeFailure wrong = orient(channel, 0.0, block.where)) {
-        return wrong;
-      }
+  if (MaybeFailure wrong = take_codes(channel, block)) {
+    return wrong;
+  }
+  for (const BlockWords::SpindleWord& word : words.spindle_words) {
+    if (MaybeFailure wrong = take_word(channel, word, block.where)) {
+      return wrong;
     }
-    channel.port.auxiliary_code({static_cast<int>(code)});
-    channel.inputs.hear(static_cast<int>(code), channel.now());
   }
   for (const Address address : {Address::Spindle, Address::SpindleAsync}) {
     if (words.has(address)) {

@@ -75,7 +75,11 @@ MaybeFailure message(Channel& channel, Operands& at, Arguments list) {
 }
 
 MaybeFailure set_master_spindle(Channel& channel, Operands& at, Arguments list) {
-  channel.master_spindle = list.empty() ? 1.0 : at.number(list[0].value);
+  const double number = list.empty() ? 1.0 : at.number(list[0].value);
+  if (number < 1.0 || number > kMostSpindles) {
+    return failure(AlarmId::ValueOutOfLimits, fmt::format("SETMS({:g})", number));
+  }
+  channel.make_master(static_cast<int>(number));
   return std::nullopt;
 }
 

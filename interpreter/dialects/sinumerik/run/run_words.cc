@@ -6,28 +6,6 @@
 #include "machine/base/contract.h"
 
 namespace g31::sinumerik {
-namespace {
-
-/// What S, M and SPOS say of a spindle that is not simulated.
-void keep_of_spindle(Spindle& spindle, Address address, double value) {
-  constexpr double kOrient = 19.0;
-  constexpr double kFirstTurn = 3.0;
-  constexpr double kLastTurn = 5.0;
-  const bool is_code = address == Address::Machine;
-  if (address == Address::Speed) {
-    spindle.speed = value;
-  } else if (address == Address::SpeedLimit) {
-    spindle.limit = value;
-  } else if (is_code && value >= kFirstTurn && value <= kLastTurn) {
-    spindle.direction = static_cast<int>(value);
-  } else if (!is_code || value == kOrient) {
-    spindle.direction = Spindle::kPositioned;
-    spindle.angle = is_code ? 0.0 : value;
-  }
-}
-
-}  // namespace
-
 bool WordSteps::out_of_range(std::string_view name, double value, const ValueRange& range) {
   return fault_.keep(AlarmId::ValueOutOfLimits,
                      fmt::format("{}={:g}: {:g} to {:g}", name, value, range.least, range.most));
@@ -141,19 +119,17 @@ MaybeFailure WordSteps::take_axis_measuring(const Op& op) {
   return std::nullopt;
 }
 
-/// Spindle 1, or 0 for the master spindle, turns the tool; of others it is kept what programs say.
 MaybeFailure WordSteps::take_spindle_word(const Op& op) {
   const double which = operands_.number(op.a);
   const auto address = static_cast<Address>(op.detail);
-  if (which == 0.0 || which == 1.0) {
+  if (which == 0.0 || which == channel_.master_spindle) {
     set_word(op.detail, operands_.number(op.b), static_cast<Modification>(op.count));
     return fault_.taken();
   }
   if (which < 0.0 || which > kMostSpindles) {
     return failure(AlarmId::NoSuchAddress, fmt::format("spindle {:g}", which));
   }
-  keep_of_spindle(channel_.other_spindles[static_cast<int>(which)], address,
-                  operands_.number(op.b));
+  words_.spindle_words.push_back({static_cast<int>(which), address, operands_.number(op.b)});
   return std::nullopt;
 }
 
@@ -171,7 +147,7 @@ MaybeFailure WordSteps::take_group_code(const Op& op) {
   return std::nullopt;
 }
 
-/// Spindle 1, or 0 for the master spindle, which it is.
+/// Spindle 1 holds the tools, and so does, as 0, the master spindle.
 MaybeFailure WordSteps::check_spindle(const Op& op) {
   const double which = operands_.number(op.a);
   return which == 0.0 || which == 1.0

@@ -206,6 +206,7 @@ std::vector<runtime::RefusedSetting> Session::configure(const runtime::ControlSe
   channel.feed_switches = setup.feed_switches;
   channel.inputs = runtime::InputScripts(setup.inputs);
   channel.points.q_M_reference = setup.q_M_reference;
+  channel.tool_spindle = setup.tool_spindle;
   for (const auto& [letter, axis] : setup.further_axes) {
     channel.further_axes[axis_named(std::string_view(&letter, 1))] = {
         axis.home, axis.home, axis.rapid_per_min, axis.travel_min, axis.travel_max};

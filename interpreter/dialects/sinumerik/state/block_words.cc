@@ -41,6 +41,7 @@ void BlockWords::clear() {
     has_positioning = false;
   }
   axis_settings.clear();
+  spindle_words.clear();
   computed_codes.clear();
 }
 

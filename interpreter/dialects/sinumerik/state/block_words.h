@@ -32,6 +32,12 @@ struct BlockWords {
     double value = 0.0;
   };
   std::array<Word, index_of(Address::Count)> words;
+  /// S2=, M3=4, SPOS[2]: what is of another spindle than the master
+  struct SpindleWord {
+    int spindle = 0;
+    Address address = Address::Speed;
+    double value = 0.0;
+  };
   std::array<double, kMostMachineCodes> machine_codes = {};
   std::size_t machine_code_count = 0;
   std::optional<std::string> tool_name;
@@ -41,6 +47,7 @@ struct BlockWords {
   bool has_positioning = false;
   std::vector<AxisSetting> axis_settings;
   std::vector<std::uint16_t> computed_codes;  ///< G[group]=number, packed
+  std::vector<SpindleWord> spindle_words;
 
   void set(std::size_t address, double value, Modification modification);
   void measure_axis(std::size_t axis, const AxisMeasuring& measuring);

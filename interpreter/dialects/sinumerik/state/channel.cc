@@ -118,6 +118,23 @@ std::optional<int> Channel::axis_of_spindle(int spindle_number) const {
     if (is_rotary_axis(axis) && port.travel(axis) &&
         numbers[spindles_of_axes_ + static_cast<std::size_t>(axis)] == spindle_number) {
       return axis;
+void Channel::make_master(int spindle_number) {
+  const int old = static_cast<int>(master_spindle);
+  if (spindle_number != old) {
+    other_spindles[old] = spindle;
+    spindle = other_spindles[spindle_number];
+    other_spindles.erase(spindle_number);
+    master_spindle = spindle_number;
+  }
+}
+
+int Channel::port_spindle(int spindle_number) const {
+  constexpr int kOfLathe = 3;  // 1 and 2 turn parts
+  const int of_tools = tool_spindle.value_or(is_lathe() ? kOfLathe : machine::kToolSpindle);
+  return spindle_number == of_tools ? machine::kToolSpindle
+                                    : machine::kToolSpindle + spindle_number;
+}
+
     }
   }
   return std::nullopt;

@@ -211,6 +211,10 @@ class Channel : public ChannelState {
   /// The way of G0: RTLIOF acts in exact stop alone, and neither compensated nor compressed.
   /// Source: SINUMERIK ONE programming, 6FC5398-2EP40, RTLION and RTLIOF.
   [[nodiscard]] machine::RapidPath rapid_path() const;
+  /// SETMS: words without the number of a spindle are of this one from now on.
+  void make_master(int spindle_number);
+  /// As the machine knows a spindle: kToolSpindle turns the tools.
+  [[nodiscard]] int port_spindle(int spindle_number) const;
   /// nullptr: the machine has it not
   [[nodiscard]] const FurtherAxis* further(int axis) const {
     const auto found = further_axes.find(axis);

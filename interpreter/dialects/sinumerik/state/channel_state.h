@@ -70,11 +70,12 @@ struct ChannelState {
 
   // Modal state
   GroupNumbers group;
-  double feed = 0.0;  ///< as programmed
-  Spindle spindle;
-  std::map<int, Spindle> other_spindles;  ///< by number, 2 and on: not simulated
+  double feed = 0.0;                      ///< as programmed
+  Spindle spindle;                        ///< the master spindle
+  std::map<int, Spindle> other_spindles;  ///< by number, all others that programs have named
   AxisSettings axis_settings;
   double master_spindle = 1.0;
+  std::optional<int> tool_spindle;  ///< its number, as the sheet says
 
   // Frames
   /// What the control keeps: $P_UIFR, $P_CHBFR, $P_SETFR and so on.

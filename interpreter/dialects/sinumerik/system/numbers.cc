@@ -17,7 +17,7 @@ constexpr double kStill = 5.0;
 Result<const Spindle*, Failure> spindle_of(const Channel& channel, const SystemAccess& access) {
   static const Spindle kUnused;
   const int which = access.indices[0];
-  if (which == 0 || which == 1) {
+  if (which == 0 || which == channel.master_spindle) {
     return &channel.spindle;
   }
   if (which < 0 || which > kMostSpindles) {
