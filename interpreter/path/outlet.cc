@@ -177,9 +177,13 @@ Result<machine::SkipOutcome, machine::MachineFault> Outlet::move_until_skip(
 }
 
 void Outlet::touched(runtime::TouchEvent event) {
+  observer_.on_move({31, event.q_M_stopped, event.feed_mm_min, 0.0, event.where});
+  touched_as_well(std::move(event));
+}
+
+void Outlet::touched_as_well(runtime::TouchEvent event) {
   event.time_s = port_.time_s();
   event.view = view_of(event.q_M_latched, event.q_M_commanded);
-  observer_.on_move({31, event.q_M_stopped, event.feed_mm_min, 0.0, event.where});
   observer_.on_touch(event);
 }
 

@@ -60,6 +60,8 @@ class Outlet {
   Result<machine::SkipOutcome, machine::MachineFault> move_until_skip(const machine::SkipMove& move,
                                                                       source::Location where);
   void touched(runtime::TouchEvent event);
+  /// By the second of two sensors that the same move listened to.
+  void touched_as_well(runtime::TouchEvent event);
 
   /// Machine time of all moves at feed and of those that listen, s.
   [[nodiscard]] double cutting_s() const {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -101,6 +102,12 @@ struct ArcMove {
   Smoothness smoothness = {};
 };
 
+/// What the further signal of a move has left.
+struct FurtherTouch {
+  AxisPositions q_M_latched;
+  std::optional<Contact> contact;
+};
+
 /// The skip signal came during the move; the axes have stopped past the touch by the overtravel, or
 /// gone on to the end.
 struct Touched {
@@ -108,9 +115,11 @@ struct Touched {
   AxisPositions q_M_stopped;       ///< where the axes came to rest
   std::optional<Contact> contact;  ///< where the ball touched; none for a signal without a part
   int signals = 1;                 ///< more where the probe's signal came several times
+  std::optional<FurtherTouch> further = std::nullopt;  ///< of a move that listened to two
 };
 
-/// The whole distance was travelled without a signal.
+/// The whole distance was travelled without a signal, or all that a move goes on behind the first
+/// of two without the other.
 struct NoTouch {};
 
 /// The signal was already as its edge would leave it when the move was to begin: no edge could
@@ -125,6 +134,13 @@ enum class AfterSignal {
   GoOn   ///< the position is latched, the move goes to its end
 };
 
+/// A second sensor that the same move waits for, as that of a second spindle beside the first.
+struct FurtherSignal {
+  int input = 0;  ///< measuring input, from 1
+  /// mm: so far behind the first of both signals the move waits for the other one.
+  double within_mm = std::numeric_limits<double>::infinity();
+};
+
 /// A straight move that listens to the skip signal.
 struct SkipMove {
   // Most moves ask for nothing but the way.
@@ -134,6 +150,9 @@ struct SkipMove {
   int input = kAnyInput;  ///< measuring input it listens to, from 1
   SignalEdge edge = SignalEdge::Rising;
   AfterSignal after = AfterSignal::Stop;
+  /// With it the move ends at the later signal, and touches only where both come.  Without a
+  /// transformation, AfterSignal::Stop alone.
+  std::optional<FurtherSignal> further = std::nullopt;
 };
 
 using SkipOutcome = std::variant<Touched, NoTouch, NoEdge>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -149,6 +150,11 @@ class MachiningCentre final : public MachinePort {
                                          const SkipMove& move);
   SkipOutcome stop_for(SkipTrigger trigger, const StraightPath& path, const MotionProfile& profile,
                        AfterSignal after);
+  // Until the later one of two signals.
+  SkipOutcome skip_for_both(const StraightPath& path, const SkipMove& move);
+  SkipOutcome stop_for_both(std::array<std::optional<Timed<SkipTrigger>>, 2> signals,
+                            const StraightPath& path, const SkipMove& move);
+  SkipOutcome go_without_signal(const AxisPositions& q_M_end, const SkipMove& move);
   SkipOutcome stop_really(Timed<SkipTrigger> trigger, const CommandedPath& path,
                           const MotionProfile& profile, const SkipMove& move);
 

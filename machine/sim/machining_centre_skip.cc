@@ -30,6 +30,7 @@ Listening listening_of(const SkipMove& move) {
 
 Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMove& move) {
   expect_legal(move.way);
+  G31_EXPECTS(!move.further || (move.way.transform == nullptr && move.after == AfterSignal::Stop));
   if (!limits_.contain(move.way.q_M_end)) {
     return soft_limit_fault(move.way.q_M_end);
   }
@@ -45,8 +46,9 @@ Result<SkipOutcome, MachineFault> MachiningCentre::move_until_skip(const SkipMov
   SkipOutcome outcome = NoTouch{};
   if (path.moves()) {
     const Waypoint tip = real_.tip(q_M_);
-    auto signalled = skip(path, dynamics_.profile(path, move.way), move);
-    if (signalled) {
+    if (move.further) {
+      outcome = skip_for_both(path, move);
+    } else if (auto signalled = skip(path, dynamics_.profile(path, move.way), move)) {
       outcome = *std::move(signalled);
     } else {
       q_M_ = move.way.q_M_end;

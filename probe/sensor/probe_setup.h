@@ -117,6 +117,13 @@ struct ProbeSetup {
   ProbeState state = ProbeState::Ready;
 };
 
+/// The probe of a second spindle beside the first, on the same axes; it turns, comes and goes as
+/// the first one.
+struct SecondProbeSetup {
+  ProbeSetup probe;
+  Point p_T_beside = Point::Zero();  ///< mm, from the first spindle to the second
+};
+
 /// One `[[skip_signal]]` of the set-up sheet: the signal of one skip move, without a probe.
 struct SkipSignal {
   int axis = 0;              ///< storage index: 0 X, 1 Y, 2 Z...

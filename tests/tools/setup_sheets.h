@@ -143,6 +143,13 @@ calibrated_feed = 50.0
 stem_diameter = 3.0
 stem_length = 50.0
 deflection_limit = 2.0
+[probe.second]
+at = [200.0, 0.0, 1.0]
+input = 3
+ball_diameter = 5.0
+length = 121.0
+eccentricity = [0.01, 0.02]
+trigger_delay_s = 0.002
 [[probe.body]]
 name = "transmitter"
 length = 45.0

@@ -361,6 +361,9 @@ TEST_F(SetupReader, EveryExampleOfTheTableIsASheet) {
           row.id == KeyId::PartUnit || row.id == KeyId::PartScale || row.id == KeyId::PartClosed;
       sheet += is_of_file ? "file = \"ring.stl\"\n" : "shape = \"ring\"\n";
     }
+    if (row.section == SectionId::ProbeSecond) {
+      sheet = "[probe]\n" + sheet + (row.id == KeyId::SecondAt ? "" : "at = [200.0, 0.0, 0.0]\n");
+    }
     if (row.section == SectionId::BelievedAxes) {
       sheet = "[machine]\ntable_side = \"C\"\n" + sheet;
     }

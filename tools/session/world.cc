@@ -18,6 +18,7 @@
 #include "parts/import/mesh_file.h"
 #include "probe/sensor/bed_view.h"
 #include "probe/sensor/scripted_signals.h"
+#include "probe/sensor/second_probe.h"
 #include "probe/sensor/touch_probe.h"
 #include "probe/sensor/world.h"
 #include "tools/session/tool_sets.h"
@@ -27,6 +28,9 @@ namespace {
 
 /// Of a comment, in bytes.
 constexpr std::size_t kShownComment = 60;
+
+/// Parts the random numbers of the second probe from those of the first.
+constexpr std::uint64_t kSecondProbe = 0x5345434F4E44ULL;
 
 Refusal unusable(const source::ShownPlace& place, const std::string& why) {
   return {Ending::Setup, {}, {error_at(place, setup::SetupErrorId::PartUnusable, {why})}};
@@ -168,6 +172,10 @@ SensedParts sensed_within(const setup::Job& job, const std::vector<probe::Probed
   if (job.probe && !job.skip_signals) {
     sensed.by_balls = touchable(job, parts, false, goes_on);
     sensed.on_bed = touchable(job, parts, true, goes_on);
+    if (const auto& second = job.second_probe) {
+      sensed.by_second =
+          std::make_shared<const probe::TouchableParts>(second->probe, parts, goes_on);
+    }
   }
   const bool has_tools = !job.skip_signals && has_tools_or_tool_probes(job);
   const bool for_tools = has_tools && do_parts_matter(job, parts);
@@ -182,6 +190,18 @@ SensedParts sensed_within(const setup::Job& job, const std::vector<probe::Probed
     sensed.by_sensors = std::make_shared<const probe::SeenParts>(std::move(meshes));
   }
   return sensed;
+}
+
+/// What stands on the bed while tables turn it meets as if it went along.
+std::unique_ptr<machine::Surroundings> second_probe_of(
+    const probe::ProbeSetup& first, const probe::SecondProbeSetup& second,
+    std::shared_ptr<const probe::TouchableParts> parts, std::uint64_t seed) {
+  const auto tip_of = [](const probe::ProbeSetup& setup) {
+    return Point(setup.eccentricity_mm[0], setup.eccentricity_mm[1], -setup.length_mm);
+  };
+  return std::make_unique<probe::SecondProbe>(
+      std::make_unique<probe::TouchProbe>(std::move(parts), second.probe, seed ^ kSecondProbe),
+      probe::SecondProbe::Place{second.p_T_beside, tip_of(first), tip_of(second.probe)});
 }
 
 }  // namespace
@@ -229,6 +249,9 @@ std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
     if (parts.on_bed != nullptr) {
       sets.push_back(std::make_unique<probe::BedObstacles>(
           std::make_unique<probe::TouchProbe>(parts.on_bed, *job.probe, seed), chain_of(job)));
+    }
+    if (parts.by_second != nullptr) {
+      sets.push_back(second_probe_of(*job.probe, *job.second_probe, parts.by_second, seed));
     }
   } else if (job.sensors.empty() && !parts.by_tools) {
     return nullptr;

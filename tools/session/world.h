@@ -45,6 +45,8 @@ struct SensedParts {
   std::shared_ptr<const probe::TouchableParts> by_balls;  ///< null without a probe
   /// What of it stands on the bed while tables turn; null: nothing.
   std::shared_ptr<const probe::TouchableParts> on_bed;
+  /// For the probe of the second spindle; null: there is none.
+  std::shared_ptr<const probe::TouchableParts> by_second;
   std::shared_ptr<const probe::SeenParts> by_sensors;  ///< null without sensors
   std::shared_ptr<const ToolParts> by_tools;           ///< null where the sheet names no tools
 };

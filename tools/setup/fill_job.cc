@@ -180,6 +180,7 @@ void fill_table(Job& job, SectionId section, const std::string& name, const Shee
     case SectionId::Believed:
     case SectionId::BelievedAxes:
     case SectionId::Probe:
+    case SectionId::ProbeSecond:
       return;  // fill_expectations, fill_machine, fill_probe
     case SectionId::MachineAxes:
       fill_axis_names(job.control, name, keys);
@@ -343,16 +344,17 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
   fill_tools(job, sheet, errors);
   fill_tool_probes(job, sheet, errors);
   job.machine = machine_from(sheet, errors);
-  job.control.kinematics = believed_kinematics(sheet, job.machine, errors);
   if (const Entry* const spindle = sheet.find(KeyId::MachineToolSpindle)) {
     job.control.tool_spindle = static_cast<int>(number_of(*spindle));
   }
+  job.control.kinematics = believed_kinematics(sheet, job.machine, errors);
   if (job.probe) {
     const SheetTable& probe = sheet.tables.at({SectionId::Probe, ""});
     job.machine.wires = wires_of(probe, job.probe->input);
     job.machine.p_T_tip = {job.probe->eccentricity_mm[0], job.probe->eccentricity_mm[1],
                            -job.probe->length_mm};
   }
+  job.second_probe = second_probe_from(sheet, job.probe, errors);
   return job;
 }
 

@@ -193,6 +193,38 @@ probe::ProbeSetup probe_from(const Sheet& sheet, const SheetTable& table) {
   return probe;
 }
 
+std::optional<probe::SecondProbeSetup> second_probe_from(
+    const Sheet& sheet, const std::optional<probe::ProbeSetup>& first, ErrorList& errors) {
+  const auto table = sheet.tables.find({SectionId::ProbeSecond, ""});
+  if (table == sheet.tables.end()) {
+    return std::nullopt;
+  }
+  const TableKeys keys(table->second);
+  const auto unfit = [&](const char* why, const char* instead) {
+    errors.add(SetupErrorId::SecondProbeUnfit, table->second.where, {why}, instead);
+    return std::optional<probe::SecondProbeSetup>();
+  };
+  if (!first || first->in_turret) {
+    return unfit("needs a [probe] in the first spindle",
+                 "for example: [probe] ball_diameter = 6.0");
+  }
+  if (keys.find(KeyId::SecondAt) == nullptr) {
+    return unfit("needs its place", "for example: at = [200.0, 0.0, 0.0]");
+  }
+  probe::SecondProbeSetup second{*first, point_from(keys, KeyId::SecondAt)};
+  const double other_input = first->input == 1 ? 2.0 : 1.0;
+  second.probe.input = static_cast<int>(keys.get(KeyId::SecondInput, other_input));
+  if (second.probe.input == first->input) {
+    return unfit("has the input of [probe]", "for example: input = 2");
+  }
+  second.probe.ball_diameter_mm = keys.get(KeyId::SecondBall, first->ball_diameter_mm);
+  second.probe.length_mm = keys.get(KeyId::SecondLength, first->length_mm);
+  const auto eccentricity = keys.get(KeyId::SecondEccentricity, std::vector<double>{0.0, 0.0});
+  second.probe.eccentricity_mm = {eccentricity.at(0), eccentricity.at(1)};
+  second.probe.trigger_delay_s = keys.get(KeyId::SecondDelay, first->trigger_delay_s);
+  return second;
+}
+
 std::vector<machine::InputWire> wires_of(const SheetTable& table, int measuring_input) {
   const TableKeys keys(table);
   std::vector<machine::InputWire> wires;

@@ -21,7 +21,8 @@ namespace g31::setup {
 struct Job {
   runtime::ControlSetup control;
   machine::MachineSetup machine;
-  std::optional<probe::ProbeSetup> probe;  ///< none: no probe in the spindle
+  std::optional<probe::ProbeSetup> probe;               ///< none: no probe in the spindle
+  std::optional<probe::SecondProbeSetup> second_probe;  ///< only beside a probe
   std::vector<probe::DisplacementSetup> sensors;
   std::vector<probe::ToolSetup> tools;             ///< what the magazine holds; numbers differ
   std::vector<probe::ToolProbeSetup> tool_probes;  ///< names differ

@@ -47,6 +47,9 @@ struct Op {
   Operand b;
 };
 
+/// `detail` of AxisMeasuring: b is the second trigger.
+inline constexpr std::uint8_t kSecondTrigger = 2;
+
 /// When a synchronised action acts.
 enum class ActionKind : std::uint8_t {
   Once,   ///< WHEN: the first time that its condition holds

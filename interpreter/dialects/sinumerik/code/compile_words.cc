@@ -2,16 +2,18 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "interpreter/dialects/sinumerik/code/word_compiler.h"
 
 namespace g31::sinumerik {
 namespace {
 
 constexpr double kSpindle = 1.0;
-
-}  // namespace
 /// What a word without a number is of: S, M3, SPOS, also S[0] and SPOS[0].
 constexpr double kMasterSpindle = 0.0;
+
+}  // namespace
 
 bool WordCompiler::is_assigned(std::size_t ahead) const {
   return cursor_.peek(ahead).is(Symbol::Assign);
@@ -297,7 +299,7 @@ void WordCompiler::axis_word(const AxisWordInfo& row) {
   nc_.add_computed();
 }
 
-/// MEASA[axis]=(mode, trigger), MEAWA[axis]=(mode, trigger)
+/// MEASA[axis]=(mode, trigger), MEAWA[axis]=(mode, trigger); MEASA with a second trigger, too.
 void WordCompiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, ShortSpan where) {
   expect(Symbol::Assign);
   expect(Symbol::LeftParen);
@@ -306,12 +308,21 @@ void WordCompiler::axis_measuring(const AxisWordInfo& row, const Expr& axis, Sho
   expect(Symbol::Comma);
   const Expr trigger =
       operations_.convert(expressions_.expression(), Type::Int, AlarmId::BadArguments);
+  const bool goes_on = row.id == AxisWordId::MeasureAxesOn;
+  code_.emit(OpCode::AxisMeasuring, mode.value, axis.value, trigger.value, where);
+  code_.last().detail = goes_on ? 1 : 0;
+  if (cursor_.peek().is(Symbol::Comma) && !goes_on) {
+    expect(Symbol::Comma);
+    const Expr second =
+        operations_.convert(expressions_.expression(), Type::Int, AlarmId::BadArguments);
+    code_.emit(OpCode::AxisMeasuring, mode.value, axis.value, second.value, where);
+    code_.last().detail = kSecondTrigger;
+  }
   if (cursor_.peek().is(Symbol::Comma)) {
-    fail(AlarmId::NotImplemented, where, std::string(row.name) + " with more than one trigger");
+    fail(AlarmId::NotImplemented, where,
+         fmt::format("{} with more than {}", row.name, goes_on ? "one trigger" : "two triggers"));
   }
   expect(Symbol::RightParen);
-  code_.emit(OpCode::AxisMeasuring, mode.value, axis.value, trigger.value, where);
-  code_.last().detail = row.id == AxisWordId::MeasureAxesOn ? 1 : 0;
   nc_.add_computed();
 }
 

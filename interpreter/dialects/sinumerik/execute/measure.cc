@@ -16,6 +16,7 @@ struct Measuring {
   machine::SignalEdge edge = machine::SignalEdge::Rising;
   machine::AfterSignal after = machine::AfterSignal::Stop;
   bool by_action = false;  ///< DELDTG: nothing is latched
+  int further = 0;         ///< a second probe, 0: none
 };
 
 /// @param trigger  1 to 8, minus: falling edge
@@ -27,7 +28,20 @@ Result<Measuring, Failure> of_trigger(double trigger, machine::AfterSignal after
   }
   return Measuring{static_cast<int>(probe),
                    trigger > 0.0 ? machine::SignalEdge::Rising : machine::SignalEdge::Falling,
-                   after, false};
+                   after, false, 0};
+}
+
+/// With the second trigger of MEASA.
+Result<Measuring, Failure> with_second(Measuring first, double trigger) {
+  const auto second = of_trigger(trigger, first.after, "MEASA");
+  if (!second) {
+    return second.error();
+  }
+  if (second.value().edge != first.edge || second.value().probe == first.probe) {
+    return failure(AlarmId::NotImplemented, "MEASA: two edges of one probe, or different edges");
+  }
+  first.further = second.value().probe;
+  return first;
 }
 
 /// MEASA and MEAWA of all axes together.
@@ -41,7 +55,8 @@ Result<std::optional<Measuring>, Failure> of_axes(const BlockWords& words) {
     if (mode > 3) {
       return failure(AlarmId::NotImplemented, fmt::format("MEASA, mode {:.0f}", axis->mode));
     }
-    if (first != nullptr && (first->trigger != axis->trigger || first->goes_on != axis->goes_on)) {
+    if (first != nullptr && (first->trigger != axis->trigger || first->goes_on != axis->goes_on ||
+                             first->second_trigger != axis->second_trigger)) {
       return failure(AlarmId::MeasuringTwice);
     }
     first = &*axis;
@@ -49,9 +64,12 @@ Result<std::optional<Measuring>, Failure> of_axes(const BlockWords& words) {
   if (first == nullptr) {
     return std::optional<Measuring>();
   }
-  const auto found =
+  auto found =
       of_trigger(first->trigger,
                  first->goes_on ? machine::AfterSignal::GoOn : machine::AfterSignal::Stop, "MEASA");
+  if (found && first->second_trigger != 0.0) {
+    found = with_second(found.value(), first->second_trigger);
+  }
   return found ? Result<std::optional<Measuring>, Failure>(found.value()) : found.error();
 }
 
@@ -111,6 +129,12 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Bloc
   return move;
 }
 
+void settle_second(Channel& channel, const machine::FurtherTouch& second, int probe) {
+  channel.measured[static_cast<std::size_t>(probe)] = true;
+  channel.q_M_second = second.q_M_latched;
+  channel.q_W_second = channel.to_work(second.q_M_latched);
+}
+
 /// Where the program goes on after the move.
 void settle(Channel& channel, const runtime::TouchEvent& event, const Measuring& measuring,
             const AxisPositions& q_W_end) {
@@ -124,6 +148,49 @@ void settle(Channel& channel, const runtime::TouchEvent& event, const Measuring&
     channel.arrived_at_machine();
   } else {
     channel.arrived_at_programmed(q_W_end, channel.machine_to_path(event.q_M_commanded));
+  }
+}
+
+/// The move that listens to what the words of the block name.
+Result<machine::SkipMove, Failure> listening_move(const Channel& channel,
+                                                  const machine::LinearMove& way,
+                                                  const Measuring& measuring) {
+  machine::SkipMove move(way);
+  move.input = measuring.probe;
+  move.edge = measuring.edge;
+  move.after = measuring.after;
+  if (measuring.further == 0) {
+    return move;
+  }
+  if (way.transform != nullptr) {
+    return failure(AlarmId::NotImplemented, "MEASA with two triggers while a transformation leads");
+  }
+  move.further.emplace();
+  move.further->input = measuring.further;
+  move.further->within_mm = channel.simultaneous_limit().value_or(move.further->within_mm);
+  return move;
+}
+
+/// What the move has come to, for the program and for those who watch it.
+void report(Channel& channel, const Measuring& measuring, runtime::TouchEvent event,
+            const machine::SkipOutcome& outcome, const AxisPositions& q_W_end) {
+  const auto* const touched = std::get_if<machine::Touched>(&outcome);
+  const bool has_second = touched != nullptr && touched->further;
+  if (has_second) {
+    settle_second(channel, *touched->further, measuring.further);
+  }
+  settle(channel, event, measuring, q_W_end);
+  if (event.triggered) {
+    channel.touches.missed.touched();
+  } else if (!measuring.by_action) {
+    channel.touches.missed.missed(event.where);
+  }
+  channel.touches.touched(event, channel.port.sensor_state(measuring.probe));
+  channel.outlet.touched(event);
+  if (has_second) {
+    event.q_M_latched = touched->further->q_M_latched;
+    event.contact = touched->further->contact;
+    channel.outlet.touched_as_well(event);
   }
 }
 
@@ -143,10 +210,11 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
           out_of_reach(channel, channel.machine_to_path(straight.value().q_M_end))) {
     return outside;
   }
-  machine::SkipMove move(straight.value());
-  move.input = measuring.probe;
-  move.edge = measuring.edge;
-  move.after = measuring.after;
+  auto listening = listening_move(channel, straight.value(), measuring);
+  if (!listening) {
+    return listening.error();
+  }
+  const machine::SkipMove& move = listening.value();
   if (!measuring.by_action) {
     channel.measured = {};
   }
@@ -172,14 +240,7 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   move_followers(channel, channel.port.position() - q_M_from);
   event.block = "MEAS";
   event.where = block.where;
-  settle(channel, event, measuring, q_W_end.value());
-  if (event.triggered) {
-    channel.touches.missed.touched();
-  } else if (!measuring.by_action) {
-    channel.touches.missed.missed(block.where);
-  }
-  channel.touches.touched(event, state);
-  channel.outlet.touched(event);
+  report(channel, measuring, event, outcome.value(), q_W_end.value());
   return std::nullopt;
 }
 

@@ -114,8 +114,12 @@ MaybeFailure WordSteps::take_axis_measuring(const Op& op) {
     return failure(AlarmId::NotImplemented,
                    fmt::format("{} carries no probe", letter_of_axis(static_cast<int>(axis))));
   }
-  words_.measure_axis(static_cast<std::size_t>(axis),
-                      {operands_.number(op.result), operands_.number(op.b), op.detail != 0});
+  const auto index = static_cast<std::size_t>(axis);
+  if (op.detail == kSecondTrigger) {
+    words_.axis_measuring[index]->second_trigger = operands_.number(op.b);
+    return std::nullopt;
+  }
+  words_.measure_axis(index, {operands_.number(op.result), operands_.number(op.b), op.detail != 0});
   return std::nullopt;
 }
 

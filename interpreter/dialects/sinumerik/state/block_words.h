@@ -22,8 +22,9 @@ struct BlockWords {
   /// MEASA[axis] and MEAWA[axis]
   struct AxisMeasuring {
     double mode = 0.0;
-    double trigger = 0.0;  ///< probe 1 or 2, minus: falling edge
-    bool goes_on = false;  ///< MEAWA
+    double trigger = 0.0;         ///< probe 1 or 2, minus: falling edge
+    bool goes_on = false;         ///< MEAWA
+    double second_trigger = 0.0;  ///< 0: none
   };
   /// FA[axis], ACC[axis] and the like
   struct AxisSetting {
@@ -31,13 +32,13 @@ struct BlockWords {
     int axis = 0;  ///< or kSpindleAxis
     double value = 0.0;
   };
-  std::array<Word, index_of(Address::Count)> words;
   /// S2=, M3=4, SPOS[2]: what is of another spindle than the master
   struct SpindleWord {
     int spindle = 0;
     Address address = Address::Speed;
     double value = 0.0;
   };
+  std::array<Word, index_of(Address::Count)> words;
   std::array<double, kMostMachineCodes> machine_codes = {};
   std::size_t machine_code_count = 0;
   std::optional<std::string> tool_name;
@@ -46,8 +47,8 @@ struct BlockWords {
   std::array<Word, kAxisNumbers> positioning;  ///< POS[axis] and POSA[axis]
   bool has_positioning = false;
   std::vector<AxisSetting> axis_settings;
-  std::vector<std::uint16_t> computed_codes;  ///< G[group]=number, packed
   std::vector<SpindleWord> spindle_words;
+  std::vector<std::uint16_t> computed_codes;  ///< G[group]=number, packed
 
   void set(std::size_t address, double value, Modification modification);
   void measure_axis(std::size_t axis, const AxisMeasuring& measuring);

@@ -60,6 +60,8 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
           static_cast<std::size_t>(globals.find("$MN_MM_NUM_GLOBAL_BASE_FRAMES")->place)),
       rotary_is_modulo_(static_cast<std::size_t>(globals.find("$MA_ROT_IS_MODULO")->place)),
       axis_function_masks_(static_cast<std::size_t>(globals.find("$MA_MISC_FUNCTION_MASK")->place)),
+      measuring_mask_(static_cast<std::size_t>(globals.find("$MNS_MEA_FUNCTION_MASK")->place)),
+      simultaneous_limit_(static_cast<std::size_t>(globals.find("$SCS_MEA_SIMULTAN_LIMIT")->place)),
       rapids_are_straight_(static_cast<std::size_t>(globals.find("$MC_G0_LINEAR_MODE")->place)),
       codes_at_start_(static_cast<std::size_t>(globals.find("$MC_GCODE_RESET_VALUES")->place)),
       technology_(static_cast<std::size_t>(globals.find("$MCS_TECHNOLOGY")->place)),
@@ -88,6 +90,12 @@ Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, con
   }
 }
 
+std::optional<double> Channel::simultaneous_limit() const {
+  constexpr unsigned kSimultaneously = 1U << 14U;
+  const auto mask = static_cast<std::uint32_t>(static_cast<std::int64_t>(numbers[measuring_mask_]));
+  return (mask & kSimultaneously) != 0 ? std::optional(numbers[simultaneous_limit_]) : std::nullopt;
+}
+
 bool Channel::is_lathe() const {
   constexpr double kTurning = 1.0;
   constexpr int kAxisY = 1;
@@ -110,14 +118,6 @@ void Channel::preset_codes() {
   frames_changed();
 }
 
-std::optional<int> Channel::axis_of_spindle(int spindle_number) const {
-  if (spindle_number < 1) {
-    return std::nullopt;  // what the data of axes without a spindle say
-  }
-  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
-    if (is_rotary_axis(axis) && port.travel(axis) &&
-        numbers[spindles_of_axes_ + static_cast<std::size_t>(axis)] == spindle_number) {
-      return axis;
 void Channel::make_master(int spindle_number) {
   const int old = static_cast<int>(master_spindle);
   if (spindle_number != old) {
@@ -135,6 +135,14 @@ int Channel::port_spindle(int spindle_number) const {
                                     : machine::kToolSpindle + spindle_number;
 }
 
+std::optional<int> Channel::axis_of_spindle(int spindle_number) const {
+  if (spindle_number < 1) {
+    return std::nullopt;  // what the data of axes without a spindle say
+  }
+  for (int axis = 0; axis < static_cast<int>(kAxisCount); ++axis) {
+    if (is_rotary_axis(axis) && port.travel(axis) &&
+        numbers[spindles_of_axes_ + static_cast<std::size_t>(axis)] == spindle_number) {
+      return axis;
     }
   }
   return std::nullopt;

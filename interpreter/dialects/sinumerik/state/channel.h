@@ -102,6 +102,9 @@ class Channel : public ChannelState {
   /// MD33100, mm: how far G642 may round an axis off its corner.
   [[nodiscard]] double rounding_tolerance(int axis) const;
   [[nodiscard]] AxisPositions lower_soft_limits() const;
+  /// MD51740 bit 14, SD55700: how far two probes that measure at once may go on behind the first
+  /// signal, mm; nullopt: as far as the block goes.
+  [[nodiscard]] std::optional<double> simultaneous_limit() const;
   /// Whether > and < make a difference where == makes none ($MN_PROG_FUNCTION_MASK).
   [[nodiscard]] bool orders_exactly() const;
   /// All frames but the programmable one, outermost first.
@@ -208,13 +211,13 @@ class Channel : public ChannelState {
   [[nodiscard]] bool is_lathe() const;
   /// MD35000: the rotary axis that a spindle is when it is positioned; nullopt: none.
   [[nodiscard]] std::optional<int> axis_of_spindle(int spindle_number) const;
-  /// The way of G0: RTLIOF acts in exact stop alone, and neither compensated nor compressed.
-  /// Source: SINUMERIK ONE programming, 6FC5398-2EP40, RTLION and RTLIOF.
-  [[nodiscard]] machine::RapidPath rapid_path() const;
   /// SETMS: words without the number of a spindle are of this one from now on.
   void make_master(int spindle_number);
   /// As the machine knows a spindle: kToolSpindle turns the tools.
   [[nodiscard]] int port_spindle(int spindle_number) const;
+  /// The way of G0: RTLIOF acts in exact stop alone, and neither compensated nor compressed.
+  /// Source: SINUMERIK ONE programming, 6FC5398-2EP40, RTLION and RTLIOF.
+  [[nodiscard]] machine::RapidPath rapid_path() const;
   /// nullptr: the machine has it not
   [[nodiscard]] const FurtherAxis* further(int axis) const {
     const auto found = further_axes.find(axis);
@@ -265,6 +268,8 @@ class Channel : public ChannelState {
   std::size_t global_base_frames_;              ///< place of MD18602
   std::size_t rotary_is_modulo_;                ///< place of MD30310
   std::size_t axis_function_masks_;             ///< place of MD30455
+  std::size_t measuring_mask_;                  ///< place of MD51740
+  std::size_t simultaneous_limit_;              ///< place of SD55700
   std::size_t rapids_are_straight_;             ///< place of MD20730
   std::size_t codes_at_start_;                  ///< place of MD20150
   std::size_t technology_;                      ///< place of MD52200

@@ -122,6 +122,8 @@ struct ChannelState {
   static constexpr int kMostProbes = 8;
   AxisPositions q_M_measured = AxisPositions::Zero();
   AxisPositions q_W_measured = AxisPositions::Zero();
+  AxisPositions q_M_second = AxisPositions::Zero();  ///< of the second trigger
+  AxisPositions q_W_second = AxisPositions::Zero();
   std::array<bool, kMostProbes + 1> measured = {};  ///< by probe, from 1
   runtime::TouchReports touches;                    ///< of MEAS, MEAW, MEASA and MEAWA
   std::optional<SkipAction> skip_action;            ///< of the next move

@@ -130,6 +130,16 @@ Number work_measured(Channel& channel, const SystemAccess& access) {
   return place_value(channel, access, channel.q_W_measured, channel.active_frame());
 }
 
+Number machine_measured_second(Channel& channel, const SystemAccess& access) {
+  measured_read(channel);
+  return axis_value(channel, access, channel.q_M_second);
+}
+
+Number work_measured_second(Channel& channel, const SystemAccess& access) {
+  measured_read(channel);
+  return place_value(channel, access, channel.q_W_second, channel.active_frame());
+}
+
 Number upper_soft_limit(Channel& channel, const SystemAccess& access) {
   return axis_value(channel, access, channel.upper_soft_limits());
 }

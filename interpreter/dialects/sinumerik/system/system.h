@@ -71,6 +71,8 @@ Number basic_zero_now(Channel& channel, const SystemAccess& access);
 Number settable_now(Channel& channel, const SystemAccess& access);
 Number machine_measured(Channel& channel, const SystemAccess& access);
 Number work_measured(Channel& channel, const SystemAccess& access);
+Number machine_measured_second(Channel& channel, const SystemAccess& access);
+Number work_measured_second(Channel& channel, const SystemAccess& access);
 Number upper_soft_limit(Channel& channel, const SystemAccess& access);
 Number lower_soft_limit(Channel& channel, const SystemAccess& access);
 Number reference_point(Channel& channel, const SystemAccess& access);
