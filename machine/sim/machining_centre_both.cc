@@ -14,9 +14,8 @@
 namespace g31::machine {
 namespace {
 
-constexpr double kPerMinute = 1.0 / 60.0;
-
-std::array<Listening, 2> listening_of(const SkipMove& move) {
+std::array<Listening, 2> listening_of_both(const SkipMove& move) {
+  constexpr double kPerMinute = 1.0 / 60.0;
   const double speed_mm_s = kPerMinute * move.way.feed_mm_min;
   return {Listening{move.input, move.edge, speed_mm_s},
           Listening{move.further->input, move.edge, speed_mm_s}};
@@ -70,7 +69,7 @@ SkipOutcome MachiningCentre::skip_for_both(const StraightPath& path, const SkipM
   const ServoMotion motion = real_.motion(path, profile.phases());
   std::array<std::optional<Timed<SkipTrigger>>, 2> signals;
   for (std::size_t i = 0; surroundings_ != nullptr && i < signals.size(); ++i) {
-    const Listening to = listening_of(move).at(i);
+    const Listening to = listening_of_both(move).at(i);
     if (!real_.are_ideal()) {
       signals.at(i) = real_.first_signal(motion, to, *surroundings_);
       continue;

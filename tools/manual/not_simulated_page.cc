@@ -29,7 +29,7 @@ finds both before (NC007).
   `[[input]]`.
 * There is one channel: programs of several channels wait for nobody.
 * SINUMERIK, five axes: TRAORI, tool carriers and CYCLE800 run by the data `$TC_CARR`; the radius is compensated in the
-  plane (CUT2D), and measuring along a great circle (A3 with ORIVECT) is refused.  Kinematic chains
+  plane (CUT2D), and MEAW along a great circle (A3 with ORIVECT) is refused.  Kinematic chains
   (`$NK_`, `$NT_`) have offsets, rotary, linear and fixed turned elements: a slide on a rotary axis and SWITCH are refused.  What
   compile cycles do with files of interpolation points and of directions is not there.  The shaft of a probe senses nothing:
   CYCLE995 needs a further ball in its place.

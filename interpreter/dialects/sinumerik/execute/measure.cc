@@ -1,5 +1,6 @@
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -108,10 +109,6 @@ Result<machine::LinearMove, Failure> measuring_move(Channel& channel, const Bloc
   machine::LinearMove move;
   move.smoothness.limits_jerk = limits_jerk(channel);
   move.q_M_end = coupled_end(channel, channel.port.position(), channel.to_machine(q_W_end));
-  if (has_direction(block) && channel.group[Group::OrientationPath] != number_in_group("ORIAXES") &&
-      rotary_axes(move.q_M_end) != rotary_axes(channel.port.position())) {
-    return failure(AlarmId::NotImplemented, "MEAS along a great circle: ORIAXES goes");
-  }
   move.transform = channel.leads();
   if (channel.group[Group::Motion] == number_in_group("G0")) {
     return move;
@@ -172,58 +169,58 @@ Result<machine::SkipMove, Failure> listening_move(const Channel& channel,
 }
 
 /// What the move has come to, for the program and for those who watch it.
+/// @param state  of the probe, before the move
 void report(Channel& channel, const Measuring& measuring, runtime::TouchEvent event,
-            const machine::SkipOutcome& outcome, const AxisPositions& q_W_end) {
-  const auto* const touched = std::get_if<machine::Touched>(&outcome);
-  const bool has_second = touched != nullptr && touched->further;
-  if (has_second) {
-    settle_second(channel, *touched->further, measuring.further);
-  }
-  settle(channel, event, measuring, q_W_end);
+            const machine::SkipOutcome& outcome, const std::optional<machine::SensorState>& state) {
   if (event.triggered) {
     channel.touches.missed.touched();
   } else if (!measuring.by_action) {
     channel.touches.missed.missed(event.where);
   }
-  channel.touches.touched(event, channel.port.sensor_state(measuring.probe));
+  channel.touches.touched(event, state);
   channel.outlet.touched(event);
-  if (has_second) {
+  if (const auto* const touched = std::get_if<machine::Touched>(&outcome);
+      touched != nullptr && touched->further) {
     event.q_M_latched = touched->further->q_M_latched;
     event.contact = touched->further->contact;
     channel.outlet.touched_as_well(event);
   }
 }
 
-MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring& measuring) {
-  const auto q_W_end = programmed_end(channel, block);
-  if (!q_W_end) {
-    return q_W_end.error();
+/// Where the ways of a measuring block end: along a great circle they are several.
+Result<std::vector<AxisPositions>, Failure> ends_of(Channel& channel, const Block& block,
+                                                    const Measuring& measuring,
+                                                    const AxisPositions& q_W_end) {
+  if (!has_direction(block)) {
+    return std::vector<AxisPositions>{q_W_end};
   }
-  const auto straight = measuring_move(channel, block, q_W_end.value());
+  auto ends = pieces_of_turn(channel, channel.to_machine(q_W_end), q_W_end);
+  if (ends && ends.value().size() > 1 && measuring.after == machine::AfterSignal::GoOn) {
+    return failure(AlarmId::NotImplemented, "MEAW along a great circle: ORIAXES goes");
+  }
+  return ends;
+}
+
+/// One way of a measuring block, as far as the probe lets it go.
+/// @param is_last  the block has no other behind it
+/// @returns whether the signal has come
+Result<bool, Failure> measure_along(Channel& channel, const Block& block,
+                                    const Measuring& measuring, const AxisPositions& q_W_end,
+                                    bool is_last) {
+  const auto straight = measuring_move(channel, block, q_W_end);
   if (!straight) {
     return straight.error();
   }
-  if (MaybeFailure wrong = compensate_axes(channel)) {
-    return wrong;
-  }
   if (MaybeFailure outside =
           out_of_reach(channel, channel.machine_to_path(straight.value().q_M_end))) {
-    return outside;
+    return *outside;
   }
   auto listening = listening_move(channel, straight.value(), measuring);
   if (!listening) {
     return listening.error();
   }
   const machine::SkipMove& move = listening.value();
-  if (!measuring.by_action) {
-    channel.measured = {};
-  }
   const auto state = channel.port.sensor_state(move.input);
-  channel.warnings.add_complaints(channel.diagnostics, state, block.where);
-  if (is_compensation_on(channel)) {
-    channel.warnings.add(channel.diagnostics, source::DiagnosticId::MeasuredCompensated,
-                         block.where);
-  }
   const AxisPositions q_M_from = channel.port.position();
   const auto outcome = channel.outlet.move_until_skip(move, block.where);
   if (!outcome) {
@@ -240,7 +237,48 @@ MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring&
   move_followers(channel, channel.port.position() - q_M_from);
   event.block = "MEAS";
   event.where = block.where;
-  report(channel, measuring, event, outcome.value(), q_W_end.value());
+  if (const auto* const touched = std::get_if<machine::Touched>(&outcome.value());
+      touched != nullptr && touched->further) {
+    settle_second(channel, *touched->further, measuring.further);
+  }
+  settle(channel, event, measuring, q_W_end);
+  if (event.triggered || is_last) {
+    report(channel, measuring, event, outcome.value(), state);
+  }
+  return event.triggered;
+}
+
+MaybeFailure measure_with(Channel& channel, const Block& block, const Measuring& measuring) {
+  const auto q_W_end = programmed_end(channel, block);
+  if (!q_W_end) {
+    return q_W_end.error();
+  }
+  const auto ends = ends_of(channel, block, measuring, q_W_end.value());
+  if (!ends) {
+    return ends.error();
+  }
+  if (MaybeFailure wrong = compensate_axes(channel)) {
+    return wrong;
+  }
+  if (!measuring.by_action) {
+    channel.measured = {};
+  }
+  channel.warnings.add_complaints(channel.diagnostics, channel.port.sensor_state(measuring.probe),
+                                  block.where);
+  if (is_compensation_on(channel)) {
+    channel.warnings.add(channel.diagnostics, source::DiagnosticId::MeasuredCompensated,
+                         block.where);
+  }
+  for (std::size_t i = 0; i < ends.value().size(); ++i) {
+    const auto triggered =
+        measure_along(channel, block, measuring, ends.value()[i], i + 1 == ends.value().size());
+    if (!triggered) {
+      return triggered.error();
+    }
+    if (triggered.value()) {
+      break;
+    }
+  }
   return std::nullopt;
 }
 

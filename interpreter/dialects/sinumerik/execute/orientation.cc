@@ -132,30 +132,42 @@ MaybeFailure take_direction(const Channel& channel, const Block& block, AxisPosi
   return std::nullopt;
 }
 
-MaybeFailure travel_with_direction(Channel& channel, const path::PathBlock& path,
-                                   const AxisPositions& q_W_end) {
-  const AxisPositions q_M_from = channel.machine_position();
-  const Vector3 from = channel.tool_direction(q_M_from);
-  const Vector3 to = channel.tool_direction(path.q_M_end);
+Result<std::vector<AxisPositions>, Failure> pieces_of_turn(Channel& channel,
+                                                           const AxisPositions& q_M_end,
+                                                           const AxisPositions& q_W_end) {
+  AxisPositions q_M = channel.machine_position();
+  const Vector3 from = channel.tool_direction(q_M);
+  const Vector3 to = channel.tool_direction(q_M_end);
   const double angle = std::atan2(from.cross(to).norm(), from.dot(to)) * 180.0 / std::numbers::pi;
   const int pieces = channel.group[Group::OrientationPath] == kByAxes || angle > 179.999
                          ? 1
                          : std::max(1, static_cast<int>(std::ceil(angle / kPieceDeg)));
   const AxisPositions q_W_from = channel.present();
-  AxisPositions q_M = q_M_from;
+  std::vector<AxisPositions> ends;
   for (int i = 1; i < pieces; ++i) {
     const double fraction = static_cast<double>(i) / pieces;
     const auto turned = axes_for(channel, between(from, to, fraction), q_M);
     if (!turned) {
       return failure(AlarmId::CarrierNotReached, "on the way of the orientation");
     }
-    const AxisPositions q_W =
-        with_turn(channel, q_W_from + fraction * (q_W_end - q_W_from), *turned);
-    path::PathBlock piece = path;
-    piece.q_M_end = channel.to_path(q_W);
+    ends.push_back(with_turn(channel, q_W_from + fraction * (q_W_end - q_W_from), *turned));
     q_M.tail<kRotaryAxisCount>() = rotary_axes(*turned);
+  }
+  ends.push_back(q_W_end);
+  return ends;
+}
+
+MaybeFailure travel_with_direction(Channel& channel, const path::PathBlock& path,
+                                   const AxisPositions& q_W_end) {
+  const auto ends = pieces_of_turn(channel, path.q_M_end, q_W_end);
+  if (!ends) {
+    return ends.error();
+  }
+  for (std::size_t i = 0; i + 1 < ends.value().size(); ++i) {
+    path::PathBlock piece = path;
+    piece.q_M_end = channel.to_path(ends.value()[i]);
     piece.ends = machine::BlockEnd::PassOn;
-    if (MaybeFailure wrong = travel_to(channel, piece, q_W)) {
+    if (MaybeFailure wrong = travel_to(channel, piece, ends.value()[i])) {
       return wrong;
     }
   }

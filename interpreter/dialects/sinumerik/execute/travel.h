@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "interpreter/dialects/sinumerik/execute/execute.h"
 #include "interpreter/path/path_block.h"
 
@@ -16,7 +18,15 @@ MaybeFailure travel(Channel& channel, const path::PathBlock& path);
 /// @param q_W_end  where the path ends for the program
 MaybeFailure travel_to(Channel& channel, const path::PathBlock& path, const AxisPositions& q_W_end);
 
-/// The same with a programmed direction of the tool, which goes along a great circle with ORIVECT.
+/// Where the pieces of a way end on which the tool turns along a great circle, in work coordinates;
+/// one piece with ORIAXES.
+/// @param q_M_end  the rotary axes at its end
+Result<std::vector<AxisPositions>, Failure> pieces_of_turn(Channel& channel,
+                                                           const AxisPositions& q_M_end,
+                                                           const AxisPositions& q_W_end);
+
+/// `travel_to` with a programmed direction of the tool, which goes along a great circle with
+/// ORIVECT.
 MaybeFailure travel_with_direction(Channel& channel, const path::PathBlock& path,
                                    const AxisPositions& q_W_end);
 
