@@ -105,20 +105,23 @@ InsertPlate plate_of(const Insert& insert, const Point& p_T_tip_centre) {
   return plate;
 }
 
-/// Along its edges, as thin as meshes can be asked about.
-std::vector<ConvexShape> edges_of(const InsertPlate& plate) {
+ConvexShape rod_between(const Point& from, const Point& to) {
   constexpr double kThin = 0.005;  // mm
-  std::vector<ConvexShape> edges;
-  for (const Point& end : plate.edge_ends) {
-    const Point way = end - plate.p_tip_centre;
-    ProbeSection edge;
-    edge.z_top = way.norm();
-    edge.rounding = kThin;
-    edge.turn_S = Eigen::Quaterniond::FromTwoVectors(Point::UnitZ(), way);
-    edge.p_S = plate.p_tip_centre;
-    edges.emplace_back(edge);
-  }
-  return edges;
+  const Point way = to - from;
+  ProbeSection rod;
+  rod.z_top = way.norm();
+  rod.rounding = kThin;
+  rod.turn_S = Eigen::Quaterniond::FromTwoVectors(Point::UnitZ(), way);
+  rod.p_S = from;
+  return rod;
+}
+
+/// All around it, as thin as meshes can be asked about: its edges and its back, for nothing comes
+/// into the plate in its plane but past them.
+std::vector<ConvexShape> edges_of(const InsertPlate& plate) {
+  const auto& [first, second] = plate.edge_ends;
+  return {rod_between(plate.p_tip_centre, first), rod_between(plate.p_tip_centre, second),
+          rod_between(first, second)};
 }
 
 double reach_of(const ConvexShape& shape, const Point& p_T_tip) {

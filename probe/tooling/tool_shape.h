@@ -20,7 +20,7 @@ struct ToolShape {
   std::vector<ConvexShape> envelope;  ///< what it takes up while it turns
   std::vector<ConvexShape> bodies;    ///< chuck and shank
   TeethProfiles profiles;
-  std::vector<ConvexShape> edges;  ///< of an insert, as thin rods, for what asks about meshes
+  std::vector<ConvexShape> edges;  ///< of an insert, thin rods all around, for meshes
   Point p_T_tip = Point::Zero();   ///< lowest point on the axis, of an insert its theoretical tip
   double reach_mm = 0.0;           ///< no point of it is farther from the tip
 };

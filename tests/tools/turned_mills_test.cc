@@ -1,6 +1,8 @@
 // CYCLE982 with mills that are wider than the tool probe, with rear edges of side mills, and with
 // tools that a swivelled tool carrier holds.
 
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,7 @@ namespace g31::testing::turned_mills_test {
 namespace {
 
 constexpr double kExactly = 1e-6;  // mm
+const double kRad40 = std::numbers::pi / 4.5;
 
 constexpr const char* kLathe = R"([machine]
 tool_side = "ZX"
@@ -150,6 +153,27 @@ TEST(TurnedMills, AMillHeldByACarrierIsMeasuredAlongAnAxis) {
   expect_mills(mill + swivelled(90) + "G0 SUPA X300\nG0 SUPA Z-150\nCYCLE982(12002,0,1" + limits,
                kSwivelling, found);
   expect_mills(mill + swivelled(0) + kBeside + "CYCLE982(2002,0,1" + limits, kSwivelling, found);
+}
+
+/// The tip goes from X100 Z-200 to plus of both; a pin of 2 mm stands there at X130 Z-170.  The
+/// ends of the edges, 10 mm and 40 degrees to either side of the way, and the line between them
+/// come first.
+TEST(TurnedMills, AFixtureMeetsTheBackOfAnInsert) {
+  const MeasuringRun run = run_on_sheets(
+      "T5 D1 M6\nG18 DIAMOF D0\nG0 X150 Z-120\nG1 X190 Z-80 F1000",
+      {"[control]\nprofile = \"sinumerik-828d\"\n", kLathe, kTools,
+       "[[tool]]\nnumber = 5\nkind = \"turning\"\nlengths = [50.0, 80.0, 0.0]\n"
+       "tip_radius = 0.4\nedge_position = 3\ninsert_angle_deg = 80.0\norientation_deg = 45.0\n"
+       "edge_length = 10.0\n",
+       part("cylinder", 130.0, -10.0, -170.0,
+            "fixture = true\ndiameter = 2.0\nheight = 20.0\nrotate_deg = [90.0, 0.0, 0.0]")},
+      {"$AA_IM[X]"});
+  EXPECT_EQ(run.output.exit_code, 4) << run.output.errors;
+  // From the middle of the tip to its back, along the way: an edge begins where it touches the tip,
+  // which is a sine of its radius further off.
+  const double back = 10.0 * std::cos(kRad40) - 0.4 * std::sin(kRad40);
+  const double way = std::sqrt(2.0) * (30.0 - 0.4) - back - 1.0;
+  EXPECT_NEAR(run.at("$AA_IM[X]"), 150.0 + way / std::sqrt(2.0), 0.01);
 }
 
 struct AlarmCase {
