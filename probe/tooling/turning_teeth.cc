@@ -43,7 +43,9 @@ class PassingTooth {
                const Turning& turning, const Facing& facing)
       : tooth_(tooth), blade_(profile), touch_(touch), turning_(turning), facing_(facing) {
     const Blade::Radial asked(facing.across, -touch.n_T.z());
-    const Blade::Radial furthest = furthest_of(profile, asked);
+    // Square from the side it is as wide as it is, without a look at its edge.
+    const Blade::Radial furthest =
+        asked.y() == 0.0 ? Blade::Radial(tooth.radius_mm, 0.0) : furthest_of(profile, asked);
     radius_ = furthest.x();
     furthest_ = asked.dot(furthest);
   }
