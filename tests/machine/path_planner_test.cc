@@ -292,8 +292,8 @@ TEST(PathPlanner, GivesOutWhatNothingChangesAnyMore) {
   for (int i = 0; i < 10'000; ++i) {
     planner.add(0.1, {50.0, 2000.0 + i % 2, 0.0}, 30.0);
     given += planner.release().size();
-    // 30 mm/s are braked on 0.225 mm: three ways.
-    ASSERT_LE(static_cast<std::size_t>(i) + 1 - given, 4U);
+    // 30 mm/s are braked on 0.225 mm: three ways, and what comes until it is looked again.
+    ASSERT_LE(static_cast<std::size_t>(i) + 1 - given, 8U);
   }
 }
 
