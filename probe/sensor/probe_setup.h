@@ -88,6 +88,7 @@ struct SwitchingSetup {
   std::optional<ProgramSwitch> on;   ///< with one it is off at the start
   std::optional<ProgramSwitch> off;  ///< the same code as on does both turn by turn
   double start_up_s = 0.0;           ///< >= 0, from being switched on until it can give a signal
+  bool may_turn = false;             ///< nothing is said of measuring while the spindle turns
 
   /// Whether programs bring the probe or switch it on, and so can forget to.
   [[nodiscard]] bool is_up_to_program() const { return tool || on || !other_tools.empty(); }

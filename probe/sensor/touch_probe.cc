@@ -56,7 +56,8 @@ std::optional<machine::SensorState> TouchProbe::sensor_state(int input) const {
   machine::SensorState state;
   state.in_place = is_in_place_;
   state.switched_on = is_on();
-  state.stands = !spindle_.turns() || !setup_.switching.is_up_to_program();
+  const bool is_told = setup_.switching.is_up_to_program() && !setup_.switching.may_turn;
+  state.stands = !spindle_.turns() || !is_told;
   state.angle_known = spindle_.is_angle_known() || is_round();
   state.ball_radius_mm = balls_.front().radius;
   state.delay_s = setup_.trigger_delay_s;
@@ -154,7 +155,8 @@ void TouchProbe::note(const machine::ToolChange& change) {
   if (change.spindle != kToolSpindle) {
     return;
   }
-  const auto& [own, others, on, off, start_up_s] = setup_.switching;
+  const std::optional<int>& own = setup_.switching.tool;
+  const std::vector<int>& others = setup_.switching.other_tools;
   is_in_place_ = own ? change.tool.number == *own
                      : std::ranges::find(others, change.tool.number) == others.end();
 }

@@ -1,6 +1,7 @@
 // What a user is told whose program measures without its probe.
 
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -105,6 +106,26 @@ off.mpf:2:1: warning: the skip move reached its end point without a signal [PRB3
       | ^~~~~~~~~~~~~~~~~~~
       = the control raises no alarm here: compare the reading with the programmed end point before using it (SINUMERIK: check $AC_MEA), or program a longer move
 )");
+}
+
+TEST(ProbeAsTool, OneThatMayTurnIsNotToldToStand) {
+  const TemporaryFolder folder;
+  std::string may_turn = kSheet;
+  may_turn.insert(may_turn.find("[[part]]"), "may_turn = true\n");
+  const std::pair<std::string, std::string> kPrograms[] = {
+      {"turn.nc", "O1\nM80\nM3 S100\nG31 Z190. F500.\nM30\n"},
+      {"turn.mpf", "M80\nM3 S100\nMEAS=1 G1 Z190 F500\nM30\n"}};
+  for (const auto& [name, program] : kPrograms) {
+    SCOPED_TRACE(name);
+    const RunOutput told = run_with_probe(folder, name, program);
+    EXPECT_NE(told.errors.find("[PRB313]"), std::string::npos) << told.errors;
+    cli::RunOptions options;
+    options.programs = {folder.path(name)};
+    options.setups = {folder.write("may_turn.toml", may_turn)};
+    const RunOutput allowed = run_program(options);
+    EXPECT_EQ(allowed.errors.find("[PRB313]"), std::string::npos) << allowed.errors;
+    EXPECT_NE(allowed.errors.find("[PRB301]"), std::string::npos) << "the rest is told";
+  }
 }
 
 }  // namespace

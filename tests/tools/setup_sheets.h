@@ -139,6 +139,7 @@ off = "M81"
 ready_input = 1004
 signal_input = 5
 start_up_s = 0.5
+may_turn = true
 calibrated_feed = 50.0
 stem_diameter = 3.0
 stem_length = 50.0

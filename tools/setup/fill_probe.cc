@@ -99,6 +99,7 @@ probe::SwitchingSetup switching_from(const TableKeys& keys) {
   switching.on = switch_from(keys, KeyId::ProbeOn);
   switching.off = switch_from(keys, KeyId::ProbeOff);
   switching.start_up_s = keys.get(KeyId::ProbeStartUp, 0.0);
+  switching.may_turn = keys.get(KeyId::ProbeMayTurn, 0.0) != 0.0;
   return switching;
 }
 
