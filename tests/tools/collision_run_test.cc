@@ -182,14 +182,14 @@ TEST(Collision, ThatIsFoundLateHasTheCallsOfItsBlock) {
   const std::string to_wall = "X-33.\nX-32.\nX-31.\n";
   const std::string further = "X-30.\nX-29.\nX-28.\nX-27.\n";
   const std::string begin = "G00 X-100. Z-10.\nG05.1 Q1\nG01 F3000 X-34.\n";
-  struct Case {
+  struct Level {
     std::string main, sub;
     const char* place;
     bool is_called;
   };
-  const Case kCases[] = {{"M98 P2\n" + further, to_wall, "hit.nc:15:1", true},
-                         {to_wall + "M98 P2\n", further, "hit.nc:8:1", false}};
-  for (const Case& c : kCases) {
+  const Level kLevels[] = {{"M98 P2\n" + further, to_wall, "hit.nc:15:1", true},
+                           {to_wall + "M98 P2\n", further, "hit.nc:8:1", false}};
+  for (const Level& c : kLevels) {
     const RunOutput output = run_with("[machine.axes.X]\nservo_gain = 1.8\n",
                                       begin + c.main + "M30\nO2\n" + c.sub + "M99\n");
     EXPECT_EQ(output.exit_code, 4) << output.errors;
