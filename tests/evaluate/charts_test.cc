@@ -2,6 +2,7 @@
 
 #include "tools/evaluate/charts.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,7 @@ TEST(Charts, NameTheCurvesThatCanBeToldApart) {
   for (std::size_t i = 0; i < curves.size(); ++i) {
     curves[i].name = std::to_string(i);
   }
-  const auto traces = deviation_traces(curves, plot::CurveStyle::Marked);
+  const auto traces = deviation_traces(curves, plot::Language::English);
   ASSERT_EQ(traces.size(), curves.size());
   for (std::size_t i = 0; i < traces.size(); ++i) {
     EXPECT_EQ(traces[i].name, i < 8 ? std::to_string(i) : std::string());

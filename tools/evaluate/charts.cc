@@ -62,20 +62,6 @@ std::string legend_name(const std::string& curve, plot::Language language) {
   return known == std::end(kNames) ? curve : std::string(text_of(known->second, language));
 }
 
-std::vector<plot::CurveTrace> deviation_traces(const std::vector<Curve>& curves,
-                                               plot::Language language) {
-  std::vector<plot::CurveTrace> traces;
-  for (const Curve& curve : curves) {
-    plot::CurveTrace trace = trace_of(curve);
-    const bool is_second_row = traces.size() / kColours % 2 != 0;
-    trace.style = is_second_row ? plot::CurveStyle::Dashed : plot::CurveStyle::Marked;
-    trace.colour = traces.size() % kColours;
-    trace.name = traces.size() < kNamed ? legend_name(curve.name, language) : std::string();
-    traces.push_back(std::move(trace));
-  }
-  return traces;
-}
-
 /// A chart in its language, with the results beside it.
 plot::CurvePlot chart_of(const Evaluation& evaluation, plot::Language language) {
   plot::CurvePlot chart;
@@ -94,6 +80,20 @@ std::vector<std::string> facts_of(const Evaluation& evaluation) {
     }
   }
   return facts;
+}
+
+std::vector<plot::CurveTrace> deviation_traces(const std::vector<Curve>& curves,
+                                               plot::Language language) {
+  std::vector<plot::CurveTrace> traces;
+  for (const Curve& curve : curves) {
+    plot::CurveTrace trace = trace_of(curve);
+    const bool is_second_row = traces.size() / kColours % 2 != 0;
+    trace.style = is_second_row ? plot::CurveStyle::Dashed : plot::CurveStyle::Marked;
+    trace.colour = traces.size() % kColours;
+    trace.name = traces.size() < kNamed ? legend_name(curve.name, language) : std::string();
+    traces.push_back(std::move(trace));
+  }
+  return traces;
 }
 
 std::string deviation_chart(const Evaluation& evaluation, const ChartWords& words,

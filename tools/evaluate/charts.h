@@ -18,8 +18,12 @@ struct ChartWords {
   plot::Word x_label;
 };
 
-/// The drawing of an evaluation whose curves are deviations over a way: in um over places in mm, in
-/// the colours' order, with the names of the first four.
+/// Curves of deviations in mm as traces in um over places in mm, in the colours' order: the second
+/// four are dashed, further ones have no name.
+std::vector<plot::CurveTrace> deviation_traces(const std::vector<Curve>& curves,
+                                               plot::Language language);
+
+/// The drawing of an evaluation whose curves are deviations over a way.
 std::string deviation_chart(const Evaluation& evaluation, const ChartWords& words,
                             plot::Language language);
 
