@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -63,6 +65,24 @@ Result<double, std::string> unit_of_model(const ZipEntry& entry) {
   return unit->mm;
 }
 
+/// The model that the relationships of the package lead to and that is not in it; "": none.  assimp
+/// stops the process where it looks for one.
+std::string missing_model(std::string_view relationships, const std::vector<ZipEntry>& entries) {
+  constexpr std::string_view kTarget = "Target=\"";
+  for (std::size_t at = relationships.find(kTarget); at != std::string_view::npos;
+       at = relationships.find(kTarget, at + 1)) {
+    std::string_view name = relationships.substr(at + kTarget.size());
+    name = name.substr(0, name.find('"'));
+    name.remove_prefix(name.starts_with('/') ? 1 : 0);
+    const bool is_there =
+        std::ranges::any_of(entries, [&](const ZipEntry& entry) { return entry.name == name; });
+    if (name.ends_with(".model") && !is_there) {
+      return std::string(name);
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<double, std::string> unit_of_3mf(std::string_view bytes) {
@@ -83,6 +103,10 @@ Result<double, std::string> unit_of_3mf(std::string_view bytes) {
       // assimp stops the process where it meets a file whose checksum is wrong.
       if (const auto whole = unpacked(entry); !whole) {
         return whole.error();
+      } else if (entry.name == "_rels/.rels") {
+        if (const auto name = missing_model(whole.value().bytes, entries.value()); !name.empty()) {
+          return fmt::format("'{}', its model, is not in it", name);
+        }
       }
       continue;
     }

@@ -142,6 +142,19 @@ TEST_F(MeshFile, SaysWhatIsWrongInOneLine) {
 
 // Any truncation and any flipped byte ends in a mesh or in an error, never in a crash, and what is
 // read always keeps its promise.
+// Found by fuzzing: the directory of the archive calls the model otherwise than the relationships
+// do.
+TEST_F(MeshFile, A3mfWithoutItsModelIsRefused) {
+  std::string bytes = corner_3mf();
+  const std::size_t name = bytes.rfind("3D/3dmodel.model");  // in the directory, at the end
+  ASSERT_NE(name, std::string::npos);
+  bytes[name] = 'Z';
+  const auto read = read_mesh_file(write("moved.3mf", bytes));
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().find("'3D/3dmodel.model', its model, is not in it"), std::string::npos)
+      << read.error();
+}
+
 TEST_F(MeshFile, SurvivesDamage) {
   const std::pair<std::string, std::string> kWhole[] = {
       {"a.stl", binary_stl(testing::box_mesh({3, 2, 1}))},
