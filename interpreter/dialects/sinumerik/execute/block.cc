@@ -53,12 +53,14 @@ void take_codes(Channel& channel, const Block& block) {
 
 /// G54 to G599 that neither sheet nor program has given.
 MaybeFailure refuse_left_out(const Channel& channel, const Block& block) {
-  const GCode* const code = block.code_of(Group::SettableFrame);
-  if (code == nullptr || !channel.left_out.contains(channel.settable_number())) {
+  if (block.code_of(Group::SettableFrame) == nullptr ||
+      !channel.left_out.contains(channel.settable_number())) {
     return std::nullopt;
   }
+  const auto code =
+      find_g_code(static_cast<double>(Group::SettableFrame), channel.group[Group::SettableFrame]);
   return message_failure(runtime::Status::Setup, source::DiagnosticId::SetupMissingOffset,
-                         std::string(code->name));
+                         name_of(*code));
 }
 
 /// Whether a program has stopped at one place as often as no operator would start it again.

@@ -72,6 +72,11 @@ std::optional<FoundCode> find_g_code(double group, double number) {
   return std::nullopt;
 }
 
+std::string name_of(FoundCode code) {
+  return code.beyond == 0 ? std::string(g_codes()[code.row].name)
+                          : "G" + std::to_string(kFirstSettable + code.beyond);
+}
+
 int preset_number(Group group) {
   constexpr int kFirst = 1;
   return group == Group::Unit       ? number_in_group("G71")

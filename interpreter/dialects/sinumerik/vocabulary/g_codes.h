@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "machine/base/indexed_by.h"
@@ -76,6 +77,9 @@ std::optional<FoundCode> find_g_code(double number);
 
 /// The code of a group that $P_GG shows as a number.
 std::optional<FoundCode> find_g_code(double group, double number);
+
+/// As programs write it.
+std::string name_of(FoundCode code);
 
 /// A code of a block in one number, and back: so many rows, and so many numbers beyond one.
 inline constexpr int kPackedCount = 256;
