@@ -41,6 +41,33 @@ std::optional<std::string_view> packed_bytes(std::string_view archive, std::size
   return archive.substr(at + head, size);
 }
 
+/// Whether the head in front of a file says the same as its entry of the directory.
+/// @param head, entry  where they begin; @pre both are in the archive
+bool do_heads_agree(std::string_view archive, std::size_t head, std::size_t entry) {
+  // Places in the head; in the entry they are two bytes further on.
+  constexpr std::size_t kFlags = 6;
+  constexpr std::size_t kMethod = 8;
+  constexpr std::size_t kChecksum = 14;
+  constexpr std::size_t kSizes[] = {18, 22};
+  constexpr std::size_t kNameLength = 26;
+  constexpr std::uint16_t kSaidBehind = 8;  // checksum and sizes stand behind the file
+  constexpr std::uint32_t kSaidElsewhere = 0xFFFFFFFF;
+  const auto words_agree = [&](std::size_t place) {
+    return number_at<std::uint16_t>(archive, head + place) ==
+           number_at<std::uint16_t>(archive, entry + 2 + place);
+  };
+  const auto longs_agree = [&](std::size_t place) {
+    return number_at<std::uint32_t>(archive, head + place) ==
+           number_at<std::uint32_t>(archive, entry + 2 + place);
+  };
+  const auto sizes_agree = [&](std::size_t place) {
+    return number_at<std::uint32_t>(archive, head + place) == kSaidElsewhere || longs_agree(place);
+  };
+  const bool says_sizes = (number_at<std::uint16_t>(archive, head + kFlags) & kSaidBehind) == 0;
+  return words_agree(kMethod) && words_agree(kNameLength) &&
+         (!says_sizes || (longs_agree(kChecksum) && std::ranges::all_of(kSizes, sizes_agree)));
+}
+
 }  // namespace
 
 Result<std::vector<ZipEntry>, std::string> zip_directory(std::string_view archive) {
@@ -66,6 +93,11 @@ Result<std::vector<ZipEntry>, std::string> zip_directory(std::string_view archiv
                    number_at<std::uint32_t>(archive, at + 24)};
     if (!packed) {
       return fmt::format("'{}' in it lies outside of it: it was cut off, or is damaged",
+                         entry.name);
+    }
+    // assimp stops the process where it meets one whose heads contradict each other.
+    if (!do_heads_agree(archive, number_at<std::uint32_t>(archive, at + 42), at)) {
+      return fmt::format("'{}' in it is damaged: its head says other than the directory",
                          entry.name);
     }
     entries.push_back(entry);

@@ -140,8 +140,6 @@ TEST_F(MeshFile, SaysWhatIsWrongInOneLine) {
   }
 }
 
-// Any truncation and any flipped byte ends in a mesh or in an error, never in a crash, and what is
-// read always keeps its promise.
 // Found by fuzzing: the directory of the archive calls the model otherwise than the relationships
 // do.
 TEST_F(MeshFile, A3mfWithoutItsModelIsRefused) {
@@ -155,6 +153,20 @@ TEST_F(MeshFile, A3mfWithoutItsModelIsRefused) {
       << read.error();
 }
 
+// Found by fuzzing: the head in front of a file has another checksum than the directory.
+TEST_F(MeshFile, A3mfWhoseHeadsContradictEachOtherIsRefused) {
+  const std::string whole = corner_3mf();
+  for (const std::size_t place : {8U, 14U, 18U, 22U, 26U}) {
+    std::string bytes = whole;
+    const std::size_t head = bytes.rfind("PK\x03\x04");
+    ASSERT_NE(head, std::string::npos);
+    bytes[head + place] = static_cast<char>(bytes[head + place] ^ 1);
+    EXPECT_FALSE(read_mesh_file(write("heads.3mf", bytes)).ok()) << place;
+  }
+}
+
+// Any truncation and any flipped byte ends in a mesh or in an error, never in a crash, and what is
+// read always keeps its promise.
 TEST_F(MeshFile, SurvivesDamage) {
   const std::pair<std::string, std::string> kWhole[] = {
       {"a.stl", binary_stl(testing::box_mesh({3, 2, 1}))},
