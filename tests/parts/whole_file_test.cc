@@ -270,11 +270,13 @@ TEST_F(WholeFile, MemoryIsNotAskedForThatAHeadPromises) {
   EXPECT_LT(peak_mib() - before, 100);
 }
 
-/// An archive whose directory says that its first file has that many bytes unpacked.
+/// An archive that says that its first file has that many bytes unpacked: its directory and the
+/// head in front of the file.
 std::string bomb(std::uint32_t unpacked) {
   std::string archive = corner_3mf();
   std::string size;
   testing::append_bytes(size, unpacked);
+  archive.replace(archive.find("PK\x03\x04") + 22, 4, size);
   return archive.replace(archive.find("PK\x01\x02") + 24, 4, size);
 }
 
