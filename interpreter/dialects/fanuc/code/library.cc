@@ -312,10 +312,8 @@ const std::vector<ProgramBeginning>& ProgramLibrary::main_beginnings() {
 const CompiledProgram* ProgramLibrary::find_alone(int number) {
   const auto& all = main_beginnings();
   const auto here = std::ranges::find(all, number, &ProgramBeginning::number);
-  if (here == all.end() || here == all.begin() || here->is_behind_percent_sign ||
-      std::find_if(here + 1, all.end(), [number](const ProgramBeginning& other) {
-        return other.number == number;
-      }) != all.end()) {
+  const bool is_there_once = std::ranges::count(all, number, &ProgramBeginning::number) == 1;
+  if (!is_there_once || here == all.begin() || here->is_behind_percent_sign) {
     return nullptr;
   }
   const std::uint64_t end = here + 1 == all.end() ? main_bytes_ : (here + 1)->offset;

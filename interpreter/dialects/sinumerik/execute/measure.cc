@@ -168,6 +168,12 @@ Result<machine::SkipMove, Failure> listening_move(const Channel& channel,
   return move;
 }
 
+/// What the second of two probes has latched; nullptr: there is none.
+const machine::FurtherTouch* further_of(const machine::SkipOutcome& outcome) {
+  const auto* const touched = std::get_if<machine::Touched>(&outcome);
+  return touched != nullptr && touched->further ? &*touched->further : nullptr;
+}
+
 /// What the move has come to, for the program and for those who watch it.
 /// @param state  of the probe, before the move
 void report(Channel& channel, const Measuring& measuring, runtime::TouchEvent event,
@@ -179,10 +185,9 @@ void report(Channel& channel, const Measuring& measuring, runtime::TouchEvent ev
   }
   channel.touches.touched(event, state);
   channel.outlet.touched(event);
-  if (const auto* const touched = std::get_if<machine::Touched>(&outcome);
-      touched != nullptr && touched->further) {
-    event.q_M_latched = touched->further->q_M_latched;
-    event.contact = touched->further->contact;
+  if (const machine::FurtherTouch* const further = further_of(outcome)) {
+    event.q_M_latched = further->q_M_latched;
+    event.contact = further->contact;
     channel.outlet.touched_as_well(event);
   }
 }
@@ -237,9 +242,8 @@ Result<bool, Failure> measure_along(Channel& channel, const Block& block,
   move_followers(channel, channel.port.position() - q_M_from);
   event.block = "MEAS";
   event.where = block.where;
-  if (const auto* const touched = std::get_if<machine::Touched>(&outcome.value());
-      touched != nullptr && touched->further) {
-    settle_second(channel, *touched->further, measuring.further);
+  if (const machine::FurtherTouch* const further = further_of(outcome.value())) {
+    settle_second(channel, *further, measuring.further);
   }
   settle(channel, event, measuring, q_W_end);
   if (event.triggered || is_last) {
