@@ -163,24 +163,29 @@ TEST(CompensationLoop, SinumerikAcrossTheAxis) {
   }
 }
 
+/// The blocks of a table's text that a Fanuc reads.
+std::string entered_by(const std::string& text) {
+  const std::size_t begin = text.find("G10 L52");
+  return text.substr(begin, text.find("G11") + 4 - begin);
+}
+
+/// The way along X, behind what enters a table.
+std::vector<std::string> fanuc(const TemporaryFolder& folder, const std::string& before) {
+  return {folder.write("way.nc", "%\nO1\n" + before + "G90 G21 G94\nG1 X1000. F60000.\nM30\n%\n")};
+}
+
 // Values of the points are whole units of 0.001 mm times the magnification, so their sum is off by
 // half of one at most.
 TEST(CompensationLoop, FanucPitchErrors) {
   const TemporaryFolder folder;
   const std::string text = table(folder, "positioning", "fanuc");
-  const std::size_t begin = text.find("G10 L52");
-  const std::string entered = text.substr(begin, text.find("G11") + 4 - begin);
   double units = 0.0;
   ASSERT_EQ(std::sscanf(text.c_str() + text.find("UNITS OF ") + 9, "%lf", &units), 1);
   ASSERT_LE(units, 2.0);
-  const auto program = [&](const std::string& before) {
-    return std::vector<std::string>{
-        folder.write("way.nc", "%\nO1\n" + before + "G90 G21 G94\nG1 X1000. F60000.\nM30\n%\n")};
-  };
-  for (const Beside& at : driven_on(folder, program(entered), sheet("EXX"))) {
+  for (const Beside& at : driven_on(folder, fanuc(folder, entered_by(text)), sheet("EXX"))) {
     EXPECT_NEAR(at.dx, left_at(at.x), kTable + 0.0005 * units + 1e-9) << at.x;
   }
-  for (const Beside& at : driven_on(folder, program(""), sheet("EXX"))) {
+  for (const Beside& at : driven_on(folder, fanuc(folder, ""), sheet("EXX"))) {
     EXPECT_NEAR(at.dx, error_at(at.x), kTable) << at.x;
   }
 }
@@ -211,17 +216,11 @@ double left_by_four(const std::string& text, double x) {
 TEST(CompensationLoop, FanucStraightness) {
   const TemporaryFolder folder;
   const std::string text = table(folder, "straightness", "fanuc");
-  const std::size_t begin = text.find("G10 L52");
-  const std::string entered = text.substr(begin, text.find("G11") + 4 - begin);
   double left_um = 0.0;
   ASSERT_EQ(std::sscanf(text.c_str() + text.find("PLACES LEAVE ") + 13, "%lf", &left_um), 1);
   EXPECT_LT(left_um, 5.0);
-  const auto program = [&](const std::string& before) {
-    return std::vector<std::string>{
-        folder.write("way.nc", "%\nO1\n" + before + "G90 G21 G94\nG1 X1000. F60000.\nM30\n%\n")};
-  };
   int at_points = 0;
-  for (const Beside& at : driven_on(folder, program(entered), sheet("EYX"))) {
+  for (const Beside& at : driven_on(folder, fanuc(folder, entered_by(text)), sheet("EYX"))) {
     EXPECT_NEAR(at.dy, left_by_four(text, at.x), kTable + 1e-9) << at.x;
     EXPECT_EQ(at.dx, 0.0);
     if (std::abs(at.x - kStep * std::round(at.x / kStep)) < 1.0) {
@@ -230,7 +229,7 @@ TEST(CompensationLoop, FanucStraightness) {
     }
   }
   EXPECT_GT(at_points, 0);
-  for (const Beside& at : driven_on(folder, program(""), sheet("EYX"))) {
+  for (const Beside& at : driven_on(folder, fanuc(folder, ""), sheet("EYX"))) {
     EXPECT_NEAR(at.dy, error_at(at.x), kTable) << at.x;
   }
 }
