@@ -4,6 +4,7 @@
 #include <chrono>
 #include <ostream>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -21,9 +22,42 @@ using testing::TemporaryFolder;
 /// Far more than any case needs on a busy computer, far less than one without limits takes.
 constexpr double kPatienceSeconds = 30.0;
 
+/// A program of which one piece may stand there many times: the cases are made before any test is
+/// chosen, and texts of 10 MB in them would slow down the start of every test.
+class Program {
+ public:
+  Program(const char* text) : before_(text) {}             // NOLINT: rows are texts
+  Program(std::string text) : before_(std::move(text)) {}  // NOLINT
+  Program(std::string piece, std::size_t times) : piece_(std::move(piece)), times_(times) {}
+
+  std::string text() const {
+    std::string text = before_;
+    text.reserve(before_.size() + piece_.size() * times_ + behind_.size());
+    for (std::size_t i = 0; i < times_; ++i) {
+      text += piece_;
+    }
+    return text + behind_;
+  }
+
+  friend Program operator+(const char* before, Program program) {
+    program.before_.insert(0, before);
+    return program;
+  }
+  friend Program operator+(Program program, const char* behind) {
+    (program.times_ == 0 ? program.before_ : program.behind_) += behind;
+    return program;
+  }
+
+ private:
+  std::string before_;
+  std::string piece_;
+  std::size_t times_ = 0;
+  std::string behind_;
+};
+
 struct Case {
   const char* name;
-  std::string program;
+  Program program;
   int exit_code;
   std::string place;  ///< line and column, "2:4"; empty: not checked
   std::string says;   ///< part of the message
@@ -33,21 +67,12 @@ void PrintTo(const Case& c, std::ostream* out) {
   *out << c.name;
 }
 
-/// The texts are made before any test is chosen: 30 million steps would slow down every start.
-std::string repeated(const std::string& piece, std::size_t times) {
-  if (piece.size() == 1) {
-    return std::string(times, piece.front());
-  }
-  std::string text;
-  text.reserve(piece.size() * times);
-  for (std::size_t i = 0; i < times; ++i) {
-    text += piece;
-  }
-  return text;
+Program repeated(const char* piece, std::size_t times) {
+  return {piece, times};
 }
 
 /// Blocks between O1 and M30; the first of them is line 2.
-std::string framed(const std::string& blocks) {
+Program framed(const Program& blocks) {
   return "O1\n" + blocks + "\nM30\n";
 }
 
@@ -57,7 +82,7 @@ TEST_P(Malformed, IsRefusedWithItsPlace) {
   const Case& c = GetParam();
   TemporaryFolder folder;
   cli::RunOptions options;
-  options.programs = {folder.write("case.nc", c.program)};
+  options.programs = {folder.write("case.nc", c.program.text())};
   options.budget = {1000, kPatienceSeconds / 2};
   const auto start = std::chrono::steady_clock::now();
   const RunOutput output = run_program(options);
@@ -166,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(Harmless, Malformed, ::testing::ValuesIn(kHarmless));
 TEST(Budget, EndsACannedCycleInTime) {
   TemporaryFolder folder;
   cli::RunOptions options;
-  options.programs = {folder.write("case.nc", framed("F100\nG83X1.Z-99.R1.Q.001K9999"))};
+  options.programs = {folder.write("case.nc", framed("F100\nG83X1.Z-99.R1.Q.001K9999").text())};
   options.budget.wall_seconds = 0.05;
   const auto start = std::chrono::steady_clock::now();
   const RunOutput output = run_program(options);
@@ -184,7 +209,8 @@ TEST(Warnings, OfOneBlockAreCounted) {
   TemporaryFolder folder;
   cli::RunOptions options;
   options.programs = {folder.write("case.nc", framed("WHILE[#1LT50]DO1\nG91G31X1.F100\n"
-                                                     "#2001=#5061\n#1=#1+1\nEND1"))};
+                                                     "#2001=#5061\n#1=#1+1\nEND1")
+                                                  .text())};
   const RunOutput output = run_program(options);
   EXPECT_EQ(output.exit_code, 1);
   ASSERT_EQ(output.document.at("diagnostics").size(), 1U);

@@ -2,6 +2,7 @@
 // takes for it: a run that is ended by one list alone has a list of that size.
 
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -40,34 +41,37 @@ struct Case {
   const char* sheet = "";
 };
 
-const Case kCases[] = {
-    {"moves of whole millimetres", "moves", "moves", "m.nc",
-     "O1\nG91\nN1G1X1.F100.\nG1X-1.\nGOTO1\nM30\n"},
-    {"moves of many digits", "moves", "moves", "d.nc",
-     "O1\nN1#1=#1+1\nG1X[SIN[#1]*7.]Y[COS[#1]*3.]Z[SIN[#1*3]]F[100.1+SIN[#1]]\nGOTO1\nM30\n"},
-    {"touches", "touches", "touches", "t.nc",
-     "O1\nG90G1X0Y0Z90.F9999.\nN1#1=#1+7.7\nG1X0Y0\nG31X[22.*COS[#1]]Y[22.*SIN[#1]]F100."
-     "\nGOTO1\nM30\n",
-     kRing},
-    {"stops", "stops", "stops", "s.nc", "O1\nN1#3006=1(A)\nGOTO1\nM30\n"},
-    {"events", "events", "events", "e.nc", "O1\nN1M60\nM61\nGOTO1\nM30\n"},
-    {"calls", "calls", "calls", "c.nc", "O1\nN1M98P9998\nGOTO1\nM30\nO9998\nM99\n"},
-    {"blocks", "counts", "counts of blocks", "b.nc", "O1\n" + many("G90\n", 30'000) + "M30\n"},
-    {"blocks with conditions", "counts", "counts of blocks", "i.nc",
-     "O1\n" + many("IF[1EQ2]GOTO9\n", 30'000) + "N9M30\n"},
-    {"values of few variables", "history", "values of variables", "v.nc",
-     "O1\n#33=0\nWHILE[#33LT999]DO1\n#32=100\nWHILE[#32LE149]DO2\n#[#32]=SIN[#32+#33]\n#32=#32+"
-     "1\nEND2\n"
-     "#33=#33+1\nEND1\nM30\n"},
-    {"a value each of many variables", "history", "values of variables", "g.mpf",
-     "DEF INT A[20000]\nDEF INT I\nFOR I=0 TO 19999\nA[I]=I\nENDFOR\nM30\n"},
-    {"texts", "history", "values of variables", "x.mpf",
-     "DEF STRING[200] A[40]\nDEF INT I\nLOOP\nFOR I=0 TO 39\nA[I]=\"" + std::string(190, 'X') +
-         "\"\nENDFOR\nENDLOOP\nM30\n"},
-};
+/// Made when it is asked for: as a constant, its texts would slow down the start of every test.
+std::vector<Case> cases() {
+  return {
+      {"moves of whole millimetres", "moves", "moves", "m.nc",
+       "O1\nG91\nN1G1X1.F100.\nG1X-1.\nGOTO1\nM30\n"},
+      {"moves of many digits", "moves", "moves", "d.nc",
+       "O1\nN1#1=#1+1\nG1X[SIN[#1]*7.]Y[COS[#1]*3.]Z[SIN[#1*3]]F[100.1+SIN[#1]]\nGOTO1\nM30\n"},
+      {"touches", "touches", "touches", "t.nc",
+       "O1\nG90G1X0Y0Z90.F9999.\nN1#1=#1+7.7\nG1X0Y0\nG31X[22.*COS[#1]]Y[22.*SIN[#1]]F100."
+       "\nGOTO1\nM30\n",
+       kRing},
+      {"stops", "stops", "stops", "s.nc", "O1\nN1#3006=1(A)\nGOTO1\nM30\n"},
+      {"events", "events", "events", "e.nc", "O1\nN1M60\nM61\nGOTO1\nM30\n"},
+      {"calls", "calls", "calls", "c.nc", "O1\nN1M98P9998\nGOTO1\nM30\nO9998\nM99\n"},
+      {"blocks", "counts", "counts of blocks", "b.nc", "O1\n" + many("G90\n", 30'000) + "M30\n"},
+      {"blocks with conditions", "counts", "counts of blocks", "i.nc",
+       "O1\n" + many("IF[1EQ2]GOTO9\n", 30'000) + "N9M30\n"},
+      {"values of few variables", "history", "values of variables", "v.nc",
+       "O1\n#33=0\nWHILE[#33LT999]DO1\n#32=100\nWHILE[#32LE149]DO2\n#[#32]=SIN[#32+#33]\n#32=#32+"
+       "1\nEND2\n"
+       "#33=#33+1\nEND1\nM30\n"},
+      {"a value each of many variables", "history", "values of variables", "g.mpf",
+       "DEF INT A[20000]\nDEF INT I\nFOR I=0 TO 19999\nA[I]=I\nENDFOR\nM30\n"},
+      {"texts", "history", "values of variables", "x.mpf",
+       "DEF STRING[200] A[40]\nDEF INT I\nLOOP\nFOR I=0 TO 39\nA[I]=\"" + std::string(190, 'X') +
+           "\"\nENDFOR\nENDLOOP\nM30\n"},
+  };
+}
 
 TEST(OutputSizes, OfEntriesOfListsAreWithinAFactorOfThree) {
-  for (const Case& c : kCases) {
+  for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
     TemporaryFolder folder;
     cli::RunOptions options;
