@@ -4,27 +4,22 @@
 tests/support/kept_documents keeps them in FOLDER while tests run; here they are read and taken away.
 """
 import collections
+import functools
+import importlib.util
 import json
+import multiprocessing
 import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-class Schemas:
-    """The schemas of docs, each read once."""
-
-    def __init__(self, jsonschema):
-        self.jsonschema = jsonschema
-        self.known = {}
-
-    def of(self, name):
-        """A validator; None where docs have no schema of that name."""
-        if name not in self.known:
-            path = ROOT / f"docs/schema/{name}.schema.json"
-            schema = json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
-            self.known[name] = schema and self.jsonschema.Draft7Validator(schema)
-        return self.known[name]
+@functools.cache
+def validator_of(name):
+    """Of a schema in docs, read once a process; None where docs have none of that name."""
+    import jsonschema
+    path = ROOT / f"docs/schema/{name}.schema.json"
+    return jsonschema.Draft7Validator(json.loads(path.read_text(encoding="utf-8"))) if path.exists() else None
 
 
 def documents_in(text):
@@ -41,34 +36,42 @@ def documents_in(text):
             yield name, json.loads(line)
 
 
-def main():
+def looked_at(file):
+    """(counts of schemas, what is wrong) of one file, which is taken away."""
+    seen, wrong = collections.Counter(), []
+    text = file.read_text(encoding="utf-8")
     try:
-        import jsonschema
-    except ImportError:
+        for name, document in documents_in(text):
+            seen[name] += 1
+            validator = validator_of(name)
+            if validator is None:
+                wrong.append(f"{name}: docs/schema has nothing of it: {text[:200]}")
+                continue
+            fields = validator.schema.get("properties", {})
+            if name != "g31.events":
+                wrong += [f"{name}: the schema has no {field}" for field in document if field not in fields]
+            wrong += [f"{name}: {error.json_path}: {error.message[:300]}" for error in validator.iter_errors(document)]
+    except ValueError as error:
+        wrong.append(f"no JSON: {error}: {text[:200]}")
+    file.unlink()
+    return seen, wrong
+
+
+def main():
+    if importlib.util.find_spec("jsonschema") is None:
         print("python3-jsonschema is not installed: documents are not tried")
         return 77
-    schemas, seen, wrong = Schemas(jsonschema), collections.Counter(), []
     files = sorted(pathlib.Path(sys.argv[1]).glob("*.json"))
-    for file in files:
-        text = file.read_text(encoding="utf-8")
-        try:
-            for name, document in documents_in(text):
-                seen[name] += 1
-                validator = schemas.of(name)
-                if validator is None:
-                    wrong.append(f"{name}: docs/schema has nothing of it: {text[:200]}")
-                    continue
-                fields = validator.schema.get("properties", {})
-                if name != "g31.events":
-                    wrong += [f"{name}: the schema has no {field}" for field in document if field not in fields]
-                wrong += [f"{name}: {error.json_path}: {error.message[:300]}" for error in validator.iter_errors(document)]
-        except ValueError as error:
-            wrong.append(f"no JSON: {error}: {text[:200]}")
-        file.unlink()
     if not files:
         print("no test has written a document before")
         return 77
-    print("\n".join([*sorted(set(wrong)), *(f"{name}: {count}" for name, count in sorted(seen.items()))]))
+    seen, wrong = collections.Counter(), set()
+    # All other tests have ended: every core is free for this one.
+    with multiprocessing.Pool() as pool:
+        for counted, found in pool.imap_unordered(looked_at, files, chunksize=8):
+            seen += counted
+            wrong |= set(found)
+    print("\n".join([*sorted(wrong), *(f"{name}: {count}" for name, count in sorted(seen.items()))]))
     return 1 if wrong else 0
 
 
