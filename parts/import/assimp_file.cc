@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "parts/geometry/triangulate.h"
+#include "parts/import/made_apart.h"
 #include "parts/import/memory_file_system.h"
 #include "parts/import/mesh_limits.h"
 #include "parts/import/vertex_weld.h"
@@ -22,12 +23,12 @@ namespace {
 /// Puts the meshes of a scene together; vertices at the same place become one.
 class SceneReader {
  public:
-  SceneReader(const aiScene& scene, const GoesOn& goes_on) : scene_(scene), steps_(goes_on) {}
+  explicit SceneReader(const aiScene& scene) : scene_(scene) {}
 
   /// nullopt, or what is wrong with the scene.
   std::optional<std::string> read() { return read_node(*scene_.mRootNode, aiMatrix4x4(), 0); }
 
-  [[nodiscard]] const Mesh& mesh() const { return mesh_; }
+  [[nodiscard]] Mesh take_mesh() { return std::move(mesh_); }
 
  private:
   std::optional<std::string> read_node(const aiNode& node, const aiMatrix4x4& parent, int depth) {
@@ -63,7 +64,6 @@ class SceneReader {
       joined[i] = weld_.vertex_at(p);
     }
     for (unsigned int i = 0; i < part.mNumFaces; ++i) {
-      steps_.step();
       const aiFace& face = part.mFaces[i];
       if (face.mNumIndices > kMostCorners) {
         return fmt::format("face {} has {} corners; {} are the most", i + 1, face.mNumIndices,
@@ -94,35 +94,59 @@ class SceneReader {
   }
 
   const aiScene& scene_;
-  Steps steps_;
   Mesh mesh_;
   VertexWeld weld_{mesh_};
 };
+
+/// What a file was read as; with an error nothing else.
+struct ReadScene {
+  std::string error;
+  Mesh mesh;
+};
+
+template <typename Stream>
+void pass(Stream& stream, ReadScene& read) {
+  pass(stream, read.error);
+  pass(stream, read.mesh);
+}
+
+void read_scene(const std::string& path, std::string bytes, ReadScene& read) {
+  Assimp::Importer importer;
+  // The importer deletes the file system when it goes.
+  importer.SetIOHandler(new MemoryFileSystem(path, std::move(bytes)));
+  // No other step is asked for: assimp's triangulation aborts the process on some damaged polygons.
+  const aiScene* scene = importer.ReadFile(path, aiProcess_ValidateDataStructure);
+  if (scene == nullptr) {
+    // What it says itself names its own loaders.
+    read.error =
+        "not understood as a mesh; expected a whole STL, OBJ, PLY, OFF or 3MF file: "
+        "export STEP or STL";
+    return;
+  }
+  if (scene->mRootNode == nullptr) {
+    read.error = "it holds no mesh; expected at least one triangle";
+    return;
+  }
+  SceneReader reader(*scene);
+  read.error = reader.read().value_or("");
+  read.mesh = reader.take_mesh();
+}
 
 }  // namespace
 
 Result<Mesh, std::string> read_through_assimp(const std::string& path, std::string bytes,
                                               const GoesOn& goes_on) {
-  Assimp::Importer importer;
-  // The importer deletes the file system when it goes.
-  importer.SetIOHandler(new MemoryFileSystem(path, std::move(bytes), goes_on));
-  // No other step is asked for: assimp's triangulation aborts the process on some damaged polygons.
-  const aiScene* scene = importer.ReadFile(path, aiProcess_ValidateDataStructure);
-  Steps(goes_on).ask();
-  if (scene == nullptr) {
-    // What it says itself names its own loaders.
-    return std::string(
-        "not understood as a mesh; expected a whole STL, OBJ, PLY, OFF or 3MF file: "
-        "export STEP or STL");
+  ReadScene read;
+  const std::string why_not = make_apart<ReadScene>(
+      read, [&](ReadScene& of_file) { read_scene(path, std::move(bytes), of_file); }, goes_on);
+  if (!why_not.empty()) {
+    return "not understood as a mesh: assimp does not get through it (" + why_not +
+           "); expected a whole STL, OBJ, PLY, OFF or 3MF file: export STEP or STL";
   }
-  if (scene->mRootNode == nullptr) {
-    return std::string("it holds no mesh; expected at least one triangle");
+  if (!read.error.empty()) {
+    return std::move(read.error);
   }
-  SceneReader reader(*scene, goes_on);
-  if (auto wrong = reader.read()) {
-    return *std::move(wrong);
-  }
-  return reader.mesh();
+  return std::move(read.mesh);
 }
 
 }  // namespace g31::parts

@@ -13,10 +13,9 @@ namespace {
 
 class MemoryFile final : public Assimp::IOStream {
  public:
-  MemoryFile(const std::string& bytes, const Steps& steps) : bytes_(bytes), steps_(steps) {}
+  explicit MemoryFile(const std::string& bytes) : bytes_(bytes) {}
 
   std::size_t Read(void* target, std::size_t size, std::size_t count) override {
-    steps_.ask();
     const std::size_t whole = size == 0 ? 0 : std::min(count, (bytes_.size() - here_) / size);
     if (whole == 0) {
       stop_at_the_end();
@@ -55,15 +54,14 @@ class MemoryFile final : public Assimp::IOStream {
   }
 
   const std::string& bytes_;
-  const Steps& steps_;
   std::size_t here_ = 0;
   int reads_at_the_end_ = 0;
 };
 
 }  // namespace
 
-MemoryFileSystem::MemoryFileSystem(std::string name, std::string bytes, GoesOn goes_on)
-    : name_(std::move(name)), bytes_(std::move(bytes)), steps_(std::move(goes_on)) {}
+MemoryFileSystem::MemoryFileSystem(std::string name, std::string bytes)
+    : name_(std::move(name)), bytes_(std::move(bytes)) {}
 
 bool MemoryFileSystem::Exists(const char* name) const {
   return name_ == name;
@@ -75,7 +73,7 @@ char MemoryFileSystem::getOsSeparator() const {
 
 Assimp::IOStream* MemoryFileSystem::Open(const char* name, const char*) {
   // A bare pointer, because assimp owns it: some readers give it to Close, others delete it.
-  return Exists(name) ? new MemoryFile(bytes_, steps_) : nullptr;
+  return Exists(name) ? new MemoryFile(bytes_) : nullptr;
 }
 
 void MemoryFileSystem::Close(Assimp::IOStream* file) {

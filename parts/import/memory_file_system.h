@@ -4,8 +4,6 @@
 
 #include <assimp/IOSystem.hpp>
 
-#include "parts/geometry/goes_on.h"
-
 namespace g31::parts {
 
 /// Shows assimp one file, from memory, and nothing else of the disk.
@@ -16,8 +14,7 @@ namespace g31::parts {
 /// assimp takes in its stride.
 class MemoryFileSystem final : public Assimp::IOSystem {
  public:
-  /// @param goes_on  asked whenever something is read; BrokenOff leaves the reader then
-  MemoryFileSystem(std::string name, std::string bytes, GoesOn goes_on = {});
+  MemoryFileSystem(std::string name, std::string bytes);
 
   [[nodiscard]] bool Exists(const char* name) const override;
   [[nodiscard]] char getOsSeparator() const override;
@@ -27,7 +24,6 @@ class MemoryFileSystem final : public Assimp::IOSystem {
  private:
   std::string name_;
   std::string bytes_;
-  Steps steps_;
 };
 
 }  // namespace g31::parts

@@ -3,11 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "parts/import/byte_stream.h"
+#include "parts/import/made_apart.h"
 #include "parts/import/round_walls.h"
 #include "parts/import/step_library.h"
 #include "parts/import/step_module.h"
-#include "parts/import/work_apart.h"
 
 namespace g31::parts {
 namespace {
@@ -43,21 +42,16 @@ Result<Mesh, std::string> read_step_file(const std::string& path, double sagitta
     return step_reader().why_not + ", or save the part as STL, OBJ, PLY or 3MF";
   }
   const auto read = reinterpret_cast<decltype(&g31_read_step)>(step_reader().address);
-  const WorkApart done = done_apart(
-      [&] {
-        ReadFaces faces;
-        read(path.c_str(), sagitta_mm, &faces.mesh, &faces.walls, &faces.error);
-        ByteWriter writer;
-        pass(writer, faces);
-        return std::move(writer).take();
+  ReadFaces faces;
+  const std::string why_not = make_apart<ReadFaces>(
+      faces,
+      [&](ReadFaces& of_file) {
+        read(path.c_str(), sagitta_mm, &of_file.mesh, &of_file.walls, &of_file.error);
       },
       goes_on);
-  if (!done.why_not.empty()) {
-    return "not understood as STEP: Open CASCADE does not get through it (" + done.why_not + ")";
+  if (!why_not.empty()) {
+    return "not understood as STEP: Open CASCADE does not get through it (" + why_not + ")";
   }
-  ByteReader reader(done.bytes);
-  ReadFaces faces;
-  pass(reader, faces);
   if (!faces.error.empty()) {
     return faces.error;
   }

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "parts/features/faceted_walls.h"
+#include "parts/import/made_apart.h"
 #include "parts/import/mesh_file.h"
 #include "parts/import/step_file.h"
 #include "parts/import/step_library.h"
-#include "parts/import/work_apart.h"
 #include "parts/solids/removal_bytes.h"
 #include "parts/solids/removal_module.h"
 
@@ -31,26 +31,30 @@ Result<SolidSource, std::string> source_of(const std::string& path) {
               : Result<SolidSource, std::string>(path + ": " + mesh.error());
 }
 
+/// With an error nothing else.
+struct MadeRemoval {
+  std::string error;
+  Removal removal;
+};
+
+template <typename Stream>
+void pass(Stream& stream, MadeRemoval& made) {
+  pass(stream, made.error);
+  pass(stream, made.removal);
+}
+
 /// What the module makes of a request, in a process of its own.
 Result<Removal, std::string> remove_apart(decltype(&g31_remove) remove,
                                           const RemovalRequest& request) {
-  Removal removal;
-  std::string error;
-  const WorkApart done = done_apart([&] {
-    remove(&request, &removal, &error);
-    ByteWriter writer;
-    pass(writer, error);
-    pass(writer, removal);
-    return std::move(writer).take();
+  MadeRemoval made;
+  const std::string why_not = make_apart<MadeRemoval>(made, [&](MadeRemoval& of_module) {
+    remove(&request, &of_module.removal, &of_module.error);
   });
-  if (!done.why_not.empty()) {
+  if (!why_not.empty()) {
     return fmt::format("{}: Open CASCADE does not get through it ({})", request.product.name,
-                       done.why_not);
+                       why_not);
   }
-  ByteReader reader(done.bytes);
-  pass(reader, error);
-  pass(reader, removal);
-  return error.empty() ? Result<Removal, std::string>(std::move(removal)) : error;
+  return made.error.empty() ? Result<Removal, std::string>(std::move(made.removal)) : made.error;
 }
 
 }  // namespace

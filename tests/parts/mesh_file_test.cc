@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "parts/artefacts/ring_gauge.h"
+#include "parts/import/assimp_file.h"
 #include "tests/parts/mesh_file_bytes.h"
 #include "tests/parts/mesh_folder.h"
 #include "tests/probe/test_meshes.h"
@@ -150,6 +151,18 @@ TEST_F(MeshFile, A3mfWithoutItsModelIsRefused) {
   const auto read = read_mesh_file(write("moved.3mf", bytes));
   ASSERT_FALSE(read.ok());
   EXPECT_NE(read.error().find("'3D/3dmodel.model', its model, is not in it"), std::string::npos)
+      << read.error();
+}
+
+// What would end the process in assimp, were it not in one of its own, is an error like others.
+TEST_F(MeshFile, AFileThatAssimpStopsAtIsRefused) {
+  std::string bytes = corner_3mf();
+  bytes[bytes.rfind("3D/3dmodel.model")] = 'Z';
+  const auto read = read_through_assimp("moved.3mf", bytes);
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(
+      read.error().find("assimp does not get through it (it breaks off at this file with signal 6"),
+      std::string::npos)
       << read.error();
 }
 

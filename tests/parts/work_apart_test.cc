@@ -7,6 +7,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "parts/import/byte_stream.h"
 
@@ -39,6 +40,11 @@ TEST(WorkApart, ThatThrowsBreaksOff) {
   EXPECT_EQ(done.why_not, "it breaks off at this file");
   const WorkApart large = done_apart([]() -> std::string { throw std::bad_alloc(); });
   EXPECT_EQ(large.why_not, "it takes more memory than there is");
+}
+
+TEST(WorkApart, NamesTheExitCodeOfALibraryThatLeaves) {
+  const WorkApart done = done_apart([]() -> std::string { ::_exit(1); });
+  EXPECT_EQ(done.why_not, "its process ends with exit code 1");
 }
 
 TEST(ByteStream, ReadsWhatItWrote) {

@@ -8,7 +8,7 @@ cd "$(dirname "$(readlink -f "$0")")/../.."
 
 build=${1:?BUILD}
 export G31_FUZZ_EFFORT=${2:?TIMES}
-export UBSAN_OPTIONS=print_stacktrace=1 LSAN_OPTIONS=suppressions=tools/dev/leaks.supp:print_suppressions=0
+export UBSAN_OPTIONS=print_stacktrace=1
 
 share() {
   G31_FUZZ_SHARE=$1/$(nproc) "$build/tests/fuzz/fuzz_test" --gtest_filter='Fuzz.Any*' >"$build/changes-$1.log" 2>&1
