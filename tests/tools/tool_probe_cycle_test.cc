@@ -250,12 +250,14 @@ TEST(ToolProbeMeasurement, IsRepeatedAndGoesOnWithoutAnAlarmWhereTheDataSaySo) {
   const MeasuringRun once = run_tools(broken + call, {kCube, kKnown}, {});
   const MeasuringRun twice =
       run_tools(broken + "$SNS_MEA_FUNCTION_MASK=65536+8\n" + call, {kCube, kKnown}, {});
+  const MeasuringRun earlier = run_tools(broken + "_CBIT[0]=1\n" + call, {kCube, kKnown}, {});
   const MeasuringRun hidden = run_tools(broken + "$SNS_MEA_ALARM_MASK=196608\n" + call,
                                         {kCube, kKnown}, {"R1", "_OVI[9]", "$TC_DP3[5,1]"});
   EXPECT_EQ(once.alarm(), 61303);
   EXPECT_EQ(signals_of(once), 1U);
   EXPECT_EQ(twice.alarm(), 61303);
   EXPECT_EQ(signals_of(twice), 2U);
+  EXPECT_EQ(signals_of(earlier), 2U);
   EXPECT_EQ(hidden.alarm(), 0) << hidden.output.errors;
   EXPECT_EQ(hidden.at("R1"), 1.0);
   EXPECT_EQ(hidden.at("_OVI[9]"), 61303.0);
