@@ -7,20 +7,14 @@
 #include <vector>
 
 #include "machine/base/result.h"
-#include "tools/disk/disk.h"
-#include "tools/session/control.h"
 #include "tools/session/ending.h"
-#include "tools/session/heard.h"
-#include "tools/session/prepare.h"
-#include "tools/session/programs.h"
 #include "tools/session/refusal.h"
-#include "tools/session/session.h"
-#include "tools/session/world.h"
-#include "tools/setup/sheet_stack.h"
 #include "tools/study/grid.h"
-#include "tools/study/path_recorder.h"
 #include "tools/study/record.h"
 #include "tools/study/study.h"
+#include "tools/study/study_jobs.h"
+#include "tools/study/study_parts.h"
+#include "tools/study/study_programs.h"
 
 namespace g31::study {
 
@@ -29,12 +23,6 @@ struct StudyRun {
   Row row;  ///< without its exit code
   session::Ending ending = session::Ending::Completed;
   std::optional<evaluate::Evaluation> evaluation = {};  ///< of its path, where one is wanted
-};
-
-/// The parts of a set-up, and what is wrong with their meshes.
-struct StudyParts {
-  session::SensedParts sensed;
-  std::vector<source::Diagnostic> findings;
 };
 
 /// Does the runs of a study.  Sheets and programs are read once; parts and their trees are made
@@ -61,50 +49,31 @@ class StudyRuns {
  private:
   struct Geometry;
   struct Point;
-  struct Ended;
   using Refusal = session::Refusal;
   using Parts = Result<StudyParts, Refusal>;
 
-  explicit StudyRuns(const Study& study);
-  std::optional<Refusal> read_sheets();
-  std::optional<Refusal> try_listed_values();
+  StudyRuns(const Study& study, StudyJobs jobs);
   std::optional<Refusal> try_control();
   void make_points();
   void describe();
   [[nodiscard]] std::string inputs();
 
-  /// @param drawn  values of the study's drawn axes; empty: the sheets' own
-  Result<setup::Job, Refusal> job_of(std::size_t point, const std::vector<double>& drawn);
-  [[nodiscard]] const setup::SheetStack& stack_of(std::size_t point) const;
-  [[nodiscard]] session::Request request_of(std::size_t program) const;
   void make_ready(std::size_t number);
   void let_go(std::size_t number);
-  Ended run_drawn(std::size_t number, const Row& row);
-  Ended run_all_programs(setup::Job job, const Parts& parts, const Row& row);
+  EndedProgram run_drawn(std::size_t number, const Row& row);
+  EndedProgram run_all_programs(setup::Job job, const Parts& parts, const Row& row);
   /// What the programs of `before` leave goes into `job`.  @returns how one ended that did not
   /// complete
-  std::optional<Ended> run_before(setup::Job& job, const Parts& parts, SeedUse use,
-                                  std::size_t event);
-  /// @param program  of `before`, or the number of those for the main program
-  Ended run_program(const setup::Job& job, const Parts& parts, std::size_t program,
-                    std::uint64_t seed);
-  Ended carry_out(const setup::Job& job, const Parts& parts, std::size_t program,
-                  std::uint64_t seed);
-  static void take_evaluation(const PathRecorder& path, Ended& ended);
-  [[nodiscard]] std::vector<std::optional<double>> results_of(const Ended& ended) const;
+  std::optional<EndedProgram> run_before(setup::Job& job, const Parts& parts, SeedUse use,
+                                         std::size_t event);
 
   const Study& study_;
-  disk::Disk disk_;
+  StudyJobs jobs_;
+  StudyPrograms programs_;
   Description description_;
-  std::optional<session::Control> control_;
-  std::optional<session::ProgramComments> comments_;  ///< of all programs, each read once
-  std::vector<std::string> paths_;                    ///< programs of `before`, then the main one
-  std::vector<std::shared_ptr<session::Programs>> programs_;  ///< one for each of paths_
-  std::vector<std::string> variables_;                        ///< that results read
-  std::vector<setup::SheetStack> stacks_;  ///< one for each combination of listed sheets
   std::vector<std::unique_ptr<Point>> points_;
   std::vector<std::unique_ptr<Geometry>> geometries_;  ///< one for all points, or one for each
-  bool draws_geometry_ = false;
+  bool draws_geometry_;
   std::string part_findings_;
 };
 

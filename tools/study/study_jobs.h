@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "machine/base/result.h"
+#include "tools/session/refusal.h"
+#include "tools/setup/sheet_stack.h"
+#include "tools/study/study.h"
+
+namespace g31::study {
+
+/// The set-ups of a study: its sheets, read once, with the values of its axes put in.
+class StudyJobs {
+ public:
+  /// Reads the sheets of all combinations of listed sheets.
+  /// @param study  outlives what is read
+  static Result<StudyJobs, session::Refusal> read(const Study& study);
+
+  /// The set-up of a point of the grid.  Many threads may call at once.
+  /// @param drawn  values of the study's drawn axes; empty: the sheets' own
+  [[nodiscard]] Result<setup::Job, session::Refusal> at(std::size_t point,
+                                                        const std::vector<double>& drawn) const;
+
+  /// nullopt: every listed value, and what is drawn, has a place in the sheets.
+  [[nodiscard]] std::optional<session::Refusal> why_not_all() const;
+
+  /// One for each combination of listed sheets.
+  [[nodiscard]] const std::vector<setup::SheetStack>& stacks() const { return stacks_; }
+
+ private:
+  explicit StudyJobs(const Study& study) : study_(&study) {}
+  [[nodiscard]] const setup::SheetStack& stack_of(std::size_t point) const;
+
+  const Study* study_;
+  std::vector<setup::SheetStack> stacks_;
+};
+
+}  // namespace g31::study
