@@ -125,8 +125,10 @@ class Safety(Served):
     def test_connections_that_say_nothing_keep_nobody_waiting(self):
         self.start()
         self.until("Completed")
+        began = time.monotonic()
         silent = [socket.create_connection(("127.0.0.1", self.port)) for _ in range(300)]
         self.addCleanup(lambda: [one.close() for one in silent])
+        self.assertLess(time.monotonic() - began, 10.0, "one that is not let wait comes again after 1 s")
         began = time.monotonic()
         self.assertEqual(self.ask()[0], 200)
         took = time.monotonic() - began

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <httplib.h>
 #include <sys/random.h>
+#include <sys/socket.h>
 
 #include "tools/view/elastic_threads.h"
 
@@ -24,6 +25,7 @@ constexpr const char* kHost = "127.0.0.1";
 constexpr int kMostListeners = 10;  // each keeps a thread for as long as it listens
 constexpr std::size_t kMostPayload = 1024;
 constexpr auto kPatience = std::chrono::seconds(2);
+constexpr int kMostWaiting = 256;  // connections that are not accepted yet
 
 /// 128 bits from the system, as hexadecimal digits; nullopt: it has none.
 std::optional<std::string> random_token() {
@@ -72,6 +74,7 @@ class PageServer::Work {
   std::uint64_t next_edition(std::uint64_t last);
 
   httplib::Server server_;
+  socket_t socket_ = INVALID_SOCKET;
   std::string token_;
   int port_ = 0;
   std::thread thread_;
@@ -108,7 +111,8 @@ void PageServer::Work::set_up() {
   server_.set_read_timeout(kPatience);
   server_.set_write_timeout(kPatience);
   // No other program may share the port, as the library would let it.
-  server_.set_socket_options([](socket_t socket) {
+  server_.set_socket_options([this](socket_t socket) {
+    socket_ = socket;
     const int yes = 1;
     ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
   });
@@ -145,6 +149,8 @@ std::optional<std::string> PageServer::Work::begin(int port) {
     return fmt::format("nobody can listen at {}:{}: {}", kHost, port,
                        errno == 0 ? "it is taken" : std::strerror(errno));
   }
+  // The library lets five wait; a connection beyond comes again only after a second.
+  ::listen(socket_, kMostWaiting);
   thread_ = std::thread([this] { server_.listen_after_bind(); });
   while (!server_.is_running()) {
     std::this_thread::yield();
