@@ -45,7 +45,7 @@ struct SeenAlong {
   double length = 1.0;  // half of what the points span along the axis
 };
 
-SeenAlong seen_along(const Axis& axis, const Eigen::MatrixX3d& points) {
+SeenAlong seen_along(const Axis& axis, const Eigen::MatrixX3d& points, machine::WorkWatch* watch) {
   SeenAlong seen;
   seen.across_x = Point::UnitX() - axis.along * axis.along.x();
   seen.across_x.normalize();
@@ -55,6 +55,9 @@ SeenAlong seen_along(const Axis& axis, const Eigen::MatrixX3d& points) {
   seen.columns.resize(points.rows(), 5);
   seen.distances.resize(points.rows());
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    if (watch != nullptr) {
+      watch->look();
+    }
     const Point q = points.row(i).transpose() - axis.at;
     const Eigen::Vector2d off(q.dot(seen.across_x), q.dot(seen.across_y));
     const double r = off.norm();
@@ -73,25 +76,27 @@ Axis moved(const Axis& axis, const SeenAlong& seen, const Eigen::VectorXd& by) {
   return {at, along.normalized()};
 }
 
+/// How far the points are from the axis that repeated fits come to.
 template <typename Fit>
-std::optional<double> cylinder_zone(const Eigen::MatrixX3d& points, Fit fit) {
+std::optional<Eigen::VectorXd> fitted_distances(const Eigen::MatrixX3d& points,
+                                                machine::WorkWatch* watch, Fit fit) {
   constexpr int kRounds = 8;
   Axis axis{points.colwise().mean(), Point::UnitZ()};
   for (int round = 0; round < kRounds; ++round) {
-    const SeenAlong seen = seen_along(axis, points);
+    const SeenAlong seen = seen_along(axis, points, watch);
     const std::optional<Eigen::VectorXd> by = fit(seen);
     if (!by || !by->allFinite()) {
       return std::nullopt;
     }
     axis = moved(axis, seen, *by);
   }
-  return range_of(seen_along(axis, points).distances);
+  return seen_along(axis, points, watch).distances;
 }
 
 }  // namespace
 
 StraightnessZones straightness_of(std::span<const double> places,
-                                  std::span<const double> deviations) {
+                                  std::span<const double> deviations, machine::WorkWatch* watch) {
   G31_EXPECTS(places.size() == deviations.size() && places.size() >= 2);
   const auto count = static_cast<Eigen::Index>(places.size());
   const Eigen::VectorXd x = normalised(Eigen::Map<const Eigen::VectorXd>(places.data(), count));
@@ -99,13 +104,14 @@ StraightnessZones straightness_of(std::span<const double> places,
   const double slope = (y[count - 1] - y[0]) / (x[count - 1] - x[0]);
   Eigen::MatrixXd columns(count, 2);
   columns << Eigen::VectorXd::Ones(count), x;
-  const auto smallest = minimax_fit(columns, y);
+  const auto smallest = minimax_fit(columns, y, watch);
   G31_EXPECTS(smallest.has_value());
   const FormZones zones = zones_about(columns, y, *smallest);
   return {range_of(y - slope * x), zones.least_squares, zones.minimum_zone};
 }
 
-std::optional<FlatnessEvaluation> flatness_of(const Eigen::MatrixX3d& points) {
+std::optional<FlatnessEvaluation> flatness_of(const Eigen::MatrixX3d& points,
+                                              machine::WorkWatch* watch) {
   if (points.rows() < 3) {
     return std::nullopt;
   }
@@ -113,14 +119,15 @@ std::optional<FlatnessEvaluation> flatness_of(const Eigen::MatrixX3d& points) {
   columns << Eigen::VectorXd::Ones(points.rows()), normalised(points.col(0)),
       normalised(points.col(1));
   const Eigen::VectorXd z = points.col(2);
-  const auto smallest = minimax_fit(columns, z);
+  const auto smallest = minimax_fit(columns, z, watch);
   if (!smallest) {
     return std::nullopt;
   }
   return FlatnessEvaluation{zones_about(columns, z, *smallest), z - columns * smallest->parameters};
 }
 
-std::optional<FormZones> cylindricity_of(const Eigen::MatrixX3d& points) {
+std::optional<CylindricityEvaluation> cylindricity_of(const Eigen::MatrixX3d& points,
+                                                      machine::WorkWatch* watch) {
   if (points.rows() < 5) {
     return std::nullopt;
   }
@@ -130,13 +137,18 @@ std::optional<FormZones> cylindricity_of(const Eigen::MatrixX3d& points) {
     return solver.rank() == 5 ? std::optional<Eigen::VectorXd>(solver.solve(seen.distances))
                               : std::nullopt;
   };
-  const auto minimax = [](const SeenAlong& seen) -> std::optional<Eigen::VectorXd> {
-    const auto fit = minimax_fit(seen.columns, seen.distances);
+  const auto minimax = [watch](const SeenAlong& seen) -> std::optional<Eigen::VectorXd> {
+    const auto fit = minimax_fit(seen.columns, seen.distances, watch);
     return fit ? std::optional(fit->parameters) : std::nullopt;
   };
-  const auto least = cylinder_zone(points, least_squares);
-  const auto smallest = least ? cylinder_zone(points, minimax) : std::nullopt;
-  return smallest ? std::optional(FormZones{*least, std::min(*smallest, *least)}) : std::nullopt;
+  const auto least = fitted_distances(points, watch, least_squares);
+  const auto smallest = least ? fitted_distances(points, watch, minimax) : std::nullopt;
+  if (!smallest) {
+    return std::nullopt;
+  }
+  const double zone = range_of(*least);
+  return CylindricityEvaluation{{zone, std::min(range_of(*smallest), zone)},
+                                least->array() - least->mean()};
 }
 
 }  // namespace g31::metrology

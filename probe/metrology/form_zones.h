@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "machine/port/work_watch.h"
+
 namespace g31::metrology {
 
 /// The width of what holds a form, about different references; mm.
@@ -16,8 +18,11 @@ struct StraightnessZones {
 
 /// Straightness of deviations at places along a line, both mm, places rising; two points at least.
 /// Deviations are taken across the line as they are: slopes are small.
+/// @param watch  here and below: looked at for each point in each step of the work, which it may
+/// end
 StraightnessZones straightness_of(std::span<const double> places,
-                                  std::span<const double> deviations);
+                                  std::span<const double> deviations,
+                                  machine::WorkWatch* watch = nullptr);
 
 struct FormZones {
   double least_squares = 0.0;
@@ -32,7 +37,14 @@ struct FlatnessEvaluation {
 
 /// Flatness of points (x, y, z) in rows, mm, distances along z.  nullopt: they lie on a line.
 /// Accuracy: that of `minimax_fit`.
-std::optional<FlatnessEvaluation> flatness_of(const Eigen::MatrixX3d& points);
+std::optional<FlatnessEvaluation> flatness_of(const Eigen::MatrixX3d& points,
+                                              machine::WorkWatch* watch = nullptr);
+
+/// What is a cylinder, and where not.
+struct CylindricityEvaluation {
+  FormZones zones;
+  Eigen::VectorXd deviations;  ///< of each point from the cylinder of least squares
+};
 
 /// Cylindricity of points in rows, mm, about an axis near z: range of the distances from the axis
 /// of the cylinder of least squares, and the smallest range about any axis.
@@ -40,6 +52,7 @@ std::optional<FlatnessEvaluation> flatness_of(const Eigen::MatrixX3d& points);
 /// Both by repeated linear fits in the displacement and tilt of the axis, from the points' own
 /// middle; distances are exact.  Accuracy: 1e-9 mm for an axis within 0.01 rad and a hundredth of
 /// the radius.  nullopt: the points do not determine an axis.
-std::optional<FormZones> cylindricity_of(const Eigen::MatrixX3d& points);
+std::optional<CylindricityEvaluation> cylindricity_of(const Eigen::MatrixX3d& points,
+                                                      machine::WorkWatch* watch = nullptr);
 
 }  // namespace g31::metrology

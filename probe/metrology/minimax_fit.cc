@@ -26,8 +26,11 @@ struct Touch {
 class Exchange {
  public:
   Exchange(const Eigen::MatrixXd& columns, const Eigen::VectorXd& values,
-           const std::vector<Eigen::Index>& independent)
-      : columns_(columns), values_(values), tolerance_(1e-13 * values.cwiseAbs().maxCoeff()) {
+           const std::vector<Eigen::Index>& independent, machine::WorkWatch* watch)
+      : columns_(columns),
+        values_(values),
+        tolerance_(1e-13 * values.cwiseAbs().maxCoeff()),
+        watch_(watch) {
     touches_ = {{independent.front(), 1.0}, {independent.front(), -1.0}};
     for (std::size_t i = 1; i < independent.size(); ++i) {
       touches_.push_back({independent[i], 1.0});
@@ -80,6 +83,9 @@ class Exchange {
     std::optional<Touch> enters;
     double furthest = half_width_ + tolerance_;
     for (Eigen::Index i = 0; i < off.size(); ++i) {
+      if (watch_ != nullptr) {
+        watch_->look();
+      }
       if (std::abs(off[i]) > furthest) {
         enters = Touch{i, off[i] > 0.0 ? 1.0 : -1.0};
         furthest = std::abs(off[i]);
@@ -119,6 +125,7 @@ class Exchange {
   const Eigen::MatrixXd& columns_;
   const Eigen::VectorXd& values_;
   double tolerance_;
+  machine::WorkWatch* watch_;
   std::vector<Touch> touches_;
   Eigen::FullPivLU<Eigen::MatrixXd> basis_;
   Eigen::VectorXd parameters_;
@@ -128,8 +135,8 @@ class Exchange {
 
 }  // namespace
 
-std::optional<MinimaxFit> minimax_fit(const Eigen::MatrixXd& columns,
-                                      const Eigen::VectorXd& values) {
+std::optional<MinimaxFit> minimax_fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& values,
+                                      machine::WorkWatch* watch) {
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> order(columns.transpose());
   order.setThreshold(1e-9);
   if (columns.rows() < columns.cols() || order.rank() < columns.cols()) {
@@ -142,7 +149,7 @@ std::optional<MinimaxFit> minimax_fit(const Eigen::MatrixXd& columns,
   for (Eigen::Index i = 0; i < columns.cols(); ++i) {
     independent.push_back(order.colsPermutation().indices()[i]);
   }
-  MinimaxFit fit = Exchange(columns, rest, independent).run();
+  MinimaxFit fit = Exchange(columns, rest, independent, watch).run();
   fit.parameters += start;
   return fit;
 }

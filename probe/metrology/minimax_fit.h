@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "machine/port/work_watch.h"
+
 namespace g31::metrology {
 
 /// A linear function that leaves the smallest largest residual.
@@ -18,7 +20,8 @@ struct MinimaxFit {
 /// the optimum itself, not an approach to it.  Ties, as points of a grid make them, are settled by
 /// Bland's rule.  Accuracy: rounding, 1e-12 of the largest value for columns of size about 1.
 /// nullopt: the points do not determine the function.
-std::optional<MinimaxFit> minimax_fit(const Eigen::MatrixXd& columns,
-                                      const Eigen::VectorXd& values);
+/// @param watch  looked at for each point in each step; may end the work, by an exception
+std::optional<MinimaxFit> minimax_fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& values,
+                                      machine::WorkWatch* watch = nullptr);
 
 }  // namespace g31::metrology

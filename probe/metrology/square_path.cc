@@ -25,16 +25,57 @@ double median_of(std::vector<double> values) {
 }
 
 /// Points evenly spread along the way.
-std::vector<Eigen::Vector2d> spread_points(const PlaneSamples& samples, double step) {
+/// @param numbers  of their samples
+std::vector<Eigen::Vector2d> spread_points(const PlaneSamples& samples, double step,
+                                           std::vector<std::size_t>& numbers) {
   std::vector<Eigen::Vector2d> points;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     samples.look();
     const Eigen::Vector2d p = samples.at(i);
     if (points.empty() || (p - points.back()).squaredNorm() >= step * step) {
       points.push_back(p);
+      numbers.push_back(i);
     }
   }
   return points;
+}
+
+/// The ways to the square and away from it lead across its sides.
+SampleRange range_on(const PlaneSamples& samples, const std::vector<Eigen::Vector2d>& points,
+                     const std::vector<std::size_t>& numbers, const Square& square) {
+  const auto runs_along = [&](std::size_t i) {
+    const Eigen::Vector2d q = points[i] - square.centre;
+    const Eigen::Vector2d step = (points[i + 1] - points[i]).cwiseAbs();
+    const Eigen::Index across = std::abs(q.x()) > std::abs(q.y()) ? 0 : 1;
+    const bool is_beside =
+        std::abs(std::abs(q[across]) - square.half_side) <= kBesideSide * square.half_side;
+    return is_beside && step[across] < step[1 - across];
+  };
+  std::size_t first = 0;
+  std::size_t last = points.size() - 1;
+  while (first < last && !runs_along(first)) {
+    ++first;
+  }
+  while (last > first && !runs_along(last - 1)) {
+    --last;
+  }
+  if (first >= last) {
+    return {numbers.front(), numbers.back() + 1};
+  }
+  // Between two points the way turns into the side, or out of it: where it is nearest to the
+  // square.
+  const auto nearest = [&](std::size_t from, std::size_t to) {
+    std::size_t best = from;
+    for (std::size_t i = from; i <= to; ++i) {
+      if (std::abs(square.ray_error(samples.at(i))) <
+          std::abs(square.ray_error(samples.at(best)))) {
+        best = i;
+      }
+    }
+    return best;
+  };
+  return {nearest(numbers[first], numbers[first + 1]),
+          nearest(numbers[last - 1], numbers[last]) + 1};
 }
 
 /// Where two sides that face each other are.
@@ -212,7 +253,8 @@ Result<SquareEvaluation, std::string> evaluate_square(const PlaneSamples& sample
   if (!(extent > 0.0)) {
     return std::string("the path does not move");
   }
-  const auto points = spread_points(samples, extent / 1000.0);
+  std::vector<std::size_t> numbers;
+  const auto points = spread_points(samples, extent / 1000.0, numbers);
   const auto across_x = sides_across(points, 0);
   const auto across_y = sides_across(points, 1);
   if (!across_x || !across_y) {
@@ -223,7 +265,7 @@ Result<SquareEvaluation, std::string> evaluate_square(const PlaneSamples& sample
     return std::string("most of the path does not lie on a square of this side along the axes");
   }
   square = square_of(refined_sides(points, square, 0), refined_sides(points, square, 1), request);
-  SquareEvaluation evaluation{square, {}};
+  SquareEvaluation evaluation{square, range_on(samples, points, numbers, square), {}};
   for (std::size_t corner = 0; corner < kCorners.size(); ++corner) {
     evaluation.corner_error.at(corner) = CornerView(samples, square, corner).error();
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -29,8 +30,15 @@ struct SquareRequest {
   std::optional<Eigen::Vector2d> centre;
 };
 
+/// Samples of a record, half open.
+struct SampleRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
 struct SquareEvaluation {
   Square square;
+  SampleRange on_square;  ///< from where the path first runs along a side to where it last does
   /// Distance of the corner from where the path crosses its diagonal, mm, negative inside; from +X
   /// +Y counter-clockwise.  Nothing where the path does not come by.
   std::array<std::optional<double>, 4> corner_error;

@@ -45,7 +45,7 @@ TEST(Charts, NameTheCurvesThatCanBeToldApart) {
   for (std::size_t i = 0; i < curves.size(); ++i) {
     curves[i].name = std::to_string(i);
   }
-  const auto traces = deviation_traces(curves, plot::Language::English);
+  const auto traces = deviation_traces(curves, {});
   ASSERT_EQ(traces.size(), curves.size());
   for (std::size_t i = 0; i < traces.size(); ++i) {
     EXPECT_EQ(traces[i].name, i < 8 ? std::to_string(i) : std::string());

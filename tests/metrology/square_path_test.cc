@@ -68,6 +68,36 @@ SquareEvaluation evaluated(const Record& record, const metrology::SquareRequest&
   return made.ok() ? made.value() : SquareEvaluation();
 }
 
+/// Ways to the square and away from it are none of it: 0.2 mm and 30 mm across the side where it
+/// begins, both within the room beside it.
+TEST(SquarePath, BeginsAndEndsWhereItRunsAlongASide) {
+  for (const double lead : {0.2, 8.0, 30.0}) {
+    const Record square = recorded_square(50.0, 0.0, {3.0, 4.0}, 1e-3);
+    Record record;
+    const auto add = [&](double x, double y) {
+      record.t.push_back(1e-3 * static_cast<double>(record.t.size()));
+      record.x.push_back(x);
+      record.y.push_back(y);
+    };
+    constexpr int kLead = 200;
+    for (int i = 0; i < kLead; ++i) {
+      add(53.0 - lead * (kLead - i) / kLead, 4.0);
+    }
+    for (std::size_t i = 0; i < square.x.size(); ++i) {
+      add(square.x[i], square.y[i]);
+    }
+    for (int i = 1; i <= kLead; ++i) {
+      add(square.x.back() - lead * i / kLead, square.y.back());
+    }
+    const metrology::SampleRange range =
+        evaluated(record, {100.0, Eigen::Vector2d(3.0, 4.0)}).on_square;
+    EXPECT_EQ(range.begin, static_cast<std::size_t>(kLead)) << lead;
+    // The command goes 1 mm beyond the start, and any sample of that is as near.
+    EXPECT_NEAR(static_cast<double>(range.end), static_cast<double>(kLead + square.x.size()), 4.0)
+        << lead;
+  }
+}
+
 TEST(SquarePath, RayErrorsAreThoseOfThePaper) {
   const Square square{{0.0, 0.0}, 50.0};
   for (int degree = -179; degree <= 180; ++degree) {

@@ -44,8 +44,56 @@ struct MadeFile {
 using MadeFiles = std::vector<MadeFile>;
 using Wrong = std::optional<session::Refusal>;
 
+/// What bounds the making of texts: time, and the bytes of all that is written together.
+class TextLimits {
+ public:
+  TextLimits(runtime::TimeBudget& time, std::uint64_t most) : time_(time), most_(most) {}
+
+  /// Of a text that is begun now and will be written, or a part of one: it is ended where it
+  /// grows too large together with the files that there are.  Outlived by the limits.
+  /// @throws runtime::BudgetSpent  the function, when it is told of a piece
+  plot::Growth of_text() {
+    return [this, size = written_](std::size_t bytes) mutable {
+      look(bytes);
+      size += bytes;
+      check(size);
+    };
+  }
+
+  /// Of a text that only makes another one.
+  plot::Growth of_passing_text() {
+    return [this](std::size_t bytes) { look(bytes); };
+  }
+
+  /// @throws runtime::BudgetSpent
+  void add(MadeFiles& files, std::string path, std::string text) {
+    written_ += text.size();
+    check(written_);
+    files.push_back({std::move(path), std::move(text)});
+  }
+
+ private:
+  /// About as often as for rows of the record, however large a piece is.
+  void look(std::size_t bytes) {
+    constexpr std::size_t kRow = 64;
+    for (std::size_t i = 0; i <= bytes / kRow; ++i) {
+      time_.look();
+    }
+  }
+  void check(std::uint64_t size) const {
+    if (size > most_) {
+      throw runtime::BudgetSpent(source::DiagnosticId::BudgetOutput,
+                                 "more than " + runtime::shown_size(most_));
+    }
+  }
+
+  runtime::TimeBudget& time_;
+  std::uint64_t most_;
+  std::uint64_t written_ = 0;
+};
+
 Wrong make_compensation(const EvaluateOptions& options, const evaluate::Evaluation& evaluation,
-                        MadeFiles& files) {
+                        TextLimits& limits, MadeFiles& files) {
   const std::string path = file_given(options, evaluate::OptionId::Compensation);
   if (path.empty()) {
     return std::nullopt;
@@ -55,12 +103,12 @@ Wrong make_compensation(const EvaluateOptions& options, const evaluate::Evaluati
   if (const auto wrong = evaluate::why_no_compensation(format, *evaluation.machine_error)) {
     return session::bad_input("--compensation: " + *wrong);
   }
-  files.push_back({path, evaluate::compensation_text(format, *evaluation.machine_error)});
+  limits.add(files, path, evaluate::compensation_text(format, *evaluation.machine_error));
   return std::nullopt;
 }
 
 Wrong make_report(const EvaluateOptions& options, const evaluate::Evaluation& evaluation,
-                  MadeFiles& files) {
+                  TextLimits& limits, MadeFiles& files) {
   if (options.report.empty()) {
     return std::nullopt;
   }
@@ -85,60 +133,37 @@ Wrong make_report(const EvaluateOptions& options, const evaluate::Evaluation& ev
   const page::PageOrigin origin{options.version, command.line(), page_inputs({options.file}),
                                 options.language, 0};
   const std::string name = std::filesystem::path(options.file).filename().string();
-  auto text = page_text(
-      page::report_of(evaluation, name, evaluate::evaluation_document(evaluation, true), origin));
+  page::Report report = page::report_of(
+      evaluation, name, evaluate::evaluation_document(evaluation, true, limits.of_passing_text()),
+      origin);
+  report.growth = limits.of_text();
+  auto text = page_text(report);
   if (!text) {
     return text.error();
   }
-  files.push_back({options.report, std::move(text.value())});
+  limits.add(files, options.report, std::move(text.value()));
   return std::nullopt;
 }
 
-/// The least that curves take of a document.
-std::uint64_t least_size(const std::vector<evaluate::Curve>& curves) {
-  constexpr std::uint64_t kLeastOfPoint = 16;
-  std::uint64_t size = 0;
-  for (const evaluate::Curve& curve : curves) {
-    size += kLeastOfPoint * curve.points.size();
-  }
-  return size;
-}
-
-Wrong too_large(std::uint64_t size, const EvaluateOptions& options) {
-  if (size <= options.max_output) {
-    return std::nullopt;
-  }
-  return session::Refusal{
-      session::Ending::Budget,
-      fmt::format("the limit of output is reached: {} of {} to write; --max-output raises the "
-                  "limit",
-                  runtime::shown_size(size), runtime::shown_size(options.max_output))};
-}
-
 /// All that is to be written, made before the first of it is.
+/// @throws runtime::BudgetSpent
 Wrong make_files(const EvaluateOptions& options, const evaluate::Evaluation& evaluation,
-                 MadeFiles& files) {
-  Wrong wrong = make_compensation(options, evaluation, files);
-  if (!wrong && !options.svg.empty()) {
-    files.push_back({options.svg, evaluation.svg});
+                 TextLimits& limits, MadeFiles& files) {
+  if (!options.svg.empty()) {
+    limits.add(files, options.svg, evaluation.svg);
   }
-  if (!wrong && (options.has_curves || !options.report.empty())) {
-    wrong = too_large(least_size(evaluation.curves), options);
-  }
+  Wrong wrong = make_compensation(options, evaluation, limits, files);
   if (!wrong) {
-    wrong = make_report(options, evaluation, files);
+    wrong = make_report(options, evaluation, limits, files);
   }
   if (!wrong && !options.json.empty()) {
-    files.push_back({options.json, evaluate::evaluation_document(evaluation, options.has_curves)});
+    limits.add(files, options.json,
+               evaluate::evaluation_document(evaluation, options.has_curves, limits.of_text()));
   }
   if (!wrong && options.json != "-") {
-    files.push_back({"-", evaluate::evaluation_table(evaluation)});
+    limits.add(files, "-", evaluate::evaluation_table(evaluation, limits.of_text()));
   }
-  std::uint64_t size = 0;
-  for (const MadeFile& file : files) {
-    size += file.text.size();
-  }
-  return wrong ? wrong : too_large(size, options);
+  return wrong;
 }
 
 /// Reads a file for what reading and evaluating it may take.
@@ -169,15 +194,29 @@ Result<evaluate::Evaluation, session::Refusal> evaluated(const EvaluateOptions& 
   return std::move(evaluation.value());
 }
 
+session::Refusal refusal_of(const runtime::BudgetSpent& spent) {
+  if (spent.message() == source::DiagnosticId::Interrupted) {
+    return session::interrupted();
+  }
+  const bool is_output = spent.message() == source::DiagnosticId::BudgetOutput;
+  return {session::Ending::Budget,
+          is_output ? fmt::format("the limit of output is reached: {} to write; --max-output "
+                                  "raises the limit",
+                                  spent.detail())
+                    : "the limit of computing time is reached: --max-time raises the limit"};
+}
+
 /// @throws runtime::BudgetSpent
 Wrong evaluate_and_write(const EvaluateOptions& options, evaluate::Request& request) {
   runtime::TimeBudget time(options.max_time_s, options.interruption);
+  TextLimits limits(time, options.max_output);
+  request.growth = limits.of_text();
   const auto evaluation = evaluated(options, request, time);
   if (!evaluation) {
     return evaluation.error();
   }
   MadeFiles files;
-  if (auto wrong = make_files(options, evaluation.value(), files)) {
+  if (auto wrong = make_files(options, evaluation.value(), limits, files)) {
     return wrong;
   }
   if (time.is_interrupted()) {
@@ -222,11 +261,7 @@ ExitCode evaluate_command(const EvaluateOptions& options) {
     const Wrong wrong = evaluate_and_write(options, request);
     return wrong ? refused(*wrong) : ExitCode::Completed;
   } catch (const runtime::BudgetSpent& spent) {
-    return refused(spent.message() == source::DiagnosticId::Interrupted
-                       ? session::interrupted()
-                       : session::Refusal{session::Ending::Budget,
-                                          "the limit of computing time is reached: --max-time "
-                                          "raises the limit"});
+    return refused(refusal_of(spent));
   }
 }
 

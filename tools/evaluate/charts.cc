@@ -62,15 +62,15 @@ std::string legend_name(const std::string& curve, plot::Language language) {
   return known == std::end(kNames) ? curve : std::string(text_of(known->second, language));
 }
 
-/// A chart in its language, with the results beside it.
-plot::CurvePlot chart_of(const Evaluation& evaluation, plot::Language language) {
+}  // namespace
+
+plot::CurvePlot chart_of(const Evaluation& evaluation, const Request& request) {
   plot::CurvePlot chart;
-  chart.language = language;
+  chart.language = request.language;
+  chart.growth = request.growth;
   chart.facts = facts_of(evaluation);
   return chart;
 }
-
-}  // namespace
 
 std::vector<std::string> facts_of(const Evaluation& evaluation) {
   std::vector<std::string> facts;
@@ -83,31 +83,37 @@ std::vector<std::string> facts_of(const Evaluation& evaluation) {
 }
 
 std::vector<plot::CurveTrace> deviation_traces(const std::vector<Curve>& curves,
-                                               plot::Language language) {
+                                               const Request& request) {
   std::vector<plot::CurveTrace> traces;
+  traces.reserve(curves.size());
   for (const Curve& curve : curves) {
+    if (request.growth) {
+      request.growth(0);
+    }
     plot::CurveTrace trace = trace_of(curve);
     const bool is_second_row = traces.size() / kColours % 2 != 0;
     trace.style = is_second_row ? plot::CurveStyle::Dashed : plot::CurveStyle::Marked;
     trace.colour = traces.size() % kColours;
-    trace.name = traces.size() < kNamed ? legend_name(curve.name, language) : std::string();
+    trace.name = traces.size() < kNamed ? legend_name(curve.name, request.language) : std::string();
     traces.push_back(std::move(trace));
   }
   return traces;
 }
 
 std::string deviation_chart(const Evaluation& evaluation, const ChartWords& words,
-                            plot::Language language) {
-  plot::CurvePlot chart = chart_of(evaluation, language);
+                            const Request& request) {
+  const plot::Language language = request.language;
+  plot::CurvePlot chart = chart_of(evaluation, request);
   chart.title = text_of(words.title, language);
   chart.x_label = text_of(words.x_label, language);
   chart.y_label = text_of(plot::Word::DeviationUm, language);
-  chart.traces = deviation_traces(evaluation.curves, language);
+  chart.traces = deviation_traces(evaluation.curves, request);
   return plot::draw(chart);
 }
 
 std::string stacked_chart(const Evaluation& evaluation, const std::vector<double>& heights,
-                          const ChartWords& words, plot::Language language) {
+                          const ChartWords& words, const Request& request) {
+  const plot::Language language = request.language;
   double largest = 0.0;
   for (const Curve& curve : evaluation.curves) {
     for (const auto& point : curve.points) {
@@ -119,7 +125,7 @@ std::string stacked_chart(const Evaluation& evaluation, const std::vector<double
       heights.size() > 1 ? (*high - *low) / static_cast<double>(heights.size() - 1) : 1.0;
   // Neighbours may just touch.
   const double enlarged = largest > 0.0 ? plot::round_down(std::max(spacing, 1e-9) / largest) : 1.0;
-  plot::CurvePlot chart = chart_of(evaluation, language);
+  plot::CurvePlot chart = chart_of(evaluation, request);
   chart.title = text_of(words.title, language);
   chart.x_label = text_of(words.x_label, language);
   chart.y_label = text_of(plot::Word::ThetaDeg, language);
@@ -143,8 +149,9 @@ std::string stacked_chart(const Evaluation& evaluation, const std::vector<double
 }
 
 std::string positioning_chart(const Evaluation& evaluation, const std::string& axis,
-                              plot::Language language) {
-  plot::CurvePlot chart = chart_of(evaluation, language);
+                              const Request& request) {
+  const plot::Language language = request.language;
+  plot::CurvePlot chart = chart_of(evaluation, request);
   chart.title = said(language, plot::Word::TitlePositioning, fmt::arg("axis", axis));
   chart.x_label = text_of(plot::Word::TargetMm, language);
   chart.y_label = text_of(plot::Word::DeviationUm, language);

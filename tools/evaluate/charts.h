@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/evaluate/evaluate.h"
 #include "tools/evaluate/evaluation.h"
 #include "tools/plot/curve_plot.h"
 #include "tools/plot/words.h"
@@ -21,18 +22,21 @@ struct ChartWords {
 /// Curves of deviations in mm as traces in um over places in mm, in the colours' order: the second
 /// four are dashed, further ones have no name.
 std::vector<plot::CurveTrace> deviation_traces(const std::vector<Curve>& curves,
-                                               plot::Language language);
+                                               const Request& request);
+
+/// A chart as a request has it, with the results beside it.
+plot::CurvePlot chart_of(const Evaluation& evaluation, const Request& request);
 
 /// The drawing of an evaluation whose curves are deviations over a way.
 std::string deviation_chart(const Evaluation& evaluation, const ChartWords& words,
-                            plot::Language language);
+                            const Request& request);
 
 /// Curves one above the other, each at its height, their deviations enlarged: a work unrolled.
 std::string stacked_chart(const Evaluation& evaluation, const std::vector<double>& heights,
-                          const ChartWords& words, plot::Language language);
+                          const ChartWords& words, const Request& request);
 
 /// ISO 230-2: means of both directions with two standard deviations beside them.
 std::string positioning_chart(const Evaluation& evaluation, const std::string& axis,
-                              plot::Language language);
+                              const Request& request);
 
 }  // namespace g31::evaluate

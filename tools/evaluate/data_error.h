@@ -33,6 +33,13 @@ struct DataFile {
   std::string name;                     ///< as the command line has it
   std::string_view text;                ///< all of it
   machine::WorkWatch* watch = nullptr;  ///< looked at for each row; may end the work
+
+  /// In each step of long work on what it holds.
+  void look() const {
+    if (watch != nullptr) {
+      watch->look();
+    }
+  }
 };
 
 /// A place in a text.

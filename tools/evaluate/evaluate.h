@@ -11,6 +11,7 @@
 #include "tools/evaluate/data_error.h"
 #include "tools/evaluate/data_table.h"
 #include "tools/evaluate/evaluation.h"
+#include "tools/plot/growth.h"
 #include "tools/plot/language.h"
 
 namespace g31::evaluate {
@@ -43,7 +44,8 @@ struct Request {
   bool wants_curves = false;  ///< of paths: every sample's deviation
   bool wants_drawing = false;
   plot::Language language = plot::Language::English;  ///< of a drawing
-  double magnify = 0.0;  ///< how many times a drawing enlarges errors; 0: so that they are seen
+  plot::Growth growth = {};  ///< told of a drawing as it grows; may end the work
+  double magnify = 0.0;      ///< how many times a drawing enlarges errors; 0: so that they are seen
 };
 
 /// Evaluates a file.  Error: what is wrong with it, at its place.

@@ -144,6 +144,7 @@ std::string drawing_of(const metrology::CircleEvaluation& circle,
   const metrology::Circle& reference = circle.reference;
   plot::PathPlot chart;
   chart.language = request.language;
+  chart.growth = request.growth;
   chart.title = said(request.language, plot::Word::TitleCircle,
                      fmt::arg("radius", fmt::format("{:.6g}", reference.radius)));
   chart.axes = request.plane;

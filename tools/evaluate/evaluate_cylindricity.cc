@@ -105,33 +105,34 @@ Result<Evaluation, DataError> evaluate_cylindricity(const DataFile& file, const 
     for (std::size_t k = 0; k < steps; ++k) {
       const double z = static_cast<double>(k) * *request.step;
       points.row(next++) = on_surface(line.key, radii[k], z).transpose();
-      curve.points.push_back({z, radii[k]});
+      curve.points.push_back({z, 0.0});
       sum += radii[k];
     }
     evaluation.curves.push_back(std::move(curve));
   }
   const double mean = sum / static_cast<double>(points.rows());
-  for (Curve& curve : evaluation.curves) {
-    for (auto& point : curve.points) {
-      point[1] -= mean;
-    }
-  }
-  const auto zones = metrology::cylindricity_of(points);
-  if (!zones) {
+  const auto round = metrology::cylindricity_of(points, file.watch);
+  if (!round) {
     return cannot(file, "too few angles and steps to determine a cylinder");
   }
+  // Where the work stands beside the axis that it turns about is no form of it.
+  next = 0;
+  for (Curve& curve : evaluation.curves) {
+    for (auto& point : curve.points) {
+      point[1] = round->deviations[next++];
+    }
+  }
   evaluation.samples = static_cast<std::size_t>(points.rows());
-  evaluation.results = {{"cylindricity_least_squares", um(zones->least_squares), "um"},
-                        {"cylindricity_minimum_zone", um(zones->minimum_zone), "um"},
+  evaluation.results = {{"cylindricity_least_squares", um(round->zones.least_squares), "um"},
+                        {"cylindricity_minimum_zone", um(round->zones.minimum_zone), "um"},
                         {"radius", mean, "mm"}};
   if (request.wants_drawing) {
     std::vector<double> angles;
     for (const SensorLine& line : lines.value()) {
       angles.push_back(line.key);
     }
-    evaluation.svg = stacked_chart(evaluation, angles,
-                                   {plot::Word::TitleCylindricity, plot::Word::PlaceAlongWork},
-                                   request.language);
+    evaluation.svg = stacked_chart(
+        evaluation, angles, {plot::Word::TitleCylindricity, plot::Word::PlaceAlongWork}, request);
   }
   return evaluation;
 }

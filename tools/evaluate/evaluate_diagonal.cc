@@ -42,8 +42,8 @@ PathEvaluation evaluate_diagonal(const RecordedPath& path, const Request& reques
   evaluation.results.insert(evaluation.results.end(), scaled.begin(), scaled.end());
   evaluation.curves = {across(path, request)};
   if (request.wants_drawing) {
-    evaluation.svg = deviation_chart(
-        evaluation, {plot::Word::TitleDiagonal, plot::Word::WayToTarget}, request.language);
+    evaluation.svg =
+        deviation_chart(evaluation, {plot::Word::TitleDiagonal, plot::Word::WayToTarget}, request);
   }
   return evaluation;
 }

@@ -54,14 +54,18 @@ Result<Points, DataError> read_lines(const DataFile& file, const Request& reques
 }
 
 /// The deviations of points with the same y, along x.
-std::vector<Curve> lines_of(const Points& points, const Eigen::VectorXd& deviations) {
+std::vector<Curve> lines_of(const Points& points, const Eigen::VectorXd& deviations,
+                            const DataFile& file) {
   std::map<double, Curve> lines;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    file.look();
     Curve& line = lines[points(i, 1)];
     line.points.push_back({points(i, 0), deviations[i]});
   }
   std::vector<Curve> curves;
+  curves.reserve(lines.size());
   for (auto& [y, line] : lines) {
+    file.look();
     std::ranges::sort(line.points);
     line.name = fmt::format("y_{}", y);
     curves.push_back(std::move(line));
@@ -76,7 +80,7 @@ Result<Evaluation, DataError> evaluate_flatness(const DataFile& file, const Requ
   if (!points) {
     return points.error();
   }
-  const auto flat = metrology::flatness_of(points.value());
+  const auto flat = metrology::flatness_of(points.value(), file.watch);
   if (!flat) {
     return data_error(DataErrorId::CannotEvaluate, file, {}, {"the points lie on one line"});
   }
@@ -85,10 +89,10 @@ Result<Evaluation, DataError> evaluate_flatness(const DataFile& file, const Requ
   evaluation.samples = static_cast<std::size_t>(points.value().rows());
   evaluation.results = {{"flatness_least_squares", um(flat->zones.least_squares), "um"},
                         {"flatness_minimum_zone", um(flat->zones.minimum_zone), "um"}};
-  evaluation.curves = lines_of(points.value(), flat->deviations);
+  evaluation.curves = lines_of(points.value(), flat->deviations, file);
   if (request.wants_drawing) {
-    evaluation.svg = deviation_chart(evaluation, {plot::Word::TitleFlatness, plot::Word::PlaceX},
-                                     request.language);
+    evaluation.svg =
+        deviation_chart(evaluation, {plot::Word::TitleFlatness, plot::Word::PlaceX}, request);
   }
   return evaluation;
 }

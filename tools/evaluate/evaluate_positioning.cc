@@ -112,7 +112,7 @@ Result<Evaluation, DataError> evaluate_positioning(const DataFile& file, const R
   evaluation.machine_error = {"E" + axis.value() + axis.value(),
                               mean_deviations(positioning.value())};
   if (request.wants_drawing) {
-    evaluation.svg = positioning_chart(evaluation, axis.value(), request.language);
+    evaluation.svg = positioning_chart(evaluation, axis.value(), request);
   }
   return evaluation;
 }

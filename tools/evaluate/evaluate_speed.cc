@@ -53,13 +53,11 @@ PathEvaluation evaluate_speed(const RecordedPath& path, const Request& request) 
         "the record is rough: speeds are taken over {} rows instead of one", record.interval));
   }
   if (request.wants_drawing) {
-    plot::CurvePlot chart;
-    chart.language = request.language;
+    plot::CurvePlot chart = chart_of(evaluation, request);
     chart.title = text_of(plot::Word::TitleSpeed, request.language);
     chart.x_label = text_of(plot::Word::TimeS, request.language);
     chart.y_label = text_of(plot::Word::SpeedMmMin, request.language);
     chart.traces = {{"", evaluation.curves.front().points, plot::CurveStyle::Line, 0}};
-    chart.facts = facts_of(evaluation);
     chart.facts.push_back(
         said(request.language, plot::Word::Dips, fmt::arg("count", speed->dips.size())));
     chart.begins_at_zero = true;

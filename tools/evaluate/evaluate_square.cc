@@ -42,9 +42,10 @@ bool is_near(const metrology::Square& square, const Eigen::Vector2d& p) {
 }
 
 /// Errors along the ray from the centre, by the way round the square.
-Curve ray_errors(const metrology::Square& square, const metrology::PlaneSamples& samples) {
+Curve ray_errors(const metrology::SquareEvaluation& found, const metrology::PlaneSamples& samples) {
+  const metrology::Square& square = found.square;
   Curve curve{"path", {}};
-  for (std::size_t i = 0; i < samples.size(); ++i) {
+  for (std::size_t i = found.on_square.begin; i < found.on_square.end; ++i) {
     if (is_near(square, samples.at(i))) {
       curve.points.push_back({square.place_of(samples.at(i)), square.ray_error(samples.at(i))});
     }
@@ -52,10 +53,13 @@ Curve ray_errors(const metrology::Square& square, const metrology::PlaneSamples&
   return curve;
 }
 
-std::string drawing_of(const metrology::Square& square, const metrology::PlaneSamples& samples,
-                       const Request& request, const Evaluation& evaluation) {
+std::string drawing_of(const metrology::SquareEvaluation& found,
+                       const metrology::PlaneSamples& samples, const Request& request,
+                       const Evaluation& evaluation) {
+  const metrology::Square& square = found.square;
   plot::PathPlot chart;
   chart.language = request.language;
+  chart.growth = request.growth;
   chart.title = said(request.language, plot::Word::TitleSquare,
                      fmt::arg("side", fmt::format("{:.6g}", 2.0 * square.half_side)));
   chart.axes = request.plane;
@@ -67,7 +71,7 @@ std::string drawing_of(const metrology::Square& square, const metrology::PlaneSa
   chart.detail = request.detail;
   chart.facts = facts_of(evaluation);
   plot::PathTrace trace{std::string(text_of(plot::Word::Path, request.language)), {}, {}};
-  for (std::size_t i = 0; i < samples.size(); ++i) {
+  for (std::size_t i = found.on_square.begin; i < found.on_square.end; ++i) {
     if (is_near(square, samples.at(i))) {
       trace.points.push_back(samples.at(i) - square.centre);
       trace.deviations.push_back(square.ray_error(samples.at(i)));
@@ -90,10 +94,10 @@ PathEvaluation evaluate_square(const RecordedPath& path, const Request& request)
   evaluation.samples = samples.size();
   evaluation.results = results_of(square.value(), request);
   if (request.wants_curves) {
-    evaluation.curves = {ray_errors(square.value().square, samples)};
+    evaluation.curves = {ray_errors(square.value(), samples)};
   }
   if (request.wants_drawing) {
-    evaluation.svg = drawing_of(square.value().square, samples, request, evaluation);
+    evaluation.svg = drawing_of(square.value(), samples, request, evaluation);
   }
   return evaluation;
 }

@@ -22,8 +22,9 @@ std::vector<double> places_of(std::size_t count, double step, double from) {
 }
 
 void add_zones(const std::string& name, const std::vector<double>& places,
-               const std::vector<double>& shape, std::vector<Quantity>& results) {
-  const metrology::StraightnessZones zones = metrology::straightness_of(places, shape);
+               const std::vector<double>& shape, machine::WorkWatch* watch,
+               std::vector<Quantity>& results) {
+  const metrology::StraightnessZones zones = metrology::straightness_of(places, shape, watch);
   results.push_back({name, um(zones.end_points), "um"});
   results.push_back({name + "_least_squares", um(zones.least_squares), "um"});
   results.push_back({name + "_minimum_zone", um(zones.minimum_zone), "um"});
@@ -76,8 +77,8 @@ Result<Evaluation, DataError> evaluate_straightness(const DataFile& file, const 
   evaluation.kind = Kind::Straightness;
   evaluation.samples = rows.a.size();
   add_offsets(rows, shapes, request, evaluation);
-  add_zones("motion_straightness", places, shapes.motion, evaluation.results);
-  add_zones("work_straightness", places, shapes.work, evaluation.results);
+  add_zones("motion_straightness", places, shapes.motion, file.watch, evaluation.results);
+  add_zones("work_straightness", places, shapes.work, file.watch, evaluation.results);
   const std::size_t n = rows.a.size() - 1;
   evaluation.results.push_back({"parallelism", um(shapes.work.back()), "um",
                                 um_of(request, metrology::work_uncertainty(n, n))});
@@ -90,7 +91,7 @@ Result<Evaluation, DataError> evaluate_straightness(const DataFile& file, const 
       metrology::motion_uncertainty(n / 2, n), n, metrology::work_uncertainty((n + 1) / 2, n)));
   if (request.wants_drawing) {
     evaluation.svg = deviation_chart(
-        evaluation, {plot::Word::TitleStraightness, plot::Word::PlaceAlongWay}, request.language);
+        evaluation, {plot::Word::TitleStraightness, plot::Word::PlaceAlongWay}, request);
   }
   return evaluation;
 }

@@ -1,11 +1,13 @@
 #include "tools/evaluate/evaluation.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "machine/base/contract.h"
+#include "tools/evaluate/document_writer.h"
 
 namespace g31::evaluate {
 namespace {
@@ -47,12 +49,39 @@ Json number_or_null(const std::optional<double>& value) {
   return value ? Json(*value + 0.0) : Json(nullptr);
 }
 
-Json json_of(const std::vector<Dip>& dips) {
-  Json list = Json::array();
-  for (const Dip& dip : dips) {
-    list.push_back({{"time", dip.time_s}, {"speed", dip.speed_mm_min}, {"width", dip.width_s}});
+void write_results(DocumentWriter& writer, const Evaluation& evaluation) {
+  writer.begin_object();
+  for (const Quantity& quantity : evaluation.results) {
+    G31_EXPECTS(has_row(quantity, evaluation.kind));
+    Json result = {{"value", number_or_null(quantity.value)}, {"unit", quantity.unit}};
+    if (quantity.u) {
+      result["u"] = *quantity.u;
+    }
+    writer.name(quantity.name);
+    writer.value(result);
   }
-  return list;
+  if (evaluation.dips) {
+    writer.name("dips");
+    writer.begin_list();
+    for (const Dip& dip : *evaluation.dips) {
+      writer.value({{"time", dip.time_s}, {"speed", dip.speed_mm_min}, {"width", dip.width_s}});
+    }
+    writer.end();
+  }
+  writer.end();
+}
+
+void write_curves(DocumentWriter& writer, const std::vector<Curve>& curves) {
+  writer.begin_object();
+  for (const Curve& curve : curves) {
+    writer.name(curve.name);
+    writer.begin_list();
+    for (const auto& point : curve.points) {
+      writer.value(point);
+    }
+    writer.end();
+  }
+  writer.end();
 }
 
 std::string with_digits(double value) {
@@ -96,33 +125,29 @@ std::string lower(std::string_view axis) {
   return {static_cast<char>(axis.front() - 'A' + 'a')};
 }
 
-std::string evaluation_document(const Evaluation& evaluation, bool with_curves) {
-  Json document = {{"schema", "g31.evaluation/1"},
-                   {"kind", info(evaluation.kind).word},
-                   {"samples", evaluation.samples}};
-  Json& results = document["results"] = Json::object();
-  for (const Quantity& quantity : evaluation.results) {
-    G31_EXPECTS(has_row(quantity, evaluation.kind));
-    Json& result = results[quantity.name] = {{"value", number_or_null(quantity.value)},
-                                             {"unit", quantity.unit}};
-    if (quantity.u) {
-      result["u"] = *quantity.u;
-    }
-  }
-  if (evaluation.dips) {
-    results["dips"] = json_of(*evaluation.dips);
-  }
+std::string evaluation_document(const Evaluation& evaluation, bool with_curves,
+                                const plot::Growth& growth) {
+  DocumentWriter writer(growth);
+  writer.begin_object();
+  writer.name("schema");
+  writer.value("g31.evaluation/1");
+  writer.name("kind");
+  writer.value(info(evaluation.kind).word);
+  writer.name("samples");
+  writer.value(evaluation.samples);
+  writer.name("results");
+  write_results(writer, evaluation);
   if (with_curves) {
-    Json& curves = document["curves"] = Json::object();
-    for (const Curve& curve : evaluation.curves) {
-      curves[curve.name] = curve.points;
-    }
+    writer.name("curves");
+    write_curves(writer, evaluation.curves);
   }
-  document["notes"] = evaluation.notes;
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  writer.name("notes");
+  writer.value(evaluation.notes);
+  writer.end();
+  return writer.finish();
 }
 
-std::string evaluation_table(const Evaluation& evaluation) {
+std::string evaluation_table(const Evaluation& evaluation, const plot::Growth& growth) {
   std::string text =
       fmt::format("{}, {} samples\n", info(evaluation.kind).word, evaluation.samples);
   for (const Quantity& quantity : evaluation.results) {
@@ -131,9 +156,13 @@ std::string evaluation_table(const Evaluation& evaluation) {
                         quantity.value ? with_digits(*quantity.value) : "-", quantity.unit, u);
   }
   if (evaluation.dips) {
+    std::size_t told = 0;
     for (const Dip& dip : *evaluation.dips) {
       text += fmt::format("  dip at {} s: {} mm/min, {} s wide\n", with_digits(dip.time_s),
                           with_digits(dip.speed_mm_min), with_digits(dip.width_s));
+      if (growth) {
+        growth(text.size() - std::exchange(told, text.size()));
+      }
     }
   }
   for (const std::string& note : evaluation.notes) {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tools/plot/growth.h"
+
 namespace g31::evaluate {
 
 /// Rows of evaluation_kinds.def.
@@ -108,9 +110,11 @@ struct Evaluation {
 };
 
 /// The document g31.evaluation/1.
-std::string evaluation_document(const Evaluation& evaluation, bool with_curves);
+/// @param growth  here and below: told of it as it grows; may end the work
+std::string evaluation_document(const Evaluation& evaluation, bool with_curves,
+                                const plot::Growth& growth = {});
 
 /// The results for a person.
-std::string evaluation_table(const Evaluation& evaluation);
+std::string evaluation_table(const Evaluation& evaluation, const plot::Growth& growth = {});
 
 }  // namespace g31::evaluate

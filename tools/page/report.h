@@ -12,6 +12,7 @@
 #include "interpreter/source/diagnostic.h"
 #include "tools/expect/characteristic.h"
 #include "tools/page/language.h"
+#include "tools/plot/growth.h"
 
 namespace g31::page {
 
@@ -174,6 +175,7 @@ struct Report {
   std::vector<std::string> limits;  ///< what was not simulated
   std::string document;             ///< JSON of the command
   std::string figures;              ///< JSON of what only pictures need; "": none
+  plot::Growth growth = {};         ///< told of the page as a long document goes into it
   /// Of a page that is served and makes way for the next one; 0: it stays as it is.
   std::uint64_t edition = 0;
 };

@@ -65,7 +65,7 @@ std::string page_of(const Report& report, const PageAssets& assets) {
                         listing, variables);
   }
   html += inputs_part(report) + "</main></div>\n";
-  html += embedded("g31-document", report.document);
+  html += embedded("g31-document", report.document, report.growth);
   html += report.figures.empty() ? "" : embedded("g31-figures", report.figures);
   return html + fmt::format("<script>\n{}</script>\n</body></html>\n", assets.script);
 }

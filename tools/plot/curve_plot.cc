@@ -119,7 +119,7 @@ void draw_trace(Svg& svg, const CurveTrace& trace, const Scale& x, const Scale& 
 }  // namespace
 
 std::string draw(const CurvePlot& plot) {
-  Svg svg(980.0, 540.0, plot.title, plot.language);
+  Svg svg(980.0, 540.0, plot.title, plot.language, plot.growth);
   const Ranges ranges = ranges_of(plot);
   const Scale x(ranges.x.low, ranges.x.high, kLeftEdge, kRightEdge);
   const Scale y(ranges.y.low, ranges.y.high, kBottomEdge, kTopEdge);

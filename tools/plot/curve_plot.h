@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/plot/growth.h"
 #include "tools/plot/language.h"
 
 namespace g31::plot {
@@ -29,6 +30,7 @@ struct CurvePlot {
   bool begins_at_zero = false;            ///< the upright axis
   bool has_equal_scales = false;          ///< both axes show a length alike
   Language language = Language::English;  ///< that its texts are in
+  Growth growth = {};                     ///< told of the drawing as it grows
 };
 
 /// The drawing as SVG.

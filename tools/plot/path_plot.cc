@@ -206,7 +206,7 @@ std::string draw(const PathPlot& plot) {
 namespace {
 
 std::string draw_shown(const PathPlot& plot, const Enlargement& enlargement) {
-  Svg svg(900.0, 660.0, plot.title, plot.language);
+  Svg svg(900.0, 660.0, plot.title, plot.language, plot.growth);
   const auto [is_exact, magnification, step] = enlargement;
   const auto detail = detail_of(plot);
   double half = 0.0;

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "tools/plot/growth.h"
 #include "tools/plot/language.h"
 
 namespace g31::plot {
@@ -34,6 +35,7 @@ struct PathPlot {
   std::optional<std::array<double, 3>> detail;
   std::vector<std::string> facts;         ///< lines beside the drawing
   Language language = Language::English;  ///< of what the drawing says itself
+  Growth growth = {};                     ///< told of the drawing as it grows
 };
 
 /// The drawing as SVG.

@@ -1,6 +1,7 @@
 #include "tools/plot/svg.h"
 
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -62,7 +63,17 @@ constexpr std::string_view kAnchors[] = {"start", "middle", "end"};
 
 }  // namespace
 
-Svg::Svg(double width, double height, std::string_view title, Language language) {
+template <typename... Values>
+void Svg::add(fmt::format_string<const Values&...> piece, const Values&... values) {
+  const std::size_t before = text_.size();
+  fmt::format_to(std::back_inserter(text_), piece, values...);
+  if (growth_) {
+    growth_(text_.size() - before);
+  }
+}
+
+Svg::Svg(double width, double height, std::string_view title, Language language, Growth growth)
+    : growth_(std::move(growth)) {
   text_ = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\" role=\"img\"{4}>\n<title>{2}</title>\n{3}"
@@ -73,16 +84,14 @@ Svg::Svg(double width, double height, std::string_view title, Language language)
 }
 
 void Svg::line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::string_view style) {
-  fmt::format_to(std::back_inserter(text_),
-                 "<line class=\"{}\" x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>\n",
-                 style, from.x(), from.y(), to.x(), to.y());
+  add("<line class=\"{}\" x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"/>\n", style,
+      from.x(), from.y(), to.x(), to.y());
 }
 
 void Svg::begin_window(const Eigen::Vector2d& top_left, const Eigen::Vector2d& size) {
-  fmt::format_to(std::back_inserter(text_),
-                 "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" "
-                 "viewBox=\"{0} {1} {2} {3}\">\n",
-                 top_left.x(), top_left.y(), size.x(), size.y());
+  add("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" "
+      "viewBox=\"{0} {1} {2} {3}\">\n",
+      top_left.x(), top_left.y(), size.x(), size.y());
 }
 
 void Svg::end_window() {
@@ -93,26 +102,25 @@ void Svg::way(std::span<const Eigen::Vector2d> points, std::string_view style) {
   if (points.empty()) {
     return;
   }
-  fmt::format_to(std::back_inserter(text_), "<polyline class=\"{}\" points=\"", style);
+  add("<polyline class=\"{}\" points=\"", style);
   for (const Eigen::Vector2d& p : points) {
-    fmt::format_to(std::back_inserter(text_), "{:.2f},{:.2f} ", p.x(), p.y());
+    add("{:.2f},{:.2f} ", p.x(), p.y());
   }
   text_.back() = '"';
   text_ += "/>\n";
 }
 
 void Svg::area(std::span<const Eigen::Vector2d> corners, std::string_view style) {
-  fmt::format_to(std::back_inserter(text_), "<polygon class=\"{}\" points=\"", style);
+  add("<polygon class=\"{}\" points=\"", style);
   for (const Eigen::Vector2d& p : corners) {
-    fmt::format_to(std::back_inserter(text_), "{:.2f},{:.2f} ", p.x(), p.y());
+    add("{:.2f},{:.2f} ", p.x(), p.y());
   }
   text_ += "\"/>\n";
 }
 
 void Svg::dot(const Eigen::Vector2d& at, double radius, std::string_view style) {
-  fmt::format_to(std::back_inserter(text_),
-                 "<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n", style, at.x(),
-                 at.y(), radius);
+  add("<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\"/>\n", style, at.x(), at.y(),
+      radius);
 }
 
 void Svg::arrow(const Eigen::Vector2d& tip, const Eigen::Vector2d& along, std::string_view style) {
@@ -124,23 +132,20 @@ void Svg::arrow(const Eigen::Vector2d& tip, const Eigen::Vector2d& along, std::s
   const Eigen::Vector2d back = tip - 11.0 * a;
   const Eigen::Vector2d left = back + 5.0 * across;
   const Eigen::Vector2d right = back - 5.0 * across;
-  fmt::format_to(std::back_inserter(text_),
-                 "<polygon class=\"{}\" points=\"{:.2f},{:.2f} {:.2f},{:.2f} {:.2f},{:.2f}\"/>\n",
-                 style, tip.x(), tip.y(), left.x(), left.y(), right.x(), right.y());
+  add("<polygon class=\"{}\" points=\"{:.2f},{:.2f} {:.2f},{:.2f} {:.2f},{:.2f}\"/>\n", style,
+      tip.x(), tip.y(), left.x(), left.y(), right.x(), right.y());
 }
 
 void Svg::text(const Eigen::Vector2d& at, std::string_view words, Anchor anchor,
                std::string_view style) {
-  fmt::format_to(std::back_inserter(text_),
-                 "<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n",
-                 style, at.x(), at.y(), kAnchors[static_cast<std::size_t>(anchor)], escaped(words));
+  add("<text class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text>\n", style, at.x(),
+      at.y(), kAnchors[static_cast<std::size_t>(anchor)], escaped(words));
 }
 
 void Svg::text_upwards(const Eigen::Vector2d& at, std::string_view words) {
-  fmt::format_to(std::back_inserter(text_),
-                 "<text transform=\"translate({:.2f} {:.2f}) rotate(-90)\" "
-                 "text-anchor=\"middle\">{}</text>\n",
-                 at.x(), at.y(), escaped(words));
+  add("<text transform=\"translate({:.2f} {:.2f}) rotate(-90)\" "
+      "text-anchor=\"middle\">{}</text>\n",
+      at.x(), at.y(), escaped(words));
 }
 
 std::string Svg::finish() const {

@@ -5,7 +5,9 @@
 #include <string_view>
 
 #include <Eigen/Core>
+#include <fmt/format.h>
 
+#include "tools/plot/growth.h"
 #include "tools/plot/language.h"
 
 namespace g31::plot {
@@ -21,7 +23,8 @@ enum class Anchor { Start, Middle, End };
 class Svg {
  public:
   /// @param language  of the texts, so that readers choose and speak the letters of it
-  Svg(double width, double height, std::string_view title, Language language = Language::English);
+  Svg(double width, double height, std::string_view title, Language language = Language::English,
+      Growth growth = {});
 
   void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::string_view style);
   /// A line through points.
@@ -44,7 +47,11 @@ class Svg {
   [[nodiscard]] std::string finish() const;
 
  private:
+  template <typename... Values>
+  void add(fmt::format_string<const Values&...> piece, const Values&... values);
+
   std::string text_;
+  Growth growth_;
 };
 
 }  // namespace g31::plot
