@@ -1,6 +1,8 @@
 #include "interpreter/path/outlet.h"
 
+#include <algorithm>
 #include <bit>
+#include <iterator>
 #include <utility>
 
 namespace g31::path {
@@ -47,7 +49,7 @@ std::optional<machine::MachineFault> Outlet::told(std::optional<machine::Machine
     const std::uint64_t number = std::bit_cast<Tag>(*fault->tag).number;
     observer_.on_moves_undone(moves_ - number);
     moves_ = number;
-    look_up_calls(number);
+    look_up_levels(number);
   }
   runtime::FaultEvent event;
   event.what = fault->what;
@@ -56,30 +58,47 @@ std::optional<machine::MachineFault> Outlet::told(std::optional<machine::Machine
   event.where = fault->tag ? place_of(*fault) : move ? move->where : source::Location();
   event.contact = fault->contact;
   event.view = view_of(fault->q_M_at, event.move ? event.move->q_M_to : fault->q_M_at);
-  if (fault->tag && late_calls_) {
-    event.view.calls = *late_calls_;
+  if (fault_levels_) {
+    event.view.calls.clear();
+    for (std::size_t i = 1; i < fault_levels_->size(); ++i) {
+      event.view.calls.push_back({(*fault_levels_)[i].program, (*fault_levels_)[i].where});
+    }
   }
   observer_.on_fault(event);
   return fault;
 }
 
-void Outlet::remember_calls() {
-  // Control looks far fewer moves ahead.
-  constexpr std::size_t kMost = 4096;
+// Control looks far fewer moves ahead.
+constexpr std::size_t kMostRemembered = 4096;
+
+void Outlet::remember_levels() {
   calls_are_old_ = false;
-  calls_.push_back({moves_, view_of(port_.position(), port_.position()).calls});
-  if (calls_.size() > kMost) {
+  ++levels_number_;
+  remembered_.push_back(levels_ ? levels_() : std::vector<runtime::CallLevel>());
+  if (remembered_.size() > kMostRemembered) {
+    remembered_.pop_front();
+  }
+}
+
+void Outlet::begin_calls(std::uint64_t number) {
+  if (!calls_.empty() && calls_.back().number == number) {
+    return;
+  }
+  calls_.push_back({moves_, number});
+  if (calls_.size() > kMostRemembered) {
     calls_.pop_front();
   }
 }
 
 /// @param move  its number
-void Outlet::look_up_calls(std::uint64_t move) {
-  late_calls_.reset();
-  for (const CallsFrom& from : calls_) {
-    if (from.move <= move) {
-      late_calls_ = from.calls;
-    }
+void Outlet::look_up_levels(std::uint64_t move) {
+  fault_levels_.reset();
+  const auto later =
+      std::ranges::find_if(calls_, [&](const CallsFrom& from) { return from.move > move; });
+  const std::uint64_t number = later == calls_.begin() ? 0 : std::prev(later)->number;
+  const std::uint64_t age = levels_number_ - number;
+  if (number > 0 && age < remembered_.size()) {
+    fault_levels_ = remembered_[remembered_.size() - 1 - age];
   }
 }
 
@@ -99,6 +118,7 @@ std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const P
   const auto reached = port_.move(move);
   const runtime::MoveEvent event{block.g, move.q_M_end, block.feed_mm_min, 0.0, block.where};
   if (!reached) {
+    look_up_levels(moves_);
     return told(reached.error(), event);
   }
   ++moves_;
@@ -108,15 +128,14 @@ std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const P
 
 std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
                                                   const OffsetPlane& plane) {
-  if (calls_are_old_ && block.ends == machine::BlockEnd::PassOn) {
-    remember_calls();
-  }
+  begin_calls(block.calls > 0 ? block.calls : calls_now());
   const auto tag = std::bit_cast<machine::MoveTag>(Tag{moves_, block.where});
   const machine::AxisTransformPtr& transform = block.of_axes ? kUnled
                                                : block.leads ? block.leads
                                                              : *transform_;
   const auto q_M_end = transform ? transform->axes_at(block.q_M_end) : std::optional(block.q_M_end);
   if (!q_M_end) {
+    look_up_levels(moves_);
     return told(unreachable(port_.position()));
   }
   if (!block.arc) {
@@ -170,6 +189,7 @@ Result<machine::SkipOutcome, machine::MachineFault> Outlet::move_until_skip(
   }
   auto outcome = port_.move_until_skip(move);
   if (!outcome) {
+    fault_levels_.reset();
     told(outcome.error(),
          runtime::MoveEvent{kSkip, move.way.q_M_end, move.way.feed_mm_min, 0.0, where});
   }

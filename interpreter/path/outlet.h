@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interpreter/path/path_block.h"
+#include "interpreter/runtime/inspection.h"
 #include "interpreter/runtime/observer.h"
 #include "machine/base/result.h"
 #include "machine/port/machine_port.h"
@@ -26,6 +27,10 @@ class Outlet {
                                                   const AxisPositions& q_M_commanded)>;
   void show_by(View view) { view_ = std::move(view); }
 
+  /// The levels of calls of the present block, the innermost first.
+  using Levels = std::function<std::vector<runtime::CallLevel>()>;
+  void show_levels_by(Levels levels) { levels_ = std::move(levels); }
+
   /// What leads the axes from now on, looked at for each block.  @param transform  outlives this
   void lead_by(const machine::AxisTransformPtr& transform) { transform_ = &transform; }
 
@@ -43,13 +48,22 @@ class Outlet {
   /// The same at the end of a program, when axes that lag still arrive.
   std::optional<machine::MachineFault> come_to_rest();
 
-  /// A program level has begun or ended: moves from now on have other calls behind them.
+  /// A program level has begun or ended: blocks from now on have other calls behind them.
   void calls_changed() { calls_are_old_ = true; }
+  /// For PathBlock::calls of a block that is programmed now: it may go to the machine, or be found
+  /// to have met something, when the program is at another level.
+  std::uint64_t calls_now() {
+    if (calls_are_old_) {
+      remember_levels();
+    }
+    return levels_number_;
+  }
 
-  /// Of the last fault that was found late: the calls behind the block whose move it is, the
-  /// innermost first; nullopt: there was none, or they are not known any more.
-  [[nodiscard]] const std::optional<std::vector<runtime::CallSite>>& late_calls() const {
-    return late_calls_;
+  /// Of the last fault: the levels of the block whose move it is, the innermost first; their first
+  /// place is not that of the block.  nullopt: there was no fault, it is that of no block of
+  /// motion, or they are not known any more.
+  [[nodiscard]] const std::optional<std::vector<runtime::CallLevel>>& fault_levels() const {
+    return fault_levels_;
   }
 
   /// Of a fault that was found late: the block whose move it is; not known: the present one.
@@ -84,22 +98,28 @@ class Outlet {
   [[nodiscard]] runtime::ProgramView view_of(const AxisPositions& q_M,
                                              const AxisPositions& q_M_commanded) const;
   void cut();
-  void remember_calls();
-  void look_up_calls(std::uint64_t move);
+  void remember_levels();
+  /// Moves from the next one on are of such a number of calls_now().
+  void begin_calls(std::uint64_t number);
+  void look_up_levels(std::uint64_t move);
 
   // The clock is looked at where cutting begins and ends, not at each move: what passes on has no
   // time of its own.
   double cutting_s_ = 0.0;
   std::optional<double> cuts_since_s_;
   std::uint64_t moves_ = 0;  // that the observer has heard of
-  /// The calls behind moves that pass on, from one on.
+  /// What calls_now() has given numbers to, the newest last: levels_number_ is its number.
+  std::deque<std::vector<runtime::CallLevel>> remembered_;
+  std::uint64_t levels_number_ = 0;
+  /// From which move on blocks are of such a number.
   struct CallsFrom {
     std::uint64_t move = 0;
-    std::vector<runtime::CallSite> calls;
+    std::uint64_t number = 0;
   };
   std::deque<CallsFrom> calls_;
-  std::optional<std::vector<runtime::CallSite>> late_calls_;
+  std::optional<std::vector<runtime::CallLevel>> fault_levels_;
   bool calls_are_old_ = true;
+  Levels levels_;
   machine::MachinePort& port_;
   runtime::Observer& observer_;
   View view_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <tuple>
 #include <variant>
@@ -72,6 +73,7 @@ struct PathBlock {
   int g = 1;                                      ///< 0 rapid, 1 line, 2 and 3 arcs
   double feed_mm_min = 0.0;                       ///< > 0; 0: at rapid, g = 0 or an arc
   source::Location where = {};
+  std::uint64_t calls = 0;  ///< Outlet::calls_now() where it was programmed; 0: not said
   machine::BlockEnd ends = machine::BlockEnd::ExactStop;
   double mm_per_degree = 0.0;  ///< of a line: see machine::LinearMove
   machine::RapidPath rapid_path = machine::RapidPath::Straight;  ///< for g = 0
@@ -83,7 +85,7 @@ struct PathBlock {
   machine::AxisTransformPtr leads = {};
 
   /// The same block, in another run of the same program, too: what leads the axes there is another
-  /// object, and counts as whether something does.
+  /// object, and counts as whether something does; numbers of calls do not count.
   friend bool operator==(const PathBlock& a, const PathBlock& b) {
     const auto told = [](const PathBlock& block) {
       return std::tie(block.arc, block.g, block.feed_mm_min, block.where, block.ends,

@@ -1,6 +1,8 @@
 // Whole programs in which something touches that must not.
 
+#include <algorithm>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -196,6 +198,80 @@ TEST(Collision, ThatIsFoundLateHasTheCallsOfItsBlock) {
     EXPECT_NE(output.errors.find(c.place), std::string::npos) << output.errors;
     EXPECT_EQ(output.errors.find("called from O0001") != std::string::npos, c.is_called)
         << output.errors;
+  }
+}
+
+/// Of a SINUMERIK, its subprogram beside it; the tool's length is in its frame.
+RunOutput run_on_sinumerik(const std::string& sheet_end, const std::string& blocks,
+                           const std::string& sub) {
+  TemporaryFolder folder;
+  cli::RunOptions options;
+  folder.write("SUB.SPF", sub + "RET\n");
+  options.programs = {folder.write("HIT.MPF", "T1 M6 D1\nG90 G54 G0 Z20.\n" + blocks + "M30\n")};
+  options.setups = {folder.write("sheet.toml", kSheet), folder.write("more.toml", sheet_end)};
+  options.control = "sinumerik-828d";
+  return run_program(options);
+}
+
+// The same on a SINUMERIK.  The ball touches at X-33: of axes that follow at once in the block that
+// passes there, to; of axes that lag while the command is 1.667 mm ahead in that to X-31,
+// whichever level the program has got to by then.  With G642 each block waits for its corner, and
+// goes to the machine when the next one is read: it may be of another level.  What DISPLOF hides is
+// told by the block that called it.
+struct LateCase {
+  const char* what;
+  std::string main;  ///< from line 6 on
+  std::string sub;
+  std::string at_once;  ///< what is said
+  std::string late;
+};
+
+void check_late_case(const LateCase& c, const std::string& mode, bool lags) {
+  SCOPED_TRACE(std::string(c.what) + " " + mode + (lags ? " lagging" : " at once"));
+  const RunOutput output =
+      run_on_sinumerik(lags ? "[machine.axes.X]\nservo_gain = 1.8\n" : "",
+                       "G0 X-100. Z-10.\n" + mode + "\nG1 F3000 X-34.\n" + c.main, c.sub);
+  EXPECT_EQ(output.exit_code, 4) << output.errors;
+  std::string said;  // the places alone
+  std::istringstream lines(output.errors);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t name = std::min(line.find("HIT.MPF:"), line.find("SUB.SPF:"));
+    if (name != std::string::npos) {
+      const std::size_t kind = line.find(": ", name);
+      said += line.substr(name, 9) +
+              (line.find("error: ", kind) == kind + 2     ? " error"
+               : line.find("note: in ", kind) == kind + 2 ? " in"
+                                                          : " called") +
+              "\n";
+    }
+  }
+  // At rest behind each block nothing is late.
+  EXPECT_EQ(said, lags && mode != "G60" ? c.late : c.at_once) << output.errors;
+}
+
+TEST(Collision, ThatIsFoundLateHasTheCallsOfItsBlockOnASinumerikToo) {
+  const std::string to_wall = "X-33.4\nX-32.4\nX-31.\n";
+  const std::string further = "X-30.\nX-29.\nX-28.\nX-27.\n";
+  const std::string called = "HIT.MPF:6 called\n";
+  const LateCase kLateCases[] = {
+      {"in the call", "SUB\n" + further, to_wall, "SUB.SPF:2 error\n" + called,
+       "SUB.SPF:3 error\n" + called},
+      {"before the call", to_wall + "SUB\n", further, "HIT.MPF:7 error\n", "HIT.MPF:8 error\n"},
+      {"behind the call", "SUB\n" + to_wall + further, "X-33.5\n", "HIT.MPF:8 error\n",
+       "HIT.MPF:9 error\n"},
+      {"between two calls", "SUB\n" + to_wall + "SUB\n", "X=IC(0.1)\n", "HIT.MPF:8 error\n",
+       "HIT.MPF:9 error\n"},
+      {"in a repeated call", "SUB P9\n", "X=IC(0.7)\n", "SUB.SPF:1 error\n" + called,
+       "SUB.SPF:1 error\n" + called},
+      {"before a hidden call", to_wall + "SUB\n", "PROC SUB DISPLOF\n" + further,
+       "HIT.MPF:7 error\n", "HIT.MPF:8 error\n"},
+      {"in a hidden call", "SUB\n" + further, "PROC SUB DISPLOF\n" + to_wall,
+       "HIT.MPF:6 error\nSUB.SPF:3 in\n", "HIT.MPF:6 error\nSUB.SPF:4 in\n"}};
+  for (const char* const mode : {"G64", "G642", "G60"}) {
+    for (const LateCase& c : kLateCases) {
+      check_late_case(c, mode, false);
+      check_late_case(c, mode, true);
+    }
   }
 }
 

@@ -175,8 +175,10 @@ MaybeFailure past_corner(Control& control, const PathBlock& block) {
 
 }  // namespace
 
-MaybeFailure travel(Control& control, const PathBlock& block) {
+MaybeFailure travel(Control& control, const PathBlock& programmed) {
   control.stopped_skip.reset();
+  PathBlock block = programmed;
+  block.calls = control.outlet.calls_now();
   CutterStage& cutter = control.cutter;
   cutter.fed = true;
   if (!cutter.corners.holds() && cutter.wish.kind == CornerWish::Kind::Sharp) {

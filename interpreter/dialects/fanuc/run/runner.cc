@@ -27,6 +27,7 @@ Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::Machine
                                 control_.coordinates.tip_to_work(q_M_commanded), control_.tool,
                                 stack_.calls()};
   });
+  control_.outlet.show_levels_by([this] { return levels_from(stack_.here()); });
 }
 
 /// Statements that touch nothing but variables: the hot loop of a macro program.

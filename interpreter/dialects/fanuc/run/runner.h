@@ -49,6 +49,7 @@ class Runner {
   void end(const MaybeFailure& failure);
   void start(const CompiledProgram& main);
   runtime::Outcome outcome_of(const Failure& failure);
+  [[nodiscard]] std::vector<runtime::CallLevel> levels_from(source::Location innermost) const;
 
   // runner.cc: the loop
   MaybeFailure loop();

@@ -120,12 +120,12 @@ runtime::Outcome Runner::finish() {
 }
 
 std::vector<runtime::CallLevel> Runner::call_levels() const {
-  std::vector<runtime::CallLevel> levels;
-  if (!stack_.has_begun()) {
-    return levels;
-  }
-  levels.push_back(
-      {name_of(*stack_.frame().program), is_over_ ? stack_.here() : next_place().where});
+  return stack_.has_begun() ? levels_from(is_over_ ? stack_.here() : next_place().where)
+                            : std::vector<runtime::CallLevel>();
+}
+
+std::vector<runtime::CallLevel> Runner::levels_from(source::Location innermost) const {
+  std::vector<runtime::CallLevel> levels = {{name_of(*stack_.frame().program), innermost}};
   for (runtime::CallSite& call : stack_.calls()) {
     levels.push_back({std::move(call.program), call.where});
   }
@@ -144,8 +144,16 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
   reason.where = failure.block.is_known() ? failure.block : present;
-  const auto& late_calls = control_.outlet.late_calls();
-  reason.calls = failure.block.is_known() && late_calls ? *late_calls : stack_.calls();
+  // A fault of the machine may be of a block at another level.
+  const bool is_of_machine = failure.status == runtime::Status::Collision;
+  const auto& of_fault = control_.outlet.fault_levels();
+  if (is_of_machine && failure.block.is_known() && of_fault) {
+    for (auto level = of_fault->begin() + 1; level != of_fault->end(); ++level) {
+      reason.calls.push_back({level->program, level->where});
+    }
+  } else {
+    reason.calls = stack_.calls();
+  }
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
   control_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
   outcome.diagnostics.clear();

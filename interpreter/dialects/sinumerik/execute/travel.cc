@@ -28,7 +28,12 @@ MaybeFailure to_machine(Channel& channel, const PathBlock& path) {
   }
   const Plane plane = channel.plane();
   const auto fault = channel.outlet.move(path, {plane.first, plane.second});
-  return fault ? std::optional(from_fault(*fault)) : std::nullopt;
+  if (!fault) {
+    return std::nullopt;
+  }
+  Failure reason = from_fault(*fault);
+  reason.where = reason.where.value_or(path.where);  // it may have waited for its corner
+  return reason;
 }
 
 MaybeFailure pause_machine(Channel& channel, const Pause& wait) {
@@ -165,6 +170,7 @@ MaybeFailure travel(Channel& channel, const PathBlock& unled) {
   const AxisPositions q_P_from = channel.path_position();
   PathBlock path = unled;
   path.leads = channel.leads();
+  path.calls = channel.outlet.calls_now();
   channel.along_P_end = end_of(channel, q_P_from, path);
   CornerStage& corners = channel.corners;
   CutterStage& cutter = channel.cutter;

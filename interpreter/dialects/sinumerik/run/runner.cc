@@ -30,6 +30,7 @@ Runner::Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::
     return runtime::ProgramView{channel_.to_work(q_M), channel_.to_work(q_M_commanded),
                                 channel_.tool, stack_.calls_of(stack_.depth())};
   });
+  channel_.outlet.show_levels_by([this] { return stack_.call_levels(); });
 }
 
 void Runner::start(const CompiledProgram& program) {
@@ -130,20 +131,19 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.text = failure.text.empty() ? std::string(row.text) : source::as_utf8(failure.text);
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
-  const auto place_in = [&](std::size_t which) {
-    return which == stack_.depth() ? failure.where.value_or(stack_.here())
-                                   : stack_.place_of_call(which);
-  };
-  const std::size_t shown = stack_.shown_level();
-  reason.where = place_in(shown);
-  for (std::size_t i = stack_.depth(); i > shown; --i) {
-    reason.inside.push_back({stack_.level(i).program->name, place_in(i)});
+  // A fault of the machine may be of a block at another level.
+  const bool is_of_machine = failure.status == runtime::Status::Collision;
+  const auto& of_fault = channel_.outlet.fault_levels();
+  std::vector<runtime::CallLevel> levels =
+      is_of_machine && of_fault ? *of_fault : stack_.call_levels();
+  levels.front().where = failure.where.value_or(stack_.here());
+  auto level = levels.begin();
+  for (; !level->is_shown; ++level) {
+    reason.inside.push_back({level->program, level->where});
   }
-  reason.calls = stack_.calls_of(shown);
-  if (const auto& late_calls = channel_.outlet.late_calls(); late_calls && failure.where) {
-    reason.where = *failure.where;
-    reason.inside.clear();
-    reason.calls = *late_calls;
+  reason.where = level->where;
+  for (++level; level != levels.end(); ++level) {
+    reason.calls.push_back({level->program, level->where});
   }
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
   channel_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
