@@ -1,6 +1,9 @@
 // Which blocks let feed moves pass on into each other, and which make the axes stop.  100 mm at
 // 3000 mm/min and 2000 mm/s^2 take 2.025 s from rest to rest, 200 mm without a stop 4.025 s.
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -97,6 +100,32 @@ TEST(PassingOn, OfSinumerikRapids) {
   const double stops = 2.0 * seconds_between(0.0, kRapid, 0.0, 100.0);
   EXPECT_NEAR(seconds_of("case.nc", "O1\nG90G64G0X100.\nX200.\nM30\n"), stops, 1e-9)
       << "a Fanuc looks whether its axes have arrived";
+}
+
+// Two ways of 100 mm at 50 mm/s with an arc between them that takes `leg` off either: its radius is
+// the same.  Arcs take the axes' 2,000 mm/s2 over the root of 2, as both axes share them there.
+TEST(PassingOn, AroundTheArcOfARoundingAsFastAsTheAxesAllow) {
+  constexpr double kFeed = 50.0;
+  // 0.1 mm of either axis off a corner of 90 degrees.
+  const double of_tolerance = 0.1 * std::sqrt(2.0) / std::tan(std::numbers::pi / 8.0);
+  struct Rounding {
+    const char* mode;
+    double leg;
+  };
+  for (const auto& [mode, leg] : {Rounding{"G642", of_tolerance},
+                                  {"G644 ADIS=2", of_tolerance},
+                                  {"$MC_SMOOTHING_MODE=4000 G644 ADIS=2", of_tolerance},
+                                  {"$MC_SMOOTHING_MODE=1000 G644 ADIS=2", 2.0},
+                                  {"$MC_SMOOTHING_MODE=5000 G644 ADIS=0.5", 0.5},
+                                  {"G641 ADIS=0.5", 0.5}}) {
+    SCOPED_TRACE(mode);
+    const double around = std::min(kFeed, std::sqrt(2000.0 / std::numbers::sqrt2 * leg));
+    const double seconds = seconds_between(0.0, kFeed, around, 100.0 - leg) +
+                           0.5 * std::numbers::pi * leg / around +
+                           seconds_between(around, kFeed, 0.0, 100.0 - leg);
+    EXPECT_NEAR(seconds_of("case.mpf", std::string(mode) + "\nG90 G1 X100 F3000\nY100\nM30\n"),
+                seconds, 1e-9);
+  }
 }
 
 }  // namespace

@@ -63,20 +63,37 @@ void take_rounding(Channel& channel, const BlockWords& words) {
   }
 }
 
-/// What G641, G642, G643 and G645 make of the corner behind a line at feed, and G641 with ADISPOS
-/// of that behind a rapid.
+/// How G641 to G645 limit a rounding.
+enum class RoundedBy { Nothing, Distance, Tolerance };
+
+/// G644 as MD20480 has it; with a transformation as G642, from general knowledge.
+RoundedBy rounded_by(const Channel& channel) {
+  const int how = channel.group[Group::BlockTransition];
+  if (how == number_in_group("G641")) {
+    return RoundedBy::Distance;
+  }
+  if (how == number_in_group("G644")) {
+    return channel.motion_data.rounds_by_distance(channel.numbers) && !channel.leads()
+               ? RoundedBy::Distance
+               : RoundedBy::Tolerance;
+  }
+  const bool is_one = how == number_in_group("G642") || how == number_in_group("G643") ||
+                      how == number_in_group("G645");
+  return is_one ? RoundedBy::Tolerance : RoundedBy::Nothing;
+}
+
+/// What G641 to G645 make of the corner behind a line at feed, and with ADISPOS of that behind a
+/// rapid.
 ///
 /// The control's curve is not documented; an arc leaves a corner of 90 degrees by 0.414 of ADIS.
 /// Source: 840D programming 10.2004 p. 5-8; 828D Basic Functions 09/2011, B1, rounding.
 void wish_to_pass_by(Channel& channel, path::CornerWish& wish) {
-  const int how = channel.group[Group::BlockTransition];
-  const bool by_distance = how == number_in_group("G641");
-  const bool by_tolerance = how == number_in_group("G642") || how == number_in_group("G643") ||
-                            how == number_in_group("G645");
+  const RoundedBy by = rounded_by(channel);
+  const bool by_distance = by == RoundedBy::Distance;
   const bool is_line = channel.group[Group::Motion] == number_in_group("G1");
   const bool is_rapid = channel.group[Group::Motion] == number_in_group("G0") && by_distance &&
                         channel.corners.passing_rapid_mm > 0.0;
-  if (!(by_distance || by_tolerance) || !(is_line || is_rapid) || is_compensation_on(channel) ||
+  if (by == RoundedBy::Nothing || !(is_line || is_rapid) || is_compensation_on(channel) ||
       !channel.couplings.empty() || block_end(channel) != machine::BlockEnd::PassOn) {
     return;
   }

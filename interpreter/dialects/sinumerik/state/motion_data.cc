@@ -27,6 +27,7 @@ MotionData::MotionData(const Globals& globals)
       clock_(globals.place("$MN_SYSCLOCK_CYCLE_TIME")),
       clock_ratio_(globals.place("$MN_IPO_SYSCLOCK_TIME_RATIO")),
       stop_mode_(globals.place("$MC_EXACT_POS_MODE")),
+      rounding_(globals.place("$MC_SMOOTHING_MODE")),
       longest_compressed_(globals.place("$MC_COMPRESS_BLOCK_PATH_LIMIT")),
       codes_at_start_(globals.place("$MC_GCODE_RESET_VALUES")) {}
 
@@ -89,6 +90,11 @@ std::optional<machine::AxisData> MotionData::changed(const std::vector<double>& 
     taken += kAxisCount;
   }
   return is_other ? std::optional(data_of(numbers)) : std::nullopt;
+}
+
+bool MotionData::rounds_by_distance(const std::vector<double>& numbers) const {
+  const long digit = std::lround(numbers[rounding_]) / 1000 % 10;
+  return digit == 1 || digit == 5;
 }
 
 std::optional<machine::BlockEnd> MotionData::stop(const std::vector<double>& numbers,

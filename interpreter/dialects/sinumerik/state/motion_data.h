@@ -28,6 +28,9 @@ class MotionData {
   [[nodiscard]] std::optional<machine::BlockEnd> stop(const std::vector<double>& numbers,
                                                       bool is_rapid) const;
 
+  /// MD20480, thousands: G644 begins to round at a distance and not by a tolerance.
+  [[nodiscard]] bool rounds_by_distance(const std::vector<double>& numbers) const;
+
   /// MD20170, mm: longer lines are not compressed.
   [[nodiscard]] double longest_compressed(const std::vector<double>& numbers) const {
     return numbers[longest_compressed_];
@@ -45,6 +48,7 @@ class MotionData {
   std::size_t clock_;         // of MD10050
   std::size_t clock_ratio_;   // of MD10070
   std::size_t stop_mode_;     // of MD20550
+  std::size_t rounding_;      // of MD20480
   std::size_t longest_compressed_;
   std::size_t codes_at_start_;  // of MD20150
   machine::AxisData of_machine_;
