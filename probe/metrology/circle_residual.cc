@@ -42,19 +42,34 @@ Eigen::Vector2d CircleResidual::without_play(const Eigen::Vector2d& p) const {
   return {q.x() - half_backlash_.x() * sign_of(q.y()), q.y() - half_backlash_.y() * sign_of(q.x())};
 }
 
+double CircleResidual::cyclic_at(std::size_t axis, double screw) const {
+  const double turned = 2.0 * std::numbers::pi * turns_per_mm_.at(axis) * screw;
+  return errors_.cyclic.at(axis).sine * std::sin(turned) +
+         errors_.cyclic.at(axis).cosine * std::cos(turned);
+}
+
+Eigen::Vector2d CircleResidual::screws_at(const Eigen::Vector2d& q) const {
+  Eigen::Vector2d at = errors_.centre + axes_ * q;
+  for (const std::size_t axis : {0U, 1U}) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    at[i] -= 0.5 * errors_.backlash.at(axis);
+    if (has_cyclic_) {
+      at[i] -= cyclic_at(axis, at[i]);  // the table is so much further than the screw
+    }
+  }
+  return at;
+}
+
 Eigen::Vector2d CircleResidual::axes_at(const Eigen::Vector2d& p) const {
-  return errors_.centre + axes_ * without_play(p);
+  return screws_at(without_play(p));
 }
 
 Eigen::Vector2d CircleResidual::corrected(const Eigen::Vector2d& p) const {
   Eigen::Vector2d q = without_play(p);
   if (has_cyclic_) {
-    const Eigen::Vector2d at = errors_.centre + axes_ * q;
-    for (const Eigen::Index axis : {0, 1}) {
-      const auto i = static_cast<std::size_t>(axis);
-      const double turned = 2.0 * std::numbers::pi * turns_per_mm_.at(i) * at[axis];
-      q[axis] -= errors_.cyclic.at(i).sine * std::sin(turned) +
-                 errors_.cyclic.at(i).cosine * std::cos(turned);
+    const Eigen::Vector2d at = screws_at(q);
+    for (const std::size_t axis : {0U, 1U}) {
+      q[static_cast<Eigen::Index>(axis)] -= cyclic_at(axis, at[static_cast<Eigen::Index>(axis)]);
     }
   }
   return lag_ * (axes_ * q);

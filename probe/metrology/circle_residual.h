@@ -19,18 +19,20 @@ namespace g31::metrology {
 ///   x = cx + (1 + s_X) X + B_X/2 dir sgn(Y) + c_X(x) + beta (1 + s_Y) Y,
 ///                                                               X = R cos(phi - omega tau/2)
 ///
-/// with tau = tau_X - tau_Y and x, y in c_X and c_Y where the axes stand.  The residual takes this
-/// back, to all orders but for the products of cyclic errors with others, so that what the model
-/// describes leaves nothing.  To first order it is the model of Delta r(theta) that books on
-/// circular tests give; what the speed takes from the radius counts as scale.  beta is by the way
-/// that Y truly goes, so that speed does not change it.
+/// with tau = tau_X - tau_Y and x, y in c_X and c_Y where the screws stand.  A screw is where the
+/// axis is recorded when it has come from below, and half the backlash below the middle of both
+/// ways: so backlash counts in set-up sheets, too.  The residual takes this back, to all orders but
+/// for the products of cyclic errors with scale and squareness, so that what the model describes
+/// leaves nothing.  To first order it is the model of Delta r(theta) that books on circular tests
+/// give; what the speed takes from the radius counts as scale.  beta is by the way that Y truly
+/// goes, so that speed does not change it.
 class CircleResidual {
  public:
   CircleResidual(const CircleErrors& errors, const CircleTurn& turn);
 
   /// The sample with all errors but those of the radius taken away, from the centre.
   [[nodiscard]] Eigen::Vector2d corrected(const Eigen::Vector2d& p) const;
-  /// Where the axes stand at a sample, but for where their scales and their play begin.
+  /// Where the screws of the axes stand at a sample, but for where their scales begin.
   [[nodiscard]] Eigen::Vector2d axes_at(const Eigen::Vector2d& p) const;
   /// How far such a point lies outside the circle.
   [[nodiscard]] double outside(const Eigen::Vector2d& corrected) const;
@@ -38,6 +40,9 @@ class CircleResidual {
 
  private:
   [[nodiscard]] Eigen::Vector2d without_play(const Eigen::Vector2d& p) const;
+  /// @param q  from the centre, without play
+  [[nodiscard]] Eigen::Vector2d screws_at(const Eigen::Vector2d& q) const;
+  [[nodiscard]] double cyclic_at(std::size_t axis, double screw) const;
 
   CircleErrors errors_;
   std::array<double, 2> turns_per_mm_;  // of the screws; 0: none

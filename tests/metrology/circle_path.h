@@ -27,7 +27,9 @@ struct CircleMachine {
 /// The record of a circle counter-clockwise and one clockwise, as a scale on the table sees them.
 ///
 /// Written from the physics and not from the model: each axis follows its command by its own lag,
-/// the play is a state that is taken up step by step, and the geometry is added to the axes.
+/// the play is a state that is taken up step by step, and the geometry is added to the axes.  Play
+/// lies behind the screw, whose cyclic error counts where the screw stands: as sheets have it, that
+/// is the table's place where it came from below.
 struct CircleRecord {
   std::vector<double> t;
   std::vector<double> x;
@@ -55,7 +57,7 @@ class TestPlay {
   bool is_known_ = false;
 };
 
-/// The cyclic error of an axis that stands there.
+/// The cyclic error of an axis whose screw stands there.
 inline double cyclic_of(const CircleMachine& machine, std::size_t axis, double at) {
   const auto& pitch = machine.errors.pitches.at(axis);
   return pitch ? machine.amplitude.at(axis) *
@@ -78,14 +80,17 @@ inline CircleRecord recorded_circle(const CircleMachine& machine, std::size_t pe
       // Of the mismatch, half is the lag of X and half the lead of Y.
       const double angle_x = machine.start + direction * omega * (time - 0.5 * e.mismatch);
       const double angle_y = machine.start + direction * omega * (time + 0.5 * e.mismatch);
-      const double qx = play_x.follow(e.radius * std::cos(angle_x));
-      const double qy = play_y.follow(e.radius * std::sin(angle_y));
+      const double screw_x = e.radius * std::cos(angle_x);
+      const double screw_y = e.radius * std::sin(angle_y);
+      const double qx = play_x.follow(screw_x);
+      const double qy = play_y.follow(screw_y);
       const double across = qx / e.radius;
       const double along = qy / e.radius;
       const double y = qy * (1.0 + e.scale[1]) + machine.bow[0] * across * across +
-                       cyclic_of(machine, 1, e.centre.y() + qy);
+                       cyclic_of(machine, 1, e.centre.y() - 0.5 * e.backlash[1] + screw_y);
       const double x = qx * (1.0 + e.scale[0]) + e.squareness * qy * (1.0 + e.scale[1]) +
-                       machine.bow[1] * along * along + cyclic_of(machine, 0, e.centre.x() + qx);
+                       machine.bow[1] * along * along +
+                       cyclic_of(machine, 0, e.centre.x() - 0.5 * e.backlash[0] + screw_x);
       record.t.push_back(time + (direction > 0 ? 0.0 : turn_s + 0.5));
       record.x.push_back(e.centre.x() + x + machine.noise * standard_normal(stream, draw++));
       record.y.push_back(e.centre.y() + y + machine.noise * standard_normal(stream, draw++));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -61,8 +62,11 @@ void add_cyclic(const metrology::CircleFit& fit, const Axes& axes, std::vector<Q
     Quantity phase{"cyclic_phase_" + axes.at(i), std::nullopt, "deg"};
     if (has_phase) {
       const double across = std::hypot(cosine * u_sine, sine * u_cosine) / amplitude;
+      // The screw stands half the backlash beside the middle of both ways.
+      const double by_backlash =
+          std::numbers::pi * fit.u.backlash.at(i) / *fit.errors.pitches.at(i);
       phase.value = std::atan2(cosine, sine) / metrology::kDegree;
-      phase.u = across / amplitude / metrology::kDegree;
+      phase.u = std::hypot(across / amplitude, by_backlash) / metrology::kDegree;
     }
     results.push_back(std::move(phase));
   }
