@@ -175,16 +175,17 @@ MaybeFailure past_corner(Control& control, const PathBlock& block) {
 
 }  // namespace
 
-MaybeFailure travel(Control& control, const PathBlock& programmed) {
+MaybeFailure travel(Control& control, const PathBlock& block) {
   control.stopped_skip.reset();
-  PathBlock block = programmed;
-  block.calls = control.outlet.calls_now();
   CutterStage& cutter = control.cutter;
   cutter.fed = true;
-  if (!cutter.corners.holds() && cutter.wish.kind == CornerWish::Kind::Sharp) {
-    return compensate(control, block, cutter.command);
+  const bool has_corner = cutter.corners.holds() || cutter.wish.kind != CornerWish::Kind::Sharp;
+  if (!has_corner && !cutter.compensation.engaged()) {
+    return to_machine(control, block, offset_plane(control));
   }
-  return past_corner(control, block);
+  PathBlock waiting = block;
+  waiting.calls = control.outlet.calls_now();
+  return has_corner ? past_corner(control, waiting) : compensate(control, waiting, cutter.command);
 }
 
 MaybeFailure pause(Control& control, double seconds) {
