@@ -13,8 +13,8 @@ AxisPositions TipTransform::base_at(const AxisPositions& q_M) const {
   return q_B;
 }
 
-Point TipTransform::tool_vector(const AxisPositions& q_M) const {
-  return base_from_part_.linear() * (chain_.for_part(q_M).tilt * -p_T_tip_);
+Point TipTransform::turned(const AxisPositions& q_M, const Point& vector_T) const {
+  return base_from_part_.linear() * (chain_.for_part(q_M).tilt * vector_T);
 }
 
 }  // namespace g31::path

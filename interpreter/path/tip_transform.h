@@ -27,8 +27,9 @@ class TipTransform final : public machine::AxisTransform {
   [[nodiscard]] std::optional<AxisPositions> axes_at(const AxisPositions& q_B) const override;
   [[nodiscard]] AxisPositions base_at(const AxisPositions& q_M) const override;
 
-  /// From the tip to the gauge point, mm, in base coordinates.
-  [[nodiscard]] Point tool_vector(const AxisPositions& q_M) const;
+  /// A vector that is held with the tool, mm, in base coordinates.
+  /// @param vector_T  with all rotary axes at 0
+  [[nodiscard]] Point turned(const AxisPositions& q_M, const Point& vector_T) const;
 
  private:
   machine::AxisChain chain_;

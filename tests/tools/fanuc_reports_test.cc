@@ -117,7 +117,7 @@ TEST(SamePrograms, OneOverAnotherIsHowLibrariesWork) {
 
 /// Known by the tables, and nothing here follows them.
 TEST(UnknownParameter, SoIsOneThatIsKnownWithoutEffect) {
-  for (const char* const name : {"1620", "1621", "7580", "7588", "12400", "12401", "19665"}) {
+  for (const char* const name : {"1620", "1621", "12400", "12401", "19665"}) {
     const auto run =
         run_with("O1\nM30\n", "[parameters]\n\"" + std::string(name) + "\" = 1\n\"12321\" = 3\n");
     EXPECT_NE(

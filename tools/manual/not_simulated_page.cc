@@ -28,14 +28,14 @@ finds both before (NC007).
 * Nobody is there: what waits for an operator goes on (stops are listed) or ends the run (PRB604).  Inputs come from
   `[[input]]`.
 * There is one channel: programs of several channels wait for nobody.
-* SINUMERIK, five axes: TRAORI, tool carriers and CYCLE800 run by the data `$TC_CARR`; the radius is compensated in the
-  plane (CUT2D), and MEAW along a great circle (A3 with ORIVECT) is refused.  Kinematic chains
+* SINUMERIK, five axes: TRAORI, tool carriers and CYCLE800 run by the data `$TC_CARR`, TRAORI also by machine data 24100
+  to 24682 (types 24, 40, 56, 72 of two transformations); the radius is compensated in the plane (CUT2D), CUTMOD is not
+  there: an aligned turning tool keeps its edge position.  MEAW along a great circle (A3 with ORIVECT) is refused.  Kinematic chains
   (`$NK_`, `$NT_`) have offsets, rotary, linear and fixed turned elements: a slide on a rotary axis and SWITCH are refused.  What
   compile cycles do with files of interpolation points and of directions is not there.  The shaft of a probe senses nothing:
   CYCLE995 needs a further ball in its place.
-* Fanuc, five axes: tilted planes and tool centre point control run; other reference directions of the tool than Z (parameters
-  19697 to 19699) and hypothetical axes are refused, the radius is not compensated in space, and an axis that would be too fast slows
-  the move instead of alarm 5422.
+* Fanuc, five axes: tilted planes and tool centre point control run; the radius is not compensated in space, and without
+  parameter 1422 an axis that would be too fast slows the move instead of alarm 5422.
 )";
 
 bool is_not_simulated(const runtime::Entry& entry) {

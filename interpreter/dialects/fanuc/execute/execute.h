@@ -70,6 +70,9 @@ void cancel_rotation(Control& control);  // G69; transforms.cc
 MaybeFailure refuse_unfinished_plane(const Control& control, const Codes& codes);
 /// G43.4 and G43.5 begin, or another code of their group ends them (tool_axis.cc).
 MaybeFailure select_tip_control(Control& control);
+/// Alarm 5422: under tool centre point control an axis would be led faster than parameter 1422 has
+/// it.
+MaybeFailure is_led_too_fast(const Control& control, const path::PathBlock& block);
 /// Whether the block turns the tool by I J K under G43.5, and to where (tool_axis.cc).
 bool turns_by_direction(const Control& control, const BlockWords& words);
 MaybeFailure take_tool_direction(const Control& control, const NcBlock& block,

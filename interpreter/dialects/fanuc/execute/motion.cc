@@ -138,7 +138,13 @@ Result<path::PathBlock, Failure> feed_block(const Control& control, const AxisPo
 
 MaybeFailure feed_to(Control& control, const AxisPositions& q_B_end, int g) {
   const auto block = feed_block(control, q_B_end, g);
-  return block ? travel(control, block.value()) : MaybeFailure(block.error());
+  if (!block) {
+    return block.error();
+  }
+  if (MaybeFailure failure = is_led_too_fast(control, block.value())) {
+    return failure;
+  }
+  return travel(control, block.value());
 }
 
 MaybeFailure move_axes_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way) {

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/execute.h"
@@ -153,12 +156,44 @@ MaybeFailure execute_preset(Control& control, const NcBlock& block) {
   return std::nullopt;
 }
 
+namespace {
+
+/// Parameters 7580 to 7588; nullopt: a group of other axes than a rotary one and two linear ones.
+std::optional<PartErrors::TableGroups> table_groups(const Control& control) {
+  PartErrors::TableGroups groups;
+  int next = 0;
+  for (TableGroup& group : groups) {
+    const auto axis = [&control, &next] {
+      return nearest_integer(control.parameters.get(ParameterId::TableOffsetAxes, next++)) - 1;
+    };
+    const TableGroup given{axis(), axis(), axis()};
+    if (given.rotary < 0) {
+      continue;
+    }
+    const bool is_plane = std::min(given.first, given.second) >= 0 && is_linear_axis(given.first) &&
+                          is_linear_axis(given.second) && given.first != given.second;
+    if (!is_rotary_axis(given.rotary) || !is_plane) {
+      return std::nullopt;
+    }
+    group = given;
+  }
+  return groups;
+}
+
+}  // namespace
+
 MaybeFailure execute_table_offset(Control& control, const NcBlock& block) {
   const auto number = number_of_error(block, PartErrors::kTableOffsets);
   if (!number) {
     return number.error();
   }
+  const auto groups = table_groups(control);
+  if (!groups) {
+    return block_failure(AlarmId::NoReachablePosition,
+                         "parameters 7580 to 7588: groups of a rotary axis and two linear ones");
+  }
   PartErrors errors = control.coordinates.part_errors();
+  errors.set_table_groups(*groups);
   errors.select_table_offset(number.value());
   control.coordinates.set_part_errors(errors,
                                       control.parameters.is_on(ParameterId::TurnsToolToPart));

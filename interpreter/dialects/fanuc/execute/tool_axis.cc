@@ -20,6 +20,10 @@ using machine::RotaryTravel;
 /// G43.5
 constexpr GNumber kByDirection{43, 5};
 
+/// Pieces in which the speeds of led axes are looked at.
+constexpr double kFeedPieceDeg = 2.0;
+constexpr double kMostFeedPieces = 2000.0;
+
 /// A component of a direction; without a point it counts increments, as the others of its block do.
 double component(const Control& control, const BlockWords& words, char letter) {
   const EvaluatedWord* const word = words.find(letter);
@@ -80,7 +84,8 @@ Result<AxisPositions, Failure> turned_to(const Control& control, const Point& d_
     travel[0].upper = std::min(travel[0].upper, 0.0);
   }
   const std::size_t first = axes->type() == KinematicType::Mixed ? 1 : 0;
-  const auto pair = machine::least_motion(axes->pairs_for(d_P), from, travel, first);
+  const Point d_T = control.coordinates.tool_at_rest().linear().col(2);
+  const auto pair = machine::least_motion(axes->pairs_for(d_P, d_T), from, travel, first);
   if (!pair) {
     return block_failure(AlarmId::NoReachablePosition,
                          fmt::format("no position of the rotary axes brings the tool along "
@@ -91,24 +96,6 @@ Result<AxisPositions, Failure> turned_to(const Control& control, const Point& d_
     q_M[axes->axes().at(i)] = pair->deg.at(i);
   }
   return q_M;
-}
-
-/// A tool that does not lie along Z, and rotary axes that are none: not simulated.
-MaybeFailure refuse_unsimulated_axes(const Control& control, AlarmId alarm) {
-  const Parameters& parameters = control.parameters;
-  constexpr double kAlongZ = 3.0;
-  const double reference = parameters.get(ParameterId::ToolReference, 0);
-  if ((reference != 0.0 && reference != kAlongZ) ||
-      parameters.get(ParameterId::ToolReference, 1) != 0.0 ||
-      parameters.get(ParameterId::ToolReference, 2) != 0.0) {
-    return block_failure(alarm,
-                         "parameters 19697 to 19699: a tool whose reference direction is not Z is "
-                         "not simulated");
-  }
-  if (parameters.is_on(ParameterId::FirstIsNone) || parameters.is_on(ParameterId::SecondIsNone)) {
-    return block_failure(alarm, "parameter 19696: a hypothetical rotary axis is not simulated");
-  }
-  return std::nullopt;
 }
 
 /// G53.6: the rotary axes there, the tip at its place of the part.
@@ -128,9 +115,6 @@ MaybeFailure execute_tool_to_plane(Control& control, const NcBlock& block) {
   if (!plane) {
     return block_failure(AlarmId::NoTiltedPlane,
                          fmt::format("{} without a tilted plane", to_text(block.code->number)));
-  }
-  if (MaybeFailure refused = refuse_unsimulated_axes(control, AlarmId::NoReachablePosition)) {
-    return refused;
   }
   const auto sign = wanted_sign(block);
   if (!sign) {
@@ -155,11 +139,6 @@ MaybeFailure select_tip_control(Control& control) {
     system = control.parameters.is_on(ParameterId::TipInWorkSystem) ? TipSystem::Workpiece
                                                                     : TipSystem::OnTable;
   }
-  if (system != TipSystem::None) {
-    if (MaybeFailure refused = refuse_unsimulated_axes(control, AlarmId::TipControlParameter)) {
-      return refused;
-    }
-  }
   if (system != TipSystem::None && !OrientationAxes::of(coordinates.kinematics())) {
     return block_failure(AlarmId::TipControlParameter,
                          "the control knows no rotary axes that turn the tool");
@@ -177,6 +156,42 @@ MaybeFailure select_tip_control(Control& control) {
     return block_failure(AlarmId::NotUnderTipControl, "cutter compensation is in force");
   }
   coordinates.set_tip_system(system);
+  return std::nullopt;
+}
+
+MaybeFailure is_led_too_fast(const Control& control, const path::PathBlock& block) {
+  const Coordinates& coordinates = control.coordinates;
+  const double most = control.parameters.get(ParameterId::LargestFeed);
+  const AxisPositions q_B_from = control.path_position();
+  const AxisPositions q_B_way = block.q_M_end - q_B_from;
+  const double turned_deg = rotary_axes(q_B_way).cwiseAbs().maxCoeff();
+  const double way_mm = linear_axes(q_B_way).norm();
+  constexpr double kStandsMm = 1e-9;
+  if (coordinates.tip_system() == TipSystem::None || most <= 0.0 || turned_deg == 0.0 ||
+      way_mm < kStandsMm) {
+    return std::nullopt;
+  }
+  const int pieces = 1 + static_cast<int>(std::min(turned_deg / kFeedPieceDeg, kMostFeedPieces));
+  const double minutes = way_mm / std::min(block.feed_mm_min, most) / pieces;
+  auto q_M = coordinates.axes_at(q_B_from);
+  for (int i = 1; q_M && i <= pieces; ++i) {
+    const auto q_M_next =
+        coordinates.axes_at(q_B_from + q_B_way * (static_cast<double>(i) / pieces));
+    if (!q_M_next) {
+      break;
+    }
+    const AxisPositions per_minute = (*q_M_next - *q_M) / minutes;
+    Eigen::Index axis = 0;
+    // As much as rounding makes of a speed that is just the largest.
+    if (per_minute.cwiseAbs().maxCoeff(&axis) > most * (1.0 + 1e-9)) {
+      return block_failure(AlarmId::TipControlTooFast,
+                           fmt::format("{} would go at {:.0f} mm/min or deg/min, parameter 1422 is "
+                                       "{:.0f}",
+                                       kAxisLetters[static_cast<std::size_t>(axis)],
+                                       std::abs(per_minute[axis]), most));
+    }
+    q_M = q_M_next;
+  }
   return std::nullopt;
 }
 

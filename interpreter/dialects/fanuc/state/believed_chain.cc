@@ -1,5 +1,7 @@
-// Parameters of five-axis machines.  Source: FANUC A-79348E pp. 72 to 84; values of the directions
-// and the numbers 19700 to 19705 as commonly used.
+// Parameters of five-axis machines.  Source: FANUC A-79348E pp. 72 to 84, hypothetical axes pp. 72,
+// 75 and 78; values of the directions and the numbers 19700 to 19705 as commonly used.  Angles RA
+// and RB of the tool's direction as those of A-78640E p. 156: RA from the 2nd linear axis to the
+// 3rd, RB from the 3rd to the 1st.
 
 #include "interpreter/dialects/fanuc/state/believed_chain.h"
 
@@ -11,6 +13,7 @@
 
 #include "interpreter/runtime/angles.h"
 #include "machine/kinematics/kinematic_vectors.h"
+#include "machine/kinematics/plane_rotation.h"
 
 namespace g31::fanuc {
 namespace {
@@ -20,6 +23,7 @@ using machine::KinematicVectors;
 
 constexpr int kType = 19680;
 constexpr int kLast = 19714;
+constexpr int kToolReference = 19697;
 constexpr int kTable = 19700;        // a point of the table's axis, of two the one at the bed
 constexpr int kToNextTable = 19703;  // from there to the other
 constexpr int kHead = 19709;         // from the tool's holder to the axis that carries it
@@ -34,6 +38,7 @@ struct AxisNumbers {
   [[nodiscard]] int direction() const { return first + 1; }
   [[nodiscard]] int inclination() const { return first + 2; }
   [[nodiscard]] int left_handed() const { return first + 3; }
+  [[nodiscard]] int fixed_at() const { return first + 4; }
 };
 constexpr std::array<AxisNumbers, 2> kAxes = {{{19681}, {19686}}};
 
@@ -142,12 +147,20 @@ std::optional<Point> iso_direction(const Parameters& parameters, const AxisNumbe
     return std::nullopt;
   }
   if (number == 0) {
-    return sheet.rotary.at(static_cast<std::size_t>(axis - kLinearAxisCount)).axis_M;
+    return is_rotary_axis(axis)
+               ? std::optional(
+                     sheet.rotary.at(static_cast<std::size_t>(axis - kLinearAxisCount)).axis_M)
+               : std::nullopt;
   }
   const auto along = direction_of(number, inclined_deg);
   const bool is_left = parameters.value(numbers.left_handed()) != 0.0;
   // A table turns the part: left-handed for it is right-handed for the tool.
   return along ? std::optional(Point(is_left == turns_tool ? -*along : *along)) : std::nullopt;
+}
+
+/// Whether 19696 has axis 1 or 2 stand at an angle for good.
+bool is_hypothetical(const Parameters& parameters, std::size_t which) {
+  return parameters.is_on(which == 0 ? ParameterId::FirstIsNone : ParameterId::SecondIsNone);
 }
 
 std::optional<KinematicVectors> vectors_from(const Parameters& parameters,
@@ -161,10 +174,11 @@ std::optional<KinematicVectors> vectors_from(const Parameters& parameters,
   vectors.type = row->type;
   for (std::size_t i = 0; i < kAxes.size(); ++i) {
     const int axis = nearest(parameters.value(kAxes.at(i).axis())) - 1;
-    if (axis < 0 && i == 1) {
-      continue;  // hypothetical, or there is one only
+    const bool is_fixed = is_hypothetical(parameters, i);
+    if (axis < 0 && i == 1 && !is_fixed) {
+      continue;  // there is one only
     }
-    if (!is_rotary_axis(axis)) {
+    if (is_fixed ? axis >= 0 : !is_rotary_axis(axis)) {
       return std::nullopt;
     }
     const bool turns_tool = is_tools(vectors.type, i);
@@ -190,6 +204,65 @@ std::optional<KinematicVectors> vectors_from(const Parameters& parameters,
     }
   }
   return vectors;
+}
+
+/// 19697 to 19699: from a tool along Z to where it points with all rotary axes at 0, RA about X
+/// before RB about Y; nullopt: no such direction.
+std::optional<Eigen::Isometry3d> tool_direction(const Parameters& parameters) {
+  const int number = nearest(parameters.value(kToolReference));
+  const double ra = parameters.value(kToolReference + 1);
+  const double rb = parameters.value(kToolReference + 2);
+  if (number < 0 || number > kLinearAxisCount || !(std::abs(ra) <= 360.0) ||
+      !(std::abs(rb) <= 360.0)) {
+    return std::nullopt;
+  }
+  const Eigen::Matrix3d reference = number == 1   ? machine::turn_about({1, 90.0})
+                                    : number == 2 ? machine::turn_about({0, -90.0})
+                                                  : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  Eigen::Isometry3d held = Eigen::Isometry3d::Identity();
+  held.linear() = machine::turn_about({1, rb}) * machine::turn_about({0, ra}) * reference;
+  return held;
+}
+
+/// A turn about a line.
+Eigen::Isometry3d turned_about(const Point& centre, const Point& along, double deg) {
+  Eigen::Isometry3d turn = Eigen::Isometry3d::Identity();
+  turn.translate(centre);
+  turn.rotate(machine::turn_about(along.normalized(), deg));
+  turn.translate(-centre);
+  return turn;
+}
+
+/// Takes axis 1 or 2, which stands at an angle for good, out of the vectors: what it carries lies
+/// as it has turned it, places of the part count from there.
+/// @param tool_at_rest  how the tool is held
+void hold_axis(KinematicVectors& vectors, std::size_t which, double deg,
+               Eigen::Isometry3d& tool_at_rest) {
+  const bool has_both = !vectors.v1.isZero(0.0) && !vectors.v2.isZero(0.0);
+  const bool is_head = is_tools(vectors.type, which);
+  const Point centre1 =
+      vectors.type == KinematicType::Tool ? Point(vectors.i3 + vectors.i2) : vectors.i2;
+  const Point centre2 =
+      vectors.type == KinematicType::Part ? Point(vectors.i2 + vectors.i3) : vectors.i3;
+  const Eigen::Isometry3d held =
+      turned_about(which == 0 ? centre1 : centre2, which == 0 ? vectors.v1 : vectors.v2, deg);
+  if (is_head) {
+    tool_at_rest = held * tool_at_rest;
+  }
+  KinematicVectors left;
+  if (has_both) {
+    const std::size_t other = 1 - which;
+    left.type = is_tools(vectors.type, other) ? KinematicType::Tool : KinematicType::Part;
+    left.axes[0] = vectors.axes.at(other);
+    left.v1 = other == 0 ? vectors.v1 : vectors.v2;
+    left.i2 = other == 0 ? centre1 : centre2;
+    // Axis 2 of two heads or two tables goes along with axis 1.
+    if (which == 0 && vectors.type != KinematicType::Mixed) {
+      left.v1 = held.linear() * left.v1;
+      left.i2 = held * left.i2;
+    }
+  }
+  vectors = left;
 }
 
 }  // namespace
@@ -223,22 +296,36 @@ void fill_kinematics(Parameters& parameters, const machine::AxisChainSetup& shee
   }
 }
 
-machine::AxisChainSetup believed_chain(const Parameters& parameters,
-                                       const machine::AxisChainSetup& sheet) {
+BelievedMachine believed_machine(const Parameters& parameters,
+                                 const machine::AxisChainSetup& sheet) {
   Parameters as_sheet;
   fill_kinematics(as_sheet, sheet);
-  bool is_sheet = true;
+  bool is_sheet = !is_hypothetical(parameters, 0) && !is_hypothetical(parameters, 1);
   for (int number = kType; number <= kLast; ++number) {
     is_sheet = is_sheet && parameters.value(number) == as_sheet.value(number);
   }
   if (is_sheet) {
-    return sheet;
+    return {sheet};
   }
-  const auto vectors = vectors_from(parameters, sheet);
-  machine::AxisChainSetup none;
-  return vectors && machine::OrientationAxes::of(machine::chain_of(*vectors, sheet).chain)
-             ? machine::chain_of(*vectors, sheet).chain
-             : none;
+  auto vectors = vectors_from(parameters, sheet);
+  const auto direction = tool_direction(parameters);
+  if (!vectors || !direction ||
+      (is_hypothetical(parameters, 0) && is_hypothetical(parameters, 1))) {
+    return {};
+  }
+  BelievedMachine believed;
+  believed.tool_at_rest = *direction;
+  for (std::size_t i = 0; i < kAxes.size(); ++i) {
+    if (is_hypothetical(parameters, i)) {
+      const double deg = parameters.value(kAxes.at(i).fixed_at());
+      if (!(std::abs(deg) <= 360.0)) {
+        return {};
+      }
+      hold_axis(*vectors, i, deg, believed.tool_at_rest);
+    }
+  }
+  believed.chain = machine::chain_of(*vectors, sheet).chain;
+  return machine::OrientationAxes::of(believed.chain) ? believed : BelievedMachine();
 }
 
 }  // namespace g31::fanuc

@@ -179,9 +179,10 @@ void Control::apply(const Parameters& given) {
   variables.protect(nearest_integer(parameters.get(ParameterId::FirstProtected)),
                     nearest_integer(parameters.get(ParameterId::LastProtected)));
   choose_system_variables();
-  const machine::AxisChainSetup believed = believed_chain(parameters, sheet_kinematics_);
-  if (believed != coordinates.kinematics()) {
-    coordinates.set_kinematics(believed);
+  const BelievedMachine believed = believed_machine(parameters, sheet_kinematics_);
+  if (believed.chain != coordinates.kinematics() ||
+      believed.tool_at_rest.matrix() != coordinates.tool_at_rest().matrix()) {
+    coordinates.set_kinematics(believed.chain, believed.tool_at_rest);
   }
 }
 

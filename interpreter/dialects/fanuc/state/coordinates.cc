@@ -91,9 +91,11 @@ void Coordinates::set_transform(const WorkTransform& transform) {
   q_L_programmed_ = transform_.undo(q_W);
 }
 
-void Coordinates::set_kinematics(const machine::AxisChainSetup& believed) {
+void Coordinates::set_kinematics(const machine::AxisChainSetup& believed,
+                                 const Eigen::Isometry3d& tool_at_rest) {
   keep_axes([&] {
     believed_ = believed;
+    tool_at_rest_ = tool_at_rest;
     table_ = machine::AxisChain(believed, Point::Zero());
     orientation_ = machine::OrientationAxes::of(believed);
   });
@@ -133,7 +135,7 @@ AxisPositions Coordinates::tool_offset_at(const AxisPositions& q_M) const {
     return tool_offset_;
   }
   AxisPositions along = AxisPositions::Zero();
-  Point vector = tip_->tool_vector(q_M);
+  Point vector = tip_->turned(q_M, tool_at_rest_.linear() * linear_axes(tool_offset_));
   if (tip_system_ == TipSystem::Workpiece) {
     vector = table_turn(q_M).transpose() * vector;
   }
@@ -146,9 +148,10 @@ Eigen::Matrix3d Coordinates::table_turn(const AxisPositions& q_M) const {
 }
 
 ToolInWork Coordinates::tool_in_work(const AxisPositions& q_M) const {
-  const Point p_T_tip = -linear_axes(tool_offset_);
+  const Point p_T_tip = tip_at_rest();
   const machine::ToolPlace place = machine::AxisChain(believed_, p_T_tip).for_part(q_M);
-  return {linear_axes(place.q) + p_T_tip - linear_axes(shift_), place.tilt.toRotationMatrix()};
+  return {linear_axes(place.q) + p_T_tip - linear_axes(shift_),
+          place.tilt.toRotationMatrix() * tool_at_rest_.linear()};
 }
 
 void Coordinates::take_shift() {
@@ -179,7 +182,10 @@ void Coordinates::keep_axes(Change change) {
 void Coordinates::lead() {
   tip_.reset();
   const bool has_error = part_errors_.is_any_selected();
-  error_ = has_error ? part_errors_.on_table(believed_) : Eigen::Isometry3d::Identity();
+  const bool is_led = tip_system_ != TipSystem::None || work_from_plane_;
+  // Where something leads the axes, the offset of G54.2 lies in the part.
+  error_ = has_error ? part_errors_.on_table(believed_, is_led || !part_errors_.turns_by_groups())
+                     : Eigen::Isometry3d::Identity();
   if (tip_system_ != TipSystem::None || work_from_plane_) {
     Eigen::Isometry3d part_from_base = Eigen::Isometry3d::Identity();
     part_from_base.translate(linear_axes(shift_));
@@ -189,8 +195,7 @@ void Coordinates::lead() {
     } else {
       part_from_base = part_from_base * work_from_plane_.value_or(Eigen::Isometry3d::Identity());
     }
-    tip_ =
-        std::make_shared<path::TipTransform>(believed_, -linear_axes(tool_offset_), part_from_base);
+    tip_ = std::make_shared<path::TipTransform>(believed_, tip_at_rest(), part_from_base);
   }
   is_plain_ = !tip_ && !has_error;
   leader_ = tip_;
@@ -204,11 +209,16 @@ void Coordinates::turn_tool(AxisPositions& q_B, const Eigen::Matrix3d& turn) con
   for (std::size_t i = 0; i < orientation_->count(); ++i) {
     from.at(i) = q_B[orientation_->axes().at(i)];
   }
-  const Point direction = turn * orientation_->turn(from).col(2);
-  const auto pair = machine::least_motion(orientation_->pairs_for(direction), from, {}, 0);
+  const Point at_rest = tool_at_rest_.linear().col(2);
+  const Point direction = turn * (orientation_->turn(from) * at_rest);
+  const auto pair = machine::least_motion(orientation_->pairs_for(direction, at_rest), from, {}, 0);
   for (std::size_t i = 0; pair && i < orientation_->count(); ++i) {
     q_B[orientation_->axes().at(i)] = pair->deg.at(i);
   }
+}
+
+Point Coordinates::offset_by_groups(const AxisPositions& q_M) const {
+  return part_errors_.turns_by_groups() ? part_errors_.offset_by_groups(q_M) : Point(Point::Zero());
 }
 
 AxisPositions Coordinates::led_path_of(const AxisPositions& q_W) const {
@@ -216,8 +226,8 @@ AxisPositions Coordinates::led_path_of(const AxisPositions& q_W) const {
   if (!tip_) {
     // The work system does not turn: the errors of the part do, with the table.
     const Eigen::Matrix3d turn = table_turn(q_B);
-    q_B.head<kLinearAxisCount>() =
-        linear_axes(shift_) + turn.transpose() * (error_ * (turn * linear_axes(q_W)));
+    q_B.head<kLinearAxisCount>() = linear_axes(shift_) + offset_by_groups(q_B) +
+                                   turn.transpose() * (error_ * (turn * linear_axes(q_W)));
     return q_B + tool_offset_;
   }
   q_B.head<kLinearAxisCount>() =
@@ -231,6 +241,7 @@ AxisPositions Coordinates::led_path_of(const AxisPositions& q_W) const {
 AxisPositions Coordinates::led_work_of(const AxisPositions& q_B) const {
   if (!tip_) {
     AxisPositions q_W = q_B - shift_ - tool_offset_;
+    q_W.head<kLinearAxisCount>() -= offset_by_groups(q_B);
     const Eigen::Matrix3d turn = table_turn(q_B);
     q_W.head<kLinearAxisCount>() =
         turn.transpose() * (error_.inverse() * (turn * linear_axes(q_W)));
@@ -250,7 +261,8 @@ bool operator==(const Coordinates& a, const Coordinates& b) {
     return std::tie(one.systems_, one.additional_, one.selected_, one.local_shift_,
                     one.declared_shift_, one.table_shift_, one.tool_offset_, one.shift_,
                     one.transform_, one.q_L_programmed_, one.believed_, one.part_errors_,
-                    one.error_.matrix(), one.turns_tool_, one.is_plain_, one.tip_system_);
+                    one.error_.matrix(), one.tool_at_rest_.matrix(), one.turns_tool_, one.is_plain_,
+                    one.tip_system_);
   };
   const auto is_same_plane = [&] {
     return !a.work_from_plane_ || a.work_from_plane_->matrix() == b.work_from_plane_->matrix();

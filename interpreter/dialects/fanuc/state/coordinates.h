@@ -69,8 +69,11 @@ class Coordinates {
   [[nodiscard]] const WorkTransform& transform() const { return transform_; }
 
   /// What the control takes the machine for.
-  void set_kinematics(const machine::AxisChainSetup& believed);
+  /// @param tool_at_rest  how the tool is held with all rotary axes at 0, from an upright one
+  void set_kinematics(const machine::AxisChainSetup& believed,
+                      const Eigen::Isometry3d& tool_at_rest);
   [[nodiscard]] const machine::AxisChainSetup& kinematics() const { return believed_; }
+  [[nodiscard]] const Eigen::Isometry3d& tool_at_rest() const { return tool_at_rest_; }
   /// G68.2: where the feature coordinate system lies in the work coordinate system.  nullopt: G69.
   void set_plane(const std::optional<Eigen::Isometry3d>& work_from_plane);
   [[nodiscard]] const std::optional<Eigen::Isometry3d>& plane() const { return work_from_plane_; }
@@ -152,8 +155,12 @@ class Coordinates {
   /// Changes what leads the axes; they stay where the programmed point has them.
   template <typename Change>
   void keep_axes(Change change);
+  /// What G54.2 adds by groups of its own, mm.
+  [[nodiscard]] Point offset_by_groups(const AxisPositions& q_M) const;
   [[nodiscard]] AxisPositions led_path_of(const AxisPositions& q_W) const;
   [[nodiscard]] AxisPositions led_work_of(const AxisPositions& q_B) const;
+  /// mm: the tip from the gauge point with all rotary axes at 0.
+  [[nodiscard]] Point tip_at_rest() const { return tool_at_rest_ * -linear_axes(tool_offset_); }
   /// The rotary axes for a tool turned against where it is.
   void turn_tool(AxisPositions& q_B, const Eigen::Matrix3d& turn) const;
 
@@ -168,6 +175,7 @@ class Coordinates {
   WorkTransform transform_;
   AxisPositions q_L_programmed_ = AxisPositions::Zero();
   machine::AxisChainSetup believed_;
+  Eigen::Isometry3d tool_at_rest_ = Eigen::Isometry3d::Identity();
   machine::AxisChain table_{believed_, Point::Zero()};   // that chain, for what turns the part
   std::optional<machine::OrientationAxes> orientation_;  // that of the chain
   PartErrors part_errors_;

@@ -48,6 +48,18 @@ SettingError at_zero(const SettingError& error, const machine::AxisChainSetup& b
   return {turn * error.shift, angles_of(turn * turn_of(error.turn_deg) * turn.transpose()), {0, 0}};
 }
 
+/// How the groups of G54.2 turn with their rotary axes.
+Eigen::Matrix3d turn_by(const PartErrors::TableGroups& groups, const AxisPositions& q_M) {
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  for (const TableGroup& group : groups) {
+    if (group.rotary >= 0) {
+      const Point along = Point::Unit(group.first).cross(Point::Unit(group.second));
+      turn = machine::turn_about(along, q_M[group.rotary]) * turn;
+    }
+  }
+  return turn;
+}
+
 }  // namespace
 
 const AxisPositions& PartErrors::table_offset(int n) const {
@@ -70,9 +82,19 @@ void PartErrors::set_setting_error(int n, const SettingError& error) {
   setting_errors_.at(static_cast<std::size_t>(n)) = error;
 }
 
-Eigen::Isometry3d PartErrors::on_table(const machine::AxisChainSetup& believed) const {
+Point PartErrors::offset_by_groups(const AxisPositions& q_M) const {
+  if (table_offset_selected_ == 0) {
+    return Point::Zero();
+  }
+  const AxisPositions& q_offset = table_offset(table_offset_selected_);
+  return turn_by(table_groups_, q_M) *
+         (turn_by(table_groups_, q_offset).transpose() * linear_axes(q_offset));
+}
+
+Eigen::Isometry3d PartErrors::on_table(const machine::AxisChainSetup& believed,
+                                       bool with_offset) const {
   Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
-  if (table_offset_selected_ != 0) {
+  if (table_offset_selected_ != 0 && with_offset) {
     const AxisPositions& q_offset = table_offset(table_offset_selected_);
     moved.translate(turned(believed, q_offset) * linear_axes(q_offset));
   }

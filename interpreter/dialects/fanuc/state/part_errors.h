@@ -20,15 +20,28 @@ struct SettingError {
   bool operator==(const SettingError&) const = default;
 };
 
+/// A rotary axis and how the offset of G54.2 turns with it: a positive angle takes it from the
+/// first linear axis to the second.
+struct TableGroup {
+  int rotary = -1;  ///< storage indices; -1: there is no such group
+  int first = 0;
+  int second = 1;
+
+  bool operator==(const TableGroup&) const = default;
+};
+
 /// Where the part truly is on the table, by what was entered of it (G54.2, G54.4).
 ///
-/// Sources: FANUC A-79634E pp. 10, 19; G54.2 as commonly used.
+/// Sources: FANUC A-79634E pp. 10, 19; groups of G54.2 (parameters 7580 to 7588): B-63944EN-2/02
+/// p. 221, the first group's rotary axis turns the offset first.
 class PartErrors {
  public:
   PartErrors() { table_offsets_.fill(AxisPositions::Zero()); }
 
   static constexpr int kTableOffsets = 8;   ///< G54.2 P1..P8
   static constexpr int kSettingErrors = 7;  ///< G54.4 P1..P7; 0 is added to each
+  static constexpr std::size_t kTableGroups = 3;
+  using TableGroups = std::array<TableGroup, kTableGroups>;
 
   /// G54.2: mm, and the positions of rotary axes that it was found at, deg.  @param n  1..8
   [[nodiscard]] const AxisPositions& table_offset(int n) const;
@@ -45,15 +58,25 @@ class PartErrors {
   }
   [[nodiscard]] bool has_setting_error() const { return setting_error_selected_ != 0; }
 
+  /// By which axes G54.2 turns; none: as the table is believed to turn.
+  void set_table_groups(const TableGroups& groups) { table_groups_ = groups; }
+  [[nodiscard]] const TableGroups& table_groups() const { return table_groups_; }
+  [[nodiscard]] bool turns_by_groups() const { return table_groups_.front().rotary >= 0; }
+
   /// From where a point of the work system should be to where it is: on the table as it lies with
   /// its axes at 0, the work origin at (0, 0, 0).
-  [[nodiscard]] Eigen::Isometry3d on_table(const machine::AxisChainSetup& believed) const;
+  /// @param with_offset  that of G54.2 is part of it
+  [[nodiscard]] Eigen::Isometry3d on_table(const machine::AxisChainSetup& believed,
+                                           bool with_offset) const;
+  /// The offset of G54.2 as its groups have turned it, mm along the axes of the machine.
+  [[nodiscard]] Point offset_by_groups(const AxisPositions& q_M) const;
 
   bool operator==(const PartErrors&) const = default;
 
  private:
   std::array<AxisPositions, kTableOffsets + 1> table_offsets_{};
   std::array<SettingError, kSettingErrors + 1> setting_errors_{};
+  TableGroups table_groups_;
   int table_offset_selected_ = 0;
   int setting_error_selected_ = 0;
 };
