@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "machine/base/contract.h"
@@ -80,8 +81,12 @@ AxisPositions LedPath::slope_at(double fraction) const {
 
 int LedPath::piece_count() const {
   const double turned_deg = rotary_axes(q_M_to_ - q_M_from_).cwiseAbs().maxCoeff();
-  const int pieces = std::min(kMostPieces, 1 + static_cast<int>(turned_deg / kLedPieceDeg));
-  return std::holds_alternative<ArcPath>(base_) ? std::max(pieces, kLeastArcPieces) : pieces;
+  double pieces = 1.0 + std::floor(turned_deg / kLedPieceDeg);
+  if (const auto* const arc = std::get_if<ArcPath>(&base_)) {
+    const double arc_deg = std::abs(arc->turned_rad()) * 180.0 / std::numbers::pi;
+    pieces = std::max(pieces, std::ceil(arc_deg / kArcPieceDeg - 1e-9));
+  }
+  return static_cast<int>(std::min(pieces, double{kMostPieces}));
 }
 
 bool LedPath::leads() const {

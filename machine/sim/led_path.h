@@ -39,7 +39,7 @@ class LedPath {
   [[nodiscard]] AxisPositions slope_at(double fraction) const;
 
   /// Into how many equal pieces to cut the way so that no rotary axis turns further in one than
-  /// kLedPieceDeg, and arcs have kLeastArcPieces.
+  /// kLedPieceDeg, nor an arc than kArcPieceDeg.
   [[nodiscard]] int piece_count() const;
 
   /// Whether a cubic tells it.
@@ -79,6 +79,6 @@ std::optional<LedPath> led_path(const AxisPositions& q_M_from, const ArcMove& ar
 
 /// Speeds and travel limits of a led way are looked at in pieces so small.
 inline constexpr double kLedPieceDeg = 2.0;
-inline constexpr int kLeastArcPieces = 24;
+inline constexpr double kArcPieceDeg = 15.0;
 
 }  // namespace g31::machine

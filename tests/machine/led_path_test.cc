@@ -75,6 +75,40 @@ TEST(LedPath, IsStraightInBaseCoordinates) {
   }
 }
 
+/// An arc is exact however many pieces its speeds are looked at in, which are as many as it and the
+/// rotary axes turn.
+TEST(LedPath, ArcsAreExactInAsManyPiecesAsTheyTurn) {
+  const auto on_arc = [](double deg, double c) {
+    const double angle = deg * std::numbers::pi / 180.0;
+    return at(250.0 + 50.0 * std::cos(angle), 10.0 + 50.0 * std::sin(angle), 7.0, c);
+  };
+  for (const double sweep : {0.2, 14.0, 15.0, 31.0, 90.0, 200.0, 360.0}) {
+    for (const double turned : {0.0, 1.0, 41.0}) {
+      SCOPED_TRACE(::testing::Message() << sweep << " " << turned);
+      const auto exactly = [&](double fraction) {
+        const double c = 20.0 + fraction * turned;
+        return Turntable::turned(on_arc(fraction * sweep, c), -c);
+      };
+      ArcMove arc;
+      arc.q_M_end = exactly(1.0);
+      arc.centre_first = 250.0;
+      arc.centre_second = 10.0;
+      arc.turn = Turn::Counterclockwise;
+      arc.feed_mm_min = 1000.0;
+      arc.transform = std::make_shared<Turntable>();
+      const LedPath path = *led_path(exactly(0.0), arc);
+      const int wanted =
+          std::max(1 + static_cast<int>(turned / 2.0), static_cast<int>(std::ceil(sweep / 15.0)));
+      EXPECT_EQ(path.piece_count(), wanted);
+      double worst = 0.0;
+      for (int i = 0; i <= 1000; ++i) {
+        worst = std::max(worst, (path.at(i / 1000.0) - exactly(i / 1000.0)).cwiseAbs().maxCoeff());
+      }
+      EXPECT_LT(worst, 1e-9);
+    }
+  }
+}
+
 TEST(LedPath, CountsTheFeedOfTheWayInBaseCoordinates) {
   EXPECT_NEAR(kHalfTurn.path().length(), std::sqrt(50.0 * 50 + 60 * 60 + 15 * 15), 1e-9);
   EXPECT_NEAR(kHeld.path().length(), 360.0, 1e-9);  // the tip stands: degrees
