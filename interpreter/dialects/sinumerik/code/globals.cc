@@ -39,6 +39,10 @@ void Globals::number_axes(std::string_view name, std::int32_t place) {
     std::iota(first, first + kLinearAxisCount, 1.0);
   } else if (name == "$MC_AXCONF_MACHAX_USED") {
     std::iota(first, first + kAxisCount, 1.0);
+  } else if (name.starts_with("$MC_TRAFO_AXES_IN_")) {
+    std::iota(first, first + kLinearAxisCount, 1.0);
+  } else if (name.starts_with("$MC_TRAFO5_BASE_ORIENT_")) {
+    *(first + kLinearAxisCount - 1) = 1.0;
   } else if (name == "$MA_IS_ROT_AX") {
     std::fill(first + kLinearAxisCount, first + kAxisCount, 1.0);
   }

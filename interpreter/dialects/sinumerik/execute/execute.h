@@ -52,6 +52,9 @@ struct BasicPosition {
 /// TRAORI by the data of a tool carrier, and TRAFOOF.
 MaybeFailure switch_transformation_on(Channel& channel, int number, const BasicPosition& basic);
 MaybeFailure switch_transformation_off(Channel& channel);
+/// Alarm 4343: the machine data of the transformation in force are others than when it was switched
+/// on.  Source: Diagnostics Manual 11/2006, page 2-59.
+MaybeFailure transformation_is_unchanged(const Channel& channel);
 /// ORIRESET: at rapid to positions of the transformation's axes; nullopt: the basic ones.
 MaybeFailure turn_back(Channel& channel, const std::array<std::optional<double>, 2>& deg,
                        source::Location where);

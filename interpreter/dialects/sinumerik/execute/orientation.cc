@@ -205,6 +205,32 @@ MaybeFailure finish_for_transformation(Channel& channel) {
   return wrong;
 }
 
+/// How the tool lies with all angles at 0: as the call has it, else the machine data; 0: square to
+/// the plane in force, and so where the data say Z, with which they begin.
+Vector3 basic_direction(const Channel& channel, int number, const BasicPosition& basic) {
+  if (number <= kFirstOfData || !basic.direction.isZero(0.0)) {
+    return basic.direction;
+  }
+  const auto told = transformation_of_data(channel, number - kFirstOfData);
+  const bool is_own =
+      told && told.value() && told.value()->basic_direction != Vector3(Vector3::UnitZ());
+  return is_own ? told.value()->basic_direction : Vector3(Vector3::Zero());
+}
+
+/// What leads the axes by the vectors of TRAORI.
+void lead_by_chain(Orientation& orientation) {
+  const machine::KinematicVectors& vectors = orientation.traori_vectors;
+  orientation.axes = orientation_of(vectors);
+  orientation.chain = machine::chain_of(vectors, machine::AxisChainSetup());
+  // Places of the part count from where it is with the axes at 0, as with a tool carrier.
+  orientation.chain->tool_shift -= orientation.chain->part_shift;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (vectors.axes.at(i) >= 0) {
+      orientation.chain->q_M_basic[vectors.axes.at(i)] = orientation.traori_basic_deg.at(i);
+    }
+  }
+}
+
 }  // namespace
 
 MaybeFailure switch_transformation_on(Channel& channel, int number, const BasicPosition& basic) {
@@ -243,19 +269,11 @@ MaybeFailure switch_transformation_on(Channel& channel, int number, const BasicP
     orientation.traori_basic_deg.at(i) =
         carrier.basic_position(i, with_fine) + basic.offsets_deg.at(i);
   }
-  orientation.basic_direction = basic.direction.isZero(0.0)
-                                    ? std::nullopt
-                                    : std::optional<Vector3>(basic.direction.normalized());
-  orientation.axes = orientation_of(vectors.value());
-  machine::AxisChainSetup linear;
-  orientation.chain = machine::chain_of(vectors.value(), linear);
-  // Places of the part count from where it is with the axes at 0, as with a tool carrier.
-  orientation.chain->tool_shift -= orientation.chain->part_shift;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (vectors.value().axes.at(i) >= 0) {
-      orientation.chain->q_M_basic[vectors.value().axes.at(i)] = orientation.traori_basic_deg.at(i);
-    }
-  }
+  orientation.traori_offsets_deg = basic.offsets_deg;
+  const Vector3 direction = basic_direction(channel, number, basic);
+  orientation.basic_direction =
+      direction.isZero(0.0) ? std::nullopt : std::optional<Vector3>(direction.normalized());
+  lead_by_chain(orientation);
   follow_table(channel);
   return std::nullopt;
 }
@@ -272,6 +290,27 @@ MaybeFailure switch_transformation_off(Channel& channel) {
   channel.orientation.axes.reset();
   follow_table(channel);
   return std::nullopt;
+}
+
+MaybeFailure transformation_is_unchanged(const Channel& channel) {
+  const Orientation& orientation = channel.orientation;
+  const int n = orientation.transformation - kFirstOfData;
+  if (!orientation.chain || n <= 0) {
+    return std::nullopt;
+  }
+  const Failure changed = failure(AlarmId::FiveAxisDataChanged, fmt::format("TRAORI({})", n));
+  const auto told = transformation_of_data(channel, n);
+  if (!told || !told.value()) {
+    return changed;
+  }
+  const ToolCarrier& carrier = told.value()->carrier;
+  const auto vectors = carrier.vectors(false);
+  bool is_same = vectors && vectors.value() == orientation.traori_vectors;
+  for (std::size_t i = 0; i < 2; ++i) {
+    is_same = is_same && carrier.basic_position(i, false) + orientation.traori_offsets_deg.at(i) ==
+                             orientation.traori_basic_deg.at(i);
+  }
+  return is_same ? std::nullopt : MaybeFailure(changed);
 }
 
 }  // namespace g31::sinumerik

@@ -40,6 +40,7 @@ MaybeFailure set_feed_axes(Channel& channel, Operands& at, Arguments list);
 MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list);
 MaybeFailure transformation_on(Channel& channel, Operands& at, Arguments list);
 MaybeFailure transformation_on_chain(Channel& channel, Operands& at, Arguments list);
+MaybeFailure activate_data(Channel& channel, Operands& at, Arguments list);
 MaybeFailure transformation_off(Channel& channel, Operands& at, Arguments list);
 MaybeFailure reset_orientation(Channel& channel, Operands& at, Arguments list);
 MaybeFailure release_axis(Channel& channel, Operands& at, Arguments list);

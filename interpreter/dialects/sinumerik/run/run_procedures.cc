@@ -129,7 +129,8 @@ MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list) {
   return wrong;
 }
 
-/// TRAORI(n, x, y, z, a, b): the first transformation without n.
+/// TRAORI(n, x, y, z, a, b): the first transformation without n.  Machine data say which tool
+/// carrier it takes, or themselves what it is.
 MaybeFailure transformation_on(Channel& channel, Operands& at, Arguments list) {
   const auto value = [&](std::size_t i) {
     return i < list.size() && list[i].form != Argument::Form::Omitted ? at.number(list[i].value)
@@ -139,7 +140,10 @@ MaybeFailure transformation_on(Channel& channel, Operands& at, Arguments list) {
   BasicPosition basic;
   basic.direction = {value(1), value(2), value(3)};
   basic.offsets_deg = {value(4), value(5)};
-  return switch_transformation_on(channel, number == 0.0 ? 1 : static_cast<int>(number), basic);
+  const auto carrier = channel.transformation_data.carrier_of(
+      channel.numbers, number == 0.0 ? 1 : static_cast<int>(number));
+  return carrier ? switch_transformation_on(channel, carrier.value(), basic)
+                 : MaybeFailure(carrier.error());
 }
 
 /// TRAFOON(name)
@@ -148,6 +152,11 @@ MaybeFailure transformation_on_chain(Channel& channel, Operands& at, Arguments l
   const std::optional<int> number = transformation_named(channel, name);
   return number ? switch_transformation_on(channel, kFirstOnChain + *number, {})
                 : failure(AlarmId::TransformationMissing, fmt::format("TRAFOON(\"{}\")", name));
+}
+
+/// NEWCONF
+MaybeFailure activate_data(Channel& channel, Operands& /*at*/, Arguments /*list*/) {
+  return transformation_is_unchanged(channel);
 }
 
 MaybeFailure transformation_off(Channel& channel, Operands& /*at*/, Arguments /*list*/) {

@@ -9,6 +9,7 @@
 #include "interpreter/dialects/sinumerik/code/element_name.h"
 #include "interpreter/dialects/sinumerik/code/sheet_data.h"
 #include "interpreter/dialects/sinumerik/run/runner.h"
+#include "interpreter/dialects/sinumerik/state/kinematic_chain.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -66,6 +67,8 @@ void configure_carrier(Channel& channel, const runtime::ControlSetup& setup) {
     }
   }
   channel.carriers[1] = carrier_of(*vectors, travel);
+  channel.transformation_data.take(vectors->axes, channel.numbers);
+  fill_chain(channel, *vectors);
 }
 
 /// Soft limits and data of the sheet.

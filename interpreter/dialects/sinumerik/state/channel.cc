@@ -46,6 +46,7 @@ Failure no_frame_of(int axis) {
 Channel::Channel(machine::MachinePort& machine, runtime::Observer& listener, const Globals& globals)
     : motion_data(globals),
       compensation_data(globals),
+      transformation_data(globals),
       port(machine),
       observer(listener),
       outlet(machine, listener),

@@ -18,6 +18,7 @@
 #include "interpreter/dialects/sinumerik/state/frame.h"
 #include "interpreter/dialects/sinumerik/state/motion_data.h"
 #include "interpreter/dialects/sinumerik/state/tool_lengths.h"
+#include "interpreter/dialects/sinumerik/state/transformation_data.h"
 #include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 #include "interpreter/dialects/sinumerik/vocabulary/system_variables.h"
 #include "interpreter/dialects/sinumerik/vocabulary/words.h"
@@ -200,6 +201,7 @@ class Channel : public ChannelState {
   // Motion
   MotionData motion_data;
   CompensationData compensation_data;
+  TransformationData transformation_data;
   /// MD22550: T brings the tool, as on a turret, else M6 does.
   [[nodiscard]] bool changes_with_t() const { return numbers[tool_change_mode_] == 0.0; }
   /// As machine data want it at the start of a program.

@@ -339,15 +339,30 @@ std::optional<int> transformation_named(const ChannelState& state, const std::st
   return std::nullopt;
 }
 
+Result<std::optional<DataTransformation>, Failure> transformation_of_data(const Channel& channel,
+                                                                          int n) {
+  return channel.transformation_data.told(channel.numbers, n, [&channel](int axis) {
+    const auto goes = channel.port.travel(axis);
+    return goes ? machine::RotaryTravel{goes->min, goes->max} : machine::RotaryTravel{};
+  });
+}
+
 bool is_on_chain(const ChannelState& state, int number) {
   if (number > kFirstOnChain || state.kept_texts.empty()) {
-    return number > kFirstOnChain;
+    return number > kFirstOnChain && number <= kFirstOfData;
   }
   return !text_at(state, SystemId::CarrierToolEnd, {number}).empty() ||
          !text_at(state, SystemId::CarrierPartEnd, {number}).empty();
 }
 
 Result<std::optional<ToolCarrier>, Failure> carrier_in_force(const Channel& channel, int number) {
+  if (number > kFirstOfData) {
+    const auto told = transformation_of_data(channel, number - kFirstOfData);
+    if (!told) {
+      return told.error();
+    }
+    return told.value() ? std::optional(told.value()->carrier) : std::nullopt;
+  }
   if (number > kFirstOnChain) {
     return transformation_on_chain(channel, number - kFirstOnChain);
   }

@@ -26,13 +26,22 @@ struct ChainEnds {
   bool is_closed = true;
 };
 
+/// What the machine data say of transformation n; nullopt: nothing.  Alarm 4342.
+Result<std::optional<DataTransformation>, Failure> transformation_of_data(const Channel& channel,
+                                                                          int n);
+
+/// The chain of a machine as its sheet has it: elements $NK_[170] and on and the transformation
+/// $NT_[20], SHEET, on them; SHEET_CORR1 and SHEET_CORR2 take corrections.
+void fill_chain(ChannelState& state, const machine::KinematicVectors& vectors);
+
 /// Number of the transformation $NT_ with a name; nullopt: there is none.
 std::optional<int> transformation_named(const ChannelState& state, const std::string& name);
 
 /// Whether $TC_CARR_KIN_ of a carrier names elements.
 bool is_on_chain(const ChannelState& state, int number);
 
-/// The data of a tool carrier, its vectors by its chain where it is on one.
+/// The data of a tool carrier, its vectors by its chain where it is on one; of transformations on
+/// chains and by machine data, too.
 /// @return nullopt: there is no such carrier; alarm 4342 with what is wrong with the chain
 Result<std::optional<ToolCarrier>, Failure> carrier_in_force(const Channel& channel, int number);
 

@@ -60,6 +60,7 @@ struct Orientation {
   std::optional<machine::VectorChain> chain;     ///< of TRAORI
   std::optional<machine::OrientationAxes> axes;  ///< of TRAORI
   std::array<double, 2> traori_basic_deg = {};
+  std::array<double, 2> traori_offsets_deg = {};  ///< what the call has added to them
   /// Of TRAORI: how the tool lies where all angles are 0, of length 1; nullopt: square to the
   /// plane.
   std::optional<Eigen::Vector3d> basic_direction;
