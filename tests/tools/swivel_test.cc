@@ -234,7 +234,69 @@ TEST(Swivel, WhatCannotBeReachedIsAnAlarm) {
     expect_refused(k1_sheet(), "CYCLE800(" + std::string(mode) + ",\"\",0,57,1,0,0,10,0,0,0,0,0,1)",
                    61190, far);
   }
-  expect_refused(k1_sheet(), "CYCLE800(5,\"\",0,57,1,0,0,10,0,0,0,0,0,1,90000)", 61190);
+  expect_refused(k1_sheet(), "CYCLE800(5,\"\",0,57,1,0,0,10,0,0,0,0,0,1,90000)", 61153);
+  for (const char* const before : {"", "TRAORI"}) {
+    expect_refused(k1_sheet(), "CYCLE800(5,\"\",0,57,1,0,0,10,0,0,0,0,0,1,90000)", 61153, before);
+  }
+  expect_refused(k1_sheet(), "CYCLE800(0,\"\",300,57,1,0,0,10,0,0,0,0,0,1)", 61002);
+  expect_refused(k1_sheet(), "CYCLE800(0,\"\",100,57,1,0,0,10,0,0,0,0,0,1)", 61197);
+  expect_refused(k1_sheet(), "CYCLE800(0,\"\",10,57,1,0,0,10,0,0,0,0,0,1)", 61191,
+                 "$MC_TRAFO_TYPE_1=0");
+  expect_refused(k1_sheet(), "CYCLE800(0,\"\",10,57,1,0,0,10,0,0,0,0,0,1)", 61192,
+                 "$MC_TRAFO5_TCARR_NO_1=2");
+  expect_refused(k1_sheet(), "CYCLE800(0,\"\",0,57,1,0,0,10,0,0,0,0,0,1)", 61198,
+                 "$TC_CARR_KIN_ROTAX_NAME[2,0]=\"A\" $TC_CARR_KIN_ROTAX_NAME[2,1]=\"B\" "
+                 "$TC_CARR_KIN_ROTAX_NAME[2,2]=\"C\"");
+}
+
+/// The tool is turned, the coordinates stay: the axes stand where the turned length has them.
+TEST(Swivel, AnAlignedToolLeavesTheCoordinates) {
+  struct Aligned {
+    std::string sheet;
+    std::string call;  ///< from _MODE on
+    Point lengths;     ///< of the turned tool, by the specification
+    Point origin;
+  };
+  const Aligned rows[] = {
+      {k2_sheet(), "57,0,0,0,0,30,0,0,0,0,1", {148.660254, 0, 74.807621}, {230, -120, -420}},
+      {k2_sheet(), "192,0,0,0,90,0,0,0,0,0,1", {290, 0, -190}, {230, -120, -420}},
+      {k4_sheet(), "192,0,0,0,30,-40,0,0,0,0,1", {-112.709716, 190.218954, 45.597412}, kG54Head},
+      {k5_sheet(), "192,0,0,0,60,90,0,0,0,0,1", {-24.989548, 221.716833, -10}, kG54Head}};
+  for (const Aligned& row : rows) {
+    for (const char* const kind : {"100", "200"}) {
+      SCOPED_TRACE(row.call + " " + kind);
+      const MeasuringRun run = run_on_sheets(
+          "T1 M6\nG54 D1\n$TC_CARR37[1]=10000\nCYCLE800(0,\"\"," + std::string(kind) + "," +
+              row.call + ")\nG0 X0 Y0 Z0\nR1=$AA_IM[X] R2=$AA_IM[Y] R3=$AA_IM[Z]\n" +
+              "R4=ABS($P_ACTFRAME[X,RT])+ABS($P_ACTFRAME[Y,RT])+ABS($P_ACTFRAME[Z,RT])",
+          {row.sheet}, {"R1", "R2", "R3", "R4"});
+      ASSERT_EQ(run.alarm(), 0) << run.output.errors;
+      const Point q = row.origin + row.lengths;
+      expect_values(run, {{"R1", q.x()}, {"R2", q.y()}, {"R3", q.z()}, {"R4", 0.0}}, 6e-7);
+    }
+  }
+  // On top of a swivelled plane that one stays.
+  const MeasuringRun run = run_on_sheets(
+      "T1 M6\nG54 D1\n$TC_CARR37[1]=10000\nCYCLE800(0,\"\",0,57,0,0,0,0,20,0,0,0,0,1)\n"
+      "CYCLE800(0,\"\",101,57,0,0,0,0,10,0,0,0,0,1)\nR1=$AA_IM[B] R2=$P_WPFRAME[Y,RT]",
+      {k2_sheet()}, {"R1", "R2"});
+  expect_values(run, {{"R1", 30.0}, {"R2", 20.0}}, 1e-9);
+}
+
+/// Under TRAORI the retraction goes along the tool as the head holds it, and the transformation
+/// that was active comes back.
+TEST(Swivel, ARetractionUnderTraoriGoesAlongTheTool) {
+  for (const char* const before : {"TRAORI\nB30\n", "TRAORI\nB30 C70\n"}) {
+    SCOPED_TRACE(before);
+    const MeasuringRun run = run_on_sheets(
+        "T1 M6\nG54 D1\nG0 X0 Y0 Z50\n" + std::string(before) +
+            "R1=$AA_IM[X] R2=$AA_IM[Y] R3=$AA_IM[Z]\n_SC_RETRACT(1,5,40)\n"
+            "R1=$AA_IM[X]-R1 R2=$AA_IM[Y]-R2 R3=$AA_IM[Z]-R3 R4=$P_TRAFO_PARSET R5=$P_TC",
+        {k2_sheet()}, {"R1", "R2", "R3", "R4", "R5"});
+    ASSERT_EQ(run.alarm(), 0) << run.output.errors;
+    expect_values(run, {{"R1", 20.0}, {"R2", 0.0}, {"R3", 34.641016151}, {"R4", 1.0}, {"R5", 0.0}},
+                  1e-8);
+  }
 }
 
 /// The plane lies on the first record's axes; another one is not put on top of it.
