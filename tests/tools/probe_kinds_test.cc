@@ -42,6 +42,26 @@ TEST(ProbeKinds, AnLProbePullsAgainstAFaceFromBelow) {
   EXPECT_EQ(run_measuring("X-50\nCYCLE978(0,,,1,0,5,1,3,2)", {plate, l_probe}, {}).alarm(), 61309);
 }
 
+/// The spindle turns along with the work coordinates, so the probe sees their directions: its ball
+/// is beside the spindle by what its own triggers say.
+TEST(ProbeKinds, AnLProbeInTurnedCoordinatesSeesThem) {
+  const std::string l_probe =
+      "[tools.1]\nlength = 120.0\nradius = 3.0\ntype = 714.0\n[probe]\nlength = 117.0\n"
+      "eccentricity = [0.02, -0.03]\n";
+  for (const char* const turn : {"ROT Z30", "ROT Z-100", "ROT Z180"}) {
+    SCOPED_TRACE(turn);
+    expect_measured(std::string("Z-5\nCYCLE976(10001,1,40,0,1,0,2,5,0,0,1,0,1,0)\n") + turn +
+                        "\nG0 X0.5 Y-0.3\nCYCLE977(1,,,1,40,,,2,5)",
+                    {part("ring", 100.0, 50.0, -300.0, "bore = 40.0\nsagitta = 0.00001"), l_probe},
+                    {{"$SNS_MEA_WP_TRIG_PLUS_DIR_AX1[0]", 3.02},
+                     {"$SNS_MEA_WP_TRIG_MINUS_DIR_AX2[0]", -3.03},
+                     {"_OVR[4]", 40.0},
+                     {"_OVR[5]", 0.0},
+                     {"_OVR[6]", 0.0}},
+                    5e-5);
+  }
+}
+
 TEST(ProbeKinds, TheRecordMayBeTheTools) {
   expect_measured(
       "$TC_DPNT[1,1]=3\n$SNS_MEA_FUNCTION_MASK=40\nZ-5\nCYCLE976(2,1,40,,,,5,5)\n"
