@@ -95,6 +95,54 @@ std::vector<ExpectedValue> vectors_of(const MisbelievedMachine& machine, int num
 const std::string kKept =
     "R21=_OVR[21] R22=_OVR[22] R23=_OVR[23] R24=_OVR[24] R25=_OVR[25] R26=_OVR[26]\n";
 
+/// What a sheet says of the machine is a chain, too: as the carrier, and corrected like one that a
+/// builder has written.
+TEST(KinematicChain, IsFilledFromTheSheet) {
+  for (const MisbelievedMachine& machine : misbelieved_machines()) {
+    SCOPED_TRACE(machine.name);
+    std::string program = "T1 M6\nG54 D1\n";
+    std::vector<std::string> names;
+    int r = 0;
+    for (int n = 1; n <= 25; ++n) {
+      if (n == 13 || n == 14 || n == 21 || n == 22 || n == 23) {
+        continue;
+      }
+      program += fmt::format("R{0}=$TC_CARR{1}[1020]-$TC_CARR{1}[1]\n", ++r, n);
+      names.push_back(fmt::format("R{}", r));
+    }
+    const MeasuringRun same = run_on_sheets(program, kinematics_sheets(machine), names);
+    EXPECT_EQ(same.alarm(), 0) << same.output.errors;
+    for (const std::string& name : names) {
+      EXPECT_NEAR(same.at(name), 0.0, 1e-12) << name;
+    }
+    const std::string call = measured(machine, "SHEET");
+    std::vector<ExpectedValue> expected =
+        vectors_of(machine, 1020, machine::vectors_of(machine.believed).value());
+    const MeasuringRun run =
+        run_on_sheets(over_the_ball(machine.settings + "\n" + call + kKept + call),
+                      kinematics_sheets(machine), names_of(expected));
+    expect_values(run, expected, 1e-6);
+  }
+}
+
+TEST(KinematicChain, AFilledOneMovesAsTraori) {
+  for (const MisbelievedMachine& machine : misbelieved_machines()) {
+    SCOPED_TRACE(machine.name);
+    const auto run = [&](const std::string& on) {
+      return run_on_sheets("T1 M6\nG54 D1\n" + on +
+                               "\nG0 X30 Y-20 Z10\nA3=0.2 B3=-0.1 C3=1\nR1=$AA_IM[X] "
+                               "R2=$AA_IM[Y] R3=$AA_IM[Z]",
+                           kinematics_sheets(machine), {"R1", "R2", "R3"});
+    };
+    const MeasuringRun by_carrier = run("TRAORI");
+    const MeasuringRun by_chain = run("TRAFOON(\"SHEET\")");
+    EXPECT_EQ(by_chain.alarm(), 0) << by_chain.output.errors;
+    for (const char* const name : {"R1", "R2", "R3"}) {
+      EXPECT_NEAR(by_chain.at(name), by_carrier.at(name), 1e-9);
+    }
+  }
+}
+
 /// Measured, then measured again: nothing is left.
 TEST(KinematicChain, ItsElementsTakeWhatIsMeasured) {
   for (const MisbelievedMachine& machine : misbelieved_machines()) {
@@ -214,6 +262,34 @@ TEST(KinematicChain, WhatIsWrongIsSaid) {
   for (const Fault& fault : kFaults) {
     expect_refused(fault);
   }
+}
+
+/// A head whose chain is open: what it is off the reference goes before its first axis.
+TEST(KinematicChain, AHeadIsAdaptedToTheReference) {
+  const MisbelievedMachine machine = misbelieved_machines().at(4);
+  const std::string open = "$NT_CNTRL[1]=128 $NT_CORR_ELEM_T[1,2]=\"T1\"\n";
+  std::vector<ExpectedValue> expected;
+  for (int k = 0; k < 3; ++k) {
+    expected.push_back({fmt::format("R{}", 1 + k), machine.vectors[0][k]});
+    expected.push_back({fmt::format("R{}", 4 + k), machine.vectors[1][k]});
+    expected.push_back({fmt::format("R{}", 7 + k), machine.vectors[2][k]});
+  }
+  // As with a tool carrier: Z of the axes stays as entered by the reference head.
+  expected[6].value -= 0.4;
+  expected[7].value += 0.4;
+  const std::string kept =
+      "R1=$TC_CARR1[1001] R2=$TC_CARR2[1001] R3=$TC_CARR3[1001] R4=$TC_CARR4[1001] "
+      "R5=$TC_CARR5[1001] R6=$TC_CARR6[1001] R7=$TC_CARR15[1001] R8=$TC_CARR16[1001] "
+      "R9=$TC_CARR17[1001]\n";
+  const std::string wrong =
+      "$NK_OFF_DIR[4,2]=219 $NK_OFF_DIR[7,2]=-0.4 $NK_OFF_DIR[10,2]=-219.8\nG0 X0 Y0 Z15.5\n";
+  const MeasuringRun run =
+      run_on_sheets(chain_text(machine.believed) + open +
+                        over_the_ball(measured(machine, "CHAIN", 11401) + wrong +
+                                      measured(machine, "CHAIN", 11402) + kept),
+                    kinematics_sheets(machine), names_of(expected));
+  EXPECT_EQ(run.alarm(), 0) << run.output.errors;
+  expect_values(run, expected, 1e-6);
 }
 
 /// The table's chain ends elsewhere than at its beginning: open it has another I4, closed behind an

@@ -1,7 +1,9 @@
 // CYCLE9960 and CYCLE996 on machines whose control believes what is nearly true.
 
+#include <cmath>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -280,6 +282,30 @@ TEST(Kinematics, SingleStepsMayNormaliseAndLeaveTheChainOpen) {
   expect_vectors(run_on_sheets(over_the_ball(steps(400) + "CYCLE996(0,1,1)"),
                                kinematics_sheets(machine), results()),
                  believed, false);
+}
+
+/// An axis that is turned by hand stands where S_SETV0 says: as told by its encoder the same, a
+/// degree off another machine.
+TEST(Kinematics, SingleStepsTakeThePositionsOfAxesTurnedByHand) {
+  const MisbelievedMachine machine = misbelieved_machines().at(4);
+  const auto by_hand = [&](double off) {
+    std::string text = "$TC_CARR37[1]=110\n";
+    for (const auto& [variant, c, a] :
+         {std::tuple(10401, 120, 30), std::tuple(10402, 180, 30), std::tuple(10403, 240, 30),
+          std::tuple(20401, 0, 0), std::tuple(20402, 0, 30), std::tuple(20403, 0, 90)}) {
+      std::string step = head_step(variant, c, a);
+      const std::string without = ",1,1,25,0,,";
+      const std::size_t at = step.find(without);
+      EXPECT_NE(at, std::string::npos) << step;
+      text += step.replace(at, without.size(), fmt::format(",1,1,25,0,{},{}", c + off, a));
+    }
+    return run_on_sheets(over_the_ball(text + "CYCLE996(1000,1,1)"), kinematics_sheets(machine),
+                         results());
+  };
+  expect_vectors(by_hand(0.0), machine.vectors);
+  // The head is found turned by that degree: of I2 = (0, 13) and I3 = (0, -8), whose part along
+  // axis 2 goes to I2.
+  EXPECT_NEAR(std::abs(by_hand(1.0).at("$TC_CARR4[1]")), (13.0 - 8.0) * 0.0174524, 1e-4);
 }
 
 TEST(Kinematics, ReferenceHeadAndHeadsThatAreAdaptedToIt) {

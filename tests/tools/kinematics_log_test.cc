@@ -3,6 +3,7 @@
 
 #include <regex>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -72,6 +73,35 @@ TEST(KinematicsLog, SaysWhatWasMeasuredAndTheVectors) {
       std::regex_replace(run.output.document.at("files").value("LOG.TXT", "missing"),
                          std::regex("[0-9]{2}:[0-9]{2}:[0-9]{2}"), "hh:mm:ss");
   EXPECT_TRUE(log.ends_with(kResults)) << log;
+}
+
+const char* const kByData = R"(TRAORI(1):                  X [mm]      Y [mm]      Z [mm]
+TRAFO5_PART_OFFSET_1        0.00000    -5.00000  -220.05000
+TRAFO5_BASE_TOOL_1          0.00000    -8.00000   220.05000
+TRAFO5_JOINT_OFFSET_1       0.00000    13.00000     0.00000
+)";
+
+/// Where machine data say of TRAORI(1) what the machine is, the log has the vectors under their
+/// names, too.
+TEST(KinematicsLog, NamesTheMachineDataOfTheTransformation) {
+  const MisbelievedMachine machine = misbelieved_machines().at(4);
+  std::string steps;
+  for (const auto& [variant, c, a] :
+       {std::tuple(10401, 120, 30), std::tuple(10402, 180, 30), std::tuple(10403, 240, 30),
+        std::tuple(20401, 0, 0), std::tuple(20402, 0, 30), std::tuple(20403, 0, 90)}) {
+    steps += head_step(variant, c, a);
+  }
+  const auto log_of = [&](const std::string& type) {
+    const MeasuringRun run = run_on_sheets(
+        over_the_ball("CYCLE150(10,1001,\"LOG.TXT\")\n" + steps + type + "CYCLE996(10000000,1,1)"),
+        kinematics_sheets(machine), {});
+    EXPECT_EQ(run.output.exit_code, 0) << run.output.errors;
+    return run.output.document.at("files").value("LOG.TXT", std::string("missing"));
+  };
+  const std::string log = log_of("$MC_TRAFO_TYPE_1=24\n");
+  EXPECT_TRUE(log.ends_with(kByData)) << log;
+  EXPECT_EQ(log_of("").find("TRAORI(1)"), std::string::npos);
+  EXPECT_EQ(log_of("$MC_TRAFO_TYPE_1=40\n").find("TRAORI(1)"), std::string::npos);
 }
 
 /// The last file that a name is part of.
