@@ -71,6 +71,48 @@ TEST(SpindleAngle, IsTheShaftsDistanceFromTheBallOverTheirHeight) {
       1e-6);
 }
 
+/// A spindle that looks along Y or X: the same deviations along the axes of the plane.
+TEST(SpindleAngle, IsMeasuredInTheOtherPlanesToo) {
+  const double c = std::atan(0.05 / 100.0) * kDegrees;
+  const double d = std::atan(0.02 / 100.0) * kDegrees;
+  struct Plane {
+    std::string machine;
+    std::string frame;  ///< where the control has the ball, by how the head truly holds the probe
+    std::string code;
+    std::string stands;
+    std::string above;
+  };
+  const std::string axes =
+      "[machine.axes.A]\ntravel = [-120.0, 120.0]\ncentre = [0.0, 0.0, 100.0]\n"
+      "[machine.axes.B]\ntravel = [-120.0, 120.0]\ncentre = [0.0, 0.0, 100.0]\n";
+  const Plane planes[] = {{"[machine]\ntable_side = \"\"\ntool_side = \"XYZAB\"\n" + axes,
+                           "$P_UIFR[2]=CTRANS(X,100,Y,150,Z,-400)", "G18",
+                           fmt::format("A={:.12f} B={:.12f}", -90.0 - c, -d), "X0 Z0 Y"},
+                          {"[machine]\ntable_side = \"\"\ntool_side = \"XYZBA\"\n" + axes,
+                           "$P_UIFR[2]=CTRANS(X,200,Y,50,Z,-400)", "G19",
+                           fmt::format("B={:.12f} A={:.12f}", 90.0 + d, c), "Y0 Z0 X"}};
+  for (const Plane& plane : planes) {
+    SCOPED_TRACE(plane.code);
+    const std::string whole = kTiltedSpindle;
+    const std::string probe = whole.substr(whole.find("[tools.1]"));
+    const MeasuringRun run =
+        run_measuring("G0 Z300\n" + plane.frame + "\nD0 G0 " + plane.stands + "\n" + plane.code +
+                          " G55 D1\nG0 " + plane.above + "=60\n" + plane.above.substr(6) +
+                          "=15.5\nCYCLE995(102015,0,1,25,3,5,0,,100)",
+                      {ball(), kCalibrated, plane.machine + probe},
+                      {"_OVR[2]", "_OVR[3]", "_OVR[4]", "_OVR[7]", "_OVR[8]", "_OVR[14]"});
+    EXPECT_EQ(run.alarm(), 0) << run.output.errors;
+    expect_values(run,
+                  {{"_OVR[2]", c},
+                   {"_OVR[3]", d},
+                   {"_OVR[4]", 100.0},
+                   {"_OVR[7]", 0.05},
+                   {"_OVR[8]", 0.02},
+                   {"_OVR[14]", 25.0}},
+                  1e-6);
+  }
+}
+
 TEST(SpindleAngle, IsZeroWhereTheSpindleIsTrueWhateverTheShaft) {
   // A bent shaft turns with the spindle: what it is off lies in the direction of each touch.
   const char* const bent = "[[probe.ball]]\nat = [0.3, -0.2, 100.0]\ndiameter = 4.0\n";
