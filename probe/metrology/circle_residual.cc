@@ -49,7 +49,10 @@ double CircleResidual::cyclic_at(std::size_t axis, double screw) const {
 }
 
 Eigen::Vector2d CircleResidual::screws_at(const Eigen::Vector2d& q) const {
-  Eigen::Vector2d at = errors_.centre + axes_ * q;
+  // What the scales take or give is partly what the speed takes from the radius: where the table is
+  // recorded the screw has truly been.
+  Eigen::Vector2d at = errors_.centre + q;
+  at.x() -= errors_.squareness * q.y();
   for (const std::size_t axis : {0U, 1U}) {
     const auto i = static_cast<Eigen::Index>(axis);
     at[i] -= 0.5 * errors_.backlash.at(axis);

@@ -21,8 +21,9 @@ namespace g31::metrology {
 ///
 /// with tau = tau_X - tau_Y and x, y in c_X and c_Y where the screws stand.  A screw is where the
 /// axis is recorded when it has come from below, and half the backlash below the middle of both
-/// ways: so backlash counts in set-up sheets, too.  The residual takes this back, to all orders but
-/// for the products of cyclic errors with scale and squareness, so that what the model describes
+/// ways: so backlash counts in set-up sheets, too.  Scales do not move it: they hold what the speed
+/// takes from the radius, which is no error of a scale.  The residual takes this back, to all
+/// orders but for the products of cyclic errors with scales, so that what the model describes
 /// leaves nothing.  To first order it is the model of Delta r(theta) that books on circular tests
 /// give; what the speed takes from the radius counts as scale.  beta is by the way that Y truly
 /// goes, so that speed does not change it.
@@ -32,7 +33,7 @@ class CircleResidual {
 
   /// The sample with all errors but those of the radius taken away, from the centre.
   [[nodiscard]] Eigen::Vector2d corrected(const Eigen::Vector2d& p) const;
-  /// Where the screws of the axes stand at a sample, but for where their scales begin.
+  /// Where the screws of the axes stand at a sample, but for the errors of their scales.
   [[nodiscard]] Eigen::Vector2d axes_at(const Eigen::Vector2d& p) const;
   /// How far such a point lies outside the circle.
   [[nodiscard]] double outside(const Eigen::Vector2d& corrected) const;
