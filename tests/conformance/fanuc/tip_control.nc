@@ -477,8 +477,8 @@ M30
 (EXPECT ALARM 5420 AT 5)
 (EXPECT #100 = 0)
 
-(CASE alarm: a tool whose reference direction is not Z)
-(PARAMETER 19697 = 1)
+(CASE alarm: a reference direction that is none)
+(PARAMETER 19697 = 4)
 %
 O1
 #100=0
@@ -489,8 +489,8 @@ M30
 (EXPECT ALARM 5420 AT 5)
 (EXPECT #100 = 0)
 
-(CASE alarm: angles of the reference direction)
-(PARAMETER 19698 = 10)
+(CASE alarm: an angle of the reference direction that is none)
+(PARAMETER 19698 = 400)
 %
 O1
 #100=0
@@ -501,7 +501,7 @@ M30
 (EXPECT ALARM 5420 AT 5)
 (EXPECT #100 = 0)
 
-(CASE alarm: a hypothetical axis)
+(CASE alarm: a hypothetical axis that is one of the machine)
 (PARAMETER 19696.1 = 1)
 %
 O1
@@ -513,8 +513,8 @@ M30
 (EXPECT ALARM 5420 AT 5)
 (EXPECT #100 = 0)
 
-(CASE alarm: a reference direction that is not Z, in a tilted plane)
-(PARAMETER 19697 = 2)
+(CASE alarm: a reference direction that is none, in a tilted plane)
+(PARAMETER 19697 = 4)
 %
 O1
 #100=0
