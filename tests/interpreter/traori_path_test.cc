@@ -124,6 +124,42 @@ TEST(TraoriPath, CompensationKeepsTheRadiusWhileTheAxesTurn) {
   }
 }
 
+/// PTP: the axes go straight to where the tip is wanted; with CP the tip goes straight again.
+TEST(TraoriPath, PointToPointTheAxesGoStraight) {
+  for (const Machine& m : machines()) {
+    SCOPED_TRACE(m.name);
+    const std::string begin = "T1 M6\nG54 D1\nTRAORI\nG0 X30 Y-20 Z10" + turned(m, 10) + "\n";
+    const std::string there = "X-15 Y40 Z25" + turned(m, 50) + "\n";
+    for (const char* const motion : {"G0 ", "G1 F3000 "}) {
+      const TracedRun run(m, begin + "PTP\n" + motion + there);
+      const std::vector<AxisPositions> way = run.between(10.0001, 49.9999);
+      ASSERT_GT(way.size(), 20U);
+      const AxisPositions along = way.back() - way.front();
+      double worst = 0.0;
+      double bent = 0.0;
+      for (const AxisPositions& q_M : way) {
+        const AxisPositions from_front = q_M - way.front();
+        const double part = from_front.dot(along) / along.squaredNorm();
+        worst = std::max(worst, (from_front - part * along).cwiseAbs().maxCoeff());
+        const Point p = run.tip_at(q_M) - Point(30, -20, 10);
+        const Point line = Point(-45, 60, 15).normalized();
+        bent = std::max(bent, (p - p.dot(line) * line).norm());
+      }
+      EXPECT_LT(worst, 1e-9);
+      EXPECT_GT(bent, 1.0) << "the tip goes along a curve";
+      EXPECT_LT((run.tip_at(run.moves.back().q_M_to) - Point(-15, 40, 25)).norm(), 1e-9);
+    }
+    const TracedRun again(m, begin + "PTP\nCP\nG1 F3000 " + there);
+    double worst = 0.0;
+    for (const AxisPositions& q_M : again.between(10.0001, 49.9999)) {
+      const Point p = again.tip_at(q_M) - Point(30, -20, 10);
+      const Point line = Point(-45, 60, 15).normalized();
+      worst = std::max(worst, (p - p.dot(line) * line).norm());
+    }
+    EXPECT_LT(worst, 1e-9);
+  }
+}
+
 TEST(TraoriPath, RoundingsAreThoseOfThePartAndTheAxesTurnOnOverThem) {
   constexpr double kCornerMm = 3.0;
   for (const Machine& m : machines()) {

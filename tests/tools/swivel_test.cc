@@ -350,6 +350,52 @@ TEST(Swivel, TraoriHoldsTheTipAsTheSpecificationWorksItOut) {
   }
 }
 
+/// Of two ways to stand for a direction STAT takes the nearer or the other one, TU the side of 0.
+/// The direction is that of the specification's tilted plane I35 J-25.
+TEST(Swivel, PointToPointStatAndTuSayHowTheAxesStand) {
+  const std::string to = "A3=-0.242403876506104 B3=0.346188613058634 C3=0.906307787036650";
+  struct Row {
+    std::string words;
+    double a;
+    double c;
+  };
+  const Row rows[] = {{"CP " + to, -25, 35},
+                      {"PTP " + to, -25, 35},
+                      {"PTP STAT=0 " + to, -25, 35},
+                      {"PTP STAT=1 " + to, 25, -145},
+                      {"CP STAT=1 " + to, -25, 35},
+                      {"PTP STAT='B1' TU='B000000' " + to, 25, 215},
+                      {"PTP STAT=1 TU=32 " + to, 25, -145},
+                      {"PTP TU=32 " + to, -25, -325},
+                      {"PTP TU='B1000' " + to, -25, 35},
+                      // STAT stays, TU does not.
+                      {"PTP STAT=1 TU=0 " + to + "\nA0 C0\n" + to, 25, -145},
+                      // The axes go no further than 110 degrees: TU finds no other turn of A.
+                      {"PTP TU=0 " + to, -25, 35}};
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.words);
+    const MeasuringRun run =
+        run_on_sheets("T1 M6\nG54 D1\nTRAORI\nG0 X10 Y20 Z30\n" + row.words +
+                          "\nR1=$AA_IM[A] R2=$AA_IM[C] R3=$AA_IW[X] R4=$AA_IW[Y] R5=$AA_IW[Z]",
+                      {five_axis_sheet(k1(), kG54K1, {{'A', {-120, 120}}, {'C', {-360, 360}}})},
+                      {"R1", "R2", "R3", "R4", "R5"});
+    EXPECT_EQ(run.alarm(), 0) << run.output.errors;
+    expect_values(run, {{"R1", row.a}, {"R2", row.c}, {"R3", 10.0}, {"R4", 20.0}, {"R5", 30.0}},
+                  1e-9);
+  }
+  // An axis that goes round and round takes the shorter way, whatever TU says.
+  const MeasuringRun endless = run_on_sheets(
+      "T1 M6\nG54 D1\nTRAORI\nG0 X10 Y20 Z30\nPTP STAT=1 TU=0 " + to + "\nR2=$AA_IM[C]",
+      {k1_sheet()}, {"R2"});
+  expect_values(endless, {{"R2", -145.0}}, 1e-9);
+  for (const char* const wrong : {"STAT=2 X5", "TU=64 X5", "TU=0.5 X5"}) {
+    const MeasuringRun run = run_on_sheets(
+        "T1 M6\nG54 D1\nTRAORI\nG0 X1\nPTP " + std::string(wrong), {k1_sheet()}, {"$AA_IW[X]"});
+    EXPECT_EQ(run.alarm(), 12560) << run.output.errors;
+    EXPECT_NEAR(run.at("$AA_IW[X]"), 1.0, 1e-9);
+  }
+}
+
 /// A machine by chance: one of the six, its lines moved and tilted.
 machine::AxisChainSetup by_chance(std::uint64_t& n, std::size_t which) {
   const auto random = [&n](double most) { return most * (2.0 * uniform({22, 6}, n++) - 1.0); };

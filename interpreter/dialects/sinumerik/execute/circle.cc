@@ -188,6 +188,9 @@ MaybeFailure move_in_space(Channel& channel, const Job& job) {
 }  // namespace
 
 MaybeFailure move_along_circle(Channel& channel, const Block& block) {
+  if (goes_by_axes(channel)) {
+    return failure(AlarmId::NotImplemented, "PTP goes with G0 and G1, a circle needs CP");
+  }
   const auto q_W_end = programmed_end(channel, block);
   const auto turns = turns_of(block);
   if (!q_W_end || !turns) {

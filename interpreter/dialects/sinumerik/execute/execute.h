@@ -51,6 +51,8 @@ struct BasicPosition {
 };
 /// TRAORI by the data of a tool carrier, and TRAFOOF.
 MaybeFailure switch_transformation_on(Channel& channel, int number, const BasicPosition& basic);
+/// STAT and TU.
+MaybeFailure take_joint_position(Channel& channel, const Block& block);
 MaybeFailure switch_transformation_off(Channel& channel);
 /// Alarm 4343: the machine data of the transformation in force are others than when it was switched
 /// on.  Source: Diagnostics Manual 11/2006, page 2-59.

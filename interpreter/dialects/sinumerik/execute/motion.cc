@@ -123,6 +123,9 @@ Result<AxisPositions, Failure> programmed_end(Channel& channel, const Block& blo
       return *wrong;
     }
   }
+  if (MaybeFailure wrong = take_joint_position(channel, block)) {
+    return *wrong;
+  }
   if (has_direction(block)) {
     if (MaybeFailure wrong = take_direction(channel, block, q_W_end)) {
       return *wrong;
@@ -247,6 +250,9 @@ MaybeFailure move_straight(Channel& channel, const Block& block) {
     path.feed_mm_min = feed.value();
   }
   take_modes(channel, path);
+  if (goes_by_axes(channel)) {
+    return travel_by_axes(channel, path, q_W_end.value());
+  }
   return has_direction(block) ? travel_with_direction(channel, path, q_W_end.value())
                               : travel_to(channel, path, q_W_end.value());
 }

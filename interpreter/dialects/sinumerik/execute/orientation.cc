@@ -21,6 +21,7 @@ constexpr Address kAngles[] = {Address::OrientationA, Address::OrientationB, Add
 constexpr int kMachine = number_in_group("ORIMKS");
 constexpr int kRollPitchYaw = number_in_group("ORIRPY");
 constexpr int kByAxes = number_in_group("ORIAXES");
+constexpr int kPointToPoint = number_in_group("PTP");
 
 /// Between two pieces of a great circle the axes go straight.
 constexpr double kPieceDeg = 1.0;
@@ -50,10 +51,50 @@ Vector3 by_angles(const Vector3& degrees, int definition) {
   return turn.col(2);
 }
 
+/// What STAT and TU ask for.  Source: Job Planning 07/2010, 6FC5398-2BP40-0BA0, page 377 (STAT 1:
+/// the positions further from where the axes stand), and NC programming 12/2019,
+/// 6FC5398-2EP40-0BA0, page 714 (TU).
+struct Stance {
+  bool is_other = false;                 ///< STAT=1
+  std::optional<unsigned> below_zero{};  ///< TU, by storage indices
+};
+
+/// The pair that is not the nearest; the nearest where there is no other.
+std::optional<machine::RotaryPair> other_pair(const machine::RotaryPairs& pairs,
+                                              const std::array<double, 2>& from,
+                                              const std::array<machine::RotaryTravel, 2>& travel) {
+  std::array<std::optional<machine::RotaryPair>, 2> each;
+  for (std::size_t i = 0; i < pairs.count; ++i) {
+    machine::RotaryPairs one;
+    one.all[0] = pairs.all.at(i);
+    one.count = 1;
+    each.at(i) = machine::least_motion(one, from, travel, 0);
+  }
+  const auto nearest = machine::least_motion(pairs, from, travel, 0);
+  for (const auto& pair : each) {
+    if (pair && nearest && pair->deg != nearest->deg) {
+      return pair;
+    }
+  }
+  return nearest;
+}
+
+/// By whole turns to the side of 0 that TU asks for, where the axis goes no further than 360
+/// degrees and gets there.
+double on_side(double deg, bool is_below, const machine::RotaryTravel& travel) {
+  constexpr double kWholeTurn = 360.0;
+  if (travel.lower < -kWholeTurn || travel.upper > kWholeTurn || (deg < 0.0) == is_below) {
+    return deg;
+  }
+  const double turned = deg + (is_below ? -kWholeTurn : kWholeTurn);
+  return turned >= travel.lower && turned <= travel.upper && (turned < 0.0) == is_below ? turned
+                                                                                        : deg;
+}
+
 /// Positions of the rotary axes for a direction in the basic coordinates; nullopt: out of reach.
 /// @param q_M_near  from where they go
 std::optional<AxisPositions> axes_for(const Channel& channel, const Vector3& direction,
-                                      const AxisPositions& q_M_near) {
+                                      const AxisPositions& q_M_near, const Stance& stance = {}) {
   const Orientation& orientation = channel.orientation;
   std::array<double, 2> from = {};
   std::array<machine::RotaryTravel, 2> travel;
@@ -66,15 +107,22 @@ std::optional<AxisPositions> axes_for(const Channel& channel, const Vector3& dir
     }
   }
   const Vector3 upright = orientation.upright(channel.plane().normal);
-  const auto pair =
-      machine::least_motion(orientation.axes->pairs_for(direction, upright), from, travel, 0);
+  const machine::RotaryPairs pairs = orientation.axes->pairs_for(direction, upright);
+  const auto pair = stance.is_other ? other_pair(pairs, from, travel)
+                                    : machine::least_motion(pairs, from, travel, 0);
   if (!pair) {
     return std::nullopt;
   }
   AxisPositions q_M = q_M_near;
   for (std::size_t i = 0; i < orientation.axes->count(); ++i) {
-    q_M[orientation.traori_vectors.axes.at(i)] =
-        pair->deg.at(i) + orientation.traori_basic_deg.at(i);
+    const int axis = orientation.traori_vectors.axes.at(i);
+    const double basic = orientation.traori_basic_deg.at(i);
+    q_M[axis] = pair->deg.at(i) + basic;
+    if (stance.below_zero) {
+      const machine::RotaryTravel whole = {travel.at(i).lower + basic, travel.at(i).upper + basic};
+      q_M[axis] = on_side(q_M[axis],
+                          ((*stance.below_zero >> static_cast<unsigned>(axis)) & 1U) != 0, whole);
+    }
   }
   return q_M;
 }
@@ -101,7 +149,62 @@ Vector3 between(const Vector3& from, const Vector3& to, double fraction) {
          std::sin(angle);
 }
 
+/// Those of a block that goes point to point.
+Stance stance_of(const Channel& channel, const Block& block) {
+  Stance stance;
+  if (goes_by_axes(channel)) {
+    stance.is_other = channel.joint_position == 1;
+    const double signs = block.words[Address::TurnSigns].value;
+    constexpr double kAllAxes = 64.0;
+    if (block.words.has(Address::TurnSigns) && signs >= 0.0 && signs < kAllAxes) {
+      stance.below_zero = static_cast<unsigned>(signs);
+    }
+  }
+  return stance;
+}
+
 }  // namespace
+
+bool goes_by_axes(const Channel& channel) {
+  return channel.group[Group::PointToPoint] == kPointToPoint && channel.orientation.chain &&
+         !is_compensation_on(channel);
+}
+
+MaybeFailure take_joint_position(Channel& channel, const Block& block) {
+  if (block.words.has(Address::JointPosition)) {
+    const double value = block.words[Address::JointPosition].value;
+    if (value != 0.0 && value != 1.0) {
+      return failure(AlarmId::ValueOutOfLimits, "STAT is 0 or 1");
+    }
+    channel.joint_position = static_cast<int>(value);
+  }
+  const double signs = block.words[Address::TurnSigns].value;
+  if (block.words.has(Address::TurnSigns) &&
+      !(signs >= 0.0 && signs < 64.0 && signs == std::floor(signs))) {
+    return failure(AlarmId::ValueOutOfLimits, "TU has six bits, one for each axis");
+  }
+  return std::nullopt;
+}
+
+MaybeFailure travel_by_axes(Channel& channel, const path::PathBlock& path,
+                            const AxisPositions& q_W_end) {
+  if (MaybeFailure wrong = finish_motion(channel)) {
+    return wrong;
+  }
+  const AxisPositions q_P_end = channel.to_path(q_W_end);
+  if (MaybeFailure outside = out_of_reach(channel, q_P_end)) {
+    return outside;
+  }
+  path::PathBlock of_axes = path;
+  of_axes.q_M_end = channel.to_machine(q_W_end);
+  of_axes.of_axes = true;
+  const Plane plane = channel.plane();
+  if (const auto fault = channel.outlet.move(of_axes, {plane.first, plane.second})) {
+    return from_fault(*fault);
+  }
+  channel.arrived_at_programmed(q_W_end, q_P_end);
+  return std::nullopt;
+}
 
 bool has_direction(const Block& block) {
   return has_any(block, kVector) || has_any(block, kAngles);
@@ -124,7 +227,8 @@ MaybeFailure take_direction(const Channel& channel, const Block& block, AxisPosi
   if (channel.group[Group::Orientation] != kMachine) {
     direction = channel.active_frame().turn() * direction;
   }
-  const auto q_M = axes_for(channel, direction, channel.machine_position());
+  const auto q_M =
+      axes_for(channel, direction, channel.machine_position(), stance_of(channel, block));
   if (!q_M) {
     return failure(AlarmId::CarrierNotReached, "the programmed orientation");
   }

@@ -30,6 +30,13 @@ Result<std::vector<AxisPositions>, Failure> pieces_of_turn(Channel& channel,
 MaybeFailure travel_with_direction(Channel& channel, const path::PathBlock& path,
                                    const AxisPositions& q_W_end);
 
+/// Whether PTP lets the axes go straight: with TRAORI, without G41 and G42.
+bool goes_by_axes(const Channel& channel);
+/// PTP: the axes go straight to where the block ends.
+/// @param path  as it would be without
+MaybeFailure travel_by_axes(Channel& channel, const path::PathBlock& path,
+                            const AxisPositions& q_W_end);
+
 // Source of coupled axes: SINUMERIK job planning, coupled motion: the following axis adds the way
 // of the leading one, by the factor, to its own.
 

@@ -74,6 +74,7 @@ struct ChannelState {
   Spindle spindle;                        ///< the master spindle
   std::map<int, Spindle> other_spindles;  ///< by number, all others that programs have named
   AxisSettings axis_settings;
+  int joint_position = 0;  ///< STAT
   double master_spindle = 1.0;
   std::optional<int> tool_spindle;  ///< its number, as the sheet says
 
