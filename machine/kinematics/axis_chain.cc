@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include "machine/units/units.h"
 
@@ -48,22 +49,39 @@ std::optional<AxisPositions> AxisChain::axes_for(const Point& p_P_tip,
     q_M.head<kLinearAxisCount>() = p_P_tip - p_T_tip_;
     return q_M;
   }
-  // The place depends on the linear axes in straight lines: these are their directions for the
-  // part.
-  Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
+  const auto [directions, p_P_origin] = linear_motion(q_M);
+  if (std::abs(directions.determinant()) < kLeastSpan) {
+    return std::nullopt;
+  }
+  q_M.head<kLinearAxisCount>() = directions.inverse() * (p_P_tip - p_P_origin);
+  return q_M;
+}
+
+AxisPositions AxisChain::axes_near(const Point& p_P_tip, const AxisPositions& q_M_turned) const {
+  if (auto q_M = axes_for(p_P_tip, q_M_turned)) {
+    return *std::move(q_M);
+  }
+  AxisPositions q_M = q_M_turned;
+  const auto [directions, p_P_origin] = linear_motion(q_M_turned);
+  q_M.head<kLinearAxisCount>() =
+      directions.completeOrthogonalDecomposition().solve(p_P_tip - p_P_origin);
+  return q_M;
+}
+
+AxisChain::LinearMotion AxisChain::linear_motion(const AxisPositions& q_M_turned) const {
+  AxisPositions q_M = q_M_turned;
+  q_M.head<kLinearAxisCount>().setZero();
+  LinearMotion linear;
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   for (const char axis : setup_.table_side + setup_.tool_side) {
     if (is_rotary(axis)) {
       motion = motion * joint(axis, q_M);
     } else {
-      directions.col(axis_index(axis)) = motion.linear().col(axis_index(axis));
+      linear.directions.col(axis_index(axis)) = motion.linear().col(axis_index(axis));
     }
   }
-  if (std::abs(directions.determinant()) < kLeastSpan) {
-    return std::nullopt;
-  }
-  q_M.head<kLinearAxisCount>() = directions.inverse() * (p_P_tip - motion * p_T_tip_);
-  return q_M;
+  linear.p_P_origin = motion * p_T_tip_;
+  return linear;
 }
 
 Point AxisChain::tool_vector(const AxisPositions& q_M) const {
@@ -109,6 +127,20 @@ Eigen::Isometry3d AxisChain::part_from_machine(const AxisPositions& q_M) const {
   Eigen::Isometry3d motion = along(setup_.table_side, q_M);
   motion.translate(-carried_M);
   return motion;
+}
+
+Eigen::Isometry3d AxisChain::part_from_link(std::size_t link, const AxisPositions& q_M) const {
+  return along((setup_.table_side + setup_.tool_side).substr(0, link), q_M);
+}
+
+std::optional<std::size_t> link_on_axis(const AxisChainSetup& setup, char axis) {
+  const std::size_t below = setup.table_side.find(axis);
+  if (below != std::string::npos) {
+    return below;
+  }
+  const std::size_t above = setup.tool_side.find(axis);
+  return above == std::string::npos ? std::nullopt
+                                    : std::optional(setup.table_side.size() + above + 1);
 }
 
 }  // namespace g31::machine

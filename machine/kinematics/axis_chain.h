@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -68,6 +69,11 @@ class AxisChain {
   [[nodiscard]] std::optional<AxisPositions> axes_for(const Point& p_P_tip,
                                                       const AxisPositions& q_M_turned) const;
 
+  /// The linear axes whose tool tip comes nearest to a place of the part, those that are not in the
+  /// chain at 0; where the tip gets there, the same as axes_for.
+  [[nodiscard]] AxisPositions axes_near(const Point& p_P_tip,
+                                        const AxisPositions& q_M_turned) const;
+
   /// The tool tip from the gauge point as the axes that carry the tool turn it, mm, along the axes
   /// of the machine.
   [[nodiscard]] Point tool_vector(const AxisPositions& q_M) const;
@@ -78,7 +84,18 @@ class AxisChain {
   /// From the frame of the machine to that of the part.
   [[nodiscard]] Eigen::Isometry3d part_from_machine(const AxisPositions& q_M) const;
 
+  /// The same from the frame of a link: what that many axes lie between the part and.  Link 0 is
+  /// the part itself, the last one holds the tool; all frames are one when all axes stand at 0.
+  [[nodiscard]] Eigen::Isometry3d part_from_link(std::size_t link, const AxisPositions& q_M) const;
+
  private:
+  /// How the place of the tip depends on the linear axes: in straight lines.
+  struct LinearMotion {
+    Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();  ///< a column each; zero: not in it
+    Point p_P_origin = Point::Zero();                      ///< the tip with all of them at 0
+  };
+
+  [[nodiscard]] LinearMotion linear_motion(const AxisPositions& q_M_turned) const;
   [[nodiscard]] Eigen::Isometry3d joint(char axis, const AxisPositions& q_M) const;
   [[nodiscard]] Eigen::Isometry3d along(const std::string& axes, const AxisPositions& q_M) const;
 
@@ -86,6 +103,15 @@ class AxisChain {
   Point p_T_tip_;
   bool has_rotary_axes_;
 };
+
+/// The link of a chain that an axis carries: on the table's side what is between it and the part.
+/// nullopt: the axis is not in the chain.
+std::optional<std::size_t> link_on_axis(const AxisChainSetup& setup, char axis);
+
+/// What neither table nor tool moves.
+inline std::size_t link_of_bed(const AxisChainSetup& setup) {
+  return setup.table_side.size();
+}
 
 /// Five times the worst error of a place through axes_for and for_part, seen over 12 000 positions
 /// of six machines; tests/machine/kinematics_test.cc holds it.

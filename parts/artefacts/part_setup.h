@@ -24,6 +24,7 @@ struct PartSetup {
   double scale = 1.0;             ///< > 0: factor of all lengths of a file
   bool is_closed = true;          ///< of a file: meant to be the surface of solids
   bool is_fixture = false;        ///< a clamp or vice, which nothing may touch
+  std::string mount = "table";    ///< what carries it: also "bed" or the letter of an axis
   std::string shape;              ///< "ring", ...; the table of shapes is artefacts/shapes.def
   std::map<std::string, double> sizes;  ///< mm; the names a shape takes stand in its row
   ShapeProfile profile;                 ///< of shapes that take one

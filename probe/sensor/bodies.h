@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -28,7 +29,8 @@ enum class Mount {
   TurretPlace,  ///< the same on a lathe
   Table,        ///< goes along with the part
   WorkSpindle,  ///< the same on a lathe
-  Bed,          ///< stands; it is seen from the table, so only where no table turns
+  Bed,          ///< what the turning tables stand on: what of the machine no linear axis moves
+  Link,         ///< a link of the chain of axes: a body of the machine
 };
 
 constexpr bool is_on_tool_side(Mount mount) {
@@ -62,9 +64,10 @@ struct ToolBody {
 /// A body on the work's side, where it stands.
 struct ProbedPart {
   std::string name;
-  parts::Mesh mesh_M;  ///< mm, machine frame
+  parts::Mesh mesh_M;  ///< mm, machine frame; what axes carry, where these stand at 0
   Role role = Role::Part;
   Mount mount = Mount::Table;
+  std::size_t link = 0;  ///< of the chain of axes, mounted there
   bool is_solid = true;  ///< its mesh is the surface of a solid: there is an inside
   /// What balls and sensors meet instead of the mesh, which stands for it (contact_mesh.h).
   std::optional<parts::Sphere> sphere_M = std::nullopt;

@@ -10,7 +10,7 @@
 namespace g31::probe {
 namespace {
 
-void add(ToolObstacles::Group& group, const ProbedPart& part, const CollisionMesh& mesh) {
+void add_to(ToolObstacles::Group& group, const ProbedPart& part, const CollisionMesh& mesh) {
   group.meshes.push_back(mesh);
   group.names.push_back(part.name);
 }
@@ -24,19 +24,13 @@ CentreWay way_of_tip(const Point& p_T_tip, const machine::Sweep& sweep) {
   return way;
 }
 
-ToolObstacles::ToolObstacles(const std::vector<ProbedPart>& parts,
-                             const std::vector<CollisionMesh>& meshes) {
-  G31_EXPECTS(parts.size() == meshes.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const ProbedPart& part = parts[i];
-    if (part.role == Role::SensingTarget) {
-      continue;
-    }
-    const CollisionMesh& mesh = meshes[i];
-    add(of_holders, part, mesh);
-    if (encounter_of(Role::Cutter, part.role, machine::Travel::Feed) == Encounter::Obstacle) {
-      add(of_cutters, part, mesh);
-    }
+void ToolObstacles::add(const ProbedPart& part, const CollisionMesh& mesh) {
+  if (part.role == Role::SensingTarget) {
+    return;
+  }
+  add_to(of_holders, part, mesh);
+  if (encounter_of(Role::Cutter, part.role, machine::Travel::Feed) == Encounter::Obstacle) {
+    add_to(of_cutters, part, mesh);
   }
 }
 

@@ -26,9 +26,9 @@ struct ToolObstacles {
   Group of_cutters;  ///< what is not there to be cut
   Group of_holders;  ///< these and all parts
 
-  /// @param parts  the plates of tool probes among them count not: those answer for themselves
-  /// @param meshes  of the same parts
-  ToolObstacles(const std::vector<ProbedPart>& parts, const std::vector<CollisionMesh>& meshes);
+  /// The plates of tool probes count not: those answer for themselves.
+  /// @param mesh  of the same part
+  void add(const ProbedPart& part, const CollisionMesh& mesh);
 };
 
 /// The tool in the spindle among parts and clamps, where it is no touch probe: it cuts parts and

@@ -55,7 +55,7 @@ ToolProbe::ToolProbe(const ToolProbeSetup& setup, std::shared_ptr<const ToolRack
       R_MT_(parts::rotation_to_machine({Point::Zero(), setup.rotate_deg})),
       is_round_(setup.shape != ToolProbeShape::Cube),
       chips_(std::move(place.chips)),
-      bed_(std::move(place.chain)),
+      bed_(std::move(place.carrier)),
       seed_(seed),
       stream_(kFirstToolProbeStream + index),
       spindle_(seed) {
@@ -104,7 +104,7 @@ void ToolProbe::take(const machine::MachineEvent& event) {
     if (change->spindle == kToolSpindle) {
       held_ = rack_->called(change->tool);
       if (held_ != nullptr) {
-        bed_.take_tool(held_->shape.p_T_tip);
+        bed_.take_tool(held_->shape.p_T_tip, held_->shape.reach_mm);
       }
     }
   } else if (const auto* const turn = std::get_if<machine::SpindleTurn>(&event)) {
@@ -205,7 +205,7 @@ bool ToolProbe::is_on(const machine::Waypoint& at) const {
 }
 
 bool ToolProbe::signals_at(const machine::Waypoint& at, int input) const {
-  return is_wired(input) && held_ != nullptr && is_on(bed_.from_bed(at));
+  return is_wired(input) && held_ != nullptr && is_on(bed_.from_carrier(at));
 }
 
 double ToolProbe::trigger_shift(std::uint64_t event) const {
@@ -227,10 +227,10 @@ std::optional<machine::SkipTrigger> ToolProbe::first_signal(const machine::Way& 
   if (held_ == nullptr) {
     return rises ? std::nullopt : std::optional(machine::SkipTrigger{0.0, true, 0.0, std::nullopt});
   }
-  const std::vector<machine::Waypoint> points = bed_.from_bed(way);
+  const std::vector<machine::Waypoint> points = bed_.from_carrier(way);
   auto trigger = rises ? first_touch_along(points, to.speed_mm_s) : first_release_along(points);
   if (trigger && trigger->contact) {
-    trigger->contact = bed_.for_part(*trigger->contact, machine::points_of(way).front());
+    trigger->contact = bed_.for_part(*trigger->contact, way, trigger->fraction);
   }
   return trigger;
 }

@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "machine/kinematics/axis_chain.h"
 #include "machine/port/surroundings.h"
 #include "probe/collision/collision_mesh.h"
-#include "probe/sensor/bed_view.h"
+#include "probe/sensor/carrier_view.h"
 #include "probe/tooling/convex_cast.h"
 #include "probe/tooling/spindle.h"
 #include "probe/tooling/tool_probe_setup.h"
@@ -21,8 +20,7 @@ namespace g31::probe {
 /// What is around a tool probe.
 struct ToolProbePlace {
   std::vector<CollisionMesh> chips;  ///< lie on the plate and hand on what touches them
-  /// Of a machine under a probe on the bed; nullopt: no table turns, or the probe goes with it.
-  std::optional<machine::AxisChain> chain;
+  std::optional<Carrier> carrier;    ///< nullopt: no table turns, or the probe goes with it
 };
 
 /// A tool probe: the plate or the beam of light that gives a signal where the tool in the spindle
@@ -123,7 +121,7 @@ class ToolProbe final : public machine::Surroundings {
   std::vector<Point> normals_M_;  // of the sides that tools push
   bool is_round_ = false;         // further sides all around, across the axis of the plate
   std::vector<CollisionMesh> chips_;
-  BedView bed_;
+  CarrierView bed_;
   std::uint64_t seed_;
   std::uint32_t stream_;
   std::uint64_t triggers_asked_ = 0;

@@ -17,9 +17,9 @@ std::optional<machine::Obstacle> ToolProbe::first_obstacle(const machine::Way& w
   if (held_ == nullptr || setup_.shape == ToolProbeShape::Laser) {
     return std::nullopt;
   }
-  auto obstacle = obstacle_along(bed_.from_bed(way), travel);
+  auto obstacle = obstacle_along(bed_.from_carrier(way), travel);
   if (obstacle) {
-    obstacle->contact = bed_.for_part(obstacle->contact, machine::points_of(way).front());
+    obstacle->contact = bed_.for_part(obstacle->contact, way, obstacle->fraction);
   }
   return obstacle;
 }

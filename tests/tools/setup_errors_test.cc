@@ -404,7 +404,7 @@ const ErrorCase kStandAtTheirPlace[] = {
       |        ^
 )"},
     {"a size of a file", "[[part]]\nfile = \"ring.stl\"\nbore = 3\n",
-     R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, step_sagitta, unit, scale, closed, fixture, shape, on, at, rotate_deg, expansion, temperature, profile [SET103]
+     R"(sheet1.toml:3:1: error: unknown key bore in [[part]], which takes name, file, step_sagitta, unit, scale, closed, fixture, mount, shape, on, at, rotate_deg, expansion, temperature, profile [SET103]
     3 | bore = 3
       | ^
 )"},

@@ -183,6 +183,7 @@ unit = "cm"
 scale = 2.0
 closed = false
 fixture = true
+mount = "bed"
 at = [250.0, -180, -300.0]
 rotate_deg = [0.0, 10.0, 90.0]
 expansion = 23.0

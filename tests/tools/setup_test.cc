@@ -308,6 +308,8 @@ TEST_F(SetupReader, ProbePartsAndSignalsArrive) {
   EXPECT_TRUE(read.parts[2].is_closed);
   EXPECT_TRUE(read.parts[0].is_fixture);
   EXPECT_FALSE(read.parts[2].is_fixture);
+  EXPECT_EQ(read.parts[0].mount, "bed");
+  EXPECT_EQ(read.parts[2].mount, "table");
   EXPECT_EQ(read.parts[0].p_M_at, Point(250.0, -180.0, -300.0));
   EXPECT_EQ(read.parts[0].rotate_deg, Point(0.0, 10.0, 90.0));
   EXPECT_EQ(read.parts[0].growth.expansion, 23.0);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <regex>
 #include <set>
@@ -137,8 +138,8 @@ TEST(Still, NamesFormsThatItCanWrite) {
 
 /// A cube of 40 mm and a feed along X behind it, as seen from the front; the ball's way is longer.
 TEST(Still, AWayBehindAWallIsNotDrawnSolid) {
-  const parts::Mesh cube = box({-20, -20, -20}, {20, 20, 20});
-  const std::vector<PicturedPart> parts = {{"cube", &cube, false}};
+  const auto cube = std::make_shared<const parts::Mesh>(box({-20, -20, -20}, {20, 20, 20}));
+  const std::vector<PicturedPart> parts = {{"cube", cube, false}};
   const std::vector<Way> ways = {{PathKind::Feed, 0.0, 1.0, {{-23, 23, -18}, {23, 23, -18}}}};
   StillScene scene;
   scene.title = "a < b & \"c\"";
@@ -155,8 +156,8 @@ TEST(Still, AWayBehindAWallIsNotDrawnSolid) {
 }
 
 TEST(Still, ADeviationIsAWhiskerOfItsTrueLength) {
-  const parts::Mesh cube = box({-20, -20, -20}, {20, 20, 20});
-  const std::vector<PicturedPart> parts = {{"cube", &cube, false}};
+  const auto cube = std::make_shared<const parts::Mesh>(box({-20, -20, -20}, {20, 20, 20}));
+  const std::vector<PicturedPart> parts = {{"cube", cube, false}};
   Mark mark;
   mark.p_M = {20, 0, 0};
   mark.n_M = Point::UnitX();
@@ -254,8 +255,8 @@ TEST(TouchingBall, OfAToolIsItsTipAndHasNoDepth) {
 // In the plan: the star's three balls where they stand, and the 4 mm one where it was latched.
 TEST(Still, DrawsTheBallThatTouched) {
   const setup::Job job = star_stylus();
-  const parts::Mesh cube = box({40, -20, -20}, {80, 20, 20});
-  const std::vector<PicturedPart> parts = {{"cube", &cube, false}};
+  const auto cube = std::make_shared<const parts::Mesh>(box({40, -20, -20}, {80, 20, 20}));
+  const std::vector<PicturedPart> parts = {{"cube", cube, false}};
   const auto stylus = stylus_shape(job, 0);
   Mark mark;
   mark.p_M = {40, 0, 0};

@@ -185,17 +185,18 @@ std::optional<session::Refusal> write_page(const std::string& path, const page::
 
 std::optional<session::Refusal> deliver_page(const OpenedRun& opened,
                                              const report::RunResult& result) {
-  const page::RunPage run{result,
-                          opened.recorder,
-                          opened.sources,
-                          opened.prepared.job,
-                          opened.expectations,
-                          [&](const expect::What& what) { return value_of(opened, what); },
-                          opened.ways.ways(),
-                          opened.ways.contacts(),
-                          picture::parts_of(opened.world),
-                          command_of(opened.options),
-                          opened.other};
+  const page::RunPage run{
+      result,
+      opened.recorder,
+      opened.sources,
+      opened.prepared.job,
+      opened.expectations,
+      [&](const expect::What& what) { return value_of(opened, what); },
+      opened.ways.ways(),
+      opened.ways.contacts(),
+      picture::parts_of(opened.world, opened.prepared.job, opened.ways.shown().q_M),
+      command_of(opened.options),
+      opened.other};
   page::Report report = page::report_of(run, opened.options.language);
   if (opened.options.amend_page) {
     opened.options.amend_page(report);

@@ -59,11 +59,7 @@ picture::StillScene still_of(const setup::Job& job, const picture::WayRecorder& 
   scene.contacts = recorder.contacts();
   scene.collisions = recorder.collisions();
   scene.has_y = job.machine.axes[1].present;
-  if (!scene.collisions.empty()) {
-    scene.last = scene.collisions.back().stylus;
-  } else {
-    scene.last = scene.contacts.empty() ? recorder.stylus() : scene.contacts.back().stylus;
-  }
+  scene.last = recorder.shown();
   scene.tip_radius_mm = picture::tip_radius(job, scene.last.tool);
   return scene;
 }
@@ -78,8 +74,8 @@ Result<std::string, session::Refusal> document_of(const SceneOptions& options,
                                                   const session::World& world,
                                                   const picture::WayRecorder& recorder) {
   const std::string_view form = form_of(options.output);
-  const auto parts = picture::parts_of(world);
   picture::StillScene scene = still_of(job, recorder);
+  const auto parts = picture::parts_of(world, job, scene.last.q_M);
   const auto stylus = picture::stylus_shape(job, scene.last.tool);
   if (form == ".glb" || form == ".gltf") {
     return gltf::gltf_document(parts,

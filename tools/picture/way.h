@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "machine/units/axis_positions.h"
 #include "machine/units/point.h"
 
 namespace g31::picture {
@@ -36,6 +37,7 @@ struct StylusPlace {
   Point p_M = Point::Zero();                                 ///< mm, machine frame
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();  ///< spindle and rotary axes
   int tool = 0;  ///< the tool whose lowest point it is; 0: the probe, or the gauge point
+  AxisPositions q_M = AxisPositions::Zero();  ///< where the axes stand then
 };
 
 /// A ball of the probe, or the round end of a tool.

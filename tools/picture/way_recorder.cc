@@ -144,14 +144,21 @@ std::optional<machine::MachineFault> WayRecorder::take_late_fault() {
   return fault;
 }
 
+StylusPlace WayRecorder::shown() const {
+  if (!collisions_.empty()) {
+    return collisions_.back().stylus;
+  }
+  return contacts_.empty() ? stylus() : contacts_.back().stylus;
+}
+
 StylusPlace WayRecorder::stylus_at(const AxisPositions& q_M) const {
   if (!chain_.has_rotary_axes()) {
-    return {linear_axes(q_M) + R_MS_ * p_S_tip_, Eigen::Quaterniond(R_MS_), tool_};
+    return {linear_axes(q_M) + R_MS_ * p_S_tip_, Eigen::Quaterniond(R_MS_), tool_, q_M};
   }
   // As the touch probe sees itself: the axes carry the tip as it is without the spindle's turn.
   const machine::ToolPlace place = chain_.for_part(q_M);
   return {linear_axes(place.q) + p_S_tip_ + place.tilt * (R_MS_ * p_S_tip_ - p_S_tip_),
-          place.tilt * Eigen::Quaterniond(R_MS_), tool_};
+          place.tilt * Eigen::Quaterniond(R_MS_), tool_, q_M};
 }
 
 void WayRecorder::keep(PathKind kind, const Beginning& from) {

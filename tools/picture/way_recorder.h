@@ -73,6 +73,8 @@ class WayRecorder final : public machine::MachinePort {
   [[nodiscard]] const std::vector<Mark>& collisions() const { return collisions_; }
   /// Where it stands now.
   [[nodiscard]] StylusPlace stylus() const { return stylus_at(machine_.position()); }
+  /// Where a picture shows it: at the collision, else at the last touch, else where it stands.
+  [[nodiscard]] StylusPlace shown() const;
 
  private:
   /// Where and when a move begins.

@@ -22,11 +22,14 @@ probe::ProbeSetup perfect(const probe::ProbeSetup& setup) {
   return probe;
 }
 
-/// The highest point of all that stands there and of the stock, product frame.
+/// The highest point of all that stands on the table and of the stock, product frame.
 double top_of(const std::vector<probe::ProbedPart>& parts, const Point& p_M_product,
               const parts::Box& stock_P) {
   double top = stock_P.max.z();
   for (const probe::ProbedPart& part : parts) {
+    if (part.mount == probe::Mount::Link) {
+      continue;
+    }
     for (const Point& p_M : part.mesh_M.vertices) {
       top = std::max(top, p_M.z() - p_M_product.z());
     }

@@ -28,6 +28,9 @@ NearestPart nearest_part(const std::vector<probe::ProbedPart>& parts, const Poin
                          const Point& p_M_to) {
   NearestPart nearest;
   for (const probe::ProbedPart& part : parts) {
+    if (part.mount == probe::Mount::Link) {
+      continue;  // a body of the machine is nothing to be measured
+    }
     const double distance = probe::distance_of_way(part.mesh_M, p_M_from, p_M_to);
     if (distance < nearest.distance) {
       nearest = {part.name, distance};

@@ -8,6 +8,7 @@
 #include "parts/geometry/placement.h"
 #include "probe/sensor/chips.h"
 #include "probe/sensor/tool_probe.h"
+#include "tools/session/carried_parts.h"
 
 namespace g31::session {
 namespace {
@@ -45,12 +46,16 @@ parts::Mesh beam_mesh(const probe::ToolProbeSetup& setup) {
   return beam;
 }
 
+probe::Mount mount_of(const probe::ToolProbeSetup& setup) {
+  return setup.side == probe::ToolProbeSide::Bed ? probe::Mount::Bed : probe::Mount::Table;
+}
+
 /// What moves the part past a probe that stands on the bed.
-std::optional<machine::AxisChain> chain_under(const setup::Job& job,
-                                              const probe::ToolProbeSetup& setup) {
-  const machine::AxisChain chain = chain_of(job);
-  return setup.side == probe::ToolProbeSide::Bed && chain.has_rotary_axes() ? std::optional(chain)
-                                                                            : std::nullopt;
+std::optional<probe::Carrier> carrier_of_probe(const setup::Job& job,
+                                               const probe::ToolProbeSetup& setup) {
+  probe::ProbedPart plate;
+  plate.mount = mount_of(setup);
+  return carrier_of(job, plate);
 }
 
 probe::UnnamedTools unnamed_tools(const setup::Job& job) {
@@ -58,11 +63,12 @@ probe::UnnamedTools unnamed_tools(const setup::Job& job) {
   return stays ? probe::UnnamedTools::TouchProbe : probe::UnnamedTools::Believed;
 }
 
-}  // namespace
-
-machine::AxisChain chain_of(const setup::Job& job) {
-  return {job.machine.chain, Point::Zero()};
+std::shared_ptr<const probe::ToolRack> rack_of(const setup::Job& job) {
+  const auto number = job.probe ? job.probe->switching.tool : std::nullopt;
+  return std::make_shared<const probe::ToolRack>(job.tools, number, unnamed_tools(job));
 }
+
+}  // namespace
 
 std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup>& tool_probes) {
   std::vector<probe::ProbedPart> plates;
@@ -75,8 +81,7 @@ std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup
     const parts::Placement place{setup.p_M_at, setup.rotate_deg};
     plates.push_back({setup.name, parts::placed_mesh(mesh_P.value(), place)});
     plates.back().role = probe::Role::SensingTarget;
-    plates.back().mount =
-        setup.side == probe::ToolProbeSide::Bed ? probe::Mount::Bed : probe::Mount::Table;
+    plates.back().mount = mount_of(setup);
   }
   return plates;
 }
@@ -88,6 +93,7 @@ std::vector<probe::ProbedPart> beams_of(const std::vector<probe::ToolProbeSetup>
       const parts::Placement place{setup.p_M_at, setup.rotate_deg};
       beams.push_back({setup.name, parts::placed_mesh(beam_mesh(setup), place)});
       beams.back().role = probe::Role::SensingTarget;
+      beams.back().mount = mount_of(setup);
     }
   }
   return beams;
@@ -110,8 +116,13 @@ std::shared_ptr<const ToolParts> tool_parts_of(const setup::Job& job,
   G31_EXPECTS(meshes.empty() || meshes.size() == parts.size());
   const std::vector<probe::CollisionMesh> solids(meshes.begin(), meshes.end());
   auto made = std::make_shared<ToolParts>();
-  made->obstacles = std::make_shared<const probe::ToolObstacles>(
-      meshes.empty() ? std::vector<probe::ProbedPart>() : parts, solids);
+  auto obstacles = std::make_shared<probe::ToolObstacles>();
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    if (!carrier_of(job, parts[i])) {
+      obstacles->add(parts[i], solids[i]);
+    }
+  }
+  made->obstacles = std::move(obstacles);
   for (const probe::ToolProbeSetup& setup : job.tool_probes) {
     std::vector<probe::CollisionMesh>& chips = made->chips.emplace_back();
     for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -123,16 +134,20 @@ std::shared_ptr<const ToolParts> tool_parts_of(const setup::Job& job,
   return made;
 }
 
+std::unique_ptr<machine::Surroundings> tools_among(
+    const setup::Job& job, const std::shared_ptr<const probe::ToolObstacles>& obstacles) {
+  return std::make_unique<probe::CuttingTool>(obstacles, rack_of(job));
+}
+
 void add_tools(const setup::Job& job, const ToolParts& parts, std::uint64_t seed,
                probe::World::Sets& sets) {
   G31_EXPECTS(parts.chips.size() == job.tool_probes.size());
-  const auto number = job.probe ? job.probe->switching.tool : std::nullopt;
-  const auto rack = std::make_shared<const probe::ToolRack>(job.tools, number, unnamed_tools(job));
+  const auto rack = rack_of(job);
   sets.push_back(std::make_unique<probe::CuttingTool>(parts.obstacles, rack));
   for (std::size_t i = 0; i < job.tool_probes.size(); ++i) {
     sets.push_back(std::make_unique<probe::ToolProbe>(
         job.tool_probes[i], rack, seed, static_cast<std::uint32_t>(i),
-        probe::ToolProbePlace{parts.chips[i], chain_under(job, job.tool_probes[i])}));
+        probe::ToolProbePlace{parts.chips[i], carrier_of_probe(job, job.tool_probes[i])}));
   }
 }
 

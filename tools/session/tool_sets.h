@@ -19,12 +19,10 @@ std::vector<probe::ProbedPart> plates_of(const std::vector<probe::ToolProbeSetup
 /// The beams of lasers, for pictures: nothing meets them.
 std::vector<probe::ProbedPart> beams_of(const std::vector<probe::ToolProbeSetup>& tool_probes);
 
-/// The axes of the machine, whatever tool it holds.
-machine::AxisChain chain_of(const setup::Job& job);
-
 /// What parts are to tools, with what takes long to make; may be shared by threads.
 struct ToolParts {
-  /// Empty where neither a tool has a holder nor a part is a fixture.
+  /// Of what does not go its own way (CarriedParts).  Empty where neither a tool has a holder nor a
+  /// part is a fixture.
   std::shared_ptr<const probe::ToolObstacles> obstacles;
   /// Of each tool probe the parts that lie on its plate (chips.h).
   std::vector<std::vector<probe::CollisionMesh>> chips;
@@ -38,6 +36,10 @@ bool do_parts_matter(const setup::Job& job, const std::vector<probe::ProbedPart>
 std::shared_ptr<const ToolParts> tool_parts_of(const setup::Job& job,
                                                const std::vector<probe::ProbedPart>& parts,
                                                const probe::SeenParts& meshes);
+
+/// What the tools that the spindle may hold meet among those obstacles.
+std::unique_ptr<machine::Surroundings> tools_among(
+    const setup::Job& job, const std::shared_ptr<const probe::ToolObstacles>& obstacles);
 
 /// Puts the tools that the spindle may hold into a world, and the tool probes that measure them.
 /// @param parts  of the same job

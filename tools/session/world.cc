@@ -16,12 +16,13 @@
 #include "parts/geometry/mesh_defects.h"
 #include "parts/geometry/placement.h"
 #include "parts/import/mesh_file.h"
-#include "probe/sensor/bed_view.h"
+#include "probe/sensor/carrier_view.h"
 #include "probe/sensor/scripted_signals.h"
 #include "probe/sensor/second_probe.h"
 #include "probe/sensor/touch_probe.h"
 #include "probe/sensor/world.h"
 #include "tools/session/tool_sets.h"
+#include "tools/session/work_on_meshes.h"
 
 namespace g31::session {
 namespace {
@@ -34,67 +35,6 @@ constexpr std::uint64_t kSecondProbe = 0x5345434F4E44ULL;
 
 Refusal unusable(const source::ShownPlace& place, const std::string& why) {
   return {Ending::Setup, {}, {error_at(place, setup::SetupErrorId::PartUnusable, {why})}};
-}
-
-/// What work on meshes asks; with no end where there is no time.
-parts::GoesOn goes_on_within(const runtime::TimeBudget* time) {
-  return time == nullptr ? parts::GoesOn()
-                         : [time] { return !time->is_interrupted() && !time->is_up(); };
-}
-
-/// Why work on meshes was broken off.
-Refusal too_late(const runtime::TimeBudget& time, std::string_view with) {
-  return time.is_interrupted()
-             ? interrupted()
-             : Refusal{Ending::Budget,
-                       fmt::format("the limit of computing time is reached with {}: --max-time "
-                                   "raises it",
-                                   with)};
-}
-
-/// Parts that stand on the bed go another way past the probe where tables turn.
-bool goes_alone(const setup::Job& job, const probe::ProbedPart& part) {
-  return part.mount == probe::Mount::Bed && chain_of(job).has_rotary_axes();
-}
-
-std::shared_ptr<const probe::TouchableParts> touchable(const setup::Job& job,
-                                                       const std::vector<probe::ProbedPart>& parts,
-                                                       bool alone, const parts::GoesOn& goes_on) {
-  std::vector<probe::ProbedPart> chosen;
-  std::ranges::copy_if(parts, std::back_inserter(chosen), [&](const probe::ProbedPart& part) {
-    return goes_alone(job, part) == alone;
-  });
-  return alone && chosen.empty()
-             ? nullptr
-             : std::make_shared<const probe::TouchableParts>(*job.probe, chosen, goes_on);
-}
-
-/// The meshes of all parts in their order, as the probe has them already.
-probe::SeenParts seen_with(const setup::Job& job, const std::vector<probe::ProbedPart>& parts,
-                           const SensedParts& sensed) {
-  probe::SeenParts seen;
-  std::size_t of_table = 0;
-  std::size_t of_bed = 0;
-  for (const probe::ProbedPart& part : parts) {
-    const bool alone = goes_alone(job, part);
-    const auto& all = (alone ? sensed.on_bed : sensed.by_balls)->parts();
-    seen.push_back(all.at(alone ? of_bed++ : of_table++).mesh);
-  }
-  return seen;
-}
-
-probe::SeenParts seen_alone(const std::vector<probe::ProbedPart>& parts,
-                            const parts::GoesOn& goes_on) {
-  probe::SeenParts seen;
-  for (const probe::ProbedPart& part : parts) {
-    seen.push_back(std::make_shared<const probe::ContactMesh>(part.mesh_M, part.sphere_M, goes_on));
-  }
-  return seen;
-}
-
-/// Whether the sheet says what the spindle may hold, or what measures it.
-bool has_tools_or_tool_probes(const setup::Job& job) {
-  return !job.tools.empty() || !job.tool_probes.empty();
 }
 
 /// What of a mesh nobody has looked at; "": nothing.
@@ -143,8 +83,10 @@ void add_findings(const parts::Mesh& mesh_P, const std::string& part,
 
 /// Adds a part of the sheet to those that are made.  @returns why it cannot be made or read
 /// @throws parts::BrokenOff
-std::optional<Refusal> add_part(const parts::PartSetup& part, const source::ShownPlace& in_sheet,
+std::optional<Refusal> add_part(const setup::Job& job, std::size_t which,
                                 const parts::GoesOn& goes_on, BuiltParts& built) {
+  const parts::PartSetup& part = job.parts[which];
+  const source::ShownPlace& in_sheet = job.part_places[which];
   const auto mesh_P =
       part.shape.empty()
           ? parts::read_mesh_file(part.file, {part.step_sagitta_mm, part.unit, part.scale, goes_on})
@@ -162,46 +104,41 @@ std::optional<Refusal> add_part(const parts::PartSetup& part, const source::Show
     built.parts.back().sphere_M = parts::placed_sphere(*sphere_P, place);
   }
   built.parts.back().role = part.is_fixture ? probe::Role::Rigid : probe::Role::Part;
+  mount(built.parts.back(), part, job);
   parts::Steps(goes_on).ask();
   return std::nullopt;
 }
 
-SensedParts sensed_within(const setup::Job& job, const std::vector<probe::ProbedPart>& parts,
-                          const parts::GoesOn& goes_on) {
-  SensedParts sensed;
-  if (job.probe && !job.skip_signals) {
-    sensed.by_balls = touchable(job, parts, false, goes_on);
-    sensed.on_bed = touchable(job, parts, true, goes_on);
-    if (const auto& second = job.second_probe) {
-      sensed.by_second =
-          std::make_shared<const probe::TouchableParts>(second->probe, parts, goes_on);
-    }
-  }
-  const bool has_tools = !job.skip_signals && has_tools_or_tool_probes(job);
-  const bool for_tools = has_tools && do_parts_matter(job, parts);
-  probe::SeenParts meshes;
-  if (!job.sensors.empty() || for_tools) {
-    meshes = sensed.by_balls ? seen_with(job, parts, sensed) : seen_alone(parts, goes_on);
-  }
-  if (has_tools) {
-    sensed.by_tools = tool_parts_of(job, parts, for_tools ? meshes : probe::SeenParts());
-  }
-  if (!job.sensors.empty()) {
-    sensed.by_sensors = std::make_shared<const probe::SeenParts>(std::move(meshes));
-  }
-  return sensed;
+Point tip_of(const probe::ProbeSetup& setup) {
+  return {setup.eccentricity_mm[0], setup.eccentricity_mm[1], -setup.length_mm};
 }
 
-/// What stands on the bed while tables turn it meets as if it went along.
 std::unique_ptr<machine::Surroundings> second_probe_of(
-    const probe::ProbeSetup& first, const probe::SecondProbeSetup& second,
-    std::shared_ptr<const probe::TouchableParts> parts, std::uint64_t seed) {
-  const auto tip_of = [](const probe::ProbeSetup& setup) {
-    return Point(setup.eccentricity_mm[0], setup.eccentricity_mm[1], -setup.length_mm);
-  };
+    const setup::Job& job, std::shared_ptr<const probe::TouchableParts> parts, std::uint64_t seed) {
+  const probe::SecondProbeSetup& second = *job.second_probe;
   return std::make_unique<probe::SecondProbe>(
       std::make_unique<probe::TouchProbe>(std::move(parts), second.probe, seed ^ kSecondProbe),
-      probe::SecondProbe::Place{second.p_T_beside, tip_of(first), tip_of(second.probe)});
+      probe::SecondProbe::Place{second.p_T_beside, tip_of(*job.probe), tip_of(second.probe)});
+}
+
+/// What is met of the parts on one carrier, by each of what the machine leads.
+void add_carried(const setup::Job& job, const CarriedParts& group, std::uint64_t seed,
+                 probe::World::Sets& sets) {
+  const probe::CarriedObstacles::Place place{{chain_of(job), group.link}, group.reach_mm};
+  const auto add = [&](std::unique_ptr<machine::Surroundings> inner, const auto& at) {
+    sets.push_back(std::make_unique<probe::CarriedObstacles>(std::move(inner), at));
+  };
+  if (group.by_balls != nullptr) {
+    add(std::make_unique<probe::TouchProbe>(group.by_balls, *job.probe, seed), place);
+  }
+  if (group.by_second != nullptr) {
+    probe::CarriedObstacles::Place led = place;
+    led.p_T_led = tip_of(*job.probe);
+    add(second_probe_of(job, group.by_second, seed), led);
+  }
+  if (group.by_tools != nullptr) {
+    add(tools_among(job, group.by_tools), place);
+  }
 }
 
 }  // namespace
@@ -214,7 +151,7 @@ Result<BuiltParts, Refusal> build_parts(const setup::Job& job, const runtime::Ti
   const parts::GoesOn goes_on = goes_on_within(time);
   for (std::size_t i = 0; i < job.parts.size(); ++i) {
     try {
-      if (auto refusal = add_part(job.parts[i], job.part_places[i], goes_on, built)) {
+      if (auto refusal = add_part(job, i, goes_on, built)) {
         return *std::move(refusal);
       }
     } catch (const parts::BrokenOff&) {
@@ -223,16 +160,6 @@ Result<BuiltParts, Refusal> build_parts(const setup::Job& job, const runtime::Ti
   }
   std::ranges::move(plates_of(job.tool_probes), std::back_inserter(built.parts));
   return built;
-}
-
-Result<SensedParts, Refusal> sensed_parts(const setup::Job& job,
-                                          const std::vector<probe::ProbedPart>& parts,
-                                          const runtime::TimeBudget* time) {
-  try {
-    return sensed_within(job, parts, goes_on_within(time));
-  } catch (const parts::BrokenOff&) {
-    return too_late(*time, "the trees over the parts");
-  }
 }
 
 std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
@@ -246,18 +173,17 @@ std::unique_ptr<machine::Surroundings> surroundings_of(const setup::Job& job,
     sets.push_back(std::make_unique<probe::ScriptedSignals>(*job.skip_signals));
   } else if (job.probe) {
     sets.push_back(std::make_unique<probe::TouchProbe>(parts.by_balls, *job.probe, seed));
-    if (parts.on_bed != nullptr) {
-      sets.push_back(std::make_unique<probe::BedObstacles>(
-          std::make_unique<probe::TouchProbe>(parts.on_bed, *job.probe, seed), chain_of(job)));
-    }
     if (parts.by_second != nullptr) {
-      sets.push_back(second_probe_of(*job.probe, *job.second_probe, parts.by_second, seed));
+      sets.push_back(second_probe_of(job, parts.by_second, seed));
     }
   } else if (job.sensors.empty() && !parts.by_tools) {
     return nullptr;
   }
   if (parts.by_tools) {
     add_tools(job, *parts.by_tools, seed, sets);
+  }
+  for (const CarriedParts& group : parts.carried) {
+    add_carried(job, group, seed, sets);
   }
   auto sensors = job.sensors.empty() ? nullptr
                                      : std::make_unique<probe::DisplacementSensors>(

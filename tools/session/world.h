@@ -14,7 +14,7 @@
 #include "probe/sensor/displacement_sensors.h"
 #include "probe/sensor/touch_probe.h"
 #include "tools/session/refusal.h"
-#include "tools/session/tool_sets.h"
+#include "tools/session/sensed_parts.h"
 #include "tools/setup/job.h"
 
 namespace g31::session {
@@ -39,22 +39,6 @@ struct BuiltParts {
 /// @param time  the work ends once it is up or interrupted; null: there is no end
 Result<BuiltParts, Refusal> build_parts(const setup::Job& job,
                                         const runtime::TimeBudget* time = nullptr);
-
-/// The parts of a set-up, ready for what senses them.
-struct SensedParts {
-  std::shared_ptr<const probe::TouchableParts> by_balls;  ///< null without a probe
-  /// What of it stands on the bed while tables turn; null: nothing.
-  std::shared_ptr<const probe::TouchableParts> on_bed;
-  /// For the probe of the second spindle; null: there is none.
-  std::shared_ptr<const probe::TouchableParts> by_second;
-  std::shared_ptr<const probe::SeenParts> by_sensors;  ///< null without sensors
-  std::shared_ptr<const ToolParts> by_tools;           ///< null where the sheet names no tools
-};
-/// @returns why it took too long
-/// @param time  as there
-Result<SensedParts, Refusal> sensed_parts(const setup::Job& job,
-                                          const std::vector<probe::ProbedPart>& parts,
-                                          const runtime::TimeBudget* time = nullptr);
 
 /// What a machine of the set-up meets among parts that are made already; null: nothing.
 /// @param parts  for the probe and the sensors of the set-up

@@ -19,6 +19,7 @@
 #include "tools/setup/fill_probe.h"
 #include "tools/setup/fill_sensors.h"
 #include "tools/setup/fill_tools.h"
+#include "tools/setup/part_mounts.h"
 #include "tools/setup/part_on_offset.h"
 #include "tools/setup/table_keys.h"
 
@@ -344,6 +345,7 @@ Job fill_job(const Sheet& sheet, ErrorList& errors) {
   fill_tools(job, sheet, errors);
   fill_tool_probes(job, sheet, errors);
   job.machine = machine_from(sheet, errors);
+  fill_mounts(job, sheet, errors);
   if (const Entry* const spindle = sheet.find(KeyId::MachineToolSpindle)) {
     job.control.tool_spindle = static_cast<int>(number_of(*spindle));
   }

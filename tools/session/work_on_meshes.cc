@@ -1,0 +1,21 @@
+#include "tools/session/work_on_meshes.h"
+
+#include <fmt/format.h>
+
+namespace g31::session {
+
+parts::GoesOn goes_on_within(const runtime::TimeBudget* time) {
+  return time == nullptr ? parts::GoesOn()
+                         : [time] { return !time->is_interrupted() && !time->is_up(); };
+}
+
+Refusal too_late(const runtime::TimeBudget& time, std::string_view with) {
+  return time.is_interrupted()
+             ? interrupted()
+             : Refusal{Ending::Budget,
+                       fmt::format("the limit of computing time is reached with {}: --max-time "
+                                   "raises it",
+                                   with)};
+}
+
+}  // namespace g31::session
