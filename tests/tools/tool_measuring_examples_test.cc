@@ -66,6 +66,41 @@ TEST(ToolMeasuringExamples, SpeedAndFeedFollowFromRadiusAndAccuracy) {
   }
 }
 
+/// SD54762 bit 5: S2 = 0 is one probing, S3 = 0 two, else three; each at its own feed.
+TEST(ToolMeasuringExamples, FeedsAndSpeedsOfTheCallSayHowManyProbings) {
+  struct Probings {
+    const char* given;  ///< F1, S1, F2, S2, F3, S3
+    std::vector<double> feeds;
+  };
+  for (const Probings& row :
+       {Probings{"50,800", {50}}, Probings{"50,800,30,0,3,600", {50}},
+        Probings{"50,800,30,700", {50, 30}}, Probings{"50,800,30,700,3,0", {50, 30}},
+        Probings{"50,800,30,700,3,600", {50, 30, 3}}}) {
+    SCOPED_TRACE(row.given);
+    const MeasuringRun run =
+        expect_tools("$SNS_MEA_FUNCTION_MASK_TOOL=32\n" + with_tool(5) +
+                         fmt::format("CYCLE971(2,0,1,1,1,0,5,2,,,,,{})", row.given),
+                     {kCube, kKnown}, {{"_OVI[9]", 0.0}}, 1.0);
+    std::vector<double> feeds;
+    for (const nlohmann::json* const signal : signals_of(run)) {
+      feeds.push_back(signal->at("feed").get<double>());
+    }
+    EXPECT_EQ(feeds, row.feeds);
+  }
+}
+
+/// All sides: the third axis first, downwards, then the axes of the plane.
+TEST(ToolMeasuringExamples, AutomaticCalibrationBeginsFromAbove) {
+  const MeasuringRun run = expect_tools(with_tool(9) + "CYCLE971(100000,0,1,0,0,0,5,2)", {kCube},
+                                        {{"_OVR[16]", -300.0}}, kExactly);
+  const auto signals = signals_of(run);
+  ASSERT_GE(signals.size(), 5U);
+  EXPECT_NEAR(signals[0]->at("normal").at(2).get<double>(), 1.0, 1e-9);
+  for (std::size_t i = 1; i < signals.size(); ++i) {
+    EXPECT_NEAR(signals[i]->at("normal").at(2).get<double>(), 0.0, 1e-9);
+  }
+}
+
 /// Tools in front of kLatheProbe.
 constexpr const char* kLathe = R"([machine]
 tool_side = "ZX"

@@ -100,5 +100,29 @@ TEST(ToolProbeInOtherPlanes, ToolsAreMeasuredStandingTurningAndToothByTooth) {
   }
 }
 
+/// _DMODE 2 and 3 are G18 and G19 inside of the cycle alone; the program is in G17 at the calls.
+TEST(ToolProbeInOtherPlanes, ThePlaneOfTheCallIsThatOfTheCycle) {
+  for (const PlaneCase& row : planes()) {
+    SCOPED_TRACE(row.plane);
+    const std::string digit = row.plane == std::string("G18") ? "2)\n" : "3)\n";
+    const std::string behind = ",,,,,,,,,," + digit;
+    expect_tools(above(row, 9) + "G17\nCYCLE971(100000,0,1,0,0,0,5,2,,," + behind +
+                     "R1=$P_GG[6] R2=$SNS_MEA_TP_TRIG_PLUS_DIR_AX2[0]\n" +
+                     "$TC_DP3[5,1]=100.3 $TC_DP6[5,1]=7.8\n" + above(row, 5) +
+                     "G17\nCYCLE971(1,0,1,103,2,0,5,2,,0.0001,1" + behind +
+                     "CYCLE971(1,0,1,1,2,0,5,2,,0.0001,1" + behind,
+                 {row.machine, kApproximate},
+                 {{"R1", 1.0},
+                  {"R2", -312.5},
+                  {"$SNS_MEA_TP_TRIG_MINUS_DIR_AX1[0]", 212.5},
+                  {"$SNS_MEA_TP_TRIG_MINUS_DIR_AX3[0]", -100.0},
+                  {"$TC_DP3[5,1]", 100.0},
+                  {"$TC_DP6[5,1]", 8.0},
+                  {"_OVR[11]", 0.2},
+                  {"$P_GG[6]", 1.0}},
+                 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace g31::testing::tool_probe_planes_test

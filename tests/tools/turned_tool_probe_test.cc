@@ -187,6 +187,42 @@ TEST(TurnedToolProbe, MeasuresMillsAndDrills) {
                 {{"$TC_DP4[7,1]", 110.0}, {"_OVR[11]", -0.4}});
 }
 
+/// SD42950 = 0: length 1 of a drill in Z with G17 and in X with G19, by the triggers of G18; with
+/// the plane of the program or that of _DMODE.  The drill of 110 mm lies along X for G19.
+TEST(TurnedToolProbe, DrillsWithLengthsAsOnAMillAreMeasuredAcrossThePlane) {
+  const std::string as_mill =
+      "[machine_data]\n\"$SC_TOOL_LENGTH_TYPE\" = 0\n[tools.7]\n"
+      "type = 200.0\nradius = 4.0\nlength = 110.4\n";
+  const std::string along_x =
+      "[tools.8]\ntype = 200.0\nradius = 4.0\nlength = 49.7\n[[tool]]\nnumber = 8\nkind = "
+      "\"turning\"\nlengths = [50.0, 0.0, 0.0]\ntip_radius = 0.0\nedge_position = 8\n";
+  struct Row {
+    const char* before;  ///< of the program: its plane
+    int axis;            ///< S_MA
+    int plane;           ///< _DMODE
+  };
+  for (const Row& row : {Row{"G17", 1, 0}, Row{"G17", 3, 0}, Row{"G18", 1, 1}, Row{"G19", 1, 1}}) {
+    SCOPED_TRACE(row.before + std::to_string(row.plane));
+    expect_turned(fmt::format("T7 M6\n{} D1 DIAMOF\nG0 SUPA X300 Z0\nX100\n"
+                              "CYCLE982(1,0,1,{},2,0,5,2,,,,0.0001,1,,,,{})",
+                              row.before, row.axis, row.plane),
+                  {as_mill},
+                  {{"$TC_DP3[7,1]", 110.0},
+                   {"$TC_DP4[7,1]", 0.0},
+                   {"_OVR[8]", 110.0},
+                   {"_OVR[9]", -0.4},
+                   {"_OVI[9]", 0.0}});
+  }
+  for (const Row& row : {Row{"G19", 2, 0}, Row{"G19", 3, 0}, Row{"G18", 2, 3}, Row{"G17", 2, 3}}) {
+    SCOPED_TRACE(row.before + std::to_string(row.plane));
+    expect_turned(fmt::format("T8 M6\n{} D1 DIAMOF\nG0 SUPA X300 Z-100\nZ-210\n"
+                              "CYCLE982(10001,1,1,{},2,0,5,2,,,,0.0001,1,,,,{})",
+                              row.before, row.axis, row.plane),
+                  {as_mill, along_x},
+                  {{"$TC_DP3[8,1]", 49.7}, {"$TC_DP12[8,1]", 0.3}, {"_OVR[9]", 0.3}});
+  }
+}
+
 struct AlarmCase {
   const char* name;
   const char* before;

@@ -57,6 +57,26 @@ TEST(TurningVariants, ReplacementToolsAreCorrectedByTheirNumber) {
       {{"$TC_DP12[4,1]", -0.02}, {"$TC_DP12[2,1]", 0.0}, {"_OVI[8]", 4}, {"_OVI[10]", 2}});
 }
 
+/// The same by two points: the last argument is the replacement tool's number; without it the one
+/// in use is corrected, and a number that there is none of is 61343, with nothing written.
+TEST(TurningVariants, TwoPointsCorrectAReplacementTool) {
+  const std::vector<std::string> sheets = {kProbeToMinusZ, kCalibrated, shaft(),
+                                           "[tools.4]\nname = \"ROUGHER\"\ntype = 500.0\n"};
+  const std::string two_points = "$TC_TP1[4]=2 $TC_TP8[2]=129\n" + kAtShaft +
+                                 "CYCLE994(1202,,{},1,50,2,20,30,3,5,1,\"ROUGHER\"{})";
+  expect_turned(
+      fmt::format(fmt::runtime(two_points), "100000001", ",,,,,,,,,,,,2"), sheets,
+      {{"$TC_DP12[4,1]", -0.02}, {"$TC_DP12[2,1]", 0.0}, {"_OVI[8]", 4}, {"_OVI[10]", 2}});
+  expect_turned(fmt::format(fmt::runtime(two_points), "1", ""), sheets,
+                {{"$TC_DP12[4,1]", 0.0}, {"$TC_DP12[2,1]", -0.02}, {"_OVI[8]", 2}});
+  const MeasuringRun none =
+      run_turning(fmt::format(fmt::runtime(two_points), "100000001", ",,,,,,,,,,,,3"), sheets,
+                  {"$TC_DP12[4,1]", "$TC_DP12[2,1]"});
+  EXPECT_EQ(none.output.document.at("alarm").at("number"), 61343);
+  EXPECT_EQ(none.at("$TC_DP12[4,1]"), 0.0);
+  EXPECT_EQ(none.at("$TC_DP12[2,1]"), 0.0);
+}
+
 /// A measurement beyond S_TSA is made once more with SD54740 bit 0; CYCLE994 goes round again.
 TEST(TurningVariants, ASecondAttemptBeginsAboveTheCentreAgain) {
   const std::string twice = "[machine_data]\n\"$SNS_MEA_FUNCTION_MASK\" = 9\n";
