@@ -65,6 +65,7 @@ struct ToolSetup {
   double diameter_mm = 0.0;          ///< > 0, but for turning tools and the probe
   double corner_radius_mm = 0.0;     ///< >= 0, of a bull mill and its teeth
   double cutting_length_mm = 0.0;    ///< of its edges, from the lowest point; 0: to the gauge line
+  double core_diameter_mm = 0.0;     ///< what the teeth stand on; 0: they reach the axis
   double tip_angle_deg = 118.0;      ///< 0..180, of a drill, the whole cone
   std::vector<Tooth> teeth;          ///< none: a body of revolution
   Insert insert;                     ///< of a turning tool

@@ -135,6 +135,33 @@ double reach_of(const ConvexShape& shape, const Point& p_T_tip) {
   return reach;
 }
 
+/// The height of the lower edge of a tooth at a radius, or at the axis where that is higher.
+double lower_edge_at(const Blade& blade, double radius) {
+  const double beside = radius - blade.rounded_centre.x();
+  const double corner = blade.rounded_centre.y() - blade.rounded_radius;
+  const double inner = blade.corners.front().y();
+  if (beside <= 0.0) {
+    const double share = blade.rounded_centre.x() > 0.0 ? radius / blade.rounded_centre.x() : 1.0;
+    return std::max(inner, inner + share * (corner - inner));
+  }
+  return std::max(inner, blade.rounded_centre.y() -
+                             std::sqrt(std::max(0.0, blade.rounded_radius * blade.rounded_radius -
+                                                         beside * beside)));
+}
+
+/// A cylinder that ends where it is behind the lower edges of all teeth.
+ProbeSection core_of(const ToolSetup& tool) {
+  ProbeSection core;
+  core.radius_bottom = core.radius_top = 0.5 * tool.core_diameter_mm;
+  core.z_bottom = -tool.length_mm;
+  for (const Tooth& tooth : tool.teeth) {
+    core.z_bottom =
+        std::max(core.z_bottom, lower_edge_at(profile_of(tooth, tool), core.radius_bottom));
+  }
+  core.z_top = std::max(core.z_bottom, top_of_edges(tool));
+  return core;
+}
+
 }  // namespace
 
 double cone_height(const ToolSetup& tool, double radius) {
@@ -214,6 +241,9 @@ ToolShape shape_of(const ToolSetup& tool) {
   } else {
     for (const Tooth& tooth : tool.teeth) {
       shape.still.emplace_back(blade_of(tooth, tool));
+    }
+    if (tool.core_diameter_mm > 0.0) {
+      shape.still.emplace_back(core_of(tool));
     }
     shape.envelope = envelope_of(outline_of(tool), tool);
     shape.profiles = profiles_of(tool);

@@ -26,8 +26,9 @@ struct ToolShape {
 };
 
 /// The pieces of a tool.  Cutting edges are idealised: a tooth is a flat blade from the axis out,
-/// its lower edge rises towards the axis by kDishDeg; an insert is the ball of its tip radius and,
-/// where its angle is given, the thin plate between its two edges.
+/// its lower edge rises towards the axis by kDishDeg; the core that teeth stand on is a cylinder;
+/// an insert is the ball of its tip radius and, where its angle is given, the thin plate between
+/// its two edges.
 /// @pre a tool that is no probe
 ToolShape shape_of(const ToolSetup& tool);
 

@@ -373,6 +373,29 @@ TEST(ToolProbe, ADrillWithTeethTurnsOnItsTip) {
   EXPECT_NEAR(tip->z(), 100.0, 1e-9);
 }
 
+/// Two teeth, which stand across what they are to touch: their core of 10 mm touches in their
+/// place.
+TEST(ToolProbe, BetweenTheTeethIsTheCore) {
+  ToolSetup mill = tool(ToolKind::Mill, 100, 16);
+  mill.teeth = {{90.0, 8.0, 100.0}, {270.0, 8.0, 100.0}};
+  mill.core_diameter_mm = 10.0;
+  Bench beside(mill, cube());
+  ASSERT_TRUE(beside.go(250, 0, 110) && beside.go(250, 0, 90));
+  const auto side = beside.touch({200, 0, 90}, 100);
+  ASSERT_TRUE(side) << beside.fault();
+  EXPECT_NEAR(side->x(), 212.5 + 5.0, 1e-9);
+  // Its teeth 3 mm beside the plate, it reaches over it; it ends above their lower edges.
+  Bench above(mill, cube());
+  ASSERT_TRUE(above.go(215.5, 0, 110));
+  const auto top = above.touch({215.5, 0, 95}, 100);
+  ASSERT_TRUE(top) << above.fault();
+  EXPECT_NEAR(top->z(), 100.0 - 8.0 * std::tan(2.0 * std::numbers::pi / 180.0), 1e-9);
+  mill.core_diameter_mm = 0.0;
+  Bench without(mill, cube());
+  ASSERT_TRUE(without.go(215.5, 0, 110));
+  EXPECT_FALSE(without.touch({215.5, 0, 95}, 100));
+}
+
 TEST(ToolProbe, ATouchMayBeginLessDeepThanTheSignalNeeds) {
   ToolProbeSetup setup = cube();
   setup.pre_travel_mm = 0.01;

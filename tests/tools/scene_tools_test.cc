@@ -94,5 +94,18 @@ TEST(SceneTools, AnInsertIsTheBallOfItsTipRadius) {
   EXPECT_LT((box.high - Point(0.8, 0.8, 0.8)).cwiseAbs().maxCoeff(), 1e-9);
 }
 
+/// Its middle is 45 degrees from +Z to +X, as edge position 3 has it: its edges go along +Z and +X.
+TEST(SceneTools, AnInsertHasItsEdges) {
+  probe::ToolSetup tool;
+  tool.number = 5;
+  tool.kind = probe::ToolKind::Turning;
+  tool.insert = {{50.0, 90.0, 0.0}, 0.8, 3};
+  tool.insert.angle_deg = 90.0;
+  tool.insert.edge_length_mm = 12.0;
+  const Box box = drawn(tool);
+  EXPECT_LT((box.low - Point(-0.8, -0.8, -0.8)).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((box.high - Point(12.0, 0.8, 12.0)).cwiseAbs().maxCoeff(), 1e-9);
+}
+
 }  // namespace
 }  // namespace g31::scene_tools_test

@@ -220,6 +220,7 @@ length = 100.0
 diameter = 16.0
 corner_radius = 1.5
 cutting_length = 30.0
+core_diameter = 10.0
 [[tool.teeth]]
 angle_deg = 90.0
 [[tool.teeth]]

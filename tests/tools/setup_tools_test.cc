@@ -31,6 +31,7 @@ TEST_F(SetupTools, ToolsArriveWithTeethAndBodies) {
   EXPECT_EQ(mill.diameter_mm, 16.0);
   EXPECT_EQ(mill.corner_radius_mm, 1.5);
   EXPECT_EQ(mill.cutting_length_mm, 30.0);
+  EXPECT_EQ(mill.core_diameter_mm, 10.0);
   ASSERT_EQ(mill.teeth.size(), 2U);
   EXPECT_EQ(mill.teeth[0].angle_deg, 90.0);
   EXPECT_EQ(mill.teeth[0].radius_mm, 8.0);
@@ -228,6 +229,12 @@ const ErrorCase kOfTools[] = {
      R"(sheet1.toml:5:18: error: tool.cutting_length is 50, it should be less than the length of the tool, 50 mm [SET105]
     5 | cutting_length = 50.0
       |                  ^
+)"},
+    {"a core as thick as the tool",
+     "[[tool]]\nnumber = 5\nlength = 50.0\ndiameter = 8.0\ncore_diameter = 8.0\n",
+     R"(sheet1.toml:5:17: error: tool.core_diameter is 8, it should be less than that of all teeth, 8 mm [SET105]
+    5 | core_diameter = 8.0
+      |                 ^
 )"},
     {"a tip without an angle",
      "[[tool]]\nnumber = 5\nkind = \"drill\"\nlength = 9\ndiameter = 2\ntip_angle_deg = 0\n",

@@ -64,7 +64,25 @@ const probe::ToolSetup* tool_of(const setup::Job& job, int tool) {
   return is_tool && found->kind != probe::ToolKind::Probe ? &*found : nullptr;
 }
 
-/// What it takes up while it turns; of an insert the ball of its tip radius.
+/// The plate of an insert from both of its faces: as far as it reaches in each direction.
+parts::Mesh faces_of(const probe::InsertPlate& plate, const Point& p_T_tip) {
+  constexpr int kDirections = 144;
+  parts::Mesh mesh;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kDirections;
+    const Point p = probe::furthest_of(plate, Point(std::cos(angle), 0.0, std::sin(angle)));
+    if (mesh.vertices.empty() || (p - p_T_tip - mesh.vertices.back()).norm() > 1e-9) {
+      mesh.vertices.push_back(p - p_T_tip);
+    }
+  }
+  for (std::uint32_t i = 1; i + 1 < mesh.vertices.size(); ++i) {
+    mesh.triangles.push_back({0, i, i + 1});
+    mesh.triangles.push_back({0, i + 1, i});
+  }
+  return mesh;
+}
+
+/// What it takes up while it turns; of an insert its tip radius and its plate.
 void add_tool(const probe::ToolSetup& tool, std::vector<StylusPiece>& pieces) {
   const probe::ToolShape shape = probe::shape_of(tool);
   for (const probe::ProbeSection& section :
@@ -72,6 +90,12 @@ void add_tool(const probe::ToolSetup& tool, std::vector<StylusPiece>& pieces) {
     if (std::max({section.radius_bottom, section.radius_top, section.rounding}) > 0.0) {
       pieces.push_back({fmt::format("tool {}", tool.number), false,
                         moved(mesh_of(section), section.turn_S, section.p_S)});
+    }
+  }
+  for (const probe::ConvexShape& piece : shape.envelope) {
+    if (const auto* const plate = std::get_if<probe::InsertPlate>(&piece)) {
+      pieces.push_back(
+          {fmt::format("tool {}", tool.number), false, faces_of(*plate, tip_of(tool))});
     }
   }
   for (const probe::ProbeSection& body : tool.bodies) {

@@ -28,14 +28,15 @@ struct KindKey {
   std::vector<ToolKind> taken_by;  ///< beside those
 };
 
-const std::array<KindKey, 11>& kind_keys() {
+const std::array<KindKey, 12>& kind_keys() {
   using enum ToolKind;
   static const std::vector<ToolKind> turning_round = {Mill, BallMill, BullMill, Drill, Calibration};
-  static const std::array<KindKey, 11> rows = {{
+  static const std::array<KindKey, 12> rows = {{
       {KeyId::ToolTrueLength, turning_round, {}},
       {KeyId::ToolDiameter, turning_round, {}},
       {KeyId::ToolCornerRadius, {BullMill}, turning_round},
       {KeyId::ToolCuttingLength, {}, {Mill, BullMill, Calibration}},
+      {KeyId::ToolCoreDiameter, {}, {Mill, BallMill, BullMill, Drill}},
       {KeyId::ToolTipAngle, {}, turning_round},
       {KeyId::ToolLengths, {Turning}, {}},
       {KeyId::ToolTipRadius, {}, {Turning}},
@@ -213,6 +214,20 @@ void check_edges(const probe::ToolSetup& tool, const TableKeys& keys, ErrorList&
   }
 }
 
+/// The core is thinner than the tool: its teeth stand out.
+void check_core(const probe::ToolSetup& tool, const TableKeys& keys, ErrorList& errors) {
+  double least = 0.5 * tool.diameter_mm;
+  for (const probe::Tooth& tooth : tool.teeth) {
+    least = std::min(least, tooth.radius_mm);
+  }
+  if (const Entry* const core = keys.find(KeyId::ToolCoreDiameter);
+      core != nullptr && !(0.5 * tool.core_diameter_mm < least)) {
+    errors.add(SetupErrorId::OutOfRange, core->where,
+               {"tool.core_diameter", fmt::format("{}", tool.core_diameter_mm),
+                fmt::format("less than that of all teeth, {} mm", 2.0 * least)});
+  }
+}
+
 /// A cone must end below the gauge line.
 void check_tip(const probe::ToolSetup& tool, const Location& where, ErrorList& errors) {
   if (tool.kind != ToolKind::Drill || tool.diameter_mm == 0.0 || tool.length_mm == 0.0) {
@@ -241,6 +256,7 @@ probe::ToolSetup tool_with_shape_from(const TableKeys& keys) {
     tool.kind = ToolKind::BullMill;
   }
   tool.cutting_length_mm = keys.get(KeyId::ToolCuttingLength, tool.cutting_length_mm);
+  tool.core_diameter_mm = keys.get(KeyId::ToolCoreDiameter, tool.core_diameter_mm);
   tool.tip_angle_deg = keys.get(KeyId::ToolTipAngle, tool.tip_angle_deg);
   const Point lengths = point_from(keys, KeyId::ToolLengths);
   tool.insert.lengths_mm = {lengths.x(), lengths.y(), lengths.z()};
@@ -290,6 +306,7 @@ void fill_tool(Job& job, const Sheet& sheet, std::size_t order, ErrorList& error
   check_edges(tool, keys, errors);
   fill_lists(tool, sheet, order, errors);
   check_teeth(tool, table, within(sheet, SectionId::ToolTooth, order), errors);
+  check_core(tool, keys, errors);
   const Entry* const tip = keys.find(KeyId::ToolTipAngle);
   check_tip(tool, tip != nullptr ? tip->where : table.where, errors);
   if (std::ranges::find(job.tools, tool.number, &probe::ToolSetup::number) != job.tools.end()) {
