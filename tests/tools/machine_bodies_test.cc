@@ -187,6 +187,22 @@ TEST(MachineBodies, AreMetWhereTheyAre) {
   }
 }
 
+/// Its ball is 50 mm before the first one along X, so the axes stand at 27 when it touches.
+TEST(MachineBodies, AreMetByTheSecondProbeToo) {
+  for (const char* const turned : {"C0.\n", "C30.\n"}) {
+    SCOPED_TRACE(turned);
+    const RunOutput output =
+        run_on({std::string(kOnTurning) + "[probe]\ninput = 1\n[probe.second]\nat = [50.0, 0.0, "
+                                          "0.0]\ninput = 2\n",
+                "bed"},
+               turned + std::string("G43 H1 Z20.\nG1 X90. F1000\n"));
+    EXPECT_EQ(output.exit_code, 4) << output.errors;
+    const auto& collision = output.document.at("collision");
+    EXPECT_EQ(collision.at("what"), "second probe: stylus ball touches post");
+    EXPECT_NEAR(collision.at("at").at(0).get<double>(), 100.0 - 20.0 - 3.0 - 50.0, 3e-4);
+  }
+}
+
 /// On the bed under a table with C and A: in the frame of the part, A90 brings Y where Z was.
 TEST(MachineBodies, AreShownWhereTheAxesHaveBroughtThem) {
   TemporaryFolder folder;
