@@ -161,14 +161,19 @@ MaybeFailure select_tip_control(Control& control) {
 
 MaybeFailure is_led_too_fast(const Control& control, const path::PathBlock& block) {
   const Coordinates& coordinates = control.coordinates;
+  if (coordinates.tip_system() == TipSystem::None) {
+    return std::nullopt;
+  }
   const double most = control.parameters.get(ParameterId::LargestFeed);
+  if (most <= 0.0) {
+    return std::nullopt;
+  }
   const AxisPositions q_B_from = control.path_position();
   const AxisPositions q_B_way = block.q_M_end - q_B_from;
   const double turned_deg = rotary_axes(q_B_way).cwiseAbs().maxCoeff();
   const double way_mm = linear_axes(q_B_way).norm();
   constexpr double kStandsMm = 1e-9;
-  if (coordinates.tip_system() == TipSystem::None || most <= 0.0 || turned_deg == 0.0 ||
-      way_mm < kStandsMm) {
+  if (turned_deg == 0.0 || way_mm < kStandsMm) {
     return std::nullopt;
   }
   const int pieces = 1 + static_cast<int>(std::min(turned_deg / kFeedPieceDeg, kMostFeedPieces));
