@@ -14,6 +14,7 @@
 #include "parts/solids/removal.h"
 #include "tests/solids/made_parts.h"
 #include "tests/solids/step_text.h"
+#include "tests/support/effort.h"
 #include "tests/support/temporary_folder.h"
 
 namespace g31::random_blocks_test {
@@ -151,7 +152,7 @@ class BlockMaker {
 };
 
 TEST(RandomBlocks, AreRecognisedWithoutOneMistake) {
-  constexpr std::uint64_t kBlocks = 200;
+  constexpr std::uint64_t kBlocks = testing::of_many(200);
   const testing::TemporaryFolder folder;
   const std::string path = folder.path("block.step");
   std::size_t features = 0;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/effort.h"
 #include "tests/support/kinematics_run.h"
 #include "tests/support/run_study.h"
 
@@ -62,7 +63,7 @@ double margin(int runs) {
   return 4.0 / std::sqrt(2.0 * runs);
 }
 
-constexpr int kRuns = 160;
+constexpr int kRuns = of_many(160);
 
 TEST(KinematicsScatter, OfATableIsHalfThatOfATouch) {
   // A place of the ball across has the variance sigma^2 / 2: half the difference of two touches.
