@@ -98,19 +98,8 @@ class SceneReader {
   VertexWeld weld_{mesh_};
 };
 
-/// What a file was read as; with an error nothing else.
-struct ReadScene {
-  std::string error;
-  Mesh mesh;
-};
-
-template <typename Stream>
-void pass(Stream& stream, ReadScene& read) {
-  pass(stream, read.error);
-  pass(stream, read.mesh);
-}
-
-void read_scene(const std::string& path, std::string bytes, ReadScene& read) {
+/// @returns what is wrong with the file; "": nothing
+std::string read_scene(const std::string& path, std::string bytes, Mesh& mesh) {
   Assimp::Importer importer;
   // The importer deletes the file system when it goes.
   importer.SetIOHandler(new MemoryFileSystem(path, std::move(bytes)));
@@ -118,35 +107,32 @@ void read_scene(const std::string& path, std::string bytes, ReadScene& read) {
   const aiScene* scene = importer.ReadFile(path, aiProcess_ValidateDataStructure);
   if (scene == nullptr) {
     // What it says itself names its own loaders.
-    read.error =
-        "not understood as a mesh; expected a whole STL, OBJ, PLY, OFF or 3MF file: "
-        "export STEP or STL";
-    return;
+    return "not understood as a mesh; expected a whole STL, OBJ, PLY, OFF or 3MF file: "
+           "export STEP or STL";
   }
   if (scene->mRootNode == nullptr) {
-    read.error = "it holds no mesh; expected at least one triangle";
-    return;
+    return "it holds no mesh; expected at least one triangle";
   }
   SceneReader reader(*scene);
-  read.error = reader.read().value_or("");
-  read.mesh = reader.take_mesh();
+  const auto wrong = reader.read();
+  mesh = reader.take_mesh();
+  return wrong.value_or("");
 }
 
 }  // namespace
 
 Result<Mesh, std::string> read_through_assimp(const std::string& path, std::string bytes,
                                               const GoesOn& goes_on) {
-  ReadScene read;
-  const std::string why_not = make_apart<ReadScene>(
-      read, [&](ReadScene& of_file) { read_scene(path, std::move(bytes), of_file); }, goes_on);
-  if (!why_not.empty()) {
-    return "not understood as a mesh: assimp does not get through it (" + why_not +
+  MadeApart<Mesh> read = make_apart<Mesh>(
+      [&](Mesh& mesh) { return read_scene(path, std::move(bytes), mesh); }, goes_on);
+  if (!read.why_not.empty()) {
+    return "not understood as a mesh: assimp does not get through it (" + read.why_not +
            "); expected a whole STL, OBJ, PLY, OFF or 3MF file: export STEP or STL";
   }
   if (!read.error.empty()) {
     return std::move(read.error);
   }
-  return std::move(read.mesh);
+  return std::move(read.made);
 }
 
 }  // namespace g31::parts

@@ -9,26 +9,37 @@
 
 namespace g31::parts {
 
-/// A value that a process of its own makes; see done_apart.
+/// What a process of its own made; see done_apart.
+template <typename Made>
+struct MadeApart {
+  std::string why_not;  ///< how that process ended before it was done; "": it was
+  std::string error;    ///< what the work found wrong; then `made` counts for nothing
+  Made made;
+};
+
 /// @tparam Made  a function `pass` takes it through byte streams
-/// @returns how that process ended before the value was made; "": it is made
+/// @param make   returns what is wrong, or ""
 /// @throws BrokenOff
 template <typename Made>
-std::string make_apart(Made& made, const std::function<void(Made&)>& make,
-                       const GoesOn& goes_on = {}) {
+MadeApart<Made> make_apart(const std::function<std::string(Made&)>& make,
+                           const GoesOn& goes_on = {}) {
+  MadeApart<Made> apart;
   WorkApart done = done_apart(
       [&] {
-        make(made);
+        apart.error = make(apart.made);
         ByteWriter writer;
-        pass(writer, made);
+        pass(writer, apart.error);
+        pass(writer, apart.made);
         return std::move(writer).take();
       },
       goes_on);
-  if (done.why_not.empty()) {
+  apart.why_not = std::move(done.why_not);
+  if (apart.why_not.empty()) {
     ByteReader reader(done.bytes);
-    pass(reader, made);
+    pass(reader, apart.error);
+    pass(reader, apart.made);
   }
-  return std::move(done.why_not);
+  return apart;
 }
 
 }  // namespace g31::parts

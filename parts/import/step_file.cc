@@ -16,16 +16,14 @@ const StepFunction& step_reader() {
   return reader;
 }
 
-/// What a file was read as; with an error nothing else.
+/// What a file was read as.
 struct ReadFaces {
-  std::string error;
   Mesh mesh;
   std::vector<RoundWall> walls;
 };
 
 template <typename Stream>
 void pass(Stream& stream, ReadFaces& faces) {
-  pass(stream, faces.error);
   pass(stream, faces.mesh);
   pass(stream, faces.walls);
 }
@@ -42,21 +40,21 @@ Result<Mesh, std::string> read_step_file(const std::string& path, double sagitta
     return step_reader().why_not + ", or save the part as STL, OBJ, PLY or 3MF";
   }
   const auto read = reinterpret_cast<decltype(&g31_read_step)>(step_reader().address);
-  ReadFaces faces;
-  const std::string why_not = make_apart<ReadFaces>(
-      faces,
-      [&](ReadFaces& of_file) {
-        read(path.c_str(), sagitta_mm, &of_file.mesh, &of_file.walls, &of_file.error);
+  MadeApart<ReadFaces> apart = make_apart<ReadFaces>(
+      [&](ReadFaces& faces) {
+        std::string error;
+        read(path.c_str(), sagitta_mm, &faces.mesh, &faces.walls, &error);
+        return error;
       },
       goes_on);
-  if (!why_not.empty()) {
-    return "not understood as STEP: Open CASCADE does not get through it (" + why_not + ")";
+  if (!apart.why_not.empty()) {
+    return "not understood as STEP: Open CASCADE does not get through it (" + apart.why_not + ")";
   }
-  if (!faces.error.empty()) {
-    return faces.error;
+  if (!apart.error.empty()) {
+    return std::move(apart.error);
   }
-  refine_round_walls(faces.mesh, faces.walls);
-  return faces.mesh;
+  refine_round_walls(apart.made.mesh, apart.made.walls);
+  return std::move(apart.made.mesh);
 }
 
 }  // namespace g31::parts

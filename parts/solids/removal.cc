@@ -31,30 +31,19 @@ Result<SolidSource, std::string> source_of(const std::string& path) {
               : Result<SolidSource, std::string>(path + ": " + mesh.error());
 }
 
-/// With an error nothing else.
-struct MadeRemoval {
-  std::string error;
-  Removal removal;
-};
-
-template <typename Stream>
-void pass(Stream& stream, MadeRemoval& made) {
-  pass(stream, made.error);
-  pass(stream, made.removal);
-}
-
 /// What the module makes of a request, in a process of its own.
 Result<Removal, std::string> remove_apart(decltype(&g31_remove) remove,
                                           const RemovalRequest& request) {
-  MadeRemoval made;
-  const std::string why_not = make_apart<MadeRemoval>(made, [&](MadeRemoval& of_module) {
-    remove(&request, &of_module.removal, &of_module.error);
+  MadeApart<Removal> apart = make_apart<Removal>([&](Removal& removal) {
+    std::string error;
+    remove(&request, &removal, &error);
+    return error;
   });
-  if (!why_not.empty()) {
+  if (!apart.why_not.empty()) {
     return fmt::format("{}: Open CASCADE does not get through it ({})", request.product.name,
-                       why_not);
+                       apart.why_not);
   }
-  return made.error.empty() ? Result<Removal, std::string>(std::move(made.removal)) : made.error;
+  return apart.error.empty() ? Result<Removal, std::string>(std::move(apart.made)) : apart.error;
 }
 
 }  // namespace
