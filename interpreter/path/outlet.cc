@@ -59,13 +59,18 @@ std::optional<machine::MachineFault> Outlet::told(std::optional<machine::Machine
   event.contact = fault->contact;
   event.view = view_of(fault->q_M_at, event.move ? event.move->q_M_to : fault->q_M_at);
   if (fault_levels_) {
-    event.view.calls.clear();
-    for (std::size_t i = 1; i < fault_levels_->size(); ++i) {
-      event.view.calls.push_back({(*fault_levels_)[i].program, (*fault_levels_)[i].where});
-    }
+    event.view.calls = fault_calls();
   }
   observer_.on_fault(event);
   return fault;
+}
+
+std::vector<runtime::CallSite> Outlet::fault_calls() const {
+  std::vector<runtime::CallSite> calls;
+  for (std::size_t i = 1; i < fault_levels_->size(); ++i) {
+    calls.push_back({(*fault_levels_)[i].program, (*fault_levels_)[i].where});
+  }
+  return calls;
 }
 
 // Control looks far fewer moves ahead.

@@ -66,6 +66,9 @@ class Outlet {
     return fault_levels_;
   }
 
+  /// The calls behind that block, the innermost first; fault_levels() are known.
+  [[nodiscard]] std::vector<runtime::CallSite> fault_calls() const;
+
   /// Of a fault that was found late: the block whose move it is; not known: the present one.
   static source::Location place_of(const machine::MachineFault& fault);
 

@@ -146,14 +146,10 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.where = failure.block.is_known() ? failure.block : present;
   // A fault of the machine may be of a block at another level.
   const bool is_of_machine = failure.status == runtime::Status::Collision;
-  const auto& of_fault = control_.outlet.fault_levels();
-  if (is_of_machine && failure.block.is_known() && of_fault) {
-    for (auto level = of_fault->begin() + 1; level != of_fault->end(); ++level) {
-      reason.calls.push_back({level->program, level->where});
-    }
-  } else {
-    reason.calls = stack_.calls();
-  }
+  const path::Outlet& outlet = control_.outlet;
+  reason.calls = is_of_machine && failure.block.is_known() && outlet.fault_levels()
+                     ? outlet.fault_calls()
+                     : stack_.calls();
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
   control_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
   outcome.diagnostics.clear();
