@@ -435,13 +435,12 @@ TEST(Check, NamesOfAxesComeFromTheSheet) {
 TEST(Check, ACycleThatIsNotSimulatedIsAWarningUnlessThereIsAProgramOfItsName) {
   TemporaryFolder folder;
   const CheckOutput without =
-      checked_files({folder.write("part.mpf", "G0 X1\nCYCLE95(\"CONTOUR\",2)\nM30\n")});
+      checked_files({folder.write("part.mpf", "G0 X1\nCYCLE96(\"CONTOUR\",2)\nM30\n")});
   EXPECT_EQ(without.exit_code, 1);
-  EXPECT_NE(without.text.find("part.mpf:2:1: warning: CYCLE95, stock removal along a contour"),
-            without.text.npos)
+  EXPECT_NE(without.text.find("part.mpf:2:1: warning: CYCLE96, thread undercut"), without.text.npos)
       << without.text;
   EXPECT_NE(without.text.find("[NC007]"), without.text.npos) << without.text;
-  folder.write("CYCLE95.SPF", "PROC CYCLE95(STRING[20] NAME,REAL MID)\nM17\n");
+  folder.write("CYCLE96.SPF", "PROC CYCLE96(STRING[20] NAME,REAL MID)\nM17\n");
   EXPECT_EQ(checked_files({folder.path("part.mpf")}).exit_code, 0);
 }
 

@@ -232,6 +232,9 @@ MaybeFailure move_path_with_further(Channel& channel, const Block& block, double
 
 MaybeFailure move(Channel& channel, const Block& block) {
   double further_s = 0.0;
+  if (MaybeFailure wrong = fits_into_contour(channel, block)) {
+    return wrong;
+  }
   if (MaybeFailure wrong = judge_lines(channel, block)) {
     return wrong;
   }

@@ -115,6 +115,13 @@ PlaneOfPath plane_of_path(const Channel& channel) {
 
 MaybeFailure read_compensation(Channel& channel, const Block& block) {
   CutterStage& cutter = channel.cutter;
+  if (channel.noted_contour) {
+    if (channel.group[Group::RadiusCompensation] != kOff) {
+      channel.group[Group::RadiusCompensation] = kOff;
+      channel.offset_changed();
+    }
+    return std::nullopt;
+  }
   if (leaves(channel, block)) {
     return leave_compensation(channel);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "interpreter/dialects/sinumerik/code/code.h"
 #include "interpreter/dialects/sinumerik/state/channel.h"
 
@@ -85,6 +87,15 @@ MaybeFailure move_along_circle(Channel& channel, const Block& block);
 bool listens_to_probe(const Channel& channel, const Block& block);
 /// MEAS, MEAW, MEASA, MEAWA and WHEN ... DO DELDTG
 MaybeFailure measure(Channel& channel, const Block& block);
+/// From here on motions are read and not travelled.
+MaybeFailure begin_contour(Channel& channel);
+/// Motions are travelled again, from where the axes stand.
+/// @returns the ways behind the first motion, which leads to the contour; alarm 10933: none
+Result<std::vector<path::PlaneWay>, Failure> end_contour(Channel& channel);
+/// Ways beside those of a contour.
+/// @param left_mm  how far, to the left of the direction of travel
+Result<std::vector<path::PlaneWay>, Failure> contour_beside(const std::vector<path::PlaneWay>& ways,
+                                                            double left_mm);
 /// G4
 MaybeFailure dwell(Channel& channel, const Block& block);
 

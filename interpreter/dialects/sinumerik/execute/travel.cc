@@ -37,6 +37,9 @@ MaybeFailure to_machine(Channel& channel, const PathBlock& path) {
 }
 
 MaybeFailure pause_machine(Channel& channel, const Pause& wait) {
+  if (channel.noted_contour) {
+    return std::nullopt;
+  }
   const auto late = channel.outlet.pause(wait);
   return late ? std::optional(from_fault(*late)) : std::nullopt;
 }
@@ -93,6 +96,9 @@ MaybeFailure too_idle(const Channel& channel) {
 /// From the programmed path to that of the tool centre.
 MaybeFailure compensate(Channel& channel, const PathBlock& path,
                         const path::CompensationCommand& command) {
+  if (channel.noted_contour) {
+    return note_way(channel, path);
+  }
   path::CutterCompensation& cutter = channel.cutter.compensation;
   if (!cutter.engaged()) {
     return to_machine(channel, path);
@@ -317,6 +323,7 @@ void drop_motion(Channel& channel) {
   channel.corners.contour = CornerStage().contour;
   channel.cutter.compensation.disengage();
   channel.held_line.reset();
+  channel.noted_contour.reset();
   channel.arrived_at_machine();
 }
 

@@ -73,6 +73,11 @@ struct PlaneOfPath {
 };
 PlaneOfPath plane_of_path(const Channel& channel);
 
+/// What of a block no contour can have that is only read: alarm 10930.
+MaybeFailure fits_into_contour(const Channel& channel, const Block& block);
+/// A motion of a contour that is only read: its way in the plane is kept.
+MaybeFailure note_way(Channel& channel, const path::PathBlock& path);
+
 /// Gives the compensation the block that waits for its corner; it gets none.
 MaybeFailure finish_corners(Channel& channel);
 

@@ -35,6 +35,8 @@ class Calls {
   MaybeFailure take_no_arguments();
   /// MCALL: behind a block that moves.
   MaybeFailure modal_call();
+  /// The blocks from one label to another of the nearest calling program that has both.
+  MaybeFailure call_part(const std::string& first, const std::string& last);
   /// EXECSTRING: the text sees the variables of the level; behind it the program goes on.
   MaybeFailure execute_text(const std::string& source);
   void set_call_path(std::string path) { programs_.set_call_path(std::move(path)); }

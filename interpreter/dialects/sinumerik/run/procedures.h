@@ -35,6 +35,10 @@ namespace procedure {
 // run_procedures.cc
 MaybeFailure message(Channel& channel, Operands& at, Arguments list);
 MaybeFailure set_master_spindle(Channel& channel, Operands& at, Arguments list);
+MaybeFailure begin_noting(Channel& channel, Operands& at, Arguments list);
+MaybeFailure take_noted(Channel& channel, Operands& at, Arguments list);
+MaybeFailure offset_noted(Channel& channel, Operands& at, Arguments list);
+MaybeFailure call_part(Calls& calls, Operands& at, Arguments list);
 MaybeFailure stop_reading_ahead(Channel& channel, Operands& at, Arguments list);
 MaybeFailure set_feed_axes(Channel& channel, Operands& at, Arguments list);
 MaybeFailure couple_axis(Channel& channel, Operands& at, Arguments list);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -75,12 +76,15 @@ bool Runner::skips(int which) const {
 /// A part of the program that REPEAT runs is through: once more, or on behind REPEAT.
 bool Runner::at_end_of_part(std::int32_t step) {
   RunningPart& part = level().parts.back();
-  const RepeatSite& site = level().program->repeats[static_cast<std::size_t>(part.site)];
-  if (site.end != step) {
+  if (part.end != step) {
     return false;
   }
-  if (--part.passes_left > 0) {
-    level().step = site.first;
+  if (part.site == RunningPart::kWholeLevel) {
+    if (MaybeFailure wrong = calls_.return_from(Op())) {
+      machine_.fault().keep(std::move(*wrong));
+    }
+  } else if (--part.passes_left > 0) {
+    level().step = level().program->repeats[static_cast<std::size_t>(part.site)].first;
   } else {
     level().step = part.back_to;
     level().parts.pop_back();
@@ -103,7 +107,7 @@ MaybeFailure Runner::repeat_part(const Op& op) {
     return failure(AlarmId::BadRepeats, fmt::format("P{:.0f}", passes));
   }
   if (passes >= 1.0) {
-    now.parts.push_back({op.a.place, now.step, static_cast<std::int32_t>(passes)});
+    now.parts.push_back({op.a.place, site.end, now.step, static_cast<std::int32_t>(passes)});
     now.step = site.first;
   }
   return std::nullopt;

@@ -292,9 +292,10 @@ class Channel : public ChannelState {
   mutable bool path_turn_is_old_ = true;  ///< the frames are others than when it was made
   mutable AxisPositions q_P_here_ = AxisPositions::Zero();  ///< with TRAORI: where the axes stand
   mutable std::optional<AxisPositions> q_M_of_path_;        ///< the same; nullopt: not known
-  /// A block waits for the next one: the axes are not where the program is.
+  /// A block waits for the next one, or the contour is only read: the axes are not where the
+  /// program is.
   [[nodiscard]] bool holds_path() const {
-    return cutter.compensation.engaged() || corners.contour.holds();
+    return noted_contour || cutter.compensation.engaged() || corners.contour.holds();
   }
 };
 

@@ -116,6 +116,7 @@ struct ChannelState {
   CornerStage corners;
   CutterStage cutter;
   std::optional<HeldLine> held_line;
+  std::optional<NotedContour> noted_contour;  ///< nullopt: motions are travelled
   /// Of any length along the end of the last path, coordinates of paths; 0: there was none.
   Eigen::Vector3d along_P_end = Eigen::Vector3d::Zero();
 

@@ -47,9 +47,11 @@ struct BoundValue {
   Reference reference;
 };
 
-/// One running part of REPEAT.
+/// One running part of REPEAT, or of a program that runs for it alone.
 struct RunningPart {
+  static constexpr std::int32_t kWholeLevel = -1;  ///< behind it the level is left
   std::int32_t site = 0;
+  std::int32_t end = 0;      ///< behind its last step
   std::int32_t back_to = 0;  ///< the step behind REPEAT
   std::int32_t passes_left = 0;
 };

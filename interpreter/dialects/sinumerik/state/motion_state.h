@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -147,6 +148,16 @@ struct HeldLine {
   source::Location where;
 
   bool operator==(const HeldLine&) const = default;
+};
+
+/// A contour that is read and not travelled (CONTOUR_NOTE): the program goes along it, the axes
+/// stand.
+struct NotedContour {
+  static constexpr std::size_t kMostWays = 1000;
+  AxisPositions q_P = AxisPositions::Zero();  ///< its end so far, coordinates of paths
+  std::vector<path::PlaneWay> ways;           ///< mm, work coordinates in the plane
+
+  bool operator==(const NotedContour&) const = default;
 };
 
 /// The times that programs read, s; the machine's clock is the measure of all of them.
