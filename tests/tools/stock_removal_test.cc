@@ -62,15 +62,13 @@ class RandomContour {
   }
   void add_rise() {
     const double size = between(2.0, 6.0);
-    switch (static_cast<int>(between(0.0, 4.0))) {
-      case 0:
-        return along(between(1.0, 6.0), size);
-      case 1:
-        return along(0.0, size);
-      case 2:
-        return along(size, size, 2, size);
-      default:
-        return along(size, size, 3, size);
+    const double kind = between(0.0, 4.0);
+    if (kind < 1.0) {
+      along(between(1.0, 6.0), size);
+    } else if (kind < 2.0) {
+      along(0.0, size);
+    } else {
+      along(size, size, kind < 3.0 ? 2 : 3, size);
     }
   }
 

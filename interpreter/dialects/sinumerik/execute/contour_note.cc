@@ -127,8 +127,8 @@ Result<std::vector<PlaneWay>, Failure> end_contour(Channel& channel) {
 }
 
 /// By the compensation of a tool, which comes to the contour from beside its start.
-Result<std::vector<PlaneWay>, Failure> contour_beside(const std::vector<PlaneWay>& ways,
-                                                      double left_mm) {
+Result<std::vector<PlaneWay>, Failure> contour_beside(std::vector<PlaneWay> ways, double left_mm) {
+  std::erase_if(ways, is_empty);
   if (ways.empty() || left_mm == 0.0) {
     return ways;
   }

@@ -94,7 +94,7 @@ MaybeFailure begin_contour(Channel& channel);
 Result<std::vector<path::PlaneWay>, Failure> end_contour(Channel& channel);
 /// Ways beside those of a contour.
 /// @param left_mm  how far, to the left of the direction of travel
-Result<std::vector<path::PlaneWay>, Failure> contour_beside(const std::vector<path::PlaneWay>& ways,
+Result<std::vector<path::PlaneWay>, Failure> contour_beside(std::vector<path::PlaneWay> ways,
                                                             double left_mm);
 /// G4
 MaybeFailure dwell(Channel& channel, const Block& block);

@@ -52,6 +52,23 @@ MaybeFailure fill_table(Operands& at, const VariableView& table, const std::vect
   return at.assign(count, static_cast<double>(ways.size()));
 }
 
+/// A program may have written the table: only what a contour can be is one.
+bool is_way(const PlaneWay& way, double kind) {
+  constexpr double kFarthest = 1e9;
+  constexpr double kSameRadius = 1e-3;
+  const auto is_near = [](const path::PlanePoint& p) { return p.norm() < kFarthest; };
+  if (!is_near(way.from) || !is_near(way.to)) {
+    return false;
+  }
+  if (!way.arc) {
+    return kind == kLine;
+  }
+  const double radius = (way.from - way.arc->centre).norm();
+  return (kind == kClockwise || kind == kCounterclockwise) && is_near(way.arc->centre) &&
+         radius > path::kOnePointMm &&
+         std::abs(radius - (way.to - way.arc->centre).norm()) < kSameRadius;
+}
+
 PlaneWay way_of(const double* row, double mm_per_length) {
   const auto point = [&](int column) {
     return path::PlanePoint(row[column] * mm_per_length, row[column + 1] * mm_per_length);
@@ -97,7 +114,13 @@ MaybeFailure offset_noted(Channel& channel, Operands& at, Arguments list) {
   const double mm = channel.mm_per_length();
   std::vector<PlaneWay> ways;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    ways.push_back(way_of(row_of(table, i), mm));
+    const double* const row = row_of(table, i);
+    ways.push_back(way_of(row, mm));
+    const bool goes_on = i == 0 || (ways[i].from - ways[i - 1].to).norm() < path::kOnePointMm;
+    if (!is_way(ways[i], row[0]) || !goes_on) {
+      return failure(AlarmId::ValueOutOfLimits,
+                     fmt::format("CONTOUR_OFFSET: row {} is no way that goes on", i));
+    }
   }
   const auto beside = contour_beside(ways, at.number(list[2].value) * mm);
   return beside ? fill_table(at, table, beside.value(), list[3], mm) : MaybeFailure(beside.error());
