@@ -298,38 +298,6 @@ MaybeFailure Calls::execute_text(const std::string& source) {
   return std::nullopt;
 }
 
-MaybeFailure Calls::call_part(const std::string& first, const std::string& last) {
-  std::optional<std::int32_t> begin;
-  std::optional<std::int32_t> end;
-  std::size_t which = stack_.depth();
-  while (!end && which-- > 0) {
-    const CompiledProgram& program = *stack_.level(which).program;
-    begin = find_label(program, upper(first), stack_.level(which).step, Direction::Both);
-    end = begin ? find_label(program, upper(last), *begin, Direction::Forward) : std::nullopt;
-  }
-  if (!end) {
-    return failure(AlarmId::JumpTargetMissing, fmt::format("{} to {}", first, last));
-  }
-  if (stack_.is_full()) {
-    return failure(AlarmId::TooManyLevels, first);
-  }
-  Level& into = stack_.next();
-  into = stack_.level(which);
-  into.waiting.clear();
-  into.passes_left = 0;
-  into.is_modal_call = false;
-  into.step = *begin;
-  const std::int32_t behind = into.program->ops[static_cast<std::size_t>(*end)].a.place;
-  into.parts.assign(1, {RunningPart::kWholeLevel, behind, 0, 1});
-  if (into.program->saves_codes) {
-    save_codes(into);
-  }
-  stack_.enter();
-  tell_level();
-  operands_.use_level();
-  return std::nullopt;
-}
-
 MaybeFailure Calls::modal_call() {
   for (std::size_t i = 0; i <= stack_.depth(); ++i) {
     if (stack_.level(i).is_modal_call) {

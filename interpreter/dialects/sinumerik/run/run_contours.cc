@@ -1,6 +1,9 @@
 // CONTOUR_NOTE and what goes with it: how CYCLE95 learns where a contour runs.
 
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -81,7 +84,46 @@ PlaneWay way_of(const double* row, double mm_per_length) {
   return way;
 }
 
+/// Where a level stands in its own program, which may wait for a text.
+std::pair<const CompiledProgram*, std::int32_t> own_place(const Level& level) {
+  return level.waiting.empty()
+             ? std::pair(level.program, level.step)
+             : std::pair(level.waiting.front().program, level.waiting.front().step);
+}
+
 }  // namespace
+
+MaybeFailure Calls::call_part(const std::string& first, const std::string& last) {
+  std::optional<std::int32_t> begin;
+  std::optional<std::int32_t> end;
+  std::size_t which = stack_.depth();
+  while (!end && which-- > 0) {
+    const auto [program, step] = own_place(stack_.level(which));
+    begin = find_label(*program, upper(first), step, Direction::Both);
+    end = begin ? find_label(*program, upper(last), *begin, Direction::Forward) : std::nullopt;
+  }
+  if (!end) {
+    return failure(AlarmId::JumpTargetMissing, fmt::format("{} to {}", first, last));
+  }
+  if (stack_.is_full()) {
+    return failure(AlarmId::TooManyLevels, first);
+  }
+  Level& into = stack_.next();
+  into = stack_.level(which);
+  into.leave_texts();
+  into.passes_left = 0;
+  into.is_modal_call = false;
+  into.step = *begin;
+  const std::int32_t behind = into.program->ops[static_cast<std::size_t>(*end)].a.place;
+  into.parts.assign(1, {RunningPart::kWholeLevel, behind, 0, 1});
+  if (into.program->saves_codes) {
+    save_codes(into);
+  }
+  stack_.enter();
+  tell_level();
+  operands_.use_level();
+  return std::nullopt;
+}
 
 namespace procedure {
 
