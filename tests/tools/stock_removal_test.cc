@@ -270,25 +270,39 @@ TEST(StockRemoval, CutsEndBesideAnyContourAndNothingComesNearer) {
   }
 }
 
-TEST(StockRemoval, FinishingGoesAlongTheContourAsItIsWritten) {
-  for (unsigned seed = 0; seed < static_cast<unsigned>(of_many(16)); ++seed) {
+/// The moves that go along the contour itself.
+std::vector<Move> finishing_of(const std::vector<Move>& moves, const Outline& outline) {
+  const auto is_on_it = [&](const Point& p) { return outline.distance(p) < kChord; };
+  std::vector<Move> along;
+  for (const Move& move : moves) {
+    const auto points = outline.samples(move.from, move.to, move.g);
+    if (move.g > 0 && !points.empty() && std::ranges::all_of(points, is_on_it)) {
+      along.push_back(move);
+    }
+  }
+  return along;
+}
+
+TEST(StockRemoval, FinishingGoesAlongTheContourAloneAsItIsWrittenBehindRoughingAsTheCutsRun) {
+  for (unsigned seed = 0; seed < static_cast<unsigned>(of_many(32)); ++seed) {
     SCOPED_TRACE(seed);
     RandomContour contour(seed);
-    if (seed % 4 > 1) {
+    const int form = static_cast<int>(seed % 4);
+    if (form > 1) {
       contour.turn_inside_out();
     }
+    const bool is_alone = seed % 8 < 4;
+    const bool is_backward = seed % 3 == 0;
     const Outline outline(contour.elements(), {0.0, 0.0});
-    const auto moves =
-        moves_of(fmt::format("CYCLE95(\"SHAPE\",1,0.1,0.1,,100,,50,{})\n", seed % 4 + 5),
-                 program_of(contour.elements(), seed % 3 == 0));
-    std::size_t count = 0;
-    for (const Move& move : moves) {
-      for (const Point& p : outline.samples(move.from, move.to, move.g)) {
-        EXPECT_TRUE(move.g == 0 || outline.distance(p) < kChord);
-      }
-      count += move.g > 0 ? 1 : 0;
-    }
-    EXPECT_EQ(count, contour.elements().size() - 1);
+    const auto moves = moves_of(
+        fmt::format("CYCLE95(\"SHAPE\",1,0.1,0.1,,100,,50,{})\n", form + (is_alone ? 5 : 9)),
+        program_of(contour.elements(), is_backward));
+    const auto along = finishing_of(moves, outline);
+    ASSERT_EQ(along.size(), contour.elements().size() - 1);
+    // Cuts along Z run from the free end, those along X from the shoulder.
+    const bool from_behind = is_alone ? is_backward : form % 2 == 1;
+    const Point first = from_behind ? outline.points.back() : outline.points.front();
+    EXPECT_LT((along.front().from - first).norm(), 1e-6);
     EXPECT_EQ(moves.back().to, moves[1].to);
   }
 }
