@@ -17,6 +17,10 @@ target_compile_options(g31_warnings INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<CONFIG:Release>>:-Wno-stringop-overflow;-Wno-array-bounds;-Wno-maybe-uninitialized>
   $<$<BOOL:${G31_WERROR}>:-Werror>)
 
+# g++ looks for memory to free again and again from 128 MB on, in vain: a batch of files ends before much of it is
+# free.  Without the search it takes a sixth less time, and 1.3 GB in place of 1.1 at most.
+add_compile_options($<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=2000000>)
+
 # Told to tests, too, which are not compiled with them: runs last ten times as long.
 if(CMAKE_CXX_FLAGS MATCHES "sanitize")
   target_compile_definitions(g31_warnings INTERFACE G31_UNDER_SANITIZERS)
