@@ -261,10 +261,11 @@ std::string main_name(const RunOptions& options) {
 Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session::Prepared& prepared,
                                        const Checked& line, RememberingDisk& disk) {
   const setup::Job& job = prepared.job;
-  RunInputs inputs;
+  std::optional<RunInputs> inputs;
   if (!options.json.empty() || wants_page(options)) {
-    inputs.add(options);
-    inputs.add(job);
+    inputs.emplace();
+    inputs->add(options);
+    inputs->add(job);
   }
   runtime::OutputBudget output(options.max_output);
   const auto tables = open_tables(options, job, output);
@@ -313,7 +314,7 @@ Result<ExitCode, Refusal> open_and_run(const RunOptions& options, const session:
   return run_to_end(
       {options, line.prints, line.prints_all, prepared, *run.value(), machine, recorder,
        chronicle ? &*chronicle : nullptr, ways, output, time, sources, world.value(),
-       line.expectations, line.other ? &*line.other : nullptr, inputs, disk},
+       line.expectations, line.other ? &*line.other : nullptr, inputs ? &*inputs : nullptr, disk},
       {tables.value(), *printouts.value(), desk, events.value().get()});
 }
 

@@ -70,8 +70,10 @@ std::vector<coverage::FileCoverage> coverage_of(const OpenedRun& opened) {
 report::RunResult result_of(const OpenedRun& opened, const session::Heard& heard) {
   report::RunResult result;
   result.version = opened.options.version;
-  opened.inputs.add(opened.disk);
-  result.inputs = opened.inputs.files();
+  if (opened.inputs != nullptr) {
+    opened.inputs->add(opened.disk);
+    result.inputs = opened.inputs->files();
+  }
   result.program = opened.options.programs.front();
   result.control = session::name_of(opened.prepared.control);
   result.seed = opened.options.seed;

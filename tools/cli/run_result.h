@@ -37,7 +37,7 @@ struct OpenedRun {
   const session::World& world;
   const expect::Expectations& expectations;
   const page::OtherRun* other = nullptr;  ///< that the page shows beside it; nullptr: none
-  RunInputs& inputs;
+  RunInputs* inputs;                      ///< nullptr: nobody asks for them
   const RememberingDisk& disk;
 };
 

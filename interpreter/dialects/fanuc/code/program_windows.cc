@@ -94,39 +94,81 @@ const CompiledProgram* ProgramWindows::next(const Profile& profile) {
   return &window_->program;
 }
 
+namespace {
+
+/// Reads where programs begin, piece by piece.
+class BeginningsReader {
+ public:
+  void read(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+      if (text[at] == '\n') {
+        ++at;
+        ++line_;
+        line_begin_ = offset_ + at;
+        is_at_begin_ = true;
+        in_number_ = false;
+      } else if (is_at_begin_ || in_number_) {
+        look_at(text[at]);
+        ++at;
+      } else {
+        at = look_behind_begin(text, at);
+      }
+    }
+    offset_ += text.size();
+  }
+
+  [[nodiscard]] std::vector<ProgramBeginning> take() { return std::move(programs_); }
+
+ private:
+  void look_at(char c) {
+    constexpr std::int32_t kLargestBeforeDigit = 99'999'999;
+    const bool begins_program = is_at_begin_ && (c == 'O' || c == 'o' || c == ':');
+    if (begins_program) {
+      programs_.push_back({0, line_, line_begin_, has_percent_sign_});
+    }
+    has_percent_sign_ = has_percent_sign_ || (c == '%' && !programs_.empty());
+    const bool counts_for_nothing = c == ' ' || c == '\t' || c == '\r' || c == '\0';
+    const bool is_digit = c >= '0' && c <= '9';
+    if (in_number_ && is_digit && programs_.back().number <= kLargestBeforeDigit) {
+      programs_.back().number = 10 * programs_.back().number + (c - '0');
+    }
+    in_number_ = begins_program || (in_number_ && (is_digit || counts_for_nothing));
+    is_at_begin_ = is_at_begin_ && counts_for_nothing;
+  }
+
+  /// Nothing but % counts there.
+  /// @return where the line ends
+  std::size_t look_behind_begin(std::string_view text, std::size_t at) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    has_percent_sign_ =
+        has_percent_sign_ ||
+        (!programs_.empty() && text.substr(at, end - at).find('%') != std::string_view::npos);
+    return end;
+  }
+
+  std::vector<ProgramBeginning> programs_;
+  bool is_at_begin_ = true;  ///< of a line, but for blanks
+  bool in_number_ = false;
+  bool has_percent_sign_ = false;
+  int line_ = 1;
+  std::uint64_t line_begin_ = 0;
+  std::uint64_t offset_ = 0;  ///< of the piece
+};
+
+}  // namespace
+
 std::vector<ProgramBeginning> program_beginnings(source::FileSystem& files, const std::string& path,
                                                  std::uint64_t bytes) {
-  constexpr std::int32_t kLargestBeforeDigit = 99'999'999;
-  std::vector<ProgramBeginning> programs;
-  char before = '\n';
-  bool in_number = false;
-  bool has_percent_sign = false;
-  int line = 1;
-  std::uint64_t line_begin = 0;
+  BeginningsReader reader;
   for (std::uint64_t offset = 0; offset < bytes;) {
     const auto text = files.read_part(path, offset, kWindowBytes);
     if (!text || text->empty()) {
       break;
     }
-    for (const char c : *text) {
-      ++offset;
-      const bool begins_program = before == '\n' && (c == 'O' || c == 'o' || c == ':');
-      if (begins_program) {
-        programs.push_back({0, line, line_begin, has_percent_sign});
-      }
-      has_percent_sign = has_percent_sign || (c == '%' && !programs.empty());
-      const bool counts_for_nothing = c == ' ' || c == '\t' || c == '\r' || c == '\0';
-      const bool is_digit = c >= '0' && c <= '9';
-      if (in_number && is_digit && programs.back().number <= kLargestBeforeDigit) {
-        programs.back().number = 10 * programs.back().number + (c - '0');
-      }
-      in_number = begins_program || (in_number && (is_digit || counts_for_nothing));
-      line += c == '\n' ? 1 : 0;
-      line_begin = c == '\n' ? offset : line_begin;
-      before = counts_for_nothing ? before : c;
-    }
+    reader.read(*text);
+    offset += text->size();
   }
-  return programs;
+  return reader.take();
 }
 
 }  // namespace g31::fanuc

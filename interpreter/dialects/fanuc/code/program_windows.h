@@ -12,8 +12,9 @@
 
 namespace g31::fanuc {
 
-/// Files beyond this size are run window by window; smaller ones are kept whole.
-inline constexpr std::uint64_t kWholeFileBytes = 4U << 20;
+/// Files beyond this size are run window by window; smaller ones are kept whole, which takes some
+/// twenty times their size.
+inline constexpr std::uint64_t kWholeFileBytes = 1U << 20;
 
 /// How much text one window has, to the next line end.
 inline constexpr std::size_t kWindowBytes = 1U << 18;
