@@ -38,6 +38,22 @@ TEST(SinumerikCompile, NestingOfAnyDepthIsAnAlarmOfItsBlock) {
   }
 }
 
+// A variable that is new to the program moves those it has: nothing may hold on to one meanwhile.
+TEST(SinumerikCompile, APresetThatNamesAVariableIsRefusedHoweverManyTheProgramHas) {
+  for (int parameters = 0; parameters < 40; ++parameters) {
+    for (const std::string value : {"R1", "-R[2]", "_OVI[1]", "\"a\"<<R1"}) {
+      std::string text = "PROC DEEP(";
+      for (int i = 0; i < parameters; ++i) {
+        text += fmt::format("REAL A{},", i);
+      }
+      const Compiled compiled(text + "CHAR LAST=" + value + ")\nM17\n");
+      ASSERT_FALSE(compiled.program->errors.empty()) << parameters << value;
+      EXPECT_EQ(compiled.program->errors.front().id, AlarmId::InitialValueType)
+          << parameters << value;
+    }
+  }
+}
+
 // A long program is NC blocks of numbers: each is one step, whatever else stands before and behind.
 TEST(SinumerikCompile, ABlockOfNumbersIsOneStep) {
   const Compiled compiled("N10 G1 X1.5 Y-2 F100 M3\nX=R1 Y3\n");

@@ -313,17 +313,18 @@ void Definitions::preset(Parameter& parameter) {
   if (failed()) {
     return;
   }
-  const Variable& variable = program_.variables[static_cast<std::size_t>(parameter.variable)];
+  // The value may name variables that the program has not had yet: they move the others.
+  const Type type = program_.variables[static_cast<std::size_t>(parameter.variable)].type;
   Expr value = expressions_.unary();
   const bool is_text = value.is_constant && value.type == Type::String;
-  if (is_text && variable.type == Type::Char) {
+  if (is_text && type == Type::Char) {
     const std::string& text = program_.text_constants[static_cast<std::size_t>(value.value.place)];
     value = text.size() == 1
                 ? expressions_.operations().constant(
                       Type::Char, static_cast<unsigned char>(text.front()), value.where)
                 : value;
   }
-  const bool same_kind = (value.type == Type::String) == (variable.type == Type::String);
+  const bool same_kind = (value.type == Type::String) == (type == Type::String);
   if (!failed() && (!value.is_constant || !same_kind)) {
     fail(AlarmId::InitialValueType, value.where, text_of(value.where));
   }
