@@ -125,13 +125,18 @@ MaybeFailure Calls::enter(const CompiledProgram& program, const std::vector<Boun
   if (MaybeFailure wrong = take_arguments(into, values)) {
     return wrong;
   }
-  if (program.saves_codes) {
+  begin_level(into);
+  return std::nullopt;
+}
+
+/// The level that was made ready runs from here on.
+void Calls::begin_level(Level& into) {
+  if (into.program->saves_codes) {
     save_codes(into);
   }
   stack_.enter();
   tell_level();
   operands_.use_level();
-  return std::nullopt;
 }
 
 void Calls::save_codes(Level& into) {

@@ -116,12 +116,7 @@ MaybeFailure Calls::call_part(const std::string& first, const std::string& last)
   into.step = *begin;
   const std::int32_t behind = into.program->ops[static_cast<std::size_t>(*end)].a.place;
   into.parts.assign(1, {RunningPart::kWholeLevel, behind, 0, 1});
-  if (into.program->saves_codes) {
-    save_codes(into);
-  }
-  stack_.enter();
-  tell_level();
-  operands_.use_level();
+  begin_level(into);
   return std::nullopt;
 }
 
