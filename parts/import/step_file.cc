@@ -11,8 +11,8 @@
 namespace g31::parts {
 namespace {
 
-const StepFunction& step_reader() {
-  static const StepFunction reader = find_in_step_library("g31_read_step");
+const ModuleFunction& step_reader() {
+  static const ModuleFunction reader = find_in_step_library("g31_read_step");
   return reader;
 }
 

@@ -49,7 +49,7 @@ Result<Removal, std::string> remove_apart(decltype(&g31_remove) remove,
 }  // namespace
 
 Result<Removal, std::string> removal_of(const std::string& product, const StockChoice& stock) {
-  static const StepFunction function = find_in_step_library("g31_remove");
+  static const ModuleFunction function = find_in_step_library("g31_remove");
   if (function.address == nullptr) {
     return function.why_not;
   }

@@ -3,6 +3,7 @@
 
 Usage: install_test.py BUILD_FOLDER VERSION
 """
+import contextlib
 import datetime
 import json
 import pathlib
@@ -109,23 +110,59 @@ class InstalledTree(unittest.TestCase):
     def test_the_cycles_are_found(self):
         self.assertIn("CYCLE977", self.g31("explain", "CYCLE977", "--control", "sinumerik-828d").stdout)
 
-    def test_a_step_part_is_touched_and_without_the_module_the_package_is_named(self):
-        module = self.root / "lib/g31/modules/g31_step.so"
-        if not module.exists():
-            self.skipTest("built without Open CASCADE")
-        (self.root / "skip.nc").write_text("%\nO1\nG91 G31 X-60. F100\nM30\n%\n")
-        (self.root / "bolt.toml").write_text(SHEET.format(file=SOURCE / "tests/parts/cylinder.step"))
-        call = ("run", "skip.nc", "--control", "fanuc-30i", "-s", "bolt.toml", "--print", "#5061")
-        run = self.g31(*call)
-        # A cylinder of radius 10 about the origin, and a ball of radius 3.
-        self.assertEqual(run.stdout, "#5061 = 13\n", run.stderr)
+    def module(self, name):
+        """Of a part of the program that is loaded when it is needed."""
+        return self.root / f"lib/g31/modules/{name}.so"
+
+    @contextlib.contextmanager
+    def without(self, module):
         hidden = module.with_suffix(".hidden")
         module.rename(hidden)
-        self.addCleanup(hidden.rename, module)
+        try:
+            yield
+        finally:
+            hidden.rename(module)
+
+    def touch_and_miss_the_module(self, part, module, package):
+        """A part of half width 10 about the origin, and a ball of radius 3."""
+        (self.root / "skip.nc").write_text("%\nO1\nG91 G31 X-60. F100\nM30\n%\n")
+        (self.root / "part.toml").write_text(SHEET.format(file=part))
+        call = ("run", "skip.nc", "--control", "fanuc-30i", "-s", "part.toml", "--print", "#5061")
         run = self.g31(*call)
+        self.assertEqual(run.stdout, "#5061 = 13\n", run.stderr)
+        with self.without(self.module(module)):
+            run = self.g31(*call)
         self.assertEqual(run.returncode, 5)
-        self.assertIn("libocct-data-exchange", run.stderr)
-        self.assertIn("bolt.toml:10:8", run.stderr)
+        self.assertIn(package, run.stderr)
+        self.assertIn("part.toml:10:8", run.stderr)
+
+    def test_a_step_part_is_touched_and_without_the_module_the_package_is_named(self):
+        if not self.module("g31_step").exists():
+            self.skipTest("built without Open CASCADE")
+        self.touch_and_miss_the_module(SOURCE / "tests/parts/cylinder.step", "g31_step", "libocct-data-exchange")
+
+    def test_an_obj_part_is_touched_and_without_the_module_the_package_is_named(self):
+        part = self.root / "cube.obj"
+        corners = [(x, y, z) for x in (-10, 10) for y in (-10, 10) for z in (60, 140)]
+        faces = ("1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4")
+        part.write_text("".join("v {} {} {}\n".format(*corner) for corner in corners)
+                        + "".join(f"f {face}\n" for face in faces))
+        self.touch_and_miss_the_module(part, "g31_assimp", "libassimp5")
+
+    def test_without_its_module_a_page_is_not_served_and_the_package_is_named(self):
+        (self.root / "ends.nc").write_text("%\nO1\nM30\n%\n")
+        with self.without(self.module("g31_server")):
+            view = self.g31("view", "ends.nc", "--control", "fanuc-30i")
+        self.assertEqual(view.returncode, 2)
+        self.assertIn("libcpp-httplib", view.stderr)
+
+    def test_only_what_needs_a_library_waits_for_it(self):
+        for tool, held in (("bin/g31", ""), ("lib/g31/modules/g31_assimp.so", "assimp"),
+                           ("lib/g31/modules/g31_server.so", "httplib")):
+            needed = subprocess.run(["objdump", "-p", self.root / tool], capture_output=True, text=True, check=True)
+            libraries = [line for line in needed.stdout.splitlines() if "NEEDED" in line]
+            for library in ("assimp", "httplib", "crypto", "TKSTEP"):
+                self.assertEqual(any(library in line for line in libraries), library == held, f"{tool}: {library}")
 
     def complete(self, *words):
         script = self.root / "share/bash-completion/completions/g31"

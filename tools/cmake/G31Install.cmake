@@ -17,9 +17,8 @@ install(FILES LICENSE DESTINATION share/doc/g31)
 
 set(g31_modules lib/g31/modules)
 install(TARGETS g31 RUNTIME_DEPENDENCY_SET g31_needs RUNTIME DESTINATION bin)
-if(TARGET g31_step)
-  install(TARGETS g31_step RUNTIME_DEPENDENCY_SET g31_needs LIBRARY DESTINATION ${g31_modules})
-endif()
+get_property(module_targets GLOBAL PROPERTY g31_module_targets)
+install(TARGETS ${module_targets} RUNTIME_DEPENDENCY_SET g31_needs LIBRARY DESTINATION ${g31_modules})
 # The archive brings the libraries, too, all but those of the language: built on Debian 12 it runs there, on
 # Ubuntu 22.04 and whatever came later (glibc 2.35, libstdc++ 6.0.30).
 install(RUNTIME_DEPENDENCY_SET g31_needs

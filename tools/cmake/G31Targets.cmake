@@ -1,6 +1,7 @@
-# Three functions, so that a folder's CMakeLists.txt is a list of facts and nothing else.
+# Four functions, so that a folder's CMakeLists.txt is a list of facts and nothing else.
 #
 #   g31_library(g31_fanuc SOURCES compare.cc system_variables.cc DEPENDS g31_runtime)
+#   g31_module(g31_step OF g31_part_import SOURCES import/step_module.cc DEPENDS open_cascade)
 #   g31_test(NAME fanuc_test SOURCES ... DEPENDS g31_fanuc)
 #   g31_bench(NAME g31_bench SOURCES ... DEPENDS g31_fanuc)
 
@@ -91,6 +92,21 @@ function(g31_library name)
     target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR})
     target_compile_features(${name} INTERFACE cxx_std_20)
   endif()
+endfunction()
+
+# A part of the library OF that is loaded when a run first needs it (machine/base/module.h).
+function(g31_module name)
+  cmake_parse_arguments(arg "" "OF" "SOURCES;DEPENDS" ${ARGN})
+  add_library(${name} MODULE ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${G31_MODULES}
+    INSTALL_RPATH "")  # that of the program holds
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_features(${name} PRIVATE cxx_std_20)
+  g31_compile_quickly(${name})
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} g31_warnings)
+  # Whoever links the library finds the module beside it.
+  add_dependencies(${arg_OF} ${name})
+  set_property(GLOBAL APPEND PROPERTY g31_module_targets ${name})
 endfunction()
 
 # The first target that is compiled in one way (quick or fast) makes a prelude, the others take what it made.

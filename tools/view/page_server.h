@@ -22,20 +22,17 @@ class PageServer {
   PageServer(const PageServer&) = delete;
   PageServer& operator=(const PageServer&) = delete;
   /// Ends all that it serves.
-  ~PageServer();
+  virtual ~PageServer() = default;
 
   /// With the token: "http://127.0.0.1:34567/?t=...".
-  [[nodiscard]] std::string address() const;
+  [[nodiscard]] virtual std::string address() const = 0;
 
   /// From now on this is the page.  Any thread may call it.
   /// @param edition  larger than that of the page before, from 1
-  void show(std::uint64_t edition, std::string html);
+  virtual void show(std::uint64_t edition, std::string html) = 0;
 
- private:
-  PageServer();
-
-  class Work;
-  std::unique_ptr<Work> work_;
+ protected:
+  PageServer() = default;
 };
 
 }  // namespace g31::view
