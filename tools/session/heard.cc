@@ -53,10 +53,26 @@ source::Diagnostic useless(const std::string& file, const MessageComment& commen
 ProgramComments::ProgramComments(source::FileSystem& files, const Control& control)
     : files_(files), form_(comment_form(control)) {}
 
+/// Looks at a file piece by piece, each with the beginning of the next, before it is read whole.
+bool ProgramComments::may_have_comments(const std::string& file) {
+  constexpr std::size_t kPiece = 1U << 16;
+  const auto size = files_.size(file);
+  if (!size || *size > kLongestFile) {
+    return !size;
+  }
+  for (std::uint64_t offset = 0; offset < *size; offset += kPiece) {
+    const auto piece = files_.read_part(file, offset, kPiece + kMessageCommentMark.size() - 1);
+    if (!piece || has_message_comment_mark(*piece)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 const std::vector<MessageComment>& ProgramComments::of(const std::string& file) {
   const std::lock_guard lock(mutex_);
   const auto [entry, is_new] = by_file_.try_emplace(file);
-  if (is_new && files_.size(file).value_or(0) <= kLongestFile) {
+  if (is_new && may_have_comments(file)) {
     entry->second = message_comments(files_.read(file).value_or(""), form_);
     std::erase_if(entry->second, [](const MessageComment& comment) {
       return comment.verb != MessageComment::Verb::Allow;

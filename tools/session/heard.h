@@ -38,6 +38,8 @@ class ProgramComments {
  private:
   static constexpr std::size_t kLongestFile = 16U << 20U;
 
+  bool may_have_comments(const std::string& file);
+
   source::FileSystem& files_;
   CommentForm form_;
   std::mutex mutex_;

@@ -15,7 +15,6 @@ namespace {
 constexpr std::string_view kBlanks = " \t\r";
 constexpr std::size_t kMostOfALine = 20;
 constexpr std::size_t kLongestShown = 1000;
-constexpr std::string_view kMark = "G31:";
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -103,7 +102,7 @@ bool has_block(const Line& line, CommentForm form) {
 
 /// Takes what a comment asks for off the front of its text.
 std::optional<MessageComment::Verb> take_verb(std::string_view& text) {
-  if (!take(text, kMark)) {
+  if (!take(text, kMessageCommentMark)) {
     return std::nullopt;
   }
   if (take(text, "ALLOW")) {
@@ -164,18 +163,6 @@ std::vector<MessageComment> asking(const Line& line) {
   return found;
 }
 
-/// Whether a text may have such comments at all: hardly a long program has one.
-bool may_ask(std::string_view program) {
-  for (std::size_t colon = program.find(':'); colon != std::string_view::npos;
-       colon = program.find(':', colon + 1)) {
-    if (colon + 1 >= kMark.size() &&
-        in_capitals(program.substr(colon + 1 - kMark.size(), kMark.size())) == kMark) {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 CommentForm comment_form(const Control& control) {
@@ -183,10 +170,22 @@ CommentForm comment_form(const Control& control) {
                                                        : CommentForm::Semicolon;
 }
 
+bool has_message_comment_mark(std::string_view piece) {
+  constexpr std::size_t kLength = kMessageCommentMark.size();
+  for (std::size_t colon = piece.find(':'); colon != std::string_view::npos;
+       colon = piece.find(':', colon + 1)) {
+    if (colon + 1 >= kLength &&
+        in_capitals(piece.substr(colon + 1 - kLength, kLength)) == kMessageCommentMark) {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::vector<MessageComment> message_comments(std::string_view program, CommentForm form) {
   constexpr int kLast = std::numeric_limits<int>::max();
   std::vector<MessageComment> all;
-  if (!may_ask(program)) {
+  if (!has_message_comment_mark(program)) {
     return all;
   }
   std::size_t waiting = 0;  // from here on they are for the next block

@@ -39,6 +39,12 @@ struct MessageComment {
   int last_line = 0;
 };
 
+/// What such a comment begins with, in capitals.
+inline constexpr std::string_view kMessageCommentMark = "G31:";
+
+/// Whether a piece of a program may have such a comment: hardly a long program has one.
+bool has_message_comment_mark(std::string_view piece);
+
 /// The comments of a program, in their order; one with several codes is several.  Letters count the
 /// same small and in capitals.  Of a line the first 20 count.
 std::vector<MessageComment> message_comments(std::string_view program, CommentForm form);
