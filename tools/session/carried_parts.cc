@@ -9,9 +9,6 @@
 namespace g31::session {
 namespace {
 
-constexpr std::string_view kOnTable = "table";
-constexpr std::string_view kOnBed = "bed";
-
 /// How far anything of a part is from a rotary axis at most, all axes standing at 0.
 double reach_of_body(const setup::Job& job, const probe::ProbedPart& part) {
   double reach_mm = 0.0;
@@ -36,12 +33,13 @@ machine::AxisChain chain_of(const setup::Job& job) {
 }
 
 void mount(probe::ProbedPart& part, const parts::PartSetup& setup, const setup::Job& job) {
-  if (setup.mount == kOnTable) {
+  if (setup.mount == parts::kTableMount) {
     return;
   }
   const machine::AxisChainSetup& chain = job.machine.chain;
-  const auto link = setup.mount == kOnBed ? std::optional(machine::link_of_bed(chain))
-                                          : machine::link_on_axis(chain, setup.mount.front());
+  const auto link = setup.mount == parts::kBedMount
+                        ? std::optional(machine::link_of_bed(chain))
+                        : machine::link_on_axis(chain, setup.mount.front());
   G31_EXPECTS(link.has_value());
   part.mount = *link == 0 ? probe::Mount::Table : probe::Mount::Link;
   part.link = *link;

@@ -23,7 +23,7 @@ std::string axes_of(const machine::AxisChainSetup& chain) {
 
 bool is_there(const machine::AxisChainSetup& chain, const std::string& mount) {
   const bool is_axis = mount.size() == 1 && machine::link_on_axis(chain, mount.front());
-  return mount == "table" || mount == "bed" || is_axis;
+  return mount == parts::kTableMount || mount == parts::kBedMount || is_axis;
 }
 
 void fill_mount(parts::PartSetup& part, const TableKeys& keys, const machine::AxisChainSetup& chain,
@@ -39,14 +39,14 @@ void fill_mount(parts::PartSetup& part, const TableKeys& keys, const machine::Ax
     return;
   }
   const Entry* const fixture = keys.find(KeyId::PartFixture);
-  if (mount != "table" && fixture != nullptr && !part.is_fixture) {
+  if (mount != parts::kTableMount && fixture != nullptr && !part.is_fixture) {
     errors.add(SetupErrorId::OutOfRange, fixture->where,
                {"part.fixture", "false", fmt::format("true of what is on \"{}\"", mount)},
                "what is measured goes along with the table");
     return;
   }
   part.mount = mount;
-  part.is_fixture = part.is_fixture || mount != "table";
+  part.is_fixture = part.is_fixture || mount != parts::kTableMount;
 }
 
 }  // namespace
