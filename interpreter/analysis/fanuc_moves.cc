@@ -83,9 +83,8 @@ void add_moves(const fanuc::CompiledProgram& program, const syntax::Block& block
       targets.push_back({word.letter, is_computed, is_computed ? 0.0 : word.number, word.span});
       continue;
     }
-    const auto number =
-        word.letter == 'G' && !is_computed ? fanuc::g_number(word.number) : std::nullopt;
-    const fanuc::GCode* const code = number ? fanuc::find_g_code(*number) : nullptr;
+    const fanuc::GCode* const code =
+        word.letter == 'G' && !is_computed ? fanuc::find_g_code(word.number) : nullptr;
     const bool calls = code != nullptr && code->action == GAction::MacroCall;
     if (word.letter == 'G' && (code == nullptr || calls || fanuc::takes_axis_words(code->action))) {
       return;  // what an unknown code does with axis words is for others to say

@@ -1,6 +1,7 @@
 #include "interpreter/path/outlet.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <iterator>
 #include <utility>
@@ -13,6 +14,12 @@ struct Tag {
   std::uint64_t number = 0;
   source::Location where;
 };
+
+/// Part by part: a whole tag would wait for its parts.
+machine::MoveTag tag_of(std::uint64_t number, source::Location where) {
+  const auto place = std::bit_cast<std::array<std::uint64_t, 2>>(where);
+  return {number, place[0], place[1]};
+}
 
 const machine::AxisTransformPtr kUnled;
 
@@ -134,7 +141,7 @@ std::optional<machine::MachineFault> Outlet::carry_out(const Move& move, const P
 std::optional<machine::MachineFault> Outlet::move(const PathBlock& block,
                                                   const OffsetPlane& plane) {
   begin_calls(block.calls > 0 ? block.calls : calls_now());
-  const auto tag = std::bit_cast<machine::MoveTag>(Tag{moves_, block.where});
+  const machine::MoveTag tag = tag_of(moves_, block.where);
   const machine::AxisTransformPtr& transform = block.of_axes ? kUnled
                                                : block.leads ? block.leads
                                                              : *transform_;

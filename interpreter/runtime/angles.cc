@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "machine/base/rounding.h"
+
 namespace g31::runtime {
 namespace {
 
@@ -36,13 +38,13 @@ constexpr double kExactTurns = 1e15;
 
 /// The same angle within about one turn, exactly.
 double within_a_turn(double degrees) {
-  return std::abs(degrees) < kExactTurns ? degrees - 360.0 * std::trunc(degrees / 360.0)
+  return std::abs(degrees) < kExactTurns ? degrees - 360.0 * truncated(degrees / 360.0)
                                          : std::fmod(degrees, 360.0);
 }
 
 double sine_from(double degrees, int quarters) {
   const double reduced = within_a_turn(degrees);
-  const double quarter = std::round(reduced / 90.0);
+  const double quarter = rounded(reduced / 90.0);
   const double rest = reduced - 90.0 * quarter;
   const int turn = static_cast<int>(quarter) + quarters;
   // + 0.0 turns a negative zero into a plain one.

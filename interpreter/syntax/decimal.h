@@ -7,14 +7,17 @@ namespace g31::syntax {
 /// Up to this many digits mantissa and power of ten are exact, so one division rounds once.
 inline constexpr int kExactDigits = 15;
 
+inline constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                          1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+
 /// mantissa / 10^places, rightly rounded.
 ///
 /// @param mantissa  of kExactDigits digits at most, leading zeros included
 /// @param places    0 to kExactDigits
 constexpr double decimal(std::uint64_t mantissa, int places) {
-  constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                     1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-  return static_cast<double>(mantissa) / kPowersOfTen[places];
+  // With a sign: that is one instruction.
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(mantissa));
+  return places == 0 ? whole : whole / kPowersOfTen[places];
 }
 
 }  // namespace g31::syntax

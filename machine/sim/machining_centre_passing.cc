@@ -111,7 +111,9 @@ std::optional<MachineFault> MachiningCentre::pass_on(const Path& path, const Pat
   ContinuousPath::Move move{length, limits, 0.0, path.slope_at(1.0) / length,
                             passing.corner_tolerance};
   if (!continuous_.is_empty()) {
-    move.corner_speed = speed_at_corner(move, path.slope_at(0.0) / length);
+    constexpr bool kIsStraight = std::is_same_v<Path, StraightPath>;
+    move.corner_speed = speed_at_corner(
+        move, kIsStraight ? move.along_end : AxisPositions(path.slope_at(0.0) / length));
   }
   continuous_.add(move);
   if (continuous_.keeps_ways()) {

@@ -45,7 +45,9 @@ class Compiler {
     link_then();
     link_loops();
     if (out_.extent == Extent::Whole) {
-      std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
+      if (!std::ranges::is_sorted(out_.labels, {}, &Label::sequence)) {
+        std::ranges::stable_sort(out_.labels, {}, &Label::sequence);
+      }
       link_jumps();
     }
     return std::move(out_);
@@ -153,9 +155,10 @@ void Compiler::assign(const Block& block, Step& step) {
 void Compiler::nc_words(const Block& block, Step& step) {
   for (Index i = block.first_word; i < block.first_word + block.word_count; ++i) {
     const syntax::Word& word = tree_.words[i];
-    out_.word_code.resize(i - out_.first_word, kNone);
-    out_.word_code.push_back(
-        word.form == syntax::ValueForm::Computed ? expressions_.value(word.expr) : kNone);
+    if (word.form == syntax::ValueForm::Computed) {
+      out_.word_code.resize(i - out_.first_word, kNone);
+      out_.word_code.push_back(expressions_.value(word.expr));
+    }
     if (word.is_bare && !profile_.has_bare_expressions && step.kind != BlockKind::Bad) {
       mark_bad(step, AlarmId::IllegalAddress, word.span,
                fmt::format("an expression after {0} needs brackets: {0}[...]",

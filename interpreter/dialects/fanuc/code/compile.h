@@ -147,7 +147,8 @@ struct CompiledProgram {
   std::vector<Cell> constants;              ///< the first is vacant: #0
   std::vector<std::string> names;           ///< of variables, upper case
   std::vector<syntax::ShortSpan> op_spans;  ///< one per op, for messages
-  std::vector<syntax::Index> word_code;     ///< per word of the program: code of its value
+  /// Per word of the program, up to the last one that is computed: code of its value.
+  std::vector<syntax::Index> word_code;
   syntax::Index first_word = 0;             ///< of the tree: word_code[0] belongs to it
   std::vector<Label> labels;                ///< rising by sequence, then step
   syntax::NestedSteps loops;                ///< WHILE and DO with their END

@@ -17,7 +17,7 @@ namespace g31::fanuc {
 inline constexpr std::uint64_t kWholeFileBytes = 1U << 20;
 
 /// How much text one window has, to the next line end.
-inline constexpr std::size_t kWindowBytes = 1U << 18;
+inline constexpr std::size_t kWindowBytes = 1U << 16;
 
 /// A long program as a run of windows: only one of them is in memory at a time, so that a program
 /// of any size runs in a few megabytes as long as it goes straight on.

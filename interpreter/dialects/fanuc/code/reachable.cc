@@ -65,6 +65,9 @@ class Walk {
 
 std::vector<syntax::SyntaxError> reachable_errors(const CompiledProgram& program) {
   std::vector<syntax::SyntaxError> found;
+  if (program.errors.empty()) {
+    return found;
+  }
   const std::vector<bool> reached = Walk(program).run();
   for (std::size_t i = 0; i < program.steps.size(); ++i) {
     const Step& step = program.steps[i];

@@ -98,14 +98,7 @@ MaybeFailure execute_action(Control& control, const NcBlock& block) {
   return row->execute(control, block);
 }
 
-bool has_axis_word(const BlockWords& words) {
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (words.has(kAxisLetters[axis])) {
-      return true;
-    }
-  }
-  return false;
-}
+constexpr std::uint32_t kAxisWords = letters_of({kAxisLetters, kAxisCount});
 
 MaybeFailure select_offsets(Control& control, const BlockWords& words, const Codes& codes) {
   if (codes.work_offset != nullptr) {
@@ -174,7 +167,7 @@ MaybeFailure execute_block(Control& control, const BlockWords& words, source::Lo
   if (codes.value().starts_cycle && in_canned_cycle(control)) {
     start_canned_cycle(control);
   }
-  NcBlock block{words, where, codes.value().frame, has_axis_word(words)};
+  NcBlock block{words, where, codes.value().frame, words.has_any(kAxisWords)};
   if (block.code == nullptr) {
     block.code = codes.value().one_shot;
   }

@@ -116,8 +116,7 @@ MaybeFailure take_g_word(Control& control, const EvaluatedWord& word, Codes& cod
     return at_word(AlarmId::MixedStatement, word,
                    fmt::format("G{} together with another call", word.number));
   }
-  const auto number = g_number(word.number);
-  const GCode* const code = number ? find_g_code(*number) : nullptr;
+  const GCode* const code = find_g_code(word.number);
   if (code == nullptr || !has_g_code(control.profile, *code)) {
     return at_word(AlarmId::ImproperGCode, word,
                    fmt::format("the control has no G{}", word.number));
@@ -207,8 +206,7 @@ MaybeFailure take_plain_word(Control& control, const EvaluatedWord& word) {
 
 /// The group of a G word; 0: none, or one that has effect in its block only.
 int group_of(const EvaluatedWord& word) {
-  const auto number = g_number(word.number);
-  const GCode* const code = number ? find_g_code(*number) : nullptr;
+  const GCode* const code = find_g_code(word.number);
   return code != nullptr ? static_cast<int>(code->group) : 0;
 }
 
@@ -232,7 +230,11 @@ MaybeFailure refuse_missing_axes(const Control& control, const BlockWords& words
   if (action == GAction::Unsimulated) {
     return std::nullopt;
   }
-  for (const char letter : {'A', 'B', 'C', 'U', 'V', 'W'}) {
+  constexpr std::string_view kNotOnEachMachine = "ABCUVW";
+  if (!words.has_any(letters_of(kNotOnEachMachine))) {
+    return std::nullopt;
+  }
+  for (const char letter : kNotOnEachMachine) {
     if (!words.has(letter) || (action == GAction::Dwell && letter == 'U')) {
       continue;
     }
@@ -253,8 +255,7 @@ MaybeFailure refuse_missing_axes(const Control& control, const BlockWords& words
 bool commands_motion(const BlockWords& words) {
   bool has_axis = false;
   for (const EvaluatedWord& word : words.all()) {
-    const auto number = word.letter == 'G' ? g_number(word.number) : std::nullopt;
-    const GCode* const code = number ? find_g_code(*number) : nullptr;
+    const GCode* const code = word.letter == 'G' ? find_g_code(word.number) : nullptr;
     if (code != nullptr && takes_axis_words(code->action)) {
       return false;
     }

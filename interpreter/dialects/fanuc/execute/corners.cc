@@ -69,6 +69,11 @@ MaybeFailure read_corner(Control& control, const NcBlock& block) {
                      "the block behind ,C or ,R moves with G01, G02 or G03; a G04 may stand "
                      "between");
   }
+  constexpr char kCornerWords[] = {syntax::kChamferWord, syntax::kRoundingWord};
+  if (!block.words.has_any(letters_of({kCornerWords, std::size(kCornerWords)}))) {
+    cutter.wish = {};
+    return std::nullopt;
+  }
   const auto wish = wish_of(control, block);
   if (!wish) {
     return wish.error();

@@ -116,17 +116,14 @@ void take_tip_feed(const Control& control, path::PathBlock& block) {
   }
 }
 
-Result<path::PathBlock, Failure> feed_block(const Control& control, const AxisPositions& q_B_end,
-                                            int g) {
-  const auto feed = feed_in_force(control);
-  if (!feed) {
-    return feed.error();
-  }
+/// @param feed_mm_min  in force
+path::PathBlock feed_block(const Control& control, const AxisPositions& q_B_end, int g,
+                           double feed_mm_min) {
   path::PathBlock block;
   block.q_M_end = q_B_end;
   block.g = g;
   block.where = control.block;
-  block.feed_mm_min = switched_feed(control, feed.value());
+  block.feed_mm_min = switched_feed(control, feed_mm_min);
   block.ends = control.feed_end();
   block.contour_control = control.contour_control();
   block.mm_per_degree = control.scale.mm_per_unit();
@@ -137,14 +134,15 @@ Result<path::PathBlock, Failure> feed_block(const Control& control, const AxisPo
 }
 
 MaybeFailure feed_to(Control& control, const AxisPositions& q_B_end, int g) {
-  const auto block = feed_block(control, q_B_end, g);
-  if (!block) {
-    return block.error();
+  const auto feed = feed_in_force(control);
+  if (!feed) {
+    return feed.error();
   }
-  if (MaybeFailure failure = is_led_too_fast(control, block.value())) {
+  const path::PathBlock block = feed_block(control, q_B_end, g, feed.value());
+  if (MaybeFailure failure = is_led_too_fast(control, block)) {
     return failure;
   }
-  return travel(control, block.value());
+  return travel(control, block);
 }
 
 MaybeFailure move_axes_to(Control& control, const AxisPositions& q_M_end, machine::RapidPath way) {
@@ -155,11 +153,11 @@ MaybeFailure move_axes_to(Control& control, const AxisPositions& q_M_end, machin
   block.ends = control.rapid_end();
   block.rapid_path = way;
   if (control.modal.group[Group::Motion].whole == 1) {
-    const auto fed = feed_block(control, q_M_end, 1);
-    if (!fed) {
-      return fed.error();
+    const auto feed = feed_in_force(control);
+    if (!feed) {
+      return feed.error();
     }
-    block = fed.value();
+    block = feed_block(control, q_M_end, 1, feed.value());
   }
   block.of_axes = true;
   return travel(control, block);

@@ -133,8 +133,7 @@ Entries codes(std::string_view topic, const Profile& profile) {
     return {};
   }
   if (topic.front() == 'G') {
-    const auto g = g_number(*number);
-    const GCode* const code = g ? find_g_code(*g) : nullptr;
+    const GCode* const code = find_g_code(*number);
     const bool has = code != nullptr && has_g_code(profile, *code);
     return has ? Entries{entry_of(*code, profile)} : Entries{};
   }

@@ -95,8 +95,7 @@ BlockEffect effect_of(const BlockWords& words, const Profile& profile,
   for (const EvaluatedWord& word : words.all()) {
     bool fence = false;
     if (word.letter == 'G') {
-      const auto number = g_number(word.number);
-      const GCode* const code = number ? find_g_code(*number) : nullptr;
+      const GCode* const code = find_g_code(word.number);
       fence = code != nullptr && is_fence(*code, profile);
     } else if (word.letter == 'M') {
       fence = is_fence(nearest_integer(word.number), parameters);

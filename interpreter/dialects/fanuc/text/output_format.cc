@@ -8,11 +8,10 @@
 
 #include "interpreter/dialects/fanuc/text/scanner.h"
 #include "interpreter/dialects/fanuc/text/word_values.h"
+#include "interpreter/syntax/decimal.h"
 
 namespace g31::fanuc {
 namespace {
-
-constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\0';
@@ -92,7 +91,7 @@ std::optional<std::string> refused_by(const OutputRule& rule,
 }
 
 std::string decimal_text(double value, int integer_places, int decimals, const OutputStyle& style) {
-  const double magnitude = round_to_counts(std::abs(value), kPowersOfTen[decimals]);
+  const double magnitude = round_to_counts(std::abs(value), syntax::kPowersOfTen[decimals]);
   std::string digits = fmt::format("{:.{}f}", magnitude, decimals);
   const std::size_t point = std::min(digits.find('.'), digits.size());
   std::string whole = digits.substr(0, point);
@@ -116,14 +115,14 @@ std::string decimal_text(double value, int integer_places, int decimals, const O
 }
 
 bool cuts_digits(double value, const OutputItem& item, const OutputStyle& style) {
-  const double magnitude = round_to_counts(std::abs(value), kPowersOfTen[item.decimals]);
+  const double magnitude = round_to_counts(std::abs(value), syntax::kPowersOfTen[item.decimals]);
   return style.overflow == OutputStyle::Overflow::Cut &&
-         magnitude >= kPowersOfTen[item.integer_places];
+         magnitude >= syntax::kPowersOfTen[item.integer_places];
 }
 
 std::optional<std::string> binary_text(double value, int decimals) {
-  const double scaled =
-      std::round(round_to_counts(value, kPowersOfTen[decimals]) * kPowersOfTen[decimals]);
+  const double scaled = std::round(round_to_counts(value, syntax::kPowersOfTen[decimals]) *
+                                   syntax::kPowersOfTen[decimals]);
   if (scaled < -2147483648.0 || scaled > 2147483647.0) {
     return std::nullopt;
   }

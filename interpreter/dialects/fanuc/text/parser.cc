@@ -63,14 +63,15 @@ void Parser::settle(Block& block, std::uint32_t begin) {
   if (failed()) {
     block.kind = BlockKind::Bad;
     block.number = static_cast<std::int32_t>(tree_.errors.size());
-    block.word_count = 0;
     tree_.words.resize(block.first_word);
     tree_.errors.push_back(*expressions_.error());
   }
   expressions_.forget_error();
   then_depth_ = 0;
-  block.span = {begin, end};
-  tree_.blocks.push_back(block);
+  // What is known last goes to its place by itself: a copy would wait for it.
+  Block& settled = tree_.blocks.emplace_back(block);
+  settled.span = {begin, end};
+  settled.word_count = static_cast<Index>(tree_.words.size()) - settled.first_word;
 }
 
 bool Parser::program_number(Block& block) {
@@ -111,6 +112,9 @@ bool Parser::program_name(Block& block) {
 }
 
 std::optional<std::int32_t> Parser::integer(const char* what) {
+  if (const std::int32_t plain = scanner_.plain_integer(); plain >= 0) {
+    return plain;
+  }
   const auto found = scanner_.number();
   if (!found || found->has_point) {
     fail(found ? AlarmId::IllegalPoint : AlarmId::NoDataAfterAddress, what);
@@ -225,11 +229,24 @@ void Parser::expect_end(Block& block) {
 
 void Parser::words(Block& block) {
   block.kind = BlockKind::Nc;
-  while (!failed() && word()) {
-  }
-  block.word_count = static_cast<Index>(tree_.words.size()) - block.first_word;
+  do {
+    plain_words();
+  } while (word() && !failed());
 }
 
+void Parser::plain_words() {
+  for (;;) {
+    const std::uint32_t begin = scanner_.position();
+    Word& word = tree_.words.emplace_back();  // a copy would wait for its parts
+    if (!scanner_.plain_word(word)) {
+      tree_.words.pop_back();
+      return;
+    }
+    word.span = {begin, scanner_.position()};
+  }
+}
+
+/// However it is written.
 bool Parser::word() {
   const char next = scanner_.peek();
   if (next == '\n') {

@@ -177,6 +177,69 @@ std::optional<ScannedNumber> Scanner::number() {
       static_cast<std::uint8_t>(std::min(decimals, 255)), has_point);
 }
 
+namespace {
+
+/// Steps over a blank.  @returns whether nothing that would belong to a number follows: a digit or
+/// a point behind a blank would
+bool ends_plainly(std::string_view text, std::size_t& at) {
+  at += at < text.size() && text[at] == ' ' ? 1U : 0U;
+  const char next = at < text.size() ? kShown[static_cast<unsigned char>(text[at])] : '\0';
+  return is_letter(next) || next == '\n';
+}
+
+}  // namespace
+
+std::int32_t Scanner::plain_integer() {
+  constexpr std::size_t kMostDigits = 8;
+  std::size_t at = at_;
+  std::int32_t number = 0;
+  for (; at < text_.size() && is_digit(text_[at]) && at - at_ < kMostDigits; ++at) {
+    number = number * 10 + (text_[at] - '0');
+  }
+  if (at == at_ || !ends_plainly(text_, at)) {
+    return -1;
+  }
+  at_ = at;
+  return number;
+}
+
+bool Scanner::plain_word(syntax::Word& word) {
+  const char* const text = text_.data();  // and what is looked at is kept out of memory
+  const std::size_t size = text_.size();
+  std::size_t at = at_;
+  const char letter = at < size ? kShown[static_cast<unsigned char>(text[at])] : '\0';
+  if (!is_letter(letter)) {
+    return false;
+  }
+  ++at;
+  const bool is_negative = at < size && text[at] == '-';
+  at += is_negative ? 1U : 0U;
+  std::uint64_t mantissa = 0;
+  const auto take_digits = [&] {
+    const std::size_t begin = at;
+    for (; at < size && is_digit(text[at]); ++at) {
+      mantissa = mantissa * 10 + static_cast<unsigned char>(text[at] - '0');
+    }
+    return at - begin;
+  };
+  std::size_t digits = take_digits();
+  const bool has_point = at < size && text[at] == '.';
+  at += has_point ? 1U : 0U;
+  const std::size_t decimals = has_point ? take_digits() : 0;
+  digits += decimals;
+  if (digits == 0 || digits > syntax::kExactDigits || !ends_plainly(text_, at)) {
+    return false;
+  }
+  const double value = syntax::decimal(mantissa, static_cast<int>(decimals));
+  word.letter = letter;
+  word.form = has_point ? syntax::ValueForm::Decimal : syntax::ValueForm::Integer;
+  word.digits = static_cast<std::uint8_t>(digits);
+  word.decimals = static_cast<std::uint8_t>(decimals);
+  word.number = is_negative ? -value : value;
+  at_ = at;
+  return true;
+}
+
 char Scanner::corner_address() {
   const std::size_t comma = at_;
   step();

@@ -61,10 +61,13 @@ class Scanner {
 
   /// The next character that counts, or '\n' at the end of the block; letters as upper case.
   char peek() {
-    if (at_ < text_.size()) {
+    for (; at_ < text_.size(); ++at_) {
       const char shown = kShown[static_cast<unsigned char>(text_[at_])];
       if (shown != '\0') [[likely]] {
         return shown;
+      }
+      if (text_[at_] != ' ') {
+        break;
       }
     }
     return peek_behind_blanks();
@@ -97,6 +100,17 @@ class Scanner {
 
   /// A number without sign, or nullopt where none begins.
   std::optional<ScannedNumber> number();
+
+  /// Steps over an address and its number where they stand as in nearly every block of a long
+  /// program: without anything between them, one blank behind them at most, and a number that is
+  /// exact.
+  /// @param word  all but its place; changed only where there is one
+  /// @returns whether there is one; else nothing is stepped over
+  bool plain_word(syntax::Word& word);
+
+  /// Steps over a whole number of eight digits at most that ends its word as plain_word() has it.
+  /// @returns -1: there is none, and nothing is stepped over
+  std::int32_t plain_integer();
 
   /// The run of letters that begins here, upper case, at most 8 of them; empty where none begins.
   std::string_view letters();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "machine/base/rounding.h"
+
 namespace g31::fanuc {
 namespace {
 
@@ -17,19 +19,6 @@ bool is_on_grid(std::size_t decimals, double counts) {
 /// How far a decimal fraction may stand off its count: a few ulp of the scaled number.
 double guard(double scaled) {
   return std::max(1.0, std::abs(scaled)) * 8.0 * std::numeric_limits<double>::epsilon();
-}
-
-constexpr double kWhole = 4503599627370496.0;  // 2^52: no double beyond it has a fraction
-
-/// std::trunc and std::round, without the calls that they are on processors of the first x86-64
-/// kind.
-double truncated(double value) {
-  return std::abs(value) < kWhole ? static_cast<double>(static_cast<std::int64_t>(value)) : value;
-}
-
-double rounded(double value) {
-  const double whole = truncated(value);
-  return std::abs(value - whole) < 0.5 ? whole : whole + std::copysign(1.0, value);
 }
 
 /// A little farther from zero, by the guard.

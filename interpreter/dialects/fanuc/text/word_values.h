@@ -20,6 +20,15 @@ struct EvaluatedWord {
   syntax::ShortSpan span;
 };
 
+/// A bit for each of some addresses.
+constexpr std::uint32_t letters_of(std::string_view letters) {
+  std::uint32_t bits = 0;
+  for (const char letter : letters) {
+    bits |= std::uint32_t{1} << (letter - 'A');
+  }
+  return bits;
+}
+
 /// The words of one block: all in order, and the last of each letter (MB-014).
 class BlockWords {
  public:
@@ -47,6 +56,7 @@ class BlockWords {
     added.span = word.span;
   }
   [[nodiscard]] bool has(char letter) const { return (present_ >> (letter - 'A') & 1U) != 0; }
+  [[nodiscard]] bool has_any(std::uint32_t letters) const { return (present_ & letters) != 0; }
   [[nodiscard]] const EvaluatedWord* find(char letter) const {
     return has(letter) ? &words_[last_[static_cast<std::size_t>(letter - 'A')]] : nullptr;
   }

@@ -51,19 +51,6 @@ std::string to_text(GNumber number) {
                            : fmt::format("G{}.{}", number.whole, number.tenth);
 }
 
-std::optional<GNumber> g_number(double value) {
-  const auto plain = static_cast<std::int16_t>(value >= 0.0 && value < 1000.0 ? value : 0.0);
-  if (plain == value) {
-    return GNumber{plain, 0};
-  }
-  const double tenths = value * 10.0;
-  if (value < 0.0 || value >= 1000.0 || std::abs(tenths - std::round(tenths)) > 1e-6) {
-    return std::nullopt;
-  }
-  const int whole = static_cast<int>(std::round(tenths));
-  return GNumber{static_cast<std::int16_t>(whole / 10), static_cast<std::int8_t>(whole % 10)};
-}
-
 std::span<const GCode> g_codes() {
   return kGCodeRows;
 }
@@ -71,6 +58,20 @@ std::span<const GCode> g_codes() {
 const GCode* find_g_code(GNumber number) {
   const std::size_t place = key(number);
   return place < kKeys && kIndex[place] != 0 ? &kGCodeRows[kIndex[place] - 1] : nullptr;
+}
+
+const GCode* find_g_code(double value) {
+  const auto plain = static_cast<std::int16_t>(value >= 0.0 && value < 1000.0 ? value : 0.0);
+  if (plain == value) {
+    return find_g_code(GNumber{plain, 0});
+  }
+  const double tenths = value * 10.0;
+  if (value < 0.0 || value >= 1000.0 || std::abs(tenths - std::round(tenths)) > 1e-6) {
+    return nullptr;
+  }
+  const int whole = static_cast<int>(std::round(tenths));
+  return find_g_code(
+      GNumber{static_cast<std::int16_t>(whole / 10), static_cast<std::int8_t>(whole % 10)});
 }
 
 }  // namespace g31::fanuc

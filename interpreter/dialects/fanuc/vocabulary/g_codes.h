@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -82,9 +81,6 @@ struct GNumber {
 /// "G54.1"
 std::string to_text(GNumber number);
 
-/// The G number of a word's value; nullopt when it is negative, too large or has more decimals.
-std::optional<GNumber> g_number(double value);
-
 /// One row of g_codes.def.
 struct GCode {
   GNumber number;
@@ -104,5 +100,7 @@ std::span<const GCode> g_codes();
 
 /// The row of a number, or nullptr: alarm 010.
 const GCode* find_g_code(GNumber number);
+/// That of a word's value; nullptr also when it is negative, too large or has more decimals.
+const GCode* find_g_code(double value);
 
 }  // namespace g31::fanuc
