@@ -47,12 +47,9 @@ ArcPath::ArcPath(const AxisPositions& q_M_from, const ArcMove& arc)
   }
   direction_from_ =
       radius_from_ > 0.0 ? Eigen::Vector2d(from / radius_from_) : Eigen::Vector2d(1.0, 0.0);
-}
-
-double ArcPath::length() const {
   const double around = radius() * turned_rad_;
   const double outwards = radius_to_ - radius_from_;
-  return std::sqrt(around * around + outwards * outwards);
+  length_ = std::sqrt(around * around + outwards * outwards);
 }
 
 AxisPositions ArcPath::at(double fraction) const {
@@ -78,8 +75,9 @@ AxisPositions ArcPath::slope_at(double fraction) const {
   AxisPositions slope = displacement_;
   const double outwards = radius_to_ - radius_from_;
   const double radius = radius_from_ + fraction * outwards;
-  const double cosine = std::cos(fraction * turned_rad_);
-  const double sine = std::sin(fraction * turned_rad_);
+  const bool is_start = fraction == 0.0;  // asked of each arc
+  const double cosine = is_start ? 1.0 : std::cos(fraction * turned_rad_);
+  const double sine = is_start ? 0.0 : std::sin(fraction * turned_rad_);
   const double c = direction_from_.x() * cosine - direction_from_.y() * sine;
   const double s = direction_from_.x() * sine + direction_from_.y() * cosine;
   slope[first_axis_] = outwards * c - radius * turned_rad_ * s;

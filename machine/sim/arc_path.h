@@ -33,7 +33,7 @@ class ArcPath {
   [[nodiscard]] double radius() const { return 0.5 * (radius_from_ + radius_to_); }
 
   /// mm in the plane, what the feed counts: the helix axes come on top, as on a control.
-  [[nodiscard]] double length() const;
+  [[nodiscard]] double length() const { return length_; }
 
   /// The point at a fraction 0..1 of the arc; from 1 on exactly the end.
   [[nodiscard]] AxisPositions at(double fraction) const;
@@ -67,6 +67,7 @@ class ArcPath {
   double radius_to_;
   Eigen::Vector2d direction_from_;  // from the centre to the start, length 1
   double turned_rad_;
+  double length_;
 };
 
 /// Far below the least increment of any control (1e-6 mm), far above the rounding of coordinates.

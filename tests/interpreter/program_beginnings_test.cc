@@ -15,7 +15,7 @@ constexpr const char* kEnd = "\n o 12 34\nX1. O5 % x\n:7\r\n  \nO0003 (O9:)\n%\n
 /// A file that has so many characters behind its first piece.
 std::string file_with(std::size_t behind) {
   const std::string head = "%\nO0001(%O2)\n(";
-  const std::size_t size = fanuc::kWindowBytes - std::string(kEnd).size() + behind;
+  const std::size_t size = fanuc::kPieceBytes - std::string(kEnd).size() + behind;
   return head + std::string(size - head.size() - 1, 'O') + ")" + kEnd;
 }
 

@@ -170,7 +170,7 @@ std::vector<ProgramBeginning> program_beginnings(source::FileSystem& files, cons
                                                  std::uint64_t bytes) {
   BeginningsReader reader;
   for (std::uint64_t offset = 0; offset < bytes;) {
-    const auto text = files.read_part(path, offset, kWindowBytes);
+    const auto text = files.read_part(path, offset, kPieceBytes);
     if (!text || text->empty()) {
       break;
     }

@@ -16,8 +16,11 @@ namespace g31::fanuc {
 /// twenty times their size.
 inline constexpr std::uint64_t kWholeFileBytes = 1U << 20;
 
-/// How much text one window has, to the next line end.
+/// How much text one window has, to the next line end: what is made of it stays in the caches.
 inline constexpr std::size_t kWindowBytes = 1U << 16;
+
+/// How much is read at once where only the beginnings of programs are looked for.
+inline constexpr std::size_t kPieceBytes = 1U << 18;
 
 /// A long program as a run of windows: only one of them is in memory at a time, so that a program
 /// of any size runs in a few megabytes as long as it goes straight on.

@@ -35,8 +35,8 @@ class Parser {
  private:
   /// Room for what a text of this size holds as a rule.
   void reserve() {
-    tree_.blocks.reserve(scanner_.text().size() / 32);
-    tree_.words.reserve(scanner_.text().size() / 6);
+    tree_.blocks.reserve(scanner_.text().size() / 24);
+    tree_.words.reserve(scanner_.text().size() / 5);
   }
   void block();
   bool program_number(syntax::Block& block);
