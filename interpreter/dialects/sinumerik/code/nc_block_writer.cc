@@ -28,9 +28,10 @@ bool NcBlockWriter::add(Address address, double value) {
 
 void NcBlockWriter::execute(ShortSpan block) {
   const Operand which = {Bank::Constants, static_cast<std::int32_t>(program_.nc_blocks.size())};
-  nc_.code_count = static_cast<std::uint16_t>(program_.codes.size() - nc_.first_code);
-  nc_.word_count = static_cast<std::uint16_t>(program_.words.size() - nc_.first_word);
-  program_.nc_blocks.push_back(nc_);
+  // Counted in its place: a copy would wait for the counts.
+  NcBlock& written = program_.nc_blocks.emplace_back(nc_);
+  written.code_count = static_cast<std::uint16_t>(program_.codes.size() - nc_.first_code);
+  written.word_count = static_cast<std::uint16_t>(program_.words.size() - nc_.first_word);
   nc_.first_code = static_cast<std::uint32_t>(program_.codes.size());
   nc_.first_word = static_cast<std::uint32_t>(program_.words.size());
   has_words_ = false;

@@ -267,7 +267,15 @@ MaybeFailure move(Channel& channel, const Block& block) {
 
 }  // namespace
 
-const GCode* Block::code_of(Group group) const {
+Block::Block(const BlockWords& block_words, std::span<const std::uint16_t> packed_codes,
+             source::Location place)
+    : words(block_words), codes(packed_codes), where(place) {
+  for (const std::uint16_t bits : codes) {
+    groups |= std::uint64_t{1} << static_cast<unsigned>(g_codes()[unpacked(bits).row].group);
+  }
+}
+
+const GCode* Block::find_code(Group group) const {
   for (const std::uint16_t bits : codes) {
     const GCode& row = g_codes()[unpacked(bits).row];
     if (row.group == group) {

@@ -9,12 +9,23 @@ namespace g31::sinumerik {
 
 /// One NC block with its words evaluated.
 struct Block {
+  /// @param block_words, packed_codes  outlive it
+  Block(const BlockWords& block_words, std::span<const std::uint16_t> packed_codes,
+        source::Location place);
+
   const BlockWords& words;
   std::span<const std::uint16_t> codes;  ///< packed
   source::Location where;
+  std::uint64_t groups = 0;  ///< a bit for each group that a code is of
 
   /// The row of a group that stands in this block; nullptr: none.
-  [[nodiscard]] const GCode* code_of(Group group) const;
+  [[nodiscard]] const GCode* code_of(Group group) const {
+    static_assert(kGroupCount <= 64);
+    return (groups >> static_cast<unsigned>(group) & 1U) != 0 ? find_code(group) : nullptr;
+  }
+
+ private:
+  [[nodiscard]] const GCode* find_code(Group group) const;
 };
 
 /// Whether the block moves along the path; in a block of TRANS, say, axis words do not.

@@ -162,7 +162,7 @@ MaybeFailure Runner::execute(const Op& op) {
                          words.computed_codes.end());
     codes = with_computed;
   }
-  const Block commands{words, codes, stack_.here()};
+  const Block commands(words, codes, stack_.here());
   const bool moves = stack_.modal_call && commands_motion(commands);
   MaybeFailure wrong = actions_.execute(commands);
   words.clear();

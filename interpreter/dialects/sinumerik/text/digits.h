@@ -29,13 +29,16 @@ struct Digits {
 inline Digits digits_at(std::string_view text, std::size_t begin) {
   Digits digits;
   std::size_t at = begin;
-  for (; at < text.size() && (is_digit(text[at]) || text[at] == '.'); ++at) {
-    if (text[at] == '.') {
-      ++digits.points;
-      digits.behind_point = at + 1;
-    } else {
+  const auto take_digits = [&] {
+    for (; at < text.size() && is_digit(text[at]); ++at) {
       digits.mantissa = digits.mantissa * 10 + static_cast<std::uint64_t>(text[at] - '0');
     }
+  };
+  take_digits();
+  while (at < text.size() && text[at] == '.') {
+    ++digits.points;
+    digits.behind_point = ++at;
+    take_digits();
   }
   digits.end = at;
   return digits;
