@@ -48,10 +48,20 @@ class Texts {
     }
     return text;
   }
+  /// Mostly nothing.
+  std::string rarely(const std::string& text) { return below(20) == 0 ? text : ""; }
   std::string number() {
-    const std::string begin = digits(below(9) == 0 ? 20 : 6);
-    return begin + pick({"", "", ".", ".", ". ", " .", "#", ".."}) + digits(6) +
-           pick({"", "", "", "", " 5", " .", "#1", "[2]"});
+    std::string text = below(30) == 0 ? "" : "7";
+    text += digits(below(9) == 0 ? 20 : 6);
+    text += rarely(" ");
+    text += pick({"", ".", "."});
+    text += rarely(".");
+    text += rarely(" ");
+    text += digits(6);
+    text += rarely(" 5");
+    text += rarely("#1");
+    text += rarely("[2]");
+    return text;
   }
 
   Stream stream_;

@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "tools/disk/disk.h"
+
 namespace g31::cli {
 namespace {
 
@@ -22,6 +24,7 @@ void catch_once(int signal) {
 
 const runtime::Interruption& catch_interruption() {
   catch_once(SIGINT);
+  disk::give_standard_input_up_when(is_asked_for);
   return is_asked_for;
 }
 

@@ -1,6 +1,7 @@
 #include "tools/disk/disk.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -36,10 +37,23 @@ std::vector<std::string> names_in(const std::string& folder, Wanted is_wanted) {
   return names;
 }
 
-/// Whether standard input has more, or its end, before a signal comes that this program handles.
-bool comes_before_a_signal() {
+std::atomic<const std::atomic<bool>*> standard_input_is_given_up = nullptr;
+
+/// Whether standard input has more, or its end, before it is given up.
+bool comes_in_time() {
+  // A signal ends the waiting, but one that came just before it does not.
+  constexpr int kLookMs = 100;
   pollfd input{STDIN_FILENO, POLLIN, 0};
-  return ::poll(&input, 1, -1) >= 0 || errno != EINTR;
+  for (;;) {
+    const int ready = ::poll(&input, 1, kLookMs);
+    if (ready != 0) {
+      return ready > 0 || errno != EINTR;
+    }
+    const std::atomic<bool>* const is_over = standard_input_is_given_up;
+    if (is_over != nullptr && *is_over) {
+      return false;
+    }
+  }
 }
 
 /// nullopt where it fails, brings more than a pipe may, or is waited for in vain: a handled signal
@@ -49,7 +63,7 @@ std::optional<std::string> read_standard_input() {
   std::string text;
   std::vector<char> piece(kPiece);
   while (text.size() <= Disk::kMostOfAPipe) {
-    if (!comes_before_a_signal()) {
+    if (!comes_in_time()) {
       return std::nullopt;
     }
     const ssize_t count = ::read(STDIN_FILENO, piece.data(), kPiece);
@@ -90,6 +104,10 @@ bool is_standard_input(const std::string& path) {
 }
 
 }  // namespace
+
+void give_standard_input_up_when(const std::atomic<bool>& is_over) {
+  standard_input_is_given_up = &is_over;
+}
 
 std::optional<std::uint64_t> Disk::size(const std::string& named) {
   if (is_standard_input(named)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -27,6 +28,10 @@ class Disk final : public source::FileSystem {
   std::vector<std::string> folders(const std::string& folder) override;
   bool has_folder(const std::string& folder) override;
 };
+
+/// From now on nobody waits for standard input any longer when this is true; a signal that is
+/// handled ends the waiting at once.  @param is_over  outlives the program's work
+void give_standard_input_up_when(const std::atomic<bool>& is_over);
 
 /// Writes a file under a temporary name beside it and renames it, so that nobody ever sees half of
 /// it; a link to a file stays one.  A device or a pipe gets the text as it is.  @returns why it
