@@ -231,7 +231,7 @@ void Parser::words(Block& block) {
   block.kind = BlockKind::Nc;
   do {
     plain_words();
-  } while (word() && !failed());
+  } while (word());
 }
 
 void Parser::plain_words() {

@@ -18,6 +18,14 @@ constexpr bool is_letter(char c) {
   return c >= 'A' && c <= 'Z';
 }
 
+/// Steps over a blank.  @returns whether nothing that would belong to a number follows: a digit or
+/// a point behind a blank would
+bool ends_plainly(std::string_view text, std::size_t& at) {
+  at += at < text.size() && text[at] == ' ' ? 1U : 0U;
+  const char next = at < text.size() ? kShown[static_cast<unsigned char>(text[at])] : '\0';
+  return is_letter(next) || next == '\n';
+}
+
 /// @param written  digits, perhaps a point and, between them, what counts for nothing
 double value_of_many_digits(std::string_view written) {
   std::string plain;
@@ -176,18 +184,6 @@ std::optional<ScannedNumber> Scanner::number() {
       std::in_place, value, static_cast<std::uint8_t>(std::min(digits, 255)),
       static_cast<std::uint8_t>(std::min(decimals, 255)), has_point);
 }
-
-namespace {
-
-/// Steps over a blank.  @returns whether nothing that would belong to a number follows: a digit or
-/// a point behind a blank would
-bool ends_plainly(std::string_view text, std::size_t& at) {
-  at += at < text.size() && text[at] == ' ' ? 1U : 0U;
-  const char next = at < text.size() ? kShown[static_cast<unsigned char>(text[at])] : '\0';
-  return is_letter(next) || next == '\n';
-}
-
-}  // namespace
 
 std::int32_t Scanner::plain_integer() {
   constexpr std::size_t kMostDigits = 8;
