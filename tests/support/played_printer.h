@@ -50,6 +50,10 @@ class PlayedPrinter {
   /// Begins to listen.
   void start() {
     thread_ = std::thread([this] { listen(); });
+    // A process that is forked while a thread begins may find the sanitizers' memory locked.
+    while (!listens_) {
+      std::this_thread::yield();
+    }
   }
 
   /// All that came since the start; the printer listens no more.
@@ -105,6 +109,7 @@ class PlayedPrinter {
 
  private:
   void listen() {
+    listens_ = true;
     bool more = true;
     while (far_ >= 0 && (more || !is_over_)) {
       more = take(std::chrono::milliseconds(20));
@@ -132,6 +137,7 @@ class PlayedPrinter {
   int near_ = -1;
   std::string device_;
   std::string received_;
+  std::atomic<bool> listens_ = false;
   std::atomic<bool> is_over_ = false;
   std::thread thread_;
 };

@@ -143,7 +143,7 @@ class InstalledTree(unittest.TestCase):
 
     def test_an_obj_part_is_touched_and_without_the_module_the_package_is_named(self):
         part = self.root / "cube.obj"
-        corners = [(x, y, z) for x in (-10, 10) for y in (-10, 10) for z in (90, 101)]
+        corners = [(x, y, z) for x in (-10, 10) for y in (-10, 10) for z in (-20, 0)]
         faces = ("1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4")
         part.write_text("".join("v {} {} {}\n".format(*corner) for corner in corners)
                         + "".join(f"f {face}\n" for face in faces))
