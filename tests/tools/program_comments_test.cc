@@ -38,7 +38,7 @@ TEST(ProgramComments, AreFoundWhereverAPieceEnds) {
 
 TEST(ProgramComments, OfAFileThatIsNotThereAreNone) {
   const session::Control control = session::control_named("fanuc-30i").value();
-  testing::FilesInMemory files({{"a.nc", "O1\n(g31: nothing)\nM30\n"}});
+  testing::FilesInMemory files({{"a.nc", std::string("O1\n(g31: nothing)\nM30\n")}});
   session::ProgramComments comments(files, control);
   EXPECT_TRUE(comments.of("a.nc").empty());
   EXPECT_TRUE(comments.of("b.nc").empty());
