@@ -7,6 +7,14 @@
 
 namespace g31::source {
 
+std::size_t line_ends_in(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
 LineStarts::LineStarts(std::string_view text) : size_(text.size()), starts_{0} {
   for (std::size_t i = text.find('\n'); i != text.npos; i = text.find('\n', i + 1)) {
     starts_.push_back(i + 1);

@@ -13,6 +13,9 @@ struct LineColumn {
   friend bool operator==(LineColumn, LineColumn) = default;
 };
 
+/// How many LF a text has; one after the other, for a look at each byte takes four times as long.
+std::size_t line_ends_in(std::string_view text);
+
 /// Where the lines of a text begin: at its beginning and behind each LF.
 class LineStarts {
  public:

@@ -1,11 +1,21 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 namespace g31::syntax {
 
 /// Up to this many digits mantissa and power of ten are exact, so one division rounds once.
 inline constexpr int kExactDigits = 15;
+
+/// Steps over the digits that stand at `at`, which go on with a number.
+/// @param mantissa  of no use beyond kExactDigits digits
+inline void take_digits(std::string_view text, std::size_t& at, std::uint64_t& mantissa) {
+  for (; at < text.size() && text[at] >= '0' && text[at] <= '9'; ++at) {
+    mantissa = mantissa * 10 + static_cast<unsigned char>(text[at] - '0');
+  }
+}
 
 inline constexpr double kPowersOfTen[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                           1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};

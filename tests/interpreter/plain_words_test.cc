@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -91,29 +92,26 @@ std::string plain(const std::string& text, syntax::ShortSpan span) {
   return counts;
 }
 
+auto told(const syntax::Block& block) {
+  return std::tuple(block.kind, block.sequence, block.number, block.skip_switch, block.first_word,
+                    block.word_count);
+}
+
+auto told(const syntax::Word& word) {
+  return std::tuple(word.letter, word.form, word.digits, word.decimals,
+                    std::bit_cast<std::uint64_t>(word.number), word.expr);
+}
+
 void expect_alike(const syntax::Tree& tree, const syntax::Tree& wide, const std::string& text) {
   ASSERT_EQ(tree.blocks.size(), wide.blocks.size()) << text;
   for (std::size_t i = 0; i < tree.blocks.size(); ++i) {
-    const syntax::Block& a = tree.blocks[i];
-    const syntax::Block& b = wide.blocks[i];
-    ASSERT_EQ(a.kind, b.kind) << text;
-    ASSERT_EQ(a.sequence, b.sequence) << text;
-    ASSERT_EQ(a.number, b.number) << text;
-    ASSERT_EQ(a.skip_switch, b.skip_switch) << text;
-    ASSERT_EQ(a.first_word, b.first_word) << text;
-    ASSERT_EQ(a.word_count, b.word_count) << text;
+    ASSERT_EQ(told(tree.blocks[i]), told(wide.blocks[i])) << text;
   }
   ASSERT_EQ(tree.words.size(), wide.words.size()) << text;
   for (std::size_t i = 0; i < tree.words.size(); ++i) {
     const syntax::Word& a = tree.words[i];
     const syntax::Word& b = wide.words[i];
-    ASSERT_EQ(a.letter, b.letter) << text;
-    ASSERT_EQ(a.form, b.form) << text;
-    ASSERT_EQ(a.digits, b.digits) << text;
-    ASSERT_EQ(a.decimals, b.decimals) << text;
-    ASSERT_EQ(std::bit_cast<std::uint64_t>(a.number), std::bit_cast<std::uint64_t>(b.number))
-        << text;
-    ASSERT_EQ(a.expr, b.expr) << text;
+    ASSERT_EQ(told(a), told(b)) << text;
     // Where a word ends: what counts for something up to there is the same.
     ASSERT_EQ(plain(text, a.span), plain(spread(text), b.span)) << text;
   }

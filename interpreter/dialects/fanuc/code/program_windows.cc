@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "interpreter/source/line_starts.h"
+
 namespace g31::fanuc {
 namespace {
 
@@ -16,15 +18,6 @@ std::optional<std::size_t> line_of(std::string_view text, std::size_t place) {
   const std::string_view before = text.substr(begin, place - begin);
   const bool is_first = before.find_first_not_of(" \t\r") == std::string_view::npos;
   return is_first ? std::optional(begin) : std::nullopt;
-}
-
-/// From one to the next: a look at each byte takes four times as long.
-int line_ends_in(std::string_view text) {
-  int count = 0;
-  for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1)) {
-    ++count;
-  }
-  return count;
 }
 
 bool is_loop(const syntax::Block& block) {
@@ -87,7 +80,7 @@ const CompiledProgram* ProgramWindows::next(const Profile& profile) {
   }
   const std::string_view lines = window->source.text();
   offset_ += lines.size();
-  next_line_ += line_ends_in(lines);
+  next_line_ += static_cast<int>(source::line_ends_in(lines));
   if (window->tree.programs.size() == 1) {
     window->program = compile(window->source, window->tree, 0, profile, Extent::Window);
   }

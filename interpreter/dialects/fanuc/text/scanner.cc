@@ -160,9 +160,7 @@ std::optional<ScannedNumber> Scanner::number() {
   bool has_point = false;
   for (bool goes_on = true; goes_on; goes_on = number_goes_on(has_point)) {
     std::size_t at = at_;  // kept out of memory while digits follow
-    for (; at < text_.size() && is_digit(text_[at]); ++at) {
-      mantissa = mantissa * 10 + static_cast<std::uint64_t>(text_[at] - '0');
-    }
+    syntax::take_digits(text_, at, mantissa);
     digits += static_cast<int>(at - at_);
     at_ = at;
     if (at_ < text_.size() && text_[at_] == '.' && !has_point) {
@@ -200,30 +198,28 @@ std::int32_t Scanner::plain_integer() {
 }
 
 bool Scanner::plain_word(syntax::Word& word) {
-  const char* const text = text_.data();  // and what is looked at is kept out of memory
-  const std::size_t size = text_.size();
+  const std::string_view text = text_;  // what is looked at is kept out of memory
   std::size_t at = at_;
-  const char letter = at < size ? kShown[static_cast<unsigned char>(text[at])] : '\0';
+  const char letter = at < text.size() ? kShown[static_cast<unsigned char>(text[at])] : '\0';
   if (!is_letter(letter)) {
     return false;
   }
   ++at;
-  const bool is_negative = at < size && text[at] == '-';
+  const bool is_negative = at < text.size() && text[at] == '-';
   at += is_negative ? 1U : 0U;
   std::uint64_t mantissa = 0;
-  const auto take_digits = [&] {
-    const std::size_t begin = at;
-    for (; at < size && is_digit(text[at]); ++at) {
-      mantissa = mantissa * 10 + static_cast<unsigned char>(text[at] - '0');
-    }
-    return at - begin;
-  };
-  std::size_t digits = take_digits();
-  const bool has_point = at < size && text[at] == '.';
+  const std::size_t begin = at;
+  syntax::take_digits(text, at, mantissa);
+  std::size_t digits = at - begin;
+  const bool has_point = at < text.size() && text[at] == '.';
   at += has_point ? 1U : 0U;
-  const std::size_t decimals = has_point ? take_digits() : 0;
+  const std::size_t behind_point = at;
+  if (has_point) {
+    syntax::take_digits(text, at, mantissa);
+  }
+  const std::size_t decimals = at - behind_point;
   digits += decimals;
-  if (digits == 0 || digits > syntax::kExactDigits || !ends_plainly(text_, at)) {
+  if (digits == 0 || digits > syntax::kExactDigits || !ends_plainly(text, at)) {
     return false;
   }
   const double value = syntax::decimal(mantissa, static_cast<int>(decimals));

@@ -2,6 +2,7 @@
 
 #include "interpreter/dialects/sinumerik/code/compiler.h"
 #include "interpreter/dialects/sinumerik/code/replaced_names.h"
+#include "interpreter/source/line_starts.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -75,7 +76,7 @@ ShortSpan Compiler::line_from(std::uint32_t begin) const {
 
 std::unique_ptr<CompiledProgram> Compiler::run() {
   const std::string_view text = text_.substr(whole_.begin, whole_.end - whole_.begin);
-  reserve(static_cast<std::size_t>(std::ranges::count(text, '\n')));
+  reserve(source::line_ends_in(text));
   for (std::uint32_t begin = whole_.begin; begin < whole_.end;) {
     const ShortSpan line = line_from(begin);
     if (!plain_block(line)) {

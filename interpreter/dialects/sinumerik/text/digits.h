@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "interpreter/dialects/sinumerik/vocabulary/names.h"
 #include "interpreter/syntax/decimal.h"
 
 namespace g31::sinumerik {
@@ -29,16 +28,11 @@ struct Digits {
 inline Digits digits_at(std::string_view text, std::size_t begin) {
   Digits digits;
   std::size_t at = begin;
-  const auto take_digits = [&] {
-    for (; at < text.size() && is_digit(text[at]); ++at) {
-      digits.mantissa = digits.mantissa * 10 + static_cast<std::uint64_t>(text[at] - '0');
-    }
-  };
-  take_digits();
+  syntax::take_digits(text, at, digits.mantissa);
   while (at < text.size() && text[at] == '.') {
     ++digits.points;
     digits.behind_point = ++at;
-    take_digits();
+    syntax::take_digits(text, at, digits.mantissa);
   }
   digits.end = at;
   return digits;

@@ -1,6 +1,7 @@
 #include "interpreter/dialects/sinumerik/text/plain_words.h"
 
 #include "interpreter/dialects/sinumerik/text/digits.h"
+#include "interpreter/dialects/sinumerik/vocabulary/names.h"
 
 namespace g31::sinumerik {
 namespace {
