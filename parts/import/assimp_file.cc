@@ -10,10 +10,11 @@ namespace g31::parts {
 
 Result<Mesh, std::string> read_through_assimp(const std::string& path, std::string bytes,
                                               const GoesOn& goes_on) {
-  static const ModuleFunction function = find_in_module("g31_assimp.so", "g31_read_scene");
+  static const ModuleFunction function = find_in_module(
+      {.file = "g31_assimp.so", .does = "reads such meshes", .package = "libassimp5"},
+      "g31_read_scene");
   if (function.address == nullptr) {
-    return "the module that reads such meshes cannot be loaded (" + function.why_not +
-           "); install libassimp5, or save the part as STL";
+    return function.why_not + ", or save the part as STL";
   }
   const auto read_scene = reinterpret_cast<decltype(&g31_read_scene)>(function.address);
   MadeApart<Mesh> read = make_apart<Mesh>(

@@ -3,13 +3,13 @@
 namespace g31::parts {
 
 ModuleFunction find_in_step_library(const std::string& name) {
-  ModuleFunction function = find_in_module("g31_step.so", name);
-  if (function.address == nullptr) {
-    function.why_not = "the module that reads STEP cannot be loaded (" + function.why_not +
-                       "); install libocct-data-exchange-7.6, where g31 was built without it "
-                       "libocct-data-exchange-dev and build again";
-  }
-  return function;
+  return find_in_module(
+      {.file = "g31_step.so",
+       .does = "reads STEP",
+       .package = "libocct-data-exchange-7.6",
+       .when_missing = "it is a part of g31: install g31 again, where it was built without "
+                       "libocct-data-exchange-dev install that and build it again"},
+      name);
 }
 
 }  // namespace g31::parts

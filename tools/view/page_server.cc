@@ -6,10 +6,11 @@
 namespace g31::view {
 
 Result<std::shared_ptr<PageServer>, std::string> PageServer::open(int port) {
-  const ModuleFunction function = find_in_module("g31_server.so", "g31_open_page_server");
+  const ModuleFunction function = find_in_module(
+      {.file = "g31_server.so", .does = "serves pages", .package = "libcpp-httplib0.11"},
+      "g31_open_page_server");
   if (function.address == nullptr) {
-    return "the module that serves pages cannot be loaded (" + function.why_not +
-           "); install libcpp-httplib0.11";
+    return function.why_not;
   }
   std::shared_ptr<PageServer> server;
   std::string why_not;
