@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -28,6 +29,7 @@ RunOutput run_beside(const std::string& program, const TemporaryFolder& library)
   cli::RunOptions options;
   options.programs = {folder.write("main.nc", program)};
   options.libraries = {library.path("")};
+  options.prints = {"#100,#101,#102"};
   return testing::run_program(options);
 }
 
@@ -113,6 +115,41 @@ TEST(SamePrograms, OneOverAnotherIsHowLibrariesWork) {
   library.write("O9010.nc", "O9010\n#100=2\nM99\n");
   const auto run = run_beside("O1\nG65 P9010\nM30\nO9010\n#100=1\nM99\n", library);
   EXPECT_FALSE(mentions(run, "PRB504"));
+}
+
+/// A way back to a block that the caller lacks is a fault of the program that wants to go there
+/// (MB-219), with its levels: the caller is shorter than the place, or longer.
+TEST(ReturnToABlock, ThatTheCallerLacksIsAnAlarmOfTheSubprogram) {
+  for (const auto& [block, number, column] :
+       {std::tuple("M99P77", 60, 4), std::tuple("M99P1.5", 7, 4), std::tuple("M99P-1", 60, 4),
+        std::tuple("M99P0", 60, 4), std::tuple("/M99P77", 60, 5), std::tuple("N5M99P5", 60, 6)}) {
+    const TemporaryFolder library;
+    library.write("O0002.nc", "%\nO0002(PROBE)\n" + std::string(block) + "\n%\n");
+    for (const std::string caller :
+         {"O1\nM98P2\nM30\n", "O1\nG65P2\nM30\n",
+          "O1\nG0X7.\nM98P2\nM30\n(A CALLER THAT IS LONGER THAN WHAT IT CALLS)\n"}) {
+      const auto run = run_beside(caller, library);
+      ASSERT_EQ(run.exit_code, 3) << block << run.errors;
+      const auto& alarm = run.document.at("alarm");
+      EXPECT_EQ(alarm.at("number"), number) << block;
+      EXPECT_EQ(alarm.at("file"), "O0002.nc");
+      EXPECT_EQ(alarm.at("line"), 3) << block;
+      EXPECT_EQ(alarm.at("column"), column) << block;
+      ASSERT_EQ(alarm.at("calls").size(), 1U) << block;
+      EXPECT_EQ(alarm.at("calls")[0].at("program"), "O0001");
+    }
+  }
+}
+
+TEST(ReturnToABlock, OfTheCallerGoesOnThere) {
+  const TemporaryFolder library;
+  library.write("O0002.nc", "O2\n#100=#100+1\nM99P#100\n");
+  const auto run =
+      run_beside("O1\nM98P2L3\n#102=9\nM30\nN1#101=7\nM98P2\nM30\nN2#101=#101+1\nM30\n", library);
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_EQ(run.document.at("variables").at("#100"), 2);
+  EXPECT_EQ(run.document.at("variables").at("#101"), 8);
+  EXPECT_TRUE(run.document.at("variables").at("#102").is_null());
 }
 
 /// Known by the tables, and nothing here follows them.

@@ -113,6 +113,29 @@ int number_of_alarm(const testing::RunOutput& run) {
   return alarm.is_null() ? 0 : alarm["number"].get<int>();
 }
 
+TEST(ProgramWindows, AlarmsOfJumpsToNowhereAreWhereTheJumpStands) {
+  struct Case {
+    const char* block;
+    int alarm;
+    int column;
+    int lines_behind;  ///< from the first one behind the long part
+  };
+  constexpr int kComments = 200'000;
+  std::string comments;
+  for (int i = 0; i < kComments; ++i) {
+    comments += "(PAD)\n";
+  }
+  for (const auto& [block, alarm, column, lines_behind] :
+       {Case{"GOTO22", 128, 5, 0}, Case{"GOTO[20+2]", 128, 5, 0},
+        Case{"IF[1EQ1]GOTO22", 128, 13, 0}, Case{"M99 P5", 60, 5, 0}, Case{"M98 Q7", 60, 5, 0},
+        Case{"M98 P7002", 60, 4, 3}}) {
+    const auto run = run_text("O7001\n" + comments + block + "\nM30\nO7002\nM99P9\n");
+    EXPECT_EQ(number_of_alarm(run), alarm) << block << run.errors;
+    EXPECT_EQ(run.document["alarm"]["line"], 2 + kComments + lines_behind) << block;
+    EXPECT_EQ(run.document["alarm"]["column"], column) << block;
+  }
+}
+
 /// What must be the same of a long program and of one whose lines are few.
 void expect_as_whole(const std::string& head, const std::string& tail) {
   const auto whole = run_text(head + many_lines(10) + tail);

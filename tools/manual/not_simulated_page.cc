@@ -28,6 +28,8 @@ finds both before (NC007).
 * Nobody is there: what waits for an operator goes on (stops are listed) or ends the run (PRB604).  Inputs come from
   `[[input]]`.
 * There is one channel: programs of several channels wait for nobody.
+* A Fanuc main program of more than 1 MiB is read while it runs: a block that cannot be understood ends the run where it
+  comes there (exit code 2); with a shorter one nothing moves then.  `g31 check` reads the whole of both.
 * SINUMERIK, five axes: TRAORI, tool carriers and CYCLE800 run by the data `$TC_CARR`, TRAORI also by machine data 24100
   to 24682 (types 24, 40, 56, 72 of two transformations); the radius is compensated in the plane (CUT2D), CUTMOD is not
   there: an aligned turning tool keeps its edge position.  MEAW along a great circle (A3 with ORIVECT) is refused.  Kinematic chains

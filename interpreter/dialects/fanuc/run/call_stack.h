@@ -83,6 +83,7 @@ class CallStack {
   /// All, the main program first.
   [[nodiscard]] const std::vector<Frame>& frames() const { return frames_; }
   /// The one that has called the running one.  @pre depth() > 0
+  [[nodiscard]] Frame& caller() { return frames_[frames_.size() - 2]; }
   [[nodiscard]] const Frame& caller() const { return frames_[frames_.size() - 2]; }
   [[nodiscard]] std::size_t depth() const { return frames_.size() - 1; }
   [[nodiscard]] int count(CallKind kind) const;

@@ -17,7 +17,7 @@ using syntax::kNone;
 MaybeFailure Jumps::jump(const Step& step) {
   if (step.jump != kNone) {
     if (step.enters_loop) {
-      return arrive_at(step.jump);
+      return arrive_at(frame(), step.jump);
     }
     frame().step = step.jump;
     return std::nullopt;
@@ -38,42 +38,41 @@ MaybeFailure Jumps::jump(const Step& step) {
   }
   failure.id = AlarmId::JumpNotFound;
   failure.detail = fmt::format("{} has no N{}", name_of(program), rounded);
-  return go_to(nearest_integer(rounded), std::move(failure));
+  return go_to(frame(), nearest_integer(rounded), std::move(failure));
 }
 
-/// The program goes on at a step; a control lets a jump into a loop pass.
-MaybeFailure Jumps::arrive_at(syntax::Index step) {
-  if (frame().program->enters_loop(frame().current, step)) {
+/// A level goes on at a step; a control lets a jump into a loop pass.
+MaybeFailure Jumps::arrive_at(Frame& level, syntax::Index step) {
+  if (level.program->enters_loop(level.current, step)) {
     control_.warn(source::DiagnosticId::JumpIntoLoop, control_.here());
   }
-  frame().step = step;
+  level.step = step;
   return std::nullopt;
 }
 
-MaybeFailure Jumps::keep_whole() {
-  Frame& now = frame();
-  const auto here = library_.in_whole({now.program, now.current});
+MaybeFailure Jumps::keep_whole(Frame& level) {
+  const auto here = library_.in_whole({level.program, level.current});
   if (!here) {
     Failure failure;
     failure.id = AlarmId::SequenceNotFound;
     failure.detail = "a program file with jumps must be shorter than 4 GiB";
     return failure;
   }
-  now.program = here->program;
-  now.step += here->step - now.current;
-  now.current = here->step;
+  level.program = here->program;
+  level.step += here->step - level.current;
+  level.current = here->step;
   return std::nullopt;
 }
 
-MaybeFailure Jumps::go_to(int sequence, Failure missing) {
-  if (auto failure = keep_whole()) {
+MaybeFailure Jumps::go_to(Frame& level, int sequence, Failure missing) {
+  if (auto failure = keep_whole(level)) {
     return failure;
   }
-  const auto found = frame().program->find_label(sequence, frame().current);
+  const auto found = level.program->find_label(sequence, level.current);
   if (!found) {
     return missing;
   }
-  return arrive_at(*found);
+  return arrive_at(level, *found);
 }
 
 MaybeFailure Jumps::behind_last_step() {

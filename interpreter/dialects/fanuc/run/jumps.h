@@ -15,16 +15,16 @@ class Jumps {
 
   /// GOTO.
   MaybeFailure jump(const Step& step);
-  /// The running program goes on at N `sequence`; `missing` is what it means when there is no such
-  /// block.
-  MaybeFailure go_to(int sequence, Failure missing);
-  /// A jump is ahead: the whole program must be known.
-  MaybeFailure keep_whole();
+  /// A level, the running one or one that waits, goes on at N `sequence`; `missing` is what it
+  /// means when there is no such block.
+  MaybeFailure go_to(Frame& level, int sequence, Failure missing);
+  /// A jump is ahead: the whole program of a level must be known.
+  MaybeFailure keep_whole(Frame& level);
   /// Goes on in the next window of a long program, or says that the program has no end.
   MaybeFailure behind_last_step();
 
  private:
-  MaybeFailure arrive_at(syntax::Index step);
+  MaybeFailure arrive_at(Frame& level, syntax::Index step);
   Frame& frame() { return stack_.frame(); }
 
   CallStack& stack_;

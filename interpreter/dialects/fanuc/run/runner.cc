@@ -10,6 +10,14 @@ namespace {
 using syntax::BlockKind;
 using syntax::kNone;
 
+/// A failure of a block of `program`, where it stands: the block may have gone on to another one.
+Failure placed_in(const CompiledProgram& program, Failure failure) {
+  if (failure.where.end > failure.where.begin) {
+    failure.place = location_in(program, failure.where);
+  }
+  return failure;
+}
+
 }  // namespace
 
 Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::MachinePort& port,
@@ -101,7 +109,8 @@ MaybeFailure Runner::loop() {
       return is_paused_ ? std::nullopt : MaybeFailure(halt_failure(*halt));
     }
     now.current = now.step;
-    const Step& next = now.program->steps[now.step++];
+    const CompiledProgram& program = *now.program;
+    const Step& next = program.steps[now.step++];
     if (next.skip_switch != 0 && control_.block_skip.contains(next.skip_switch)) {
       continue;
     }
@@ -112,10 +121,10 @@ MaybeFailure Runner::loop() {
     has_jumped_ = false;
     if (is_plain && fast_step(next, now)) {
       if (control_.evaluator.failed()) [[unlikely]] {
-        return evaluation_failure(control_.evaluator);
+        return placed_in(program, evaluation_failure(control_.evaluator));
       }
     } else if (auto failure = rare_step(next)) {
-      return failure;
+      return placed_in(program, *std::move(failure));
     }
     if (is_watched) [[unlikely]] {
       tell_condition(kind);

@@ -133,8 +133,7 @@ std::vector<runtime::CallLevel> Runner::levels_from(source::Location innermost) 
 }
 
 runtime::Outcome Runner::outcome_of(const Failure& failure) {
-  const bool has_place = failure.where.end > failure.where.begin;
-  const source::Location present = has_place ? stack_.location(failure.where) : stack_.here();
+  const source::Location present = failure.place.is_known() ? failure.place : stack_.here();
   const AlarmInfo& row = info(failure.id);
   runtime::StopReason reason;
   reason.status = failure.status;

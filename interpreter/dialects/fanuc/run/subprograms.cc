@@ -37,7 +37,7 @@ Result<Entry, Failure> Subprograms::entry_of(const EvaluatedWord& m) {
     return at_word(AlarmId::CallWithoutProgram, m, fmt::format("M{} without P", m.number));
   }
   if (p == nullptr) {
-    if (auto failure = jumps_.keep_whole()) {
+    if (auto failure = jumps_.keep_whole(frame())) {
       return *std::move(failure);
     }
   }
@@ -109,7 +109,7 @@ MaybeFailure Subprograms::call_local(const EvaluatedWord& m) {
     return p == nullptr ? MaybeFailure(at_word(AlarmId::CallWithoutProgram, m, "M97 without P"))
                         : MaybeFailure(times.error());
   }
-  if (auto failure = jumps_.keep_whole()) {
+  if (auto failure = jumps_.keep_whole(frame())) {
     return failure;
   }
   const auto sequence = integer_of(*p);
@@ -148,8 +148,7 @@ MaybeFailure Subprograms::jump_by_input(const EvaluatedWord& m) {
   if (value.value().or_zero() != 0.0) {
     return std::nullopt;
   }
-  return jumps_.go_to(sequence.value(), at_word(AlarmId::SequenceNotFound, *p,
-                                                fmt::format("no N{}", sequence.value())));
+  return go_to(frame(), *p);
 }
 
 MaybeFailure Subprograms::return_from() {
@@ -168,22 +167,34 @@ MaybeFailure Subprograms::return_from() {
     return std::nullopt;
   }
   if (now.kind == CallKind::Main) {
-    if (auto failure = jumps_.keep_whole()) {
+    if (p != nullptr) {
+      return go_to(now, *p);
+    }
+    if (auto failure = jumps_.keep_whole(now)) {
       return failure;
     }
     now.step = 0;
-  } else {
-    levels_.leave();
-  }
-  if (p == nullptr) {
     return std::nullopt;
   }
-  const auto sequence = integer_of(*p);
+  // The block is looked for first: where the caller has none, the alarm is this program's.
+  if (p != nullptr) {
+    if (auto failure = go_to(levels_.stack().caller(), *p)) {
+      return failure;
+    }
+  }
+  levels_.leave();
+  return std::nullopt;
+}
+
+/// A level goes on at the block that P names.
+MaybeFailure Subprograms::go_to(Frame& level, const EvaluatedWord& p) {
+  const auto sequence = integer_of(p);
   if (!sequence) {
     return sequence.error();
   }
-  return jumps_.go_to(sequence.value(), at_word(AlarmId::SequenceNotFound, *p,
-                                                fmt::format("no N{}", sequence.value())));
+  return jumps_.go_to(
+      level, sequence.value(),
+      at_word(AlarmId::SequenceNotFound, p, fmt::format("no N{}", sequence.value())));
 }
 
 MaybeFailure Subprograms::call_by_code(const EvaluatedWord& code, int program_number) {

@@ -39,6 +39,7 @@ class Subprograms {
  private:
   Result<Entry, Failure> entry_of(const EvaluatedWord& m);
   MaybeFailure execute_beside(const EvaluatedWord& call, std::initializer_list<char> arguments);
+  MaybeFailure go_to(Frame& level, const EvaluatedWord& p);
   Frame& frame() { return levels_.stack().frame(); }
 
   Control& control_;

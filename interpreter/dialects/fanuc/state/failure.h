@@ -18,7 +18,8 @@ namespace g31::fanuc {
 /// Why a block could not be executed.
 struct Failure {
   AlarmId id = AlarmId::AddressNotFound;
-  syntax::ShortSpan where;  ///< empty: the whole block
+  syntax::ShortSpan where;  ///< of the text whose block runs; empty: the whole block
+  source::Location place;   ///< that, for everybody; not known: the whole block
   source::Location block;   ///< an earlier block that was executed late; not known: the present one
   std::string detail;
   runtime::Status status = runtime::Status::Alarm;
