@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -43,16 +45,14 @@ class Calls {
 
  private:
   struct ReturnTarget {
-    std::string label;  ///< or N and a number; empty: behind the call
-    bool behind = false;
     std::size_t levels = 1;
+    std::optional<std::int32_t> step;  ///< there; nullopt: behind the call
   };
   std::vector<BoundValue> bound(const CallSite& site);
   bool passes_over(const CallSite& site);
   MaybeFailure enter(const CompiledProgram& program, const std::vector<BoundValue>& values);
   void begin_level(Level& into);
   Result<ReturnTarget, Failure> return_target(const Op& op);
-  MaybeFailure go_on_at(const ReturnTarget& target);
   void leave_level();
   void save_codes(Level& into);
   void restore_codes(const Level& from);

@@ -19,6 +19,22 @@ bool is_saved(Group group) {
   return std::ranges::find(kOneBlockGroups, group) == std::end(kOneBlockGroups);
 }
 
+/// The step of a label of the program to which RET leads, or of the block behind it.
+std::optional<std::int32_t> step_of(const Level& level, const std::string& label, bool behind) {
+  const auto [program, from] = level.own_place();
+  const auto step = find_label(*program, label, from, Direction::Both);
+  if (!step || !behind) {
+    return step;
+  }
+  // The block of the label itself begins at its step.
+  const auto& ops = program->ops;
+  auto next = static_cast<std::size_t>(*step) + 1;
+  while (next < ops.size() && ops[next].code != OpCode::Block) {
+    ++next;
+  }
+  return static_cast<std::int32_t>(std::min(next, ops.size() - 1));
+}
+
 }  // namespace
 
 /// What the call gives, taken before the level changes.
@@ -172,21 +188,28 @@ void Calls::restore_codes(const Level& from) {
 /// What RET(target, behind, levels) says.
 Result<Calls::ReturnTarget, Failure> Calls::return_target(const Op& op) {
   ReturnTarget target;
+  std::string label;
   const Arguments list = operands_.arguments_of(op);
   const auto given = [&](std::size_t i) {
     return i < list.size() && list[i].form != Argument::Form::Omitted;
   };
   if (given(0)) {
-    target.label = list[0].type == Type::String
-                       ? upper(operands_.text(list[0].value))
-                       : fmt::format("N{:.0f}", rounded(operands_.number(list[0].value)));
+    label = list[0].type == Type::String
+                ? upper(operands_.text(list[0].value))
+                : fmt::format("N{:.0f}", rounded(operands_.number(list[0].value)));
   }
-  target.behind = given(1) && operands_.number(list[1].value) != 0.0;
+  const bool behind = given(1) && operands_.number(list[1].value) != 0.0;
   const double levels = given(2) ? rounded(operands_.number(list[2].value)) : 1.0;
   if (levels < 1.0 || levels > static_cast<double>(std::max<std::size_t>(stack_.depth(), 1))) {
     return failure(AlarmId::ValueOutOfLimits, fmt::format("RET over {:.0f} levels", levels));
   }
   target.levels = static_cast<std::size_t>(levels);
+  if (!label.empty() && stack_.depth() > 0) {
+    target.step = step_of(stack_.level(stack_.depth() - target.levels), label, behind);
+    if (!target.step) {
+      return failure(AlarmId::JumpTargetMissing, label);
+    }
+  }
   return target;
 }
 
@@ -201,7 +224,7 @@ MaybeFailure Calls::return_from(const Op& op) {
   }
   Level& done = level();
   done.leave_texts();
-  if (done.passes_left > 0 && target.value().label.empty() && target.value().levels == 1) {
+  if (done.passes_left > 0 && !target.value().step && target.value().levels == 1) {
     restore_codes(done);
     --done.passes_left;
     done.step = 0;
@@ -217,8 +240,12 @@ MaybeFailure Calls::return_from(const Op& op) {
   for (std::size_t i = 0; i < target.value().levels; ++i) {
     leave_level();
   }
+  if (target.value().step) {
+    level().leave_texts();
+    level().step = *target.value().step;
+  }
   operands_.use_level();
-  return target.value().label.empty() ? std::nullopt : go_on_at(target.value());
+  return std::nullopt;
 }
 
 /// A modal call that refers to variables of the level ends with it.
@@ -235,27 +262,6 @@ void Calls::leave_level() {
   }
   stack_.leave();
   tell_level();
-}
-
-MaybeFailure Calls::go_on_at(const ReturnTarget& target) {
-  level().leave_texts();
-  operands_.use_level();
-  const CompiledProgram& program = *level().program;
-  const auto step = find_label(program, target.label, level().step, Direction::Both);
-  if (!step) {
-    return failure(AlarmId::JumpTargetMissing, target.label);
-  }
-  level().step = *step;
-  if (target.behind) {
-    // The block of the label itself begins at its step; the one behind it is wanted.
-    const auto& ops = program.ops;
-    auto next = static_cast<std::size_t>(*step) + 1;
-    while (next < ops.size() && ops[next].code != OpCode::Block) {
-      ++next;
-    }
-    level().step = static_cast<std::int32_t>(std::min(next, ops.size() - 1));
-  }
-  return std::nullopt;
 }
 
 MaybeFailure Calls::end_text() {

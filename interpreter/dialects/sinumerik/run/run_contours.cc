@@ -84,13 +84,6 @@ PlaneWay way_of(const double* row, double mm_per_length) {
   return way;
 }
 
-/// Where a level stands in its own program, which may wait for a text.
-std::pair<const CompiledProgram*, std::int32_t> own_place(const Level& level) {
-  return level.waiting.empty()
-             ? std::pair(level.program, level.step)
-             : std::pair(level.waiting.front().program, level.waiting.front().step);
-}
-
 }  // namespace
 
 MaybeFailure Calls::call_part(const std::string& first, const std::string& last) {
@@ -98,7 +91,7 @@ MaybeFailure Calls::call_part(const std::string& first, const std::string& last)
   std::optional<std::int32_t> end;
   std::size_t which = stack_.depth();
   while (!end && which-- > 0) {
-    const auto [program, step] = own_place(stack_.level(which));
+    const auto [program, step] = stack_.level(which).own_place();
     begin = find_label(*program, upper(first), step, Direction::Both);
     end = begin ? find_label(*program, upper(last), *begin, Direction::Forward) : std::nullopt;
   }

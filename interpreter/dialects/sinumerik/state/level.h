@@ -94,6 +94,12 @@ struct Level {
     return references.size() == static_cast<std::size_t>(wanted);
   }
 
+  /// Where it stands in its own program, which may wait for a text.
+  [[nodiscard]] std::pair<const CompiledProgram*, std::int32_t> own_place() const {
+    return waiting.empty() ? std::pair(program, step)
+                           : std::pair(waiting.front().program, waiting.front().step);
+  }
+
   /// Back to the program that waits for its EXECSTRING, wherever the text stands.
   void leave_texts() {
     if (!waiting.empty()) {
