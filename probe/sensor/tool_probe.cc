@@ -7,6 +7,7 @@
 
 #include "machine/base/contract.h"
 #include "machine/base/random.h"
+#include "machine/units/turn_from_z.h"
 #include "parts/geometry/placement.h"
 #include "probe/sensor/cutting_tool.h"
 #include "probe/sensor/release.h"
@@ -31,7 +32,7 @@ ConvexShape plate_of(const ToolProbeSetup& setup) {
   round.z_bottom = -0.5 * length;
   round.z_top = 0.5 * length;
   if (!is_disc) {
-    round.turn_S = Eigen::Quaterniond::FromTwoVectors(Point::UnitZ(), Point::UnitX());
+    round.turn_S = turn_from_z(Point::UnitX());
   }
   return round;
 }

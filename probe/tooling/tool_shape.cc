@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "machine/base/contract.h"
+#include "machine/units/turn_from_z.h"
 
 namespace g31::probe {
 namespace {
@@ -111,7 +112,7 @@ ConvexShape rod_between(const Point& from, const Point& to) {
   ProbeSection rod;
   rod.z_top = way.norm();
   rod.rounding = kThin;
-  rod.turn_S = Eigen::Quaterniond::FromTwoVectors(Point::UnitZ(), way);
+  rod.turn_S = turn_from_z(way);
   rod.p_S = from;
   return rod;
 }

@@ -62,7 +62,9 @@ set(g31_prelude
   <algorithm> <array> <charconv> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory>
   <numbers> <optional> <set> <span> <string> <string_view> <unordered_map> <utility> <variant> <vector>
   <Eigen/Core> <Eigen/Geometry> <fmt/format.h>)
-set(g31_test_prelude <gtest/gtest.h> ${g31_prelude})
+# What runs once a run writes documents.
+set(g31_quick_prelude ${g31_prelude} <nlohmann/json.hpp>)
+set(g31_test_prelude <gtest/gtest.h> ${g31_quick_prelude})
 
 # A library is compiled several files at a time; the files of a batch share one anonymous namespace.  What runs once has
 # few templates of its own, and in larger batches those that it shares are made less often.
@@ -75,11 +77,11 @@ function(g31_library name)
     target_link_libraries(${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS} g31_warnings)
     target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
     target_compile_features(${name} PUBLIC cxx_std_20)
-    set(batch 8)
+    set(batch 16)
     if(G31_RUNS_ONCE)
       set(batch 16)
       g31_compile_quickly(${name})
-      g31_take_prelude(${name} g31_prelude quick)
+      g31_take_prelude(${name} g31_quick_prelude quick)
     else()
       if(g31_has_both_codes AND arg_ACROSS_FILES)
         target_compile_options(${name} PRIVATE -flto=auto -ffat-lto-objects)

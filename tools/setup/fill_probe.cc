@@ -1,7 +1,6 @@
 #include "tools/setup/fill_probe.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "machine/base/contract.h"
+#include "machine/units/turn_from_z.h"
 #include "tools/setup/program_switch.h"
 #include "tools/setup/table_keys.h"
 
@@ -19,21 +19,6 @@ constexpr double kUsualStemToBall = 0.6;  // diameters
 constexpr double kUsualBodyLengthMm = 50.0;
 constexpr double kUsualInput = 1.0;
 constexpr double kUsualBodyDiameterMm = 40.0;
-
-/// The shortest turn of +Z into a direction; straight down, half a turn about X.  Eigen's
-/// FromTwoVectors answers the same and has its compiler spend ten seconds on a singular value
-/// decomposition.
-/// @pre along is not zero
-Eigen::Quaterniond turn_from_z(const Point& along) {
-  constexpr double kStraightDown = -1.0 + 1e-12;
-  const Point to = along.normalized();
-  if (to.z() < kStraightDown) {
-    return {0.0, 1.0, 0.0, 0.0};
-  }
-  const double s = std::sqrt((1.0 + to.z()) * 2.0);
-  const double inverse = 1.0 / s;
-  return {0.5 * s, -to.y() * inverse, to.x() * inverse, 0.0};
-}
 
 /// @param p_T_ball  mm, from the tool reference point
 void put_in_turret(probe::ProbeSetup& probe, const Point& p_T_ball) {

@@ -36,10 +36,9 @@ Eigen::Matrix3d turn_of(const Point& deg) {
 
 /// The way back, deg; of errors, which are small.
 Point angles_of(const Eigen::Matrix3d& turn) {
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
-  return kDegrees * Point(std::atan2(turn(2, 1), turn(2, 2)),
-                          std::asin(std::clamp(-turn(2, 0), -1.0, 1.0)),
-                          std::atan2(turn(1, 0), turn(0, 0)));
+  return (180.0 / std::numbers::pi) * Point(std::atan2(turn(2, 1), turn(2, 2)),
+                                            std::asin(std::clamp(-turn(2, 0), -1.0, 1.0)),
+                                            std::atan2(turn(1, 0), turn(0, 0)));
 }
 
 /// The same error, found with the table at 0.
