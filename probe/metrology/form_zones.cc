@@ -30,6 +30,89 @@ FormZones zones_about(const Eigen::MatrixXd& columns, const Eigen::VectorXd& val
   return {range_of(values - columns * line), 2.0 * smallest.half_width};
 }
 
+/// A plane, by a point and its normal.
+struct Plane {
+  Point at;
+  Point normal;
+};
+
+/// The points seen along the normal of a plane.
+struct SeenAcross {
+  Eigen::MatrixXd columns;  // change of the heights by displacement and tilt
+  Eigen::VectorXd heights;  // above the plane
+  Point across_x;
+  Point across_y;
+  double length = 1.0;  // the farthest from the point of the plane
+};
+
+/// A plane through the middle of points and the two that span it most; nullopt: they lie on a line.
+std::optional<Plane> plane_among(const Eigen::MatrixX3d& points) {
+  constexpr double kNarrowest = 1e-7;  // of their length
+  const Point middle = points.colwise().mean();
+  const auto farthest = [&](auto distance) {
+    Eigen::Index found = 0;
+    double most = -1.0;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      const double here = distance(Point(points.row(i).transpose() - middle));
+      found = here > most ? i : found;
+      most = std::max(most, here);
+    }
+    return Point(points.row(found).transpose() - middle);
+  };
+  const Point first = farthest([](const Point& off) { return off.norm(); });
+  const Point along = first.normalized();
+  const Point second = farthest([&](const Point& off) { return off.cross(along).norm(); });
+  const Point normal = along.cross(second);
+  if (!(normal.norm() > kNarrowest * first.norm())) {
+    return std::nullopt;
+  }
+  return Plane{middle, normal.normalized()};
+}
+
+SeenAcross seen_across(const Plane& plane, const Eigen::MatrixX3d& points,
+                       machine::WorkWatch* watch) {
+  SeenAcross seen;
+  seen.across_x = plane.normal.unitOrthogonal();
+  seen.across_y = plane.normal.cross(seen.across_x);
+  seen.columns.resize(points.rows(), 3);
+  seen.heights.resize(points.rows());
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    if (watch != nullptr) {
+      watch->look();
+    }
+    const Point off = points.row(i).transpose() - plane.at;
+    seen.columns.row(i) << 1.0, off.dot(seen.across_x), off.dot(seen.across_y);
+    seen.heights[i] = off.dot(plane.normal);
+  }
+  seen.length = seen.columns.rightCols<2>().cwiseAbs().maxCoeff();
+  seen.columns.rightCols<2>() /= seen.length;
+  return seen;
+}
+
+/// How high the points are above the plane that repeated fits come to: at rest, heights along its
+/// normal are those along which the fit has looked.
+template <typename Fit>
+std::optional<Eigen::VectorXd> fitted_heights(const Eigen::MatrixX3d& points, Plane plane,
+                                              machine::WorkWatch* watch, Fit fit) {
+  constexpr int kRounds = 8;
+  constexpr double kAtRest = 1e-15;  // rad
+  for (int round = 0; round < kRounds; ++round) {
+    const SeenAcross seen = seen_across(plane, points, watch);
+    const std::optional<Eigen::VectorXd> by = fit(seen);
+    if (!by || !by->allFinite()) {
+      return std::nullopt;
+    }
+    const Eigen::Vector2d tilt = by->tail<2>() / seen.length;
+    plane.at += (*by)[0] * plane.normal;
+    plane.normal -= tilt[0] * seen.across_x + tilt[1] * seen.across_y;
+    plane.normal.normalize();
+    if (tilt.norm() < kAtRest) {
+      break;
+    }
+  }
+  return seen_across(plane, points, watch).heights;
+}
+
 /// A line near z, and the frame in which the next fit looks at it.
 struct Axis {
   Point at;
@@ -115,15 +198,26 @@ std::optional<FlatnessEvaluation> flatness_of(const Eigen::MatrixX3d& points,
   if (points.rows() < 3) {
     return std::nullopt;
   }
-  Eigen::MatrixXd columns(points.rows(), 3);
-  columns << Eigen::VectorXd::Ones(points.rows()), normalised(points.col(0)),
-      normalised(points.col(1));
-  const Eigen::VectorXd z = points.col(2);
-  const auto smallest = minimax_fit(columns, z, watch);
+  const std::optional<Plane> start = plane_among(points);
+  if (!start) {
+    return std::nullopt;
+  }
+  const auto least_squares = [](const SeenAcross& seen) {
+    return std::optional<Eigen::VectorXd>(seen.columns.colPivHouseholderQr().solve(seen.heights));
+  };
+  const auto minimax = [watch](const SeenAcross& seen) -> std::optional<Eigen::VectorXd> {
+    const auto fit = minimax_fit(seen.columns, seen.heights, watch);
+    return fit ? std::optional(fit->parameters) : std::nullopt;
+  };
+  const auto least = fitted_heights(points, *start, watch, least_squares);
+  const auto smallest = least ? fitted_heights(points, *start, watch, minimax) : std::nullopt;
   if (!smallest) {
     return std::nullopt;
   }
-  return FlatnessEvaluation{zones_about(columns, z, *smallest), z - columns * smallest->parameters};
+  const double zone = range_of(*least);
+  const double middle = 0.5 * (smallest->maxCoeff() + smallest->minCoeff());
+  return FlatnessEvaluation{{zone, std::min(range_of(*smallest), zone)},
+                            smallest->array() - middle};
 }
 
 std::optional<CylindricityEvaluation> cylindricity_of(const Eigen::MatrixX3d& points,

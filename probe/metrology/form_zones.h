@@ -32,11 +32,15 @@ struct FormZones {
 /// What is flat, and where not.
 struct FlatnessEvaluation {
   FormZones zones;
-  Eigen::VectorXd deviations;  ///< of each point from the middle of the minimum zone
+  /// Of each point from the middle of the minimum zone, along its normal, to either side.
+  Eigen::VectorXd deviations;
 };
 
-/// Flatness of points (x, y, z) in rows, mm, distances along z.  nullopt: they lie on a line.
-/// Accuracy: that of `minimax_fit`.
+/// Flatness of points in rows, mm, however the face lies: range of the distances from the plane of
+/// least squares, along its normal, and the smallest range about any plane.
+///
+/// Both by repeated linear fits, each along the normal of the one before.  Accuracy: that of
+/// `minimax_fit`, where the zone is thin beside the face.  nullopt: the points lie on a line.
 std::optional<FlatnessEvaluation> flatness_of(const Eigen::MatrixX3d& points,
                                               machine::WorkWatch* watch = nullptr);
 

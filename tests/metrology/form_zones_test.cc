@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -89,17 +90,14 @@ TEST(Straightness, OfABowIsItsClosedForm) {
   EXPECT_NEAR(zones.minimum_zone, 0.01, 1e-15);
 }
 
-/// The smallest distance of two parallel planes along z: of each four points, or of three and one.
+/// The smallest distance of two parallel planes: of each four points, or of three and one.
 double smallest_slab(const Eigen::MatrixX3d& p) {
   double least = HUGE_VAL;
-  const auto judge = [&](double a, double b) {
-    const Eigen::VectorXd off = p.col(2) - a * p.col(0) - b * p.col(1);
-    least = std::min(least, off.maxCoeff() - off.minCoeff());
-  };
   const auto slopes = [&](const Point& u, const Point& v) {
     const Point normal = u.cross(v);
-    if (std::abs(normal.z()) > 1e-9 * u.norm() * v.norm()) {
-      judge(-normal.x() / normal.z(), -normal.y() / normal.z());
+    if (normal.norm() > 1e-9 * u.norm() * v.norm()) {
+      const Eigen::VectorXd off = p * normal.normalized();
+      least = std::min(least, off.maxCoeff() - off.minCoeff());
     }
   };
   const auto at = [&](Eigen::Index i) -> Point { return p.row(i).transpose(); };
@@ -133,6 +131,16 @@ TEST(Flatness, IsThatOfBruteForce) {
   }
 }
 
+/// Some turn: of a wall, of a sloping face, of one upside down.
+Eigen::Quaterniond turn_of(std::uint64_t which) {
+  if (which == 0) {
+    return Eigen::Quaterniond(std::numbers::sqrt2 / 2.0, 0.0, std::numbers::sqrt2 / 2.0, 0.0);
+  }
+  Eigen::Quaterniond turn(between(-1, 1, 9, 4 * which), between(-1, 1, 9, 4 * which + 1),
+                          between(-1, 1, 9, 4 * which + 2), between(-1, 1, 9, 4 * which + 3));
+  return turn.normalized();
+}
+
 TEST(Flatness, OfASaddleOnAGridIsItsClosedForm) {
   // z = h x y on a grid of -1 .. 1: no plane does better than z = 0.
   Eigen::MatrixX3d p(21 * 21, 3);
@@ -140,16 +148,60 @@ TEST(Flatness, OfASaddleOnAGridIsItsClosedForm) {
     for (int j = 0; j < 21; ++j) {
       const double x = 0.1 * i - 1.0;
       const double y = 0.1 * j - 1.0;
-      p.row(21 * i + j) << 300.0 * x, 300.0 * y, 0.007 * x * y + 0.1 * x - 0.05 * y + 3.0;
+      p.row(21 * i + j) << 300.0 * x, 300.0 * y, 0.007 * x * y;
     }
   }
+  p = (p * turn_of(1).toRotationMatrix().transpose()).eval();
   const auto zones = metrology::flatness_of(p);
   ASSERT_TRUE(zones.has_value());
   EXPECT_NEAR(zones->zones.minimum_zone, 0.014, 1e-12);
   EXPECT_NEAR(zones->zones.least_squares, 0.014, 1e-12);
   EXPECT_FALSE(metrology::flatness_of(Eigen::MatrixX3d::Zero(5, 3)).has_value());
   p.col(2).setConstant(1.0);
-  EXPECT_NEAR(metrology::flatness_of(p)->zones.minimum_zone, 0.0, 1e-15);
+  EXPECT_NEAR(metrology::flatness_of(p)->zones.minimum_zone, 0.0, 1e-12);
+}
+
+TEST(Flatness, IsSquareToTheFaceHoweverItLies) {
+  for (std::uint64_t which = 0; which < 20; ++which) {
+    Eigen::MatrixX3d flat(16, 3);
+    for (Eigen::Index i = 0; i < flat.rows(); ++i) {
+      const auto at = static_cast<std::uint64_t>(3 * i);
+      flat.row(i) << between(-80, 80, 40 + which, at), between(-30, 30, 40 + which, at + 1),
+          between(-0.02, 0.02, 40 + which, at + 2);
+    }
+    const Eigen::MatrixX3d turned =
+        (flat * turn_of(which).toRotationMatrix().transpose()).rowwise() +
+        Eigen::RowVector3d(300.0, -20.0, 110.0);
+    // Of least squares: square to the plane of the smallest variance.
+    const Eigen::MatrixX3d off = turned.rowwise() - turned.colwise().mean();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(off.transpose() * off);
+    const Eigen::VectorXd heights = off * spread.eigenvectors().col(0);
+    const auto found = metrology::flatness_of(turned);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_NEAR(found->zones.least_squares, heights.maxCoeff() - heights.minCoeff(), 1e-12);
+    EXPECT_NEAR(found->zones.minimum_zone, smallest_slab(flat), 1e-12) << which;
+    EXPECT_NEAR(found->deviations.maxCoeff(), 0.5 * found->zones.minimum_zone, 1e-12);
+    EXPECT_NEAR(found->deviations.minCoeff(), -0.5 * found->zones.minimum_zone, 1e-12);
+  }
+}
+
+TEST(Flatness, OfAWallByHand) {
+  Eigen::MatrixX3d wall(6, 3);
+  wall << 0.01, 0, 0, 0, 50, 0, 0, 0, 50, 0.01, 50, 50, 0, 100, 25, 0, 25, 100;
+  const auto zones = metrology::flatness_of(wall)->zones;
+  EXPECT_NEAR(zones.minimum_zone, 0.010, 1e-6);
+  Eigen::MatrixX3d slope(9, 3);
+  slope << 0, 0, 0, 50, 0, 50, 100, 0, 100, 0, 50, 0.02, 50, 50, 50.02, 100, 50, 100, 0, 100, 0, 50,
+      100, 50, 100, 100, 100.02;
+  EXPECT_NEAR(metrology::flatness_of(slope)->zones.minimum_zone, 0.02 / std::numbers::sqrt2, 1e-6);
+}
+
+TEST(Flatness, OfPointsOnALineIsNone) {
+  Eigen::MatrixX3d line(5, 3);
+  for (int i = 0; i < 5; ++i) {
+    line.row(i) << 10.0 * i + 0.3, 7.0 * i, -3.0 * i;
+  }
+  EXPECT_FALSE(metrology::flatness_of(line).has_value());
 }
 
 /// A surface of given radii about a line near z.
