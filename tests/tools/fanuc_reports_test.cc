@@ -117,6 +117,15 @@ TEST(SamePrograms, OneOverAnotherIsHowLibrariesWork) {
   EXPECT_FALSE(mentions(run, "PRB504"));
 }
 
+/// The leg in front of a corner waits for the one behind it.
+TEST(OverTravel, InFrontOfACornerIsToldWhereTheLegStands) {
+  const auto run = run_with("%\nO1\nG17 G90 G94 F100\nG01 X30. ,C1.\nY10.\nM30\n%\n",
+                            "[machine.axes.X]\ntravel = [-5.0, 15.0]\n");
+  EXPECT_EQ(run.exit_code, 4) << run.errors;
+  EXPECT_EQ(run.document.at("alarm").at("line"), 4);
+  EXPECT_EQ(run.document.at("collision").at("line"), 4);
+}
+
 /// A way back to a block that the caller lacks is a fault of the program that wants to go there
 /// (MB-219), with its levels: the caller is shorter than the place, or longer.
 TEST(ReturnToABlock, ThatTheCallerLacksIsAnAlarmOfTheSubprogram) {

@@ -66,6 +66,15 @@ MaybeFailure to_machine(Control& control, const PathBlock& block, const OffsetPl
   return std::nullopt;
 }
 
+/// The same for a block that has waited for others.
+MaybeFailure late_to_machine(Control& control, const PathBlock& block, const OffsetPlane& plane) {
+  auto late = to_machine(control, block, plane);
+  if (late && !late->block.is_known()) {
+    late->block = block.where;
+  }
+  return late;
+}
+
 /// What came out of the compensation goes to the machine.
 MaybeFailure carry_out(Control& control, const CompensationResult& result) {
   if (!result) {
@@ -82,8 +91,7 @@ MaybeFailure carry_out(Control& control, const CompensationResult& result) {
       continue;
     }
     const PathBlock& block = std::get<PathBlock>(item);
-    if (auto late = to_machine(control, block, control.cutter.command.plane)) {
-      late->block = late->block.is_known() ? late->block : block.where;
+    if (auto late = late_to_machine(control, block, control.cutter.command.plane)) {
       return late;
     }
   }
@@ -123,7 +131,7 @@ MaybeFailure compensate(Control& control, const PathBlock& block,
                         const CompensationCommand& command) {
   CutterCompensation& compensation = control.cutter.compensation;
   return compensation.engaged() ? carry_out(control, compensation.take(block, command))
-                                : to_machine(control, block, offset_plane(control));
+                                : late_to_machine(control, block, offset_plane(control));
 }
 
 MaybeFailure compensate_pause(Control& control, const Pause& pause,
