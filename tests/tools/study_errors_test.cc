@@ -92,6 +92,11 @@ TEST_F(StudyErrors, OfVariationsHavePlaceReasonAndWhatWouldBeRight) {
        good + "[[vary]]\nkey = \"probe.length\"\nvalues = [1.0]\ndistribution = "
               "\"normal\"\n",
        ":6:1:", "this variation has both values and a distribution"},
+      {"one key twice",
+       good +
+           "[[vary]]\nkey = \"probe.length\"\nvalues = [50.0]\n[[vary]]\nkey = \"probe.length\"\n"
+           "distribution = \"uniform\"\nlow = 1.0\nhigh = 2.0\n",
+       ":10:7:", "this variation is a second one of probe.length"},
       {"no values", good + "[[vary]]\nkey = \"probe.length\"\nvalues = []\n",
        ":8:10:", "values is an empty array, it should be an array of values"},
       {"an unknown section of the sheet",

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -165,6 +167,11 @@ class StudyFill {
                   "for example: values = [0.0, 0.001]");
       return;
     }
+    if (!varied_.insert(path).second) {
+      errors_.add(SetupErrorId::BadVariation, key.where,
+                  {fmt::format("is a second one of {}", path)}, "keep one [[vary]] of it");
+      return;
+    }
     if (path == "setup" && is_listed) {
       add_sheets(table);
       return;
@@ -315,7 +322,8 @@ class StudyFill {
   fs::path folder_;
   setup::ErrorList& errors_;
   Study study_;
-  bool has_evaluation_ = false;  // right or wrong
+  bool has_evaluation_ = false;   // right or wrong
+  std::set<std::string> varied_;  // their keys
 };
 
 }  // namespace
