@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -28,6 +29,18 @@ FormZones zones_about(const Eigen::MatrixXd& columns, const Eigen::VectorXd& val
                       const MinimaxFit& smallest) {
   const Eigen::VectorXd line = columns.colPivHouseholderQr().solve(values);
   return {range_of(values - columns * line), 2.0 * smallest.half_width};
+}
+
+/// Of the distances that a fit of least squares leaves, and of those that a minimax fit does.
+FormZones zones_of(const Eigen::VectorXd& least, const Eigen::VectorXd& smallest) {
+  return {range_of(least), std::min(range_of(smallest), range_of(least))};
+}
+
+std::optional<Eigen::VectorXd> minimax_parameters(const Eigen::MatrixXd& columns,
+                                                  const Eigen::VectorXd& values,
+                                                  machine::WorkWatch* watch) {
+  auto fit = minimax_fit(columns, values, watch);
+  return fit ? std::optional(std::move(fit->parameters)) : std::nullopt;
 }
 
 /// A plane, by a point and its normal.
@@ -205,19 +218,16 @@ std::optional<FlatnessEvaluation> flatness_of(const Eigen::MatrixX3d& points,
   const auto least_squares = [](const SeenAcross& seen) {
     return std::optional<Eigen::VectorXd>(seen.columns.colPivHouseholderQr().solve(seen.heights));
   };
-  const auto minimax = [watch](const SeenAcross& seen) -> std::optional<Eigen::VectorXd> {
-    const auto fit = minimax_fit(seen.columns, seen.heights, watch);
-    return fit ? std::optional(fit->parameters) : std::nullopt;
+  const auto minimax = [watch](const SeenAcross& seen) {
+    return minimax_parameters(seen.columns, seen.heights, watch);
   };
   const auto least = fitted_heights(points, *start, watch, least_squares);
   const auto smallest = least ? fitted_heights(points, *start, watch, minimax) : std::nullopt;
   if (!smallest) {
     return std::nullopt;
   }
-  const double zone = range_of(*least);
   const double middle = 0.5 * (smallest->maxCoeff() + smallest->minCoeff());
-  return FlatnessEvaluation{{zone, std::min(range_of(*smallest), zone)},
-                            smallest->array() - middle};
+  return FlatnessEvaluation{zones_of(*least, *smallest), smallest->array() - middle};
 }
 
 std::optional<CylindricityEvaluation> cylindricity_of(const Eigen::MatrixX3d& points,
@@ -231,18 +241,15 @@ std::optional<CylindricityEvaluation> cylindricity_of(const Eigen::MatrixX3d& po
     return solver.rank() == 5 ? std::optional<Eigen::VectorXd>(solver.solve(seen.distances))
                               : std::nullopt;
   };
-  const auto minimax = [watch](const SeenAlong& seen) -> std::optional<Eigen::VectorXd> {
-    const auto fit = minimax_fit(seen.columns, seen.distances, watch);
-    return fit ? std::optional(fit->parameters) : std::nullopt;
+  const auto minimax = [watch](const SeenAlong& seen) {
+    return minimax_parameters(seen.columns, seen.distances, watch);
   };
   const auto least = fitted_distances(points, watch, least_squares);
   const auto smallest = least ? fitted_distances(points, watch, minimax) : std::nullopt;
   if (!smallest) {
     return std::nullopt;
   }
-  const double zone = range_of(*least);
-  return CylindricityEvaluation{{zone, std::min(range_of(*smallest), zone)},
-                                least->array() - least->mean()};
+  return CylindricityEvaluation{zones_of(*least, *smallest), least->array() - least->mean()};
 }
 
 }  // namespace g31::metrology

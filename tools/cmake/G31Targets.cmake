@@ -66,8 +66,8 @@ set(g31_prelude
 set(g31_quick_prelude ${g31_prelude} <nlohmann/json.hpp>)
 set(g31_test_prelude <gtest/gtest.h> ${g31_quick_prelude})
 
-# A library is compiled several files at a time; the files of a batch share one anonymous namespace.  What runs once has
-# few templates of its own, and in larger batches those that it shares are made less often.
+# A library is compiled several files at a time: templates that they share are made less often.  The files of a batch
+# share one anonymous namespace.
 option(G31_BATCHES "Compile libraries several files at a time" ON)
 
 function(g31_library name)
@@ -77,9 +77,7 @@ function(g31_library name)
     target_link_libraries(${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE_DEPENDS} g31_warnings)
     target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
     target_compile_features(${name} PUBLIC cxx_std_20)
-    set(batch 16)
     if(G31_RUNS_ONCE)
-      set(batch 16)
       g31_compile_quickly(${name})
       g31_take_prelude(${name} g31_quick_prelude quick)
     else()
@@ -89,7 +87,7 @@ function(g31_library name)
       g31_take_prelude(${name} g31_prelude fast)
     endif()
     if(G31_BATCHES)
-      set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${batch})
+      set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
     endif()
   else()
     add_library(${name} INTERFACE)
