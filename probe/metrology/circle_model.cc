@@ -11,7 +11,7 @@
 namespace g31::metrology {
 namespace {
 
-constexpr int kMostSteps = 12;
+constexpr int kMostNewtonSteps = 12;
 using Normal =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostCircleTerms, kMostCircleTerms>;
 
@@ -143,7 +143,7 @@ std::optional<CircleFit> fit_circle(const PlaneSamples& samples,
   fit.errors.radius = task.radius.value_or(task.start.radius);
   std::optional<Normal> inverse;
   Sums sums;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostNewtonSteps; ++step) {
     sums = equations(samples, turns, ranges, task, columns, fit.errors);
     inverse = inverse_of(sums);
     if (!inverse || static_cast<double>(sums.count) < 2.0 * terms) {

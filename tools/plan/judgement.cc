@@ -109,8 +109,8 @@ class Sheet {
 }  // namespace
 
 std::string_view word_of(Verdict verdict) {
-  constexpr std::string_view kWords[] = {"good", "bad", "missing"};
-  return kWords[static_cast<std::size_t>(verdict)];
+  constexpr std::string_view kVerdictWords[] = {"good", "bad", "missing"};
+  return kVerdictWords[static_cast<std::size_t>(verdict)];
 }
 
 Judgement judged(const std::vector<Measure>& measures, std::string_view text) {
