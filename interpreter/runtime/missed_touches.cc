@@ -1,12 +1,23 @@
 #include "interpreter/runtime/missed_touches.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace g31::runtime {
 namespace {
 
 /// A variable of more moves than these is told all the same, through those that it knows.
 constexpr std::size_t kMostMoves = 64;
+
+/// Values this near to each other are the same place: the end of a way is compared with some play.
+constexpr double kSamePlaceMm = 1.0;
+/// What is less than any increment of a control, 0 apart, is no length: it tidies up the results of
+/// sums.
+constexpr double kLeastLength = 5e-7;
+
+bool is_length(double value) {
+  return value == 0.0 || std::abs(value) >= kLeastLength;
+}
 
 }  // namespace
 
@@ -53,8 +64,18 @@ void MissedTouches::touched() {
   count();
 }
 
-void MissedTouches::missed(source::Location where) {
+void MissedTouches::Held::add(const Held& other) {
+  results.add(other.results);
+  looks.add(other.looks);
+  signals.add(other.signals);
+  is_measured = is_measured || other.is_measured;
+  made_of.insert(made_of.end(), other.made_of.begin(), other.made_of.end());
+}
+
+void MissedTouches::missed(source::Location where, Result result, double mm_per_unit) {
   last_ = where;
+  result_ = result;
+  mm_per_unit_ = mm_per_unit;
   ++missed_count_;
   is_last_read_ = false;
   is_owed_ = true;
@@ -63,6 +84,7 @@ void MissedTouches::missed(source::Location where) {
 void MissedTouches::reads_result() {
   if (last_) {
     read_.results.add(*last_, missed_count_);
+    read_.is_measured = true;
     is_last_read_ = true;
   }
 }
@@ -73,40 +95,73 @@ void MissedTouches::looks() {
   }
 }
 
+void MissedTouches::looks_at_signal() {
+  if (last_) {
+    read_.signals.add(*last_, missed_count_);
+  }
+}
+
 void MissedTouches::reads(Holder holder) {
   const auto found = holders_.find(holder);
   if (found == holders_.end()) {
     return;
   }
-  read_.results.add(found->second.results);
-  read_.looks.add(found->second.looks);
+  const Held& held = found->second;
+  read_.results.add(held.results);
+  read_.looks.add(held.looks);
+  read_.signals.add(held.signals);
+  read_.is_measured = read_.is_measured || (!held.is_way && held.is_measured);
   read_.made_of.push_back(holder);
 }
 
 MissedTouches::Reading MissedTouches::set_aside() {
-  const bool is_empty = read_.results.empty() && read_.looks.empty();
-  Reading reading = is_empty ? nullptr : std::make_shared<const Held>(std::move(read_));
+  Reading reading = read_.is_of_none() ? nullptr : std::make_shared<const Held>(std::move(read_));
   end_statement();
   return reading;
 }
 
 void MissedTouches::reads(const Reading& reading) {
-  read_.results.add(reading->results);
-  read_.looks.add(reading->looks);
-  read_.made_of.insert(read_.made_of.end(), reading->made_of.begin(), reading->made_of.end());
+  if (reading != nullptr) {
+    read_.add(*reading);
+  }
 }
 
-void MissedTouches::compares() {
-  Moves seen = read_.results;
-  seen.add(read_.looks);
+void MissedTouches::compares(const Side& left, const Side& right) {
+  reads(left.reading);
+  reads(right.reading);
+  const Held seen = std::move(read_);
   end_statement();
-  settle(seen);
+  settle(seen.signals);
+  const auto is_measured = [](const Side& side) {
+    return side.reading != nullptr && side.reading->is_measured;
+  };
+  const bool is_of_two = is_measured(left) && is_measured(right);
+  if (is_of_two || !is_length(left.value) || !is_length(right.value)) {
+    return;
+  }
+  const bool is_near = std::abs(left.value - right.value) * mm_per_unit_ <= kSamePlaceMm;
+  for (const Moves* moves : {&seen.looks, &seen.results}) {
+    const bool shows_end = moves == &seen.looks || result_ == Result::End;
+    if (is_near && shows_end) {
+      settle(*moves);
+    } else {
+      excuse(*moves);
+    }
+  }
+}
+
+void MissedTouches::decides() {
+  const Held seen = std::move(read_);
+  end_statement();
+  settle(seen.signals);
+  excuse(seen.looks);
+  excuse(seen.results);
 }
 
 void MissedTouches::assigns(Holder holder) {
   Held held = std::move(read_);
   end_statement();
-  if (held.results.empty() && held.looks.empty()) {
+  if (held.is_of_none()) {
     holders_.erase(holder);
     count();
   } else {
@@ -156,7 +211,9 @@ std::vector<source::Location> MissedTouches::ends() {
   Moves left;
   for (const auto& [holder, held] : holders_) {
     if (!held.is_way) {
-      left.add(held.results);
+      Moves owed = held.results;
+      owed.remove(held.excused);
+      left.add(owed);
     }
   }
   if (last_ && !is_last_read_) {
@@ -166,17 +223,30 @@ std::vector<source::Location> MissedTouches::ends() {
 }
 
 void MissedTouches::settle(const Moves& moves) {
+  if (moves.empty()) {
+    return;
+  }
   for (auto& [holder, held] : holders_) {
     held.results.remove(moves);
     held.looks.remove(moves);
+    held.signals.remove(moves);
+    held.excused.remove(moves);
   }
-  std::erase_if(holders_, [](const auto& one) {
-    return one.second.results.empty() && one.second.looks.empty();
-  });
+  std::erase_if(holders_, [](const auto& one) { return one.second.is_of_none(); });
   if (last_ && moves.contains(*last_)) {
     last_.reset();
   }
   count();
+}
+
+/// The variables that keep their results may go on to.
+void MissedTouches::excuse(const Moves& moves) {
+  for (auto& [holder, held] : holders_) {
+    if (held.results.has_any_of(moves)) {
+      held.excused.add(moves);
+    }
+  }
+  is_last_read_ = is_last_read_ || (last_ && moves.contains(*last_));
 }
 
 std::vector<source::Location> MissedTouches::told(const Moves& moves) {

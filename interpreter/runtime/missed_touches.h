@@ -18,8 +18,10 @@ namespace g31::runtime {
 /// measured one: to put it into an offset, to print it, to leave it behind in a variable.
 ///
 /// A dialect says, statement by statement, what is read and then what becomes of it.  A comparison
-/// settles the moves whose result goes into it, wherever else that result is.  While nothing is
-/// owed, nothing has to be said.
+/// with the end of the way, some play about it, settles a move, wherever else its result is.  Any
+/// other comparison may have found that out or not (a limit, the least of several, a test for 0):
+/// it excuses the variables that keep the result now, but what is made of it afterwards counts.
+/// While nothing is owed, nothing has to be said.
 class MissedTouches {
   struct Held;
 
@@ -30,13 +32,26 @@ class MissedTouches {
   /// What a part of a statement has read: an argument that a called program gets.
   using Reading = std::shared_ptr<const Held>;
 
+  /// What a program reads as the result of such a move.
+  enum class Result : std::uint8_t {
+    End,     ///< the end of its way
+    Former,  ///< what was there before: only where the axes are tells of the end
+  };
+
+  /// One side of a comparison.
+  struct Side {
+    double value = 0.0;
+    Reading reading;
+  };
+
   /// Whether a move without a signal is still unsettled.
   [[nodiscard]] bool any() const { return is_owed_; }
 
   // The last measuring move of the program.
 
   void touched();
-  void missed(source::Location where);
+  /// @param mm_per_unit  of the lengths that the program reads: 1 or 25.4
+  void missed(source::Location where, Result result, double mm_per_unit);
   /// Where it was, if it had no signal and the program has not looked.
   [[nodiscard]] std::optional<source::Location> last() const { return last_; }
 
@@ -44,8 +59,10 @@ class MissedTouches {
 
   /// The position that the signal would have latched.
   void reads_result();
-  /// Where the axes are, or the signal itself: good for comparing only.
+  /// Where the axes are: good for comparing only.
   void looks();
+  /// The signal itself: whoever compares it with anything has looked.
+  void looks_at_signal();
   void reads(Holder holder);
   /// What the statement has read so far, which counts as not read then.  @returns nullptr: nothing
   [[nodiscard]] Reading set_aside();
@@ -53,8 +70,10 @@ class MissedTouches {
 
   // What becomes of it, which ends the statement.
 
-  /// It is compared with something.
-  void compares();
+  /// Two values of it are compared with each other.
+  void compares(const Side& left, const Side& right);
+  /// The way through the program depends on it.
+  void decides();
   /// It is in a variable now; what was there is gone.
   void assigns(Holder holder);
   /// The axes go there: the result serves as a position.
@@ -109,20 +128,27 @@ class MissedTouches {
   };
 
   struct Held {
-    Moves results;        ///< whose result it is made of
-    Moves looks;          ///< whose end it shows
-    bool is_way = false;  ///< it has served as a position
+    Moves results;             ///< whose result it is made of
+    Moves looks;               ///< whose end it shows
+    Moves signals;             ///< whose signal it shows
+    Moves excused;             ///< of the results: they were compared while they stood here
+    bool is_way = false;       ///< it has served as a position
+    bool is_measured = false;  ///< not all of it is made of such positions
     std::vector<Holder> made_of;
 
-    [[nodiscard]] bool is_empty() const {
-      return results.empty() && looks.empty() && made_of.empty();
+    /// Whether it is made of no move, or of none that is owed any longer.
+    [[nodiscard]] bool is_of_none() const {
+      return results.empty() && looks.empty() && signals.empty();
     }
+    [[nodiscard]] bool is_empty() const { return is_of_none() && made_of.empty(); }
+    void add(const Held& other);
     bool operator==(const Held&) const = default;
   };
 
   void serves_as_way();
   void serves_as_way(Holder holder, const Moves& moves);
   void settle(const Moves& moves);
+  void excuse(const Moves& moves);
   std::vector<source::Location> told(const Moves& moves);
   void end_statement();
   void count();
@@ -131,6 +157,8 @@ class MissedTouches {
   Held read_;                             ///< by the present statement
   std::optional<source::Location> last_;  ///< measuring move, while it is owed
   std::uint64_t missed_count_ = 0;
+  double mm_per_unit_ = 1.0;
+  Result result_ = Result::End;
   bool is_last_read_ = false;
   bool is_owed_ = false;
 };

@@ -20,10 +20,16 @@ class TouchReports {
 
   [[nodiscard]] bool is_inspected() const { return is_inspected_; }
 
-  /// The program looks where the axes are, or at the signal.
+  /// The program looks where the axes are.
   void looks() {
     if (!is_inspected_) {
       missed.looks();
+    }
+  }
+  /// The program looks at the signal.
+  void looks_at_signal() {
+    if (!is_inspected_) {
+      missed.looks_at_signal();
     }
   }
   /// The program asks whether the last move had its signal.

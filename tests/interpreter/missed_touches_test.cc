@@ -18,7 +18,7 @@ source::Location at(std::uint64_t begin) {
 
 /// A move at a place without a signal, its result in a variable.
 void miss_into(MissedTouches& missed, std::uint64_t begin, MissedTouches::Holder holder) {
-  missed.missed(at(begin));
+  missed.missed(at(begin), MissedTouches::Result::End, 1.0);
   missed.reads_result();
   missed.assigns(holder);
 }
@@ -45,7 +45,7 @@ TEST(MissedTouches, ALoopOwesItsPlaceOnce) {
 TEST(MissedTouches, ASumOfVeryManyIsToldThroughSomeOfThem) {
   MissedTouches missed;
   for (std::uint64_t i = 0; i < 100000; ++i) {
-    missed.missed(at(i));
+    missed.missed(at(i), MissedTouches::Result::End, 1.0);
     missed.reads_result();
     missed.reads(7);
     missed.assigns(7);
@@ -59,11 +59,11 @@ TEST(MissedTouches, ASumOfVeryManyIsToldThroughSomeOfThem) {
 TEST(MissedTouches, OfMovesThatNobodyReadsTheLastAloneIsOwed) {
   MissedTouches missed;
   for (std::uint64_t i = 0; i < 1000; ++i) {
-    missed.missed(at(i));
+    missed.missed(at(i), MissedTouches::Result::End, 1.0);
   }
   EXPECT_EQ(missed.last(), at(999));
   EXPECT_EQ(missed.ends(), std::vector{at(999)});
-  missed.missed(at(1));
+  missed.missed(at(1), MissedTouches::Result::End, 1.0);
   missed.touched();
   EXPECT_FALSE(missed.any());
 }
@@ -79,6 +79,80 @@ TEST(MissedTouches, WhatIsOverwrittenOrForgottenIsNotOwed) {
   missed.touched();
   missed.forget(6, 9);
   EXPECT_EQ(missed.ends(), std::vector{at(10)});
+}
+
+/// Compares what a variable holds with a number.
+void compare(MissedTouches& missed, MissedTouches::Holder holder, double value, double other) {
+  missed.reads(holder);
+  MissedTouches::Side side{value, missed.set_aside()};
+  missed.compares(side, {other, nullptr});
+}
+
+TEST(MissedTouches, AreSettledByTheEndAndExcusedByALimit) {
+  MissedTouches missed;
+  miss_into(missed, 10, 5);
+  compare(missed, 5, 50.0, 49.0);
+  EXPECT_FALSE(missed.any());
+
+  miss_into(missed, 10, 5);
+  compare(missed, 5, 50.0, 48.9);
+  EXPECT_TRUE(missed.any());
+  missed.reads(5);
+  missed.assigns(6);
+  MissedTouches copied = missed;
+  EXPECT_EQ(copied.ends(), std::vector{at(10)}) << "what is made of it afterwards";
+  missed.reads(6);
+  EXPECT_EQ(missed.uses(), std::vector{at(10)});
+
+  miss_into(missed, 20, 5);
+  missed.reads(5);
+  missed.assigns(6);
+  compare(missed, 5, 50.0, 0.0);
+  EXPECT_TRUE(missed.ends().empty()) << "left where they were when it was compared";
+}
+
+TEST(MissedTouches, AResultThatShowsTheFormerTouchIsComparedWithAnyValue) {
+  MissedTouches missed;
+  missed.missed(at(10), MissedTouches::Result::Former, 1.0);
+  missed.reads_result();
+  missed.assigns(5);
+  compare(missed, 5, 50.0, 50.0);
+  missed.reads(5);
+  missed.assigns(6);
+  EXPECT_EQ(missed.ends(), std::vector{at(10)});
+
+  missed.missed(at(20), MissedTouches::Result::Former, 1.0);
+  missed.reads_result();
+  missed.assigns(5);
+  missed.looks();
+  missed.compares({50.0, missed.set_aside()}, {50.0, nullptr});
+  EXPECT_FALSE(missed.any()) << "the axes stand at the end";
+}
+
+TEST(MissedTouches, ALimitExcusesItsOwnMoveAlone) {
+  MissedTouches missed;
+  miss_into(missed, 10, 5);
+  miss_into(missed, 20, 6);
+  missed.reads(5);
+  missed.reads(6);
+  missed.assigns(7);
+  compare(missed, 5, 50.0, 0.0);
+  missed.assigns(6);
+  EXPECT_EQ(missed.ends(), std::vector{at(20)}) << "the sum of both";
+}
+
+TEST(MissedTouches, ADecisionExcusesTheResultAndSettlesTheSignal) {
+  MissedTouches missed;
+  miss_into(missed, 10, 5);
+  missed.reads(5);
+  missed.decides();
+  EXPECT_TRUE(missed.any());
+  EXPECT_TRUE(missed.ends().empty());
+
+  miss_into(missed, 20, 5);
+  missed.looks_at_signal();
+  missed.decides();
+  EXPECT_FALSE(missed.any());
 }
 
 }  // namespace

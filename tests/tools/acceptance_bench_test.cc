@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/effort.h"
+#include "tests/support/run_program.h"
 #include "tests/support/run_study.h"
+#include "tests/support/temporary_folder.h"
 
 namespace g31::acceptance_bench_test {
 namespace {
@@ -53,6 +55,27 @@ INSTANTIATE_TEST_SUITE_P(
     Studies, AcceptanceBench,
     ::testing::ValuesIn(std::span(kBenches).first(testing::of_many(std::size(kBenches)))),
     [](const auto& named) { return std::string(named.param.study); });
+
+/// The parts lie elsewhere, so nothing is measured, whatever the programs make of the ends of their
+/// moves: the least, the greatest, sums that are compared with 0.
+TEST(AcceptanceBench, MeasuresNothingWithoutAPart) {
+  const char* const kJobs[][2] = {
+      {"parts/library/acceptance/repeatability.nc", "parts/library/acceptance/bench.toml"},
+      {"parts/library/acceptance/ring_2d.nc", "parts/library/acceptance/bench.toml"},
+      {"parts/library/acceptance/sphere_3d.nc", "parts/library/acceptance/bench.toml"},
+      {"macros/fanuc/O6001.nc", "parts/library/ring_gauge/ring.toml"}};
+  testing::TemporaryFolder folder;
+  const std::string elsewhere =
+      folder.write("elsewhere.toml", "[[part]]\nshape = \"block\"\nat = [9000.0, 0.0, 0.0]\n");
+  for (const auto& [program, sheet] : kJobs) {
+    cli::RunOptions options;
+    options.programs = {program};
+    options.setups = {sheet, elsewhere};
+    const testing::RunOutput output = testing::run_program(options);
+    EXPECT_EQ(output.exit_code, 1) << program;
+    EXPECT_NE(output.errors.find("[PRB301]"), std::string::npos) << program << output.errors;
+  }
+}
 
 }  // namespace
 }  // namespace g31::acceptance_bench_test

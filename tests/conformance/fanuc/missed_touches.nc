@@ -1,5 +1,7 @@
 (SOURCE the skip move of B-63944EN/02 20.4 ends without an alarm when no signal comes: a program that)
-(SOURCE takes what it then reads for a measured position errs, one that compares it has looked)
+(SOURCE takes what it then reads for a measured position errs, one that compares it with the end of)
+(SOURCE the way, 1 mm about it, has looked.  Any other comparison may have seen it or not: what is made)
+(SOURCE of the result afterwards counts)
 
 (CASE MT-01 a protected move whose end is compared is no finding)
 (SIGNAL NONE)
@@ -33,7 +35,7 @@ N10 M30
 O1
 G31 X50. F1000.
 #1=#5041
-WHILE[#1LT40.]DO1
+WHILE[#1LT49.5]DO1
 #1=#1+100.
 END1
 #100=#5061
@@ -167,12 +169,12 @@ N10 M30
 %
 (EXPECT NO WARNING PRB301)
 
-(CASE MT-14 a result that was compared may be used: the program has looked)
+(CASE MT-14 a result that was compared with the end may be used: the program has looked)
 (SIGNAL NONE)
 %
 O1
 G31 X50. F100.
-IF[#5061GT100.]GOTO90
+IF[#5061GT50.5]GOTO90
 #5221=#5061
 M30
 N90 #3000=1(NO)
@@ -266,7 +268,7 @@ O8
 G65 P9 A#24
 M99
 O9
-IF[#1GT40.]GOTO1
+IF[#1GT46.9]GOTO1
 #3000=1(PATH OBSTRUCTED)
 N1 M99
 %
@@ -332,3 +334,165 @@ O9
 M99
 %
 (EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-25 a limit that the end keeps, too, finds nothing)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F100.
+IF[#5061GT100.]GOTO90
+#5221=#5061
+M30
+N90 #3000=1(NO)
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-26 a limit that it does not keep: nothing is made of it)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F100.
+#100=#5061
+IF[ABS[#100-30.]LT5.]GOTO1
+#101=0
+M30
+N1 #101=#100
+M30
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-27 a test for 0 finds nothing)
+(SIGNAL NONE)
+%
+O1
+G31 X10. F100.
+#4=#5061
+IF[ABS[#4]LT.00000001]THEN#4=0
+#100=#4
+M30
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-28 the least of three touches, the second of which was none)
+(SIGNAL X30.)
+(SIGNAL NONE)
+(SIGNAL X40.)
+%
+O1
+G00 X60.
+#5=999.
+#1=0
+WHILE[#1LT3.]DO1
+G31 X-50. F100.
+#4=#5061
+G00 X60.
+IF[#4LT#5]THEN#5=#4
+#1=#1+1
+END1
+#100=#5
+M30
+%
+(EXPECT WARNING PRB301 AT 10)
+
+(CASE MT-29 the least of touches that were none, all with one end)
+(SIGNAL NONE)
+(SIGNAL NONE)
+%
+O1
+G31 X-50. F100.
+#5=#5061
+G00 X60.
+G31 X-50. F100.
+#4=#5061
+IF[#4LT#5]THEN#5=#4
+#100=#5
+M30
+%
+(EXPECT WARNING PRB301 AT 5)
+
+(CASE MT-30 compared with what it has nothing to do with)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F100.
+#4=#5061
+IF[1EQ#4]GOTO1
+N1 #2001=#4
+M30
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-31 whether it is vacant says nothing of it)
+(SIGNAL NONE)
+%
+O1
+G31 X0.5 F100.
+#100=#5061
+IF[#100EQ#0]GOTO1
+N1 M30
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-32 an inch is not 1 mm)
+(SIGNAL NONE)
+%
+O1
+G20
+G31 X2. F10.
+IF[#5061GT1.5]GOTO1
+N1 #500=#5061
+M30
+%
+(EXPECT WARNING PRB301 AT 5)
+
+(CASE MT-33 in inches, too, the end is compared with some play)
+(SIGNAL NONE)
+%
+O1
+G20
+G31 X2. F10.
+IF[ABS[#5061-2.]GT.004]GOTO1
+N1 #500=#5061
+M30
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-34 the end of the second way was made of the first: it is compared as a position)
+(SIGNAL NONE)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+#1=#5061+10.
+G31 X#1 F1000.
+IF[#5061LT#1]GOTO90
+#500=#5061
+M30
+N90 #3000=1(PATH OBSTRUCTED)
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-35 the place where the axes stand tells of a miss as well)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F1000.
+IF[#5041EQ#5061]GOTO10
+#500=#5061
+N10 M30
+%
+(EXPECT NO WARNING PRB301)
+
+(CASE MT-36 the signal is asked for while the result is in two variables)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F100.
+#1=#5061
+#100=#1
+#2=#1000
+IF[#2NE0]GOTO10
+#500=#1
+N10 M30
+%
+(EXPECT NO WARNING PRB301)

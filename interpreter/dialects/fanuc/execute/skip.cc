@@ -13,6 +13,7 @@ using machine::NoEdge;
 using machine::NoTouch;
 using machine::SkipOutcome;
 using machine::Touched;
+using runtime::MissedTouches;
 
 /// What a missing signal, or one that was there already, deserves (MB-270, MB-277).
 void note_outcome(Control& control, const NcBlock& block, const SkipOutcome& outcome) {
@@ -21,7 +22,10 @@ void note_outcome(Control& control, const NcBlock& block, const SkipOutcome& out
                    control.stopped_skip = block.where;
                    control.touches.missed.touched();
                  },
-                 [&](const NoTouch&) { control.touches.missed.missed(block.where); },
+                 [&](const NoTouch&) {
+                   control.touches.missed.missed(block.where, MissedTouches::Result::End,
+                                                 control.scale.mm_per_unit());
+                 },
                  [&](const NoEdge&) {
                    control.touches.missed.touched();
                    control.warn(source::DiagnosticId::SkipSignalAlreadyOn, block.where);

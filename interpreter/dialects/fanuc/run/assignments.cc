@@ -8,6 +8,7 @@
 
 #include "interpreter/dialects/fanuc/execute/compensation.h"
 #include "interpreter/dialects/fanuc/run/evaluation_failure.h"
+#include "interpreter/dialects/fanuc/state/expression_reads.h"
 #include "interpreter/dialects/fanuc/vocabulary/variable_ranges.h"
 
 namespace g31::fanuc {

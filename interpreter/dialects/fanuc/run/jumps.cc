@@ -24,7 +24,7 @@ MaybeFailure Jumps::jump(const Step& step) {
   }
   const CompiledProgram& program = *frame().program;
   const Cell target = control_.evaluator.value(program, step.value);
-  control_.touches.missed.compares();
+  control_.touches.missed.decides();
   if (control_.evaluator.failed()) {
     return evaluation_failure(control_.evaluator);
   }

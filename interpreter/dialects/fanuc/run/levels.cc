@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/state/expression_reads.h"
+
 namespace g31::fanuc {
 
 MaybeFailure Levels::enter(const Entry& entry) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/execute/codes.h"
+#include "interpreter/dialects/fanuc/state/expression_reads.h"
 
 namespace g31::fanuc {
 namespace {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/state/expression_reads.h"
 #include "interpreter/dialects/fanuc/text/output_format.h"
 #include "interpreter/runtime/printer_port.h"
 #include "machine/base/contract.h"

@@ -141,7 +141,7 @@ MaybeFailure Subprograms::jump_by_input(const EvaluatedWord& m) {
     return sequence ? input.error() : sequence.error();
   }
   const auto value = control_.all_variables.read(kFirstInput + input.value());
-  control_.touches.missed.compares();
+  control_.touches.missed.decides();
   if (!value) {
     return at_word(value.error(), *q, fmt::format("there is no input {}", input.value()));
   }

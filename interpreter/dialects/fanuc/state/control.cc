@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interpreter/dialects/fanuc/state/believed_chain.h"
+#include "interpreter/dialects/fanuc/state/expression_reads.h"
 #include "interpreter/dialects/fanuc/state/pitch_errors.h"
 #include "interpreter/dialects/fanuc/state/straightness.h"
 

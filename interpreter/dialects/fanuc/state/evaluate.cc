@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "interpreter/dialects/fanuc/state/expression_reads.h"
 #include "interpreter/runtime/angles.h"
 #include "machine/base/contract.h"
 
@@ -21,6 +22,12 @@ constexpr double kSmallSine = 1e-8;  // 6004.1 MFZ
 Cell truth(bool value) {
   return Cell(value ? 1.0 : 0.0);
 }
+
+/// Of an expression that nobody follows.
+struct Unheard {
+  void begins(const Op& /*op*/) {}
+  void ends(const Op& /*op*/, Cell /*a*/, Cell /*b*/) {}
+};
 
 /// The functions that can have a second argument, for a switch over all of them.
 enum class FunctionOfTwo : std::uint8_t {
@@ -90,12 +97,6 @@ std::optional<double> from_bcd(double value) {
 
 }  // namespace
 
-runtime::MissedTouches::Holder holder_of(std::size_t depth, std::int32_t number) {
-  constexpr int kLevelShift = 32;
-  const auto level = is_local(number) ? static_cast<std::uint64_t>(depth) + 1 : 0;
-  return level << kLevelShift | static_cast<std::uint32_t>(number);
-}
-
 std::optional<EvaluationFault> Evaluator::take_fault() {
   std::optional<EvaluationFault> taken;
   taken.swap(fault_);
@@ -123,41 +124,19 @@ Cell Evaluator::read(std::int32_t number) {
 }
 
 Cell Evaluator::value(const CompiledProgram& program, syntax::Index code, double round_to) {
-  const Cell result = evaluate(program, code, round_to);
-  if (missed_.any()) [[unlikely]] {
-    follow(program, code);
+  if (!missed_.any()) [[likely]] {
+    return evaluate(program, code, round_to);
   }
-  return result;
+  ExpressionReads reads(missed_, variables_.depth());
+  return evaluate_heard(program, code, round_to, reads);
 }
 
 bool Evaluator::condition(const CompiledProgram& program, syntax::Index code) {
-  const bool holds = evaluate(program, code).or_zero() != 0.0;
+  const bool holds = value(program, code).or_zero() != 0.0;
   if (missed_.any()) [[unlikely]] {
-    follow(program, code);
-    missed_.compares();
+    missed_.decides();
   }
   return holds;
-}
-
-/// Says what an expression has read, computed numbers of variables apart.
-void Evaluator::follow(const CompiledProgram& program, syntax::Index code) {
-  bool compares = false;
-  const auto reads = [this](const Operand& operand) {
-    if (operand.bank == Bank::Locals || operand.bank == Bank::Commons) {
-      missed_.reads(holder_of(variables_.depth(), operand.place));
-    }
-  };
-  for (const Op* op = &program.ops[code];; ++op) {
-    reads(op->a);
-    if (op->code == OpCode::End) {
-      break;
-    }
-    reads(op->b);
-    compares = compares || is_comparison(op->code);
-  }
-  if (compares) {
-    missed_.compares();
-  }
 }
 
 bool Evaluator::is_in_range(double result) const {
@@ -171,11 +150,19 @@ Cell Evaluator::in_range(double result) {
              : fail(AlarmId::ResultOutOfRange, fmt::format("the result is {}", result));
 }
 
-// The hot loop of macro programs.
 Cell Evaluator::evaluate(const CompiledProgram& program, syntax::Index code, double round_to) {
+  Unheard nobody;
+  return evaluate_heard(program, code, round_to, nobody);
+}
+
+// The hot loop of macro programs.
+template <typename Listener>
+Cell Evaluator::evaluate_heard(const CompiledProgram& program, syntax::Index code, double round_to,
+                               Listener& listener) {
   const Cell* const banks[] = {program.constants.data(), variables_.locals(), variables_.commons(),
                                temporaries_.data()};
   for (const Op* op = &program.ops[code];; ++op) {
+    listener.begins(*op);
     const Cell a = banks[static_cast<std::size_t>(op->a.bank)][op->a.place];
     if (op->code == OpCode::End) {
       return a;
@@ -197,6 +184,7 @@ Cell Evaluator::evaluate(const CompiledProgram& program, syntax::Index code, dou
         return at(program, *op);
       }
     }
+    listener.ends(*op, a, b);
   }
 }
 

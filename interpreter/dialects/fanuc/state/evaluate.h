@@ -34,9 +34,6 @@ struct EvaluationFault {
   std::string detail;
 };
 
-/// A local or common variable among what keeps the result of a skip move.
-runtime::MissedTouches::Holder holder_of(std::size_t depth, std::int32_t number);
-
 /// Runs the code of expressions.
 class Evaluator {
  public:
@@ -73,7 +70,9 @@ class Evaluator {
   Cell rounding_function(FunctionId id, double argument, double round_to);
   Cell function_of_two(const Op& op, double a, double b);
   Cell read(std::int32_t number);
-  void follow(const CompiledProgram& program, syntax::Index code);
+  template <typename Listener>
+  Cell evaluate_heard(const CompiledProgram& program, syntax::Index code, double round_to,
+                      Listener& listener);
   Cell number_of_name(const std::string& name, Cell index);
   Cell parameter(double number, std::optional<double> bit);
   Cell axis_parameter(double number, double axis);

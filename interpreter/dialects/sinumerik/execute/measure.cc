@@ -181,7 +181,8 @@ void report(Channel& channel, const Measuring& measuring, runtime::TouchEvent ev
   if (event.triggered) {
     channel.touches.missed.touched();
   } else if (!measuring.by_action) {
-    channel.touches.missed.missed(event.where);
+    channel.touches.missed.missed(event.where, runtime::MissedTouches::Result::Former,
+                                  channel.mm_per_datum());
   }
   channel.touches.touched(event, state);
   channel.outlet.touched(event);

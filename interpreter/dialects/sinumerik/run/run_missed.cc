@@ -50,18 +50,25 @@ runtime::MissedTouches::Holder MissedResults::holder_of(const double& cell) cons
 
 void MissedResults::follow(const Op& op) {
   const auto reads = [&](Operand place) { missed_.reads(holder_of(operands_.number(place))); };
+  if (is_comparison(op.code)) {
+    const auto side = [&](Operand place) {
+      reads(place);
+      return runtime::MissedTouches::Side{operands_.number(place), missed_.set_aside()};
+    };
+    const auto left = side(op.a);
+    missed_.compares(left, side(op.b));
+    missed_.assigns(holder_of(operands_.number(op.result)));
+    return;
+  }
   if (is_number_step(op.code)) {
     reads(op.a);
     reads(op.b);
-    if (is_comparison(op.code)) {
-      missed_.compares();
-    }
     missed_.assigns(holder_of(operands_.number(op.result)));
     return;
   }
   if (op.code == OpCode::JumpIfNot) {
     reads(op.a);
-    missed_.compares();
+    missed_.decides();
   } else if (op.code == OpCode::Load) {
     missed_.reads(holder_of(element(op)));
     missed_.assigns(holder_of(operands_.number(op.result)));
