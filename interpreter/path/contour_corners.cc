@@ -265,7 +265,7 @@ Result<ContourCorners::Given, CornerFault> ContourCorners::take(const PathBlock&
             ? CutResult(flat ? passing_by(before, behind, held_->wish, longest_leg) : MaybeCut())
             : cut_between(before, behind, held_->wish, flat, rules_);
     if (!cut) {
-      return CornerFault{cut.error(), held_->block.where};
+      return CornerFault{cut.error(), held_->block.where, held_->block.calls};
     }
     if (cut.value()) {
       const AxisPositions q_M_cut =

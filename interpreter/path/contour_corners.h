@@ -49,6 +49,7 @@ enum class CornerError {
 struct CornerFault {
   CornerError error;
   source::Location where;
+  std::uint64_t calls = 0;  ///< PathBlock::calls of that block
 };
 
 /// Roundings and chamfers between the blocks of a contour, with one block read ahead.

@@ -146,15 +146,15 @@ Fault CutterCompensation::take_in_plane(const PathBlock& block,
                                         const CompensationCommand& command) {
   Held next = prepared(block, command);
   if (block.arc && next.role != Role::Normal) {
-    return CompensationFault{CompensationError::ArcAtStartOrEnd, block.where};
+    return CompensationFault{CompensationError::ArcAtStartOrEnd, block.where, block.calls};
   }
   if (const auto refused = block.arc ? refusal(next.way, next.offset) : std::nullopt) {
-    return CompensationFault{*refused, block.where};
+    return CompensationFault{*refused, block.where, block.calls};
   }
   if (held_) {
     const auto end = join(next);
     if (!end) {
-      return CompensationFault{end.error(), block.where};
+      return CompensationFault{end.error(), block.where, block.calls};
     }
     if (const Fault fault = finish_held(end.value())) {
       return fault;
@@ -235,7 +235,8 @@ Fault CutterCompensation::clear_interference(Join& end) {
   const auto begin = [&] { return start.empty() ? plane_.of(q_M_tool_) : start.back(); };
   while (goes_backwards(held_->way, begin(), end.points.front())) {
     if (has_arcs || (start.empty() && end.points.size() == 1)) {
-      return CompensationFault{CompensationError::Interference, held_->block.where};
+      return CompensationFault{CompensationError::Interference, held_->block.where,
+                               held_->block.calls};
     }
     if (!start.empty()) {
       start.pop_back();

@@ -47,7 +47,8 @@ enum class CompensationError {
 
 struct CompensationFault {
   CompensationError error;
-  source::Location where;  ///< the block that cannot be compensated
+  source::Location where;   ///< the block that cannot be compensated
+  std::uint64_t calls = 0;  ///< PathBlock::calls of that block
 };
 
 using CompensationResult = Result<PathItems, CompensationFault>;

@@ -66,18 +66,10 @@ std::optional<machine::MachineFault> Outlet::told(std::optional<machine::Machine
   event.contact = fault->contact;
   event.view = view_of(fault->q_M_at, event.move ? event.move->q_M_to : fault->q_M_at);
   if (fault_levels_) {
-    event.view.calls = fault_calls();
+    event.view.calls = runtime::calls_behind(*fault_levels_);
   }
   observer_.on_fault(event);
   return fault;
-}
-
-std::vector<runtime::CallSite> Outlet::fault_calls() const {
-  std::vector<runtime::CallSite> calls;
-  for (std::size_t i = 1; i < fault_levels_->size(); ++i) {
-    calls.push_back({(*fault_levels_)[i].program, (*fault_levels_)[i].where});
-  }
-  return calls;
 }
 
 // Control looks far fewer moves ahead.
@@ -104,14 +96,17 @@ void Outlet::begin_calls(std::uint64_t number) {
 
 /// @param move  its number
 void Outlet::look_up_levels(std::uint64_t move) {
-  fault_levels_.reset();
   const auto later =
       std::ranges::find_if(calls_, [&](const CallsFrom& from) { return from.move > move; });
   const std::uint64_t number = later == calls_.begin() ? 0 : std::prev(later)->number;
+  fault_levels_ = levels_of(number);
+}
+
+std::optional<std::vector<runtime::CallLevel>> Outlet::levels_of(std::uint64_t number) const {
   const std::uint64_t age = levels_number_ - number;
-  if (number > 0 && age < remembered_.size()) {
-    fault_levels_ = remembered_[remembered_.size() - 1 - age];
-  }
+  return number > 0 && age < remembered_.size()
+             ? std::optional(remembered_[remembered_.size() - 1 - age])
+             : std::nullopt;
 }
 
 std::optional<machine::MachineFault> Outlet::stand_still() {

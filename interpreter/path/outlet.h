@@ -66,8 +66,9 @@ class Outlet {
     return fault_levels_;
   }
 
-  /// The calls behind that block, the innermost first; fault_levels() are known.
-  [[nodiscard]] std::vector<runtime::CallSite> fault_calls() const;
+  /// The levels of a number of calls_now(); nullopt: it is 0, or they are not known any more.
+  [[nodiscard]] std::optional<std::vector<runtime::CallLevel>> levels_of(
+      std::uint64_t number) const;
 
   /// Of a fault that was found late: the block whose move it is; not known: the present one.
   static source::Location place_of(const machine::MachineFault& fault);

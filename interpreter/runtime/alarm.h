@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Alarm {
   /// the innermost first, which is where the alarm arose.
   std::vector<CallSite> inside;
   std::vector<CallSite> calls;  ///< innermost first
+  std::uint64_t level = 0;      ///< CallLevel::number of the level that `where` is in
 };
 
 }  // namespace g31::runtime

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "interpreter/runtime/alarm.h"
 #include "interpreter/runtime/shown_value.h"
 #include "interpreter/source/location.h"
 
@@ -19,7 +21,15 @@ struct CallLevel {
   source::Location
       where;             ///< of the innermost level: the block that comes next; of others the call
   bool is_shown = true;  ///< false: its program hides its blocks (DISPLOF)
+  /// Which of the levels that a run has had, counted when each begins; no two have the same.
+  std::uint64_t number = 0;
+  /// Programs of the level that wait for a text which runs on it (EXECSTRING), the innermost first.
+  std::vector<CallSite> waiting = {};
 };
+
+/// The calls behind the innermost of some levels.
+/// @param levels  the innermost first, at least one
+std::vector<CallSite> calls_behind(std::span<const CallLevel> levels);
 
 /// Which variables.
 enum class Scope : std::uint8_t {

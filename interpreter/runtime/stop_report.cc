@@ -1,5 +1,6 @@
 #include "interpreter/runtime/stop_report.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,29 +19,50 @@ source::Diagnostic message_of(const Alarm& alarm) {
           {}};
 }
 
+using Levels = std::vector<CallLevel>;
+
+/// Of the levels from the innermost to the first that shows its blocks.
+std::vector<CallSite> hidden_places(Levels::const_iterator first, Levels::const_iterator shown) {
+  std::vector<CallSite> places;
+  for (; first != shown; ++first) {
+    places.push_back({first->program, first->where});
+    places.insert(places.end(), first->waiting.begin(), first->waiting.end());
+  }
+  return places;
+}
+
 }  // namespace
 
 Outcome outcome_of(StopReason reason) {
+  const auto shown = std::ranges::find_if(reason.levels, &CallLevel::is_shown);
+  G31_EXPECTS(shown != reason.levels.end());
+  const std::vector<CallSite> inside = hidden_places(reason.levels.begin(), shown);
+  const std::vector<CallSite> calls = calls_behind({shown, reason.levels.end()});
   Outcome outcome;
   outcome.status = reason.status;
   source::Diagnostic diagnostic;
   const bool is_message = reason.status == Status::Setup || reason.status == Status::Budget ||
                           reason.status == Status::Interrupted || reason.status == Status::Defect;
   if (is_message && !reason.is_alarm) {
-    diagnostic = make_diagnostic(static_cast<source::DiagnosticId>(reason.number), reason.where,
+    diagnostic = make_diagnostic(static_cast<source::DiagnosticId>(reason.number), shown->where,
                                  reason.detail);
   } else if (reason.status == Status::Collision && reason.number < 0) {
-    diagnostic = make_diagnostic(source::DiagnosticId::CollisionStop, reason.where, reason.detail);
+    diagnostic = make_diagnostic(source::DiagnosticId::CollisionStop, shown->where, reason.detail);
   } else {
-    outcome.alarm = Alarm{reason.number, std::move(reason.text),   reason.where,
-                          reason.detail, std::move(reason.remedy), reason.inside,
-                          reason.calls};
+    outcome.alarm = Alarm{reason.number,
+                          std::move(reason.text),
+                          shown->where,
+                          reason.detail,
+                          std::move(reason.remedy),
+                          inside,
+                          calls,
+                          shown->number};
     diagnostic = message_of(*outcome.alarm);
   }
-  for (const CallSite& place : reason.inside) {
+  for (const CallSite& place : inside) {
     diagnostic.notes.push_back({place.where, fmt::format("in {}", place.program)});
   }
-  for (const CallSite& call : reason.calls) {
+  for (const CallSite& call : calls) {
     diagnostic.notes.push_back({call.where, fmt::format("called from {}", call.program)});
   }
   outcome.diagnostics.push_back(std::move(diagnostic));

@@ -5,6 +5,7 @@
 
 #include "interpreter/runtime/block_watch.h"
 #include "interpreter/runtime/budget_spent.h"
+#include "interpreter/runtime/inspection.h"
 #include "interpreter/runtime/outcome.h"
 
 namespace g31::runtime {
@@ -19,9 +20,8 @@ struct StopReason {
   std::string text;       ///< of the alarm
   std::string detail;
   std::string remedy;
-  source::Location where;
-  std::vector<CallSite> inside;  ///< what `where` hides: see Alarm
-  std::vector<CallSite> calls;   ///< innermost first
+  /// Where, the innermost first, at least one: its place is that of the block.
+  std::vector<CallLevel> levels;
 };
 
 /// What is left of the run: its status, the alarm if it was one, and the message as its only

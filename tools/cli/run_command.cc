@@ -144,7 +144,7 @@ std::optional<Refusal> add_values(const OpenedRun& opened, const RunState& befor
     std::ranges::move(all_values(session), std::back_inserter(result.variables));
   }
   if (result.outcome.alarm) {
-    result.locals = locals_of_alarm(session);
+    result.locals = locals_of(session, *result.outcome.alarm);
   }
   if (opened.options.changes) {
     result.changes = changes_since(before, session);

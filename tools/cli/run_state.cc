@@ -73,11 +73,11 @@ runtime::NamedValues all_values(session::Session& session) {
   return values;
 }
 
-runtime::NamedValues locals_of_alarm(session::Session& session) {
+runtime::NamedValues locals_of(session::Session& session, const runtime::Alarm& alarm) {
   const auto levels = session.call_levels();
-  const auto shown = std::ranges::find_if(levels, &runtime::CallLevel::is_shown);
-  return shown != levels.end()
-             ? session.values(static_cast<std::size_t>(shown - levels.begin()), Scope::Local)
+  const auto level = std::ranges::find(levels, alarm.level, &runtime::CallLevel::number);
+  return level != levels.end()
+             ? session.values(static_cast<std::size_t>(level - levels.begin()), Scope::Local)
              : runtime::NamedValues();
 }
 

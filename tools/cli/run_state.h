@@ -25,7 +25,7 @@ std::vector<report::ValueChange> changes_since(const RunState& before, session::
 /// Variables of all programs, then those of the main program.
 runtime::NamedValues all_values(session::Session& session);
 
-/// Of the program whose block an alarm shows.
-runtime::NamedValues locals_of_alarm(session::Session& session);
+/// Of the level of calls whose block an alarm shows; none where that has ended meanwhile.
+runtime::NamedValues locals_of(session::Session& session, const runtime::Alarm& alarm);
 
 }  // namespace g31::cli

@@ -81,6 +81,7 @@ MaybeFailure carry_out(Control& control, const CompensationResult& result) {
     Failure failure;
     failure.id = alarm_of(result.error().error);
     failure.block = result.error().where;
+    failure.calls = result.error().calls;
     return failure;
   }
   for (const PathItem& item : result.value()) {

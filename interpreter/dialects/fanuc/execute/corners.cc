@@ -90,19 +90,21 @@ MaybeFailure refuse_waiting_corner(const Control& control) {
 }
 
 Failure from_corner_fault(const path::CornerFault& fault) {
-  switch (fault.error) {
-    case path::CornerError::WayTooShort:
-      return at_corner(AlarmId::CornerTooLarge, fault.where,
-                       "the way in front of the corner is too short for it");
-    case path::CornerError::BehindTooShort:
-      return at_corner(AlarmId::CornerTooLargeBehind, fault.where,
-                       "the way behind the corner is too short for it");
-    case path::CornerError::ChamferAtArc:  // of other rules
-    case path::CornerError::NotFlat:
-      break;
-  }
-  return at_corner(AlarmId::CornerWithoutMove, fault.where,
-                   "another axis moves along with those of the plane");
+  const auto [id, detail] = [&fault]() -> std::pair<AlarmId, const char*> {
+    switch (fault.error) {
+      case path::CornerError::WayTooShort:
+        return {AlarmId::CornerTooLarge, "the way in front of the corner is too short for it"};
+      case path::CornerError::BehindTooShort:
+        return {AlarmId::CornerTooLargeBehind, "the way behind the corner is too short for it"};
+      case path::CornerError::ChamferAtArc:  // of other rules
+      case path::CornerError::NotFlat:
+        break;
+    }
+    return {AlarmId::CornerWithoutMove, "another axis moves along with those of the plane"};
+  }();
+  Failure failure = at_corner(id, fault.where, detail);
+  failure.calls = fault.calls;
+  return failure;
 }
 
 MaybeFailure refuse_corner_before(const Control& control, const path::PathBlock& block) {

@@ -13,8 +13,14 @@ std::string name_of(const CompiledProgram& program) {
 }
 
 void CallStack::start(const CompiledProgram& main) {
-  frames_.assign(1, Frame());
-  frame().program = &main;
+  frames_.clear();
+  push().program = &main;
+}
+
+Frame& CallStack::push() {
+  Frame& begun = frames_.emplace_back();
+  begun.number = ++begun_;
+  return begun;
 }
 
 int CallStack::count(CallKind kind) const {
@@ -31,12 +37,15 @@ source::Location CallStack::location_of(const Frame& frame) {
   return location_in(program, program.tree->blocks[program.steps[frame.current].block].span);
 }
 
-std::vector<runtime::CallSite> CallStack::calls() const {
-  std::vector<runtime::CallSite> calls;
-  for (std::size_t i = frames_.size() - 1; i > 0; --i) {
-    calls.push_back({name_of(*frames_[i - 1].program), location_of(frames_[i - 1])});
+std::vector<runtime::CallLevel> CallStack::levels() const {
+  std::vector<runtime::CallLevel> levels;
+  for (std::size_t i = frames_.size(); i-- > 0;) {
+    runtime::CallLevel& level = levels.emplace_back();
+    level.program = name_of(*frames_[i].program);
+    level.where = location_of(frames_[i]);
+    level.number = frames_[i].number;
   }
-  return calls;
+  return levels;
 }
 
 std::size_t CallStack::locals_of(std::size_t level) const {

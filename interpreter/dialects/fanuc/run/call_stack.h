@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -8,7 +9,7 @@
 
 #include "interpreter/dialects/fanuc/code/compile.h"
 #include "interpreter/dialects/fanuc/state/variables.h"
-#include "interpreter/runtime/outcome.h"
+#include "interpreter/runtime/inspection.h"
 #include "interpreter/source/location.h"
 
 namespace g31::fanuc {
@@ -61,6 +62,7 @@ struct Frame {
   CalledBy by = CalledBy::Program;
   Storage storage = Storage::Memory;
   int repeats_left = 0;
+  std::uint64_t number = 0;  ///< as runtime::CallLevel has it
   /// Modal calls that motion in this program sets off, the last first; inside a modal call the
   /// outer ones are left (MB-204).
   std::vector<std::shared_ptr<ModalCall>> modal_calls;
@@ -88,7 +90,7 @@ class CallStack {
   [[nodiscard]] std::size_t depth() const { return frames_.size() - 1; }
   [[nodiscard]] int count(CallKind kind) const;
   /// A new level; those before it may have moved.
-  Frame& push() { return frames_.emplace_back(); }
+  Frame& push();
   void pop() { frames_.pop_back(); }
 
   /// Whether the program is through.
@@ -102,14 +104,15 @@ class CallStack {
   /// The running block, and the one in which a level waits.
   [[nodiscard]] source::Location here() const { return location_of(frames_.back()); }
   static source::Location location_of(const Frame& frame);
-  /// The calls that have led here, the innermost first.
-  [[nodiscard]] std::vector<runtime::CallSite> calls() const;
+  /// All levels as they stand, the innermost first.
+  [[nodiscard]] std::vector<runtime::CallLevel> levels() const;
   /// Which level of local variables a level of calls has; 0: the main program's.
   /// @param level  0: the innermost
   [[nodiscard]] std::size_t locals_of(std::size_t level) const;
 
  private:
   std::vector<Frame> frames_;
+  std::uint64_t begun_ = 0;  // frames
   bool has_ended_ = false;
 };
 

@@ -33,9 +33,9 @@ Runner::Runner(const Profile& profile, ProgramLibrary& library, machine::Machine
   control_.outlet.show_by([this](const AxisPositions& q_M, const AxisPositions& q_M_commanded) {
     return runtime::ProgramView{control_.coordinates.tip_to_work(q_M),
                                 control_.coordinates.tip_to_work(q_M_commanded), control_.tool,
-                                stack_.calls()};
+                                runtime::calls_behind(stack_.levels())};
   });
-  control_.outlet.show_levels_by([this] { return levels_from(stack_.here()); });
+  control_.outlet.show_levels_by([this] { return stack_.levels(); });
 }
 
 /// Statements that touch nothing but variables: the hot loop of a macro program.

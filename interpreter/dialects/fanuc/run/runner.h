@@ -50,6 +50,7 @@ class Runner {
   void start(const CompiledProgram& main);
   runtime::Outcome outcome_of(const Failure& failure);
   [[nodiscard]] std::vector<runtime::CallLevel> levels_from(source::Location innermost) const;
+  [[nodiscard]] std::vector<runtime::CallLevel> levels_of(const Failure& failure) const;
 
   // runner.cc: the loop
   MaybeFailure loop();

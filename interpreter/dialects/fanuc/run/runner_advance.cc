@@ -52,7 +52,7 @@ bool Runner::refuse_broken(const CompiledProgram& main) {
     reason.text = row.text;
     reason.detail = error.message;
     reason.remedy = row.remedy;
-    reason.where = location_in(main, error.where);
+    reason.levels = {{name_of(main), location_in(main, error.where)}};
     runtime::Outcome refused = runtime::outcome_of(std::move(reason));
     outcome_.status = refused.status;
     outcome_.alarm = outcome_.alarm ? outcome_.alarm : std::move(refused.alarm);
@@ -125,15 +125,26 @@ std::vector<runtime::CallLevel> Runner::call_levels() const {
 }
 
 std::vector<runtime::CallLevel> Runner::levels_from(source::Location innermost) const {
-  std::vector<runtime::CallLevel> levels = {{name_of(*stack_.frame().program), innermost}};
-  for (runtime::CallSite& call : stack_.calls()) {
-    levels.push_back({std::move(call.program), call.where});
+  std::vector<runtime::CallLevel> levels = stack_.levels();
+  levels.front().where = innermost;
+  return levels;
+}
+
+/// A late failure, or one of the machine, may be of a block at another level.
+std::vector<runtime::CallLevel> Runner::levels_of(const Failure& failure) const {
+  if (!failure.block.is_known()) {
+    return levels_from(failure.place.is_known() ? failure.place : stack_.here());
   }
+  const path::Outlet& outlet = control_.outlet;
+  auto of_block = failure.status == runtime::Status::Collision ? outlet.fault_levels()
+                                                               : outlet.levels_of(failure.calls);
+  std::vector<runtime::CallLevel> levels =
+      of_block ? *std::move(of_block) : levels_from(failure.block);
+  levels.front().where = failure.block;
   return levels;
 }
 
 runtime::Outcome Runner::outcome_of(const Failure& failure) {
-  const source::Location present = failure.place.is_known() ? failure.place : stack_.here();
   const AlarmInfo& row = info(failure.id);
   runtime::StopReason reason;
   reason.status = failure.status;
@@ -142,13 +153,7 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.text = failure.alarm_text.empty() ? std::string(row.text) : failure.alarm_text;
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
-  reason.where = failure.block.is_known() ? failure.block : present;
-  // A fault of the machine may be of a block at another level.
-  const bool is_of_machine = failure.status == runtime::Status::Collision;
-  const path::Outlet& outlet = control_.outlet;
-  reason.calls = is_of_machine && failure.block.is_known() && outlet.fault_levels()
-                     ? outlet.fault_calls()
-                     : stack_.calls();
+  reason.levels = levels_of(failure);
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
   control_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
   outcome.diagnostics.clear();

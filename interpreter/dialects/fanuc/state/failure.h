@@ -21,6 +21,7 @@ struct Failure {
   syntax::ShortSpan where;  ///< of the text whose block runs; empty: the whole block
   source::Location place;   ///< that, for everybody; not known: the whole block
   source::Location block;   ///< an earlier block that was executed late; not known: the present one
+  std::uint64_t calls = 0;  ///< PathBlock::calls of that block; 0: the machine knows it
   std::string detail;
   runtime::Status status = runtime::Status::Alarm;
   /// 0: the row's own; macro alarms count from it; Setup, Budget, Interrupted and Defect: the

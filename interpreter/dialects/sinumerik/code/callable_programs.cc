@@ -88,20 +88,21 @@ const CompiledProgram* CallablePrograms::written(const std::string& name, const 
   return made_.back().get();
 }
 
-ProgramSource CallablePrograms::loose_source(const std::string& text) {
-  texts_.push_back(library_.sources().passing("command line", text));
-  return {"", texts_.back().get(), {0, static_cast<std::uint32_t>(text.size())}};
+ProgramSource CallablePrograms::loose_source(const std::string& text, const std::string& name) {
+  texts_.push_back(library_.sources().passing(name, text));
+  return {name, texts_.back().get(), {0, static_cast<std::uint32_t>(text.size())}};
 }
 
 const CompiledProgram* CallablePrograms::snippet(const std::string& text,
-                                                 const CompiledProgram& home) {
-  made_.push_back(compile_among(loose_source(text), globals(), home));
+                                                 const CompiledProgram& home,
+                                                 const std::string& name) {
+  made_.push_back(compile_among(loose_source(text, name), globals(), home));
   return made_.back().get();
 }
 
 const CompiledProgram* CallablePrograms::expression(const std::string& text,
                                                     const CompiledProgram& home) {
-  made_.push_back(compile_expression(loose_source(text), globals(), home));
+  made_.push_back(compile_expression(loose_source(text, kCommandLine), globals(), home));
   return made_.back().get();
 }
 

@@ -45,8 +45,13 @@ class CallablePrograms {
   /// A file that the run wrote itself, as a program; lives as long as the session.
   const CompiledProgram* written(const std::string& name, const std::string& text);
 
+  /// What a text is called that no program calls.
+  static constexpr const char* kCommandLine = "command line";
+
   /// `text` as blocks among the local variables of `home`; lives as long as the session.
-  const CompiledProgram* snippet(const std::string& text, const CompiledProgram& home);
+  /// @param name  what places in it are shown with
+  const CompiledProgram* snippet(const std::string& text, const CompiledProgram& home,
+                                 const std::string& name);
   /// The same of one expression.
   const CompiledProgram* expression(const std::string& text, const CompiledProgram& home);
   /// That of who looks from outside: nothing shows places in it, and nothing of the run depends on
@@ -56,7 +61,7 @@ class CallablePrograms {
   [[nodiscard]] const Globals& globals() const { return library_.globals(); }
 
  private:
-  ProgramSource loose_source(const std::string& text);
+  ProgramSource loose_source(const std::string& text, const std::string& name);
   const CompiledProgram* find_named(const ProgramName& name, const Near& near);
   FiledProgram* find_loaded(const ProgramName& name, const Near& near);
   bool load_for(const ProgramName& name);

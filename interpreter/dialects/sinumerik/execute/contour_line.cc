@@ -54,6 +54,7 @@ MaybeFailure travel_held(Channel& channel, const HeldLine& line, const Block& bl
   path::PathBlock path;
   path.q_M_end = channel.to_path(q_W_end);
   path.where = line.where;
+  path.calls = line.calls;
   path.g = line.g;
   take_modes(channel, path);
   path.ends = line.ends;
@@ -130,6 +131,7 @@ MaybeFailure hold_line(Channel& channel, const Block& block) {
   line.ends = block_end(channel);
   line.rapid_path = channel.rapid_path();
   line.where = block.where;
+  line.calls = channel.outlet.calls_now();
   line.wish = channel.corners.wish;
   line.command = channel.cutter.command;
   channel.held_line = line;
@@ -153,6 +155,7 @@ MaybeFailure release_line(Channel& channel, const Block& block,
   MaybeFailure wrong = travel_held(channel, line, block, q_W_end);
   if (wrong && !wrong->where) {
     wrong->where = line.where;
+    wrong->calls = line.calls;
   }
   return wrong;
 }
@@ -165,6 +168,7 @@ MaybeFailure line_without_end(Channel& channel) {
       failure(AlarmId::BadSyntax,
               "a line by ANG alone ends with the next one: both axes of the plane and ANG");
   wrong.where = channel.held_line->where;
+  wrong.calls = channel.held_line->calls;
   channel.held_line.reset();
   return wrong;
 }

@@ -66,6 +66,7 @@ MaybeFailure carry_out(Channel& channel, const path::CompensationResult& result)
     const bool ends = channel.cutter.command.state == path::CompensationCommand::State::Off;
     Failure wrong = failure(alarm_of(result.error().error, ends));
     wrong.where = result.error().where;
+    wrong.calls = result.error().calls;
     return wrong;
   }
   for (const PathItem& item : result.value()) {
@@ -123,6 +124,7 @@ Failure cannot_cut(const path::CornerFault& fault) {
                           at_arc ? "CHF and CHR at a circle"
                                  : "RND and CHF where another axis moves along with the plane");
   wrong.where = fault.where;
+  wrong.calls = fault.calls;
   return wrong;
 }
 
@@ -176,7 +178,7 @@ MaybeFailure travel(Channel& channel, const PathBlock& unled) {
   const AxisPositions q_P_from = channel.path_position();
   PathBlock path = unled;
   path.leads = channel.leads();
-  path.calls = channel.outlet.calls_now();
+  path.calls = unled.calls > 0 ? unled.calls : channel.outlet.calls_now();
   channel.along_P_end = end_of(channel, q_P_from, path);
   CornerStage& corners = channel.corners;
   CutterStage& cutter = channel.cutter;

@@ -26,6 +26,12 @@ void CallStack::reset() {
   has_ended_ = false;
   modal_call.reset();
   *levels_.front() = Level();
+  level().number = ++begun_;
+}
+
+void CallStack::enter() {
+  ++depth_;
+  level().number = ++begun_;
 }
 
 source::Location CallStack::here() const {
@@ -49,12 +55,15 @@ std::size_t CallStack::shown_level() const {
   return which;
 }
 
-std::vector<runtime::CallSite> CallStack::calls_of(std::size_t which) const {
-  std::vector<runtime::CallSite> calls;
-  for (std::size_t i = which; i > 0; --i) {
-    calls.push_back({level(i - 1).program->name, place_of_call(i - 1)});
+/// What waits on a level for a text that runs there, the innermost first.
+std::vector<runtime::CallSite> CallStack::waiting_on(const Level& level) {
+  std::vector<runtime::CallSite> places;
+  for (std::size_t i = level.waiting.size(); i-- > 0;) {
+    const CompiledProgram& program = *level.waiting[i].program;
+    const auto step = static_cast<std::size_t>(level.waiting[i].step - 1);
+    places.push_back({program.name, location_in(program, program.spans[step])});
   }
-  return calls;
+  return places;
 }
 
 std::vector<runtime::CallLevel> CallStack::call_levels() const {
@@ -64,7 +73,8 @@ std::vector<runtime::CallLevel> CallStack::call_levels() const {
   }
   const std::size_t shown = shown_level();
   for (std::size_t i = depth_ + 1; i-- > 0;) {
-    levels.push_back({level(i).program->name, i == depth_ ? here() : place_of_call(i), i <= shown});
+    levels.push_back({level(i).program->name, i == depth_ ? here() : place_of_call(i), i <= shown,
+                      level(i).number, waiting_on(level(i))});
   }
   return levels;
 }

@@ -37,7 +37,7 @@ class CallStack {
   [[nodiscard]] bool is_full() const;
   /// The level that enter() begins.
   Level& next();
-  void enter() { ++depth_; }
+  void enter();
   void leave() { --depth_; }
   /// Stands on another level for a look.  @returns the one before
   std::size_t look_at(std::size_t depth) { return std::exchange(depth_, depth); }
@@ -64,13 +64,14 @@ class CallStack {
   /// The level whose block an alarm shows.  DISPLOF hides the blocks of its program behind the
   /// call; ACTBLOCNO shows the block itself, of programs with DISPLOF that it calls, too.
   [[nodiscard]] std::size_t shown_level() const;
-  /// The calls that have led to a level, the innermost first.
-  [[nodiscard]] std::vector<runtime::CallSite> calls_of(std::size_t which) const;
   /// All levels, the innermost first; none before a run.
   [[nodiscard]] std::vector<runtime::CallLevel> call_levels() const;
 
  private:
+  static std::vector<runtime::CallSite> waiting_on(const Level& level);
+
   std::vector<std::unique_ptr<Level>> levels_;
+  std::uint64_t begun_ = 0;  // levels
   std::size_t depth_ = 0;
   std::int32_t current_ = 0;
   bool has_ended_ = false;

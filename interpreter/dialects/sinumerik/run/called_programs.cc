@@ -80,7 +80,7 @@ Result<const CompiledProgram*, Failure> CalledPrograms::text_of(const CompiledPr
   }
   const CompiledProgram*& made = texts_run_[{&home, source}];
   if (made == nullptr) {
-    made = programs_.snippet(source, home);
+    made = programs_.snippet(source, home, "EXECSTRING");
   }
   return made;
 }

@@ -27,7 +27,8 @@ MaybeFailure SynchronisedActions::take(const Op& op) {
   Code& code = codes_[{action.home, operands_.text(list[0].value), operands_.text(list[1].value)}];
   if (code.condition == nullptr) {
     code.condition = programs_.expression(operands_.text(list[0].value), *action.home);
-    code.actions = programs_.snippet(operands_.text(list[1].value), *action.home);
+    code.actions =
+        programs_.snippet(operands_.text(list[1].value), *action.home, "synchronised action");
   }
   action.code = code;
   if (action.scope == ActionScope::NextBlock) {

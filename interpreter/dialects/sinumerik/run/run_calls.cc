@@ -274,6 +274,7 @@ MaybeFailure Calls::end_text() {
   level().step = before.step;
   level().parts = std::move(before.parts);
   level().waiting.pop_back();
+  channel_.outlet.calls_changed();
   operands_.use_level();
   return std::nullopt;
 }
@@ -305,6 +306,7 @@ MaybeFailure Calls::execute_text(const std::string& source) {
   now.parts.clear();
   now.program = made.value();
   now.step = 0;
+  channel_.outlet.calls_changed();
   operands_.use_level();
   return std::nullopt;
 }

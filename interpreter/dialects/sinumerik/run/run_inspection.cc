@@ -81,7 +81,8 @@ const CompiledProgram& Runner::home(std::size_t depth) const {
 }
 
 std::optional<std::string> Runner::run_text(const std::string& source) {
-  const CompiledProgram* const program = programs_.snippet(source, home(0));
+  const CompiledProgram* const program =
+      programs_.snippet(source, home(0), CallablePrograms::kCommandLine);
   level().program = level().program == nullptr ? program : level().program;
   const MaybeFailure reason = run_among(*program, 0);
   return reason ? std::optional(why(*reason)) : std::nullopt;

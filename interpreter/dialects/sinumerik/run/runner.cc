@@ -28,7 +28,7 @@ Runner::Runner(CallablePrograms& programs, machine::MachinePort& port, runtime::
   channel_.here = [this] { return stack_.here(); };
   channel_.outlet.show_by([this](const AxisPositions& q_M, const AxisPositions& q_M_commanded) {
     return runtime::ProgramView{channel_.to_work(q_M), channel_.to_work(q_M_commanded),
-                                channel_.tool, stack_.calls_of(stack_.depth())};
+                                channel_.tool, runtime::calls_behind(stack_.call_levels())};
   });
   channel_.outlet.show_levels_by([this] { return stack_.call_levels(); });
 }
@@ -122,6 +122,16 @@ MaybeFailure Runner::other_step(const Op& op) {
   contract_violated("number_steps() does steps on numbers and jumps", __FILE__, __LINE__);
 }
 
+/// A late failure, or one of the machine, may be of a block at another level.
+std::vector<runtime::CallLevel> Runner::levels_of(const Failure& failure) const {
+  const path::Outlet& outlet = channel_.outlet;
+  auto of_block = failure.status == runtime::Status::Collision ? outlet.fault_levels()
+                                                               : outlet.levels_of(failure.calls);
+  std::vector<runtime::CallLevel> levels = of_block ? *std::move(of_block) : stack_.call_levels();
+  levels.front().where = failure.where.value_or(stack_.here());
+  return levels;
+}
+
 runtime::Outcome Runner::outcome_of(const Failure& failure) {
   const AlarmInfo& row = info(failure.id);
   runtime::StopReason reason;
@@ -131,20 +141,7 @@ runtime::Outcome Runner::outcome_of(const Failure& failure) {
   reason.text = failure.text.empty() ? std::string(row.text) : source::as_utf8(failure.text);
   reason.detail = failure.detail;
   reason.remedy = row.remedy;
-  // A fault of the machine may be of a block at another level.
-  const bool is_of_machine = failure.status == runtime::Status::Collision;
-  const auto& of_fault = channel_.outlet.fault_levels();
-  std::vector<runtime::CallLevel> levels =
-      is_of_machine && of_fault ? *of_fault : stack_.call_levels();
-  levels.front().where = failure.where.value_or(stack_.here());
-  auto level = levels.begin();
-  for (; !level->is_shown; ++level) {
-    reason.inside.push_back({level->program, level->where});
-  }
-  reason.where = level->where;
-  for (++level; level != levels.end(); ++level) {
-    reason.calls.push_back({level->program, level->where});
-  }
+  reason.levels = levels_of(failure);
   runtime::Outcome outcome = runtime::outcome_of(std::move(reason));
   channel_.diagnostics.push_back(std::move(outcome.diagnostics.back()));
   outcome.diagnostics.clear();

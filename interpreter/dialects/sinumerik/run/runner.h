@@ -74,6 +74,7 @@ class Runner {
   MaybeFailure heard_loop(runtime::BlockListener& listener);
   MaybeFailure any_step(const Op& op);
   MaybeFailure other_step(const Op& op);
+  [[nodiscard]] std::vector<runtime::CallLevel> levels_of(const Failure& failure) const;
   runtime::Outcome outcome_of(const Failure& failure);
   Level& level() { return stack_.level(); }
 

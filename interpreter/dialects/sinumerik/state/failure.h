@@ -24,6 +24,7 @@ struct Failure {
   int number = 0;
   std::string text;                            ///< empty: the row's own
   std::optional<source::Location> where = {};  ///< of another block than the running one
+  std::uint64_t calls = 0;  ///< PathBlock::calls of that block; 0: as now, or the machine knows it
   bool broken_off = false;  ///< within a block: the machine may be in the middle of a motion
   bool is_alarm = false;    ///< with Setup: the control raises the alarm `id` for it
 };

@@ -74,6 +74,7 @@ struct Level {
 
   const CompiledProgram* program = nullptr;
   std::int32_t step = 0;
+  std::uint64_t number = 0;  ///< as runtime::CallLevel has it
   std::vector<double> numbers;
   std::vector<std::string> texts;
   std::vector<Frame> frames;

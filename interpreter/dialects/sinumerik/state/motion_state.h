@@ -146,6 +146,7 @@ struct HeldLine {
   path::CornerWish wish;
   path::CompensationCommand command;
   source::Location where;
+  std::uint64_t calls = 0;  ///< PathBlock::calls
 
   bool operator==(const HeldLine&) const = default;
 };
