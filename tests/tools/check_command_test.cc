@@ -400,6 +400,34 @@ TEST(Check, TheControlDecidesWhatIsWrong) {
   EXPECT_EQ(checked(options).exit_code, 1);
 }
 
+TEST(Check, WhatOnlySeries30iHasIsWrongOnSeries16i) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write(
+      "case.nc", "O1\n[#X]=1\n#1=[#Y]+1\n#2=POW[2,3]\n#3=PRM[1]\n#4=PRM[1]/[2]\nM30\n")};
+  options.control = "fanuc-16i";
+  const CheckOutput output = checked(options);
+  EXPECT_EQ(
+      places(output.text, folder),
+      (std::vector<std::string>{
+          "case.nc:2:3: error: alarm 114, FORMAT ERROR IN MACRO: this control has no names of "
+          "variables [NC002]",
+          "case.nc:3:6: error: alarm 114, FORMAT ERROR IN MACRO: this control has no names of "
+          "variables [NC002]",
+          "case.nc:4:4: error: alarm 113, IMPROPER COMMAND: this control has no POW [NC002]",
+          "case.nc:5:4: error: alarm 113, IMPROPER COMMAND: this control has no PRM [NC002]",
+          "case.nc:6:4: error: alarm 113, IMPROPER COMMAND: this control has no PRM [NC002]"}))
+      << output.text;
+  options.control = "fanuc-30i";
+  EXPECT_EQ(checked(options).exit_code, 0) << "a run knows the names";
+}
+
+/// SINUMERIK passes over control characters, and a tape or a line leaves some.
+TEST(Check, AFewControlCharactersMakeNoPictureOfAText) {
+  TemporaryFolder folder;
+  EXPECT_EQ(checked_files({folder.write("CASE.MPF", "R1=1\n\x01R2=2\nM30\n")}).exit_code, 0);
+}
+
 TEST(Check, ASheetSaysWhatTheControlKnows) {
   TemporaryFolder folder;
   cli::CheckOptions options;

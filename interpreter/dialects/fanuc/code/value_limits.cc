@@ -46,6 +46,22 @@ WrongValue undefined_at(FunctionId id, double argument) {
                           fmt::format("{} of {}", info(id).name, argument)};
 }
 
+std::optional<WrongValue> missing_in_series_16i(const Op& op) {
+  if (op.code == OpCode::NumberOfName) {
+    return WrongValue{AlarmId::ExpressionFormat, "this control has no names of variables"};
+  }
+  if (op.code == OpCode::AxisParameter) {
+    return WrongValue{AlarmId::ImproperCommand, "this control has no PRM"};
+  }
+  const bool is_function = op.code == OpCode::Call || op.code == OpCode::CallOfTwo;
+  const FunctionInfo* const row =
+      is_function ? &info(static_cast<FunctionId>(op.function)) : nullptr;
+  return row != nullptr && row->in_16i == InSeries16i::No
+             ? std::optional(WrongValue{AlarmId::ImproperCommand,
+                                        fmt::format("this control has no {}", row->name)})
+             : std::nullopt;
+}
+
 WrongValue too_many_digits(std::uint8_t digits) {
   return {AlarmId::TooManyDigits, digit_count(digits)};
 }

@@ -196,6 +196,11 @@ Cell Evaluator::at(const CompiledProgram& program, const Op& op) {
 
 Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cell a, Cell b,
                                double round_to) {
+  if (!rules_.has_series_30i_functions) {
+    if (auto wrong = missing_in_series_16i(op)) {
+      return fail(std::move(*wrong));
+    }
+  }
   switch (op.code) {
     case OpCode::Divide:
       if (b.or_zero() == 0.0) {
@@ -243,9 +248,6 @@ Cell Evaluator::rare_operation(const CompiledProgram& program, const Op& op, Cel
 
 /// The number of the variable that a name means (MB-104, MB-105).
 Cell Evaluator::number_of_name(const std::string& name, Cell index) {
-  if (!rules_.has_series_30i_functions) {
-    return fail(AlarmId::ExpressionFormat, "this control has no names of variables");
-  }
   const auto number = variables_.names.number(name, index);
   return number ? Cell(number.value()) : fail(number.error(), fmt::format("[#{}]", name));
 }
@@ -254,9 +256,6 @@ Cell Evaluator::number_of_name(const std::string& name, Cell index) {
 Cell Evaluator::parameter(double number, std::optional<double> bit) {
   const double place = std::round(number);
   const double which = std::round(bit.value_or(0.0));
-  if (!rules_.has_series_30i_functions) {
-    return fail(AlarmId::ImproperCommand, "this control has no PRM");
-  }
   if (place < 0.0 || place > kLargestParameter || which < 0.0 || which > 7.0) {
     return fail(AlarmId::IllegalArgument, fmt::format("PRM[{},{}]", number, bit.value_or(0.0)));
   }
@@ -269,9 +268,6 @@ Cell Evaluator::parameter(double number, std::optional<double> bit) {
 Cell Evaluator::axis_parameter(double number, double axis) {
   const double place = std::round(number);
   const double which = std::round(axis);
-  if (!rules_.has_series_30i_functions) {
-    return fail(AlarmId::ImproperCommand, "this control has no PRM");
-  }
   if (place < 0.0 || place > kLargestParameter || which < 1.0 ||
       which > static_cast<double>(kAxisCount)) {
     return fail(AlarmId::IllegalArgument, fmt::format("PRM[{}]/[{}]", number, axis));
@@ -326,9 +322,6 @@ Cell Evaluator::rounding_function(FunctionId id, double argument, double round_t
 
 Cell Evaluator::function(const Op& op, double argument, double round_to) {
   const auto id = static_cast<FunctionId>(op.function);
-  if (!rules_.has_series_30i_functions && info(id).in_16i == InSeries16i::No) {
-    return fail(AlarmId::ImproperCommand, fmt::format("this control has no {}", info(id).name));
-  }
   if (!is_defined_at(id, argument)) {
     return fail(undefined_at(id, argument));
   }
@@ -379,9 +372,6 @@ Cell Evaluator::function_of_two(const Op& op, double a, double b) {
     case FunctionOfTwo::PRM:
       return parameter(a, b);
     case FunctionOfTwo::POW: {
-      if (!rules_.has_series_30i_functions) {
-        return fail(AlarmId::ImproperCommand, "this control has no POW");
-      }
       const double power = std::pow(a, b);
       return power != power ? fail(AlarmId::IllegalArgument, fmt::format("POW[{},{}]", a, b))
                             : in_range(power);
