@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include "machine/units/units.h"
 
@@ -17,6 +16,26 @@ constexpr double kLeastSpan = 1e-9;
 
 bool is_rotary(char axis) {
   return is_rotary_axis(axis_index(axis));
+}
+
+/// The steps of the axes that come nearest to a way, by least squares.  An axis that adds no
+/// direction to those before it stands still.
+/// @param directions  a column of length 1 for each axis, 0 for one that moves nothing
+Point nearest_steps(const Eigen::Matrix3d& directions, const Point& way) {
+  Eigen::Matrix3d square = directions;  // square to the columns before them
+  for (Eigen::Index i = 0; i < square.cols(); ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      square.col(i) -= square.col(j).dot(square.col(i)) * square.col(j);
+    }
+    const double length = square.col(i).norm();
+    square.col(i) *= length > kLeastSpan ? 1.0 / length : 0.0;
+  }
+  Point steps = Point::Zero();
+  for (Eigen::Index i = square.cols() - 1; i >= 0; --i) {
+    const double advance = square.col(i).dot(directions.col(i));
+    steps[i] = advance > 0.0 ? square.col(i).dot(way - directions * steps) / advance : 0.0;
+  }
+  return steps;
 }
 
 }  // namespace
@@ -63,8 +82,7 @@ AxisPositions AxisChain::axes_near(const Point& p_P_tip, const AxisPositions& q_
   }
   AxisPositions q_M = q_M_turned;
   const auto [directions, p_P_origin] = linear_motion(q_M_turned);
-  q_M.head<kLinearAxisCount>() =
-      directions.completeOrthogonalDecomposition().solve(p_P_tip - p_P_origin);
+  q_M.head<kLinearAxisCount>() = nearest_steps(directions, p_P_tip - p_P_origin);
   return q_M;
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 #include "probe/metrology/circle_terms.h"
 
@@ -65,17 +65,21 @@ CircleErrors sum_of(CircleErrors sum, const CircleErrors& step) {
 
 /// The inverse of the normal matrix; nullopt: singular.
 std::optional<Normal> inverse_of(const Sums& sums) {
+  constexpr double kSingular = 1e-6;
   const Eigen::MatrixXd part = sums.normal.selfadjointView<Eigen::Lower>();
   const Eigen::VectorXd scale = part.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * part * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
-  if (!(solver.eigenvalues().minCoeff() > 1e-6 * solver.eigenvalues().maxCoeff())) {
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(scale.asDiagonal() * part *
+                                                     scale.asDiagonal());
+  solver.setThreshold(kSingular);
+  if (!solver.isInvertible()) {
     return std::nullopt;
   }
-  const Eigen::MatrixXd inverse = solver.eigenvectors() *
-                                  solver.eigenvalues().cwiseInverse().asDiagonal() *
-                                  solver.eigenvectors().transpose();
-  return scale.asDiagonal() * inverse * scale.asDiagonal();
+  Normal inverse(part.rows(), part.cols());
+  for (Eigen::Index i = 0; i < part.cols(); ++i) {
+    const Eigen::VectorXd column = solver.solve(Eigen::VectorXd::Unit(part.rows(), i));
+    inverse.col(i) = scale[i] * scale.cwiseProduct(column);
+  }
+  return inverse;
 }
 
 /// How much larger the variance of sums of neighbours is than that of single residuals: 1 where

@@ -71,7 +71,7 @@ class Exchange {
       cost[k] = touch.side * values_[touch.point];
     }
     basis_.compute(basis);
-    const Eigen::VectorXd held = Eigen::MatrixXd(basis.transpose()).fullPivLu().solve(cost);
+    const Eigen::VectorXd held = basis_.transpose().solve(cost);
     parameters_ = held.head(columns_.cols());
     half_width_ = held[columns_.cols()];
     weights_ = basis_.solve(Eigen::VectorXd::Unit(size, size - 1));
@@ -127,7 +127,7 @@ class Exchange {
   double tolerance_;
   machine::WorkWatch* watch_;
   std::vector<Touch> touches_;
-  Eigen::FullPivLU<Eigen::MatrixXd> basis_;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> basis_;
   Eigen::VectorXd parameters_;
   Eigen::VectorXd weights_;
   double half_width_ = 0.0;

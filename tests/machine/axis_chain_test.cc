@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
 
+#include <Eigen/QR>
 #include <gtest/gtest.h>
 
 #include "machine/sim/machining_centre.h"
@@ -183,6 +185,47 @@ TEST(FiveAxisMachine, TouchesAFaceOfATiltedPartWhereItIs) {
       EXPECT_NEAR(n.dot(tip), 10.0, 1e-9) << tilt << ' ' << turn;
       EXPECT_LT((touched->contact->n_M - n).norm(), 1e-12);
       EXPECT_LT((touched->contact->p_M_point - tip).norm(), 1e-6);
+    }
+  }
+}
+
+/// Where no axis leads the tip there, it comes as near as any step of the axes brings it; the
+/// distance is that of a complete orthogonal decomposition.
+TEST(AxisChain, ComesAsNearAsItsAxesLead) {
+  struct Lacking {
+    const char* table_side;
+    const char* tool_side;
+    AxisPositions turned;
+    const char* still;  // axes that add no direction
+  };
+  const Lacking kChains[] = {{"C", "XZ", axes(0, 0, 0, 0, 0, 30), "Y"},
+                             {"BC", "Y", axes(0, 0, 0, 0, -25, 70), "XZ"},
+                             {"XC", "YZ", axes(0, 0, 0, 0, 0, 90), "Y"},
+                             {"XYB", "Z", axes(0, 0, 0, 0, 90, 0), "Z"}};
+  const Point p_P(12.5, -40.0, 7.25);
+  for (const Lacking& lacking : kChains) {
+    const AxisChain machine(chain(lacking.table_side, lacking.tool_side), Point(1.0, 2.0, -80.0));
+    const auto tip_from = [&](const AxisPositions& q_M) {
+      return Point(linear_axes(machine.for_part(q_M).q) + Point(1.0, 2.0, -80.0));
+    };
+    const AxisPositions q_M = machine.axes_near(p_P, lacking.turned);
+    const double distance = (tip_from(q_M) - p_P).norm();
+    Eigen::Matrix3d directions;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      AxisPositions one = lacking.turned;
+      one[axis] += 1.0;
+      directions.col(axis) = tip_from(one) - tip_from(lacking.turned);
+      for (const double step : {-0.01, 0.01}) {
+        AxisPositions beside = q_M;
+        beside[axis] += step;
+        EXPECT_GE((tip_from(beside) - p_P).norm(), distance - 1e-12) << lacking.tool_side << axis;
+      }
+    }
+    const Point way = p_P - tip_from(lacking.turned);
+    const Point steps = directions.completeOrthogonalDecomposition().solve(way);
+    EXPECT_NEAR(distance, (way - directions * steps).norm(), 1e-11) << lacking.tool_side;
+    for (const char still : std::string_view(lacking.still)) {
+      EXPECT_EQ(q_M[axis_index(still)], 0.0) << lacking.tool_side << still;
     }
   }
 }
