@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 #include "parts/features/recognise.h"
 
@@ -54,15 +54,15 @@ std::optional<Circle> circle_through(const std::vector<Place>& places) {
   for (const Place& p : places) {
     middle += p / static_cast<double>(places.size());
   }
-  Eigen::MatrixX3d rows(places.size(), 3);
-  Eigen::VectorXd squares(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Place p = places[i] - middle;
-    const auto row = static_cast<Eigen::Index>(i);
-    rows.row(row) << 2.0 * p.x(), 2.0 * p.y(), 1.0;
-    squares[row] = p.squaredNorm();
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  for (const Place& place : places) {
+    const Place p = place - middle;
+    const Eigen::Vector3d row(2.0 * p.x(), 2.0 * p.y(), 1.0);
+    normal += row * row.transpose();
+    right += row * p.squaredNorm();
   }
-  const Eigen::Vector3d found = rows.colPivHouseholderQr().solve(squares);
+  const Eigen::Vector3d found = normal.inverse() * right;
   const Circle circle =
       rounded({middle + found.head<2>(), std::sqrt(found[2] + found.head<2>().squaredNorm())});
   const auto is_on = [&](const Place& p) { return circle.off(p) < kSameCircleMm; };

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 #include <nettle/sha2.h>
@@ -32,7 +31,7 @@ std::optional<std::string> sha256_of(const std::string& path) {
   sha256_digest(&context, digest.size(), digest.data());
   std::string text;
   for (const std::uint8_t byte : digest) {
-    fmt::format_to(std::back_inserter(text), "{:02x}", byte);
+    text += fmt::format("{:02x}", byte);
   }
   return text;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -339,8 +338,8 @@ void StillView::draw_collisions() {
     constexpr double kRadius = 9.0;
     for (int i = 0; i < 8; ++i) {
       const double angle = (i + 0.5) * std::numbers::pi / 4.0;
-      fmt::format_to(std::back_inserter(corners), "{:.1f},{:.1f} ",
-                     seen.x + kRadius * std::cos(angle), seen.y + kRadius * std::sin(angle));
+      corners += fmt::format("{:.1f},{:.1f} ", seen.x + kRadius * std::cos(angle),
+                             seen.y + kRadius * std::sin(angle));
     }
     svg_ += fmt::format("<polygon class=\"collision\" points=\"{}\"/>\n", corners);
     taken_.push_back(

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -50,7 +49,7 @@ class ProgramWriter {
 
   template <typename... Parts>
   void line(fmt::format_string<Parts...> form, Parts&&... parts) {
-    fmt::format_to(std::back_inserter(text_), form, std::forward<Parts>(parts)...);
+    text_ += fmt::format(form, std::forward<Parts>(parts)...);
     text_ += '\n';
   }
 

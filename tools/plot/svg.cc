@@ -1,6 +1,5 @@
 #include "tools/plot/svg.h"
 
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -65,10 +64,10 @@ constexpr std::string_view kAnchors[] = {"start", "middle", "end"};
 
 template <typename... Values>
 void Svg::add(fmt::format_string<const Values&...> piece, const Values&... values) {
-  const std::size_t before = text_.size();
-  fmt::format_to(std::back_inserter(text_), piece, values...);
+  const std::string added = fmt::format(piece, values...);
+  text_ += added;
   if (growth_) {
-    growth_(text_.size() - before);
+    growth_(added.size());
   }
 }
 

@@ -1,6 +1,5 @@
 #include "tools/report/readings_file.h"
 
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -43,12 +42,11 @@ void ReadingsFile::add_row(const machine::MachinePort& machine) {
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     if (axes_.at(i)) {
       // Adding 0 makes a zero of -0.
-      fmt::format_to(std::back_inserter(line), ",{:.7f}", q_M[static_cast<Eigen::Index>(i)] + 0.0);
+      line += fmt::format(",{:.7f}", q_M[static_cast<Eigen::Index>(i)] + 0.0);
     }
   }
   for (const Column& sensor : sensors_) {
-    fmt::format_to(std::back_inserter(line), ",{}",
-                   machine.displacement(sensor.input).value() + 0.0);
+    line += fmt::format(",{}", machine.displacement(sensor.input).value() + 0.0);
   }
   line += '\n';
   if (budget_.charge(runtime::Output::Readings, line.size())) {

@@ -1,6 +1,5 @@
 #include "tools/report/trace_file.h"
 
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,7 +31,7 @@ TraceFile::TraceFile(const std::string& path, std::shared_ptr<disk::PartFile> fi
 
 void TraceFile::on_sample(const machine::TraceSample& sample) {
   line_.clear();
-  fmt::format_to(std::back_inserter(line_), "{:.12g}", sample.time_s);
+  line_ += fmt::format("{:.12g}", sample.time_s);
   append(line_, sample.q_M_commanded);
   append(line_, sample.q_M_encoder);
   append(line_, sample.q_M_true);
@@ -46,7 +45,7 @@ void TraceFile::append(std::string& line, const AxisPositions& q) const {
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     if (axes_.at(i)) {
       // Adding 0 makes a zero of -0.
-      fmt::format_to(std::back_inserter(line), ",{:.7f}", q[static_cast<Eigen::Index>(i)] + 0.0);
+      line += fmt::format(",{:.7f}", q[static_cast<Eigen::Index>(i)] + 0.0);
     }
   }
 }
