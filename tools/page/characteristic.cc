@@ -43,6 +43,10 @@ double excess_of(const Characteristic& row) {
   return deviation && row.tolerance ? expect::excess_of(*deviation, *row.tolerance) : 0.0;
 }
 
+bool is_out(const Characteristic& row) {
+  return excess_of(row) != 0.0;
+}
+
 int decimals_of(const Characteristic& row) {
   if (!row.nominal || !row.tolerance) {
     return kUsualDecimals;

@@ -79,6 +79,8 @@ std::optional<double> deviation_of(const Characteristic& row);
 /// By how much the deviation is beyond a limit, by the rule that runs are judged by; 0: it is in
 /// tolerance, or there is none.
 double excess_of(const Characteristic& row);
+/// Whether it is beyond one.
+bool is_out(const Characteristic& row);
 
 /// How a value of the row is written: one digit more than nominal and tolerance have.
 int decimals_of(const Characteristic& row);

@@ -11,10 +11,6 @@
 namespace g31::page {
 namespace {
 
-bool is_out(const Characteristic& row) {
-  return excess_of(row) != 0.0;
-}
-
 /// The tolerance as a zone with quarter ticks, the measured value from the nominal, the true size.
 class ToleranceBar {
  public:

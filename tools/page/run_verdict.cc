@@ -22,10 +22,6 @@ struct Case {
   [[nodiscard]] std::string word(Word name) const { return std::string(text_of(name, language)); }
 };
 
-bool is_out(const Characteristic& row) {
-  return excess_of(row) != 0.0;
-}
-
 std::string touched(const Case& of) {
   const std::size_t ways = of.run.recorder.touches().size();
   return ways == 0 ? of.word(Word::SaysNoSkip)

@@ -4,7 +4,7 @@ namespace g31::plan {
 namespace {
 
 /// #5063 includes the length of the tool.
-constexpr ProgramWords kWords = {
+constexpr ProgramWords kFanucWords = {
     .language = ProgramLanguage::Fanuc,
     .open = "[",
     .close = "]",
@@ -23,7 +23,7 @@ class FanucWriter final : public ProgramWriter {
  public:
   FanucWriter(const probe::InspectionPlan& plan, const ProgramSteps& steps,
               const ProgramOptions& options)
-      : ProgramWriter(plan, steps, options, kWords) {}
+      : ProgramWriter(plan, steps, options, kFanucWords) {}
 
  private:
   /// Capitals, and no brackets, which would end it.
@@ -82,15 +82,16 @@ class FanucWriter final : public ProgramWriter {
 
   void write_way_down(const std::string& z, std::size_t point) override {
     constexpr std::size_t kZ = 2;
-    line("G31 Z{} {}", z, kWords.ways_feed);
-    line("IF [ABS[{}{}] LT {}] GOTO {}", kWords.skip[kZ], less(z), kNearlyThereMm, 10 * point - 1);
+    line("G31 Z{} {}", z, kFanucWords.ways_feed);
+    line("IF [ABS[{}{}] LT {}] GOTO {}", kFanucWords.skip[kZ], less(z), kNearlyThereMm,
+         10 * point - 1);
     line("#3000= 102 (SOMETHING IS IN THE WAY TO P{})", point);
     line("N{}", 10 * point - 1);
   }
 
   void write_skip(const Skip& skip) override {
     line("G31 {} F#102", skip.words);
-    line("IF [ABS[{}{}] GT {}] GOTO {}", kWords.skip[static_cast<std::size_t>(skip.axis)],
+    line("IF [ABS[{}{}] GT {}] GOTO {}", kFanucWords.skip[static_cast<std::size_t>(skip.axis)],
          less(skip.target), kNearlyThereMm, 10 * skip.point);
     line("#3000= 101 (P{} IS NOT TOUCHED)", skip.point);
     line("N{}", 10 * skip.point);
@@ -107,7 +108,7 @@ class FanucWriter final : public ProgramWriter {
       const auto axis = static_cast<int>(i / 2);
       const std::string contact = variable(step.contacts[i]);
       const std::string z = height(start.z());
-      line("{}={}", kWords.point, number);
+      line("{}={}", kFanucWords.point, number);
       go_to(start, number);
       line("G65 P9010 {}{} R{} Z{} A9.", "UV"[axis],
            coordinate(end_of_touch(point)[axis] - start[axis]), z, z);

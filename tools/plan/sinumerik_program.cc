@@ -3,7 +3,7 @@
 namespace g31::plan {
 namespace {
 
-constexpr ProgramWords kWords = {
+constexpr ProgramWords kSinumerikWords = {
     .language = ProgramLanguage::Sinumerik,
     .open = "(",
     .close = ")",
@@ -21,7 +21,7 @@ class SinumerikWriter final : public ProgramWriter {
  public:
   SinumerikWriter(const probe::InspectionPlan& plan, const ProgramSteps& steps,
                   const ProgramOptions& options)
-      : ProgramWriter(plan, steps, options, kWords) {}
+      : ProgramWriter(plan, steps, options, kSinumerikWords) {}
 
  private:
   /// To the end of a line.
@@ -63,7 +63,7 @@ class SinumerikWriter final : public ProgramWriter {
   }
 
   void write_way_down(const std::string& z, std::size_t point) override {
-    line("MEAS=1 G1 Z{} {}", z, kWords.ways_feed);
+    line("MEAS=1 G1 Z{} {}", z, kSinumerikWords.ways_feed);
     write_check("$AC_MEA[1]<>0", 65001, fmt::format("Something is in the way to P{}", point));
   }
 
@@ -78,7 +78,7 @@ class SinumerikWriter final : public ProgramWriter {
   void write_cycle(const ProgramStep& step) override {
     const probe::PlannedRound& round = *step.round;
     const auto& [minus_x, plus_x, minus_y, plus_y] = round.points;
-    line("{}={}", kWords.point, step.point + 1);
+    line("{}={}", kSinumerikWords.point, step.point + 1);
     if (round.is_standing) {
       go_above(round.centre_P);
     } else {

@@ -19,8 +19,8 @@ Variable row_variable(std::string_view name, Type type, int count) {
   Variable variable;
   variable.name = name;
   variable.type = type;
-  constexpr int kLongestName = 15;  // texts among machine data are names of axes
-  variable.longest = type == Type::String ? kLongestName : 0;
+  constexpr int kLongestAxisName = 15;  // texts among machine data are names of axes
+  variable.longest = type == Type::String ? kLongestAxisName : 0;
   constexpr int kAxes = static_cast<int>(kAxisCount);
   variable.is_by_axis = is_by_axis(name);
   const bool twice = variable.is_by_axis && count > kAxes;

@@ -9,14 +9,14 @@ namespace g31::sinumerik {
 namespace {
 
 /// Area over the square of the longest side of a triangle that counts as a line.
-constexpr double kFlat = 1e-9;
+constexpr double kStraight = 1e-9;
 
 bool is_line(const Eigen::Matrix3d& points) {
   const Eigen::Vector3d first = points.col(1) - points.col(0);
   const Eigen::Vector3d second = points.col(2) - points.col(0);
   const double longest =
       std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()});
-  return first.cross(second).norm() <= kFlat * longest;
+  return first.cross(second).norm() <= kStraight * longest;
 }
 
 }  // namespace

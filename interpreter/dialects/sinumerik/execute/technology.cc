@@ -11,10 +11,10 @@ namespace g31::sinumerik {
 namespace {
 
 // M codes
-constexpr double kClockwise = 3.0;
-constexpr double kCounterclockwise = 4.0;
+constexpr double kTurnClockwise = 3.0;
+constexpr double kTurnCounterclockwise = 4.0;
 constexpr double kFullTurn = 360.0;
-constexpr double kStop = 5.0;
+constexpr double kStopTurning = 5.0;
 constexpr double kOrient = 19.0;
 
 /// F and S mean something else with G4, G25 and G26.
@@ -70,9 +70,9 @@ MaybeFailure orient(Channel& channel, const Numbered& which, double degrees,
 void turn(Channel& channel, const Numbered& which) {
   const int direction = which.spindle.direction;
   const machine::Rotation rotation =
-      direction == static_cast<int>(kClockwise)          ? machine::Rotation::Clockwise
-      : direction == static_cast<int>(kCounterclockwise) ? machine::Rotation::Counterclockwise
-                                                         : machine::Rotation::Stopped;
+      direction == static_cast<int>(kTurnClockwise)          ? machine::Rotation::Clockwise
+      : direction == static_cast<int>(kTurnCounterclockwise) ? machine::Rotation::Counterclockwise
+                                                             : machine::Rotation::Stopped;
   const bool stops = rotation == machine::Rotation::Stopped;
   channel.port.turn_spindle({rotation,
                              stops ? 0.0 : std::abs(which.spindle.speed),
@@ -81,8 +81,8 @@ void turn(Channel& channel, const Numbered& which) {
 }
 
 bool turns(const Spindle& spindle) {
-  return spindle.direction == static_cast<int>(kClockwise) ||
-         spindle.direction == static_cast<int>(kCounterclockwise);
+  return spindle.direction == static_cast<int>(kTurnClockwise) ||
+         spindle.direction == static_cast<int>(kTurnCounterclockwise);
 }
 
 /// M3, M4, M5 and M19; other codes are none of a spindle.
@@ -91,9 +91,9 @@ MaybeFailure take_code(Channel& channel, const Numbered& which, double code,
   if (code == kOrient) {
     return orient(channel, which, 0.0, where);
   }
-  if (code == kClockwise || code == kCounterclockwise || code == kStop) {
+  if (code == kTurnClockwise || code == kTurnCounterclockwise || code == kStopTurning) {
     which.spindle.direction = static_cast<int>(code);
-    if (code != kStop) {
+    if (code != kStopTurning) {
       which.spindle.angle.reset();
     }
     turn(channel, which);
@@ -135,7 +135,7 @@ MaybeFailure orient_by(Channel& channel, const BlockWords::Word& word,
 }
 
 /// The M codes of a block and what they do to the master spindle.
-MaybeFailure take_codes(Channel& channel, const Block& block) {
+MaybeFailure take_machine_codes(Channel& channel, const Block& block) {
   for (std::size_t i = 0; i < block.words.machine_code_count; ++i) {
     const double code = block.words.machine_codes[i];
     if (MaybeFailure wrong = take_code(channel, master_of(channel), code, block.where)) {
@@ -168,7 +168,7 @@ MaybeFailure take_technology(Channel& channel, const Block& block) {
   if (words.has(Address::SpeedLimit)) {
     channel.spindle.limit = words[Address::SpeedLimit].value;
   }
-  if (MaybeFailure wrong = take_codes(channel, block)) {
+  if (MaybeFailure wrong = take_machine_codes(channel, block)) {
     return wrong;
   }
   for (const BlockWords::SpindleWord& word : words.spindle_words) {
