@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kMostMoves = 64;
 
 /// Values this near to each other are the same place: the end of a way is compared with some play.
-constexpr double kSamePlaceMm = 1.0;
+constexpr double kSamePlaceMm = 0.5;
 /// What is less than any increment of a control, 0 apart, is no length: it tidies up the results of
 /// sums.
 constexpr double kLeastLength = 5e-7;
@@ -23,39 +23,34 @@ bool is_length(double value) {
 
 void MissedTouches::Moves::add(source::Location where, std::uint64_t number) {
   if (places_.size() < kMostMoves) {
-    places_.try_emplace(place_of(where), Move{where, number});
+    places_.try_emplace(number, where);
   }
 }
 
 void MissedTouches::Moves::add(const Moves& others) {
-  for (const auto& [place, move] : others.places_) {
-    add(move.where, move.number);
+  for (const auto& [number, where] : others.places_) {
+    add(where, number);
   }
 }
 
 void MissedTouches::Moves::remove(const Moves& others) {
-  for (const auto& [place, move] : others.places_) {
-    places_.erase(place);
+  for (const auto& [number, where] : others.places_) {
+    places_.erase(number);
   }
 }
 
 bool MissedTouches::Moves::has_any_of(const Moves& others) const {
   return std::ranges::any_of(others.places_,
-                             [this](const auto& one) { return places_.contains(one.first); });
-}
-
-bool MissedTouches::Moves::contains(source::Location where) const {
-  return places_.contains(place_of(where));
+                             [this](const auto& one) { return contains(one.first); });
 }
 
 std::vector<source::Location> MissedTouches::Moves::in_order() const {
-  std::vector<Move> moves;
-  for (const auto& [place, move] : places_) {
-    moves.push_back(move);
+  std::vector<source::Location> places;
+  for (const auto& [number, where] : places_) {
+    if (std::ranges::find(places, where) == places.end()) {
+      places.push_back(where);
+    }
   }
-  std::ranges::sort(moves, {}, &Move::number);
-  std::vector<source::Location> places(moves.size());
-  std::ranges::transform(moves, places.begin(), &Move::where);
   return places;
 }
 
@@ -68,14 +63,13 @@ void MissedTouches::Held::add(const Held& other) {
   results.add(other.results);
   looks.add(other.looks);
   signals.add(other.signals);
-  is_measured = is_measured || other.is_measured;
+  measured.add(other.measured);
   made_of.insert(made_of.end(), other.made_of.begin(), other.made_of.end());
 }
 
-void MissedTouches::missed(source::Location where, Result result, double mm_per_unit) {
+void MissedTouches::missed(source::Location where, const Miss& miss) {
   last_ = where;
-  result_ = result;
-  mm_per_unit_ = mm_per_unit;
+  miss_ = miss;
   ++missed_count_;
   is_last_read_ = false;
   is_owed_ = true;
@@ -84,7 +78,7 @@ void MissedTouches::missed(source::Location where, Result result, double mm_per_
 void MissedTouches::reads_result() {
   if (last_) {
     read_.results.add(*last_, missed_count_);
-    read_.is_measured = true;
+    read_.measured.add(*last_, missed_count_);
     is_last_read_ = true;
   }
 }
@@ -95,8 +89,8 @@ void MissedTouches::looks() {
   }
 }
 
-void MissedTouches::looks_at_signal() {
-  if (last_) {
+void MissedTouches::looks_at_signal(int input) {
+  if (last_ && listened_to(input)) {
     read_.signals.add(*last_, missed_count_);
   }
 }
@@ -110,7 +104,9 @@ void MissedTouches::reads(Holder holder) {
   read_.results.add(held.results);
   read_.looks.add(held.looks);
   read_.signals.add(held.signals);
-  read_.is_measured = read_.is_measured || (!held.is_way && held.is_measured);
+  if (!held.is_way) {
+    read_.measured.add(held.measured);
+  }
   read_.made_of.push_back(holder);
 }
 
@@ -133,15 +129,18 @@ void MissedTouches::compares(const Side& left, const Side& right) {
   end_statement();
   settle(seen.signals);
   const auto is_measured = [](const Side& side) {
-    return side.reading != nullptr && side.reading->is_measured;
+    return side.reading != nullptr && !side.reading->measured.empty();
   };
   const bool is_of_two = is_measured(left) && is_measured(right);
   if (is_of_two || !is_length(left.value) || !is_length(right.value)) {
     return;
   }
-  const bool is_near = std::abs(left.value - right.value) * mm_per_unit_ <= kSamePlaceMm;
+  // What is made of several results shows none of their ends: where all of them missed, it is as
+  // they would have it.
+  const bool is_near = std::abs(left.value - right.value) * miss_.mm_per_unit <= kSamePlaceMm &&
+                       seen.measured.size() <= 1;
   for (const Moves* moves : {&seen.looks, &seen.results}) {
-    const bool shows_end = moves == &seen.looks || result_ == Result::End;
+    const bool shows_end = moves == &seen.looks || miss_.result == Result::End;
     if (is_near && shows_end) {
       settle(*moves);
     } else {
@@ -202,6 +201,12 @@ void MissedTouches::asks() {
   }
 }
 
+void MissedTouches::asks(int input) {
+  if (listened_to(input)) {
+    asks();
+  }
+}
+
 void MissedTouches::forget(Holder first, Holder last) {
   holders_.erase(holders_.lower_bound(first), holders_.upper_bound(last));
   count();
@@ -228,12 +233,13 @@ void MissedTouches::settle(const Moves& moves) {
   }
   for (auto& [holder, held] : holders_) {
     held.results.remove(moves);
+    held.measured.remove(moves);
     held.looks.remove(moves);
     held.signals.remove(moves);
     held.excused.remove(moves);
   }
   std::erase_if(holders_, [](const auto& one) { return one.second.is_of_none(); });
-  if (last_ && moves.contains(*last_)) {
+  if (last_ && moves.contains(missed_count_)) {
     last_.reset();
   }
   count();
@@ -246,7 +252,7 @@ void MissedTouches::excuse(const Moves& moves) {
       held.excused.add(moves);
     }
   }
-  is_last_read_ = is_last_read_ || (last_ && moves.contains(*last_));
+  is_last_read_ = is_last_read_ || (last_ && moves.contains(missed_count_));
 }
 
 std::vector<source::Location> MissedTouches::told(const Moves& moves) {

@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "interpreter/source/location.h"
@@ -18,10 +17,10 @@ namespace g31::runtime {
 /// measured one: to put it into an offset, to print it, to leave it behind in a variable.
 ///
 /// A dialect says, statement by statement, what is read and then what becomes of it.  A comparison
-/// with the end of the way, some play about it, settles a move, wherever else its result is.  Any
-/// other comparison may have found that out or not (a limit, the least of several, a test for 0):
-/// it excuses the variables that keep the result now, but what is made of it afterwards counts.
-/// While nothing is owed, nothing has to be said.
+/// of a result with the end of its way, some play about it, settles the move, wherever else its
+/// result is.  Any other comparison may have found that out or not (a limit, the least of several,
+/// the scatter of two, a test for 0): it excuses the variables that keep the result now, but what
+/// is made of it afterwards counts.  While nothing is owed, nothing has to be said.
 class MissedTouches {
   struct Held;
 
@@ -38,6 +37,15 @@ class MissedTouches {
     Former,  ///< what was there before: only where the axes are tells of the end
   };
 
+  /// A move without a signal, for the program.
+  struct Miss {
+    Result result = Result::End;
+    double mm_per_unit = 1.0;  ///< of the lengths that the program reads: 1 or 25.4
+    int input = 0;             ///< which signal it listened to; 0: more than one
+
+    bool operator==(const Miss&) const = default;
+  };
+
   /// One side of a comparison.
   struct Side {
     double value = 0.0;
@@ -50,8 +58,7 @@ class MissedTouches {
   // The last measuring move of the program.
 
   void touched();
-  /// @param mm_per_unit  of the lengths that the program reads: 1 or 25.4
-  void missed(source::Location where, Result result, double mm_per_unit);
+  void missed(source::Location where, const Miss& miss);
   /// Where it was, if it had no signal and the program has not looked.
   [[nodiscard]] std::optional<source::Location> last() const { return last_; }
 
@@ -61,8 +68,11 @@ class MissedTouches {
   void reads_result();
   /// Where the axes are: good for comparing only.
   void looks();
-  /// The signal itself: whoever compares it with anything has looked.
-  void looks_at_signal();
+  /// A signal: whoever compares that which the move listened to has looked.
+  void looks_at_signal(int input);
+  /// Another input, which may tell of the signal for all that is known: the program has looked
+  /// behind the move.
+  void looks_at_input() { is_last_read_ = true; }
   void reads(Holder holder);
   /// What the statement has read so far, which counts as not read then.  @returns nullptr: nothing
   [[nodiscard]] Reading set_aside();
@@ -93,6 +103,8 @@ class MissedTouches {
 
   /// The program has asked whether the last measuring move had its signal.
   void asks();
+  /// The same of one signal.
+  void asks(int input);
 
   /// These variables are gone: those of a call that ends.
   void forget(Holder first, Holder last);
@@ -104,7 +116,7 @@ class MissedTouches {
   bool operator==(const MissedTouches&) const = default;
 
  private:
-  /// Where moves stand, each with how many were before it: what is told is told in their order.
+  /// Where moves stand, by how many were before them: two ends at one place are two moves.
   class Moves {
    public:
     void add(source::Location where, std::uint64_t number);
@@ -112,28 +124,23 @@ class MissedTouches {
     void remove(const Moves& others);
     [[nodiscard]] bool has_any_of(const Moves& others) const;
     [[nodiscard]] bool empty() const { return places_.empty(); }
-    [[nodiscard]] bool contains(source::Location where) const;
+    [[nodiscard]] std::size_t size() const { return places_.size(); }
+    [[nodiscard]] bool contains(std::uint64_t number) const { return places_.contains(number); }
+    /// Each place once.
     [[nodiscard]] std::vector<source::Location> in_order() const;
     bool operator==(const Moves&) const = default;
 
    private:
-    using Place = std::pair<source::FileId, std::uint64_t>;
-    struct Move {
-      source::Location where;
-      std::uint64_t number = 0;
-      bool operator==(const Move&) const = default;
-    };
-    static Place place_of(source::Location where) { return {where.file, where.begin}; }
-    std::map<Place, Move> places_;
+    std::map<std::uint64_t, source::Location> places_;
   };
 
   struct Held {
-    Moves results;             ///< whose result it is made of
-    Moves looks;               ///< whose end it shows
-    Moves signals;             ///< whose signal it shows
-    Moves excused;             ///< of the results: they were compared while they stood here
-    bool is_way = false;       ///< it has served as a position
-    bool is_measured = false;  ///< not all of it is made of such positions
+    Moves results;        ///< whose result it is made of
+    Moves measured;       ///< of them: not by way of such a position
+    Moves looks;          ///< whose end it shows
+    Moves signals;        ///< whose signal it shows
+    Moves excused;        ///< of the results: they were compared while they stood here
+    bool is_way = false;  ///< it has served as a position
     std::vector<Holder> made_of;
 
     /// Whether it is made of no move, or of none that is owed any longer.
@@ -147,6 +154,9 @@ class MissedTouches {
 
   void serves_as_way();
   void serves_as_way(Holder holder, const Moves& moves);
+  [[nodiscard]] bool listened_to(int input) const {
+    return miss_.input == 0 || miss_.input == input;
+  }
   void settle(const Moves& moves);
   void excuse(const Moves& moves);
   std::vector<source::Location> told(const Moves& moves);
@@ -157,8 +167,7 @@ class MissedTouches {
   Held read_;                             ///< by the present statement
   std::optional<source::Location> last_;  ///< measuring move, while it is owed
   std::uint64_t missed_count_ = 0;
-  double mm_per_unit_ = 1.0;
-  Result result_ = Result::End;
+  Miss miss_;  ///< the last one
   bool is_last_read_ = false;
   bool is_owed_ = false;
 };

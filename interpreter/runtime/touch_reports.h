@@ -26,16 +26,22 @@ class TouchReports {
       missed.looks();
     }
   }
-  /// The program looks at the signal.
-  void looks_at_signal() {
+  /// The program looks at the signal of a sensor.
+  void looks_at_signal(int input) {
     if (!is_inspected_) {
-      missed.looks_at_signal();
+      missed.looks_at_signal(input);
+    }
+  }
+  /// The program looks at an input that is wired to something else, for all that is known.
+  void looks_at_input() {
+    if (!is_inspected_) {
+      missed.looks_at_input();
     }
   }
   /// The program asks whether the last move had its signal.
-  void asks() {
+  void asks(int input) {
     if (!is_inspected_) {
-      missed.asks();
+      missed.asks(input);
     }
   }
   /// The program reads what the last move latched.

@@ -18,7 +18,7 @@ source::Location at(std::uint64_t begin) {
 
 /// A move at a place without a signal, its result in a variable.
 void miss_into(MissedTouches& missed, std::uint64_t begin, MissedTouches::Holder holder) {
-  missed.missed(at(begin), MissedTouches::Result::End, 1.0);
+  missed.missed(at(begin), {});
   missed.reads_result();
   missed.assigns(holder);
 }
@@ -45,7 +45,7 @@ TEST(MissedTouches, ALoopOwesItsPlaceOnce) {
 TEST(MissedTouches, ASumOfVeryManyIsToldThroughSomeOfThem) {
   MissedTouches missed;
   for (std::uint64_t i = 0; i < 100000; ++i) {
-    missed.missed(at(i), MissedTouches::Result::End, 1.0);
+    missed.missed(at(i), {});
     missed.reads_result();
     missed.reads(7);
     missed.assigns(7);
@@ -59,11 +59,11 @@ TEST(MissedTouches, ASumOfVeryManyIsToldThroughSomeOfThem) {
 TEST(MissedTouches, OfMovesThatNobodyReadsTheLastAloneIsOwed) {
   MissedTouches missed;
   for (std::uint64_t i = 0; i < 1000; ++i) {
-    missed.missed(at(i), MissedTouches::Result::End, 1.0);
+    missed.missed(at(i), {});
   }
   EXPECT_EQ(missed.last(), at(999));
   EXPECT_EQ(missed.ends(), std::vector{at(999)});
-  missed.missed(at(1), MissedTouches::Result::End, 1.0);
+  missed.missed(at(1), {});
   missed.touched();
   EXPECT_FALSE(missed.any());
 }
@@ -91,7 +91,7 @@ void compare(MissedTouches& missed, MissedTouches::Holder holder, double value, 
 TEST(MissedTouches, AreSettledByTheEndAndExcusedByALimit) {
   MissedTouches missed;
   miss_into(missed, 10, 5);
-  compare(missed, 5, 50.0, 49.0);
+  compare(missed, 5, 50.0, 49.5);
   EXPECT_FALSE(missed.any());
 
   miss_into(missed, 10, 5);
@@ -113,7 +113,7 @@ TEST(MissedTouches, AreSettledByTheEndAndExcusedByALimit) {
 
 TEST(MissedTouches, AResultThatShowsTheFormerTouchIsComparedWithAnyValue) {
   MissedTouches missed;
-  missed.missed(at(10), MissedTouches::Result::Former, 1.0);
+  missed.missed(at(10), {MissedTouches::Result::Former});
   missed.reads_result();
   missed.assigns(5);
   compare(missed, 5, 50.0, 50.0);
@@ -121,7 +121,7 @@ TEST(MissedTouches, AResultThatShowsTheFormerTouchIsComparedWithAnyValue) {
   missed.assigns(6);
   EXPECT_EQ(missed.ends(), std::vector{at(10)});
 
-  missed.missed(at(20), MissedTouches::Result::Former, 1.0);
+  missed.missed(at(20), {MissedTouches::Result::Former});
   missed.reads_result();
   missed.assigns(5);
   missed.looks();
@@ -150,7 +150,7 @@ TEST(MissedTouches, ADecisionExcusesTheResultAndSettlesTheSignal) {
   EXPECT_TRUE(missed.ends().empty());
 
   miss_into(missed, 20, 5);
-  missed.looks_at_signal();
+  missed.looks_at_signal(0);
   missed.decides();
   EXPECT_FALSE(missed.any());
 }

@@ -1,6 +1,6 @@
 (SOURCE the skip move of B-63944EN/02 20.4 ends without an alarm when no signal comes: a program that)
 (SOURCE takes what it then reads for a measured position errs, one that compares it with the end of)
-(SOURCE the way, 1 mm about it, has looked.  Any other comparison may have seen it or not: what is made)
+(SOURCE the way, 0.5 mm about it, has looked.  Any other comparison may have seen it or not: what is made)
 (SOURCE of the result afterwards counts)
 
 (CASE MT-01 a protected move whose end is compared is no finding)
@@ -483,16 +483,114 @@ N10 M30
 %
 (EXPECT NO WARNING PRB301)
 
-(CASE MT-36 the signal is asked for while the result is in two variables)
+(CASE MT-36 another input tells nothing of the signal: a battery)
+(SIGNAL NONE)
+%
+O1
+G91 G31 X15. F50.
+#769=#5061+3.
+IF[#1005EQ0]GOTO99
+#3000=45(BATTERY)
+N99 M30
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-37 two that were none scatter by nothing)
+(SIGNAL NONE)
 (SIGNAL NONE)
 %
 O1
 G31 X50. F100.
 #1=#5061
-#100=#1
-#2=#1000
-IF[#2NE0]GOTO10
+G00 X0
+G31 X50. F100.
+#2=#5061
+IF[ABS[#1-#2]GT.01]GOTO99
+#5221=[#1+#2]/2.
+M30
+N99 #3000=1(SCATTER)
+%
+(EXPECT WARNING PRB301 AT 5)
+
+(CASE MT-38 a macro touches twice, the caller looks at the second one)
+(SIGNAL NONE)
+(SIGNAL NONE)
+%
+O1
+G65 P9100 X50. A101.
+G65 P9100 X70. A102.
+IF[#102GT69.9]THEN#102=#0
+#5221=#101+3.
+#101=0
+M30
+O9100
+G31 X#24 F100.
+#[#1]=#5061
+G00 X0
+M99
+%
+(EXPECT WARNING PRB301 AT 12)
+
+(CASE MT-39 a modal call gets it)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F100.
+#1=#5061
+G66 P2 A#1
+#1=0
+G00 X0
+G67
+M30
+O2
 #500=#1
-N10 M30
+M99
+%
+(EXPECT WARNING PRB301 AT 4)
+
+(CASE MT-40 the program looks before the modal call is made)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F100.
+#1=#5061
+G66 P2 A#1
+IF[#1GT49.9]GOTO1
+N1 G00 X0
+G67
+M30
+O2
+#500=#1
+M99
 %
 (EXPECT NO WARNING PRB301)
+
+(CASE MT-41 the rotation of the part)
+(SIGNAL NONE)
+(SIGNAL NONE)
+%
+O1
+G31 X50. F100.
+#1=#5061
+G00 X0
+G31 X60. F100.
+#2=#5061
+G68 X0 Y0 R[ATAN[#2-#1]/[30.]]
+G69
+#1=0
+#2=0
+M30
+%
+(EXPECT WARNING PRB301 AT 5)
+
+(CASE MT-42 a small step beyond a face that is not there)
+(SIGNAL NONE)
+%
+O1
+G31 Z-1. F100.
+#1=#5063
+IF[ABS[#1]LT.002]GOTO10
+#5223=#5223+#1
+N10 M30
+%
+(EXPECT WARNING PRB301 AT 4)

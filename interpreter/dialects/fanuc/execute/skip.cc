@@ -23,8 +23,8 @@ void note_outcome(Control& control, const NcBlock& block, const SkipOutcome& out
                    control.touches.missed.touched();
                  },
                  [&](const NoTouch&) {
-                   control.touches.missed.missed(block.where, MissedTouches::Result::End,
-                                                 control.scale.mm_per_unit());
+                   control.touches.missed.missed(
+                       block.where, {MissedTouches::Result::End, control.scale.mm_per_unit()});
                  },
                  [&](const NoEdge&) {
                    control.touches.missed.touched();

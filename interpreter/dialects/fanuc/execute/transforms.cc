@@ -7,7 +7,9 @@ namespace {
 
 constexpr double kThousandth = 0.001;
 
+/// What the program counts from is as good as an offset.
 void apply(Control& control) {
+  control.use_measured();
   control.coordinates.set_transform(control.transforms.all());
 }
 

@@ -24,6 +24,12 @@ bool counts_increments(char letter) {
   return std::string_view("ABCIJKQRUVWXYZ").find(letter) != std::string_view::npos;
 }
 
+/// Where arguments wait that modal calls keep: below all levels of locals.
+std::size_t modal_depth(std::size_t which) {
+  constexpr std::size_t kBelowAll = 1000;
+  return kBelowAll + which;
+}
+
 }  // namespace
 
 bool is_argument(char letter) {
@@ -77,6 +83,24 @@ void MacroArguments::follow() {
   missed.passes_on();
   for (const auto& [variable, reading] : made_of_) {
     missed.reads(reading);
+    missed.assigns(holder_of(control_.variables.depth(), variable));
+  }
+}
+
+void MacroArguments::keep_for_modal_call(std::size_t which) {
+  runtime::MissedTouches& missed = control_.touches.missed;
+  missed.forget(holder_of(modal_depth(which), kFirstLocal),
+                holder_of(modal_depth(which), kLocalCount));
+  for (const auto& [variable, reading] : made_of_) {
+    missed.reads(reading);
+    missed.assigns(holder_of(modal_depth(which), variable));
+  }
+}
+
+void MacroArguments::follow_modal_call(std::size_t which) {
+  runtime::MissedTouches& missed = control_.touches.missed;
+  for (std::int32_t variable = kFirstLocal; missed.any() && variable <= kLocalCount; ++variable) {
+    missed.reads(holder_of(modal_depth(which), variable));
     missed.assigns(holder_of(control_.variables.depth(), variable));
   }
 }

@@ -30,6 +30,10 @@ class MacroArguments {
   MaybeFailure put_among(Variables::Locals& locals, std::span<const EvaluatedWord> arguments);
   /// The locals of the level that begins hold what the arguments were made of.
   void follow();
+  /// The same of a modal call, which keeps them until it calls.
+  /// @param which  of the modal calls in force
+  void keep_for_modal_call(std::size_t which);
+  void follow_modal_call(std::size_t which);
   /// A macro that an M code calls finds them in #4101 to #4126.
   void keep_words();
 

@@ -100,6 +100,7 @@ MaybeFailure MacroCalls::set_modal(const EvaluatedWord& code) {
     return at_word(AlarmId::ModalCallNesting, code,
                    fmt::format("modal calls nest at most {} deep", control_.profile.calls.macros));
   }
+  arguments_.keep_for_modal_call(frame().modal_calls.size());
   frame().modal_calls.push_back(std::move(call));
   control_.modal.group[Group::ModalCall] = {66,
                                             static_cast<std::int8_t>(code.number != 66.0 ? 1 : 0)};
@@ -133,6 +134,7 @@ MaybeFailure MacroCalls::modal_call() {
   frame().modal_calls.pop_back();
   frame().of_modal_call = call;
   control_.variables.set_level(call->locals);
+  arguments_.follow_modal_call(frame().modal_calls.size());
   return std::nullopt;
 }
 
@@ -163,6 +165,8 @@ MaybeFailure MacroCalls::every_block_call() {
   }
   frame().modal_calls.pop_back();
   control_.variables.set_level(locals);
+  arguments_.follow_modal_call(frame().modal_calls.size());
+  arguments_.follow();
   return std::nullopt;
 }
 

@@ -20,7 +20,7 @@ Cell bit_of(std::uint16_t bits, int index) {
 
 /// A program looks at inputs, and may wait for them: that takes time.
 void look_at_inputs(Control& control) {
-  control.touches.looks_at_signal();
+  control.touches.looks_at_input();
   control.time_looked_at();
 }
 

@@ -181,8 +181,9 @@ void report(Channel& channel, const Measuring& measuring, runtime::TouchEvent ev
   if (event.triggered) {
     channel.touches.missed.touched();
   } else if (!measuring.by_action) {
-    channel.touches.missed.missed(event.where, runtime::MissedTouches::Result::Former,
-                                  channel.mm_per_datum());
+    channel.touches.missed.missed(event.where,
+                                  {runtime::MissedTouches::Result::Former, channel.mm_per_datum(),
+                                   measuring.further == 0 ? measuring.probe : 0});
   }
   channel.touches.touched(event, state);
   channel.outlet.touched(event);

@@ -31,6 +31,10 @@ class MissedResults {
   /// are taken by reference are the caller's own variables.
   void follow_arguments(const std::vector<runtime::MissedTouches::Holder>& given);
 
+  /// MCALL keeps the values until it calls.
+  void keep_for_modal_call(const std::vector<runtime::MissedTouches::Holder>& given);
+  void follow_modal_call() { follow_arguments(modal_call_); }
+
   /// The variables of a level, or the results within a block, are gone.
   void forget(std::span<const double> cells);
   /// The end of the program: variables of called ones are nowhere.
@@ -40,6 +44,11 @@ class MissedResults {
   /// Where a number is, the same in every run; 0: a constant.
   [[nodiscard]] runtime::MissedTouches::Holder holder_of(const double& cell) const;
   void follow_function(const Op& op);
+  void follow_array(const Op& op);
+  void follow_block(const Op& op);
+  void read_arguments(Arguments list);
+  std::span<const double> cells_of(const Argument& whole);
+  void fill(std::span<const double> cells, const runtime::MissedTouches::Reading& reading);
   const double& element(const Op& op);
   void use_measured();
 
@@ -47,6 +56,8 @@ class MissedResults {
   Operands& operands_;
   Channel& channel_;
   runtime::MissedTouches& missed_;
+  std::vector<runtime::MissedTouches::Holder> modal_call_;  ///< where its arguments wait
+  std::vector<runtime::MissedTouches::Reading> of_words_;   ///< of the block
 };
 
 }  // namespace g31::sinumerik

@@ -80,6 +80,7 @@ MaybeFailure Calls::call(const Op& op) {
   }
   std::vector<BoundValue> values = bound(site);
   if (site.is_modal) {
+    missed_.keep_for_modal_call(missed_.holders_given(site, values));
     stack_.modal_call = ModalCall{program.value(), std::move(values), stack_.depth()};
     return std::nullopt;
   }
@@ -321,6 +322,7 @@ MaybeFailure Calls::modal_call() {
     return wrong;
   }
   level().is_modal_call = true;
+  missed_.follow_modal_call();
   return std::nullopt;
 }
 

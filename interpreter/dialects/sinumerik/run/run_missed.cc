@@ -7,10 +7,12 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "interpreter/dialects/sinumerik/run/missed_results.h"
 #include "interpreter/dialects/sinumerik/vocabulary/functions.h"
+#include "interpreter/dialects/sinumerik/vocabulary/g_codes.h"
 
 namespace g31::sinumerik {
 namespace {
@@ -19,6 +21,17 @@ namespace {
 runtime::MissedTouches::Holder holder_in(std::uint64_t bank, std::size_t place) {
   constexpr int kBankShift = 32;
   return bank << kBankShift | place;
+}
+
+constexpr std::size_t kMostArguments = 1000;
+
+/// Where an argument waits that a modal call keeps.
+runtime::MissedTouches::Holder of_modal_call(std::size_t argument) {
+  return holder_in(0, argument + 1);
+}
+
+bool is_frame_code(std::uint16_t bits) {
+  return g_codes()[unpacked(bits).row].group == Group::ProgrammableFrame;
 }
 
 bool is_comparison(OpCode code) {
@@ -77,13 +90,22 @@ void MissedResults::follow(const Op& op) {
     missed_.assigns(holder_of(element(op)));
   } else if (op.code == OpCode::Word || op.code == OpCode::AxisWord) {
     reads(op.code == OpCode::Word ? op.a : op.b);
-    missed_.moves();
+    if (auto reading = missed_.set_aside()) {
+      of_words_.push_back(std::move(reading));
+    }
+  } else if (op.code == OpCode::Block) {
+    of_words_.clear();
+  } else if (op.code == OpCode::Execute) {
+    follow_block(op);
   } else if (op.code == OpCode::NumberToText) {
     reads(op.a);
     use_measured();
-  } else if (op.code == OpCode::WriteSystem) {
-    reads(operands_.arguments_of(op).back().value);
+  } else if (op.code == OpCode::WriteSystem || op.code == OpCode::StoreComponent) {
+    const Arguments list = operands_.arguments_of(op);
+    read_arguments(op.code == OpCode::WriteSystem ? list.last(1) : list.first(1));
     use_measured();
+  } else if (op.code == OpCode::Fill || op.code == OpCode::Repeat) {
+    follow_array(op);
   } else if (op.code == OpCode::Function) {
     follow_function(op);
   } else if (op.code == OpCode::Call) {
@@ -96,20 +118,89 @@ const double& MissedResults::element(const Op& op) {
   return operands_.variable(op.b.place).numbers[static_cast<std::size_t>(operands_.number(op.a))];
 }
 
-/// A frame out of measured numbers is as good as an offset.
-void MissedResults::follow_function(const Op& op) {
-  for (const Argument& argument : operands_.arguments_of(op)) {
-    if (argument.form == Argument::Form::Value && is_held_as_number(argument.type)) {
+/// The axes go to the words of a block, unless they are a frame: what the program counts from is as
+/// good as an offset.
+void MissedResults::follow_block(const Op& op) {
+  const CompiledProgram& program = operands_.program();
+  const auto codes = program.nc_blocks[static_cast<std::size_t>(op.b.place)].codes_of(program);
+  for (const auto& reading : of_words_) {
+    missed_.reads(reading);
+  }
+  of_words_.clear();
+  if (std::ranges::any_of(codes, is_frame_code)) {
+    use_measured();
+  } else {
+    missed_.moves();
+  }
+}
+
+void MissedResults::read_arguments(Arguments list) {
+  for (const Argument& argument : list) {
+    if (!is_held_as_number(argument.type)) {
+      continue;
+    }
+    if (argument.form == Argument::Form::Whole) {
+      for (const double& cell : cells_of(argument)) {
+        missed_.reads(holder_of(cell));
+      }
+    } else if (argument.form != Argument::Form::Omitted) {
       missed_.reads(holder_of(operands_.number(argument.value)));
     }
   }
-  const Type result = info(static_cast<FunctionId>(op.detail)).result;
+}
+
+/// All elements of an array.
+std::span<const double> MissedResults::cells_of(const Argument& whole) {
+  const VariableView view = operands_.variable(whole.variable);
+  return {view.numbers, static_cast<std::size_t>(view.shape.count())};
+}
+
+/// A frame out of measured numbers is as good as an offset.
+void MissedResults::follow_function(const Op& op) {
+  const auto id = static_cast<FunctionId>(op.detail);
+  const Arguments list = operands_.arguments_of(op);
+  if (id == FunctionId::CALCDAT) {
+    read_arguments(list.first(list.size() - 1));
+    fill(cells_of(list.back()), missed_.set_aside());
+    return;
+  }
+  read_arguments(list);
+  const Type result = info(id).result;
   if (result == Type::Frame) {
     use_measured();
   } else if (is_held_as_number(result)) {
     missed_.assigns(holder_of(operands_.number(op.result)));
   } else {
     missed_.passes_on();
+  }
+}
+
+void MissedResults::fill(std::span<const double> cells,
+                         const runtime::MissedTouches::Reading& reading) {
+  for (const double& cell : cells) {
+    missed_.reads(reading);
+    missed_.assigns(holder_of(cell));
+  }
+}
+
+/// SET(values): elements in turn; REP(value, times): the same in each.
+void MissedResults::follow_array(const Op& op) {
+  const VariableView view = operands_.variable(op.a.place);
+  if (!is_held_as_number(view.type)) {
+    missed_.passes_on();
+    return;
+  }
+  const auto first = static_cast<std::size_t>(operands_.number(op.result));
+  const auto count = static_cast<std::size_t>(view.shape.count());
+  const std::span<const double> cells(view.numbers, count);
+  const Arguments list = operands_.arguments_of(op);
+  for (std::size_t i = first; i < count; ++i) {
+    const std::size_t which = op.code == OpCode::Repeat ? 0 : i - first;
+    if (which >= list.size()) {
+      break;
+    }
+    read_arguments(list.subspan(which, 1));
+    missed_.assigns(holder_of(cells[i]));
   }
 }
 
@@ -147,6 +238,16 @@ void MissedResults::follow_arguments(const std::vector<runtime::MissedTouches::H
   }
 }
 
+void MissedResults::keep_for_modal_call(const std::vector<runtime::MissedTouches::Holder>& given) {
+  missed_.forget(of_modal_call(0), of_modal_call(kMostArguments));
+  modal_call_.clear();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    missed_.reads(given[i]);
+    missed_.assigns(of_modal_call(i));
+    modal_call_.push_back(of_modal_call(i));
+  }
+}
+
 void MissedResults::follow_read(const Op& op) {
   if (missed_.any() && !channel_.is_inspected()) {
     missed_.assigns(holder_of(operands_.number(op.result)));
@@ -165,6 +266,7 @@ void MissedResults::forget(std::span<const double> cells) {
 
 void MissedResults::end() {
   forget(operands_.temporaries());
+  missed_.forget(of_modal_call(0), of_modal_call(kMostArguments));
   for (std::size_t i = 1; i < stack_.count(); ++i) {
     forget(stack_.level(i).numbers);
   }

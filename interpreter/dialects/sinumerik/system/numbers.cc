@@ -182,7 +182,7 @@ Number probe_signal(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_probe(access)) {
     return *wrong;
   }
-  channel.touches.looks_at_signal();
+  channel.touches.looks_at_signal(access.indices[0]);
   return channel.port.skip_signal(access.indices[0]) ? 1.0 : 0.0;
 }
 
@@ -190,7 +190,7 @@ Number probe_switched(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_probe(access)) {
     return *wrong;
   }
-  channel.touches.asks();
+  channel.touches.asks(access.indices[0]);
   return channel.measured[static_cast<std::size_t>(access.indices[0])] ? 1.0 : 0.0;
 }
 
@@ -200,7 +200,7 @@ Number digital_input(Channel& channel, const SystemAccess& access) {
   if (MaybeFailure wrong = no_input(channel, access)) {
     return *wrong;
   }
-  channel.touches.looks_at_signal();
+  channel.touches.looks_at_input();
   const int which = access.indices[0];
   const bool kept = channel.digital_inputs[static_cast<std::size_t>(which)];
   if (!channel.is_inspected()) {
