@@ -52,6 +52,7 @@ class FanucTranslation {
   void follow(Index index);
   void nc_words(const syntax::Block& block);
   void call(const syntax::Block& block, const Word& code);
+  void add_unsimulated(const Word& code);
   void constant_jump(const Step& step, Index index, double sequence);
   void stop(Fault fault);
   [[nodiscard]] Fault fault_of(AlarmId id, syntax::ShortSpan where,
@@ -229,7 +230,24 @@ void FanucTranslation::nc_words(const syntax::Block& block) {
     if (calls && !has_call) {
       has_call = true;
       call(block, word);
+    } else if (!has_call && !is_computed && word.letter == 'G') {
+      add_unsimulated(word);
     }
+  }
+}
+
+/// A code that a run refuses or passes over, and the control does not.
+void FanucTranslation::add_unsimulated(const Word& code) {
+  const fanuc::GCode* const row = fanuc::find_g_code(code.number);
+  const bool is_there = row != nullptr && fanuc::has_g_code(profile_, *row);
+  if (is_there && row->action == fanuc::GAction::Refused) {
+    builder_.fault({Fault::Kind::NotSimulated,
+                    fanuc::number_of(AlarmId::ImproperGCode, profile_.alarm_numbers), code.span,
+                    fmt::format("{}, {}: a run ends here", to_text(row->number), row->text), ""});
+  } else if (is_there && row->action == fanuc::GAction::Unsimulated) {
+    builder_.fault({Fault::Kind::NotSimulated, 0, code.span,
+                    fmt::format("{}, {}: a run passes over it", to_text(row->number), row->text),
+                    ""});
   }
 }
 

@@ -422,6 +422,24 @@ TEST(Check, WhatOnlySeries30iHasIsWrongOnSeries16i) {
   EXPECT_EQ(checked(options).exit_code, 0) << "a run knows the names";
 }
 
+TEST(Check, CodesOfAFanucThatAreNotSimulatedAreWarnings) {
+  TemporaryFolder folder;
+  cli::CheckOptions options;
+  options.files = {folder.write("case.nc", "O1\nG33 Z1. F1.\nG93 G1 X1. F2.\nG12 X1.\nM30\n")};
+  options.control = "fanuc-16i";
+  EXPECT_EQ(places(checked(options).text, folder),
+            (std::vector<std::string>{
+                "case.nc:2:1: warning: alarm 10, G33, thread cutting: not simulated: a run ends "
+                "here [NC007]",
+                "case.nc:3:1: warning: alarm 10, G93, inverse time feed: not simulated: a run ends "
+                "here [NC007]"}));
+  options.control = "haas";
+  EXPECT_EQ(
+      places(checked(options).text, folder).back(),
+      "case.nc:4:1: warning: G12, circular pocket clockwise: not simulated: a run passes over "
+      "it [NC007]");
+}
+
 /// SINUMERIK passes over control characters, and a tape or a line leaves some.
 TEST(Check, AFewControlCharactersMakeNoPictureOfAText) {
   TemporaryFolder folder;

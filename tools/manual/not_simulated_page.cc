@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kAboutTheWorld =
     R"(g31 runs measuring programs.  What it does not run or model is told here, and by the run itself: a block that
 cannot be run ends it with an alarm at its place, one that is passed over is a warning (PRB304), and `g31 check`
-finds both before (NC007).
+finds codes, functions and cycles of both kinds before (NC007).
 
 ## The world
 
