@@ -81,6 +81,9 @@ class BlockWatch {
     return ++work_ % kWorkPerLook == 0 ? look_around() : std::nullopt;
   }
 
+  /// The block may have waited for somebody, a printer: the next one is asked for at once.
+  void has_waited() { next_time_ = next_look_ = blocks_; }
+
   /// The run has gone down or up to another level of calls.
   /// @param name_of_program  () -> std::string; called for a listener only
   template <typename NameOfProgram>

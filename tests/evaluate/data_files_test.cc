@@ -224,5 +224,47 @@ TEST(DataTable, TellsWhatTheDigitsResolve) {
   EXPECT_DOUBLE_EQ(table.value().numbers("a")[0], 1.25e-3);
 }
 
+/// Places of 1e6 mm and steps below their last digit: the zones are those of the steps.
+TEST(Records, SmallStepsFarAwayAreEvaluatedAsTheyAreAtZero) {
+  const std::string rows = "K,A,B\n0,0,0\n1,0.001,0\n2,0,0.002\n3,0,0\n";
+  cli::EvaluateOptions options;
+  options.kind = "straightness";
+  options.given[evaluate::OptionId::Step] = "1e-12";
+  options.given[evaluate::OptionId::From] = "1e6";
+  const auto far = testing::evaluate_text(rows, options);
+  ASSERT_EQ(far.exit_code, 0) << far.errors;
+  options.given[evaluate::OptionId::Step] = "1";
+  options.given[evaluate::OptionId::From] = "0";
+  const auto near = testing::evaluate_text(rows, options);
+  for (const char* name : {"motion_straightness", "motion_straightness_least_squares",
+                           "work_straightness_minimum_zone"}) {
+    EXPECT_NEAR(far.document["results"][name]["value"].get<double>(),
+                near.document["results"][name]["value"].get<double>(), 1e-9)
+        << name;
+  }
+}
+
+TEST(Records, AnIntervalIsForAFileWithoutTimes) {
+  cli::EvaluateOptions options;
+  options.kind = "speed";
+  options.given[evaluate::OptionId::Interval] = "4ms";
+  const auto with = testing::evaluate_text("t,X,Y\n0,0,0\n1,10,0\n2,20,0\n3,30,0\n", options);
+  EXPECT_EQ(with.exit_code, 2);
+  EXPECT_NE(with.errors.find("it has a column t"), std::string::npos) << with.errors;
+  EXPECT_EQ(testing::evaluate_text("X,Y\n0,0\n10,0\n20,0\n30,0\n", options).exit_code, 0);
+}
+
+TEST(Records, RowsOfOtherAxesAreNoSamples) {
+  cli::EvaluateOptions options;
+  options.kind = "positioning";
+  options.given[evaluate::OptionId::Axis] = "X";
+  const auto output = testing::evaluate_text(
+      "axis,target,direction,cycle,position\nX,0,+1,1,0.001\nX,0,+1,2,0.002\nX,0,-1,1,0.001\n"
+      "X,0,-1,2,0.002\nY,0,+1,1,0\nY,0,+1,2,0\n",
+      options);
+  ASSERT_EQ(output.exit_code, 0) << output.errors;
+  EXPECT_EQ(output.document["samples"], 4);
+}
+
 }  // namespace
 }  // namespace g31::data_files_test

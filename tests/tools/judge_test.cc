@@ -72,6 +72,13 @@ TEST(Judge, IsContentWhenAllAreGood) {
   EXPECT_EQ(judge("F1-X 40. F1-Y 25. F1-X-PLACE = -3").exit_code, 0) << "one line for all";
 }
 
+TEST(Judge, PassesOverAByteOrderMark) {
+  EXPECT_EQ(judge("\xEF\xBB\xBF"
+                  "F1-X 40.\r\nF1-Y 25.\r\nF1-X-PLACE -3.\r\n")
+                .exit_code,
+            0);
+}
+
 TEST(Judge, TakesTheLimitsThemselvesAsGood) {
   const std::string measure = R"({"id": "D", "nominal": 25.0, "tolerance": [-0.1, 0.1]})";
   EXPECT_EQ(judge("D 25.10000\n", measure).exit_code, 0);

@@ -199,6 +199,31 @@ TEST(SerialPrinter, ThatNeverGoesOnEndsInAnAlarm) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, 5s);
 }
 
+TEST(SerialPrinter, ThatNeverGoesOnLetsTheRunBeInterrupted) {
+  runtime::Interruption interruption{false};
+  PlayedPrinter printer([&](PlayedPrinter& self, const std::string& received) {
+    if (received.size() < 100) {
+      self.say(kDC3);
+      interruption = true;
+    }
+  });
+  cli::RunOptions options;
+  options.budget.interruption = &interruption;
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(run_blocks(printer, long_printout(), "19200,e,7,2", options).exit_code, 130);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s) << "not the 30 s of the printer";
+}
+
+/// 1,000 characters are 17 s on this line.
+TEST(SerialPrinter, TakesNoMoreTimeThanTheRunMay) {
+  PlayedPrinter printer;
+  cli::RunOptions options;
+  options.budget.wall_seconds = 0.2;
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(run_blocks(printer, long_printout(), "600,e,7,2", options).exit_code, 6);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 10s);
+}
+
 TEST(SerialPrinter, ThatTakesNothingEndsInAnAlarm) {
   PlayedPrinter printer;
   printer.choke();

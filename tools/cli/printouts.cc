@@ -33,7 +33,8 @@ Result<Printer, Refusal> open_line(const RunOptions& options) {
   }
   const std::chrono::duration<double> patience(options.printer_wait_s);
   const auto opened = printer::SerialPrinter::open(
-      line.value(), std::chrono::duration_cast<std::chrono::nanoseconds>(patience));
+      line.value(), std::chrono::duration_cast<std::chrono::nanoseconds>(patience),
+      options.budget.interruption);
   if (!opened) {
     return wrong_printer(options.printer, opened.error());
   }

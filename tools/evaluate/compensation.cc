@@ -1,6 +1,8 @@
 #include "tools/evaluate/compensation.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <fmt/format.h>
@@ -70,6 +72,14 @@ std::optional<std::string> why_no_compensation(CompensationFormat format,
   }
   if (error.deviations.points.size() < 2) {
     return "a compensation runs between two places at least, and the record has one";
+  }
+  constexpr double kLeastStep = 1e-6;  // places have so many decimals
+  const auto are_too_near = [](const auto& before, const auto& behind) {
+    return std::abs(behind[0] - before[0]) < kLeastStep;
+  };
+  if (std::ranges::adjacent_find(error.deviations.points, are_too_near) !=
+      error.deviations.points.end()) {
+    return fmt::format("places of a compensation are {} mm apart at least", kLeastStep);
   }
   return format == CompensationFormat::Fanuc ? why_no_fanuc_compensation(error) : std::nullopt;
 }

@@ -106,7 +106,7 @@ Result<Evaluation, DataError> evaluate_positioning(const DataFile& file, const R
   }
   Evaluation evaluation;
   evaluation.kind = Kind::Positioning;
-  evaluation.samples = table.value().size();
+  evaluation.samples = approaches.size();
   evaluation.results = results_of(positioning.value());
   evaluation.curves = curves_of(positioning.value());
   evaluation.machine_error = {"E" + axis.value() + axis.value(),

@@ -77,8 +77,10 @@ Result<Evaluation, DataError> evaluate_straightness(const DataFile& file, const 
   evaluation.kind = Kind::Straightness;
   evaluation.samples = rows.a.size();
   add_offsets(rows, shapes, request, evaluation);
-  add_zones("motion_straightness", places, shapes.motion, file.watch, evaluation.results);
-  add_zones("work_straightness", places, shapes.work, file.watch, evaluation.results);
+  // Where the first place lies is nothing to the zones: beside a large one small steps are lost.
+  const std::vector<double> along = places_of(rows.a.size(), *request.step, 0.0);
+  add_zones("motion_straightness", along, shapes.motion, file.watch, evaluation.results);
+  add_zones("work_straightness", along, shapes.work, file.watch, evaluation.results);
   const std::size_t n = rows.a.size() - 1;
   evaluation.results.push_back({"parallelism", um(shapes.work.back()), "um",
                                 um_of(request, metrology::work_uncertainty(n, n))});

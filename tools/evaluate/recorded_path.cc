@@ -18,6 +18,8 @@ std::vector<WantedColumn> wanted_columns(const Request& request) {
   }
   if (needs_time(request)) {
     wanted.push_back({"t", ColumnKind::Number, "time_s"});
+  } else if (request.interval_s) {
+    wanted.push_back({"t", ColumnKind::Text, "time_s", true});
   }
   return wanted;
 }
@@ -44,6 +46,10 @@ Result<RecordedPath, DataError> read_path(const DataFile& file, const Request& r
     path.y = y;
     if (!request.interval_s) {
       return path;
+    }
+    if (table.value().has("t")) {
+      return data_error(DataErrorId::CannotEvaluate, file, {},
+                        {"it has a column t: --interval is for a file without one"});
     }
     path.t.reserve(x.size());
     for (std::size_t i = 0; i < x.size(); ++i) {

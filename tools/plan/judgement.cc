@@ -114,6 +114,8 @@ std::string_view word_of(Verdict verdict) {
 }
 
 Judgement judged(const std::vector<Measure>& measures, std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  text.remove_prefix(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
   Sheet sheet(measures);
   std::string line;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -12,6 +12,9 @@ namespace {
 /// Handed over at once: with what a port of the PC keeps of its own, still within ten.
 constexpr std::size_t kAhead = 4;
 
+/// How long a printer that has stopped is listened to before somebody may interrupt.
+constexpr std::chrono::steady_clock::duration kBetweenLooks = std::chrono::milliseconds(100);
+
 double seconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double>(time).count();
 }
@@ -19,21 +22,25 @@ double seconds(std::chrono::nanoseconds time) {
 }  // namespace
 
 SerialPrinter::SerialPrinter(LineSpec line, std::chrono::nanoseconds patience,
-                             std::shared_ptr<SerialPort> port)
+                             std::shared_ptr<SerialPort> port,
+                             const runtime::Interruption* interruption)
     : line_(std::move(line)),
       patience_(patience),
+      interruption_(interruption),
       wire_(std::move(port)),
       character_time_(std::chrono::duration_cast<std::chrono::nanoseconds>(
           std::chrono::duration<double>(character_time_s(line_)))),
       sent_by_(Clock::now()) {}
 
 Result<std::shared_ptr<SerialPrinter>, std::string> SerialPrinter::open(
-    const LineSpec& line, std::chrono::nanoseconds patience) {
+    const LineSpec& line, std::chrono::nanoseconds patience,
+    const runtime::Interruption* interruption) {
   const auto port = open_serial_port(line);
   if (!port) {
     return port.error();
   }
-  return std::shared_ptr<SerialPrinter>(new SerialPrinter(line, patience, port.value()));
+  return std::shared_ptr<SerialPrinter>(
+      new SerialPrinter(line, patience, port.value(), interruption));
 }
 
 runtime::PrinterPort::Problem SerialPrinter::select() {
@@ -69,7 +76,7 @@ runtime::PrinterPort::Problem SerialPrinter::send_control(ControlCode code) {
 
 runtime::PrinterPort::Problem SerialPrinter::transmit(std::string_view coded) {
   Clock::time_point last_taken = Clock::now();
-  while (!coded.empty()) {
+  while (!coded.empty() && !runtime::is_interrupted(interruption_)) {
     if (auto wrong = until_sent()) {
       return wrong;
     }
@@ -99,19 +106,19 @@ runtime::PrinterPort::Problem SerialPrinter::until_sent() {
     if (auto wrong = listen(sent_by_ - Clock::now())) {
       return wrong;
     }
-  } while (Clock::now() < sent_by_);
+  } while (Clock::now() < sent_by_ && !runtime::is_interrupted(interruption_));
   return std::nullopt;
 }
 
 runtime::PrinterPort::Problem SerialPrinter::while_stopped() {
   const Clock::time_point last = Clock::now() + patience_;
-  while (stopped_) {
-    const auto left = last - Clock::now();
+  while (stopped_ && !runtime::is_interrupted(interruption_)) {
+    const Clock::duration left = last - Clock::now();
     if (left <= left.zero()) {
       return problem(fmt::format("the printer sent DC3 (stop) and no DC1 (resume) for {:g} s",
                                  seconds(patience_)));
     }
-    if (auto wrong = listen(left)) {
+    if (auto wrong = listen(std::min(left, kBetweenLooks))) {
       return wrong;
     }
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "interpreter/runtime/interruption.h"
 #include "interpreter/runtime/printer_port.h"
 #include "machine/base/result.h"
 #include "tools/printer/line_code.h"
@@ -22,9 +23,11 @@ class SerialPrinter final : public runtime::PrinterPort {
  public:
   /// @param patience  how long the printer may keep the program waiting at a time; a control waits
   ///                  without end
+  /// @param interruption  what is left is not sent any more then; outlives this; nullptr: never
   /// @returns why the line cannot be opened
   static Result<std::shared_ptr<SerialPrinter>, std::string> open(
-      const LineSpec& line, std::chrono::nanoseconds patience);
+      const LineSpec& line, std::chrono::nanoseconds patience,
+      const runtime::Interruption* interruption = nullptr);
 
   Problem select() override;
   Problem send(std::string_view bytes, runtime::PrintCode code) override;
@@ -33,7 +36,8 @@ class SerialPrinter final : public runtime::PrinterPort {
  private:
   using Clock = std::chrono::steady_clock;
 
-  SerialPrinter(LineSpec line, std::chrono::nanoseconds patience, std::shared_ptr<SerialPort> port);
+  SerialPrinter(LineSpec line, std::chrono::nanoseconds patience, std::shared_ptr<SerialPort> port,
+                const runtime::Interruption* interruption);
   Problem send_control(ControlCode code);
   Problem transmit(std::string_view coded);
   Problem until_sent();
@@ -43,6 +47,7 @@ class SerialPrinter final : public runtime::PrinterPort {
 
   LineSpec line_;
   std::chrono::nanoseconds patience_;
+  const runtime::Interruption* interruption_;
   SerialLine wire_;
   std::chrono::nanoseconds character_time_;
   Clock::time_point sent_by_;  // when the line has carried all that it was given

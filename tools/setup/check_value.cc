@@ -144,6 +144,7 @@ bool text_within(Limit limit, const std::string& text) {
       return has_name(expect::kResultUnits, text);
     case Limit::Any:
     case Limit::Positive:
+    case Limit::Resolution:
     case Limit::NotNegative:
     case Limit::Share:
     case Limit::Bit:

@@ -70,6 +70,7 @@ enum class ValueType {
 enum class Limit {
   Any,
   Positive,
+  Resolution,  ///< 1e-9..1e9
   NotNegative,
   Share,          ///< 0..1
   Bit,            ///< 0 or 1

@@ -41,6 +41,7 @@ constexpr LimitWords kLimitWords[] = {
     {Limit::ToolProbeSide, "\"bed\" or \"table\""},
     {Limit::MeshUnit, "\"um\", \"mm\", \"cm\", \"m\", \"inch\" or \"foot\""},
     {Limit::Positive, "greater than 0"},
+    {Limit::Resolution, "1e-9 to 1e9"},
     {Limit::NotNegative, "0 or more"},
     {Limit::Share, "0 to 1"},
     {Limit::Bit, "0 or 1"},
@@ -78,6 +79,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 constexpr auto kNumberRanges = std::to_array<NumberRange>({
     {.of = Limit::Positive, .least = 0.0, .most = kEndless, .without_least = true},
+    {.of = Limit::Resolution, .least = 1e-9, .most = 1e9},
     {.of = Limit::NotNegative, .least = 0.0, .most = kEndless},
     {.of = Limit::Share, .least = 0.0, .most = 1.0},
     {.of = Limit::Bit, .least = 0.0, .most = 0.0},

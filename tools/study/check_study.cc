@@ -29,6 +29,8 @@ setup::Limit limit_of(StudyLimit limit) {
       return setup::Limit::NotEmpty;
     case StudyLimit::Positive:
       return setup::Limit::Positive;
+    case StudyLimit::Resolution:
+      return setup::Limit::Resolution;
     case StudyLimit::NotNegative:
       return setup::Limit::NotNegative;
   }

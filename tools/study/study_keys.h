@@ -26,7 +26,7 @@ enum class StudyKey {
 
 enum class StudySectionForm { One, Named, List };
 enum class StudyType { Text, Texts, Values, Number, WholeNumber };
-enum class StudyLimit { Any, NotEmpty, Positive, NotNegative, Choice };
+enum class StudyLimit { Any, NotEmpty, Positive, Resolution, NotNegative, Choice };
 
 struct StudySectionRow {
   StudySection id;

@@ -37,6 +37,9 @@ class Printout {
   /// To the printer, if there is one, then to the observer: it hears only what was printed.
   MaybeFailure deliver(Control& control) const {
     std::string whole;
+    if (control.printer != nullptr) {
+      control.watch.has_waited();
+    }
     for (const Piece& piece : pieces_) {
       if (control.printer != nullptr) {
         if (auto problem = control.printer->send(piece.bytes, piece.code)) {
@@ -67,6 +70,7 @@ class Printout {
 MaybeFailure open_or_close(Control& control, OutputStatement statement) {
   const bool opens = statement == OutputStatement::POPEN;
   if (control.printer != nullptr) {
+    control.watch.has_waited();
     auto problem = opens ? control.printer->select() : control.printer->release();
     if (problem) {
       return Printout::not_ready(std::move(*problem));
