@@ -104,6 +104,13 @@ bool is_choice(Limit limit, const std::string& text) {
   return std::ranges::find(choices, text) != choices.end();
 }
 
+/// Of a probe's state, a kind of tools, a shape of tool probes.
+bool is_word_of_probes(Limit limit, const std::string& text) {
+  return limit == Limit::ProbeState ? has_name(probe::kProbeStateNames, text)
+         : limit == Limit::ToolKind ? has_name(probe::kToolKindNames, text)
+                                    : has_name(probe::kToolProbeShapeNames, text);
+}
+
 bool text_within(Limit limit, const std::string& text) {
   switch (limit) {
     case Limit::NotEmpty:
@@ -121,11 +128,9 @@ bool text_within(Limit limit, const std::string& text) {
     case Limit::RunStatus:
       return is_run_status(text);
     case Limit::ProbeState:
-      return has_name(probe::kProbeStateNames, text);
     case Limit::ToolKind:
-      return has_name(probe::kToolKindNames, text);
     case Limit::ToolProbeShape:
-      return has_name(probe::kToolProbeShapeNames, text);
+      return is_word_of_probes(limit, text);
     case Limit::AxisLetter:
       return text.size() == 1 && axis_index(text.front()) >= 0;
     case Limit::AxisLetters:
