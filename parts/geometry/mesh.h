@@ -13,6 +13,7 @@ namespace g31::parts {
 struct Mesh {
   std::vector<Point> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  double rounding_mm = 0.0;  ///< by how much the file that it comes from may round coordinates
 };
 
 }  // namespace g31::parts

@@ -4,6 +4,7 @@
 
 #include "machine/base/module.h"
 #include "parts/import/assimp_module.h"
+#include "parts/import/coordinate_rounding.h"
 #include "parts/import/made_apart.h"
 
 namespace g31::parts {
@@ -31,6 +32,7 @@ Result<Mesh, std::string> read_through_assimp(const std::string& path, std::stri
   if (!read.error.empty()) {
     return std::move(read.error);
   }
+  read.made.rounding_mm = rounding_of(read.made);
   return std::move(read.made);
 }
 

@@ -237,6 +237,7 @@ Read read_in_mm(const std::string& path, const MeshFileReading& how) {
   for (Point& vertex : mesh.vertices) {
     vertex *= unit_mm * how.scale;
   }
+  mesh.rounding_mm *= unit_mm * how.scale;
   return mesh;
 }
 

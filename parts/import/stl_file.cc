@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "parts/import/coordinate_rounding.h"
 #include "parts/import/mesh_limits.h"
 #include "parts/import/text_lines.h"
 #include "parts/import/vertex_weld.h"
@@ -219,6 +220,7 @@ Result<Mesh, std::string> read_binary_stl(std::istream& file, std::uint64_t size
     add_facets({facets.data(), now * kStlFacet}, weld, mesh);
     done += now;
   }
+  mesh.rounding_mm = rounding_of(mesh);
   return mesh;
 }
 

@@ -94,6 +94,39 @@ TEST(PartFindings, FacetsWithoutAreaAreANote) {
       << output.errors;
 }
 
+std::string binary_stl(const parts::Mesh& mesh) {
+  std::string stl(80, ' ');
+  const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+  stl.append(reinterpret_cast<const char*>(&count), sizeof count);
+  for (const auto& triangle : mesh.triangles) {
+    stl.append(12, '\0');
+    for (const std::uint32_t corner : triangle) {
+      for (const double mm : mesh.vertices[corner]) {
+        const auto rounded = static_cast<float>(mm);
+        stl.append(reinterpret_cast<const char*>(&rounded), sizeof rounded);
+      }
+    }
+    stl.append(2, '\0');
+  }
+  return stl;
+}
+
+/// float32 steps by 2^-9 mm from 16,384 mm on, so a coordinate is off by half of it: 0.98 um.
+TEST(PartFindings, CoordinatesFarFromTheOriginOfTheirFileAreTold) {
+  parts::Mesh mesh = box_mesh({10, 10, 10});
+  EXPECT_EQ(run_on(binary_stl(mesh), "").errors, "");
+  for (Point& vertex : mesh.vertices) {
+    vertex.x() += 20'000.0;
+  }
+  const RunOutput told = run_on(binary_stl(mesh), "");
+  EXPECT_EQ(told.exit_code, 1);
+  EXPECT_NE(told.errors.find("the mesh of a part is far from the origin of its file: coordinates "
+                             "of 'box' are off by up to 0.00098 mm [PRB520]"),
+            std::string::npos)
+      << told.errors;
+  EXPECT_EQ(run_on(text_stl(mesh), "").errors.find("PRB520"), std::string::npos);
+}
+
 TEST(PartFindings, WhatIsNotJudgedIsANote) {
   // 4,600 tetrahedra side by side: each is asked about all, 20 million times in all; that is spent
   // with the 4,347th.

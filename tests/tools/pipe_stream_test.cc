@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -111,6 +112,19 @@ TEST_F(PipeStream, IsWhatAPartFileWritesInto) {
   EXPECT_EQ(taken(100), "line\n");
   EXPECT_EQ(file.value()->finish(), std::nullopt);
   EXPECT_EQ(taken(100), "half");
+}
+
+/// Not by a signal: what the run has done so far is still told.
+TEST_F(PipeStream, WhoseReaderIsGoneFails) {
+  std::FILE* const file = disk::pipe_stream(writer(), 5.0);
+  ASSERT_NE(file, nullptr);
+  ::close(std::exchange(reader_, -1));
+  const std::string text = lines(10'000);
+  (void)std::fwrite(text.data(), 1, text.size(), file);
+  EXPECT_NE(std::ferror(file), 0);
+  EXPECT_NE(std::fclose(file), 0);
+  EXPECT_EQ(errno, EPIPE);
+  EXPECT_EQ(disk::words_for(EPIPE), "nobody reads this pipe any more");
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <cerrno>
 #include <climits>
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <cstring>
+#include <ctime>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -17,6 +19,37 @@ namespace {
 
 /// What the system says of a pipe that was given up; nothing else that we write to says it.
 constexpr int kGivenUp = ETIMEDOUT;
+
+/// While it lives, a pipe without a reader is EPIPE for this thread, not the end of the process:
+/// what has been done so far is still told.
+class WithoutPipeSignal {
+ public:
+  WithoutPipeSignal() {
+    ::sigemptyset(&pipe_);
+    ::sigaddset(&pipe_, SIGPIPE);
+    sigset_t pending;
+    ::sigpending(&pending);
+    was_pending_ = ::sigismember(&pending, SIGPIPE) != 0;
+    ::pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  WithoutPipeSignal(const WithoutPipeSignal&) = delete;
+  WithoutPipeSignal& operator=(const WithoutPipeSignal&) = delete;
+  ~WithoutPipeSignal() {
+    const int error = errno;
+    if (!was_pending_) {
+      constexpr timespec kAtOnce{0, 0};
+      while (::sigtimedwait(&pipe_, nullptr, &kAtOnce) < 0 && errno == EINTR) {
+      }
+    }
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    errno = error;
+  }
+
+ private:
+  sigset_t pipe_ = {};
+  sigset_t before_ = {};
+  bool was_pending_ = false;
+};
 
 class Pipe {
  public:
@@ -61,6 +94,7 @@ class Pipe {
   }
 
   void send(std::string_view piece) {
+    const WithoutPipeSignal quiet;
     while (error_ == 0) {
       if (::write(descriptor_, piece.data(), piece.size()) >= 0) {
         return;
@@ -117,7 +151,8 @@ std::FILE* pipe_stream(int descriptor, double stall_s) {
 std::string words_for(int error) {
   return error == kGivenUp
              ? fmt::format("whoever reads this pipe has taken nothing for {} s", kPipeStallS)
-             : std::string(std::strerror(error));
+         : error == EPIPE ? std::string("nobody reads this pipe any more")
+                          : std::string(std::strerror(error));
 }
 
 }  // namespace g31::disk

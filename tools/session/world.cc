@@ -81,6 +81,18 @@ void add_findings(const parts::Mesh& mesh_P, const std::string& part,
   }
 }
 
+/// Of a file whose coordinates are rounded by more than a measurement would show.
+void add_rounding(const parts::Mesh& mesh_P, const std::string& part,
+                  const source::ShownPlace& place, std::vector<source::Diagnostic>& findings) {
+  constexpr double kToldMm = 0.0003;
+  if (mesh_P.rounding_mm > kToldMm) {
+    findings.push_back(source::make_diagnostic(
+        source::DiagnosticId::MeshCoarse, {},
+        fmt::format(": coordinates of '{}' are off by up to {:.2g} mm", part, mesh_P.rounding_mm)));
+    findings.back().in_sheet = place;
+  }
+}
+
 /// Adds a part of the sheet to those that are made.  @returns why it cannot be made or read
 /// @throws parts::BrokenOff
 std::optional<Refusal> add_part(const setup::Job& job, std::size_t which,
@@ -97,6 +109,7 @@ std::optional<Refusal> add_part(const setup::Job& job, std::size_t which,
   if (part.shape.empty() && part.is_closed) {
     add_findings(mesh_P.value(), part.name, in_sheet, goes_on, built.findings);
   }
+  add_rounding(mesh_P.value(), part.name, in_sheet, built.findings);
   const parts::Placement place{part.p_M_at, part.rotate_deg, part.growth.per_unit()};
   built.parts.push_back({part.name, parts::placed_mesh(mesh_P.value(), place)});
   built.parts.back().is_solid = part.is_closed;

@@ -31,7 +31,7 @@ struct World {
 /// The parts of a set-up where they stand, and what is wrong with their meshes.
 struct BuiltParts {
   std::vector<probe::ProbedPart> parts;
-  std::vector<source::Diagnostic> findings;  ///< PRB511 to PRB516 and PRB518, by parts
+  std::vector<source::Diagnostic> findings;  ///< PRB511 to PRB516, PRB518 and PRB520, by parts
 };
 
 /// The parts of a set-up; none where signals come from a script and no sensor is.

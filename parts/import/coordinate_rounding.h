@@ -1,0 +1,24 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "parts/geometry/mesh.h"
+
+namespace g31::parts {
+
+/// Half a step of float32 at the coordinate of a mesh that is furthest out, in its own unit; 0 of
+/// one whose coordinates float32 does not hold: it is refused.
+inline double rounding_of(const Mesh& mesh) {
+  double furthest = 0.0;
+  for (const Point& vertex : mesh.vertices) {
+    furthest = std::max(furthest, vertex.cwiseAbs().maxCoeff());
+  }
+  if (!(furthest > 0.0 && furthest < static_cast<double>(std::numeric_limits<float>::max()))) {
+    return 0.0;
+  }
+  return 0.5 * std::ldexp(1.0, std::ilogb(furthest) + 1 - std::numeric_limits<float>::digits);
+}
+
+}  // namespace g31::parts
