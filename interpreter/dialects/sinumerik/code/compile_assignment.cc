@@ -132,6 +132,7 @@ void Assignments::assign_component(const Expr& frame) {
       keep_arguments({argument_of(value), argument_of(axis), argument_of(component)});
   code_.emit(OpCode::StoreComponent, changed, {},
              {Bank::Constants, static_cast<std::int32_t>(first)}, frame.where);
+  code_.last().count = 3;
   code_.emit(OpCode::StoreFrame, changed, frame.element, variable_number(frame.variable),
              frame.where);
 }
