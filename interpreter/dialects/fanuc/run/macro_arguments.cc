@@ -78,27 +78,29 @@ MaybeFailure MacroArguments::put_among(Variables::Locals& locals,
   return std::nullopt;
 }
 
-void MacroArguments::follow() {
+/// Each argument by itself: what the block has read as a whole is of no variable.
+void MacroArguments::assign_to(std::size_t depth) {
   runtime::MissedTouches& missed = control_.touches.missed;
   missed.passes_on();
   for (const auto& [variable, reading] : made_of_) {
     missed.reads(reading);
-    missed.assigns(holder_of(control_.variables.depth(), variable));
+    missed.assigns(holder_of(depth, variable));
   }
 }
 
+void MacroArguments::follow() {
+  assign_to(control_.variables.depth());
+}
+
 void MacroArguments::keep_for_modal_call(std::size_t which) {
-  runtime::MissedTouches& missed = control_.touches.missed;
-  missed.forget(holder_of(modal_depth(which), kFirstLocal),
-                holder_of(modal_depth(which), kLocalCount));
-  for (const auto& [variable, reading] : made_of_) {
-    missed.reads(reading);
-    missed.assigns(holder_of(modal_depth(which), variable));
-  }
+  const std::size_t depth = modal_depth(which);
+  control_.touches.missed.forget(holder_of(depth, kFirstLocal), holder_of(depth, kLocalCount));
+  assign_to(depth);
 }
 
 void MacroArguments::follow_modal_call(std::size_t which) {
   runtime::MissedTouches& missed = control_.touches.missed;
+  missed.passes_on();
   for (std::int32_t variable = kFirstLocal; missed.any() && variable <= kLocalCount; ++variable) {
     missed.reads(holder_of(modal_depth(which), variable));
     missed.assigns(holder_of(control_.variables.depth(), variable));

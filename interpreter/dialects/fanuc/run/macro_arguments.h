@@ -41,6 +41,8 @@ class MacroArguments {
   const CallStack& stack_;
   const RunningWords& running_;
   Control& control_;
+  void assign_to(std::size_t depth);
+
   /// What the arguments are made of of skip moves without a signal, by variable.
   std::vector<std::pair<std::int32_t, runtime::MissedTouches::Reading>> made_of_;
 };
