@@ -240,13 +240,13 @@ void FanucTranslation::nc_words(const syntax::Block& block) {
 void FanucTranslation::add_unsimulated(const Word& code) {
   const fanuc::GCode* const row = fanuc::find_g_code(code.number);
   const bool is_there = row != nullptr && fanuc::has_g_code(profile_, *row);
-  if (is_there && row->action == fanuc::GAction::Refused) {
-    builder_.fault({Fault::Kind::NotSimulated,
-                    fanuc::number_of(AlarmId::ImproperGCode, profile_.alarm_numbers), code.span,
-                    fmt::format("{}, {}: a run ends here", to_text(row->number), row->text), ""});
-  } else if (is_there && row->action == fanuc::GAction::Unsimulated) {
-    builder_.fault({Fault::Kind::NotSimulated, 0, code.span,
-                    fmt::format("{}, {}: a run passes over it", to_text(row->number), row->text),
+  const bool ends_run = is_there && row->action == fanuc::GAction::Refused;
+  if (ends_run || (is_there && row->action == fanuc::GAction::Unsimulated)) {
+    const int alarm =
+        ends_run ? fanuc::number_of(AlarmId::ImproperGCode, profile_.alarm_numbers) : 0;
+    builder_.fault({Fault::Kind::NotSimulated, alarm, code.span,
+                    fmt::format("{}, {}: {}", to_text(row->number), row->text,
+                                ends_run ? "a run ends here" : "a run passes over it"),
                     ""});
   }
 }

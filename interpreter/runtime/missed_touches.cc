@@ -139,14 +139,11 @@ void MissedTouches::compares(const Side& left, const Side& right) {
   // they would have it.
   const bool is_near = std::abs(left.value - right.value) * miss_.mm_per_unit <= kSamePlaceMm &&
                        seen.measured.size() <= 1;
-  for (const Moves* moves : {&seen.looks, &seen.results}) {
-    const bool shows_end = moves == &seen.looks || miss_.result == Result::End;
-    if (is_near && shows_end) {
-      settle(*moves);
-    } else {
-      excuse(*moves);
-    }
-  }
+  const auto judge = [&](const Moves& moves, bool shows_end) {
+    is_near&& shows_end ? settle(moves) : excuse(moves);
+  };
+  judge(seen.looks, true);
+  judge(seen.results, miss_.result == Result::End);
 }
 
 void MissedTouches::decides() {

@@ -51,6 +51,13 @@ std::string left_out(const parts::MeshDefects& defects) {
   return text;
 }
 
+/// One more finding about a part.
+void tell(source::DiagnosticId id, const std::string& what, const source::ShownPlace& place,
+          std::vector<source::Diagnostic>& findings) {
+  findings.push_back(source::make_diagnostic(id, {}, what));
+  findings.back().in_sheet = place;
+}
+
 /// What is wrong with a mesh, in the words of a run.
 void add_findings(const parts::Mesh& mesh_P, const std::string& part,
                   const source::ShownPlace& place, const parts::GoesOn& goes_on,
@@ -61,11 +68,10 @@ void add_findings(const parts::Mesh& mesh_P, const std::string& part,
       const Point& p = defect.p_P_first;
       // + 0.0: no -0 among the coordinates.
       const auto rounded = [](double mm) { return std::round(1000.0 * mm) / 1000.0 + 0.0; };
-      findings.push_back(source::make_diagnostic(
-          id, {},
-          fmt::format(": {} of '{}', first at X{} Y{} Z{} in its file", defect.count, part,
-                      rounded(p.x()), rounded(p.y()), rounded(p.z()))));
-      findings.back().in_sheet = place;
+      tell(id,
+           fmt::format(": {} of '{}', first at X{} Y{} Z{} in its file", defect.count, part,
+                       rounded(p.x()), rounded(p.y()), rounded(p.z())),
+           place, findings);
     }
   };
   add(source::DiagnosticId::MeshOpen, defects.open_edges);
@@ -75,9 +81,8 @@ void add_findings(const parts::Mesh& mesh_P, const std::string& part,
   add(source::DiagnosticId::MeshSelfContact, defects.self_contacts);
   add(source::DiagnosticId::MeshFlat, defects.flat_facets);
   if (const std::string left = left_out(defects); !left.empty()) {
-    findings.push_back(source::make_diagnostic(source::DiagnosticId::MeshNotJudged, {},
-                                               fmt::format(": of '{}' {}", part, left)));
-    findings.back().in_sheet = place;
+    tell(source::DiagnosticId::MeshNotJudged, fmt::format(": of '{}' {}", part, left), place,
+         findings);
   }
 }
 
@@ -86,10 +91,9 @@ void add_rounding(const parts::Mesh& mesh_P, const std::string& part,
                   const source::ShownPlace& place, std::vector<source::Diagnostic>& findings) {
   constexpr double kToldMm = 0.0003;
   if (mesh_P.rounding_mm > kToldMm) {
-    findings.push_back(source::make_diagnostic(
-        source::DiagnosticId::MeshCoarse, {},
-        fmt::format(": coordinates of '{}' are off by up to {:.2g} mm", part, mesh_P.rounding_mm)));
-    findings.back().in_sheet = place;
+    tell(source::DiagnosticId::MeshCoarse,
+         fmt::format(": coordinates of '{}' are off by up to {:.2g} mm", part, mesh_P.rounding_mm),
+         place, findings);
   }
 }
 

@@ -33,7 +33,8 @@ class MissedResults {
 
   /// MCALL keeps the values until it calls.
   void keep_for_modal_call(const std::vector<runtime::MissedTouches::Holder>& given);
-  void follow_modal_call() { follow_arguments(modal_call_); }
+  /// @param count  of its arguments
+  void follow_modal_call(std::size_t count);
 
   /// The variables of a level, or the results within a block, are gone.
   void forget(std::span<const double> cells);
@@ -48,7 +49,6 @@ class MissedResults {
   void follow_block(const Op& op);
   void read_arguments(Arguments list);
   std::span<const double> cells_of(const Argument& whole);
-  void fill(std::span<const double> cells, const runtime::MissedTouches::Reading& reading);
   const double& element(const Op& op);
   void use_measured();
 
@@ -56,8 +56,7 @@ class MissedResults {
   Operands& operands_;
   Channel& channel_;
   runtime::MissedTouches& missed_;
-  std::vector<runtime::MissedTouches::Holder> modal_call_;  ///< where its arguments wait
-  std::vector<runtime::MissedTouches::Reading> of_words_;   ///< of the block
+  std::vector<runtime::MissedTouches::Reading> of_words_;  ///< of the block
 };
 
 }  // namespace g31::sinumerik

@@ -322,7 +322,7 @@ MaybeFailure Calls::modal_call() {
     return wrong;
   }
   level().is_modal_call = true;
-  missed_.follow_modal_call();
+  missed_.follow_modal_call(stack_.modal_call->values.size());
   return std::nullopt;
 }
 

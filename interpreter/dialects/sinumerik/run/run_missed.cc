@@ -161,7 +161,11 @@ void MissedResults::follow_function(const Op& op) {
   const Arguments list = operands_.arguments_of(op);
   if (id == FunctionId::CALCDAT) {
     read_arguments(list.first(list.size() - 1));
-    fill(cells_of(list.back()), missed_.set_aside());
+    const auto reading = missed_.set_aside();
+    for (const double& cell : cells_of(list.back())) {
+      missed_.reads(reading);
+      missed_.assigns(holder_of(cell));
+    }
     return;
   }
   read_arguments(list);
@@ -172,14 +176,6 @@ void MissedResults::follow_function(const Op& op) {
     missed_.assigns(holder_of(operands_.number(op.result)));
   } else {
     missed_.passes_on();
-  }
-}
-
-void MissedResults::fill(std::span<const double> cells,
-                         const runtime::MissedTouches::Reading& reading) {
-  for (const double& cell : cells) {
-    missed_.reads(reading);
-    missed_.assigns(holder_of(cell));
   }
 }
 
@@ -240,12 +236,21 @@ void MissedResults::follow_arguments(const std::vector<runtime::MissedTouches::H
 
 void MissedResults::keep_for_modal_call(const std::vector<runtime::MissedTouches::Holder>& given) {
   missed_.forget(of_modal_call(0), of_modal_call(kMostArguments));
-  modal_call_.clear();
   for (std::size_t i = 0; i < given.size(); ++i) {
     missed_.reads(given[i]);
     missed_.assigns(of_modal_call(i));
-    modal_call_.push_back(of_modal_call(i));
   }
+}
+
+void MissedResults::follow_modal_call(std::size_t count) {
+  if (!missed_.any()) {
+    return;
+  }
+  std::vector<runtime::MissedTouches::Holder> waiting;
+  for (std::size_t i = 0; i < count; ++i) {
+    waiting.push_back(of_modal_call(i));
+  }
+  follow_arguments(waiting);
 }
 
 void MissedResults::follow_read(const Op& op) {
