@@ -135,6 +135,39 @@ class Safety(Served):
         print(f"answered {took:.2f} s behind 300 connections that say nothing", file=sys.stderr)
         self.assertLess(took, 2.0, "each of them is waited for 2 s")
 
+    def test_clients_that_drip_take_nothing_or_say_nothing_do_not_delay_ctrl_c(self):
+        self.start()
+        self.until("Completed")
+        links = [socket.create_connection(("127.0.0.1", self.port)) for _ in range(3)]
+        self.addCleanup(lambda: [one.close() for one in links])
+        drips, takes_nothing, _ = links
+        takes_nothing.sendall(f"GET /?t={self.token} HTTP/1.1\r\nHost: 127.0.0.1:{self.port}\r\n\r\n".encode())
+        began = None
+        for byte in b"GET / HTTP/1.1\r\nHost: " + b"x" * 1000:
+            try:
+                drips.send(bytes([byte]))
+            except OSError:
+                break
+            time.sleep(0.05)
+            if byte == ord("x") and began is None:
+                began = time.monotonic()
+                self.view.send_signal(signal.SIGINT)
+            if self.view.poll() is not None:
+                break
+        self.assertEqual(self.view.wait(timeout=GENEROUS), 0)
+        self.assertLess(time.monotonic() - began, 2.0)
+
+    def test_a_request_that_drips_is_given_up(self):
+        self.start()
+        drips = socket.create_connection(("127.0.0.1", self.port))
+        self.addCleanup(drips.close)
+        began = time.monotonic()
+        with self.assertRaises(OSError):
+            while time.monotonic() - began < GENEROUS:
+                drips.send(b"x")
+                time.sleep(0.1)
+        self.assertEqual(self.ask()[0], 200)
+
 
 class Live(Served):
     def test_a_save_shows_and_so_does_an_error_until_it_is_mended(self):

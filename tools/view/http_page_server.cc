@@ -15,7 +15,9 @@
 #include <httplib.h>
 #include <sys/random.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
+#include "tools/view/connection.h"
 #include "tools/view/elastic_threads.h"
 #include "tools/view/server_module.h"
 
@@ -50,6 +52,26 @@ bool are_equal(std::string_view a, std::string_view b) {
   return differs == 0;
 }
 
+/// The library's server, but no client keeps it from ending.
+class PromptServer final : public httplib::Server {
+ public:
+  /// @param ends  outlives the server
+  explicit PromptServer(const std::atomic<bool>& ends) : ends_(ends) {}
+
+ private:
+  /// One request and its answer.
+  bool process_and_close_socket(socket_t socket) override {
+    Connection connection(socket, ends_);
+    bool is_closed = false;
+    const bool is_answered = process_request(connection, true, is_closed, nullptr);
+    ::shutdown(socket, SHUT_RDWR);
+    ::close(socket);
+    return is_answered;
+  }
+
+  const std::atomic<bool>& ends_;
+};
+
 class HttpPageServer final : public PageServer {
  public:
   HttpPageServer() = default;
@@ -75,7 +97,8 @@ class HttpPageServer final : public PageServer {
   /// Waits for an edition other than `last`.  @returns it, or `last` where none came in time
   std::uint64_t next_edition(std::uint64_t last);
 
-  httplib::Server server_;
+  std::atomic<bool> ends_ = false;
+  PromptServer server_{ends_};
   socket_t socket_ = INVALID_SOCKET;
   std::string token_;
   int port_ = 0;
@@ -85,7 +108,6 @@ class HttpPageServer final : public PageServer {
   std::condition_variable changed_;
   std::uint64_t edition_ = 0;
   std::shared_ptr<const std::string> html_;
-  std::atomic<bool> ends_ = false;
 };
 
 int HttpPageServer::refusal_of(const httplib::Request& request) const {
@@ -108,10 +130,7 @@ int HttpPageServer::refusal_of(const httplib::Request& request) const {
 
 void HttpPageServer::set_up() {
   server_.new_task_queue = [] { return new ElasticThreads(); };  // the server's own
-  server_.set_keep_alive_max_count(1);
   server_.set_payload_max_length(kMostPayload);
-  server_.set_read_timeout(kPatience);
-  server_.set_write_timeout(kPatience);
   // No other program may share the port, as the library would let it.
   server_.set_socket_options([this](socket_t socket) {
     socket_ = socket;
