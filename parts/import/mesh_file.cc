@@ -51,6 +51,9 @@ std::optional<std::string> why_unreadable(const std::string& path) {
   if (kind == std::filesystem::file_type::directory) {
     return "this is a folder; name an STL, OBJ, PLY, OFF, 3MF or STEP file in it";
   }
+  if (kind != std::filesystem::file_type::regular) {
+    return kNoRegularFile;
+  }
   return std::nullopt;
 }
 

@@ -11,10 +11,14 @@ namespace g31::parts {
 /// How far the facets of a STEP file may be from its surfaces where nothing else is asked for, mm.
 inline constexpr double kStepSagittaMm = 1e-3;
 
+/// Why a pipe or a device is not read as a part.
+inline constexpr const char* kNoRegularFile =
+    "this is a pipe or a device; a part is read from a regular file: save it as one first";
+
 /// How a file becomes a mesh, beside what it says itself.
 struct MeshFileReading {
   double step_sagitta_mm = kStepSagittaMm;  ///< > 0, for STEP only
-  std::string unit;                         ///< a name of mesh_units.def; empty: the file's, or mm
+  std::string unit = {};                    ///< a name of mesh_units.def; empty: the file's, or mm
   double scale = 1.0;                       ///< > 0: factor of all lengths
   GoesOn goes_on = {};                      ///< may break the reading off
 };

@@ -18,27 +18,32 @@
 namespace g31::parts {
 namespace {
 
-Result<SolidSource, std::string> source_of(const std::string& path) {
+Result<SolidSource, std::string> source_of(const std::string& path, const GoesOn& goes_on) {
   std::error_code unknown;
   if (!std::filesystem::exists(path, unknown)) {
     return path + ": there is no such file";
   }
+  if (!std::filesystem::is_regular_file(path, unknown)) {
+    return fmt::format("{}: {}", path, kNoRegularFile);
+  }
   if (is_step_file(path)) {
     return SolidSource{path, path, {}};
   }
-  const auto mesh = read_mesh_file(path);
+  const auto mesh = read_mesh_file(path, {.goes_on = goes_on});
   return mesh ? Result<SolidSource, std::string>(SolidSource{path, "", mesh.value()})
               : Result<SolidSource, std::string>(path + ": " + mesh.error());
 }
 
 /// What the module makes of a request, in a process of its own.
 Result<Removal, std::string> remove_apart(decltype(&g31_remove) remove,
-                                          const RemovalRequest& request) {
-  MadeApart<Removal> apart = make_apart<Removal>([&](Removal& removal) {
-    std::string error;
-    remove(&request, &removal, &error);
-    return error;
-  });
+                                          const RemovalRequest& request, const GoesOn& goes_on) {
+  MadeApart<Removal> apart = make_apart<Removal>(
+      [&](Removal& removal) {
+        std::string error;
+        remove(&request, &removal, &error);
+        return error;
+      },
+      goes_on);
   if (!apart.why_not.empty()) {
     return fmt::format("{}: Open CASCADE does not get through it ({})", request.product.name,
                        apart.why_not);
@@ -48,12 +53,13 @@ Result<Removal, std::string> remove_apart(decltype(&g31_remove) remove,
 
 }  // namespace
 
-Result<Removal, std::string> removal_of(const std::string& product, const StockChoice& stock) {
+Result<Removal, std::string> removal_of(const std::string& product, const StockChoice& stock,
+                                        const GoesOn& goes_on) {
   static const ModuleFunction function = find_in_step_library("g31_remove");
   if (function.address == nullptr) {
     return function.why_not;
   }
-  const auto product_source = source_of(product);
+  const auto product_source = source_of(product, goes_on);
   if (!product_source) {
     return product_source.error();
   }
@@ -61,13 +67,14 @@ Result<Removal, std::string> removal_of(const std::string& product, const StockC
   request.product = product_source.value();
   request.block_mm = stock.block_mm;
   if (!stock.file.empty()) {
-    const auto stock_source = source_of(stock.file);
+    const auto stock_source = source_of(stock.file, goes_on);
     if (!stock_source) {
       return stock_source.error();
     }
     request.stock = stock_source.value();
   }
-  auto removal = remove_apart(reinterpret_cast<decltype(&g31_remove)>(function.address), request);
+  auto removal =
+      remove_apart(reinterpret_cast<decltype(&g31_remove)>(function.address), request, goes_on);
   if (!removal || !request.product.step_path.empty()) {
     return removal;
   }

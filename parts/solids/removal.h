@@ -7,6 +7,7 @@
 #include "machine/base/result.h"
 #include "parts/features/drawn_dimension.h"
 #include "parts/features/removed_volume.h"
+#include "parts/geometry/goes_on.h"
 
 namespace g31::parts {
 
@@ -38,8 +39,10 @@ inline constexpr double kLongestPartMm = 1e4;
 /// @param product  a STEP file of one or more bodies, else a mesh file of one closed surface
 ///
 /// Accuracy: 1e-6 mm.
+/// @throws BrokenOff  as goes_on says
 /// Error: one line with the file: not read, no solid, too many faces, too long, the product is
 /// outside of the stock (by how much, on which side), Open CASCADE cannot cut them.
-Result<Removal, std::string> removal_of(const std::string& product, const StockChoice& stock);
+Result<Removal, std::string> removal_of(const std::string& product, const StockChoice& stock,
+                                        const GoesOn& goes_on = {});
 
 }  // namespace g31::parts

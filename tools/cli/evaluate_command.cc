@@ -22,6 +22,7 @@
 #include "tools/cli/shown_command.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
+#include "tools/disk/waiting.h"
 #include "tools/evaluate/compensation.h"
 #include "tools/evaluate/evaluate.h"
 
@@ -236,6 +237,7 @@ Wrong evaluate_and_write(const EvaluateOptions& options, evaluate::Request& requ
 }  // namespace
 
 ExitCode evaluate_command(const EvaluateOptions& options) {
+  const disk::WaitingLimit limit(options.max_time_s);
   const auto refused = [&options](const session::Refusal& wrong) {
     return refuse(wrong, options.json, "g31.evaluation/1");
   };

@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "tools/disk/disk.h"
+#include "tools/disk/waiting.h"
 
 namespace g31::cli {
 namespace {
@@ -24,7 +24,7 @@ void catch_once(int signal) {
 
 const runtime::Interruption& catch_interruption() {
   catch_once(SIGINT);
-  disk::give_standard_input_up_when(is_asked_for);
+  disk::give_up_waiting_when(is_asked_for);
   return is_asked_for;
 }
 

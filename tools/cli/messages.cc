@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "interpreter/source/diagnostic.h"
+#include "tools/cli/ended_wait.h"
 
 namespace g31::cli {
 
@@ -13,8 +14,9 @@ void print_diagnostics(const runtime::Outcome& outcome, const source::SourceMap&
 }
 
 ExitCode refuse(const session::Refusal& wrong) {
-  std::fputs(session::render(wrong).c_str(), stderr);
-  return exit_code_of(wrong.ending);
+  const session::Refusal told = with_ended_wait(wrong);
+  std::fputs(session::render(told).c_str(), stderr);
+  return exit_code_of(told.ending);
 }
 
 }  // namespace g31::cli

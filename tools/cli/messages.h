@@ -12,7 +12,7 @@ namespace g31::cli {
 /// @param sources  of the programs that ran
 void print_diagnostics(const runtime::Outcome& outcome, const source::SourceMap& sources);
 
-/// Says why on standard error.
+/// Says why on standard error, as with_ended_wait().
 ExitCode refuse(const session::Refusal& wrong);
 
 }  // namespace g31::cli

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "tools/cli/ended_wait.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
@@ -112,7 +113,8 @@ session::Refusal not_a_document(const std::string& json) {
       fmt::format("--json {}: this file is no document of g31, so it stays as it is", json));
 }
 
-ExitCode refuse(const session::Refusal& wrong, const std::string& json, std::string_view schema) {
+ExitCode refuse(const session::Refusal& given, const std::string& json, std::string_view schema) {
+  const session::Refusal wrong = with_ended_wait(given);
   const ExitCode code = refuse(wrong);
   if (json.empty() || wrong.ending == session::Ending::Interrupted) {
     return code;  // who interrupts the work wants no file of it

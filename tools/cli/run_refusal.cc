@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/cli/ended_wait.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/output_places.h"
 #include "tools/cli/refusal_document.h"
@@ -16,6 +17,7 @@
 #include "tools/cli/run_page.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
+#include "tools/disk/waiting.h"
 #include "tools/report/event_log.h"
 #include "tools/report/run_document.h"
 #include "tools/session/ending.h"
@@ -152,15 +154,13 @@ ExitCode run_or_tell(const RunOptions& options, const RunWork& work) {
     return refuse(*wrong);
   }
   remove_old_results(options);
+  const disk::WaitingLimit limit(options.budget.wall_seconds);
   try {
     const auto done = work();
     if (done) {
       return done.value();
     }
-    // What could not be read was waited for until somebody ended the waiting.
-    const bool is_broken_off = done.error().ending == session::Ending::BadInput &&
-                               runtime::is_interrupted(options.budget.interruption);
-    return tell(options, is_broken_off ? session::interrupted() : done.error());
+    return tell(options, with_ended_wait(done.error()));
   } catch (const std::exception& defect) {
     return tell(options, {session::Ending::Defect, defect.what(), {}});
   }

@@ -14,6 +14,7 @@
 #include "tools/cli/svg_to_png.h"
 #include "tools/cli/write_out.h"
 #include "tools/disk/disk.h"
+#include "tools/disk/waiting.h"
 #include "tools/gltf/gltf_document.h"
 #include "tools/picture/pictured_part.h"
 #include "tools/picture/still.h"
@@ -166,6 +167,7 @@ Result<ExitCode, session::Refusal> do_scene(const SceneOptions& options) {
 }  // namespace
 
 ExitCode scene_command(const SceneOptions& options) {
+  const disk::WaitingLimit limit(options.run.budget.wall_seconds);
   const auto done = do_scene(options);
   return done ? done.value() : refuse(done.error(), options.run.json, kSchema);
 }

@@ -1,20 +1,21 @@
 #include "tools/disk/disk.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
-#include <istream>
+#include <map>
+#include <mutex>
 #include <utility>
 #include <vector>
 
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <unistd.h>
 
 #include "tools/disk/part_file.h"
 #include "tools/disk/shipped.h"
+#include "tools/disk/waiting.h"
 
 namespace g31::disk {
 
@@ -37,81 +38,75 @@ std::vector<std::string> names_in(const std::string& folder, Wanted is_wanted) {
   return names;
 }
 
-std::atomic<const std::atomic<bool>*> standard_input_is_given_up = nullptr;
-
-/// Whether standard input has more, or its end, before it is given up.
-bool comes_in_time() {
-  // A signal ends the waiting, but one that came just before it does not.
-  constexpr int kLookMs = 100;
-  pollfd input{STDIN_FILENO, POLLIN, 0};
-  for (;;) {
-    const int ready = ::poll(&input, 1, kLookMs);
-    if (ready != 0) {
-      return ready > 0 || errno != EINTR;
-    }
-    const std::atomic<bool>* const is_over = standard_input_is_given_up;
-    if (is_over != nullptr && *is_over) {
-      return false;
-    }
-  }
-}
-
-/// nullopt where it fails, brings more than a pipe may, or is waited for in vain: a handled signal
-/// asks for the end of the work.
-std::optional<std::string> read_standard_input() {
-  constexpr std::size_t kPiece = 1 << 20;
-  std::string text;
-  std::vector<char> piece(kPiece);
-  while (text.size() <= Disk::kMostOfAPipe) {
-    if (!comes_in_time()) {
-      return std::nullopt;
-    }
-    const ssize_t count = ::read(STDIN_FILENO, piece.data(), kPiece);
-    if (count == 0) {
-      return text;
-    }
-    if (count < 0) {
-      return std::nullopt;
-    }
-    text.append(piece.data(), static_cast<std::size_t>(count));
-  }
-  return std::nullopt;
-}
-
-/// Reads a stream to its end; nullopt where it fails or brings more than a pipe may.
-std::optional<std::string> read_to_end(std::istream& in) {
-  // Nobody knows how much will come, and there may be no end of it.
-  constexpr std::size_t kPiece = 1 << 20;
-  std::string text;
-  while (in && text.size() <= Disk::kMostOfAPipe) {
-    const std::size_t before = text.size();
-    text.resize(before + kPiece);
-    in.read(text.data() + before, static_cast<std::streamsize>(kPiece));
-    text.resize(before + static_cast<std::size_t>(in.gcount()));
-  }
-  return in.bad() || text.size() > Disk::kMostOfAPipe ? std::nullopt
-                                                      : std::optional(std::move(text));
-}
-
-/// Standard input brings its text once; whoever reads "-" again reads the same.
-const std::optional<std::string>& standard_input() {
-  static const std::optional<std::string> kText = read_standard_input();
-  return kText;
-}
-
 bool is_standard_input(const std::string& path) {
   return path == "-";
 }
 
-}  // namespace
-
-void give_standard_input_up_when(const std::atomic<bool>& is_over) {
-  standard_input_is_given_up = &is_over;
+/// Reads to the end; nullopt where that fails, more comes than a pipe may bring, or it is waited
+/// for in vain.
+/// @param descriptor  not blocking, or standard input
+std::optional<std::string> read_to_end(int descriptor) {
+  // Nobody knows how much will come, and there may be no end of it.
+  constexpr std::size_t kPiece = 1 << 20;
+  std::string text;
+  std::vector<char> piece(kPiece);
+  while (text.size() <= Disk::kMostOfAPipe) {
+    if (wait_for_input(descriptor)) {
+      return std::nullopt;
+    }
+    const ssize_t count = ::read(descriptor, piece.data(), kPiece);
+    if (count == 0) {
+      return text;
+    }
+    if (count < 0 && errno != EAGAIN && errno != EINTR) {
+      return std::nullopt;
+    }
+    text.append(piece.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  }
+  return std::nullopt;
 }
+
+std::optional<std::string> read_pipe(const std::string& path) {
+  if (is_standard_input(path)) {
+    return read_to_end(STDIN_FILENO);
+  }
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    return std::nullopt;
+  }
+  // Without O_NONBLOCK a pipe that nobody writes to would keep us here for ever.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (descriptor < 0) {
+    return std::nullopt;
+  }
+  auto text = read_to_end(descriptor);
+  ::close(descriptor);
+  return text;
+}
+
+/// Standard input, a pipe or a device brings its text once; whoever reads it again reads the same.
+/// @param path  "-", or as the system knows it
+const std::optional<std::string>& text_of_pipe(const std::string& path) {
+  static std::mutex mutex;
+  static std::map<std::string, std::optional<std::string>> texts;
+  const std::scoped_lock lock(mutex);
+  const auto known = texts.find(path);
+  return known != texts.end() ? known->second : texts.emplace(path, read_pipe(path)).first->second;
+}
+
+/// Whether it brings its text once, and nobody knows before how much.
+bool is_pipe(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  return is_standard_input(path) ||
+         (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+}
+
+}  // namespace
 
 std::optional<std::uint64_t> Disk::size(const std::string& named) {
   if (is_standard_input(named)) {
-    const auto& text = standard_input();
+    const auto& text = text_of_pipe(named);
     return text ? std::optional<std::uint64_t>(text->size()) : std::nullopt;
   }
   const std::string path = real_path(named);
@@ -124,29 +119,23 @@ std::optional<std::uint64_t> Disk::size(const std::string& named) {
 }
 
 std::optional<std::string> Disk::read(const std::string& named) {
-  if (is_standard_input(named)) {
-    return standard_input();
-  }
-  if (const auto known = size(named)) {
-    return read_part(named, 0, static_cast<std::size_t>(*known));
-  }
   const std::string path = real_path(named);
-  std::error_code error;
-  std::ifstream in(path, std::ios::binary);
-  if (!in || fs::is_directory(path, error)) {
-    return std::nullopt;
+  if (is_pipe(path)) {
+    return text_of_pipe(path);
   }
-  return read_to_end(in);  // a pipe or a device
+  const auto known = size(named);
+  return known ? read_part(named, 0, static_cast<std::size_t>(*known)) : std::nullopt;
 }
 
-std::optional<std::string> Disk::read_part(const std::string& path, std::uint64_t offset,
+std::optional<std::string> Disk::read_part(const std::string& named, std::uint64_t offset,
                                            std::size_t length) {
-  if (is_standard_input(path)) {
-    const auto& text = standard_input();
+  const std::string path = real_path(named);
+  if (is_pipe(path)) {
+    const auto& text = text_of_pipe(path);
     return text && offset <= text->size() ? std::optional(text->substr(offset, length))
                                           : std::nullopt;
   }
-  std::ifstream in(real_path(path), std::ios::binary);
+  std::ifstream in(path, std::ios::binary);
   std::string part(length, '\0');
   if (!in.seekg(static_cast<std::streamoff>(offset)) ||
       (!in.read(part.data(), static_cast<std::streamsize>(length)) && !in.eof())) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -13,8 +12,9 @@
 
 namespace g31::disk {
 
-/// The real disk.  Any number of threads may read at a time.  "-" is standard input, read whole
-/// once and kept; a name that begins as shipped_name() does is a file that comes with g31.
+/// The real disk.  Any number of threads may read at a time.  "-" is standard input; it, a pipe and
+/// a device are read whole once and kept, and waited for as waiting.h says.  A name that begins as
+/// shipped_name() does is a file that comes with g31.
 class Disk final : public source::FileSystem {
  public:
   /// What a pipe or a device may bring, bytes; one that brings more cannot be read.
@@ -28,10 +28,6 @@ class Disk final : public source::FileSystem {
   std::vector<std::string> folders(const std::string& folder) override;
   bool has_folder(const std::string& folder) override;
 };
-
-/// From now on nobody waits for standard input any longer when this is true; a signal that is
-/// handled ends the waiting at once.  @param is_over  outlives the program's work
-void give_standard_input_up_when(const std::atomic<bool>& is_over);
 
 /// Writes a file under a temporary name beside it and renames it, so that nobody ever sees half of
 /// it; a link to a file stays one.  A device or a pipe gets the text as it is.  @returns why it

@@ -12,8 +12,11 @@ namespace g31::disk {
 
 std::optional<std::string> sha256_of(const std::string& path) {
   std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    return std::nullopt;
+  }
   std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, error) || !file) {
+  if (!file) {
     return std::nullopt;
   }
   sha256_ctx context;

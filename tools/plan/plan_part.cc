@@ -59,17 +59,25 @@ class PartPlanner {
     if (!stock) {
       return stock.error();
     }
-    const auto removal = parts::removal_of(request_.product, stock.value());
+    std::optional<Result<parts::Removal, std::string>> removal;
+    try {
+      removal = parts::removal_of(request_.product, stock.value(), [this] {
+        return !runtime::is_interrupted(request_.interruption);
+      });
+    } catch (const parts::BrokenOff&) {
+      return session::interrupted();
+    }
     if (runtime::is_interrupted(request_.interruption)) {
       return session::interrupted();
     }
-    if (!removal) {
-      return session::bad_input(removal.error());
+    if (!*removal) {
+      return session::bad_input(removal->error());
     }
     planned_.product = fs::path(request_.product).filename().string();
-    planned_.product_P = removal.value().product_P;
-    planned_.part = parts::recognise(removal.value().stock_P, removal.value().volumes);
-    planned_.part.dimensions = removal.value().dimensions;
+    const parts::Removal& removed = removal->value();
+    planned_.product_P = removed.product_P;
+    planned_.part = parts::recognise(removed.stock_P, removed.volumes);
+    planned_.part.dimensions = removed.dimensions;
     return std::nullopt;
   }
 

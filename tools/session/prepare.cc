@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "tools/disk/shipped.h"
+#include "tools/disk/waiting.h"
 #include "tools/session/variables_file.h"
 #include "tools/setup/assignment.h"
 #include "tools/setup/toml_reader.h"
@@ -31,6 +32,9 @@ Result<Control, Refusal> chosen_control(const Request& request, const setup::Job
 std::optional<Refusal> take_kept_variables(source::FileSystem& files, setup::Job& job) {
   const std::string& path = job.control.variables_file;
   const auto text = path.empty() ? std::nullopt : files.read(path);
+  if (!text && disk::given_up_input()) {
+    return bad_input(fmt::format("cannot read {}", path));
+  }
   if (!text) {
     return std::nullopt;
   }

@@ -22,6 +22,12 @@ Refusal interrupted() {
   return {Ending::Interrupted, "interrupted"};
 }
 
+Refusal out_of_time(std::string_view with) {
+  return {
+      Ending::Budget,
+      fmt::format("the limit of computing time is reached with {}: --max-time raises it", with)};
+}
+
 Refusal refusal_of(setup::SetupErrors errors) {
   const auto missing = setup::code_of(setup::SetupErrorId::FileNotFound);
   const bool is_missing = std::ranges::any_of(

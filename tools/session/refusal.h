@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "interpreter/runtime/control_setup.h"
@@ -23,6 +24,8 @@ Refusal bad_input(std::string message);
 Refusal bad_setup(std::string message);
 /// Somebody ended the work before anything came of it.
 Refusal interrupted();
+/// The limit of time is reached before anything came of the work.  @param with  what it was about
+Refusal out_of_time(std::string_view with);
 /// What is wrong with sheets.
 Refusal refusal_of(setup::SetupErrors errors);
 

@@ -1,7 +1,5 @@
 #include "tools/session/work_on_meshes.h"
 
-#include <fmt/format.h>
-
 namespace g31::session {
 
 parts::GoesOn goes_on_within(const runtime::TimeBudget* time) {
@@ -10,12 +8,7 @@ parts::GoesOn goes_on_within(const runtime::TimeBudget* time) {
 }
 
 Refusal too_late(const runtime::TimeBudget& time, std::string_view with) {
-  return time.is_interrupted()
-             ? interrupted()
-             : Refusal{Ending::Budget,
-                       fmt::format("the limit of computing time is reached with {}: --max-time "
-                                   "raises it",
-                                   with)};
+  return time.is_interrupted() ? interrupted() : out_of_time(with);
 }
 
 }  // namespace g31::session

@@ -1,14 +1,13 @@
 #include "tools/setup/document.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <fstream>
 #include <type_traits>
 #include <utility>
 
 #include <toml++/toml.h>
 
+#include "tools/disk/disk.h"
 #include "tools/setup/setup_error.h"
 
 namespace g31::setup {
@@ -36,32 +35,29 @@ struct FileText {
   std::string reason;  ///< "" when it could be read
 };
 
-/// @param named  "-": standard input
-FileText read_file(const std::string& named) {
-  const std::string path = named == "-" ? "/dev/stdin" : named;
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    return {{}, "it is a folder"};
-  }
-  if (!std::filesystem::exists(path, ignored)) {
-    return {{}, "no such file"};
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) {
-    return {{}, "it cannot be opened"};
-  }
-  std::string text;
-  std::array<char, 65536> buffer{};
-  while (stream.read(buffer.data(), buffer.size()), stream.gcount() > 0) {
-    text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > kLargestSheetBytes) {
-      return {{}, "it is larger than 16 MiB"};
+FileText read_file(const std::string& path) {
+  constexpr const char* kTooLarge = "it is larger than 16 MiB";
+  disk::Disk disk;
+  if (path != "-") {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) {
+      return {{}, "it is a folder"};
+    }
+    if (!std::filesystem::exists(path, ignored)) {
+      return {{}, "no such file"};
     }
   }
-  if (stream.bad()) {
-    return {{}, "reading failed"};
+  if (disk.size(path).value_or(0) > kLargestSheetBytes) {
+    return {{}, kTooLarge};
   }
-  return {std::move(text), {}};
+  auto text = disk.read(path);
+  if (!text) {
+    return {{}, "it cannot be opened, or not be read to its end"};
+  }
+  if (text->size() > kLargestSheetBytes) {
+    return {{}, kTooLarge};
+  }
+  return {*std::move(text), {}};
 }
 
 /// The first key with more than kMostDotsInAKey dots; document == nullptr when there is none.

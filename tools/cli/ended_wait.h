@@ -1,0 +1,11 @@
+#pragma once
+
+#include "tools/session/refusal.h"
+
+namespace g31::cli {
+
+/// The refusal; where an input could not be read because Ctrl-C or --max-time has ended the waiting
+/// for it, that in its place.
+session::Refusal with_ended_wait(const session::Refusal& wrong);
+
+}  // namespace g31::cli
