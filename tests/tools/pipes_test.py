@@ -3,6 +3,7 @@
 
 Usage: pipes_test.py G31
 """
+import fcntl
 import json
 import os
 import pathlib
@@ -124,6 +125,57 @@ class Inputs(Pipes):
             self.assertEqual(code, 2, errors)
             if "without Open CASCADE" not in errors:
                 self.assertIn("a part is read from a regular file", errors)
+
+
+class Outputs(Pipes):
+    """Whoever reads has opened the pipe."""
+    MOVES = "%\nO1\n" + "G0X1.\nX0.\n" * 500 + "M30\n%\n"
+    PRINTS = "%\nO1\nPOPEN\nN1DPRNT[THE*SAME*LINE*AGAIN*AND*AGAIN]\nGOTO1\n%\n"
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "moves.nc").write_text(self.MOVES)
+        (self.folder / "prints.nc").write_text(self.PRINTS)
+        self.reader = os.open(self.pipe, os.O_RDONLY | os.O_NONBLOCK)
+        self.addCleanup(os.close, self.reader)
+        fcntl.fcntl(self.reader, fcntl.F_SETPIPE_SZ, 4096)
+
+    STUCK = (("run", "moves.nc", "--moves", "--json", "pipe"), ("run", "moves.nc", "--jsonl", "pipe"),
+             ("run", "moves.nc", "--trace", "pipe"), ("run", "prints.nc", "--printer", "pipe"))
+
+    def test_the_limit_of_time_ends_the_waiting_for_a_reader_that_takes_nothing(self):
+        for words in self.STUCK:
+            began = time.monotonic()
+            code, _, errors = self.g31(*words, "--max-time", "0.5")
+            self.assertEqual(code, 6, f"{words}: {errors}")
+            self.assertIn("the limit of computing time is reached and whoever reads this pipe takes nothing", errors)
+            self.assertLess(time.monotonic() - began, PROMPT)
+
+    def test_so_does_the_first_ctrl_c(self):
+        for words in self.STUCK:
+            code, errors = self.interrupted(self.start(*words))
+            self.assertEqual(code, 130, f"{words}: {errors}")
+
+    def test_nor_is_a_reader_waited_for_that_does_not_come(self):
+        other = self.folder / "other"
+        os.mkfifo(other)
+        began = time.monotonic()
+        code, _, errors = self.g31("run", "a.nc", "--json", "other", "--max-time", "0.1")
+        self.assertEqual(code, 6, errors)
+        self.assertLess(time.monotonic() - began, 2.5, "3 s without a limit")
+
+    def test_a_reader_that_is_a_little_late_gets_all(self):
+        (self.folder / "ends.nc").write_text(self.MOVES.replace("M30", "N1GOTO1"))
+        run = self.start("run", "ends.nc", "--moves", "--json", "pipe", "--max-time", "0.5")
+        time.sleep(1.0)
+        os.set_blocking(self.reader, True)
+        text = b""
+        while piece := os.read(self.reader, 65536):
+            text += piece
+        run.communicate(timeout=GENEROUS)
+        self.assertEqual(run.returncode, 6)
+        document = json.loads(text)
+        self.assertEqual((document["status"], len(document["moves"])), ("budget", 1000))
 
 
 if __name__ == "__main__":

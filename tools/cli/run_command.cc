@@ -10,6 +10,7 @@
 
 #include "interpreter/runtime/time_budget.h"
 #include "tools/cli/desk.h"
+#include "tools/cli/ended_wait.h"
 #include "tools/cli/messages.h"
 #include "tools/cli/printouts.h"
 #include "tools/cli/refusal_document.h"
@@ -178,14 +179,16 @@ ExitCode run_to_end(const OpenedRun& opened, const Outputs& outputs) {
   const session::Heard heard = carried_out(opened);
   report::RunResult result = result_of(opened, heard);
   std::vector<Refusal> problems = unwritten_files(opened, outputs, heard.outcome);
-  const bool has_unwritten_files = !problems.empty();
+  std::optional<ExitCode> unwritten;
+  if (!problems.empty()) {
+    unwritten = exit_code_of(with_ended_wait(problems.front()).ending);
+  }
   const auto unread = add_values(opened, before, result);
   const expect::Actual actual = actual_of(opened, heard.outcome);
   result.expectations = expect::judge(opened.expectations, actual);
   result.characteristics = expect::measured(opened.expectations, actual);
-  ExitCode code =
-      exit_code_of(heard.outcome, {opened.options.fail_on, opened.expectations, result.expectations,
-                                   unread.has_value(), has_unwritten_files});
+  ExitCode code = exit_code_of(heard.outcome, {opened.options.fail_on, opened.expectations,
+                                               result.expectations, unread.has_value(), unwritten});
   if (unread) {
     problems.push_back(*unread);
   }
@@ -200,7 +203,7 @@ ExitCode run_to_end(const OpenedRun& opened, const Outputs& outputs) {
   for (const Refusal& problem : deliver_all(opened, outputs, result)) {
     code = refuse(problem);
   }
-  if (!has_unwritten_files) {
+  if (!unwritten) {
     outputs.desk.end(result, opened.recorder);
   }
   return code;

@@ -94,7 +94,10 @@ void add_program_options(CLI::App& command, RunOptions& options) {
   command.add_option("--max-blocks", options.budget.blocks, "executed blocks (default 50000000)")
       ->type_name("N")
       ->check(why_no_count);
-  command.add_option("--max-time", options.budget.wall_seconds, "wall seconds (default 600)")
+  command
+      .add_option(
+          "--max-time", options.budget.wall_seconds,
+          "wall seconds (default 600); then who reads a pipe of ours is waited for 1 s at most")
       ->type_name("S")
       ->check(why_no_time);
   add_max_output(command, options.max_output,

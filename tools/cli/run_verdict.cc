@@ -23,8 +23,8 @@ ExitCode without_files(const runtime::Outcome& outcome, const Verdict& verdict) 
 }  // namespace
 
 ExitCode exit_code_of(const runtime::Outcome& outcome, const Verdict& verdict) {
-  if (verdict.has_unwritten_files) {
-    return ExitCode::BadUsage;
+  if (verdict.unwritten) {
+    return *verdict.unwritten;
   }
   const ExitCode code = without_files(outcome, verdict);
   const bool may_hide = code == ExitCode::Completed || code == ExitCode::Findings;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "tools/cli/exit_code.h"
@@ -14,13 +15,14 @@ struct Verdict {
   const expect::Expectations& expectations;
   const std::vector<expect::Judged>& judged;  ///< of them
   bool has_unread_values = false;             ///< of --print
-  bool has_unwritten_files = false;
+  std::optional<ExitCode> unwritten = {};     ///< what files that could not be written come to
 };
 
-/// The one place that decides.  A file that could not be written is wrong usage; so is a value that
-/// cannot be read, but it hides nothing else.  Where all is as expected the run is good, whatever
-/// it ended with; findings count all the same unless their number is expected.  An expectation that
-/// fails is a finding, unless the run ended otherwise than anybody named: then its end counts.
+/// The one place that decides.  A file that could not be written comes first; a value that cannot
+/// be read is wrong usage, but it hides nothing else.  Where all is as expected the run is good,
+/// whatever it ended with; findings count all the same unless their number is expected.  An
+/// expectation that fails is a finding, unless the run ended otherwise than anybody named: then its
+/// end counts.
 ExitCode exit_code_of(const runtime::Outcome& outcome, const Verdict& verdict);
 
 }  // namespace g31::cli

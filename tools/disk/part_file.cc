@@ -23,7 +23,7 @@ constexpr std::string_view kSuffix = ".part";
 constexpr int kPipePatienceS = 3;
 
 std::string last_error() {
-  return std::strerror(errno);
+  return words_for(errno);
 }
 
 Result<fs::path, std::string> behind_link(const std::string& path) {
@@ -88,19 +88,21 @@ std::FILE* new_file(const std::string& name) {
 /// Opens a pipe once somebody reads it; nullptr: errno says why not, ENXIO that nobody does.
 std::FILE* open_pipe(const std::string& path) {
   constexpr int kLooksPerSecond = 50;
-  int descriptor = -1;
-  for (int look = 0; look <= kPipePatienceS * kLooksPerSecond; ++look) {
-    descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
-    if (descriptor >= 0 || errno != ENXIO) {
-      break;
+  for (int looks = 1;; ++looks) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor >= 0) {
+      return pipe_stream(descriptor);
+    }
+    if (errno != ENXIO) {
+      return nullptr;
+    }
+    const double waited_s = static_cast<double>(looks) / kLooksPerSecond;
+    if (const auto why = why_give_up_output(waited_s, kPipePatienceS)) {
+      errno = why == GivenUp::Stall ? ENXIO : error_of(*why);
+      return nullptr;
     }
     ::usleep(1'000'000 / kLooksPerSecond);
-    errno = ENXIO;
   }
-  if (descriptor < 0) {
-    return nullptr;
-  }
-  return pipe_stream(descriptor);
 }
 
 /// The new file looks like the one that it will replace, as far as we may.

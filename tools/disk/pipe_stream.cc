@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <climits>
-#include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstring>
@@ -11,14 +10,10 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <unistd.h>
 
 namespace g31::disk {
 namespace {
-
-/// What the system says of a pipe that was given up; nothing else that we write to says it.
-constexpr int kGivenUp = ETIMEDOUT;
 
 /// While it lives, a pipe without a reader is EPIPE for this thread, not the end of the process:
 /// what has been done so far is still told.
@@ -109,12 +104,8 @@ class Pipe {
 
   /// A pipe is ready once there is room for PIPE_BUF bytes.
   void wait() {
-    pollfd ready{descriptor_, POLLOUT, 0};
-    const int found = ::poll(&ready, 1, static_cast<int>(std::ceil(1000.0 * stall_s_)));
-    if (found == 0) {
-      error_ = kGivenUp;
-    } else if (found < 0 && errno != EINTR) {
-      error_ = errno;
+    if (const auto why = wait_for_output(descriptor_, stall_s_)) {
+      error_ = error_of(*why);
     }
   }
 
@@ -148,11 +139,32 @@ std::FILE* pipe_stream(int descriptor, double stall_s) {
   return file;
 }
 
+int error_of(GivenUp why) {
+  switch (why) {
+    case GivenUp::Interrupted:
+      return ECANCELED;
+    case GivenUp::Time:
+      return ETIME;
+    case GivenUp::Stall:
+      break;
+  }
+  return ETIMEDOUT;
+}
+
 std::string words_for(int error) {
-  return error == kGivenUp
-             ? fmt::format("whoever reads this pipe has taken nothing for {} s", kPipeStallS)
-         : error == EPIPE ? std::string("nobody reads this pipe any more")
-                          : std::string(std::strerror(error));
+  switch (error) {
+    case ETIMEDOUT:
+      return fmt::format("whoever reads this pipe has taken nothing for {} s", kPipeStallS);
+    case ETIME:
+      return "the limit of computing time is reached and whoever reads this pipe takes nothing: "
+             "--max-time raises the limit";
+    case ECANCELED:
+      return "the work was interrupted and whoever reads this pipe takes nothing";
+    case EPIPE:
+      return "nobody reads this pipe any more";
+    default:
+      return std::strerror(error);
+  }
 }
 
 }  // namespace g31::disk

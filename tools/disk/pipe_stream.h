@@ -3,9 +3,12 @@
 #include <cstdio>
 #include <string>
 
+#include "tools/disk/waiting.h"
+
 namespace g31::disk {
 
-/// A pipe whose reader takes nothing for so long is given up.
+/// A pipe whose reader takes nothing for so long is given up, and sooner after Ctrl-C or --max-time
+/// (waiting.h).
 inline constexpr double kPipeStallS = 60.0;
 
 /// A stream into a named pipe: whole lines go out at once, up to 4096 bytes together, so that its
@@ -15,6 +18,9 @@ inline constexpr double kPipeStallS = 60.0;
 /// @param descriptor  not blocking (O_NONBLOCK); the stream closes it
 /// @returns nullptr: errno says why there is none
 std::FILE* pipe_stream(int descriptor, double stall_s = kPipeStallS);
+
+/// The errno of a pipe that was given up; nothing else that we write to says one of these.
+int error_of(GivenUp why);
 
 /// The system's words for errno; of a pipe that was given up, ours.
 std::string words_for(int error);

@@ -16,6 +16,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 std::atomic<const std::atomic<bool>*> interruption = nullptr;
 std::atomic<double> last_s = kNever;
 std::atomic<std::optional<GivenUp>> input_given_up = std::optional<GivenUp>();
+std::atomic<std::optional<GivenUp>> output_given_up = std::optional<GivenUp>();
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -30,6 +31,14 @@ std::optional<GivenUp> why_over() {
   return now_s() > last_s ? std::optional(GivenUp::Time) : std::nullopt;
 }
 
+/// Waits for one look.  @returns whether there is something to do; what is wrong with a descriptor
+/// is told by who does it
+bool is_ready(int descriptor, short event) {
+  pollfd watched{descriptor, event, 0};
+  const int found = ::poll(&watched, 1, kBetweenLooksMs);
+  return found > 0 || (found < 0 && errno != EINTR);
+}
+
 }  // namespace
 
 void give_up_waiting_when(const std::atomic<bool>& is_over) {
@@ -39,6 +48,7 @@ void give_up_waiting_when(const std::atomic<bool>& is_over) {
 WaitingLimit::WaitingLimit(double seconds) {
   last_s = now_s() + seconds;
   input_given_up = std::optional<GivenUp>();
+  output_given_up = std::optional<GivenUp>();
 }
 
 WaitingLimit::~WaitingLimit() {
@@ -46,22 +56,42 @@ WaitingLimit::~WaitingLimit() {
 }
 
 std::optional<GivenUp> wait_for_input(int descriptor) {
-  pollfd watched{descriptor, POLLIN, 0};
-  for (;;) {
-    // What is wrong with a descriptor is told by who reads from it.
-    const int ready = ::poll(&watched, 1, kBetweenLooksMs);
-    if (ready > 0 || (ready < 0 && errno != EINTR)) {
-      return std::nullopt;
-    }
+  while (!is_ready(descriptor, POLLIN)) {
     if (const auto why = why_over()) {
       input_given_up = why;
       return why;
     }
   }
+  return std::nullopt;
+}
+
+std::optional<GivenUp> why_give_up_output(double waited_s, double stall_s) {
+  auto why = waited_s < kOutputGraceS ? std::nullopt : why_over();
+  if (!why && waited_s >= stall_s) {
+    why = GivenUp::Stall;
+  }
+  if (why) {
+    output_given_up = why;
+  }
+  return why;
+}
+
+std::optional<GivenUp> wait_for_output(int descriptor, double stall_s) {
+  const double began_s = now_s();
+  while (!is_ready(descriptor, POLLOUT)) {
+    if (const auto why = why_give_up_output(now_s() - began_s, stall_s)) {
+      return why;
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<GivenUp> given_up_input() {
   return input_given_up;
+}
+
+std::optional<GivenUp> given_up_output() {
+  return output_given_up;
 }
 
 }  // namespace g31::disk

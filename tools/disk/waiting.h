@@ -29,7 +29,21 @@ class WaitingLimit {
 /// Waits for what a pipe brings, or for its end.  @returns nullopt: it is there; else why not
 std::optional<GivenUp> wait_for_input(int descriptor);
 
-/// Why waiting for input has been given up since the last WaitingLimit began; nullopt: it has not.
+/// Whoever reads what we write is waited for so long at least: a run that is interrupted, or has
+/// used up its time, still tells what it came to.
+inline constexpr double kOutputGraceS = 1.0;
+
+/// Why whoever reads a pipe is waited for no longer; nullopt: they are.
+/// @param waited_s  so long already
+/// @param stall_s   the longest
+std::optional<GivenUp> why_give_up_output(double waited_s, double stall_s);
+
+/// Waits until a pipe takes something.  @returns nullopt: it does; else why not
+std::optional<GivenUp> wait_for_output(int descriptor, double stall_s);
+
+/// Why waiting has been given up since the last WaitingLimit began, for input and for who reads
+/// what we write; nullopt: it has not.
 std::optional<GivenUp> given_up_input();
+std::optional<GivenUp> given_up_output();
 
 }  // namespace g31::disk
